@@ -1,0 +1,42 @@
+"""What several tests share: strategies for inputs, and angles compared on the circle."""
+
+import hypothesis.strategies as st
+import numpy as np
+
+EPS = np.finfo(float).eps  # 2.2e-16: one rounding of a number near 1
+
+
+def reals(low, high):
+    """Finite floats in [low, high]."""
+    return st.floats(low, high, allow_nan=False, allow_subnormal=False)
+
+
+def vectors(size, low, high):
+    """Lists of `size` finite floats in [low, high]."""
+    return st.lists(reals(low, high), min_size=size, max_size=size)
+
+
+angles = reals(-2 * np.pi, 2 * np.pi)
+poses = st.tuples(reals(-10, 10), reals(-10, 10), angles).map(np.array)
+twists = vectors(3, -3, 3).map(np.array)
+
+# near-singular values on purpose: the point itself and its neighbours
+NEAR_ZERO = [sign * 10.0**-k for k in range(3, 17) for sign in (1, -1)]
+
+
+def on_circle(difference):
+    """The size of an angle difference, measured round the circle."""
+    return np.abs((np.asarray(difference) + np.pi) % (2 * np.pi) - np.pi)
+
+
+def assert_angles(actual, expected, atol):
+    """Angles equal on the circle to within atol (rad)."""
+    assert np.shape(actual) == np.shape(expected)
+    worst = np.max(on_circle(np.asarray(actual) - expected), initial=0.0)
+    assert worst <= atol, f"angles differ by {worst:.3g} rad, allowed {atol:.3g}"
+
+
+def assert_close(actual, expected, atol):
+    """Numbers equal to within atol; infinities and NaN must stand in the same places."""
+    assert np.shape(actual) == np.shape(expected)
+    np.testing.assert_allclose(actual, expected, rtol=0, atol=atol, equal_nan=True)

@@ -5,6 +5,7 @@ rates) are refused only for their shape or type; a value in them that is NaN or 
 its own row NaN and touches no other.
 """
 
+import reprlib
 from collections.abc import Callable, Sequence
 from typing import Any, ParamSpec, TypeVar
 
@@ -18,6 +19,8 @@ Shape = tuple[int, ...]
 P = ParamSpec("P")
 T = TypeVar("T")
 
+MOST_AXES = 24  # NumPy's own limit is 32 in places, and a result may have more axes than its data
+
 
 def quiet(function: Callable[P, T]) -> Callable[P, T]:
     """Keep NumPy's warnings inside: the result itself (NaN, inf) says what happened."""
@@ -29,10 +32,14 @@ def numbers(name: str, value: ArrayLike) -> Array:
     """`value` as an array of floats; strings, objects, complex and ragged lists are refused."""
     try:
         array = np.asarray(value)
-    except ValueError as error:
-        raise RobokinError(f"{name} must be numbers in a regular array, got {value!r}") from error
+    except Exception as error:  # whatever a ragged list or a strange object does in there
+        raise RobokinError(
+            f"{name} must be numbers in a regular array, got {shown(value)}"
+        ) from error
     if array.dtype.kind not in "iuf":
-        raise RobokinError(f"{name} must be real numbers, got {array.dtype} in {value!r}")
+        raise RobokinError(f"{name} must be real numbers, got {array.dtype} in {shown(value)}")
+    if array.ndim > MOST_AXES:
+        raise RobokinError(f"{name} must have at most {MOST_AXES} axes, got {array.ndim}")
     return array.astype(np.float64, copy=False)
 
 
@@ -59,8 +66,16 @@ def _refuse(name: str, array: Array, bad: NDArray[np.bool_], allowed: str) -> Ar
 def choice(name: str, value: Any, allowed: Sequence[str]) -> str:
     """A name that must be one of a few."""
     if not isinstance(value, str) or value not in allowed:
-        raise RobokinError(f"{name} must be one of {', '.join(allowed)}, got {value!r}")
+        raise RobokinError(f"{name} must be one of {', '.join(allowed)}, got {shown(value)}")
     return value
+
+
+def shown(value: Any) -> str:
+    """What was got, cut short for a message; some objects cannot even be printed."""
+    try:
+        return reprlib.repr(value)
+    except Exception:
+        return f"a {type(value).__name__}"
 
 
 def rows(
@@ -93,8 +108,9 @@ def _batch_shape(
         array.shape[: array.ndim - len(core)]
         for (_, _, core), array in zip(items, arrays, strict=True)
     ]
+    shapes = {*batches, *(array.shape for array in parameters)} - {()}
     try:
-        return np.broadcast_shapes(*batches, *(array.shape for array in parameters))
+        return np.broadcast_shapes(*shapes) if len(shapes) > 1 else (*shapes, ())[0]
     except ValueError as error:
         got = ", ".join(
             f"{name} {batch}" for (name, _, _), batch in zip(items, batches, strict=True)

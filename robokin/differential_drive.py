@@ -32,9 +32,9 @@ def body_twist(
         parameters=(radius, distance),
     )
     out = np.empty((*shape, 3))
-    out[..., 0] = 0.5 * radius * (right + left)
-    out[..., 1] = 0 * left
-    out[..., 2] = radius * (right - left) / distance
+    np.multiply(0.5 * radius, right + left, out=out[..., 0])
+    np.subtract(left, left, out=out[..., 1])  # 0, or NaN in a NaN row
+    np.multiply(radius / distance, right - left, out=out[..., 2])
     return out
 
 
@@ -53,8 +53,8 @@ def wheel_rates(
     radius = positive("wheel_radius", wheel_radius)
     distance = positive("wheel_distance", wheel_distance)
     shape, (v, omega) = rows(("v", v, ()), ("omega", omega, ()), parameters=(radius, distance))
-    half = 0.5 * omega * distance
+    half = 0.5 * distance * omega
     out = np.empty((*shape, 2))
-    out[..., 0] = (v - half) / radius
-    out[..., 1] = (v + half) / radius
+    np.divide(v - half, radius, out=out[..., 0])
+    np.divide(v + half, radius, out=out[..., 1])
     return out

@@ -7,7 +7,7 @@ leading batch dimensions broadcast. Taught in the chapter on the differential dr
 import numpy as np
 from numpy.typing import ArrayLike
 
-from robokin._checks import Array, choice, finite, quiet, rows
+from robokin._checks import Array, choice, finite, numbers, quiet, rows
 
 __all__ = ["arc_step", "icr", "move", "path", "to_body", "to_world", "wrap_angle"]
 
@@ -18,11 +18,14 @@ METHODS = ("exact", "midpoint", "start", "end")
 def wrap_angle(angle: ArrayLike) -> Array:
     """The same direction as an angle in (-π, π].
 
-    angle: (…) in rad. An angle already there is returned unchanged, digit for digit.
+    angle: (…) in rad → (…). An angle already there is returned unchanged, digit for digit.
+
+    >>> wrap_angle([np.pi, -np.pi, 7.0]).round(6)
+    array([3.141593, 3.141593, 0.716815])
     """
     _, (a,) = rows(("angle", angle, ()))
-    a = a - 2 * np.pi * np.ceil((a - np.pi) / (2 * np.pi))
-    return np.where(a <= -np.pi, np.pi, np.minimum(a, np.pi))[()]
+    a = np.minimum(a - 2 * np.pi * np.rint(a / (2 * np.pi)), np.pi)
+    return np.where(a <= -np.pi, np.pi, a)[()]
 
 
 @quiet
@@ -53,7 +56,7 @@ def _turn(theta: ArrayLike, twist: ArrayLike, sign: float) -> Array:
     out = np.empty((*shape, 3))
     out[..., 0] = c * tw[..., 0] - s * tw[..., 1]
     out[..., 1] = s * tw[..., 0] + c * tw[..., 1]
-    out[..., 2] = tw[..., 2] + 0 * th
+    out[..., 2] = tw[..., 2]
     return out
 
 
@@ -73,13 +76,13 @@ def arc_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike) -> 
     shape, (p, v, omega) = rows(
         ("pose", pose, (3,)), ("v", v, ()), ("omega", omega, ()), parameters=(dt,)
     )
-    half = 0.5 * (omega * dt)
-    chord = v * dt * _sinc(half)
-    heading = p[..., 2] + half
+    turn = omega * dt
+    chord = v * dt * _sinc(0.5 * turn)
+    c, s = _cos_sin(p[..., 2], 0.5 * turn)
     out = np.empty((*shape, 3))
-    out[..., 0] = p[..., 0] + chord * np.cos(heading)
-    out[..., 1] = p[..., 1] + chord * np.sin(heading)
-    out[..., 2] = p[..., 2] + omega * dt
+    out[..., 0] = p[..., 0] + chord * c
+    out[..., 1] = p[..., 1] + chord * s
+    out[..., 2] = p[..., 2] + turn
     return out
 
 
@@ -93,13 +96,13 @@ def move(pose: ArrayLike, twist: ArrayLike, dt: ArrayLike) -> Array:
     """
     dt = finite("dt", dt)
     shape, (p, tw) = rows(("pose", pose, (3,)), ("twist", twist, (3,)), parameters=(dt,))
-    half = 0.5 * (tw[..., 2] * dt)
-    scale = dt * _sinc(half)
-    c, s = np.cos(p[..., 2] + half), np.sin(p[..., 2] + half)
+    turn = tw[..., 2] * dt
+    scale = dt * _sinc(0.5 * turn)
+    c, s = _cos_sin(p[..., 2], 0.5 * turn)
     out = np.empty((*shape, 3))
     out[..., 0] = p[..., 0] + scale * (c * tw[..., 0] - s * tw[..., 1])
     out[..., 1] = p[..., 1] + scale * (s * tw[..., 0] + c * tw[..., 1])
-    out[..., 2] = p[..., 2] + tw[..., 2] * dt
+    out[..., 2] = p[..., 2] + turn
     return out
 
 
@@ -114,27 +117,11 @@ def path(
     its middle ("midpoint"), its old ("start") or its new heading ("end"). A NaN makes the path
     NaN from its step on.
     """
-    choice("method", method, METHODS)
     dt = np.atleast_1d(finite("dt", dt))
-    steps, (v, omega) = rows(
-        ("v", np.atleast_1d(v), ()), ("omega", np.atleast_1d(omega), ()), parameters=(dt,)
-    )
-    batch, (p,) = rows(("pose", pose, (3,)), parameters=(np.broadcast_to(0.0, steps[:-1]),))
-    turn, length = omega * dt, v * dt
-    out = np.empty((*batch, steps[-1] + 1, 3))
-    out[..., 0, :] = p
-    out[..., 1:, 2] = p[..., 2:] + np.cumsum(np.broadcast_to(turn, steps), axis=-1)
-    if method == "exact":
-        length = length * _sinc(0.5 * turn)
-    if method == "start":
-        heading = out[..., :-1, 2]
-    elif method == "end":
-        heading = out[..., 1:, 2]
-    else:
-        heading = out[..., :-1, 2] + 0.5 * turn
-    out[..., 1:, 0] = p[..., :1] + np.cumsum(length * np.cos(heading), axis=-1)
-    out[..., 1:, 1] = p[..., 1:2] + np.cumsum(length * np.sin(heading), axis=-1)
-    return out
+    v, omega = np.atleast_1d(numbers("v", v), numbers("omega", omega))
+    steps, (v, omega) = rows(("v", v, ()), ("omega", omega, ()), parameters=(dt,))
+    turn = np.broadcast_to(omega * dt, steps)
+    return _follow(pose, turn.cumsum(-1), turn, v * dt, method)
 
 
 @quiet
@@ -158,7 +145,38 @@ def icr(pose: ArrayLike, v: ArrayLike, omega: ArrayLike) -> Array:
     return out
 
 
+def _follow(pose: ArrayLike, turned: Array, turn: Array, length: Array, method: str) -> Array:
+    """The poses of `path`, (…, N+1, 3), by the four step rules that odometry shares.
+
+    turned: (…, N) how far the robot has turned since the start; turn, length: (…, N) of each step.
+    """
+    choice("method", method, METHODS)
+    batch, (p,) = rows(("pose", pose, (3,)), parameters=(np.empty(turned.shape[:-1]),))
+    out = np.empty((*batch, turned.shape[-1] + 1, 3))
+    out[..., 0, :] = p
+    out[..., 1:, 2] = p[..., 2:] + turned
+    if method == "exact":
+        length = length * _sinc(0.5 * turn)
+    if method == "start":
+        heading = out[..., :-1, 2]
+    elif method == "end":
+        heading = out[..., 1:, 2]
+    else:
+        heading = out[..., :-1, 2] + 0.5 * turn
+    out[..., 1:, 0] = p[..., :1] + (length * np.cos(heading)).cumsum(-1)
+    out[..., 1:, 1] = p[..., 1:2] + (length * np.sin(heading)).cumsum(-1)
+    return out
+
+
 def _sinc(x: Array) -> Array:
-    """sin(x)/x, 1 at 0: at zero a number too small to change the sine's argument stands in."""
-    x = x + 1e-300 * (x == 0)
+    """sin(x)/x, 1 at 0: an even function, and 1e-300 is lost in every |x| that is not next to 0."""
+    x = np.abs(x) + 1e-300
     return np.sin(x) / x
+
+
+def _cos_sin(theta: Array, half: Array) -> tuple[Array, Array]:
+    """Cosine and sine of theta + half; what rounding took from the sum is turned in afterwards."""
+    heading = theta + half
+    rest = half - (heading - theta)
+    c, s = np.cos(heading), np.sin(heading)
+    return c - rest * s, s + rest * c

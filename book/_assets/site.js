@@ -1,0 +1,27 @@
+// What scrolls sideways can be reached and scrolled with the keyboard.
+{
+  const LABELS = {
+    "math-scroll": "Equation, scrolls sideways",
+    "pst-scrollable-table-container": "Table, scrolls sideways",
+  };
+  const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
+
+  const mark = (box) => {
+    if (box.scrollWidth > box.clientWidth) {
+      box.tabIndex = 0;
+      box.setAttribute("role", "group");
+      box.setAttribute("aria-label", LABELS[box.className]);
+    } else {
+      ["tabindex", "role", "aria-label"].forEach((name) => box.removeAttribute(name));
+    }
+  };
+
+  const observer = new ResizeObserver((entries) => entries.forEach(({ target }) => mark(target)));
+  document.querySelectorAll(BOXES).forEach((box) => observer.observe(box));
+  document.fonts?.ready.then(() => document.querySelectorAll(BOXES).forEach(mark));
+
+  // Search results show no text from pages on disk: browsers do not let a script read them.
+  if (location.protocol === "file:" && typeof DOCUMENTATION_OPTIONS !== "undefined") {
+    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
+  }
+}

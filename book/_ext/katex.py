@@ -1,0 +1,160 @@
+"""Mathematics becomes HTML and MathML while the book is built; the page needs no script for it.
+
+KaTeX runs in V8, which comes as the wheel `mini-racer`. TeX that KaTeX cannot read is a warning
+with document and line, and warnings are errors in this book. Only pages that show mathematics
+link KaTeX's style sheet.
+"""
+
+import atexit
+import functools
+import hashlib
+import html
+import re
+import shutil
+from pathlib import Path
+
+from docutils import nodes
+from py_mini_racer import MiniRacer
+from sphinx.util import logging
+from sphinx.util.math import get_node_equation_number
+
+logger = logging.getLogger(__name__)
+
+VENDOR = Path(__file__).parents[1] / "_vendor" / "katex"
+
+RENDER = """
+function render(tex, displayMode, macros) {
+  const options = {displayMode, macros, output: "htmlAndMathml", strict: "error", trust: false};
+  try { return {html: katex.renderToString(tex, options)}; }
+  catch (error) { return {error: error.rawMessage || error.message || String(error)}; }
+}
+"""
+
+# KaTeX would number these environments itself; Sphinx does that, so the starred form is drawn
+NUMBERED = re.compile(r"\\(begin|end)\{(equation|align|alignat|gather)\}")
+SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
+
+
+# --- TeX ------------------------------------------------------------------------------------
+
+
+def breaks_lines(tex):
+    r"""Whether a `\\` stands outside every environment and brace."""
+    depth = 0
+    for token in SCOPES.findall(tex):
+        if token == r"\\" and depth == 0:
+            return True
+        # \begin{x} opens its brace and itself; the brace of \end{x} closes the environment
+        depth += {r"\begin{": 2, "{": 1, "}": -1}.get(token, 0)
+    return False
+
+
+def lines_aligned(tex):
+    """The TeX of a display: several lines, or paragraphs, become one aligned environment."""
+    parts = [part.strip() for part in re.split(r"\n\s*\n", tex) if part.strip()]
+    if len(parts) == 1 and not breaks_lines(parts[0]):
+        return parts[0]
+    return r"\begin{aligned}" + r" \\ ".join(parts) + r"\end{aligned}"
+
+
+def display_tex(node):
+    """The TeX that KaTeX draws for a display."""
+    tex = node.astext().strip()
+    return NUMBERED.sub(r"\\\1{\2*}", tex) if node.get("nowrap") else lines_aligned(tex)
+
+
+# --- the engine -----------------------------------------------------------------------------
+
+
+@functools.cache
+def engine():
+    """V8 with KaTeX in it, started once. One left open keeps Python from ending: closed at exit."""
+    context = MiniRacer()
+    atexit.register(context.close)
+    context.eval((VENDOR / "katex.min.js").read_text("utf-8"))
+    context.eval(RENDER)
+    return context
+
+
+@functools.cache
+def rendered(tex, display, macros=()):
+    """`{"html": …}` or `{"error": …}` for one formula; `macros` are pairs (name, TeX)."""
+    return engine().call("render", tex, display, dict(macros))
+
+
+def place(node):
+    """Document and line of a formula, for the message; a notebook's line as cell and line."""
+    while node.parent is not None and node.line is None:
+        node = node.parent
+    source, line = node.source or "", node.line
+    if source.endswith(".ipynb") and line and line >= 10_000:  # how myst-nb counts
+        return source, f"cell {line // 10_000}, line {line % 10_000}"
+    return (f"{source}:{line}" if line else source), ""
+
+
+def to_html(writer, node, tex, display):
+    """The formula as HTML, or its TeX and a warning."""
+    macros = tuple(sorted(writer.builder.config.katex_macros.items()))
+    result = rendered(tex, display, macros)
+    if "html" in result:
+        return result["html"]
+    location, cell = place(node)
+    where = f" ({cell})" if cell else ""
+    logger.warning("TeX: %s in %s%s", result["error"], tex, where, location=location, type="katex")
+    return f"<code>{html.escape(tex)}</code>"
+
+
+# --- what Sphinx calls ----------------------------------------------------------------------
+
+
+def visit_inline(writer, node):
+    """Write an inline formula."""
+    writer.body.append(writer.starttag(node, "span", "", CLASS="math notranslate nohighlight"))
+    writer.body.append(to_html(writer, node, node.astext().strip(), False) + "</span>")
+    raise nodes.SkipNode
+
+
+def visit_display(writer, node):
+    """Write a display: the formula in a box that scrolls, its number beside the box."""
+    formula = to_html(writer, node, display_tex(node), True)
+    writer.body.append(writer.starttag(node, "div", CLASS="math notranslate nohighlight"))
+    writer.body.append(f'<div class="math-scroll">{formula}</div>')
+    if node["number"]:
+        writer.body.append(f'<span class="eqno">({get_node_equation_number(writer, node)})')
+        writer.add_permalink_ref(node, "Link to this equation")
+        writer.body.append("</span>")
+    writer.body.append("</div>\n")
+    raise nodes.SkipNode
+
+
+def link_styles(app, pagename, templatename, context, doctree):
+    """Link KaTeX's style sheet where mathematics is shown; a title's is shown in every menu."""
+    in_titles = any(next(title.findall(nodes.math), None) for title in app.env.titles.values())
+    if in_titles or 'class="katex' in context.get("body", ""):
+        app.add_css_file("katex/katex.min.css", priority=300)
+
+
+def copy_styles(app):
+    """Ship the style sheet and the fonts, nothing else."""
+    if app.builder.format != "html":
+        return
+    target = Path(app.outdir) / "_static" / "katex"
+    shutil.copytree(VENDOR / "fonts", target / "fonts", dirs_exist_ok=True)
+    shutil.copy(VENDOR / "katex.min.css", target)
+    shutil.copy(VENDOR / "LICENSE", target)
+
+
+def sources_digest():
+    """Changes when the renderer changes, so that stored pages are written again."""
+    files = [Path(__file__), VENDOR / "katex.min.js", VENDOR / "katex.min.css"]
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
+def setup(app):
+    """Register the renderer `katex`."""
+    app.add_html_math_renderer("katex", (visit_inline, None), (visit_display, None))
+    app.add_config_value("katex_macros", {}, "html", dict)
+    app.add_config_value("katex_sources", sources_digest(), "html", str)
+    app.connect("builder-inited", copy_styles)
+    app.connect("html-page-context", link_styles)
+    return {"parallel_read_safe": True, "parallel_write_safe": False}

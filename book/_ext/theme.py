@@ -1,0 +1,127 @@
+"""What this site changes in its theme: fewer bytes, a description, a build that stays honest."""
+
+import hashlib
+import html
+import re
+import shutil
+from pathlib import Path
+
+from docutils import nodes
+
+BOOK = Path(__file__).parents[1]
+ASSETS = BOOK / "_assets"
+DESCRIPTION_LENGTH = 160  # what search engines show
+
+# what the theme puts in the site and no page of it uses
+UNUSED = ["vendor/fontawesome", "scripts/fontawesome.js", "scripts/fontawesome.js.LICENSE.txt"]
+ICON_RULE = re.compile(r"(?<=[{}/])(?:\.fa-[a-z0-9-]+(?:::?before|::?after)?,?)+\{[^{}]*\}")
+FONT_FACE = re.compile(r"@font-face\{[^{}]*\}")
+
+
+# --- description ----------------------------------------------------------------------------
+
+
+def shortened(text, length):
+    """The text in one line, cut at a word."""
+    text = " ".join(text.split())
+    if len(text) <= length:
+        return text
+    return text[: length - 1].rsplit(" ", 1)[0].rstrip(",;:.- ") + "…"
+
+
+def first_paragraph(doctree):
+    """The first paragraph of the text that holds no formula, or nothing."""
+    for paragraph in doctree.findall(nodes.paragraph):
+        in_text = isinstance(paragraph.parent, nodes.section)
+        if in_text and next(paragraph.findall(nodes.math), None) is None:
+            return paragraph.astext()
+    return ""
+
+
+def add_description(app, pagename, templatename, context, doctree):
+    """A description: the page's own (front matter), its first paragraph, or the book's."""
+    if 'name="description"' in context.get("metatags", ""):
+        return
+    own = app.env.metadata.get(pagename, {}).get("description", "")
+    text = own or (first_paragraph(doctree) if doctree else "") or app.config.site_description
+    content = html.escape(shortened(text, DESCRIPTION_LENGTH))
+    meta = f'<meta name="description" content="{content}" />'
+    context["metatags"] = f"{context.get('metatags', '')}\n{meta}"
+
+
+# --- roles ----------------------------------------------------------------------------------
+
+
+def renew_roles(app, pagename, templatename, context, doctree):
+    """docutils gives entries of a bibliography a role that has gone out of use."""
+    if "body" in context:
+        context["body"] = context["body"].replace('role="doc-biblioentry"', 'role="listitem"')
+
+
+# --- weight ---------------------------------------------------------------------------------
+
+
+def slim(css):
+    """The theme's style sheet without its icon font: a third of it, compressed."""
+    return ICON_RULE.sub("", FONT_FACE.sub("", css))
+
+
+def drop_unused(app, exception):
+    """Take out of the built site what no page uses."""
+    if exception or app.builder.format != "html":
+        return
+    static = Path(app.outdir) / "_static"
+    for name in UNUSED:
+        target = static / name
+        shutil.rmtree(target) if target.is_dir() else target.unlink(missing_ok=True)
+    for source_map in static.rglob("*.map"):
+        source_map.unlink()
+    sheet = static / "styles" / "pydata-sphinx-theme.css"
+    sheet.write_text(slim(sheet.read_text("utf-8")), "utf-8")
+    for file in [*static.glob("styles/*.css"), *static.glob("scripts/*.js")]:
+        drop_map_link(file)
+
+
+def drop_map_link(file):
+    """Browsers with open developer tools ask for the map that is named here."""
+    text = file.read_text("utf-8")
+    file.write_text(re.sub(r"\n?(//|/\*)# sourceMappingURL=\S+?(\s*\*/|$)", "", text), "utf-8")
+
+
+# --- first page -----------------------------------------------------------------------------
+
+
+def first_page(app, exception):
+    """`index.html` is the first page itself, not a redirect to it."""
+    index = Path(app.outdir) / "index.html"
+    if not exception and app.builder.name == "html" and app.config.root_doc != "index":
+        shutil.copy(index.with_name(f"{app.config.root_doc}.html"), index)
+
+
+# --- honest builds --------------------------------------------------------------------------
+
+
+def forget_failed_build(app, exception):
+    """After a warning the next build reads everything again; else it would not warn again."""
+    if exception or app._warncount:
+        (Path(app.doctreedir) / "environment.pickle").unlink(missing_ok=True)
+
+
+def sources_digest():
+    """Changes when an asset changes, so that pages link the new one."""
+    files = sorted(file for file in ASSETS.rglob("*") if file.is_file())
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
+def setup(app):
+    """Register the site's changes."""
+    app.add_config_value("site_description", "", "html", str)
+    app.add_config_value("site_sources", sources_digest(), "html", str)
+    app.add_css_file("site.css", priority=900)
+    app.add_js_file("site.js", loading_method="defer")
+    app.connect("html-page-context", add_description, priority=900)
+    app.connect("html-page-context", renew_roles)
+    app.connect("build-finished", drop_unused)
+    app.connect("build-finished", first_page, priority=900)
+    app.connect("build-finished", forget_failed_build)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

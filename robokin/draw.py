@@ -1,0 +1,116 @@
+"""Still figures of robots with matplotlib, in the colours of `robokin.styles`; computes nothing.
+
+ax = axes(x=(-0.2, 0.2), y=(-0.1, 0.3))
+robot(ax, pose=[0, 0, 1.57], wheel_distance=0.1, wheel_radius=0.03)
+arrow(ax, tail=[0, 0], head=[0, 0.1], kind="velocity", label="$v$")
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Circle, FancyArrowPatch, Rectangle
+from matplotlib.transforms import Affine2D, Transform
+from numpy.typing import NDArray
+
+from robokin.errors import RobokinError
+from robokin.styles import KINDS, Style
+
+__all__ = ["arrow", "axes", "frame", "path", "point", "robot"]
+
+Vector = Sequence[float] | NDArray[np.float64]
+MARKERS = {"dot": "o", "ring": "o", "cross": "x", "square": "s", "diamond": "D"}
+
+
+def style(kind: str) -> Style:
+    """The look of a kind of thing."""
+    if kind not in KINDS:
+        raise RobokinError(f"kind must be one of {', '.join(KINDS)}, got {kind!r}")
+    return KINDS[kind]
+
+
+def axes(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
+    """Empty axes in metres, one unit as long upwards as sideways.
+
+    x, y: lowest and highest value shown, m; width: of the picture, inches.
+    """
+    height = width * (y[1] - y[0]) / (x[1] - x[0])
+    _, ax = plt.subplots(figsize=(width, height), dpi=200, layout="constrained")
+    ax.set(xlim=x, ylim=y, aspect="equal", xlabel="$x$ [m]", ylabel="$y$ [m]")
+    ax.grid(color=style("grid").light)
+    ax.set_axisbelow(True)
+    return ax
+
+
+def arrow(ax: Axes, tail: Vector, head: Vector, kind: str, label: str = "") -> None:
+    """An arrow from tail to head, (2,) in m each, with a label at its head."""
+    look = style(kind)
+    shape: Any = {"arrowstyle": "-|>", "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
+    ends = (tail[0], tail[1]), (head[0], head[1])
+    patch = FancyArrowPatch(*ends, color=look.light, linewidth=2, **shape)
+    ax.add_patch(patch)
+    _label(ax, head, label, look)
+
+
+def point(ax: Axes, at: Vector, kind: str, label: str = "") -> None:
+    """A marker at a point, (2,) in m."""
+    look = style(kind)
+    face = "none" if look.marker == "ring" else look.light
+    x, y = at
+    ax.plot(x, y, MARKERS[look.marker], color=look.light, markerfacecolor=face, markersize=8, mew=2)
+    _label(ax, at, label, look)
+
+
+def path(
+    ax: Axes, points: Sequence[Vector] | NDArray[np.float64], kind: str = "path", label: str = ""
+) -> None:
+    """A line through points (n, 2 or more): x and y are the first two columns."""
+    look = style(kind)
+    dash: Any = (0, look.dash) if look.dash else "-"
+    columns = np.asarray(points).T
+    ax.plot(columns[0], columns[1], color=look.light, linestyle=dash, label=label or None)
+
+
+def frame(ax: Axes, pose: Vector, size: float, name: str = "") -> None:
+    """The x and y axes of a frame at a pose `[x, y, theta]`."""
+    place = _placed(ax, pose)
+    for kind, x, y in (("x_axis", size, 0), ("y_axis", 0, size)):
+        ax.add_patch(
+            FancyArrowPatch(
+                (0, 0), (x, y), color=style(kind).light, linewidth=2, transform=place,
+                arrowstyle="-|>", mutation_scale=12, shrinkA=0, shrinkB=0,
+            )
+        )  # fmt: skip
+    _label(ax, pose, name, style("text"))
+
+
+def robot(
+    ax: Axes, pose: Vector, wheel_distance: float, wheel_radius: float, kind: str = "body"
+) -> None:
+    """A differential-drive robot from above: body, nose, left and right wheel; sizes in m."""
+    place, look = _placed(ax, pose), style(kind)
+    body: Any = {"edgecolor": look.light, "facecolor": look.light + "18", "linewidth": 1.5}
+    ax.add_patch(Circle((0, 0), 0.65 * wheel_distance, transform=place, **body))
+    nose = [0.4 * wheel_distance, 0.58 * wheel_distance, 0.4 * wheel_distance]
+    side = [-0.2 * wheel_distance, 0, 0.2 * wheel_distance]
+    ax.plot(nose, side, color=look.light, linewidth=1.5, transform=place)
+    for wheel, y in (("left", wheel_distance / 2), ("right", -wheel_distance / 2)):
+        width = 0.14 * wheel_distance
+        corner = (-wheel_radius, y - width / 2)
+        color = style(wheel).light
+        paint: Any = {"edgecolor": color, "facecolor": color + "66", "linewidth": 1.5}
+        size = (2 * wheel_radius, width)
+        ax.add_patch(Rectangle(corner, *size, transform=place, **paint))
+
+
+def _placed(ax: Axes, pose: Vector) -> Transform:
+    """Coordinates of a body at a pose, as matplotlib turns and moves them."""
+    x, y, theta = pose
+    return Affine2D().rotate(float(theta)).translate(float(x), float(y)) + ax.transData
+
+
+def _label(ax: Axes, at: Vector, text: str, look: Style) -> None:
+    x, y, *_ = at
+    ax.annotate(text, (x, y), (6, 4), textcoords="offset points", color=look.light, fontsize=13)

@@ -1,0 +1,129 @@
+"""What an equation is: declared once, then printed, checked and drawn from.
+
+A quantity is a SymPy symbol with its unit, range and meaning. An equation holds its two sides,
+the function of `robokin` that must agree with it, and how closely. Sides are written inside
+`with as_written():`, so that SymPy keeps (v_R + v_L)/2 as it stands.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from robokin.errors import RobokinError
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """The unit (SI), generated range and meaning of a symbol."""
+
+    unit: str
+    low: float
+    high: float
+    meaning: str
+    latex: str
+
+
+# Named steps on the way to a result, in order: each may use those before it.
+Where = Sequence[tuple[sp.Symbol, Any]]
+
+QUANTITIES: dict[sp.Symbol, Quantity] = {}
+REGISTRY: dict[str, "Equation"] = {}
+
+
+def as_written() -> Any:
+    """A `with` block in which SymPy leaves expressions as they are typed."""
+    return sp.evaluate(False)
+
+
+def quantity(
+    name: str, unit: str, low: float, high: float, meaning: str, latex: str = ""
+) -> sp.Symbol:
+    """Declare a symbol: its name in code, unit, the range it is tested in, what it means."""
+    symbol = sp.Symbol(name, real=True)
+    if symbol in QUANTITIES:
+        raise RobokinError(f"the quantity {name} is declared twice")
+    QUANTITIES[symbol] = Quantity(unit, low, high, meaning, latex or sp.latex(symbol))
+    return symbol
+
+
+@dataclass(frozen=True, eq=False)
+class Equation:
+    """One formula of the course.
+
+    name: `module.what`, where module is the one that computes it.
+    left, right: the two sides, scalar or column; the right one in the form that keeps its digits.
+    textbook: the right side as books print it, where that reads better; proved equal, only shown.
+    function, arguments, component: `function(*arguments)[..., component]` must agree with `right`;
+    arguments are expressions (or tuples of them, stacked on the last axis).
+    checked_by: for an identity that no function computes, the test that holds it.
+    tolerance, reason: the largest difference allowed, absolute in the unit of `left`, and why.
+    where: named steps that the right side is written in, each a symbol and what it stands for.
+    specials: settings that are always checked too; what they leave out is drawn from the range.
+    """
+
+    name: str
+    left: Any
+    right: Any
+    source: str
+    tolerance: float
+    reason: str
+    function: Callable[..., Any] | None = None
+    arguments: tuple[Any, ...] = ()
+    component: int | None = None
+    checked_by: str = ""
+    textbook: Any = None
+    specials: tuple[Mapping[sp.Symbol, float], ...] = ()
+    where: Where = ()
+    ranges: Mapping[sp.Symbol, tuple[float, float]] = field(default_factory=dict)
+    is_angle: bool = False
+
+    def __post_init__(self) -> None:
+        if (self.function is None) == (not self.checked_by):
+            raise RobokinError(f"{self.name} must name a function or a test, one of the two")
+        if self.name in REGISTRY:
+            raise RobokinError(f"the equation {self.name} is declared twice")
+        unknown = set(self.symbols) - set(QUANTITIES)
+        if unknown:
+            raise RobokinError(f"{self.name} uses undeclared symbols: {sorted(map(str, unknown))}")
+        REGISTRY[self.name] = self
+
+    @property
+    def symbols(self) -> list[sp.Symbol]:
+        """The symbols of the right side and the arguments, in alphabetical order."""
+        steps = [expression for _, expression in self.where]
+        parts = (self.right, *self.arguments, *steps)
+        free = {s for part in parts for s in free_symbols(part)}
+        return sorted(free - {symbol for symbol, _ in self.where}, key=str)
+
+    def at(self, values: Mapping[sp.Symbol, Any]) -> Any:
+        """The right side with expressions put in for its symbols, otherwise as written."""
+        return put_in(self.right, values)
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        from robokin.equations.printing import mimebundle
+
+        return mimebundle(self)
+
+
+def free_symbols(part: Any) -> set[sp.Symbol]:
+    """The symbols in an expression, a matrix, a number or a nested tuple of them."""
+    if isinstance(part, tuple):
+        return set().union(*(free_symbols(p) for p in part))
+    return set(sp.sympify(part).free_symbols)
+
+
+def put_in(expression: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+    """Replace symbols in an expression or matrix and leave its form alone."""
+    replacements = {symbol: sp.sympify(value) for symbol, value in values.items()}
+    with as_written():
+        return expression.xreplace(replacements)
+
+
+def find(name: str) -> Equation:
+    """The equation of that name."""
+    if name not in REGISTRY:
+        known = ", ".join(sorted(REGISTRY))
+        raise RobokinError(f"there is no equation {name!r}; there are {known}")
+    return REGISTRY[name]

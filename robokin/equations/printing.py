@@ -1,0 +1,64 @@
+"""How an equation is shown: numbered mathematics in JupyterLab and on the page."""
+
+from typing import Any
+
+import sympy as sp
+
+from robokin.equations.core import QUANTITIES, Equation, find
+
+MIME = "application/vnd.robokin.equation+json"
+
+
+def latex(expression: Any) -> str:
+    """LaTeX of an expression in the order in which it was written."""
+    names = {symbol: known.latex for symbol, known in QUANTITIES.items()}
+    text: str = sp.latex(
+        expression, order="none", symbol_names=names, mat_str="matrix", mul_symbol=None
+    )
+    return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
+
+
+def printed(equation: Equation, computed: bool) -> Any:
+    """The right side that is shown: the textbook's where there is one, unless `computed`."""
+    return equation.right if computed or equation.textbook is None else equation.textbook
+
+
+def equation_latex(equation: Equation, computed: bool = False) -> str:
+    """Left side = right side; columns as one line for each component."""
+    left, right = equation.left, printed(equation, computed)
+    if isinstance(left, sp.MatrixBase) and isinstance(right, sp.MatrixBase):
+        lines = (f"{latex(a)} &= {latex(c)}" for a, c in zip(left, right, strict=True))
+        return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
+    return f"{latex(left)} = {latex(right)}"
+
+
+def _plain(expression: Any) -> str:
+    return str(sp.sstr(expression, order="none"))
+
+
+def mimebundle(equation: Equation, computed: bool = False) -> dict[str, Any]:
+    """The output of a cell: labelled mathematics for the page, tagged LaTeX for a notebook."""
+    label = equation.name + ("-computed" if computed else "")
+    formula, right = equation_latex(equation, computed), printed(equation, computed)
+    tag = label.replace("_", r"\_")
+    return {
+        MIME: {"label": label, "latex": formula},
+        "text/latex": rf"$$ {formula} \tag{{{tag}}} $$",
+        "text/plain": f"{_plain(equation.left)} = {_plain(right)}   ({label})",
+    }
+
+
+class Shown:
+    """An equation as the value of a notebook cell."""
+
+    def __init__(self, equation: Equation, computed: bool) -> None:
+        self.equation = equation
+        self.computed = computed
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        return mimebundle(self.equation, self.computed)
+
+
+def show(name: str, computed: bool = False) -> Shown:
+    """Show an equation by its name; `computed=True` shows the form that the code uses."""
+    return Shown(find(name), computed)

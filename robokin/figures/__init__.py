@@ -1,0 +1,1 @@
+"""The live figures of the chapters, one module a topic."""

@@ -1,0 +1,182 @@
+"""The words a live figure is declared with.
+
+Controls give symbols their numbers; shapes, readouts and handles are SymPy expressions of these
+symbols. Numbers in a declaration are SI (radians); the reader sees degrees.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from robokin.equations.core import quantity
+
+Expr = Any
+Pair = tuple[Expr, Expr]
+
+POINTER = (
+    quantity("pointer_x", "m", -1, 1, "where the pointer is", latex=r"x_\mathrm{pointer}"),
+    quantity("pointer_y", "m", -1, 1, "where the pointer is", latex=r"y_\mathrm{pointer}"),
+)
+
+
+# Controls: what the reader moves.
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A symbol under the hand. low, high, start, step in SI; unit and words from the quantity."""
+
+    symbol: sp.Symbol
+    low: float
+    high: float
+    start: float
+    step: float
+    label: str = ""
+    kind: str = ""
+    rate: float = 0.0
+
+
+@dataclass(frozen=True)
+class Clock(Slider):
+    """A slider that also plays: it runs from low to high at `rate` seconds in a second."""
+
+    rate: float = 1.0
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of several named cases: each option gives every symbol its number."""
+
+    name: str
+    label: str
+    symbols: tuple[sp.Symbol, ...]
+    options: Mapping[str, tuple[float, ...]]
+    start: str
+
+
+@dataclass(frozen=True)
+class Handle:
+    """A point to drag: where it is, and which slider gets which expression of `POINTER`."""
+
+    label: str
+    at: Pair
+    sets: Mapping[sp.Symbol, Expr]
+
+
+# What is computed step by step.
+
+
+@dataclass(frozen=True)
+class Recurrence:
+    """A loop with state: starts as `start`, becomes `step` (of `state`), `count` times.
+
+    `ends`: symbols that carry the last state into all other expressions. `most` bounds the count.
+    """
+
+    state: tuple[sp.Symbol, ...]
+    start: tuple[Expr, ...]
+    step: tuple[Expr, ...]
+    count: Expr
+    most: int
+    ends: tuple[sp.Symbol, ...]
+
+
+# The scene: what is drawn. `kind` is a name of `robokin.styles`.
+
+
+@dataclass(frozen=True)
+class Point:
+    """A marker, its form given by the kind."""
+
+    kind: str
+    at: Pair
+    label: str = ""
+
+
+@dataclass(frozen=True)
+class Line:
+    """Straight pieces through several points."""
+
+    kind: str
+    points: tuple[Pair, ...]
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """From `tail` to `head`."""
+
+    kind: str
+    tail: Pair
+    head: Pair
+    label: str = ""
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """A wheel from above, rolling along `angle`; length and width in metres."""
+
+    kind: str
+    at: Pair
+    angle: Expr
+    length: float
+    width: float
+
+
+@dataclass(frozen=True)
+class Body:
+    """A round robot from above, with a nose that shows its heading."""
+
+    at: Pair
+    angle: Expr
+    radius: float
+    kind: str = "body"
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The points `at` for a parameter from `low` to `high`."""
+
+    kind: str
+    at: Pair
+    parameter: sp.Symbol
+    low: Expr
+    high: Expr
+    samples: int = 96
+
+
+@dataclass(frozen=True)
+class Trail:
+    """The points `at` of every state of a recurrence."""
+
+    kind: str
+    at: Pair
+    recurrence: Recurrence
+
+
+@dataclass(frozen=True)
+class AngleArc:
+    """The arc of an angle around a point."""
+
+    kind: str
+    at: Pair
+    start: Expr
+    end: Expr
+    radius: float
+    label: str = ""
+
+
+# Numbers beside the picture.
+
+
+@dataclass(frozen=True)
+class Readout:
+    """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan"."""
+
+    name: str
+    label: str
+    value: Expr
+    unit: str
+    digits: int = 3
+    words: Mapping[str, str] = field(default_factory=dict)

@@ -1,0 +1,38 @@
+"""One colour, line and marker for each kind of thing, in every figure of every chapter.
+
+Used by the live figures (`robokin.live`) and the still ones (`robokin.draw`). A kind never
+differs from another by its colour alone. The colours are told apart by readers who see no red or
+no green, and stand out at least 3:1 from a white and from a black page.
+"""
+
+from dataclasses import dataclass
+
+__all__ = ["KINDS", "Style"]
+
+
+@dataclass(frozen=True)
+class Style:
+    """Colour on a light and on a dark page, dashes (lengths of line and gap), width, marker."""
+
+    light: str
+    dark: str
+    dash: tuple[int, ...] = ()
+    width: float = 2.0
+    marker: str = "dot"  # dot, ring, cross, square, diamond
+
+
+KINDS: dict[str, Style] = {
+    "left": Style("#0072b2", "#56b4e9", width=3, marker="square"),
+    "right": Style("#c04a00", "#ff9e5e", dash=(8, 3), width=3, marker="diamond"),
+    "body": Style("#3d4654", "#c9d1dc"),
+    "velocity": Style("#1a7f5a", "#4fd1a1", width=3),
+    "target": Style("#007a5e", "#34d0a5", marker="ring"),
+    "icr": Style("#9a2f74", "#f08cc8", dash=(2, 3), marker="cross"),
+    "path": Style("#20242c", "#eef1f5", width=2.5),
+    "approximation": Style("#8a6200", "#f2c14e", dash=(5, 4), width=2),
+    "ghost": Style("#7b8490", "#8d96a3", dash=(4, 4), width=1.5, marker="ring"),
+    "x_axis": Style("#c4291c", "#ff8a7a", width=2.5),
+    "y_axis": Style("#2c7a2c", "#7fd77f", dash=(9, 2), width=2.5),
+    "grid": Style("#dfe3e8", "#3a414c", width=1),
+    "text": Style("#20242c", "#eef1f5", width=1),
+}

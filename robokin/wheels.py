@@ -1,0 +1,384 @@
+"""Wheels of every kind on a robot: what each of them demands of the robot's motion.
+
+A wheel stands at the distance l and the angle alpha from the robot's centre; beta turns from that
+spoke to the wheel's axle (beta = 0: the axle points along the spoke and the wheel rolls towards
+alpha + beta - 90°). Exercise 6; Siegwart, Nourbakhsh & Scaramuzza, chapter 3.
+"""
+# ruff: noqa: E741  (l is the field's own name)
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import cos
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from robokin._checks import Array, Shape, choice, finite, numbers, quiet, rows, shown
+from robokin.errors import RobokinError, SingularError, UnreachableError
+from robokin.motion import to_body, to_world
+
+__all__ = [
+    "Mobility",
+    "Wheel",
+    "castor",
+    "fixed",
+    "forward",
+    "inverse",
+    "mobility",
+    "omni_robot",
+    "rolling",
+    "rolling_rates",
+    "sliding",
+    "slip",
+    "spherical",
+    "steered",
+    "swedish",
+]
+
+HELD = ("fixed", "steered")  # kinds with a row in `sliding`
+DRIVEN = (*HELD, "castor", "swedish")  # kinds with a row in `rolling`
+KINDS = (*DRIVEN, "spherical")
+LARGEST = 1e100  # of a wheel's numbers, so that their sums stay finite
+DEPENDENT = 1e-12  # rows nearer than this to depending on each other do
+SLIP = 1e-9  # sideways speed that is called slip, relative to the speeds that make it up
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """One wheel: its kind, place, axle and radius; made by `fixed`, `steered`, … `spherical`.
+
+    l and radius in m, l not negative; alpha, beta and gamma in rad; d in m, of a castor: from its
+    pivot to its contact point, along the positive rolling direction (a trailing castor has d < 0).
+    """
+
+    kind: str
+    l: float
+    alpha: float
+    beta: float
+    radius: float
+    d: float = 0.0
+    gamma: float = 0.0
+
+    def __post_init__(self) -> None:
+        choice("kind", self.kind, KINDS)
+        for name in ("l", "alpha", "beta", "radius", "d", "gamma"):
+            value = numbers(name, getattr(self, name))
+            if value.ndim or not abs(value) < LARGEST:
+                raise RobokinError(f"{name} must be one finite number, got {value}")
+            object.__setattr__(self, name, float(value))
+        if self.radius <= 0 or self.l < 0:
+            raise RobokinError(
+                f"radius must be positive and l not negative, got {self.radius} and {self.l}"
+            )
+        if (self.d != 0) != (self.kind == "castor"):
+            raise RobokinError(f"d must be other than 0 for a castor only, got {self.d}")
+        if (self.gamma != 0 and self.kind != "swedish") or abs(cos(self.gamma)) < 1e-15:
+            raise RobokinError(
+                f"gamma must be 0 but for a swedish wheel, and never ±π/2, got {self.gamma}"
+            )
+
+
+class Mobility(NamedTuple):
+    """Degrees of mobility, of steerability, and their sum: of manoeuvrability."""
+
+    delta_m: int
+    delta_s: int
+    delta_M: int
+
+
+Wheels = tuple[Wheel, ...]
+
+
+def fixed(l: float, alpha: float, beta: float, radius: float) -> Wheel:
+    """A wheel whose axle is fixed to the robot: rolls, and must not slide along its axle."""
+    return Wheel("fixed", l, alpha, beta, radius)
+
+
+def steered(l: float, alpha: float, beta: float, radius: float) -> Wheel:
+    """A wheel that turns about the vertical through its contact point; beta is its angle now."""
+    return Wheel("steered", l, alpha, beta, radius)
+
+
+def castor(l: float, alpha: float, beta: float, radius: float, d: float) -> Wheel:
+    """A wheel that trails freely about a pivot at (l, alpha), d from it: it hinders no motion.
+
+    beta is its angle now; the functions take it as it stands, and do not let it trail.
+    """
+    return Wheel("castor", l, alpha, beta, radius, d=d)
+
+
+def swedish(l: float, alpha: float, beta: float, radius: float, gamma: float) -> Wheel:
+    """A wheel with free rollers on its rim (Mecanum), their axes gamma from where it rolls."""
+    return Wheel("swedish", l, alpha, beta, radius, gamma=gamma)
+
+
+def spherical(l: float, alpha: float, radius: float) -> Wheel:
+    """A ball that rolls in any direction: it demands nothing."""
+    return Wheel("spherical", l, alpha, 0.0, radius)
+
+
+def omni_robot(
+    l: float, radius: float, angles: ArrayLike = (0, 2 * np.pi / 3, 4 * np.pi / 3)
+) -> list[Wheel]:
+    """A robot on Swedish wheels with rollers across, beta = gamma = 0, at the given angles (n,).
+
+    >>> rolling(omni_robot(0.2, 0.05)).round(3)
+    array([[ 0.   , -1.   , -0.2  ],
+           [ 0.866,  0.5  , -0.2  ],
+           [-0.866,  0.5  , -0.2  ]])
+    """
+    array = finite("angles", angles)
+    if array.ndim != 1:
+        raise RobokinError(f"angles must have shape (n,), got {array.shape}")
+    return [swedish(l, angle, 0.0, radius, 0.0) for angle in array]
+
+
+@quiet
+def rolling(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
+    """J1: the speed at which each wheel must roll is its row times the robot's twist.
+
+    steering: (…, s) in rad, in place of the steered wheels' beta → (…, k, 3), a row for each
+    wheel but the spherical ones, in the body frame.
+    Source: exercise 6, [sin(α+β+γ), −cos(α+β+γ), −l cos(β+γ)] R(θ) ξ̇_I − r φ̇ cos γ = 0.
+    """
+    wheels = _checked(wheels)
+    _, (steering,) = rows(_steering(wheels, steering))
+    out = _rolling(wheels, steering)
+    out[np.isnan(steering).any(axis=-1)] = np.nan
+    return out
+
+
+@quiet
+def rolling_rates(wheels: Sequence[Wheel]) -> Array:
+    """J2 = diag(r cos γ): from the wheels' rates to the speeds in the rows of J1 → (k, k)."""
+    return np.diag(_layout(_checked(wheels), DRIVEN).per_radian)
+
+
+@quiet
+def sliding(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
+    """C1: the speed at which each wheel slides along its axle is its row times the robot's twist.
+
+    steering: as in `rolling` → (…, m, 3), a row for each fixed and each steered wheel.
+    Source: exercise 6, [cos(α+β), sin(α+β), l sin β] R(θ) ξ̇_I = 0.
+    """
+    wheels = _checked(wheels)
+    _, (steering,) = rows(_steering(wheels, steering))
+    out = _sliding(wheels, steering)
+    out[np.isnan(steering).any(axis=-1)] = np.nan
+    return out
+
+
+@quiet
+def forward(
+    wheels: Sequence[Wheel],
+    rates: ArrayLike,
+    steering: ArrayLike | None = None,
+    theta: ArrayLike = 0.0,
+) -> Array:
+    """The robot's velocity in the world from the rates of its wheels.
+
+    rates: (…, k) in rad/s, for each wheel but the spherical ones; steering: as in `rolling`;
+    theta: heading (…) in rad → (…, 3). Least squares over the rolling and the sliding rows
+    together; what they cannot agree on is `slip`. SingularError where the wheels do not determine
+    the motion, at any steering.
+    Source: exercise 6, ξ̇_I = R(θ)⁻¹ J1⁻¹ J2 φ̇.
+
+    >>> forward(omni_robot(0.2, 0.05), [1, 1, 1]).round(6) + 0.0
+    array([ 0.  ,  0.  , -0.25])
+    """
+    wheels = _checked(wheels)
+    _, (rates, steering, theta) = rows(
+        _rates(wheels, rates), _steering(wheels, steering), ("theta", theta, ())
+    )
+    return to_world(theta, _body_twist(wheels, rates, steering))
+
+
+@quiet
+def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None = None) -> Array:
+    """How far the wheels are from agreeing: what `forward` leaves over in each row.
+
+    rates, steering: as in `forward` → (…, k + m) in m/s: by how much the ground passes faster
+    under each wheel than it rolls, in the order of `rolling`, then how fast each fixed and steered
+    wheel slides along its axle, in the order of `sliding`.
+    """
+    wheels = _checked(wheels)
+    _, (rates, steering) = rows(_rates(wheels, rates), _steering(wheels, steering))
+    twist = _body_twist(wheels, rates, steering)
+    rolled = _times(_rolling(wheels, steering), twist)
+    rolled -= rates * _layout(wheels, DRIVEN).per_radian
+    slid = _times(_sliding(wheels, steering), twist)
+    return np.concatenate([rolled, slid], axis=-1)
+
+
+@quiet
+def inverse(
+    wheels: Sequence[Wheel],
+    twist: ArrayLike,
+    steering: ArrayLike | None = None,
+    theta: ArrayLike = 0.0,
+    slipping: str = "raise",
+) -> Array:
+    """The rates at which the wheels roll when the robot moves as wanted.
+
+    twist: (…, 3) in the world; steering: as in `rolling`; theta: heading (…) in rad → (…, k) in
+    rad/s, for each wheel but the spherical ones. Where a fixed or steered wheel would slip along
+    its axle there is no answer: slipping "raise" (UnreachableError) or "nan".
+
+    >>> inverse(omni_robot(0.2, 0.05), [0, 0, -0.25])
+    array([1., 1., 1.])
+    """
+    choice("slipping", slipping, ("raise", "nan"))
+    wheels = _checked(wheels)
+    _, (twist, steering, theta) = rows(
+        ("twist", twist, (3,)), _steering(wheels, steering), ("theta", theta, ())
+    )
+    body = to_body(theta, twist)
+    slid = _times(_sliding(wheels, steering), body)
+    rates = _times(_rolling(wheels, steering), body) / _layout(wheels, DRIVEN).per_radian
+    size = np.abs(body)
+    speed = size[..., 0:1] + size[..., 1:2] + _layout(wheels, HELD).l * size[..., 2:3]
+    slips = np.abs(slid) > SLIP * speed
+    if slips.any():
+        if slipping == "raise":
+            raise UnreachableError(_slip_message(wheels, slid, slips))
+        rates[slips.any(axis=-1)] = np.nan
+    return rates
+
+
+@quiet
+def mobility(wheels: Sequence[Wheel]) -> Mobility:
+    """In how many ways the robot can move at once, be steered, and both together.
+
+    The steered wheels are taken to be turned together, so that a centre of rotation exists.
+    Source: exercise 6, δ_m = 3 − rank C1 and δ_s = rank C1s; Siegwart et al., section 3.4.
+
+    >>> mobility([fixed(0.1, np.pi / 2, 0, 0.03), fixed(0.1, -np.pi / 2, np.pi, 0.03)])
+    Mobility(delta_m=2, delta_s=0, delta_M=2)
+    """
+    wheels = _checked(wheels)
+    units = _units(wheels)
+    held = tuple(w for w in wheels if w.kind == "fixed")
+    turned = tuple(w for w in wheels if w.kind == "steered")
+    rank_fixed = np.linalg.matrix_rank(_sliding(held, np.empty(0)) / units, tol=DEPENDENT)
+    generic = np.array([2.4 * (i + 1) for i in range(len(turned))])  # golden angles: no two in line
+    rank_steered = np.linalg.matrix_rank(_sliding(turned, generic) / units, tol=DEPENDENT)
+    delta_s = max(0, min(int(rank_steered), 2 - int(rank_fixed)))
+    delta_m = 3 - int(rank_fixed) - delta_s
+    return Mobility(delta_m, delta_s, delta_m + delta_s)
+
+
+def _checked(wheels: Sequence[Wheel]) -> Wheels:
+    if not isinstance(wheels, (list, tuple)):
+        raise RobokinError(f"wheels must be a list of Wheel, got {shown(wheels)}")
+    for index, wheel in enumerate(wheels):
+        if not isinstance(wheel, Wheel):
+            raise RobokinError(f"wheels must be Wheel, got {shown(wheel)} at index {index}")
+    return tuple(wheels)
+
+
+def _rates(wheels: Wheels, rates: ArrayLike) -> tuple[str, ArrayLike, Shape]:
+    return "rates", rates, (len(_layout(wheels, DRIVEN).l),)
+
+
+def _steering(wheels: Wheels, angles: ArrayLike | None) -> tuple[str, ArrayLike, Shape]:
+    own = _layout(wheels, ("steered",)).beta
+    return "steering", own if angles is None else angles, own.shape
+
+
+class _Layout(NamedTuple):
+    """The numbers of the wheels of some kinds, in order, as arrays."""
+
+    l: Array
+    alpha: Array
+    beta: Array
+    gamma: Array
+    per_radian: Array  # metres rolled for each radian, r cos γ
+    steered: NDArray[np.bool_]
+
+
+@lru_cache  # a robot keeps its wheels
+def _layout(wheels: Wheels, kinds: tuple[str, ...]) -> _Layout:
+    chosen = [w for w in wheels if w.kind in kinds]
+    table = np.array([(w.l, w.alpha, w.beta, w.gamma, w.radius) for w in chosen]).reshape(-1, 5)
+    l, alpha, beta, gamma, radius = table.T
+    steered = np.array([w.kind == "steered" for w in chosen], dtype=bool)
+    return _Layout(l, alpha, beta, gamma, radius * np.cos(gamma), steered)
+
+
+def _rolling(wheels: Wheels, steering: Array) -> Array:
+    w = _layout(wheels, DRIVEN)
+    beta = _turned(w, steering) + w.gamma
+    out = np.empty((*beta.shape, 3))
+    out[..., 0] = np.sin(w.alpha + beta)
+    out[..., 1] = -np.cos(w.alpha + beta)
+    out[..., 2] = -w.l * np.cos(beta)
+    return out
+
+
+def _sliding(wheels: Wheels, steering: Array) -> Array:
+    w = _layout(wheels, HELD)
+    beta = _turned(w, steering)
+    out = np.empty((*beta.shape, 3))
+    out[..., 0] = np.cos(w.alpha + beta)
+    out[..., 1] = np.sin(w.alpha + beta)
+    out[..., 2] = w.l * np.sin(beta)
+    return out
+
+
+def _turned(w: _Layout, steering: Array) -> Array:
+    """beta of the wheels, (…, n), the steered ones turned."""
+    beta = np.empty((*steering.shape[:-1], len(w.beta)))
+    beta[...] = w.beta
+    beta[..., w.steered] = steering
+    return beta
+
+
+def _times(matrix: Array, twist: Array) -> Array:
+    """(…, n, 3) times (…, 3): what matmul would do, but fast for a batch of small matrices."""
+    x, y, turn = twist[..., 0:1], twist[..., 1:2], twist[..., 2:3]
+    return matrix[..., 0] * x + matrix[..., 1] * y + matrix[..., 2] * turn
+
+
+def _body_twist(wheels: Wheels, rates: Array, steering: Array) -> Array:
+    """`forward` in the body frame.
+
+    A steered wheel's two rows are those at beta = 0 turned by beta. So one inverse, that at
+    beta = 0, serves every steering; each wheel's speed is split over its two rows instead.
+    """
+    driven, held = _layout(wheels, DRIVEN), _layout(wheels, HELD)
+    k, m = len(driven.l), len(held.l)
+    batch = np.broadcast_shapes(rates.shape[:-1], steering.shape[:-1])
+    speeds = np.zeros((*batch, k + m))
+    along, across = speeds[..., :k], speeds[..., k:]
+    along[...] = rates * driven.per_radian
+    across[..., held.steered] = along[..., driven.steered] * np.sin(steering)
+    along[..., driven.steered] *= np.cos(steering)
+    return np.asarray(speeds @ _left_inverse(wheels).T)
+
+
+@lru_cache
+def _left_inverse(wheels: Wheels) -> Array:
+    """From the speeds in the rolling and sliding rows at beta = 0 to the twist: (3, k + m)."""
+    ahead = np.zeros(len(_layout(wheels, ("steered",)).l))
+    matrix = np.concatenate([_rolling(wheels, ahead), _sliding(wheels, ahead)])
+    units = _units(wheels)
+    u, s, vt = np.linalg.svd(matrix / units, full_matrices=False)
+    rank = np.count_nonzero(s > DEPENDENT * s.max(initial=0.0))
+    if rank < 3:
+        raise SingularError(f"the wheels determine {rank} of the 3 parts of the motion only")
+    return np.asarray((vt.T / s) @ u.T / units[:, None])
+
+
+def _units(wheels: Wheels) -> Array:
+    """What to divide a row by, so that its third entry compares with the others: the largest l."""
+    return np.array([1.0, 1.0, max((w.l for w in wheels), default=0.0) or 1.0])
+
+
+def _slip_message(wheels: Wheels, slid: Array, slips: NDArray[np.bool_]) -> str:
+    *batch, row = np.argwhere(slips)[0]
+    wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
+    where = f" at index {', '.join(map(str, batch))}" if batch else ""
+    speed = abs(slid[(*batch, row)])
+    return f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at {speed:.3g} m/s{where}"

@@ -1,0 +1,219 @@
+"""The built site and a real browser, for every test that looks at pages.
+
+A test module asks for the fixtures with `pytest_plugins = ["browser"]` (once, in conftest.py or in
+the module): `site` (folder), `server` (address) and `chromium` (Playwright's browser).
+"""
+
+import functools
+import gzip
+import os
+import shutil
+import subprocess
+import sys
+import threading
+import time
+from collections import defaultdict
+from contextlib import contextmanager
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+from playwright.sync_api import Error, sync_playwright
+
+ROOT = Path(__file__).resolve().parents[1]
+SITE = ROOT / "_build" / "html"
+WAIT = 300  # seconds for another worker's build
+
+ARGUMENTS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+
+# --- the site -------------------------------------------------------------------------------
+
+
+def build_command():
+    """The command that builds the book."""
+    book = Path(sys.executable).with_name("jupyter-book")
+    settings = ["--config", "_config.yml", "--toc", str(ROOT / "_toc.yml"), "--path-output", "."]
+    return [str(book), "build", "book", *settings, "-W", "-n", "--keep-going"]
+
+
+def build_site():
+    """Bring `_build/html` up to date; what the build says if it fails."""
+    run = subprocess.run(build_command(), cwd=ROOT, capture_output=True, text=True)
+    return "" if run.returncode == 0 else run.stdout + run.stderr
+
+
+def once(folder, name, work):
+    """The text that `work()` gives, done by the first worker that comes; the others wait for it."""
+    begun, done = folder / f"{name}.begun", folder / f"{name}.done"
+    try:
+        begun.touch(exist_ok=False)
+    except FileExistsError:
+        return wait_for(done)
+    result = work()
+    unfinished = done.with_suffix(".part")
+    unfinished.write_text(result, "utf-8")
+    unfinished.replace(done)
+    return result
+
+
+def wait_for(file):
+    """The text of a file that another worker is about to write."""
+    end = time.monotonic() + WAIT
+    while not file.exists():
+        assert time.monotonic() < end, f"no {file.name} after {WAIT} s"
+        time.sleep(0.1)
+    return file.read_text("utf-8")
+
+
+def pages(site):
+    """Every page of the site, as names relative to it; redirects are not pages."""
+    names = sorted(file.relative_to(site).as_posix() for file in site.rglob("*.html"))
+    return [name for name in names if not name.startswith(("_static/", "_sources/", "lite/"))]
+
+
+@pytest.fixture(scope="session")
+def site(tmp_path_factory):
+    """The folder of the built site, brought up to date once per run of the tests."""
+    base = tmp_path_factory.getbasetemp()
+    shared = base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
+    complaint = once(shared, "site", build_site)
+    assert not complaint, f"the book does not build:\n{complaint}"
+    return SITE
+
+
+# --- the server -----------------------------------------------------------------------------
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Serves files and says nothing."""
+
+    def log_message(self, format, *args):
+        """Nothing."""
+
+
+class Server(ThreadingHTTPServer):
+    """A server whose browser may hang up at any time."""
+
+    daemon_threads = True
+
+    def handle_error(self, request, client_address):
+        """A connection that the browser closed is no error."""
+        if not isinstance(sys.exception(), ConnectionError):
+            super().handle_error(request, client_address)
+
+
+@contextmanager
+def serving(folder):
+    """The address at which the folder is served."""
+    handler = functools.partial(Quiet, directory=str(folder))
+    with Server(("127.0.0.1", 0), handler) as running:
+        thread = threading.Thread(target=running.serve_forever)
+        thread.start()
+        try:
+            yield f"http://127.0.0.1:{running.server_port}/"
+        finally:
+            running.shutdown()
+            thread.join()
+
+
+@pytest.fixture(scope="session")
+def server(site):
+    """The address of the site, with a slash at the end."""
+    with serving(site) as address:
+        yield address
+
+
+# --- the browser ----------------------------------------------------------------------------
+
+
+def chromium_path():
+    """Chromium or Chrome on this machine, or None."""
+    names = ("chromium", "chromium-browser", "google-chrome", "chrome")
+    return next(filter(None, map(shutil.which, names)), None)
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """Playwright's browser: Chromium from the path, else Playwright's own."""
+    with sync_playwright() as playwright:
+        try:
+            browser = playwright.chromium.launch(executable_path=chromium_path(), args=ARGUMENTS)
+        except Error as error:
+            pytest.fail(
+                "no Chromium: install the package `chromium`, or run `playwright install chromium`"
+                f"\n{error}",
+                pytrace=False,
+            )
+        yield browser
+        browser.close()
+
+
+# --- what a page does -----------------------------------------------------------------------
+
+
+class Watch:
+    """What went wrong on a page, and what it fetched."""
+
+    def __init__(self, page, home):
+        self.home = home
+        self.errors, self.strangers = [], []
+        self.kinds, self.weights = {}, defaultdict(int)
+        page.on("console", self.on_console)
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("request", self.on_request)
+        page.on("requestfailed", lambda request: self.errors.append(f"failed: {request.url}"))
+        page.on("response", self.on_response)
+
+    def on_console(self, message):
+        """Keep errors and warnings."""
+        if message.type in ("error", "warning"):
+            self.errors.append(f"{message.type}: {message.text}")
+
+    def on_request(self, request):
+        """Keep the kind of a request, and its address if it leaves the site."""
+        self.kinds[request.url] = request.resource_type
+        if not request.url.startswith((self.home, "data:", "blob:")):
+            self.strangers.append(request.url)
+
+    def on_response(self, response):
+        """Keep an answer that is no success."""
+        if response.status >= 400:
+            self.errors.append(f"{response.status}: {response.url}")
+
+    def weight(self, site):
+        """Bytes by kind of resource, each compressed as a server would; pictures apart."""
+        weights = defaultdict(int)
+        for url, kind in self.kinds.items():
+            if url.startswith(self.home):
+                weights[kind] += compressed(site / urlsplit(url[len(self.home) :]).path)
+        return dict(weights)
+
+
+def compressed(file):
+    """The bytes of a file as sent: compressed, unless that makes it larger."""
+    if file.is_dir():
+        file = file / "index.html"
+    data = file.read_bytes()
+    return min(len(data), len(gzip.compress(data, 6)))
+
+
+@contextmanager
+def watched_page(browser, home, width=1280, scheme="light", **options):
+    """A fresh page (first visit) and its `Watch`."""
+    size = {"width": width, "height": 900 if width > 600 else 844}
+    context = browser.new_context(viewport=size, color_scheme=scheme, **options)
+    try:
+        page = context.new_page()
+        yield page, Watch(page, home)
+    finally:
+        context.close()

@@ -1,0 +1,241 @@
+"""robokin.differential_drive: wheel rates and body velocity."""
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from support import EPS, NEAR_ZERO, assert_close, reals
+
+from robokin.differential_drive import body_twist, wheel_rates
+from robokin.errors import RobokinError
+from robokin.motion import arc_step, icr, to_world
+
+rates = reals(-50, 50)
+speeds = reals(-3, 3)
+radii = reals(0.01, 1)
+distances = reals(0.05, 2)
+
+# Exercise 4: wheel radius 3 cm, wheels 10 cm apart
+RADIUS, DISTANCE = 0.03, 0.1
+
+# Laws
+
+
+@given(rates, rates, radii, distances)
+def test_wheel_rates_undoes_body_twist(left, right, radius, distance):
+    v, _, omega = body_twist(left, right, radius, distance)
+    # sums of rates up to 50 rad/s, four roundings of them
+    assert_close(wheel_rates(v, omega, radius, distance), [left, right], atol=4 * EPS * 50)
+
+
+@given(speeds, speeds, radii, distances)
+def test_body_twist_undoes_wheel_rates(v, omega, radius, distance):
+    twist = body_twist(*wheel_rates(v, omega, radius, distance), radius, distance)
+    # speeds up to 3, wheel speeds up to 6; omega comes from a difference of them, over distance
+    assert_close(twist, [v, 0, omega], atol=8 * EPS * (6 + 6 / distance))
+
+
+@given(rates, rates, radii, distances)
+def test_the_other_wheel_mirrors_the_turn(left, right, radius, distance):
+    v, sideways, omega = body_twist(left, right, radius, distance)
+    np.testing.assert_array_equal(body_twist(right, left, radius, distance), [v, sideways, -omega])
+    np.testing.assert_array_equal(
+        body_twist(-left, -right, radius, distance), [-v, sideways, -omega]
+    )
+
+
+@given(rates, rates, radii, distances)
+def test_twice_as_fast_is_twice_the_velocity(left, right, radius, distance):
+    twist = body_twist(left, right, radius, distance)
+    np.testing.assert_array_equal(body_twist(2 * left, 2 * right, radius, distance), 2 * twist)
+    np.testing.assert_array_equal(body_twist(left, right, 2 * radius, distance), 2 * twist)
+    np.testing.assert_array_equal(
+        body_twist(left, right, radius, 2 * distance), twist * [1, 1, 0.5]
+    )
+
+
+@given(rates, rates, radii, distances)
+def test_each_wheel_s_hub_moves_with_its_own_speed(left, right, radius, distance):
+    # the hub at (0, ±b/2) of a rigid body moves with v ∓ omega b/2
+    v, sideways, omega = body_twist(left, right, radius, distance)
+    hubs = [v - omega * distance / 2, v + omega * distance / 2]
+    assert_close(hubs, [left * radius, right * radius], atol=8 * EPS * 50)  # up to 50 m/s
+    assert sideways == 0
+
+
+# The numbers of the hand solution
+
+
+def test_exercise_4():
+    # left wheel 5 cm/s, right wheel 10 cm/s, heading 90°: v = 0.075 m/s, omega = 0.5 rad/s
+    twist = body_twist(0.05 / RADIUS, 0.10 / RADIUS, RADIUS, DISTANCE)
+    assert_close(twist, [0.075, 0, 0.5], atol=4 * EPS)
+    assert_close(to_world(np.pi / 2, twist), [0, 0.075, 0.5], atol=4 * EPS)
+    # 5/3 and 10/3 rad/s; the turn has a radius of 0.15 m, to the left, which is -x
+    assert_close(wheel_rates(0.075, 0.5, RADIUS, DISTANCE), [5 / 3, 10 / 3], atol=4 * EPS)
+    assert_close(icr([0, 0, np.pi / 2], twist[0], twist[2]), [-0.15, 0], atol=4 * EPS)
+
+
+def test_which_wheel_is_which():
+    # the right wheel alone turns the robot to the left about the left wheel: v = b/2 · omega
+    assert_close(body_twist(0, 2, 0.5, 2.0), [0.5, 0, 0.5], atol=0)
+    assert_close(body_twist(2, 0, 0.5, 2.0), [0.5, 0, -0.5], atol=0)
+    assert_close(wheel_rates(1, 0.5, 0.5, 2.0), [1, 3], atol=0)
+
+
+def test_a_turn_on_the_spot_by_hand():
+    # seed 003: omega_R = (v + omega b/2)/r with v = 0: 1 rad/s, b = 0.1, r = 0.03: ±5/3 rad/s
+    assert_close(wheel_rates(0, 1, RADIUS, DISTANCE), [-5 / 3, 5 / 3], atol=2 * EPS)
+
+
+# Singular and boundary cases
+
+
+@pytest.mark.parametrize("rate", [-7.3, -1e-16, 0.0, 1e-300, 0.1, 1e10])
+def test_equal_rates_drive_exactly_straight(rate):
+    v, sideways, omega = body_twist(rate, rate, RADIUS, DISTANCE)
+    assert v == RADIUS * rate
+    assert omega == 0
+    assert sideways == 0
+    assert not np.signbit(sideways)  # 0, not -0, which prints badly
+
+
+@pytest.mark.parametrize("rate", [-7.3, -1e-16, 1e-300, 0.1, 1e10])
+def test_opposite_rates_turn_exactly_on_the_spot(rate):
+    v, _, omega = body_twist(-rate, rate, RADIUS, DISTANCE)
+    assert v == 0
+    np.testing.assert_allclose(omega, 2 * RADIUS * rate / DISTANCE, rtol=2 * EPS)
+
+
+@pytest.mark.parametrize("gap", NEAR_ZERO)
+def test_next_to_straight_on_the_turning_rate_keeps_its_digits(gap):
+    right = 1.0 + gap  # the float next to it; its difference from 1 is exact
+    omega = body_twist(1.0, right, RADIUS, DISTANCE)[2]
+    np.testing.assert_allclose(omega, (right - 1.0) * RADIUS / DISTANCE, rtol=2 * EPS)
+
+
+def test_standing_still():
+    np.testing.assert_array_equal(body_twist(0, 0, RADIUS, DISTANCE), [0, 0, 0])
+    np.testing.assert_array_equal(wheel_rates(0, 0, RADIUS, DISTANCE), [0, 0])
+
+
+def test_batches_of_rates_and_of_robots():
+    rates_left, rates_right = np.ones((4, 1)), np.arange(3.0)
+    assert body_twist(rates_left, rates_right, RADIUS, DISTANCE).shape == (4, 3, 3)
+    robots = body_twist(1.0, 2.0, [0.1, 0.2], [[0.5], [1.0]])
+    assert robots.shape == (2, 2, 3)
+    assert_close(robots[1, 0], body_twist(1.0, 2.0, 0.1, 1.0), atol=0)
+    assert_close(robots[0, 1], body_twist(1.0, 2.0, 0.2, 0.5), atol=0)
+    wheels = wheel_rates(1.0, 2.0, [0.1, 0.2], [[0.5], [1.0]])
+    assert wheels.shape == (2, 2, 2)
+    assert_close(wheels[1, 0], wheel_rates(1.0, 2.0, 0.1, 1.0), atol=0)
+    assert_close(wheels[0, 1], wheel_rates(1.0, 2.0, 0.2, 0.5), atol=0)
+
+
+@pytest.mark.parametrize("shape", [(0,), (0, 4), (4, 0)])
+def test_no_robots(shape):
+    assert body_twist(np.empty(shape), 1.0, RADIUS, DISTANCE).shape == (*shape, 3)
+    assert wheel_rates(1.0, np.empty(shape), RADIUS, DISTANCE).shape == (*shape, 2)
+
+
+# Errors
+
+
+@pytest.mark.parametrize("function", [body_twist, wheel_rates])
+@pytest.mark.parametrize("bad", [0.0, -0.0, -0.03, np.nan, np.inf, -np.inf])
+def test_a_length_must_be_positive_and_finite(function, bad):
+    with pytest.raises(RobokinError, match=f"wheel_radius must be positive and finite, got {bad}$"):
+        function(1, 2, bad, DISTANCE)
+    with pytest.raises(RobokinError, match=f"wheel_distance must .*, got {bad}$"):
+        function(1, 2, RADIUS, bad)
+    with pytest.raises(RobokinError, match=f"wheel_distance must .*, got {bad} at index 1, 0$"):
+        function(1, 2, RADIUS, [[1.0, 2.0], [bad, bad]])
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: body_twist("1", 2, 0.1, 0.1), "rate_left must be real numbers, got <U1 in '1'"),
+        (lambda: body_twist(1, 2j, 0.1, 0.1), "rate_right must be real numbers, got complex128"),
+        (lambda: body_twist(1, 2, None, 0.1), "wheel_radius must be real numbers, got object"),
+        (lambda: body_twist(1, 2, 0.1, [[1], [1, 2]]), "wheel_distance must be numbers in a reg"),
+        (lambda: wheel_rates([True], 2, 0.1, 0.1), r"v must be real numbers, got bool in \[True\]"),
+        (lambda: wheel_rates(1, {}, 0.1, 0.1), r"omega must be real numbers, got object in \{\}"),
+        (
+            lambda: body_twist([1, 2], [1, 2, 3], 0.1, 0.1),
+            r"do not broadcast together: rate_left \(2,\), rate_right \(3,\)",
+        ),
+        (
+            lambda: wheel_rates([1, 2], 1, [0.1, 0.1, 0.1], 0.1),
+            r"do not broadcast together: v \(2,\), omega \(\), a parameter \(3,\)",
+        ),
+        (lambda: wheel_rates(1, [1, 2], 0.1, [1, 2, 3]), r"omega \(2,\), a parameter \(3,\)"),
+        (lambda: body_twist([1, 2], 1, 0.1, [1, 2, 3]), r"rate_right \(\), a parameter \(3,\)"),
+        (lambda: body_twist([1, 2], 1, [1, 2, 3], 0.1), r"rate_right \(\), a parameter \(3,\)"),
+    ],
+)
+def test_bad_input_is_named(call, message):
+    with pytest.raises(RobokinError, match=message):
+        call()
+
+
+@pytest.mark.parametrize("function", [body_twist, wheel_rates])
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_a_bad_value_makes_its_own_row_nan(function, bad):
+    clean = np.arange(1.0, 6.0)
+    spoilt = np.array([1, 2, bad, 4, 5])
+    wanted = function(clean, clean[::-1], RADIUS, DISTANCE)
+    for got in (
+        function(spoilt, clean[::-1], RADIUS, DISTANCE),
+        function(clean, spoilt[::-1], RADIUS, DISTANCE),
+    ):
+        assert np.isnan(got[2]).all()
+        np.testing.assert_array_equal(np.delete(got, 2, 0), np.delete(wanted, 2, 0))
+
+
+# Independent oracles
+
+
+def test_against_fifty_digits():
+    rng = np.random.default_rng(0)
+    n = 300
+    left, right = rng.uniform(-50, 50, (2, n))
+    radius, distance = rng.uniform(0.01, 1, n), rng.uniform(0.05, 2, n)
+    twist = body_twist(left, right, radius, distance)
+    wheels = wheel_rates(left, right, radius, distance)
+    with mpmath.workdps(50):
+        for k in range(n):
+            a, b, r, d = (mpmath.mpf(float(x[k])) for x in (left, right, radius, distance))
+            # each a sum and two products or quotients: three roundings of half an EPS at most
+            for got, wanted in [(twist[k, 0], r * (a + b) / 2), (twist[k, 2], r * (b - a) / d)]:
+                assert abs(got - wanted) <= 1.5 * EPS * abs(wanted)
+            # here the sum may cancel, so relative to its larger term
+            for got, wanted in [
+                (wheels[k, 0], (a - b * d / 2) / r),
+                (wheels[k, 1], (a + b * d / 2) / r),
+            ]:
+                assert abs(got - wanted) <= 2 * EPS * (abs(a) + abs(b * d / 2)) / r
+
+
+def test_against_the_rolling_constraints_as_a_linear_system():
+    # no-slip at each wheel: ẋ ∓ (b/2) θ̇ = r φ̇, and ẏ = 0, solved instead of written out
+    rng = np.random.default_rng(1)
+    for left, right in rng.uniform(-5, 5, (20, 2)):
+        constraints = [[1, 0, -DISTANCE / 2], [1, 0, DISTANCE / 2], [0, 1, 0]]
+        wanted = np.linalg.solve(constraints, [RADIUS * left, RADIUS * right, 0])
+        # the solver's condition number is 2/b = 20, speeds below 0.15, omega below 3
+        assert_close(body_twist(left, right, RADIUS, DISTANCE), wanted, atol=1e-14)
+
+
+def test_the_wheels_roll_as_far_as_they_turn():
+    # finite differences: follow both hubs for a moment; each moves by radius × rate × time
+    rng = np.random.default_rng(2)
+    h = 1e-6
+    hubs = np.array([[0, DISTANCE / 2], [0, -DISTANCE / 2]])  # left is +y
+    for rate in rng.uniform(0.5, 5, (20, 2)):
+        v, _, omega = body_twist(*rate, RADIUS, DISTANCE)
+        x, y, theta = arc_step([0, 0, 0], v, omega, h)
+        turn = np.array([[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]])
+        moved = np.linalg.norm([x, y] + hubs @ turn.T - hubs, axis=1)
+        # positions of 0.05 m round by 7e-18, over 1e-6 s; an arc and its chord differ by less
+        assert_close(moved / h, RADIUS * rate, atol=1e-10)

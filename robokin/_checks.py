@@ -108,9 +108,8 @@ def _batch_shape(
         array.shape[: array.ndim - len(core)]
         for (_, _, core), array in zip(items, arrays, strict=True)
     ]
-    shapes = {*batches, *(array.shape for array in parameters)} - {()}
     try:
-        return np.broadcast_shapes(*shapes) if len(shapes) > 1 else (*shapes, ())[0]
+        return np.broadcast_shapes(*batches, *(array.shape for array in parameters))
     except ValueError as error:
         got = ", ".join(
             f"{name} {batch}" for (name, _, _), batch in zip(items, batches, strict=True)

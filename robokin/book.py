@@ -85,7 +85,7 @@ class Notation(SphinxDirective):
         """One row a symbol that formulas use."""
         lines = ["| symbol | in code | unit | range | meaning |", "|---|---|---|---|---|"]
         for symbol, known in equations.QUANTITIES.items():
-            span = f"{known.low:g} … {known.high:g}".replace("-", "−")
+            span = f"{known.low:g} … {known.high:g}".replace("-", "\u2212")
             lines.append(
                 f"| ${known.latex}$ | `{symbol}` | {known.unit} | {span} | {known.meaning} |"
             )

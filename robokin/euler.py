@@ -113,10 +113,11 @@ def solutions(seq: str, R: ArrayLike) -> Array:
     a, b, c = first[..., 0], first[..., 1], first[..., 2]
     out = np.empty((*first.shape[:-1], 2, 3))
     out[..., 0, :] = first
-    out[..., 1, 0] = a + np.pi * (1 - 2 * (a > 0))
-    turned = b * (1 - 2 * (b < np.pi)) if _read(seq).proper else np.pi * (1 - 2 * (b < 0)) - b
-    out[..., 1, 1] = turned + 0.0
-    out[..., 1, 2] = c + np.pi * (1 - 2 * (c > 0))
+    second = out[..., 1, :]
+    second[..., 0] = a + np.pi * (1 - 2 * (a > 0))
+    second[..., 1] = 0.0 - b if _read(seq).proper else np.pi * (1 - 2 * (b < 0)) - b
+    second[..., 2] = c + np.pi * (1 - 2 * (c > 0))
+    second += 2 * np.pi * (second <= -np.pi)
     return out
 
 

@@ -52,7 +52,8 @@ def to_body(theta: ArrayLike, twist: ArrayLike) -> Array:
 
 def _turn(theta: ArrayLike, twist: ArrayLike, sign: float) -> Array:
     shape, (th, tw) = rows(("theta", theta, ()), ("twist", twist, (3,)))
-    c, s = np.cos(th), sign * np.sin(th)
+    c, s = np.cos(th), np.sin(th)
+    s *= sign
     out = np.empty((*shape, 3))
     out[..., 0] = c * tw[..., 0] - s * tw[..., 1]
     out[..., 1] = s * tw[..., 0] + c * tw[..., 1]
@@ -80,9 +81,10 @@ def arc_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike) -> 
     chord = v * dt * _sinc(0.5 * turn)
     c, s = _cos_sin(p[..., 2], 0.5 * turn)
     out = np.empty((*shape, 3))
-    out[..., 0] = p[..., 0] + chord * c
-    out[..., 1] = p[..., 1] + chord * s
-    out[..., 2] = p[..., 2] + turn
+    out[...] = p
+    out[..., 0] += chord * c
+    out[..., 1] += chord * s
+    out[..., 2] += turn
     return out
 
 
@@ -100,9 +102,10 @@ def move(pose: ArrayLike, twist: ArrayLike, dt: ArrayLike) -> Array:
     scale = dt * _sinc(0.5 * turn)
     c, s = _cos_sin(p[..., 2], 0.5 * turn)
     out = np.empty((*shape, 3))
-    out[..., 0] = p[..., 0] + scale * (c * tw[..., 0] - s * tw[..., 1])
-    out[..., 1] = p[..., 1] + scale * (s * tw[..., 0] + c * tw[..., 1])
-    out[..., 2] = p[..., 2] + turn
+    out[...] = p
+    out[..., 0] += scale * (c * tw[..., 0] - s * tw[..., 1])
+    out[..., 1] += scale * (s * tw[..., 0] + c * tw[..., 1])
+    out[..., 2] += turn
     return out
 
 
@@ -177,6 +180,8 @@ def _sinc(x: Array) -> Array:
 def _cos_sin(theta: Array, half: Array) -> tuple[Array, Array]:
     """Cosine and sine of theta + half; what rounding took from the sum is turned in afterwards."""
     heading = theta + half
-    rest = half - (heading - theta)
+    rest = theta - heading + half
     c, s = np.cos(heading), np.sin(heading)
-    return c - rest * s, s + rest * c
+    c -= rest * s
+    s += rest * c
+    return c, s

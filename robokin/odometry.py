@@ -24,9 +24,10 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     >>> round(float(travel(500, ticks_per_turn=1000, wheel_radius=0.05)), 6)
     0.15708
     """
-    per_tick = _metres_per_tick(ticks_per_turn, wheel_radius)
-    _, (ticks,) = rows(("ticks", _whole("ticks", ticks), ()), parameters=(per_tick,))
-    return per_tick * ticks
+    per_turn = positive("ticks_per_turn", ticks_per_turn)
+    radius = positive("wheel_radius", wheel_radius)
+    _, (ticks,) = rows(("ticks", _whole("ticks", ticks), ()), parameters=(per_turn, radius))
+    return 2 * np.pi * radius / per_turn * ticks
 
 
 @quiet
@@ -101,13 +102,15 @@ def velocity(
     >>> round(float(v), 3), round(float(omega), 3)
     (2.356, 7.854)
     """
-    per_tick, dt = _metres_per_tick(ticks_per_turn, wheel_radius), positive("dt", dt)
+    per_turn, dt = positive("ticks_per_turn", ticks_per_turn), positive("dt", dt)
+    radius = positive("wheel_radius", wheel_radius)
     distance = positive("wheel_distance", wheel_distance)
     shape, (left, right) = rows(
         ("ticks_left", _whole("ticks_left", ticks_left), ()),
         ("ticks_right", _whole("ticks_right", ticks_right), ()),
-        parameters=(per_tick, dt, distance),
+        parameters=(per_turn, dt, radius, distance),
     )
+    per_tick = 2 * np.pi * radius / per_turn
     out = np.empty((2, *shape))
     out[0] = 0.5 * per_tick * (right + left) / dt
     out[1] = per_tick * (right - left) / (distance * dt)
@@ -193,11 +196,6 @@ def umbmark(
     return corrected, (side + bulge) / (side - bulge)
 
 
-def _metres_per_tick(ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
-    per_turn = positive("ticks_per_turn", ticks_per_turn)
-    return 2 * np.pi * positive("wheel_radius", wheel_radius) / per_turn
-
-
 def _whole(name: str, value: ArrayLike) -> Array:
     array = numbers(name, value)
     fractional = np.abs(array - np.rint(array)) > 0
@@ -212,15 +210,18 @@ def _readings(
     wheel_distance: ArrayLike,
 ) -> tuple[Array, Array, Array, Array]:
     """The ticks (…, N) of both wheels, and metres a tick and wheel distance (…, 1) for them."""
-    per_tick = np.asarray(_metres_per_tick(ticks_per_turn, wheel_radius))[..., None]
+    per_turn = positive("ticks_per_turn", ticks_per_turn)[..., None]
+    radius = positive("wheel_radius", wheel_radius)[..., None]
     distance = positive("wheel_distance", wheel_distance)[..., None]
     left, right = np.atleast_1d(
         _whole("ticks_left", ticks_left), _whole("ticks_right", ticks_right)
     )
     _, (left, right) = rows(
-        ("ticks_left", left, ()), ("ticks_right", right, ()), parameters=(per_tick, distance)
+        ("ticks_left", left, ()),
+        ("ticks_right", right, ()),
+        parameters=(per_turn, radius, distance),
     )
-    return left, right, per_tick, distance
+    return left, right, 2 * np.pi * radius / per_turn, distance
 
 
 def _step_errors(place: Array, half: Array, length: Array, distance: Array) -> Array:

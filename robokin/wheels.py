@@ -9,7 +9,7 @@ alpha + beta - 90°). Exercise 6; Siegwart, Nourbakhsh & Scaramuzza, chapter 3.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from math import cos
+from math import cos, isfinite
 from typing import NamedTuple
 
 import numpy as np
@@ -40,7 +40,6 @@ __all__ = [
 HELD = ("fixed", "steered")  # kinds with a row in `sliding`
 DRIVEN = (*HELD, "castor", "swedish")  # kinds with a row in `rolling`
 KINDS = (*DRIVEN, "spherical")
-LARGEST = 1e100  # of a wheel's numbers, so that their sums stay finite
 DEPENDENT = 1e-12  # rows nearer than this to depending on each other do
 SLIP = 1e-9  # sideways speed that is called slip, relative to the speeds that make it up
 
@@ -65,9 +64,11 @@ class Wheel:
         choice("kind", self.kind, KINDS)
         for name in ("l", "alpha", "beta", "radius", "d", "gamma"):
             value = numbers(name, getattr(self, name))
-            if value.ndim or not abs(value) < LARGEST:
+            if value.ndim or not isfinite(value):
                 raise RobokinError(f"{name} must be one finite number, got {value}")
             object.__setattr__(self, name, float(value))
+        if not isfinite(self.alpha + self.beta + self.gamma):
+            raise RobokinError("alpha + beta + gamma must be finite, got inf")
         if self.radius <= 0 or self.l < 0:
             raise RobokinError(
                 f"radius must be positive and l not negative, got {self.radius} and {self.l}"

@@ -1,8 +1,11 @@
 """What several tests share: strategies for inputs, and angles compared on the circle."""
 
+from pathlib import Path
+
 import hypothesis.strategies as st
 import numpy as np
 
+ROOT = Path(__file__).resolve().parents[1]
 EPS = np.finfo(float).eps  # 2.2e-16: one rounding of a number near 1
 
 

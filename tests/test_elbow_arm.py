@@ -246,6 +246,7 @@ def test_on_the_base_axis_theta1_is_0_and_pi(zero):
     p = [*zero, 0.6]
     branches = inverse(p, A2, A3, D1)
     np.testing.assert_array_equal(branches[:, 0], [0, 0, np.pi, np.pi])
+    assert not np.any(np.signbit(branches[:, 0]))
     assert_close(forward(branches, A2, A3, D1), np.tile(p, (4, 1)), atol=4 * EPS)
 
 

@@ -26,8 +26,10 @@ ALL = EXTRINSIC + [seq.upper() for seq in EXTRINSIC]
 SHORT = sorted({seq[:n] for seq in ALL for n in (1, 2)})
 
 seqs = st.sampled_from(ALL)
-rotations = vectors(4, -1, 1).filter(lambda q: np.linalg.norm(q) > 0.1).map(
-    lambda q: Rotation.from_quat(q).as_matrix()
+rotations = (
+    vectors(4, -1, 1)
+    .filter(lambda q: np.linalg.norm(q) > 0.1)
+    .map(lambda q: Rotation.from_quat(q).as_matrix())
 )
 round_angles = st.integers(-4, 4).map(lambda n: n * np.pi / 2)
 turns = st.lists(st.one_of(angles, round_angles), min_size=3, max_size=3)
@@ -192,17 +194,14 @@ def test_the_exercise_step_by_step():
     assert_close(way, [np.eye(3), [[0, 0, 1], [0, 1, 0], [-1, 0, 0]], R_AB], atol=EPS)
 
 
-def test_the_exercise_is_read_back():
-    # YZ is YZX with nothing about x, or YZY with nothing about y; the others by hand:
-    # ZYX: −sin b = R_zx = 0, tan a = R_yx/R_xx = −1/0, tan c = R_zy/R_zz = −1/0
-    # ZYZ: cos b = R_zz = 0, tan a = R_yz/R_xz = 0/1, tan c = R_zy/−R_zx = −1/0
-    for seq, degrees in (("YZY", [90, 90, 0]), ("ZYX", [-90, 0, -90]), ("ZYZ", [0, 90, -90])):
-        expected = to_matrix(seq, np.radians(degrees))
-        if seq == "YZY":
-            expected = to_matrix("YZY", np.radians([-90, 90, 180]))  # b ≥ 0: turned round
-            degrees = [-90, 90, 180]
-        assert_close(expected, R_AB, atol=2 * EPS)
-        assert_angles(from_matrix(seq, R_AB), np.radians(degrees), atol=EPS)
+# By hand: ZYX: sin b = −R_zx = 0, tan a = R_yx/R_xx = −1/0, tan c = R_zy/R_zz = −1/0; ZYZ:
+# cos b = R_zz = 0, tan a = R_yz/R_xz = 0/1, tan c = R_zy/−R_zx = −1/0; YZY is YZ and no third
+# turn, [90, −90, 0], turned round so that b ≥ 0
+@pytest.mark.parametrize(
+    ("seq", "degrees"), [("ZYX", [-90, 0, -90]), ("ZYZ", [0, 90, -90]), ("YZY", [-90, 90, 180])]
+)
+def test_the_exercise_is_read_back(seq, degrees):
+    assert_close(from_matrix(seq, R_AB), np.radians(degrees), atol=EPS)
 
 
 def test_the_exercise_sits_on_gimbal_lock_for_six_of_24_sequences():
@@ -233,28 +232,453 @@ def test_the_wrong_readings_of_the_exercise_give_something_else():
 # Singular and boundary cases
 
 
-def near_lock(seq, distance, count=20):
-    """Rotations with the middle angle this far from lock, exact before they are rounded."""
+def exact(seq, turns):
+    """The product of the turns in 50 digits, from the definition."""
+    R = mpmath.eye(3)
+    for axis, angle in zip(seq, turns, strict=True):
+        c, s = mpmath.cos(angle), mpmath.sin(angle)
+        one = {
+            "x": [[1, 0, 0], [0, c, -s], [0, s, c]],
+            "y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
+            "z": [[c, -s, 0], [s, c, 0], [0, 0, 1]],
+        }[axis.lower()]
+        R = R * mpmath.matrix(one) if seq.isupper() else mpmath.matrix(one) * R
+    return R
+
+
+def floats(M):
+    return np.array(M.tolist(), dtype=float)
+
+
+def lock(seq, n=0):
+    """The middle angle at gimbal lock, one of two, in 50 digits."""
+    return n * mpmath.pi if is_proper(seq) else mpmath.pi / 2 - n * mpmath.pi
+
+
+@pytest.mark.parametrize("seq", ALL)
+def test_near_lock_no_digits_are_lost(seq):
     rng = np.random.default_rng(ALL.index(seq))
-    locks = [mpmath.mpf(0), mpmath.pi] if is_proper(seq) else [mpmath.pi / 2, -mpmath.pi / 2]
-    return np.array(
-        [
-            floats(exact(seq, [a, locks[n % 2] + mpmath.mpf(distance), c]))
-            for n, (a, c) in enumerate(rng.uniform(-np.pi, np.pi, (count, 2)))
-        ]
-    )
+    for distance in [0.0, 1e-1, -1e-1, 1e-2, -1e-2, *NEAR_ZERO, 0.9e-15, 1.1e-15]:
+        for n in (0, 1):
+            a, c = rng.uniform(-np.pi, np.pi, 2)
+            R = floats(exact(seq, [a, lock(seq, n) + mpmath.mpf(distance), c]))
+            back = from_matrix(seq, R)
+            assert_close(floats(exact(seq, back)), R, atol=ROUND_TRIP)
+            assert_close(to_matrix(seq, back), R, atol=ROUND_TRIP)
+            assert_close(to_matrix(seq, solutions(seq, R)[1]), R, atol=ROUND_TRIP)
 
 
-def turn_exactly(axis, angle):
-    return mpmath.matrix(
-        [[turned.subs(ANGLE, 0) for turned in row] for row in []] or _turn_exactly(axis, angle)
-    )
+def test_rounded_matrices_at_lock_survive_too():
+    # turns multiplied in floats: the zeros are 1e-16 and more, of either sign
+    rng = np.random.default_rng(1)
+    a, c = rng.uniform(-np.pi, np.pi, (2, 500))
+    noise = rng.uniform(-3e-15, 3e-15, 500)
+    for seq in ALL:
+        for n in (0, 1):
+            R = to_matrix(seq, np.stack([a, float(lock(seq, n)) + noise, c], axis=-1))
+            R += rng.uniform(-2 * EPS, 2 * EPS, R.shape)
+            back = from_matrix(seq, R)
+            # the matrix itself is no better a rotation than its noise, 2 EPS, twice over
+            assert_close(to_matrix(seq, back), R, atol=ROUND_TRIP + 4 * EPS)
 
 
-def _turn_exactly(axis, angle):
-    c, s = mpmath.cos(angle), mpmath.sin(angle)
-    return {
-        "x": [[1, 0, 0], [0, c, -s], [0, s, c]],
-        "y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
-        "z": [[c, -s, 0], [s, c, 0], [0, 0, 1]],
-    }[axis.lower()]
+@pytest.mark.parametrize("seq", ALL)
+def test_lock_is_what_lies_within_1e_15(seq):
+    for n, sign in itertools.product((0, 1), (1, -1)):
+        for distance, locked in ((0.9e-15, True), (1.1e-15, False)):
+            middle = lock(seq, n) + sign * mpmath.mpf(distance)
+            R = floats(exact(seq, [0.4, middle, 0.7]))
+            _, b, c = from_matrix(seq, R)
+            assert (c == 0) == locked
+            if locked:
+                assert b == float(lock(seq, n))
+            else:
+                # the entries are small but have all their digits; over the pole the other answer
+                assert min(abs(c - 0.7), abs(c - 0.7 + np.pi)) <= 2 * EPS
+
+
+def test_the_third_angle_is_zero_at_lock_and_the_first_takes_all():
+    for seq, sign, n in itertools.product(ALL, (1, -1), (0, 1)):
+        R = to_matrix(seq, [0.4, float(lock(seq, n)), sign * 0.7])
+        a, b, c = from_matrix(seq, R)
+        assert c == 0
+        assert not np.signbit(c)
+        assert b == float(lock(seq, n))
+        # sum or difference of the first and third; sums rounded, and the zeros of R are 1e-16
+        assert_close(min(abs(a - 0.4 - 0.7), abs(a - 0.4 + 0.7)), 0.0, atol=8 * EPS)
+
+
+def cube():
+    """The 24 rotations that take the axes to axes, with whole numbers."""
+    for order in itertools.permutations(range(3)):
+        for signs in itertools.product((1, -1), repeat=3):
+            R = np.eye(3, dtype=int)[list(order)] * signs
+            if np.linalg.det(R) > 0:
+                yield R
+
+
+@pytest.mark.parametrize("seq", ALL)
+def test_quarter_turns_are_read_exactly(seq):
+    quarters = np.array([-np.pi / 2, 0.0, np.pi / 2, np.pi])
+    for R in cube():
+        both = solutions(seq, R)
+        assert np.isin(both, quarters).all()
+        assert not np.signbit(both[both == 0]).any()  # no −0
+        assert_close(to_matrix(seq, both), np.stack([R, R]), atol=4 * EPS)
+
+
+@pytest.mark.parametrize("seq", ALL)
+def test_the_second_solution_is_pi_and_not_minus_pi(seq):
+    # a little off no turn at all, to either side: π less a little is still π in floats
+    for axis, sign in itertools.product("xyz", (1, -1)):
+        both = solutions(seq, turn(axis, sign * 1e-20))
+        assert both.min() > -np.pi
+        outer = both[1, [0, 2]]
+        np.testing.assert_array_equal(outer, np.pi)
+
+
+def test_no_turn():
+    for seq in ALL:
+        for length in (1, 2, 3):
+            R = to_matrix(seq[:length], np.zeros(length))
+            np.testing.assert_array_equal(R, np.eye(3))
+            assert not np.signbit(R).any()
+        np.testing.assert_array_equal(from_matrix(seq, np.eye(3)), [0, 0, 0])
+
+
+@pytest.mark.parametrize("axis", "xyzXYZ")
+@pytest.mark.parametrize("angle", [0.0, 1.0, -2.5, 100.0, *NEAR_ZERO])
+def test_one_turn_is_its_sine_and_cosine(axis, angle):
+    np.testing.assert_array_equal(to_matrix(axis, [angle]), turn(axis, angle))
+
+
+@pytest.mark.parametrize("seq", SHORT)
+def test_missing_turns_are_no_turns(seq):
+    turns = np.random.default_rng(1).uniform(-7, 7, (50, len(seq)))
+    for full in (full for full in ALL if full.startswith(seq)):
+        padded = np.zeros((50, 3))
+        padded[:, : len(seq)] = turns
+        assert_close(to_matrix(seq, turns), to_matrix(full, padded), atol=EPS)
+
+
+@pytest.mark.parametrize("k", range(1, 16))
+def test_is_locked_at_the_tolerance(k):
+    tol = 10.0**-k
+    for seq, (n, sign) in itertools.product(
+        ("xyz", "YXY", "zxy"), itertools.product((0, 1), (1, -1))
+    ):
+        for share, locked in ((0.99, True), (1.01, False)):
+            middle = lock(seq, n) + sign * share * mpmath.asin(tol)
+            R = floats(exact(seq, [0.4, middle, 0.7]))
+            assert is_locked(seq, R, tol) == locked
+            assert is_locked(seq, R, [tol / 2, 2 * tol]).tolist() == [False, True]
+            if k in (8, 10):
+                assert is_locked(seq, R) == (k == 10)  # 1e-9 unless said otherwise
+
+
+@pytest.mark.parametrize("k", range(17))
+def test_small_angles_keep_their_digits(k):
+    rng = np.random.default_rng(k)
+    for axis in unit(rng.normal(size=(10, 3))):
+        angle = mpmath.mpf(float(rng.uniform(0.5, 1))) * mpmath.mpf(10) ** -k
+        found, size = axis_angle(floats(exact_turn(axis, angle)))
+        assert size == pytest.approx(float(angle), rel=4 * EPS)
+        assert_close(found, axis, atol=4 * EPS)
+
+
+@pytest.mark.parametrize("k", range(15))
+def test_angles_near_a_half_turn_keep_their_digits(k):
+    rng = np.random.default_rng(k)
+    for axis in unit(rng.normal(size=(10, 3))):
+        angle = mpmath.pi - mpmath.mpf(float(rng.uniform(0.5, 1))) * mpmath.mpf(10) ** -k
+        found, size = axis_angle(floats(exact_turn(axis, angle)))
+        assert_close(size, float(angle), atol=4 * EPS)  # of π
+        assert_close(found, axis, atol=4 * EPS)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("distance", [0.0, *NEAR_ZERO[-8:], 0.9e-15, -0.9e-15, 1.1e-15, -1.1e-15])
+def test_the_direction_at_a_half_turn(distance, sign):
+    # about the x axis, or against it, by π − distance: within 1e-15 the axis is x, beyond it
+    # is what it was; past the half turn it is the opposite one
+    s = sign * distance
+    R = np.array([[1, 0, 0], [0, -1, -s], [0, s, -1]])
+    axis, angle = axis_angle(R)
+    if abs(distance) <= 1e-15:
+        np.testing.assert_array_equal(axis, [1, 0, 0])
+        assert angle == np.pi
+    else:
+        np.testing.assert_array_equal(axis, [np.sign(s), 0, 0])
+        assert_close(angle, np.pi - abs(distance), atol=2 * EPS)  # of π
+
+
+def test_a_half_turn_has_its_first_component_positive():
+    rng = np.random.default_rng(3)
+    axes = unit([*rng.normal(size=(200, 3)), *itertools.product([-1, 0, 1], repeat=3)])
+    axes = axes[np.isfinite(axes).all(axis=-1)]
+    found, angle = axis_angle(2 * axes[:, :, None] * axes[:, None, :] - np.eye(3))
+    lead = np.array([axis[np.abs(axis) > 0][0] for axis in axes])
+    assert_close(found, axes * np.sign(lead)[:, None], atol=4 * EPS)
+    np.testing.assert_array_equal(angle, np.pi)
+    assert not np.signbit(found[found == 0]).any()
+
+
+@pytest.mark.parametrize(
+    ("axis", "expected"),
+    [
+        ([-1e-8, 1, 0], [1e-8, -1, 0]),
+        ([-2e-15, 1, 0], [2e-15, -1, 0]),
+        ([-5e-16, 1, 0], [-5e-16, 1, 0]),  # within 1e-15 a component is zero
+        ([-5e-16, -1e-8, 1], [5e-16, 1e-8, -1]),
+        ([-5e-16, -2e-15, 1], [5e-16, 2e-15, -1]),
+        ([-5e-16, -5e-16, 1], [-5e-16, -5e-16, 1]),
+        ([5e-16, 5e-16, -1], [-5e-16, -5e-16, 1]),
+        ([5e-16, -1, 1e-8], [-5e-16, 1, -1e-8]),
+    ],
+)
+def test_which_component_of_a_half_turn_counts_as_zero(axis, expected):
+    found, angle = axis_angle(2 * np.outer(axis, axis) / np.dot(axis, axis) - np.eye(3))
+    np.testing.assert_allclose(found, expected, rtol=4 * EPS)
+    assert angle == np.pi
+
+
+def test_half_turns_multiplied_in_floats():
+    # z after x is y, but for zeros of 1e-16
+    R = turn("z", np.pi) @ turn("x", np.pi)
+    axis, angle = axis_angle(R)
+    assert_close(axis, [0, 1, 0], atol=EPS)
+    assert angle == np.pi
+
+
+def test_no_rotation_is_about_z():
+    for R in (np.eye(3), to_matrix("xyz", [0, 0, 0]), [np.eye(3)] * 2):
+        axis, angle = axis_angle(R)
+        np.testing.assert_array_equal(axis, np.broadcast_to([0, 0, 1], axis.shape))
+        np.testing.assert_array_equal(angle, np.zeros(axis.shape[:-1]))
+    R = np.eye(3)
+    R[0, 1], R[1, 0] = 1e-200, -1e-200  # the smallest turn is still one
+    axis, angle = axis_angle(R)
+    np.testing.assert_array_equal(axis, [0, 0, -1])
+    assert angle == pytest.approx(1e-200, rel=EPS)
+
+
+def test_empty_batches_and_broadcasting():
+    assert to_matrix("XYZ", np.zeros((0, 3))).shape == (0, 3, 3)
+    assert steps("XY", np.zeros((2, 0, 2))).shape == (2, 0, 3, 3, 3)
+    for batch in [(0,), (3, 0), (), (2,), (2, 3), (2, 3, 4)]:
+        R = np.broadcast_to(R_AB, (*batch, 3, 3))
+        assert from_matrix("XYZ", R).shape == (*batch, 3)
+        assert solutions("XYZ", R).shape == (*batch, 2, 3)
+        assert is_locked("XYZ", R).shape == batch
+        axis, angle = axis_angle(R)
+        assert (axis.shape, angle.shape) == ((*batch, 3), batch)
+    assert is_locked("XYZ", R_AB, [[1e-9], [1e-3]]).shape == (2, 1)
+
+
+@pytest.mark.parametrize("seq", ["XYZ", "zxz", "YXY", "xzy"])
+def test_an_item_of_a_batch_is_as_alone(seq):
+    turns = np.random.default_rng(2).uniform(-4, 4, (2, 3, 4, 3))
+    R = to_matrix(seq, turns)
+    R[0, 0, 0], R[0, 1, 0], R[1, 0, 0] = np.eye(3), R_AB, np.diag([-1, 1, -1])
+    axis, angle = axis_angle(R)
+    for index in np.ndindex(2, 3, 4):
+        # the same turns by themselves: the vector sine may round otherwise
+        if index[2]:  # the others were replaced
+            assert_close(to_matrix(seq, turns[index]), R[index], atol=4 * EPS)
+        assert_close(from_matrix(seq, R)[index], from_matrix(seq, R[index]), atol=8 * EPS)
+        assert_close(solutions(seq, R)[index], solutions(seq, R[index]), atol=8 * EPS)
+        assert_close(steps(seq, turns)[index], steps(seq, turns[index]), atol=4 * EPS)
+        assert is_locked(seq, R)[index] == is_locked(seq, R[index])
+        alone = axis_angle(R[index])
+        assert_close(axis[index], alone[0], atol=4 * EPS)
+        assert_close(angle[index], alone[1], atol=4 * EPS)
+
+
+# Errors
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_bad_values_spoil_their_own_rows_only(bad):
+    for seq, column in itertools.product(("X", "xy", "ZYX", "zyz", "XZX"), range(3)):
+        if column < len(seq):
+            turns = np.ones((3, len(seq)))
+            turns[1, column] = bad
+            for out in (to_matrix(seq, turns), steps(seq, turns)):
+                assert np.isnan(out[1]).all()
+                np.testing.assert_array_equal(out[2], out[0])
+                assert np.isfinite(out[0]).all()
+    for seq, entry in itertools.product(("XYZ", "zxz"), range(9)):
+        R = np.broadcast_to(to_matrix("XYZ", [0.1, 0.2, 0.3]), (3, 3, 3)).copy()
+        R[1].flat[entry] = bad
+        for out in (from_matrix(seq, R), solutions(seq, R), *axis_angle(R)):
+            assert np.isnan(out[1]).all()
+            np.testing.assert_array_equal(out[2], out[0])
+            assert np.isfinite(out[0]).all()
+        np.testing.assert_array_equal(is_locked(seq, R, 2.0), [True, False, True])
+
+
+TAKES_ANGLES = [to_matrix, steps]
+TAKES_MATRIX = [from_matrix, solutions, is_locked]
+BAD_SEQS = [
+    "",
+    "W",
+    "XYZX",
+    "XXY",
+    "XYY",
+    "xx",
+    "Xy",
+    "XyZ",
+    "xyw",
+    "12",
+    " x",
+    None,
+    3,
+    ["x"],
+    b"x",
+]
+
+
+@pytest.mark.parametrize("function", TAKES_ANGLES + TAKES_MATRIX)
+@pytest.mark.parametrize("seq", BAD_SEQS)
+def test_a_bad_sequence_is_refused(function, seq):
+    data = np.eye(3) if function in TAKES_MATRIX else np.zeros(3)
+    message = "1 to 3 letters, all of XYZ (intrinsic) or all of xyz (extrinsic), no axis twice in"
+    with pytest.raises(RobokinError, match=re.escape(message) + rf".* got {re.escape(repr(seq))}"):
+        function(seq, data)
+
+
+@pytest.mark.parametrize("function", TAKES_MATRIX)
+@pytest.mark.parametrize("seq", ["X", "zy"])
+def test_a_short_sequence_is_refused_where_three_angles_are_asked_for(function, seq):
+    with pytest.raises(RobokinError, match=f"seq must have three letters here, got '{seq}'"):
+        function(seq, np.eye(3))
+
+
+@pytest.mark.parametrize(
+    "function", [*(lambda R, f=f: f("XYZ", R) for f in TAKES_MATRIX), axis_angle]
+)
+@pytest.mark.parametrize(
+    ("R", "message"),
+    [
+        (np.diag([1, 1, -1]), r"R is not a rotation \(a mirror: determinant < 0\): off by 2 "),
+        (-np.eye(3), r"R is not a rotation \(a mirror"),
+        (np.diag([1, 1, 1.001]), "R is not a rotation: off by 0.001 "),
+        (np.eye(3) + 2e-6 * np.eye(3, k=1), "off by 2e-06 .* allowed 1e-06"),
+        ([np.eye(3), np.zeros((3, 3))], "R at index 1 is not a rotation: off by 1 "),
+        (np.eye(4), r"R must have shape \(…, 3, 3\), got \(4, 4\)"),
+        ([1.0, 2.0, 3.0], r"R must have shape \(…, 3, 3\), got \(3,\)"),
+        ("R", "R must be real numbers"),
+        (1j * np.eye(3), "R must be real numbers"),
+        (None, "R must be real numbers"),
+        ([[1, 2], [3]], "R must be numbers in a regular array"),
+    ],
+)
+def test_what_is_not_a_rotation_is_refused(function, R, message):
+    with pytest.raises(RobokinError, match=message):
+        function(R)
+
+
+@pytest.mark.parametrize("function", TAKES_ANGLES)
+@pytest.mark.parametrize(
+    ("seq", "turns", "message"),
+    [
+        ("XYZ", [1, 2], r"angles must have shape \(…, 3\), got \(2,\)"),
+        ("X", [1, 2], r"angles must have shape \(…, 1\), got \(2,\)"),
+        ("X", 1.0, r"angles must have shape \(…, 1\), got \(\)"),
+        ("XY", ["a", "b"], "angles must be real numbers"),
+        ("XY", [1j, 0], "angles must be real numbers"),
+        ("XY", [[1], [1, 2]], "angles must be numbers in a regular array"),
+    ],
+)
+def test_bad_angles_are_refused(function, seq, turns, message):
+    with pytest.raises(RobokinError, match=message):
+        function(seq, turns)
+
+
+@pytest.mark.parametrize("tol", [0, -1e-9, np.nan, np.inf, "a", [1e-9, 0]])
+def test_is_locked_refuses_a_bad_tolerance(tol):
+    with pytest.raises(RobokinError, match="tol must be"):
+        is_locked("XYZ", R_AB, tol)
+
+
+def test_tolerances_and_matrices_that_do_not_broadcast():
+    with pytest.raises(RobokinError, match="broadcast"):
+        is_locked("XYZ", [R_AB, R_AB], [1e-9, 1e-9, 1e-9])
+
+
+# Independent oracles
+
+
+def unit(v):
+    v = np.asarray(v, dtype=float)
+    with np.errstate(invalid="ignore"):
+        return v / np.linalg.norm(v, axis=-1, keepdims=True)
+
+
+def exact_turn(axis, angle):
+    """Rodrigues' formula in 50 digits; the axis made of length 1 first."""
+    n = mpmath.matrix([float(v) for v in axis])
+    x, y, z = n / mpmath.norm(n)
+    K = mpmath.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return mpmath.eye(3) + mpmath.sin(angle) * K + (1 - mpmath.cos(angle)) * K * K
+
+
+@pytest.mark.parametrize("seq", ALL + SHORT)
+def test_matrices_against_50_digits(seq):
+    turns = np.random.default_rng(len(seq)).uniform(-2 * np.pi, 2 * np.pi, (20, len(seq)))
+    expected = [floats(exact(seq, [mpmath.mpf(a) for a in item])) for item in turns]
+    assert_close(to_matrix(seq, turns), expected, atol=2 * EPS)
+
+
+@pytest.mark.parametrize("seq", ALL + SHORT)
+def test_matrices_against_scipy(seq):
+    turns = np.random.default_rng(4).uniform(-2 * np.pi, 2 * np.pi, (500, len(seq)))
+    assert_close(to_matrix(seq, turns), Rotation.from_euler(seq, turns).as_matrix(), atol=8 * EPS)
+
+
+@pytest.mark.parametrize("seq", ALL)
+def test_angles_against_scipy(seq):
+    R = Rotation.random(1000, rng=np.random.default_rng(5)).as_matrix()
+    R = R[~is_locked(seq, R, 0.1)]
+    # ten times the rounding in both, as the outer angles come from entries of size 0.1
+    assert_angles(from_matrix(seq, R), Rotation.from_matrix(R).as_euler(seq), atol=2e-14)
+
+
+@pytest.mark.filterwarnings("ignore:Gimbal lock")
+def test_at_lock_scipy_takes_the_third_angle_as_zero_too():
+    for seq in LOCKED:
+        # SciPy computes with quaternions, which lose half the digits here
+        assert_angles(from_matrix(seq, R_AB), Rotation.from_matrix(R_AB).as_euler(seq), atol=1e-7)
+
+
+def test_matrices_against_symbolic_products():
+    a, b, c = sympy.symbols("a b c")
+    numbers = {a: sympy.Rational(3, 7), b: sympy.Rational(-11, 5), c: sympy.Rational(17, 4)}
+    planar = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}
+    for seq in ALL:
+        R = sympy.eye(3)
+        for axis, angle in zip(seq, (a, b, c), strict=True):
+            one = sympy.zeros(3)
+            p, q, r = planar[axis.lower()]
+            one[p, p] = one[q, q] = sympy.cos(angle)
+            one[q, p], one[p, q], one[r, r] = sympy.sin(angle), -sympy.sin(angle), 1
+            R = R * one if seq.isupper() else one * R
+        expected = np.array(R.subs(numbers).evalf(30).tolist(), dtype=float)
+        angles = [float(numbers[symbol]) for symbol in (a, b, c)]
+        assert_close(to_matrix(seq, angles), expected, atol=8 * EPS)  # the angles are rounded too
+
+
+def test_axis_and_angle_against_scipy():
+    rotations = Rotation.random(2000, rng=np.random.default_rng(6))
+    axis, angle = axis_angle(rotations.as_matrix())
+    assert_close(axis * angle[:, None], rotations.as_rotvec(), atol=2e-14)  # SciPy's near π
+
+
+def test_the_axis_is_an_eigenvector():
+    for R in Rotation.random(50, rng=np.random.default_rng(7)).as_matrix():
+        values, vectors = np.linalg.eig(R)
+        eigenvector = np.real(vectors[:, np.argmin(np.abs(values - 1))])
+        axis, angle = axis_angle(R)
+        assert_close(abs(axis @ eigenvector), 1.0, atol=4 * EPS)
+        # eigenvalues 1, e^(±i angle); eig is good to some ten EPS
+        assert on_circle(np.abs(np.angle(values)).max() - angle) <= 20 * EPS

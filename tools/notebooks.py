@@ -22,6 +22,7 @@ import numpy as np
 from nbclient import NotebookClient
 
 BOOK = Path(__file__).parents[1] / "book"
+FRESH = BOOK.parent / "_build" / "notebooks"  # what a stale notebook should be, for comparison
 WIDGET = "application/vnd.jupyter.widget-view+json"
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
@@ -45,7 +46,10 @@ def main() -> int:
         elif options.check:
             same = not is_reference() and alike(before, after)
             print("the same but for drawing" if same else "STALE: run `make notebooks`")
-            stale += [] if same else [path]
+            if not same:
+                stale.append(path)
+                FRESH.mkdir(parents=True, exist_ok=True)
+                (FRESH / path.name).write_text(after, encoding="utf-8")
         else:
             path.write_text(after, encoding="utf-8")
             print("written")

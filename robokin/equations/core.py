@@ -28,6 +28,14 @@ class Quantity:
 # Named steps on the way to a result, in order: each may use those before it.
 Where = Sequence[tuple[sp.Symbol, Any]]
 
+
+class NamedSymbol(sp.Symbol):  # type: ignore[misc]
+    """A symbol that prints as its quantity says, in every expression that SymPy shows."""
+
+    def _latex(self, printer: Any) -> str:
+        return QUANTITIES[self].latex
+
+
 QUANTITIES: dict[sp.Symbol, Quantity] = {}
 REGISTRY: dict[str, "Equation"] = {}
 
@@ -41,10 +49,10 @@ def quantity(
     name: str, unit: str, low: float, high: float, meaning: str, latex: str = ""
 ) -> sp.Symbol:
     """Declare a symbol: its name in code, unit, the range it is tested in, what it means."""
-    symbol = sp.Symbol(name, real=True)
+    symbol = NamedSymbol(name, real=True)
     if symbol in QUANTITIES:
         raise RobokinError(f"the quantity {name} is declared twice")
-    QUANTITIES[symbol] = Quantity(unit, low, high, meaning, latex or sp.latex(symbol))
+    QUANTITIES[symbol] = Quantity(unit, low, high, meaning, latex or sp.latex(sp.Symbol(name)))
     return symbol
 
 

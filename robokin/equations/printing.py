@@ -4,17 +4,14 @@ from typing import Any
 
 import sympy as sp
 
-from robokin.equations.core import QUANTITIES, Equation, find
+from robokin.equations.core import Equation, find
 
 MIME = "application/vnd.robokin.equation+json"
 
 
 def latex(expression: Any) -> str:
     """LaTeX of an expression in the order in which it was written."""
-    names = {symbol: known.latex for symbol, known in QUANTITIES.items()}
-    text: str = sp.latex(
-        expression, order="none", symbol_names=names, mat_str="matrix", mul_symbol=None
-    )
+    text: str = sp.latex(expression, order="none")
     return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
 
 
@@ -28,12 +25,13 @@ def equation_latex(equation: Equation, computed: bool = False) -> str:
     left, right = equation.left, printed(equation, computed)
     if isinstance(left, sp.MatrixBase) and isinstance(right, sp.MatrixBase):
         lines = (f"{latex(a)} &= {latex(c)}" for a, c in zip(left, right, strict=True))
-        return r"\begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}"
+        return r"\begin{aligned} " + r" \\[4pt] ".join(lines) + r" \end{aligned}"
     return f"{latex(left)} = {latex(right)}"
 
 
 def _plain(expression: Any) -> str:
-    return str(sp.sstr(expression, order="none"))
+    listed = list(expression) if isinstance(expression, sp.MatrixBase) else expression
+    return str(sp.sstr(listed, order="none"))
 
 
 def mimebundle(equation: Equation, computed: bool = False) -> dict[str, Any]:

@@ -78,7 +78,7 @@ def drive_figure() -> Figure:
     return Figure(
         name="wheel-speeds",
         title="A differential-drive robot seen from above, its wheel speeds under your hand",
-        view=(-0.5, 0.5, -0.32, 0.36),
+        view=(-0.42, 0.28, -0.21, 0.25),
         controls=(
             *speed_sliders(),
             Slider(theta, -pi, pi, start=pi / 2, step=pi / 36, label="heading at the start"),
@@ -133,7 +133,7 @@ def steps_figure() -> Figure:
     return Figure(
         name="steps",
         title="The exact arc and the same drive in straight steps",
-        view=(-0.5, 0.5, -0.2, 0.45),
+        view=(-0.42, 0.28, -0.11, 0.31),
         controls=(
             Slider(n, 1, 40, start=6, step=1, label="number of steps", kind="approximation"),
             *speed_sliders(),

@@ -10,15 +10,10 @@ from typing import Any
 
 import sympy as sp
 
-from robokin.equations.core import quantity
-
 Expr = Any
 Pair = tuple[Expr, Expr]
 
-POINTER = (
-    quantity("pointer_x", "m", -1, 1, "where the pointer is", latex=r"x_\mathrm{pointer}"),
-    quantity("pointer_y", "m", -1, 1, "where the pointer is", latex=r"y_\mathrm{pointer}"),
-)
+POINTER = sp.symbols("pointer_x pointer_y", real=True)
 
 
 # Controls: what the reader moves.

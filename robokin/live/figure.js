@@ -117,7 +117,7 @@ const SHAPES = {
     return `<path d="M${n(x0)} ${n(y0)}L${n(bx)} ${n(by)}" ${stroke(shape.kind)}/>`
       + `<path d="M${n(x1)} ${n(y1)}L${n(bx - w * uy)} ${n(by + w * ux)}`
       + `L${n(bx + w * uy)} ${n(by - w * ux)}z" ${fill(shape.kind)}/>`
-      + (shape.label ? label(x1, y1, shape.label, shape.kind, [8 * ux + 4, 8 * uy - 4]) : "");
+      + (shape.label ? label(x1, y1, shape.label, shape.kind, [22 * ux - 7, 22 * uy + 5]) : "");
   },
   wheel: (p, shape, to) => {
     const [x, y] = to(p).map(n), [w, h] = [shape.length * to.scale, shape.width * to.scale];

@@ -1,0 +1,69 @@
+# make book    set everything up and build the site        make test          all tests
+# make serve   look at the site                            make test T=motion  one topic
+# make lab     open the notebooks in JupyterLab            make test-long      longer sweeps too
+# make notebooks, make check, make lock, make clean: see CONTRIBUTING.md
+
+PYTHON ?= python3
+T ?=
+
+BIN := .venv/bin
+READY := .venv/.ready
+SITE := _build/html/.built
+BUILD := $(BIN)/python -m jupyter_book.cli.main build book --config _config.yml \
+	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
+SOURCES := _config.yml _toc.yml $(shell find book robokin -type f \
+	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
+NOTEBOOKS = $(wildcard book/*$(T)*.ipynb)
+TESTS = $(wildcard tests/test_*$(T)*.py)
+PYTEST := $(BIN)/python -m pytest -n 2 --dist loadfile
+
+.PHONY: book serve lab test test-long check notebooks lock clean
+.DEFAULT_GOAL := book
+
+$(READY): requirements.txt pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+		echo "Python 3.11 or newer is needed, $(PYTHON) is older: make PYTHON=python3.12"; exit 1; }
+	@echo "Setting up .venv: about a minute, once"
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --disable-pip-version-check --require-hashes -r requirements.txt
+	$(BIN)/python -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@touch $(READY)
+
+$(SITE): $(READY) $(SOURCES)
+	$(BUILD)
+	@touch $(SITE)
+
+book: $(SITE)
+	@echo "The site is built: open _build/html/index.html, or run: make serve"
+
+serve: $(SITE)
+	@echo "http://127.0.0.1:8000 - stop with Ctrl-C"
+	$(BIN)/python -m http.server -b 127.0.0.1 -d _build/html 8000
+
+lab: $(READY)
+	$(BIN)/jupyter lab book
+
+test: check
+	@test -n "$(TESTS)" || { echo "no test has '$(T)' in its name"; exit 1; }
+	$(PYTEST) -m "not long" $(TESTS)
+	$(if $(NOTEBOOKS),$(PYTEST) --nbval $(NOTEBOOKS))
+
+test-long: check
+	$(PYTEST) $(TESTS)
+	$(PYTEST) --nbval $(NOTEBOOKS)
+
+check: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/codespell
+
+notebooks: $(READY)
+	$(BIN)/python tools/notebooks.py $(T)
+
+lock: $(READY)
+	$(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
+		--custom-compile-command "make lock" $(LOCK) requirements.in -o requirements.txt
+
+clean:
+	rm -rf _build .venv

@@ -9,7 +9,7 @@ T ?=
 BIN := .venv/bin
 READY := .venv/.ready
 SITE := _build/html/.built
-BUILD := $(BIN)/python -m jupyter_book.cli.main build book --config _config.yml \
+BUILD := $(BIN)/jupyter-book build book --config _config.yml \
 	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
 SOURCES := _config.yml _toc.yml $(shell find book robokin -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')

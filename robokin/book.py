@@ -11,8 +11,8 @@ from typing import Any
 
 from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
-from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
 from robokin import equations
@@ -22,7 +22,7 @@ from robokin.live import engine
 from robokin.live.figure import MIME as FIGURE
 from robokin.live.runtime import runtime, stylesheet
 
-log = logging.getLogger(__name__)
+PACKAGE = Path(__file__).parent
 
 
 class Outputs:
@@ -36,6 +36,7 @@ class Outputs:
         if data.mime_type == EQUATION:
             return _equation(renderer, data)
         if data.mime_type == FIGURE:
+            _depend(renderer.renderer.sphinx_env, "live/*", "styles.py")
             return [_figure(data.content)]
         return None
 
@@ -65,17 +66,21 @@ def _figure(content: dict[str, str]) -> nodes.raw:
     return nodes.raw("", html, format="html")
 
 
+def _depend(env: BuildEnvironment, *patterns: str) -> None:
+    """Read the present page again when one of these files of the package changes."""
+    for pattern in patterns:
+        for path in PACKAGE.glob(pattern):
+            env.note_dependency(str(path))
+
+
 class FormulaChecks(SphinxDirective):
-    """A table of every formula, the function that agrees with it, and how closely."""
+    """Every formula, the function that agrees with it, and how closely."""
 
     def run(self) -> list[nodes.Node]:
-        """One row an equation; a difference over its tolerance fails the build."""
-        results = checked(Path(self.env.app.outdir).parent)
-        lines = ["| formula | held against | points | largest difference | allowed | because |"]
-        lines.append("|---|---|---|---|---|---|")
-        for row in results:
-            lines.append("| " + " | ".join(row) + " |")
-        return self.parse_text_to_nodes("\n".join(lines))
+        """A formula and a sentence for each; a difference over its tolerance fails the build."""
+        _depend(self.env, "*.py", "equations/*.py")
+        entries = checked(Path(self.env.app.outdir).parent)
+        return self.parse_text_to_nodes("\n\n".join(entries))
 
 
 class Notation(SphinxDirective):
@@ -83,6 +88,7 @@ class Notation(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """One row a symbol that formulas use."""
+        _depend(self.env, "equations/*.py", "figures/*.py")
         lines = ["| symbol | in code | unit | range | meaning |", "|---|---|---|---|---|"]
         for symbol, known in equations.QUANTITIES.items():
             span = f"{known.low:g} … {known.high:g}".replace("-", "\u2212")
@@ -92,41 +98,40 @@ class Notation(SphinxDirective):
         return self.parse_text_to_nodes("\n".join(lines))
 
 
-def checked(folder: Path) -> list[list[str]]:
-    """The rows of the table, kept in `folder` under a hash of the sources they depend on."""
-    package = Path(__file__).parent
-    sources = sorted([*package.glob("*.py"), *package.glob("equations/*.py")])
+def checked(folder: Path) -> list[str]:
+    """The entries of the page, kept in `folder` under a hash of the sources they depend on."""
+    sources = sorted([*PACKAGE.glob("*.py"), *PACKAGE.glob("equations/*.py")])
     key = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
     kept = folder / f"formula-checks-{key}.json"
     if not kept.exists():
         for old in folder.glob("formula-checks-*.json"):
             old.unlink()
         kept.write_text(json.dumps(_check_all()), encoding="utf-8")
-    rows: list[list[str]] = json.loads(kept.read_text(encoding="utf-8"))
-    return rows
+    entries: list[str] = json.loads(kept.read_text(encoding="utf-8"))
+    return entries
 
 
-def _check_all() -> list[list[str]]:
+def _check_all() -> list[str]:
     results = equations.check()
     wrong = [r for r in results if not r.agrees]
     if wrong:
         apart = "; ".join(f"{r.equation.name} by {r.difference:.1g} at {r.worst}" for r in wrong)
         raise ExtensionError(f"formulas and functions disagree: {apart}")
-    return [_row(result) for result in results]
+    return [_entry(result) for result in results]
 
 
-def _row(result: equations.Result) -> list[str]:
+def _entry(result: equations.Result) -> str:
     equation = result.equation
-    function = equation.function
-    assert function is not None
-    return [
-        f"${equation_latex(equation, computed=True)}$",
-        f"`{equation.name}`",
-        f"{result.samples:,}",
-        f"{result.difference:.0e}",
-        f"{equation.tolerance:.0e}",
-        equation.reason,
-    ]
+    return (
+        f"$$\n{equation_latex(equation, computed=True)}\n$$\n\n"
+        f"`{equation.name}` at {result.samples:,} points: at most {_power(result.difference)} "
+        f"apart, allowed {_power(equation.tolerance)} ({equation.reason})."
+    )
+
+
+def _power(number: float) -> str:
+    digit, exponent = f"{number:.0e}".split("e")
+    return f"${digit} \\cdot 10^{{{int(exponent)}}}$" if number else "0"
 
 
 def _add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:

@@ -63,9 +63,10 @@ class Wheel:
     def __post_init__(self) -> None:
         choice("kind", self.kind, KINDS)
         for name in ("l", "alpha", "beta", "radius", "d", "gamma"):
-            value = numbers(name, getattr(self, name))
+            given = getattr(self, name)
+            value = numbers(name, given)
             if value.ndim or not isfinite(value):
-                raise RobokinError(f"{name} must be one finite number, got {value}")
+                raise RobokinError(f"{name} must be one finite number, got {shown(given)}")
             object.__setattr__(self, name, float(value))
         if not isfinite(self.alpha + self.beta + self.gamma):
             raise RobokinError("alpha + beta + gamma must be finite, got inf")

@@ -1,0 +1,530 @@
+"""robokin.bicycle: steering angles of a car and its bicycle, turning radius, velocities, paths."""
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from scipy.integrate import solve_ivp
+from support import EPS, NEAR_ZERO, assert_close, poses, reals
+
+from robokin import motion
+from robokin.bicycle import (
+    ackermann,
+    ackermann_error,
+    body_twist,
+    equivalent_steering,
+    front_twist,
+    path,
+    turning_radius,
+)
+from robokin.errors import RobokinError
+
+METHODS = ["exact", "midpoint", "start", "end"]
+QUARTER = np.pi / 2
+
+speeds = reals(-3, 3)
+steerings = reals(-1.5, 1.5)  # tan up to 14
+lines = reals(-1.57, 1.57)  # steering angles nearly as far as they go
+wheelbases = reals(1, 5)
+tracks = reals(0.5, 2)
+
+# An angle below π/2 is the arctangent of sines rounded a few times: a handful of EPS.
+ATOL = 1e-14
+
+
+def assert_axles(actual, expected, atol):
+    """Steering angles of the same axles: equal up to half turns."""
+    off = np.abs((np.asarray(actual) - expected + QUARTER) % np.pi - QUARTER)
+    assert off.max() <= atol, f"axles differ by {off.max():.3g} rad, allowed {atol:.3g}"
+
+
+# Laws
+
+
+@given(lines, wheelbases, tracks)
+def test_the_bicycle_of_the_cars_two_angles_is_the_bicycle(phi, wheelbase, track):
+    left, right = ackermann(phi, wheelbase, track)
+    # the wheels are no more than twice as far from the centre as the bicycle: factor 4
+    assert_close(equivalent_steering(left, right), phi, atol=4 * ATOL)
+
+
+@given(lines, wheelbases, tracks)
+def test_the_front_axles_pass_through_the_centre_of_rotation(phi, wheelbase, track):
+    # A wheel at (L, ±l/2) rolls along (cos α, sin α); its axle passes through [0, R] when the
+    # way there is square to that. Multiplied by sin φ, since R = L cos φ/sin φ may be infinite.
+    for alpha, y in zip(ackermann(phi, wheelbase, track), [track / 2, -track / 2], strict=True):
+        to_centre = [-wheelbase * np.sin(phi), wheelbase * np.cos(phi) - y * np.sin(phi)]
+        assert_close(np.dot(to_centre, [np.cos(alpha), np.sin(alpha)]), 0.0, atol=10 * ATOL)
+
+
+@given(lines, wheelbases, tracks)
+def test_turning_the_other_way_the_wheels_change_roles(phi, wheelbase, track):
+    left, right = ackermann(phi, wheelbase, track)
+    assert_close(ackermann(-phi, wheelbase, track), [-right, -left], atol=0)
+
+
+@given(reals(0.1, 1.57), st.sampled_from([1, -1]), wheelbases, tracks)
+def test_without_error_the_axles_meet(phi, side, wheelbase, track):
+    left, right = ackermann(side * phi, wheelbase, track)
+    # the cotangent of an angle of 0.07 multiplies its error by 1/0.07² = 200
+    assert_close(ackermann_error(left, right, wheelbase, track), 0.0, atol=200 * ATOL)
+
+
+@given(lines, lines, wheelbases, tracks)
+def test_the_error_is_the_difference_of_the_cotangents(left, right, wheelbase, track):
+    assume(min(abs(left), abs(right)) > 1e-3)
+    wanted = 1 / np.tan(right) - 1 / np.tan(left) - track / wheelbase
+    # cotangents up to 1e3, each rounded a few times
+    assert_close(ackermann_error(left, right, wheelbase, track), wanted, atol=1e3 * ATOL)
+
+
+@given(lines, lines)
+def test_the_bicycle_does_not_care_which_wheel_is_which(left, right):
+    phi = equivalent_steering(left, right)
+    assert_close(equivalent_steering(right, left), phi, atol=0)
+    assume(abs(phi) < 1.5)  # where the sign of π/2 is not at stake
+    assert_close(equivalent_steering(-left, -right), -phi, atol=0)
+
+
+@given(reals(0, 1.57), reals(0, 1.57))
+def test_the_bicycle_steers_between_the_two_wheels(a, b):
+    phi = equivalent_steering(a, b)
+    assert min(a, b) - ATOL <= phi <= max(a, b) + ATOL
+
+
+@given(lines, lines, st.sampled_from([np.pi, -np.pi]))
+def test_a_wheel_turned_by_half_a_turn_has_the_same_axle(left, right, half_turn):
+    phi = equivalent_steering(left, right)
+    assume(0.1 < abs(phi) < 1.5 and abs(left + right) > 0.1)
+    # the angle itself loses an EPS of 3 by the half turn; a tenth of a radian magnifies it
+    assert_close(equivalent_steering(left + half_turn, right), phi, atol=100 * ATOL)
+
+
+@given(speeds, steerings, wheelbases)
+def test_the_car_turns_about_its_centre(v, phi, wheelbase):
+    v_x, v_y, omega = body_twist(v, phi, wheelbase)
+    assert (v_x, v_y) == (v, 0)
+    radius = turning_radius(phi, wheelbase)
+    # relative: the radius may be anything
+    assert_close(omega if phi == 0 else omega * radius / (v or 1), 0 if v * phi == 0 else 1, ATOL)
+
+
+@given(speeds, steerings, wheelbases)
+def test_the_front_wheel_rolls_where_it_points(v, phi, wheelbase):
+    v_x, v_y, omega = front_twist(v, phi, wheelbase)
+    # tan φ and 1/cos φ up to 14, times 3 m/s
+    assert_close([v_x, v_y], v / np.cos(phi) * np.array([np.cos(phi), np.sin(phi)]), 100 * ATOL)
+    assert omega == body_twist(v, phi, wheelbase)[2]
+
+
+@given(poses, speeds, steerings, wheelbases)
+def test_the_front_axle_moves_as_front_twist_says(pose, v, phi, wheelbase):
+    def front(dt):
+        x, y, theta = motion.arc_step(pose, v, body_twist(v, phi, wheelbase)[2], dt)
+        return np.array([x + wheelbase * np.cos(theta), y + wheelbase * np.sin(theta), theta])
+
+    h = 1e-5
+    # central differences: rounding 1e-15/h, and h² times a third derivative of up to 5·42³
+    assert_close(
+        (front(h) - front(-h)) / (2 * h),
+        motion.to_world(pose[2], front_twist(v, phi, wheelbase)),
+        atol=1e-4,
+    )
+
+
+drives = st.lists(st.tuples(speeds, steerings, reals(0, 0.5)), min_size=1, max_size=6)
+
+
+@given(poses, drives, wheelbases)
+def test_a_path_is_one_arc_after_the_other(pose, drive, wheelbase):
+    v, phi, dt = np.transpose(drive)
+    along = path(pose, v, phi, wheelbase, dt)
+    np.testing.assert_array_equal(along[0], pose)
+    for k in range(len(drive)):
+        step = motion.arc_step(along[k], v[k], body_twist(v[k], phi[k], wheelbase)[2], dt[k])
+        # positions up to 20 m, headings up to 130 rad: a rounding of 1e-14, a few of them
+        assert_close(along[k + 1], step, atol=2e-13)
+
+
+@given(poses, drives, wheelbases, st.sampled_from(METHODS))
+def test_a_path_turns_as_the_body_twist_says(pose, drive, wheelbase, method):
+    v, phi, dt = np.transpose(drive)
+    omega = body_twist(v, phi, wheelbase)[:, 2]
+    wanted = motion.path(pose, v, omega, dt, method)
+    assert_close(path(pose, v, phi, wheelbase, dt, method), wanted, atol=2e-13)
+
+
+@given(st.integers(1, 4), st.integers(0, 4), st.sampled_from(METHODS))
+def test_a_batch_is_each_item(robots, n, method):
+    rng = np.random.default_rng(10 * robots + n)
+    pose, wheelbase = rng.normal(size=(robots, 3)), rng.uniform(1, 3, robots)
+    v, phi, dt = rng.normal(size=(robots, n)), rng.uniform(-1, 1, n), rng.uniform(0, 1, n)
+    along = path(pose, v, phi, wheelbase, dt, method)
+    assert along.shape == (robots, n + 1, 3)
+    a, b = rng.uniform(-1, 1, (2, robots))
+    together = [
+        np.stack([equivalent_steering(a, b), turning_radius(a, wheelbase)], axis=-1),
+        ackermann(a, wheelbase, b**2 + 0.1),
+        ackermann_error(a, b, wheelbase, b**2 + 0.1)[:, None],
+        body_twist(b, a, wheelbase),
+        front_twist(b, a, wheelbase),
+    ]
+    for k in range(robots):
+        w, t = wheelbase[k], b[k] ** 2 + 0.1
+        # NumPy's vector sines may differ from its single ones in the last digit
+        one = path(pose[k], v[k], phi, w, dt, method)
+        np.testing.assert_allclose(along[k], one, rtol=1e-13, atol=ATOL)
+        single = [
+            [equivalent_steering(a[k], b[k]), turning_radius(a[k], w)],
+            ackermann(a[k], w, t),
+            [ackermann_error(a[k], b[k], w, t)],
+            body_twist(b[k], a[k], w),
+            front_twist(b[k], a[k], w),
+        ]
+        for many, alone in zip(together, single, strict=True):
+            np.testing.assert_allclose(many[k], alone, rtol=1e-13, atol=ATOL)
+
+
+# The numbers of the hand solution
+
+
+def test_a_right_triangle_for_every_wheel():
+    # L = 3, l = 2, centre 4 m to the left: tan α_L = 3/3, tan α_R = 3/5, tan φ = 3/4
+    angles = np.arctan2(3, [3, 5, 4])
+    assert_close(ackermann(angles[2], wheelbase=3, track=2), angles[:2], atol=2 * EPS)
+    assert_close(equivalent_steering(*angles[:2]), angles[2], atol=2 * EPS)
+    assert_close(turning_radius(angles[2], wheelbase=3), 4.0, atol=8 * EPS)  # roundings of 4
+    assert_close(ackermann_error(*angles[:2], wheelbase=3, track=2), 0.0, atol=4 * EPS)
+    # the mean of the two angles is no answer (mistake M18): 37.98° for 36.87°
+    assert_close(np.degrees([angles[2], angles[:2].mean()]), [36.8699, 37.9819], atol=1e-4)
+    # cot 30° - cot 45° - 2/3, by hand
+    error = ackermann_error(np.pi / 4, np.pi / 6, wheelbase=3, track=2)
+    assert_close(error, np.sqrt(3) - 1 - 2 / 3, atol=8 * EPS)
+
+
+def test_exercise_5_velocities():
+    # v = 2 m/s, L = 2.5 m, φ = 45°: ω = 0.8 rad/s; the front axle 2√2 m/s at 45°, not 45° faster
+    assert_close(body_twist(2.0, np.pi / 4, 2.5), [2, 0, 0.8], atol=4 * EPS)
+    assert_close(front_twist(2.0, np.pi / 4, 2.5), [2, 2, 0.8], atol=4 * EPS)
+    assert_close(body_twist(2.0, -np.pi / 4, 2.5), [2, 0, -0.8], atol=4 * EPS)
+    assert_close(front_twist(-2.0, np.pi / 4, 2.5), [-2, -2, -0.8], atol=4 * EPS)
+
+
+def test_the_vehicle_of_seed_004():
+    # chassis 7 m, wheels 1.5 m apart, φ = 30°: R = 7√3 = 12.124 m, the rear wheels on circles of
+    # 11.374 m and 12.874 m, the front ones at arctan(7/11.374) = 31.61° and 28.53°
+    phi = np.pi / 6
+    assert_close(turning_radius(phi, 7.0), 12.1244, atol=5e-5)
+    assert_close(np.degrees(ackermann(phi, 7.0, 1.5)), [31.6090, 28.5337], atol=5e-5)
+
+
+@pytest.mark.parametrize(
+    ("method", "end"),
+    [
+        ("start", [1, 0]),
+        ("end", [0, 1]),
+        ("midpoint", [np.sqrt(0.5), np.sqrt(0.5)]),
+        ("exact", [2 / np.pi, 2 / np.pi]),
+    ],
+)
+def test_a_quarter_circle_in_one_step(method, end):
+    # tan φ = π L/2, 1 m/s for 1 s: a quarter turn, by each rule for the direction of the step
+    along = path([0, 0, 0], 1.0, np.arctan2(QUARTER * 2.5, 1), 2.5, 1.0, method)
+    assert_close(along, [[0, 0, 0], [*end, QUARTER]], atol=8 * EPS)
+
+
+def test_a_lane_change():
+    # L = 2, φ = ±45°: radius 2; 30° to the left and 30° back: 2·2 sin 30° ahead, 2·2 (1 - cos 30°)
+    along = path([1, 1, QUARTER], 1.0, [np.pi / 4, -np.pi / 4], 2.0, np.pi / 3)
+    half = [1 - (2 - np.sqrt(3)), 2, QUARTER + np.pi / 6]
+    whole = [1 - 2 * (2 - np.sqrt(3)), 3, QUARTER]
+    assert_close(along, [[1, 1, QUARTER], half, whole], atol=8 * EPS)
+
+
+# Singular and boundary cases
+
+
+def test_straight_ahead():
+    assert equivalent_steering(0.0, 0.0) == 0
+    np.testing.assert_array_equal(ackermann([0.0, -0.0], 2.5, 1.5), np.zeros((2, 2)))
+    np.testing.assert_array_equal(turning_radius([0.0, -0.0], 2.5), [np.inf, np.inf])
+    np.testing.assert_array_equal(body_twist(2.0, 0.0, 2.5), [2, 0, 0])
+    np.testing.assert_array_equal(front_twist(2.0, 0.0, 2.5), [2, 0, 0])
+    np.testing.assert_array_equal(path([0, 0, 0], 2.0, 0.0, 2.5, [1, 2])[-1], [6, 0, 0])
+    assert ackermann_error(0.0, -0.0, 2.5, 1.5) == 0  # parallel axles
+    assert not np.signbit(body_twist(2.0, -0.3, 2.5)[1])  # a plain 0 to print, not -0
+
+
+@pytest.mark.parametrize("angle", [0.3, -0.3, 1.5, -1.5, QUARTER, -QUARTER, 1e-9, 1e-16, 3.0, -3.0])
+def test_one_wheel_straight_ahead_drives_straight_ahead(angle):
+    assert equivalent_steering(angle, 0.0) == 0
+    assert equivalent_steering(-0.0, angle) == 0
+    assert ackermann_error(angle, 0.0, 2.5, 1.5) == np.inf
+    assert ackermann_error(0.0, angle, 2.5, 1.5) == -np.inf
+
+
+@pytest.mark.parametrize("angle", [1e-150, 1e-16, 1e-9, 0.3, 1.0, 1.5, QUARTER, 2.0])
+def test_equal_and_opposite_angles_meet_at_the_rear_axle(angle):
+    assert equivalent_steering(angle, -angle) == QUARTER
+    assert equivalent_steering(-angle, angle) == QUARTER
+    # and a little off, by 1e-3 … 1e-16, or by what is left of that in a sum of floats
+    others = np.array(NEAR_ZERO) - angle
+    off = others + angle
+    phi = equivalent_steering(angle, others)
+    wanted = np.arctan2(2 * np.sin(angle) * np.sin(others), np.sin(off))
+    assert_axles(phi, wanted, atol=2 * EPS)
+    clear = np.abs(np.tan(wanted)) < 1e15
+    sign = np.sign(np.sin(angle)) * np.sign(np.sin(others)) * np.sign(np.sin(off))
+    np.testing.assert_array_equal(np.sign(phi[clear]), sign[clear])
+
+
+def test_wheels_at_ninety_degrees():
+    assert equivalent_steering(QUARTER, QUARTER) == QUARTER
+    assert equivalent_steering(-QUARTER, -QUARTER) == QUARTER  # the same axle as +90°
+    # one at 90°: tan φ = 2 tan α of the other
+    wanted = np.arctan2(2 * np.tan(0.3), 1)
+    assert_close(equivalent_steering(QUARTER, 0.3), wanted, atol=2 * EPS)
+    assert_close(equivalent_steering(-0.3, -QUARTER), -wanted, atol=2 * EPS)
+    # φ = ±90°: the centre is the middle of the rear axle, tan α = ∓ 2L/l
+    alpha = np.arctan2(5.0, 1.5)
+    for phi in (QUARTER, -QUARTER):
+        assert_close(ackermann(phi, 2.5, 1.5), [-alpha, alpha], atol=2 * EPS)
+        assert_close(turning_radius(phi, 2.5), 0.0, atol=EPS)
+
+
+@pytest.mark.parametrize("gap", [0.0, *NEAR_ZERO])
+def test_the_inner_wheel_at_ninety_degrees_and_beyond(gap):
+    # a circle of half the track, R = l/2 + gap: tan α_L = L/gap
+    phi = np.arctan2(2.5, 0.75 + gap)
+    left, right = ackermann(phi, 2.5, 1.5)
+    # where phi is rounded (half an EPS), R is off by 2.5 EPS: 2 EPS in α_L
+    assert_axles(left, np.arctan2(2.5, gap), atol=4 * EPS)
+    assert -QUARTER < left <= QUARTER
+    assert np.sign(left) == np.sign(gap) or abs(gap) < 1e-15
+    assert_close(right, np.arctan2(2.5, 1.5 + gap), atol=2 * EPS)
+    mirrored = ackermann(-phi, 2.5, 1.5)
+    assert_axles(mirrored, [-right, -left], atol=EPS)
+    assert ((mirrored > -QUARTER) & (mirrored <= QUARTER)).all()
+
+
+def test_an_axle_across_the_car_is_plus_ninety_degrees():
+    # cos φ and sin φ such that L cos φ - l/2 sin φ is zero to the last digit
+    for phi in (np.pi / 4, -np.pi / 4, 3 * np.pi / 4):
+        wheelbase = np.abs(np.sin(phi) / np.cos(phi))
+        inner = ackermann(phi, wheelbase, 2.0)[0 if np.tan(phi) > 0 else 1]
+        assert inner == QUARTER
+
+
+@pytest.mark.parametrize("gap", NEAR_ZERO)
+def test_hardly_steering(gap):
+    assert_close(turning_radius(gap, 2.5) * gap, 2.5, atol=2.5 * gap**2 + 4 * EPS)
+    assert_close(body_twist(2.0, gap, 2.5)[2] / gap, 0.8, atol=gap**2 + 2 * EPS)
+    np.testing.assert_allclose(equivalent_steering(gap, gap), gap, rtol=2 * EPS)
+    np.testing.assert_allclose(
+        equivalent_steering(3 * gap, gap), 1.5 * gap, rtol=4 * gap**2 + 4 * EPS
+    )
+    np.testing.assert_allclose(ackermann(gap, 2.5, 1.5), gap, rtol=abs(gap) + 4 * EPS)
+    # a straight line bent by v²t² tan φ/(2L)
+    x, y, theta = path([0, 0, 0], 1.0, gap, 2.5, 1.0)[-1]
+    assert_close([x, y, theta], [1, gap / 5, gap / 2.5], atol=gap**2 + EPS)
+
+
+@pytest.mark.parametrize("turn", [-1, 1, -3, 3])
+def test_across_the_car_the_rear_axle_cannot_roll(turn):
+    phi = turn * QUARTER
+    nans = np.full(3, np.nan)
+    np.testing.assert_array_equal(body_twist(2.0, phi, 2.5), nans)
+    np.testing.assert_array_equal(body_twist(0.0, phi, 2.5), nans)
+    np.testing.assert_array_equal(front_twist(2.0, phi, 2.5), nans)
+    for method in METHODS:
+        along = path([0, 0, 0], 1.0, [0, phi, 0], 2.5, 1.0, method)
+        np.testing.assert_array_equal(along, [[0, 0, 0], [1, 0, 0], nans, nans])
+
+
+@pytest.mark.parametrize("gap", [g for g in NEAR_ZERO if abs(g) > 5e-16])
+def test_almost_across_the_car(gap):
+    phi = QUARTER - gap
+    with mpmath.workdps(50):
+        tangent = float(mpmath.tan(mpmath.mpf(phi)))
+    np.testing.assert_allclose(body_twist(2.0, phi, 2.5), [2, 0, 2 * tangent / 2.5], rtol=4 * EPS)
+    np.testing.assert_allclose(
+        front_twist(2.0, phi, 2.5), [2, 2 * tangent, 2 * tangent / 2.5], rtol=4 * EPS
+    )
+
+
+def test_empty_batches():
+    empty = np.empty(0)
+    assert equivalent_steering(empty, 0.3).shape == turning_radius(empty, 2.5).shape == (0,)
+    assert ackermann_error(empty, 0.3, 2.5, 1.5).shape == (0,)
+    assert ackermann(empty, 2.5, 1.5).shape == (0, 2)
+    assert body_twist(1.0, empty, 2.5).shape == front_twist(empty, 0.3, 2.5).shape == (0, 3)
+    assert path(np.empty((0, 3)), 1.0, [0.1, 0.2], 2.5, 0.1).shape == (0, 3, 3)
+    np.testing.assert_array_equal(path([1, 2, 3], [], 0.1, 2.5, 0.1), [[1, 2, 3]])
+
+
+# Errors
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: equivalent_steering("a", 0.1), "alpha_left must be real numbers"),
+        (lambda: equivalent_steering(0.1, 1j), "alpha_right must be real numbers"),
+        (lambda: equivalent_steering([1, 2], [1, 2, 3]), r"alpha_left \(2,\), alpha_right \(3,\)"),
+        (lambda: ackermann(0.1, 0.0, 1.5), "wheelbase must be positive and finite, got 0.0"),
+        (lambda: ackermann(0.1, 2.5, [1.5, -1]), "track must be .*, got -1.0 at index 1"),
+        (lambda: ackermann([1, 2], [1, 2, 3], 1.5), "do not broadcast"),
+        (lambda: turning_radius(None, 2.5), "phi must be real numbers"),
+        (lambda: turning_radius(0.1, np.inf), "wheelbase must be positive and finite, got inf"),
+        (lambda: ackermann_error(0.1, 0.1, np.nan, 1), "wheelbase must be .* got nan"),
+        (lambda: ackermann_error(0.1, 0.1, 1, "1"), "track must be real numbers"),
+        (lambda: ackermann_error(0.1, "x", 1, 1), "alpha_right must be real numbers"),
+        (lambda: ackermann_error("x", 0.1, 1, 1), "alpha_left must be real numbers"),
+        (lambda: ackermann("x", 1, 1), "phi must be real numbers"),
+        (lambda: body_twist("1", 0.1, 1), "v must be real numbers"),
+        (lambda: body_twist(1, 0.1, -1), "wheelbase must be .* got -1"),
+        (lambda: front_twist(1, [[1], [2, 3]], 1), "phi must be numbers in a regular array"),
+        (lambda: path([0, 0], 1, 0, 1, 1), r"pose must have shape \(…, 3\), got \(2,\)"),
+        (lambda: path([0, 0, 0], 1, 0, 0, 1), "wheelbase must be .* got 0"),
+        (lambda: path([0, 0, 0], 1, 0, 1, [1, np.nan]), "dt must be finite, got nan at index 1"),
+        (lambda: path([0, 0, 0], [[1], [2, 3]], 0, 1, 1), "v must be numbers in a regular array"),
+        (lambda: path([0, 0, 0], 1, True, 1, 1), "phi must be real numbers, got bool"),
+        (lambda: path([0, 0, 0], [1, 2], [1, 2, 3], 1, 1), r"v \(2,\), phi \(3,\)"),
+        (lambda: path(np.zeros((2, 3)), 1, 0, [1, 2, 3], 1), "do not broadcast"),
+        (lambda: path([0, 0, 0], 1, 0, 1, 1, "euler"), "exact, midpoint, start, end, got 'euler'"),
+    ],
+)
+def test_what_is_refused(call, message):
+    with pytest.raises(RobokinError, match=message):
+        call()
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_a_bad_value_spoils_its_own_row_only(bad):
+    good, spoilt = np.array([0.3, 0.2, 0.1]), np.array([0.3, bad, 0.1])
+    for function in (
+        lambda a: equivalent_steering(a, 0.2),
+        lambda a: equivalent_steering(0.2, a),
+        lambda a: ackermann(a, 2.5, 1.5),
+        lambda a: turning_radius(a, 2.5),
+        lambda a: ackermann_error(a, 0.2, 2.5, 1.5),
+        lambda a: ackermann_error(0.0, a, 2.5, 1.5),
+        lambda a: body_twist(a, 0.2, 2.5),
+        lambda a: body_twist(1.0, a, 2.5),
+        lambda a: front_twist(a, 0.2, 2.5),
+        lambda a: front_twist(1.0, a, 2.5),
+        lambda a: path(np.stack([a, a, a], axis=-1), 1.0, 0.2, 2.5, [0.1, 0.2]),
+    ):
+        result, wanted = function(spoilt), function(good)
+        assert np.isnan(result[1]).all()
+        np.testing.assert_array_equal(result[[0, 2]], wanted[[0, 2]])
+    for method in METHODS:
+        for v, phi in [(spoilt, good), (good, spoilt)]:
+            along = path([0, 0, 0], v, phi, 2.5, 0.1, method)
+            wanted = path([0, 0, 0], good, good, 2.5, 0.1, method)
+            np.testing.assert_array_equal(along[:2], wanted[:2])
+            assert np.isnan(along[2:]).all()
+
+
+# Independent oracles
+
+
+def precisely(function, *arguments):
+    """A function of mpmath's numbers, with 50 digits, over arrays of floats."""
+    with mpmath.workdps(50):
+        return np.array(
+            [
+                [float(a) for a in np.atleast_1d(function(*map(mpmath.mpf, map(float, row))))]
+                for row in np.broadcast(*arguments)
+            ]
+        )
+
+
+def cot(angle):
+    return mpmath.cos(angle) / mpmath.sin(angle)
+
+
+RNG = np.random.default_rng(5)
+ANGLES = np.concatenate(
+    [RNG.uniform(-1.57, 1.57, 300), NEAR_ZERO, np.subtract(QUARTER, np.abs(NEAR_ZERO))]
+)
+OTHERS = RNG.permutation(ANGLES)
+
+
+def test_equivalent_steering_with_fifty_digits():
+    exact = precisely(lambda a, b: mpmath.atan(2 / (cot(a) + cot(b))), ANGLES, OTHERS)[:, 0]
+    # three sines, two products, the sum of the angles and an arctangent below π/2
+    assert_axles(equivalent_steering(ANGLES, OTHERS), exact, atol=4 * EPS)
+
+
+def test_ackermann_with_fifty_digits():
+    def wheels(phi, wheelbase, half):
+        radius = wheelbase * cot(phi)
+        return [mpmath.atan(wheelbase / (radius - half)), mpmath.atan(wheelbase / (radius + half))]
+
+    for wheelbase, track in [(2.5, 1.5), (7.0, 1.5), (1.0, 2.0)]:
+        exact = precisely(wheels, ANGLES, wheelbase, track / 2)
+        # L cos φ - l/2 sin φ is off by an EPS of its terms, up to √(L² + l²/4), over L
+        assert_axles(ackermann(ANGLES, wheelbase, track), exact, atol=4 * EPS)
+
+
+def test_the_error_of_two_angles_with_fifty_digits():
+    exact = precisely(lambda a, b: cot(b) - cot(a) - mpmath.mpf("0.5"), ANGLES, OTHERS)[:, 0]
+    error = ackermann_error(ANGLES, OTHERS, 3.0, 1.5)
+    # one rounding of α_L - α_R and the quotients: relative to the larger cotangent, not to the
+    # difference of the two, which may be near zero
+    scale = np.abs(precisely(lambda a, b: abs(cot(b)) + abs(cot(a)), ANGLES, OTHERS)[:, 0]) + 1
+    assert np.max(np.abs(error - exact) / scale) <= 4 * EPS
+
+
+def test_radius_and_velocities_with_fifty_digits():
+    radius = precisely(lambda phi: mpmath.mpf("2.5") * cot(phi), ANGLES)[:, 0]
+    np.testing.assert_allclose(turning_radius(ANGLES, 2.5), radius, rtol=4 * EPS)
+    phi = ANGLES[np.abs(np.tan(ANGLES)) < 1e15]
+    sideways = precisely(lambda phi: 3 * mpmath.tan(phi), phi)[:, 0]
+    np.testing.assert_allclose(front_twist(3.0, phi, 2.5)[:, 1], sideways, rtol=4 * EPS)
+    np.testing.assert_allclose(body_twist(3.0, phi, 2.5)[:, 2], sideways / 2.5, rtol=4 * EPS)
+
+
+def test_a_path_with_fifty_digits():
+    rng = np.random.default_rng(6)
+    v, phi = rng.uniform(-2, 2, 200), rng.uniform(-1, 1, 200)
+    phi[:33] = [0.0, *NEAR_ZERO, *NEAR_ZERO[:4]]
+    along = path([0.5, -0.25, 0.75], v, phi, 2.5, 0.125)
+    with mpmath.workdps(50):
+        x, y, theta = mpmath.mpf("0.5"), mpmath.mpf("-0.25"), mpmath.mpf("0.75")
+        for k in range(200):
+            turn = mpmath.mpf(v[k]) * mpmath.tan(mpmath.mpf(phi[k])) / 20
+            chord = mpmath.mpf(v[k]) / 8 * mpmath.sinc(turn / 2)
+            x += chord * mpmath.cos(theta + turn / 2)
+            y += chord * mpmath.sin(theta + turn / 2)
+            theta += turn
+            # 200 steps of 0.25 m at most, each with the heading's error so far
+            assert_close(along[k + 1], [float(x), float(y), float(theta)], atol=20 * EPS)
+
+
+def test_a_path_against_scipys_integrator():
+    phi, wheelbase = [0.4, -0.9, 0.0, 1.2], 1.8
+    v, dt = [1.0, -2.0, 1.5, 0.3], [0.7, 0.4, 1.0, 2.0]
+    pose = [1.0, 2.0, -2.5]
+    along = path(pose, v, phi, wheelbase, dt)
+    for k in range(4):
+
+        def motion_law(_, p, v=v[k], phi=phi[k]):
+            return [v * np.cos(p[2]), v * np.sin(p[2]), v / wheelbase * np.tan(phi)]
+
+        solution = solve_ivp(motion_law, (0, dt[k]), pose, rtol=1e-12, atol=1e-12)
+        pose = solution.y[:, -1]
+        assert_close(along[k + 1], pose, atol=1e-10)  # the integrator's own error
+
+
+@pytest.mark.parametrize(("method", "order"), [("start", 1), ("end", 1), ("midpoint", 2)])
+def test_the_errors_of_the_step_rules_fall_with_their_order(method, order):
+    def error(n):
+        # largest along the path: at the end of a whole circle every rule closes
+        exact = path([0, 0, 0], 1.0, 0.6, 2.5, np.full(n, 4.0 / n))
+        return np.abs(path([0, 0, 0], 1.0, 0.6, 2.5, np.full(n, 4.0 / n), method) - exact).max()
+
+    # halving the step: 2 or 4 times smaller, up to terms of the next order (1 % at 100 steps)
+    assert_close(error(100) / error(200), 2.0**order, atol=0.05)

@@ -1,5 +1,5 @@
 # make book    set everything up and build the site        make test          all tests
-# make serve   look at the site                            make test T=motion  one topic
+# make serve   look at the site                            make test T=motion   one topic
 # make lab     open the notebooks in JupyterLab            make test-long      longer sweeps too
 # make notebooks, make check, make lock, make clean: see CONTRIBUTING.md
 
@@ -17,7 +17,7 @@ NOTEBOOKS = $(wildcard book/*$(T)*.ipynb)
 TESTS = $(wildcard tests/test_*$(T)*.py)
 PYTEST := $(BIN)/python -m pytest -n 2 --dist loadfile
 
-.PHONY: book serve lab test test-long check notebooks lock clean
+.PHONY: book serve lab test test-long check notebooks lock bench clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml
@@ -65,5 +65,16 @@ lock: $(READY)
 	$(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
 		--custom-compile-command "make lock" $(LOCK) requirements.in -o requirements.txt
 
+# With environments of their own: the peers that robokin is timed against, the mutation tool.
+
+.venv-bench/.ready: benchmarks/requirements.txt pyproject.toml
+	$(PYTHON) -m venv .venv-bench
+	.venv-bench/bin/python -m pip install --disable-pip-version-check -r benchmarks/requirements.txt
+	.venv-bench/bin/python -m pip install --disable-pip-version-check --no-deps -e .
+	@touch $@
+
+bench: .venv-bench/.ready
+	.venv-bench/bin/python benchmarks/run.py
+
 clean:
-	rm -rf _build .venv
+	rm -rf _build .venv .venv-*

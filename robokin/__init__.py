@@ -4,7 +4,29 @@ One module a topic, named as its chapter. `import robokin` needs NumPy only; the
 (`robokin.equations`), live figures (`robokin.live`) and drawing (`robokin.draw`) are extras.
 """
 
-from robokin import differential_drive, errors, motion
+from robokin import (
+    bicycle,
+    differential_drive,
+    elbow_arm,
+    errors,
+    euler,
+    frames,
+    motion,
+    odometry,
+    planar_arm,
+    wheels,
+)
 
-__all__ = ["differential_drive", "errors", "motion"]
+__all__ = [
+    "bicycle",
+    "differential_drive",
+    "elbow_arm",
+    "errors",
+    "euler",
+    "frames",
+    "motion",
+    "odometry",
+    "planar_arm",
+    "wheels",
+]
 __version__ = "0.1.0"

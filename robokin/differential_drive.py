@@ -32,9 +32,9 @@ def body_twist(
         parameters=(radius, distance),
     )
     out = np.empty((*shape, 3))
-    np.multiply(0.5 * radius, right + left, out=out[..., 0])
-    np.subtract(left, left, out=out[..., 1])  # 0, or NaN in a NaN row
-    np.multiply(radius / distance, right - left, out=out[..., 2])
+    out[..., 0] = 0.5 * radius * (right + left)
+    out[..., 1] = left - left  # 0, or NaN in a NaN row
+    out[..., 2] = radius / distance * (right - left)
     return out
 
 
@@ -55,6 +55,6 @@ def wheel_rates(
     shape, (v, omega) = rows(("v", v, ()), ("omega", omega, ()), parameters=(radius, distance))
     half = 0.5 * distance * omega
     out = np.empty((*shape, 2))
-    np.divide(v - half, radius, out=out[..., 0])
-    np.divide(v + half, radius, out=out[..., 1])
+    out[..., 0] = (v - half) / radius
+    out[..., 1] = (v + half) / radius
     return out

@@ -119,7 +119,7 @@ def inverse(
 def reach(a2: ArrayLike, a3: ArrayLike) -> tuple[Array, Array]:
     """The smallest and the largest distance from shoulder to wrist: folded and stretched.
 
-    a2, a3: (…) in m, positive → minimum |a2 - a3| (…) and maximum a2 + a3 (…) in m.
+    a2, a3: (…) in m, positive → minimum `|a2 - a3|` (…) and maximum a2 + a3 (…) in m.
     """
     a2, a3 = positive("a2", a2), positive("a3", a3)
     rows(parameters=(a2, a3))

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from robokin._checks import Array, positive, quiet, rows
+from robokin._checks import Array, positive, quiet, rows, shown
 from robokin.errors import RobokinError
 from robokin.frames import refuse_skewed
 
@@ -197,7 +197,7 @@ def _rotation(seq: str, R: ArrayLike, *parameters: Array) -> tuple[Array, _Seque
     """R, transposed for an extrinsic sequence, and the sequence, of three letters."""
     s = _read(seq)
     if len(seq) != 3:
-        raise RobokinError(f"seq must have three letters here, got {seq!r}")
+        raise RobokinError(f"seq must have three letters here, got {shown(seq)}")
     _, (R,) = rows(("R", R, (3, 3)), parameters=parameters)
     refuse_skewed("R", R)
     return (R if s.intrinsic else R.swapaxes(-1, -2)), s
@@ -211,7 +211,7 @@ def _read(seq: str) -> _Sequence:
     if min(axes) < 0 or twice or letters not in (letters.upper(), letters.lower()):
         raise RobokinError(
             "seq must be 1 to 3 letters, all of XYZ (intrinsic) or all of xyz (extrinsic), no axis "
-            f"twice in a row; got {seq!r}"
+            f"twice in a row; got {shown(seq)}"
         )
     i = axes[0]
     j = axes[1] if len(axes) > 1 else (i + 1) % 3

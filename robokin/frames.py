@@ -13,14 +13,14 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
-from robokin._checks import Array, numbers, positive, quiet, rows
+from robokin._checks import Array, Shape, numbers, positive, quiet, rows, shown
 from robokin.errors import RobokinError
 
 __all__ = ["FrameGraph", "check_rotation", "compose", "inverse", "se2", "se3", "transform"]
 
 TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
 KINDS: dict[tuple[int, ...], str] = {(3, 3): "SE(2)", (4, 4): "SE(3)"}
-BLOCK = 2048  # matrices checked at a time: few enough to stay in the processor's cache
+BLOCK = 4000  # matrices checked at a time: few enough to stay in the processor's cache
 
 
 @quiet
@@ -93,8 +93,7 @@ def compose(*transforms: ArrayLike) -> Array:
     """
     if not transforms:
         raise RobokinError("compose needs at least one transform, got none")
-    poses = _poses(*((f"transforms[{n}]", T) for n, T in enumerate(transforms)))
-    return reduce(np.matmul, poses) if len(poses) > 1 else poses[0].copy()
+    return _product(_poses(*((f"transforms[{n}]", T) for n, T in enumerate(transforms))))
 
 
 @quiet
@@ -137,7 +136,7 @@ class FrameGraph:
 
     def __init__(self) -> None:
         self._known: dict[str, dict[str, Array]] = {}  # a → its neighbours b → T_ab
-        self._eye: Array = np.empty(())  # the identity, in the batch shape of all poses together
+        self._shape: Shape = ()  # of all poses together, batch and matrix
 
     @property
     def frames(self) -> list[str]:
@@ -152,30 +151,29 @@ class FrameGraph:
         two already, directly or along a path, to 1e-6 (of its largest entry, where that is over
         1); then the direct way becomes known too.
         """
-        name = f"T_{a}{b}"
         if not (isinstance(a, str) and isinstance(b, str) and a and b and a != b):
-            raise RobokinError(f"a pair needs two different names, got {a!r} and {b!r}")
-        known = [(f"the graph of {', '.join(self.frames)}", self._eye)] if self.frames else []
-        T, *_ = _poses((name, T_ab), *known)
-        if a in self._known and b in self._ways(a):
-            off = np.abs(T - self.get(a, b)).max(axis=(-2, -1))
-            off /= np.maximum(1.0, np.abs(T).max(axis=(-2, -1)))
-            if (off > TOLERANCE).any():
-                index = tuple(np.argwhere(off > TOLERANCE)[0])
-                raise RobokinError(
-                    f"{name} contradicts what is known along {' → '.join(self.path(a, b))}: off by "
-                    f"{off[index]:.3g}{_at(index)}, allowed {TOLERANCE:.3g}"
-                )
-        shape = np.broadcast_shapes(T.shape, self._eye.shape)
-        self._eye = np.broadcast_to(np.eye(shape[-1]), shape)
+            raise RobokinError(f"a pair needs two different names, got {shown(a)} and {shown(b)}")
+        name = f"T_{a}{b}"
+        (T,) = _poses((name, T_ab))
+        try:
+            shape = np.broadcast_shapes(self._shape, T.shape)
+        except ValueError as error:
+            raise RobokinError(
+                f"{name} has shape {T.shape}, the poses of the known frames "
+                f"({', '.join(self.frames)}) have {self._shape}: SE(2) and SE(3) do not mix, and "
+                "batches must broadcast"
+            ) from error
+        way = self._ways(a).get(b) if a in self._known else None
+        if way:
+            self._refuse_contradiction(name, T, way)
+        self._shape = shape
         self._known.setdefault(a, {}).setdefault(b, T.copy())
         self._known.setdefault(b, {}).setdefault(a, _inverse(T))
 
     @quiet
     def get(self, a: str, b: str) -> Array:
         """The pose of b seen from a, T_ab: the product of the poses along `path(a, b)`."""
-        chain = [self._known[here][there] for here, there in pairwise(self.path(a, b))]
-        return reduce(np.matmul, chain, np.eye(self._eye.shape[-1]))
+        return self._along(self.path(a, b))
 
     def path(self, a: str, b: str) -> list[str]:
         """The frames on the shortest known way from a to b, both included.
@@ -185,7 +183,7 @@ class FrameGraph:
         for frame in (a, b):
             if not isinstance(frame, str) or frame not in self._known:
                 known = ", ".join(self.frames) or "none yet"
-                raise RobokinError(f"unknown frame {frame!r}; known frames: {known}")
+                raise RobokinError(f"unknown frame {shown(frame)}; known frames: {known}")
         ways = self._ways(a)
         if b not in ways:
             raise RobokinError(
@@ -205,6 +203,20 @@ class FrameGraph:
                     queue.append(there)
         return ways
 
+    def _along(self, path: list[str]) -> Array:
+        chain = [self._known[here][there] for here, there in pairwise(path)]
+        return _product(chain or [np.eye(self._shape[-1])])
+
+    def _refuse_contradiction(self, name: str, T: Array, path: list[str]) -> None:
+        off = np.abs(T - self._along(path)).max(axis=(-2, -1))
+        off = off / np.maximum(1.0, np.abs(T).max(axis=(-2, -1)))
+        if (off > TOLERANCE).any():
+            index = tuple(np.argwhere(off > TOLERANCE)[0])
+            raise RobokinError(
+                f"{name} contradicts what is known along {' → '.join(path)}: off by "
+                f"{off[index]:.3g}{_at(index)}, allowed {TOLERANCE:.3g}"
+            )
+
 
 @quiet
 def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
@@ -220,10 +232,14 @@ def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """
     limit = positive("tol", tol)
     if limit.ndim:
-        raise RobokinError(f"tol must be one number, got {tol!r}")
+        raise RobokinError(f"tol must be one number, got {shown(tol)}")
     n = 2 if numbers("R", R).shape[-2:] == (2, 2) else 3
     _, (R,) = rows(("R", R, (n, n)))
     refuse_skewed("R", R, n, float(limit))
+
+
+def _product(poses: list[Array]) -> Array:
+    return reduce(np.matmul, poses) if len(poses) > 1 else poses[0].copy()
 
 
 def _inverse(T: Array) -> Array:
@@ -231,7 +247,7 @@ def _inverse(T: Array) -> Array:
     Rt = T[..., :n, :n].swapaxes(-1, -2)
     out = np.empty(T.shape)
     out[..., :n, :n] = Rt
-    out[..., :n, n:] = 0.0 - Rt @ T[..., :n, n:]
+    np.einsum("...ij,...j->...i", Rt, 0.0 - T[..., :n, n], out=out[..., :n, n])
     out[..., n, :] = T[..., n, :]
     return out
 
@@ -285,19 +301,22 @@ def _errors(matrices: Array, n: int) -> Array:
     (…, m, m) → (k, …) with the batch axes reversed; the numbers of the rotation come first.
     """
     columns = np.ascontiguousarray(matrices.T)  # the values of an entry side by side: fast
-    x, y, *other = columns
+    x, y, *rest = columns
+    extra = len(columns) - n  # 1 for a pose, 0 for a rotation
+    out = np.empty((3 * (n - 1) + extra * (n + 1), *columns.shape[2:]))
     if n == 2:
-        errors = [x[0] * x[0] + x[1] * x[1] - 1.0, y[0] + x[1], y[1] - x[0]]
+        out[0] = x[0] * x[0] + x[1] * x[1] - 1.0
+        out[1] = y[0] + x[1]
+        out[2] = y[1] - x[0]
     else:
-        z = other[0]
-        errors = [
-            x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0,
-            y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0,
-            x[0] * y[0] + x[1] * y[1] + x[2] * y[2],
-            x[1] * y[2] - x[2] * y[1] - z[0],
-            x[2] * y[0] - x[0] * y[2] - z[1],
-            x[0] * y[1] - x[1] * y[0] - z[2],
-        ]
-    if len(columns) > n:
-        errors += [*columns[:n, n], columns[n, n] - 1.0]
-    return np.abs(errors)
+        z = rest[0]
+        out[0] = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0
+        out[1] = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0
+        out[2] = x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+        out[3] = x[1] * y[2] - x[2] * y[1] - z[0]
+        out[4] = x[2] * y[0] - x[0] * y[2] - z[1]
+        out[5] = x[0] * y[1] - x[1] * y[0] - z[2]
+    if extra:
+        out[-n - 1 : -1] = columns[:n, n]
+        out[-1] = columns[n, n] - 1.0
+    return np.abs(out, out=out)

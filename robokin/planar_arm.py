@@ -110,7 +110,7 @@ def joint_rates(
     theta: (…, 3) in rad; twist: (…, 3) `[x_dot, y_dot, phi_dot]`; lengths: (…, 3) in m, positive;
     damping: (…) λ, not negative → (…, 3) in rad/s. Solved by hand and divided by sin θ2 itself,
     so that no digits are lost near the singular points, stretched (θ2 = 0) or folded (θ2 = π).
-    There, where |sin θ2| ≤ 1e-14, the answer is `SingularError`, or NaN with singular="nan".
+    There, where `|sin θ2| ≤ 1e-14`, the answer is `SingularError`, or NaN with singular="nan".
     With λ > 0 (damped least squares, Jᵀ (J Jᵀ + λ² I)⁻¹ times the twist) every pose has an
     answer, with bounded rates. Source: exercise 8; Siciliano et al., section 3.5.2.
 
@@ -155,7 +155,7 @@ def inverse(pose: ArrayLike, lengths: ArrayLike, unreachable: str = "raise") -> 
     pose: (…, 3) `[x, y, phi]` in m, m, rad; lengths: (…, 3) in m, positive → (…, 2, 3) in rad,
     all in (-π, π]: theta2 ≥ 0 in the first row, -theta2 in the second. Stretched or folded the
     two are one. Where l1 = l2 and the wrist is at the base, theta1 is free: 0.
-    Where the wrist, l3 behind the hand, is nearer than |l1 - l2| or farther than l1 + l2 (by
+    Where the wrist, l3 behind the hand, is nearer than `|l1 - l2|` or farther than l1 + l2 (by
     more than 1e-12 of l1 + l2) there is no answer: `UnreachableError`, or NaN with
     unreachable="nan".
 
@@ -185,7 +185,7 @@ def manipulability(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """How far from singular the arm is for moving the hand's point: √det(J Jᵀ), rows x, y of J.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → (…) in m², 0 where all links lie on
-    one line. It is the product of the half-axes of `ellipse`, for two links l1 l2 |sin θ2|.
+    one line. It is the product of the half-axes of `ellipse`, for two links `l1 l2 |sin θ2|`.
     Source: Yoshikawa; Siciliano et al., section 3.9.
     """
     _, _, _, area = _position_rows(theta, lengths)

@@ -361,6 +361,17 @@ def test_the_boundaries_let_1e_12_of_the_reach_through(a2, a3):
         assert np.all(np.isnan(inverse(direction * d, a2, a3, unreachable="nan")))
 
 
+def test_the_tolerance_itself_is_let_through():
+    # along one axis the distance is exact, so that this is the very last float that is
+    low, high = reach(0.5, 0.25)
+    last = high * (1 + 1e-12), low - high * 1e-12
+    assert np.all(np.isfinite(inverse([last[0], 0, 0], 0.5, 0.25)))
+    assert np.all(np.isfinite(inverse([0, 0, last[1]], 0.5, 0.25)))
+    for beyond in (np.nextafter(last[0], 9), np.nextafter(last[1], 0)):
+        with pytest.raises(UnreachableError):
+            inverse([0, beyond, 0], 0.5, 0.25)
+
+
 def test_round_angles():
     steps = np.radians(np.arange(-180, 181, 15))
     theta = np.stack(np.meshgrid(steps, steps, steps, indexing="ij"), axis=-1)

@@ -372,8 +372,23 @@ def test_is_locked_at_the_tolerance(k):
             R = floats(exact(seq, [0.4, middle, 0.7]))
             assert is_locked(seq, R, tol) == locked
             assert is_locked(seq, R, [tol / 2, 2 * tol]).tolist() == [False, True]
-            if k in (8, 10):
-                assert is_locked(seq, R) == (k == 10)  # 1e-9 unless said otherwise
+            if k == 9:  # what is meant unless said otherwise
+                assert is_locked(seq, R) == locked
+
+
+def test_is_locked_includes_the_tolerance():
+    assert is_locked("xyz", np.eye(3), 1.0)  # cos(0) = 1
+
+
+def test_no_warning_even_for_those_who_ask_for_all():
+    with np.errstate(all="raise"):
+        for seq in ALL:
+            tiny = to_matrix(seq, [1e-200, 1e-200, -1e-200])
+            assert_close(steps(seq, [1e-200, 1e-200, -1e-200])[3], tiny, atol=0)
+            assert_close(from_matrix(seq, tiny), solutions(seq, tiny)[0], atol=0)
+            assert is_locked(seq, tiny) == is_proper(seq)
+        axis_angle(tiny)
+        axis_angle(np.eye(3))
 
 
 @pytest.mark.parametrize("k", range(17))

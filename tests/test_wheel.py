@@ -1,6 +1,7 @@
 """The wheel: installed alone, with NumPy only, it computes."""
 
 import os
+import shutil
 import subprocess
 import sys
 import venv
@@ -36,6 +37,35 @@ def test_wheel_holds_the_package_and_nothing_else(wheel):
     for needed in ("robokin/motion.py", "robokin/live/figure.js", "robokin/live/live.css"):
         assert needed in names
     assert any(name.endswith("LICENSE") for name in names)
+
+
+LIBRARY = ("motion", "frames", "euler", "elbow_arm", "differential_drive", "bicycle", "wheels")
+LIBRARY += ("odometry", "planar_arm", "bad_input")
+EXTRAS = ("matplotlib", "anywidget", "ipywidgets", "py_mini_racer")  # SymPy is a tests' oracle
+
+
+def test_wheel_passes_the_tests_of_the_library(wheel, tmp_path):
+    """The tests, copied away from the checkout, against the wheel; without the extras."""
+    packages, tests = tmp_path / "packages", tmp_path / "tests"
+    ZipFile(wheel).extractall(packages)
+    tests.mkdir()
+    for name in (*(f"test_{topic}.py" for topic in LIBRARY), "support.py"):
+        shutil.copy(ROOT / "tests" / name, tests)
+    (tests / "conftest.py").write_text(
+        (ROOT / "tests" / "conftest.py").read_text(encoding="utf-8")
+        + f"\nimport sys\nsys.modules.update(dict.fromkeys({EXTRAS!r}))\n"
+        "import robokin\nassert 'packages' in robokin.__file__, robokin.__file__\n",
+        encoding="utf-8",
+    )
+    marks = ["-o", "markers=long: a longer sweep", "-W", "error", "-m", "not long"]
+    run = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *marks, str(tests)],
+        env={**os.environ, "PYTHONPATH": str(packages)},
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stdout[-3000:]
 
 
 def test_wheel_computes_with_numpy_only(wheel, tmp_path):

@@ -69,6 +69,10 @@ class Compiler:
                 "options": options,
                 "start": start,
             }
+        if control.symbol not in QUANTITIES:
+            raise RobokinError(f"the control {control.symbol} is no declared quantity")
+        if control.kind:
+            _refuse_unknown_kind(control.kind)
         known = QUANTITIES[control.symbol]
         scale = factor(known.unit)
         step = _tidy(control.step / scale)
@@ -85,12 +89,12 @@ class Compiler:
             "step": step,
             "digits": max(0, -math.floor(math.log10(step) + 1e-9)),
             "rate": control.rate,
+            "whole": isinstance(control.step, int),
         }
 
     def shape(self, shape: Any) -> dict[str, Any]:
         """A shape as `figure.js` reads it: its numbers by place, its curve as a function."""
-        if shape.kind not in KINDS:
-            raise RobokinError(f"a shape is of kind {shape.kind!r}; allowed are {', '.join(KINDS)}")
+        _refuse_unknown_kind(shape.kind)
         base = {"kind": shape.kind, "label": getattr(shape, "label", "")}
         match shape:
             case d.Point():
@@ -130,6 +134,9 @@ class Compiler:
     def handle(self, handle: d.Handle) -> dict[str, Any]:
         """A handle: where it is, which controls it sets, and the function from pointer to them."""
         keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        for symbol in handle.sets:
+            if symbol not in keys:
+                raise RobokinError(f"the handle {handle.label!r} sets {symbol}, which is no slider")
         code = function({"c": self.settings, "p": d.POINTER}, list(handle.sets.values()))
         return {
             "label": handle.label,
@@ -184,6 +191,11 @@ def javascript(value: Any) -> str:
     if isinstance(value, list):
         return "[" + ", ".join(map(javascript, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def _refuse_unknown_kind(kind: str) -> None:
+    if kind not in KINDS:
+        raise RobokinError(f"there is no kind {kind!r}; there are {', '.join(KINDS)}")
 
 
 def _tidy(number: float) -> float:

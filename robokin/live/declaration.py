@@ -21,7 +21,10 @@ POINTER = sp.symbols("pointer_x pointer_y", real=True)
 
 @dataclass(frozen=True)
 class Slider:
-    """A symbol under the hand. low, high, start, step in SI; unit and words from the quantity."""
+    """A symbol under the hand. low, high, start, step in SI; unit from the quantity.
+
+    A step of type int: the symbol is always a whole number.
+    """
 
     symbol: sp.Symbol
     low: float

@@ -27,7 +27,10 @@ const compute = (figure, settings) => {
   return { c, trails, values: figure.compute(f, c) };
 };
 
-const clamp = (control, shown) => Math.min(control.high, Math.max(control.low, shown));
+const clamp = (control, shown) => {
+  const inside = Math.min(control.high, Math.max(control.low, shown));
+  return control.whole ? Math.round(inside) : inside;
+};
 
 const snap = (control, shown) => {
   const steps = Math.round((shown - control.low) / control.step);
@@ -55,6 +58,8 @@ const says = (figure, state, values) => figure.says.replace(/\{(\w+)\}/g, (_, ke
   const k = figure.readouts.findIndex((readout) => readout.key === key);
   return shownNumber(figure.readouts[k], values[k]);
 });
+
+const alternative = (figure, state, values) => `${figure.title}. ${says(figure, state, values)}`;
 
 const escaped = (text) => String(text).replace(/[&<>"]/g, (sign) =>
   ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[sign]);
@@ -117,7 +122,7 @@ const SHAPES = {
     return `<path d="M${n(x0)} ${n(y0)}L${n(bx)} ${n(by)}" ${stroke(shape.kind)}/>`
       + `<path d="M${n(x1)} ${n(y1)}L${n(bx - w * uy)} ${n(by + w * ux)}`
       + `L${n(bx + w * uy)} ${n(by - w * ux)}z" ${fill(shape.kind)}/>`
-      + (shape.label ? label(x1, y1, shape.label, shape.kind, [22 * ux - 7, 22 * uy + 5]) : "");
+      + (shape.label ? label(x1, y1, shape.label, shape.kind, [30 * ux - 7, 30 * uy + 5]) : "");
   },
   wheel: (p, shape, to) => {
     const [x, y] = to(p).map(n), [w, h] = [shape.length * to.scale, shape.width * to.scale];
@@ -166,22 +171,20 @@ const grid = (view, to, width, height) => {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= rough * 0.99);
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const text = (x, y, value, anchor) => `<text x="${n(x)}" y="${n(y)}" text-anchor="${anchor}" `
-    + `style="fill:${color("ghost")};font:11px sans-serif">${fixed(value, digits)}</text>`;
+  const text = (x, y, words, anchor) => `<text x="${n(x)}" y="${n(y)}" text-anchor="${anchor}" `
+    + `style="fill:${color("text")};fill-opacity:.7;font:11px sans-serif">${words}</text>`;
   let lines = "", numbers = "";
   for (let k = Math.ceil(view[0] / step); k * step <= view[1]; k++) {
     const [x] = to([k * step, 0]).map(n);
     lines += `M${x} 0V${n(height)}`;
-    if (x > 40 && x < width - 40) numbers += text(x + 3, height - 5, k * step, "start");
+    if (x > 40 && x < width - 40) numbers += text(x + 3, height - 5, fixed(k * step, digits), "start");
   }
   for (let k = Math.ceil(view[2] / step); k * step <= view[3]; k++) {
     const [, y] = to([0, k * step]).map(n);
     lines += `M0 ${y}H${n(width)}`;
-    if (y > 20 && y < height - 30) numbers += text(4, y - 3, k * step, "start");
+    if (y > 20 && y < height - 30) numbers += text(4, y - 3, fixed(k * step, digits), "start");
   }
-  return `<path d="${lines}" ${stroke("grid")}/>${numbers}`
-    + `<text x="${width - 5}" y="${n(height - 5)}" text-anchor="end" `
-    + `style="fill:${color("ghost")};font:11px sans-serif">x, y in m</text>`;
+  return `<path d="${lines}" ${stroke("grid")}/>${numbers}${text(width - 5, height - 5, "x, y in m", "end")}`;
 };
 
 const projection = (view, width) => {
@@ -206,10 +209,10 @@ const svg = (figure, state, width = WIDTH) => {
   const computed = compute(figure, vector(figure, state));
   const height = n(width * (figure.view[3] - figure.view[2]) / (figure.view[1] - figure.view[0]));
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" `
-    + `width="${width}" height="${height}" role="img" `
-    + `aria-label="${escaped(figure.title)}. ${escaped(says(figure, state, computed.values))}">`
+    + `width="${width}" height="${height}">`
     + `<rect width="100%" height="100%" style="fill:var(--rk-ground,#fff)"/>`
-    + `<g>${scene(figure, computed, width)}</g></svg>`;
+    + `<g role="img" aria-label="${escaped(alternative(figure, state, computed.values))}">`
+    + `${scene(figure, computed, width)}</g></svg>`;
 };
 
 // ---- the whole figure as HTML: the same text on the page before and after the script takes over
@@ -226,8 +229,8 @@ const controlHtml = (control, i) => {
   }
   const play = control.type === "clock"
     ? `<button type="button" class="rk-play" data-i="${i}">Play</button>` : "";
-  return `<div class="rk-control">${play}<label>${name}<output data-o="${i}">`
-    + `${shownControl(control, control.start)}</output><input type="range" data-i="${i}" `
+  return `<div class="rk-control">${play}<label>${name}<span class="rk-value" data-o="${i}" aria-hidden="true">`
+    + `${shownControl(control, control.start)}</span><input type="range" data-i="${i}" `
     + `min="${control.low}" max="${control.high}" step="${control.step}" `
     + `value="${control.start}" aria-valuetext="${shownControl(control, control.start)}"></label></div>`;
 };
@@ -254,7 +257,7 @@ const reducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").match
 const bringToLife = (element, figure, changed = () => {}) => {
   let state = startState(figure), computed, width = WIDTH, playing = 0, waiting = 0, telling = 0;
   const all = (selector) => [...element.querySelectorAll(selector)];
-  const picture = element.querySelector(".rk-picture svg");
+  const picture = element.querySelector(".rk-picture svg"), drawing = picture.querySelector("g");
   const [inputs, outputs, values] = [all("[data-i]:not(button)"), all("[data-o]"), all("dd")];
   picture.insertAdjacentHTML("beforeend", `<g class="rk-handles">${figure.handles.map((handle) =>
     `<circle r="17" tabindex="0" role="button" aria-roledescription="draggable point" `
@@ -264,7 +267,7 @@ const bringToLife = (element, figure, changed = () => {}) => {
   const draw = () => {
     waiting = 0;
     computed = compute(figure, vector(figure, state));
-    picture.querySelector("g").innerHTML = scene(figure, computed, width);
+    drawing.innerHTML = scene(figure, computed, width);
     const to = projection(figure.view, width);
     figure.handles.forEach((handle, k) => {
       const [x, y] = to(handle.at.map((index) => computed.values[index]));
@@ -286,7 +289,7 @@ const bringToLife = (element, figure, changed = () => {}) => {
     clearTimeout(telling);
     telling = setTimeout(() => {
       const words = says(figure, state, computed.values);
-      picture.setAttribute("aria-label", `${figure.title}. ${words}`);
+      drawing.setAttribute("aria-label", alternative(figure, state, computed.values));
       if (element.contains(document.activeElement)) element.querySelector(".rk-says").textContent = words;
     }, 400);
   };
@@ -315,7 +318,7 @@ const bringToLife = (element, figure, changed = () => {}) => {
     const from = state[i] >= control.high ? control.low : state[i];
     if (reducedMotion()) {
       const step = (control.high - control.low) / 10;
-      return setOne(i, clamp(control, from + (state[i] >= control.high ? 0 : step)));
+      return setOne(i, snap(control, from + (state[i] >= control.high ? 0 : step)));
     }
     button.textContent = "Pause";
     const began = performance.now();
@@ -353,6 +356,8 @@ const bringToLife = (element, figure, changed = () => {}) => {
       grip.focus({ preventScroll: true });
       event.preventDefault();
     });
+    // in SVG, `touch-action` alone lets the page scroll away with the finger
+    grip.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     grip.addEventListener("pointermove", (event) => {
       if (grip.hasPointerCapture(event.pointerId)) dragTo(handle, pointer(event), true);
     });
@@ -429,7 +434,8 @@ const onPage = (figure) => {
     live.settled();
     element.robokin = live;
   } catch (error) {
-    element.innerHTML = before; // the still picture stays
+    element.innerHTML = before; // the still picture stays, without its controls
+    element.querySelector(".rk-panel").remove();
     element.classList.remove("rk-live");
     console.error(`The figure ${figure.name} cannot be moved:`, error);
   }

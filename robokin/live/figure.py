@@ -142,6 +142,8 @@ def _refuse_outside(key: str, value: Any, control: Control) -> None:
         if value not in control.options:
             raise RobokinError(f"{key} must be one of {', '.join(control.options)}, got {value!r}")
         return
-    if not (isinstance(value, int | float) and control.low <= value <= control.high):
-        allowed = f"a number from {control.low} to {control.high}"
+    whole = isinstance(control.step, int)
+    fits = isinstance(value, int if whole else int | float)
+    if not (fits and control.low <= value <= control.high):
+        allowed = f"a {'whole ' * whole}number from {control.low} to {control.high}"
         raise RobokinError(f"{key} must be {allowed}, got {value!r}")

@@ -20,6 +20,9 @@ class _Printer(JavascriptCodePrinter):  # type: ignore[misc]
         self.names = names
 
     def _print_Symbol(self, expr: sp.Symbol) -> str:
+        if expr not in self.names:
+            known = ", ".join(map(str, self.names))
+            raise RobokinError(f"an expression uses {expr}, but may use only {known}")
         return self.names[expr]
 
     def _print_Function(self, expr: sp.Expr) -> str:

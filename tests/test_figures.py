@@ -1,0 +1,1086 @@
+"""The live figures: their numbers, their picture, and the hands of a reader on the built page.
+
+Every figure of `robokin.figures` is held to all of this. A new one needs two entries below, under
+"By topic": what its readouts must say, computed by `robokin`, and its special settings.
+"""
+
+import importlib
+import json
+import pkgutil
+import re
+import statistics
+from contextlib import contextmanager
+from decimal import ROUND_HALF_UP, Decimal
+from functools import cache
+
+import nbformat
+import numpy as np
+import pytest
+import sympy as sp
+from support import EPS, ROOT, assert_close
+
+from robokin import differential_drive, figures, motion
+from robokin.equations import motion as motion_formulas
+from robokin.equations.checking import differences, evaluate
+from robokin.equations.core import QUANTITIES
+from robokin.errors import RobokinError
+from robokin.live import POINTER, Choice, Clock, Curve, Figure, Handle, Point, Readout, Slider
+from robokin.live import engine as script
+from robokin.live.compiling import factor
+from robokin.live.figure import MIME
+from robokin.live.runtime import stylesheet
+from robokin.styles import KINDS
+
+pytest_plugins = ["browser"]
+pytest.register_assert_rewrite("browser")
+
+from browser import pages, watched_page  # noqa: E402
+
+N = 1000
+ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-14
+SCREENSHOTS = ROOT / "_build" / "screenshots"
+MINUS = "\u2212"
+
+
+def all_figures():
+    """Every figure of every topic."""
+    topics = [f"robokin.figures.{m.name}" for m in pkgutil.iter_modules(figures.__path__)]
+    return [figure for topic in topics for figure in importlib.import_module(topic).FIGURES]
+
+
+FIGURES = {figure.name: figure for figure in all_figures()}
+each_figure = pytest.mark.parametrize("figure", FIGURES.values(), ids=FIGURES)
+
+
+# --- By topic -------------------------------------------------------------------------------
+
+DISTANCE, RADIUS = 0.1, 1.0  # m; the wheel radius cancels, and 1 leaves the digits alone
+STEPS_DURATION = 6.0  # s
+
+
+def twist_of(v_left, v_right):
+    """Speed and turning rate of the robot in the figures."""
+    rates = np.array([v_left, v_right]) / RADIUS
+    twist = differential_drive.body_twist(*rates, RADIUS, DISTANCE)
+    return twist[..., 0], twist[..., 2]
+
+
+def start_pose(theta):
+    """At the origin, with a heading: (n,) → (n, 3)."""
+    return np.stack([0 * theta, 0 * theta, theta], axis=-1)
+
+
+def drive_readouts(v_left, v_right, theta, t):
+    """v, omega, radius, x, y, heading."""
+    v, omega = twist_of(v_left, v_right)
+    radius = motion.icr(start_pose(0 * theta), v, omega)[..., 1]
+    return np.column_stack([v, omega, radius, motion.arc_step(start_pose(theta), v, omega, t)])
+
+
+def steps_readouts(count, v_left, v_right, theta):
+    """apart, x, y."""
+    v, omega = twist_of(v_left, v_right)
+    exact = motion.arc_step(start_pose(theta), v, omega, STEPS_DURATION)[:, :2]
+    ends = np.empty_like(exact)
+    for k in set(count):
+        one = count == k
+        drive = v[one, None], omega[one, None], np.full(int(k), STEPS_DURATION / k)
+        ends[one] = motion.path(start_pose(theta[one]), *drive, method="start")[:, -1, :2]
+    return np.column_stack([np.hypot(*(ends - exact).T), exact])
+
+
+STRAIGHT, BACK = {"v_L": 0.07, "v_R": 0.07}, {"v_L": -0.15, "v_R": -0.15}
+SPOT, STILL = {"v_L": -0.05, "v_R": 0.05}, {"v_L": 0.0, "v_R": 0.0}
+
+READOUTS = {"wheel-speeds": drive_readouts, "steps": steps_readouts}
+SPECIALS = {
+    "wheel-speeds": [STRAIGHT, BACK, SPOT, STILL, {**STRAIGHT, "t": 12.0}],
+    "steps": [STRAIGHT, BACK, SPOT, STILL, {**SPOT, "n": 1}],
+}
+WORDS = [  # figure, slider → what it shows, readout → its word
+    ("wheel-speeds", {"v_L": 0.1}, "radius", "none: straight ahead"),
+    ("wheel-speeds", {"v_L": 0.0, "v_R": 0.0}, "radius", "every point: standing still"),
+]
+
+
+def test_every_figure_has_its_expected_readouts():
+    assert FIGURES
+    assert READOUTS.keys() == SPECIALS.keys() == FIGURES.keys()
+
+
+def expected(figure, points):
+    """The readouts by `robokin`: (n, settings) → (n, readouts)."""
+    return READOUTS[figure.name](*np.asarray(points, dtype=float).T)
+
+
+# --- Settings, and what a reader sees of them -----------------------------------------------
+
+
+def key(control):
+    """The name of a control in addresses and values."""
+    return control.name if isinstance(control, Choice) else str(control.symbol)
+
+
+def drawn(control, random, size):
+    """Random settings of one control over its whole range: (size, its symbols)."""
+    if isinstance(control, Choice):
+        return random.choice(list(control.options.values()), size)
+    if isinstance(control.step, int):
+        return random.integers(control.low, control.high + 1, (size, 1)).astype(float)
+    return random.uniform(control.low, control.high, (size, 1))
+
+
+def ends(control):
+    """The ends of a control's range, and its options one by one."""
+    if isinstance(control, Choice):
+        return list(control.options)
+    return [control.low, control.high]
+
+
+def point(figure, values):
+    """One setting as a row of numbers: the start, but for `values` (by name, in SI)."""
+    row = []
+    for control in figure.controls:
+        value = values.get(key(control), control.start)
+        row += control.options[value] if isinstance(control, Choice) else [value]
+    return row
+
+
+@cache
+def points(figure):
+    """Special settings, ends of ranges, then random settings to make N: (N, settings)."""
+    special = [{}, *SPECIALS[figure.name]]
+    special += [{key(c): end} for c in figure.controls for end in ends(c)]
+    rows = np.array([point(figure, values) for values in special], dtype=float)
+    random = np.random.default_rng(len(figure.name))
+    rest = [drawn(c, random, N - len(rows)) for c in figure.controls]
+    return np.vstack([rows, np.hstack(rest)])
+
+
+def rounded(number, digits):
+    """A number as text, halves away from zero as in JavaScript, with a true minus sign."""
+    text = str(Decimal(number).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP))
+    text = text.removeprefix("-") if not float(text) else text
+    return text.replace("-", MINUS)
+
+
+def shown(readout, value):
+    """What a readout must say of a number in SI."""
+    word = readout.words.get(str(float(value)))
+    if word is not None:
+        return word
+    text = rounded(float(value) / factor(readout.unit), readout.digits)
+    return text + "°" if readout.unit == "rad" else f"{text} {readout.unit}".rstrip()
+
+
+def both_shown(readout, value):
+    """As `shown`; half way between two texts the last digit of the number may decide for either."""
+    return {shown(readout, value + d) for d in (-ALLOWED, ALLOWED)}
+
+
+# --- Numbers, in the engine -----------------------------------------------------------------
+
+
+def loops(figure):
+    """The recurrences of a figure."""
+    return [shape.recurrence for shape in figure.scene if hasattr(shape, "recurrence")]
+
+
+@cache
+def points_and_last_states(figure):
+    """The settings, and where the loops end from there in 50 digits: (n, settings + ends)."""
+    rows = points(figure)
+    found = [rows]
+    for loop in loops(figure):
+        known = [*figure.settings, *loop.state]
+        counts = evaluate(loop.count, figure.settings, rows)[:, 0]
+        state = evaluate(sp.Matrix(loop.start), figure.settings, rows)
+        for k in range(loop.most):
+            on = counts > k
+            given = np.hstack([rows[on], state[on]])
+            state[on] = evaluate(sp.Matrix(loop.step), known, given)
+        found.append(state)
+    return np.hstack(found)
+
+
+def exact(figure, expressions, more=()):
+    """Expressions of a figure at `points` in 50 digits. more: symbol → its numbers (n,)."""
+    ends = [symbol for loop in loops(figure) for symbol in loop.ends]
+    symbols = [*figure.settings, *ends, *dict(more)]
+    columns = [np.asarray(c)[:, None] for c in dict(more).values()]
+    given = np.hstack([points_and_last_states(figure), *columns])
+    return evaluate(sp.Matrix(expressions), symbols, given, figure.where)
+
+
+@each_figure
+def test_every_number_in_50_digits(figure):
+    computed = figure.compute(points(figure))
+    worst = differences(computed, exact(figure, figure.expressions)).max()
+    print(f"{figure.name}: {computed.shape[1]} numbers, largest difference {worst:.1e}")
+    assert worst <= ALLOWED
+
+
+@each_figure
+def test_readouts_against_robokin(figure):
+    rows = points(figure)
+    computed = figure.compute(rows)[:, : len(figure.readouts)]
+    assert_close(computed, expected(figure, rows), atol=ALLOWED)
+    told = [w for readout in figure.readouts for w in readout.words]
+    assert {str(x) for x in computed[~np.isfinite(computed)]} == set(told)  # all words are met
+
+
+def test_almost_straight():
+    """However large the turning radius, its first 15 digits are right."""
+    figure = FIGURES["wheel-speeds"]
+    faster = [np.nextafter(0.1, 1), *(0.1 + 10.0**-k for k in range(3, 16))]
+    rows = np.array([point(figure, {"v_L": 0.1, "v_R": v_R, "t": 12.0}) for v_R in faster])
+    # three roundings of the radius, twice, each of half a unit in the last place
+    wanted = expected(figure, rows)
+    np.testing.assert_allclose(figure.compute(rows)[:, :6], wanted, rtol=6 * EPS, atol=ALLOWED)
+    assert wanted[0, 2] > 1e14
+
+
+def called(figure, function, rows, extra):
+    """A function of the compiled figure, at settings and one more array of numbers each."""
+    code = f"""((figure) => (f, given) => {{
+      const c = robokin.compute(figure, given.slice(0, {rows.shape[1]})).c;
+      return figure.{function}(f, c, given.slice({rows.shape[1]}));
+    }})({figure.code})"""
+    return script.evaluate(code, np.hstack([rows, extra]))
+
+
+@each_figure
+def test_curves_in_50_digits(figure):
+    rows = points(figure)
+    for place, shape in enumerate(figure.scene):
+        if isinstance(shape, Curve):
+            low, high = exact(figure, [shape.low, shape.high]).T.astype(float)
+            s = np.random.default_rng(place).uniform(low, high)
+            drawn_at = called(figure, f"scene[{place}].point", rows, s[:, None])
+            at = exact(figure, shape.at, {shape.parameter: s})
+            assert differences(drawn_at, at).max() <= ALLOWED
+
+
+@each_figure
+def test_a_handle_sets_what_puts_it_there(figure):
+    """Where a handle is, its expressions give back the settings that it sets."""
+    rows = points(figure)
+    for place, handle in enumerate(figure.handles):
+        at = exact(figure, handle.at).astype(float)
+        back = called(figure, f"handles[{place}].to", rows, at)
+        columns = [figure.settings.index(symbol) for symbol in handle.sets]
+        assert_close(back, rows[:, columns], atol=ALLOWED)
+
+
+# --- Declarations ---------------------------------------------------------------------------
+
+a = motion_formulas.x  # some quantity in m
+loose = sp.Symbol("loose")
+
+
+def declared(**parts):
+    """A small figure that is right, but for `parts`."""
+    right = {
+        "name": "small",
+        "title": "A point on a line",
+        "view": (-1, 1, -1, 1),
+        "controls": (Slider(a, 0.0, 1.0, start=0.5, step=0.1),),
+        "scene": (Point("target", (a, 0)),),
+        "readouts": (Readout("twice", "twice a", 2 * a, "m"),),
+        "says": "x is {x}, twice that {twice}.",
+    }
+    return Figure(**{**right, **parts})
+
+
+def test_the_small_figure_is_right():
+    assert_close(declared().compute([[0.25]])[:, 0], [0.5], atol=0)
+
+
+@pytest.mark.parametrize(
+    ("parts", "message"),
+    [
+        ({"scene": (Point("target", (loose, 0)),)}, "loose uses loose, but .* are x"),
+        ({"scene": (Curve("path", (loose, loose * a), loose * a, 0, 1),)}, "uses loose"),
+        ({"scene": (Point("purple", (a, 0)),)}, "no kind 'purple'; there are left, right"),
+        ({"controls": (Slider(loose, 0, 1, 0, 0.1),), "says": ""}, "loose is no declared quantity"),
+        ({"controls": (Slider(a, 0, 1, 0, 0.1, kind="purple"),)}, "no kind 'purple'"),
+        ({"readouts": (Readout("x", "", a, "m"),)}, "two controls or readouts of one name"),
+        ({"says": "b is {b}"}, "says .*'b'.*, but has only x, twice"),
+        ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
+        ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
+    ],
+)
+def test_a_wrong_declaration_is_refused(parts, message):
+    with pytest.raises(RobokinError, match=message):
+        _ = declared(**parts).code
+
+
+CASES = Choice("which", "which", (a,), {"small": (0.1,), "large": (0.9,)}, start="small")
+COUNT = Slider(a, 1, 5, start=2, step=1)
+
+
+@pytest.mark.parametrize(
+    ("control", "values", "message"),
+    [
+        (None, {"x": 1.1}, "x must be a number from 0.0 to 1.0, got 1.1"),
+        (None, {"x": np.nan}, "x must be a number from 0.0 to 1.0, got nan"),
+        (None, {"x": "far"}, "x must be a number from 0.0 to 1.0, got 'far'"),
+        (None, {"b": 1}, "no control 'b'; there are x"),
+        (CASES, {"which": "huge"}, "which must be one of small, large, got 'huge'"),
+        (COUNT, {"x": 2.5}, "x must be a whole number from 1 to 5, got 2.5"),
+    ],
+)
+def test_a_move_outside_is_refused(control, values, message):
+    figure = declared() if control is None else declared(controls=(control,), says="")
+    before = figure.values
+    with pytest.raises(RobokinError, match=message):
+        figure.move(values)
+    assert figure.values == before
+
+
+@each_figure
+def test_values_are_read_and_set_from_python(figure):
+    assert figure.values == {key(c): c.start for c in figure.controls}
+    first = figure.controls[0]
+    figure.move({key(first): ends(first)[0]})
+    assert figure.values[key(first)] == ends(first)[0]
+    figure.move({key(first): first.start})
+
+
+# --- What a notebook keeps ------------------------------------------------------------------
+
+SIZE = 40_000  # bytes for one figure; the renderer alone has more than half of it
+
+
+def kept_figures():
+    """The stored outputs that hold a figure, by the figure's name."""
+    found = {}
+    for path in sorted((ROOT / "book").glob("*.ipynb")):
+        notebook = nbformat.read(path, as_version=4)
+        assert "widgets" not in notebook.metadata
+        for cell in notebook.cells:
+            for output in cell.get("outputs", []):
+                if MIME in output.get("data", {}):
+                    found[output.data[MIME]["name"]] = output.data
+    return found
+
+
+@each_figure
+def test_a_notebook_keeps_the_declaration_and_the_still_picture(figure):
+    data = kept_figures()[figure.name]
+    assert data == {
+        MIME: {"name": figure.name, "code": figure.code},
+        "image/svg+xml": figure.picture(),
+        "text/plain": figure.title,
+    }
+    text = json.dumps(data)
+    assert len(text) < SIZE
+    assert "bringToLife" not in text
+
+
+# --- Colours --------------------------------------------------------------------------------
+
+
+def luminance(color):
+    """Relative luminance of `#rrggbb` or `#rgb`, as WCAG 2.2 defines it."""
+    digits = color.lstrip("#")
+    digits = digits if len(digits) == 6 else "".join(2 * d for d in digits)
+    channels = [int(digits[i : i + 2], 16) / 255 for i in (0, 2, 4)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+
+def contrast(first, second):
+    """Contrast of two colours, 1 to 21."""
+    high, low = sorted((luminance(first), luminance(second)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+def grounds():
+    """The ground behind the figures on light and on dark pages, from the style sheet."""
+    light, dark = re.findall(r"--rk-ground: (#\w+)", stylesheet())
+    return light, dark
+
+
+def test_contrast_is_computed_right():
+    assert contrast("#fff", "#000000") == pytest.approx(21)
+    assert contrast("#767676", "#fff") == pytest.approx(4.54, abs=0.005)  # WCAG's known example
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "grid"])  # grid: decoration
+def test_every_kind_stands_out(kind):
+    light, dark = grounds()
+    style = KINDS[kind]
+    assert style.light != style.dark
+    assert min(contrast(style.light, light), contrast(style.dark, dark)) >= 3  # WCAG 1.4.11
+
+
+@each_figure
+def test_labels_are_legible(figure):
+    light, dark = grounds()
+    for shape in figure.scene:
+        if getattr(shape, "label", ""):
+            style = KINDS[shape.kind]
+            readable = min(contrast(style.light, light), contrast(style.dark, dark))
+            assert readable >= 4.5, shape  # WCAG 1.4.3, for text
+
+
+# --- The page -------------------------------------------------------------------------------
+
+in_browser = pytest.mark.browser
+
+
+@pytest.fixture(scope="session")
+def page_of(site):
+    """The page that each figure stands on."""
+    texts = {name: (site / name).read_text("utf-8") for name in pages(site)}
+    found = {}
+    for figure in FIGURES:
+        found[figure] = [
+            n for n, text in texts.items() if f'class="rk-figure" id="{figure}"' in text
+        ]
+        assert len(found[figure]) == 1, f"{figure} stands on {found[figure]}"
+    return {figure: names[0] for figure, names in found.items()}
+
+
+SHOW = """(svg) => new Promise((standing) => {
+  let before = NaN;
+  const look = () => {
+    const {top} = svg.getBoundingClientRect();
+    if (top === before) return standing();
+    before = top;
+    requestAnimationFrame(look);
+  };
+  svg.scrollIntoView({block: "center", behavior: "instant"});
+  look();
+})"""
+
+
+class OnPage:
+    """One figure on a page in the browser."""
+
+    def __init__(self, page, figure):
+        self.page, self.figure = page, figure
+        self.root = page.locator(f"#{figure.name}")
+        self.handles = self.root.locator(".rk-handles circle")
+        self.picture = self.root.locator(".rk-picture svg")
+
+    def come_alive(self):
+        """Wait until the script has taken over."""
+        self.page.wait_for_selector(f"#{self.figure.name}.rk-live")
+        return self
+
+    def state(self):
+        """What the controls stand at, in the units they show; drawn to the end first."""
+        return self.root.evaluate("({robokin}) => { robokin.settled(); return robokin.state(); }")
+
+    def point(self):
+        """The same as a row of numbers in SI, computed here as the page must compute it."""
+        row = []
+        for control, shown in zip(self.figure.controls, self.state(), strict=True):
+            if isinstance(control, Choice):
+                row += list(control.options.values())[shown]
+            else:
+                row.append(shown * factor(QUANTITIES[control.symbol].unit))
+        return row
+
+    def readouts(self):
+        """The text of each readout, by name."""
+        self.state()
+        texts = self.root.locator("dd").all_text_contents()
+        return dict(zip((r.name for r in self.figure.readouts), texts, strict=True))
+
+    def input(self, control):
+        """The slider or the list of a control."""
+        place = self.figure.controls.index(control)
+        return self.root.locator(f"[data-i='{place}']:not(button)")
+
+    def press(self, control, *keys):
+        """Keys on a slider that has the focus."""
+        self.input(control).focus()
+        for one in keys:
+            self.page.keyboard.press(one)
+
+    def spot(self, place, values):
+        """Where on the screen a handle is at a setting (by name, in SI); the picture in view."""
+        self.picture.evaluate(SHOW)
+        box, (left, right, low, high) = self.picture.bounding_box(), self.figure.view
+        at = sp.Matrix(self.figure.handles[place].at)
+        given = np.array([point(self.figure, values)], dtype=float)
+        x, y = evaluate(at, self.figure.settings, given, self.figure.where)[0].astype(float)
+        across, down = (x - left) / (right - left), (high - y) / (high - low)
+        return box["x"] + across * box["width"], box["y"] + down * box["height"]
+
+    def values(self):
+        """The present setting as `Figure.move` takes it."""
+        row = iter(self.point())
+        found = {}
+        for control, shown in zip(self.figure.controls, self.state(), strict=True):
+            choice = isinstance(control, Choice)
+            numbers = [next(row) for _ in (control.symbols if choice else [0])]
+            found[key(control)] = list(control.options)[shown] if choice else numbers[0]
+        return found
+
+    def alternative(self):
+        """What the picture says to those who do not see it."""
+        return self.picture.locator("[role=img]").get_attribute("aria-label")
+
+
+@pytest.fixture(scope="session")
+def visit(chromium, server, page_of):
+    """Opens the page of a figure; afterwards the console must be empty."""
+
+    @contextmanager
+    def opened(figure, address="", before=lambda page: None, **options):
+        with watched_page(chromium, server, **options) as (page, watch):
+            before(page)
+            page.goto(server + page_of[figure.name] + address, wait_until="networkidle")
+            page.evaluate("() => document.fonts.ready")  # else the page still moves
+            yield OnPage(page, figure).come_alive()
+            assert not watch.errors + watch.strangers
+
+    return opened
+
+
+@in_browser
+@each_figure
+def test_the_browser_computes_as_the_engine_does(figure, visit):
+    rows = points(figure)
+    with visit(figure) as live:
+        found = live.page.evaluate(
+            """([name, rows]) => {
+              const figure = robokinFigures.find((figure) => figure.name === name);
+              return rows.map((row) => robokin.compute(figure, row).values);
+            }""",
+            [figure.name, rows.tolist()],
+        )
+    here = figure.compute(rows)
+    assert_close(np.array(found, dtype=float), here, atol=ALLOWED)
+    finite = np.isfinite(here)
+    apart = np.abs(np.array(found)[finite] - here[finite]).max()
+    print(f"{figure.name}: Chromium and engine differ by at most {apart:.1e}")
+
+
+# --- Hands ----------------------------------------------------------------------------------
+
+
+def assert_told(live):
+    """The readouts and the controls say what `robokin` computes for the state read back."""
+    wanted = expected(live.figure, [live.point()])[0]
+    texts = live.readouts()
+    for readout, value in zip(live.figure.readouts, wanted, strict=True):
+        assert texts[readout.name] in both_shown(readout, value), (live.state(), readout.name)
+    for control, shown in zip(live.figure.controls, live.state(), strict=True):
+        if not isinstance(control, Choice):
+            assert_slider_told(live, control, shown)
+
+
+def assert_slider_told(live, control, shown):
+    """The number beside a slider, with its unit, also for a screen reader."""
+    text = live.input(control).get_attribute("aria-valuetext")
+    assert live.input(control).locator("xpath=../*[@data-o]").text_content() == text
+    number, unit = re.fullmatch(r"(\S*?\d)(°| .*|)", text.replace(MINUS, "-")).groups()
+    known = QUANTITIES[control.symbol].unit
+    assert unit.strip() == ("°" if known == "rad" else known)
+    digits = len(number.partition(".")[2])
+    assert number.replace("-", MINUS) == rounded(shown, digits)
+    assert float(number) == pytest.approx(shown, abs=control.step / factor(known))
+
+
+def slide(live, random):
+    """Keys on a slider, or another entry of a list."""
+    control = random.choice(np.array(live.figure.controls, dtype=object))
+    if isinstance(control, Choice):
+        return live.input(control).select_option(index=int(random.integers(len(control.options))))
+    keys = [["Home"], ["End"], ["ArrowRight"] * 3, ["ArrowLeft"] * 2, ["PageUp"]]
+    return live.press(control, *keys[random.integers(len(keys))])
+
+
+def wish(live, place, random):
+    """A setting for a handle to be dragged to: what it sets at random, on the sliders' steps."""
+    wished = live.values()
+    for control in live.figure.controls:
+        if getattr(control, "symbol", None) in live.figure.handles[place].sets:
+            steps = round((control.high - control.low) / control.step)
+            wished[key(control)] = control.low + int(random.integers(steps + 1)) * control.step
+    return wished
+
+
+def assert_arrived(live, wished):
+    """The controls are where the handle was dragged to, to one step (a pixel is less)."""
+    found = live.values()
+    for control in live.figure.controls:
+        if not isinstance(control, Choice):
+            # a hundredth of a step for the rounding of numbers in between
+            assert abs(found[key(control)] - wished[key(control)]) <= 1.01 * control.step
+
+
+def drag(live, random):
+    """A handle, pulled by the mouse to where it belongs at another setting."""
+    if not live.figure.handles:
+        return slide(live, random)
+    place = int(random.integers(len(live.figure.handles)))
+    wished = wish(live, place, random)
+    live.page.mouse.move(*live.spot(place, live.values()))
+    live.page.mouse.down()
+    live.page.mouse.move(*live.spot(place, wished), steps=4)
+    live.page.mouse.up()
+    return assert_arrived(live, wished)
+
+
+def nudge(live, random):
+    """A handle, moved by arrow keys."""
+    if not live.figure.handles:
+        return slide(live, random)
+    live.handles.nth(int(random.integers(len(live.figure.handles)))).focus()
+    arrow = random.choice(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", "Shift+ArrowUp"])
+    for _ in range(3):
+        live.page.keyboard.press(arrow)
+        live.state()
+    return None
+
+
+@in_browser
+@each_figure
+def test_twenty_settings_by_mouse_and_keys(figure, visit):
+    random = np.random.default_rng(20)
+    seen = set()
+    with visit(figure) as live:
+        for turn in range(20):
+            (slide, drag, nudge)[turn % 3](live, random)
+            assert_told(live)
+            seen.add(tuple(live.state()))
+    assert len(seen) >= 12  # some keys, as Home at the lower end, change nothing
+
+
+@in_browser
+@pytest.mark.parametrize(
+    "figure", [f for f in FIGURES.values() if f.handles], ids=lambda figure: figure.name
+)
+def test_handles_by_touch(figure, visit):
+    random = np.random.default_rng(7)
+    with visit(figure, width=390, has_touch=True) as live:
+        for place in range(len(figure.handles)):
+            wished = wish(live, place, random)
+            start, end = live.spot(place, live.values()), live.spot(place, wished)
+            before = live.picture.bounding_box()
+            swipe(live.page, start, end)
+            assert live.picture.bounding_box() == before  # the page did not scroll with the finger
+            assert_arrived(live, wished)
+            assert_told(live)
+
+
+def swipe(page, start, end):
+    """One finger from start to end."""
+    finger = page.context.new_cdp_session(page)
+    for step in range(6):
+        x, y = np.add(start, np.subtract(end, start) * min(step, 4) / 4).tolist()
+        kind = ["touchStart", *["touchMove"] * 4, "touchEnd"][step]
+        touches = [] if kind == "touchEnd" else [{"x": x, "y": y}]
+        finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
+
+
+@in_browser
+@pytest.mark.parametrize(("name", "values", "readout", "word"), WORDS)
+def test_words_instead_of_numbers(visit, name, values, readout, word):
+    """Reached by keys, from one end of the slider step by step."""
+    figure = FIGURES[name]
+    with visit(figure) as live:
+        for control in figure.controls:
+            if key(control) in values:
+                steps = round((values[key(control)] - control.low) / control.step)
+                live.press(control, "Home", *["ArrowRight"] * steps)
+        assert live.readouts()[readout] == word
+        assert_told(live)
+
+
+@in_browser
+@each_figure
+def test_reset_restores_the_start(figure, visit):
+    with visit(figure) as live:
+        start = live.state()
+        for control in figure.controls:
+            live.press(control, "End")
+        assert live.state() != start
+        live.root.locator(".rk-reset").click()
+        assert live.state() == start
+        assert_told(live)
+
+
+def neighbours(live):
+    """The other figures on the page."""
+    ids = live.page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
+    return [OnPage(live.page, FIGURES[i]).come_alive() for i in ids if i != live.figure.name]
+
+
+@in_browser
+@each_figure
+def test_figures_do_not_disturb_each_other(figure, visit):
+    with visit(figure) as live:
+        others = neighbours(live)
+        before = [(o.state(), o.readouts(), o.picture.inner_html()) for o in others]
+        for turn in range(3):
+            (slide, drag, nudge)[turn](live, np.random.default_rng(3))
+        assert before == [(o.state(), o.readouts(), o.picture.inner_html()) for o in others]
+
+
+# --- Time -----------------------------------------------------------------------------------
+
+CLOCKS = [(f, c) for f in FIGURES.values() for c in f.controls if isinstance(c, Clock)]
+each_clock = pytest.mark.parametrize(("figure", "clock"), CLOCKS, ids=[f.name for f, _ in CLOCKS])
+
+
+def time_of(live, clock):
+    """Where the clock stands, in SI."""
+    return live.values()[key(clock)]
+
+
+@in_browser
+@each_clock
+def test_play_pause_and_the_end(figure, clock, visit):
+    """On a clock of the test's own: seconds pass when it says so."""
+    with visit(figure, before=lambda page: page.clock.install(time=0)) as live:
+        live.page.clock.pause_at(60_000)
+        button = live.root.locator(".rk-play")
+        button.click()
+        assert button.text_content() == "Pause"
+        live.page.clock.run_for(2000)
+        # two frames of 16 ms may be missing at the start and at the end
+        assert time_of(live, clock) == pytest.approx(clock.low + 2 * clock.rate, abs=0.035)
+        button.click()
+        stopped = time_of(live, clock)
+        live.page.clock.run_for(1000)
+        assert time_of(live, clock) == stopped
+        assert button.text_content() == "Play"
+        assert_told(live)
+        button.click()
+        live.page.clock.run_for(1000 * (clock.high - clock.low) / clock.rate)
+        assert time_of(live, clock) == clock.high
+        assert button.text_content() == "Play"
+        assert_told(live)
+        button.click()  # from the end it starts again
+        live.page.clock.run_for(1000)
+        assert time_of(live, clock) == pytest.approx(clock.low + clock.rate, abs=0.035)
+
+
+@in_browser
+@each_clock
+def test_scrubbing_takes_over_from_playing(figure, clock, visit):
+    """In real time."""
+    with visit(figure) as live:
+        live.root.locator(".rk-play").click()
+        live.page.wait_for_function(
+            "([name, i, low]) => document.getElementById(name).robokin.state()[i] > low",
+            arg=[figure.name, figure.controls.index(clock), clock.low],
+        )
+        live.press(clock, "End", "ArrowLeft")
+        assert live.root.locator(".rk-play").text_content() == "Play"
+        assert time_of(live, clock) == pytest.approx(clock.high - clock.step)
+        assert_told(live)
+
+
+@in_browser
+@each_clock
+def test_reduced_motion_steps(figure, clock, visit):
+    """Nothing runs: each press of the button is a tenth of the time."""
+    with visit(figure, reduced_motion="reduce") as live:
+        for turn in range(1, 12):
+            live.root.locator(".rk-play").click()
+            tenths = turn if turn <= 10 else 0  # and from the end back to the start
+            wanted = clock.low + tenths * (clock.high - clock.low) / 10
+            assert time_of(live, clock) == pytest.approx(wanted)
+            assert live.root.locator(".rk-play").text_content() == "Play"
+
+
+# --- The address ----------------------------------------------------------------------------
+
+
+IN_VIEW = """(name) => {
+  const {top, bottom} = document.querySelector(`#${name} svg`).getBoundingClientRect();
+  return top >= 0 && bottom <= innerHeight;
+}"""
+
+
+@in_browser
+@each_figure
+def test_a_link_brings_the_setting_back(figure, visit):
+    with visit(figure) as live:
+        for turn in range(4):
+            (slide, drag, nudge)[turn % 3](live, np.random.default_rng(turn))
+        state = live.state()
+        live.root.locator(".rk-link").click()
+        address = live.page.evaluate("location.hash")
+    with visit(figure, address) as live:
+        # the address keeps six decimals
+        assert live.state() == pytest.approx(state, abs=1e-6)
+        assert state != started(figure)
+        assert_told(live)
+        live.page.wait_for_function(IN_VIEW, arg=figure.name)
+        for other in neighbours(live):
+            assert other.state() == started(other.figure)
+
+
+def started(figure):
+    """The state in which a figure starts."""
+    return script.run(f"robokin.startState({figure.code})")
+
+
+JUNK = ["1e99", "-1e99", "NaN", "Infinity", "", "<script>alert(1)</script>", "%", "2.5", "null"]
+
+
+@in_browser
+@each_figure
+def test_junk_in_the_address_does_no_harm(figure, visit):
+    """Too large or small is the end of the range, no number is the start."""
+    with visit(figure, "#?") as live:
+        live.page.on("dialog", lambda dialog: pytest.fail(dialog.message))
+        for junk in JUNK:
+            pairs = "&".join(
+                f"{name}={junk}" for name in ["x", "__proto__", *map(key, figure.controls)]
+            )
+            live.page.evaluate("(hash) => { location.hash = hash; }", f"#{figure.name}?{pairs}")
+            live.page.wait_for_function("(name) => location.hash.includes(name)", arg=figure.name)
+            assert_told(live)
+            for control, found in zip(figure.controls, live.values().values(), strict=True):
+                assert found in allowed(control, junk), (junk, key(control))
+
+
+def allowed(control, junk):
+    """What a control may make of junk."""
+    if isinstance(control, Choice):
+        return [control.start]
+    scale = factor(QUANTITIES[control.symbol].unit)
+    number = {"1e99": control.high, "-1e99": control.low, "2.5": 2.5 * scale}.get(
+        junk, control.start
+    )
+    if isinstance(control.step, int):
+        number = np.floor(number + 0.5)
+    return [pytest.approx(np.clip(number, control.low, control.high), rel=1e-9)]
+
+
+# --- The still picture, and the script that takes it over -----------------------------------
+
+
+@in_browser
+@each_figure
+def test_the_page_holds_the_still_picture(figure, site, page_of):
+    """The very text that the engine draws."""
+    text = (site / page_of[figure.name]).read_text("utf-8")
+    assert f'<div class="rk-picture">{figure.picture()}</div>' in text
+    assert len(re.findall(f'id="{figure.name}"', text)) == 1
+
+
+@in_browser
+@each_figure
+def test_without_javascript_the_picture_is_there_and_nothing_else(
+    figure, server, chromium, page_of
+):
+    with watched_page(chromium, server, java_script_enabled=False) as (page, _):
+        page.goto(server + page_of[figure.name])
+        live = OnPage(page, figure)
+        picture, whole = live.picture.bounding_box(), live.root.bounding_box()
+        assert picture["height"] > 200
+        # the picture's border is 1 px above and below it
+        assert whole["height"] == pytest.approx(picture["height"] + 2, abs=0.5)
+        assert live.root.locator("button, input, select, dd").filter(visible=True).count() == 0
+
+
+def broken(figure, html):
+    """The page, but the figure's computation throws."""
+    healthy = '"compute": (f, c) => {'
+    before, _, after = html.partition(f'.push({{"name": "{figure.name}"')
+    assert healthy in after
+    after = after.replace(healthy, healthy + ' throw new Error("on purpose");', 1)
+    return f'{before}.push({{"name": "{figure.name}"{after}'
+
+
+@in_browser
+@each_figure
+def test_a_broken_figure_stays_still_and_alone(figure, server, chromium, page_of):
+    """Its picture is as the engine drew it, without controls; the others live."""
+    with watched_page(chromium, server) as (page, watch):
+        page.route(
+            f"**/{page_of[figure.name]}",
+            lambda route: route.fulfill(body=broken(figure, route.fetch().text())),
+        )
+        page.goto(server + page_of[figure.name], wait_until="networkidle")
+        dead = OnPage(page, figure)
+        assert all(other.state() for other in neighbours(dead))
+        assert "rk-live" not in dead.root.get_attribute("class")
+        assert dead.picture.is_visible()
+        same = "([e, text]) => { const d = document.createElement('div'); d.innerHTML = text;"
+        same += " return d.innerHTML === e.outerHTML; }"
+        assert page.evaluate(same, [dead.picture.element_handle(), figure.picture()])
+        assert dead.root.locator("button, input, select").count() == 0
+    assert len(watch.errors) == 1
+    assert f"The figure {figure.name} cannot be moved: Error: on purpose" in watch.errors[0]
+
+
+SHIFTS = """
+window.shifts = [];
+new PerformanceObserver((list) => {
+  for (const entry of list.getEntries()) shifts.push(entry.value);
+}).observe({type: "layout-shift"});
+"""
+BELOW = "(element) => element.getBoundingClientRect().bottom"
+
+
+@in_browser
+@pytest.mark.parametrize("width", [1280, 390])
+@each_figure
+def test_the_page_does_not_jump_when_the_script_takes_over(
+    figure, server, chromium, page_of, width
+):
+    """The script comes late: the page is complete and the reader looks at the still picture."""
+    held = "**/robokin-live.js*"
+    with watched_page(chromium, server, width) as (page, watch):
+        page.route(held, lambda route: route.fulfill(body="", content_type="text/javascript"))
+        page.goto(server + page_of[figure.name], wait_until="networkidle")
+        page.evaluate("() => document.fonts.ready")
+        live = OnPage(page, figure)
+        live.picture.evaluate(SHOW)
+        below = live.root.evaluate(BELOW)
+        page.evaluate(SHIFTS)
+        page.unroute(held)
+        page.add_script_tag(url=server + "_static/robokin-live.js")
+        live.come_alive()
+        live.picture.evaluate(SHOW)  # two frames: shifts have been reported
+        shift = sum(page.evaluate("shifts"))
+        print(f"{figure.name} at {width} px: layout shift {shift}")
+        assert shift == 0
+        assert live.root.evaluate(BELOW) == pytest.approx(below, abs=0.5)  # half a pixel
+        assert not watch.errors
+
+
+# --- Speed ----------------------------------------------------------------------------------
+
+FRAME = 16  # ms, so that a figure follows the hand at 60 pictures a second
+ANSWERS = """([name, i, count]) => {
+  const element = document.getElementById(name), times = [];
+  const slider = element.querySelector(`input[data-i="${i}"]`);
+  const { min, max } = slider;
+  for (let k = 0; k < count; k++) {
+    const before = performance.now();
+    slider.value = Number(min) + (k * 0.618 % 1) * (max - min);
+    slider.dispatchEvent(new Event("input", {bubbles: true}));
+    element.robokin.settled();  // draws now, not with the next picture of the screen
+    element.getBoundingClientRect();  // and lays out
+    times.push(performance.now() - before);
+  }
+  return times;
+}"""
+
+
+@in_browser
+@each_figure
+def test_an_answer_takes_less_than_a_frame(figure, visit):
+    """The median of 200 answers to the slowest slider."""
+    with visit(figure) as live:
+        sliders = [i for i, c in enumerate(figure.controls) if not isinstance(c, Choice)]
+        times = [
+            statistics.median(live.page.evaluate(ANSWERS, [figure.name, i, 200])) for i in sliders
+        ]
+    print(f"{figure.name}: {max(times):.1f} ms for an answer")
+    assert max(times) < FRAME
+
+
+# --- For every reader -----------------------------------------------------------------------
+
+
+@in_browser
+@each_figure
+def test_the_text_alternative_follows(figure, visit):
+    """The picture's label and the sentence that is read aloud, after a key press."""
+    with visit(figure) as live:
+        before = live.alternative()
+        assert before.startswith(figure.title)
+        assert live.root.locator(".rk-says").text_content() == ""  # silent until touched
+        live.press(figure.controls[0], "End")
+        said = live.root.locator(".rk-says:not(:empty)").text_content()
+        assert live.root.locator(".rk-says").get_attribute("aria-live") == "polite"
+        assert live.alternative() == f"{figure.title}. {said}" != before
+        assert "{" not in said
+        for name, text in live.readouts().items():
+            assert text in said or f"{{{name}}}" not in figure.says
+
+
+@in_browser
+@each_figure
+def test_everything_is_reached_by_tab_and_seen(figure, visit):
+    """Each control in turn, with a ring of 3 px round it that stands out."""
+    rings = []
+    with visit(figure) as live:
+        live.root.evaluate("(e) => { e.tabIndex = -1; e.focus(); e.removeAttribute('tabindex'); }")
+        parts = (
+            len(figure.handles) + len(figure.controls) + 2 + live.root.locator(".rk-play").count()
+        )
+        for _ in range(parts):
+            live.page.keyboard.press("Tab")
+            rings.append(live.page.evaluate(RING))
+    assert len({ring.pop("which") for ring in rings}) == parts
+    for ring in rings:
+        assert ring == {"inside": figure.name, "style": "solid", "width": "3px", "named": True}
+
+
+RING = """() => {
+  const element = document.activeElement, style = getComputedStyle(element);
+  const figure = element.closest(".rk-figure");
+  return {
+    which: [...figure.querySelectorAll("*")].indexOf(element),
+    inside: figure.id,
+    style: style.outlineStyle,
+    width: style.outlineWidth,
+    named: Boolean(element.ariaLabel || element.textContent || element.labels?.[0].textContent),
+  };
+}"""
+
+
+def test_the_ring_stands_out():
+    light, dark = re.findall(r"--rk-accent: (#\w+)", stylesheet())
+    assert min(contrast(c, g) for c, g in zip((light, dark), grounds(), strict=True)) >= 3
+
+
+TEXT_SIZES = """(svg) => [...svg.querySelectorAll("text, tspan")].map((text) =>
+  parseFloat(getComputedStyle(text).fontSize)
+    * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width)"""
+
+
+@in_browser
+@each_figure
+def test_on_a_phone_the_texts_are_legible(figure, visit):
+    with visit(figure, width=390) as live:
+        sizes = live.picture.evaluate(TEXT_SIZES)
+        # 11 px, less what the browser rounds; there are texts to speak of
+        assert len(sizes) > 2
+        assert min(sizes) >= 11 - 0.05
+        box = live.root.bounding_box()
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 390
+
+
+PAINT = """(svg) => [...svg.querySelectorAll("*")].flatMap((element) => {
+  const { stroke, fill } = getComputedStyle(element);
+  return [stroke, fill];
+})"""
+
+
+def rgb(color):
+    """As a browser tells a colour."""
+    return f"rgb({', '.join(str(int(color[i : i + 2], 16)) for i in (1, 3, 5))})"
+
+
+@in_browser
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [1280, 390])
+@each_figure
+def test_every_kind_has_its_colour(figure, visit, width, scheme):
+    """On light and dark pages, and a screenshot to look at."""
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    other = {"light": "dark", "dark": "light"}[scheme]
+    with visit(figure, width=width, scheme=scheme) as live:
+        painted = set(live.picture.evaluate(PAINT))
+        for kind in {shape.kind for shape in figure.scene}:
+            assert rgb(getattr(KINDS[kind], scheme)) in painted, kind
+            assert rgb(getattr(KINDS[kind], other)) not in painted, kind
+        live.picture.evaluate(SHOW)
+        live.root.screenshot(path=SCREENSHOTS / f"figure-{figure.name}-{width}-{scheme}.png")

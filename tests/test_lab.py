@@ -1,0 +1,168 @@
+"""The notebook in a real JupyterLab: run from top to bottom, then the live figure is moved."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+
+import pytest
+from support import ROOT
+
+pytest_plugins = ["browser"]
+pytestmark = pytest.mark.browser
+pytest.register_assert_rewrite("browser")
+
+from browser import watched_page  # noqa: E402
+
+NOTEBOOK = "04_differential_drive.ipynb"
+PATIENCE = 90  # seconds at most for the server to start, and for all cells to run
+SCREENSHOTS = ROOT / "_build" / "screenshots"
+
+# at the end of the notebook: one more figure, so that Python can be asked about it
+FIGURE = "mine = figures.drive_figure()\nmine"
+ASK = "mine.values['v_L']"
+TURN_BACK = "mine.move({'v_R': -mine.values['v_R']})"
+
+# every cell is on the page, also those that are scrolled away; nothing is asked of the network
+SETTINGS = {
+    "notebook-extension/tracker": {"windowingMode": "none"},
+    "apputils-extension/notification": {"fetchNews": "false", "checkForUpdates": False},
+    "extensionmanager-extension/plugin": {"enabled": False},
+}
+
+
+def copied(folder):
+    """The notebook without its outputs, and the cells of this test at its end."""
+    notebook = json.loads((ROOT / "book" / NOTEBOOK).read_text("utf-8"))
+    for place, source in enumerate((FIGURE, ASK, TURN_BACK)):
+        cell = {"cell_type": "code", "id": f"mine-{place}", "metadata": {}, "source": source}
+        notebook["cells"].append(cell)
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":  # nothing stored can pass for something that has run
+            cell.update(outputs=[], execution_count=None)
+    folder.mkdir()
+    (folder / NOTEBOOK).write_text(json.dumps(notebook), "utf-8")
+
+
+def surroundings(home):
+    """An environment in which JupyterLab touches nothing but `home`, with our settings."""
+    for name, settings in SETTINGS.items():
+        file = home / "lab" / "@jupyterlab" / f"{name}.jupyterlab-settings"
+        file.parent.mkdir(parents=True)
+        file.write_text(json.dumps(settings), "utf-8")
+    places = ["JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR"]
+    own = {place: str(home / place.lower()) for place in places}
+    own |= {"JUPYTERLAB_SETTINGS_DIR": str(home / "lab")}
+    own |= {"JUPYTERLAB_WORKSPACES_DIR": str(home / "workspaces")}
+    return {**os.environ, **own}
+
+
+@contextmanager
+def lab(folder, home):
+    """The address of a JupyterLab over a folder; it is stopped in any case, kernels too."""
+    environment = surroundings(home)
+    options = ["--no-browser", "--port=0", "--ip=127.0.0.1", "--IdentityProvider.token="]
+    options += ["--allow-root", f"--ServerApp.root_dir={folder}"]
+    with (home / "log").open("w") as log:
+        server = subprocess.Popen(
+            [sys.executable, "-m", "jupyterlab", *options],
+            env=environment,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+        try:
+            yield address(server, home)
+        finally:
+            stop(server)
+
+
+def address(server, home):
+    """Where the server answers, as soon as it says so."""
+    end = time.monotonic() + PATIENCE
+    while not (told := list((home / "jupyter_runtime_dir").glob("jpserver-*.json"))):
+        running = server.poll() is None and time.monotonic() < end
+        assert running, f"JupyterLab does not start:\n{(home / 'log').read_text('utf-8')}"
+        time.sleep(0.1)
+    return json.loads(told[0].read_text("utf-8"))["url"]
+
+
+def stop(server):
+    """Ask it to end, with its kernels; after a while, make it."""
+    server.terminate()
+    try:
+        server.wait(timeout=15)
+    except subprocess.TimeoutExpired:
+        os.killpg(server.pid, signal.SIGKILL)
+        server.wait()
+
+
+def run_all(page):
+    """Every cell from top to bottom, by the menu; none may fail."""
+    page.locator(".jp-StatusBar-TextItem", has_text="| Idle").wait_for()  # the kernel is there
+    page.get_by_role("menuitem", name="Run", exact=True).click()
+    page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
+    page.wait_for_function(
+        """() => document.querySelector('[data-mime-type="application/vnd.jupyter.error"]')
+          || [...document.querySelectorAll(".jp-CodeCell .jp-InputPrompt")].every(
+            (prompt) => /\\[\\d+\\]/.test(prompt.textContent))"""
+    )
+    errors = page.locator('[data-mime-type="application/vnd.jupyter.error"]')
+    assert errors.all_text_contents() == []
+
+
+def run_again(cell):
+    """One cell, by the keyboard; its output."""
+    before = cell.locator(".jp-InputPrompt").text_content()
+    cell.locator(".cm-content").click()
+    cell.page.keyboard.press("Control+Enter")
+    cell.page.wait_for_function(
+        "([prompt, before]) => prompt.textContent !== before && /\\d/.test(prompt.textContent)",
+        arg=[cell.locator(".jp-InputPrompt").element_handle(), before],
+    )
+    return cell.locator(".jp-OutputArea").text_content()
+
+
+def shows(figure, name, text):
+    """Wait until a readout of the figure has a text."""
+    row = figure.locator("dl > div").filter(has_text=name)
+    row.locator("dd", has_text=text).wait_for()
+
+
+def test_the_notebook_runs_and_its_figure_moves(tmp_path, chromium):
+    copied(tmp_path / "notebooks")
+    home = tmp_path / "home"
+    home.mkdir()
+    with (
+        lab(tmp_path / "notebooks", home) as server,
+        watched_page(chromium, server) as (page, _),
+    ):
+        page.set_default_timeout(1000 * PATIENCE)
+        page.goto(f"{server}lab/tree/{NOTEBOOK}")
+        run_all(page)
+        cells = page.locator(".jp-CodeCell")
+        shown, asked, turned = (cells.nth(place) for place in (-3, -2, -1))
+        figure = shown.locator(".rk-figure.rk-live")
+        shows(figure, "speed v", "\u22120.025 m/s")  # the last cell has turned the right wheel back
+        drag(page, figure.locator(".rk-handles circle").first)
+        shows(figure, "speed v", "0.025 m/s")
+        assert float(run_again(asked).partition(":")[2]) == 0.15
+        run_again(turned)
+        shows(figure, "speed v", "0.125 m/s")
+        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        figure.scroll_into_view_if_needed()
+        page.screenshot(path=SCREENSHOTS / "lab.png")
+
+
+def drag(page, handle):
+    """The tip of the left wheel's arrow, pulled forward beyond its greatest speed."""
+    handle.scroll_into_view_if_needed()
+    box = handle.bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y - 200, steps=5)
+    page.mouse.up()

@@ -124,9 +124,9 @@ def test_only_proportions_matter(theta, a2, a3, d1, scale):
     np.testing.assert_array_equal(
         inverse(scale * p, scale * a2, scale * a3, scale * d1), inverse(p, a2, a3, d1)
     )
-    np.testing.assert_array_equal(
-        forward(theta, scale * a2, scale * a3, scale * d1), scale * forward(theta, a2, a3, d1)
-    )
+    # but for numbers below 1e-307, which lose digits: a subnormal height is as good as none
+    larger = forward(theta, scale * a2, scale * a3, scale * d1)
+    assert_close(larger, scale * p, atol=1e-300)
 
 
 @given(joints, links, links, heights)

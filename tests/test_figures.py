@@ -1045,6 +1045,17 @@ TEXT_SIZES = """(svg) => [...svg.querySelectorAll("text, tspan")].map((text) =>
     * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width)"""
 
 
+OVERLAPS = """(svg) => {
+  const texts = [...svg.querySelectorAll("text")];
+  const meet = (first, second) => {
+    const [a, b] = [first, second].map((text) => text.getBoundingClientRect());
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+  };
+  return texts.flatMap((one, i) => texts.slice(i + 1).filter((other) => meet(one, other))
+    .map((other) => `${one.textContent} and ${other.textContent}`));
+}"""
+
+
 @in_browser
 @each_figure
 def test_on_a_phone_the_texts_are_legible(figure, visit):
@@ -1053,6 +1064,7 @@ def test_on_a_phone_the_texts_are_legible(figure, visit):
         # 11 px, less what the browser rounds; there are texts to speak of
         assert len(sizes) > 2
         assert min(sizes) >= 11 - 0.05
+        assert live.picture.evaluate(OVERLAPS) == []
         box = live.root.bounding_box()
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= 390

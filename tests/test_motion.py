@@ -247,6 +247,14 @@ def test_wrapping_the_floats_next_to_a_half_turn_and_the_largest_ones():
     assert ((-np.pi < huge) & (huge <= np.pi)).all()
 
 
+def test_far_round_an_odd_multiple_of_pi_stays_in_range():
+    # rounded, 2001π may be some 1e-13 past it, and the remainder as far past ±π
+    far = np.arange(-2001, 2002, 2) * np.pi
+    wrapped = wrap_angle(far)
+    assert ((-np.pi < wrapped) & (wrapped <= np.pi)).all()
+    assert_angles(wrapped, np.full_like(far, np.pi), atol=2 * EPS * 2001 * np.pi)
+
+
 def textbook_arc(pose, v, omega, dt):
     """x + v/ω (sin(θ + ω dt) - sin θ) and so on, with 50 digits, of which ω near 0 costs some."""
     x, y, theta, v, omega, dt = (mpmath.mpf(float(a)) for a in (*pose, v, omega, dt))

@@ -98,8 +98,7 @@ class Mutant:
     before: str
     after: str
     code: str
-    result: str = ""  # the test that failed, "timeout", or "" if it survived
-    seconds: float = 0.0
+    result: str = ""  # the test that failed, or how else it ended; "" if it survived
 
 
 class Replacing(Visitor):
@@ -188,13 +187,6 @@ class FirstFailure:
             self.path.write_text(report.nodeid.partition("::")[2].partition("[")[0])
 
 
-@dataclass
-class Job:
-    mutant: Mutant
-    place: Path
-    began: float
-
-
 def run_tests(place: Path, module: str, first: list[str], limit: int) -> int:
     """In a fork: run a module's tests in a copy of the repository; pytest's exit code."""
     signal.alarm(limit)  # which ends the fork by the signal
@@ -211,6 +203,7 @@ def run_tests(place: Path, module: str, first: list[str], limit: int) -> int:
 
 
 def prepare(place: Path, module: str) -> None:
+    """A copy of what the module's tests need."""
     leave = shutil.ignore_patterns("__pycache__")
     shutil.copytree(ROOT / "robokin", place / "robokin", ignore=leave)
     (place / "tests").mkdir()
@@ -220,23 +213,25 @@ def prepare(place: Path, module: str) -> None:
 
 
 def fork(place: Path, module: str, code: str, first: list[str], limit: int) -> int:
+    """Start the tests of a module with this text; the fork's process id."""
     (place / "failed").unlink(missing_ok=True)
     (place / "robokin" / f"{module}.py").write_text(code, encoding="utf-8")
     sys.stdout.flush()
     pid = os.fork()
     if pid == 0:
-        code = BROKEN
+        end = BROKEN
         try:
-            code = run_tests(place, module, first, limit)
+            end = run_tests(place, module, first, limit)
             sys.stdout.flush()
         except BaseException:
             traceback.print_exc()
         finally:
-            os._exit(code)
+            os._exit(end)
     return pid
 
 
 def verdict(status: int, place: Path) -> str:
+    """How a fork ended: "" if all tests passed."""
     if os.WIFSIGNALED(status):
         return "timeout" if os.WTERMSIG(status) == signal.SIGALRM else "crash"
     failed = place / "failed"
@@ -247,10 +242,10 @@ def verdict(status: int, place: Path) -> str:
     return failed.read_text() if failed.exists() else "import"
 
 
-def run(module: str, jobs: int, only: str) -> list[Mutant]:
+def run(module: str, jobs: int, lines: list[int] | None) -> list[Mutant]:
     """All mutants of a module, tried."""
     code = (ROOT / "robokin" / f"{module}.py").read_text(encoding="utf-8")
-    every = [mutant for mutant in mutants(code) if only in f"{mutant.line}: {mutant.after}"]
+    every = [mutant for mutant in mutants(code) if not lines or mutant.line in lines]
     with tempfile.TemporaryDirectory() as folder:
         places = [Path(folder, str(n)) for n in range(jobs)]
         for place in places:
@@ -271,16 +266,15 @@ def run(module: str, jobs: int, only: str) -> list[Mutant]:
         while queue or running:
             while queue and places:
                 place, mutant = places.pop(), queue.popleft()
-                first = [name for name, _ in killers.most_common(8)]
+                first = [name for name, _ in killers.most_common(8)]  # likely to see it, too
                 pid = fork(place, module, mutant.code, first, limit)
-                running[pid] = Job(mutant, place, time.monotonic())
+                running[pid] = mutant, place
             pid, status = os.wait()
-            job = running.pop(pid)
-            job.mutant.result = verdict(status, job.place)
-            job.mutant.seconds = time.monotonic() - job.began
-            if job.mutant.result not in ("", "timeout", "crash", "import"):
-                killers[job.mutant.result] += 1
-            places.append(job.place)
+            mutant, place = running.pop(pid)
+            mutant.result = verdict(status, place)
+            if mutant.result.startswith("test_"):
+                killers[mutant.result] += 1
+            places.append(place)
             done = len(every) - len(queue) - len(running)
             if done % 100 == 0:
                 print(f"{module}: {done} of {len(every)} tried", flush=True)
@@ -292,7 +286,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("only", nargs="?", default="", help="a part of the module's name")
     parser.add_argument("--jobs", type=int, default=2, help="processes at the same time (2)")
-    parser.add_argument("--mutant", default="", help='a part of "line: the mutated line"')
+    parser.add_argument("--lines", type=int, nargs="+", help="only the mutants of these lines")
     options = parser.parse_args()
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # nbval's import alone takes two seconds
     settings.register_profile(
@@ -308,7 +302,7 @@ def main() -> int:
         if options.only not in module:
             continue
         start = time.monotonic()
-        every = run(module, options.jobs, options.mutant)
+        every = run(module, options.jobs, options.lines)
         alive = [mutant for mutant in every if mutant.result == ""]
         late = sum(mutant.result == "timeout" for mutant in every)
         percent = 100 * (1 - len(alive) / max(len(every), 1))

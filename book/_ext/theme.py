@@ -53,9 +53,24 @@ def add_description(app, pagename, templatename, context, doctree):
 
 
 def renew_roles(app, pagename, templatename, context, doctree):
-    """docutils gives entries of a bibliography a role that has gone out of use."""
+    """What a screen reader is told: docutils gives entries of a bibliography a role that has gone
+    out of use, and myst-nb a folded cell another name than the one that can be read."""
     if "body" in context:
-        context["body"] = context["body"].replace('role="doc-biblioentry"', 'role="listitem"')
+        body = context["body"].replace('role="doc-biblioentry"', 'role="listitem"')
+        context["body"] = body.replace('<summary aria-label="Toggle hidden content">', "<summary>")
+
+
+def name_folds(app, pagename, templatename, context, doctree):
+    """The arrows that unfold the menu have no text: give them a name."""
+    menu = context.get("generate_toctree_html")
+
+    def named_menu(*arguments, **options):
+        return str(menu(*arguments, **options)).replace(
+            "<summary>", '<summary aria-label="Pages below this one">'
+        )
+
+    if menu:
+        context["generate_toctree_html"] = named_menu
 
 
 # --- weight ---------------------------------------------------------------------------------
@@ -121,6 +136,7 @@ def setup(app):
     app.add_js_file("site.js", loading_method="defer")
     app.connect("html-page-context", add_description, priority=900)
     app.connect("html-page-context", renew_roles)
+    app.connect("html-page-context", name_folds, priority=900)
     app.connect("build-finished", drop_unused)
     app.connect("build-finished", first_page, priority=900)
     app.connect("build-finished", forget_failed_build)

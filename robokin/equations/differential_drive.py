@@ -1,12 +1,12 @@
 """Differential drive: the robot's velocity from its wheels, and back."""
 
 from numpy.typing import ArrayLike
-from sympy import Matrix, Ne, Piecewise, Symbol, nan, oo
+from sympy import Matrix, Ne, Piecewise, nan, oo
 
 from robokin import differential_drive, motion
 from robokin._checks import Array
 from robokin.equations.core import Equation, as_written, quantity
-from robokin.equations.motion import omega, v
+from robokin.equations.motion import omega, v, v_y
 
 rate_L = quantity("rate_L", "rad/s", -20, 20, "rate of the left wheel", latex=r"\dot\varphi_L")
 rate_R = quantity("rate_R", "rad/s", -20, 20, "rate of the right wheel", latex=r"\dot\varphi_R")
@@ -14,7 +14,7 @@ v_L = quantity("v_L", "m/s", -1, 1, "speed of the left wheel over the floor")
 v_R = quantity("v_R", "m/s", -1, 1, "speed of the right wheel over the floor")
 r = quantity("r", "m", 0.01, 0.5, "wheel radius")
 b = quantity("b", "m", 0.05, 1, "distance between the wheels, the whole of it")
-R = Symbol("R")
+R = quantity("R", "m", -10, 10, "turning radius: how far to the left the ICR lies")
 
 STRAIGHT = {v_L: 0.25, v_R: 0.25, r: 0.03, b: 0.1}
 ON_THE_SPOT = {v_L: -0.25, v_R: 0.25}
@@ -84,7 +84,7 @@ with as_written():
 
     body_twist = Equation(
         name="differential_drive.body_twist",
-        left=Matrix([v, Symbol("v_y"), omega]),
+        left=Matrix([v, v_y, omega]),
         right=Matrix([r * (rate_R + rate_L) / 2, 0, r * (rate_R - rate_L) / b]),
         source="exercise 4",
         function=differential_drive.body_twist,

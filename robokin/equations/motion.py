@@ -15,14 +15,14 @@ v = quantity("v", "m/s", -1, 1, "forward speed")
 v_y = quantity("v_y", "m/s", -1, 1, "sideways speed, to the left")
 omega = quantity("omega", "rad/s", -6, 6, "turning rate, counter-clockwise")
 dt = quantity("dt", "s", 0, 1, "length of a time step", latex=r"\Delta t")
-angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\varphi")
+angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 
 x_dot = quantity("x_dot", "m/s", -1, 1, "speed along the world's x axis", latex=r"\dot{x}")
 y_dot = quantity("y_dot", "m/s", -1, 1, "speed along the world's y axis", latex=r"\dot{y}")
 theta_dot = quantity("theta_dot", "rad/s", -6, 6, "turning rate", latex=r"\dot{\theta}")
 x_next, y_next, theta_next = (Symbol(rf"{name}'") for name in ("x", "y", r"\theta"))
 x_icr, y_icr = Symbol(r"x_\mathrm{ICR}"), Symbol(r"y_\mathrm{ICR}")
-wrapped = Symbol(r"\operatorname{wrap}\varphi")
+wrapped = Symbol(r"\operatorname{wrap}\alpha")
 
 STILL = {v: 0.0, v_y: 0.0, omega: 0.0}
 STRAIGHT = ({omega: 0.0}, {omega: 1e-16}, {omega: -1e-16}, {omega: 1e-8})

@@ -31,7 +31,7 @@ def equation_latex(equation: Equation, computed: bool = False) -> str:
 
 def _plain(expression: Any) -> str:
     listed = list(expression) if isinstance(expression, sp.MatrixBase) else expression
-    return str(sp.sstr(listed, order="none"))
+    return str(sp.sstr(listed, order="none")).replace("- 1*", "- ")
 
 
 def mimebundle(equation: Equation, computed: bool = False) -> dict[str, Any]:

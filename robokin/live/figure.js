@@ -177,7 +177,7 @@ const grid = (view, to, width, height) => {
   for (let k = Math.ceil(view[0] / step); k * step <= view[1]; k++) {
     const [x] = to([k * step, 0]).map(n);
     lines += `M${x} 0V${n(height)}`;
-    if (x > 40 && x < width - 40) numbers += text(x + 3, height - 5, fixed(k * step, digits), "start");
+    if (x > 40 && x < width - 72) numbers += text(x + 3, height - 5, fixed(k * step, digits), "start");
   }
   for (let k = Math.ceil(view[2] / step); k * step <= view[3]; k++) {
     const [, y] = to([0, k * step]).map(n);

@@ -17,7 +17,7 @@ NOTEBOOKS = $(wildcard book/*$(T)*.ipynb)
 TESTS = $(wildcard tests/test_*$(T)*.py)
 PYTEST := $(BIN)/python -m pytest -n 2 --dist loadfile
 
-.PHONY: book serve lab test test-long check notebooks lock bench clean
+.PHONY: book serve lab test test-long check notebooks lock bench mutate clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml
@@ -44,8 +44,8 @@ lab: $(READY)
 	$(BIN)/jupyter lab book
 
 test: check
-	@test -n "$(TESTS)" || { echo "no test has '$(T)' in its name"; exit 1; }
-	$(PYTEST) -m "not long" $(TESTS)
+	@test -n "$(TESTS)$(NOTEBOOKS)" || { echo "no test or notebook has '$(T)' in its name"; exit 1; }
+	$(if $(TESTS),$(PYTEST) -m "not long" $(TESTS))
 	$(if $(NOTEBOOKS),$(PYTEST) --nbval $(NOTEBOOKS))
 
 test-long: check
@@ -75,6 +75,15 @@ lock: $(READY)
 
 bench: .venv-bench/.ready
 	.venv-bench/bin/python benchmarks/run.py
+
+.venv-mutate/.ready: tools/mutation-requirements.txt requirements.txt
+	$(PYTHON) -m venv .venv-mutate
+	.venv-mutate/bin/python -m pip install --disable-pip-version-check --require-hashes -r requirements.txt
+	.venv-mutate/bin/python -m pip install --disable-pip-version-check -r tools/mutation-requirements.txt
+	@touch $@
+
+mutate: .venv-mutate/.ready
+	.venv-mutate/bin/python tools/mutate.py $(T)
 
 clean:
 	rm -rf _build .venv .venv-*

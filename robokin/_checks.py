@@ -56,7 +56,7 @@ def positive(name: str, value: ArrayLike) -> Array:
 
 
 def _refuse(name: str, array: Array, bad: NDArray[np.bool_], allowed: str) -> Array:
-    if bad.any():
+    if np.count_nonzero(bad):  # as any(), and twice as fast
         index = np.argwhere(bad)[0]
         where = f" at index {', '.join(map(str, index))}" if array.ndim else ""
         raise RobokinError(f"{name} must be {allowed}, got {array[tuple(index)]}{where}")
@@ -94,7 +94,7 @@ def rows(
             wanted = ", ".join(["…", *map(str, core)])
             raise RobokinError(f"{name} must have shape ({wanted}), got {array.shape}")
     shape = _batch_shape(items, arrays, parameters)
-    if not all(np.isfinite(array).all() for array in arrays):
+    if any(np.count_nonzero(np.isfinite(array)) < array.size for array in arrays):
         arrays = _spread_nan(arrays, cores, shape)
     return shape, arrays
 
@@ -108,8 +108,11 @@ def _batch_shape(
         array.shape[: array.ndim - len(core)]
         for (_, _, core), array in zip(items, arrays, strict=True)
     ]
+    shapes = {*batches, *(array.shape for array in parameters)} - {()}
+    if len(shapes) < 2:  # most calls; np.broadcast_shapes is slow
+        return next(iter(shapes), ())
     try:
-        return np.broadcast_shapes(*batches, *(array.shape for array in parameters))
+        return np.broadcast_shapes(*shapes)
     except ValueError as error:
         got = ", ".join(
             f"{name} {batch}" for (name, _, _), batch in zip(items, batches, strict=True)

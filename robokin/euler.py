@@ -85,7 +85,8 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
     M, (i, j, k, proper, sign, _) = _rotation(seq, R)
     w, u, h = _third(M, i, j, k, proper, sign)
     free = h > LOCK
-    w, u, h = w * free + 0.0, u * free + ~free, h * free
+    if not free.all():
+        w, u, h = w * free, u * free + ~free, h * free
     turn, mixed = (-sign * w, k) if proper else (sign * w, i)
     sine = sign * (u * M[..., k, j] + turn * M[..., k, mixed]) + 0.0
     cosine = u * M[..., j, j] + turn * M[..., j, mixed]
@@ -93,7 +94,7 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
     out = np.empty((*h.shape, 3))
     out[..., 0] = np.arctan2(sine, cosine)
     out[..., 1] = np.arctan2(*middle)
-    out[..., 2] = np.arctan2(w, u)
+    out[..., 2] = np.arctan2(w + 0.0, u + 0.0)  # + 0.0 turns -0.0 into 0.0
     return out
 
 

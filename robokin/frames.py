@@ -209,7 +209,7 @@ class FrameGraph:
 
     def _refuse_contradiction(self, name: str, T: Array, path: list[str]) -> None:
         off = np.abs(T - self._along(path)).max(axis=(-2, -1))
-        off = off / np.maximum(1.0, np.abs(T).max(axis=(-2, -1)))
+        off = off / np.abs(T).max(axis=(-2, -1))  # 1 or more: the last row ends in 1
         if (off > TOLERANCE).any():
             index = tuple(np.argwhere(off > TOLERANCE)[0])
             raise RobokinError(

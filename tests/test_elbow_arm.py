@@ -390,6 +390,12 @@ def test_nearest_at_the_shoulder_is_along_x():
     np.testing.assert_array_equal(nearest_reachable([0, 0, 0.5], 0.5, 0.5, 0.5), [0, 0, 0.5])
 
 
+def test_a_point_on_the_boundary_is_its_own_nearest():
+    # at |a2 - a3| and at a2 + a3; moved along its ray each would change in the last digit
+    for p in ([0.15, 0.2, 0], [0.45, 0, 0.6]):
+        np.testing.assert_array_equal(nearest_reachable(p, 0.5, 0.25), p)
+
+
 @pytest.mark.parametrize("size", [5e-324, 1e-310, 1e-200, 1e-16, 1e16, 1e200, 1e307])
 def test_nearest_of_very_near_and_very_far_points(size):
     low, high = reach(A2, A3)

@@ -404,6 +404,14 @@ def test_the_size_of_the_robot_does_not_matter():
         assert_close(forward(robot, [1, 1, 1])[2] * scale, -0.25, atol=4 * EPS)
 
 
+@pytest.mark.parametrize("scale", [1e-15, 1.0, 1e15])
+def test_the_size_of_the_robot_does_not_matter_to_its_mobility(scale):
+    skid = [fixed(*at(x * scale, y * scale), 0.3) for x in (0, 2.5) for y in (0.75, -0.75)]
+    assert mobility([*skid, spherical(0, 0, 0.1)]) == (1, 0, 1)
+    for alpha in (-2.4, -1, 0.5, 2):  # by 2.4 rad from one to the next `mobility` turns the wheels
+        assert mobility([steered(scale, a, 0, 0.3) for a in (0, alpha)]) == (1, 2, 3)
+
+
 @pytest.mark.parametrize("gap", NEAR_ZERO)
 def test_a_little_slip(gap):
     # a car that also moves sideways, by `gap` of its speed
@@ -466,6 +474,7 @@ def test_wheels_are_values():
     assert swedish(1, 2, 3, 4, 5) == Wheel("swedish", 1, 2, 3, 4, gamma=5)
     assert spherical(1, 2, 3) == Wheel("spherical", 1, 2, 0, 3)
     assert type(fixed(np.float32(1), np.array(2), 3, 4).alpha) is float
+    assert fixed(1, 1e200, 1e200, 1).beta == 1e200  # any angle, if only their sum is finite
     with pytest.raises(FrozenInstanceError):
         fixed(1, 2, 3, 4).beta = 0.0
 
@@ -502,6 +511,7 @@ def test_empty_batches_and_broadcasting():
         (lambda: fixed(1, 0, "0", 1), "beta must be real numbers"),
         (lambda: fixed(1, 0, 0, None), "radius must be real numbers"),
         (lambda: fixed(1, 1.5e308, 1.5e308, 1), "alpha [+] beta [+] gamma must be finite"),
+        (lambda: swedish(1, 1.5e308, 0, 1, 1.5e308), "alpha [+] beta [+] gamma must be finite"),
         (lambda: castor(1, 0, 0, 1, 0), "d must be other than 0 for a castor only, got 0.0"),
         (lambda: castor(1, 0, 0, 1, NAN), "d must be one finite number"),
         (lambda: Wheel("fixed", 1, 0, 0, 1, d=0.1), "d must be other than 0 for a castor only"),
@@ -511,6 +521,7 @@ def test_empty_batches_and_broadcasting():
         ),
         (lambda: swedish(1, 0, 0, 1, -QUARTER), "gamma must be .* never ±π/2"),
         (lambda: Wheel("castor", 1, 0, 0, 1, 0.1, 0.2), "gamma must be 0 but for a swedish wheel"),
+        (lambda: Wheel("fixed", 1, 0, 0, 1, gamma=-0.2), "gamma must be 0 but for a swedish wheel"),
         (lambda: Wheel("round", 1, 0, 0, 1), "kind must be one of fixed, .* got 'round'"),
         (lambda: omni_robot(0.2, 0.05, 1.0), r"angles must have shape \(n,\), got \(\)"),
         (lambda: omni_robot(0.2, 0.05, [[1.0]]), r"angles must have shape \(n,\), got \(1, 1\)"),
@@ -554,6 +565,12 @@ def test_the_first_slip_is_named():
     wanted[1, 1] = wanted[2, 0] = True
     np.testing.assert_array_equal(np.isnan(rates), np.repeat(wanted[..., None], 4, axis=-1))
     assert_close(rates[0, 0], np.full(4, 1 / 0.3), atol=16 * EPS)
+
+
+def test_one_wheel_that_slips_is_enough():
+    # straight ahead, one front wheel turned a little: the other three would roll
+    steering = [CAR[2].beta + 0.2, CAR[3].beta]
+    assert np.isnan(inverse(CAR, [1, 0, 0], steering, slipping="nan")).all()
 
 
 @pytest.mark.parametrize("bad", [NAN, np.inf, -np.inf])

@@ -296,7 +296,6 @@ def main() -> int:
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # nbval's import alone takes two seconds
     settings.register_profile(
         "mutation",
-        max_examples=30,
         deadline=None,
         derandomize=True,
         phases=(Phase.explicit, Phase.generate),  # a failure need not be made smaller
@@ -318,9 +317,11 @@ def main() -> int:
             f"{(time.monotonic() - start) / 60:.1f} min"
         )
         print(report[-1], flush=True)
-        for mutant in alive:
-            report.append(f"    {module}.py:{mutant.line}:{mutant.column} {mutant.what}")
-            report.append(f"      - {mutant.before}\n      + {mutant.after}")
+        for mutant in every:
+            if mutant.result in ("", "timeout"):
+                end = mutant.result or "survived"
+                report.append(f"    {module}.py:{mutant.line}:{mutant.column} {mutant.what}: {end}")
+                report.append(f"      - {mutant.before}\n      + {mutant.after}")
     path = ROOT / "_build" / "mutation.txt"
     path.parent.mkdir(exist_ok=True)
     path.write_text("\n".join(report) + "\n", encoding="utf-8")

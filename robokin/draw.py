@@ -18,9 +18,21 @@ from numpy.typing import NDArray
 from robokin.errors import RobokinError
 from robokin.styles import KINDS, Style
 
-__all__ = ["arrow", "axes", "frame", "path", "point", "robot"]
+__all__ = [
+    "arrow",
+    "axes",
+    "frame",
+    "frame_in_space",
+    "path",
+    "point",
+    "robot",
+    "seen",
+    "space",
+    "wheel",
+]
 
 Vector = Sequence[float] | NDArray[np.float64]
+VIEW = (np.pi / 6, np.pi / 9)  # azimuth and elevation: x, y and z all point a little forward
 MARKERS = {"dot": "o", "ring": "o", "cross": "x", "square": "s", "diamond": "D"}
 
 
@@ -42,6 +54,36 @@ def axes(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
     ax.grid(color=style("grid").light)
     ax.set_axisbelow(True)
     return ax
+
+
+def space(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
+    """Empty axes for a picture in space: as `axes`, but nothing is written along them."""
+    ax = axes(x, y, width)
+    ax.axis("off")
+    return ax
+
+
+def seen(points: Sequence[Vector] | NDArray[np.float64], view: Vector = VIEW) -> Any:
+    """Where a picture shows points in space, (…, 3) → (…, 2): to the right and up.
+
+    view: the azimuth and elevation of a viewer far away, rad.
+    """
+    (ca, ce), (sa, se) = np.cos(view), np.sin(view)
+    return np.asarray(points) @ np.array([[-sa, -se * ca], [ca, -se * sa], [0.0, ce]])
+
+
+def frame_in_space(
+    ax: Axes, R: Any, at: Vector = (0, 0), labels: Sequence[str] = "xyz", view: Vector = VIEW
+) -> None:
+    """The x, y and z axes of a frame, of length 1: the columns of R (3, 3).
+
+    at: where in the picture its origin is; labels: at the axes' ends.
+    """
+    heads = seen(np.asarray(R).T, view)
+    for kind, head, label in zip(("x_axis", "y_axis", "z_axis"), heads, labels, strict=True):
+        arrow(ax, at, at + head, kind)
+        place = at + 1.22 * head
+        ax.annotate(label, place, color=style(kind).light, fontsize=13, ha="center", va="center")
 
 
 def arrow(ax: Axes, tail: Vector, head: Vector, kind: str, label: str = "") -> None:
@@ -103,6 +145,14 @@ def robot(
         paint: Any = {"edgecolor": color, "facecolor": color + "66", "linewidth": 1.5}
         size = (2 * wheel_radius, width)
         ax.add_patch(Rectangle(corner, *size, transform=place, **paint))
+
+
+def wheel(ax: Axes, pose: Vector, wheel_radius: float, kind: str = "body") -> None:
+    """A wheel from above that rolls along its pose's heading; its radius in m."""
+    look, width = style(kind), 0.6 * wheel_radius
+    paint: Any = {"edgecolor": look.light, "facecolor": look.light + "66", "linewidth": 1.5}
+    corner, size = (-wheel_radius, -width / 2), (2 * wheel_radius, width)
+    ax.add_patch(Rectangle(corner, *size, transform=_placed(ax, pose), **paint))
 
 
 def _placed(ax: Axes, pose: Vector) -> Transform:

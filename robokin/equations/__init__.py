@@ -3,7 +3,18 @@
 One module a topic, named as the module of `robokin` that computes it.
 """
 
-from robokin.equations import differential_drive, motion
+from robokin.equations import (
+    basics,
+    bicycle,
+    differential_drive,
+    elbow_arm,
+    euler,
+    frames,
+    motion,
+    odometry,
+    planar_arm,
+    wheels,
+)
 from robokin.equations.checking import Result, check
 from robokin.equations.core import QUANTITIES, REGISTRY, Equation, find
 from robokin.equations.printing import show
@@ -13,9 +24,17 @@ __all__ = [
     "REGISTRY",
     "Equation",
     "Result",
+    "basics",
+    "bicycle",
     "check",
     "differential_drive",
+    "elbow_arm",
+    "euler",
     "find",
+    "frames",
     "motion",
+    "odometry",
+    "planar_arm",
     "show",
+    "wheels",
 ]

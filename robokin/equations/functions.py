@@ -9,6 +9,7 @@ NumPy oracle in `tests/test_functions.py` that both are held to.
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -56,7 +57,8 @@ def _mp_matrix(rows: int, cols: int, entries: tuple[Any, ...]) -> Any:
     return mpmath.matrix([[entries[cols * i + j] for j in range(cols)] for i in range(rows)])
 
 
-def _mp_null(rows: int, cols: int, *entries: Any) -> list[Any]:
+@lru_cache(maxsize=8)  # one matrix is asked for its rank and for each entry of its projector
+def _mp_null(digits: int, rows: int, cols: int, *entries: Any) -> list[Any]:
     """The right singular vectors of singular value zero, by the eigenvectors of Cᵀ C."""
     m = _mp_matrix(rows, cols, entries)
     values, vectors = mpmath.eigsy(m.T * m)
@@ -66,21 +68,26 @@ def _mp_null(rows: int, cols: int, *entries: Any) -> list[Any]:
 
 
 def _mp_rank(rows: int, cols: int, *entries: Any) -> Any:
-    return mpmath.mpf(int(cols) - len(_mp_null(int(rows), int(cols), *entries)))
+    return mpmath.mpf(int(cols) - len(_mp_null(mpmath.mp.dps, int(rows), int(cols), *entries)))
 
 
 def _mp_null_projector(index: int, rows: int, cols: int, *entries: Any) -> Any:
     i, j = divmod(int(index), int(cols))
-    return mpmath.fsum(v[i] * v[j] for v in _mp_null(int(rows), int(cols), *entries))
+    free = _mp_null(mpmath.mp.dps, int(rows), int(cols), *entries)
+    return mpmath.fsum(v[i] * v[j] for v in free)
 
 
 def _mp_solve(index: int, rows: int, cols: int, *entries: Any) -> Any:
-    n = int(rows)
-    matrix = _mp_matrix(n, int(cols), entries[: n * n])
+    return _mp_solution(mpmath.mp.dps, int(rows), entries)[int(index)]
+
+
+@lru_cache(maxsize=1)  # the components of one solution are asked for one after the other
+def _mp_solution(digits: int, n: int, entries: tuple[Any, ...]) -> list[Any]:
+    matrix = _mp_matrix(n, n, entries[: n * n])
     try:
-        return mpmath.lu_solve(matrix, mpmath.matrix(entries[n * n :]))[int(index)]
+        return list(mpmath.lu_solve(matrix, mpmath.matrix(entries[n * n :])))
     except ZeroDivisionError:
-        return mpmath.nan
+        return [mpmath.nan] * n
 
 
 def _mp_sinc(x: Any) -> Any:

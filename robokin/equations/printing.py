@@ -12,6 +12,8 @@ MIME = "application/vnd.robokin.equation+json"
 def latex(expression: Any) -> str:
     """LaTeX of an expression in the order in which it was written."""
     text: str = sp.latex(expression, order="none")
+    if r"\frac" in text:  # rows of fractions in a matrix would touch
+        text = text.replace(r"\\", r"\\[4pt]")
     return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
 
 

@@ -3,7 +3,8 @@
     Figure(name, title, view, controls, scene, readouts, says)
 
 shows itself in a notebook as a widget, and keeps its declaration and a still picture for the
-page. What it can hold stands in `robokin.live.declaration`.
+page. What it can hold stands in `robokin.live.declaration`, and for pictures in space in
+`robokin.live.space`.
 """
 
 from robokin.live.declaration import (
@@ -24,9 +25,11 @@ from robokin.live.declaration import (
     Wheel,
 )
 from robokin.live.figure import Figure
+from robokin.live.space import VIEW, View, view_sliders
 
 __all__ = [
     "POINTER",
+    "VIEW",
     "AngleArc",
     "Arrow",
     "Body",
@@ -41,5 +44,7 @@ __all__ = [
     "Recurrence",
     "Slider",
     "Trail",
+    "View",
     "Wheel",
+    "view_sliders",
 ]

@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sympy as sp
@@ -96,6 +96,9 @@ class Compiler:
         """A shape as `figure.js` reads it: its numbers by place, its curve as a function."""
         _refuse_unknown_kind(shape.kind)
         base = {"kind": shape.kind, "label": getattr(shape, "label", "")}
+        depth = getattr(shape, "depth", None)
+        if depth is not None and not isinstance(shape, d.Curve):
+            base["depth"] = self.numbers(depth)[0]
         match shape:
             case d.Point():
                 return {**base, "shape": "point", "at": self.numbers(*shape.at)}
@@ -116,7 +119,8 @@ class Compiler:
                 return {**base, "shape": "angle", "at": at, "radius": shape.radius}
             case d.Curve():
                 at = self.numbers(shape.low, shape.high)
-                point = function({"c": self.known, "s": [shape.parameter]}, shape.at)
+                traced = shape.at if depth is None else (*shape.at, depth)
+                point = function({"c": self.known, "s": [shape.parameter]}, traced)
                 code = {"point": Code(point), "samples": shape.samples}
                 return {**base, "shape": "curve", "at": at, **code}
             case d.Trail():
@@ -131,17 +135,21 @@ class Compiler:
                 }
         raise RobokinError(f"{shape!r} is not a shape")
 
+    def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
+        """The places of the sliders that somebody moves."""
+        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        for symbol in symbols:
+            if symbol not in keys:
+                raise RobokinError(f"{who} sets {symbol}, which is no slider")
+        return [keys.index(symbol) for symbol in symbols]
+
     def handle(self, handle: d.Handle) -> dict[str, Any]:
         """A handle: where it is, which controls it sets, and the function from pointer to them."""
-        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
-        for symbol in handle.sets:
-            if symbol not in keys:
-                raise RobokinError(f"the handle {handle.label!r} sets {symbol}, which is no slider")
         code = function({"c": self.settings, "p": d.POINTER}, list(handle.sets.values()))
         return {
             "label": handle.label,
             "at": self.numbers(*handle.at),
-            "sets": [keys.index(symbol) for symbol in handle.sets],
+            "sets": self.sliders(handle.sets, f"the handle {handle.label!r}"),
             "to": Code(code),
         }
 

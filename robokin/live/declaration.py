@@ -81,7 +81,8 @@ class Recurrence:
     ends: tuple[sp.Symbol, ...]
 
 
-# The scene: what is drawn. `kind` is a name of `robokin.styles`.
+# The scene: what is drawn. `kind` is a name of `robokin.styles`. Shapes are painted as declared;
+# those with a `depth` (larger is nearer) change places among themselves: the nearest comes last.
 
 
 @dataclass(frozen=True)
@@ -91,6 +92,7 @@ class Point:
     kind: str
     at: Pair
     label: str = ""
+    depth: Expr = None
 
 
 @dataclass(frozen=True)
@@ -99,6 +101,7 @@ class Line:
 
     kind: str
     points: tuple[Pair, ...]
+    depth: Expr = None
 
 
 @dataclass(frozen=True)
@@ -109,6 +112,7 @@ class Arrow:
     tail: Pair
     head: Pair
     label: str = ""
+    depth: Expr = None
 
 
 @dataclass(frozen=True)
@@ -134,7 +138,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Curve:
-    """The points `at` for a parameter from `low` to `high`."""
+    """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too."""
 
     kind: str
     at: Pair
@@ -142,6 +146,7 @@ class Curve:
     low: Expr
     high: Expr
     samples: int = 96
+    depth: Expr = None
 
 
 @dataclass(frozen=True)

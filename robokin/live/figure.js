@@ -1,8 +1,8 @@
 // Live figures: one pure function from a state to text (SVG and HTML), and the hands that move
 // the state. It draws what the declaration says and knows no kinematics.
 //
-// figure: { name, title, view, controls, handles, readouts, says, recurrences, where, compute, scene },
-// made by robokin/live/compiling.py. state: what each control shows, in the units it shows.
+// figure: { name, title, view, controls, handles, readouts, says, recurrences, where, compute, scene,
+// turns?, grid? }, made by robokin/live/compiling.py. state: what each control shows, in the units it shows.
 
 // ---- from a state to numbers
 
@@ -36,6 +36,10 @@ const snap = (control, shown) => {
   const steps = Math.round((shown - control.low) / control.step);
   return clamp(control, Number((control.low + steps * control.step).toFixed(9)));
 };
+
+// A slider that goes all the way round has no end: past it, it goes on from the other one.
+const allRound = ({ low, high }, shown) =>
+  high - low === 360 ? shown - 360 * Math.floor((shown - low) / 360) : shown;
 
 // ---- from numbers to words
 
@@ -100,6 +104,27 @@ const polyline = (points) => points
   .map(([x, y], i) => `${i && Number.isFinite(points[i - 1][0]) ? "L" : "M"}${n(x)} ${n(y)}`)
   .filter((piece) => !/NaN|Infinity/.test(piece)).join("");
 
+// In space a line leaves a gap in what it passes in front of.
+const gap = (line, kind) => `<path d="${line}" style="fill:none;stroke:var(--rk-ground,#fff);`
+  + `stroke-width:${paint(kind).width + 4}"/>`;
+
+// A curve in space, near here and far there: pieces, each with the depth of its middle. The dashes
+// run on from piece to piece.
+const inPieces = (points, depths, kind, size = 4) => {
+  const pieces = [];
+  for (let i = 0, run = 0; i < points.length - 1; i += size) {
+    const piece = points.slice(i, i + size + 1);
+    const line = polyline(piece), offset = paint(kind).dash.length ? `;stroke-dashoffset:${n(run)}` : "";
+    const text = `${gap(line, kind)}<path d="${line}" ${stroke(kind, offset)}/>`;
+    const depth = depths[i + (piece.length >> 1)];
+    if (Number.isFinite(depth)) pieces.push({ text, depth });
+    piece.slice(1).forEach(([x, y], k) => {
+      run += Math.sqrt((x - piece[k][0]) ** 2 + (y - piece[k][1]) ** 2);
+    });
+  }
+  return pieces;
+};
+
 // Each shape gets its numbers (`at`, already in world units), the declaration, and `to`, which
 // takes world coordinates to pixels. Angles on the screen run the other way (y points down).
 const SHAPES = {
@@ -111,7 +136,8 @@ const SHAPES = {
   line: (p, shape, to) => {
     const points = [];
     for (let i = 0; i < p.length; i += 2) points.push(to([p[i], p[i + 1]]));
-    return `<path d="${polyline(points)}" ${stroke(shape.kind)}/>`;
+    const line = polyline(points);
+    return ("depth" in shape ? gap(line, shape.kind) : "") + `<path d="${line}" ${stroke(shape.kind)}/>`;
   },
   arrow: (p, shape, to) => {
     const [x0, y0] = to(p), [x1, y1] = to([p[2], p[3]]);
@@ -119,7 +145,8 @@ const SHAPES = {
     if (long < 0.5) return "";
     const head = Math.min(11, long), [ux, uy] = [(x1 - x0) / long, (y1 - y0) / long];
     const [bx, by] = [x1 - head * ux, y1 - head * uy], w = head * 0.42;
-    return `<path d="M${n(x0)} ${n(y0)}L${n(bx)} ${n(by)}" ${stroke(shape.kind)}/>`
+    const shaft = `M${n(x0)} ${n(y0)}L${n(bx)} ${n(by)}`;
+    return ("depth" in shape ? gap(shaft, shape.kind) : "") + `<path d="${shaft}" ${stroke(shape.kind)}/>`
       + `<path d="M${n(x1)} ${n(y1)}L${n(bx - w * uy)} ${n(by + w * ux)}`
       + `L${n(bx + w * uy)} ${n(by - w * ux)}z" ${fill(shape.kind)}/>`
       + (shape.label ? label(x1, y1, shape.label, shape.kind, [30 * ux - 7, 30 * uy + 5]) : "");
@@ -141,12 +168,15 @@ const SHAPES = {
       + `${stroke(shape.kind, ";stroke-dasharray:none")}/></g>`;
   },
   curve: (p, shape, to, { c }) => {
-    const points = [];
+    const points = [], depths = [];
     for (let i = 0; i <= shape.samples; i++) {
       const s = p[0] + (p[1] - p[0]) * i / shape.samples;
-      points.push(to(shape.point(f, c, [s])));
+      const [x, y, depth] = shape.point(f, c, [s]);
+      points.push(to([x, y]));
+      depths.push(depth);
     }
-    return `<path d="${polyline(points)}" ${stroke(shape.kind)}/>`;
+    if (depths[0] === undefined) return `<path d="${polyline(points)}" ${stroke(shape.kind)}/>`;
+    return inPieces(points, depths, shape.kind);
   },
   trail: (p, shape, to, { c, trails }) => {
     const points = trails[shape.recurrence].map((state) => to(shape.point(f, c, state)));
@@ -197,10 +227,18 @@ const projection = (view, width) => {
 const scene = (figure, computed, width) => {
   const to = projection(figure.view, width);
   const height = to.scale * (figure.view[3] - figure.view[2]);
-  return grid(figure.view, to, width, height) + figure.scene.map((shape) => {
+  const pieces = figure.scene.flatMap((shape) => {
     const at = shape.at.map((index) => computed.values[index]);
-    return at.every(Number.isFinite) ? SHAPES[shape.shape](at, shape, to, computed) : "";
-  }).join("");
+    const depth = "depth" in shape ? computed.values[shape.depth] : 0;
+    if (![...at, depth].every(Number.isFinite)) return [];
+    const drawn = SHAPES[shape.shape](at, shape, to, computed);
+    if (typeof drawn !== "string") return drawn;
+    return "depth" in shape ? { text: drawn, depth } : { text: drawn };
+  });
+  // those with a depth change places among themselves: the nearest is painted last
+  const deep = pieces.filter((piece) => "depth" in piece).sort((a, b) => a.depth - b.depth);
+  const ground = figure.grid === false ? "" : grid(figure.view, to, width, height);
+  return ground + pieces.map((piece) => ("depth" in piece ? deep.shift() : piece).text).join("");
 };
 
 const WIDTH = 640;
@@ -370,6 +408,29 @@ const bringToLife = (element, figure, changed = () => {}) => {
       dragTo(handle, [at[0] + step * move[0], at[1] + step * move[1]], false);
     });
   });
+
+  // dragging the ground turns the view: by half a turn across the picture
+  if (figure.turns) {
+    element.classList.add("rk-turns");
+    let held = null;
+    picture.addEventListener("pointerdown", (event) => {
+      if (handles.includes(event.target) || event.button > 0) return;
+      picture.setPointerCapture(event.pointerId);
+      event.preventDefault();
+      held = { x: event.clientX, y: event.clientY, state };
+    });
+    picture.addEventListener("pointermove", (event) => {
+      if (!held || !picture.hasPointerCapture(event.pointerId)) return;
+      const moved = [held.x - event.clientX, event.clientY - held.y];
+      const next = state.slice();
+      figure.turns.forEach((i, k) => {
+        const shown = held.state[i] + 180 * moved[k] / picture.getBoundingClientRect().width;
+        next[i] = snap(figure.controls[i], allRound(figure.controls[i], shown));
+      });
+      set(next);
+    });
+    picture.addEventListener("lostpointercapture", () => { held = null; });
+  }
 
   element.querySelector(".rk-reset").addEventListener("click", () => {
     pause();

@@ -26,7 +26,9 @@ class Figure:
     name: its address on the page, letters and dashes. title: what it shows, for those who cannot
     see it. view: the window on the world, (x_low, x_high, y_low, y_high) in metres. says: a
     sentence about the present state, with `{name}` for controls and readouts. where: named steps
-    of the computation, in order, that all expressions may use.
+    of the computation, in order, that all expressions may use. turns: for a picture in space, the
+    azimuth and the elevation (of sliders) that dragging its ground changes. grid: whether the
+    ground shows x, y in m.
     """
 
     name: str
@@ -38,6 +40,8 @@ class Figure:
     says: str
     handles: tuple[Handle, ...] = ()
     where: Where = ()
+    turns: tuple[sp.Symbol, ...] = ()
+    grid: bool = True
 
     def __post_init__(self) -> None:
         names = [*map(self._key, self.controls), *(readout.name for readout in self.readouts)]
@@ -55,7 +59,7 @@ class Figure:
     @cached_property
     def _compiled(self) -> tuple[str, list[Any]]:
         compiler = Compiler(self.controls, self.scene, self.where)
-        parts = {
+        parts: dict[str, Any] = {
             "name": self.name,
             "title": self.title,
             "view": list(self.view),
@@ -66,6 +70,10 @@ class Figure:
             "handles": [compiler.handle(handle) for handle in self.handles],
             "recurrences": [compiler.recurrence(loop) for loop in compiler.recurrences],
         }
+        if self.turns:
+            parts["turns"] = compiler.sliders(self.turns, f"dragging the ground of {self.name}")
+        if not self.grid:
+            parts["grid"] = False
         parts["where"] = compiler.steps()
         parts["compute"] = compiler.code()
         return javascript(parts), compiler.expressions

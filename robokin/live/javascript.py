@@ -45,6 +45,9 @@ class _Printer(JavascriptCodePrinter):  # type: ignore[misc]
         text = super()._print_Pow(expr)
         return str(text)
 
+    def _print_Float(self, expr: sp.Float) -> str:
+        return repr(float(expr))  # all its digits, not the 15 that SymPy shows
+
     def _print_NaN(self, expr: sp.Expr) -> str:
         return "NaN"
 

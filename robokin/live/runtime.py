@@ -1,38 +1,46 @@
-"""The one script and the one style sheet that every live figure shares."""
+"""The one script and the one style sheet that all live figures and exercises share."""
 
 import json
 from functools import cache
 from importlib.resources import files
 
+from robokin.practice import page
 from robokin.styles import KINDS
 
 EXPORTS = (
-    "f compute vector startState svg html says onPage inNotebook toValues fromAddress toAddress"
+    "f compute vector startState svg html says onPage inNotebook toValues fromAddress toAddress "
+    "readAnswer dealtVariant checkAnswer exerciseHtml deskHtml exercisesOnPage exerciseInNotebook"
+)
+
+
+PARTS = (
+    ("robokin.live", "functions.js"),
+    ("robokin.live", "figure.js"),
+    ("robokin.practice", "reading.js"),
+    ("robokin.practice", "practice.js"),
 )
 
 
 @cache
 def runtime() -> str:
-    """The script that a page loads once: functions, renderer, and the table of kinds."""
-    here = files("robokin.live")
+    """The script that a page loads once: functions, figures, exercises, and what they share."""
     kinds = {
         name: {"light": s.light, "dash": list(s.dash), "width": s.width, "marker": s.marker}
         for name, s in KINDS.items()
     }
-    parts = [
-        '"use strict";\nconst robokin = (() => {',
-        f"const KINDS = {json.dumps(kinds)};",
-        here.joinpath("functions.js").read_text(encoding="utf-8"),
-        here.joinpath("figure.js").read_text(encoding="utf-8"),
-        f"return {{ {', '.join(EXPORTS.split())} }};",
-        "})();",
-    ]
-    return "\n".join(parts)
+    shared = {"KINDS": kinds, **page.constants()}
+    constants = (f"const {k} = {json.dumps(v, ensure_ascii=False)};" for k, v in shared.items())
+    sources = (files(where).joinpath(name).read_text(encoding="utf-8") for where, name in PARTS)
+    parts = ['"use strict";\nconst robokin = (() => {', *constants, *sources]
+    return "\n".join([*parts, f"return {{ {', '.join(EXPORTS.split())} }};", "})();"])
 
 
 def stylesheet() -> str:
     """The look of the figures, and the kinds' colours on light and dark pages."""
-    look = files("robokin.live").joinpath("live.css").read_text(encoding="utf-8")
+    look = "".join(
+        files(where).joinpath(name).read_text(encoding="utf-8")
+        for where, name in (("robokin.live", "live.css"), ("robokin.practice", "practice.css"))
+    )
     dark = 'html[data-theme="dark"] .rk-figure, [data-jp-theme-light="false"] .rk-figure'
     light_colors = " ".join(f"--rk-{name}: {s.light};" for name, s in KINDS.items())
     dark_colors = " ".join(f"--rk-{name}: {s.dark};" for name, s in KINDS.items())

@@ -1,0 +1,241 @@
+"""Exercises and mistakes in a notebook: a box to answer in, and the same check from code."""
+
+import re
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from robokin._checks import numbers, shown
+from robokin.errors import RobokinError
+from robokin.practice import dealing, judging, tables
+from robokin.practice.bank import (
+    EXERCISES,
+    MISTAKES,
+    Exercise,
+    Mistake,
+    number_text,
+    symbols,
+    with_unit,
+)
+
+COURSE = "robokin"  # the salt of the book itself; a teacher's course has its own
+WIDTH = 42  # of a line of code, for phones
+MOST = 100  # numbers in an answer
+MISTAKE = "application/vnd.robokin.mistake+json"
+COLUMNS = ("course", "student", "exercise", "answer")
+
+_session = {"student": "", "course": COURSE}
+_answers: dict[tuple[str, str, str], str] = {}  # course, student, exercise → what was typed last
+
+
+def student(name: str | int, course: str = COURSE) -> None:
+    """Say once, at the top of a notebook, who works here and in which course."""
+    _session.update(student=_name("the name", name), course=_name("the course", course))
+
+
+def _name(what: str, value: Any) -> str:
+    """A name as text; a student number may be a number."""
+    if isinstance(value, str) or (isinstance(value, int) and not isinstance(value, bool)):
+        return str(value)
+    raise RobokinError(f"{what} must be text or a number, got {shown(value)}")
+
+
+class Box:
+    """An exercise with somebody's numbers. Shown in a notebook, it is a box to answer in."""
+
+    def __init__(self, exercise: Exercise, name: str, course: str, training: int = 0) -> None:
+        self.exercise, self.student, self.course = exercise, name, course
+        self.training = training
+        number = dealing.dealt(course, exercise.name, name) + training
+        self.variant = dealing.variants(exercise.name)[number % dealing.VARIANTS]
+        self._widget: Any = None
+
+    @property
+    def text(self) -> str:
+        """The question, with the numbers in it."""
+        return self._filled(self.exercise.text)
+
+    @property
+    def solution(self) -> str:
+        """The worked solution, with the same numbers."""
+        return self._filled(self.exercise.solution)
+
+    def _filled(self, template: str) -> str:
+        return self.exercise.filled(template, self.variant.numbers, self.variant.shown)
+
+    def check(self, answer: Any) -> judging.Verdict:
+        """The verdict on an answer: a number, a list, an array, or text as it would be typed."""
+        if not isinstance(answer, str):
+            try:
+                answer = _typed(answer)
+            except RobokinError as error:
+                return judging.Verdict("unread", "", f"{error}.")
+        verdict = judging.check(self.exercise, self.variant.candidates, answer)
+        if verdict.result != "unread" and not self.training:
+            _answers[self.course, dealing.folded(self.student), self.exercise.name] = answer
+        return verdict
+
+    def another(self) -> "Box":
+        """Further numbers, for training; answers to them are not kept."""
+        return Box(self.exercise, self.student, self.course, self.training + 1)
+
+    @property
+    def widget(self) -> Any:
+        """The anywidget that a notebook shows."""
+        if self._widget is None:
+            from robokin.practice.widget import widget
+
+            self._widget = widget(self.exercise, self.student, self.course)
+            self._widget.observe(lambda change: self.check(change["new"]), "answer")
+        return self._widget
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        from robokin.practice.page import MIME
+
+        plain = f"{self.exercise.title}\n\n{self.text}\n\nAsked: {judging.asked(self.exercise)}"
+        data: dict[str, Any] = dict(self.widget._repr_mimebundle_()[0])
+        return {**data, "text/plain": plain, MIME: {"name": self.exercise.name}}
+
+
+def exercise(name: str, student: str | int | None = None, course: str | None = None) -> Box:
+    """An exercise of the bank with the student's numbers; see `student` for the defaults.
+
+    >>> exercise("differential-drive-1", student="Ada").check("1/3 m/s").result
+    'unread'
+    """
+    who = _session["student"] if student is None else _name("student", student)
+    where = _session["course"] if course is None else _name("course", course)
+    return Box(dealing.find(name), who, where)
+
+
+def answers() -> list[tuple[str, str, str, str]]:
+    """The answers of this session that count: course, student, exercise, what was typed last."""
+    return [(*key, answer) for key, answer in _answers.items()]
+
+
+def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
+    """Write the answers given in this session as the table that a teacher's `grade` reads."""
+    if not _answers:
+        raise RobokinError("there are no answers yet: check an answer of an exercise first")
+    if not all(student for _, student, _ in _answers):
+        raise RobokinError('say who you are first: practice.student("…") picks your numbers')
+    return tables.write(path, COLUMNS, answers(), force)
+
+
+class ExampleView:
+    """The question of an exercise in the numbers of its source, as its mistakes are shown with."""
+
+    def __init__(self, exercise: Exercise) -> None:
+        self.exercise = exercise
+
+    @property
+    def names(self) -> dict[str, Any]:
+        """The numbers that the wrong lines use, by their names in code."""
+        e = self.exercise
+        lines = "\n".join(m.line for m in e.wrong if shown_in(m) is e)
+        known = {**e.example, **e.derive(**e.example)}
+        return {name: known[name] for name in known if re.search(rf"\b{name}\b", lines)}
+
+    def __repr__(self) -> str:
+        return f"{self.exercise.title} ({self.exercise.name}, in the numbers of its source)"
+
+    def _repr_markdown_(self) -> str:
+        e = self.exercise
+        texts = {
+            name: given.shown(given.option(e.example[name])) for name, given in e.given.items()
+        }
+        question = symbols(e.filled(e.text, e.example, texts))
+        code = "\n".join(assignments(self.names))
+        return f"**{e.title}** {question}\n\nIn code, in SI units:\n\n```python\n{code}\n```"
+
+
+def assignments(names: dict[str, Any]) -> list[str]:
+    """Lines of code that give names their numbers; short ones share a line."""
+    lines: list[str] = []
+    for name, value in names.items():
+        text = f"{name} = {code_text(value)}"
+        if lines and "[" not in lines[-1] + text and len(lines[-1]) + len(text) < WIDTH:
+            lines[-1] += f"; {text}"
+        else:
+            lines.append(text)
+    return lines
+
+
+def code_text(value: Any) -> str:
+    """A number, name or array as one would type it, to four decimals."""
+    if isinstance(value, str):
+        return repr(value)
+    return str(np.round(np.asarray(value, dtype=float), 4).tolist())
+
+
+def example(name: str) -> ExampleView:
+    """An exercise in the numbers of its source document, before its mistakes."""
+    exercise = dealing.find(name)
+    if not exercise.example:
+        raise RobokinError(f"{name} has no example")
+    return ExampleView(exercise)
+
+
+def shown_in(mistake: Mistake) -> Exercise:
+    """The exercise in whose example a mistake is shown."""
+    return next(e for e in EXERCISES.values() if mistake in e.wrong and e.example)
+
+
+class MistakeView:
+    """A wrong line to judge: what it gives in the exercise's own numbers, the answer folded."""
+
+    def __init__(self, mistake: Mistake) -> None:
+        self.mistake, self.exercise = mistake, shown_in(mistake)
+
+    def _text(self, formula: Any) -> str:
+        rows = self.exercise.answers(formula, self.exercise.example)
+        units = {ask.unit for ask in self.exercise.asks}
+        unit = units.pop() if len(units) == 1 else ""
+        return "; ".join(_row_text(self.exercise, row, unit) for row in rows)
+
+    @property
+    def gives(self) -> str:
+        """The wrong value in the numbers of the source document."""
+        return self._text(self.exercise.wrong[self.mistake])
+
+    @property
+    def answer(self) -> str:
+        """What stands behind the fold, as HTML."""
+        m, right = self.mistake, self._text(self.exercise.right)
+        return (
+            f"<p>It gives {escape(self.gives)}.</p><details><summary>What is wrong?</summary>"
+            f"<p>Right is {escape(right)}. {escape(m.why)}</p>"
+            f"<p><em>Where nobody notices.</em> {escape(m.unnoticed)}</p></details>"
+        )
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        title = f"<p><strong>{escape(self.exercise.title)}</strong></p>"
+        return {
+            "text/html": f"{title}<pre>{escape(self.mistake.line)}</pre>{self.answer}",
+            "text/plain": f"{self.exercise.title}\n{self.mistake.line}\nIt gives {self.gives}.",
+            MISTAKE: {"name": self.mistake.name},
+        }
+
+
+def mistake(name: str) -> MistakeView:
+    """A mistake of the bank, as the chapters show it: "find the mistake"."""
+    if not isinstance(name, str) or name not in MISTAKES:
+        raise RobokinError(f"there is no mistake {name!r}; there are {', '.join(MISTAKES)}")
+    return MistakeView(MISTAKES[name])
+
+
+def _row_text(exercise: Exercise, row: Any, unit: str) -> str:
+    shaped = row.reshape(exercise.shape) if exercise.shape else row
+    return with_unit(number_text(shaped if len(row) > 1 else float(row[0]), ""), unit)
+
+
+def _typed(answer: Any) -> str:
+    """A number, list or array as the text that says the same; a column counts as a list."""
+    array = numbers("the answer", answer)
+    if array.size > MOST:
+        raise RobokinError(f"the answer has {array.size:,} numbers, far more than asked")
+    if array.ndim > 1 and array.shape[-1] == 1:
+        array = array[..., 0]
+    return repr(array.tolist())

@@ -1,0 +1,503 @@
+"""The practice bank: every exercise, every variant, every mistake."""
+
+import csv
+import json
+import math
+import re
+import unicodedata
+from html import escape
+
+import numpy as np
+import pytest
+
+import robokin
+from robokin import practice
+from robokin.errors import RobokinError
+from robokin.live import engine as script
+from robokin.practice import dealing, judging, notebook, page, tables, teacher
+from robokin.practice.__main__ import main
+from robokin.practice.bank import EXERCISES, MISTAKES
+
+each_exercise = pytest.mark.parametrize("exercise", EXERCISES.values(), ids=EXERCISES)
+each_mistake = pytest.mark.parametrize("mistake", MISTAKES.values(), ids=MISTAKES)
+
+
+def users(mistake):
+    """The exercises in which a mistake can be made."""
+    return [exercise for exercise in EXERCISES.values() if mistake in exercise.wrong]
+
+
+@each_exercise
+def test_every_candidate_of_every_variant_is_named(exercise):
+    dealt = dealing.variants(exercise.name)
+    assert len(dealt) == dealing.VARIANTS
+    assert len({tuple(variant.shown.values()) for variant in dealt}) == dealing.VARIANTS
+    for variant in dealt:
+        assert {m.name for m in exercise.wrong} <= {c.name for c in variant.candidates}
+        for candidate in variant.candidates:
+            verdict = judging.judge(exercise, variant.candidates, candidate.rows)
+            assert verdict.name == candidate.name, (variant.shown, candidate)
+            wanted = "right" if candidate.name == "right" else "wrong"
+            wanted = "partly" if candidate.name.startswith("unit:") else wanted
+            assert verdict.result == wanted
+
+
+@each_exercise
+def test_texts_can_be_filled(exercise):
+    for variant in dealing.variants(exercise.name):
+        for template in (exercise.text, exercise.solution):
+            filled = exercise.filled(template, variant.numbers, variant.shown)
+            assert "{" not in filled
+            assert not re.search(r"\bnan\b", filled)
+
+
+@each_exercise
+def test_an_answer_as_the_solution_prints_it_is_right(exercise):
+    """Four decimals, as printed, are within the tolerance."""
+    for variant in dealing.variants(exercise.name):
+        right = variant.candidates[0]
+        rounded = [tuple(round(x, 4) for x in row) for row in right.rows]
+        assert judging.judge(exercise, variant.candidates, rounded).name == "right"
+
+
+@each_mistake
+def test_a_mistake_is_used_and_its_line_makes_it(mistake):
+    """The line, run with the document's numbers, gives what the exercise calls that mistake."""
+    shown_in = [exercise for exercise in users(mistake) if exercise.example]
+    assert shown_in, "no exercise with an example has it"
+    exercise = shown_in[0]
+    numbers = {**exercise.example, **exercise.derive(**exercise.example)}
+    modules = {name: getattr(robokin, name) for name in robokin.__all__}
+    space = {"np": np, **modules, **numbers}
+    before = set(space)
+    exec(mistake.line, space)  # our own line
+    new = [space[name] for name in space if name not in before and name != "__builtins__"]
+    wrong = exercise.answers(exercise.wrong[mistake], exercise.example)
+    np.testing.assert_allclose(np.ravel(new[-1]), wrong.ravel(), rtol=1e-12, atol=1e-12)
+    right = exercise.answers(exercise.right, exercise.example)
+    assert not np.allclose(right, wrong.reshape(-1, right.shape[1]), atol=1e-6)
+
+
+@each_mistake
+def test_a_mistake_says_all_it_must(mistake):
+    assert mistake.unnoticed.endswith(".")
+    assert mistake.why.endswith(".")
+    assert not mistake.says.endswith(".")
+    assert bool(mistake.document) == bool(mistake.stands) == bool(mistake.should)
+    assert max(map(len, mistake.line.splitlines())) <= 80
+
+
+# --- The page does the same -----------------------------------------------------------------
+
+NAMES = [
+    "",
+    "Ada",
+    " Ada ",
+    "Ada  Lovelace",
+    "سارا محمدی",
+    "José",
+    "Jose\u0301",
+    "李雷",
+    "😀 smile",
+    "ß",
+]
+NAMES += [
+    "\u00a0x\u2003y\ufeff",
+    "\u212b",
+    'o\'Brien, "Bob"',
+    "\u1e9b\u0323",
+    "\ud800 half",
+    "=1+1",
+]
+
+
+def names(count):
+    """Names of many scripts, with accents and odd spaces."""
+    random = np.random.default_rng(1)
+    letters = [
+        *"abzÅéüñçßøłžαωжяابپچ李王あ한\u0301\u0308\u200d😀🤖",
+        " ",
+        "\u00a0",
+        "\t",
+        "-",
+        "'",
+        "7",
+    ]
+    made = {"".join(random.choice(letters, random.integers(1, 12))) for _ in range(2 * count)}
+    return [*NAMES, *sorted(made)][:count]
+
+
+def dealt_in_python(course, exercise, people):
+    return [dealing.dealt(course, exercise, name) for name in people]
+
+
+DEAL = "(people) => people.map((name) => robokin.dealtVariant('2026 Herbst', 'euler-1', name))"
+
+
+def test_the_engine_deals_the_same():
+    """Without composed forms (NFC), which the engine of the build may not know."""
+    people = [name for name in names(1000) if unicodedata.is_normalized("NFC", name)]
+    assert len(people) > 500
+    found = script.run(f"({DEAL})({json.dumps(people)})")
+    assert found == dealt_in_python("2026 Herbst", "euler-1", people)
+
+
+def test_names_that_look_alike_are_the_same():
+    assert dealing.folded("  Ada \u00a0 Lovelace\n") == "Ada Lovelace"
+    assert dealing.folded("Jose\u0301") == dealing.folded("José")
+    assert dealing.folded("Ada") != dealing.folded("ada")
+    assert dealing.folded("علي") == dealing.folded("علی")  # two letters, one name
+    assert dealing.folded("A\u200cda\u200d") == "Ada"
+
+
+def test_the_hash_is_fnv1a():
+    """The published test values of 32-bit FNV-1a."""
+    assert dealing.fnv1a("") == 0x811C9DC5
+    assert dealing.fnv1a("a") == 0xE40C292C
+    assert dealing.fnv1a("foobar") == 0xBF9CF968
+
+
+def test_variants_are_dealt_evenly():
+    """Numbered students: all variants, none twice as often as it should but by chance."""
+    for exercise in EXERCISES:
+        dealt = dealt_in_python("course", exercise, [f"{k}" for k in range(10_000, 16_400)])
+        counts = np.bincount(dealt, minlength=dealing.VARIANTS)
+        # 100 each on average; chi-squared with 63 degrees of freedom is above 140 once in 1e7
+        assert ((counts - 100) ** 2 / 100).sum() < 140
+
+
+def test_another_course_deals_other_variants():
+    people = [f"{k}" for k in range(1000)]
+    last, this = (dealt_in_python(year, "euler-1", people) for year in ("2025", "2026"))
+    assert sum(a == b for a, b in zip(last, this, strict=True)) < 50  # 16 expected by chance
+
+
+JUDGE = """((exercise) => exercise.variants.map((_, k) => (answers) => answers.map((text) => {
+  const { result, name, says } = robokin.checkAnswer(exercise, k, text);
+  return [result, name, says];
+})))"""
+
+
+def typed(rows, exercise):
+    """Rows as a student would type them."""
+    shaped = np.reshape(rows, (-1, *(exercise.shape or (len(exercise.asks),))))
+    if exercise.accept != "all":
+        shaped = shaped[0]
+    return json.dumps(shaped.tolist()[0] if shaped.shape == (1,) else shaped.tolist())
+
+
+def answers_to(exercise, variant):
+    """What might be typed: every candidate, a little off it, near it, and something else."""
+    random = np.random.default_rng(0)
+    scale = np.array([ask.tolerance for ask in exercise.asks])
+    texts = ["[1, 2, 3, 4, 5]", "", "what", *(typed(c.rows, exercise) for c in variant.candidates)]
+    right = np.array(variant.candidates[0].rows)
+    for size in (0.9, 1.1, 9, 11, 1000):
+        texts.append(typed(right + size * scale * random.choice([-1, 1], right.shape), exercise))
+    turned = np.array([2 * math.pi if ask.circle else 0.0 for ask in exercise.asks])
+    return [*texts, typed(right + turned, exercise), typed(right[:, ::-1], exercise)]
+
+
+@each_exercise
+def test_the_page_judges_as_python_does(exercise):
+    given = [answers_to(exercise, variant) for variant in dealing.variants(exercise.name)]
+    data = json.dumps(page.contents(exercise))
+    code = f"{JUDGE}({data}).map((judge, k) => judge({json.dumps(given)}[k]))"
+    for variant, texts, found in zip(
+        dealing.variants(exercise.name), given, script.run(code), strict=True
+    ):
+        for text, verdict in zip(texts, found, strict=True):
+            wanted = judging.check(exercise, variant.candidates, text)
+            assert verdict == [wanted.result, wanted.name, wanted.says], text
+
+
+def test_the_data_of_a_topic_are_light_and_not_in_clear():
+    for topic in practice.TOPICS:
+        text = page.script(topic)
+        assert len(text) < 90_000  # bytes; a chapter's page is twice that
+        assert "right" not in text
+        assert len(page.script(topic, solutions=False)) < len(text)
+
+
+# --- In a notebook --------------------------------------------------------------------------
+
+
+@pytest.fixture
+def nobody(monkeypatch):
+    """No answers yet, no name given."""
+    monkeypatch.setattr(notebook, "_answers", {})
+    monkeypatch.setattr(notebook, "_session", {"student": "", "course": practice.COURSE})
+
+
+def test_a_box_has_the_student_s_numbers(nobody):
+    box = practice.exercise("differential-drive-1", student="Ada")
+    number = dealing.dealt(practice.COURSE, "differential-drive-1", "Ada")
+    assert box.variant is dealing.variants("differential-drive-1")[number]
+    assert box.variant.shown["b"] in box.text
+    assert repr(box.check(box.variant.candidates[0].rows[0][0])) == judging.SAYS["right"]
+    practice.student(" Ada ")
+    assert practice.exercise("differential-drive-1").variant is box.variant
+    assert box.another().variant is not box.variant
+
+
+def test_a_mistake_is_named(nobody):
+    box = practice.exercise("differential-drive-1", student="Ada")
+    b, v_L, v_R = (box.variant.numbers[name] for name in ("b", "v_L", "v_R"))
+    verdict = box.check((v_R - v_L) / (b / 2))
+    assert (verdict.result, verdict.name) == ("wrong", "M12")
+    assert "half the wheel distance" in repr(verdict)
+    assert box.check(np.degrees((v_R - v_L) / b)).result == "partly"
+    assert box.check("0.5 m/s").result == "unread"
+    assert box.check([1, 2]).result == "unread"
+    assert box.check(np.array([(v_R - v_L) / b])).result == "right"
+
+
+def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
+    with pytest.raises(RobokinError, match="no answers yet"):
+        practice.export(tmp_path / "answers.csv")
+    box = practice.exercise("differential-drive-1", student="=Ada, 1")
+    box.check("nonsense")
+    box.check("-1/3")
+    box.another().check("5")
+    path = practice.export(tmp_path / "answers.csv")
+    rows = tables.read(path, ("student", "exercise", "answer")).rows
+    wanted = {"student": "=Ada, 1", "exercise": "differential-drive-1", "answer": "-1/3"}
+    assert [row for _, row in rows] == [{"course": "robokin", **wanted}]
+    with pytest.raises(RobokinError, match="already there"):
+        practice.export(path)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [None, True, 1j, {}, {1.0}, [[1, 2], [3]], ["a"], b"1", 10**400, np.nan, np.ones(1000), []],
+    ids=str,
+)
+def test_what_is_no_answer_is_unread(nobody, answer):
+    verdict = practice.exercise("differential-drive-1", student="Ada").check(answer)
+    assert verdict.result == "unread"
+    assert verdict.says
+    assert not practice.answers()
+
+
+def test_a_column_counts_as_a_list(nobody):
+    box = practice.exercise("differential-drive-2", student=4711)
+    assert box.check(np.reshape(box.variant.candidates[0].rows[0], (2, 1))).result == "right"
+    with pytest.raises(RobokinError, match=r"student must be text or a number, got \['Ada'\]"):
+        practice.exercise("differential-drive-2", student=["Ada"])
+
+
+def test_answers_of_nobody_are_not_exported(nobody, tmp_path):
+    practice.exercise("differential-drive-1").check(1)
+    with pytest.raises(RobokinError, match="say who you are first"):
+        practice.export(tmp_path / "answers.csv")
+
+
+def test_unknown_names_are_refused():
+    with pytest.raises(RobokinError, match=r"no exercise 'drive-1'; there are .*drive-1"):
+        practice.exercise("drive-1")
+    with pytest.raises(RobokinError, match=r"no mistake 'M99'; there are .*M12"):
+        practice.mistake("M99")
+
+
+@each_mistake
+def test_a_mistake_is_shown_with_its_value(mistake):
+    html = practice.mistake(mistake.name)._repr_mimebundle_()["text/html"]
+    assert not re.search(r"\bnan\b", html)
+    assert html.index("It gives") < html.index("<details>") < html.index("Right is")
+    assert html.index(escape(mistake.line)) < html.index("It gives")
+
+
+# --- For the teacher ------------------------------------------------------------------------
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def run(*arguments):
+    return main([str(a) for a in arguments])
+
+
+ONLY = ("--only", "differential-drive-1", "differential-drive-2")
+
+
+def test_key_sheets_and_grades(folder, capsys):
+    (folder / "roster.csv").write_text("student,group\nAda,1\nسارا,2\n=1+1,3\n", encoding="utf-8")
+    assert run("key", "roster.csv", "--course", "2026", *ONLY) == 0
+    assert run("sheet", "roster.csv", "--course", "2026", *ONLY) == 0
+    rows = [row for _, row in tables.read("key.csv", teacher.KEY).rows]
+    assert [row["student"] for row in rows[::2]] == ["Ada", "سارا", "=1+1"]
+    sheets = sorted((folder / "sheets").iterdir())
+    assert len(sheets) == 3
+    for row in rows:
+        variant = dealing.variants(row["exercise"])[int(row["variant"])]
+        assert json.loads(row["numbers"]) == variant.numbers
+    assert not any(row["answer"].split(" ")[0] in s.read_text() for s in sheets for row in rows)
+
+    answers = [  # right, half the wheel distance, in degrees, words, nothing
+        ("Ada", "differential-drive-1", rows[0]["answer"].split(" ")[0]),
+        ("Ada", "differential-drive-2", "no idea"),
+        ("سارا", "differential-drive-1", str(wrong(rows[2], "M12"))),
+        ("=1+1", "differential-drive-1", str(wrong(rows[4], "unit:degrees"))),
+    ]
+    tables.write("answers.csv", ("student", "exercise", "answer"), answers)
+    capsys.readouterr()
+    assert run("grade", "answers.csv", "--key", "key.csv") == 0
+    assert "half the wheel distance" in capsys.readouterr().out
+    graded = [row for _, row in tables.read("grades.csv", teacher.GRADES).rows]
+    results = [row["result"] for row in graded]
+    assert results == ["right", "unread", "wrong", "missing", "partly", "missing"]
+    assert [row["mistake"] for row in graded] == ["right", "", "M12", "", "unit:degrees", ""]
+    totals = tables.read("grades-students.csv", teacher.TOTALS).rows
+    assert totals[2][1] == dict(zip(teacher.TOTALS, ["=1+1", "0", "1", "0", "0", "1"], strict=True))
+    assert (folder / "grades-mistakes.svg").read_text().startswith("<?xml")
+
+
+def wrong(row, name):
+    """What a candidate of the student's variant answers."""
+    variant = dealing.variants(row["exercise"])[int(row["variant"])]
+    return next(c.rows[0][0] for c in variant.candidates if c.name == name)
+
+
+def test_bad_lines_are_reported_and_the_good_ones_graded(folder, capsys):
+    (folder / "roster.csv").write_bytes("student\nAda\nAda \n\nBob\n\xff\xfe\n".encode("latin-1"))
+    assert run("key", "roster.csv", *ONLY) == 1
+    told = capsys.readouterr().err.splitlines()
+    assert told == [
+        "roster.csv, line 6: not in UTF-8: save the file as CSV UTF-8",
+        "roster.csv, line 3: Ada is in line 2 already",
+    ]
+    lines = [
+        "student;exercise;answer;course",
+        "Ada;differential-drive-1;0,5;robokin",
+        "Eve;differential-drive-1;0.5;robokin",
+        "Ada;differential-drive-9;0.5;robokin",
+        "Bob;differential-drive-1;;robokin",
+        "Bob;differential-drive-1;1",
+        "Bob;differential-drive-1;1;last year",
+        "Ada;differential-drive-1;0.6;robokin",
+    ]
+    (folder / "answers.csv").write_text("\n".join(lines), encoding="utf-16")
+    assert run("grade", "answers.csv", "--key", "key.csv") == 1
+    told = [line.split(", line ")[1] for line in capsys.readouterr().err.splitlines()]
+    assert told == [
+        "6: 3 cells, the header has 4",
+        "3: 'Eve' is not in the key",
+        "4: Ada has no exercise 'differential-drive-9'",
+        "5: Bob has an empty answer to differential-drive-1",
+        "7: answered in the course 'last year', the key is 'robokin'",
+        "8: Ada answers differential-drive-1 again: this counts",
+    ]
+    graded = [row for _, row in tables.read("grades.csv", teacher.GRADES).rows]
+    assert graded[0]["answer"] == "0.6"
+
+
+def test_nothing_is_overwritten(folder, capsys):
+    (folder / "roster.csv").write_text("student\nAda\n")
+    for command, out in (("key", "key.csv"), ("sheet", "sheets")):
+        assert run(command, "roster.csv", "--out", out, *ONLY) == 0
+        assert run(command, "roster.csv", "--out", out, *ONLY) == 2
+        assert "already there" in capsys.readouterr().err
+        assert run(command, "roster.csv", "--out", out, "--force", *ONLY) == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("name\nAda\n", "no column student; needed are student, its first line has name"),
+        ("", "no column student; needed are student, its first line has nothing"),
+        ("student\n\n", "names no student"),
+    ],
+)
+def test_a_table_that_cannot_be_used_is_refused(folder, capsys, text, words):
+    (folder / "roster.csv").write_text(text)
+    assert run("key", "roster.csv") == 2
+    assert words in capsys.readouterr().err
+    assert not (folder / "key.csv").exists()
+
+
+def test_a_folder_of_answers(folder, capsys):
+    """Each student's own file, as the page saves it; a folder without any is refused."""
+    (folder / "roster.csv").write_text("student\nAda\nBob\n")
+    (folder / "answers").mkdir()
+    assert run("key", "roster.csv", *ONLY) == 0
+    assert run("grade", "answers", "--key", "key.csv") == 2
+    assert "no .csv file in answers" in capsys.readouterr().err
+    for name in ("Ada", "Bob"):
+        row = ("robokin", name, "differential-drive-1", "7")
+        tables.write(folder / "answers" / f"{name}.csv", notebook.COLUMNS, [row])
+    assert run("grade", "answers", "--key", "key.csv") == 0
+    assert "2 wrong" in capsys.readouterr().out
+
+
+def test_one_bad_file_does_not_stop_the_others(folder, capsys):
+    (folder / "roster.csv").write_text("student\nAda\nBob\n")
+    assert run("key", "roster.csv", *ONLY) == 0
+    (folder / "answers" / "Bob").mkdir(parents=True)
+    good = "sep=;\nstudent;exercise;answer\nBob;differential-drive-1;7\n"
+    (folder / "answers" / "Bob" / "ANSWERS.CSV").write_text(good)
+    (folder / "answers" / "empty.csv").write_text("")
+    (folder / "answers" / "sheet.xlsx").write_bytes(b"PK")
+    open_quote = (
+        'student,exercise,answer\nAda,differential-drive-1,"0.5\nAda,differential-drive-2,1'
+    )
+    (folder / "answers" / "open.csv").write_text(open_quote)
+    for force in ((), ("--force",)):  # a second time, with the first grades beside the answers
+        out = folder / "answers" / "grades.csv"
+        assert run("grade", "answers", "--key", "key.csv", "--out", out, *force) == 1
+        told = capsys.readouterr()
+        assert "1 wrong" in told.out
+        assert "empty.csv has no column student" in told.err
+        assert "sheet.xlsx: not read" in told.err
+        assert "open.csv, line 2: not read, to line 3: unexpected end of data" in told.err
+
+
+def test_what_is_read_is_not_overwritten(folder, capsys):
+    (folder / "roster.csv").write_text("student\nAda\n")
+    assert run("key", "roster.csv", "--out", "roster.csv", "--force") == 2
+    assert "roster.csv is what is read" in capsys.readouterr().err
+    assert run("sheet", "roster.csv", "--out", "roster.csv") == 2
+    assert "roster.csv is a file" in capsys.readouterr().err
+
+
+def test_a_missing_file_is_refused(folder, capsys):
+    assert run("key", "nowhere.csv") == 2
+    assert "nowhere.csv cannot be read: No such file" in capsys.readouterr().err
+
+
+def test_a_key_of_an_older_bank_is_regraded_on_its_own_numbers(folder, capsys):
+    """A corrected exercise: the students keep their numbers, the answers are the new ones."""
+    numbers = json.dumps({"b": 0.123, "v_L": 0.1, "v_R": 0.2})
+    row = ("c", "0ldbank", "Ada", "differential-drive-1", 7, numbers, "wrong in the old bank")
+    other = ("c", "0ldbank", "Bob", "differential-drive-1", 7, '{"gone": 1}', "")
+    tables.write("key.csv", teacher.KEY, [row, other])
+    answer = ("Ada", "differential-drive-1", 0.1 / 0.123)
+    tables.write("answers.csv", ("student", "exercise", "answer"), [answer])
+    assert run("grade", "answers.csv", "--key", "key.csv") == 1
+    told = capsys.readouterr()
+    assert "version 0ldbank of the bank" in told.out
+    assert "key.csv, line 3: differential-drive-1 cannot be computed from" in told.err
+    graded = tables.read("grades.csv", teacher.GRADES).rows
+    assert [row["result"] for _, row in graded] == ["right"]
+
+
+@pytest.mark.parametrize(
+    "cell", ["=1+1", "+cmd|' /C calc'!A0", "-2+3", "@sum", "\tx", "'quoted", "−1"]
+)
+def test_no_cell_is_a_formula(folder, cell):
+    tables.write("t.csv", ("student", "n"), [(cell, "-0.5")])
+    with open("t.csv", encoding="utf-8-sig", newline="") as file:
+        first, number = list(csv.reader(file))[1]
+    assert first[0] not in "=+-@\t\r"
+    assert number == "-0.5"
+    assert tables.read("t.csv", ("student",)).rows[0][1]["student"] == cell.strip()
+
+
+def test_a_thousand_students(folder):
+    """All exercises of all; the time is in the note of the release, not tested here."""
+    people = "\n".join(f"student {k}" for k in range(1000))
+    (folder / "roster.csv").write_text(f"student\n{people}\n")
+    assert run("key", "roster.csv") == 0
+    assert len(tables.read("key.csv", teacher.KEY).rows) == 1000 * len(EXERCISES)

@@ -1,0 +1,195 @@
+"""The exercises on the built page: typed into, by keyboard, in a real browser."""
+
+import csv
+import io
+import json
+
+import pytest
+
+from robokin import practice
+from robokin.practice import dealing, judging, tables
+from robokin.practice.bank import EXERCISES
+
+pytest_plugins = ["browser"]
+pytestmark = pytest.mark.browser
+pytest.register_assert_rewrite("browser")
+
+from browser import watched_page  # noqa: E402
+from test_practice import DEAL, dealt_in_python, names, typed  # noqa: E402
+
+FIRST = "differential-drive-1"
+
+
+@pytest.fixture
+def page(chromium, server):
+    """The practice page on a first visit; it must stay quiet and at home."""
+    with watched_page(chromium, server) as (page, watch):
+        page.goto(server + "practice.html", wait_until="networkidle")
+        yield page
+        assert not watch.errors + watch.strangers
+
+
+def sign_in(page, name):
+    """Type a name and leave the field."""
+    page.fill("#rk-student", name)
+    page.keyboard.press("Tab")
+    page.wait_for_function("() => document.querySelector('.rk-progress').textContent")
+
+
+def box(page, exercise):
+    return page.locator(f"[data-exercise='{exercise}']")
+
+
+def answer(page, exercise, text):
+    """Type an answer, press Enter, and read what is said."""
+    field, verdict = (
+        box(page, exercise).locator("input"),
+        box(page, exercise).locator(".rk-verdict"),
+    )
+    verdict.evaluate("(element) => { element.textContent = ''; }")
+    field.fill(text)
+    field.press("Enter")
+    page.wait_for_function("(element) => element.textContent", arg=verdict.element_handle())
+    return verdict.inner_text()
+
+
+def variant(exercise, name):
+    return dealing.variants(exercise)[dealing.dealt(practice.COURSE, exercise, name)]
+
+
+@pytest.mark.parametrize("topic", practice.TOPICS)
+def test_every_candidate_is_named_on_the_page(page, topic):
+    sign_in(page, "Ada")
+    for exercise in EXERCISES.values():
+        if exercise.topic == topic:
+            mine = variant(exercise.name, "Ada")
+            number = dealing.dealt(practice.COURSE, exercise.name, "Ada")
+            page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
+            for candidate in mine.candidates:
+                said = answer(page, exercise.name, typed(candidate.rows, exercise))
+                assert said == judging.judge(exercise, mine.candidates, candidate.rows).says
+
+
+def test_the_browser_deals_as_python_does(page):
+    """A thousand names: accents, composed and not, Persian, emoji, spaces of all kinds."""
+    people = names(1000)
+    found = page.evaluate(DEAL, people)
+    assert found == dealt_in_python("2026 Herbst", "euler-1", people)
+
+
+def test_the_text_has_the_student_s_numbers(page):
+    for name in ("Ada", "سارا محمدی", "  José "):
+        sign_in(page, name)
+        page.wait_for_timeout(300)
+        for number in variant(FIRST, name).shown.values():
+            assert number in box(page, FIRST).inner_text()
+
+
+def test_what_cannot_be_read_counts_for_nothing(page):
+    assert "one number" in answer(page, FIRST, "[1, 2]")
+    assert "unit" in answer(page, FIRST, "0.5 rad/s")
+    assert answer(page, FIRST, "")
+    assert page.inner_text(".rk-progress").startswith("0 of ")
+
+
+def test_progress_is_kept_and_cleared(page):
+    sign_in(page, "Ada")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    assert answer(page, FIRST, right) == judging.SAYS["right"]
+    assert page.inner_text(".rk-progress").startswith("1 of ")
+    page.reload(wait_until="networkidle")
+    assert page.input_value("#rk-student") == "Ada"
+    assert box(page, FIRST).locator("input").input_value() == right
+    assert page.inner_text(".rk-progress").startswith("1 of ")
+    sign_in(page, "Bob")
+    page.wait_for_timeout(300)
+    assert page.inner_text(".rk-progress").startswith("0 of ")
+    assert box(page, FIRST).locator("input").input_value() == ""
+    sign_in(page, "Ada")
+    page.wait_for_timeout(300)
+    page.on("dialog", lambda dialog: dialog.accept())
+    page.click(".rk-clear")
+    page.wait_for_timeout(300)
+    assert page.inner_text(".rk-progress").startswith("0 of ")
+    assert page.evaluate("() => document.cookie") == ""
+
+
+def test_answers_are_saved_as_grade_reads_them(page, tmp_path):
+    sign_in(page, '=Ada, "B"')
+    answer(page, FIRST, "-1/3")
+    with page.expect_download() as download:
+        page.click(".rk-export")
+    path = tmp_path / download.value.suggested_filename
+    assert path.name == "answers--Ada-B-.csv"
+    download.value.save_as(path)
+    rows = tables.read(path, ("student", "exercise", "answer")).rows
+    assert [row for _, row in rows] == [
+        {"course": "robokin", "student": '=Ada, "B"', "exercise": FIRST, "answer": "-1/3"}
+    ]
+    first = next(csv.reader(io.StringIO(path.read_text("utf-8-sig").splitlines()[1])))
+    assert first[1].startswith("'=")  # for a spreadsheet it is no formula
+
+
+def test_nobody_saves_no_answers(page):
+    answer(page, FIRST, "1")
+    page.click(".rk-export")
+    assert page.inner_text(".rk-progress") == "Type your name first: it picks your numbers."
+    assert page.evaluate("() => document.activeElement.id") == "rk-student"
+
+
+def test_another_one_is_for_training(page):
+    sign_in(page, "Ada")
+    page.wait_for_timeout(300)
+    before = box(page, FIRST).locator(".rk-text").inner_text()
+    box(page, FIRST).get_by_role("button", name="Another one").click()
+    page.wait_for_timeout(300)
+    assert box(page, FIRST).locator(".rk-text").inner_text() != before
+    number = dealing.dealt(practice.COURSE, FIRST, "Ada") + 1
+    other = dealing.variants(FIRST)[number % dealing.VARIANTS]
+    right = typed(other.candidates[0].rows, EXERCISES[FIRST])
+    assert answer(page, FIRST, right) == judging.SAYS["right"]
+    assert page.inner_text(".rk-progress").startswith("0 of ")
+    box(page, FIRST).get_by_role("button", name="Back to my numbers").click()
+    assert box(page, FIRST).locator(".rk-text").inner_text() == before
+
+
+def test_the_solution_has_the_same_numbers(page):
+    sign_in(page, "Ada")
+    solution = box(page, FIRST).locator("details")
+    assert "=" not in solution.inner_text()  # nothing is there before it is asked for
+    solution.locator("summary").press("Enter")
+    page.wait_for_function("(e) => e.textContent", arg=solution.locator("div").element_handle())
+    mine = variant(FIRST, "Ada")
+    assert EXERCISES[FIRST].answer_text(mine.numbers) in solution.inner_text()
+
+
+def test_answers_do_not_stand_in_clear(page):
+    html = page.content()
+    mine = variant(FIRST, "")
+    right = f"{mine.candidates[0].rows[0][0]:.3f}"
+    assert right not in html.replace("\u2212", "-")
+    assert json.dumps("M12") not in html
+
+
+def test_keyboard_and_screen_reader(page):
+    first = box(page, FIRST)
+    field = first.get_by_label("Answer, one number: ω in rad/s")
+    field.focus()
+    described = field.get_attribute("aria-describedby").split()
+    assert "wheels" in page.inner_text(f"#{described[0]}")
+    assert page.get_attribute(f"#{described[1]}", "role") == "status"
+    order = ["Check", "Another one", "Solution"]
+    for name in order:
+        page.keyboard.press("Tab")
+        assert page.evaluate("() => document.activeElement.textContent") == name
+
+
+def test_from_disk(chromium, site):
+    """Without a server, as a folder that was handed out."""
+    home = site.as_uri() + "/"
+    with watched_page(chromium, home) as (page, watch):
+        page.goto(home + "practice.html")
+        sign_in(page, "Ada")
+        right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+        assert answer(page, FIRST, right) == judging.SAYS["right"]
+        assert not watch.errors + watch.strangers

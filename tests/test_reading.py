@@ -1,0 +1,333 @@
+"""The two readers of typed answers, Python and JavaScript, held to one table and to each other."""
+
+import json
+import math
+import random
+import re
+from dataclasses import replace
+from functools import cache
+from importlib.resources import files
+
+import hypothesis.strategies as st
+import pytest
+from hypothesis import given, settings
+
+from robokin.live import engine
+from robokin.practice.reading import PROBLEMS, Reading, read
+from tests.support import ROOT
+
+GROUPS = json.loads((ROOT / "tests" / "answers.json").read_text(encoding="utf-8"))
+ROWS = [row for rows in GROUPS.values() for row in rows]
+RTOL = 1e-15
+
+many = settings(max_examples=40)  # each makes 100 texts, or 50, from a seed: drawing is slow
+seeds = st.integers(0, 2**32)
+
+
+@cache
+def load():
+    """The JavaScript reader, put into the engine once."""
+    script = files("robokin.practice").joinpath("reading.js").read_text(encoding="utf-8")
+    engine.engine().eval(f"globalThis.readAnswer = (() => {{ {script}\nreturn readAnswer; }})();")
+
+
+def in_script(texts):
+    """What the JavaScript reader says to each text, in one call."""
+    load()
+    readings = [Reading(**found) for found in engine.run(f"{json.dumps(texts)}.map(readAnswer)")]
+    return [replace(found, value=floats(found.value)) for found in readings]
+
+
+def floats(value):
+    """JSON writes whole numbers without a point."""
+    if isinstance(value, list):
+        return [floats(part) for part in value]
+    return value if value is None else float(value)
+
+
+def numbers(value):
+    """All numbers of a value, however nested."""
+    return [x for part in value for x in numbers(part)] if isinstance(value, list) else [value]
+
+
+def shape(value):
+    return [shape(part) for part in value] if isinstance(value, list) else 0
+
+
+def assert_value(found, expected, text):
+    assert shape(found) == shape(expected), f"{text!r}: {found}, not {expected}"
+    for x, y in zip(numbers(found), numbers(expected), strict=True):
+        assert math.isclose(x, y, rel_tol=RTOL), f"{text!r}: {x!r}, not {y!r}"
+
+
+def both(texts):
+    """The readings in Python, after the checks that hold for every text."""
+    texts = [json.loads(json.dumps(text)) for text in texts]  # surrogates of one character join
+    readings = [read(text) for text in texts]
+    for text, here, there in zip(texts, readings, in_script(texts), strict=True):
+        assert here == there, f"{text!r}: {here} in Python, {there} in JavaScript"
+        assert (here.value is None) == (here.problem in PROBLEMS), text
+        assert here.value is not None or len(here.about) <= 20, text
+        if here.value is not None:
+            assert (here.problem, here.about) == ("", ""), text
+            assert all(type(x) is float and math.isfinite(x) for x in numbers(here.value)), text
+            assert "-0.0" not in map(repr, numbers(here.value)), text
+    return readings
+
+
+# The table
+
+
+def test_the_table_is_large_and_without_duplicates():
+    assert len(ROWS) >= 500
+    assert len({text for text, _ in ROWS}) == len(ROWS)
+    refused = {result["problem"] for _, result in ROWS if isinstance(result, dict)}
+    assert refused == set(PROBLEMS)
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_both_readers_give_the_results_of_the_table(group):
+    rows = GROUPS[group]
+    for (text, result), found in zip(rows, both([text for text, _ in rows]), strict=True):
+        if isinstance(result, dict):
+            assert found.problem == result["problem"], f"{text!r}: {found}"
+        else:
+            assert found.problem == "", f"{text!r}: {found}"
+            assert_value(found.value, result, text)
+
+
+ABOUT = [
+    ("  v = 0.5", "v ="),
+    ("0.5 m/s, 1", "m/s"),
+    ("[1, 2 \u00a0kg\u200b²]", "kg²"),
+    ("1 + sin(30)", "sin"),
+    ("[1, (2, 3]", "]"),
+    ("[1, (2, 3)", "["),
+    ("[1,  2  3]", "2  3"),
+    ("1 / 2 π", "1 / 2 π"),
+    ("۱٬۰۰۰", "۱٬۰۰۰"),
+    ("1.2.3", "1.2.3"),
+    ("0 + 😀", "😀"),
+    ("1 " + "ab" * 20, "ab" * 10),
+]
+
+
+def test_a_problem_names_the_piece_as_it_was_typed():
+    for (text, about), found in zip(ABOUT, both([text for text, _ in ABOUT]), strict=True):
+        assert found.about == about, text
+
+
+def test_messages_are_sentences_with_an_example():
+    for code, message in PROBLEMS.items():
+        assert message.count("{about}") == (code != "empty"), code
+        assert re.search(r"\d", message), code
+        assert message.endswith("."), code
+        assert "{1, 2} $&" in message.format(about="{1, 2} $&") or code == "empty"
+
+
+def test_nothing_typed_is_run():
+    here = files("robokin.practice")
+    for name in ("reading.py", "reading.js"):
+        assert not re.search(
+            r"\b(l?eval|literal_eval|exec|Function)\b", here.joinpath(name).read_text()
+        )
+
+
+# Every character, and 10,000 texts that hypothesis makes up: 4,000, 2,000 and 4,000, and more
+
+
+def test_every_character_of_the_basic_plane():
+    characters = [chr(code) for code in range(0x10000)]
+    points = {c for c, found in _each(characters) if found.value == 1.2}
+    assert points == set(".٫．,，")
+    assert {c for c, found in _each(characters) if found.value == [1, 2]} == set(
+        ";؛；،、\n\r\x85\u2028\u2029"
+    )
+
+
+@cache
+def _each_of(characters):
+    return both([f"1{c}2" for c in characters])
+
+
+def _each(characters):
+    return zip(characters, _each_of(tuple(characters)), strict=True)
+
+
+BLANKS = ["", "", " ", "  ", "\u00a0", "\u200b", "\u2009"]
+SCRIPTS = ["0123456789", "۰۱۲۳۴۵۶۷۸۹", "٠١٢٣٤٥٦٧٨٩", "０１２３４５６７８９"]
+SIGNS = {"+": "+➕", "-": "-−–—\u2010", "*": "*×·∙⋅", "/": "/÷∕⁄"}
+NAMES = {"pi": math.pi, "PI": math.pi, "π": math.pi, "np.pi": math.pi, "½": 0.5, "⅓": 1 / 3}
+
+
+def in_digits(text, digits):
+    return text.translate({ord("0") + k: digit for k, digit in enumerate(digits)})
+
+
+def apply(sign, left, right):
+    """One step of a calculation; NaN where there is no value."""
+    if sign == "/":
+        return left / right if right else math.nan
+    return left + right if sign == "+" else left - right if sign == "-" else left * right
+
+
+def root(x):
+    return math.sqrt(x) if x >= 0 else math.nan
+
+
+def literal(r):
+    """A number as it may be typed, and its value."""
+    kind = r.randrange(4)
+    if kind == 0:
+        return r.choice(sorted(NAMES.items()))
+    if kind == 1:
+        text = f"{r.randrange(100)}e-3"
+        return text, float(text)
+    text = str(r.randrange(10000)) + r.choice(["", ".", ".5", ".125"])
+    return in_digits(text, r.choice(SCRIPTS)), float(text)
+
+
+def factor(r, depth):
+    """The text of a factor, its value, and whether it is a product without a sign."""
+    text, value = literal(r)
+    kind, blank = r.randrange(8 if depth else 5), r.choice(BLANKS)
+    if kind == 1:
+        text, value = f"√{blank}{text}", root(value)
+    elif kind == 2:
+        text, value = text + blank + r.choice(["°", "º", " deg"]), value * (math.pi / 180)
+    elif kind == 3:
+        count = r.randrange(2, 100)
+        return f"{count}{blank}π", count * math.pi, True
+    elif kind == 4:
+        return r.choice(SIGNS["-"]) + blank + text, -value, False
+    elif kind > 4:
+        inner, other = calculation(r, depth - 1)
+        if kind == 7:
+            return f"({text}){blank}({inner})", value * other, True
+        name, value = ("", other) if kind == 5 else ("sqrt", root(other))
+        text = f"{name}({blank}{inner}{blank})"
+    return text, value, False
+
+
+def product(r, depth):
+    text, value, _ = factor(r, depth)
+    for _ in range(r.randrange(3)):
+        more, right, joined = factor(r, depth)
+        sign, blank = r.choice("*/"), r.choice(BLANKS)
+        text += blank + r.choice(SIGNS[sign]) + blank + (f"({more})" if joined else more)
+        value = apply(sign, value, right)
+    return text, value
+
+
+def calculation(r, depth):
+    """The text of a calculation, and its value: from the parts, not from the text."""
+    text, value = product(r, depth)
+    for _ in range(r.randrange(3)):
+        more, right = product(r, depth)
+        sign, blank = r.choice("+-"), r.choice(BLANKS)
+        text += blank + r.choice(SIGNS[sign]) + blank + more
+        value = apply(sign, value, right)
+    return text, value
+
+
+@many
+@given(seeds)
+def test_calculations(seed):
+    r = random.Random(seed)
+    made = [calculation(r, 2) for _ in range(100)]
+    for (text, value), found in zip(made, both([text for text, _ in made]), strict=True):
+        if len(text) > 1000:
+            assert found.problem == "long"
+        elif math.isnan(value):
+            assert found.problem in ("zero", "root"), f"{text!r}: {found}"
+        else:
+            assert found.problem == "", f"{text!r}: {found}"
+            assert_value(found.value, value, text)
+
+
+def matrix(r):
+    """One to four rows of decimals, as texts."""
+    height, width = r.randrange(1, 5), r.randrange(2, 5)
+    tails = ["0", "5", "25", "0625"]
+    return [
+        [f"{r.choice(['', '-'])}{r.randrange(1000)}.{r.choice(tails)}" for _ in range(width)]
+        for _ in range(height)
+    ]
+
+
+def rows(start, between, end, comma=", ", point="."):
+    """A way to type a matrix."""
+
+    def typed(matrix):
+        lines = [comma.join(x.replace(".", point) for x in row) for row in matrix]
+        return start + between.join(lines) + end
+
+    return typed
+
+
+WAYS = [
+    rows("[[", "], [", "]]"),
+    rows("[[", "],[", "]]", ","),
+    rows("((", "),\n (", "))"),
+    rows("{{", "}, {", "}}"),
+    rows("np.array([[", "],\n          [", "]])"),
+    rows("[[", "]\n [", "]]", " "),
+    rows("[", "; ", "]", " "),
+    rows("[", ";", "]", ","),
+    rows("[", "; ", "; ]"),
+    rows("[[", "], [", "]]", point=","),
+    rows("[", "; ", "]", "، ", "٫"),
+]
+BARE = [
+    rows("", "; ", ""),
+    rows("", "\n", "\n"),
+    rows("", "; ", ";", point=","),
+    rows("", "؛", "", "،"),
+]
+
+
+@many
+@given(seeds)
+def test_matrices(seed):
+    r = random.Random(seed)
+    made = [(matrix(r), r.choice(WAYS + BARE)) for _ in range(50)]
+    texts = [way(entries) for entries, way in made]
+    for text, (entries, _), found in zip(texts, made, both(texts), strict=True):
+        value = [[float(x) for x in row] for row in entries]
+        if len(value) == 1 and "[[" not in text and "{{" not in text:
+            value = value[0]  # one row alone is a flat list
+        assert found == Reading(value), text
+
+
+SOME = "0|1|12|000|5|.5|0,5|1e3|1e-320|1e308|½|⅓|pi|π|2π|۵|+|-|−|*|/|^|**|²|=|°|deg|√|sqrt|sqrt(|"
+SOME += "array(|np.|nan|inf|sin|m|rad|e|'|_|٬|,|, |;|،|؛|.|٫|(|)|[|]|{|}|(|)|[|]| | | |\n|\t|\u200b"
+PIECES = SOME.split("|")
+ENDS = ["", "", "", "(" * 20, "[" * 21, "√" * 900, "-" * 990, "9" * 400, "[" * 600]
+
+
+def characters(r, highest):
+    return "".join(chr(r.randrange(highest)) for _ in range(r.randrange(12)))
+
+
+def garbage(r):
+    """Pieces in any order; characters of any kind, lone surrogates as well; long and deep texts."""
+    kind = r.randrange(6)
+    if kind < 3:
+        return "".join(r.choices(PIECES, k=r.randrange(15)))
+    if kind == 3:
+        return characters(r, r.choice([0x80, 0x700, 0x10000, 0x110000]))
+    if kind == 4:
+        return characters(r, 0x80) + chr(r.randrange(0xD800, 0xE000)) + r.choice(PIECES)
+    return r.choice(ENDS) + "".join(r.choices(PIECES, k=r.randrange(4))) + r.choice(ENDS)
+
+
+@many
+@given(seeds)
+def test_garbage(seed):
+    r = random.Random(seed)
+    both([garbage(r) for _ in range(100)])
+
+
+@given(st.lists(st.text(), max_size=10))
+def test_texts_that_shrink(texts):
+    both(texts)

@@ -15,7 +15,7 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*$(T)*.ipynb)
 TESTS = $(wildcard tests/test_*$(T)*.py)
-PYTEST := $(BIN)/python -m pytest -n 2 --dist loadfile
+PYTEST := $(BIN)/python -m pytest -n 2 --dist
 
 .PHONY: book serve lab test test-long check notebooks lock bench mutate clean
 .DEFAULT_GOAL := book
@@ -45,12 +45,12 @@ lab: $(READY)
 
 test: check
 	@test -n "$(TESTS)$(NOTEBOOKS)" || { echo "no test or notebook has '$(T)' in its name"; exit 1; }
-	$(if $(TESTS),$(PYTEST) -m "not long" $(TESTS))
-	$(if $(NOTEBOOKS),$(PYTEST) --nbval $(NOTEBOOKS))
+	$(if $(TESTS),$(PYTEST) worksteal -m "not long" $(TESTS))
+	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 test-long: check
-	$(PYTEST) $(TESTS)
-	$(PYTEST) --nbval $(NOTEBOOKS)
+	$(PYTEST) worksteal $(TESTS)
+	$(PYTEST) loadfile --nbval $(NOTEBOOKS)
 
 check: $(READY)
 	$(BIN)/ruff check .
@@ -79,7 +79,7 @@ bench: .venv-bench/.ready
 .venv-mutate/.ready: tools/mutation-requirements.txt requirements.txt
 	$(PYTHON) -m venv .venv-mutate
 	.venv-mutate/bin/python -m pip install --disable-pip-version-check --require-hashes -r requirements.txt
-	.venv-mutate/bin/python -m pip install --disable-pip-version-check -r tools/mutation-requirements.txt
+	.venv-mutate/bin/python -m pip install --disable-pip-version-check --no-deps -r tools/mutation-requirements.txt
 	@touch $@
 
 mutate: .venv-mutate/.ready

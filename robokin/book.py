@@ -1,26 +1,35 @@
-"""The Sphinx extension of the course: how formulas and live figures get onto a page.
+"""The Sphinx extension of the course: how formulas, live figures and exercises get onto a page.
 
 A cell's formula becomes a numbered equation, a cell's figure its still picture that the script
-takes over. Directives: `{formula-checks}` (every formula against its function), `{notation}`.
+takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
+against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
+`{errata}` (what is wrong in the source documents), `{downloads}` (what notebooks need).
+Settings: `robokin_course` (the salt that picks each student's numbers), `robokin_solutions`.
 """
 
 import hashlib
 import json
+import shutil
+from html import escape
 from pathlib import Path
 from typing import Any
 
 from docutils import nodes
+from flit_core.wheel import make_wheel_in
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from robokin import equations
+from robokin import __version__, equations
 from robokin.equations.printing import MIME as EQUATION
 from robokin.equations.printing import equation_latex
 from robokin.live import engine
 from robokin.live.figure import MIME as FIGURE
 from robokin.live.runtime import runtime, stylesheet
+from robokin.practice import page as practice
+from robokin.practice.bank import EXERCISES, MISTAKES, TOPICS
+from robokin.practice.notebook import COURSE, MISTAKE, mistake
 
 PACKAGE = Path(__file__).parent
 
@@ -28,7 +37,12 @@ PACKAGE = Path(__file__).parent
 class Outputs:
     """The plugin that MyST-NB asks for each output of a cell."""
 
-    mime_priority_overrides = (("html", EQUATION, 1), ("html", FIGURE, 1))
+    mime_priority_overrides = (
+        ("html", EQUATION, 1),
+        ("html", FIGURE, 1),
+        ("html", practice.MIME, 1),
+        ("html", MISTAKE, 1),
+    )
 
     @staticmethod
     def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
@@ -38,6 +52,11 @@ class Outputs:
         if data.mime_type == FIGURE:
             _depend(renderer.renderer.sphinx_env, "live/*", "styles.py")
             return [_figure(data.content)]
+        if data.mime_type == practice.MIME:
+            return [_exercise(renderer.renderer.sphinx_env, data.content["name"])]
+        if data.mime_type == MISTAKE:
+            _depend(renderer.renderer.sphinx_env, "practice/*", "*.py")
+            return [_mistake(data.content["name"])]
         return None
 
 
@@ -66,6 +85,28 @@ def _figure(content: dict[str, str]) -> nodes.raw:
     return nodes.raw("", html, format="html")
 
 
+def _exercise(env: BuildEnvironment, name: str) -> nodes.raw:
+    """The box of an exercise; before the first on a page, the desk with the student's name."""
+    _depend(env, "practice/*", "live/*", "styles.py", "*.py")
+    course, solutions = env.config.robokin_course, env.config.robokin_solutions
+    html = practice.box(name, course, solutions)
+    if not env.temp_data.get("robokin_desk"):
+        env.temp_data["robokin_desk"] = True
+        desk = engine.run("robokin.deskHtml()")
+        start = f'<div class="rk-desk" data-course="{escape(course, quote=True)}">{desk}</div>'
+        html = f"{start}\n{html}"
+    return nodes.raw("", html, format="html")
+
+
+def _mistake(name: str) -> nodes.container:
+    """A wrong line to judge, what it gives, and the answer folded."""
+    shown = mistake(name)
+    title = f'<p class="rk-mistake-title">{escape(shown.exercise.title)}</p>'
+    line = nodes.literal_block(shown.mistake.line, shown.mistake.line, language="python")
+    parts = [nodes.raw("", title, format="html"), line, nodes.raw("", shown.answer, format="html")]
+    return nodes.container("", *parts, classes=["rk-mistake"], ids=[name])
+
+
 def _depend(env: BuildEnvironment, *patterns: str) -> None:
     """Read the present page again when one of these files of the package changes."""
     for pattern in patterns:
@@ -80,6 +121,35 @@ class FormulaChecks(SphinxDirective):
         """A formula and a sentence for each; a difference over its tolerance fails the build."""
         _depend(self.env, "*.py", "equations/*.py")
         entries = checked(Path(self.env.app.outdir).parent)
+        return self.parse_text_to_nodes("\n\n".join(entries))
+
+
+class Practice(SphinxDirective):
+    """All exercises of a topic, each with its box."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """A box for each exercise of the topic."""
+        topic = self.arguments[0]
+        names = [name for name, exercise in EXERCISES.items() if exercise.topic == topic]
+        if not names:
+            raise self.error(f"no exercises on {topic!r}; there are {', '.join(TOPICS)}")
+        return [_exercise(self.env, name) for name in names]
+
+
+class Errata(SphinxDirective):
+    """What stands wrong in the source documents."""
+
+    def run(self) -> list[nodes.Node]:
+        """What stands, what should and why, for each mistake that stands in a document."""
+        _depend(self.env, "practice/*.py")
+        found = sorted((m for m in MISTAKES.values() if m.document), key=lambda m: int(m.name[1:]))
+        entries = [
+            f"**{m.document}** ({m.name})\n\n- There stands: {m.stands}\n"
+            f"- It should be: {m.should}\n\n{m.why}"
+            for m in found
+        ]
         return self.parse_text_to_nodes("\n\n".join(entries))
 
 
@@ -135,28 +205,64 @@ def _power(number: float) -> str:
 
 
 def _add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The runtime and its style on pages that have a figure, and only there."""
-    if doctree and "rk-figure" in context.get("body", ""):
+    """The runtime and its style on pages that have a figure or an exercise, and only there."""
+    body = context.get("body", "") if doctree else ""
+    if 'class="rk-' in body:
         app.add_js_file("robokin-live.js", loading_method="defer")
         app.add_css_file("robokin-live.css")
+
+
+START = """(window.robokinFigures || []).forEach((figure) => robokin.onPage(figure));
+if (document.querySelector(".rk-desk")) {
+  robokin.exercisesOnPage(document.documentElement.dataset.content_root);
+}
+"""
 
 
 def _write_assets(app: Sphinx, error: Exception | None) -> None:
     if error or app.builder.format != "html":
         return
     static = Path(app.outdir) / "_static"
-    start = "(window.robokinFigures || []).forEach((figure) => robokin.onPage(figure));"
+    (static / "practice").mkdir(exist_ok=True)
+    solutions = app.config.robokin_solutions
     for name, text in {
-        "robokin-live.js": f"{runtime()}\n{start}\n",
+        "robokin-live.js": f"{runtime()}\n{START}",
         "robokin-live.css": stylesheet(),
+        **{f"practice/{t}.js": practice.script(t, solutions) for t in TOPICS},
     }.items():
         (static / name).write_text(text, encoding="utf-8")
+
+
+class Downloads(SphinxDirective):
+    """Links to what a downloaded notebook needs."""
+
+    def run(self) -> list[nodes.Node]:
+        """The wheel and the locked requirements, which stand beside the notebooks."""
+        files = ("requirements.txt", f"robokin-{__version__}-py3-none-any.whl")
+        root = "../" * self.env.docname.count("/")
+        links = (f'<a href="{root}_sources/{name}" download>{name}</a>' for name in files)
+        return [nodes.raw("", f"<p>{' · '.join(links)}</p>", format="html")]
+
+
+def _write_downloads(app: Sphinx, error: Exception | None) -> None:
+    """The wheel of `robokin` and the locked requirements, beside the notebooks."""
+    if error or app.builder.format != "html":
+        return
+    beside = Path(app.outdir) / "_sources"
+    make_wheel_in(PACKAGE.parent / "pyproject.toml", beside)
+    shutil.copy(PACKAGE.parent / "requirements.txt", beside)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Called by Sphinx."""
     app.add_directive("formula-checks", FormulaChecks)
     app.add_directive("notation", Notation)
+    app.add_directive("practice", Practice)
+    app.add_directive("errata", Errata)
+    app.add_config_value("robokin_course", COURSE, "env", str)
+    app.add_config_value("robokin_solutions", True, "env", bool)
     app.connect("html-page-context", _add_assets)
+    app.add_directive("downloads", Downloads)
     app.connect("build-finished", _write_assets)
+    app.connect("build-finished", _write_downloads)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -9,8 +9,9 @@ import pytest
 from matplotlib.colors import to_hex
 from matplotlib.patches import Circle, FancyArrowPatch, Rectangle
 
-from robokin import draw
+from robokin import draw, euler
 from robokin.errors import RobokinError
+from robokin.live.space import VIEW, azimuth, elevation
 from robokin.styles import KINDS
 
 mpl.use("agg")
@@ -50,6 +51,16 @@ def test_robot_stands_at_its_pose(ax):
     assert to_hex(right.get_edgecolor()) == KINDS["right"].light
 
 
+def test_wheel_stands_at_its_pose(ax):
+    draw.wheel(ax, [0.3, 0.2, np.pi / 2], wheel_radius=0.1, kind="left")
+    (wheel,) = patches(ax, Rectangle)
+    to_world = ax.transData.inverted()
+    corners = to_world.transform(wheel.get_transform().transform([(0, 0), (1, 1)]))
+    np.testing.assert_allclose(corners.mean(axis=0), [0.3, 0.2], atol=1e-12)  # as above
+    np.testing.assert_allclose(abs(corners[1] - corners[0]), [0.06, 0.2], atol=1e-12)
+    assert to_hex(wheel.get_edgecolor()) == KINDS["left"].light
+
+
 def test_arrow_point_and_path(ax):
     draw.arrow(ax, [0, 0], [0.5, 0.5], "velocity", "$v$")
     (arrow,) = patches(ax, FancyArrowPatch)
@@ -66,6 +77,26 @@ def test_frame_has_two_axes(ax):
     draw.frame(ax, [0, 0, 0.3], size=0.2, name="$A$")
     colors = [to_hex(patch.get_edgecolor()) for patch in patches(ax, FancyArrowPatch)]
     assert colors == [KINDS["x_axis"].light, KINDS["y_axis"].light]
+
+
+def test_a_frame_in_space_is_seen_as_in_the_live_figures(ax):
+    R = euler.to_matrix("XYZ", [0.3, -0.5, 1.1])
+    draw.frame_in_space(ax, R, at=(0.2, 0.1), labels=["$x$", "$y$", "$z$"], view=(0.4, 0.7))
+    arrows = patches(ax, FancyArrowPatch)
+    kinds = ("x_axis", "y_axis", "z_axis")
+    assert [to_hex(a.get_edgecolor()) for a in arrows] == [KINDS[kind].light for kind in kinds]
+    assert [text.get_text() for text in ax.texts] == ["", "$x$", "", "$y$", "", "$z$"]
+    for column, text in zip(R.T, ax.texts[::2], strict=True):
+        right, up = (
+            float(e.evalf(subs={azimuth: 0.4, elevation: 0.7})) for e in VIEW.project(column)
+        )
+        np.testing.assert_allclose(text.xy, [0.2 + right, 0.1 + up], atol=1e-12)  # roundings
+
+
+def test_axes_in_space_have_no_numbers():
+    ax = draw.space(x=(-1, 1), y=(-1, 1))
+    assert not ax.axison
+    plt.close(ax.figure)
 
 
 def test_an_unknown_kind_is_refused(ax):

@@ -1,7 +1,8 @@
 """The live figures: their numbers, their picture, and the hands of a reader on the built page.
 
-Every figure of `robokin.figures` is held to all of this. A new one needs two entries below, under
-"By topic": what its readouts must say, computed by `robokin`, and its special settings.
+Every figure of `robokin.figures` is held to all of this. A new one needs two entries in
+`tests/expected/<topic>.py`: what its readouts must say, computed by `robokin`, and its special
+settings.
 """
 
 import importlib
@@ -13,22 +14,36 @@ from contextlib import contextmanager
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
 
+import expected
 import nbformat
 import numpy as np
 import pytest
 import sympy as sp
 from support import EPS, ROOT, assert_close
 
-from robokin import differential_drive, figures, motion
+from robokin import euler, figures
 from robokin.equations import motion as motion_formulas
 from robokin.equations.checking import differences, evaluate
 from robokin.equations.core import QUANTITIES
 from robokin.errors import RobokinError
-from robokin.live import POINTER, Choice, Clock, Curve, Figure, Handle, Point, Readout, Slider
+from robokin.live import (
+    POINTER,
+    VIEW,
+    Arrow,
+    Choice,
+    Clock,
+    Curve,
+    Figure,
+    Handle,
+    Point,
+    Readout,
+    Slider,
+    view_sliders,
+)
 from robokin.live import engine as script
 from robokin.live.compiling import factor
 from robokin.live.figure import MIME
-from robokin.live.runtime import stylesheet
+from robokin.live.runtime import runtime, stylesheet
 from robokin.styles import KINDS
 
 pytest_plugins = ["browser"]
@@ -51,56 +66,24 @@ def all_figures():
 FIGURES = {figure.name: figure for figure in all_figures()}
 each_figure = pytest.mark.parametrize("figure", FIGURES.values(), ids=FIGURES)
 
+# What the script does for any figure alike is tried on three that differ (a clock; in space with a
+# choice; loops), and on all of them in the long run.
+TYPICAL = ("wheel-speeds", "euler-sequence", "bicycle-steps")
+typical_figure = pytest.mark.parametrize(
+    "figure",
+    [pytest.param(f, marks=[pytest.mark.long] * (n not in TYPICAL)) for n, f in FIGURES.items()],
+    ids=FIGURES,
+)
+
 
 # --- By topic -------------------------------------------------------------------------------
 
-DISTANCE, RADIUS = 0.1, 1.0  # m; the wheel radius cancels, and 1 leaves the digits alone
-STEPS_DURATION = 6.0  # s
-
-
-def twist_of(v_left, v_right):
-    """Speed and turning rate of the robot in the figures."""
-    rates = np.array([v_left, v_right]) / RADIUS
-    twist = differential_drive.body_twist(*rates, RADIUS, DISTANCE)
-    return twist[..., 0], twist[..., 2]
-
-
-def start_pose(theta):
-    """At the origin, with a heading: (n,) → (n, 3)."""
-    return np.stack([0 * theta, 0 * theta, theta], axis=-1)
-
-
-def drive_readouts(v_left, v_right, theta, t):
-    """v, omega, radius, x, y, heading."""
-    v, omega = twist_of(v_left, v_right)
-    radius = motion.icr(start_pose(0 * theta), v, omega)[..., 1]
-    return np.column_stack([v, omega, radius, motion.arc_step(start_pose(theta), v, omega, t)])
-
-
-def steps_readouts(count, v_left, v_right, theta):
-    """apart, x, y."""
-    v, omega = twist_of(v_left, v_right)
-    exact = motion.arc_step(start_pose(theta), v, omega, STEPS_DURATION)[:, :2]
-    ends = np.empty_like(exact)
-    for k in set(count):
-        one = count == k
-        drive = v[one, None], omega[one, None], np.full(int(k), STEPS_DURATION / k)
-        ends[one] = motion.path(start_pose(theta[one]), *drive, method="start")[:, -1, :2]
-    return np.column_stack([np.hypot(*(ends - exact).T), exact])
-
-
-STRAIGHT, BACK = {"v_L": 0.07, "v_R": 0.07}, {"v_L": -0.15, "v_R": -0.15}
-SPOT, STILL = {"v_L": -0.05, "v_R": 0.05}, {"v_L": 0.0, "v_R": 0.0}
-
-READOUTS = {"wheel-speeds": drive_readouts, "steps": steps_readouts}
-SPECIALS = {
-    "wheel-speeds": [STRAIGHT, BACK, SPOT, STILL, {**STRAIGHT, "t": 12.0}],
-    "steps": [STRAIGHT, BACK, SPOT, STILL, {**SPOT, "n": 1}],
-}
-WORDS = [  # figure, slider → what it shows, readout → its word
-    ("wheel-speeds", {"v_L": 0.1}, "radius", "none: straight ahead"),
-    ("wheel-speeds", {"v_L": 0.0, "v_R": 0.0}, "radius", "every point: standing still"),
+TABLES = [
+    importlib.import_module(f"expected.{m.name}") for m in pkgutil.iter_modules(expected.__path__)
 ]
+READOUTS = {name: by for table in TABLES for name, by in table.READOUTS.items()}
+SPECIALS = {name: special for table in TABLES for name, special in table.SPECIALS.items()}
+WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider shows them
 
 
 def test_every_figure_has_its_expected_readouts():
@@ -108,7 +91,7 @@ def test_every_figure_has_its_expected_readouts():
     assert READOUTS.keys() == SPECIALS.keys() == FIGURES.keys()
 
 
-def expected(figure, points):
+def readouts(figure, points):
     """The readouts by `robokin`: (n, settings) → (n, readouts)."""
     return READOUTS[figure.name](*np.asarray(points, dtype=float).T)
 
@@ -212,10 +195,17 @@ def exact(figure, expressions, more=()):
     return evaluate(sp.Matrix(expressions), symbols, given, figure.where)
 
 
+def sizes(numbers):
+    """What differences are measured by: 1, and beyond 1 the number itself."""
+    magnitudes = np.abs(numbers.astype(float))
+    return np.where(np.isfinite(magnitudes), np.maximum(1, magnitudes), 1)
+
+
 @each_figure
 def test_every_number_in_50_digits(figure):
     computed = figure.compute(points(figure))
-    worst = differences(computed, exact(figure, figure.expressions)).max()
+    wanted = exact(figure, figure.expressions)
+    worst = (differences(computed, wanted) / sizes(wanted)).max()
     print(f"{figure.name}: {computed.shape[1]} numbers, largest difference {worst:.1e}")
     assert worst <= ALLOWED
 
@@ -224,7 +214,7 @@ def test_every_number_in_50_digits(figure):
 def test_readouts_against_robokin(figure):
     rows = points(figure)
     computed = figure.compute(rows)[:, : len(figure.readouts)]
-    assert_close(computed, expected(figure, rows), atol=ALLOWED)
+    np.testing.assert_allclose(computed, readouts(figure, rows), rtol=ALLOWED, atol=ALLOWED)
     told = [w for readout in figure.readouts for w in readout.words]
     assert {str(x) for x in computed[~np.isfinite(computed)]} == set(told)  # all words are met
 
@@ -235,7 +225,7 @@ def test_almost_straight():
     faster = [np.nextafter(0.1, 1), *(0.1 + 10.0**-k for k in range(3, 16))]
     rows = np.array([point(figure, {"v_L": 0.1, "v_R": v_R, "t": 12.0}) for v_R in faster])
     # three roundings of the radius, twice, each of half a unit in the last place
-    wanted = expected(figure, rows)
+    wanted = readouts(figure, rows)
     np.testing.assert_allclose(figure.compute(rows)[:, :6], wanted, rtol=6 * EPS, atol=ALLOWED)
     assert wanted[0, 2] > 1e14
 
@@ -257,8 +247,9 @@ def test_curves_in_50_digits(figure):
             low, high = exact(figure, [shape.low, shape.high]).T.astype(float)
             s = np.random.default_rng(place).uniform(low, high)
             drawn_at = called(figure, f"scene[{place}].point", rows, s[:, None])
-            at = exact(figure, shape.at, {shape.parameter: s})
-            assert differences(drawn_at, at).max() <= ALLOWED
+            traced = shape.at if shape.depth is None else (*shape.at, shape.depth)
+            at = exact(figure, traced, {shape.parameter: s})
+            assert (differences(drawn_at, at) / sizes(at)).max() <= ALLOWED
 
 
 @each_figure
@@ -308,6 +299,9 @@ def test_the_small_figure_is_right():
         ({"says": "b is {b}"}, "says .*'b'.*, but has only x, twice"),
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
+        ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
+        ({"turns": (a, loose)}, "dragging the ground of small sets loose, which is no slider"),
+        ({"scene": VIEW.frame(sp.eye(3))}, "uses .*azimuth.*, but .* are x"),
     ],
 )
 def test_a_wrong_declaration_is_refused(parts, message):
@@ -345,6 +339,111 @@ def test_values_are_read_and_set_from_python(figure):
     figure.move({key(first): ends(first)[0]})
     assert figure.values[key(first)] == ends(first)[0]
     figure.move({key(first): first.start})
+
+
+# --- Pictures in space ----------------------------------------------------------------------
+
+turn = sp.Symbol("turn")
+ring = (sp.cos(turn), sp.sin(turn), 0)
+
+
+def space(**parts):
+    """A frame, a ring about its z axis and a point, seen from a side that the reader chooses."""
+    right = {
+        "name": "space",
+        "view": (-1.6, 1.6, -1.3, 1.3),
+        "controls": view_sliders(),
+        "scene": (
+            *VIEW.frame(sp.eye(3), labels=("x", "y", "z")),
+            Curve("path", VIEW.project(ring), turn, 0, 6.2831, depth=VIEW.depth(ring)),
+            VIEW.point("target", (2, 0, 0)),
+        ),
+        "readouts": (Readout("near", "how near x is", VIEW.depth((1, 0, 0)), ""),),
+        "says": "Seen from {azimuth}, {elevation}.",
+        "turns": VIEW.angles,
+        "grid": False,
+    }
+    return declared(**{**right, **parts})
+
+
+def painted(figure, **shown):
+    """The picture at a setting, in the units shown; its pieces in order of painting."""
+    state = [shown.get(key(c), c.start) for c in figure.controls]
+    text = script.run(f"((figure) => robokin.svg(figure, {json.dumps(state)}))({figure.code})")
+    kinds = re.findall(r"--rk-(\w+),", re.sub(r"<text.*?</text>", "", text))
+    return [kind for kind in kinds if kind != "ground"]
+
+
+def test_a_view_is_a_rotation():
+    """Right, up and towards the viewer: the axes of a frame turned about z, then its new x."""
+    angles = np.random.default_rng(8).uniform([-np.pi, -np.pi / 2], [np.pi, np.pi / 2], (N, 2))
+    seen = [sp.Matrix([*VIEW.project(axis), VIEW.depth(axis)]) for axis in np.eye(3, dtype=int)]
+    rows = evaluate(sp.Matrix.hstack(*seen), VIEW.angles, angles).reshape(N, 3, 3)
+    turns = np.stack([angles[:, 0] + np.pi / 2, np.pi / 2 - angles[:, 1]], axis=-1)
+    expected = np.swapaxes(euler.to_matrix("ZX", turns), 1, 2)
+    # two roundings of angles up to 5 rad, of sine and cosine, and one product
+    assert_close(rows.astype(float), expected, atol=8 * EPS)
+
+
+@pytest.mark.parametrize(
+    ("azimuth", "elevation", "order"),
+    [
+        (30, 20, ["z_axis", "y_axis", "x_axis"]),
+        (80, 20, ["x_axis", "z_axis", "y_axis"]),
+        (30, 80, ["y_axis", "x_axis", "z_axis"]),
+        (-150, 20, ["x_axis", "y_axis", "z_axis"]),
+    ],
+)
+def test_nearer_shapes_are_painted_later(azimuth, elevation, order):
+    figure = space(scene=VIEW.frame(sp.eye(3)))
+    axes = painted(figure, azimuth=azimuth, elevation=elevation)
+    assert list(dict.fromkeys(axes)) == order
+
+
+def test_a_curve_passes_behind_and_in_front():
+    axis = VIEW.line("z_axis", [(0, 0, -1), (0, 0, 1)])
+    pieces = painted(space(scene=(axis, space().scene[3])), elevation=20)
+    middle = pieces.index("z_axis")
+    assert pieces == ["path"] * middle + ["z_axis"] + ["path"] * (len(pieces) - middle - 1)
+    assert len(pieces) == 96 / 4 + 1
+    assert abs(middle - 12) <= 1
+
+
+def test_shapes_without_depth_keep_their_place():
+    first, last = Point("left", (0, 0)), Point("right", (0, 0))
+    near, far = Point("icr", (0, 0), depth=1), Point("ghost", (0, 0), depth=-1)
+    assert painted(space(scene=(first, near, far, last))) == ["left", "ghost", "icr", "right"]
+    same = (Point("icr", (0, 0), depth=1), Point("ghost", (0, 0), depth=1))
+    assert painted(space(scene=same)) == ["icr", "ghost"]
+
+
+@pytest.mark.parametrize("depth", [sp.nan, sp.oo])
+def test_a_shape_at_no_depth_is_not_painted(depth):
+    shapes = (Point("icr", (0, 0), depth=depth), Point("left", (0, 0), depth=0))
+    assert painted(space(scene=shapes)) == ["left"]
+
+
+def test_what_is_in_front_leaves_a_gap():
+    """A line in space is drawn on a wider one in the colour of the ground; a flat one is not."""
+    gaps = r"fill:none;stroke:var\(--rk-ground"
+    assert len(re.findall(gaps, space(scene=VIEW.frame(sp.eye(3))).picture())) == 3
+    assert len(re.findall(gaps, space(scene=(space().scene[3],)).picture())) == 96 / 4
+    assert re.findall(gaps, FIGURES["wheel-speeds"].picture()) == []
+
+
+def test_no_grid_where_none_is_wanted():
+    assert "grid" in painted(space(grid=True))
+    assert "grid" not in painted(space())
+    assert "x, y in m" not in space().picture()
+
+
+def test_a_frame_in_space_is_three_arrows():
+    arrows = VIEW.frame(sp.eye(3), at=(0, 0, 1), size=2, labels=("x", "y", "z"))
+    assert [arrow.kind for arrow in arrows] == ["x_axis", "y_axis", "z_axis"]
+    assert [arrow.label for arrow in arrows] == ["x", "y", "z"]
+    assert arrows[2] == Arrow(
+        "z_axis", VIEW.project((0, 0, 1)), VIEW.project((0, 0, 3)), "z", VIEW.depth((0, 0, 2))
+    )
 
 
 # --- What a notebook keeps ------------------------------------------------------------------
@@ -407,6 +506,32 @@ def test_contrast_is_computed_right():
     assert contrast("#767676", "#fff") == pytest.approx(4.54, abs=0.005)  # WCAG's known example
 
 
+SEEN = {  # linear RGB as seen without red or green cones: Machado, Oliveira, Fernandes (2009)
+    "protan": [(0.152, 1.053, -0.205), (0.115, 0.786, 0.099), (-0.004, -0.048, 1.052)],
+    "deutan": [(0.367, 0.861, -0.228), (0.280, 0.673, 0.047), (-0.012, 0.043, 0.969)],
+}
+
+
+def lab(color, seen):
+    """CIELAB of a colour as such a reader sees it."""
+    channels = np.array([int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)])
+    linear = np.where(channels <= 0.04045, channels / 12.92, ((channels + 0.055) / 1.055) ** 2.4)
+    xyz = np.array([(0.4124, 0.3576, 0.1805), (0.2126, 0.7152, 0.0722), (0.0193, 0.1192, 0.9505)])
+    white = xyz.sum(axis=1)
+    x, y, z = np.cbrt(np.clip(xyz @ np.clip(np.array(seen) @ linear, 0, 1) / white, 0.009, 1))
+    return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
+
+
+@pytest.mark.parametrize("page", ["light", "dark"])
+@pytest.mark.parametrize("seen", SEEN.values(), ids=SEEN)
+def test_the_axes_of_a_frame_are_told_apart(seen, page):
+    """By dashes, and z from the others by its colour, too."""
+    axes = [KINDS[kind] for kind in ("x_axis", "y_axis", "z_axis")]
+    assert len({style.dash for style in axes}) == 3
+    x, y, z = (lab(getattr(style, page), seen) for style in axes)
+    assert min(np.linalg.norm(z - x), np.linalg.norm(z - y)) >= 40  # 2 is just visible
+
+
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "grid"])  # grid: decoration
 def test_every_kind_stands_out(kind):
     light, dark = grounds()
@@ -444,10 +569,11 @@ def page_of(site):
 
 
 SHOW = """(svg) => new Promise((standing) => {
-  let before = NaN;
+  let before = NaN, still = 0;
   const look = () => {
     const {top} = svg.getBoundingClientRect();
-    if (top === before) return standing();
+    still = top === before ? still + 1 : 0;
+    if (still === 3) return standing();
     before = top;
     requestAnimationFrame(look);
   };
@@ -534,8 +660,9 @@ def visit(chromium, server, page_of):
     def opened(figure, address="", before=lambda page: None, **options):
         with watched_page(chromium, server, **options) as (page, watch):
             before(page)
-            page.goto(server + page_of[figure.name] + address, wait_until="networkidle")
+            page.goto(server + page_of[figure.name] + address)
             page.evaluate("() => document.fonts.ready")  # else the page still moves
+            page.add_style_tag(content="html { scroll-behavior: auto !important; }")
             yield OnPage(page, figure).come_alive()
             assert not watch.errors + watch.strangers
 
@@ -566,7 +693,7 @@ def test_the_browser_computes_as_the_engine_does(figure, visit):
 
 def assert_told(live):
     """The readouts and the controls say what `robokin` computes for the state read back."""
-    wanted = expected(live.figure, [live.point()])[0]
+    wanted = readouts(live.figure, [live.point()])[0]
     texts = live.readouts()
     for readout, value in zip(live.figure.readouts, wanted, strict=True):
         assert texts[readout.name] in both_shown(readout, value), (live.state(), readout.name)
@@ -680,6 +807,97 @@ def swipe(page, start, end):
         finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
 
 
+@pytest.fixture
+def turned(chromium):
+    """Opens a page of its own that holds the picture in space, with a page to scroll below."""
+
+    @contextmanager
+    def opened(**options):
+        figure = space(handles=(Handle("tip", (1, 1), {QUANTITY: POINTER[0]}),), controls=ABOUT)
+        body = f'<figure class="rk-figure" id="space">{figure.html()}</figure>'
+        with watched_page(chromium, "about:blank", **options) as (page, watch):
+            page.set_content(f"<style>{stylesheet()}</style>{body}<p style='height: 3000px'>")
+            page.add_script_tag(content=f"{runtime()}\nrobokin.onPage({figure.code});")
+            yield OnPage(page, figure).come_alive()
+            assert not watch.errors
+
+    return opened
+
+
+QUANTITY = motion_formulas.x
+ABOUT = (*view_sliders(0.5, 0.25), Slider(QUANTITY, 0.0, 1.0, start=0.5, step=0.01))
+
+
+def degrees(live):
+    """Azimuth and elevation as shown."""
+    return live.state()[:2]
+
+
+@in_browser
+def test_dragging_the_ground_turns_the_view(turned):
+    """Half a turn across the picture: what is near goes with the hand, and the rest stays."""
+    with turned() as live:
+        box = live.picture.bounding_box()
+        before = live.state()
+        live.page.mouse.move(box["x"] + 100, box["y"] + 100)
+        live.page.mouse.down()
+        live.page.mouse.move(box["x"] + 100 + box["width"] / 6, box["y"] + 140, steps=3)
+        live.page.mouse.up()
+        across, down = 30, 180 * 40 / box["width"]
+        # to one step of a degree: what it started from is between two steps
+        assert degrees(live) == pytest.approx([before[0] - across, before[1] + down], abs=1)
+        assert live.state()[2] == before[2]
+        rest = live.state()
+        live.page.mouse.move(box["x"] + 10, box["y"] + 10)  # let go: nothing follows any more
+        assert live.state() == rest
+
+
+@in_browser
+def test_the_view_goes_all_round_and_stops_above(turned):
+    with turned() as live:
+        box = live.picture.bounding_box()
+        start = [box["x"] + 0.9 * box["width"], box["y"] + 20]
+        for _ in range(3):  # to the left by 0.8 of half a turn each time: 432°, and up
+            live.page.mouse.move(*start)
+            live.page.mouse.down()
+            live.page.mouse.move(box["x"] + 0.1 * box["width"], start[1] + box["height"] / 2)
+            live.page.mouse.up()
+        azimuth, elevation = degrees(live)
+        # each of three drags rounds to a degree
+        assert azimuth == pytest.approx(np.degrees(0.5) + 432 - 360, abs=2)
+        assert elevation == 90
+        live.press(live.figure.controls[0], "ArrowRight", "ArrowRight")
+        assert degrees(live)[0] == azimuth + 2
+
+
+@in_browser
+def test_a_handle_does_not_turn_the_view(turned):
+    with turned() as live:
+        before = degrees(live)
+        x, y = live.spot(0, {})
+        live.page.mouse.move(x, y)
+        live.page.mouse.down()
+        live.page.mouse.move(x - 80, y + 40, steps=3)
+        live.page.mouse.up()
+        assert degrees(live) == before
+        assert live.state()[2] != 0.5
+
+
+@in_browser
+def test_a_finger_across_turns_and_up_scrolls(turned):
+    with turned(width=390, has_touch=True, is_mobile=True) as live:
+        live.page.evaluate("() => scrollTo(0, 0)")
+        before, box = degrees(live), live.picture.bounding_box()
+        middle = np.array([box["x"] + box["width"] / 2, box["y"] + 40])
+        swipe(live.page, middle.tolist(), np.add(middle, [-90, 4]).tolist())
+        after = degrees(live)
+        assert after[0] == pytest.approx(before[0] + 180 * 90 / box["width"], abs=1)
+        assert live.page.evaluate("scrollY") == 0
+        swipe(live.page, np.add(middle, [0, 160]).tolist(), middle.tolist())
+        live.page.wait_for_function("() => scrollY > 100")
+        assert degrees(live)[0] == after[0]
+
+
 @in_browser
 @pytest.mark.parametrize(("name", "values", "readout", "word"), WORDS)
 def test_words_instead_of_numbers(visit, name, values, readout, word):
@@ -695,7 +913,7 @@ def test_words_instead_of_numbers(visit, name, values, readout, word):
 
 
 @in_browser
-@each_figure
+@typical_figure
 def test_reset_restores_the_start(figure, visit):
     with visit(figure) as live:
         start = live.state()
@@ -714,7 +932,7 @@ def neighbours(live):
 
 
 @in_browser
-@each_figure
+@typical_figure
 def test_figures_do_not_disturb_each_other(figure, visit):
     with visit(figure) as live:
         others = neighbours(live)
@@ -741,6 +959,7 @@ def test_play_pause_and_the_end(figure, clock, visit):
     """On a clock of the test's own: seconds pass when it says so."""
     with visit(figure, before=lambda page: page.clock.install(time=0)) as live:
         live.page.clock.pause_at(60_000)
+        live.press(clock, "Home")
         button = live.root.locator(".rk-play")
         button.click()
         assert button.text_content() == "Pause"
@@ -784,6 +1003,7 @@ def test_scrubbing_takes_over_from_playing(figure, clock, visit):
 def test_reduced_motion_steps(figure, clock, visit):
     """Nothing runs: each press of the button is a tenth of the time."""
     with visit(figure, reduced_motion="reduce") as live:
+        live.press(clock, "Home")
         for turn in range(1, 12):
             live.root.locator(".rk-play").click()
             tenths = turn if turn <= 10 else 0  # and from the end back to the start
@@ -802,7 +1022,7 @@ IN_VIEW = """(name) => {
 
 
 @in_browser
-@each_figure
+@typical_figure
 def test_a_link_brings_the_setting_back(figure, visit):
     with visit(figure) as live:
         for turn in range(4):
@@ -829,7 +1049,7 @@ JUNK = ["1e99", "-1e99", "NaN", "Infinity", "", "<script>alert(1)</script>", "%"
 
 
 @in_browser
-@each_figure
+@typical_figure
 def test_junk_in_the_address_does_no_harm(figure, visit):
     """Too large or small is the end of the range, no number is the start."""
     with visit(figure, "#?") as live:
@@ -871,7 +1091,7 @@ def test_the_page_holds_the_still_picture(figure, site, page_of):
 
 
 @in_browser
-@each_figure
+@typical_figure
 def test_without_javascript_the_picture_is_there_and_nothing_else(
     figure, server, chromium, page_of
 ):
@@ -895,7 +1115,7 @@ def broken(figure, html):
 
 
 @in_browser
-@each_figure
+@typical_figure
 def test_a_broken_figure_stays_still_and_alone(figure, server, chromium, page_of):
     """Its picture is as the engine drew it, without controls; the others live."""
     with watched_page(chromium, server) as (page, watch):
@@ -927,7 +1147,7 @@ BELOW = "(element) => element.getBoundingClientRect().bottom"
 
 @in_browser
 @pytest.mark.parametrize("width", [1280, 390])
-@each_figure
+@typical_figure
 def test_the_page_does_not_jump_when_the_script_takes_over(
     figure, server, chromium, page_of, width
 ):
@@ -1083,16 +1303,17 @@ def rgb(color):
 
 @in_browser
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [1280, 390])
 @each_figure
-def test_every_kind_has_its_colour(figure, visit, width, scheme):
-    """On light and dark pages, and a screenshot to look at."""
+def test_every_kind_has_its_colour(figure, visit, scheme):
+    """On light and dark pages, and screenshots to look at."""
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     other = {"light": "dark", "dark": "light"}[scheme]
-    with visit(figure, width=width, scheme=scheme) as live:
+    with visit(figure, scheme=scheme) as live:
         painted = set(live.picture.evaluate(PAINT))
         for kind in {shape.kind for shape in figure.scene}:
             assert rgb(getattr(KINDS[kind], scheme)) in painted, kind
             assert rgb(getattr(KINDS[kind], other)) not in painted, kind
-        live.picture.evaluate(SHOW)
-        live.root.screenshot(path=SCREENSHOTS / f"figure-{figure.name}-{width}-{scheme}.png")
+        for width in (1280, 390):
+            live.page.set_viewport_size({"width": width, "height": 900})
+            live.picture.evaluate(SHOW)
+            live.root.screenshot(path=SCREENSHOTS / f"figure-{figure.name}-{width}-{scheme}.png")

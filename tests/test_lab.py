@@ -1,4 +1,4 @@
-"""The notebook in a real JupyterLab: run from top to bottom, then the live figure is moved."""
+"""The notebook in a real JupyterLab: run as a whole, a figure moved, an exercise answered."""
 
 import json
 import os
@@ -10,6 +10,9 @@ from contextlib import contextmanager
 
 import pytest
 from support import ROOT
+
+from robokin.practice.bank import EXERCISES
+from robokin.practice.notebook import COURSE, Box
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -26,6 +29,10 @@ FIGURE = "mine = figures.drive_figure()\nmine"
 ASK = "mine.values['v_L']"
 TURN_BACK = "mine.move({'v_R': -mine.values['v_R']})"
 
+# before it an exercise, so that Python can be asked what was answered
+EXERCISE = 'box = practice.exercise("differential-drive-1", student="Ada")\nbox'
+ANSWERS = "practice.answers()"
+
 # every cell is on the page, also those that are scrolled away; nothing is asked of the network
 SETTINGS = {
     "notebook-extension/tracker": {"windowingMode": "none"},
@@ -37,7 +44,7 @@ SETTINGS = {
 def copied(folder):
     """The notebook without its outputs, and the cells of this test at its end."""
     notebook = json.loads((ROOT / "book" / NOTEBOOK).read_text("utf-8"))
-    for place, source in enumerate((FIGURE, ASK, TURN_BACK)):
+    for place, source in enumerate((EXERCISE, ANSWERS, FIGURE, ASK, TURN_BACK)):
         cell = {"cell_type": "code", "id": f"mine-{place}", "metadata": {}, "source": source}
         notebook["cells"].append(cell)
     for cell in notebook["cells"]:
@@ -132,7 +139,7 @@ def shows(figure, name, text):
     row.locator("dd", has_text=text).wait_for()
 
 
-def test_the_notebook_runs_and_its_figure_moves(tmp_path, chromium):
+def test_figures_and_exercises_in_the_notebook(tmp_path, chromium):
     copied(tmp_path / "notebooks")
     home = tmp_path / "home"
     home.mkdir()
@@ -153,6 +160,21 @@ def test_the_notebook_runs_and_its_figure_moves(tmp_path, chromium):
         run_again(turned)
         shows(figure, "speed v", "0.125 m/s")
         SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        box, answers = cells.nth(-5).locator(".rk-exercise.rk-live"), cells.nth(-4)
+        field, verdict = box.get_by_label("Answer, one number"), box.locator(".rk-verdict")
+        field.fill("nonsense")
+        field.press("Enter")
+        verdict.filter(has_text="cannot be read").wait_for()
+        assert "Ada" not in run_again(answers)  # what cannot be read counts for nothing
+        right = Box(EXERCISES["differential-drive-1"], "Ada", COURSE).variant.candidates[0].rows[0]
+        field.fill(f"{right[0]:.4f}")
+        field.press("Enter")
+        verdict.filter(has_text="This check passed.").wait_for()
+        told = run_again(answers)
+        assert "Ada" in told
+        assert f"{right[0]:.4f}" in told
+        box.scroll_into_view_if_needed()
+        page.screenshot(path=SCREENSHOTS / "lab-exercise.png")
         figure.scroll_into_view_if_needed()
         page.screenshot(path=SCREENSHOTS / "lab.png")
 

@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 from pathlib import Path
+from zipfile import ZipFile
 
 import pytest
 
@@ -165,6 +166,20 @@ def test_pages_have_a_description(site):
     assert_clean(missing)
 
 
+def test_root_signs_are_as_high_as_what_is_under_them(site, server, chromium):
+    """The rule for pictures among the outputs must not squeeze the drawn parts of a formula."""
+    look = "(all) => all.map((s) => [s.getBoundingClientRect().height, s.getAttribute('height')])"
+    found = []
+    for name in pages(site):
+        if 'class="mord sqrt"' in (site / name).read_text("utf-8"):
+            with watched_page(chromium, server) as (page, _):
+                page.goto(server + name)
+                found += page.locator(".katex .sqrt svg").evaluate_all(look)
+    assert found
+    for height, ems in found:
+        assert height > 10 * float(ems.removesuffix("em"))  # px; letters are 18 px
+
+
 def test_icons_are_drawn(site):
     """Each icon class that a page uses has a drawing in the style sheet (the icon font is gone)."""
     sheet = (site / "_static" / "site.css").read_text("utf-8")
@@ -192,3 +207,20 @@ def test_bad_tex_fails_the_build(tmp_path):
         assert run.returncode != 0
         assert "bad.md:5: WARNING: TeX: " in run.stderr
         assert "bad.md:7: WARNING: TeX: Undefined control sequence: \\unknown" in run.stderr
+
+
+def test_downloaded_notebooks_find_what_they_need(site):
+    """The wheel and the lock stand beside the notebooks, where the first page links to them."""
+    links = re.findall(
+        r'href="(_sources/[^"]+)" download', (site / "intro.html").read_text("utf-8")
+    )
+    assert {Path(link).suffix for link in links} == {".txt", ".whl"}
+    assert all((site / link).is_file() for link in links)
+    assert list((site / "_sources").glob("04_*.ipynb"))
+    wheel = next(site / link for link in links if link.endswith(".whl"))
+    names = ZipFile(wheel).namelist()
+    assert {"robokin/motion.py", "robokin/live/figure.js", "robokin/practice/practice.js"} <= {
+        *names
+    }
+    lock = (site / "_sources" / "requirements.txt").read_text("utf-8")
+    assert lock == (ROOT / "requirements.txt").read_text("utf-8")

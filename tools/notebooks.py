@@ -73,6 +73,7 @@ def written(path: Path) -> str:
         kernel_name="python3",
         record_timing=False,
         store_widget_state=False,
+        coalesce_streams=True,  # what is printed slowly comes in parts; how many is chance
         extra_arguments=["--log-level=ERROR"],
         resources={"metadata": {"path": str(path.parent)}},
     )

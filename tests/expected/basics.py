@@ -1,0 +1,17 @@
+"""What the figure of the page before the chapters must show."""
+
+import numpy as np
+
+
+def direction_readouts(x, y):
+    """By atan2, and by the arctangent of the quotient, which has no answer at x = 0."""
+    quotient = np.full_like(x, np.nan)
+    np.divide(y, x, out=quotient, where=x != 0)
+    return np.column_stack([np.arctan2(y, x), np.arctan(quotient)])
+
+
+READOUTS = {"direction": direction_readouts}
+SPECIALS = {
+    "direction": [{"p_x": 0.0}, {"p_y": 0.0}, {"p_x": 0.0, "p_y": -0.7}, {"p_x": -1.0, "p_y": 0.0}]
+}
+WORDS = [("direction", {"p_x": 0.0}, "wrong", "no answer: division by zero")]

@@ -1,0 +1,80 @@
+"""What the figures of the chapter on the bicycle model must show."""
+
+import numpy as np
+
+from robokin import bicycle, motion
+
+LENGTH, RADIUS, DURATION = 7.0, 0.25, 10.0  # m, m, s: the long car, and its drive in steps
+
+
+def ackermann_readouts(phi, wheelbase, track):
+    """left, right, mean, tangent, radius."""
+    left, right = bicycle.ackermann(phi, wheelbase, track).T
+    tangent = np.tan(bicycle.equivalent_steering(left, right))
+    radius = bicycle.turning_radius(phi, wheelbase)
+    return np.column_stack([left, right, (left + right) / 2, tangent, radius])
+
+
+def followed(paths, theta, ahead):
+    """A point of the car along paths of the rear axle that start behind it: (n, k, 2)."""
+    forward = ahead[:, None] * LENGTH
+    at = paths[..., :2] + forward[..., None] * directions(paths[..., 2])
+    return at - forward[..., None] * directions(theta[:, None])
+
+
+def directions(heading):
+    """Unit vectors: (…) → (…, 2)."""
+    return np.stack([np.cos(heading), np.sin(heading)], axis=-1)
+
+
+def steps_readouts(count, phi, rate, psi, ahead):
+    """apart, pace, ratio, x, y. The loop steps the followed point along its own velocity."""
+    theta, v = np.pi / 2 - psi, RADIUS * rate
+    start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
+    whole = bicycle.path(start, v[:, None], phi[:, None], LENGTH, DURATION)
+    exact = followed(whole, theta, ahead)[:, -1]
+    ends, pace = np.empty_like(exact), np.empty_like(theta)
+    for k in set(count):
+        one = count == k
+        dt = DURATION / k
+        drive = v[one, None], phi[one, None], LENGTH, np.full(int(k), dt)
+        headings = bicycle.path(start[one], *drive, method="start")[:, :-1, 2]
+        rear = bicycle.body_twist(v[one], phi[one], LENGTH)
+        front = bicycle.front_twist(v[one], phi[one], LENGTH)
+        body = rear + ahead[one, None] * (front - rear)
+        pace[one] = dt * np.hypot(body[:, 0], body[:, 1])
+        ends[one] = dt * motion.to_world(headings, body[:, None])[..., :2].sum(axis=1)
+    apart = np.hypot(*(ends - exact).T)
+    return np.column_stack([apart, pace, apart / pace, exact])
+
+
+def lane_readouts(phi, wheelbase, track, t):
+    """lane, more, cut."""
+    radius = bicycle.turning_radius(phi, wheelbase)
+    R = np.where(np.isinf(radius), 0.0, np.abs(radius))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        # differences of nearly equal radii, rewritten with their sum
+        outer = R + track / 2
+        more = wheelbase**2 / (np.hypot(outer, wheelbase) + outer)
+        cut = wheelbase**2 / (np.hypot(R, wheelbase) + R)
+    more[np.isinf(radius)] = cut[np.isinf(radius)] = 0.0
+    return np.column_stack([more + track, more, cut])
+
+
+DEGREE = np.pi / 180
+AHEAD = {"steering": 0.0}
+TIGHT = [{"steering": sign * 75 * DEGREE} for sign in (-1, 1)]  # the inner wheel beyond 90°
+
+READOUTS = {
+    "ackermann-steering": ackermann_readouts,
+    "bicycle-steps": steps_readouts,
+    "swept-lane": lane_readouts,
+}
+SPECIALS = {
+    "ackermann-steering": [AHEAD, *TIGHT],
+    "bicycle-steps": [AHEAD, {"n": 1}, {"point": "front axle"}],
+    "swept-lane": [AHEAD, {**AHEAD, "t": 12.0}, {"t": 12.0}],
+}
+WORDS = [  # figure, slider → what it shows, readout → its word
+    ("ackermann-steering", AHEAD, "radius", "none: straight ahead"),
+]

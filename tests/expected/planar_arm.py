@@ -1,0 +1,100 @@
+"""What the figures of the chapter on the planar arm must show."""
+
+import numpy as np
+
+from robokin import planar_arm
+
+LINKS = np.array([0.4, 0.3, 0.2])  # m
+START = np.radians([30, 60, -90])
+DURATION = 4.0  # s
+SPEED_OUT = 0.1  # m/s
+
+
+def joints_readouts(theta1, theta2, theta3):
+    """x, y, phi, det, w, long, short, elbow, near."""
+    theta = np.column_stack([theta1, theta2, theta3])
+    wrist = planar_arm.joint_positions(theta, LINKS)[:, 2]
+    outward = np.zeros_like(theta)
+    outward[:, :2] = SPEED_OUT * wrist / np.linalg.norm(wrist, axis=1)[:, None]
+    elbow = planar_arm.joint_rates(theta, outward, LINKS, singular="nan")[:, 1]
+    det = np.linalg.det(planar_arm.jacobian(theta, LINKS))
+    bend = np.abs(np.sin(theta2))
+    near = np.where(bend <= 1e-9, np.inf, np.where(bend < 0.1, np.nan, bend))
+    sizes = planar_arm.ellipse(theta, LINKS)[0]
+    w = planar_arm.manipulability(theta, LINKS)
+    return np.column_stack([planar_arm.forward(theta, LINKS), det, w, sizes, elbow, near])
+
+
+def followed(steps, count, gain, damping, line):
+    """The joint angles after `count` of all steps, the wanted pose there, the last rates."""
+    begin = planar_arm.forward(START, LINKS)
+    way = line - begin
+    theta = np.tile(START, (len(line), 1))
+    rates = np.zeros_like(theta)
+    for k in range(int(count.max())):
+        wanted = begin + way * (k / steps)[:, None]
+        twist = way / DURATION + gain[:, None] * (wanted - planar_arm.forward(theta, LINKS))
+        now = planar_arm.joint_rates(theta, twist, LINKS, damping)
+        rates = np.where(k < count[:, None], now, rates)
+        theta = theta + np.where(k < count[:, None], now, 0) * (DURATION / steps)[:, None]
+    return theta, begin + way * (count / steps)[:, None], rates
+
+
+def line_readouts(t, steps, gain, damping, line_x, line_y):
+    """off, turned, rates, room."""
+    line = np.column_stack([line_x, line_y, 0 * line_x])
+    count = np.floor(t * steps / DURATION)
+    theta, wanted, rates = followed(steps, count, gain, damping, line)
+    hand = planar_arm.forward(theta, LINKS)
+    room = LINKS[0] + LINKS[1] - np.hypot(line_x - LINKS[2], line_y)
+    off = np.hypot(*(hand - wanted)[:, :2].T)
+    speed = np.linalg.norm(rates, axis=1)
+    return np.column_stack([off, hand[:, 2], speed, np.where(room < 0, np.nan, room)])
+
+
+def elbows_readouts(x, y, phi):
+    """distance, then the joint angles of both arms."""
+    pose = np.column_stack([x, y, phi])
+    both = planar_arm.inverse(pose, LINKS, unreachable="nan")
+    wrist = np.hypot(x - LINKS[2] * np.cos(phi), y - LINKS[2] * np.sin(phi))
+    return np.column_stack([wrist, both.reshape(-1, 6)])
+
+
+AT_END = {"t": DURATION}
+STRETCHED, FOLDED = {"theta2": 0.0}, {"theta2": np.pi}
+OUT = {**AT_END, "line_x": 0.85, "line_y": 0.7}
+BACK = {**AT_END, "line_x": -0.4, "line_y": 0.0}
+CLOSED_LOOP = {**AT_END, "gain": 2.0, "n": 30}
+
+READOUTS = {
+    "arm-joints": joints_readouts,
+    "arm-line": line_readouts,
+    "arm-elbows": elbows_readouts,
+}
+SPECIALS = {
+    "arm-joints": [
+        STRETCHED,
+        FOLDED,
+        {**STRETCHED, "theta3": 0.0},
+        {**FOLDED, "theta3": np.pi},
+        {"theta2": np.radians(2)},
+        {"theta2": np.radians(-2)},
+    ],
+    "arm-line": [
+        OUT,
+        BACK,
+        {**OUT, **CLOSED_LOOP},
+        {**BACK, **CLOSED_LOOP},
+        {**CLOSED_LOOP, "damping": 0.3},
+        AT_END,
+    ],
+    "arm-elbows": [{"x": 0.2, "y": 0.0}, {"x": 0.9, "y": 0.9}, {"phi_hand": np.pi / 2}],
+}
+WORDS = [  # figure, slider → what it shows, readout → its word
+    ("arm-joints", STRETCHED, "near", "0: singular"),
+    ("arm-joints", STRETCHED, "elbow", "no rate does it"),
+    ("arm-joints", FOLDED, "near", "0: singular"),
+    ("arm-joints", {"theta2": np.radians(4)}, "near", "below 0.1: nearly singular"),
+    ("arm-line", {"line_x": 0.85, "line_y": 0.6}, "room", "out of reach"),
+    ("arm-elbows", {"x": 0.9, "y": 0.9}, "solid1", "out of reach"),
+]

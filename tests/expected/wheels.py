@@ -1,0 +1,79 @@
+"""What the figures of the chapter on wheel constraints must show."""
+
+import numpy as np
+
+from robokin import motion, wheels
+
+QUARTER = np.pi / 2
+OMNI = wheels.omni_robot(0.2, 0.05)
+
+
+def laboratory_readouts(*columns):
+    """rank, now, mobility, steerability, both, v, v_y, omega."""
+    return np.array([laboratory(row) for row in zip(*columns, strict=True)])
+
+
+def laboratory(row):
+    """The readouts at one setting."""
+    numbers, wish, (ahead, left) = np.reshape(row[:24], (4, 6)), row[24:27], row[27:29]
+    which, shift = row[29:31], row[31:34]
+    robot = [
+        wheel(numbers[k], which[k] * np.array(shift) if k < 2 else np.zeros(3), ahead, left)
+        for k in range(4)
+        if numbers[k, 3]
+    ]
+    rows = wheels.sliding(robot)
+    _, sizes, turned = np.linalg.svd(rows) if len(rows) else (0, np.zeros(0), np.eye(3))
+    rank = np.count_nonzero(sizes > 1e-9 * sizes.max(initial=0))
+    free = turned[rank:]
+    return [rank, 3 - rank, *wheels.mobility(robot), *(free.T @ free @ np.array(wish))]
+
+
+def wheel(numbers, shift, ahead, left):
+    """A wheel of the robot, moved and turned by `shift`."""
+    x, y, rolls, _, fixed, steered = numbers
+    x, y = x + shift[0], y + shift[1]
+    axle = np.arctan2(left - y, ahead - x) if steered else rolls + QUARTER
+    l, alpha = np.hypot(x, y), np.arctan2(y, x)  # noqa: E741
+    place = l, alpha, axle + shift[2] - alpha, 0.07
+    if fixed:
+        return wheels.fixed(*place)
+    return wheels.steered(*place) if steered else wheels.castor(*place, -0.03)
+
+
+def omni_readouts(rate1, rate2, rate3, theta, t):
+    """v, v_y, turning, x_dot, y_dot, x, y, heading."""
+    rates = np.stack([rate1, rate2, rate3], axis=-1)
+    twist = wheels.forward(OMNI, rates)
+    start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
+    pose = motion.move(start, twist, t)
+    world = wheels.forward(OMNI, rates, theta=pose[:, 2])
+    return np.column_stack([twist, world[:, :2], pose])
+
+
+CAR, TWO = {"robot": "car"}, {"robot": "two steered wheels, castors"}
+DRIVE = {"robot": "differential drive, castor"}
+RATES = ("omni_rate1", "omni_rate2", "omni_rate3")
+
+READOUTS = {"wheel-laboratory": laboratory_readouts, "omni": omni_readouts}
+SPECIALS = {
+    "wheel-laboratory": [
+        {**CAR, "centre_y": 0.0},
+        {**CAR, "centre_x": 0.15},
+        {**CAR, "shift_angle": np.pi / 36},
+        {**CAR, "which": "wheel 2", "shift_x": 0.05},
+        {**CAR, "which": "wheel 2", "shift_angle": -np.pi / 4},
+        {**TWO, "centre_x": 0.4, "centre_y": -0.45},
+        {**TWO, "centre_y": 0.0},
+        {**DRIVE, "shift_x": 0.1},
+        {**DRIVE, "shift_y": 0.2},
+        {**DRIVE, "shift_angle": np.pi / 6},
+        {"robot": "bicycle", "wish": "all three at once", "centre_y": -0.5},
+        {"robot": "three Swedish wheels", "wish": "all three at once", "t": 6.0},
+    ],
+    "omni": [
+        dict(zip(RATES, rates, strict=True))
+        for rates in ([2.0, 2.0, 2.0], [-4.0, 2.0, 2.0], [0.0, 3.0, -3.0], [0.0, 0.0, 0.0])
+    ],
+}
+WORDS = []

@@ -12,7 +12,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser")
 
-from browser import ROOT, build_command, pages, watched_page  # noqa: E402
+from browser import ROOT, Watch, build_command, pages, watched_page  # noqa: E402
 
 AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
 SCREENSHOTS = ROOT / "_build" / "screenshots"
@@ -51,10 +51,13 @@ def test_pages_are_quiet_and_stay_at_home(site, server, chromium):
     """No console message, no failed or foreign request, on the first visit and on later ones."""
     problems = {}
     for name in pages(site):
-        with watched_page(chromium, server) as (page, watch):
-            settled(page, server + name)
-            settled(page, server + name)
-            problems[name] = watch.errors + watch.strangers
+        with watched_page(chromium, server) as (first, watch):
+            later = first.context.new_page()
+            watch_later = Watch(later, server)
+            settled(first, server + name)
+            settled(later, server + name)
+            visits = (watch, watch_later)
+            problems[name] = [what for visit in visits for what in visit.errors + visit.strangers]
     assert_clean(problems)
 
 

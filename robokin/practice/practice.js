@@ -157,7 +157,7 @@ const deskHtml = () => `<div class="rk-row"><label for="rk-student">Your name or
 // ---- the box under the hand
 
 // Put an exercise to life in an element that holds its HTML. desk: { course, student(), load(),
-// kept(name), keep(name, entry) }; load() promises the exercise with its variants.
+// kept(), keep(entry) }; load() promises the exercise with its variants.
 const bringExercise = (element, desk) => {
   const one = (selector) => element.querySelector(selector);
   const [input, verdict, solution] = [one("input"), one(".rk-verdict"), one(".rk-solution")];
@@ -182,7 +182,9 @@ const bringExercise = (element, desk) => {
     if (solution && before !== undefined && before !== variant()) solution.open = false;
     before = variant();
     unfold();
-    const kept = training ? null : desk.kept(exercise.name);
+  };
+  const restore = () => {
+    const kept = training ? null : desk.kept();
     input.value = kept ? kept.answer : "";
     one(".rk-passed").hidden = kept?.result !== "right";
     tell(kept ? kept.result : "", kept ? kept.says : "");
@@ -199,7 +201,7 @@ const bringExercise = (element, desk) => {
     const found = checkAnswer(exercise, variant(), input.value);
     tell(found.result, found.says);
     if (training || found.result === "unread") return;
-    desk.keep(exercise.name, { answer: input.value, ...found, variant: variant() });
+    desk.keep({ answer: input.value, ...found, variant: variant() });
     one(".rk-passed").hidden = found.result !== "right";
   });
 
@@ -210,16 +212,23 @@ const bringExercise = (element, desk) => {
   one(".rk-another").addEventListener("click", () => withExercise(() => {
     training += 1;
     show();
+    restore();
     input.focus();
   }));
   one(".rk-training button").addEventListener("click", () => {
     training = 0;
     show();
+    restore();
     input.focus();
   });
   solution?.addEventListener("toggle", () => withExercise(unfold));
   element.classList.add("rk-live");
-  return { renew: () => { training = 0; return withExercise(show); }, check };
+  const renew = () => {
+    training = 0;
+    restore();  // at once: what is typed while the numbers are loaded must stay
+    return withExercise(show);
+  };
+  return { renew, check };
 };
 
 // ---- on a web page: one desk for all exercises, the student's name and answers in the browser
@@ -282,8 +291,8 @@ const exercisesOnPage = (root) => {
       course,
       student,
       load: async () => (await load(topic, version))[exercise],
-      kept: (name) => mine()[name],
-      keep,
+      kept: () => mine()[exercise],
+      keep: (entry) => keep(exercise, entry),
     }));
   });
   const renew = () => {
@@ -336,7 +345,7 @@ const exerciseInNotebook = (packed, name, course, { model, el }) => {
       student,
       load: async () => exercise,
       kept: () => kept[student()],
-      keep: (_, entry) => {
+      keep: (entry) => {
         kept[student()] = entry;
         model.set("answer", entry.answer);
         model.save_changes();

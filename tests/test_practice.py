@@ -43,6 +43,17 @@ def test_every_candidate_of_every_variant_is_named(exercise):
 
 
 @each_exercise
+def test_what_is_no_documented_mistake_is_mostly_named(exercise):
+    """A name that is hardly ever used would be dead; where two answers agree none is named."""
+    for words in exercise.also:
+        named = [
+            any(c.name == f"slip:{words}" for c in variant.candidates)
+            for variant in dealing.variants(exercise.name)
+        ]
+        assert sum(named) >= dealing.VARIANTS / 4, words
+
+
+@each_exercise
 def test_texts_can_be_filled(exercise):
     for variant in dealing.variants(exercise.name):
         for template in (exercise.text, exercise.solution):
@@ -60,6 +71,15 @@ def test_an_answer_as_the_solution_prints_it_is_right(exercise):
         assert judging.judge(exercise, variant.candidates, rounded).name == "right"
 
 
+def last_made(code, numbers):
+    """The last new name that our own code gives a value, run with the chapters' imports."""
+    modules = {name: getattr(robokin, name) for name in robokin.__all__}
+    space = {"np": np, **modules, **numbers}
+    before = {*space, "__builtins__"}
+    exec(code, space)
+    return [space[name] for name in space if name not in before][-1]
+
+
 @each_mistake
 def test_a_mistake_is_used_and_its_line_makes_it(mistake):
     """The line, run with the document's numbers, gives what the exercise calls that mistake."""
@@ -67,15 +87,26 @@ def test_a_mistake_is_used_and_its_line_makes_it(mistake):
     assert shown_in, "no exercise with an example has it"
     exercise = shown_in[0]
     numbers = {**exercise.example, **exercise.derive(**exercise.example)}
-    modules = {name: getattr(robokin, name) for name in robokin.__all__}
-    space = {"np": np, **modules, **numbers}
-    before = set(space)
-    exec(mistake.line, space)  # our own line
-    new = [space[name] for name in space if name not in before and name != "__builtins__"]
+    found = last_made(mistake.line, numbers)
     wrong = exercise.answers(exercise.wrong[mistake], exercise.example)
-    np.testing.assert_allclose(np.ravel(new[-1]), wrong.ravel(), rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(np.ravel(found), wrong.ravel(), rtol=1e-12, atol=1e-12)
     right = exercise.answers(exercise.right, exercise.example)
     assert not np.allclose(right, wrong.reshape(-1, right.shape[1]), atol=1e-6)
+
+
+@each_mistake
+def test_a_mistake_runs_as_printed(mistake):
+    """The numbers and the line, copied from the page, give what the page says they give."""
+    view = practice.mistake(mistake.name)
+    page_text = practice.example(view.exercise.name)._repr_markdown_()
+    given = re.search("```python\n(.*)\n```", page_text, re.DOTALL)[1]
+    assert max(map(len, given.splitlines())) <= 80
+    numbers = {}
+    exec(given, {"np": np}, numbers)
+    found = last_made(mistake.line, numbers)
+    says = re.findall(r"-?[0-9.]+", view.gives.replace("\u2212", "-"))
+    # both are rounded to four decimals; a product with the largest number here, 2, doubles that
+    np.testing.assert_allclose(np.ravel(found), np.array(says, dtype=float), atol=1.5e-4, rtol=0)
 
 
 @each_mistake

@@ -153,8 +153,10 @@ class Exercise:
     `derive` adds, and `{right}`; `{x:deg}` shows degrees, `{x:.2f}` a format; "v_L" becomes a
     symbol; an empty line starts a paragraph. given: name → how it is drawn. asks: the numbers
     asked for, in order. right: function of the numbers → the answer, shape (n,) or `shape`.
-    wrong: mistake → function → the answer of somebody who makes it. accept: "one" answer, "any"
-    of the rows of `right`, or "all" its rows in any order. when: numbers that may be dealt.
+    wrong: mistake → function → the answer of somebody who makes it. also: the same for what is
+    no documented mistake, as words that end "This is what you get …"; named where it can be told
+    from all others. accept: "one" answer, "any" of the rows of `right`, or "all" its rows in any
+    order. when: numbers that may be dealt.
     example: the numbers of the source document, in SI, where the chapter shows the mistakes.
     """
 
@@ -167,6 +169,7 @@ class Exercise:
     right: Callable[..., ArrayLike]
     wrong: Mapping[Mistake, Callable[..., ArrayLike]]
     solution: str
+    also: Mapping[str, Callable[..., ArrayLike]] = field(default_factory=dict)
     shape: tuple[int, ...] = ()
     accept: str = "one"
     derive: Callable[..., Mapping[str, Any]] = field(default=lambda **_: {})

@@ -107,14 +107,14 @@ def front_as_rear(theta, v, phi, L, time):
     return motion.arc_step([0, 0, theta], v, rate(v / np.cos(phi), phi, L), time)
 
 
-def looped(direction, speed, omega, dt, n):
+def looped(direction, speed, omega, dt, n, method="start"):
     """Where a point is after n straight steps: speed, direction at the start, its turning rate."""
-    return motion.path([0, 0, direction], speed, omega, np.full(int(n), dt), "start")[-1, :2]
+    return motion.path([0, 0, direction], speed, omega, np.full(int(n), dt), method)[-1, :2]
 
 
-def front_looped(psi, v, phi, L, dt, n):
+def front_looped(psi, v, phi, L, dt, n, method="start"):
     """Where the loop takes the front axle, with a heading that is measured clockwise."""
-    return looped(np.pi / 2 - psi + phi, v / np.cos(phi), rate(v, phi, L), dt, n)
+    return looped(np.pi / 2 - psi + phi, v / np.cos(phi), rate(v, phi, L), dt, n, method)
 
 
 NEAR_MEAN = "four decimals are asked for: the mean of the two angles can be as near as 0.001"
@@ -138,6 +138,9 @@ Exercise(
     right=lambda L, phi, v_front: rate(v_front * np.cos(phi), phi, L),
     wrong={M16: lambda L, phi, v_front: v_front * np.tan(phi) / L},
     derive=lambda L, phi, v_front: {"v": v_front * np.cos(phi)},
+    also={
+        "with the cosine where the sine belongs": lambda v_front, phi, L: v_front * np.cos(phi) / L,
+    },
     solution="The front wheel moves at v_f = {v_front}, along the bicycle and sideways at once. "
     "The part along the bicycle is the speed of the rear wheel, v = v_f cos φ = {v} m/s. The "
     "part sideways, v_f sin φ, turns the bicycle about its rear wheel, {L} behind:\n\n"
@@ -162,6 +165,11 @@ Exercise(
         "cot_R": 1 / np.tan(alpha_R),
         "cot": (1 / np.tan(alpha_L) + 1 / np.tan(alpha_R)) / 2,
     },
+    also={
+        "with the mean of the tangents, not of the cotangents": lambda alpha_L, alpha_R: np.arctan(
+            (np.tan(alpha_L) + np.tan(alpha_R)) / 2
+        ),
+    },
     solution="All axles meet in one point, R to the left of the middle of the rear axle. With "
     "the wheelbase L, and the front wheels l apart:\n\n"
     "L cot α_L = R − l/2, L cot α_R = R + l/2, L cot φ = R\n\n"
@@ -185,6 +193,13 @@ Exercise(
         M33: lambda theta, v, phi: np.full(2, v / np.cos(phi) * np.sin(theta + phi)),
     },
     derive=lambda theta, v, phi: {"v_front": v / np.cos(phi), "direction": theta + phi},
+    also={
+        "with the speed of the rear axle": lambda theta, v, phi: [
+            v * np.cos(theta + phi),
+            v * np.sin(theta + phi),
+        ],
+        "as the car sees it; asked is the world": lambda theta, v, phi: [v, v * np.tan(phi)],
+    },
     solution="The front wheel rolls where it points, in the direction θ + φ = {direction:deg}. "
     "Car and wheel share the part of the speed that is along the car: v = v_f cos φ, so "
     "v_f = v/cos φ = {v_front} m/s. Hence\n\n"
@@ -197,7 +212,7 @@ Exercise(
     level=2,
     title="The outer wheel",
     text="You design the steering of a car. When its left front wheel is turned by {alpha_L} to "
-    "the left, the car shall turn like a bicycle whose front wheel is turned by {phi} to the "
+    "the left, the car must turn like a bicycle whose front wheel is turned by {phi} to the "
     "left. By which angle must the right front wheel be turned, so that no wheel slips? Give four "
     "decimals.",
     given={"alpha_L": steps(18, 42, 1, "°"), "phi": steps(16, 39, 1, "°")},
@@ -209,6 +224,11 @@ Exercise(
         "cot_L": 1 / np.tan(alpha_L),
         "cot": 1 / np.tan(phi),
         "cot_R": 2 / np.tan(phi) - 1 / np.tan(alpha_L),
+    },
+    also={
+        "with the mean of the tangents, not of the cotangents": lambda alpha_L, phi: np.arctan(
+            2 * np.tan(phi) - np.tan(alpha_L)
+        ),
     },
     solution="The cotangent of the bicycle's angle is the mean of the cotangents of the two "
     "wheels, because the centre of the turn is at the distances R − l/2, R and R + l/2. Solve for "
@@ -246,6 +266,12 @@ Exercise(
     derive=lambda psi, diameter, wheel_rate, L, phi, time: {
         "v": wheel_rate * diameter / 2,
         "omega": rate(wheel_rate * diameter / 2, phi, L),
+    },
+    also={
+        "with the diameter where the radius belongs": lambda diameter, **drive: compass(
+            diameter=2 * diameter, **drive
+        ),
+        "with φ where tan φ belongs": lambda phi, **drive: compass(phi=np.arctan(phi), **drive),
     },
     solution="The rear wheels drive the truck at v = rate times radius = {v} m/s. It turns at "
     "ω = v tan φ/L = {omega} rad/s; a positive ω is counter-clockwise, to the left. A heading "
@@ -286,6 +312,13 @@ Exercise(
         "R": bicycle.turning_radius(phi, L),
         "omega": rate(v, phi, L),
         "turned": theta + rate(v, phi, L) * time,
+    },
+    also={
+        "with φ where tan φ belongs": lambda phi, **drive: arc_end(phi=np.arctan(phi), **drive),
+        "when the heading at the start is forgotten": lambda theta, **drive: arc_end(0, **drive),
+        "when the car drives straight on and only then turns": lambda theta, v, phi, L, time: (
+            motion.path([0, 0, theta], v, rate(v, phi, L), time, "start")[-1]
+        ),
     },
     solution="The car turns about a point R = L/tan φ = {R} m to its left; a negative R is to the "
     "right. It turns at ω = v/R = {omega} rad/s, so its heading ends at θ' = θ + ω · {time:} = "
@@ -334,6 +367,14 @@ Exercise(
         "directions": "; ".join(
             f"{np.degrees(psi - phi - k * rate(v, phi, L) * dt):.1f}°".replace("-", "−")
             for k in range(int(n))
+        ),
+    },
+    also={
+        "for the real place of O, on its arc; asked is what the loop says": lambda **drive: (
+            front_looped(method="exact", **drive)
+        ),
+        "when each step first changes ψ and then moves O": lambda **drive: front_looped(
+            method="end", **drive
         ),
     },
     solution="O moves where the front wheel points. The wheel is turned to the left, and ψ is "

@@ -1,5 +1,7 @@
 """Exercises on the differential drive, and the mistakes that are made there."""
 
+from functools import partial
+
 import numpy as np
 
 from robokin import differential_drive, motion
@@ -35,8 +37,8 @@ M31 = Mistake(
     "M31",
     says="when the wheel distance is counted twice",
     line="omega = (v_R - v_L) / (2 * b)",
-    why="In the formula with 2d in it, d is half the wheel distance. With the whole distance put "
-    "in for d, it is counted twice, and the turning rate comes out half as large as it is.",
+    why="Some books divide by 2d, where d is half the wheel distance. Here b is the whole distance "
+    "already; with 2b it is counted twice, and the turning rate comes out half as large as it is.",
     unnoticed="On a straight line.",
     document="000 Q4, last line",
     stands="ω = (v_R − v_L)/(2b) with the whole distance b",
@@ -76,6 +78,13 @@ def rates_on_circle(radius, time, r, b):
 def end(v_L, v_R, b, time):
     """Where the robot is after driving from the origin along an arc."""
     return motion.arc_step([0, 0, 0], *twist(v_L, v_R, b), time)
+
+
+def straight_end(turned, v_L, v_R, b, time):
+    """The same if the whole way is straight: in the heading after this part of the turn."""
+    v, omega = twist(v_L, v_R, b)
+    way, turn = v * time, omega * time
+    return [way * np.cos(turned * turn), way * np.sin(turned * turn), turn]
 
 
 def worn_end(worn, distance, b):
@@ -139,7 +148,7 @@ Exercise(
 Exercise(
     "differential-drive-3",
     level=2,
-    title="Where does it turn about?",
+    title="Which point does it turn about?",
     text="A robot stands at x = {x}, y = {y} with the heading {theta}. Its wheels are {b} apart "
     "and move at {v_L} (left) and {v_R} (right). Where in the world is the point that it turns "
     "about, the ICR?",
@@ -150,6 +159,19 @@ Exercise(
     wrong=ways(centre) | {M14: lambda x, y, theta, **speeds: centre(x, y, -theta, **speeds)},
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": b / 2 * (v_L + v_R) / (v_R - v_L)},
+    also={
+        "with the ICR as the robot sees it, not as the world does": lambda v_L, v_R, b, **_: [
+            0,
+            b / 2 * (v_L + v_R) / (v_R - v_L),
+        ],
+        "when the robot's own place is not added": lambda x, y, **drive: centre(0, 0, **drive),
+        "when R is laid off to the wrong side of the robot": lambda x, y, **drive: (
+            2 * np.array([x, y]) - centre(x, y, **drive)
+        ),
+        "when R is laid off ahead of the robot": lambda x, y, theta, **speeds: centre(
+            x, y, theta - np.pi / 2, **speeds
+        ),
+    },
     solution="The ICR lies R to the left of the robot, on the line of its axle; a negative R is "
     "to the right:\n\nR = b/2 · (v_R + v_L)/(v_R − v_L) = {R} m\n\n"
     "[x − R sin θ, y + R cos θ] = {right}",
@@ -159,8 +181,9 @@ Exercise(
     "differential-drive-4",
     level=2,
     title="A circle to order",
-    text="A robot has wheels of radius {r}, {b} apart. It shall drive a full circle of radius "
-    "{radius} to the left in {time}. How fast must the left and the right wheel turn?",
+    text="A robot has wheels of radius {r}, {b} apart. The middle of its axle must run once "
+    "around a circle of radius {radius}, to the left, in {time}. How fast must the left and the "
+    "right wheel turn?",
     given={
         "r": steps(2, 6, 1, "cm"),
         "b": SPEEDS["b"],
@@ -173,6 +196,11 @@ Exercise(
     derive=lambda radius, time, **_: {
         "omega": 2 * np.pi / time,
         "v": radius * 2 * np.pi / time,
+    },
+    also={
+        "for the speeds of the wheels; the division by r is missing": lambda **circle: (
+            circle["r"] * rates_on_circle(**circle)
+        ),
     },
     solution="One turn in {time}: ω = 2π/{time:} = {omega} rad/s. On a circle the speed is radius "
     "times turning rate: v = {v} m/s. Each wheel is half the wheel distance from the middle:\n\n"
@@ -196,6 +224,13 @@ Exercise(
         "omega": (v_R - v_L) / b,
         "turn": (v_R - v_L) / b * time,
     },
+    also={
+        "when the robot drives straight on and only then turns": partial(straight_end, 0.0),
+        "when the robot turns first and then drives straight on": partial(straight_end, 1.0),
+        "when the whole way is laid along the middle heading, not along the arc": partial(
+            straight_end, 0.5
+        ),
+    },
     solution="Speed and turning rate: v = {v} m/s, ω = {omega} rad/s. In {time} the robot turns "
     "by θ = {turn} rad ({turn:deg}) along an arc of radius v/ω. Hence x = v/ω sin θ and "
     "y = v/ω (1 − cos θ):\n\n[x, y, θ] = {right}",
@@ -206,8 +241,9 @@ Exercise(
     level=3,
     title="A worn wheel",
     text="The left wheel of a robot is worn: its radius is {worn} smaller than the program "
-    "believes. The wheels are {b} apart. The program gives both wheels the same rate and wants to "
-    "drive {distance} straight ahead along x, from the origin. Where does the robot end?",
+    "believes; the right one is as it believes. The wheels are {b} apart. The program gives both "
+    "wheels the same rate and wants to drive {distance} straight ahead along x, from the origin. "
+    "Where does the robot end?",
     given={
         "worn": steps(1, 4, 0.5, "%"),
         "b": SPEEDS["b"],
@@ -220,6 +256,13 @@ Exercise(
         "short": (1 - worn) * distance,
         "mean": (1 - worn / 2) * distance,
         "turn": worn * distance / b,
+    },
+    also={
+        "when the robot turns to the wrong side": lambda **drive: worn_end(**drive) * [1, -1],
+        "when it drives straight on by the mean of both wheels": lambda worn, distance, **_: [
+            (1 - worn / 2) * distance,
+            0,
+        ],
     },
     solution="The right wheel travels {distance}, the left one only {short} m. The middle travels "
     "their mean, s = {mean} m, and the robot turns by their difference over the wheel distance, "

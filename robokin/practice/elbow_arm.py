@@ -24,8 +24,8 @@ M2 = Mistake(
     says="when p_x is left out and the arm is taken to stand in the plane of y and z",
     line="r = np.sqrt(p_y**2 + p_z**2)\ntheta3 = np.arccos((r**2 - a2**2 - a3**2) / (2 * a2 * a3))",
     why="The arm stands in the vertical plane through the target. In this plane the target is "
-    "√(p_x² + p_y²) away from the base axis, not p_y.",
-    unnoticed="Where p_x = 0 and p_y > 0: there the arm really stands in that plane.",
+    "√(p_x² + p_y²) away from the base axis, not |p_y|.",
+    unnoticed="Where p_x = 0: there the arm really stands in that plane.",
     document="000 Q1",
     stands="r = √(p_y² + p_z²), φ_3 = arctan(p_z/p_y)",
     should="r = √(p_x² + p_y² + p_z²), φ_3 = atan2(p_z, √(p_x² + p_y²))",
@@ -47,7 +47,8 @@ M4 = Mistake(
     line="away = [theta1 + np.pi, theta2, theta3]",
     why="With the base turned round, the arm reaches to the other side. It must lean over "
     "backwards: the shoulder needs π − θ_2 and the elbow −θ_3.",
-    unnoticed="With the wrist on the base axis: there every θ_1 is right.",
+    unnoticed="Where the wrist is on the base axis, if you look only at the wrist. The elbow is "
+    "then on the other side.",
     document="000 Q1",
     stands="θ_1 + π together with the same θ_2 and θ_3",
     should="θ_1 + π together with π − θ_2 and −θ_3",
@@ -144,7 +145,7 @@ def middle_steps(p_x, p_y, p_z, a2, a3, d1=0):
     angles = elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)
     distance = length(p_x, p_y, p_z - d1)
     return {
-        "z": p_z - d1,
+        "h": p_z - d1,
         "r": np.hypot(p_x, p_y),
         "square": distance**2,
         "A": (distance**2 - a2**2 - a3**2) / (2 * a2 * a3),
@@ -166,7 +167,7 @@ Exercise(
     level=1,
     title="Which way must the base turn?",
     text="The base of an arm turns by θ_1 about the vertical z axis. With θ_1 = 0 the arm reaches "
-    "forward along x. The wrist shall come to a point with p_x = {p_x}, p_y = {p_y}. What is "
+    "forward along x. The wrist must come to a point with p_x = {p_x}, p_y = {p_y}. What is "
     "θ_1 if the arm faces this point, and does not lean over backwards to it?",
     given={"p_x": BACK, "p_y": SIDE},
     asks=(angle("θ_1"),),
@@ -187,7 +188,7 @@ Exercise(
     "elbow-arm-2",
     level=2,
     title="How far must the elbow bend?",
-    text="An arm has an upper link of a_2 = {a2} and a forearm of a_3 = {a3}. The wrist shall come "
+    text="An arm has an upper link of a_2 = {a2} and a forearm of a_3 = {a3}. The wrist must come "
     "to p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured from the shoulder. With θ_3 = 0 the arm is "
     "stretched. How far must the elbow bend if it hangs below the line from shoulder to wrist, so "
     "that θ_3 is positive?",
@@ -200,6 +201,14 @@ Exercise(
     },
     when=possible,
     derive=middle_steps,
+    also={
+        "for the angle inside the triangle, between the links": lambda p_x, p_y, p_z, **links: (
+            np.pi - elbow_arm.inverse([p_x, p_y, p_z], **links)[1, 2]
+        ),
+        "for the cosine of the angle; the arccosine is missing": lambda p_x, p_y, p_z, **links: (
+            np.cos(elbow_arm.inverse([p_x, p_y, p_z], **links)[1, 2])
+        ),
+    },
     solution="Shoulder, elbow and wrist form a triangle. Two of its sides are the links, the third "
     "is the distance d from shoulder to wrist:\n\n"
     "d² = p_x² + p_y² + p_z² = {square} m²\n\n"
@@ -215,7 +224,7 @@ Exercise(
     title="The same place from behind",
     text="An arm with a_2 = {a2} and a_3 = {a3} faces its target. Its joints stand at "
     "θ_1 = {theta1}, θ_2 = {theta2}, θ_3 = {theta3}. Now the base makes half a turn, and then the "
-    "elbow and the wrist shall be where they were before. What are the three joint angles?",
+    "elbow and the wrist must be where they were before. What are the three joint angles?",
     given={
         "theta1": one_of(*range(-160, 0, 10), *range(10, 170, 10), unit="°"),
         "theta2": steps(-40, 80, 10, "°"),
@@ -230,6 +239,18 @@ Exercise(
     ),
     derive=lambda theta1, theta2, theta3, a2, a3: {
         "p": elbow_arm.forward([theta1, theta2, theta3], a2, a3)
+    },
+    also={
+        "when both angles only change their sign": lambda theta1, theta2, theta3, a2, a3: [
+            theta1 + np.pi,
+            -theta2,
+            -theta3,
+        ],
+        "when the shoulder stays as it is": lambda theta1, theta2, theta3, a2, a3: [
+            theta1 + np.pi,
+            theta2,
+            -theta3,
+        ],
     },
     solution="Look at the arm from the side. After half a turn of the base, forward is where "
     "backward was. To point in the old direction the upper link must lean over backwards, at "
@@ -267,6 +288,15 @@ Exercise(
         "z": p_z - d1,
         "distance": length(p_x, p_y, p_z - d1),
     },
+    also={
+        "for the distance alone; the upper link is not taken away": lambda d1, a2, p_z, **p: length(
+            p_z=p_z - d1, **p
+        ),
+        "when p_z is taken as measured from the shoulder": lambda d1, a2, **p: length(**p) - a2,
+        "for the longest forearm with which it works, folded": lambda d1, a2, p_z, **p: (
+            length(p_z=p_z - d1, **p) + a2
+        ),
+    },
     solution="With the shortest forearm that reaches the point, the arm is stretched: both links "
     "lie on the straight line from shoulder to point. Seen from the shoulder, the point is "
     "p_z − d_1 = {p_z:} − {d1:} = {z} m high. Its distance is\n\n"
@@ -278,7 +308,7 @@ Exercise(
     "elbow-arm-5",
     level=2,
     title="Straight above the shoulder",
-    text="An arm has the links a_2 = {a2} and a_3 = {a3}. Its wrist shall come to a point straight "
+    text="An arm has the links a_2 = {a2} and a_3 = {a3}. Its wrist must come to a point straight "
     "above the shoulder, {p_z} higher (p_x = p_y = 0). The base may then stand as it likes: every "
     "θ_1 will do. What are θ_2 and θ_3? With both 0 the arm is stretched and level; positive "
     "angles lift it. There are two answers; either of them is enough.",
@@ -293,6 +323,12 @@ Exercise(
         "bend": elbow_arm.inverse([0, 0, p_z], a2, a3)[1, 2],
         "lift": elbow_arm.inverse([0, 0, p_z], a2, a3)[0, 1] - np.pi / 2,
     },
+    also={
+        "for the angle inside the triangle, between the links": lambda p_z, a2, a3: [
+            [theta2, theta3 - np.copysign(np.pi, theta3)]
+            for theta2, theta3 in elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:]
+        ],
+    },
     solution="On the base axis the target has no direction seen from above, so θ_1 is free. The "
     "triangle of shoulder, elbow and wrist is there as always:\n\n"
     "cos θ_3 = (p_z² − a_2² − a_3²)/(2 a_2 a_3) = {A}, so θ_3 = ±{bend} rad\n\n"
@@ -306,7 +342,7 @@ Exercise(
     level=3,
     title="All three joints",
     text="The shoulder of an arm is {d1} above its base; the links are a_2 = {a2} and a_3 = {a3}. "
-    "The wrist shall come to p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured from the base. The "
+    "The wrist must come to p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured from the base. The "
     "arm faces this point, and the elbow is above the line from shoulder to wrist. What are the "
     "three joint angles? With θ_2 = θ_3 = 0 the arm is stretched and level; positive angles lift "
     "it.",
@@ -316,14 +352,22 @@ Exercise(
     wrong={mistake: first(formula) for mistake, formula in WAYS.items()},
     when=possible,
     derive=middle_steps,
+    also={
+        "with the elbow below": lambda p_x, p_y, p_z, d1, **links: elbow_arm.inverse(
+            [p_x, p_y, p_z], **links, d1=d1
+        )[1],
+        "when p_z is taken as measured from the shoulder": lambda p_x, p_y, p_z, d1, **links: (
+            elbow_arm.inverse([p_x, p_y, p_z], **links, unreachable="nan")[0]
+        ),
+    },
     solution="From above: θ_1 = atan2(p_y, p_x) = {base} rad. From the side, in the vertical plane "
     "through the target, it is r = √(p_x² + p_y²) = {r} m ahead of the shoulder and "
-    "z = p_z − d_1 = {z} m above it.\n\n"
+    "h = p_z − d_1 = {h} m above it.\n\n"
     "The law of cosines gives the elbow; above the line it bends down again, so θ_3 is "
     "negative:\n\n"
-    "cos θ_3 = (r² + z² − a_2² − a_3²)/(2 a_2 a_3) = {A}, θ_3 = {elbow} rad\n\n"
+    "cos θ_3 = (r² + h² − a_2² − a_3²)/(2 a_2 a_3) = {A}, θ_3 = {elbow} rad\n\n"
     "The shoulder: the elevation of the target, less the angle between upper link and target, "
-    "θ_2 = atan2(z, r) − atan2(a_3 sin θ_3, a_2 + a_3 cos θ_3). Together:\n\n"
+    "θ_2 = atan2(h, r) − atan2(a_3 sin θ_3, a_2 + a_3 cos θ_3). Together:\n\n"
     "[θ_1, θ_2, θ_3] = {right}",
 )
 
@@ -331,7 +375,7 @@ Exercise(
     "elbow-arm-7",
     level=3,
     title="All four arms",
-    text="An arm has the links a_2 = {a2} and a_3 = {a3}. The wrist shall come to p_x = {p_x}, "
+    text="An arm has the links a_2 = {a2} and a_3 = {a3}. The wrist must come to p_x = {p_x}, "
     "p_y = {p_y}, p_z = {p_z}, measured from the shoulder. There are four ways: facing the point "
     "or turned away from it, the elbow up or down. Give the angles θ_1, θ_2, θ_3 of all four. "
     "With θ_2 = θ_3 = 0 the arm is stretched and level; positive angles lift it.",

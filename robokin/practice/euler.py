@@ -137,6 +137,11 @@ Exercise(
     },
     when=different,
     derive=lambda arrow, **turns: {"R": two_turns(**turns)},
+    also={
+        "with a row of the matrix where its column belongs": lambda arrow, **turns: column(
+            two_turns(**turns).T, arrow
+        ),
+    },
     solution="Turns about new axes are multiplied in the order in which they are made:\n\n"
     "R_AB = R_{first}({a}) R_{second}({b}) = {R}\n\n"
     "The columns of R_AB are the axes of B as A sees them. The {arrow} axis:\n\n{right}",
@@ -163,7 +168,7 @@ Exercise(
     "euler-3",
     level=2,
     title="What remains to be turned?",
-    text="Frame A shall be brought to frame B, with R_AB = {R_AB}. A first turn is already made, "
+    text="Frame A must be brought to frame B, with R_AB = {R_AB}. A first turn is already made, "
     "by {turn} about the {axis} axis of A. Which rotation R is still needed? Give its matrix as "
     "the turned frame sees it.",
     given={
@@ -239,6 +244,11 @@ Exercise(
         "R": yaw_pitch_roll(**turns),
         "first": euler.solutions("ZYX", yaw_pitch_roll(**turns))[0],
     },
+    also={
+        "for the matrix with rows and columns swapped": lambda **angles: euler.solutions(
+            "ZYX", yaw_pitch_roll(**angles).T
+        ),
+    },
     solution="Multiplied out, R_z(a) R_y(b) R_x(c) has −sin b at the lower left, "
     "[cos a cos b, sin a cos b] above it, and [cos b sin c, cos b cos c] to the right of it. With "
     "cos b > 0:\n\n"
@@ -308,6 +318,11 @@ Exercise(
         and far_from_lock("ZYZ", fixed_yaw_pitch_roll(**turns))
     ),
     derive=lambda **turns: {"R": yaw_pitch_roll(**turns)},
+    also={
+        "for the way back, from B to A": lambda **angles: euler.solutions(
+            "ZYZ", yaw_pitch_roll(**angles).T
+        ),
+    },
     solution="The rotation is the same, so both sequences have the same matrix. First make it:\n\n"
     "R = R_z({yaw}) R_y({pitch}) R_x({roll}) = {R}\n\n"
     "Then read the other angles from it. In R_z(a) R_y(b) R_z(c) the last column is "

@@ -9,8 +9,8 @@ M9 = Mistake(
     "M9",
     says="when the poses are multiplied as they are given and none is inverted",
     line="T_ce = T_db @ T_bc @ T_de",
-    why="Neighbouring letters must be the same: in T_ce = T_cb T_bd T_de they are, b with b and "
-    "d with d. The poses given are T_bc and T_db, so both must be inverted first.",
+    why="c meets d: there the letters break; and the product starts in d, not in c. In "
+    "T_ce = T_cb T_bd T_de they meet. So both poses given, T_bc and T_db, must be inverted first.",
     unnoticed="Where T_db T_bc is a half turn: in the plane a half turn is its own inverse.",
 )
 M10 = Mistake(
@@ -27,7 +27,7 @@ M10 = Mistake(
 M11 = Mistake(
     "M11",
     says="when a product is inverted factor by factor and the order stays as it was",
-    line="T_ce = frames.inverse(T_db) @ frames.inverse(T_bc) @ T_de",
+    line="T_ce = np.linalg.inv(T_db) @ np.linalg.inv(T_bc) @ T_de",
     why="You put on socks, then shoes; off come the shoes first. The inverse of a product is the "
     "product of the inverses in the opposite order.",
     unnoticed="Where both poses are pure shifts, or both are turns about the same point.",
@@ -35,7 +35,7 @@ M11 = Mistake(
 M30 = Mistake(
     "M30",
     says="when T_bc is left as it is where its inverse belongs",
-    line="T_ce = T_bc @ frames.inverse(T_db) @ T_de",
+    line="T_ce = T_bc @ np.linalg.inv(T_db) @ T_de",
     why="The product would start in b and end in e, with c and b side by side in the middle: "
     "T_bc T_bd. From c to b leads T_cb, the inverse of T_bc.",
     unnoticed="Where T_bc is its own inverse: a half turn.",
@@ -118,13 +118,13 @@ def by_hand(formula):
 
 
 def looking_down(x_b, y_b, height, heading):
-    """T_db for a camera that looks straight down, its x axis along the room's."""
+    """T_fb for a camera that looks straight down, its x axis along the room's."""
     c, s = np.cos(heading), np.sin(heading)
     return frames.se3([[c, -s, 0], [-s, -c, 0], [0, 0, -1]], [x_b, y_b, height])
 
 
 def from_above(formula):
-    """A formula of T_db in space and a point, as one of the numbers given."""
+    """A formula of T_fb in space and a point, as one of the numbers given."""
     return lambda x_b, y_b, height, heading, x_e, y_e, z_e: formula(
         looking_down(x_b, y_b, height, heading), np.array([x_e, y_e, z_e])
     )
@@ -177,6 +177,9 @@ Exercise(
     derive=lambda x_b, y_b, theta_b: {
         "R": frames.se2(x_b, y_b, theta_b)[:2, :2].T,
     },
+    also={
+        "for the platform as the camera sees it: nothing is turned back": posed(lambda T_db: T_db),
+    },
     solution="With T_db = [R, p; 0, 1], the pose seen from the other end is "
     "T_bd = [Rᵀ, −Rᵀp; 0, 1]. It is turned by −θ. Its position is the way back, −p, measured "
     "along the axes of the platform:\n\n"
@@ -219,6 +222,16 @@ Exercise(
         M10: posed(lambda T_db, T_de: shifted_back(T_db) @ T_de),
     },
     derive=lambda x_b, y_b, x_e, y_e, **_: {"way": np.array([x_e - x_b, y_e - y_b])},
+    also={
+        "along the camera's axes; asked are the platform's": lambda x_b, y_b, x_e, y_e, **turns: [
+            x_e - x_b,
+            y_e - y_b,
+            turns["theta_e"] - turns["theta_b"],
+        ],
+        "for the platform as the object sees it": posed(
+            lambda T_db, T_de: frames.compose(frames.inverse(T_de), T_db)
+        ),
+    },
     solution="From b to e the way leads over d: T_be = T_bd T_de, with T_bd = T_db⁻¹.\n\n"
     "In numbers: from the platform to the object leads {way} m along the camera's axes. Rᵀ with "
     "{theta_b} turns this to the axes of the platform. The object is turned by {theta_e} − "
@@ -276,6 +289,14 @@ Exercise(
         **shown_arm(**given),
         "T_be": frames.inverse(planar(**given)["T_db"]) @ planar(**given)["T_de"],
     },
+    also={
+        "for the object as the platform sees it": matrices(
+            lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_db), T_de)
+        ),
+        "for the hand as the object sees it": matrices(
+            lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_de), T_db, T_bc)
+        ),
+    },
     solution=f"{ARM_FOUND}\n\nFrom c to e the way leads over b and d: "
     "T_ce = T_cb T_bd T_de = T_bc⁻¹ T_db⁻¹ T_de. Each inverse is [Rᵀ, −Rᵀp; 0, 1].\n\n"
     "T_be = T_db⁻¹ T_de = {T_be}\n\nT_ce = T_bc⁻¹ T_be = {right}",
@@ -290,7 +311,7 @@ Exercise(
     "frames-6",
     level=3,
     title="A camera that looks down",
-    text="A camera d hangs {height} above the floor and looks straight down. Its x axis is that of "
+    text="A camera f hangs {height} above the floor and looks straight down. Its x axis is that of "
     "the room, its z axis points to the floor, so its y axis is opposite to the room's y axis. It "
     "sees a platform b on the floor at x = {x_b}, y = {y_b}, z = {height}, and an object on a "
     "table at x = {x_e}, y = {y_e}, z = {z_e}. The platform's z axis points up, and its heading in "
@@ -306,27 +327,32 @@ Exercise(
         "z_e": steps(1.4, 2, 0.1, "m"),
     },
     asks=(Ask("x", "m"), Ask("y", "m"), Ask("z", "m")),
-    right=from_above(lambda T_db, p: frames.transform(frames.inverse(T_db), p)),
+    right=from_above(lambda T_fb, p: frames.transform(frames.inverse(T_fb), p)),
     wrong={
-        M9: from_above(lambda T_db, p: frames.transform(T_db, p)),
-        M10: from_above(lambda T_db, p: frames.transform(shifted_back(T_db), p)),
+        M9: from_above(lambda T_fb, p: frames.transform(T_fb, p)),
+        M10: from_above(lambda T_fb, p: frames.transform(shifted_back(T_fb), p)),
     },
     derive=lambda x_b, y_b, height, heading, x_e, y_e, z_e: {
         "R": looking_down(x_b, y_b, height, heading)[:3, :3],
         "way": np.array([x_e - x_b, y_e - y_b, z_e - height]),
     },
-    solution="The columns of R_db are the platform's axes as the camera sees them. Forward is "
+    also={
+        "along the camera's axes; asked are the platform's": from_above(
+            lambda T_fb, p: p - T_fb[:3, 3]
+        ),
+    },
+    solution="The columns of R_fb are the platform's axes as the camera sees them. Forward is "
     "[cos φ, −sin φ, 0] with the heading φ, because the camera's y axis is turned round; left is "
-    "[−sin φ, −cos φ, 0]; up is [0, 0, −1]:\n\nR_db = {R}\n\n"
-    "From the platform to the object leads p_de − p_db = {way} m. The transpose turns this to the "
-    "platform's axes:\n\nR_dbᵀ (p_de − p_db) = {right}",
+    "[−sin φ, −cos φ, 0]; up is [0, 0, −1]:\n\nR_fb = {R}\n\n"
+    "From the platform to the object leads p_fe − p_fb = {way} m. The transpose turns this to the "
+    "platform's axes:\n\nR_fbᵀ (p_fe − p_fb) = {right}",
 )
 
 Exercise(
     "frames-7",
     level=3,
     title="Where must the platform stand?",
-    text=f"{ARM_STANDS} A camera d sees {OBJECT_SEEN}. The platform shall drive to a place from "
+    text=f"{ARM_STANDS} A camera d sees {OBJECT_SEEN}. The platform must drive to a place from "
     "where the hand lies exactly on the object, turned as the object is, with the arm kept as it "
     "stands. At what x and y, and turned by what angle, must the camera then see the platform?",
     given=ARM | OBJECT,
@@ -339,6 +365,11 @@ Exercise(
     derive=lambda alpha, beta, gamma, theta_e, **_: {
         **shown_arm(alpha, beta, gamma),
         "theta": theta_e - alpha - beta - gamma,
+    },
+    also={
+        "for the camera as the platform sees it": posed(
+            lambda T_de, T_bc: frames.compose(T_bc, frames.inverse(T_de))
+        ),
     },
     solution=f"{ARM_FOUND}\n\nThe hand lies on the object when T_db T_bc = T_de. Multiply by "
     "T_bc⁻¹ from the right:\n\nT_db = T_de T_bc⁻¹\n\n"

@@ -96,6 +96,8 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
         found[f"unit:{name}"] = Outcome("partly", says, factors)
     for name, says in SLIPS.items():
         found[f"slip:{name}"] = Outcome("wrong", says, ones)
+    for words in exercise.also:
+        found[f"slip:{words}"] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones)
     return found
 
 
@@ -126,8 +128,13 @@ def candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidat
         for name, factors in _units(exercise.asks).items()
         for c in right
     ]
+    also = [
+        candidate
+        for words, formula in exercise.also.items()
+        for candidate in _grouped(exercise, exercise.answers(formula, numbers), f"slip:{words}")
+    ]
     known = [*right, *wrong, *units]
-    for slip in _slips(exercise, right):
+    for slip in [*also, *_slips(exercise, right)]:
         if all(apart(exercise, slip, other) for other in known):
             known.append(slip)
     return tuple(known)

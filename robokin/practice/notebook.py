@@ -164,10 +164,14 @@ def assignments(names: dict[str, Any]) -> list[str]:
 
 
 def code_text(value: Any) -> str:
-    """A number, name or array as one would type it, to four decimals."""
+    """A number, name or array as one would type it, to four decimals; a matrix row by row."""
     if isinstance(value, str):
         return repr(value)
-    return str(np.round(np.asarray(value, dtype=float), 4).tolist())
+    rounded = np.round(np.asarray(value, dtype=float), 4)
+    if rounded.ndim < 2:
+        return f"np.array({rounded.tolist()})" if rounded.ndim else str(rounded.tolist())
+    rows = "".join(f"    {row},\n" for row in rounded.tolist())
+    return f"np.array([\n{rows}])"
 
 
 def example(name: str) -> ExampleView:

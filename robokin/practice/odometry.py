@@ -1,5 +1,7 @@
 """Exercises on odometry: poses from encoder ticks, and the mistakes that are made there."""
 
+from functools import partial
+
 import numpy as np
 
 from robokin import motion, odometry
@@ -118,10 +120,10 @@ def wheel_ways(r, C, left_before, left_after, right_before, right_after, count, 
     return {wheel: roll(n, C, r) for wheel, n in ticks.items()}
 
 
-def counted(theta, b, count=turned, roll=rolled, step=one_step, **drive):
-    """The pose after one step along the arc, from the readings."""
+def counted(theta, b, count=turned, roll=rolled, step=one_step, rule="exact", **drive):
+    """The pose after one step, from the readings."""
     ways = wheel_ways(count=count, roll=roll, **drive)
-    return step("exact", theta=theta, b=b, **ways)
+    return step(rule, theta=theta, b=b, **ways)
 
 
 def between(theta, b, **drive):
@@ -154,6 +156,10 @@ Exercise(
     right=lambda C, r, N: rolled(N, C, r),
     wrong={M24: lambda C, r, N: rolled_per_radian(N, C, r)},
     derive=lambda C, r, N: {"turns": N / C, "around": 2 * np.pi * r},
+    also={
+        "with the diameter where the radius belongs": lambda C, r, N: rolled(N, C, 2 * r),
+        "when ticks and ticks a turn are exchanged": lambda C, r, N: rolled(C, N, r),
+    },
     solution="The wheel made N/C = {N}/{C} = {turns} turns. In one turn it rolls its "
     "circumference, 2πr = {around} m:\n\nD = 2πr N/C = {right}",
     example={"C": 1000, "r": 0.05, "N": 500},
@@ -221,6 +227,14 @@ Exercise(
         "dtheta": (D_R - D_L) / b,
         "new": theta + (D_R - D_L) / b,
     },
+    also={
+        "by the rule of the old heading": lambda **step: one_step("start", **step),
+        "by the rule of the middle heading": lambda **step: one_step("midpoint", **step),
+        "along the exact arc": lambda **step: one_step("exact", **step),
+        "when left and right are exchanged": lambda D_L, D_R, **step: one_step(
+            "end", D_L=D_R, D_R=D_L, **step
+        ),
+    },
     solution="The middle of the axle moves by the mean of the two ways, and the robot turns by "
     "their difference over the wheel distance:\n\nD = (D_L + D_R)/2 = {D} m\n\n"
     "Δθ = (D_R − D_L)/b = {dtheta} rad ({dtheta:deg})\n\nThe new heading is θ + Δθ = {new} rad "
@@ -248,6 +262,12 @@ Exercise(
     wrong={M24: lambda r, C, n, N_R: rolled_per_radian(2 * N_R, C, r) / (2 * np.pi * n)},
     when=lambda r, C, n, N_R: 0.15 < 2 * r * N_R / (C * n) < 0.8,
     derive=lambda r, C, n, N_R: {"turn": 2 * np.pi * n, "way": 2 * np.pi * r * N_R / C},
+    also={
+        "for one full turn; the robot made several": lambda r, C, n, N_R: (
+            rolled(2 * N_R, C, r) / (2 * np.pi)
+        ),
+        "with the way of one wheel only": lambda r, C, n, N_R: rolled(N_R, C, r) / (2 * np.pi * n),
+    },
     solution="The right wheel rolls D_R = 2πr N_R/C = {way} m, the left one −{way} m. The robot "
     "turns by Δθ = {n} · 2π = {turn} rad. Solve Δθ = (D_R − D_L)/b for b:\n\n"
     "b = (D_R − D_L)/Δθ = {right}",
@@ -259,7 +279,7 @@ Exercise(
     title="How fine must the encoder be?",
     text="A robot has wheels of radius {r}, {b} apart. Its program reads the encoders every "
     "{period} and computes the turning rate from the ticks. One tick more or less of one wheel "
-    "shall change this turning rate by at most {limit}. How many ticks a turn must the encoder "
+    "may change this turning rate by at most {limit}. How many ticks a turn must the encoder "
     "have at least?",
     given={
         "r": steps(2, 8, 0.5, "cm"),
@@ -302,6 +322,11 @@ Exercise(
         "chord": 2 * D / turn * np.sin(turn / 2),
         "middle": gap(turn, D, theta + turn / 2, theta),
     },
+    also={
+        "by the rule of the middle heading": lambda D, turn, theta: gap(
+            turn, D, theta + turn / 2, theta
+        ),
+    },
     solution="By the old heading the robot is at [D cos θ, D sin θ] = {place}. The real way is an "
     "arc with the radius D/Δθ. Its chord has the length 2 D/Δθ sin(Δθ/2) = {chord} m and points "
     "along the middle heading θ + Δθ/2, so the robot is at {real}. The distance between the two:"
@@ -339,6 +364,11 @@ Exercise(
         backward(counted(**drive)[2]) and 0.2 < abs(between(**drive)["dtheta"]) < 2.0
     ),
     derive=between,
+    also={
+        "by the rule of the old heading": partial(counted, rule="start"),
+        "by the rule of the new heading": partial(counted, rule="end"),
+        "by the rule of the middle heading": partial(counted, rule="midpoint"),
+    },
     solution="The left counter went past 65535 to 0, so 65536 is added to its difference:\n\n"
     "N_L = {left_after} − {left_before} + 65536 = {N_L}, N_R = {right_after} − {right_before} = "
     "{N_R}\n\nWith 2πr/C metres a tick the wheels roll D_L = {D_L} m and D_R = {D_R} m. The "

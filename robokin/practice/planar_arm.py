@@ -266,7 +266,7 @@ Exercise(
     level=2,
     title="Where the arm gets stuck",
     text="A planar arm has three links of {l1}, {l2} and {l3}. Its first joint is at "
-    "θ_1 = {theta1}, and the hand shall point at the angle φ = {phi} from the x axis. There are "
+    "θ_1 = {theta1}, and the hand must point at the angle φ = {phi} from the x axis. There are "
     "two such poses in which the arm is singular: the 3×3 matrix J has no inverse. Find θ_2 and "
     "θ_3 of both.",
     given=LINKS | {"theta1": steps(-60, 120, 10, "°"), "phi": steps(-90, 90, 10, "°")},
@@ -299,6 +299,11 @@ Exercise(
     right=partial(torques, None),
     wrong=made_in(torques, M26, M27, M28, M36, M37),
     derive=lambda f_x, f_y, m, **pose: pose_parts(**pose),
+    also={
+        "with J where its transpose belongs": lambda f_x, f_y, m, **numbers: (
+            jacobian(None, **numbers) @ [f_x, f_y, m]
+        ),
+    },
     solution="In a small motion the joints must put in as much work as the hand gives out: "
     "τ · θ̇ = f · ẋ for all joint rates, and ẋ = J θ̇. Hence τ = Jᵀ f, where f has the entries f_x, "
     "f_y and m. " + POINTING + "Column j of J is the motion of the hand when joint j alone turns:"
@@ -309,7 +314,7 @@ Exercise(
     "planar-arm-5",
     level=3,
     title="Which joint rates?",
-    text=ARM + "Now the hand shall move at ẋ = {v_x}, ẏ = {v_y} and turn at φ̇ = {omega}. How fast "
+    text=ARM + "Now the hand must move at ẋ = {v_x}, ẏ = {v_y} and turn at φ̇ = {omega}. How fast "
     "must the three joints turn?",
     given=POSE | {"v_x": SPEED, "v_y": SPEED, "omega": SLOW},
     asks=RATES,
@@ -319,6 +324,11 @@ Exercise(
         **pose_parts(**pose),
         "twist": np.array([v_x, v_y, omega]),
         "det": np.linalg.det(planar_arm.jacobian(**arm(**pose))),
+    },
+    also={
+        "with the transpose where the inverse belongs": lambda v_x, v_y, omega, **numbers: (
+            jacobian(None, **numbers).T @ [v_x, v_y, omega]
+        ),
     },
     solution=POINTING + "Column j of J is the motion of the hand when joint j alone turns:\n\n"
     "J = {J}\n\ndet J = l_1 l_2 sin θ_2 = {det} m² is not zero, so J has an inverse. Solve "
@@ -331,7 +341,7 @@ Exercise(
     "planar-arm-6",
     level=3,
     title="How fast at most?",
-    text=ARM + "No joint can turn faster than {limit}. The hand shall move straight in the "
+    text=ARM + "No joint can turn faster than {limit}. The hand must move straight in the "
     "direction {towards} from the x axis and must not turn. How fast can it move in this pose?",
     given=POSE
     | {"towards": steps(0, 350, 10, "°"), "limit": one_of(0.5, 1, 1.5, 2, 2.5, 3, unit="rad/s")},
@@ -339,6 +349,14 @@ Exercise(
     right=partial(top_speed, None),
     wrong=made_in(top_speed, M26, M27, M29, M37),
     derive=lambda towards, limit, **pose: top_speed_parts(towards, **pose),
+    also={
+        "when the rates together, as a vector, reach the limit": lambda limit, **numbers: (
+            limit / np.linalg.norm(top_speed_parts(**numbers)["rates"])
+        ),
+        "when the slowest joint reaches the limit": lambda limit, **numbers: (
+            limit / np.abs(top_speed_parts(**numbers)["rates"]).min()
+        ),
+    },
     solution="The rates grow in proportion to the speed. So find the rates for 1 m/s first. "
     + POINTING
     + "Column j of J is the motion of the hand when joint j alone turns:\n\nJ = {J}\n\n"
@@ -361,6 +379,10 @@ Exercise(
         **pose_parts(**pose),
         "rows": planar_arm.jacobian(**arm(**pose))[:2],
         "square": (lambda J: J @ J.T)(planar_arm.jacobian(**arm(**pose))[:2]),
+    },
+    also={
+        "without the root": lambda **numbers: manipulability(None, **numbers) ** 2,
+        "with all three rows of J": lambda **numbers: abs(np.linalg.det(jacobian(None, **numbers))),
     },
     solution=POINTING + "The two rows of J, a column for each joint:\n\nJ = {rows}\n\n"
     "J Jᵀ = {square}\n\nThe square root of det(J Jᵀ):\n\nw = {right}",

@@ -25,7 +25,7 @@ M20 = Mistake(
     "J1 = np.transpose([np.sin(alpha), -np.cos(alpha), turning])",
     why="The row belongs to the robot's own frame. It depends on where the wheel stands on the "
     "robot, not on where the robot looks.",
-    unnoticed="With θ = β or θ = −β, or when the robot does not turn.",
+    unnoticed="With θ = β or θ = −β (here: θ = 0), or when the robot does not turn.",
     document="002",
     stands="[sin(α + β), −cos(α + β), −l cos θ]",
     should="[sin(α + β), −cos(α + β), −l cos β]",
@@ -35,7 +35,7 @@ M21 = Mistake(
     says="when the velocity is turned the wrong way between the robot and the world",
     line="velocity = R @ np.linalg.solve(J1, r * rates)",
     why="Here R(θ) leads from the world to the robot. Back to the world it is R(θ)⁻¹, the "
-    "transposed matrix. For the differential drive, the same letter meant the other direction.",
+    "transposed matrix. Other books use R(θ) for the other direction.",
     unnoticed="With a heading of 0 or 180°, and when the robot turns on the spot.",
 )
 M34 = Mistake(
@@ -168,6 +168,21 @@ def built(fixed, steered, free):
     return FIXED[fixed] + STEERED[steered] + FREE[free]
 
 
+def degrees(delta_m, delta_s):
+    """Mobility, steerability and their sum, the manoeuvrability."""
+    return [delta_m, delta_s, delta_m + delta_s]
+
+
+def turned_so(fixed, steered):
+    """How the steered wheels stand, if there are any."""
+    count = len(STEERED[steered])
+    if not count:
+        return ""
+    who, where = ("wheels are", "none of them stands") if count > 1 else ("wheel is", "it is not")
+    apart = f"; {where} on the axle line of a fixed wheel" if FIXED[fixed] else ""
+    return f" The steered {who} turned so that the robot can always move{apart}."
+
+
 def instructive(fixed, steered, free):
     """A robot of a usual size; at most one of its steered wheels has no choice."""
     robot = built(fixed, steered, free)
@@ -238,6 +253,11 @@ Exercise(
     right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
     wrong=ways(itself, M19, M20, M34, M35),
     derive=lambda l, alpha, beta, theta: {"axle": alpha + beta},
+    also={
+        "for the sliding row": lambda l, alpha, beta, theta: wheels.sliding(
+            [wheels.fixed(l, alpha, beta, 1.0)]
+        ),
+    },
     solution="The axle points in the direction α + β = {axle:deg}, seen from the robot. The wheel "
     "rolls at right angles to it. The first two numbers are this rolling direction, the third is "
     "how far a turn of the robot moves the wheel along it. The heading θ is not in the row, it "
@@ -269,7 +289,7 @@ Exercise(
     level=2,
     title="How fast must the wheels turn?",
     text="An omni robot has three wheels of radius {r} at 0°, 120° and 240°, each {l} from the "
-    "centre with its axle along the spoke (β = 0). Its heading θ is {theta}. In the world it shall "
+    "centre with its axle along the spoke (β = 0). Its heading θ is {theta}. In the world it must "
     "move at {x_dot} along x and {y_dot} along y, and turn at {omega}. At which rates must the "
     "three wheels turn? A positive rate rolls a wheel to the right of its spoke.",
     given={"l": L, "r": R, "theta": THETA, "x_dot": SPEED, "y_dot": SPEED, "omega": TURN},
@@ -282,6 +302,12 @@ Exercise(
     derive=lambda l, r, theta, x_dot, y_dot, omega: {
         "body": motion.to_body(theta, [x_dot, y_dot, omega]),
         "speeds": r * rates(l, r, theta, x_dot, y_dot, omega),
+    },
+    also={
+        "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
+            numbers["r"] * rates(**numbers)
+        ),
+        "when the heading is left out": lambda theta, **numbers: rates(theta=0.0, **numbers),
     },
     solution="First see the wanted velocity from the robot: R(θ) ξ̇_I = {body}. The row of each "
     "wheel, [sin α, −cos α, −l], times this is the speed at which the wheel must roll: {speeds} "
@@ -313,6 +339,12 @@ Exercise(
             [[np.cos(theta), np.sin(theta), 0], [-np.sin(theta), np.cos(theta), 0], [0, 0, 1]]
         ),
     },
+    also={
+        "without the radius of the wheels": lambda r, **numbers: forward(r=1.0, **numbers),
+        "as the robot sees it; asked is the world": lambda theta, **numbers: forward(
+            theta=0.0, **numbers
+        ),
+    },
     solution="The wheels roll at s = r φ̇ = {speeds} m/s. Solve J1 times the robot's own velocity "
     "= s. For three wheels at equal angles this gives, with the sums over the wheels:\n\n"
     "v_x = 2/3 Σ s sin α, v_y = −2/3 Σ s cos α, ω = −Σ s/(3l)\n\n"
@@ -325,9 +357,8 @@ Exercise(
     "wheels-5",
     level=2,
     title="In how many ways can it move?",
-    text="A robot has {fixed}, {steered} and {free}. Steered wheels are turned together, so that "
-    "the robot can always move; none of them stands on the axle line of a fixed wheel. What are "
-    "the robot's degrees of mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
+    text="A robot has {fixed}, {steered} and {free}.{turned} What are the robot's degrees of "
+    "mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
     given={"fixed": one_of(*FIXED), "steered": one_of(*STEERED), "free": one_of(*FREE)},
     asks=(whole("δ_m"), whole("δ_s"), whole("δ_M")),
     right=lambda fixed, steered, free: wheels.mobility(built(fixed, steered, free)),
@@ -336,6 +367,20 @@ Exercise(
     derive=lambda fixed, steered, free: {
         "rank": str(np.linalg.matrix_rank(wheels.sliding(FIXED[fixed]))),
         "delta_s": str(wheels.mobility(built(fixed, steered, free)).delta_s),
+        "turned": turned_so(fixed, steered),
+    },
+    also={
+        "when the steered wheels forbid nothing": lambda fixed, steered, free: degrees(
+            3 - np.linalg.matrix_rank(wheels.sliding(FIXED[fixed])),
+            wheels.mobility(built(fixed, steered, free)).delta_s,
+        ),
+        "when every steered wheel counts, also one without a choice": lambda **names: degrees(
+            wheels.mobility(built(**names)).delta_m, len(STEERED[names["steered"]])
+        ),
+        "when δ_M is the number of motions at once, without the steering": lambda **names: [
+            *wheels.mobility(built(**names))[:2],
+            wheels.mobility(built(**names)).delta_m,
+        ],
     },
     solution="Only fixed and steered wheels hold the robot back; castors, balls and omni wheels "
     "do not. The sliding rows of the fixed wheels have the rank {rank}: wheels on one axle line "
@@ -353,7 +398,7 @@ Exercise(
     level=3,
     title="Turn about that point",
     text="A robot has a steered wheel of radius {r} at the distance l = {l} from its centre, at "
-    "α = {alpha}. It shall turn at {omega} about the point x = {c_x}, y = {c_y} of its own frame. "
+    "α = {alpha}. It must turn at {omega} about the point x = {c_x}, y = {c_y} of its own frame. "
     "What must be the wheel's steering angle β, and at which rate must the wheel turn? With a "
     "positive rate it rolls in the direction α + β − 90°. There are two answers; give one of them.",
     given={
@@ -403,6 +448,11 @@ Exercise(
         "speeds": np.multiply(r, [w_1, w_2, w_3, w_4]),
         "fits": r * np.array([w_1, w_2, w_3, w_4]).mean() + r * (w_1 - w_3) / 2,
         "s_1": r * w_1,
+    },
+    also={
+        "when the slip has the other sign": lambda **numbers: np.multiply(
+            four(**numbers), [1, 1, 1, -1]
+        ),
     },
     solution="The wheels roll at s = r φ̇ = {speeds} m/s. The rows of J1 are [0, −1, −l], "
     "[1, 0, −l], [0, 1, −l] and [−1, 0, −l]. Their columns are at right angles to each other, so "

@@ -7,13 +7,14 @@ import sympy as sp
 from robokin.equations.core import Equation, find
 
 MIME = "application/vnd.robokin.equation+json"
+LINES_APART, FRACTIONS_APART = r"\\[4pt]", r"\\[10pt]"  # fractions in two rows would touch
 
 
 def latex(expression: Any) -> str:
     """LaTeX of an expression in the order in which it was written."""
     text: str = sp.latex(expression, order="none")
-    if r"\frac" in text:  # rows of fractions in a matrix would touch
-        text = text.replace(r"\\", r"\\[4pt]")
+    if r"\frac" in text:
+        text = text.replace(r"\\", FRACTIONS_APART)
     return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
 
 
@@ -26,8 +27,9 @@ def equation_latex(equation: Equation, computed: bool = False) -> str:
     """Left side = right side; columns as one line for each component."""
     left, right = equation.left, printed(equation, computed)
     if isinstance(left, sp.MatrixBase) and isinstance(right, sp.MatrixBase):
-        lines = (f"{latex(a)} &= {latex(c)}" for a, c in zip(left, right, strict=True))
-        return r"\begin{aligned} " + r" \\[4pt] ".join(lines) + r" \end{aligned}"
+        lines = [f"{latex(a)} &= {latex(c)}" for a, c in zip(left, right, strict=True)]
+        apart = FRACTIONS_APART if any(r"\frac" in line for line in lines) else LINES_APART
+        return r"\begin{aligned} " + f" {apart} ".join(lines) + r" \end{aligned}"
     return f"{latex(left)} = {latex(right)}"
 
 

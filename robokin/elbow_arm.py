@@ -84,7 +84,8 @@ def inverse(
     With a2 = a3 and p at the shoulder theta2 is free too: 0.
     Outside the shell of `reach` (by more than 1e-12 of a2 + a3) there is no answer:
     `UnreachableError`, or NaN with unreachable="nan".
-    Source: exercise 1; the law of cosines in half angles, which keeps its digits at full stretch.
+    Source: exercise 1; the law of cosines in half angles, which keep the digits of the distance
+    from the shoulder at full stretch.
 
     >>> inverse([0.3, 0, 0.4], a2=0.4, a3=0.3)[0].round(6)
     array([ 0.      ,  1.570796, -1.570796])
@@ -92,12 +93,12 @@ def inverse(
     choice("unreachable", unreachable, ("raise", "nan"))
     a2, a3, d1 = positive("a2", a2), positive("a3", a3), finite("d1", d1)
     shape, (p,) = rows(("p", p, (3,)), parameters=(a2, a3, d1))
-    x, y, z = p[..., 0] + 0.0, p[..., 1] + 0.0, p[..., 2] - d1  # + 0.0 turns -0.0 into 0.0
+    x, y, h = p[..., 0] + 0.0, p[..., 1] + 0.0, p[..., 2] - d1  # + 0.0 turns -0.0 into 0.0
     r_squared = x * x + y * y
-    distance = np.sqrt(r_squared + z * z)
+    distance = np.sqrt(r_squared + h * h)
     bad = _out_of_reach("p", distance, a2, a3, unreachable)
     lift, elbow = _triangle(distance, a2, a3)
-    elevation = np.arctan2(z, np.sqrt(r_squared))
+    elevation = np.arctan2(h, np.sqrt(r_squared))
     up, down = elevation + lift, elevation - lift
     theta1 = _raise_minus_pi(np.arctan2(y, x))
     away = _half_turn(theta1)

@@ -15,12 +15,12 @@ a2 = quantity("a2", "m", 0.4, 0.5, "length of the upper link", latex="a_2")
 a3 = quantity("a3", "m", 0.3, 0.4, "length of the forearm", latex="a_3")
 d1 = quantity("d1", "m", -0.5, 0.5, "height of the shoulder above the base", latex="d_1")
 out = quantity("out", "m", 0.3, 0.4, "distance of the wrist from the base axis", latex="r")
-high = quantity("high", "m", -0.3, 0.3, "height of the wrist above the shoulder", latex="z")
+high = quantity("high", "m", -0.3, 0.3, "height of the wrist above the shoulder", latex="h")
 apart = quantity("apart", "m", 0.25, 0.55, "distance from shoulder to wrist", latex="d")
-dh_theta = quantity("dh_theta", "rad", -3.14, 3.14, "turn about z of a step", latex=r"\theta")
-dh_d = quantity("dh_d", "m", -1, 1, "shift along z of a step", latex="d")
-dh_a = quantity("dh_a", "m", -1, 1, "shift along x of a step", latex="a")
-dh_alpha = quantity("dh_alpha", "rad", -3.14, 3.14, "turn about x of a step", latex=r"\alpha")
+dh_theta = quantity("dh_theta", "rad", -3.14, 3.14, "turn about z of a step", latex=r"\theta_i")
+dh_d = quantity("dh_d", "m", -1, 1, "shift along z of a step", latex="d_i")
+dh_a = quantity("dh_a", "m", -1, 1, "shift along x of a step", latex="a_i")
+dh_alpha = quantity("dh_alpha", "rad", -3.14, 3.14, "turn about x of a step", latex=r"\alpha_i")
 
 A = Symbol("A")
 phi1, phi2, phi3 = (Symbol(rf"\varphi_{k}") for k in (1, 2, 3))
@@ -216,7 +216,7 @@ with as_written():
     COSINE = (A, (square - a2**2 - a3**2) / (2 * a2 * a3))
     elbow = Equation(
         name="elbow_arm.elbow",
-        left=Matrix([on_side("down", "3"), on_side("up", "3")]),
+        left=Matrix([Symbol(r"\theta_3^{+}"), Symbol(r"\theta_3^{-}")]),
         right=Matrix([atan2(sqrt(1 - A**2), A), atan2(-sqrt(1 - A**2), A)]),
         where=(COSINE,),
         source="exercise 1 (seed 001)",
@@ -310,7 +310,7 @@ with as_written():
 
     dh_step = Equation(
         name="elbow_arm.dh_step",
-        left=Symbol("T"),
+        left=Symbol("T_{i-1,i}"),
         right=Matrix(
             [
                 [

@@ -18,11 +18,13 @@ l_2 = quantity("link_2", "m", 0.1, 1, "second link of the arm on the platform", 
 
 db_x = quantity("db_x", "m", -2, 2, "platform b seen from camera d", latex="x_{db}")
 db_y = quantity("db_y", "m", -2, 2, "platform b seen from camera d", latex="y_{db}")
-db_z = quantity("db_z", "m", 1, 3, "platform b seen from camera d", latex="z_{db}")
 db_turn = quantity("db_turn", "rad", *TURN, "heading of b seen from d", latex=r"\theta_{db}")
 de_x = quantity("de_x", "m", -2, 2, "object e seen from camera d", latex="x_{de}")
 de_y = quantity("de_y", "m", -2, 2, "object e seen from camera d", latex="y_{de}")
 de_turn = quantity("de_turn", "rad", *TURN, "heading of e seen from d", latex=r"\theta_{de}")
+fb_x = quantity("fb_x", "m", -2, 2, "platform b seen from camera f above", latex="x_{fb}")
+fb_y = quantity("fb_y", "m", -2, 2, "platform b seen from camera f above", latex="y_{fb}")
+fb_z = quantity("fb_z", "m", 1, 3, "platform b seen from camera f above", latex="z_{fb}")
 bc_x = quantity("bc_x", "m", -2, 2, "hand c seen from platform b", latex="x_{bc}")
 bc_y = quantity("bc_y", "m", -2, 2, "hand c seen from platform b", latex="y_{bc}")
 bc_turn = quantity("bc_turn", "rad", *TURN, "heading of c seen from b", latex=r"\theta_{bc}")
@@ -32,7 +34,7 @@ pitch = quantity("pitch", "rad", *TURN, "turn about y, the second of any rotatio
 yaw = quantity("yaw", "rad", *TURN, "turn about z, the third of any rotation")
 r = Matrix(3, 3, symbols("r_{11} r_{12} r_{13} r_{21} r_{22} r_{23} r_{31} r_{32} r_{33}"))
 
-lever = quantity("lever", "m", 0, 5, "distance of a point from what it is turned about", latex="d")
+lever = quantity("lever", "m", 0, 5, "distance of a point from its axis of turning", latex=r"\ell")
 error = quantity("error", "rad", -0.5, 0.5, "error of an angle", latex=r"\delta")
 missed = quantity("missed", "m", 0, 3, "by how much a point is missed", latex=r"\Delta")
 
@@ -152,9 +154,9 @@ with as_written():
 
     inverse_in_space = Equation(
         name="frames.inverse_in_space",
-        left=Matrix(symbols("x_{bd} y_{bd} z_{bd}")),
-        right=Matrix([-(r[0, k] * db_x + r[1, k] * db_y + r[2, k] * db_z) for k in range(3)]),
-        textbook=MatMul(-1, r.T, Matrix([db_x, db_y, db_z])),
+        left=Matrix(symbols("x_{bf} y_{bf} z_{bf}")),
+        right=Matrix([-(r[0, k] * fb_x + r[1, k] * fb_y + r[2, k] * fb_z) for k in range(3)]),
+        textbook=MatMul(-1, r.T, Matrix([fb_x, fb_y, fb_z])),
         where=(
             (r[0, 0], cos(yaw) * cos(pitch)),
             (r[0, 1], cos(yaw) * sin(pitch) * sin(roll) - sin(yaw) * cos(roll)),
@@ -168,7 +170,7 @@ with as_written():
         ),
         source="exercise 3",
         function=back_in_space,
-        arguments=((yaw, pitch, roll), (db_x, db_y, db_z)),
+        arguments=((yaw, pitch, roll), (fb_x, fb_y, fb_z)),
         tolerance=4e-15,
         reason="a matrix of three turns, then three products and two sums, of sizes up to 5",
         specials=({yaw: 0.0, pitch: 0.0, roll: np.pi}, {pitch: np.pi / 2}),
@@ -214,18 +216,18 @@ with as_written():
 
     looking_down = Equation(
         name="frames.looking_down",
-        left=Symbol("T_{db}"),
+        left=Symbol("T_{fb}"),
         right=Matrix(
             [
-                [cos(theta), -sin(theta), 0, db_x],
-                [-sin(theta), -cos(theta), 0, db_y],
-                [0, 0, -1, db_z],
+                [cos(theta), -sin(theta), 0, fb_x],
+                [-sin(theta), -cos(theta), 0, fb_y],
+                [0, 0, -1, fb_z],
                 [0, 0, 0, 1],
             ]
         ),
         source="exercise 3",
         function=seen_from_above,
-        arguments=((db_x, db_y, db_z), theta),
+        arguments=((fb_x, fb_y, fb_z), theta),
         tolerance=3e-16,
         reason="one rounding of a sine or cosine",
         specials=tuple({theta: quarter} for quarter in QUARTERS),

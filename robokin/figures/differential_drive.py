@@ -30,7 +30,7 @@ from robokin.live import (
 DISTANCE = 0.1  # m, between the wheels, as in the exercise
 WHEEL = {"length": 0.06, "width": 0.014}  # m, a wheel of radius 3 cm from above
 ORIGIN = (0, 0)
-NO_ICR = {"inf": "none: straight ahead", "nan": "every point: standing still"}
+NO_ICR = {"inf": "none: straight line", "nan": "every point: standing still"}
 
 t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 40, "number of steps")

@@ -16,10 +16,12 @@ from robokin.equations.frames import (
     db_turn,
     db_x,
     db_y,
-    db_z,
     de_turn,
     de_x,
     de_y,
+    fb_x,
+    fb_y,
+    fb_z,
     gamma,
     l_1,
     l_2,
@@ -206,18 +208,18 @@ def axes_in_space(T: Matrix, name: str) -> tuple[Any, ...]:
 def above_figure() -> Figure:
     """A camera that looks down on the same room, in space: turn it, and the hand sees no change."""
     heading, high, low = db_turn, camera_high, object_low
-    camera_sees = frames.looking_down.at({motion.theta: -camera_turn, db_x: 0, db_y: 0, db_z: high})
-    p_db, steps_db = named("db", camera_sees * Matrix([*BASE, 0, 1]))
-    p_de, steps_de = named("de", camera_sees * Matrix([*THING, low, 1]))
-    seen = {motion.theta: heading - camera_turn, db_x: p_db[0], db_y: p_db[1], db_z: p_db[2]}
-    T_db = frames.looking_down.at(seen)
-    rotation = dict(zip(frames.r, T_db[:3, :3], strict=True))
-    p_bd, steps_bd = named("bd", put_in(frames.inverse_in_space.right, {**rotation, **seen}))
-    p_be, steps_be = named("be", T_db[:3, :3].T * Matrix(p_de[:3]) + p_bd)
+    camera_sees = frames.looking_down.at({motion.theta: -camera_turn, fb_x: 0, fb_y: 0, fb_z: high})
+    p_fb, steps_fb = named("fb", camera_sees * Matrix([*BASE, 0, 1]))
+    p_fe, steps_fe = named("fe", camera_sees * Matrix([*THING, low, 1]))
+    seen = {motion.theta: heading - camera_turn, fb_x: p_fb[0], fb_y: p_fb[1], fb_z: p_fb[2]}
+    T_fb = frames.looking_down.at(seen)
+    rotation = dict(zip(frames.r, T_fb[:3, :3], strict=True))
+    p_bf, steps_bf = named("bf", put_in(frames.inverse_in_space.right, {**rotation, **seen}))
+    p_be, steps_be = named("be", T_fb[:3, :3].T * Matrix(p_fe[:3]) + p_bf)
     bc, steps_bc = named("bc", frames.hand_pose.at(LINKS))
     ce, steps_ce = named("ce", seen_from(bc, (p_be[0], p_be[1], 0)))
 
-    # what is drawn, seen from the room: T_room_d is its own inverse, so camera_sees serves, too
+    # what is drawn, seen from the room: T_room_f is its own inverse, so camera_sees serves, too
     b = (*BASE, heading)
     c, steps_c = named("c", joined(b, bc))
     elbow, steps_elbow = named("k", joined(b, frames.hand_pose.at({**LINKS, l_2: 0})))
@@ -226,7 +228,7 @@ def above_figure() -> Figure:
     rim = (BASE[0] + RADIUS * cos(s), BASE[1] + RADIUS * sin(s), 0)
     return Figure(
         name="camera-above",
-        title="In space: a camera d that looks down on a platform b, its hand c and an object e",
+        title="In space: a camera f that looks down on a platform b, its hand c and an object e",
         view=(-0.9, 0.9, -0.5, 1.3),
         controls=(
             Slider(camera_turn, -pi, pi, start=0.0, step=STEP, label="camera turned by"),
@@ -237,7 +239,7 @@ def above_figure() -> Figure:
             *view_sliders(azimuth_start=-pi / 3, elevation_start=5 * pi / 36),
         ),
         where=(
-            *(*steps_db, *steps_de, *steps_bd, *steps_be, *steps_bc, *steps_ce),
+            *(*steps_fb, *steps_fe, *steps_bf, *steps_be, *steps_bc, *steps_ce),
             *(*steps_c, *steps_elbow),
         ),
         scene=(
@@ -248,18 +250,18 @@ def above_figure() -> Figure:
             VIEW.arrow("path", eye, base),
             VIEW.arrow("path", eye, thing),
             VIEW.arrow("icr", hand, thing),
-            *axes_in_space(camera_sees, "d"),
+            *axes_in_space(camera_sees, "f"),
             *axes_in_space(upright(*base, heading), "b"),
             *axes_in_space(upright(*hand, c[2]), "c"),
             *axes_in_space(upright(*thing, 3 * pi / 4), "e"),
         ),
         readouts=(
-            Readout("x_b", "from camera d, x_db", p_db[0], "m"),
-            Readout("y_b", "from camera d, y_db", p_db[1], "m"),
-            Readout("z_b", "from camera d, z_db", p_db[2], "m"),
-            Readout("x_e", "from camera d, x_de", p_de[0], "m"),
-            Readout("y_e", "from camera d, y_de", p_de[1], "m"),
-            Readout("z_e", "from camera d, z_de", p_de[2], "m"),
+            Readout("x_b", "from camera f, x_fb", p_fb[0], "m"),
+            Readout("y_b", "from camera f, y_fb", p_fb[1], "m"),
+            Readout("z_b", "from camera f, z_fb", p_fb[2], "m"),
+            Readout("x_e", "from camera f, x_fe", p_fe[0], "m"),
+            Readout("y_e", "from camera f, y_fe", p_fe[1], "m"),
+            Readout("z_e", "from camera f, z_fe", p_fe[2], "m"),
             Readout("x", "from hand c, x_ce", ce[0], "m"),
             Readout("y", "from hand c, y_ce", ce[1], "m"),
             Readout("z", "from hand c, z_ce", p_be[2], "m"),

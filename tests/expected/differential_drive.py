@@ -48,6 +48,6 @@ SPECIALS = {
     "steps": [STRAIGHT, BACK, SPOT, STILL, {**SPOT, "n": 1}],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
-    ("wheel-speeds", {"v_L": 0.1}, "radius", "none: straight ahead"),
+    ("wheel-speeds", {"v_L": 0.1}, "radius", "none: straight line"),
     ("wheel-speeds", {"v_L": 0.0, "v_R": 0.0}, "radius", "every point: standing still"),
 ]

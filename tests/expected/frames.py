@@ -39,13 +39,13 @@ def above_readouts(turn, high, heading, alpha, beta, gamma, low, azimuth, elevat
     """Platform and object seen from the camera, the object seen from the hand."""
     ground = np.zeros_like(low)
     graph = frames.FrameGraph()
-    graph.add("room", "d", frames.se3(turned(turn) @ DOWN, np.stack([ground, ground, high], -1)))
+    graph.add("room", "f", frames.se3(turned(turn) @ DOWN, np.stack([ground, ground, high], -1)))
     graph.add("room", "b", frames.se3(turned(heading), BASE))
     thing = np.stack([THING[0] + ground, THING[1] + ground, low], axis=-1)
     graph.add("room", "e", frames.se3(np.eye(3), thing))
     place = np.column_stack([wrist(alpha, beta), ground])
     graph.add("b", "c", frames.se3(turned(alpha + beta + gamma), place))
-    ways = ("d", "b"), ("d", "e"), ("c", "e")
+    ways = ("f", "b"), ("f", "e"), ("c", "e")
     return np.column_stack([graph.get(*way)[:, :3, 3] for way in ways])
 
 

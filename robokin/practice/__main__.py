@@ -1,4 +1,4 @@
-"""The teacher's commands: key, sheet, grade."""
+"""The teacher's commands: key, sheet, grade, moodle."""
 
 import argparse
 import io
@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 
 from robokin.errors import RobokinError
-from robokin.practice import COURSE, teacher
+from robokin.practice import COURSE, moodle, teacher
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -20,6 +20,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             problems, words = teacher.grade(
                 options.answers, options.key, options.out, options.force
             )
+        elif options.command == "moodle":
+            problems = moodle.write(options.out, options.only, options.force)
+            words = f"written: {options.out}"
         else:
             write = teacher.key if options.command == "key" else teacher.sheets
             problems = write(
@@ -47,7 +50,11 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--out", default=out, help=f"default {out}")
         words = "the course's name, a new one a year: it takes part in picking the numbers"
         command.add_argument("--course", default=COURSE, help=words)
-        command.add_argument("--only", nargs="+", default=(), help="names of exercises")
+        _add_only(command)
+    words = "all variants as questions for Moodle, to import as Moodle XML"
+    command = commands.add_parser("moodle", help=words, description=words)
+    command.add_argument("--out", default="robokin-moodle.xml", help="default robokin-moodle.xml")
+    _add_only(command)
     words = "right, partly, which mistake; and a summary"
     command = commands.add_parser("grade", help=words, description=words)
     command.add_argument(
@@ -58,6 +65,10 @@ def _parser() -> argparse.ArgumentParser:
     for command in commands.choices.values():
         command.add_argument("--force", action="store_true", help="overwrite what is there")
     return parser
+
+
+def _add_only(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--only", nargs="+", default=(), help="names of exercises")
 
 
 if __name__ == "__main__":

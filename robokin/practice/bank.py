@@ -252,3 +252,8 @@ def with_unit(text: str, unit: str) -> str:
 def symbols(text: str) -> str:
     """A text as HTML, with "v_L" and "θ̇_1" as letters with an index."""
     return re.sub(r"([^\W\d_][\u0300-\u036f]*)_(\w+)", r"<i>\1</i><sub>\2</sub>", escape(text))
+
+
+def paragraphs(text: str) -> str:
+    """A text of several paragraphs as HTML."""
+    return "".join(f"<p>{symbols(paragraph)}</p>" for paragraph in text.split("\n\n"))

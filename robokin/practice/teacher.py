@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 
 from robokin.errors import RobokinError
 from robokin.practice import dealing, judging, tables
-from robokin.practice.bank import EXERCISES, MISTAKES, Exercise, symbols
+from robokin.practice.bank import EXERCISES, MISTAKES, Exercise, paragraphs, symbols
 
 T = TypeVar("T")
 Count = tuple[str, str, int, int, str]  # a row of the mistakes
@@ -39,7 +39,7 @@ def key(
     table, students = _students(roster)
     _refuse_same(out, roster)
     tables.free(Path(out), force)
-    exercises = _chosen(only)
+    exercises = chosen(only)
     rows = (
         (course, dealing.version(), student, e.name, number, *_dealt(e.name, number))
         for student in progress(students, "students")
@@ -63,7 +63,7 @@ def sheets(
 ) -> list[str]:
     """Write a page for each student, to print or to hand out, without answers."""
     table, students = _students(roster)
-    folder, exercises = Path(out), _chosen(only)
+    folder, exercises = Path(out), chosen(only)
     if folder.is_file():
         raise RobokinError(f"{folder} is a file: give the name of a folder")
     folder.mkdir(parents=True, exist_ok=True)
@@ -101,13 +101,9 @@ def _question(name: str, number: int) -> str:
     exercise, variant = EXERCISES[name], dealing.variants(name)[number]
     text = exercise.filled(exercise.text, variant.numbers, variant.shown)
     return (
-        f"<section><h2>{name}: {escape(exercise.title)}</h2>{_paragraphs(text)}"
+        f"<section><h2>{name}: {escape(exercise.title)}</h2>{paragraphs(text)}"
         f'<p class="answer">Answer, {symbols(judging.asked(exercise))}:</p></section>'
     )
-
-
-def _paragraphs(text: str) -> str:
-    return "".join(f"<p>{symbols(paragraph)}</p>" for paragraph in text.split("\n\n"))
 
 
 @dataclass(frozen=True)
@@ -340,9 +336,10 @@ def _students(roster: str | Path) -> tuple[tables.Table, list[str]]:
     return table, list(names)
 
 
-def _chosen(only: Sequence[str]) -> list[Exercise]:
-    chosen = [dealing.find(name) for name in dict.fromkeys(only)]
-    return chosen or list(EXERCISES.values())
+def chosen(only: Sequence[str]) -> list[Exercise]:
+    """The exercises with these names; all if none is named."""
+    named = [dealing.find(name) for name in dict.fromkeys(only)]
+    return named or list(EXERCISES.values())
 
 
 def progress(items: Sequence[T], what: str) -> Iterator[T]:

@@ -809,11 +809,17 @@ def throw_junk(label, examples):
     return count
 
 
+# hypothesis, when it draws again, wants to print the strategy, and warns that it is long
+quiet = pytest.mark.filterwarnings("ignore:Generating overly large repr")
+
+
+@quiet
 @each_row()
 def test_junk_finds_nothing_but_robokin_errors(label):
     throw_junk(label, examples=10)
 
 
+@quiet
 @pytest.mark.long
 def test_a_million_cases_of_junk_find_nothing_but_robokin_errors(capsys):
     total = 0

@@ -1,6 +1,6 @@
 """Exercises and mistakes in a notebook: a box to answer in, and the same check from code."""
 
-import re
+import ast
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -134,9 +134,9 @@ class ExampleView:
     def names(self) -> dict[str, Any]:
         """The numbers that the wrong lines use, by their names in code."""
         e = self.exercise
-        lines = "\n".join(m.line for m in e.wrong if shown_in(m) is e)
+        used = set().union(*(names_used(m.line) for m in e.wrong if shown_in(m) is e))
         known = {**e.example, **e.derive(**e.example)}
-        return {name: known[name] for name in known if re.search(rf"\b{name}\b", lines)}
+        return {name: known[name] for name in known if name in used}
 
     def __repr__(self) -> str:
         return f"{self.exercise.title} ({self.exercise.name}, in the numbers of its source)"
@@ -149,6 +149,16 @@ class ExampleView:
         question = symbols(e.filled(e.text, e.example, texts))
         code = "\n".join(assignments(self.names))
         return f"**{e.title}** {question}\n\nIn code, in SI units:\n\n```python\n{code}\n```"
+
+
+def names_used(code: str) -> set[str]:
+    """The names that code takes a value of before it gives them one."""
+    used, made = set[str](), set[str]()
+    for statement in ast.parse(code).body:
+        names = [node for node in ast.walk(statement) if isinstance(node, ast.Name)]
+        used |= {name.id for name in names if isinstance(name.ctx, ast.Load)} - made
+        made |= {name.id for name in names if isinstance(name.ctx, ast.Store)}
+    return used
 
 
 def assignments(names: dict[str, Any]) -> list[str]:

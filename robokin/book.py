@@ -28,7 +28,7 @@ from robokin.live import engine
 from robokin.live.figure import MIME as FIGURE
 from robokin.live.runtime import runtime, stylesheet
 from robokin.practice import page as practice
-from robokin.practice.bank import EXERCISES, MISTAKES, TOPICS
+from robokin.practice.bank import EXERCISES, MISTAKES, TOPICS, symbols
 from robokin.practice.notebook import COURSE, MISTAKE, mistake
 
 PACKAGE = Path(__file__).parent
@@ -146,8 +146,8 @@ class Errata(SphinxDirective):
         _depend(self.env, "practice/*.py")
         found = sorted((m for m in MISTAKES.values() if m.document), key=lambda m: int(m.name[1:]))
         entries = [
-            f"**{m.document}** ({m.name})\n\n- There stands: {m.stands}\n"
-            f"- It should be: {m.should}\n\n{m.why}"
+            f"**{m.document}** ({m.name})\n\n- There stands: {symbols(m.stands)}\n"
+            f"- It should be: {symbols(m.should)}\n\n{symbols(m.why)}"
             for m in found
         ]
         return self.parse_text_to_nodes("\n\n".join(entries))

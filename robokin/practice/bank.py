@@ -251,7 +251,8 @@ def with_unit(text: str, unit: str) -> str:
 
 def symbols(text: str) -> str:
     """A text as HTML, with "v_L" and "θ̇_1" as letters with an index."""
-    return re.sub(r"([^\W\d_][\u0300-\u036f]*)_(\w+)", r"<i>\1</i><sub>\2</sub>", escape(text))
+    letter, index = r"([^\W\d_][\u0300-\u036f]*)", "([0-9A-Za-z]+)"
+    return re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2</sub>", escape(text))
 
 
 def paragraphs(text: str) -> str:

@@ -220,8 +220,8 @@ class MistakeView:
         m, right = self.mistake, self._text(self.exercise.right)
         return (
             f"<p>It gives {escape(self.gives)}.</p><details><summary>What is wrong?</summary>"
-            f"<p>Right is {escape(right)}. {escape(m.why)}</p>"
-            f"<p><em>Where nobody notices.</em> {escape(m.unnoticed)}</p></details>"
+            f"<p>Right is {escape(right)}. {symbols(m.why)}</p>"
+            f"<p><em>Where nobody notices.</em> {symbols(m.unnoticed)}</p></details>"
         )
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:

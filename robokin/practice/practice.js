@@ -125,7 +125,7 @@ const checkAnswer = (exercise, variant, text) => {
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
 
-const LETTER_WITH_INDEX = /(\p{L}[\u0300-\u036f]*)_(\w+)/gu;
+const LETTER_WITH_INDEX = /(\p{L}[\u0300-\u036f]*)_([0-9A-Za-z]+)/gu;
 
 const paragraphs = (text) => escaped(text).split("\n\n").map((paragraph) =>
   `<p>${paragraph.replace(LETTER_WITH_INDEX, "<i>$1</i><sub>$2</sub>")}</p>`).join("");

@@ -185,9 +185,17 @@ def _check_all() -> list[str]:
     results = equations.check()
     wrong = [r for r in results if not r.agrees]
     if wrong:
-        apart = "; ".join(f"{r.equation.name} by {r.difference:.1g} at {r.worst}" for r in wrong)
-        raise ExtensionError(f"formulas and functions disagree: {apart}")
+        apart = "\n".join(map(_disagreement, wrong))
+        raise ExtensionError(f"formulas and functions disagree:\n{apart}")
     return [_entry(result) for result in results]
+
+
+def _disagreement(result: equations.Result) -> str:
+    place = ", ".join(f"{name} = {value:.6g}" for name, value in result.worst.items())
+    return (
+        f"{result.equation.name} by {result.difference:.1g}, "
+        f"allowed {result.equation.tolerance:.1g}, at {place}"
+    )
 
 
 def _entry(result: equations.Result) -> str:

@@ -84,7 +84,7 @@ def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
     right = REGISTRY["differential_drive.speed"]
     wrong = copy_of(right, right=right.right * 2)
     monkeypatch.setitem(REGISTRY, right.name, wrong)
-    with pytest.raises(Exception, match=r"disagree: test\.copy by"):
+    with pytest.raises(Exception, match=r"disagree:\ntest\.copy by .*, allowed 1e-15, at b = "):
         checked(tmp_path)
 
 
@@ -214,9 +214,20 @@ def test_declaring_twice_or_half_is_refused():
         replace(speed, name="test.half", function=None)
     with pytest.raises(RobokinError, match="undeclared symbols"):
         replace(speed, name="test.unknown", right=sp.Symbol("unheard_of"))
+    x = next(s for s in QUANTITIES if str(s) == "x")
+    with pytest.raises(RobokinError, match="x in `right`, but not in its arguments"):
+        replace(speed, name="test.unsupplied", right=speed.right + x)
+    with pytest.raises(RobokinError, match="x in `specials`, but not in its right nor arguments"):
+        replace(speed, name="test.special", specials=({x: 0.0},))
     with pytest.raises(RobokinError, match="dt is declared twice"):
         quantity("dt", "s", 0, 1, "again")
     assert not [name for name in REGISTRY if name.startswith("test.")]
+
+
+def test_a_pole_is_told_with_its_place():
+    x = sp.Symbol("x")
+    with pytest.raises(RobokinError, match=r"1/x divides by zero at x = 0: .*Piecewise"):
+        evaluate(1 / x, [x], np.array([[1.0], [0.0]]))
 
 
 def test_putting_in_leaves_the_form_alone():

@@ -122,7 +122,8 @@ def ends(control):
 
 def point(figure, values):
     """One setting as a row of numbers: the start, but for `values` (by name, in SI)."""
-    row = []
+    row, known = [], {key(c) for c in figure.controls}
+    assert values.keys() <= known, f"{figure.name} has {known}, not {values.keys() - known}"
     for control in figure.controls:
         value = values.get(key(control), control.start)
         row += control.options[value] if isinstance(control, Choice) else [value]
@@ -296,7 +297,7 @@ def test_the_small_figure_is_right():
         ({"controls": (Slider(loose, 0, 1, 0, 0.1),), "says": ""}, "loose is no declared quantity"),
         ({"controls": (Slider(a, 0, 1, 0, 0.1, kind="purple"),)}, "no kind 'purple'"),
         ({"readouts": (Readout("x", "", a, "m"),)}, "two controls or readouts of one name"),
-        ({"says": "b is {b}"}, "says .*'b'.*, but has only x, twice"),
+        ({"says": "b is {b}"}, "text `says` of .* uses b, but there are only x, twice"),
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
         ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
@@ -467,11 +468,12 @@ def kept_figures():
 @each_figure
 def test_a_notebook_keeps_the_declaration_and_the_still_picture(figure):
     data = kept_figures()[figure.name]
-    assert data == {
+    new = {
         MIME: {"name": figure.name, "code": figure.code},
         "image/svg+xml": figure.picture(),
         "text/plain": figure.title,
     }
+    assert data == new, "the stored figure is old: run `make notebooks`"
     text = json.dumps(data)
     assert len(text) < SIZE
     assert "bringToLife" not in text

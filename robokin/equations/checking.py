@@ -85,7 +85,14 @@ def evaluate(
             values = [mpmath.mpf(x) for x in point]
             for step in steps:
                 values.append(step(*values))
-            rows.append([_real(x) for x in function(*values)])
+            try:
+                rows.append([_real(x) for x in function(*values)])
+            except ZeroDivisionError as error:
+                place = ", ".join(f"{s} = {x:.6g}" for s, x in zip(symbols, point, strict=True))
+                raise RobokinError(
+                    f"{expression} divides by zero at {place}: "
+                    "give that case a branch (Piecewise), or narrow the ranges"
+                ) from error
     return np.array(rows, dtype=object).reshape(len(points), len(flat))
 
 

@@ -95,7 +95,16 @@ class Equation:
         unknown = set(self.symbols) - set(QUANTITIES)
         if unknown:
             raise RobokinError(f"{self.name} uses undeclared symbols: {sorted(map(str, unknown))}")
+        if self.function is not None:
+            self._refuse("right", set(self.symbols) - free_symbols(self.arguments), "arguments")
+        for special in self.specials:
+            self._refuse("specials", set(special) - set(self.symbols), "right nor arguments")
         REGISTRY[self.name] = self
+
+    def _refuse(self, part: str, extra: set[sp.Symbol], of: str) -> None:
+        if extra:
+            names = ", ".join(sorted(map(str, extra)))
+            raise RobokinError(f"{self.name} has {names} in `{part}`, but not in its {of}")
 
     @property
     def symbols(self) -> list[sp.Symbol]:

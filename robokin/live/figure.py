@@ -49,7 +49,10 @@ class Figure:
             raise RobokinError(f"the figure {self.name} has two controls or readouts of one name")
         unknown = set(re.findall(r"{(\w+)}", self.says)) - set(names)
         if unknown:
-            raise RobokinError(f"{self.name} says {unknown}, but has only {', '.join(names)}")
+            raise RobokinError(
+                f"the text `says` of {self.name} uses {', '.join(sorted(unknown))}, "
+                f"but there are only {', '.join(names)}"
+            )
 
     @property
     def settings(self) -> list[sp.Symbol]:

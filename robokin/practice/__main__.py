@@ -21,8 +21,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 options.answers, options.key, options.out, options.force
             )
         elif options.command == "moodle":
-            problems = moodle.write(options.out, options.only, options.force)
-            words = f"written: {options.out}"
+            left_out = moodle.write(options.out, options.only, options.force)
+            problems, words = [], f"written: {options.out}"
+            if left_out:
+                words += "\nseveral right answers of several numbers, left out: "
+                words += ", ".join(left_out)
         else:
             write = teacher.key if options.command == "key" else teacher.sheets
             problems = write(

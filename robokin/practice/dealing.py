@@ -5,6 +5,7 @@ page computes the same. Names are compared in Unicode's form NFC, without invisi
 with the Persian letters for yeh and kaf (keyboards have two), trimmed, each run of spaces one.
 """
 
+import difflib
 import hashlib
 import json
 import random
@@ -96,7 +97,11 @@ def _drawn(exercise: Exercise, draw: random.Random) -> tuple[dict[str, Any], dic
 def find(name: str) -> Exercise:
     """The exercise of that name."""
     if not isinstance(name, str) or name not in EXERCISES:
-        raise RobokinError(f"there is no exercise {name!r}; there are {', '.join(EXERCISES)}")
+        near = difflib.get_close_matches(str(name), EXERCISES)
+        known = (
+            f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(EXERCISES)}"
+        )
+        raise RobokinError(f"there is no exercise {name!r}; {known}")
     return EXERCISES[name]
 
 

@@ -16,7 +16,7 @@ from robokin.practice.teacher import chosen, progress
 
 
 def write(out: str | Path, only: Sequence[str] = (), force: bool = False) -> list[str]:
-    """Write the questions. Gives back what cannot be asked in Moodle."""
+    """Write the questions. Gives back the names of the exercises that Moodle cannot judge."""
     tables.free(Path(out), force)
     exercises = chosen(only)
     fit = [exercise for exercise in exercises if fits(exercise)]
@@ -27,11 +27,7 @@ def write(out: str | Path, only: Sequence[str] = (), force: bool = False) -> lis
         for number, variant in enumerate(dealing.variants(exercise.name)):
             quiz.append(_question(exercise, number, variant))
     ElementTree.ElementTree(quiz).write(out, encoding="utf-8", xml_declaration=True)
-    return [
-        f"{exercise.name} is left out: it has several right answers, of several numbers each"
-        for exercise in exercises
-        if exercise not in fit
-    ]
+    return [exercise.name for exercise in exercises if exercise not in fit]
 
 
 def fits(exercise: Exercise) -> bool:

@@ -62,7 +62,7 @@ def free(path: Path, force: bool) -> None:
     if path.is_dir():
         raise RobokinError(f"{path} is a folder: give the name of a file")
     if path.exists() and not force:
-        raise RobokinError(f"{path} is already there: choose another name, or overwrite by force")
+        raise RobokinError(f"{path} is already there: choose another name, or add --force")
     if not path.parent.is_dir():
         raise RobokinError(f"there is no folder {path.parent} to write {path.name} in")
 

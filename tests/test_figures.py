@@ -786,6 +786,20 @@ def test_twenty_settings_by_mouse_and_keys(figure, visit):
 @pytest.mark.parametrize(
     "figure", [f for f in FIGURES.values() if f.handles], ids=lambda figure: figure.name
 )
+def test_a_handle_taken_at_its_edge_does_not_jump(figure, visit):
+    with visit(figure) as live:
+        start = live.state()
+        x, y = live.spot(len(figure.handles) - 1, live.values())
+        live.page.mouse.move(x + 6, y + 6)
+        live.page.mouse.down()
+        live.page.mouse.move(x + 6, y + 6)
+        assert live.state() == pytest.approx(start, abs=1e-9)
+
+
+@in_browser
+@pytest.mark.parametrize(
+    "figure", [f for f in FIGURES.values() if f.handles], ids=lambda figure: figure.name
+)
 def test_handles_by_touch(figure, visit):
     random = np.random.default_rng(7)
     with visit(figure, width=390, has_touch=True) as live:

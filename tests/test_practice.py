@@ -315,6 +315,14 @@ def test_what_is_no_answer_is_unread(nobody, answer):
     assert not practice.answers()
 
 
+def test_a_further_try_takes_nothing_away(nobody):
+    box = practice.exercise("differential-drive-1", student="Ada")
+    right = typed(box.variant.candidates[0].rows, box.exercise)
+    for tried in ("12345", right, "12345"):
+        box.check(tried)
+    assert [answer for *_, answer in practice.answers()] == [right]
+
+
 def test_a_column_counts_as_a_list(nobody):
     box = practice.exercise("differential-drive-2", student=4711)
     assert box.check(np.reshape(box.variant.candidates[0].rows[0], (2, 1))).result == "right"

@@ -3,12 +3,15 @@
 import csv
 import io
 import json
+import re
+from html import unescape
 
 import pytest
 
 from robokin import practice
 from robokin.practice import dealing, judging, tables
-from robokin.practice.bank import EXERCISES
+from robokin.practice.bank import EXERCISES, symbols
+from robokin.practice.page import NAMELESS
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -54,6 +57,11 @@ def answer(page, exercise, text):
     return verdict.inner_text()
 
 
+def printed(text):
+    """A text as the page prints it: "p_x" has become a letter with an index."""
+    return unescape(re.sub("<[^>]+>", "", symbols(text)))
+
+
 def variant(exercise, name):
     return dealing.variants(exercise)[dealing.dealt(practice.COURSE, exercise, name)]
 
@@ -68,7 +76,8 @@ def test_every_candidate_is_named_on_the_page(page, topic):
             page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
             for candidate in mine.candidates:
                 said = answer(page, exercise.name, typed(candidate.rows, exercise))
-                assert said == judging.judge(exercise, mine.candidates, candidate.rows).says
+                says = judging.judge(exercise, mine.candidates, candidate.rows).says
+                assert said == printed(says)
 
 
 def test_the_browser_deals_as_python_does(page):
@@ -109,6 +118,24 @@ def test_progress_is_kept_and_cleared(page):
     page.click(".rk-clear")
     assert page.inner_text(".rk-progress").startswith("0 of ")
     assert page.evaluate("() => document.cookie") == ""
+
+
+def test_a_further_try_takes_nothing_away(page):
+    sign_in(page, "Ada")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    assert answer(page, FIRST, right) == judging.SAYS["right"]
+    assert answer(page, FIRST, "12345") == judging.SAYS["wrong"]
+    assert page.inner_text(".rk-progress").startswith("1 of ")
+    page.reload(wait_until="networkidle")
+    assert box(page, FIRST).locator("input").input_value() == right
+
+
+def test_who_gives_no_name_is_told(page):
+    right = typed(variant(FIRST, "").candidates[0].rows, EXERCISES[FIRST])
+    assert answer(page, FIRST, right) == judging.SAYS["right"]
+    assert page.inner_text(".rk-progress").endswith("passed. " + NAMELESS)
+    sign_in(page, "Ada")
+    assert page.inner_text(".rk-progress").endswith("passed")
 
 
 def test_what_is_typed_while_the_numbers_load_stays(page):

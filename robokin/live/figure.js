@@ -388,8 +388,11 @@ const bringToLife = (element, figure, changed = () => {}) => {
   };
   const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
   figure.handles.forEach((handle, k) => {
-    const grip = handles[k];
+    const grip = handles[k], place = () => handle.at.map((index) => computed.values[index]);
+    let off = [0, 0];  // a handle taken at its edge must not jump to the pointer
     grip.addEventListener("pointerdown", (event) => {
+      const at = pointer(event);
+      off = place().map((x, i) => Number.isFinite(x) ? x - at[i] : 0);
       grip.setPointerCapture(event.pointerId);
       grip.focus({ preventScroll: true });
       event.preventDefault();
@@ -397,14 +400,15 @@ const bringToLife = (element, figure, changed = () => {}) => {
     // in SVG, `touch-action` alone lets the page scroll away with the finger
     grip.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     grip.addEventListener("pointermove", (event) => {
-      if (grip.hasPointerCapture(event.pointerId)) dragTo(handle, pointer(event), true);
+      if (!grip.hasPointerCapture(event.pointerId)) return;
+      dragTo(handle, pointer(event).map((x, i) => x + off[i]), true);
     });
     grip.addEventListener("keydown", (event) => {
       const move = ARROWS[event.key];
       if (!move) return;
       event.preventDefault();
       const step = (figure.view[1] - figure.view[0]) / (event.shiftKey ? 20 : 100);
-      const at = handle.at.map((index) => computed.values[index]);
+      const at = place();
       dragTo(handle, [at[0] + step * move[0], at[1] + step * move[1]], false);
     });
   });

@@ -27,7 +27,7 @@ MISTAKE = "application/vnd.robokin.mistake+json"
 COLUMNS = ("course", "student", "exercise", "answer")
 
 _session = {"student": "", "course": COURSE}
-_answers: dict[tuple[str, str, str], str] = {}  # course, student, exercise → what was typed last
+_answers: dict[tuple[str, str, str], str] = {}  # course, student, exercise → what counts
 
 
 def student(name: str | int, course: str = COURSE) -> None:
@@ -72,10 +72,16 @@ class Box:
                 answer = _typed(answer)
             except RobokinError as error:
                 return judging.Verdict("unread", "", f"{error}.")
-        verdict = judging.check(self.exercise, self.variant.candidates, answer)
-        if verdict.result != "unread" and not self.training:
-            _answers[self.course, dealing.folded(self.student), self.exercise.name] = answer
+        verdict = self._verdict(answer)
+        key = self.course, dealing.folded(self.student), self.exercise.name
+        passed = key in _answers and self._verdict(_answers[key]).result == "right"
+        kept = passed and verdict.result != "right"  # a further try takes nothing away
+        if verdict.result != "unread" and not self.training and not kept:
+            _answers[key] = answer
         return verdict
+
+    def _verdict(self, answer: str) -> judging.Verdict:
+        return judging.check(self.exercise, self.variant.candidates, answer)
 
     def another(self) -> "Box":
         """Further numbers, for training; answers to them are not kept."""
@@ -111,7 +117,7 @@ def exercise(name: str, student: str | int | None = None, course: str | None = N
 
 
 def answers() -> list[tuple[str, str, str, str]]:
-    """The answers of this session that count: course, student, exercise, what was typed last."""
+    """The answers of this session that count, the right one or the last: course, student, …"""
     return [(*key, answer) for key, answer in _answers.items()]
 
 

@@ -127,8 +127,10 @@ const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) 
 
 const LETTER_WITH_INDEX = /(\p{L}[\u0300-\u036f]*)_([0-9A-Za-z]+)/gu;
 
-const paragraphs = (text) => escaped(text).split("\n\n").map((paragraph) =>
-  `<p>${paragraph.replace(LETTER_WITH_INDEX, "<i>$1</i><sub>$2</sub>")}</p>`).join("");
+const indexed = (text) => escaped(text).replace(LETTER_WITH_INDEX, "<i>$1</i><sub>$2</sub>");
+
+const paragraphs = (text) => indexed(text).split("\n\n")
+  .map((paragraph) => `<p>${paragraph}</p>`).join("");
 
 // id: the start of the ids inside, for the box's own parts to find each other.
 const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
@@ -139,7 +141,7 @@ const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
     + `<div class="rk-text">${paragraphs(filled(exercise.text, shown))}</div></div>`
     + `<p class="rk-training" hidden>${TRAINING} <button type="button">Back to my numbers</button></p>`
     + `<form class="rk-form"><label for="${id}-answer">Answer, <span class="rk-asked">`
-    + `${paragraphs(exercise.asked).slice(3, -4)}</span></label>`
+    + `${indexed(exercise.asked)}</span></label>`
     + `<div class="rk-row"><input id="${id}-answer" type="text" autocomplete="off" autocapitalize="off" `
     + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
     + `<button type="submit">Check</button>`
@@ -167,7 +169,7 @@ const bringExercise = (element, desk) => {
     (dealtVariant(desk.course, exercise.name, desk.student()) + training) % VARIANTS;
   const tell = (result, words) => {
     verdict.className = `rk-verdict rk-${result}`;
-    verdict.textContent = words;
+    verdict.innerHTML = indexed(words);
   };
   const unfold = () => {
     if (!solution || !solution.open || !exercise) return;
@@ -200,7 +202,8 @@ const bringExercise = (element, desk) => {
   const check = () => withExercise(() => {
     const found = checkAnswer(exercise, variant(), input.value);
     tell(found.result, found.says);
-    if (training || found.result === "unread") return;
+    const passed = desk.kept()?.result === "right";  // a further try takes nothing away
+    if (training || found.result === "unread" || (passed && found.result !== "right")) return;
     desk.keep({ answer: input.value, ...found, variant: variant() });
     one(".rk-passed").hidden = found.result !== "right";
   });
@@ -277,8 +280,9 @@ const exercisesOnPage = (root) => {
   const mine = () => all()[student()] ?? {};
   const progress = () => {
     const passed = sections.filter(({ dataset }) => mine()[dataset.exercise]?.result === "right");
+    const nameless = passed.length && !student() ? `. ${NAMELESS}` : "";
     deskElement.querySelector(".rk-progress").textContent =
-      `${passed.length} of ${sections.length} checks on this page passed`;
+      `${passed.length} of ${sections.length} checks on this page passed${nameless}`;
   };
   const keep = (name, entry) => {
     memory.set(key, JSON.stringify({ ...all(), [student()]: { ...mine(), [name]: entry } }));

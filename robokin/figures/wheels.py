@@ -281,7 +281,7 @@ def omni_figure() -> Figure:
     return Figure(
         name="omni",
         title="A robot on three Swedish wheels seen from above, their rates under your hand",
-        view=(-0.55, 1.5, -0.65, 0.85),
+        view=(-0.5, 1.7, -0.5, 1.0),
         controls=(
             *(
                 Slider(rate, -6.0, 6.0, start=start, step=0.5, label=f"wheel {k}", kind=kind)

@@ -218,9 +218,11 @@ class Exercise:
                 raise RobokinError(f"{self.name} has {{{key}}}, but only {', '.join(values)}")
         return found
 
-    def answer_text(self, numbers: Mapping[str, Any]) -> str:
-        """The right answer as it would be typed, with its unit where all have the same."""
-        rows = self.answers(self.right, numbers)
+    def answer_text(
+        self, numbers: Mapping[str, Any], formula: Callable[..., ArrayLike] | None = None
+    ) -> str:
+        """The right answer, or a formula's, as typed, with its unit where all have the same."""
+        rows = self.answers(formula or self.right, numbers)
         shaped = [row.reshape(self.shape) if self.shape else row for row in rows]
         units = {ask.unit for ask in self.asks}
         unit = units.pop() if len(units) == 1 else ""

@@ -158,12 +158,11 @@ Exercise(
     right=centre,
     wrong=ways(centre) | {M14: lambda x, y, theta, **speeds: centre(x, y, -theta, **speeds)},
     when=different,
-    derive=lambda v_L, v_R, b, **_: {"R": b / 2 * (v_L + v_R) / (v_R - v_L)},
+    derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
     also={
-        "with the ICR as the robot sees it, not as the world does": lambda v_L, v_R, b, **_: [
-            0,
-            b / 2 * (v_L + v_R) / (v_R - v_L),
-        ],
+        "with the ICR as the robot sees it, not as the world does": lambda v_L, v_R, b, **_: centre(
+            0, 0, 0, v_L, v_R, b
+        ),
         "when the robot's own place is not added": lambda x, y, **drive: centre(0, 0, **drive),
         "when R is laid off to the wrong side of the robot": lambda x, y, **drive: (
             2 * np.array([x, y]) - centre(x, y, **drive)

@@ -6,13 +6,14 @@ within the tolerance. `practice.js` judges in the same way; a test holds the two
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from robokin.practice import reading
 from robokin.practice.bank import Ask, Exercise
@@ -85,9 +86,9 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     """Every name that a candidate of this exercise can have, and what it means."""
     ones = (1.0,) * len(exercise.asks)
     found = {"right": Outcome("right", SAYS["right"], ones)}
-    for mistake in exercise.wrong:
-        says = f"Not yet. This is what you get {mistake.says}."
-        found[mistake.name] = Outcome("wrong", says, ones)
+    done = {m.name: m.says for m in exercise.wrong} | {f"slip:{w}": w for w in exercise.also}
+    for name, words in done.items():
+        found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones)
     for name, factors in _units(exercise.asks).items():
         asked = " and ".join(dict.fromkeys(a.unit for a in exercise.asks if a.unit in POWERS))
         says = (
@@ -96,8 +97,6 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
         found[f"unit:{name}"] = Outcome("partly", says, factors)
     for name, says in SLIPS.items():
         found[f"slip:{name}"] = Outcome("wrong", says, ones)
-    for words in exercise.also:
-        found[f"slip:{words}"] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones)
     return found
 
 
@@ -118,26 +117,29 @@ def _units(asks: Sequence[Ask]) -> dict[str, Row]:
 def candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidate, ...]:
     """All that can be answered to an exercise with these numbers, in the order of judging."""
     right = _grouped(exercise, exercise.answers(exercise.right, numbers), "right")
-    wrong = [
-        candidate
-        for mistake, formula in exercise.wrong.items()
-        for candidate in _grouped(exercise, exercise.answers(formula, numbers), mistake.name)
-    ]
+    wrong = _made(exercise, {m.name: f for m, f in exercise.wrong.items()}, numbers)
+    also = _made(exercise, {f"slip:{words}": f for words, f in exercise.also.items()}, numbers)
     units = [
         Candidate(f"unit:{name}", tuple(_floats(np.multiply(row, factors)) for row in c.rows))
         for name, factors in _units(exercise.asks).items()
         for c in right
-    ]
-    also = [
-        candidate
-        for words, formula in exercise.also.items()
-        for candidate in _grouped(exercise, exercise.answers(formula, numbers), f"slip:{words}")
     ]
     known = [*right, *wrong, *units]
     for slip in [*also, *_slips(exercise, right)]:
         if all(apart(exercise, slip, other) for other in known):
             known.append(slip)
     return tuple(known)
+
+
+def _made(
+    exercise: Exercise, ways: Mapping[str, Callable[..., ArrayLike]], numbers: Mapping[str, Any]
+) -> list[Candidate]:
+    """What is answered in each of these ways, by the names of the candidates."""
+    return [
+        candidate
+        for name, formula in ways.items()
+        for candidate in _grouped(exercise, exercise.answers(formula, numbers), name)
+    ]
 
 
 def _grouped(exercise: Exercise, rows: Any, name: str) -> list[Candidate]:
@@ -193,11 +195,6 @@ def apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
     )
 
 
-def _allowed(exercise: Exercise, factors: Row) -> list[float]:
-    """The tolerances, in the units of a candidate."""
-    return [ask.tolerance * abs(f) for ask, f in zip(exercise.asks, factors, strict=True)]
-
-
 def judge(exercise: Exercise, possible: Sequence[Candidate], rows: Sequence[Row]) -> Verdict:
     """The verdict on an answer that has the right shape."""
     meant = outcomes(exercise)
@@ -224,7 +221,7 @@ def _not_named(exercise: Exercise, possible: Sequence[Candidate], rows: Sequence
         labels = [
             ask.label
             for ask, x, wanted in zip(exercise.asks, rows[0], right[0].rows[0], strict=True)
-            if _off(ask, x, wanted, 1.0) <= ask.tolerance
+            if off(ask, x, wanted) <= ask.tolerance
         ]
     more = " " + SAYS["parts"].format(labels=", ".join(labels)) if labels else ""
     return Verdict("wrong", "", SAYS["wrong"] + more)
@@ -250,16 +247,16 @@ def _meet(
 
 
 def _within(ask: Ask, x: float, wanted: float, allowed: float, factor: float) -> bool:
-    return _off(ask, x, wanted, factor) <= allowed
+    return off(ask, x, wanted, factor) <= allowed
 
 
-def _off(ask: Ask, x: float, wanted: float, factor: float) -> float:
-    """How far x is from what is wanted; an angle on the circle."""
+def off(ask: Ask, x: float, wanted: float, factor: float = 1.0) -> float:
+    """How far x is from what is wanted; an angle on the circle. factor: the size of its unit."""
+    apart = abs(x - wanted)
     if not ask.circle:
-        return abs(x - wanted)
+        return apart
     turn = 2 * math.pi * abs(factor)
-    off = abs(x - wanted) % turn
-    return min(off, turn - off)
+    return min(apart % turn, turn - apart % turn)
 
 
 def asked(exercise: Exercise) -> str:

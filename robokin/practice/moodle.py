@@ -19,7 +19,8 @@ def write(out: str | Path, only: Sequence[str] = (), force: bool = False) -> lis
     """Write the questions. Gives back the names of the exercises that Moodle cannot judge."""
     tables.free(Path(out), force)
     exercises = chosen(only)
-    fit = [exercise for exercise in exercises if fits(exercise)]
+    # with several right answers it would not do to judge the numbers one by one
+    fit = [exercise for exercise in exercises if exercise.accept == "one"]
     quiz = Element("quiz")
     for exercise in progress(fit, "exercises"):
         category = SubElement(quiz, "question", type="category")
@@ -28,11 +29,6 @@ def write(out: str | Path, only: Sequence[str] = (), force: bool = False) -> lis
             quiz.append(_question(exercise, number, variant))
     ElementTree.ElementTree(quiz).write(out, encoding="utf-8", xml_declaration=True)
     return [exercise.name for exercise in exercises if exercise not in fit]
-
-
-def fits(exercise: Exercise) -> bool:
-    """Whether it is enough to judge the numbers one by one."""
-    return exercise.accept == "one"
 
 
 def _question(exercise: Exercise, number: int, variant: dealing.Variant) -> Element:
@@ -63,17 +59,10 @@ def _fields(exercise: Exercise, variant: dealing.Variant) -> Iterator[str]:
         answers = [f"={_number(right + turn, ask)}" for turn in turns]
         values = [candidate.rows[0][place] for candidate in wrong]
         for candidate, value in zip(wrong, values, strict=True):
-            if sum(_alike(ask, value, other) for other in [right, *values]) == 1:
+            close = [x for x in (right, *values) if judging.off(ask, value, x) <= 2 * ask.tolerance]
+            if len(close) == 1:  # itself: an answer that could mean another is not named
                 answers.append(f"{_number(value, ask)}#{outcomes[candidate.name].says}")
         yield "{1:NUMERICAL:" + "~".join(answers) + "}"
-
-
-def _alike(ask: Ask, one: float, other: float) -> bool:
-    """Whether an answer could mean both."""
-    off = abs(one - other)
-    if ask.circle:
-        off = abs(math.remainder(off, 2 * math.pi))
-    return off <= 2 * ask.tolerance
 
 
 def _number(value: float, ask: Ask) -> str:

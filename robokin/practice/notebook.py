@@ -15,9 +15,7 @@ from robokin.practice.bank import (
     MISTAKES,
     Exercise,
     Mistake,
-    number_text,
     symbols,
-    with_unit,
 )
 
 COURSE = "robokin"  # the salt of the book itself; a teacher's course has its own
@@ -209,21 +207,16 @@ class MistakeView:
     def __init__(self, mistake: Mistake) -> None:
         self.mistake, self.exercise = mistake, shown_in(mistake)
 
-    def _text(self, formula: Any) -> str:
-        rows = self.exercise.answers(formula, self.exercise.example)
-        units = {ask.unit for ask in self.exercise.asks}
-        unit = units.pop() if len(units) == 1 else ""
-        return "; ".join(_row_text(self.exercise, row, unit) for row in rows)
-
     @property
     def gives(self) -> str:
         """The wrong value in the numbers of the source document."""
-        return self._text(self.exercise.wrong[self.mistake])
+        e = self.exercise
+        return e.answer_text(e.example, e.wrong[self.mistake])
 
     @property
     def answer(self) -> str:
         """What stands behind the fold, as HTML."""
-        m, right = self.mistake, self._text(self.exercise.right)
+        m, right = self.mistake, self.exercise.answer_text(self.exercise.example)
         return (
             f"<p>It gives {escape(self.gives)}.</p><details><summary>What is wrong?</summary>"
             f"<p>Right is {escape(right)}. {symbols(m.why)}</p>"
@@ -244,11 +237,6 @@ def mistake(name: str) -> MistakeView:
     if not isinstance(name, str) or name not in MISTAKES:
         raise RobokinError(f"there is no mistake {name!r}; there are {', '.join(MISTAKES)}")
     return MistakeView(MISTAKES[name])
-
-
-def _row_text(exercise: Exercise, row: Any, unit: str) -> str:
-    shaped = row.reshape(exercise.shape) if exercise.shape else row
-    return with_unit(number_text(shaped if len(row) > 1 else float(row[0]), ""), unit)
 
 
 def _typed(answer: Any) -> str:

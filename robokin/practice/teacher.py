@@ -245,19 +245,13 @@ def _graded(line: int, row: tables.Row, answer: str | None, keys: tables.Table) 
     start = (row["student"], row["exercise"], answer or "")
     if answer is None:
         return Graded(*start, "missing", "", "")
-    verdict = _verdict(row["exercise"], row["numbers"], possible, answer)
+    verdict = judging.check(EXERCISES[row["exercise"]], possible, answer)
     return Graded(*start, verdict.result, verdict.name, verdict.says)
 
 
 @cache
 def _candidates(name: str, numbers: str) -> tuple[judging.Candidate, ...]:
     return judging.candidates(EXERCISES[name], json.loads(numbers))
-
-
-def _verdict(
-    name: str, numbers: str, possible: tuple[judging.Candidate, ...], answer: str
-) -> judging.Verdict:
-    return judging.check(EXERCISES[name], possible, answer)
 
 
 def _totals(graded: Iterable[Graded]) -> list[tuple[object, ...]]:

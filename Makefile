@@ -11,22 +11,22 @@ READY := .venv/.ready
 SITE := _build/html/.built
 BUILD := $(BIN)/jupyter-book build book --config _config.yml \
 	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
-SOURCES := _config.yml _toc.yml $(shell find book robokin -type f \
+SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
-NOTEBOOKS = $(wildcard book/*$(T)*.ipynb)
-TESTS = $(wildcard tests/test_*$(T)*.py)
+NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
+TESTS = $(wildcard tests/test_*$(T)*.py book/*/test_*$(T)*.py)
 PYTEST := $(BIN)/python -m pytest -n 2 --dist
 
 .PHONY: book serve lab test test-long check notebooks lock bench mutate clean
 .DEFAULT_GOAL := book
 
-$(READY): requirements.txt pyproject.toml
+$(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 		echo "Python 3.11 or newer is needed, $(PYTHON) is older: make PYTHON=python3.12"; exit 1; }
 	@echo "Setting up .venv: about a minute, once"
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --disable-pip-version-check --require-hashes -r requirements.txt
-	$(BIN)/python -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e .
+	$(BIN)/python -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e . -e workshop -e book
 	@touch $(READY)
 
 $(SITE): $(READY) $(SOURCES)

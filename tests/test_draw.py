@@ -11,8 +11,8 @@ from matplotlib.patches import Circle, FancyArrowPatch, Rectangle
 
 from robokin import draw, euler
 from robokin.errors import RobokinError
-from robokin.live.space import VIEW, azimuth, elevation
 from robokin.styles import KINDS
+from workshop.figures.space import VIEW, azimuth, elevation
 
 mpl.use("agg")
 

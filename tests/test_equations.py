@@ -11,13 +11,14 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from robokin import equations, motion
-from robokin.book import checked
-from robokin.equations.checking import check_one, evaluate, sample
-from robokin.equations.core import QUANTITIES, REGISTRY, Equation, as_written, quantity
-from robokin.equations.printing import MIME, equation_latex, latex
-from robokin.errors import RobokinError
-from robokin.live.javascript import function
+from robokin import motion
+from workshop import equations
+from workshop.equations.checking import check_one, evaluate, sample
+from workshop.equations.core import QUANTITIES, REGISTRY, Equation, as_written, quantity
+from workshop.equations.printing import MIME, equation_latex, latex
+from workshop.errors import CourseError
+from workshop.figures.javascript import function
+from workshop.site import checked
 
 ALL = list(REGISTRY.values())
 TESTS = Path(__file__).parent
@@ -92,7 +93,7 @@ def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch)
     first = checked(tmp_path)
     (kept,) = tmp_path.glob("*.json")
     assert json.loads(kept.read_text(encoding="utf-8")) == first
-    monkeypatch.setattr("robokin.equations.check", lambda: pytest.fail("checked again"))
+    monkeypatch.setattr("workshop.equations.check", lambda: pytest.fail("checked again"))
     assert checked(tmp_path) == first
     kept.rename(tmp_path / "formula-checks-of-other-sources.json")
     with pytest.raises(pytest.fail.Exception, match="checked again"):
@@ -101,7 +102,7 @@ def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch)
 
 def test_a_function_with_too_few_components_is_refused():
     right = REGISTRY["motion.arc_step"]
-    with pytest.raises(RobokinError, match="3 components, its function 2"):
+    with pytest.raises(CourseError, match="3 components, its function 2"):
         check_one(copy_of(right, function=lambda *a: motion.arc_step(*a)[..., :2]))
 
 
@@ -180,9 +181,7 @@ def test_show_gives_notebook_and_page_their_forms():
 
 
 def test_an_unknown_name_is_refused():
-    with pytest.raises(
-        RobokinError, match=r"no equation 'motion.arc'; there are .*motion.arc_step"
-    ):
+    with pytest.raises(CourseError, match=r"no equation 'motion.arc'; there are .*motion.arc_step"):
         equations.show("motion.arc")
 
 
@@ -208,25 +207,25 @@ def test_quantities_are_described():
 
 def test_declaring_twice_or_half_is_refused():
     speed = REGISTRY["differential_drive.speed"]
-    with pytest.raises(RobokinError, match="declared twice"):
+    with pytest.raises(CourseError, match="declared twice"):
         replace(speed)
-    with pytest.raises(RobokinError, match="must name a function or a test"):
+    with pytest.raises(CourseError, match="must name a function or a test"):
         replace(speed, name="test.half", function=None)
-    with pytest.raises(RobokinError, match="undeclared symbols"):
+    with pytest.raises(CourseError, match="undeclared symbols"):
         replace(speed, name="test.unknown", right=sp.Symbol("unheard_of"))
     x = next(s for s in QUANTITIES if str(s) == "x")
-    with pytest.raises(RobokinError, match="x in `right`, but not in its arguments"):
+    with pytest.raises(CourseError, match="x in `right`, but not in its arguments"):
         replace(speed, name="test.unsupplied", right=speed.right + x)
-    with pytest.raises(RobokinError, match="x in `specials`, but not in its right nor arguments"):
+    with pytest.raises(CourseError, match="x in `specials`, but not in its right nor arguments"):
         replace(speed, name="test.special", specials=({x: 0.0},))
-    with pytest.raises(RobokinError, match="dt is declared twice"):
+    with pytest.raises(CourseError, match="dt is declared twice"):
         quantity("dt", "s", 0, 1, "again")
     assert not [name for name in REGISTRY if name.startswith("test.")]
 
 
 def test_a_pole_is_told_with_its_place():
     x = sp.Symbol("x")
-    with pytest.raises(RobokinError, match=r"1/x divides by zero at x = 0: .*Piecewise"):
+    with pytest.raises(CourseError, match=r"1/x divides by zero at x = 0: .*Piecewise"):
         evaluate(1 / x, [x], np.array([[1.0], [0.0]]))
 
 

@@ -21,12 +21,14 @@ import pytest
 import sympy as sp
 from support import EPS, ROOT, assert_close
 
-from robokin import euler, figures
-from robokin.equations import motion as motion_formulas
-from robokin.equations.checking import differences, evaluate
-from robokin.equations.core import QUANTITIES
-from robokin.errors import RobokinError
-from robokin.live import (
+from book.motion import formulas as motion_formulas
+from robokin import euler
+from robokin.styles import KINDS
+from workshop import figures
+from workshop.equations.checking import differences, evaluate
+from workshop.equations.core import QUANTITIES
+from workshop.errors import CourseError
+from workshop.figures import (
     POINTER,
     VIEW,
     Arrow,
@@ -40,11 +42,10 @@ from robokin.live import (
     Slider,
     view_sliders,
 )
-from robokin.live import engine as script
-from robokin.live.compiling import factor
-from robokin.live.figure import MIME
-from robokin.live.runtime import runtime, stylesheet
-from robokin.styles import KINDS
+from workshop.figures.compiling import factor
+from workshop.figures.figure import MIME
+from workshop.script import engine as script
+from workshop.script.runtime import runtime, stylesheet
 
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
@@ -306,7 +307,7 @@ def test_the_small_figure_is_right():
     ],
 )
 def test_a_wrong_declaration_is_refused(parts, message):
-    with pytest.raises(RobokinError, match=message):
+    with pytest.raises(CourseError, match=message):
         _ = declared(**parts).code
 
 
@@ -328,7 +329,7 @@ COUNT = Slider(a, 1, 5, start=2, step=1)
 def test_a_move_outside_is_refused(control, values, message):
     figure = declared() if control is None else declared(controls=(control,), says="")
     before = figure.values
-    with pytest.raises(RobokinError, match=message):
+    with pytest.raises(CourseError, match=message):
         figure.move(values)
     assert figure.values == before
 

@@ -12,15 +12,15 @@ import pytest
 import sympy as sp
 from scipy.spatial.transform import Rotation
 
+from book.motion import formulas as arc
 from robokin import elbow_arm, euler, motion, wheels
-from robokin.equations import motion as arc
-from robokin.equations.checking import differences, evaluate
-from robokin.equations.core import as_written
-from robokin.equations.functions import null_projector, rank, solve
-from robokin.errors import RobokinError
-from robokin.live import engine
-from robokin.live.javascript import function
 from tests.support import assert_angles
+from workshop.equations.checking import differences, evaluate
+from workshop.equations.core import as_written
+from workshop.equations.functions import null_projector, rank, solve
+from workshop.errors import CourseError
+from workshop.figures.javascript import function
+from workshop.script import engine
 
 N = 1000
 ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-15
@@ -173,7 +173,7 @@ def test_euler_angles(sequence):
 
 
 def test_loop_with_state():
-    from robokin.live import Figure, Readout, Recurrence, Slider, Trail
+    from workshop.figures import Figure, Readout, Recurrence, Slider, Trail
 
     state, end = sp.symbols("x_k y_k theta_k"), sp.symbols("x_n y_n theta_n")
     values = dict(zip((arc.x, arc.y, arc.theta), state, strict=True))
@@ -266,7 +266,7 @@ def test_solve_singular_is_nan():
 
 def test_unknown_function_is_refused():
     x = sp.Symbol("x")
-    with pytest.raises(RobokinError, match="no JavaScript for zeta"):
+    with pytest.raises(CourseError, match="no JavaScript for zeta"):
         function({"c": [x]}, [sp.zeta(x)])
 
 

@@ -11,8 +11,8 @@ from contextlib import contextmanager
 import pytest
 from support import ROOT
 
-from robokin.practice.bank import EXERCISES
-from robokin.practice.notebook import COURSE, Box
+from workshop.practice.bank import EXERCISES
+from workshop.practice.notebook import COURSE, Box
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser

@@ -11,14 +11,14 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from workshop.practice.__main__ import main
 
 import robokin
-from robokin import practice
-from robokin.errors import RobokinError
-from robokin.live import engine as script
-from robokin.practice import dealing, judging, notebook, page, tables, teacher
-from robokin.practice.__main__ import main
-from robokin.practice.bank import EXERCISES, MISTAKES
+from workshop import practice
+from workshop.errors import CourseError
+from workshop.practice import dealing, judging, notebook, page, tables, teacher
+from workshop.practice.bank import EXERCISES, MISTAKES
+from workshop.script import engine as script
 
 each_exercise = pytest.mark.parametrize("exercise", EXERCISES.values(), ids=EXERCISES)
 each_mistake = pytest.mark.parametrize("mistake", MISTAKES.values(), ids=MISTAKES)
@@ -289,7 +289,7 @@ def test_a_mistake_is_named(nobody):
 
 
 def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
-    with pytest.raises(RobokinError, match="no answers yet"):
+    with pytest.raises(CourseError, match="no answers yet"):
         practice.export(tmp_path / "answers.csv")
     box = practice.exercise("differential-drive-1", student="=Ada, 1")
     box.check("nonsense")
@@ -299,7 +299,7 @@ def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
     rows = tables.read(path, ("student", "exercise", "answer")).rows
     wanted = {"student": "=Ada, 1", "exercise": "differential-drive-1", "answer": "-1/3"}
     assert [row for _, row in rows] == [{"course": "robokin", **wanted}]
-    with pytest.raises(RobokinError, match="already there"):
+    with pytest.raises(CourseError, match="already there"):
         practice.export(path)
 
 
@@ -326,20 +326,20 @@ def test_a_further_try_takes_nothing_away(nobody):
 def test_a_column_counts_as_a_list(nobody):
     box = practice.exercise("differential-drive-2", student=4711)
     assert box.check(np.reshape(box.variant.candidates[0].rows[0], (2, 1))).result == "right"
-    with pytest.raises(RobokinError, match=r"student must be text or a number, got \['Ada'\]"):
+    with pytest.raises(CourseError, match=r"student must be text or a number, got \['Ada'\]"):
         practice.exercise("differential-drive-2", student=["Ada"])
 
 
 def test_answers_of_nobody_are_not_exported(nobody, tmp_path):
     practice.exercise("differential-drive-1").check(1)
-    with pytest.raises(RobokinError, match="say who you are first"):
+    with pytest.raises(CourseError, match="say who you are first"):
         practice.export(tmp_path / "answers.csv")
 
 
 def test_unknown_names_are_refused():
-    with pytest.raises(RobokinError, match=r"no exercise 'drive-1'; there are .*drive-1"):
+    with pytest.raises(CourseError, match=r"no exercise 'drive-1'; there are .*drive-1"):
         practice.exercise("drive-1")
-    with pytest.raises(RobokinError, match=r"no mistake 'M99'; there are .*M12"):
+    with pytest.raises(CourseError, match=r"no mistake 'M99'; there are .*M12"):
         practice.mistake("M99")
 
 

@@ -8,10 +8,10 @@ from html import unescape
 
 import pytest
 
-from robokin import practice
-from robokin.practice import dealing, judging, tables
-from robokin.practice.bank import EXERCISES, symbols
-from robokin.practice.page import NAMELESS
+from workshop import practice
+from workshop.practice import dealing, judging, tables
+from workshop.practice.bank import EXERCISES, symbols
+from workshop.practice.page import NAMELESS
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser

@@ -12,9 +12,9 @@ import hypothesis.strategies as st
 import pytest
 from hypothesis import given, settings
 
-from robokin.live import engine
-from robokin.practice.reading import PROBLEMS, Reading, read
 from tests.support import ROOT
+from workshop.practice.reading import PROBLEMS, Reading, read
+from workshop.script import engine
 
 GROUPS = json.loads((ROOT / "tests" / "answers.json").read_text(encoding="utf-8"))
 ROWS = [row for rows in GROUPS.values() for row in rows]
@@ -27,7 +27,7 @@ seeds = st.integers(0, 2**32)
 @cache
 def load():
     """The JavaScript reader, put into the engine once."""
-    script = files("robokin.practice").joinpath("reading.js").read_text(encoding="utf-8")
+    script = files("workshop.practice").joinpath("reading.js").read_text(encoding="utf-8")
     engine.engine().eval(f"globalThis.readAnswer = (() => {{ {script}\nreturn readAnswer; }})();")
 
 
@@ -126,7 +126,7 @@ def test_messages_are_sentences_with_an_example():
 
 
 def test_nothing_typed_is_run():
-    here = files("robokin.practice")
+    here = files("workshop.practice")
     for name in ("reading.py", "reading.js"):
         assert not re.search(
             r"\b(l?eval|literal_eval|exec|Function)\b", here.joinpath(name).read_text()

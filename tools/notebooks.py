@@ -2,7 +2,7 @@
 
     python tools/notebooks.py            write all notebooks of book/
     python tools/notebooks.py --check    write nothing; say which notebook is stale
-    python tools/notebooks.py 04         only those whose name contains 04
+    python tools/notebooks.py bicycle    only those whose name contains bicycle
 
 On the reference environment (Linux x86-64, Python 3.11, the lock) --check compares bytes;
 elsewhere text outputs exactly and pictures with a tolerance.
@@ -36,7 +36,7 @@ def main() -> int:
     parser.add_argument("only", nargs="?", default="", help="a part of the notebook's name")
     parser.add_argument("--check", action="store_true", help="write nothing, say what is stale")
     options = parser.parse_args()
-    paths = sorted(p for p in BOOK.glob("*.ipynb") if options.only in p.name)
+    paths = sorted(p for p in BOOK.glob("*/*.ipynb") if options.only in p.name)
     stale = []
     for number, path in enumerate(paths, start=1):
         print(f"[{number}/{len(paths)}] {path.name}", end=" ", flush=True)

@@ -1,0 +1,1 @@
+"""Three tools in five minutes: directions, turns, arrays"""

@@ -1,0 +1,1 @@
+"""Where does a car go when its front wheels turn?"""

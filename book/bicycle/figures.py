@@ -1,0 +1,265 @@
+"""The live figures of the chapter on the bicycle model."""
+
+from typing import Any
+
+from sympy import Abs, Piecewise, Symbol, atan2, cos, nan, pi, sign, sin, sqrt, symbols, tan
+
+from book.bicycle import formulas as bicycle
+from book.bicycle.formulas import (
+    ahead,
+    alpha_L,
+    alpha_R,
+    rate_rear,
+    steering,
+    track,
+    wheelbase,
+    y_heading,
+)
+from book.differential_drive.figures import n, t
+from book.differential_drive.formulas import R, r
+from book.motion.formulas import dt, theta, v, x, y
+from workshop.equations.core import as_written
+from workshop.figures import (
+    POINTER,
+    AngleArc,
+    Arrow,
+    Choice,
+    Clock,
+    Curve,
+    Figure,
+    Handle,
+    Line,
+    Point,
+    Readout,
+    Recurrence,
+    Slider,
+    Trail,
+    Wheel,
+)
+
+DEGREE = float(pi) / 180
+UP = pi / 2  # rad, the heading of a car that looks up in the picture
+NO_ICR = {"inf": "none: straight ahead"}
+s = Symbol("s")
+
+radius = bicycle.turning_radius.right
+angles = bicycle.ackermann.right
+
+
+def place(pose: Any, forward: Any, left: Any) -> tuple[Any, Any]:
+    """A point of the car's frame in the world."""
+    px, py, heading = pose
+    with as_written():
+        return (
+            px + forward * cos(heading) - left * sin(heading),
+            py + forward * sin(heading) + left * cos(heading),
+        )
+
+
+def steered_at(pose: Any) -> Any:
+    """The steering angle of a front wheel that points from the front axle to the pointer."""
+    fx, fy = place(pose, wheelbase, 0)
+    dx, dy = POINTER[0] - fx, POINTER[1] - fy
+    heading = pose[2]
+    return atan2(dy * cos(heading) - dx * sin(heading), dx * cos(heading) + dy * sin(heading))
+
+
+START = (0, 0, UP)
+TIP = 1.8  # m, from the front axle to the handle that steers
+WHEEL = {"length": 0.7, "width": 0.22}  # m
+
+
+def axle(kind: str, at: tuple[Any, Any], angle: Any) -> Line:
+    """The line of a wheel's axle, far to both sides."""
+    away = (30 * sin(angle), -30 * cos(angle))
+    return Line(kind, ((at[0] - away[0], at[1] - away[1]), (at[0] + away[0], at[1] + away[1])))
+
+
+def ackermann_figure() -> Figure:
+    """Steering under the hand: both front wheels, the bicycle between them, axles and ICR."""
+    left, right = place(START, wheelbase, track / 2), place(START, wheelbase, -track / 2)
+    middle = place(START, wheelbase, 0)
+    tip = place(START, wheelbase + TIP * cos(steering), TIP * sin(steering))
+    back = bicycle.equivalent_steering.at({alpha_L: angles[0], alpha_R: angles[1]})
+    return Figure(
+        name="ackermann-steering",
+        title="A car from above with the bicycle that turns like it, the steering under your hand",
+        view=(-6.4, 6.4, -1.3, 5.1),
+        controls=(
+            Slider(
+                steering, -80 * DEGREE, 80 * DEGREE, start=30 * DEGREE, step=DEGREE,
+                label="steering φ of the bicycle", kind="velocity",
+            ),
+            Slider(wheelbase, 1.5, 3.0, start=2.5, step=0.1, label="wheelbase L"),
+            Slider(track, 0.8, 2.2, start=1.5, step=0.1, label="track l"),
+        ),
+        scene=(
+            axle("icr", (0, 0), UP),
+            axle("left", left, UP + angles[0]),
+            axle("right", right, UP + angles[1]),
+            axle("ghost", middle, UP + steering),
+            Line("body", (place(START, 0, -track / 2), place(START, 0, track / 2))),
+            Line("body", (right, left)),
+            Line("body", ((0, 0), middle)),
+            Wheel("left", place(START, 0, track / 2), UP, **WHEEL),
+            Wheel("right", place(START, 0, -track / 2), UP, **WHEEL),
+            Wheel("left", left, UP + angles[0], **WHEEL),
+            Wheel("right", right, UP + angles[1], **WHEEL),
+            Wheel("body", (0, 0), UP, **WHEEL),
+            Wheel("body", middle, UP + steering, **WHEEL),
+            AngleArc("body", middle, UP, UP + steering, 1.2),
+            Line("ghost", (middle, place(START, wheelbase + TIP, 0))),
+            Arrow("velocity", middle, tip, label="φ"),
+            Point("icr", (-radius, 0), label="ICR"),
+        ),
+        handles=(Handle("direction of the front wheel", tip, {steering: steered_at(START)}),),
+        readouts=(
+            Readout("left", "left wheel α_L", angles[0], "rad", digits=2),
+            Readout("right", "right wheel α_R", angles[1], "rad", digits=2),
+            Readout("mean", "their mean", (angles[0] + angles[1]) / 2, "rad", digits=2),
+            Readout("tangent", "2 / (cot α_L + cot α_R)", back, "", digits=4),
+            Readout("radius", "turning radius R", radius, "m", digits=2, words=NO_ICR),
+        ),
+        says=(
+            "Steered {steering}, the left front wheel stands at {left}, the right one at {right}; "
+            "the mean of the two is {mean}. The turning radius is {radius}."
+        ),
+    )  # fmt: skip
+
+
+# --- The vehicle of seed 004 ------------------------------------------------------------------
+
+LENGTH, TRACK, RADIUS = 7.0, 1.5, 0.25  # m: chassis, between the wheels, of a wheel
+DURATION = 10.0  # s, of the drive that is cut into steps
+
+
+def loop_figure() -> Figure:
+    """One drive of the long car in n straight steps beside the exact arc."""
+    speed = bicycle.rear_speed.at({r: RADIUS})
+    heading = UP - y_heading
+    start = place((0, 0, heading), -ahead * LENGTH, 0)  # of the rear axle
+    given = {v: speed, wheelbase: LENGTH}
+    state = symbols("x_k y_k theta_k")
+    end = symbols("x_n y_n theta_n")
+
+    def exact(time: Any) -> tuple[Any, Any]:
+        pose = {x: start[0], y: start[1], theta: heading}
+        arc = bicycle.arc_step.at({**given, **pose, dt: time})
+        return place(arc, ahead * LENGTH, 0)
+
+    with as_written():
+        velocity = bicycle.point_world.at({v: speed, theta: state[2]})
+        turned = bicycle.euler_step.at({**given, theta: state[2], dt: DURATION / n})[2]
+        step = [p + u * DURATION / n for p, u in zip(state, velocity, strict=False)]
+        goal = exact(DURATION)
+        apart = sqrt((end[0] - goal[0]) ** 2 + (end[1] - goal[1]) ** 2)
+        pace = speed * sqrt(1 + (ahead * tan(steering)) ** 2) * DURATION / n
+    loop = Recurrence(state, (0, 0, heading), (*step, turned), count=n, most=40, ends=end)
+    return Figure(
+        name="bicycle-steps",
+        title="The exact arc of a long car and the same drive in straight steps",
+        view=(-24, 24, -5, 23),
+        controls=(
+            Slider(n, 1, 40, start=5, step=1, label="number of steps", kind="approximation"),
+            Slider(
+                steering, -60 * DEGREE, 60 * DEGREE, start=30 * DEGREE, step=DEGREE,
+                label="steering φ",
+            ),
+            Slider(rate_rear, 1, 12, start=8, step=0.5, label="wheel rate Ω"),
+            Slider(
+                y_heading, -float(pi), float(pi), start=0, step=5 * DEGREE,
+                label="heading ψ from the y axis, clockwise",
+            ),
+            Choice("point", "point that is followed", (ahead,),
+                   {"rear axle": (0.0,), "front axle": (1.0,)}, start="rear axle"),
+        ),
+        scene=(
+            Curve("path", exact(s), s, 0, DURATION),
+            Trail("approximation", (state[0], state[1]), loop),
+            Line("approximation", (goal, (end[0], end[1]))),
+            Point("path", (0, 0), label="start"),
+            Point("target", goal, label="exact"),
+        ),
+        readouts=(
+            Readout("apart", "error at the end", apart, "m"),
+            Readout("pace", "length of a step", pace, "m"),
+            Readout("ratio", "error / length of a step", apart / pace, ""),
+            Readout("x", "exact x", goal[0], "m"),
+            Readout("y", "exact y", goal[1], "m"),
+        ),
+        says=(
+            "Following the {point} in {n} straight steps, the drive of 10 s ends {apart} from the "
+            "exact end, {ratio} of a step's length; the exact end is at x = {x}, y = {y}."
+        ),
+    )  # fmt: skip
+
+
+SPEED, LASTING = 3.0, 12.0  # m/s, s: 36 m of driving
+FAR = 4.0  # m, from the front axle to the handle that steers
+TYRE = {"length": 1.2, "width": 0.4}  # m, larger than true, to be seen
+
+
+def lane_figure() -> Figure:
+    """A long car in a turn: the paths of rear, centre and front, the lane between its wheels."""
+    given = {v: SPEED, x: 0, y: 0, theta: UP}
+
+    def at(time: Any, forward: Any, left: Any) -> tuple[Any, Any]:
+        return place(bicycle.arc_step.at({**given, dt: time}), forward, left)
+
+    pose, drawn = symbols("x_t y_t theta_t"), tuple(bicycle.arc_step.at({**given, dt: t}))
+    side = track / 2
+    # the inner edge of the lane is a rear wheel's, the outer one a front wheel's
+    to_left = (1 + sign(steering)) / 2
+    left_edge = ((1 - to_left) * wheelbase, side)
+    right_edge = (to_left * wheelbase, -side)
+    tip = place(START, wheelbase + FAR * cos(steering), FAR * sin(steering))
+    corners = [(0, side), (0, -side), (wheelbase, -side), (wheelbase, side), (0, side)]
+    lane = bicycle.lane.at({R: radius})
+    with as_written():  # in gentler turns the ICR lies outside the picture
+        near = Piecewise((-wheelbase / tan(steering), Abs(steering) > 10 * DEGREE), (nan, True))
+    return Figure(
+        name="swept-lane",
+        title="A long car in a turn, and the lane that it needs",
+        view=(-25, 25, -8, 18),
+        controls=(
+            Slider(
+                steering, -60 * DEGREE, 60 * DEGREE, start=30 * DEGREE, step=DEGREE,
+                label="steering φ", kind="velocity",
+            ),
+            Slider(wheelbase, 2.0, 10.0, start=LENGTH, step=0.5, label="wheelbase L"),
+            Slider(track, 1.0, 2.5, start=TRACK, step=0.1, label="track l"),
+            Clock(t, 0.0, LASTING, start=0.0, step=0.1, label="time, at 3 m/s"),
+        ),
+        where=tuple(zip(pose, drawn, strict=True)),
+        scene=(
+            Curve("left", at(s, *left_edge), s, 0, LASTING),
+            Curve("right", at(s, *right_edge), s, 0, LASTING),
+            Curve("path", at(s, 0, 0), s, 0, LASTING),
+            Curve("approximation", at(s, wheelbase / 2, 0), s, 0, LASTING),
+            Curve("velocity", at(s, wheelbase, 0), s, 0, LASTING),
+            Line("ghost", tuple(place(START, *corner) for corner in corners)),
+            Line("body", tuple(place(pose, *corner) for corner in corners)),
+            Wheel("left", place(pose, 0, side), pose[2], **TYRE),
+            Wheel("right", place(pose, 0, -side), pose[2], **TYRE),
+            Wheel("left", place(pose, wheelbase, side), pose[2] + angles[0], **TYRE),
+            Wheel("right", place(pose, wheelbase, -side), pose[2] + angles[1], **TYRE),
+            Point("path", place(pose, 0, 0)),
+            Point("approximation", place(pose, wheelbase / 2, 0)),
+            Point("velocity", place(pose, wheelbase, 0)),
+            Arrow("velocity", place(START, wheelbase, 0), tip, label="φ"),
+            Point("icr", (near, 0), label="ICR"),
+        ),
+        handles=(Handle("direction of the front wheels", tip, {steering: steered_at(START)}),),
+        readouts=(
+            Readout("lane", "width of the lane", lane, "m", digits=2),
+            Readout("more", "wider than the car by", lane - track, "m", digits=2),
+            Readout("cut", "corner cut c", bicycle.cut.right, "m", digits=2),
+        ),
+        says=(
+            "Steered {steering}, the car needs a lane of {lane}; its rear axle runs {cut} inside "
+            "its front axle. It has driven for {t}."
+        ),
+    )  # fmt: skip
+
+
+FIGURES = (ackermann_figure(), loop_figure(), lane_figure())

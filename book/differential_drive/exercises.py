@@ -1,0 +1,270 @@
+"""Exercises on the differential drive, and the mistakes that are made there."""
+
+from functools import partial
+
+import numpy as np
+
+from robokin import differential_drive, motion
+from workshop.practice import Ask, Exercise, Mistake, angle, steps
+
+V, OMEGA = Ask("v", "m/s"), Ask("ω", "rad/s")
+
+M12 = Mistake(
+    "M12",
+    says="with half the wheel distance in place of the whole",
+    line="omega = (v_R - v_L) / (b / 2)",
+    why="The right wheel circles around the left one at the whole distance b, not at the distance "
+    "from a wheel to the middle. The turning rate comes out twice too large.",
+    unnoticed="On a straight line, where the turning rate is zero either way.",
+)
+M13 = Mistake(
+    "M13",
+    says="when degrees are handed to cosine and sine, which want radians",
+    line="velocity = [v * np.cos(theta_deg), v * np.sin(theta_deg)]",
+    why="np.cos and np.sin want radians. 90 radians are 14 turns and a bit, so the robot seems to "
+    "drive in a direction that has nothing to do with its heading.",
+    unnoticed="With a heading of 0.",
+)
+M14 = Mistake(
+    "M14",
+    says="with the transposed rotation matrix, which leads from the world to the robot",
+    line="c, s = np.cos(theta), np.sin(theta)\nvelocity = [[c, s], [-s, c]] @ np.array([v, 0])",
+    why="This matrix takes a velocity from the world to the robot, not from the robot to the "
+    "world. It mirrors the direction at the x axis.",
+    unnoticed="With a heading of 0 or 180°, where both matrices are the same. Test with 90°.",
+)
+M31 = Mistake(
+    "M31",
+    says="when the wheel distance is counted twice",
+    line="omega = (v_R - v_L) / (2 * b)",
+    why="Some books divide by 2d, where d is half the wheel distance. Here b is the whole distance "
+    "already; with 2b it is counted twice, and the turning rate comes out half as large as it is.",
+    unnoticed="On a straight line.",
+    document="000 Q4, last line",
+    stands="ω = (v_R − v_L)/(2b) with the whole distance b",
+    should="ω = (v_R − v_L)/b",
+)
+
+
+def twist(v_L, v_R, b):
+    """Speed and turning rate [v, omega] from wheel speeds."""
+    return differential_drive.body_twist(v_L, v_R, 1.0, b)[[0, 2]]
+
+
+def moving(theta, v_L, v_R):
+    """The velocity [x, y] in the world of the middle of the axle."""
+    return motion.to_world(theta, [(v_L + v_R) / 2, 0, 0])[:2]
+
+
+def ways(formula):
+    """What M12 and M31 make of a formula: the wheel distance halved and doubled."""
+    return {
+        M12: lambda b, **numbers: formula(b=b / 2, **numbers),
+        M31: lambda b, **numbers: formula(b=2 * b, **numbers),
+    }
+
+
+def centre(x, y, theta, v_L, v_R, b):
+    """The centre of rotation in the world."""
+    return motion.icr([x, y, theta], *twist(v_L, v_R, b))
+
+
+def rates_on_circle(radius, time, r, b):
+    """Wheel rates for one full circle, counter-clockwise."""
+    omega = 2 * np.pi / time
+    return differential_drive.wheel_rates(radius * omega, omega, r, b)
+
+
+def end(v_L, v_R, b, time):
+    """Where the robot is after driving from the origin along an arc."""
+    return motion.arc_step([0, 0, 0], *twist(v_L, v_R, b), time)
+
+
+def straight_end(turned, v_L, v_R, b, time):
+    """The same if the whole way is straight: in the heading after this part of the turn."""
+    v, omega = twist(v_L, v_R, b)
+    way, turn = v * time, omega * time
+    return [way * np.cos(turned * turn), way * np.sin(turned * turn), turn]
+
+
+def worn_end(worn, distance, b):
+    """Where a robot with a smaller left wheel ends that wants to drive straight ahead."""
+    return end((1 - worn) * distance, distance, b, 1.0)[:2]
+
+
+SPEEDS = {
+    "b": steps(20, 60, 5, "cm"),
+    "v_L": steps(0.1, 0.8, 0.05, "m/s"),
+    "v_R": steps(0.1, 0.8, 0.05, "m/s"),
+}
+
+
+def different(v_L, v_R, **_):
+    """A real turn, not a straight line."""
+    return abs(v_R - v_L) > 0.04
+
+
+differential_drive_1 = Exercise(
+    "differential-drive-1",
+    level=1,
+    title="How fast does it turn?",
+    text="The wheels of a robot are {b} apart. The left wheel moves over the floor at {v_L}, the "
+    "right one at {v_R}. How fast does the robot turn?",
+    given=SPEEDS,
+    asks=(OMEGA,),
+    right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
+    wrong={
+        M12: lambda v_L, v_R, b: (v_R - v_L) / (b / 2),
+        M31: lambda v_L, v_R, b: (v_R - v_L) / (2 * b),
+    },
+    when=different,
+    solution="Seen from the left wheel, the right one moves at the difference of the two speeds, "
+    "on a circle whose radius is the wheel distance:\n\nω = (v_R − v_L)/b = ({v_R:} − {v_L:})/"
+    "{b:} = {right}",
+    example={"v_L": 0.05, "v_R": 0.1, "b": 0.1},
+)
+
+differential_drive_2 = Exercise(
+    "differential-drive-2",
+    level=2,
+    title="Which way does it go?",
+    text="The robot's heading is {theta}. Its left wheel moves over the floor at {v_L}, its right "
+    "wheel at {v_R}. What is the velocity of the middle of its axle in the world, along x and y?",
+    given={"theta": steps(20, 160, 5, "°"), "v_L": SPEEDS["v_L"], "v_R": SPEEDS["v_R"]},
+    asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s")),
+    right=lambda theta, v_L, v_R: motion.to_world(theta, [(v_L + v_R) / 2, 0, 0])[:2],
+    wrong={
+        M13: lambda theta, v_L, v_R: motion.to_world(np.degrees(theta), [(v_L + v_R) / 2, 0, 0])[
+            :2
+        ],
+        M14: lambda theta, v_L, v_R: motion.to_body(theta, [(v_L + v_R) / 2, 0, 0])[:2],
+    },
+    derive=lambda theta, v_L, v_R: {"v": (v_L + v_R) / 2, "theta_deg": np.degrees(theta)},
+    solution="The middle moves at the mean of the two speeds, along the heading:\n\n"
+    "v = ({v_L:} + {v_R:})/2 = {v} m/s\n\n[v cos θ, v sin θ] = {right}",
+    example={"v_L": 0.05, "v_R": 0.1, "theta": np.pi / 2},
+)
+
+differential_drive_3 = Exercise(
+    "differential-drive-3",
+    level=2,
+    title="Which point does it turn about?",
+    text="A robot stands at x = {x}, y = {y} with the heading {theta}. Its wheels are {b} apart "
+    "and move at {v_L} (left) and {v_R} (right). Where in the world is the point that it turns "
+    "about, the ICR?",
+    given={"x": steps(1, 4, 0.5, "m"), "y": steps(1, 4, 0.5, "m"), "theta": steps(20, 160, 10, "°")}
+    | SPEEDS,
+    asks=(Ask("x", "m"), Ask("y", "m")),
+    right=centre,
+    wrong=ways(centre) | {M14: lambda x, y, theta, **speeds: centre(x, y, -theta, **speeds)},
+    when=different,
+    derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
+    also={
+        "with the ICR as the robot sees it, not as the world does": lambda v_L, v_R, b, **_: centre(
+            0, 0, 0, v_L, v_R, b
+        ),
+        "when the robot's own place is not added": lambda x, y, **drive: centre(0, 0, **drive),
+        "when R is laid off to the wrong side of the robot": lambda x, y, **drive: (
+            2 * np.array([x, y]) - centre(x, y, **drive)
+        ),
+        "when R is laid off ahead of the robot": lambda x, y, theta, **speeds: centre(
+            x, y, theta - np.pi / 2, **speeds
+        ),
+    },
+    solution="The ICR lies R to the left of the robot, on the line of its axle; a negative R is "
+    "to the right:\n\nR = b/2 · (v_R + v_L)/(v_R − v_L) = {R} m\n\n"
+    "[x − R sin θ, y + R cos θ] = {right}",
+)
+
+differential_drive_4 = Exercise(
+    "differential-drive-4",
+    level=2,
+    title="A circle to order",
+    text="A robot has wheels of radius {r}, {b} apart. The middle of its axle must run once "
+    "around a circle of radius {radius}, to the left, in {time}. How fast must the left and the "
+    "right wheel turn?",
+    given={
+        "r": steps(2, 6, 1, "cm"),
+        "b": SPEEDS["b"],
+        "radius": steps(0.6, 2, 0.2, "m"),
+        "time": steps(10, 40, 5, "s"),
+    },
+    asks=(Ask("left", "rad/s"), Ask("right", "rad/s")),
+    right=rates_on_circle,
+    wrong=ways(rates_on_circle),
+    derive=lambda radius, time, **_: {
+        "omega": 2 * np.pi / time,
+        "v": radius * 2 * np.pi / time,
+    },
+    also={
+        "for the speeds of the wheels; the division by r is missing": lambda **circle: (
+            circle["r"] * rates_on_circle(**circle)
+        ),
+    },
+    solution="One turn in {time}: ω = 2π/{time:} = {omega} rad/s. On a circle the speed is radius "
+    "times turning rate: v = {v} m/s. Each wheel is half the wheel distance from the middle:\n\n"
+    "[(v − ωb/2)/r, (v + ωb/2)/r] = {right}",
+)
+
+differential_drive_5 = Exercise(
+    "differential-drive-5",
+    level=3,
+    title="Along the arc",
+    text="A robot starts at the origin with heading 0. Its wheels are {b} apart. For {time} the "
+    "left wheel moves at {v_L} and the right one at {v_R}. Where is it then, and what is its "
+    "heading?",
+    given=SPEEDS | {"time": steps(1, 3, 0.5, "s")},
+    asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
+    right=end,
+    wrong=ways(end),
+    when=different,
+    derive=lambda v_L, v_R, b, time: {
+        "v": (v_L + v_R) / 2,
+        "omega": (v_R - v_L) / b,
+        "turn": (v_R - v_L) / b * time,
+    },
+    also={
+        "when the robot drives straight on and only then turns": partial(straight_end, 0.0),
+        "when the robot turns first and then drives straight on": partial(straight_end, 1.0),
+        "when the whole way is laid along the middle heading, not along the arc": partial(
+            straight_end, 0.5
+        ),
+    },
+    solution="Speed and turning rate: v = {v} m/s, ω = {omega} rad/s. In {time} the robot turns "
+    "by θ = {turn} rad ({turn:deg}) along an arc of radius v/ω. Hence x = v/ω sin θ and "
+    "y = v/ω (1 − cos θ):\n\n[x, y, θ] = {right}",
+)
+
+differential_drive_6 = Exercise(
+    "differential-drive-6",
+    level=3,
+    title="A worn wheel",
+    text="The left wheel of a robot is worn: its radius is {worn} smaller than the program "
+    "believes; the right one is as it believes. The wheels are {b} apart. The program gives both "
+    "wheels the same rate and wants to drive {distance} straight ahead along x, from the origin. "
+    "Where does the robot end?",
+    given={
+        "worn": steps(1, 4, 0.5, "%"),
+        "b": SPEEDS["b"],
+        "distance": steps(1, 4, 0.5, "m"),
+    },
+    asks=(Ask("x", "m"), Ask("y", "m")),
+    right=worn_end,
+    wrong=ways(worn_end),
+    derive=lambda worn, distance, b: {
+        "short": (1 - worn) * distance,
+        "mean": (1 - worn / 2) * distance,
+        "turn": worn * distance / b,
+    },
+    also={
+        "when the robot turns to the wrong side": lambda **drive: worn_end(**drive) * [1, -1],
+        "when it drives straight on by the mean of both wheels": lambda worn, distance, **_: [
+            (1 - worn / 2) * distance,
+            0,
+        ],
+    },
+    solution="The right wheel travels {distance}, the left one only {short} m. The middle travels "
+    "their mean, s = {mean} m, and the robot turns by their difference over the wheel distance, "
+    "to the left: θ = {turn} rad. It ends on an arc of radius s/θ:\n\n"
+    "[s/θ · sin θ, s/θ · (1 − cos θ)] = {right}",
+)

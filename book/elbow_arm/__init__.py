@@ -1,0 +1,1 @@
+"""Which joint angles bring the hand to a point?"""

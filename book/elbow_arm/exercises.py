@@ -1,0 +1,397 @@
+"""Exercises on the three-joint elbow arm, and the mistakes that are made there."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from robokin import elbow_arm
+from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps
+
+M1 = Mistake(
+    "M1",
+    says="with p_x and p_y exchanged in atan2",
+    line="theta1 = np.arctan2(p_x, p_y)",
+    why="atan2 takes y first, then x. Exchanged, the angle is measured from the y axis, and "
+    "clockwise.",
+    unnoticed="Where p_x = p_y, on the line in the middle between the two axes.",
+    document="000 Q1",
+    stands="θ_1 = atan2(p_x, p_y)",
+    should="θ_1 = atan2(p_y, p_x)",
+)
+M2 = Mistake(
+    "M2",
+    says="when p_x is left out and the arm is taken to stand in the plane of y and z",
+    line="r = np.sqrt(p_y**2 + p_z**2)\ntheta3 = np.arccos((r**2 - a2**2 - a3**2) / (2 * a2 * a3))",
+    why="The arm stands in the vertical plane through the target. In this plane the target is "
+    "√(p_x² + p_y²) away from the base axis, not |p_y|.",
+    unnoticed="Where p_x = 0: there the arm really stands in that plane.",
+    document="000 Q1",
+    stands="r = √(p_y² + p_z²), φ_3 = arctan(p_z/p_y)",
+    should="r = √(p_x² + p_y² + p_z²), φ_3 = atan2(p_z, √(p_x² + p_y²))",
+)
+M3 = Mistake(
+    "M3",
+    says="with the third power of a_3 in cos θ_3, where its square belongs",
+    line="A = (p_x**2 + p_y**2 + p_z**2 - a2**2 - a3**3) / (2 * a2 * a3)\ntheta3 = np.arccos(A)",
+    why="The law of cosines has squares of lengths only. A cubic metre cannot be taken away from "
+    "a square metre: the units show the mistake.",
+    unnoticed="With a forearm of 1 m: there the square and the third power are the same number.",
+    document="001 Q1",
+    stands="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3³)/(2 a_2 a_3)",
+    should="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3²)/(2 a_2 a_3)",
+)
+M4 = Mistake(
+    "M4",
+    says="when the base turns by half a turn and θ_2, θ_3 stay as they are",
+    line="away = [theta1 + np.pi, theta2, theta3]",
+    why="With the base turned round, the arm reaches to the other side. It must lean over "
+    "backwards: the shoulder needs π − θ_2 and the elbow −θ_3.",
+    unnoticed="Where the wrist is on the base axis, if you look only at the wrist. The elbow is "
+    "then on the other side.",
+    document="000 Q1",
+    stands="θ_1 + π together with the same θ_2 and θ_3",
+    should="θ_1 + π together with π − θ_2 and −θ_3",
+)
+M5 = Mistake(
+    "M5",
+    says="with arctan in place of atan2, which cannot tell in front from behind",
+    line="theta1 = np.arctan(p_y / p_x)",
+    why="The quotient p_y/p_x is the same for a point and for the one opposite to it. With "
+    "p_x < 0, arctan gives the direction that faces away from the target.",
+    unnoticed="Where p_x > 0.",
+)
+
+
+def bend(distance, elevation, a2, a3, power=2):
+    """Rows [theta2, theta3], elbow up and down, for the wrist so far from the shoulder.
+
+    elevation: of the line from shoulder to wrist; power: that of a3, by the law of cosines 2.
+    """
+    A = (distance**2 - a2**2 - a3**power) / (2 * a2 * a3)
+    theta3 = np.array([-1, 1]) * np.arccos(A)
+    theta2 = elevation - np.arctan2(a3 * np.sin(theta3), a2 + a3 * np.cos(theta3))
+    return np.stack([theta2, theta3], axis=-1)
+
+
+def length(p_x, p_y, p_z):
+    """How far a point is from the shoulder."""
+    return np.sqrt(p_x**2 + p_y**2 + p_z**2)
+
+
+def rise(p_x, p_y, p_z):
+    """The elevation of a point, seen from the shoulder."""
+    return np.arctan2(p_z, np.hypot(p_x, p_y))
+
+
+def without_x(p_x, p_y, p_z, a2, a3):
+    """M2: the arm in the plane of y and z."""
+    return bend(np.hypot(p_y, p_z), np.arctan(p_z / p_y), a2, a3)
+
+
+def cubed(p_x, p_y, p_z, a2, a3):
+    """M3: the third power of the forearm."""
+    return bend(length(p_x, p_y, p_z), rise(p_x, p_y, p_z), a2, a3, power=3)
+
+
+def bent(distance, a2, a3, power=2):
+    """Whether the elbow is clearly bent, by the law of cosines with this power of a3."""
+    return abs(distance**2 - a2**2 - a3**power) < 0.9 * 2 * a2 * a3
+
+
+def possible(p_x, p_y, p_z, a2, a3, d1=0):
+    """Numbers with which neither the right way nor M2 or M3 leaves the range of arccos."""
+    z = p_z - d1
+    distance = length(p_x, p_y, z)
+    right = bent(distance, a2, a3) and bent(distance, a2, a3, 3)
+    return right and bent(np.hypot(p_y, z), a2, a3)
+
+
+def away(theta1, theta2, theta3, a2, a3):
+    """The same place of elbow and wrist with the base turned round."""
+    answers = elbow_arm.inverse(elbow_arm.forward([theta1, theta2, theta3], a2, a3), a2, a3)
+    return answers[2] if theta3 < 0 else answers[3]
+
+
+def four(p_x, p_y, p_z, a2, a3, theta1=None, bends=None):
+    """All four answers, in the order of the library; a mistake gives its own theta1 or bends."""
+    theta1 = np.arctan2(p_y, p_x) if theta1 is None else theta1
+    bends = elbow_arm.inverse([p_x, p_y, p_z], a2, a3)[:2, 1:] if bends is None else bends
+    behind = [np.pi, 0] - bends
+    return [[theta1, *row] for row in bends] + [[theta1 + np.pi, *row] for row in behind]
+
+
+def four_alike(**numbers):
+    """M4 in all four answers: the second half is the first with the base turned round."""
+    facing = np.array(four(**numbers)[:2])
+    return np.concatenate([facing, facing + np.array([np.pi, 0, 0])])
+
+
+WAYS: dict[Mistake, Callable[..., Any]] = {
+    M1: lambda p_x, p_y, **n: four(p_x, p_y, **n, theta1=np.arctan2(p_x, p_y)),
+    M2: lambda **n: four(**n, bends=without_x(**n)),
+    M3: lambda **n: four(**n, bends=cubed(**n)),
+    M5: lambda p_x, p_y, **n: four(p_x, p_y, **n, theta1=np.arctan(p_y / p_x)),
+}
+
+
+def first(formula):
+    """The first of four answers, for a point measured from the base."""
+    return lambda p_z, d1, **numbers: formula(p_z=p_z - d1, **numbers)[0]
+
+
+def middle_steps(p_x, p_y, p_z, a2, a3, d1=0):
+    """What a solution shows on the way to the angles."""
+    angles = elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)
+    distance = length(p_x, p_y, p_z - d1)
+    return {
+        "h": p_z - d1,
+        "r": np.hypot(p_x, p_y),
+        "square": distance**2,
+        "A": (distance**2 - a2**2 - a3**2) / (2 * a2 * a3),
+        "base": angles[0, 0],
+        "up": angles[0, 1:],
+        "down": angles[1, 1:],
+        "elbow": angles[0, 2],
+    }
+
+
+SIDE = one_of(*range(-60, -5, 5), *range(10, 65, 5), unit="cm")
+BACK = steps(-60, -10, 5, "cm")
+LINKS = {"a2": steps(30, 60, 5, "cm"), "a3": steps(25, 55, 5, "cm")}
+TARGET = {"p_x": BACK, "p_y": SIDE, "p_z": steps(-30, 50, 5, "cm")}
+EXAMPLE = {"p_x": -0.3, "p_y": 0.4, "p_z": 0.2, "a2": 0.4, "a3": 0.3}
+
+elbow_arm_1 = Exercise(
+    "elbow-arm-1",
+    level=1,
+    title="Which way must the base turn?",
+    text="The base of an arm turns by θ_1 about the vertical z axis. With θ_1 = 0 the arm reaches "
+    "forward along x. The wrist must come to a point with p_x = {p_x}, p_y = {p_y}. What is "
+    "θ_1 if the arm faces this point, and does not lean over backwards to it?",
+    given={"p_x": BACK, "p_y": SIDE},
+    asks=(angle("θ_1"),),
+    right=lambda p_x, p_y: elbow_arm.inverse([p_x, p_y, 0], 0.6, 0.5)[0, 0],
+    wrong={
+        M1: lambda p_x, p_y: np.arctan2(p_x, p_y),
+        M5: lambda p_x, p_y: np.arctan(p_y / p_x),
+    },
+    when=lambda p_x, p_y: np.hypot(p_x, p_y) > 0.15,
+    solution="Seen from above, the arm must point from the base to the target. The direction of a "
+    "vector is atan2, with y first; the signs of both numbers say in which quarter it lies. Here "
+    "p_x < 0, so the point lies behind the arm:\n\n"
+    "θ_1 = atan2(p_y, p_x) = atan2({p_y:}, {p_x:}) = {right}",
+    example={"p_x": -0.3, "p_y": 0.4},
+)
+
+elbow_arm_2 = Exercise(
+    "elbow-arm-2",
+    level=2,
+    title="How far must the elbow bend?",
+    text="An arm has an upper link of a_2 = {a2} and a forearm of a_3 = {a3}. The wrist must come "
+    "to p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured from the shoulder. With θ_3 = 0 the arm is "
+    "stretched. How far must the elbow bend if it hangs below the line from shoulder to wrist, so "
+    "that θ_3 is positive?",
+    given=TARGET | LINKS,
+    asks=(angle("θ_3"),),
+    right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3)[1, 2],
+    wrong={
+        M2: lambda **numbers: without_x(**numbers)[1, 1],
+        M3: lambda **numbers: cubed(**numbers)[1, 1],
+    },
+    when=possible,
+    derive=middle_steps,
+    also={
+        "for the angle inside the triangle, between the links": lambda p_x, p_y, p_z, **links: (
+            np.pi - elbow_arm.inverse([p_x, p_y, p_z], **links)[1, 2]
+        ),
+        "for the cosine of the angle; the arccosine is missing": lambda p_x, p_y, p_z, **links: (
+            np.cos(elbow_arm.inverse([p_x, p_y, p_z], **links)[1, 2])
+        ),
+    },
+    solution="Shoulder, elbow and wrist form a triangle. Two of its sides are the links, the third "
+    "is the distance d from shoulder to wrist:\n\n"
+    "d² = p_x² + p_y² + p_z² = {square} m²\n\n"
+    "The law of cosines gives the bend, because the angle in the triangle is π − θ_3:\n\n"
+    "cos θ_3 = (d² − a_2² − a_3²)/(2 a_2 a_3) = ({square} − {a2:}² − {a3:}²)/(2 · {a2:} · {a3:}) = "
+    "{A}\n\nθ_3 = {right}",
+    example=EXAMPLE,
+)
+
+elbow_arm_3 = Exercise(
+    "elbow-arm-3",
+    level=2,
+    title="The same place from behind",
+    text="An arm with a_2 = {a2} and a_3 = {a3} faces its target. Its joints stand at "
+    "θ_1 = {theta1}, θ_2 = {theta2}, θ_3 = {theta3}. Now the base makes half a turn, and then the "
+    "elbow and the wrist must be where they were before. What are the three joint angles?",
+    given={
+        "theta1": one_of(*range(-160, 0, 10), *range(10, 170, 10), unit="°"),
+        "theta2": steps(-40, 80, 10, "°"),
+        "theta3": one_of(*range(-110, -20, 10), *range(30, 120, 10), unit="°"),
+    }
+    | LINKS,
+    asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
+    right=away,
+    wrong={M4: lambda theta1, theta2, theta3, a2, a3: [theta1 + np.pi, theta2, theta3]},
+    when=lambda theta2, theta3, a2, a3, **_: (
+        a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3) > 0.1
+    ),
+    derive=lambda theta1, theta2, theta3, a2, a3: {
+        "p": elbow_arm.forward([theta1, theta2, theta3], a2, a3)
+    },
+    also={
+        "when both angles only change their sign": lambda theta1, theta2, theta3, a2, a3: [
+            theta1 + np.pi,
+            -theta2,
+            -theta3,
+        ],
+        "when the shoulder stays as it is": lambda theta1, theta2, theta3, a2, a3: [
+            theta1 + np.pi,
+            theta2,
+            -theta3,
+        ],
+    },
+    solution="Look at the arm from the side. After half a turn of the base, forward is where "
+    "backward was. To point in the old direction the upper link must lean over backwards, at "
+    "π − θ_2 in place of θ_2. The elbow then bends to the other side: −θ_3.\n\n"
+    "[θ_1 + π, π − θ_2, −θ_3] = {right}\n\n"
+    "Check: put in, both the old and the new angles bring the wrist to {p} m from the shoulder.",
+    example={
+        "theta1": np.pi / 6,
+        "theta2": np.pi / 3,
+        "theta3": -np.pi / 3,
+        "a2": 0.4,
+        "a3": 0.3,
+    },
+)
+
+elbow_arm_4 = Exercise(
+    "elbow-arm-4",
+    level=2,
+    title="How long must the forearm be?",
+    text="You design an arm. Its shoulder is {d1} above the floor, and its upper link is "
+    "{a2} long. The wrist must reach a point with p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured "
+    "from the floor below the shoulder. How long must the forearm be at least?",
+    given={
+        "d1": steps(20, 50, 10, "cm"),
+        "a2": steps(30, 50, 5, "cm"),
+        "p_x": one_of(*range(-60, -10, 10), *range(20, 70, 10), unit="cm"),
+        "p_y": one_of(*range(-60, -10, 10), *range(20, 70, 10), unit="cm"),
+        "p_z": steps(0, 90, 10, "cm"),
+    },
+    asks=(Ask("a_3", "m"),),
+    right=lambda d1, a2, **p: length(**p | {"p_z": p["p_z"] - d1}) - a2,
+    wrong={M2: lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2},
+    when=lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2 > 0.05,
+    derive=lambda d1, a2, p_x, p_y, p_z: {
+        "z": p_z - d1,
+        "distance": length(p_x, p_y, p_z - d1),
+    },
+    also={
+        "for the distance alone; the upper link is not taken away": lambda d1, a2, p_z, **p: length(
+            p_z=p_z - d1, **p
+        ),
+        "when p_z is taken as measured from the shoulder": lambda d1, a2, **p: length(**p) - a2,
+        "for the longest forearm with which it works, folded": lambda d1, a2, p_z, **p: (
+            length(p_z=p_z - d1, **p) + a2
+        ),
+    },
+    solution="With the shortest forearm that reaches the point, the arm is stretched: both links "
+    "lie on the straight line from shoulder to point. Seen from the shoulder, the point is "
+    "p_z − d_1 = {p_z:} − {d1:} = {z} m high. Its distance is\n\n"
+    "√(p_x² + p_y² + (p_z − d_1)²) = {distance} m\n\n"
+    "a_3 = {distance} − {a2:} = {right}",
+)
+
+elbow_arm_5 = Exercise(
+    "elbow-arm-5",
+    level=2,
+    title="Straight above the shoulder",
+    text="An arm has the links a_2 = {a2} and a_3 = {a3}. Its wrist must come to a point straight "
+    "above the shoulder, {p_z} higher (p_x = p_y = 0). The base may then stand as it likes: every "
+    "θ_1 will do. What are θ_2 and θ_3? With both 0 the arm is stretched and level; positive "
+    "angles lift it. There are two answers; either of them is enough.",
+    given=LINKS | {"p_z": steps(20, 90, 5, "cm")},
+    asks=(angle("θ_2"), angle("θ_3")),
+    accept="any",
+    right=lambda p_z, a2, a3: elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:],
+    wrong={M3: lambda p_z, a2, a3: cubed(0, 0, p_z, a2, a3)},
+    when=lambda p_z, a2, a3: bent(p_z, a2, a3) and bent(p_z, a2, a3, 3),
+    derive=lambda p_z, a2, a3: {
+        "A": (p_z**2 - a2**2 - a3**2) / (2 * a2 * a3),
+        "bend": elbow_arm.inverse([0, 0, p_z], a2, a3)[1, 2],
+        "lift": elbow_arm.inverse([0, 0, p_z], a2, a3)[0, 1] - np.pi / 2,
+    },
+    also={
+        "for the angle inside the triangle, between the links": lambda p_z, a2, a3: [
+            [theta2, theta3 - np.copysign(np.pi, theta3)]
+            for theta2, theta3 in elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:]
+        ],
+    },
+    solution="On the base axis the target has no direction seen from above, so θ_1 is free. The "
+    "triangle of shoulder, elbow and wrist is there as always:\n\n"
+    "cos θ_3 = (p_z² − a_2² − a_3²)/(2 a_2 a_3) = {A}, so θ_3 = ±{bend} rad\n\n"
+    "The line to the wrist points straight up, at π/2. The upper link is off this line by "
+    "atan2(a_3 sin |θ_3|, a_2 + a_3 cos θ_3) = {lift} rad, to the one side or to the other:\n\n"
+    "[θ_2, θ_3] = {right}",
+)
+
+elbow_arm_6 = Exercise(
+    "elbow-arm-6",
+    level=3,
+    title="All three joints",
+    text="The shoulder of an arm is {d1} above its base; the links are a_2 = {a2} and a_3 = {a3}. "
+    "The wrist must come to p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured from the base. The "
+    "arm faces this point, and the elbow is above the line from shoulder to wrist. What are the "
+    "three joint angles? With θ_2 = θ_3 = 0 the arm is stretched and level; positive angles lift "
+    "it.",
+    given={**TARGET, "p_z": steps(0, 80, 5, "cm"), "d1": steps(10, 40, 5, "cm"), **LINKS},
+    asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
+    right=lambda p_x, p_y, p_z, a2, a3, d1: elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)[0],
+    wrong={mistake: first(formula) for mistake, formula in WAYS.items()},
+    when=possible,
+    derive=middle_steps,
+    also={
+        "with the elbow below": lambda p_x, p_y, p_z, d1, **links: elbow_arm.inverse(
+            [p_x, p_y, p_z], **links, d1=d1
+        )[1],
+        "when p_z is taken as measured from the shoulder": lambda p_x, p_y, p_z, d1, **links: (
+            elbow_arm.inverse([p_x, p_y, p_z], **links, unreachable="nan")[0]
+        ),
+    },
+    solution="From above: θ_1 = atan2(p_y, p_x) = {base} rad. From the side, in the vertical plane "
+    "through the target, it is r = √(p_x² + p_y²) = {r} m ahead of the shoulder and "
+    "h = p_z − d_1 = {h} m above it.\n\n"
+    "The law of cosines gives the elbow; above the line it bends down again, so θ_3 is "
+    "negative:\n\n"
+    "cos θ_3 = (r² + h² − a_2² − a_3²)/(2 a_2 a_3) = {A}, θ_3 = {elbow} rad\n\n"
+    "The shoulder: the elevation of the target, less the angle between upper link and target, "
+    "θ_2 = atan2(h, r) − atan2(a_3 sin θ_3, a_2 + a_3 cos θ_3). Together:\n\n"
+    "[θ_1, θ_2, θ_3] = {right}",
+)
+
+elbow_arm_7 = Exercise(
+    "elbow-arm-7",
+    level=3,
+    title="All four arms",
+    text="An arm has the links a_2 = {a2} and a_3 = {a3}. The wrist must come to p_x = {p_x}, "
+    "p_y = {p_y}, p_z = {p_z}, measured from the shoulder. There are four ways: facing the point "
+    "or turned away from it, the elbow up or down. Give the angles θ_1, θ_2, θ_3 of all four. "
+    "With θ_2 = θ_3 = 0 the arm is stretched and level; positive angles lift it.",
+    given=TARGET | LINKS,
+    asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
+    accept="all",
+    right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3),
+    wrong=WAYS | {M4: four_alike},
+    when=possible,
+    derive=middle_steps,
+    solution="Facing the point, θ_1 = atan2(p_y, p_x) = {base} rad. The law of cosines gives the "
+    "bend of the elbow, with both signs:\n\n"
+    "cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3²)/(2 a_2 a_3) = {A}\n\n"
+    "With r = √(p_x² + p_y²) = {r} m, the shoulder is "
+    "θ_2 = atan2(p_z, r) − atan2(a_3 sin θ_3, a_2 + a_3 cos θ_3). Hence [θ_2, θ_3] = {up} with the "
+    "elbow up and {down} with the elbow down.\n\n"
+    "With the base turned round, the arm leans over backwards to the same places: θ_1 + π, "
+    "π − θ_2, −θ_3. All four:\n\n{right}",
+)

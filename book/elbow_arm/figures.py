@@ -1,0 +1,263 @@
+"""The live figures of the chapter on the elbow arm: its four answers, from two sides and in space.
+
+Both find the answers by the same named steps: the side view of the target, the triangle in half
+angles, and from them the joint angles of the answer that the reader has chosen.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from math import pi
+from typing import Any
+
+from sympy import Max, Min, Or, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt, symbols
+from sympy import pi as half_turn
+
+from book.basics.formulas import p_x, p_y
+from book.elbow_arm import formulas as arm
+from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z
+from book.motion import formulas as motion
+from book.motion.formulas import angle
+from robokin.elbow_arm import TOLERANCE
+from workshop.equations.core import Where, put_in
+from workshop.figures import (
+    POINTER,
+    VIEW,
+    AngleArc,
+    Arrow,
+    Choice,
+    Curve,
+    Figure,
+    Handle,
+    Line,
+    Point,
+    Readout,
+    Slider,
+    view_sliders,
+)
+
+UPPER, SHOULDER = 0.4, 0.1  # m: a2 and d1 of the exercise
+SIDE = 1.3  # m, how far to the right of the view from above the view from the side stands
+FRONT = 0.22  # m, the arrow that shows which way the base looks
+NONE = {"nan": "none"}
+GIVEN = {a2: UPPER, d1: SHOULDER}
+
+s = Symbol("s")
+face, bend = symbols("face bend", real=True)  # 1 facing, -1 away; 1 elbow up, -1 elbow down
+# out and high, distance from the shoulder, least, most, the nearest that can be done
+r, z, d, least, most, done = symbols("r z d least most done", real=True)
+beta, rise, lift, elbow = symbols("beta rise lift elbow", real=True)
+missed = Symbol("missed", real=True)
+
+limits = put_in(arm.reach.right, GIVEN)
+angles = arm.half_angles.at({**GIVEN, apart: done})
+STEPS: Where = (
+    (r, arm.side.right[0]),
+    (z, put_in(arm.side.right[1], GIVEN)),
+    (d, put_in(arm.side.right[2], {out: r, high: z})),
+    (least, limits[0]),
+    (most, limits[1]),
+    (done, Max(least, Min(d, most))),
+    (beta, atan2(p_y, p_x)),
+    (rise, atan2(z, r)),
+    (lift, angles[0]),
+    (elbow, angles[1]),
+    (missed, Max(0, d - most, least - d)),
+)
+OUTSIDE = Or(d > most * (1 + TOLERANCE), d < least - most * TOLERANCE)
+raised = rise + bend * lift  # the upper link, from the side that faces the target
+other = rise - bend * lift
+
+ARMS = Choice(
+    "arm",
+    "answer",
+    (face, bend),
+    {
+        "facing the target, elbow up": (1, 1),
+        "facing the target, elbow down": (1, -1),
+        "facing away, elbow up": (-1, 1),
+        "facing away, elbow down": (-1, -1),
+    },
+    start="facing the target, elbow up",
+)
+AWAY = replace(ARMS, start="facing away, elbow down")
+
+
+def target_sliders() -> tuple[Slider, ...]:
+    """The target under the hand, set as in the exercise, and the forearm."""
+    return (
+        Slider(p_x, -0.7, 0.7, start=-0.18, step=0.01, label="target p_x"),
+        Slider(p_y, -0.6, 0.6, start=0.24, step=0.01, label="target p_y"),
+        Slider(p_z, -0.5, 0.8, start=0.5, step=0.01, label="target p_z"),
+        Slider(a3, 0.15, 0.4, start=0.3, step=0.01, label="forearm a_3"),
+    )
+
+
+def wrapped(value: Any) -> Any:
+    """An angle in (−180°, 180°]."""
+    return motion.wrap_angle.at({angle: value})
+
+
+def within(value: Any) -> Any:
+    """A value that there is only within reach."""
+    return Piecewise((nan, OUTSIDE), (value, True))
+
+
+def joint_readouts() -> tuple[Readout, ...]:
+    """The chosen answer, how far the target is from the shoulder and from what can be reached."""
+    away = (1 - face) / 2 * half_turn
+    turn2 = Piecewise((0, d <= 0), (wrapped(away + face * raised), True))
+    return (
+        Readout("theta1", "base θ₁", within(wrapped(beta + away)), "rad", 1, NONE),
+        Readout("theta2", "shoulder θ₂", within(turn2), "rad", 1, NONE),
+        Readout("theta3", "elbow θ₃", within(-face * bend * elbow), "rad", 1, NONE),
+        Readout("d", "from shoulder to target", d, "m"),
+        Readout("missed", "out of reach by", missed, "m"),
+    )
+
+
+SAYS = (
+    "The target at {p_x}, {p_y}, {p_z} is {d} from the shoulder, out of reach by {missed}. "
+    "The arm, {arm}: base {theta1}, shoulder {theta2}, elbow {theta3}."
+)
+
+
+def bones(way: Any) -> tuple[tuple[Any, Any], ...]:
+    """Shoulder, elbow and wrist in the vertical plane, with the upper link raised so far."""
+    joint = UPPER * cos(way), UPPER * sin(way)
+    return (0, 0), joint, (done * cos(rise), done * sin(rise))
+
+
+def from_above(at: tuple[Any, Any]) -> tuple[Any, Any]:
+    """A point of the vertical plane in the view from above."""
+    return at[0] * cos(beta), at[0] * sin(beta)
+
+
+def from_the_side(at: tuple[Any, Any]) -> tuple[Any, Any]:
+    """A point of the vertical plane in the view from the side."""
+    return SIDE + at[0], at[1]
+
+
+def arms(show: Callable[[tuple[Any, Any]], Any]) -> tuple[Line | Point, ...]:
+    """The arm with its elbow at both places, the chosen one drawn out, in one of the views."""
+    shoulder, joint, wrist = map(show, bones(raised))
+    return (
+        Line("ghost", tuple(map(show, bones(other)))),
+        Line("approximation", (show((r, z)), wrist)),
+        Line("path", (shoulder, joint, wrist)),
+        Point("body", shoulder),
+        Point("body", joint),
+        Point("approximation", wrist),
+    )
+
+
+def ring(centre: Sequence[Any], radius: Any, low: float = 0, high: float = 2 * pi) -> Curve:
+    """A limit of what can be reached."""
+    at = centre[0] + radius * cos(s), centre[1] + radius * sin(s)
+    return Curve("icr", at, s, low, high, samples=64)
+
+
+def two_views_figure() -> Figure:
+    """The target under the hand, from above and from the side, with all answers."""
+    cuts = [sqrt(Max(0, limit**2 - z**2)) for limit in (least, most)]  # at the target's height
+    back = (1 - face) / 2 * half_turn
+    mid = from_the_side((0, 0))
+    floor = -SHOULDER
+    return Figure(
+        name="four-arms",
+        title="A three-joint arm and its target: left from above, right from the side",
+        view=(-0.78, 2.3, -0.77, 0.85),
+        controls=(*target_sliders(), ARMS),
+        scene=(
+            *(ring((0, 0), cut) for cut in cuts),
+            *(ring(mid, limit, -pi / 2, pi / 2) for limit in (least, most)),
+            Arrow("text", (0, 0), (0.58, 0), label="x"),
+            Arrow("text", (0, 0), (0, 0.52), label="y"),
+            Arrow("text", (SIDE, floor), (SIDE + 0.72, floor), label="r"),
+            Arrow("text", (SIDE, floor), (SIDE, 0.54), label="z"),
+            Arrow("velocity", (0, 0), from_above((FRONT * face, 0))),
+            Arrow("velocity", (SIDE, floor), (SIDE + FRONT * face, floor)),
+            AngleArc("left", (0, 0), 0, wrapped(beta + back), 0.12, label="θ₁"),
+            AngleArc("left", mid, back, raised, 0.15, label="θ₂"),
+            AngleArc(
+                "left", from_the_side(bones(raised)[1]), raised, raised - bend * elbow, 0.1, "θ₃"
+            ),
+            *arms(from_above),
+            *arms(from_the_side),
+            Point("target", (p_x, p_y), label="p"),
+            Point("target", from_the_side((r, z)), label="p"),
+        ),
+        handles=(
+            Handle("target, from above", (p_x, p_y), {p_x: POINTER[0], p_y: POINTER[1]}),
+            Handle("height of the target", (SIDE + r, z), {p_z: POINTER[1] + SHOULDER}),
+        ),
+        readouts=joint_readouts(),
+        says=SAYS,
+        where=STEPS,
+        grid=False,
+    )
+
+
+def in_space(at: tuple[Any, Any]) -> tuple[Any, Any, Any]:
+    """A point of the vertical plane, in space."""
+    return at[0] * cos(beta), at[0] * sin(beta), SHOULDER + at[1]
+
+
+def hinge(at: Sequence[Any], label: str) -> Arrow:
+    """The axis of a joint of the vertical plane: to the right of the base's front."""
+    axis = face * sin(beta), -face * cos(beta), 0
+    tip = [a + 0.25 * b for a, b in zip(at, axis, strict=True)]
+    return VIEW.arrow("z_axis", at, tip, label)
+
+
+def space_figure() -> Figure:
+    """The arm in space, from any side."""
+    foot, shade, target = (0, 0, 0), (p_x, p_y, 0), (p_x, p_y, p_z)
+    shoulder, joint, wrist = map(in_space, bones(raised))
+    front = FRONT * face * cos(beta), FRONT * face * sin(beta), 0
+    return Figure(
+        name="arm-in-space",
+        title="The three-joint arm in space, with its target and the axes of its joints",
+        view=(-1.0, 1.0, -0.67, 0.85),
+        controls=(*target_sliders(), AWAY, *view_sliders(-2 * pi / 3, pi / 8)),
+        scene=(
+            *(ring(VIEW.project(shoulder), limit) for limit in (least, most)),
+            *VIEW.frame(eye(3), size=0.3, labels=("x", "y", "z")),
+            behind(VIEW.line("ghost", (foot, shade))),
+            behind(VIEW.line("ghost", (shade, target))),
+            VIEW.line("body", (foot, shoulder)),
+            VIEW.arrow("velocity", foot, front),
+            *(behind(VIEW.line("ghost", pair)) for pair in pieces(map(in_space, bones(other)))),
+            *(VIEW.line("path", pair) for pair in pieces((shoulder, joint, wrist))),
+            hinge(shoulder, "z₁"),
+            hinge(joint, "z₂"),
+            VIEW.line("approximation", (target, wrist)),
+            on_top(VIEW.point("body", shoulder)),
+            on_top(VIEW.point("body", joint)),
+            on_top(VIEW.point("approximation", wrist)),
+            on_top(VIEW.point("target", target, label="p")),
+        ),
+        readouts=joint_readouts(),
+        says=SAYS,
+        where=STEPS,
+        turns=VIEW.angles,
+        grid=False,
+    )
+
+
+def on_top(point: Point) -> Point:
+    """A marker a little nearer, so that the lines that meet there do not cover it."""
+    return replace(point, depth=point.depth + 0.1)
+
+
+def behind(line: Line) -> Line:
+    """A line a little further away, so that it cuts no other in two."""
+    return replace(line, depth=line.depth - 0.3)
+
+
+def pieces(points: Any) -> list[tuple[Any, Any]]:
+    """A chain, piece by piece: each has its own depth."""
+    return list(pairwise(points))
+
+
+FIGURES = (two_views_figure(), space_figure())

@@ -1,0 +1,1 @@
+"""Which turns lead from one frame to another?"""

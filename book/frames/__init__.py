@@ -1,0 +1,1 @@
+"""Where does the hand see the object that a camera sees?"""

@@ -1,0 +1,279 @@
+"""The live figures of the chapter on chains of frames."""
+
+from math import pi
+from typing import Any
+
+from sympy import Matrix, Symbol, atan2, cos, sin, sqrt, symbols
+
+from book.frames import formulas as frames
+from book.frames.formulas import (
+    alpha,
+    bc_turn,
+    bc_x,
+    bc_y,
+    beta,
+    db_turn,
+    db_x,
+    db_y,
+    de_turn,
+    de_x,
+    de_y,
+    fb_x,
+    fb_y,
+    fb_z,
+    gamma,
+    l_1,
+    l_2,
+)
+from book.motion import formulas as motion
+from workshop.equations.core import Where, put_in, quantity
+from workshop.figures import (
+    POINTER,
+    VIEW,
+    Arrow,
+    Body,
+    Curve,
+    Figure,
+    Handle,
+    Line,
+    Point,
+    Readout,
+    Slider,
+    view_sliders,
+)
+
+LINKS = {l_1: 0.3, l_2: 0.4}  # m, as in the exercise
+STEP = pi / 36
+AROUND = 175 * pi / 180  # as far as a hand can turn without meeting its other name, −175° + 360°
+RADIUS, AXIS = 0.2, 0.22  # m, of the platform; how long the axes of a frame are drawn
+
+Pose = Any  # [x, y, theta]
+
+camera_turn = quantity("camera_turn", "rad", -3.14, 3.14, "turn of the camera, seen from above")
+camera_high = quantity("camera_high", "m", 1, 2, "height of the camera above the arm")
+object_low = quantity("object_low", "m", -0.4, 0.4, "height of the object above the arm")
+
+
+def named(name: str, pose: Matrix) -> tuple[Matrix, Where]:
+    """A pose or matrix whose entries are symbols, and what they stand for."""
+    entries = Matrix(*pose.shape, symbols(f"{name}:{len(pose)}", real=True))
+    return entries, tuple(zip(entries, pose, strict=True))
+
+
+def seen_from(first: Pose, second: Pose) -> Matrix:
+    """The second pose as seen from the first, both known from one place."""
+    values = dict(zip((db_x, db_y, db_turn, de_x, de_y, de_turn), (*first, *second), strict=True))
+    return frames.object_seen.at(values)
+
+
+def joined(first: Pose, second: Pose) -> Matrix:
+    """Two poses in a chain."""
+    values = dict(zip((db_x, db_y, db_turn, bc_x, bc_y, bc_turn), (*first, *second), strict=True))
+    return frames.chained.at(values)
+
+
+def wrapped(value: Any) -> Any:
+    """An angle in (−180°, 180°]."""
+    return motion.wrap_angle.at({motion.angle: value})
+
+
+def place(pose: Pose) -> tuple[Any, Any]:
+    """The position in a pose."""
+    return pose[0], pose[1]
+
+
+def ahead(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
+    """A point of a frame."""
+    return place(joined(pose, (forward, left, 0)))
+
+
+def axes(pose: Pose, name: str) -> tuple[Arrow, Arrow]:
+    """The x and y axis of a frame; its name stands at x."""
+    return (
+        Arrow("x_axis", place(pose), ahead(pose, AXIS), label=f"x_{name}"),
+        Arrow("y_axis", place(pose), ahead(pose, 0, AXIS)),
+    )
+
+
+def direction(pose: Pose) -> Any:
+    """Where the pointer is, as an angle of a frame."""
+    there = seen_from(pose, (*POINTER, 0))
+    return atan2(there[1], there[0])
+
+
+def joint_sliders() -> tuple[Slider, ...]:
+    """The arm under the hand."""
+    return tuple(
+        Slider(symbol, -most, most, start=start, step=STEP, label=f"joint angle {name}")
+        for symbol, most, start, name in (
+            (alpha, AROUND, pi / 2, "α"),
+            (beta, 2 * pi / 3, -pi / 2, "β"),
+            (gamma, 2 * pi / 3, -pi / 4, "γ"),
+        )
+    )
+
+
+T_db, T_de = (db_x, db_y, db_turn), (de_x, de_y, de_turn)
+
+
+def chain_figure() -> Figure:
+    """The room from above: platform, arm and object under the hand, the arrows of the chain."""
+    elbow_here = frames.hand_pose.at({**LINKS, l_2: 0, beta: 0, gamma: 0})
+    elbow_now = joined(T_db, elbow_here)
+    wrist_now = joined(T_db, frames.hand_pose.at({**LINKS, gamma: 0}))
+    bc, steps_bc = named("bc", frames.hand_pose.at(LINKS))
+    be, steps_be = named("be", seen_from(T_db, T_de))
+    dc, steps_dc = named("dc", joined(T_db, bc))
+    elbow, steps_elbow = named("elbow", elbow_now)
+    ce, steps_ce = named("ce", seen_from(bc, be))
+    chain = ((0, 0), place(T_db)), (place(T_db), place(dc)), ((0, 0), place(T_de))
+    return Figure(
+        name="room-plan",
+        title="A room from above: a camera's frame d, a platform b with an arm, an object e",
+        view=(-0.3, 2.1, -0.3, 1.5),
+        controls=(
+            Slider(db_x, 0.3, 1.7, start=1.0, step=0.05, label="platform x_db"),
+            Slider(db_y, 0.2, 1.2, start=0.5, step=0.05, label="platform y_db"),
+            Slider(db_turn, -AROUND, AROUND, start=pi / 2, step=STEP, label="platform θ_db"),
+            *joint_sliders(),
+            Slider(de_x, 0.0, 2.0, start=1.5, step=0.05, label="object x_de"),
+            Slider(de_y, 0.0, 1.4, start=1.1, step=0.05, label="object y_de"),
+            Slider(de_turn, -AROUND, AROUND, start=3 * pi / 4, step=STEP, label="object θ_de"),
+        ),
+        where=(*steps_bc, *steps_be, *steps_dc, *steps_elbow, *steps_ce),
+        scene=(
+            Body(place(T_db), db_turn, RADIUS),
+            Line("body", (place(T_db), place(elbow), place(dc))),
+            *(Arrow("path", *ends) for ends in chain),
+            Arrow("icr", place(dc), place(T_de)),
+            *(*axes((0, 0, 0), "d"), *axes(T_db, "b"), *axes(dc, "c"), *axes(T_de, "e")),
+            Point("body", place(elbow)),
+            *(Point("text", at) for at in ((0, 0), place(T_db), place(dc))),
+            Point("target", place(T_de)),
+        ),
+        handles=(
+            Handle(
+                "nose of the platform", ahead(T_db, RADIUS), {db_turn: direction((*T_db[:2], 0))}
+            ),
+            Handle("platform", place(T_db), {db_x: POINTER[0], db_y: POINTER[1]}),
+            Handle("second joint", place(elbow), {alpha: direction(T_db)}),
+            Handle("tip of the hand's x axis", ahead(dc, AXIS), {gamma: direction(wrist_now)}),
+            Handle("hand", place(dc), {beta: direction(elbow_now)}),
+            Handle(
+                "tip of the object's x axis",
+                ahead(T_de, AXIS),
+                {de_turn: direction((*T_de[:2], 0))},
+            ),
+            Handle("object", place(T_de), {de_x: POINTER[0], de_y: POINTER[1]}),
+        ),
+        readouts=(
+            Readout("x", "from hand c, x_ce", ce[0], "m"),
+            Readout("y", "from hand c, y_ce", ce[1], "m"),
+            Readout("turn", "from hand c, θ_ce", wrapped(ce[2]), "rad", digits=1),
+            Readout("far", "distance from hand", sqrt(ce[0] ** 2 + ce[1] ** 2), "m"),
+            Readout("hand_x", "from platform b, x_bc", bc[0], "m"),
+            Readout("hand_y", "from platform b, y_bc", bc[1], "m"),
+            Readout("hand_turn", "from platform b, θ_bc", wrapped(bc[2]), "rad", digits=1),
+        ),
+        says=(
+            "The hand sees the object at x = {x}, y = {y}, turned by {turn}, {far} away. "
+            "The platform sees its hand at x = {hand_x}, y = {hand_y}, turned by {hand_turn}."
+        ),
+    )
+
+
+# In space. The room's frame here: its origin is below the camera, at the height of the arm.
+SIZE = 0.3  # m, how long the axes of a frame are drawn
+BASE, THING = (-0.2, -0.3), (0.3, 0.3)  # m, platform and object in the room
+s = Symbol("s")
+
+
+def upright(x: Any, y: Any, z: Any, angle: Any) -> Matrix:
+    """The pose in the room, 4×4, of what stands upright."""
+    return Matrix(
+        [
+            [cos(angle), -sin(angle), 0, x],
+            [sin(angle), cos(angle), 0, y],
+            [0, 0, 1, z],
+            [0, 0, 0, 1],
+        ]
+    )
+
+
+def axes_in_space(T: Matrix, name: str) -> tuple[Any, ...]:
+    """The three axes of a frame; its name stands at x and z."""
+    labels = (f"x_{name}", "", f"z_{name}")
+    return VIEW.frame(T[:3, :3], at=tuple(T[:3, 3]), size=SIZE, labels=labels)
+
+
+def above_figure() -> Figure:
+    """A camera that looks down on the same room, in space: turn it, and the hand sees no change."""
+    heading, high, low = db_turn, camera_high, object_low
+    camera_sees = frames.looking_down.at({motion.theta: -camera_turn, fb_x: 0, fb_y: 0, fb_z: high})
+    p_fb, steps_fb = named("fb", camera_sees * Matrix([*BASE, 0, 1]))
+    p_fe, steps_fe = named("fe", camera_sees * Matrix([*THING, low, 1]))
+    seen = {motion.theta: heading - camera_turn, fb_x: p_fb[0], fb_y: p_fb[1], fb_z: p_fb[2]}
+    T_fb = frames.looking_down.at(seen)
+    rotation = dict(zip(frames.r, T_fb[:3, :3], strict=True))
+    p_bf, steps_bf = named("bf", put_in(frames.inverse_in_space.right, {**rotation, **seen}))
+    p_be, steps_be = named("be", T_fb[:3, :3].T * Matrix(p_fe[:3]) + p_bf)
+    bc, steps_bc = named("bc", frames.hand_pose.at(LINKS))
+    ce, steps_ce = named("ce", seen_from(bc, (p_be[0], p_be[1], 0)))
+
+    # what is drawn, seen from the room: T_room_f is its own inverse, so camera_sees serves, too
+    b = (*BASE, heading)
+    c, steps_c = named("c", joined(b, bc))
+    elbow, steps_elbow = named("k", joined(b, frames.hand_pose.at({**LINKS, l_2: 0})))
+    eye, thing = (0, 0, high), (*THING, low)
+    base, hand, middle = (*BASE, 0), (c[0], c[1], 0), (elbow[0], elbow[1], 0)
+    rim = (BASE[0] + RADIUS * cos(s), BASE[1] + RADIUS * sin(s), 0)
+    return Figure(
+        name="camera-above",
+        title="In space: a camera f that looks down on a platform b, its hand c and an object e",
+        view=(-0.9, 0.9, -0.5, 1.3),
+        controls=(
+            Slider(camera_turn, -pi, pi, start=0.0, step=STEP, label="camera turned by"),
+            Slider(high, 1.0, 1.4, start=1.2, step=0.05, label="height of the camera"),
+            Slider(heading, -pi, pi, start=pi / 2, step=STEP, label="heading of the platform"),
+            *joint_sliders(),
+            Slider(low, -0.4, 0.4, start=-0.2, step=0.05, label="height of the object"),
+            *view_sliders(azimuth_start=-pi / 3, elevation_start=5 * pi / 36),
+        ),
+        where=(
+            *(*steps_fb, *steps_fe, *steps_bf, *steps_be, *steps_bc, *steps_ce),
+            *(*steps_c, *steps_elbow),
+        ),
+        scene=(
+            VIEW.line("ghost", [thing, (*THING, 0)]),
+            Curve("body", VIEW.project(rim), s, 0, 2 * pi, depth=VIEW.depth(rim)),
+            VIEW.line("body", [base, middle]),
+            VIEW.line("body", [middle, hand]),
+            VIEW.arrow("path", eye, base),
+            VIEW.arrow("path", eye, thing),
+            VIEW.arrow("icr", hand, thing),
+            *axes_in_space(camera_sees, "f"),
+            *axes_in_space(upright(*base, heading), "b"),
+            *axes_in_space(upright(*hand, c[2]), "c"),
+            *axes_in_space(upright(*thing, 3 * pi / 4), "e"),
+        ),
+        readouts=(
+            Readout("x_b", "from camera f, x_fb", p_fb[0], "m"),
+            Readout("y_b", "from camera f, y_fb", p_fb[1], "m"),
+            Readout("z_b", "from camera f, z_fb", p_fb[2], "m"),
+            Readout("x_e", "from camera f, x_fe", p_fe[0], "m"),
+            Readout("y_e", "from camera f, y_fe", p_fe[1], "m"),
+            Readout("z_e", "from camera f, z_fe", p_fe[2], "m"),
+            Readout("x", "from hand c, x_ce", ce[0], "m"),
+            Readout("y", "from hand c, y_ce", ce[1], "m"),
+            Readout("z", "from hand c, z_ce", p_be[2], "m"),
+        ),
+        says=(
+            "The camera sees the object at x = {x_e}, y = {y_e}, z = {z_e}; "
+            "the hand sees it at x = {x}, y = {y}, z = {z}."
+        ),
+        turns=VIEW.angles,
+        grid=False,
+    )
+
+
+FIGURES = (chain_figure(), above_figure())

@@ -1,0 +1,246 @@
+"""Frames: a pose as a matrix, its inverse, poses in a chain, a camera that looks down."""
+
+import numpy as np
+from sympy import Abs, Add, MatMul, Matrix, Symbol, cos, sin, symbols
+
+from book.motion.formulas import theta
+from robokin import euler, frames, planar_arm
+from robokin._checks import Array
+from workshop.equations.core import Equation, as_written, quantity
+
+TURN = (-3.14, 3.14)
+
+alpha = quantity("joint_alpha", "rad", *TURN, "first joint angle of the arm", latex=r"\alpha")
+beta = quantity("joint_beta", "rad", *TURN, "second joint angle of the arm", latex=r"\beta")
+gamma = quantity("joint_gamma", "rad", *TURN, "third joint angle of the arm", latex=r"\gamma")
+l_1 = quantity("link_1", "m", 0.1, 1, "first link of the arm on the platform", latex="l_1")
+l_2 = quantity("link_2", "m", 0.1, 1, "second link of the arm on the platform", latex="l_2")
+
+db_x = quantity("db_x", "m", -2, 2, "platform b seen from camera d", latex="x_{db}")
+db_y = quantity("db_y", "m", -2, 2, "platform b seen from camera d", latex="y_{db}")
+db_turn = quantity("db_turn", "rad", *TURN, "heading of b seen from d", latex=r"\theta_{db}")
+de_x = quantity("de_x", "m", -2, 2, "object e seen from camera d", latex="x_{de}")
+de_y = quantity("de_y", "m", -2, 2, "object e seen from camera d", latex="y_{de}")
+de_turn = quantity("de_turn", "rad", *TURN, "heading of e seen from d", latex=r"\theta_{de}")
+fb_x = quantity("fb_x", "m", -2, 2, "platform b seen from camera f above", latex="x_{fb}")
+fb_y = quantity("fb_y", "m", -2, 2, "platform b seen from camera f above", latex="y_{fb}")
+fb_z = quantity("fb_z", "m", 1, 3, "platform b seen from camera f above", latex="z_{fb}")
+bc_x = quantity("bc_x", "m", -2, 2, "hand c seen from platform b", latex="x_{bc}")
+bc_y = quantity("bc_y", "m", -2, 2, "hand c seen from platform b", latex="y_{bc}")
+bc_turn = quantity("bc_turn", "rad", *TURN, "heading of c seen from b", latex=r"\theta_{bc}")
+
+roll = quantity("roll", "rad", *TURN, "turn about x, by which any rotation begins")
+pitch = quantity("pitch", "rad", *TURN, "turn about y, the second of any rotation")
+yaw = quantity("yaw", "rad", *TURN, "turn about z, the third of any rotation")
+r = Matrix(3, 3, symbols("r_{11} r_{12} r_{13} r_{21} r_{22} r_{23} r_{31} r_{32} r_{33}"))
+
+lever = quantity("lever", "m", 0, 5, "distance of a point from its axis of turning", latex=r"\ell")
+error = quantity("error", "rad", -0.5, 0.5, "error of an angle", latex=r"\delta")
+missed = quantity("missed", "m", 0, 3, "by how much a point is missed", latex=r"\Delta")
+
+QUARTERS = tuple(np.pi / 2 * np.arange(-2, 3))
+
+
+def sought(which: str) -> Matrix:
+    """The pose [x, y, theta] on the left of a formula."""
+    return Matrix([Symbol(f"{part}_{{{which}}}") for part in ("x", "y", r"\theta")])
+
+
+def pose(T: Array) -> Array:
+    """The pose [x, y, theta] of a planar matrix, theta in (-pi, pi]."""
+    return np.stack([T[..., 0, 2], T[..., 1, 2], np.arctan2(T[..., 1, 0], T[..., 0, 0])], axis=-1)
+
+
+def hand(joints: Array, lengths: Array) -> Array:
+    """The pose of a frame at the third joint: where two links end, turned by all three angles."""
+    there = planar_arm.forward(joints[..., :2], lengths)
+    there[..., 2] += joints[..., 2]
+    return there
+
+
+def inverse(x: Array, y: Array, theta: Array) -> Array:
+    """A planar pose seen from the other end."""
+    return pose(frames.inverse(frames.se2(x, y, theta)))
+
+
+def seen_from(first: Array, second: Array) -> Array:
+    """The second pose as seen from the first, both known from one place."""
+    back = frames.inverse(frames.se2(*np.moveaxis(first, -1, 0)))
+    return pose(frames.compose(back, frames.se2(*np.moveaxis(second, -1, 0))))
+
+
+def joined(first: Array, second: Array) -> Array:
+    """Two poses in a chain."""
+    return pose(
+        frames.compose(*(frames.se2(*np.moveaxis(each, -1, 0)) for each in (first, second)))
+    )
+
+
+def back_in_space(angles: Array, position: Array) -> Array:
+    """The position part of the inverse of a pose in space."""
+    return frames.inverse(frames.se3(euler.to_matrix("ZYX", angles), position))[..., :3, 3]
+
+
+def seen_from_above(position: Array, heading: Array) -> Array:
+    """A platform that stands upright, seen from a camera that looks straight down."""
+    camera = frames.se3(np.diag([1.0, -1.0, -1.0]), np.zeros(3))  # seen from the room
+    upright = euler.to_matrix("Z", heading[..., None])
+    there = frames.transform(camera, position)  # the platform in the room
+    return frames.compose(frames.inverse(camera), frames.se3(upright, there))
+
+
+def turned_away(lever: Array, error: Array) -> Array:
+    """How far a point moves when it is turned by an error."""
+    point = np.stack([lever, 0 * lever], axis=-1)
+    moved = frames.transform(frames.se2(0, 0, error), point)
+    return np.hypot(moved[..., 0] - point[..., 0], moved[..., 1] - point[..., 1])
+
+
+with as_written():
+    matrix = Equation(
+        name="frames.matrix",
+        left=Symbol("T_{db}"),
+        right=Matrix(
+            [
+                [cos(db_turn), -sin(db_turn), db_x],
+                [sin(db_turn), cos(db_turn), db_y],
+                [0, 0, 1],
+            ]
+        ),
+        source="exercise 3",
+        function=frames.se2,
+        arguments=(db_x, db_y, db_turn),
+        tolerance=3e-16,
+        reason="one rounding of a sine or cosine",
+        specials=tuple({db_turn: quarter} for quarter in QUARTERS),
+    )
+
+    hand_pose = Equation(
+        name="frames.hand",
+        left=sought("bc"),
+        right=Matrix(
+            [
+                l_1 * cos(alpha) + l_2 * cos(alpha + beta),
+                l_1 * sin(alpha) + l_2 * sin(alpha + beta),
+                Add(alpha, beta, gamma),
+            ]
+        ),
+        source="exercise 3",
+        function=hand,
+        arguments=((alpha, beta, gamma), (l_1, l_2)),
+        tolerance=4e-15,
+        reason="the sum of angles up to 9.4 rad rounded, and numbers up to 2 m made of it",
+        specials=({alpha: 0.0, beta: 0.0, gamma: 0.0}, {beta: np.pi}, {alpha: np.pi, beta: -np.pi}),
+    )
+
+    turned_round = Equation(
+        name="frames.inverse",
+        left=sought("bd"),
+        right=Matrix(
+            [
+                -(db_x * cos(db_turn) + db_y * sin(db_turn)),
+                db_x * sin(db_turn) - db_y * cos(db_turn),
+                -db_turn,
+            ]
+        ),
+        source="exercise 3",
+        function=inverse,
+        arguments=(db_x, db_y, db_turn),
+        tolerance=2e-15,
+        reason="sine, cosine, two products and a sum, each rounded once, of sizes up to 2",
+        is_angle=True,
+        specials=({db_x: 0.0, db_y: 0.0}, *({db_turn: quarter} for quarter in QUARTERS)),
+    )
+
+    inverse_in_space = Equation(
+        name="frames.inverse_in_space",
+        left=Matrix(symbols("x_{bf} y_{bf} z_{bf}")),
+        right=Matrix([-(r[0, k] * fb_x + r[1, k] * fb_y + r[2, k] * fb_z) for k in range(3)]),
+        textbook=MatMul(-1, r.T, Matrix([fb_x, fb_y, fb_z])),
+        where=(
+            (r[0, 0], cos(yaw) * cos(pitch)),
+            (r[0, 1], cos(yaw) * sin(pitch) * sin(roll) - sin(yaw) * cos(roll)),
+            (r[0, 2], cos(yaw) * sin(pitch) * cos(roll) + sin(yaw) * sin(roll)),
+            (r[1, 0], sin(yaw) * cos(pitch)),
+            (r[1, 1], sin(yaw) * sin(pitch) * sin(roll) + cos(yaw) * cos(roll)),
+            (r[1, 2], sin(yaw) * sin(pitch) * cos(roll) - cos(yaw) * sin(roll)),
+            (r[2, 0], -sin(pitch)),
+            (r[2, 1], cos(pitch) * sin(roll)),
+            (r[2, 2], cos(pitch) * cos(roll)),
+        ),
+        source="exercise 3",
+        function=back_in_space,
+        arguments=((yaw, pitch, roll), (fb_x, fb_y, fb_z)),
+        tolerance=4e-15,
+        reason="a matrix of three turns, then three products and two sums, of sizes up to 5",
+        specials=({yaw: 0.0, pitch: 0.0, roll: np.pi}, {pitch: np.pi / 2}),
+    )
+
+    object_seen = Equation(
+        name="frames.seen_from",
+        left=sought("be"),
+        right=Matrix(
+            [
+                (de_x - db_x) * cos(db_turn) + (de_y - db_y) * sin(db_turn),
+                (de_y - db_y) * cos(db_turn) - (de_x - db_x) * sin(db_turn),
+                de_turn - db_turn,
+            ]
+        ),
+        source="exercise 3",
+        function=seen_from,
+        arguments=((db_x, db_y, db_turn), (de_x, de_y, de_turn)),
+        tolerance=5e-15,
+        reason="two differences of numbers up to 2 turned, each step rounded, of sizes up to 6",
+        is_angle=True,
+        specials=({de_x: 0.0, de_y: 0.0, de_turn: 0.0}, *({db_turn: q} for q in QUARTERS)),
+    )
+
+    chained = Equation(
+        name="frames.joined",
+        left=sought("dc"),
+        right=Matrix(
+            [
+                Add(db_x, bc_x * cos(db_turn), -bc_y * sin(db_turn)),
+                Add(db_y, bc_x * sin(db_turn), bc_y * cos(db_turn)),
+                db_turn + bc_turn,
+            ]
+        ),
+        source="exercise 3",
+        function=joined,
+        arguments=((db_x, db_y, db_turn), (bc_x, bc_y, bc_turn)),
+        tolerance=5e-15,
+        reason="two products and two sums, each rounded once, of sizes up to 6",
+        is_angle=True,
+        specials=({bc_x: 0.0, bc_y: 0.0}, *({db_turn: quarter} for quarter in QUARTERS)),
+    )
+
+    looking_down = Equation(
+        name="frames.looking_down",
+        left=Symbol("T_{fb}"),
+        right=Matrix(
+            [
+                [cos(theta), -sin(theta), 0, fb_x],
+                [-sin(theta), -cos(theta), 0, fb_y],
+                [0, 0, -1, fb_z],
+                [0, 0, 0, 1],
+            ]
+        ),
+        source="exercise 3",
+        function=seen_from_above,
+        arguments=((fb_x, fb_y, fb_z), theta),
+        tolerance=3e-16,
+        reason="one rounding of a sine or cosine",
+        specials=tuple({theta: quarter} for quarter in QUARTERS),
+    )
+
+    miss = Equation(
+        name="frames.miss",
+        left=missed,
+        right=2 * lever * Abs(sin(error / 2)),
+        source="exercise 3",
+        function=turned_away,
+        arguments=(lever, error),
+        tolerance=2e-15,
+        reason="the difference of two points up to 5 m away, rounded once each",
+        specials=({error: 0.0}, {lever: 0.0}),
+    )

@@ -1,0 +1,1 @@
+"""Where is the robot, if it only counts turns of its wheels?"""

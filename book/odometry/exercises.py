@@ -1,0 +1,379 @@
+"""Exercises on odometry: poses from encoder ticks, and the mistakes that are made there."""
+
+from functools import partial
+
+import numpy as np
+
+from robokin import motion, odometry
+from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps, whole
+
+M22 = Mistake(
+    "M22",
+    says="when the heading so far is forgotten and only the turn of this step is put in",
+    line="pose = [x + D * np.cos(dtheta), y + D * np.sin(dtheta), theta + dtheta]",
+    why="Δθ only says how far the robot turned in this step. The direction in which it drives is "
+    "its heading in the world: the heading so far and the turn together. How much of the turn "
+    "counts depends on the rule: old, middle or new heading.",
+    unnoticed="In the first step from heading 0, with the rule of the new heading. On a straight "
+    "line along the x axis with every rule.",
+    document="003, first formulas",
+    stands="Δx = D cos Δθ, Δy = D sin Δθ",
+    should="Δx = D cos(θ + Δθ), Δy = D sin(θ + Δθ), with the new heading as in its third formula",
+)
+M23 = Mistake(
+    "M23",
+    says="when the heading is taken as tan⁻¹(sin/cos), which never looks backward",
+    line="h = np.arctan(np.sin(theta + dtheta) / np.cos(theta + dtheta))\n"
+    "pose = [x + D * np.cos(h), y + D * np.sin(h), h]",
+    why="The quotient of sine and cosine is the same for opposite directions, and the inverse "
+    "tangent answers with the one between −90° and 90°. Where the cosine is negative, it is off "
+    "by half a turn. atan2(sin, cos) looks at both signs.",
+    unnoticed="As long as the cosine of the heading is positive, so between −90° and 90°.",
+    document="003, third formula",
+    stands="θ' = tan⁻¹(sin(θ + ωΔt)/cos(θ + ωΔt))",
+    should="θ' = atan2(sin(θ + ωΔt), cos(θ + ωΔt))",
+)
+M24 = Mistake(
+    "M24",
+    says="when the ticks of a whole turn are taken for the ticks of one radian: 2π is lost",
+    line="D = r * N / C",
+    why="N/C is a number of turns. In one turn the wheel rolls its circumference, 2πr, not its "
+    "radius.",
+    unnoticed="As long as the wheel stands still, and in the heading on a straight line, where "
+    "both wheels lose the same.",
+)
+M25 = Mistake(
+    "M25",
+    says="when the counter wrapped round and its jump is taken for a huge step the other way",
+    line="D = 2 * np.pi * r / C * (after - before)",
+    why="A counter of 16 bits shows 0 after 65535, as a clock shows 0:00 after 23:59. "
+    "The difference then lacks 65536 ticks: a small step forward looks like a huge step back. "
+    "Turning backward past 0 it has 65536 too many. Of the two ways round, take the shorter.",
+    unnoticed="As long as the counter does not pass its end: in every short test.",
+)
+
+BITS = 16
+
+
+def turned(before, after):
+    """The ticks between two readings of a counter."""
+    return float(odometry.unwrap_counter([before, after], BITS)[0])
+
+
+def jumped(before, after):
+    """The ticks as M25 reads them."""
+    return after - before
+
+
+def rolled(ticks, C, r):
+    """How far a wheel rolls."""
+    return odometry.travel(ticks, C, r)
+
+
+def rolled_per_radian(ticks, C, r):
+    """How far it rolls by M24."""
+    return r * ticks / C
+
+
+def one_step(method, theta, D_L, D_R, b, x=0, y=0):
+    """The pose after one step by a rule of `motion.path`."""
+    v, turn = (D_L + D_R) / 2, (D_R - D_L) / b
+    return motion.path([x, y, theta], v, turn, 1.0, method)[-1]
+
+
+def heading_forgotten(theta, D_L, D_R, b, x=0, y=0):
+    """The pose after one step by M22."""
+    D, turn = (D_L + D_R) / 2, (D_R - D_L) / b
+    return [x + D * np.cos(turn), y + D * np.sin(turn), theta + turn]
+
+
+def half_seen(heading):
+    """A heading as M23 has it: tan⁻¹(sin/cos)."""
+    return np.arctan(np.sin(heading) / np.cos(heading))
+
+
+def half_seen_step(theta, D_L, D_R, b, x, y):
+    """The step with the new heading, by M23."""
+    D, heading = (D_L + D_R) / 2, half_seen(theta + (D_R - D_L) / b)
+    return [x + D * np.cos(heading), y + D * np.sin(heading), heading]
+
+
+def backward(heading):
+    """Whether a direction clearly has a negative cosine."""
+    return np.cos(heading) < -0.1
+
+
+def gap(turn, D, heading, theta):
+    """How far D along a heading ends from D along the arc that begins with heading theta."""
+    straight = D * np.array([np.cos(heading), np.sin(heading)])
+    return np.linalg.norm(straight - motion.arc_step([0, 0, theta], D, turn, 1.0)[:2])
+
+
+def resolution(roll, r, b, period, limit):
+    """The ticks a turn, no whole number yet, with which one tick changes the rate by limit."""
+    return roll(1, 1, r) / (b * period * limit)
+
+
+def wheel_ways(r, C, left_before, left_after, right_before, right_after, count, roll):
+    """How far both wheels roll, from the readings of their counters."""
+    ticks = {"D_L": count(left_before, left_after), "D_R": count(right_before, right_after)}
+    return {wheel: roll(n, C, r) for wheel, n in ticks.items()}
+
+
+def counted(theta, b, count=turned, roll=rolled, step=one_step, rule="exact", **drive):
+    """The pose after one step, from the readings."""
+    ways = wheel_ways(count=count, roll=roll, **drive)
+    return step(rule, theta=theta, b=b, **ways)
+
+
+def between(theta, b, **drive):
+    """What the way from the readings to the pose goes through."""
+    ways = wheel_ways(count=turned, roll=rolled, **drive)
+    D, turn = (ways["D_L"] + ways["D_R"]) / 2, (ways["D_R"] - ways["D_L"]) / b
+    return {
+        **ways,
+        "N_L": turned(drive["left_before"], drive["left_after"]),
+        "N_R": drive["right_after"] - drive["right_before"],
+        "D": D,
+        "dtheta": turn,
+        "chord": 2 * D / turn * np.sin(turn / 2),
+        "middle": theta + turn / 2,
+    }
+
+
+odometry_1 = Exercise(
+    "odometry-1",
+    level=1,
+    title="How far has the wheel rolled?",
+    text="The encoder of a wheel gives {C} ticks in one turn of the wheel. The wheel has the "
+    "radius {r}. Since the last reading, {N} ticks were counted. How far has the wheel rolled?",
+    given={
+        "C": one_of(360, 500, 512, 1000, 1024, 2048),
+        "r": steps(2, 10, 0.5, "cm"),
+        "N": steps(150, 950, 50),
+    },
+    asks=(Ask("D", "m"),),
+    right=lambda C, r, N: rolled(N, C, r),
+    wrong={M24: lambda C, r, N: rolled_per_radian(N, C, r)},
+    derive=lambda C, r, N: {"turns": N / C, "around": 2 * np.pi * r},
+    also={
+        "with the diameter where the radius belongs": lambda C, r, N: rolled(N, C, 2 * r),
+        "when ticks and ticks a turn are exchanged": lambda C, r, N: rolled(C, N, r),
+    },
+    solution="The wheel made N/C = {N}/{C} = {turns} turns. In one turn it rolls its "
+    "circumference, 2πr = {around} m:\n\nD = 2πr N/C = {right}",
+    example={"C": 1000, "r": 0.05, "N": 500},
+)
+
+odometry_2 = Exercise(
+    "odometry-2",
+    level=2,
+    title="The counter jumps",
+    text="A counter of 16 bits counts the ticks of a wheel: up when the wheel rolls forward, down "
+    "when it rolls backward. It showed {before}, and now it shows {after}. In the meantime the "
+    "wheel has made only a few turns. One turn is {C} ticks, and the radius of the wheel is {r}. "
+    "How far has the wheel rolled? Forward is positive. Give four decimals.",
+    given={
+        "before": one_of(*range(120, 1000, 80), *range(64600, 65500, 80)),
+        "after": one_of(*range(75, 1000, 50), *range(64610, 65500, 50)),
+        "C": one_of(360, 500, 512, 1000),
+        "r": steps(2, 8, 1, "cm"),
+    },
+    asks=(
+        Ask("D", "m", tolerance=6e-5, reason="four decimals; less than half a tick: 65535 shows"),
+    ),
+    right=lambda before, after, C, r: rolled(turned(before, after), C, r),
+    wrong={
+        M24: lambda before, after, C, r: rolled_per_radian(turned(before, after), C, r),
+        M25: lambda before, after, C, r: rolled(jumped(before, after), C, r),
+    },
+    when=lambda before, after, **_: abs(after - before) > 2**15,
+    derive=lambda before, after, C, r: {
+        "jump": after - before,
+        "add": "+" if after < before else "−",
+        "end": "went past 65535 to 0" if after < before else "went below 0 to 65535",
+        "N": turned(before, after),
+    },
+    solution="A counter of 16 bits has 2¹⁶ = 65536 values, from 0 to 65535. The difference of the "
+    "two readings is {jump}: far too much for a few turns, so the counter {end}. The shorter way "
+    "round is meant:\n\nN = {after} − {before} {add} 65536 = {N} ticks\n\nD = 2πr N/C = {right}",
+    example={"before": 65500, "after": 464, "C": 1000, "r": 0.05},
+)
+
+odometry_3 = Exercise(
+    "odometry-3",
+    level=2,
+    title="One step with the new heading",
+    text="A robot is at x = {x}, y = {y} with the heading {theta}. In one step its left wheel "
+    "rolls {D_L} and its right wheel {D_R}; the wheels are {b} apart. Update the pose by the rule "
+    "of the new heading: the robot first turns, and then drives straight. What are its new x, y "
+    "and heading?",
+    given={
+        "x": steps(1, 4, 0.5, "m"),
+        "y": steps(1, 4, 0.5, "m"),
+        "theta": steps(80, 170, 5, "°"),
+        "D_L": steps(5, 40, 2.5, "cm"),
+        "D_R": steps(5, 40, 2.5, "cm"),
+        "b": steps(20, 60, 5, "cm"),
+    },
+    asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
+    right=lambda **step: one_step("end", **step),
+    wrong={M22: heading_forgotten, M23: half_seen_step},
+    when=lambda theta, D_L, D_R, b, **_: (
+        abs(D_R - D_L) > 0.04 and abs(D_R - D_L) < b and backward(theta + (D_R - D_L) / b)
+    ),
+    derive=lambda theta, D_L, D_R, b, **_: {
+        "D": (D_L + D_R) / 2,
+        "dtheta": (D_R - D_L) / b,
+        "new": theta + (D_R - D_L) / b,
+    },
+    also={
+        "by the rule of the old heading": lambda **step: one_step("start", **step),
+        "by the rule of the middle heading": lambda **step: one_step("midpoint", **step),
+        "along the exact arc": lambda **step: one_step("exact", **step),
+        "when left and right are exchanged": lambda D_L, D_R, **step: one_step(
+            "end", D_L=D_R, D_R=D_L, **step
+        ),
+    },
+    solution="The middle of the axle moves by the mean of the two ways, and the robot turns by "
+    "their difference over the wheel distance:\n\nD = (D_L + D_R)/2 = {D} m\n\n"
+    "Δθ = (D_R − D_L)/b = {dtheta} rad ({dtheta:deg})\n\nThe new heading is θ + Δθ = {new} rad "
+    "({new:deg}). The rule drives the whole D in this direction:\n\n"
+    "[x + D cos(θ + Δθ), y + D sin(θ + Δθ), θ + Δθ] = {right}",
+    example={"x": 0.0, "y": 0.0, "theta": np.pi / 2, "D_L": 0.1, "D_R": 0.2, "b": 0.5},
+)
+
+odometry_4 = Exercise(
+    "odometry-4",
+    level=2,
+    title="How far apart are the wheels?",
+    text="You want to measure the wheel distance of a robot by driving. Its wheels have the radius "
+    "{r} and encoders with {C} ticks a turn. The robot turns on the spot to the left, exactly "
+    "{n} full turns. The right wheel counts {N_R} ticks, the left one the same number backward, "
+    "−{N_R}. How far apart are the wheels?",
+    given={
+        "r": steps(2, 6, 0.5, "cm"),
+        "C": one_of(360, 500, 512, 1000),
+        "n": steps(2, 10, 1),
+        "N_R": steps(4000, 16000, 500),
+    },
+    asks=(Ask("b", "m"),),
+    right=lambda r, C, n, N_R: rolled(2 * N_R, C, r) / (2 * np.pi * n),
+    wrong={M24: lambda r, C, n, N_R: rolled_per_radian(2 * N_R, C, r) / (2 * np.pi * n)},
+    when=lambda r, C, n, N_R: 0.15 < 2 * r * N_R / (C * n) < 0.8,
+    derive=lambda r, C, n, N_R: {"turn": 2 * np.pi * n, "way": 2 * np.pi * r * N_R / C},
+    also={
+        "for one full turn; the robot made several": lambda r, C, n, N_R: (
+            rolled(2 * N_R, C, r) / (2 * np.pi)
+        ),
+        "with the way of one wheel only": lambda r, C, n, N_R: rolled(N_R, C, r) / (2 * np.pi * n),
+    },
+    solution="The right wheel rolls D_R = 2πr N_R/C = {way} m, the left one −{way} m. The robot "
+    "turns by Δθ = {n} · 2π = {turn} rad. Solve Δθ = (D_R − D_L)/b for b:\n\n"
+    "b = (D_R − D_L)/Δθ = {right}",
+)
+
+odometry_5 = Exercise(
+    "odometry-5",
+    level=2,
+    title="How fine must the encoder be?",
+    text="A robot has wheels of radius {r}, {b} apart. Its program reads the encoders every "
+    "{period} and computes the turning rate from the ticks. One tick more or less of one wheel "
+    "may change this turning rate by at most {limit}. How many ticks a turn must the encoder "
+    "have at least?",
+    given={
+        "r": steps(2, 8, 0.5, "cm"),
+        "b": steps(20, 60, 5, "cm"),
+        "period": one_of(10, 20, 50, 100, unit="ms"),
+        "limit": one_of(0.5, 1, 2, 5, unit="°/s"),
+    },
+    asks=(whole("C"),),
+    right=lambda **design: np.ceil(resolution(rolled, **design)),
+    wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
+    when=lambda **design: (
+        100 < resolution(rolled, **design) < 10000
+        and 0.01 < resolution(rolled, **design) % 1 < 0.99
+    ),
+    derive=lambda **design: {"C": resolution(rolled, **design)},
+    solution="In one tick the wheel rolls 2πr/C. This changes ω = (D_R − D_L)/(b Δt) by "
+    "2πr/(C b Δt), and must be at most Δω = {limit} = {limit:.5f} rad/s:\n\n"
+    "C ≥ 2πr/(b Δt Δω) = {C:.2f}\n\nThe smallest such whole number is {right}.",
+)
+
+odometry_6 = Exercise(
+    "odometry-6",
+    level=3,
+    title="Straight on in a bend",
+    text="A robot reads its encoders too seldom: in one step it drives {D} and turns to the left "
+    "by {turn}. Before the step it stands at the origin with the heading {theta}. Really it drives "
+    "along an arc of a circle. The program uses the old heading instead: it lets the robot drive "
+    "straight, and then turn. How far is the program's place from the real one?",
+    given={
+        "D": steps(20, 80, 5, "cm"),
+        "turn": steps(15, 60, 5, "°"),
+        "theta": steps(20, 160, 10, "°"),
+    },
+    asks=(Ask("error", "m"),),
+    right=lambda D, turn, theta: gap(turn, D, theta, theta),
+    wrong={M22: lambda D, turn, theta: gap(turn, D, turn, theta)},
+    derive=lambda D, turn, theta: {
+        "place": [D * np.cos(theta), D * np.sin(theta)],
+        "real": motion.arc_step([0, 0, theta], D, turn, 1.0)[:2],
+        "chord": 2 * D / turn * np.sin(turn / 2),
+        "middle": gap(turn, D, theta + turn / 2, theta),
+    },
+    also={
+        "by the rule of the middle heading": lambda D, turn, theta: gap(
+            turn, D, theta + turn / 2, theta
+        ),
+    },
+    solution="By the old heading the robot is at [D cos θ, D sin θ] = {place}. The real way is an "
+    "arc with the radius D/Δθ. Its chord has the length 2 D/Δθ sin(Δθ/2) = {chord} m and points "
+    "along the middle heading θ + Δθ/2, so the robot is at {real}. The distance between the two:"
+    "\n\n{right}\n\nThe rule of the middle heading would be off by {middle} m only.",
+)
+
+odometry_7 = Exercise(
+    "odometry-7",
+    level=3,
+    title="From two counters to a pose",
+    text="A robot stands at the origin with the heading {theta}. Its wheels have the radius {r} "
+    "and are {b} apart; one turn of a wheel is {C} ticks. Two counters of 16 bits count the ticks. "
+    "Before the step they showed {left_before} (left) and {right_before} (right), after it "
+    "{left_after} and {right_after}. No wheel has made more than a few turns. The robot has "
+    "driven along the exact arc. What are its x, y and heading now?",
+    given={
+        "theta": steps(100, 170, 5, "°"),
+        "r": steps(3, 6, 1, "cm"),
+        "b": steps(30, 60, 5, "cm"),
+        "C": one_of(500, 512, 1000),
+        "left_before": steps(64850, 65450, 50),
+        "left_after": steps(20, 620, 40),
+        "right_before": steps(1500, 2500, 100),
+        "right_after": steps(2000, 4000, 100),
+    },
+    asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
+    right=counted,
+    wrong={
+        M22: lambda **drive: counted(step=lambda _, **step: heading_forgotten(**step), **drive),
+        M23: lambda **drive: [*counted(**drive)[:2], half_seen(counted(**drive)[2])],
+        M24: lambda **drive: counted(roll=rolled_per_radian, **drive),
+        M25: lambda **drive: counted(count=jumped, **drive),
+    },
+    when=lambda **drive: (
+        backward(counted(**drive)[2]) and 0.2 < abs(between(**drive)["dtheta"]) < 2.0
+    ),
+    derive=between,
+    also={
+        "by the rule of the old heading": partial(counted, rule="start"),
+        "by the rule of the new heading": partial(counted, rule="end"),
+        "by the rule of the middle heading": partial(counted, rule="midpoint"),
+    },
+    solution="The left counter went past 65535 to 0, so 65536 is added to its difference:\n\n"
+    "N_L = {left_after} − {left_before} + 65536 = {N_L}, N_R = {right_after} − {right_before} = "
+    "{N_R}\n\nWith 2πr/C metres a tick the wheels roll D_L = {D_L} m and D_R = {D_R} m. The "
+    "middle of the axle drives D = (D_L + D_R)/2 = {D} m, and the robot turns by "
+    "Δθ = (D_R − D_L)/b = {dtheta} rad ({dtheta:deg}).\n\nThe chord of this arc has the length "
+    "2 D/Δθ sin(Δθ/2) = {chord} m and points along the middle heading θ + Δθ/2 = {middle} rad:"
+    "\n\n[chord · cos(θ + Δθ/2), chord · sin(θ + Δθ/2), θ + Δθ] = {right}",
+)

@@ -1,0 +1,359 @@
+"""The live figures of the chapter on encoder odometry."""
+
+from math import log, pi, sqrt
+from typing import Any
+
+import sympy as sp
+from sympy import Max, Piecewise, Symbol, symbols
+
+from book.differential_drive.formulas import b, r
+from book.motion.formulas import theta, x, y
+from book.odometry import formulas as odometry
+from book.odometry.formulas import D_L, D_R, N_L, N_R, C, D, b_true, dtheta, noise, ratio
+from workshop.equations.core import Equation, as_written, put_in, quantity
+from workshop.figures import (
+    POINTER,
+    Body,
+    Curve,
+    Figure,
+    Handle,
+    Line,
+    Point,
+    Readout,
+    Recurrence,
+    Slider,
+    Trail,
+)
+
+# the robot of the exercise
+TICKS, RADIUS, BASE = 512, 0.05, 0.2  # ticks a turn, wheel radius, wheel distance [m]
+LEFT, RIGHT = 3072, 5120  # ticks of its wheels on a whole circle
+CIRCLE = 0.4  # m, radius of that circle
+ORIGIN = (0, 0)
+
+samples = quantity("samples", "", 3, 32, "number of samples of the encoders", latex="n")
+turned = quantity("turned", "rad", 0, 6.3, "how far the robot turns in a drive", latex=r"\Phi")
+drive = quantity("drive", "m", 0.25, 3, "how far the robot drives", latex="s")
+wheel_error = quantity(
+    "wheel_error", "m", 0.001, 0.02, "standard deviation of a wheel's travel over 1 m"
+)
+s = Symbol("s")
+
+
+def apart(first: Any, second: Any) -> Any:
+    """The distance of two points."""
+    with as_written():
+        return sp.sqrt((first[0] - second[0]) ** 2 + (first[1] - second[1]) ** 2)
+
+
+def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
+    """The pose at the end of an exact arc."""
+    values = dict(zip((x, y, theta), start, strict=True))
+    return odometry.exact_arc.at({**values, D: length, dtheta: angle})
+
+
+# --- Four rules -----------------------------------------------------------------------------
+
+
+def one_sample() -> tuple[Any, Any]:
+    """How far the robot moves and turns in a sample, from the ticks of its wheels."""
+    with as_written():
+        ticks = {
+            N_L: LEFT * (turned / (2 * pi)) / samples,
+            N_R: RIGHT * (turned / (2 * pi)) / samples,
+        }
+    rolled = odometry.travel.at({**ticks, C: TICKS, r: RADIUS})
+    wheels = {D_L: rolled[0], D_R: rolled[1]}
+    return odometry.distance.at(wheels), odometry.turn.at({**wheels, b: BASE})
+
+
+def rule_loop(rule: Equation, name: str) -> Recurrence:
+    """The drive by one rule; its state ends with the largest error so far."""
+    state = (x, y, theta, D, dtheta, Symbol("worst"))
+    with as_written():
+        angle = theta + dtheta
+        there = arc_to(CIRCLE * angle, angle)
+    place = rule.right
+    worst = Max(state[-1], apart(place, there), evaluate=False)
+    return Recurrence(
+        state,
+        start=(0, 0, 0, *one_sample(), 0),
+        step=(*place, D, dtheta, worst),
+        count=samples,
+        most=32,
+        ends=symbols(" ".join(f"{part}_{name}" for part in ("x", "y", "t", "D", "d", "worst"))),
+    )
+
+
+def rules_figure() -> Figure:
+    """One drive, read in n samples, by the four rules: the largest error and the one at the end."""
+    old = rule_loop(odometry.old_heading, "old")
+    new = rule_loop(odometry.new_heading, "new")
+    middle = rule_loop(odometry.middle_heading, "middle")
+    exact = rule_loop(odometry.exact_arc, "exact")
+    with as_written():
+        end = arc_to(CIRCLE * turned, turned)
+        centre = 13 * pi / 12  # opposite the gap between a whole turn and the least one
+        ahead = sp.atan2(
+            sp.cos(centre) * POINTER[0] + sp.sin(centre) * (POINTER[1] - CIRCLE),
+            sp.sin(centre) * POINTER[0] - sp.cos(centre) * (POINTER[1] - CIRCLE),
+        )
+    kinds = ("path", "old_heading", "new_heading", "middle_heading")
+    names = ("exact arc", "old heading", "new heading", "middle heading")
+    legend = []
+    for place, (kind, name) in enumerate(zip(kinds, names, strict=True)):
+        height = 0.58 - 0.12 * place
+        legend += [
+            Line(kind, ((-0.32, height), (-0.22, height))),
+            Point(kind, (-0.22, height), name),
+        ]
+    return Figure(
+        name="four-rules",
+        title="One drive of a robot, read from its encoders by four rules",
+        view=(-0.86, 0.94, -0.15, 0.95),
+        controls=(
+            Slider(samples, 3, 32, start=8, step=1, label="samples in the drive"),
+            Slider(turned, pi / 6, 2 * pi, start=1.5 * pi, step=pi / 36, label="turned in all"),
+        ),
+        scene=(
+            Curve("ghost", tuple(arc_to(CIRCLE * s, s)[:2]), s, 0, 2 * pi),
+            Curve("path", tuple(arc_to(CIRCLE * s, s)[:2]), s, 0, turned),
+            Trail("old_heading", (x, y), old),
+            Trail("new_heading", (x, y), new),
+            Trail("middle_heading", (x, y), middle),
+            Trail("ghost", (x, y), exact),
+            Body(ORIGIN, 0, 0.06, kind="ghost"),
+            Body((end[0], end[1]), turned, 0.06),
+            *legend,
+        ),
+        handles=(Handle("end of the drive", (end[0], end[1]), {turned: centre + ahead}),),
+        readouts=(
+            *worst_readouts((exact, old, new, middle)),
+            Readout("old_end", "old, at the end", apart(old.ends, end), "m", digits=4),
+            Readout("middle_end", "middle, at the end", apart(middle.ends, end), "m", 4),
+        ),
+        says=(
+            "The robot turns by {turned}, read in {samples} samples. Largest error on the way: "
+            "old heading {old}, new heading {new}, middle heading {middle}, exact arc {exact}. "
+            "At the end: old heading {old_end}, middle heading {middle_end}."
+        ),
+    )
+
+
+def worst_readouts(loops: tuple[Recurrence, ...]) -> list[Readout]:
+    """The largest error on the way, rule by rule."""
+    names = ("exact", "old", "new", "middle")
+    return [
+        Readout(name, f"{name}, worst", loop.ends[-1], "m", digits=4)
+        for name, loop in zip(names, loops, strict=True)
+    ]
+
+
+# --- The error ellipse ----------------------------------------------------------------------
+
+STEPS = 6  # samples of the drive; ellipses after each second one
+HOLDS_95 = sqrt(-2 * log(0.05))  # half-axis of the ellipse that holds 95 %, by σ
+
+
+def carried(steps: Any, values: dict[Any, Any]) -> dict[Any, Any]:
+    """Named steps, each written out in what the first ones are made of."""
+    known = dict(values)
+    for symbol, expression in steps:
+        known[symbol] = put_in(expression, known)
+    return known
+
+
+def covariance_loop(count: int) -> Recurrence:
+    """The covariance after some samples: the wheels' part is computed once, at the start."""
+    with as_written():
+        half = BASE * turned / 2
+        wheels = {D_L: (drive - half) / STEPS, D_R: (drive + half) / STEPS}
+        wheels |= {b: BASE, noise: wheel_error**2}
+    once = carried(odometry.of_the_wheels, wheels)
+    kept = [symbol for symbol, _ in odometry.of_the_wheels]
+    entries = odometry.covariance_entries
+    each = carried(odometry.of_the_heading, {})
+    with as_written():
+        step = put_in(odometry.covariance_step.right, {**each, b: BASE})
+        next_heading = theta + 2 * odometry.u
+    place = arc_to(D, 2 * odometry.u, (x, y, theta))[:2]
+    place = [put_in(p, {D: drive / STEPS}) for p in place]
+    state = (x, y, theta, *kept, *entries)
+    return Recurrence(
+        state,
+        start=(0, 0, 0, *(once[symbol] for symbol in kept), *(0 for _ in entries)),
+        step=(*place, next_heading, *kept, *step),
+        count=sp.Integer(count),
+        most=count,
+        ends=symbols(f"e{count}_:{len(state)}", real=True),
+    )
+
+
+def ellipse(loop: Recurrence, count: int) -> Curve:
+    """The ellipse that holds 95 % of the ends of a part of the drive."""
+    xx, xy, _, yy, *_ = loop.ends[-6:]
+    with as_written():
+        part = sp.Rational(count, STEPS)
+        centre = arc_to(drive * part, turned * part)
+        wide = sp.sqrt(xx)
+        at = (
+            centre[0] + HOLDS_95 * wide * sp.cos(s),
+            centre[1] + HOLDS_95 * (xy / wide * sp.cos(s) + sp.sqrt(yy - xy**2 / xx) * sp.sin(s)),
+        )
+    return Curve("uncertainty", at, s, 0, 2 * pi)
+
+
+def ellipse_figure() -> Figure:
+    """The error ellipse growing along a drive: noise, distance and turn under the hand."""
+    loops = {count: covariance_loop(count) for count in (2, 4, 6)}
+    end = arc_to(drive, turned)
+    xx, xy, _, yy, _, tt = loops[STEPS].ends[-6:]
+    values = {odometry.p_xx: xx, odometry.p_xy: xy, odometry.p_yy: yy}
+    axes = put_in(
+        odometry.ellipse_axes.right,
+        {**carried(odometry.ellipse_axes.where, values), **values},
+    )
+    with as_written():
+        direction = sp.atan2(POINTER[1], POINTER[0])
+        chord = sp.sqrt(POINTER[0] ** 2 + POINTER[1] ** 2)
+        long_axis, short_axis = (HOLDS_95 * axis for axis in axes)
+        heading = sp.sqrt(tt)
+    return Figure(
+        name="error-ellipse",
+        title="A drive and the ellipses that hold 95 of 100 of its ends",
+        view=(-0.9, 3.5, -0.7, 2.2),
+        controls=(
+            Slider(
+                wheel_error, 0.001, 0.02, start=0.008, step=0.001, kind="uncertainty",
+                label="wheel error over 1 m",
+            ),
+            Slider(drive, 0.25, 3, start=2.5, step=0.05, label="distance"),
+            Slider(turned, 0, pi, start=pi / 3, step=pi / 36, label="turned in all"),
+        ),
+        scene=(
+            Curve("path", tuple(arc_to(drive * s, turned * s)[:2]), s, 0, 1),
+            *(ellipse(loop, count) for count, loop in loops.items()),
+            *(Trail("ghost", (x, y), loop) for loop in loops.values()),
+            Body(ORIGIN, 0, 0.13, kind="ghost"),
+            Body((end[0], end[1]), turned, 0.13),
+        ),
+        handles=(
+            Handle(
+                "end of the drive", (end[0], end[1]),
+                {drive: chord / sp.sinc(direction), turned: 2 * direction},
+            ),
+        ),
+        readouts=(
+            Readout("long_axis", "half the length", long_axis, "m"),
+            Readout("short_axis", "half the width", short_axis, "m"),
+            Readout("heading", "heading error", heading, "rad", 1),
+        ),
+        says=(
+            "A drive of {drive} that turns by {turned}, with wheels that err by {wheel_error} over "
+            "1 m: of 100 robots 95 end in an ellipse of half-axes {long_axis} and {short_axis}; "
+            "the heading errs by {heading}."
+        ),
+    )  # fmt: skip
+
+
+# --- The square path ------------------------------------------------------------------------
+
+SIDE, PIECES = 1.0, 6  # m; pieces of a side, so that one sees it bend
+PLACE = -1.25  # m, where the robot with its enlarged errors is drawn
+APART, HALF = 0.3, 0.2  # m, its wheels from the middle and half as long, when they are right
+WIDER, LONGER = 14, 7  # how much its errors are enlarged
+
+
+def square_loop(turns: int, name: str) -> Recurrence:
+    """Where the robot really goes when its encoders report a square: turns to the left 1, right -1.
+
+    The wheels roll what their true diameters make of the ticks, on the true wheel distance.
+    """
+    piece = Symbol("piece")
+    state = (x, y, theta, piece)
+    corner = pi / 4 * BASE
+    with as_written():
+        on_a_side = piece < PIECES - 0.5
+        told_left = Piecewise((SIDE / PIECES, on_a_side), (-turns * corner, True))
+        told_right = Piecewise((SIDE / PIECES, on_a_side), (turns * corner, True))
+        wheels = {D_L: told_left * 2 / (1 + ratio), D_R: told_right * 2 * ratio / (1 + ratio)}
+        step = odometry.exact_arc.at(
+            {D: odometry.distance.at(wheels), dtheta: odometry.turn.at({**wheels, b: b_true})}
+        )
+        next_piece = Piecewise((piece + 1, on_a_side), (0, True))
+    ends = symbols(" ".join(f"{part}_{name}" for part in ("x", "y", "t", "piece")), real=True)
+    count = sp.Integer(4 * (PIECES + 1))
+    return Recurrence(state, (0, 0, 0, 0), (*step, next_piece), count, int(count), ends)
+
+
+def square_figure() -> Figure:
+    """Unequal wheels or a wrong wheel distance, and the square path, both ways, that tells."""
+    cw, ccw = square_loop(-1, "cw"), square_loop(1, "ccw")
+    ends = {
+        odometry.x_cw: cw.ends[0], odometry.y_cw: cw.ends[1],
+        odometry.x_ccw: ccw.ends[0], odometry.y_ccw: ccw.ends[1],
+        odometry.side: SIDE,
+    }  # fmt: skip
+    angles = odometry.calibration_angles.at(ends)
+    known = {odometry.short_turn: angles[0], odometry.side_swing: angles[1]}
+    known |= {odometry.side: SIDE, b: BASE}
+    steps = carried(odometry.calibration.where, known)
+    found_b, found_ratio = put_in(odometry.calibration.right, steps)
+    with as_written():
+        wheel = APART + WIDER * (b_true - BASE)
+        tip = PLACE + HALF + LONGER * (ratio - 1)
+        back = PLACE - HALF - LONGER * (ratio - 1)
+    return Figure(
+        name="square-path",
+        title="Square drives to the left and to the right of a robot that believes it is right",
+        view=(-1.9, 1.7, -1.3, 1.3),
+        controls=(
+            Slider(b_true, 0.19, 0.21, start=0.206, step=0.001, label="true wheel distance"),
+            Slider(ratio, 0.98, 1.02, start=1.006, step=0.002, label="right diameter / left"),
+        ),
+        scene=(
+            Line("ghost", (ORIGIN, (SIDE, 0), (SIDE, SIDE), (0, SIDE), ORIGIN)),
+            Line("ghost", (ORIGIN, (SIDE, 0), (SIDE, -SIDE), (0, -SIDE), ORIGIN)),
+            Trail("path", (x, y), cw),
+            Trail("path", (x, y), ccw),
+            Body(ORIGIN, 0, 0.1, kind="ghost"),
+            Point("target", (cw.ends[0], cw.ends[1]), label="cw"),
+            Point("target", (ccw.ends[0], ccw.ends[1]), label="ccw"),
+            Body((PLACE, 0), 0, 0.55),
+            Line("left", ((PLACE - HALF, wheel), (PLACE + HALF, wheel))),
+            Line("right", ((back, -wheel), (tip, -wheel))),
+        ),
+        handles=(
+            Handle("left wheel, outwards", (PLACE, wheel), {b_true: pulled_wheel()}),
+            Handle("front of the right wheel", (tip, -wheel), {ratio: pulled_tip()}),
+        ),
+        readouts=(
+            Readout("x_cw", "cw end, x", cw.ends[0], "m"),
+            Readout("y_cw", "cw end, y", cw.ends[1], "m"),
+            Readout("x_ccw", "ccw end, x", ccw.ends[0], "m"),
+            Readout("y_ccw", "ccw end, y", ccw.ends[1], "m"),
+            Readout("found_b", "distance found", found_b, "m", digits=4),
+            Readout("found_ratio", "ratio found", found_ratio, "", digits=4),
+        ),
+        says=(
+            "With a wheel distance of {b_true} where {base} is believed and diameters of ratio "
+            "{ratio}, the clockwise square ends at x = {x_cw}, y = {y_cw}, the counter-clockwise "
+            "one at x = {x_ccw}, y = {y_ccw}. From these ends the calibration finds {found_b} and "
+            "{found_ratio}."
+        ).replace("{base}", f"{BASE} m"),
+    )
+
+
+def pulled_wheel() -> Any:
+    """The wheel distance that puts the left wheel where the pointer is."""
+    with as_written():
+        return BASE + (POINTER[1] - APART) / WIDER
+
+
+def pulled_tip() -> Any:
+    """The ratio that puts the front of the right wheel where the pointer is."""
+    with as_written():
+        return 1 + (POINTER[0] - PLACE - HALF) / LONGER
+
+
+FIGURES = (rules_figure(), ellipse_figure(), square_figure())

@@ -1,0 +1,1 @@
+"""How fast must the joints turn for the hand to follow a line?"""

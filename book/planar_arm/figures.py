@@ -1,0 +1,322 @@
+"""The live figures of the chapter on the planar arm."""
+
+from collections.abc import Mapping
+from math import pi
+from typing import Any
+
+from sympy import Abs, Piecewise, Symbol, atan2, cos, floor, nan, oo, sin, sqrt, symbols
+
+from book.differential_drive.figures import n, t
+from book.motion import formulas as motion
+from book.motion.formulas import x, y
+from book.planar_arm import formulas as arm
+from book.planar_arm.formulas import (
+    ANGLES,
+    LENGTHS,
+    POSE,
+    TWIST,
+    damping,
+    gain,
+    phi_hand,
+    theta1,
+    theta2,
+    theta3,
+)
+from workshop.equations.core import Where, as_written, put_in, quantity
+from workshop.figures import (
+    POINTER,
+    AngleArc,
+    Clock,
+    Curve,
+    Figure,
+    Handle,
+    Line,
+    Point,
+    Readout,
+    Recurrence,
+    Slider,
+    Trail,
+)
+
+LINKS = (0.4, 0.3, 0.2)  # m, as in the exercise
+START = (pi / 6, pi / 3, -pi / 2)  # rad, as in the exercise
+SIZES = dict(zip(LENGTHS, LINKS, strict=True))
+BASE = (0, 0)
+
+line_x = quantity("line_x", "m", -0.4, 0.85, "where a line for the hand ends", latex="x_e")
+line_y = quantity("line_y", "m", 0, 0.7, "where a line for the hand ends", latex="y_e")
+s = Symbol("s")
+
+
+def sized(steps: Where, values: Mapping[Any, Any] = SIZES) -> list[tuple[Symbol, Any]]:
+    """Named steps with the figures' links put in."""
+    return [(symbol, put_in(step, values)) for symbol, step in steps]
+
+
+def written_out(expression: Any, steps: Where) -> Any:
+    """An expression with its named steps put in, the last first."""
+    for symbol, step in reversed(list(steps)):
+        expression = put_in(expression, {symbol: step})
+    return expression
+
+
+def of_angles(angles: tuple[Any, Any, Any]) -> dict[Any, Any]:
+    """Joint angles to put in."""
+    return dict(zip(ANGLES, angles, strict=True))
+
+
+def joints(angles: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
+    """Elbow, wrist and hand, as points, of an arm at these angles."""
+    place = written_out(arm.forward.right, arm.SHORT)
+    without: tuple[dict[Any, Any], ...] = ({arm.l2: 0, arm.l3: 0}, {arm.l3: 0}, {})
+    points = [put_in(place, {**SIZES, **missing, **of_angles(angles)}) for missing in without]
+    return tuple((point[0], point[1]) for point in points)  # type: ignore[return-value]
+
+
+# The arm under the hand
+
+MIDDLE = pi / 36  # rad: the middle of the sliders, from -170° to 180°
+ELLIPSE = 0.25  # s: an ellipse of velocities, drawn as what they reach in this time
+SPEED_OUT = 0.1  # m/s
+SINGULAR = 1e-9  # |sin θ2|: a reader's idea of 0
+NEAR = 0.1  # |sin θ2|, 6° from stretched or folded
+
+
+def pulled(joint: Any, heading: Any) -> Any:
+    """The angle of a link, from the heading of the one before it, that points at the pointer."""
+    with as_written():
+        right, up = POINTER[0] - joint[0], POINTER[1] - joint[1]
+        ahead = right * cos(heading + MIDDLE) + up * sin(heading + MIDDLE)
+        left = up * cos(heading + MIDDLE) - right * sin(heading + MIDDLE)
+        return MIDDLE + atan2(left, ahead)
+
+
+def joints_figure() -> Figure:
+    """Joints under the hand: the arm, the velocities of its hand, how near it is to singular."""
+    elbow, wrist, hand = joints(ANGLES)
+    place = arm.forward.at(SIZES)
+    steps = [*sized(arm.ellipse.where), (arm.small, arm.ellipse.right[1])]
+    with as_written():
+        tilt = arm.ellipse_tilt.right / 2
+        along, across = ELLIPSE * arm.large * cos(s), ELLIPSE * arm.small * sin(s)
+        rim = (
+            place[0] + along * cos(arm.tilt) - across * sin(arm.tilt),
+            place[1] + along * sin(arm.tilt) + across * cos(arm.tilt),
+        )
+        ahead = (elbow[0] + 0.13 * cos(theta1), elbow[1] + 0.13 * sin(theta1))
+        bend = Abs(sin(theta2))
+        near = Piecewise((oo, bend <= SINGULAR), (nan, bend < NEAR), (bend, True))
+        heading = theta1 + theta2
+    return Figure(
+        name="arm-joints",
+        title="An arm with three links, its joints under your hand",
+        view=(-1.28, 1.28, -0.96, 0.96),
+        controls=(
+            Slider(theta1, -17 * pi / 18, pi, start=START[0], step=pi / 36, label="joint θ_1"),
+            Slider(theta2, -17 * pi / 18, pi, start=START[1], step=pi / 90, label="joint θ_2"),
+            Slider(theta3, -17 * pi / 18, pi, start=START[2], step=pi / 36, label="joint θ_3"),
+        ),
+        where=(*steps, (arm.tilt, tilt)),
+        scene=(
+            Line("ghost", (elbow, ahead)),
+            AngleArc("approximation", elbow, theta1, heading, 0.1, label="θ_2"),
+            Curve("velocity", rim, s, 0, 2 * pi),
+            Line("path", (BASE, elbow, wrist, hand)),
+            Point("left", BASE),
+            Point("body", elbow),
+            Point("body", wrist),
+            Point("target", hand, label="hand"),
+        ),
+        handles=(
+            Handle("elbow, the end of link 1", elbow, {theta1: pulled(BASE, 0)}),
+            Handle("wrist, the end of link 2", wrist, {theta2: pulled(elbow, theta1)}),
+            Handle("hand, the end of link 3", hand, {theta3: pulled(wrist, heading)}),
+        ),
+        readouts=(
+            Readout("x", "hand x", place[0], "m"),
+            Readout("y", "hand y", place[1], "m"),
+            Readout("phi", "hand angle φ", place[2], "rad", digits=0),
+            Readout("det", "det J", arm.det.at(SIZES), "m²"),
+            Readout("w", "manipulability w", arm.w, "m²"),
+            Readout("long", "fastest, at 1 rad/s", arm.large, "m/s"),
+            Readout("short", "slowest, at 1 rad/s", arm.small, "m/s"),
+            Readout(
+                "elbow",
+                "elbow's rate, wrist outward at 0.1 m/s",
+                arm.elbow_rate.at({**SIZES, arm.v_out: SPEED_OUT}),
+                "rad/s",
+                digits=2,
+                words={"nan": "no rate does it"},
+            ),
+            Readout(
+                "near",
+                "pose: |sin θ_2|",
+                near,
+                "",
+                digits=2,
+                words={"inf": "0: singular", "nan": "below 0.1: nearly singular"},
+            ),
+        ),
+        says=(
+            "Joints at {theta1}, {theta2} and {theta3}: the hand is at x = {x}, y = {y} and "
+            "points at {phi}. det J is {det}, the manipulability {w}. At joint rates of 1 rad/s in "
+            "all the hand moves at most at {long}, in the worst direction at {short}. "
+            "|sin θ2|: {near}; elbow's rate: {elbow}."
+        ),
+    )
+
+
+# A straight line
+
+DURATION = 4.0  # s, for the whole line
+
+
+def at_step(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]]:
+    """The wanted pose after `count` of n steps, and the twist commanded at these joint angles."""
+    begin = put_in(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(START)})
+    place = put_in(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(angles)})
+    with as_written():
+        way = (line_x - begin[0], line_y - begin[1])
+        values = {
+            arm.x_d: begin[0] + way[0] * count / n,
+            arm.y_d: begin[1] + way[1] * count / n,
+            arm.phi_d: 0,
+            arm.vx_d: way[0] / DURATION,
+            arm.vy_d: way[1] / DURATION,
+            arm.omega_d: 0,
+            **dict(zip(POSE, place, strict=True)),
+        }
+    wanted = [(symbol, values[symbol]) for symbol in (arm.x_d, arm.y_d)]
+    return [*wanted, *zip(TWIST, arm.command.at(values), strict=True)]
+
+
+def line_figure() -> Figure:
+    """A straight line at constant speed, by joint rates: steps, damping and feedback."""
+    state = symbols("theta1_k theta2_k theta3_k k theta1_before theta2_before theta3_before")
+    end = symbols("theta1_n theta2_n theta3_n k_n theta1_m theta2_m theta3_m")
+    angles, last, before = state[:3], end[:3], end[4:]
+    matrix = sized(arm.damped.where, {**SIZES, **of_angles(angles)})
+    rates = written_out(arm.damped_rates, [*at_step(state[3], angles), *matrix])
+    with as_written():
+        step = [a + rate * (DURATION / n) for a, rate in zip(angles, rates, strict=True)]
+        count = floor(t * n / DURATION)
+    loop = Recurrence(
+        state, (*START, 0, *START), (*step, state[3] + 1, *angles), count, most=30, ends=end
+    )
+    elbow, wrist, hand = joints(last)
+    now = joints(angles)[2]
+    begin = joints(START)[2]
+    l1, l2, l3 = LINKS
+    with as_written():
+        off = sqrt((hand[0] - arm.x_d) ** 2 + (hand[1] - arm.y_d) ** 2)
+        turned = put_in(arm.forward.right[2], of_angles(last))
+        turns = sum((a - b) ** 2 for a, b in zip(last, before, strict=True))
+        busy = sqrt(turns) * n / DURATION
+        reach = sqrt((line_x - l3) ** 2 + line_y**2)
+        room = Piecewise((l1 + l2 - reach, reach <= l1 + l2), (nan, True))
+    return Figure(
+        name="arm-line",
+        title="An arm follows a straight line, step by step",
+        view=(-0.62, 1.02, -0.22, 0.92),
+        controls=(
+            Clock(t, 0.0, DURATION, start=0.0, step=0.05, label="time"),
+            Slider(n, 10, 30, start=10, step=1, label="number of steps", kind="approximation"),
+            Slider(gain, 0.0, 2.0, start=0.0, step=0.1, label="feedback K"),
+            Slider(damping, 0.05, 0.3, start=0.05, step=0.01, label="damping λ"),
+            Slider(line_x, -0.4, 0.85, start=-0.1, step=0.01, label="end of the line, x"),
+            Slider(line_y, 0.0, 0.7, start=0.5, step=0.01, label="end of the line, y"),
+        ),
+        where=tuple(at_step(end[3], last)[:2]),
+        scene=(
+            Curve("ghost", (l3 + (l1 + l2) * cos(s), (l1 + l2) * sin(s)), s, 0, 2 * pi),
+            Line("icr", (begin, (line_x, line_y))),
+            Line("path", (BASE, elbow, wrist, hand)),
+            Trail("approximation", now, loop),
+            Point("left", BASE),
+            Point("body", elbow),
+            Point("body", wrist),
+            Point("icr", (line_x, line_y), label="end"),
+            Point("target", (arm.x_d, arm.y_d)),
+        ),
+        handles=(
+            Handle("end of the line", (line_x, line_y), {line_x: POINTER[0], line_y: POINTER[1]}),
+        ),
+        readouts=(
+            Readout("off", "hand off the wanted point", off, "m", digits=4),
+            Readout("turned", "hand turned by", turned, "rad", digits=1),
+            Readout("rates", "size of the joint rates", busy, "rad/s"),
+            Readout(
+                "room",
+                "end of the line inside the reach by",
+                room,
+                "m",
+                words={"nan": "out of reach"},
+            ),
+        ),
+        says=(
+            "After {t} of 4 s, in steps of which {n} make the line, with feedback {gain} and "
+            "damping {damping}, the hand is {off} off the wanted point and turned by {turned}; "
+            "the joint rates are {rates}. End of the line inside the reach by: {room}."
+        ),
+    )
+
+
+# Two elbows
+
+
+def elbows_figure() -> Figure:
+    """The hand under the hand: the two arms that bring it there."""
+    turn = motion.wrap_angle
+    place = sized(arm.inverse.where)[:3]
+    (_, bend), (_, shoulder) = sized(arm.inverse.where)[3:]
+    l1, l2, _ = LINKS
+    with as_written():
+        reached = (arm.d <= l1 + l2) & (arm.d >= l1 - l2)
+    named = symbols("theta2_left theta1_left theta3_left theta2_right theta1_right theta3_right")
+    steps, arms, angles = list(place), [], []
+    for side, (a2, a1, a3) in ((1, named[:3]), (-1, named[3:])):
+        with as_written():
+            steps.append((a2, Piecewise((side * bend, reached), (nan, True))))
+        steps.append((a1, put_in(shoulder, {theta2: a2})))
+        steps.append((a3, put_in(arm.inverse.right[2], {theta1: a1, theta2: a2})))
+        arms.append(joints((a1, a2, a3)))
+        angles.append([turn.at({motion.angle: a}) for a in (a1, a2, a3)])
+    out = {"nan": "out of reach"}
+    return Figure(
+        name="arm-elbows",
+        title="One pose of the hand, two arms that reach it",
+        view=(-1.28, 1.28, -0.96, 0.96),
+        controls=(
+            Slider(x, -0.9, 0.9, start=0.55, step=0.01, label="hand x"),
+            Slider(y, -0.9, 0.9, start=0.5, step=0.01, label="hand y"),
+            Slider(phi_hand, -pi, pi, start=0.0, step=pi / 36, label="hand angle φ"),
+        ),
+        where=tuple(steps),
+        scene=(
+            Curve("ghost", ((l1 + l2) * cos(s), (l1 + l2) * sin(s)), s, 0, 2 * pi),
+            Curve("ghost", ((l1 - l2) * cos(s), (l1 - l2) * sin(s)), s, 0, 2 * pi),
+            Line("left", (BASE, *arms[0])),
+            Line("right", (BASE, *arms[1])),
+            Point("left", arms[0][0]),
+            Point("right", arms[1][0]),
+            Point("body", (arm.x_w, arm.y_w)),
+            Point("target", (x, y), label="hand"),
+        ),
+        handles=(Handle("hand", (x, y), {x: POINTER[0], y: POINTER[1]}),),
+        readouts=(
+            Readout("distance", "wrist from the base", arm.d, "m"),
+            *(
+                Readout(f"{side}{i + 1}", f"{side}: θ_{i + 1}", angles[k][i], "rad", 1, words=out)
+                for k, side in enumerate(("solid", "dashed"))
+                for i in range(3)
+            ),
+        ),
+        says=(
+            "The hand at x = {x}, y = {y}, angle {phi_hand}; its wrist is {distance} from the "
+            "base. One arm: joints at {solid1}, {solid2}, {solid3}; the other: {dashed1}, "
+            "{dashed2}, {dashed3}."
+        ),
+    )
+
+
+FIGURES = (joints_figure(), line_figure(), elbows_figure())

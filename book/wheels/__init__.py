@@ -1,0 +1,1 @@
+"""What does each wheel allow, what does it forbid?"""

@@ -1,0 +1,463 @@
+"""Exercises on the constraints of wheels and on omni robots, and the mistakes made there."""
+# ruff: noqa: E741  (l is the field's own name)
+
+import numpy as np
+
+from robokin import motion, wheels
+from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps, whole
+
+M19 = Mistake(
+    "M19",
+    says="with +cos(α + β) in the rolling row, where a minus belongs",
+    line="J1 = np.transpose([np.sin(alpha), np.cos(alpha), [-l, -l, -l]])",
+    why="The wheel rolls towards α + β − 90°. The cosine and the sine of this direction are "
+    "sin(α + β) and −cos(α + β). Without the minus, the row belongs to another direction.",
+    unnoticed="When the robot does not move sideways, or when cos(α + β) is 0, as for the two "
+    "wheels of a differential drive.",
+    document="002",
+    stands="V_2 = ẏ cos(α + β)",
+    should="V_2 = −ẏ cos(α + β)",
+)
+M20 = Mistake(
+    "M20",
+    says="with the robot's heading θ in the last entry of the rolling row, where β belongs",
+    line="turning = [-l * np.cos(theta)] * 3\n"
+    "J1 = np.transpose([np.sin(alpha), -np.cos(alpha), turning])",
+    why="The row belongs to the robot's own frame. It depends on where the wheel stands on the "
+    "robot, not on where the robot looks.",
+    unnoticed="With θ = β or θ = −β (here: θ = 0), or when the robot does not turn.",
+    document="002",
+    stands="[sin(α + β), −cos(α + β), −l cos θ]",
+    should="[sin(α + β), −cos(α + β), −l cos β]",
+)
+M21 = Mistake(
+    "M21",
+    says="when the velocity is turned the wrong way between the robot and the world",
+    line="velocity = R @ np.linalg.solve(J1, r * rates)",
+    why="Here R(θ) leads from the world to the robot. Back to the world it is R(θ)⁻¹, the "
+    "transposed matrix. Other books use R(θ) for the other direction.",
+    unnoticed="With a heading of 0 or 180°, and when the robot turns on the spot.",
+)
+M34 = Mistake(
+    "M34",
+    says="with +l cos β in the last entry of the rolling row, where a minus belongs",
+    line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), [l, l, l]])",
+    why="With β = 0 the wheel rolls clockwise around the robot's centre, and a positive θ̇ is "
+    "counter-clockwise. So it makes the wheel roll backwards.",
+    unnoticed="When the robot does not turn, or with β = ±90°.",
+    document="002",
+    stands="V_3 = θ̇ l cos β",
+    should="V_3 = −θ̇ l cos β",
+)
+M35 = Mistake(
+    "M35",
+    says="with cos α in the last entry of the rolling row, where cos β belongs",
+    line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), -l * np.cos(alpha)])",
+    why="When the robot turns, a wheel whose axle points to the centre rolls with its whole speed, "
+    "wherever it stands. With cos α the last column is l times the second one: J1 is singular.",
+    unnoticed="For a wheel with α = ±β, or when the robot does not turn.",
+    document="002",
+    stands="J1 = [sin α_i, −cos α_i, −l cos α_i] (i = 1, 2, 3)",
+    should="J1 = [sin α_i, −cos α_i, −l] (β = 0)",
+)
+
+THREE = np.radians([0, 120, 240])
+FOUR = np.radians([0, 90, 180, 270])
+
+FIXED = {
+    "no fixed wheels": [],
+    "one fixed wheel": [wheels.fixed(0.2, np.pi / 2, 0, 0.05)],
+    "two fixed wheels on one axle line": [
+        wheels.fixed(0.2, np.pi / 2, 0, 0.05),
+        wheels.fixed(0.2, -np.pi / 2, np.pi, 0.05),
+    ],
+    "two fixed wheels on two parallel axles": [
+        wheels.fixed(0.2, 0, np.pi / 2, 0.05),
+        wheels.fixed(0.2, np.pi, -np.pi / 2, 0.05),
+    ],
+    "two fixed wheels whose axle lines cross": [
+        wheels.fixed(0.2, np.pi / 2, 0, 0.05),
+        wheels.fixed(0.2, 0, 0, 0.05),
+    ],
+}
+STEERED = {
+    f"{word} steered wheel{'s' * (count != 1)}": [
+        wheels.steered(0.3, 0.5 + k, 0, 0.05) for k in range(count)
+    ]
+    for count, word in enumerate(["no", "one", "two", "three"])
+}
+FREE = {
+    "two castors": [wheels.castor(0.3, a, 0, 0.03, -0.02) for a in (2.5, -2.5)],
+    "three castors": [wheels.castor(0.3, a, 0, 0.03, -0.02) for a in THREE],
+    "two balls": [wheels.spherical(0.3, a, 0.03) for a in (2.5, -2.5)],
+    "three balls": [wheels.spherical(0.3, a, 0.03) for a in THREE],
+    "two omni wheels": wheels.omni_robot(0.3, 0.03, [2.5, -2.5]),
+    "three omni wheels": wheels.omni_robot(0.3, 0.03),
+}
+
+
+def rows(l, alpha, beta):
+    """The rolling rows of wheels at the angles alpha and beta, numbers or (n,): (n, 3)."""
+    angles = np.atleast_1d(*np.broadcast_arrays(alpha, beta))
+    return wheels.rolling([wheels.fixed(l, a, b, 1.0) for a, b in zip(*angles, strict=True)])
+
+
+def last_column(matrix, entries):
+    """Rolling rows with another last column."""
+    return np.column_stack([matrix[:, :2], np.broadcast_to(entries, len(matrix))])
+
+
+ROWS = {  # what each mistake makes of the rolling rows
+    M19: lambda l, alpha, beta, theta: rows(l, alpha, beta) * [1, -1, 1],
+    M20: lambda l, alpha, beta, theta: last_column(rows(l, alpha, beta), -l * np.cos(theta)),
+    M34: lambda l, alpha, beta, theta: rows(l, alpha, beta) * [1, 1, -1],
+    M35: lambda l, alpha, beta, theta: last_column(rows(l, alpha, beta), -l * np.cos(alpha)),
+}
+
+
+def ways(formula, *mistakes, **places):
+    """What mistakes in the rolling rows make of formula(rows, **numbers).
+
+    places: alpha and beta, where the exercise does not draw them; or functions of its numbers.
+    """
+
+    def made(mistake):
+        def wrong(**numbers):
+            told = {name: p(**numbers) if callable(p) else p for name, p in places.items()}
+            known = {"theta": 0.0, **numbers, **told}
+            place = {name: known[name] for name in ("l", "alpha", "beta", "theta")}
+            return formula(ROWS[mistake](**place), **numbers)
+
+        return wrong
+
+    return {mistake: made(mistake) for mistake in mistakes}
+
+
+def itself(matrix, **_):
+    """The rows, where these are asked for."""
+    return matrix
+
+
+def three(first, **_):
+    """The angles of three wheels from the first one on."""
+    return first + THREE
+
+
+def rates(l, r, theta, x_dot, y_dot, omega):
+    """The rates of the three wheels for a velocity in the world."""
+    return wheels.inverse(wheels.omni_robot(l, r), [x_dot, y_dot, omega], theta=theta)
+
+
+def rates_by(matrix, r, theta, x_dot, y_dot, omega, **_):
+    """The same by given rows."""
+    return matrix @ motion.to_body(theta, [x_dot, y_dot, omega]) / r
+
+
+def forward(l, r, theta, w_1, w_2, w_3):
+    """The velocity in the world from the rates of the three wheels."""
+    return wheels.forward(wheels.omni_robot(l, r), [w_1, w_2, w_3], theta=theta)
+
+
+def forward_by(matrix, r, theta, w_1, w_2, w_3, **_):
+    """The same by given rows."""
+    return motion.to_world(theta, np.linalg.solve(matrix, r * np.array([w_1, w_2, w_3])))
+
+
+def built(fixed, steered, free):
+    """A robot from the names of its wheels."""
+    return FIXED[fixed] + STEERED[steered] + FREE[free]
+
+
+def degrees(delta_m, delta_s):
+    """Mobility, steerability and their sum, the manoeuvrability."""
+    return [delta_m, delta_s, delta_m + delta_s]
+
+
+def turned_so(fixed, steered):
+    """How the steered wheels stand, if there are any."""
+    count = len(STEERED[steered])
+    if not count:
+        return ""
+    who, where = ("wheels are", "none of them stands") if count > 1 else ("wheel is", "it is not")
+    apart = f"; {where} on the axle line of a fixed wheel" if FIXED[fixed] else ""
+    return f" The steered {who} turned so that the robot can always move{apart}."
+
+
+def instructive(fixed, steered, free):
+    """A robot of a usual size; at most one of its steered wheels has no choice."""
+    robot = built(fixed, steered, free)
+    without_choice = len(STEERED[steered]) - wheels.mobility(robot).delta_s
+    return 3 <= len(robot) <= 6 and without_choice <= 1
+
+
+def turn_about(c_x, c_y, omega, **_):
+    """The velocity of a robot that turns about a point of its own frame."""
+    return np.multiply(omega, [c_y, -c_x, 1])
+
+
+def aimed(l, alpha, c_x, c_y, **_):
+    """The two steering angles beta with which a wheel's axle points along the line to a point."""
+    beta = np.arctan2(c_y - l * np.sin(alpha), c_x - l * np.cos(alpha)) - alpha
+    return motion.wrap_angle([beta, beta + np.pi])
+
+
+def about(l, alpha, r, **turn):
+    """Both pairs of steering angle and rate for a turn about a point."""
+    twist = turn_about(**turn)
+    return [
+        [beta, wheels.inverse([wheels.steered(l, alpha, beta, r)], twist)[0]]
+        for beta in aimed(l, alpha, **turn)
+    ]
+
+
+def about_by(matrix, r, **numbers):
+    """The same by given rows."""
+    return np.transpose([aimed(**numbers), matrix @ turn_about(**numbers) / r])
+
+
+def four(l, r, w_1, w_2, w_3, w_4):
+    """The best velocity of a robot with four wheels, and the slip of the first one."""
+    robot, given = wheels.omni_robot(l, r, FOUR), [w_1, w_2, w_3, w_4]
+    return [*wheels.forward(robot, given), wheels.slip(robot, given)[0]]
+
+
+def four_by(matrix, r, w_1, w_2, w_3, w_4, **_):
+    """The same by given rows."""
+    speeds = r * np.array([w_1, w_2, w_3, w_4])
+    twist = np.linalg.pinv(matrix) @ speeds
+    return [*twist, (matrix @ twist - speeds)[0]]
+
+
+L, R = steps(10, 40, 5, "cm"), steps(3, 8, 1, "cm")
+THETA = steps(20, 160, 10, "°")
+RATE = one_of(*(n for n in range(-12, 13) if n), unit="rad/s")
+SPEED = one_of(*(n / 10 for n in range(-6, 7) if n), unit="m/s")
+TURN = one_of(*(n / 4 for n in range(-6, 7) if n), unit="rad/s")
+
+wheels_1 = Exercise(
+    "wheels-1",
+    level=1,
+    title="The rolling row of a wheel",
+    text="A fixed wheel stands at the distance l = {l} from the robot's centre, at the angle "
+    "α = {alpha}. From this spoke to the wheel's axle it is β = {beta}. The robot's heading θ is "
+    "{theta}. The rolling constraint says: a row times the velocity R(θ) ξ̇_I = [v_x, v_y, ω], "
+    "seen from the robot, is r φ̇. With a positive rate φ̇ the wheel rolls in the direction "
+    "α + β − 90°. Which three numbers are in this row?",
+    given={
+        "l": L,
+        "alpha": steps(-150, 165, 15, "°"),
+        "beta": steps(-75, 75, 15, "°"),
+        "theta": THETA,
+    },
+    asks=(Ask("number for v_x"), Ask("number for v_y"), Ask("number for ω", "m")),
+    right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
+    wrong=ways(itself, M19, M20, M34, M35),
+    derive=lambda l, alpha, beta, theta: {"axle": alpha + beta},
+    also={
+        "for the sliding row": lambda l, alpha, beta, theta: wheels.sliding(
+            [wheels.fixed(l, alpha, beta, 1.0)]
+        ),
+    },
+    solution="The axle points in the direction α + β = {axle:deg}, seen from the robot. The wheel "
+    "rolls at right angles to it. The first two numbers are this rolling direction, the third is "
+    "how far a turn of the robot moves the wheel along it. The heading θ is not in the row, it "
+    "is in R(θ):\n\n[sin(α + β), −cos(α + β), −l cos β] = {right}",
+)
+
+wheels_2 = Exercise(
+    "wheels-2",
+    level=1,
+    title="The matrix of an omni robot",
+    text="An omni robot has three wheels. The first stands at α = {first}, the others 120° and "
+    "240° further. Each is {l} from the centre, and its axle points along the spoke (β = 0). The "
+    "rollers leave it free to slide along its axle (γ = 0). The robot's heading θ is {theta}. "
+    "What is the matrix J1? J1 times R(θ) ξ̇_I, the velocity seen from the robot, gives the speeds "
+    "r φ̇ of the three wheels. A positive rate rolls a wheel to the right of its spoke.",
+    given={"l": L, "first": steps(-90, 105, 15, "°"), "theta": THETA},
+    asks=tuple(Ask(f"J1[{i}, {j}]", "m" if j == 2 else "") for i in range(3) for j in range(3)),
+    shape=(3, 3),
+    right=lambda l, first, theta: wheels.rolling(wheels.omni_robot(l, 1.0, three(first))),
+    wrong=ways(itself, M19, M20, M34, M35, alpha=three, beta=0.0),
+    derive=lambda l, first, theta: {"alpha": three(first)},
+    solution="Each wheel has a row. With β = γ = 0 it is [sin α, −cos α, −l]. The robot's heading "
+    "is in R(θ) only. With the angles {alpha:deg}:\n\nJ1 = {right}",
+    example={"l": 0.2, "first": 0.0, "theta": np.pi / 6},
+)
+
+wheels_3 = Exercise(
+    "wheels-3",
+    level=2,
+    title="How fast must the wheels turn?",
+    text="An omni robot has three wheels of radius {r} at 0°, 120° and 240°, each {l} from the "
+    "centre with its axle along the spoke (β = 0). Its heading θ is {theta}. In the world it must "
+    "move at {x_dot} along x and {y_dot} along y, and turn at {omega}. At which rates must the "
+    "three wheels turn? A positive rate rolls a wheel to the right of its spoke.",
+    given={"l": L, "r": R, "theta": THETA, "x_dot": SPEED, "y_dot": SPEED, "omega": TURN},
+    asks=(Ask("φ̇_1", "rad/s"), Ask("φ̇_2", "rad/s"), Ask("φ̇_3", "rad/s")),
+    right=rates,
+    wrong={
+        **ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0),
+        M21: lambda theta, **numbers: rates(theta=-theta, **numbers),
+    },
+    derive=lambda l, r, theta, x_dot, y_dot, omega: {
+        "body": motion.to_body(theta, [x_dot, y_dot, omega]),
+        "speeds": r * rates(l, r, theta, x_dot, y_dot, omega),
+    },
+    also={
+        "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
+            numbers["r"] * rates(**numbers)
+        ),
+        "when the heading is left out": lambda theta, **numbers: rates(theta=0.0, **numbers),
+    },
+    solution="First see the wanted velocity from the robot: R(θ) ξ̇_I = {body}. The row of each "
+    "wheel, [sin α, −cos α, −l], times this is the speed at which the wheel must roll: {speeds} "
+    "m/s. Divide by the radius:\n\nφ̇ = {right}",
+)
+
+wheels_4 = Exercise(
+    "wheels-4",
+    level=2,
+    title="Where does the omni robot go?",
+    text="An omni robot has three wheels of radius {r} at 0°, 120° and 240°, each {l} from the "
+    "centre with its axle along the spoke (β = 0). Its heading θ is {theta}. The wheels turn at "
+    "{w_1}, {w_2} and {w_3}. What is the robot's velocity in the world: along x, along y, and its "
+    "turning rate?",
+    given={"l": L, "r": R, "theta": THETA, "w_1": RATE, "w_2": RATE, "w_3": RATE},
+    asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s"), Ask("θ̇", "rad/s")),
+    right=forward,
+    wrong={
+        **ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0),
+        M21: lambda theta, **numbers: forward(theta=-theta, **numbers),
+    },
+    when=lambda theta, w_1, w_2, w_3, **_: abs(np.cos(theta)) > 0.1 and w_1 + w_2 + w_3 != 0,
+    derive=lambda l, r, theta, w_1, w_2, w_3: {
+        "speeds": np.multiply(r, [w_1, w_2, w_3]),
+        "rates": np.array([w_1, w_2, w_3]),
+        "J1": wheels.rolling(wheels.omni_robot(l, r)),
+        "body": forward(l, r, 0.0, w_1, w_2, w_3),
+        "R": np.array(
+            [[np.cos(theta), np.sin(theta), 0], [-np.sin(theta), np.cos(theta), 0], [0, 0, 1]]
+        ),
+    },
+    also={
+        "without the radius of the wheels": lambda r, **numbers: forward(r=1.0, **numbers),
+        "as the robot sees it; asked is the world": lambda theta, **numbers: forward(
+            theta=0.0, **numbers
+        ),
+    },
+    solution="The wheels roll at s = r φ̇ = {speeds} m/s. Solve J1 times the robot's own velocity "
+    "= s. For three wheels at equal angles this gives, with the sums over the wheels:\n\n"
+    "v_x = 2/3 Σ s sin α, v_y = −2/3 Σ s cos α, ω = −Σ s/(3l)\n\n"
+    "[v_x, v_y, ω] = {body}. From the robot to the world it is R(θ)⁻¹, a turn by the heading:\n\n"
+    "[ẋ, ẏ, θ̇] = {right}",
+    example={"l": 0.2, "r": 0.05, "theta": np.pi / 6, "w_1": 2.0, "w_2": 4.0, "w_3": -3.0},
+)
+
+wheels_5 = Exercise(
+    "wheels-5",
+    level=2,
+    title="In how many ways can it move?",
+    text="A robot has {fixed}, {steered} and {free}.{turned} What are the robot's degrees of "
+    "mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
+    given={"fixed": one_of(*FIXED), "steered": one_of(*STEERED), "free": one_of(*FREE)},
+    asks=(whole("δ_m"), whole("δ_s"), whole("δ_M")),
+    right=lambda fixed, steered, free: wheels.mobility(built(fixed, steered, free)),
+    wrong={},
+    when=instructive,
+    derive=lambda fixed, steered, free: {
+        "rank": str(np.linalg.matrix_rank(wheels.sliding(FIXED[fixed]))),
+        "delta_s": str(wheels.mobility(built(fixed, steered, free)).delta_s),
+        "turned": turned_so(fixed, steered),
+    },
+    also={
+        "when the steered wheels forbid nothing": lambda fixed, steered, free: degrees(
+            3 - np.linalg.matrix_rank(wheels.sliding(FIXED[fixed])),
+            wheels.mobility(built(fixed, steered, free)).delta_s,
+        ),
+        "when every steered wheel counts, also one without a choice": lambda **names: degrees(
+            wheels.mobility(built(**names)).delta_m, len(STEERED[names["steered"]])
+        ),
+        "when δ_M is the number of motions at once, without the steering": lambda **names: [
+            *wheels.mobility(built(**names))[:2],
+            wheels.mobility(built(**names)).delta_m,
+        ],
+    },
+    solution="Only fixed and steered wheels hold the robot back; castors, balls and omni wheels "
+    "do not. The sliding rows of the fixed wheels have the rank {rank}: wheels on one axle line "
+    "count once.\n\n"
+    "The axle lines of all fixed and steered wheels must meet in one point (parallel lines: "
+    "infinitely far away). Two lines determine this point. So at most 2 − {rank} steered wheels "
+    "can be turned freely, and any others must follow. The robot has {steered}, so δ_s = "
+    "{delta_s}. Each free choice adds one to the rank, and δ_m = 3 − {rank} − {delta_s}. The third "
+    "number is the sum of both:\n\n"
+    "[δ_m, δ_s, δ_M] = {right}",
+)
+
+wheels_6 = Exercise(
+    "wheels-6",
+    level=3,
+    title="Turn about that point",
+    text="A robot has a steered wheel of radius {r} at the distance l = {l} from its centre, at "
+    "α = {alpha}. It must turn at {omega} about the point x = {c_x}, y = {c_y} of its own frame. "
+    "What must be the wheel's steering angle β, and at which rate must the wheel turn? With a "
+    "positive rate it rolls in the direction α + β − 90°. There are two answers; give one of them.",
+    given={
+        "r": R,
+        "l": L,
+        "alpha": steps(-150, 180, 15, "°"),
+        "omega": TURN,
+        "c_x": steps(-1, 1, 0.25, "m"),
+        "c_y": steps(-1, 1, 0.25, "m"),
+    },
+    asks=(angle("β"), Ask("φ̇", "rad/s")),
+    accept="any",
+    right=about,
+    wrong=ways(about_by, M19, M34, M35, beta=aimed),
+    when=lambda c_x, c_y, **_: np.hypot(c_x, c_y) > 0.6,
+    derive=lambda l, alpha, r, c_x, c_y, omega: {
+        "from_wheel": np.array([c_x - l * np.cos(alpha), c_y - l * np.sin(alpha)]),
+        "axle": motion.wrap_angle(aimed(l, alpha, c_x, c_y)[0] + alpha),
+        "twist": turn_about(c_x, c_y, omega),
+    },
+    solution="The axle must point to the centre of rotation. From the wheel to that point it is "
+    "{from_wheel} m, in the direction α + β = {axle:deg}; or the axle points the other way, half a "
+    "turn more.\n\n"
+    "The robot's centre moves at [ω c_y, −ω c_x], so R(θ) ξ̇_I = {twist}. The rolling row "
+    "[sin(α + β), −cos(α + β), −l cos β] times this, divided by r, is the rate:\n\n"
+    "[β, φ̇] = {right}",
+)
+
+wheels_7 = Exercise(
+    "wheels-7",
+    level=3,
+    title="One wheel too many",
+    text="An omni robot has four wheels of radius {r} at 0°, 90°, 180° and 270°, each {l} from "
+    "the centre with its axle along the spoke (β = 0). A positive rate rolls a wheel to the right "
+    "of its spoke. They turn at {w_1}, {w_2}, {w_3} and {w_4}, and no motion of the robot fits all "
+    "four rates. Which velocity, seen from the robot, fits best (least squares)? And how much "
+    "faster does the ground then pass under the first wheel "
+    "than the wheel rolls?",
+    given={"r": R, "l": L, "w_1": RATE, "w_2": RATE, "w_3": RATE, "w_4": RATE},
+    asks=(Ask("v_x", "m/s"), Ask("v_y", "m/s"), Ask("ω", "rad/s"), Ask("slip", "m/s")),
+    right=four,
+    wrong=ways(four_by, M19, M34, M35, alpha=FOUR, beta=0.0),
+    when=lambda w_1, w_2, w_3, w_4, **_: (
+        w_1 + w_3 != w_2 + w_4 and w_1 + w_2 + w_3 + w_4 != 0 and w_1 != w_3 and w_2 != w_4
+    ),
+    derive=lambda l, r, w_1, w_2, w_3, w_4: {
+        "speeds": np.multiply(r, [w_1, w_2, w_3, w_4]),
+        "fits": r * np.array([w_1, w_2, w_3, w_4]).mean() + r * (w_1 - w_3) / 2,
+        "s_1": r * w_1,
+    },
+    also={
+        "when the slip has the other sign": lambda **numbers: np.multiply(
+            four(**numbers), [1, 1, 1, -1]
+        ),
+    },
+    solution="The wheels roll at s = r φ̇ = {speeds} m/s. The rows of J1 are [0, −1, −l], "
+    "[1, 0, −l], [0, 1, −l] and [−1, 0, −l]. Their columns are at right angles to each other, so "
+    "least squares is a mean for each of them:\n\n"
+    "v_x = (s_2 − s_4)/2, v_y = (s_3 − s_1)/2, ω = −(s_1 + s_2 + s_3 + s_4)/(4l)\n\n"
+    "Under the first wheel the ground passes at −v_y − lω = {fits} m/s, and the wheel rolls at "
+    "{s_1} m/s. The difference is the slip:\n\n[v_x, v_y, ω, slip] = {right}",
+)

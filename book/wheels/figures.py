@@ -1,0 +1,359 @@
+"""The live figures of the chapter on wheel constraints."""
+
+from math import pi
+from typing import Any
+
+from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
+
+from book.differential_drive.figures import t
+from book.differential_drive.formulas import r
+from book.motion import formulas as motion
+from book.motion.formulas import dt, omega, theta, v, v_y, x, y
+from book.wheels import formulas as wheels
+from book.wheels.formulas import alpha, l, omni_rates, rolling_row, sliding_row
+from workshop.equations.core import as_written, quantity
+from workshop.equations.functions import null_projector, rank
+from workshop.figures import (
+    POINTER,
+    Arrow,
+    Body,
+    Choice,
+    Clock,
+    Curve,
+    Figure,
+    Handle,
+    Line,
+    Point,
+    Readout,
+    Slider,
+    Wheel,
+)
+
+ORIGIN = (0, 0)
+QUARTER = pi / 2
+s = Symbol("s")
+
+
+def moved(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
+    """The pose after moving for a time from the origin, sideways speed included.
+
+    Two arcs, one for the speed ahead and one for the speed to the left: the chords add up.
+    """
+    ahead, left, turn = twist
+    with as_written():
+        there = motion.arc_step.at({x: 0, y: 0, theta: start, v: ahead, omega: turn, dt: time})
+        aside = {x: 0, y: 0, theta: start + QUARTER, v: left, omega: turn, dt: time}
+        sideways = motion.arc_step.at(aside)
+        return there[0] + sideways[0], there[1] + sideways[1], there[2]
+
+
+# --- The wheel laboratory
+
+FIXED, STEERED, FREE = (1, 1, 0), (1, 0, 1), (1, 0, 0)  # there, fixed, steered
+ABSENT = (0.0, 0.0, 0.0, 0, 0, 0)
+OMNI_PLACES = [(0.2, 0.0, -QUARTER), (-0.1, 0.17, pi / 6), (-0.1, -0.17, 5 * pi / 6)]
+
+# x, y, the direction that a wheel rolls in; its kind. The first two can be moved and turned.
+ROBOTS = {
+    "car": [
+        (0.3, 0.12, 0.0, *STEERED),
+        (0.0, 0.12, 0.0, *FIXED),
+        (0.0, -0.12, 0.0, *FIXED),
+        (0.3, -0.12, 0.0, *STEERED),
+    ],
+    "bicycle": [(0.3, 0.0, 0.0, *STEERED), (0.0, 0.0, 0.0, *FIXED)],
+    "tricycle": [
+        (0.3, 0.0, 0.0, *STEERED),
+        (0.0, 0.12, 0.0, *FIXED),
+        (0.0, -0.12, 0.0, *FIXED),
+    ],
+    "differential drive, castor": [
+        (0.0, 0.12, 0.0, *FIXED),
+        (0.0, -0.12, 0.0, *FIXED),
+        (-0.2, 0.0, 0.0, *FREE),
+    ],
+    "two steered wheels, castors": [
+        (0.2, 0.0, 0.0, *STEERED),
+        (-0.2, 0.0, 0.0, *STEERED),
+        (0.0, 0.12, 0.0, *FREE),
+        (0.0, -0.12, 0.0, *FREE),
+    ],
+    "one steered wheel, castors": [
+        (0.2, 0.0, 0.0, *STEERED),
+        (-0.12, 0.12, 0.0, *FREE),
+        (-0.12, -0.12, 0.0, *FREE),
+    ],
+    "three Swedish wheels": [(*place, *FREE) for place in OMNI_PLACES],
+}
+WISHES = {
+    "drive ahead": (0.15, 0.0, 0.0),
+    "move to the left": (0.0, 0.15, 0.0),
+    "turn on the spot": (0.0, 0.0, 0.5),
+    "all three at once": (0.15, 0.15, 0.5),
+}
+
+centre_x = quantity("centre_x", "m", -1, 1, "how far ahead the steered axles meet", latex="C_x")
+centre_y = quantity(
+    "centre_y", "m", -1, 1, "how far to the left the steered axles meet", latex="C_y"
+)
+shift_x = quantity("shift_x", "m", -0.2, 0.2, "a wheel moved ahead", latex=r"\Delta x")
+shift_y = quantity("shift_y", "m", -0.2, 0.2, "a wheel moved to the left", latex=r"\Delta y")
+shift_angle = quantity(
+    "shift_angle", "rad", -pi / 2, pi / 2, "a wheel turned to the left", latex=r"\Delta\beta"
+)
+
+NUMBERS = [symbols(f"x_{k} y_{k} ahead_{k} there_{k} fixed_{k} steered_{k}") for k in range(4)]
+WHICH = symbols("which_0 which_1")
+WISH = Matrix(symbols("wish_v wish_vy wish_omega"))
+
+
+def robot_numbers(name: str) -> tuple[float, ...]:
+    """All numbers of a robot, four wheels of six each."""
+    chosen = [*ROBOTS[name], *[ABSENT] * 4][:4]
+    return tuple(float(number) for wheel in chosen for number in wheel)
+
+
+def laboratory_figure() -> Figure:
+    """Any wheel moved and turned: which motions are left, and how many of them."""
+    where: list[tuple[Symbol, Any]] = []
+
+    def step(name: str, expression: Any) -> Symbol:
+        symbol = Symbol(name)
+        where.append((symbol, expression))
+        return symbol
+
+    places, axles, rows, fixed_rows = [], [], [], []
+    with as_written():
+        for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
+            mine = WHICH[k] if k < 2 else 0
+            at_x = step(f"at_x{k}", px + mine * shift_x)
+            at_y = step(f"at_y{k}", py + mine * shift_y)
+            aimed = atan2(centre_y - at_y, centre_x - at_x)
+            own = steered * aimed + (1 - steered) * (ahead + QUARTER)
+            axle = step(f"axle{k}", own + mine * shift_angle)
+            far = step(f"l{k}", sqrt(at_x**2 + at_y**2))
+            spoke = step(f"alpha{k}", atan2(at_y, at_x))
+            row = sliding_row(far, spoke, step(f"beta{k}", axle - spoke))
+            rows.append([(fixed + steered) * entry for entry in row])
+            fixed_rows.append([fixed * entry for entry in row])
+            places.append((at_x, at_y, far, spoke))
+            axles.append(axle)
+        now = step("rank_now", rank(Matrix(rows)))
+        of_fixed = step("rank_of_fixed", rank(Matrix(fixed_rows)))
+        free = null_projector(Matrix(rows))
+        P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
+        where += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
+        twist = [
+            step(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
+            for i in range(3)
+        ]
+        count = NUMBERS[0][5] + NUMBERS[1][5] + NUMBERS[2][5] + NUMBERS[3][5]
+        ranks = {wheels.rank_fixed: of_fixed, wheels.rank_steered: count}
+        delta_s = step("delta_s", wheels.STEERABLE.xreplace(ranks))
+        delta_m = step("delta_m", 3 - of_fixed - delta_s)
+        one_motion = (now > 1.5) & (now < 2.5) & (P[2, 2] > 0.2)  # and its centre within 2 m
+        icr = [Piecewise((part / P[2, 2], one_motion), (nan, True)) for part in (-P[1, 2], P[0, 2])]
+        end, along = moved(0, twist, t), moved(0, twist, s)
+        chosen = [sum(WHICH[k] * NUMBERS[k][i] for k in range(2)) for i in range(2)]
+
+    return Figure(
+        name="wheel-laboratory",
+        title="A robot seen from above, its wheels, their axles and the motion they allow",
+        view=(-0.6, 0.8, -0.55, 0.55),
+        controls=(
+            Choice(
+                "robot",
+                "robot",
+                tuple(symbol for wheel in NUMBERS for symbol in wheel),
+                {name: robot_numbers(name) for name in ROBOTS},
+                start="car",
+            ),
+            Choice("wish", "asked to", tuple(WISH), WISHES, start="turn on the spot"),
+            Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring C ahead"),
+            Slider(centre_y, -0.5, 0.5, start=0.4, step=0.05, label="ring C to the left"),
+            Choice(
+                "which",
+                "change",
+                WHICH,
+                {"wheel 1": (1.0, 0.0), "wheel 2": (0.0, 1.0)},
+                start="wheel 1",
+            ),
+            Slider(shift_x, -0.2, 0.2, start=0.0, step=0.05, label="move it ahead"),
+            Slider(shift_y, -0.2, 0.2, start=0.0, step=0.05, label="move it to the left"),
+            Slider(shift_angle, -pi / 2, pi / 2, start=0.0, step=pi / 36, label="turn it"),
+            Clock(t, 0.0, 6.0, start=0.0, step=0.05, label="time"),
+        ),
+        scene=(
+            *(axle_line(k, places[k], axles[k]) for k in range(4)),
+            Curve("ghost", along[:2], s, 0, 6),
+            Curve("path", along[:2], s, 0, t),
+            Body(ORIGIN, 0, 0.05, kind="ghost"),
+            *(shape for k in range(4) for shape in wheel_shapes(k, places[k], axles[k])),
+            Body(end[:2], end[2], 0.05),
+            *(velocity_of(k, places[k], twist) for k in range(4)),
+            Point("icr", (icr[0], icr[1]), label="ICR"),
+            Point("target", (centre_x, centre_y)),
+            *(Point("approximation", seen(WHICH[k], places[k]), label=f"{k + 1}") for k in (0, 1)),
+        ),
+        handles=(
+            Handle("ring C, which the steered axles look at", (centre_x, centre_y), {
+                centre_x: POINTER[0], centre_y: POINTER[1],
+            }),
+            Handle("the wheel that is changed", (chosen[0] + shift_x, chosen[1] + shift_y), {
+                shift_x: POINTER[0] - chosen[0], shift_y: POINTER[1] - chosen[1],
+            }),
+        ),
+        readouts=(
+            Readout("rank", "independent sliding rows, as the wheels stand", now, "", digits=0),
+            Readout("now", "ways to move, as the wheels stand", 3 - now, "", digits=0),
+            Readout("mobility", "degree of mobility δ_m", delta_m, "", digits=0),
+            Readout("steerability", "degree of steerability δ_s", delta_s, "", digits=0),
+            Readout("both", "degree of manoeuvrability δ_M", delta_m + delta_s, "", digits=0),
+            Readout("v", "speed ahead v", twist[0], "m/s"),
+            Readout("v_y", "speed to the left v_y", twist[1], "m/s"),
+            Readout("omega", "turning rate ω", twist[2], "rad/s"),
+        ),
+        says=(
+            "{robot}: mobility {mobility}, steerability {steerability}, manoeuvrability {both}. "
+            "As the wheels stand there are {now} independent ways to move. Asked to {wish}, the "
+            "robot moves ahead at {v}, to the left at {v_y} and turns at {omega}."
+        ),
+        where=tuple(where),
+    )  # fmt: skip
+
+
+def seen(when: Any, place: Any) -> tuple[Any, Any]:
+    """A place that is there when a number is 1 and nowhere when it is 0."""
+    shown = [Piecewise((coordinate, when > 0.5), (nan, True)) for coordinate in place[:2]]
+    return shown[0], shown[1]
+
+
+def axle_line(k: int, place: Any, axle: Any) -> Line:
+    """The line on which a fixed or steered wheel wants the centre of rotation."""
+    _, _, _, _, fixed, steered = NUMBERS[k]
+    x_k, y_k = seen(fixed + steered, place)
+    ends = [(x_k + side * 2 * cos(axle), y_k + side * 2 * sin(axle)) for side in (-1, 1)]
+    return Line("icr", tuple(ends))
+
+
+def wheel_shapes(k: int, place: Any, axle: Any) -> tuple[Any, ...]:
+    """A wheel in the look of its kind; a fixed or steered one with the line it rolls on."""
+    _, _, _, there, fixed, steered = NUMBERS[k]
+    size = {"length": 0.1, "width": 0.03}
+    along = axle - QUARTER
+    x_k, y_k = seen(fixed + steered, place)
+    ends = [(x_k + a * cos(along), y_k + a * sin(along)) for a in (-0.09, 0.09)]
+    return (
+        Line("body", tuple(ends)),
+        Wheel("body", seen(fixed, place), along, **size),
+        Wheel("left", seen(steered, place), along, **size),
+        Wheel("ghost", seen(there - fixed - steered, place), along, **size),
+    )
+
+
+def velocity_of(k: int, place: Any, twist: Any) -> Arrow:
+    """How a wheel's contact point moves."""
+    x_k, y_k, far, spoke = place
+    with as_written():
+        values = dict(zip((v, v_y, omega), twist, strict=True))
+        over = wheels.contact.at({**values, l: far, alpha: spoke})
+        tail = seen(NUMBERS[k][3], place)
+        return Arrow("velocity", tail, (x_k + over[0], y_k + over[1]))
+
+
+# --- The omni robot of the exercise
+
+SIZE, RADIUS = 0.2, 0.05  # m
+ANGLES = (0.0, 2 * pi / 3, 4 * pi / 3)
+WHEELS = ("left", "right", "approximation")  # the looks of wheels 1, 2 and 3
+
+
+def omni_figure() -> Figure:
+    """Three wheel rates under the hand: the omni robot's motion in the world."""
+    sizes = {l: SIZE, r: RADIUS}
+    twist = list(wheels.omni_twist.at(sizes))
+    turn = twist[2]
+    now, along = moved(theta, twist, t), moved(theta, twist, s)
+    world = wheels.omni_world.at({**sizes, theta: now[2]})
+    arrow = motion.to_world.at({v: twist[0], v_y: twist[1], omega: 0})
+    with as_written():
+        centre = motion.to_world.at({v: -twist[1] / turn, v_y: twist[0] / turn})
+        icr = [Piecewise((part, Abs(turn) > 0.05), (nan, True)) for part in centre[:2]]
+    return Figure(
+        name="omni",
+        title="A robot on three Swedish wheels seen from above, their rates under your hand",
+        view=(-0.5, 1.7, -0.5, 1.0),
+        controls=(
+            *(
+                Slider(rate, -6.0, 6.0, start=start, step=0.5, label=f"wheel {k}", kind=kind)
+                for k, (rate, start, kind) in enumerate(
+                    zip(omni_rates, (-2.0, 4.0, 1.0), WHEELS, strict=True), start=1
+                )
+            ),
+            Slider(theta, -pi, pi, start=pi / 6, step=pi / 36, label="heading at the start"),
+            Clock(t, 0.0, 12.0, start=0.0, step=0.05, label="time"),
+        ),
+        scene=(
+            Curve("ghost", along[:2], s, 0, 12),
+            Curve("path", along[:2], s, 0, t),
+            Body(ORIGIN, theta, 0.13, kind="ghost"),
+            Body(now[:2], now[2], 0.13),
+            *(omni_wheel(k, ORIGIN, theta) for k in range(3)),
+            *(omni_wheel(k, now[:2], now[2]) for k in range(3)),
+            *(
+                Arrow(WHEELS[k], place_of(k), tip_of(k))
+                for k in range(3)
+            ),
+            *(Point(WHEELS[k], place_of(k), label=f"{k + 1}") for k in range(3)),
+            Arrow("velocity", ORIGIN, (arrow[0], arrow[1])),
+            Point("icr", (icr[0], icr[1]), label="ICR"),
+        ),
+        handles=tuple(
+            Handle(f"tip of the arrow of wheel {k + 1}", tip_of(k), {omni_rates[k]: pulled(k)})
+            for k in range(3)
+        ),
+        readouts=(
+            Readout("v", "speed ahead v", twist[0], "m/s"),
+            Readout("v_y", "speed to the left v_y", twist[1], "m/s"),
+            Readout("turning", "turning rate ω", turn, "rad/s"),
+            Readout("x_dot", "along the world's x axis, at this time", world[0], "m/s"),
+            Readout("y_dot", "along the world's y axis, at this time", world[1], "m/s"),
+            Readout("x", "x at this time", now[0], "m"),
+            Readout("y", "y at this time", now[1], "m"),
+            Readout("heading", "heading at this time", now[2], "rad", digits=1),
+        ),
+        says=(
+            "Wheels at {omni_rate1}, {omni_rate2} and {omni_rate3}: the robot moves ahead at {v}, "
+            "to the left at {v_y} and turns at {turning}. After {t} it is at x = {x}, y = {y}, "
+            "heading {heading}."
+        ),
+    )  # fmt: skip
+
+
+def omni_wheel(k: int, at: Any, heading: Any) -> Wheel:
+    """Wheel k of the robot at a pose; it rolls at right angles to its spoke."""
+    spoke = heading + ANGLES[k]
+    place = (at[0] + SIZE * cos(spoke), at[1] + SIZE * sin(spoke))
+    return Wheel(WHEELS[k], place, spoke - QUARTER, length=2 * RADIUS, width=0.035)
+
+
+def place_of(k: int) -> tuple[Any, Any]:
+    """Wheel k at the start."""
+    return SIZE * cos(theta + ANGLES[k]), SIZE * sin(theta + ANGLES[k])
+
+
+def tip_of(k: int) -> tuple[Any, Any]:
+    """Where wheel k would be after a second at its own speed."""
+    x_k, y_k = place_of(k)
+    speed, spoke = RADIUS * omni_rates[k], theta + ANGLES[k]
+    return x_k + speed * sin(spoke), y_k - speed * cos(spoke)
+
+
+def pulled(k: int) -> Any:
+    """The rate that puts the tip of the arrow where the pointer is."""
+    row = rolling_row(0, ANGLES[k], 0)
+    back = motion.to_body.at({motion.x_dot: POINTER[0], motion.y_dot: POINTER[1]})
+    return (row[0] * back[0] + row[1] * back[1]) / RADIUS
+
+
+FIGURES = (laboratory_figure(), omni_figure())

@@ -1,0 +1,137 @@
+"""The course that is open: its chapters, found by their folders, and what they declare.
+
+A course is a package with a folder for each chapter; `_toc.yml` gives the order. What belongs to a
+chapter stands in modules of fixed names (`formulas`, `checks`, `figures`, `exercises`, …): whatever
+a module holds under a name, also in a tuple or a dictionary, is declared. The package opens itself:
+
+    open_course(__name__, name="kinematics", looks=KINDS, library="robokin")
+"""
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from pkgutil import iter_modules
+from types import ModuleType
+from typing import Any, TypeVar
+
+from workshop.errors import CourseError
+from workshop.looks import GROUND, Look
+
+__all__ = ["Course", "course", "open_course"]
+
+T = TypeVar("T")
+
+
+class Course:
+    """A course. name: the salt of its exercises' numbers, too. looks: its kinds of things.
+
+    library: the package whose functions the chapters use; a chapter may have `functions`, too.
+    """
+
+    def __init__(self, package: str, name: str, looks: Mapping[str, Look], library: str) -> None:
+        self.package, self.name, self.library = package, name, library
+        self.looks = {**GROUND, **looks}
+        self._declared: dict[tuple[str, type], dict[str, Any]] = {}
+
+    @cached_property
+    def folder(self) -> Path:
+        """Where the package stands."""
+        return Path(import_module(self.package).__path__[0])
+
+    @cached_property
+    def chapters(self) -> list[str]:
+        """The folders, as `_toc.yml` orders them; before them what chapters share, by name."""
+        listed = self._listed()
+        folders = sorted(path.parent.name for path in self.folder.glob("[a-z]*/__init__.py"))
+        for chapter in folders:
+            if self.notebook(chapter).exists() and chapter not in listed:
+                raise CourseError(
+                    f"{self.notebook(chapter)} is not in _toc.yml: add the line "
+                    f"`- file: {chapter}/{chapter}`"
+                )
+        return [f for f in folders if f not in listed] + [f for f in listed if f in folders]
+
+    def _listed(self) -> list[str]:
+        """The chapters of `_toc.yml`, which stands beside the package or, installed, in it."""
+        places = (self.folder.parent / "_toc.yml", self.folder / "_toc.yml")
+        text = next((p.read_text(encoding="utf-8") for p in places if p.exists()), None)
+        if text is None:
+            raise CourseError(f"there is no _toc.yml beside {self.folder} or in it")
+        return re.findall(r"^\s*- file: (\w+)/\1\s*$", text, re.MULTILINE)
+
+    def notebook(self, chapter: str) -> Path:
+        """A chapter's notebook; what chapters share has none."""
+        return self.folder / chapter / f"{chapter}.ipynb"
+
+    def title(self, chapter: str) -> str:
+        """The first heading of a chapter's notebook."""
+        text = "".join(json.loads(self.notebook(chapter).read_text("utf-8"))["cells"][0]["source"])
+        return text.splitlines()[0].removeprefix("# ")
+
+    def question(self, chapter: str) -> str:
+        """What a chapter answers: the docstring of its package."""
+        return (import_module(f"{self.package}.{chapter}").__doc__ or "").strip()
+
+    @cached_property
+    def library_folder(self) -> Path:
+        """Where the library stands."""
+        return Path(import_module(self.library).__path__[0])
+
+    @cached_property
+    def library_modules(self) -> list[str]:
+        """The library's public modules by name, then the functions of chapters."""
+        public = [f"{self.library}.{m.name}" for m in iter_modules([str(self.library_folder)])]
+        own = [module.__name__ for module in self.modules("functions").values()]
+        return [name for name in public if not name.rpartition(".")[2].startswith("_")] + own
+
+    def module(self, chapter: str, part: str) -> ModuleType | None:
+        """A chapter's module, or None where it has none of that name."""
+        name = f"{self.package}.{chapter}.{part}"
+        return import_module(name) if find_spec(name) else None
+
+    def modules(self, part: str) -> dict[str, ModuleType]:
+        """The modules of one name, by chapter, in the course's order."""
+        found = {chapter: self.module(chapter, part) for chapter in self.chapters}
+        return {chapter: module for chapter, module in found.items() if module}
+
+    def declared(self, part: str, kind: type[T]) -> dict[str, T]:
+        """All things of a kind that the modules of one name hold, by their `name`."""
+        if (part, kind) not in self._declared:
+            found: dict[str, T] = {}
+            for module in self.modules(part).values():
+                for thing in held(module, kind):
+                    name = thing.name  # type: ignore[attr-defined]
+                    if found.setdefault(name, thing) is not thing:
+                        raise CourseError(
+                            f"{name} is declared twice: again in {module.__name__}; choose another "
+                            "name for one of the two"
+                        )
+            self._declared[part, kind] = found
+        return self._declared[part, kind]
+
+
+def held(module: ModuleType, kind: type[T]) -> Iterator[T]:
+    """What a module holds of a kind, in the order in which it is written."""
+    for value in vars(module).values():
+        inside = value.values() if isinstance(value, dict) else value
+        several = isinstance(value, tuple | list | dict)
+        yield from (x for x in (inside if several else (value,)) if isinstance(x, kind))
+
+
+_open: list[Course] = []
+
+
+def open_course(package: str, name: str, looks: Mapping[str, Look], library: str) -> None:
+    """Make a course the one that is shown, checked and dealt from."""
+    _open[:] = [Course(package, name, looks, library)]
+
+
+def course() -> Course:
+    """The course that is open."""
+    if not _open:
+        raise CourseError("no course is open: import its package first, for example `import book`")
+    return _open[0]

@@ -1,0 +1,212 @@
+"""From a declaration to the object that `figure.js` draws: data, and functions made from SymPy."""
+
+import json
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+
+from workshop.course import course
+from workshop.equations.core import NamedSymbol, Where
+from workshop.errors import CourseError
+from workshop.figures import declaration as d
+from workshop.figures.javascript import function
+
+DEGREE = math.pi / 180
+_JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
+Control = d.Slider | d.Choice
+
+
+def factor(unit: str) -> float:
+    """What one shown unit is in SI: angles are shown in degrees, all else as it is."""
+    return DEGREE if unit == "rad" else 1.0
+
+
+def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
+    """The symbols that the controls give numbers to, in order."""
+    return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
+
+
+class Compiler:
+    """Collects the expressions of one figure, so that all of them become one function."""
+
+    def __init__(self, controls: Sequence[Control], shapes: Sequence[Any], where: Where) -> None:
+        self.controls = controls
+        self.settings = settings(controls)
+        trails = [s.recurrence for s in shapes if isinstance(s, d.Trail)]
+        self.recurrences = list({id(r): r for r in trails}.values())
+        self.ends = [s for r in self.recurrences for s in r.ends]
+        self.where = where
+        self.expressions: list[Any] = []
+
+    @property
+    def known(self) -> list[sp.Symbol]:
+        """The symbols that every expression may use."""
+        return [*self.settings, *self.ends, *(symbol for symbol, _ in self.where)]
+
+    def numbers(self, *expressions: Any) -> list[int]:
+        """Note expressions to be computed; their places in the list of values."""
+        for expression in expressions:
+            unknown = sp.sympify(expression).free_symbols - set(self.known)
+            if unknown:
+                raise CourseError(
+                    f"{expression} uses {', '.join(map(str, unknown))}, but the controls are "
+                    f"{', '.join(map(str, self.known))}"
+                )
+            self.expressions.append(expression)
+        return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
+
+    def control(self, control: Control) -> dict[str, Any]:
+        """A control as `figure.js` reads it, in the unit that the reader sees."""
+        if isinstance(control, d.Choice):
+            options = [{"label": k, "values": list(v)} for k, v in control.options.items()]
+            start = list(control.options).index(control.start)
+            return {
+                "type": "choice",
+                "key": control.name,
+                "label": control.label,
+                "options": options,
+                "start": start,
+            }
+        if not isinstance(control.symbol, NamedSymbol):
+            raise CourseError(f"the control {control.symbol} is no declared quantity")
+        if control.kind:
+            _refuse_unknown_kind(control.kind)
+        known = control.symbol
+        scale = factor(known.unit)
+        step = _tidy(control.step / scale)
+        return {
+            "type": "clock" if isinstance(control, d.Clock) else "slider",
+            "key": str(control.symbol),
+            "label": control.label or str(control.symbol),
+            "kind": control.kind,
+            "unit": "°" if known.unit == "rad" else known.unit,
+            "factor": scale,
+            "low": _tidy(control.low / scale),
+            "high": _tidy(control.high / scale),
+            "start": _tidy(control.start / scale),
+            "step": step,
+            "digits": max(0, -math.floor(math.log10(step) + 1e-9)),
+            "rate": control.rate,
+            "whole": isinstance(control.step, int),
+        }
+
+    def shape(self, shape: Any) -> dict[str, Any]:
+        """A shape as `figure.js` reads it: its numbers by place, its curve as a function."""
+        _refuse_unknown_kind(shape.kind)
+        base = {"kind": shape.kind, "label": getattr(shape, "label", "")}
+        depth = getattr(shape, "depth", None)
+        if depth is not None and not isinstance(shape, d.Curve):
+            base["depth"] = self.numbers(depth)[0]
+        match shape:
+            case d.Point():
+                return {**base, "shape": "point", "at": self.numbers(*shape.at)}
+            case d.Line():
+                flat = [coordinate for point in shape.points for coordinate in point]
+                return {**base, "shape": "line", "at": self.numbers(*flat)}
+            case d.Arrow():
+                return {**base, "shape": "arrow", "at": self.numbers(*shape.tail, *shape.head)}
+            case d.Wheel():
+                at = self.numbers(*shape.at, shape.angle)
+                sizes = {"length": shape.length, "width": shape.width}
+                return {**base, "shape": "wheel", "at": at, **sizes}
+            case d.Body():
+                at = self.numbers(*shape.at, shape.angle)
+                return {**base, "shape": "body", "at": at, "radius": shape.radius}
+            case d.AngleArc():
+                at = self.numbers(*shape.at, shape.start, shape.end)
+                return {**base, "shape": "angle", "at": at, "radius": shape.radius}
+            case d.Curve():
+                at = self.numbers(shape.low, shape.high)
+                traced = shape.at if depth is None else (*shape.at, depth)
+                point = function({"c": self.known, "s": [shape.parameter]}, traced)
+                code = {"point": Code(point), "samples": shape.samples}
+                return {**base, "shape": "curve", "at": at, **code}
+            case d.Trail():
+                point = function({"c": self.known, "s": shape.recurrence.state}, shape.at)
+                index = self.recurrences.index(shape.recurrence)
+                return {
+                    **base,
+                    "shape": "trail",
+                    "at": [],
+                    "recurrence": index,
+                    "point": Code(point),
+                }
+        raise CourseError(f"{shape!r} is not a shape")
+
+    def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
+        """The places of the sliders that somebody moves."""
+        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        for symbol in symbols:
+            if symbol not in keys:
+                raise CourseError(f"{who} sets {symbol}, which is no slider")
+        return [keys.index(symbol) for symbol in symbols]
+
+    def handle(self, handle: d.Handle) -> dict[str, Any]:
+        """A handle: where it is, which controls it sets, and the function from pointer to them."""
+        code = function({"c": self.settings, "p": d.POINTER}, list(handle.sets.values()))
+        return {
+            "label": handle.label,
+            "at": self.numbers(*handle.at),
+            "sets": self.sliders(handle.sets, f"the handle {handle.label!r}"),
+            "to": Code(code),
+        }
+
+    def recurrence(self, loop: d.Recurrence) -> dict[str, Any]:
+        """A loop: functions for its start, its step and how often."""
+        given = {"c": self.settings}
+        return {
+            "start": Code(function(given, loop.start)),
+            "step": Code(function({**given, "s": loop.state}, loop.step)),
+            "count": Code(function(given, [loop.count])),
+            "most": loop.most,
+        }
+
+    def readout(self, readout: d.Readout) -> dict[str, Any]:
+        """A readout: its number comes at its own place in the list of values."""
+        self.numbers(readout.value)
+        return {
+            "key": readout.name,
+            "label": readout.label,
+            "unit": "°" if readout.unit == "rad" else readout.unit,
+            "factor": 1 / factor(readout.unit),
+            "digits": readout.digits,
+            "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
+        }
+
+    def steps(self) -> "Code":
+        """The function that computes the named steps, from settings and last states."""
+        given = {"c": [*self.settings, *self.ends]}
+        return Code(function(given, [symbol for symbol, _ in self.where], self.where))
+
+    def code(self) -> "Code":
+        """The one function that computes every noted expression."""
+        return Code(function({"c": self.known}, self.expressions))
+
+
+class Code(str):
+    """JavaScript source, as opposed to a text."""
+
+
+def javascript(value: Any) -> str:
+    """A JavaScript literal; `Code` stands in it as it is."""
+    if isinstance(value, Code):
+        return str(value)
+    if isinstance(value, dict):
+        pairs = (f"{json.dumps(k)}: {javascript(v)}" for k, v in value.items())
+        return "{" + ", ".join(pairs) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(javascript, value)) + "]"
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def _refuse_unknown_kind(kind: str) -> None:
+    if kind not in course().looks:
+        raise CourseError(f"there is no kind {kind!r}; there are {', '.join(course().looks)}")
+
+
+def _tidy(number: float) -> float:
+    """90.0 for 90.00000000000001: what a reader sees is round where it was meant to be."""
+    rounded = float(f"{number:.12g}")
+    return int(rounded) if rounded.is_integer() else rounded

@@ -1,0 +1,160 @@
+"""A live figure: its declaration, its compiled form, and how a notebook shows it."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import ArrayLike, NDArray
+
+from workshop.equations.core import Where
+from workshop.errors import CourseError
+from workshop.figures.compiling import Compiler, Control, javascript, settings
+from workshop.figures.declaration import Choice, Handle, Readout
+
+MIME = "application/vnd.workshop.figure+json"
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """A picture that answers to its controls.
+
+    name: its address on the page, letters and dashes. title: what it shows, for those who cannot
+    see it. view: the window on the world, (x_low, x_high, y_low, y_high) in metres. says: a
+    sentence about the present state, with `{name}` for controls and readouts. where: named steps
+    of the computation, in order, that all expressions may use. turns: for a picture in space, the
+    azimuth and the elevation (of sliders) that dragging its ground changes. grid: whether the
+    ground shows x, y in m.
+    """
+
+    name: str
+    title: str
+    view: tuple[float, float, float, float]
+    controls: tuple[Control, ...]
+    scene: tuple[Any, ...]
+    readouts: tuple[Readout, ...]
+    says: str
+    handles: tuple[Handle, ...] = ()
+    where: Where = ()
+    turns: tuple[sp.Symbol, ...] = ()
+    grid: bool = True
+
+    def __post_init__(self) -> None:
+        names = [*map(self._key, self.controls), *(readout.name for readout in self.readouts)]
+        if len(set(names)) < len(names):
+            raise CourseError(f"the figure {self.name} has two controls or readouts of one name")
+        unknown = set(re.findall(r"{(\w+)}", self.says)) - set(names)
+        if unknown:
+            raise CourseError(
+                f"the text `says` of {self.name} uses {', '.join(sorted(unknown))}, "
+                f"but there are only {', '.join(names)}"
+            )
+
+    @property
+    def settings(self) -> list[sp.Symbol]:
+        """The symbols that the controls set, in the order of the columns of `compute`."""
+        return settings(self.controls)
+
+    @cached_property
+    def _compiled(self) -> tuple[str, list[Any]]:
+        compiler = Compiler(self.controls, self.scene, self.where)
+        parts: dict[str, Any] = {
+            "name": self.name,
+            "title": self.title,
+            "view": list(self.view),
+            "says": self.says,
+            "controls": [compiler.control(control) for control in self.controls],
+            "readouts": [compiler.readout(readout) for readout in self.readouts],
+            "scene": [compiler.shape(shape) for shape in self.scene],
+            "handles": [compiler.handle(handle) for handle in self.handles],
+            "recurrences": [compiler.recurrence(loop) for loop in compiler.recurrences],
+        }
+        if self.turns:
+            parts["turns"] = compiler.sliders(self.turns, f"dragging the ground of {self.name}")
+        if not self.grid:
+            parts["grid"] = False
+        parts["where"] = compiler.steps()
+        parts["compute"] = compiler.code()
+        return javascript(parts), compiler.expressions
+
+    @property
+    def code(self) -> str:
+        """The compiled figure: a JavaScript object, data and functions, no renderer."""
+        return self._compiled[0]
+
+    @property
+    def expressions(self) -> list[Any]:
+        """What the figure computes, in order: the readouts, then all coordinates of the scene."""
+        return self._compiled[1]
+
+    def compute(self, points: ArrayLike) -> NDArray[np.float64]:
+        """All numbers of the figure at many settings (n, settings), in one call → (n, values)."""
+        from workshop.script import engine
+
+        figure = f"((figure) => (f, c) => robokin.compute(figure, c).values)({self.code})"
+        return engine.evaluate(figure, points)
+
+    def picture(self) -> str:
+        """The still picture (SVG) of the starting state."""
+        from workshop.script import engine
+
+        code = f"((figure) => robokin.svg(figure, robokin.startState(figure)))({self.code})"
+        return str(engine.run(code))
+
+    def html(self) -> str:
+        """What stands on a page before, and is moved after, the script takes over."""
+        from workshop.script import engine
+
+        return str(engine.run(f"robokin.html({self.code})"))
+
+    @cached_property
+    def widget(self) -> Any:
+        """The anywidget that a notebook shows."""
+        from workshop.script.widget import widget
+
+        return widget(self.code, self._start())
+
+    def _start(self) -> dict[str, Any]:
+        return {self._key(c): c.start for c in self.controls}
+
+    @staticmethod
+    def _key(control: Control) -> str:
+        return control.name if isinstance(control, Choice) else str(control.symbol)
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """The present settings in SI units, by name."""
+        return dict(self.widget.values)
+
+    def move(self, values: Mapping[str, Any]) -> None:
+        """Set some controls (SI units; a choice by its option's name)."""
+        known = {self._key(control): control for control in self.controls}
+        for key, value in values.items():
+            if key not in known:
+                raise CourseError(f"no control {key!r}; there are {', '.join(known)}")
+            _refuse_outside(key, value, known[key])
+        self.widget.values = {**self.widget.values, **values}
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        data: dict[str, Any] = dict(self.widget._repr_mimebundle_()[0])
+        data["text/plain"] = self.title
+        if find_spec("py_mini_racer"):  # not in the browser's Python, which shows the widget only
+            data["image/svg+xml"] = self.picture()
+            data[MIME] = {"name": self.name, "code": self.code}
+        return data
+
+
+def _refuse_outside(key: str, value: Any, control: Control) -> None:
+    if isinstance(control, Choice):
+        if value not in control.options:
+            raise CourseError(f"{key} must be one of {', '.join(control.options)}, got {value!r}")
+        return
+    whole = isinstance(control.step, int)
+    fits = isinstance(value, int if whole else int | float)
+    if not (fits and control.low <= value <= control.high):
+        allowed = f"a {'whole ' * whole}number from {control.low} to {control.high}"
+        raise CourseError(f"{key} must be {allowed}, got {value!r}")

@@ -1,0 +1,42 @@
+"""Exercises with numbers of their own for every student, and a check that names the mistake.
+
+In a notebook: `practice.exercise("differential-drive-1")`. For teachers, on the command line:
+`python -m book --help`, with the course's package for `book`.
+"""
+
+from workshop.practice.bank import (
+    Ask,
+    Exercise,
+    Mistake,
+    angle,
+    exercises,
+    matrix,
+    mistakes,
+    number_text,
+    one_of,
+    steps,
+    topics,
+    whole,
+)
+from workshop.practice.notebook import answers, example, exercise, export, mistake, student
+
+__all__ = [
+    "Ask",
+    "Exercise",
+    "Mistake",
+    "angle",
+    "answers",
+    "example",
+    "exercise",
+    "exercises",
+    "export",
+    "matrix",
+    "mistake",
+    "mistakes",
+    "number_text",
+    "one_of",
+    "steps",
+    "student",
+    "topics",
+    "whole",
+]

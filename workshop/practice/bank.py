@@ -1,0 +1,262 @@
+"""What an exercise and a mistake are: declared once, then dealt, shown, checked and graded from.
+
+An exercise has a text with numbers left open, how these are drawn, the right answer, and the
+mistakes that can be made in it, each as the formula that someone who makes it would use. Inside a
+formula all numbers are SI; the reader sees the units that suit the text.
+"""
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from workshop.course import course
+from workshop.errors import CourseError
+
+Answers = NDArray[np.float64]
+
+SI: dict[str, tuple[float, float]] = {  # shown units: times, divided by; all others are SI
+    **{"cm": (1, 100), "mm": (1, 1000), "cm/s": (1, 100), "ms": (1, 1000), "%": (1, 100)},
+    **{"°": (math.pi, 180), "°/s": (math.pi, 180), "turns/s": (2 * math.pi, 1)},
+}
+TOLERANCES = {  # unit → tolerance, reason
+    "rad": (9e-4, "three decimals in radians or one in degrees are enough: half of 0.1° is 8.7e-4"),
+    "m": (6e-4, "three decimals are enough: half a millimetre and a little"),
+    "": (6e-4, "three decimals are enough"),
+}
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A mistake that people make, written once: exercises name it, chapters show it.
+
+    name: M1 … M37. says: completes "This is what you get …". line: the wrong line, as code.
+    why: why it is wrong, in one to three sentences. unnoticed: where it happens to be right.
+    document, stands, should: the source document that has it, what stands there, what should;
+    empty for a mistake that is only likely.
+    """
+
+    name: str
+    says: str
+    line: str
+    why: str
+    unnoticed: str
+    document: str = ""
+    stands: str = ""
+    should: str = ""
+
+
+@dataclass(frozen=True)
+class Given:
+    """A number of the text that is drawn: its options as shown, and their unit."""
+
+    options: tuple[Any, ...]
+    unit: str = ""
+
+    def value(self, option: Any) -> Any:
+        """The SI number that formulas get; what is no number stays as it is."""
+        if not isinstance(option, int | float):
+            return option
+        times, by = SI.get(self.unit, (1, 1))
+        return option * times / by
+
+    def option(self, value: Any) -> Any:
+        """The number as the reader sees it, from its SI number."""
+        times, by = SI.get(self.unit, (1, 1))
+        return float(f"{value * by / times:.9g}") if isinstance(value, int | float) else value
+
+    def shown(self, option: Any) -> str:
+        """As the reader sees it: "30 cm", "−45°"."""
+        text = number_text(option, "") if isinstance(option, int | float) else str(option)
+        return with_unit(text, self.unit)
+
+
+def steps(low: float, high: float, step: float, unit: str = "") -> Given:
+    """The round numbers from low to high, both included."""
+    count = round((high - low) / step)
+    numbers = [float(f"{low + k * step:.9g}") for k in range(count + 1)]
+    return Given(tuple(int(n) if n.is_integer() else n for n in numbers), unit)
+
+
+def one_of(*options: Any, unit: str = "") -> Given:
+    """Some numbers or names."""
+    return Given(options, unit)
+
+
+@dataclass(frozen=True)
+class Ask:
+    """One number that is asked for. circle: an angle, compared up to whole turns.
+
+    tolerance: how far off an answer may be, in the unit; whole numbers have 0. A tolerance of its
+    own needs a reason; without one it is the unit's.
+    """
+
+    label: str
+    unit: str = ""
+    circle: bool = False
+    tolerance: float = -1.0
+    reason: str = ""
+
+    def __post_init__(self) -> None:
+        if (self.tolerance < 0) == bool(self.reason):
+            raise CourseError(f"{self.label}: a tolerance and its reason come together")
+        if self.tolerance < 0:
+            unit = self.unit.split("/")[0]
+            tolerance, reason = TOLERANCES.get(unit, TOLERANCES[""])
+            object.__setattr__(self, "tolerance", tolerance)
+            object.__setattr__(self, "reason", reason)
+
+
+def angle(label: str) -> Ask:
+    """An angle, right up to whole turns."""
+    return Ask(label, "rad", circle=True)
+
+
+def whole(label: str) -> Ask:
+    """A whole number."""
+    return Ask(label, tolerance=1e-9, reason="a whole number, exactly")
+
+
+def matrix(name: str, rows: int, columns: int, unit: str = "") -> tuple[Ask, ...]:
+    """The entries of a matrix, row by row."""
+    return tuple(Ask(f"{name}[{i}, {j}]", unit) for i in range(rows) for j in range(columns))
+
+
+@dataclass(frozen=True, eq=False)
+class Exercise:
+    """One exercise with numbers left open.
+
+    name: stem of the topic and a number, "differential-drive-1". level: 1 one step, 2 several,
+    3 hard. text, solution: Markdown-free text with `{placeholders}`: numbers of `given`, what
+    `derive` adds, and `{right}`; `{x:deg}` shows degrees, `{x:.2f}` a format; "v_L" becomes a
+    symbol; an empty line starts a paragraph. given: name → how it is drawn. asks: the numbers
+    asked for, in order. right: function of the numbers → the answer, shape (n,) or `shape`.
+    wrong: mistake → function → the answer of somebody who makes it. also: the same for what is
+    no documented mistake, as words that end "This is what you get …"; named where it can be told
+    from all others. accept: "one" answer, "any" of the rows of `right`, or "all" its rows in any
+    order. when: numbers that may be dealt.
+    example: the numbers of the source document, in SI, where the chapter shows the mistakes.
+    """
+
+    name: str
+    level: int
+    title: str
+    text: str
+    given: Mapping[str, Given]
+    asks: tuple[Ask, ...]
+    right: Callable[..., ArrayLike]
+    wrong: Mapping[Mistake, Callable[..., ArrayLike]]
+    solution: str
+    also: Mapping[str, Callable[..., ArrayLike]] = field(default_factory=dict)
+    shape: tuple[int, ...] = ()
+    accept: str = "one"
+    derive: Callable[..., Mapping[str, Any]] = field(default=lambda **_: {})
+    when: Callable[..., bool] = field(default=lambda **_: True)
+    example: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.accept not in ("one", "any", "all"):
+            raise CourseError(f"{self.name}: accept must be one, any or all, got {self.accept!r}")
+        if self.shape and math.prod(self.shape) != len(self.asks):
+            raise CourseError(f"{self.name} asks {len(self.asks)} numbers in shape {self.shape}")
+
+    @property
+    def topic(self) -> str:
+        """The stem of module, chapter and test: "differential_drive"."""
+        return self.name.rsplit("-", 1)[0].replace("-", "_")
+
+    def answers(self, formula: Callable[..., ArrayLike], numbers: Mapping[str, Any]) -> Answers:
+        """What a formula gives for these numbers, as rows (k, n); one row unless several count."""
+        found = np.asarray(formula(**numbers), dtype=float)
+        return found.reshape(-1, len(self.asks))
+
+    def filled(self, template: str, numbers: Mapping[str, Any], shown: Mapping[str, str]) -> str:
+        """A text of the exercise with these numbers put in. shown: the drawn ones as text."""
+        found = self.placeholders(template, numbers, shown)
+        return re.sub(PLACEHOLDER, lambda match: found[match[1]], template)
+
+    def placeholders(
+        self, template: str, numbers: Mapping[str, Any], shown: Mapping[str, str]
+    ) -> dict[str, str]:
+        """Each placeholder of a text and what stands for it."""
+        values = {**numbers, **self.derive(**numbers)}
+        found = {}
+        for key in dict.fromkeys(re.findall(PLACEHOLDER, template)):
+            name, _, spec = key.partition(":")
+            if key == "right":
+                found[key] = self.answer_text(numbers)
+            elif key in shown:
+                found[key] = shown[key]
+            elif name in values:
+                found[key] = number_text(values[name], spec)
+            else:
+                raise CourseError(f"{self.name} has {{{key}}}, but only {', '.join(values)}")
+        return found
+
+    def answer_text(
+        self, numbers: Mapping[str, Any], formula: Callable[..., ArrayLike] | None = None
+    ) -> str:
+        """The right answer, or a formula's, as typed, with its unit where all have the same."""
+        rows = self.answers(formula or self.right, numbers)
+        shaped = [row.reshape(self.shape) if self.shape else row for row in rows]
+        units = {ask.unit for ask in self.asks}
+        unit = units.pop() if len(units) == 1 else ""
+        texts = [number_text(row if len(row) > 1 else float(row[0]), "") for row in shaped]
+        joint = " or " if self.accept == "any" else "; "
+        return joint.join(with_unit(text, unit) for text in dict.fromkeys(texts))
+
+
+PLACEHOLDER = r"{([\w.:]+)}"
+
+
+def exercises() -> dict[str, Exercise]:
+    """Every exercise of the course, by name, in the course's order."""
+    return course().declared("exercises", Exercise)
+
+
+def mistakes() -> dict[str, Mistake]:
+    """Every mistake of the course, by name."""
+    return course().declared("exercises", Mistake)
+
+
+def topics() -> list[str]:
+    """The chapters that have exercises, in the course's order."""
+    return list(dict.fromkeys(exercise.topic for exercise in exercises().values()))
+
+
+def default_salt() -> str:
+    """The course's own name: a teacher's course has another."""
+    return course().name
+
+
+def number_text(value: Any, spec: str) -> str:
+    """A number, vector or matrix as text: four decimals, no trailing zeros, a true minus."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Sequence | np.ndarray):
+        return "[" + ", ".join(number_text(v, spec) for v in value) + "]"
+    if spec == "deg":
+        return number_text(value * 180 / math.pi, ".1f") + "°"
+    text = format(value, spec) if spec else f"{value:.4f}".rstrip("0").rstrip(".")
+    return re.sub(r"^-(?=[0.]*$)", "", text).replace("-", "\u2212")
+
+
+def with_unit(text: str, unit: str) -> str:
+    """ "30 cm", but "45°"."""
+    return text + unit if unit in ("°", "%") else f"{text} {unit}".rstrip()
+
+
+def symbols(text: str) -> str:
+    """A text as HTML, with "v_L" and "θ̇_1" as letters with an index."""
+    letter, index = r"([^\W\d_][\u0300-\u036f]*)", "([0-9A-Za-z]+)"
+    return re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2</sub>", escape(text))
+
+
+def paragraphs(text: str) -> str:
+    """A text of several paragraphs as HTML."""
+    return "".join(f"<p>{symbols(paragraph)}</p>" for paragraph in text.split("\n\n"))

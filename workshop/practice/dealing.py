@@ -1,0 +1,125 @@
+"""Which numbers a student gets: the variants of an exercise, and the hash that picks one.
+
+The hash is 32-bit FNV-1a over the UTF-8 of course, exercise and name, joined by line feeds; the
+page computes the same. Names are compared in Unicode's form NFC, without invisible characters,
+with the Persian letters for yeh and kaf (keyboards have two), trimmed, each run of spaces one.
+"""
+
+import difflib
+import hashlib
+import json
+import random
+import re
+import unicodedata
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from workshop.errors import CourseError
+from workshop.practice.bank import Exercise, exercises
+from workshop.practice.judging import Candidate, candidates, clash
+
+VARIANTS = 64
+ATTEMPTS = 200  # for each variant: an exercise that needs more should draw otherwise
+# what Python, browsers and Unicode all take for white space, written out so that all agree
+SPACES = "[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\ufeff]+"
+
+
+INVISIBLE = "[\xad\u200b-\u200f\u202a-\u202e\u2060-\u2064]"
+PERSIAN = str.maketrans("\u064a\u0643", "\u06cc\u06a9")
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One set of numbers: as formulas take them, as the reader sees them, what can be answered."""
+
+    numbers: Mapping[str, Any]
+    shown: Mapping[str, str]
+    candidates: tuple[Candidate, ...]
+
+
+def folded(name: str) -> str:
+    """A student's name as it is hashed: NFC, trimmed, each run of spaces one space."""
+    whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole)).translate(PERSIAN)
+    return re.sub(SPACES, " ", seen).strip(" ")
+
+
+def fnv1a(text: str) -> int:
+    """The 32-bit FNV-1a hash of the text's UTF-8 bytes."""
+    value = 0x811C9DC5
+    for byte in text.encode("utf-8"):
+        value = (value ^ byte) * 0x01000193 & 0xFFFFFFFF
+    return value
+
+
+def dealt(course: str, exercise: str, name: str) -> int:
+    """The number of the variant that a student gets: the hash, its halves folded together."""
+    value = fnv1a("\n".join((folded(course), exercise, folded(name))))
+    return (value ^ value >> 16) % VARIANTS
+
+
+@cache
+def variants(name: str) -> tuple[Variant, ...]:
+    """The variants of an exercise: drawn by a fixed seed, each different, no two answers alike."""
+    exercise = find(name)
+    draw, met = random.Random(name), Counter[str]()
+    found: dict[tuple[str, ...], Variant] = {}
+    for _ in range(ATTEMPTS * VARIANTS):
+        numbers, shown = _drawn(exercise, draw)
+        key = tuple(shown.values())
+        if key in found or not exercise.when(**numbers):
+            continue
+        possible = candidates(exercise, numbers)
+        alike = clash(exercise, possible)
+        met[alike] += 1
+        if not alike:
+            found[key] = Variant(numbers, shown, possible)
+        if len(found) == VARIANTS:
+            return tuple(found.values())
+    raise CourseError(
+        f"{name}: only {len(found)} of {VARIANTS} variants can be dealt; answers that are too "
+        f"close, and how often: {dict(met)}"
+    )
+
+
+def _drawn(exercise: Exercise, draw: random.Random) -> tuple[dict[str, Any], dict[str, str]]:
+    """Numbers for an exercise: in SI, and as the reader sees them."""
+    numbers, shown = {}, {}
+    for name, given in exercise.given.items():
+        option = given.options[int(draw.random() * len(given.options))]
+        numbers[name], shown[name] = given.value(option), given.shown(option)
+    return numbers, shown
+
+
+def find(name: str) -> Exercise:
+    """The exercise of that name."""
+    if not isinstance(name, str) or name not in exercises():
+        near = difflib.get_close_matches(str(name), exercises())
+        known = (
+            f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(exercises())}"
+        )
+        raise CourseError(f"there is no exercise {name!r}; {known}")
+    return exercises()[name]
+
+
+@cache
+def version() -> str:
+    """The bank's version: it changes when any text, number or answer does."""
+    parts = [(exercise.name, *_contents(exercise)) for exercise in exercises().values()]
+    text = json.dumps(parts, ensure_ascii=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:8]
+
+
+def _contents(exercise: Exercise) -> list[Any]:
+    """All that a student can see of an exercise, or be judged by."""
+    asks = [(ask.label, ask.unit, ask.tolerance) for ask in exercise.asks]
+    answers = [
+        (c.name, [f"{x:.8g}" for row in c.rows for x in row])
+        for variant in variants(exercise.name)
+        for c in variant.candidates
+    ]
+    shown = [list(variant.shown.values()) for variant in variants(exercise.name)]
+    return [exercise.text, exercise.solution, asks, shown, answers]

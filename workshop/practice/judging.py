@@ -1,0 +1,315 @@
+"""Is an answer right, and if not, which mistake does it look like?
+
+Every variant has a list of candidates: the right answers, what each mistake gives, the right
+answers in other units, and the common slips. An answer is the first candidate that it meets
+within the tolerance. `practice.js` judges in the same way; a test holds the two together.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from workshop.practice import reading
+from workshop.practice.bank import Ask, Exercise
+
+Row = tuple[float, ...]
+
+LENGTHS = {"cm": 100.0, "mm": 1000.0}
+ANGLES = {"degrees": 180 / math.pi, "turns": 0.5 / math.pi}
+POWERS = {  # how a unit is made of lengths and angles; the others have no other size here
+    **{"m": (1, 0), "m/s": (1, 0), "m²": (2, 0), "1/m": (-1, 0)},
+    **{"rad": (0, 1), "rad/s": (0, 1), "rad/m": (-1, 1)},
+}
+NEAR = 10  # tolerances: so close is probably rounding on the way
+SAYS = {
+    "right": "This check passed.",
+    "near": "Not yet, but very close. Keep all digits on the way, and give three decimals.",
+    "wrong": "Not yet, and none of the mistakes known here gives this.",
+    "parts": "Already right: {labels}.",
+    "shape": "Asked is {asked}. This was read as {read}.",
+    "other": "There are other right answers too.",
+}
+SLIPS = {
+    "sign": "Not yet: the size is right, the sign is not.",
+    "twice": "Not yet: this is twice the right value.",
+    "half": "Not yet: this is half the right value.",
+    "swapped": "Not yet: the two numbers are right, but in the wrong order.",
+    "transposed": "Not yet: rows and columns are swapped.",
+    "half-turn": "Not yet: this direction is off by half a turn.",
+    "turn": "Not yet: this is off by a whole turn, and here turns are counted.",
+}
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """An answer that somebody may give. rows: one, or all that must be given in any order.
+
+    name: "right", a mistake's name, "unit:degrees" or "slip:sign".
+    """
+
+    name: str
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What meeting a candidate means: right, partly (another unit) or wrong, and what is said.
+
+    factors: for each number asked, its size in the unit of the candidate.
+    """
+
+    result: str
+    says: str
+    factors: Row
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The answer to an answer. result: right, partly, wrong, or unread (it counts for nothing)."""
+
+    result: str
+    name: str
+    says: str
+
+    def __repr__(self) -> str:
+        return self.says
+
+
+@cache
+def outcomes(exercise: Exercise) -> dict[str, Outcome]:
+    """Every name that a candidate of this exercise can have, and what it means."""
+    ones = (1.0,) * len(exercise.asks)
+    found = {"right": Outcome("right", SAYS["right"], ones)}
+    done = {m.name: m.says for m in exercise.wrong} | {f"slip:{w}": w for w in exercise.also}
+    for name, words in done.items():
+        found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones)
+    for name, factors in _units(exercise.asks).items():
+        asked = " and ".join(dict.fromkeys(a.unit for a in exercise.asks if a.unit in POWERS))
+        says = (
+            f"The right value, but in other units ({name}). Asked is {asked}: please type it again."
+        )
+        found[f"unit:{name}"] = Outcome("partly", says, factors)
+    for name, says in SLIPS.items():
+        found[f"slip:{name}"] = Outcome("wrong", says, ones)
+    return found
+
+
+def _units(asks: Sequence[Ask]) -> dict[str, Row]:
+    """The other units that an answer may be in: name → factor of each number asked."""
+    powers = [POWERS.get(ask.unit, (0, 0)) for ask in asks]
+    lengths = {"": 1.0, **LENGTHS} if any(p[0] for p in powers) else {"": 1.0}
+    angles = {"": 1.0, **ANGLES} if any(p[1] for p in powers) else {"": 1.0}
+    return {
+        " and ".join(filter(None, (length, turned))): tuple(
+            lengths[length] ** p[0] * angles[turned] ** p[1] for p in powers
+        )
+        for length, turned in product(lengths, angles)
+        if length or turned
+    }
+
+
+def candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidate, ...]:
+    """All that can be answered to an exercise with these numbers, in the order of judging."""
+    right = _grouped(exercise, exercise.answers(exercise.right, numbers), "right")
+    wrong = _made(exercise, {m.name: f for m, f in exercise.wrong.items()}, numbers)
+    also = _made(exercise, {f"slip:{words}": f for words, f in exercise.also.items()}, numbers)
+    units = [
+        Candidate(f"unit:{name}", tuple(_floats(np.multiply(row, factors)) for row in c.rows))
+        for name, factors in _units(exercise.asks).items()
+        for c in right
+    ]
+    known = [*right, *wrong, *units]
+    for slip in [*also, *_slips(exercise, right)]:
+        if all(apart(exercise, slip, other) for other in known):
+            known.append(slip)
+    return tuple(known)
+
+
+def _made(
+    exercise: Exercise, ways: Mapping[str, Callable[..., ArrayLike]], numbers: Mapping[str, Any]
+) -> list[Candidate]:
+    """What is answered in each of these ways, by the names of the candidates."""
+    return [
+        candidate
+        for name, formula in ways.items()
+        for candidate in _grouped(exercise, exercise.answers(formula, numbers), name)
+    ]
+
+
+def _grouped(exercise: Exercise, rows: Any, name: str) -> list[Candidate]:
+    tuples = tuple(map(_floats, rows))
+    if exercise.accept == "all":
+        return [Candidate(name, tuples)]
+    return [Candidate(name, (row,)) for row in dict.fromkeys(tuples)]
+
+
+def _slips(exercise: Exercise, right: Sequence[Candidate]) -> list[Candidate]:
+    """The common slips, for answers of which one row is enough."""
+    if exercise.accept == "all":
+        return []
+    found = []
+    for row in (np.array(candidate.rows[0]) for candidate in right):
+        slips = {"sign": -row, "twice": 2 * row, "half": row / 2}
+        units = {ask.unit for ask in exercise.asks}
+        if len(row) == 2 and len(units) == 1:
+            slips["swapped"] = row[::-1]
+        if len(set(exercise.shape)) == 1 and len(exercise.shape) == 2:
+            slips["transposed"] = row.reshape(exercise.shape).T.ravel()
+        if len(row) == 1 and units == {"rad"}:
+            slips["half-turn" if exercise.asks[0].circle else "turn"] = row + math.pi
+            if not exercise.asks[0].circle:
+                slips["turn"] = row + 2 * math.pi
+                found.append(Candidate("slip:turn", (_floats(row - 2 * math.pi),)))
+        found += [Candidate(f"slip:{name}", (_floats(value),)) for name, value in slips.items()]
+    return found
+
+
+def clash(exercise: Exercise, possible: Sequence[Candidate]) -> str:
+    """Two candidates that an answer could both mean, as text; "" if there are none."""
+    for place, one in enumerate(possible):
+        if not all(map(math.isfinite, (x for row in one.rows for x in row))):
+            return f"{one.name} is no number"
+        for other in possible[:place]:
+            if one.name != other.name and not apart(exercise, one, other):
+                return f"{other.name} and {one.name}"
+    return ""
+
+
+def apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
+    """Whether no answer can meet both."""
+    meant = outcomes(exercise)
+    first, second = meant[one.name].factors, meant[other.name].factors
+    both = [
+        a.tolerance * (abs(f) + abs(g))
+        for a, f, g in zip(exercise.asks, first, second, strict=True)
+    ]
+    return not (
+        _meet(exercise.asks, one.rows, other.rows, both, second)
+        or _meet(exercise.asks, other.rows, one.rows, both, first)
+    )
+
+
+def judge(exercise: Exercise, possible: Sequence[Candidate], rows: Sequence[Row]) -> Verdict:
+    """The verdict on an answer that has the right shape."""
+    meant = outcomes(exercise)
+    for candidate in possible:
+        outcome = meant[candidate.name]
+        allowed = [
+            a.tolerance * abs(f) for a, f in zip(exercise.asks, outcome.factors, strict=True)
+        ]
+        if _meet(exercise.asks, rows, candidate.rows, allowed, outcome.factors):
+            several = exercise.accept == "any" and outcome.result == "right"
+            more = f" {SAYS['other']}" if several else ""
+            return Verdict(outcome.result, candidate.name, outcome.says + more)
+    return _not_named(exercise, possible, rows)
+
+
+def _not_named(exercise: Exercise, possible: Sequence[Candidate], rows: Sequence[Row]) -> Verdict:
+    ones = (1.0,) * len(exercise.asks)
+    near = [NEAR * ask.tolerance for ask in exercise.asks]
+    right = [candidate for candidate in possible if candidate.name == "right"]
+    if any(_meet(exercise.asks, rows, candidate.rows, near, ones) for candidate in right):
+        return Verdict("wrong", "near", SAYS["near"])
+    labels = []
+    if exercise.accept == "one" and not exercise.shape:
+        labels = [
+            ask.label
+            for ask, x, wanted in zip(exercise.asks, rows[0], right[0].rows[0], strict=True)
+            if off(ask, x, wanted) <= ask.tolerance
+        ]
+    more = " " + SAYS["parts"].format(labels=", ".join(labels)) if labels else ""
+    return Verdict("wrong", "", SAYS["wrong"] + more)
+
+
+def _meet(
+    asks: Sequence[Ask],
+    rows: Sequence[Row],
+    wanted: Sequence[Row],
+    allowed: Sequence[float],
+    factors: Row,
+) -> bool:
+    """Whether each row is one of the wanted ones, each of them once."""
+    left = list(wanted)
+    for row in rows:
+        for place, other in enumerate(left):
+            if all(map(_within, asks, row, other, allowed, factors)):
+                del left[place]
+                break
+        else:
+            return False
+    return not left
+
+
+def _within(ask: Ask, x: float, wanted: float, allowed: float, factor: float) -> bool:
+    return off(ask, x, wanted, factor) <= allowed
+
+
+def off(ask: Ask, x: float, wanted: float, factor: float = 1.0) -> float:
+    """How far x is from what is wanted; an angle on the circle. factor: the size of its unit."""
+    apart = abs(x - wanted)
+    if not ask.circle:
+        return apart
+    turn = 2 * math.pi * abs(factor)
+    return min(apart % turn, turn - apart % turn)
+
+
+def asked(exercise: Exercise) -> str:
+    """What an answer must look like, in words: "2 numbers: v in m/s, ω in rad/s"."""
+    names = ", ".join(f"{a.label} in {a.unit}" if a.unit else a.label for a in exercise.asks)
+    n = len(exercise.asks)
+    if exercise.shape:
+        rows, columns = exercise.shape
+        return f"a matrix: {rows} rows of {columns} numbers"
+    numbers = f"one number: {names}" if n == 1 else f"{n} numbers: {names}"
+    if exercise.accept == "all":
+        return f"all answers, in any order, each {numbers}"
+    return f"{numbers} (any of the right answers)" if exercise.accept == "any" else numbers
+
+
+def rows_of(exercise: Exercise, value: Any, count: int) -> tuple[Row, ...] | None:
+    """A typed number or list as rows of the numbers asked for; None if it has another shape."""
+    array = np.array(value, dtype=float) if _regular(value) else np.empty(0)
+    n = len(exercise.asks)
+    single = [(n,), exercise.shape or (n,), (1, n), *([()] if n == 1 else [])]
+    several = [(count, n), *([(count,)] if n == 1 else [])]
+    if array.shape not in (several if exercise.accept == "all" else single):
+        return None
+    return tuple(map(_floats, array.reshape(-1, n)))
+
+
+def _floats(row: Any) -> Row:
+    return tuple(map(float, row))
+
+
+def _regular(value: Any) -> bool:
+    """Whether nested lists form a full array."""
+    try:
+        np.array(value, dtype=float)
+    except (ValueError, TypeError):
+        return False
+    return True
+
+
+def check(exercise: Exercise, possible: Sequence[Candidate], typed: str) -> Verdict:
+    """The verdict on what was typed; "unread", with a reason, where it is no such answer."""
+    read = reading.read(typed)
+    if read.problem:
+        return Verdict("unread", "", reading.PROBLEMS[read.problem].format(about=read.about))
+    rows = rows_of(exercise, read.value, len(possible[0].rows))
+    if rows is None:
+        says = SAYS["shape"].format(asked=asked(exercise), read=shown_value(read.value))
+        return Verdict("unread", "", says)
+    return judge(exercise, possible, rows)
+
+
+def shown_value(value: Any) -> str:
+    """What was read, shortly: six digits."""
+    if isinstance(value, list):
+        return "[" + ", ".join(map(shown_value, value)) + "]"
+    return f"{value:.6g}".replace("-", "\u2212")

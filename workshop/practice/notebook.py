@@ -1,0 +1,255 @@
+"""Exercises and mistakes in a notebook: a box to answer in, and the same check from code."""
+
+import ast
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from workshop.errors import CourseError, shown
+from workshop.practice import dealing, judging, tables
+from workshop.practice.bank import (
+    Exercise,
+    Mistake,
+    default_salt,
+    exercises,
+    mistakes,
+    symbols,
+)
+
+WIDTH = 42  # of a line of code, for phones
+MOST = 100  # numbers in an answer
+MISTAKE = "application/vnd.workshop.mistake+json"
+COLUMNS = ("course", "student", "exercise", "answer")
+
+_session = {"student": "", "course": ""}  # without a course of one's own: the book's
+_answers: dict[tuple[str, str, str], str] = {}  # course, student, exercise → what counts
+
+
+def student(name: str | int, course: str = "") -> None:
+    """Say once, at the top of a notebook, who works here and in which course."""
+    _session.update(student=_name("the name", name), course=_name("the course", course))
+
+
+def _name(what: str, value: Any) -> str:
+    """A name as text; a student number may be a number."""
+    if isinstance(value, str) or (isinstance(value, int) and not isinstance(value, bool)):
+        return str(value)
+    raise CourseError(f"{what} must be text or a number, got {shown(value)}")
+
+
+class Box:
+    """An exercise with somebody's numbers. Shown in a notebook, it is a box to answer in."""
+
+    def __init__(self, exercise: Exercise, name: str, course: str, training: int = 0) -> None:
+        self.exercise, self.student, self.course = exercise, name, course
+        self.training = training
+        number = dealing.dealt(course, exercise.name, name) + training
+        self.variant = dealing.variants(exercise.name)[number % dealing.VARIANTS]
+        self._widget: Any = None
+
+    @property
+    def text(self) -> str:
+        """The question, with the numbers in it."""
+        return self._filled(self.exercise.text)
+
+    @property
+    def solution(self) -> str:
+        """The worked solution, with the same numbers."""
+        return self._filled(self.exercise.solution)
+
+    def _filled(self, template: str) -> str:
+        return self.exercise.filled(template, self.variant.numbers, self.variant.shown)
+
+    def check(self, answer: Any) -> judging.Verdict:
+        """The verdict on an answer: a number, a list, an array, or text as it would be typed."""
+        if not isinstance(answer, str):
+            try:
+                answer = _typed(answer)
+            except CourseError as error:
+                return judging.Verdict("unread", "", f"{error}.")
+        verdict = self._verdict(answer)
+        key = self.course, dealing.folded(self.student), self.exercise.name
+        passed = key in _answers and self._verdict(_answers[key]).result == "right"
+        kept = passed and verdict.result != "right"  # a further try takes nothing away
+        if verdict.result != "unread" and not self.training and not kept:
+            _answers[key] = answer
+        return verdict
+
+    def _verdict(self, answer: str) -> judging.Verdict:
+        return judging.check(self.exercise, self.variant.candidates, answer)
+
+    def another(self) -> "Box":
+        """Further numbers, for training; answers to them are not kept."""
+        return Box(self.exercise, self.student, self.course, self.training + 1)
+
+    @property
+    def widget(self) -> Any:
+        """The anywidget that a notebook shows."""
+        if self._widget is None:
+            from workshop.practice.widget import widget
+
+            self._widget = widget(self.exercise, self.student, self.course)
+            self._widget.observe(lambda change: self.check(change["new"]), "answer")
+        return self._widget
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        from workshop.practice.page import MIME
+
+        plain = f"{self.exercise.title}\n\n{self.text}\n\nAsked: {judging.asked(self.exercise)}"
+        data: dict[str, Any] = dict(self.widget._repr_mimebundle_()[0])
+        return {**data, "text/plain": plain, MIME: {"name": self.exercise.name}}
+
+
+def exercise(name: str, student: str | int | None = None, course: str | None = None) -> Box:
+    """An exercise of the bank with the student's numbers; see `student` for the defaults.
+
+    >>> exercise("differential-drive-1", student="Ada").check("1/3 m/s").result
+    'unread'
+    """
+    who = _session["student"] if student is None else _name("student", student)
+    where = _session["course"] if course is None else _name("course", course)
+    return Box(dealing.find(name), who, where or default_salt())
+
+
+def answers() -> list[tuple[str, str, str, str]]:
+    """The answers of this session that count, the right one or the last: course, student, …"""
+    return [(*key, answer) for key, answer in _answers.items()]
+
+
+def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
+    """Write the answers given in this session as the table that a teacher's `grade` reads."""
+    if not _answers:
+        raise CourseError("there are no answers yet: check an answer of an exercise first")
+    if not all(student for _, student, _ in _answers):
+        raise CourseError('say who you are first: practice.student("…") picks your numbers')
+    return tables.write(path, COLUMNS, answers(), force)
+
+
+class ExampleView:
+    """The question of an exercise in the numbers of its source, as its mistakes are shown with."""
+
+    def __init__(self, exercise: Exercise) -> None:
+        self.exercise = exercise
+
+    @property
+    def names(self) -> dict[str, Any]:
+        """The numbers that the wrong lines use, by their names in code."""
+        e = self.exercise
+        used = set().union(*(names_used(m.line) for m in e.wrong if shown_in(m) is e))
+        known = {**e.example, **e.derive(**e.example)}
+        return {name: known[name] for name in known if name in used}
+
+    def __repr__(self) -> str:
+        return f"{self.exercise.title} ({self.exercise.name}, in the numbers of its source)"
+
+    def _repr_markdown_(self) -> str:
+        e = self.exercise
+        texts = {
+            name: given.shown(given.option(e.example[name])) for name, given in e.given.items()
+        }
+        question = symbols(e.filled(e.text, e.example, texts))
+        code = "\n".join(assignments(self.names))
+        return f"**{e.title}** {question}\n\nIn code, in SI units:\n\n```python\n{code}\n```"
+
+
+def names_used(code: str) -> set[str]:
+    """The names that code takes a value of before it gives them one."""
+    used, made = set[str](), set[str]()
+    for statement in ast.parse(code).body:
+        names = [node for node in ast.walk(statement) if isinstance(node, ast.Name)]
+        used |= {name.id for name in names if isinstance(name.ctx, ast.Load)} - made
+        made |= {name.id for name in names if isinstance(name.ctx, ast.Store)}
+    return used
+
+
+def assignments(names: dict[str, Any]) -> list[str]:
+    """Lines of code that give names their numbers; short ones share a line."""
+    lines: list[str] = []
+    for name, value in names.items():
+        text = f"{name} = {code_text(value)}"
+        if lines and "[" not in lines[-1] + text and len(lines[-1]) + len(text) < WIDTH:
+            lines[-1] += f"; {text}"
+        else:
+            lines.append(text)
+    return lines
+
+
+def code_text(value: Any) -> str:
+    """A number, name or array as one would type it, to four decimals; a matrix row by row."""
+    if isinstance(value, str):
+        return repr(value)
+    rounded = np.round(np.asarray(value, dtype=float), 4)
+    if rounded.ndim < 2:
+        return f"np.array({rounded.tolist()})" if rounded.ndim else str(rounded.tolist())
+    rows = "".join(f"    {row},\n" for row in rounded.tolist())
+    return f"np.array([\n{rows}])"
+
+
+def example(name: str) -> ExampleView:
+    """An exercise in the numbers of its source document, before its mistakes."""
+    exercise = dealing.find(name)
+    if not exercise.example:
+        raise CourseError(f"{name} has no example")
+    return ExampleView(exercise)
+
+
+def shown_in(mistake: Mistake) -> Exercise:
+    """The exercise in whose example a mistake is shown."""
+    return next(e for e in exercises().values() if mistake in e.wrong and e.example)
+
+
+class MistakeView:
+    """A wrong line to judge: what it gives in the exercise's own numbers, the answer folded."""
+
+    def __init__(self, mistake: Mistake) -> None:
+        self.mistake, self.exercise = mistake, shown_in(mistake)
+
+    @property
+    def gives(self) -> str:
+        """The wrong value in the numbers of the source document."""
+        e = self.exercise
+        return e.answer_text(e.example, e.wrong[self.mistake])
+
+    @property
+    def answer(self) -> str:
+        """What stands behind the fold, as HTML."""
+        m, right = self.mistake, self.exercise.answer_text(self.exercise.example)
+        return (
+            f"<p>It gives {escape(self.gives)}.</p><details><summary>What is wrong?</summary>"
+            f"<p>Right is {escape(right)}. {symbols(m.why)}</p>"
+            f"<p><em>Where nobody notices.</em> {symbols(m.unnoticed)}</p></details>"
+        )
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        title = f"<p><strong>{escape(self.exercise.title)}</strong></p>"
+        return {
+            "text/html": f"{title}<pre>{escape(self.mistake.line)}</pre>{self.answer}",
+            "text/plain": f"{self.exercise.title}\n{self.mistake.line}\nIt gives {self.gives}.",
+            MISTAKE: {"name": self.mistake.name},
+        }
+
+
+def mistake(name: str) -> MistakeView:
+    """A mistake of the bank, as the chapters show it: "find the mistake"."""
+    if not isinstance(name, str) or name not in mistakes():
+        raise CourseError(f"there is no mistake {name!r}; there are {', '.join(mistakes())}")
+    return MistakeView(mistakes()[name])
+
+
+def _typed(answer: Any) -> str:
+    """A number, list or array as the text that says the same; a column counts as a list."""
+    try:
+        array = np.asarray(answer)
+    except Exception as error:  # whatever a ragged list or a strange object does in there
+        raise CourseError(
+            f"the answer must be numbers in a regular list, got {shown(answer)}"
+        ) from error
+    if array.dtype.kind not in "iuf":
+        raise CourseError(f"the answer must be real numbers, got {array.dtype} in {shown(answer)}")
+    if array.size > MOST:
+        raise CourseError(f"the answer has {array.size:,} numbers, far more than asked")
+    if array.ndim > 1 and array.shape[-1] == 1:
+        array = array[..., 0]
+    return repr(array.tolist())

@@ -11,9 +11,9 @@ from importlib.resources import files
 import hypothesis.strategies as st
 import pytest
 from hypothesis import given, settings
+from workshop.practice.reading import PROBLEMS, Reading, read
 
 from tests.support import ROOT
-from workshop.practice.reading import PROBLEMS, Reading, read
 from workshop.script import engine
 
 GROUPS = json.loads((ROOT / "tests" / "answers.json").read_text(encoding="utf-8"))

@@ -2,9 +2,9 @@
 
     Figure(name, title, view, controls, scene, readouts, says)
 
-shows itself in a notebook as a widget, and leaves its name there and a still picture: a page finds
-the figure by its name. What it can hold stands in `workshop.figures.declaration`, and for pictures in space in
-`workshop.figures.space`.
+shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
+still picture. What it can hold stands in `workshop.figures.declaration`, and for pictures in space
+in `workshop.figures.space`.
 """
 
 from workshop.figures import kinds

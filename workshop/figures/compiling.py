@@ -27,6 +27,7 @@ def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
     return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
 
+
 # type → its word in the script, what is computed, what is given as it is
 SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] = {
     d.Point: ("point", lambda s: s.at, ()),

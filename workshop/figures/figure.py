@@ -143,8 +143,7 @@ class Figure:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         """The widget; its name, by which a page finds it; for all others a still picture."""
-        data: dict[str, Any] = dict(self.widget._repr_mimebundle_()[0])
-        data |= {"text/plain": self.title, MIME: {"name": self.name}}
+        data = {**self.widget.data(), "text/plain": self.title, MIME: {"name": self.name}}
         if engine.available():
             plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", self.picture())  # no page, no style
             data["image/svg+xml"] = plain

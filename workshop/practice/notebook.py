@@ -109,8 +109,11 @@ class Box:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         plain = f"{self.exercise.title}\n\n{self.text}\n\nAsked: {judging.asked(self.exercise)}"
-        data: dict[str, Any] = dict(self.widget._repr_mimebundle_()[0])
-        return {**data, "text/plain": plain, page.MIME: {"name": self.exercise.name}}
+        return {
+            **self.widget.data(),
+            "text/plain": plain,
+            page.MIME: {"name": self.exercise.name},
+        }
 
 
 def exercise(name: str, student: str | int | None = None, course: str | None = None) -> Box:

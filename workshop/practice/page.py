@@ -21,7 +21,7 @@ MIME = "application/vnd.workshop.exercise+json"
 
 
 def constants() -> dict[str, Any]:
-    """What the script needs of the course: how many variants there are, and a name for its store."""
+    """What the script needs of Python: how many variants there are, the name of its store."""
     return {"VARIANTS": dealing.VARIANTS, "STORE": course().name}
 
 

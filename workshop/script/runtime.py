@@ -56,9 +56,7 @@ def code(name: str) -> str:
     ]
     sources = [("workshop.script", "text.js"), *((part.package, script) for script in part.scripts)]
     scripts = [_light(_text(*source)) for source in sources]
-    return "\n".join(
-        ['((part) => {\n"use strict";', *constants, *scripts, "return part;\n})({})"]
-    )
+    return "\n".join(['((part) => {\n"use strict";', *constants, *scripts, "return part;\n})({})"])
 
 
 def rules(name: str) -> str:

@@ -26,6 +26,11 @@ class Widget(anywidget.AnyWidget):
     content = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
 
+    def data(self) -> dict[str, Any]:
+        """What an output holds of it, by MIME type."""
+        data, _ = self._repr_mimebundle_() or ({}, {})
+        return dict(data)
+
 
 _sent: dict[str, Runtime] = {}  # by the name of the part
 

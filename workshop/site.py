@@ -33,8 +33,9 @@ from workshop.errors import CourseError
 from workshop.figures.figure import MIME as FIGURE
 from workshop.figures.figure import find
 from workshop.practice import page as practice
-from workshop.practice.bank import exercises, mistakes, symbols, topics
+from workshop.practice.bank import exercises, mistakes, topics
 from workshop.practice.notebook import MISTAKE, mistake
+from workshop.practice.wording import symbols
 from workshop.script import engine, runtime
 
 MACHINE = Path(__file__).parent

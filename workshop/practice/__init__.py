@@ -13,13 +13,14 @@ from workshop.practice.bank import (
     exercises,
     matrix,
     mistakes,
-    number_text,
     one_of,
     steps,
     topics,
     whole,
 )
 from workshop.practice.notebook import answers, example, exercise, export, mistake, student
+from workshop.practice.solutions import Line, Solution, Step
+from workshop.practice.wording import number_text
 from workshop.script.runtime import Part, register
 
 SCRIPTS = "problems reading calculating dealing judging box page notebook"
@@ -36,7 +37,10 @@ register(
 __all__ = [
     "Ask",
     "Exercise",
+    "Line",
     "Mistake",
+    "Solution",
+    "Step",
     "angle",
     "answers",
     "example",

@@ -17,8 +17,8 @@ from workshop.practice.bank import (
     default_salt,
     exercises,
     mistakes,
-    symbols,
 )
+from workshop.practice.wording import symbols
 from workshop.script.widget import Widget, widget
 
 WIDTH = 42  # of a line of code, for phones
@@ -64,7 +64,7 @@ class Box:
     @property
     def solution(self) -> str:
         """The worked solution, with the same numbers."""
-        return self._filled(self.exercise.solution)
+        return self._filled(self.exercise.solution_text)
 
     def _filled(self, template: str) -> str:
         return self.exercise.filled(template, self.variant.numbers, self.variant.shown)

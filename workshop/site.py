@@ -32,8 +32,9 @@ from workshop.equations.checks import Check, declared_checks
 from workshop.equations.printing import MIME as EQUATION
 from workshop.figures.figure import MIME as FIGURE
 from workshop.practice import page as practice
-from workshop.practice.bank import exercises, mistakes, symbols, topics
+from workshop.practice.bank import exercises, mistakes, topics
 from workshop.practice.notebook import MISTAKE, mistake
+from workshop.practice.wording import symbols
 from workshop.script import engine
 from workshop.script.runtime import runtime, stylesheet
 

@@ -102,11 +102,11 @@ class Course:
         """All things of a kind that the modules of one name hold, by their `name`."""
         return {name: thing for name, (_, thing) in self._found(part, kind).items()}
 
-    def homes(self, part: str, kind: type[Any]) -> dict[str, str]:
+    def homes(self, part: str, kind: type) -> dict[str, str]:
         """The chapter of each of these things, by name."""
         return {name: chapter for name, (chapter, _) in self._found(part, kind).items()}
 
-    def _found(self, part: str, kind: type[Any]) -> dict[str, tuple[str, Any]]:
+    def _found(self, part: str, kind: type) -> dict[str, tuple[str, Any]]:
         if (part, kind) not in self._declared:
             found: dict[str, tuple[str, Any]] = {}
             for chapter, module in self.modules(part).items():

@@ -50,9 +50,10 @@ class Step:
 
     given: what to put in for symbols that the exercise does not know by their own names: the name
     of a number, an expression of other symbols, or a number. values: names of what it gives, where
-    those of its left side will not do; symbols are its left side then. textbook: whether the textbook's form is shown and used.
-    part: which of several components are shown and given. check: for what does not lead to the
-    answer but is said beside it, a function from the numbers that must give the same.
+    those of its left side will not do; symbols are its left side then. textbook: whether the
+    textbook's form is shown and used. part: which of several components are shown and given.
+    check: for what does not lead to the answer but is said beside it, a function from the numbers
+    that must give the same.
     """
 
     formula: Equation | Line | Callable[..., Equation | Line]
@@ -111,8 +112,8 @@ class Told(NamedTuple):
     @property
     def rest(self) -> str:
         """What stands behind the formula: the numbers, unless they are too long, and the result."""
-        value = self.shown()
-        return value if self.numbers in ("", value) else f"{self.numbers} = {value}"
+        bare = self.numbers in ("", number_text(self.value, ""))
+        return self.shown() if bare else f"{self.numbers} = {self.shown()}"
 
 
 @dataclass(frozen=True)
@@ -129,8 +130,10 @@ class Worked:
             return "\n\n".join(f"{line.formula} = {line.rest}" for line in self.lines)
         if part == "value":
             values = [line.value for line in self.lines]
-            told = self.lines[0]._replace(value=values if len(values) > 1 else values[0])
-            return told.shown(spec)
+            units = {line.unit for line in self.lines}
+            unit = units.pop() if len(units) == 1 else ""
+            value = values if len(values) > 1 else values[0]
+            return self.lines[0]._replace(value=value, unit=unit).shown(spec)
         return self.lines[int(part)].rest
 
 
@@ -151,7 +154,10 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
     results = result.ravel() if is_column(left) else [result if result.ndim else float(result)]
     lines = tuple(
         Told(
-            f"{formula_text(a)} = {formula_text(b)}", in_numbers(b, *put), value, step.unit or unit
+            f"{formula_text(a)} = {formula_text(b)}",
+            in_numbers(b, *put),
+            value,
+            step.unit or unit or getattr(a, "unit", ""),
         )
         for a, b, value in zip(*components(left, right), results, strict=True)
     )
@@ -210,9 +216,7 @@ def sides_of(step: Step, formula: Any, known: frozenset[str]) -> tuple[Any, Any,
     right, full = (tidied(put_in(side, other)) for side in (right, full))
     if all(isinstance(symbol, sp.Symbol) for symbol in step.values) and step.values:
         left = sp.Matrix(step.values) if is_column(left) else step.values[0]
-    units = {getattr(s, "unit", "") for s in flat(left)}
-    unit = units.pop() if len(units) == 1 else ""
-    return left, right, formula.unit if isinstance(formula, Line) else unit, full
+    return left, right, formula.unit if isinstance(formula, Line) else "", full
 
 
 def tidied(e: Any) -> Any:

@@ -16,7 +16,7 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab test test-long check notebooks lock bench mutate lowest clean
+.PHONY: book serve lab test test-long screenshots check notebooks lock bench mutate lowest clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -56,11 +56,11 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not long" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m "not long and not screenshots" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal tests book
+	$(PYTEST) worksteal -m "not screenshots" tests book
 	$(PYTEST) loadfile --nbval $(NOTEBOOKS)
 
 check: $(READY)
@@ -68,6 +68,9 @@ check: $(READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/codespell
+
+screenshots: $(LIBRARY)/.ready
+	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
 
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)

@@ -11,7 +11,7 @@ from declared import COURSE, EXERCISES
 
 from workshop import practice
 from workshop.practice import dealing, judging, tables
-from workshop.practice.bank import symbols
+from workshop.practice.wording import symbols
 from workshop.script import engine
 
 pytest_plugins = ["browser"]

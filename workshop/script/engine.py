@@ -20,11 +20,11 @@ _loaded: set[str] = set()
 def _evaluate() -> Callable[[str], Any]:
     """What evaluates JavaScript here: one for the whole process."""
     if sys.platform == "emscripten":
-        from pyodide.code import run_js
+        from pyodide.code import run_js  # only there
 
         return run_js
     try:
-        from py_mini_racer import MiniRacer
+        from py_mini_racer import MiniRacer  # who only computes does not need it
     except ImportError as error:
         raise CourseError(
             "pictures are drawn and answers are read by JavaScript, and there is no engine for it: "

@@ -1,25 +1,35 @@
-"""Write the notebooks: run every cell and store the outputs, byte for byte the same each time.
+"""Write the notebooks: run every cell, store the outputs, byte for byte the same each time, and
+put the computed numbers into the prose (`tools/prose.py`).
 
     python tools/notebooks.py            write all notebooks of book/
-    python tools/notebooks.py --check    write nothing; say which notebook is stale
+    python tools/notebooks.py --check    write nothing; say which notebook is stale, and where
     python tools/notebooks.py bicycle    only those whose name contains bicycle
 
 On the reference environment (Linux x86-64, Python 3.11, the lock) --check compares bytes;
-elsewhere text outputs exactly and pictures with a tolerance.
+elsewhere text exactly and pictures with a tolerance. When nbval runs a notebook, `conftest.py`
+compares the same in that run.
 """
 
 import argparse
 import base64
+import difflib
 import io
 import platform
-import struct
+import re
 import sys
+from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 
-import matplotlib.image
 import nbformat
 import numpy as np
 from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+from PIL import Image
+
+sys.path.insert(0, str(Path(__file__).parents[1]))  # when run as a script
+
+from tools import prose
 
 BOOK = Path(__file__).parents[1] / "book"
 FRESH = BOOK.parent / "_build" / "notebooks"  # what a stale notebook should be, for comparison
@@ -28,7 +38,9 @@ METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"},
 }
+COLOURS = 24  # of a picture: more cannot be told apart by eye
 PICTURE_TOLERANCE = 0.01  # mean difference of a pixel, of 1: fonts are drawn a little differently
+SHOWN = 40  # lines of difference
 
 
 def main() -> int:
@@ -37,25 +49,32 @@ def main() -> int:
     parser.add_argument("--check", action="store_true", help="write nothing, say what is stale")
     options = parser.parse_args()
     paths = sorted(p for p in BOOK.glob("*/*.ipynb") if options.only in p.name)
-    stale = []
+    failed = []
     for number, path in enumerate(paths, start=1):
         print(f"[{number}/{len(paths)}] {path.name}", end=" ", flush=True)
-        before, after = path.read_text(encoding="utf-8"), written(path)
+        before = path.read_text(encoding="utf-8")
+        try:
+            after = written(path)
+        except (prose.ProseError, CellExecutionError) as error:
+            print(f"FAILED\n{error}")
+            failed.append(path)
+            continue
         if before == after:
             print("unchanged")
-        elif options.check:
-            same = not is_reference() and alike(before, after)
-            print("the same but for drawing" if same else "STALE: run `make notebooks`")
-            if not same:
-                stale.append(path)
-                FRESH.mkdir(parents=True, exist_ok=True)
-                (FRESH / path.name).write_text(after, encoding="utf-8")
-        else:
+        elif not options.check:
             path.write_text(after, encoding="utf-8")
             print("written")
+        elif not is_reference() and alike(before, after):
+            print("the same but for drawing")
+        else:
+            print("STALE: run `make notebooks`")
+            print(*difference(before, after), sep="\n")
+            failed.append(path)
+            FRESH.mkdir(parents=True, exist_ok=True)
+            (FRESH / path.name).write_text(after, encoding="utf-8")
     if not paths:
         print(f"no notebook in {BOOK} has {options.only!r} in its name")
-    return 1 if stale or not paths else 0
+    return 1 if failed or not paths else 0
 
 
 def is_reference() -> bool:
@@ -77,7 +96,21 @@ def written(path: Path) -> str:
         extra_arguments=["--log-level=ERROR"],
         resources={"metadata": {"path": str(path.parent)}},
     )
-    client.execute()
+    with client.setup_kernel():
+        for number, cell in enumerate(notebook.cells):
+            client.execute_cell(cell, number)
+            if prose.asks(cell):
+                asked = client.kc.execute(
+                    "", silent=True, user_expressions=prose.questions(cell, path.stem)
+                )
+                reply = client.wait_for_reply(asked)["content"]
+                where = f"{path.name}, cell {number}"
+                cell.source = prose.filled(cell, where, reply["user_expressions"])
+    return normal(notebook)
+
+
+def normal(notebook: nbformat.NotebookNode) -> str:
+    """The text in which a notebook is stored: nothing in it differs from run to run."""
     notebook.metadata = nbformat.from_dict(METADATA)
     for number, cell in enumerate(notebook.cells):
         cell.id = f"cell-{number:02d}"
@@ -88,18 +121,93 @@ def written(path: Path) -> str:
 
 
 def tidy(output: nbformat.NotebookNode) -> None:
-    """Drop what differs from run to run; give pictures their size, so that a page does not jump."""
+    """Drop what differs from run to run; make pictures light and give them their size, so that a
+    page does not jump."""
     data = output.get("data", {})
     data.pop(WIDGET, None)
     if "image/png" in data:
-        width, height = struct.unpack(">II", base64.b64decode(data["image/png"])[16:24])
+        picture, (width, height) = light(base64.b64decode(data["image/png"]))
+        data["image/png"] = base64.b64encode(picture).decode()
         output.metadata["image/png"] = {"width": width // 2, "height": height // 2}
+
+
+def light(png: bytes) -> tuple[bytes, tuple[int, int]]:
+    """A picture in few colours, a quarter of its bytes, and its size.
+
+    The colours are chosen one by one, each where the pixels are furthest from those chosen before:
+    first the areas and lines, which so keep theirs exactly, then steps between them at the edges.
+    """
+    picture = Image.open(io.BytesIO(png))
+    if picture.mode == "P":
+        return png, picture.size  # is light already
+    pixels = np.asarray(picture.convert("RGB")).reshape(-1, 3)
+    colours, which, count = np.unique(pixels, axis=0, return_inverse=True, return_counts=True)
+    squares = colours.astype(np.int64)
+    chosen = [int(count.argmax())]
+    apart = ((squares - squares[chosen[0]]) ** 2).sum(axis=1)
+    nearest = np.zeros(len(colours), dtype=np.uint8)
+    while len(chosen) < min(COLOURS, len(colours)):
+        chosen.append(int((apart * count).argmax()))
+        new = ((squares - squares[chosen[-1]]) ** 2).sum(axis=1)
+        nearest[new < apart] = len(chosen) - 1
+        apart = np.minimum(apart, new)
+    few = Image.fromarray(nearest[which.reshape(picture.size[::-1])], "P")
+    few.putpalette(colours[chosen].tobytes())
+    file = io.BytesIO()
+    few.save(file, "PNG", optimize=True)
+    return file.getvalue(), picture.size
+
+
+def different(cell: nbformat.NotebookNode, outputs: list[nbformat.NotebookNode]) -> str:
+    """How a cell's stored outputs differ from fresh ones; empty if they do not."""
+    for output in outputs:
+        tidy(output)
+    if len(cell.outputs) != len(outputs):
+        return f"{len(outputs)} outputs, {len(cell.outputs)} are stored"
+    for stored, fresh in zip(cell.outputs, outputs, strict=True):
+        stored, fresh = _parts(stored), _parts(fresh)
+        unlike = [k for k in stored | fresh if stored.get(k) != fresh.get(k)]
+        if unlike == ["image/png"] and not is_reference():
+            unlike = [k for k in unlike if not near(stored[k], fresh[k])]
+        if unlike:
+            return f"the stored output differs in {', '.join(unlike)}"
+    return ""
+
+
+def _parts(output: nbformat.NotebookNode) -> dict[str, object]:
+    """An output's parts by name; its cell's number is its place, and is looked at there."""
+    parts = {**output, **output.get("data", {})}
+    parts.pop("data", None)
+    parts.pop("execution_count", None)
+    return parts
+
+
+def prose_after(
+    notebook: nbformat.NotebookNode, cell: nbformat.NotebookNode
+) -> Iterator[tuple[int, nbformat.NotebookNode]]:
+    """The cells of prose with computed numbers between a code cell and the next one."""
+    place = next(k for k, each in enumerate(notebook.cells) if each is cell)
+    for number, each in enumerate(notebook.cells[place + 1 :], start=place + 1):
+        if each.cell_type == "code":
+            return
+        if prose.asks(each):
+            yield number, each
+
+
+def difference(before: str, after: str) -> list[str]:
+    """The first lines in which two notebooks differ, pictures told by their size only."""
+    texts = [
+        re.sub(r'("image/png": ")([^"]{99,})', lambda m: f"{m[1]}{hash(m[2]):x}", text).splitlines()
+        for text in (before, after)
+    ]
+    lines = difflib.unified_diff(*texts, "stored", "fresh", n=1, lineterm="")
+    return [line[:160] for line in islice(lines, SHOWN)]
 
 
 def alike(before: str, after: str) -> bool:
     """Whether two notebooks agree, pictures compared with a tolerance."""
     return _without_pictures(before) == _without_pictures(after) and all(
-        _near(a, b) for a, b in zip(_pictures(before), _pictures(after), strict=True)
+        near(a, b) for a, b in zip(_pictures(before), _pictures(after), strict=True)
     )
 
 
@@ -118,8 +226,11 @@ def _without_pictures(text: str) -> str:
     return text
 
 
-def _near(a: str, b: str) -> bool:
-    first, second = (matplotlib.image.imread(io.BytesIO(base64.b64decode(x))) for x in (a, b))
+def near(a: str, b: str) -> bool:
+    """Whether two pictures (base64) differ by no more than fonts do from machine to machine."""
+    first, second = (
+        np.asarray(Image.open(io.BytesIO(base64.b64decode(x))).convert("RGB")) / 255 for x in (a, b)
+    )
     if first.shape != second.shape:
         return False
     return bool(np.abs(first - second).mean() < PICTURE_TOLERANCE)

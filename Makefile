@@ -14,8 +14,6 @@ BUILD := $(BIN)/jupyter-book build book --config _config.yml \
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
-TESTS = $(wildcard tests/test_*$(T)*.py book/*/test_*$(T)*.py)
-PYTEST := $(BIN)/python -m pytest -n 2 --dist
 
 .PHONY: book serve lab test test-long check notebooks lock bench mutate clean
 .DEFAULT_GOAL := book
@@ -43,13 +41,23 @@ serve: $(SITE)
 lab: $(READY)
 	$(BIN)/jupyter lab book
 
-test: check
-	@test -n "$(TESTS)$(NOTEBOOKS)" || { echo "no test or notebook has '$(T)' in its name"; exit 1; }
-	$(if $(TESTS),$(PYTEST) worksteal -m "not long" $(TESTS))
+# The library's tests run once, against the wheel that a user installs.
+LIBRARY := _build/library
+UNDER_TEST := PYTHONPATH=$(CURDIR)/$(LIBRARY) ROBOKIN_UNDER_TEST=$(CURDIR)/$(LIBRARY)
+PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --dist
+
+$(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
+	@rm -rf $(LIBRARY)
+	$(BIN)/python -m pip install -q --disable-pip-version-check --no-deps --no-build-isolation \
+		--target $(LIBRARY) .
+	@touch $@
+
+test: check $(LIBRARY)/.ready
+	$(PYTEST) worksteal -m "not long" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
-test-long: check
-	$(PYTEST) worksteal $(TESTS)
+test-long: check $(LIBRARY)/.ready
+	$(PYTEST) worksteal tests book
 	$(PYTEST) loadfile --nbval $(NOTEBOOKS)
 
 check: $(READY)

@@ -10,18 +10,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from declared import EQUATIONS, each
 
 from robokin import motion
 from workshop import equations
+from workshop.course import course
 from workshop.equations.checking import check_one, evaluate, sample
-from workshop.equations.core import QUANTITIES, REGISTRY, Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantities, quantity
 from workshop.equations.printing import MIME, equation_latex, latex
 from workshop.errors import CourseError
 from workshop.figures.javascript import function
 from workshop.site import checked
 
-ALL = list(REGISTRY.values())
-TESTS = Path(__file__).parent
+ALL = list(EQUATIONS.values())
+BOOK = Path(__file__).parents[1] / "book"
+each_equation = each("equation", "formulas", Equation)
 
 
 def named(equation):
@@ -29,21 +32,18 @@ def named(equation):
 
 
 def copy_of(equation, **changes):
-    """An equation that differs in a few fields, kept out of the registry."""
-    try:
-        return replace(equation, name="test.copy", **changes)
-    finally:
-        REGISTRY.pop("test.copy", None)
+    """An equation that differs in a few fields."""
+    return replace(equation, name="test.copy", **changes)
 
 
 # It checks
 
 
-@pytest.mark.parametrize("equation", ALL, ids=named)
+@each_equation
 def test_equation_agrees_with_its_function(equation):
     if equation.function is None:
         file, _, test = equation.checked_by.partition("::")
-        tree = ast.parse((TESTS / Path(file).name).read_text(encoding="utf-8"))
+        tree = ast.parse(next(BOOK.glob(f"*/{Path(file).name}")).read_text(encoding="utf-8"))
         assert test in {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
         return
     result = check_one(equation)
@@ -57,21 +57,21 @@ def test_check_covers_all_that_have_a_function():
 
 
 def test_a_wrong_equation_is_found():
-    right = REGISTRY["differential_drive.speed"]
+    right = EQUATIONS["differential_drive.speed"]
     wrong = copy_of(right, right=right.right + sp.Float("1e-14"))
     assert check_one(right).agrees
     assert not check_one(wrong).agrees
 
 
 def test_a_wrong_function_is_found():
-    right = REGISTRY["motion.arc_step"]
+    right = EQUATIONS["motion.arc_step"]
     wrong = copy_of(right, function=lambda *given: motion.arc_step(*given) * (1 + 1e-14))
     assert not check_one(wrong).agrees
 
 
 def test_a_wrong_special_point_is_found():
     """Only at the special point: the generated points alone would not notice."""
-    right = REGISTRY["motion.icr"]
+    right = EQUATIONS["motion.icr"]
 
     def finite_when_straight(pose, v, omega):
         return np.nan_to_num(motion.icr(pose, v, omega), posinf=1e9)
@@ -82,9 +82,9 @@ def test_a_wrong_special_point_is_found():
 
 
 def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
-    right = REGISTRY["differential_drive.speed"]
+    right = EQUATIONS["differential_drive.speed"]
     wrong = copy_of(right, right=right.right * 2)
-    monkeypatch.setitem(REGISTRY, right.name, wrong)
+    monkeypatch.setattr("workshop.equations.checking.declared", lambda: {"wrong": wrong})
     with pytest.raises(Exception, match=r"disagree:\ntest\.copy by .*, allowed 1e-15, at b = "):
         checked(tmp_path)
 
@@ -101,13 +101,13 @@ def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch)
 
 
 def test_a_function_with_too_few_components_is_refused():
-    right = REGISTRY["motion.arc_step"]
+    right = EQUATIONS["motion.arc_step"]
     with pytest.raises(CourseError, match="3 components, its function 2"):
         check_one(copy_of(right, function=lambda *a: motion.arc_step(*a)[..., :2]))
 
 
 def test_samples_lie_in_the_ranges_and_repeat():
-    equation = REGISTRY["motion.icr"]
+    equation = EQUATIONS["motion.icr"]
     points = sample(equation, 50)
     np.testing.assert_array_equal(points, sample(equation, 50))
     generated = points[len(equation.specials) :, list(map(str, equation.symbols)).index("omega")]
@@ -126,7 +126,7 @@ def test_textbook_form_is_proved_equal(equation):
 
 
 def test_a_wrong_textbook_form_is_not_proved():
-    equation = REGISTRY["motion.arc_step"]
+    equation = EQUATIONS["motion.arc_step"]
     wrong = copy_of(equation, textbook=equation.textbook.applyfunc(lambda row: -row))
     with pytest.raises(AssertionError):
         test_textbook_form_is_proved_equal(wrong)
@@ -134,7 +134,7 @@ def test_a_wrong_textbook_form_is_not_proved():
 
 def test_special_points_are_limits():
     """The arc at omega = 0 is the limit of the textbook's form, not a convention."""
-    equation = REGISTRY["motion.arc_step"]
+    equation = EQUATIONS["motion.arc_step"]
     omega = next(s for s in equation.symbols if str(s) == "omega")
     limit = equation.textbook.limit(omega, 0)
     there = equation.right.subs(omega, 0).doit()
@@ -154,21 +154,21 @@ def _sinc(x):
 
 
 def test_prints_in_the_order_written():
-    assert latex(REGISTRY["differential_drive.speed"].right) == r"\frac{v_{R} + v_{L}}{2}"
-    assert latex(REGISTRY["differential_drive.turning_rate"].right) == r"\frac{v_{R} - v_{L}}{b}"
+    assert latex(EQUATIONS["differential_drive.speed"].right) == r"\frac{v_{R} + v_{L}}{2}"
+    assert latex(EQUATIONS["differential_drive.turning_rate"].right) == r"\frac{v_{R} - v_{L}}{b}"
 
 
 def test_sympy_shows_the_same_symbols():
-    dt = REGISTRY["motion.arc_step"].symbols[0]
+    dt = EQUATIONS["motion.arc_step"].symbols[0]
     assert str(dt) == "dt"
     assert sp.latex(dt**2) == r"\Delta t^{2}"
 
 
 def test_a_column_prints_one_line_a_component():
-    text = equation_latex(REGISTRY["motion.arc_step"])
+    text = equation_latex(EQUATIONS["motion.arc_step"])
     assert text.count("&=") == 3
     assert "sinc" not in text
-    assert "sinc" in equation_latex(REGISTRY["motion.arc_step"], computed=True)
+    assert "sinc" in equation_latex(EQUATIONS["motion.arc_step"], computed=True)
 
 
 def test_show_gives_notebook_and_page_their_forms():
@@ -188,10 +188,10 @@ def test_an_unknown_name_is_refused():
 # It is declared well
 
 
-@pytest.mark.parametrize("equation", ALL, ids=named)
+@each_equation
 def test_declaration(equation):
     module, _, _ = equation.name.partition(".")
-    assert hasattr(equations, module), "an equation is named after the module that computes it"
+    assert module in course().chapters, "an equation is named after its chapter"
     assert equation.source
     assert equation.reason
     assert 0 < equation.tolerance < 1e-9
@@ -200,27 +200,31 @@ def test_declaration(equation):
 
 
 def test_quantities_are_described():
-    for symbol, known in QUANTITIES.items():
-        assert known.meaning, symbol
-        assert known.low < known.high, symbol
+    for symbol in quantities():
+        assert symbol.meaning, symbol
+        assert symbol.low < symbol.high, symbol
 
 
-def test_declaring_twice_or_half_is_refused():
-    speed = REGISTRY["differential_drive.speed"]
-    with pytest.raises(CourseError, match="declared twice"):
-        replace(speed)
+def test_declaring_half_is_refused():
+    speed = EQUATIONS["differential_drive.speed"]
     with pytest.raises(CourseError, match="must name a function or a test"):
         replace(speed, name="test.half", function=None)
-    with pytest.raises(CourseError, match="undeclared symbols"):
+    with pytest.raises(CourseError, match=r"test.unknown uses unheard_of, which no `quantity"):
         replace(speed, name="test.unknown", right=sp.Symbol("unheard_of"))
-    x = next(s for s in QUANTITIES if str(s) == "x")
+    x = next(s for s in quantities() if str(s) == "x")
     with pytest.raises(CourseError, match="x in `right`, but not in its arguments"):
         replace(speed, name="test.unsupplied", right=speed.right + x)
     with pytest.raises(CourseError, match="x in `specials`, but not in its right nor arguments"):
         replace(speed, name="test.special", specials=({x: 0.0},))
-    with pytest.raises(CourseError, match="dt is declared twice"):
-        quantity("dt", "s", 0, 1, "again")
-    assert not [name for name in REGISTRY if name.startswith("test.")]
+
+
+def test_two_symbols_of_one_name_are_told_apart():
+    """The message says where both stand."""
+    x = EQUATIONS["motion.arc_step"].symbols[-1]
+    other = quantity(str(x), "m", 0, 1, "another one")
+    assert other != x
+    with pytest.raises(CourseError, match=r"symbols \w+: .*line \d+ and .*line \d+; use one"):
+        replace(EQUATIONS["motion.arc_step"], name="test.namesakes", right=x + other)
 
 
 def test_a_pole_is_told_with_its_place():
@@ -230,7 +234,7 @@ def test_a_pole_is_told_with_its_place():
 
 
 def test_putting_in_leaves_the_form_alone():
-    speed = REGISTRY["differential_drive.speed"]
+    speed = EQUATIONS["differential_drive.speed"]
     left, right = speed.symbols[2:]
     assert latex(speed.at({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
 
@@ -239,7 +243,7 @@ def test_putting_in_leaves_the_form_alone():
 
 
 def test_where_names_steps_for_all_faces():
-    theta, c, s = next(q for q in QUANTITIES if str(q) == "theta"), sp.Symbol("c"), sp.Symbol("s")
+    theta, c, s = next(q for q in quantities() if str(q) == "theta"), sp.Symbol("c"), sp.Symbol("s")
     where = ((c, sp.cos(theta)), (s, 2 * c))
     with as_written():
         equation = Equation(
@@ -253,7 +257,6 @@ def test_where_names_steps_for_all_faces():
             function=lambda theta: 3 * np.cos(theta),
             arguments=(theta,),
         )
-    REGISTRY.pop("test.where")
     assert equation.symbols == [theta]
     assert check_one(equation).agrees
     assert evaluate(c + s, [theta], np.array([[0.0]]), where)[0, 0] == 3

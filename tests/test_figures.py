@@ -1,32 +1,29 @@
 """The live figures: their numbers, their picture, and the hands of a reader on the built page.
 
-Every figure of `robokin.figures` is held to all of this. A new one needs two entries in
-`tests/expected/<topic>.py`: what its readouts must say, computed by `robokin`, and its special
+Every figure of the course is held to all of this. A new one needs two entries in
+`book/<topic>/expected.py`: what its readouts must say, computed by `robokin`, and its special
 settings.
 """
 
-import importlib
 import json
-import pkgutil
 import re
 import statistics
 from contextlib import contextmanager
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
 
-import expected
 import nbformat
 import numpy as np
 import pytest
 import sympy as sp
+from declared import FIGURES, each
 from support import EPS, ROOT, assert_close
 
 from book.motion import formulas as motion_formulas
 from robokin import euler
 from robokin.styles import KINDS
-from workshop import figures
+from workshop.course import course
 from workshop.equations.checking import differences, evaluate
-from workshop.equations.core import QUANTITIES
 from workshop.errors import CourseError
 from workshop.figures import (
     POINTER,
@@ -58,30 +55,19 @@ SCREENSHOTS = ROOT / "_build" / "screenshots"
 MINUS = "\u2212"
 
 
-def all_figures():
-    """Every figure of every topic."""
-    topics = [f"robokin.figures.{m.name}" for m in pkgutil.iter_modules(figures.__path__)]
-    return [figure for topic in topics for figure in importlib.import_module(topic).FIGURES]
-
-
-FIGURES = {figure.name: figure for figure in all_figures()}
-each_figure = pytest.mark.parametrize("figure", FIGURES.values(), ids=FIGURES)
+each_figure = each("figure", "figures", Figure)
 
 # What the script does for any figure alike is tried on three that differ (a clock; in space with a
 # choice; loops), and on all of them in the long run.
 TYPICAL = ("wheel-speeds", "euler-sequence", "bicycle-steps")
-typical_figure = pytest.mark.parametrize(
-    "figure",
-    [pytest.param(f, marks=[pytest.mark.long] * (n not in TYPICAL)) for n, f in FIGURES.items()],
-    ids=FIGURES,
+typical_figure = each(
+    "figure", "figures", Figure, marks=lambda name: [pytest.mark.long] * (name not in TYPICAL)
 )
 
 
 # --- By topic -------------------------------------------------------------------------------
 
-TABLES = [
-    importlib.import_module(f"expected.{m.name}") for m in pkgutil.iter_modules(expected.__path__)
-]
+TABLES = course().modules("expected").values()
 READOUTS = {name: by for table in TABLES for name, by in table.READOUTS.items()}
 SPECIALS = {name: special for table in TABLES for name, special in table.SPECIALS.items()}
 WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider shows them
@@ -456,7 +442,7 @@ SIZE = 40_000  # bytes for one figure; the renderer alone has more than half of 
 def kept_figures():
     """The stored outputs that hold a figure, by the figure's name."""
     found = {}
-    for path in sorted((ROOT / "book").glob("*.ipynb")):
+    for path in sorted((ROOT / "book").glob("*/*.ipynb")):
         notebook = nbformat.read(path, as_version=4)
         assert "widgets" not in notebook.metadata
         for cell in notebook.cells:
@@ -610,7 +596,7 @@ class OnPage:
             if isinstance(control, Choice):
                 row += list(control.options.values())[shown]
             else:
-                row.append(shown * factor(QUANTITIES[control.symbol].unit))
+                row.append(shown * factor(control.symbol.unit))
         return row
 
     def readouts(self):
@@ -710,7 +696,7 @@ def assert_slider_told(live, control, shown):
     text = live.input(control).get_attribute("aria-valuetext")
     assert live.input(control).locator("xpath=../*[@data-o]").text_content() == text
     number, unit = re.fullmatch(r"(\S*?\d)(°| .*|)", text.replace(MINUS, "-")).groups()
-    known = QUANTITIES[control.symbol].unit
+    known = control.symbol.unit
     assert unit.strip() == ("°" if known == "rad" else known)
     digits = len(number.partition(".")[2])
     assert number.replace("-", MINUS) == rounded(shown, digits)
@@ -1086,7 +1072,7 @@ def allowed(control, junk):
     """What a control may make of junk."""
     if isinstance(control, Choice):
         return [control.start]
-    scale = factor(QUANTITIES[control.symbol].unit)
+    scale = factor(control.symbol.unit)
     number = {"1e99": control.high, "-1e99": control.low, "2.5": 2.5 * scale}.get(
         junk, control.start
     )

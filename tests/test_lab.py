@@ -9,10 +9,10 @@ import time
 from contextlib import contextmanager
 
 import pytest
+from declared import COURSE, EXERCISES
 from support import ROOT
 
-from workshop.practice.bank import EXERCISES
-from workshop.practice.notebook import COURSE, Box
+from workshop.practice.notebook import Box
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -20,7 +20,7 @@ pytest.register_assert_rewrite("browser")
 
 from browser import watched_page  # noqa: E402
 
-NOTEBOOK = "04_differential_drive.ipynb"
+NOTEBOOK = "differential_drive/differential_drive.ipynb"
 PATIENCE = 90  # seconds at most for the server to start, and for all cells to run
 SCREENSHOTS = ROOT / "_build" / "screenshots"
 
@@ -50,7 +50,7 @@ def copied(folder):
     for cell in notebook["cells"]:
         if cell["cell_type"] == "code":  # nothing stored can pass for something that has run
             cell.update(outputs=[], execution_count=None)
-    folder.mkdir()
+    (folder / NOTEBOOK).parent.mkdir(parents=True)
     (folder / NOTEBOOK).write_text(json.dumps(notebook), "utf-8")
 
 

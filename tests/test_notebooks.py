@@ -10,9 +10,9 @@ import pytest
 from support import ROOT
 
 BOOK = ROOT / "book"
-NOTEBOOKS = sorted(BOOK.glob("*.ipynb"))
-DRIVE = BOOK / "04_differential_drive.ipynb"
-PAGES = sorted(BOOK.rglob("*.md"))
+NOTEBOOKS = sorted(BOOK.glob("*/*.ipynb"))
+DRIVE = BOOK / "differential_drive" / "differential_drive.ipynb"
+PAGES = sorted(BOOK.glob("*.md"))
 MARKS = {"definition", "derivation", "mistake"}
 BY_HAND = {"mistake", "solution"}
 

@@ -1,14 +1,15 @@
-"""The wheel: installed alone, with NumPy only, it computes."""
+"""The three wheels: what each holds, and that the library needs NumPy alone."""
 
 import os
-import shutil
 import subprocess
-import sys
 import venv
+from email import message_from_string
+from pathlib import Path
 from zipfile import ZipFile
 
 import numpy
 import pytest
+from hatchling.builders.wheel import WheelBuilder
 from support import ROOT
 
 PROGRAM = """
@@ -18,62 +19,61 @@ print(*(differential_drive.body_twist(5 / 3, 10 / 3, 0.03, 0.1) + 0.0).round(6))
 print(*motion.arc_step([0, 0, 0], 1.0, 0.0, 2.0))
 print(robokin.__file__)
 """
+PROJECTS = {"robokin": ROOT, "workshop": ROOT / "workshop", "book": ROOT / "book"}
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
-    """The wheel, built offline with the locked backend."""
-    folder = tmp_path_factory.mktemp("wheel")
-    command = [sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation"]
-    quiet = ["--disable-pip-version-check", "-q", "-w", str(folder), str(ROOT)]
-    subprocess.run([*command, *quiet], check=True)
-    (path,) = folder.glob("*.whl")
-    return path
+def wheels(tmp_path_factory):
+    """The wheels by package, built offline with the locked backend."""
+    folder = str(tmp_path_factory.mktemp("wheels"))
+    builders = {name: WheelBuilder(str(project)) for name, project in PROJECTS.items()}
+    return {name: Path(next(b.build(directory=folder))) for name, b in builders.items()}
 
 
-def test_wheel_holds_the_package_and_nothing_else(wheel):
-    names = ZipFile(wheel).namelist()
-    assert all(name.startswith(("robokin/", "robokin-")) for name in names)
-    for needed in ("robokin/motion.py", "robokin/live/figure.js", "robokin/live/live.css"):
-        assert needed in names
-    assert any(name.endswith("LICENSE") for name in names)
+def sources(package, suffixes, left_out=()):
+    """The files of a package that its wheel must hold, by their names in the wheel."""
+    return {
+        path.relative_to(ROOT).as_posix()
+        for suffix in suffixes
+        for path in (ROOT / package).rglob(f"*{suffix}")
+        if not any(path.match(pattern) for pattern in left_out)
+    }
 
 
-LIBRARY = ("motion", "frames", "euler", "elbow_arm", "differential_drive", "bicycle", "wheels")
-LIBRARY += ("odometry", "planar_arm", "bad_input")
-EXTRAS = ("matplotlib", "anywidget", "ipywidgets", "py_mini_racer")  # SymPy is a tests' oracle
+@pytest.mark.parametrize(
+    ("package", "suffixes", "left_out"),
+    [
+        ("robokin", [".py"], []),
+        ("workshop", [".py", ".js", ".css"], []),
+        ("book", [".py"], ["book/_*/*", "test_*.py", "expected.py"]),
+    ],
+)
+def test_a_wheel_holds_its_package_and_nothing_else(wheels, package, suffixes, left_out):
+    names = set(ZipFile(wheels[package]).namelist())
+    held = {name for name in names if ".dist-info/" not in name} - {"book/_toc.yml"}
+    assert held == sources(package, suffixes, left_out)
+    if package == "robokin":
+        assert any(name.endswith("LICENSE") for name in names)
 
 
-def test_wheel_passes_the_tests_of_the_library(wheel, tmp_path):
-    """The tests, copied away from the checkout, against the wheel; without the extras."""
-    packages, tests = tmp_path / "packages", tmp_path / "tests"
-    ZipFile(wheel).extractall(packages)
-    tests.mkdir()
-    for name in (*(f"test_{topic}.py" for topic in LIBRARY), "support.py"):
-        shutil.copy(ROOT / "tests" / name, tests)
-    (tests / "conftest.py").write_text(
-        (ROOT / "tests" / "conftest.py").read_text(encoding="utf-8")
-        + f"\nimport sys\nsys.modules.update(dict.fromkeys({EXTRAS!r}))\n"
-        "import robokin\nassert 'packages' in robokin.__file__, robokin.__file__\n",
-        encoding="utf-8",
-    )
-    marks = ["-o", "markers=long: a longer sweep", "-W", "error", "-m", "not long"]
-    run = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *marks, str(tests)],
-        env={**os.environ, "PYTHONPATH": str(packages)},
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-    )
-    assert run.returncode == 0, run.stdout[-3000:]
+def test_the_library_asks_for_numpy_alone(wheels):
+    archive = ZipFile(wheels["robokin"])
+    (name,) = [name for name in archive.namelist() if name.endswith("METADATA")]
+    needed = message_from_string(archive.read(name).decode()).get_all("Requires-Dist")
+    assert [line.split(">=")[0] for line in needed if "extra ==" not in line] == ["numpy"]
 
 
-def test_wheel_computes_with_numpy_only(wheel, tmp_path):
+def test_no_wheel_registers_in_other_people_s_tools(wheels):
+    for wheel in wheels.values():
+        assert not [name for name in ZipFile(wheel).namelist() if "entry_points" in name]
+
+
+def test_the_library_computes_with_numpy_only(wheels, tmp_path):
     """A fresh environment that sees this one's NumPy and nothing else."""
     venv.create(tmp_path / "fresh", with_pip=False)
     place = "Scripts/python.exe" if os.name == "nt" else "bin/python"
     packages = tmp_path / "packages"
-    ZipFile(wheel).extractall(packages)
+    ZipFile(wheels["robokin"]).extractall(packages)
     site = os.path.dirname(os.path.dirname(numpy.__file__))
     for name in os.listdir(site):
         if name.split("-")[0].split(".")[0] in ("numpy", "numpy_libs"):
@@ -89,4 +89,14 @@ def test_wheel_computes_with_numpy_only(wheel, tmp_path):
     twist, pose, file = run.stdout.splitlines()
     assert twist == "0.075 0.0 0.5"
     assert pose == "2.0 0.0 0.0"
-    assert file.startswith(str(packages))
+    assert file == str(packages / "robokin" / "__init__.py")
+
+
+def test_these_tests_ran_against_what_was_installed():
+    """`make test` installs the library's wheel first; its tests then run once, against that."""
+    import robokin
+
+    wanted = os.environ.get("ROBOKIN_UNDER_TEST")
+    if wanted is None:
+        pytest.skip("not run by make test: the checkout itself is tested")
+    assert Path(robokin.__file__).is_relative_to(wanted)

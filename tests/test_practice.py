@@ -11,17 +11,17 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from workshop.practice.__main__ import main
+from declared import COURSE, EXERCISES, each
 
 import robokin
 from workshop import practice
 from workshop.errors import CourseError
-from workshop.practice import dealing, judging, notebook, page, tables, teacher
-from workshop.practice.bank import EXERCISES, MISTAKES
+from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page, tables, teacher
+from workshop.practice.command import main
 from workshop.script import engine as script
 
-each_exercise = pytest.mark.parametrize("exercise", EXERCISES.values(), ids=EXERCISES)
-each_mistake = pytest.mark.parametrize("mistake", MISTAKES.values(), ids=MISTAKES)
+each_exercise = each("exercise", "exercises", Exercise)
+each_mistake = each("mistake", "exercises", Mistake)
 
 
 def users(mistake):
@@ -248,7 +248,7 @@ def test_the_page_judges_as_python_does(exercise):
 
 
 def test_the_data_of_a_topic_are_light_and_not_in_clear():
-    for topic in practice.TOPICS:
+    for topic in practice.topics():
         text = page.script(topic)
         assert len(text) < 90_000  # bytes; a chapter's page is twice that
         assert "right" not in text
@@ -262,12 +262,12 @@ def test_the_data_of_a_topic_are_light_and_not_in_clear():
 def nobody(monkeypatch):
     """No answers yet, no name given."""
     monkeypatch.setattr(notebook, "_answers", {})
-    monkeypatch.setattr(notebook, "_session", {"student": "", "course": practice.COURSE})
+    monkeypatch.setattr(notebook, "_session", {"student": "", "course": ""})
 
 
 def test_a_box_has_the_student_s_numbers(nobody):
     box = practice.exercise("differential-drive-1", student="Ada")
-    number = dealing.dealt(practice.COURSE, "differential-drive-1", "Ada")
+    number = dealing.dealt(COURSE, "differential-drive-1", "Ada")
     assert box.variant is dealing.variants("differential-drive-1")[number]
     assert box.variant.shown["b"] in box.text
     assert repr(box.check(box.variant.candidates[0].rows[0][0])) == judging.SAYS["right"]

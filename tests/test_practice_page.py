@@ -7,10 +7,11 @@ import re
 from html import unescape
 
 import pytest
+from declared import COURSE, EXERCISES
 
 from workshop import practice
 from workshop.practice import dealing, judging, tables
-from workshop.practice.bank import EXERCISES, symbols
+from workshop.practice.bank import symbols
 from workshop.practice.page import NAMELESS
 
 pytest_plugins = ["browser"]
@@ -36,7 +37,7 @@ def sign_in(page, name):
     """Type a name, leave the field, and wait for the numbers of that name."""
     page.fill("#rk-student", name)
     page.keyboard.press("Tab")
-    number = dealing.dealt(practice.COURSE, FIRST, name)
+    number = dealing.dealt(COURSE, FIRST, name)
     page.locator(f"#{FIRST}[data-variant='{number}']").wait_for()
 
 
@@ -63,16 +64,16 @@ def printed(text):
 
 
 def variant(exercise, name):
-    return dealing.variants(exercise)[dealing.dealt(practice.COURSE, exercise, name)]
+    return dealing.variants(exercise)[dealing.dealt(COURSE, exercise, name)]
 
 
-@pytest.mark.parametrize("topic", practice.TOPICS)
+@pytest.mark.parametrize("topic", practice.topics())
 def test_every_candidate_is_named_on_the_page(page, topic):
     sign_in(page, "Ada")
     for exercise in EXERCISES.values():
         if exercise.topic == topic:
             mine = variant(exercise.name, "Ada")
-            number = dealing.dealt(practice.COURSE, exercise.name, "Ada")
+            number = dealing.dealt(COURSE, exercise.name, "Ada")
             page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
             for candidate in mine.candidates:
                 said = answer(page, exercise.name, typed(candidate.rows, exercise))
@@ -182,7 +183,7 @@ def test_another_one_is_for_training(page):
     before = box(page, FIRST).locator(".rk-text").inner_text()
     box(page, FIRST).get_by_role("button", name="Another one").click()
     assert box(page, FIRST).locator(".rk-text").inner_text() != before
-    number = dealing.dealt(practice.COURSE, FIRST, "Ada") + 1
+    number = dealing.dealt(COURSE, FIRST, "Ada") + 1
     other = dealing.variants(FIRST)[number % dealing.VARIANTS]
     right = typed(other.candidates[0].rows, EXERCISES[FIRST])
     assert answer(page, FIRST, right) == judging.SAYS["right"]

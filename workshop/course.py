@@ -34,8 +34,8 @@ class Course:
 
     def __init__(self, package: str, name: str, looks: Mapping[str, Look], library: str) -> None:
         self.package, self.name, self.library = package, name, library
-        self.looks = {**GROUND, **looks}
-        self._declared: dict[tuple[str, type], dict[str, Any]] = {}
+        self.looks = dict(looks) | {k: v for k, v in GROUND.items() if k not in looks}
+        self._declared: dict[tuple[str, type], dict[str, tuple[str, Any]]] = {}
 
     @cached_property
     def folder(self) -> Path:
@@ -100,15 +100,22 @@ class Course:
 
     def declared(self, part: str, kind: type[T]) -> dict[str, T]:
         """All things of a kind that the modules of one name hold, by their `name`."""
+        return {name: thing for name, (_, thing) in self._found(part, kind).items()}
+
+    def homes(self, part: str, kind: type) -> dict[str, str]:
+        """The chapter of each of these things, by name."""
+        return {name: chapter for name, (chapter, _) in self._found(part, kind).items()}
+
+    def _found(self, part: str, kind: type) -> dict[str, tuple[str, Any]]:
         if (part, kind) not in self._declared:
-            found: dict[str, T] = {}
-            for module in self.modules(part).values():
+            found: dict[str, tuple[str, Any]] = {}
+            for chapter, module in self.modules(part).items():
                 for thing in held(module, kind):
-                    name = thing.name  # type: ignore[attr-defined]
-                    if found.setdefault(name, thing) is not thing:
+                    first, known = found.setdefault(thing.name, (chapter, thing))
+                    if known is not thing:
                         raise CourseError(
-                            f"{name} is declared twice: again in {module.__name__}; choose another "
-                            "name for one of the two"
+                            f"{thing.name} is declared twice, in the {part} of {first} and of "
+                            f"{chapter}: choose another name for one of the two"
                         )
             self._declared[part, kind] = found
         return self._declared[part, kind]

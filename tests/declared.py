@@ -1,0 +1,31 @@
+"""All that the course declares, as parameters of tests; their ids start with the chapter.
+
+So `pytest -k bicycle` runs what is said of the bicycle's formulas, figures and exercises.
+"""
+
+import pytest
+
+import book  # noqa: F401  (opens the course)
+from workshop.course import course
+from workshop.equations import Equation
+from workshop.figures import Figure
+from workshop.practice import Exercise, Mistake
+
+EQUATIONS = course().declared("formulas", Equation)
+FIGURES = course().declared("figures", Figure)
+EXERCISES = course().declared("exercises", Exercise)
+MISTAKES = course().declared("exercises", Mistake)
+CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
+COURSE = course().name
+
+
+def each(argument, part, kind, marks=lambda name: []):
+    """Parametrizes a test over all things of a kind; marks: those of a thing, by its name."""
+    homes = course().homes(part, kind)
+    return pytest.mark.parametrize(
+        argument,
+        [
+            pytest.param(thing, marks=marks(name), id=f"{homes[name]}:{name}")
+            for name, thing in course().declared(part, kind).items()
+        ],
+    )

@@ -11,11 +11,11 @@ def pytest_runtest_call(item):
     if type(item).__name__ == "IPyNbCell":
         from tools import notebooks  # here, because other tests do not need what it imports
 
-        if told := notebooks.different(item.cell, item.test_outputs):
-            item.raise_cell_error(f"{told}: run `make notebooks`")
+        told = [notebooks.different(item.cell, item.test_outputs)]
         for number, cell in notebooks.prose_after(item.parent.nb, item.cell):
-            if told := stale_prose(item, cell, f"{item.path.name}, cell {number}"):
-                item.raise_cell_error(told)
+            told.append(stale_prose(item, cell, f"{item.path.name}, cell {number}"))
+        if any(told):
+            item.raise_cell_error("\n".join(filter(None, told)))
     return result
 
 

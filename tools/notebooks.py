@@ -163,14 +163,14 @@ def different(cell: nbformat.NotebookNode, outputs: list[nbformat.NotebookNode])
     for output in outputs:
         tidy(output)
     if len(cell.outputs) != len(outputs):
-        return f"{len(outputs)} outputs, {len(cell.outputs)} are stored"
+        return f"{len(outputs)} outputs, {len(cell.outputs)} are stored: run `make notebooks`"
     for stored, fresh in zip(cell.outputs, outputs, strict=True):
         stored, fresh = _parts(stored), _parts(fresh)
         unlike = [k for k in stored | fresh if stored.get(k) != fresh.get(k)]
         if unlike == ["image/png"] and not is_reference():
             unlike = [k for k in unlike if not near(stored[k], fresh[k])]
         if unlike:
-            return f"the stored output differs in {', '.join(unlike)}"
+            return f"the stored output differs in {', '.join(unlike)}: run `make notebooks`"
     return ""
 
 

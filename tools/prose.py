@@ -152,7 +152,7 @@ def numbers(source: str) -> Iterator[tuple[int, int, str, str]]:
 
 def _unit_after(rest: str) -> str:
     """The unit of the number before, also where numbers of a list share one."""
-    found = re.match(rf"(?:(?:°|\s?%)?{SHARED}{NUMBER})*({UNIT})", rest)
+    found = re.match(rf"(?:{SHARED}{NUMBER})*({UNIT})", rest)
     return found[1].strip() if found else ""
 
 

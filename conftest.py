@@ -1,6 +1,10 @@
-"""nbval runs each notebook once; from the same run comes what nbval itself does not compare."""
+"""For all tests: how hypothesis draws; and what nbval's run of a notebook also compares."""
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("robokin", deadline=None, derandomize=True, print_blob=True)
+settings.load_profile("robokin")
 
 
 @pytest.hookimpl(wrapper=True)
@@ -9,10 +13,10 @@ def pytest_runtest_call(item):
     numbers of the prose that follows it."""
     result = yield
     if type(item).__name__ == "IPyNbCell":
-        from tools import notebooks  # here, because other tests do not need what it imports
+        import stored  # here, because other tests do not need it
 
-        told = [notebooks.different(item.cell, item.test_outputs)]
-        for number, cell in notebooks.prose_after(item.parent.nb, item.cell):
+        told = [stored.different(item.cell, item.test_outputs)]
+        for number, cell in stored.prose_after(item.parent.nb, item.cell):
             told.append(stale_prose(item, cell, f"{item.path.name}, cell {number}"))
         if any(told):
             item.raise_cell_error("\n".join(filter(None, told)))
@@ -21,7 +25,7 @@ def pytest_runtest_call(item):
 
 def stale_prose(item, cell, where):
     """What is wrong with a cell's computed numbers; the kernel stands where its reader does."""
-    from tools import prose
+    import prose
 
     reply = item.parent.kernel.kc.execute(
         "",

@@ -9,12 +9,13 @@ import subprocess
 import sys
 
 import nbformat
+import notebooks
+import prose
 import pytest
+import stored
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from PIL import Image
 from support import ROOT
-
-from tools import notebooks, prose
 
 BOOK = ROOT / "book"
 NOTEBOOKS = sorted(BOOK.glob("*/*.ipynb"))
@@ -34,7 +35,8 @@ def cells(path):
 def nbval(path):
     """nbval over one notebook, alone and strict, as CI runs it."""
     command = [sys.executable, "-m", "pytest", "--nbval", "-q", "-p", "no:cacheprovider"]
-    return subprocess.run([*command, str(path)], cwd=ROOT, capture_output=True, text=True)
+    command += ["-c", str(ROOT / "pyproject.toml"), str(path)]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 
 
 def test_there_are_notebooks():
@@ -55,7 +57,7 @@ def test_every_cell_has_run_in_order_without_error(path):
 def test_stored_as_it_is_written(path):
     """What nbval's run does not compare: the form, the cells' names, sizes of pictures."""
     text = path.read_text(encoding="utf-8")
-    assert text == notebooks.normal(nbformat.reads(text, as_version=4)), "run `make notebooks`"
+    assert text == stored.normal(nbformat.reads(text, as_version=4)), "run `make notebooks`"
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -256,7 +258,7 @@ def test_pictures_are_light():
                     png = base64.b64decode(output.data["image/png"])
                     picture = Image.open(io.BytesIO(png))
                     assert picture.mode == "P"
-                    assert len(picture.getcolors()) <= notebooks.COLOURS
+                    assert len(picture.getcolors()) <= stored.COLOURS
                     assert len(png) < 25_000
 
 
@@ -269,13 +271,13 @@ def test_a_light_picture_keeps_its_main_colours():
         picture.putpixel((k, 300), (k, k, 255 - k))
     file = io.BytesIO()
     picture.save(file, "PNG")
-    made, size = notebooks.light(file.getvalue())
+    made, size = stored.light(file.getvalue())
     seen = Image.open(io.BytesIO(made)).convert("RGB")
     assert size == seen.size == (400, 400)
-    assert len(seen.getcolors()) == notebooks.COLOURS
+    assert len(seen.getcolors()) == stored.COLOURS
     assert [seen.getpixel((100 * k + 10, 150)) for k in range(3)] == areas
     assert seen.getpixel((399, 399)) == (255, 255, 255)
-    assert notebooks.light(made) == (made, size)
+    assert stored.light(made) == (made, size)
 
 
 # nbval bites

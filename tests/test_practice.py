@@ -61,7 +61,7 @@ def test_what_is_no_documented_mistake_is_mostly_named(exercise):
 @each_exercise
 def test_texts_can_be_filled(exercise):
     for variant in dealing.variants(exercise.name):
-        for template in (exercise.text, exercise.solution):
+        for template in (exercise.text, exercise.solution_text):
             filled = exercise.filled(template, variant.numbers, variant.shown)
             assert "{" not in filled
             assert not re.search(r"\bnan\b", filled)

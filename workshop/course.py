@@ -110,6 +110,7 @@ class Course:
         if (part, kind) not in self._declared:
             found: dict[str, tuple[str, Any]] = {}
             for chapter, module in self.modules(part).items():
+                thing: Any
                 for thing in held(module, kind):
                     first, known = found.setdefault(thing.name, (chapter, thing))
                     if known is not thing:

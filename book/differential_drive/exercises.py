@@ -3,9 +3,15 @@
 from functools import partial
 
 import numpy as np
+from sympy import pi, symbols
 
+from book.differential_drive import formulas
+from book.motion import formulas as planar
 from robokin import differential_drive, motion
-from workshop.practice import Ask, Exercise, Mistake, angle, steps
+from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, steps
+
+RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
+FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
 
 V, OMEGA = Ask("v", "m/s"), Ask("ω", "rad/s")
 
@@ -118,9 +124,11 @@ differential_drive_1 = Exercise(
         M31: lambda v_L, v_R, b: (v_R - v_L) / (2 * b),
     },
     when=different,
-    solution="Seen from the left wheel, the right one moves at the difference of the two speeds, "
-    "on a circle whose radius is the wheel distance:\n\nω = (v_R − v_L)/b = ({v_R:} − {v_L:})/"
-    "{b:} = {right}",
+    solution=Solution(
+        "Seen from the left wheel, the right one moves at the difference of the two speeds, on a "
+        "circle whose radius is the wheel distance:\n\n{omega}",
+        omega=Step(formulas.turning_rate),
+    ),
     example={"v_L": 0.05, "v_R": 0.1, "b": 0.1},
 )
 
@@ -140,8 +148,11 @@ differential_drive_2 = Exercise(
         M14: lambda theta, v_L, v_R: motion.to_body(theta, [(v_L + v_R) / 2, 0, 0])[:2],
     },
     derive=lambda theta, v_L, v_R: {"v": (v_L + v_R) / 2, "theta_deg": np.degrees(theta)},
-    solution="The middle moves at the mean of the two speeds, along the heading:\n\n"
-    "v = ({v_L:} + {v_R:})/2 = {v} m/s\n\n[v cos θ, v sin θ] = {right}",
+    solution=Solution(
+        "The middle moves at the mean of the two speeds, along the heading:\n\n{speed}\n\n{world}",
+        speed=Step(formulas.speed),
+        world=Step(planar.to_world, {planar.v_y: 0}, part=(0, 1)),
+    ),
     example={"v_L": 0.05, "v_R": 0.1, "theta": np.pi / 2},
 )
 
@@ -171,9 +182,14 @@ differential_drive_3 = Exercise(
             x, y, theta - np.pi / 2, **speeds
         ),
     },
-    solution="The ICR lies R to the left of the robot, on the line of its axle; a negative R is "
-    "to the right:\n\nR = b/2 · (v_R + v_L)/(v_R − v_L) = {R} m\n\n"
-    "[x − R sin θ, y + R cos θ] = {right}",
+    solution=Solution(
+        "The ICR lies v/ω to the left of the robot, on the line of its axle; where that is "
+        "negative, to the right. So find the speed and the turning rate first:\n\n"
+        "{v_}\n\n{omega_}\n\n{centre}",
+        v_=Step(formulas.speed),
+        omega_=Step(formulas.turning_rate),
+        centre=Step(planar.icr, textbook=True),
+    ),
 )
 
 differential_drive_4 = Exercise(
@@ -201,9 +217,13 @@ differential_drive_4 = Exercise(
             circle["r"] * rates_on_circle(**circle)
         ),
     },
-    solution="One turn in {time}: ω = 2π/{time:} = {omega} rad/s. On a circle the speed is radius "
-    "times turning rate: v = {v} m/s. Each wheel is half the wheel distance from the middle:\n\n"
-    "[(v − ωb/2)/r, (v + ωb/2)/r] = {right}",
+    solution=Solution(
+        "One turn takes {time}, and on a circle the speed is radius times turning rate:\n\n"
+        "{turning}\n\n{speed}\n\nEach wheel is half the wheel distance from the middle:\n\n{rates}",
+        turning=Step(Line(planar.omega, 2 * pi / TIME, "rad/s")),
+        speed=Step(Line(planar.v, RADIUS * planar.omega, "m/s")),
+        rates=Step(formulas.wheel_rates),
+    ),
 )
 
 differential_drive_5 = Exercise(
@@ -230,9 +250,14 @@ differential_drive_5 = Exercise(
             straight_end, 0.5
         ),
     },
-    solution="Speed and turning rate: v = {v} m/s, ω = {omega} rad/s. In {time} the robot turns "
-    "by θ = {turn} rad ({turn:deg}) along an arc of radius v/ω. Hence x = v/ω sin θ and "
-    "y = v/ω (1 − cos θ):\n\n[x, y, θ] = {right}",
+    solution=Solution(
+        "Speed and turning rate come first:\n\n{v_}\n\n{omega_}\n\n"
+        "The robot starts at the origin with heading 0 and keeps both for {time}, along an arc "
+        "of radius v/ω:\n\n{arc}",
+        v_=Step(formulas.speed),
+        omega_=Step(formulas.turning_rate),
+        arc=Step(planar.arc_step, FROM_ORIGIN | {planar.dt: "time"}, textbook=True),
+    ),
 )
 
 differential_drive_6 = Exercise(
@@ -263,8 +288,15 @@ differential_drive_6 = Exercise(
             0,
         ],
     },
-    solution="The right wheel travels {distance}, the left one only {short} m. The middle travels "
-    "their mean, s = {mean} m, and the robot turns by their difference over the wheel distance, "
-    "to the left: θ = {turn} rad. It ends on an arc of radius s/θ:\n\n"
-    "[s/θ · sin θ, s/θ · (1 − cos θ)] = {right}",
+    solution=Solution(
+        "The right wheel travels {distance}, the left one less:\n\n{short}\n\n"
+        "The middle of the axle travels their mean, and the robot turns by their difference over "
+        "the wheel distance, to the left:\n\n{mean}\n\n{turn}\n\n"
+        "It ends on an arc. In a time of 1 s it would drive that far and turn that much, so the "
+        "step along an arc says where:\n\n{arc}",
+        short=Step(Line(formulas.v_L, (1 - WORN) * DISTANCE, "m")),
+        mean=Step(formulas.speed, {formulas.v_R: "distance"}, unit="m"),
+        turn=Step(formulas.turning_rate, {formulas.v_R: "distance"}, unit="rad"),
+        arc=Step(planar.arc_step, FROM_ORIGIN | {planar.dt: 1}, textbook=True, part=(0, 1)),
+    ),
 )

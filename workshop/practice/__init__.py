@@ -12,18 +12,22 @@ from workshop.practice.bank import (
     exercises,
     matrix,
     mistakes,
-    number_text,
     one_of,
     steps,
     topics,
     whole,
 )
 from workshop.practice.notebook import answers, example, exercise, export, mistake, student
+from workshop.practice.solutions import Line, Solution, Step
+from workshop.practice.wording import number_text
 
 __all__ = [
     "Ask",
     "Exercise",
+    "Line",
     "Mistake",
+    "Solution",
+    "Step",
     "angle",
     "answers",
     "example",

@@ -7,9 +7,9 @@ formula all numbers are SI; the reader sees the units that suit the text.
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from html import escape
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from workshop.course import course
 from workshop.errors import CourseError
+from workshop.practice.solutions import Solution
+from workshop.practice.wording import number_text, with_unit
 
 Answers = NDArray[np.float64]
 
@@ -151,7 +153,7 @@ class Exercise:
     asks: tuple[Ask, ...]
     right: Callable[..., ArrayLike]
     wrong: Mapping[Mistake, Callable[..., ArrayLike]]
-    solution: str
+    solution: Solution
     also: Mapping[str, Callable[..., ArrayLike]] = field(default_factory=dict)
     shape: tuple[int, ...] = ()
     accept: str = "one"
@@ -160,6 +162,13 @@ class Exercise:
     example: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        if isinstance(self.solution, str):  # not yet written in steps
+            object.__setattr__(self, "solution", Solution(self.solution))
+        twice = set(self.solution.steps) & set(self.given)
+        if twice:
+            raise CourseError(
+                f"{self.name} has numbers and steps of its solution of one name: {', '.join(twice)}"
+            )
         if self.accept not in ("one", "any", "all"):
             raise CourseError(f"{self.name}: accept must be one, any or all, got {self.accept!r}")
         if self.shape and math.prod(self.shape) != len(self.asks):
@@ -169,6 +178,11 @@ class Exercise:
     def topic(self) -> str:
         """The stem of module, chapter and test: "differential_drive"."""
         return self.name.rsplit("-", 1)[0].replace("-", "_")
+
+    @cached_property
+    def solution_text(self) -> str:
+        """The worked solution with placeholders for all that depends on the numbers."""
+        return self.solution.template(PLACEHOLDER)
 
     def answers(self, formula: Callable[..., ArrayLike], numbers: Mapping[str, Any]) -> Answers:
         """What a formula gives for these numbers, as rows (k, n); one row unless several count."""
@@ -186,9 +200,15 @@ class Exercise:
         """Each placeholder of a text and what stands for it."""
         values = {**numbers, **self.derive(**numbers)}
         found = {}
-        for key in dict.fromkeys(re.findall(PLACEHOLDER, template)):
+        keys = dict.fromkeys(re.findall(PLACEHOLDER, template))
+        said = {key.partition(":")[0].partition(".")[0] for key in keys} & set(self.solution.steps)
+        steps = self.solution.worked(values, shown) if said else {}
+        for key in keys:
             name, _, spec = key.partition(":")
-            if key == "right":
+            step, _, part = name.partition(".")
+            if step in steps:
+                found[key] = steps[step].shown(part, spec)
+            elif key == "right":
                 found[key] = self.answer_text(numbers)
             elif key in shown:
                 found[key] = shown[key]
@@ -232,31 +252,3 @@ def topics() -> list[str]:
 def default_salt() -> str:
     """The course's own name: a teacher's course has another."""
     return course().name
-
-
-def number_text(value: Any, spec: str) -> str:
-    """A number, vector or matrix as text: four decimals, no trailing zeros, a true minus."""
-    if isinstance(value, str):
-        return value
-    if isinstance(value, Sequence | np.ndarray):
-        return "[" + ", ".join(number_text(v, spec) for v in value) + "]"
-    if spec == "deg":
-        return number_text(value * 180 / math.pi, ".1f") + "°"
-    text = format(value, spec) if spec else f"{value:.4f}".rstrip("0").rstrip(".")
-    return re.sub(r"^-(?=[0.]*$)", "", text).replace("-", "\u2212")
-
-
-def with_unit(text: str, unit: str) -> str:
-    """ "30 cm", but "45°"."""
-    return text + unit if unit in ("°", "%") else f"{text} {unit}".rstrip()
-
-
-def symbols(text: str) -> str:
-    """A text as HTML, with "v_L" and "θ̇_1" as letters with an index."""
-    letter, index = r"([^\W\d_][\u0300-\u036f]*)", "([0-9A-Za-z]+)"
-    return re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2</sub>", escape(text))
-
-
-def paragraphs(text: str) -> str:
-    """A text of several paragraphs as HTML."""
-    return "".join(f"<p>{symbols(paragraph)}</p>" for paragraph in text.split("\n\n"))

@@ -122,4 +122,4 @@ def _contents(exercise: Exercise) -> list[Any]:
         for c in variant.candidates
     ]
     shown = [list(variant.shown.values()) for variant in variants(exercise.name)]
-    return [exercise.text, exercise.solution, asks, shown, answers]
+    return [exercise.text, exercise.solution_text, asks, shown, answers]

@@ -11,8 +11,9 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from workshop.practice import dealing, judging, tables
-from workshop.practice.bank import Ask, Exercise, default_salt, paragraphs, symbols
+from workshop.practice.bank import Ask, Exercise, default_salt
 from workshop.practice.teacher import chosen, progress
+from workshop.practice.wording import paragraphs, symbols
 
 
 def write(out: str | Path, only: Sequence[str] = (), force: bool = False) -> list[str]:
@@ -42,7 +43,7 @@ def _question(exercise: Exercise, number: int, variant: dealing.Variant) -> Elem
     ]
     text = exercise.filled(exercise.text, variant.numbers, variant.shown)
     _text(question, "questiontext", paragraphs(text) + "".join(fields), format="html")
-    solution = exercise.filled(exercise.solution, variant.numbers, variant.shown)
+    solution = exercise.filled(exercise.solution_text, variant.numbers, variant.shown)
     _text(question, "generalfeedback", paragraphs(solution), format="html")
     return question
 

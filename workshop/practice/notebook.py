@@ -15,8 +15,8 @@ from workshop.practice.bank import (
     default_salt,
     exercises,
     mistakes,
-    symbols,
 )
+from workshop.practice.wording import symbols
 
 WIDTH = 42  # of a line of code, for phones
 MOST = 100  # numbers in an answer
@@ -57,7 +57,7 @@ class Box:
     @property
     def solution(self) -> str:
         """The worked solution, with the same numbers."""
-        return self._filled(self.exercise.solution)
+        return self._filled(self.exercise.solution_text)
 
     def _filled(self, template: str) -> str:
         return self.exercise.filled(template, self.variant.numbers, self.variant.shown)

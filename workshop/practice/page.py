@@ -43,7 +43,7 @@ def constants() -> dict[str, Any]:
 
 def contents(exercise: Exercise, solutions: bool = True) -> dict[str, Any]:
     """All that the browser knows of an exercise."""
-    solution = exercise.solution if solutions else ""
+    solution = exercise.solution_text if solutions else ""
     return {
         **question(exercise),
         "solution": solution,

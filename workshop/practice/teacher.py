@@ -18,7 +18,8 @@ from typing import Any, TypeVar
 
 from workshop.errors import CourseError
 from workshop.practice import dealing, judging, tables
-from workshop.practice.bank import Exercise, exercises, mistakes, paragraphs, symbols
+from workshop.practice.bank import Exercise, exercises, mistakes
+from workshop.practice.wording import paragraphs, symbols
 
 T = TypeVar("T")
 Count = tuple[str, str, int, int, str]  # a row of the mistakes

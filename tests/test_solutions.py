@@ -1,0 +1,194 @@
+"""Worked solutions: they lead to what the library says, and every formula in them counts."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from declared import EXERCISES, each
+
+from workshop.equations import Equation
+from workshop.equations.text import signed
+from workshop.errors import CourseError
+from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
+from workshop.practice.solutions import sides
+
+each_exercise = each("exercise", "exercises", Exercise)
+EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart
+
+
+def rows_of(exercise, solution, variant):
+    """What the steps that give the answer say: rows of the numbers asked for."""
+    numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
+    steps = solution.worked(numbers, variant.shown)
+    return np.array([steps[name].result.ravel() for name in solution.answer])
+
+
+def off(exercise, row, other):
+    """How far two rows are apart, angles on the circle, in parts of the value."""
+    apart = [
+        judging.off(ask, x, y) / max(1.0, abs(y))
+        for ask, x, y in zip(exercise.asks, row, other, strict=True)
+    ]
+    return max(apart)
+
+
+def leads_to_the_answer(exercise, solution, variant):
+    """Whether each row is a right one; all of them, where all are asked."""
+    found = rows_of(exercise, solution, variant)
+    right = exercise.answers(exercise.right, variant.numbers)
+    near = np.array([[off(exercise, row, other) <= EXACT for other in right] for row in found])
+    return near.any(axis=1).all() and (exercise.accept != "all" or near.any(axis=0).all())
+
+
+@each_exercise
+def test_a_solution_leads_to_the_library_s_answer(exercise):
+    for variant in dealing.variants(exercise.name):
+        assert leads_to_the_answer(exercise, exercise.solution, variant), variant.shown
+
+
+@each_exercise
+def test_what_is_said_beside_the_way_is_right(exercise):
+    for variant in dealing.variants(exercise.name):
+        numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
+        steps = exercise.solution.worked(numbers, variant.shown)
+        for name, step in exercise.solution.steps.items():
+            if step.check:
+                wanted = np.ravel(step.check(**variant.numbers))
+                np.testing.assert_allclose(steps[name].result.ravel(), wanted, EXACT, EXACT)
+
+
+def flips(expression):
+    """The expression with one sign flipped: of the second term of each sum, else of the whole."""
+    sums = [e for e in sp.preorder_traversal(expression) if isinstance(e, sp.Add)]
+    for one in dict.fromkeys(sums):
+        first, *rest = one.args
+        with sp.evaluate(False):
+            yield expression.xreplace({one: sp.Add(first, negated(rest[0]), *rest[1:])})
+    if not sums:
+        yield negated(expression)
+
+
+def negated(e):
+    """An expression with the other sign, otherwise as written."""
+    sign, rest = signed(e)
+    return rest if sign < 0 else sp.Mul(-1, rest, evaluate=bool(rest.is_Number))
+
+
+def flipped(step, known):
+    """The same step with a sign wrong: one for each place."""
+    left, _, unit, full = sides("flipped", step, known)
+    columns = list(full) if isinstance(full, sp.MatrixBase) else [full]
+    for place, component in enumerate(columns):
+        for wrong in flips(component):
+            if isinstance(full, sp.MatrixBase):
+                changed = sp.Matrix(*full.shape, [*columns[:place], wrong, *columns[place + 1 :]])
+            else:
+                changed = wrong
+            named = {s: v for s, v in step.given.items() if isinstance(v, str)}
+            yield replace(step, formula=Line(left, changed, unit), given=named, part=())
+
+
+@each_exercise
+def test_a_wrong_sign_in_any_step_is_found(exercise):
+    """The answer is another one then, or a step beside the way differs from its check."""
+    variants = dealing.variants(exercise.name)[:8]
+    for name, step in exercise.solution.steps.items():
+        known = known_at(exercise, name, variants[0])
+        for wrong in flipped(step, known):
+            steps = {**exercise.solution.steps, name: wrong}
+            solution = Solution(exercise.solution.text, exercise.solution.answer, **steps)
+            assert any(notices(exercise, solution, name, variant) for variant in variants), (
+                f"{name}: nothing notices that {wrong.formula.left} = {wrong.formula.right}; "
+                "let the answer depend on it, or give the step a `check`"
+            )
+
+
+def known_at(exercise, name, variant):
+    """The numbers that a step can use."""
+    known = {**variant.numbers, **exercise.derive(**variant.numbers)}
+    for other, worked in exercise.solution.worked(known, variant.shown).items():
+        if other == name:
+            return known
+        known |= worked.given
+    raise AssertionError(name)
+
+
+def notices(exercise, solution, name, variant):
+    """Whether a wrong step shows with these numbers."""
+    check = solution.steps[name].check
+    with np.errstate(all="ignore"):
+        if check:
+            numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
+            found = solution.worked(numbers, variant.shown)[name].result.ravel()
+            return not np.allclose(found, np.ravel(check(**variant.numbers)), EXACT, EXACT)
+        return not leads_to_the_answer(exercise, solution, variant)
+
+
+# Nothing is typed
+
+
+@each_exercise
+def test_no_formula_or_number_is_typed_in_a_solution(exercise):
+    """An equals sign followed by what is no placeholder, or a number with a decimal point."""
+    text = exercise.solution.text
+    assert not re.search(r"=\s*[^\s{]", text), text
+    assert not re.search(r"\d\.\d", text), text
+
+
+@each_exercise
+def test_every_step_is_shown(exercise):
+    text = exercise.solution.text
+    for name in exercise.solution.steps:
+        assert re.search(rf"{{{name}[.}}]", text), f"the step {name} is not in the text"
+
+
+# The language itself
+
+a, b = sp.symbols("a b")
+GIVEN = {"a": 3.0, "b": -0.5}
+
+
+def told(solution, shown=None):
+    """A solution's text with `GIVEN` in it."""
+    steps = solution.worked(GIVEN, shown or {})
+    template = solution.template(r"{([\w.:]+)}")
+
+    def put(match):
+        name, _, spec = match[1].partition(":")
+        step, _, part = name.partition(".")
+        return steps[step].shown(part, spec)
+
+    return re.sub(r"{([\w.:]+)}", put, template)
+
+
+def test_a_step_is_told_with_letters_numbers_and_result():
+    with sp.evaluate(False):
+        solution = Solution("So {c}.", c=Step(Line(sp.Symbol("c"), (a - b) / 2, "m")))
+    assert told(solution) == "So c = (a − b)/2 = (3 − (−0.5))/2 = 1.75 m."
+
+
+def test_degrees_stand_only_inside_functions_of_an_angle():
+    with sp.evaluate(False):
+        solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), a * sp.cos(b) + b)))
+    assert told(solution, {"b": "−28.6°"}) == "c = a cos b + b = 3 cos(−28.6°) + (−0.5) = 2.1327"
+
+
+def test_a_column_is_told_line_by_line_and_named():
+    pair = Line(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
+    double = Line(sp.Symbol("q"), sp.Symbol("x") * 2)
+    solution = Solution("{p}\n\n{q}", p=Step(pair), q=Step(double))
+    assert told(solution) == "x = a + b = 3 + (−0.5) = 2.5\n\ny = a = 3\n\nq = 2 x = 2 · 2.5 = 5"
+
+
+def test_what_is_not_known_is_named():
+    solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Symbol("d"))))
+    with pytest.raises(CourseError, match=r"step 'c' .* uses d \(the number 'd'\), .* a, b"):
+        told(solution)
+
+
+def test_steps_come_from_the_declared_formulas():
+    """Most of them; a line of its own is for what is said nowhere else."""
+    steps = [s for e in EXERCISES.values() for s in e.solution.steps.values()]
+    assert sum(isinstance(step.formula, Equation) for step in steps) >= len(steps) / 2

@@ -1,0 +1,227 @@
+"""A formula in one line of text: as it stands, and with numbers put in for its symbols.
+
+Letters with an index stay as "v_L"; whoever shows the text sets the index (`symbols` of the
+practice). The order is the declared one.
+"""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+from workshop.errors import CourseError
+
+SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text holds together
+Bound = tuple[str, int]
+
+GREEK = {
+    name: chr(code)
+    for names, start in (
+        ("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu", 0x3B1),
+        ("nu xi omicron pi rho", 0x3BD),
+        ("sigma tau upsilon phi chi psi omega", 0x3C3),
+    )
+    for code, name in enumerate(names.split(), start)
+}
+GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
+GREEK |= {"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ", "det": "det", "top": "ᵀ"}
+ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304"}
+NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+TURNS = ("sin", "cos", "tan", "cot")  # what takes an angle
+RAISED = {2: "²", 3: "³"}
+
+
+def symbol_text(symbol: sp.Symbol) -> str:
+    """A symbol's letter: "θ̇_1" for `\\dot\\theta_1`."""
+    latex: str = sp.latex(symbol)
+    text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{(\w+)\}", r"\1", latex)
+    text = re.sub(r"\\([A-Za-z]+)", lambda m: GREEK.get(m[1], m[0]), text)
+    text = re.sub(
+        r"\\(dot|ddot|hat|bar)\s*(?:\{\s*(\w)\s*\}|(\w))",
+        lambda m: (m[2] or m[3]) + ACCENTS[m[1]],
+        text,
+    )
+    text = re.sub(r"_\{([^{}]*)\}", lambda m: "_" + re.sub("[ ,]", "", m[1]), text)
+    text = text.replace("{", "").replace("}", "").replace("Δ ", "Δ")
+    if "\\" in text:
+        raise CourseError(f"the symbol {symbol} prints as {latex}, which has no plain letter")
+    return text
+
+
+def bracketed(bound: Bound, least: int) -> str:
+    """A text, in parentheses where it holds together less than `least`."""
+    text, binding = bound
+    return text if binding >= least else f"({text})"
+
+
+class Writer:
+    """Writes expressions. letters: what stands for a symbol; in_degrees: the same inside sin, cos.
+
+    Inside a function of an angle `in_degrees` is used where it knows all symbols.
+    """
+
+    def __init__(
+        self, letters: Callable[[sp.Symbol], str], in_degrees: Mapping[sp.Symbol, str] | None = None
+    ) -> None:
+        self.letters, self.in_degrees = letters, in_degrees or {}
+
+    def text(self, expression: Any) -> str:
+        """The expression in one line."""
+        return self.bound(expression)[0]
+
+    def bound(self, e: Any) -> Bound:
+        """The text and how tightly it holds together."""
+        if isinstance(e, sp.MatrixBase):
+            return self._matrix(e), ATOM
+        if isinstance(e, sp.MatMul):
+            return " ".join(bracketed(self.bound(arg), PRODUCT) for arg in e.args), PRODUCT
+        if isinstance(e, sp.Transpose):
+            return bracketed(self.bound(e.arg), ATOM) + "ᵀ", POWER
+        e = sp.sympify(e)
+        if isinstance(e, sp.Symbol):
+            text = self.letters(e)
+            return text, SIGNED if text.startswith("−") else ATOM
+        if e.is_Number or e.is_NumberSymbol or e in (sp.nan, sp.oo):
+            return self._number(e)
+        if isinstance(e, sp.Add):
+            return self._sum(e), SUM
+        if isinstance(e, sp.Mul):
+            return self._product(e)
+        if isinstance(e, sp.Pow):
+            return self._power(e)
+        if isinstance(e, sp.Piecewise):
+            return self.bound(e.args[0][0])  # the ordinary case stands first
+        if isinstance(e, sp.Abs):
+            return f"|{self.text(e.args[0])}|", ATOM
+        return self._function(e), POWER
+
+    def _number(self, e: Any) -> Bound:
+        if e == sp.pi:
+            return "π", ATOM
+        if isinstance(e, sp.Rational) and not e.is_Integer:
+            return f"{'−' if e < 0 else ''}{abs(e.p)}/{e.q}", PRODUCT if e > 0 else SIGNED
+        text = f"{float(e):.6g}" if isinstance(e, sp.Float) else str(e)
+        return text.replace("-", "−"), SIGNED if text.startswith("-") else ATOM
+
+    def _matrix(self, e: Any) -> str:
+        if e.cols == 1:
+            return "[" + ", ".join(map(self.text, e)) + "]"
+        rows = (", ".join(map(self.text, e.row(i))) for i in range(e.rows))
+        return "[" + ", ".join(f"[{row}]" for row in rows) + "]"
+
+    def _sum(self, e: Any) -> str:
+        text = ""
+        for place, part in enumerate(e.args):
+            sign, rest = signed(part)
+            shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SIGNED)
+            if place:
+                text += f" {'−' if sign < 0 else '+'} {shown}"
+            else:
+                text = f"−{shown}" if sign < 0 else shown
+        return text
+
+    def _product(self, e: Any) -> Bound:
+        sign, rest = signed(e)
+        above, below = fraction(rest)
+        text = self._factors(above, closed=bool(below))
+        if below:
+            under = self._factors(below, closed=False)
+            several = len(below) > 1 or self.bound(below[0])[1] < POWER
+            text = f"{text}/({under})" if several else f"{text}/{under}"
+        return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
+
+    def _factors(self, factors: Sequence[Any], closed: bool) -> str:
+        """Factors side by side; closed: a function at the end has its argument in parentheses."""
+        if not factors:
+            return "1"
+        alone = len(factors) == 1
+        text = ""
+        for place, factor in enumerate(factors):
+            last = place == len(factors) - 1
+            shown = bracketed(self.bound(factor), SUM if alone and not closed else PRODUCT)
+            if is_call(factor) and (closed or not last):
+                shown = self._function(factor, closed=True)
+            if place:
+                text += joint(text, shown)
+            text += shown
+        return text
+
+    def _power(self, e: Any) -> Bound:
+        base, exponent = e.base, e.exp
+        if exponent == sp.Rational(1, 2):
+            return "√" + bracketed(self.bound(base), ATOM), POWER
+        if exponent.is_Number and exponent < 0:
+            return self._product(sp.Mul(sp.S.One, e, evaluate=False))
+        raised = RAISED.get(exponent) or f"^{bracketed(self.bound(exponent), ATOM)}"
+        return bracketed(self.bound(base), ATOM) + raised, POWER
+
+    def _function(self, e: Any, closed: bool = False) -> str:
+        name = NAMES.get(e.func.__name__, e.func.__name__)
+        inside = self
+        if name in TURNS and e.free_symbols and e.free_symbols <= set(self.in_degrees):
+            inside = Writer(self.in_degrees.__getitem__)
+        arguments = [inside.bound(argument) for argument in e.args]
+        if len(arguments) == 1 and arguments[0][1] == ATOM and not closed and name != "ceiling":
+            return f"{name} {arguments[0][0]}"
+        return f"{name}({', '.join(text for text, _ in arguments)})"
+
+
+def is_call(e: Any) -> bool:
+    """Whether an expression is a function of something, such as sin θ."""
+    return isinstance(e, sp.Function) and not isinstance(e, sp.Abs | sp.Piecewise)
+
+
+def signed(e: Any) -> tuple[int, Any]:
+    """The sign that an expression starts with, and the rest."""
+    if e.is_Number and e < 0:
+        return -1, -e
+    if isinstance(e, sp.Mul):
+        sign, first = signed(e.args[0])
+        if sign < 0:
+            rest = e.args[1:] if first == 1 else (first, *e.args[1:])
+            return -1, rest[0] if len(rest) == 1 else sp.Mul(*rest, evaluate=False)
+    return 1, e
+
+
+def fraction(e: Any) -> tuple[list[Any], list[Any]]:
+    """The factors above and below the line, in order."""
+    parts = list(e.args) if isinstance(e, sp.Mul) else [e]
+    above: list[Any] = []
+    below: list[Any] = []
+    for part in parts:
+        if isinstance(part, sp.Mul):
+            more, under = fraction(part)
+            above += more
+            below += under
+        elif isinstance(part, sp.Pow) and part.exp.is_Number and part.exp < 0:
+            power = sp.Pow(part.base, -part.exp, evaluate=False)
+            below.append(part.base if part.exp == -1 else power)
+        elif isinstance(part, sp.Rational) and not part.is_Integer:
+            above += [sp.Integer(part.p)] if part.p != 1 else []
+            below.append(sp.Integer(part.q))
+        elif part != 1:
+            above.append(part)
+    return above, below
+
+
+def joint(left: str, right: str) -> str:
+    """What stands between two factors: nothing in 2π, a point where a blank would mislead."""
+    if right.startswith("π") and left[-1].isdigit():
+        return ""
+    number = re.search(r"(?<![_\w])[\d.]+$", left)
+    if right[0].isdigit() or (right[0] == "(" and (number or left[-1] == ")")):
+        return " · "
+    return " "
+
+
+def formula_text(expression: Any) -> str:
+    """An expression in letters."""
+    return Writer(symbol_text).text(expression)
+
+
+def numbers_text(
+    expression: Any, numbers: Mapping[sp.Symbol, str], in_degrees: Mapping[sp.Symbol, str]
+) -> str:
+    """An expression with numbers, given as text, in place of its symbols."""
+    return Writer(numbers.__getitem__, in_degrees).text(expression)

@@ -1,0 +1,267 @@
+"""Worked solutions: declared formulas, with the exercise's numbers put in, and their results.
+
+A solution is a text with a placeholder for each step. A step is a formula of the course, or a line
+of its own where the course has none. The numbers of the exercise are found by the names of the
+formula's symbols; what a step gives is known to the steps after it by the names of its left side.
+
+    Solution(
+        "The right wheel circles around the left one at the whole distance:\\n\\n{omega}",
+        omega=Step(formulas.turning_rate),
+    )
+
+`{omega}` becomes "ω = (v_R − v_L)/b = (0.3 − 0.1)/0.4 = 0.5 rad/s", a column a line for each
+component; `{omega.value}` is the result alone, `{omega.value:deg}` in degrees. What the last step
+gives, or those that `answer` names, is the answer: a test holds it to the library's.
+"""
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from workshop.equations.core import Equation, free_symbols, put_in
+from workshop.equations.text import formula_text, numbers_text
+from workshop.errors import CourseError
+from workshop.practice.wording import number_text, with_unit
+
+LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
+
+
+class Line(NamedTuple):
+    """A formula that belongs to one solution only: its two sides, and the unit of its result."""
+
+    left: Any
+    right: Any
+    unit: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """One formula of a solution. formula: an Equation, a Line, or a function from the numbers.
+
+    given: what to put in for symbols that the exercise does not know by their own names: the name
+    of a number, an expression of other symbols, or a number. values: names of what it gives, where
+    those of its left side will not do. textbook: whether the textbook's form is shown and used.
+    part: which of several components are shown and given. check: for what does not lead to the
+    answer but is said beside it, a function from the numbers that must give the same.
+    """
+
+    formula: Equation | Line | Callable[..., Equation | Line]
+    given: Mapping[sp.Symbol, Any] = field(default_factory=dict)
+    values: tuple[str, ...] = ()
+    unit: str = ""
+    textbook: bool = False
+    part: tuple[int, ...] = ()
+    check: Callable[..., Any] | None = None
+
+
+class Solution:
+    """A worked solution: its text, its steps by name, and which of them give the answer."""
+
+    def __init__(self, text: str, answer: tuple[str, ...] = (), **steps: Step) -> None:
+        self.text, self.steps = text, steps
+        self.answer = answer or tuple(steps)[-1:]
+
+    def template(self, placeholder: str) -> str:
+        """The text, with each `{step}` as its formula and a placeholder for what follows it."""
+
+        def told(match: re.Match[str]) -> str:
+            name, _, part = match[1].partition(".")
+            if name not in self.steps or part:
+                return match[0]
+            formulas = fixed_formulas(name, self.steps[name])
+            lines = (f"{formula} = {{{name}.{k}}}" for k, formula in enumerate(formulas))
+            return "\n\n".join(lines) or f"{{{name}.all}}"
+
+        return re.sub(placeholder, told, self.text)
+
+    def worked(
+        self, numbers: Mapping[str, Any], shown: Mapping[str, str] | None = None
+    ) -> dict[str, "Worked"]:
+        """Each step with these numbers in it. shown: the drawn ones as the reader sees them."""
+        known, found = dict(numbers), {}
+        for name, step in self.steps.items():
+            found[name] = worked(name, step, known, shown or {})
+            known |= found[name].given
+        return found
+
+
+class Told(NamedTuple):
+    """One line of a step: its formula in letters, with numbers, and the result with its unit."""
+
+    formula: str
+    numbers: str
+    value: Any
+    unit: str
+
+    def shown(self, spec: str = "") -> str:
+        """The result."""
+        text = number_text(self.value, spec)
+        return text if spec == "deg" else with_unit(text, self.unit)
+
+    @property
+    def rest(self) -> str:
+        """What stands behind the formula: the numbers, unless they are too long, and the result."""
+        value = self.shown()
+        return value if self.numbers in ("", value) else f"{self.numbers} = {value}"
+
+
+@dataclass(frozen=True)
+class Worked:
+    """A step with numbers in it: its lines, and what it gives under which names."""
+
+    lines: tuple[Told, ...]
+    given: dict[str, Any]
+    result: NDArray[np.float64]
+
+    def shown(self, part: str, spec: str) -> str:
+        """What stands for a placeholder: `all`, the rest of line `0`, or `value`."""
+        if part == "all":
+            return "\n\n".join(f"{line.formula} = {line.rest}" for line in self.lines)
+        if part == "value":
+            values = [line.value for line in self.lines]
+            told = self.lines[0]._replace(value=values if len(values) > 1 else values[0])
+            return told.shown(spec)
+        return self.lines[int(part)].rest
+
+
+def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, str]) -> Worked:
+    """One step, from what the exercise and the steps before it gave."""
+    left, right, unit, full = sides(name, step, known)
+    symbols = sorted(free_symbols(full), key=str)
+    keys = {s: key if isinstance(key := step.given.get(s), str) else str(s) for s in symbols}
+    missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
+    if missing:
+        raise CourseError(
+            f"the step {name!r} of a solution uses {', '.join(missing)}, but known are only "
+            f"{', '.join(known)}: name it in `given`"
+        )
+    values = {s: known[key] for s, key in keys.items()}
+    result = np.array(compiled(full, tuple(symbols))(*values.values()), dtype=float)
+    put = letters(values, keys, shown)
+    results = result.ravel() if is_column(left) else [result if result.ndim else float(result)]
+    lines = tuple(
+        Told(
+            f"{formula_text(a)} = {formula_text(b)}", in_numbers(b, *put), value, step.unit or unit
+        )
+        for a, b, value in zip(*components(left, right), results, strict=True)
+    )
+    names = step.values or tuple(str(symbol) for symbol in flat(left))
+    given = dict(zip(names, result.ravel().tolist(), strict=len(names) == result.size))
+    return Worked(lines, given | {name: result if result.ndim else float(result)}, result)
+
+
+def in_numbers(e: Any, numbers: dict[sp.Symbol, str], in_degrees: dict[sp.Symbol, str]) -> str:
+    """A right side with numbers, or nothing where that would be too long to read."""
+    if not set(free_symbols(e)) <= set(numbers):
+        return ""  # a named step on the way
+    text = numbers_text(e, numbers, in_degrees)
+    return text if len(text) <= LONGEST else ""
+
+
+def is_column(left: Any) -> bool:
+    """Whether a left side is a column: a line for each of its components."""
+    return isinstance(left, sp.MatrixBase) and left.cols == 1
+
+
+def components(left: Any, right: Any) -> tuple[list[Any], list[Any]]:
+    """The lines of a formula: left and right sides."""
+    if not is_column(left):
+        return [left], [right]
+    right = right if isinstance(right, sp.MatrixBase) else right.doit()
+    return list(left), list(right)
+
+
+def sides(name: str, step: Step, known: Mapping[str, Any]) -> tuple[Any, Any, str, Any]:
+    """Left side, right side as printed, unit, and the right side as computed."""
+    formula = step.formula
+    if not isinstance(formula, Equation | Line):
+        formula = formula(**known)
+    left, right = formula.left, sp.sympify(formula.right)
+    full = right
+    if isinstance(formula, Equation):
+        right = formula.textbook if step.textbook else right
+        full = right if step.textbook else full_form(right, formula.where)
+    if step.part:
+        left, right, full = (picked(side, step.part) for side in (left, right, full))
+    other = {s: sp.sympify(v) for s, v in step.given.items() if not isinstance(v, str)}
+    right, full = (tidied(put_in(side, other)) for side in (right, full))
+    units = {getattr(s, "unit", "") for s in flat(left)}
+    unit = units.pop() if len(units) == 1 else ""
+    return left, right, formula.unit if isinstance(formula, Line) else unit, full
+
+
+def tidied(e: Any) -> Any:
+    """An expression without the zeros and ones that numbers put in have left, else as written."""
+    if isinstance(e, sp.MatrixBase):
+        return e.applyfunc(tidied)
+    if not isinstance(e, sp.Basic) or not e.args:
+        return e
+    if isinstance(e, sp.sin | sp.cos | sp.tan) and tidied(e.args[0]) == 0:
+        return e.func(0)
+    parts = [tidied(part) for part in e.args]
+    if isinstance(e, sp.Mul):
+        if 0 in parts:
+            return sp.S.Zero
+        parts = [part for part in parts if part != 1] or [sp.S.One]
+    if isinstance(e, sp.Add):
+        parts = [part for part in parts if part != 0] or [sp.S.Zero]
+    if isinstance(e, sp.Mul | sp.Add) and len(parts) == 1:
+        return parts[0]
+    with sp.evaluate(False):
+        return e.func(*parts)
+
+
+def picked(side: Any, part: tuple[int, ...]) -> Any:
+    """Some components of a column; one alone is no column any more."""
+    return side[part[0]] if len(part) == 1 else sp.Matrix([side[i] for i in part])
+
+
+def fixed_formulas(name: str, step: Step) -> list[str]:
+    """A step's formulas in letters, where they are the same for all numbers; else none."""
+    if not isinstance(step.formula, Equation | Line):
+        return []
+    left, right, _, _ = sides(name, step, {})
+    pairs = zip(*components(left, right), strict=True)
+    return [f"{formula_text(a)} = {formula_text(b)}" for a, b in pairs]
+
+
+def flat(left: Any) -> list[Any]:
+    """The symbols of a left side, one for each number."""
+    return list(left) if isinstance(left, sp.MatrixBase) else [left]
+
+
+def full_form(right: Any, where: Any) -> Any:
+    """A right side with its named steps put in."""
+    for symbol, expression in reversed(list(where)):
+        right = right.xreplace({symbol: expression})
+    return right
+
+
+def compiled(expression: Any, symbols: tuple[sp.Symbol, ...]) -> Callable[..., Any]:
+    """A fast function of an expression, made once."""
+    if isinstance(expression, sp.MatrixExpr):
+        expression = expression.doit()
+    if isinstance(expression, sp.MatrixBase):
+        expression = expression.as_immutable()
+    return _compiled(expression, symbols)
+
+
+@cache
+def _compiled(expression: Any, symbols: tuple[sp.Symbol, ...]) -> Callable[..., Any]:
+    function: Callable[..., Any] = sp.lambdify(symbols, expression, modules="numpy")
+    return function
+
+
+def letters(
+    values: Mapping[sp.Symbol, Any], keys: Mapping[sp.Symbol, str], shown: Mapping[str, str]
+) -> tuple[dict[sp.Symbol, str], dict[sp.Symbol, str]]:
+    """What is put in for symbols: SI numbers, and degrees where the reader was given degrees."""
+    plain = {s: number_text(value, "") for s, value in values.items()}
+    degrees = {s: shown[k] for s, k in keys.items() if shown.get(k, "").endswith("°")}
+    return plain, degrees

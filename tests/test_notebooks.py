@@ -199,6 +199,7 @@ def test_marks_account_for_their_numbers_only():
         ({"computed": ["So {v:.1f} km"]}, "stands in the text 0 times"),
         ({"computed": ["{v:.1f} cm"]}, "stands in the text 2 times"),
         ({"given": {"a setting": ["9 m"]}}, "the given phrase '9 m' is not in the text"),
+        ({"given": {"": ["7.5 cm"]}}, "given without a reason"),
     ],
 )
 def test_a_mark_that_fits_nowhere_is_refused(marks, told):

@@ -9,7 +9,7 @@ gear at the right, *Cell Metadata*):
     }
 
 A computed phrase must stand in the text once; the number in the braces' place is computed in the
-chapter's kernel after the cells above, with the reader's variables and what `book.answers` holds,
+chapter's kernel after the cells above, with the reader's variables and what `book/prose.py` holds,
 and rounded once. Minus signs are true ones, except in an exponent of TeX. A given phrase stands
 there as it is.
 """
@@ -47,7 +47,7 @@ def fields(cell: Any) -> list[tuple[str, str]]:
 
 def questions(cell: Any, chapter: str) -> dict[str, str]:
     """`user_expressions` for the kernel that answer `fields`."""
-    names = f"{{**__import__('book.answers').answers.names({chapter!r}), **globals()}}"
+    names = f"{{**__import__('book.prose').prose.names({chapter!r}), **globals()}}"
     return {
         str(k): f"format(eval({expression!r}, {names}), {form!r})"
         for k, (expression, form) in enumerate(fields(cell))
@@ -192,7 +192,9 @@ def _accounted(cell: Any, where: str) -> Iterator[tuple[int, int]]:
     for phrase in _marks(cell, "computed"):
         match = _place(phrase, cell.source, where)
         yield from (match.span(k) for k in range(1, match.re.groups + 1))
-    for phrases in dict(_marks(cell, "given")).values():
+    for reason, phrases in dict(_marks(cell, "given")).items():
+        if not reason.strip():
+            raise ProseError(f"{where}: {phrases} are given without a reason")
         for phrase in phrases:
             if phrase not in cell.source:
                 raise ProseError(f"{where}: the given phrase {phrase!r} is not in the text")

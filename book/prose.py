@@ -1,6 +1,6 @@
 """What expressions in the prose of the chapters may use, beside the chapters' own variables.
 
-A chapter may add to it in an `answers` module of its own.
+A chapter may add to it in a `prose` module of its own.
 """
 
 from typing import Any
@@ -13,8 +13,8 @@ __all__ = ["digit_and_power", "names", "reads"]
 
 
 def names(chapter: str) -> dict[str, Any]:
-    """All of these names, and those of the chapter's `answers`."""
-    own = course().module(chapter, "answers")
+    """All of these names, and those of the chapter's `prose`."""
+    own = course().module(chapter, "prose")
     return {**globals(), **(vars(own) if own else {})}
 
 

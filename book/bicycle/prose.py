@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from book.answers import reads
+from book.prose import reads
 from robokin import bicycle
 
 WHEELBASE, RADIUS, DURATION = 2.5, 0.25, 10.0  # m, m, s

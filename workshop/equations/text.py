@@ -27,7 +27,7 @@ GREEK = {
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
 GREEK |= {"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ", "det": "det", "top": "ᵀ"}
 ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304"}
-NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "Max": "max", "Min": "min"}
 TURNS = ("sin", "cos", "tan", "cot")  # what takes an angle
 RAISED = {2: "²", 3: "³"}
 
@@ -129,6 +129,8 @@ class Writer:
             under = self._factors(below, closed=False)
             several = len(below) > 1 or self.bound(below[0])[1] < POWER
             text = f"{text}/({under})" if several else f"{text}/{under}"
+        if sign < 0 and text.startswith("−"):
+            text = f"({text})"
         return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
 
     def _factors(self, factors: Sequence[Any], closed: bool) -> str:

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from declared import EXERCISES, each
 
-from workshop.equations import Equation
+from workshop.equations import Equation, quantity
 from workshop.equations.text import signed
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
@@ -22,7 +22,14 @@ def rows_of(exercise, solution, variant):
     """What the steps that give the answer say: rows of the numbers asked for."""
     numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
     steps = solution.worked(numbers, variant.shown)
-    return np.array([steps[name].result.ravel() for name in solution.answer])
+    return np.array([row_of(steps, names) for names in solution.answer])
+
+
+def row_of(steps, names):
+    """One row of the answer: what a step gives, or several together; numbers stand as they are."""
+    names = (names,) if isinstance(names, str) else names
+    parts = [steps[n].result.ravel() if isinstance(n, str) else [float(n)] for n in names]
+    return np.concatenate(parts)
 
 
 def off(exercise, row, other):
@@ -180,6 +187,36 @@ def test_a_column_is_told_line_by_line_and_named():
     double = Line(sp.Symbol("q"), sp.Symbol("x") * 2)
     solution = Solution("{p}\n\n{q}", p=Step(pair), q=Step(double))
     assert told(solution) == "x = a + b = 3 + (−0.5) = 2.5\n\ny = a = 3\n\nq = 2 x = 2 · 2.5 = 5"
+
+
+def test_a_named_step_on_the_way_is_taken_from_an_earlier_step():
+    """Else its expression is put in, and no numbers are shown."""
+    length, C = quantity("a", "m", 0, 1, "a length"), sp.Symbol("C")
+    declared = Equation(
+        *("test.e", sp.Symbol("E"), 2 * C, "here", 1.0, "none"),
+        checked_by="none",
+        where=((C, 3 * length),),
+    )
+    e, c = Step(declared), Step(Line(C, a - b))
+    assert told(Solution("{e}", e=e)) == "E = 2 C = 18"
+    assert told(Solution("{c}\n\n{e}", c=c, e=e)).endswith("\n\nE = 2 C = 2 · 3.5 = 7")
+    assert told(Solution("{e}", e=Step(declared, {C: b}))) == "E = 2 b = 2 · (−0.5) = −1"
+
+
+def test_a_step_can_give_its_result_other_letters():
+    c = Step(Line(sp.Symbol("c"), a + b), values=(sp.Symbol("c'"),))
+    assert told(Solution("{c}", c=c)) == "c' = a + b = 3 + (−0.5) = 2.5"
+    pair = Line(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
+    p = Step(pair, values=sp.symbols("u v"))
+    assert told(Solution("{p}", p=p)) == "u = a + b = 3 + (−0.5) = 2.5\n\nv = a = 3"
+
+
+def test_an_answer_can_come_from_several_steps():
+    c, d = Step(Line(sp.Symbol("c"), a + b)), Step(Line(sp.Symbol("d"), a - b))
+    solution = Solution("{c}{d}", answer=(("c", "d"), (0, "c"), "d"), c=c, d=d)
+    steps = solution.worked(GIVEN)
+    rows = [row_of(steps, names).tolist() for names in solution.answer]
+    assert rows == [[2.5, 3.5], [0.0, 2.5], [3.5]]
 
 
 def test_what_is_not_known_is_named():

@@ -27,7 +27,7 @@ GREEK = {
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
 GREEK |= {"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ", "det": "det", "top": "ᵀ"}
 ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304"}
-NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "Max": "max", "Min": "min"}
 TURNS = ("sin", "cos", "tan", "cot")  # what takes an angle
 RAISED = {2: "²", 3: "³"}
 

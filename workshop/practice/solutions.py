@@ -11,7 +11,11 @@ formula's symbols; what a step gives is known to the steps after it by the names
 
 `{omega}` becomes "ω = (v_R − v_L)/b = (0.3 − 0.1)/0.4 = 0.5 rad/s", a column a line for each
 component; `{omega.value}` is the result alone, `{omega.value:deg}` in degrees. What the last step
-gives, or those that `answer` names, is the answer: a test holds it to the library's.
+gives, or those that `answer` names, is the answer: a test holds it to the library's. Where a
+row of the answer comes from several steps, `answer` holds them together, as a tuple of its own.
+
+A formula's named steps on the way (its `where`) are taken from earlier steps where these gave
+them, and otherwise put in.
 """
 
 import re
@@ -46,14 +50,14 @@ class Step:
 
     given: what to put in for symbols that the exercise does not know by their own names: the name
     of a number, an expression of other symbols, or a number. values: names of what it gives, where
-    those of its left side will not do. textbook: whether the textbook's form is shown and used.
+    those of its left side will not do; symbols are its left side then. textbook: whether the textbook's form is shown and used.
     part: which of several components are shown and given. check: for what does not lead to the
     answer but is said beside it, a function from the numbers that must give the same.
     """
 
     formula: Equation | Line | Callable[..., Equation | Line]
     given: Mapping[sp.Symbol, Any] = field(default_factory=dict)
-    values: tuple[str, ...] = ()
+    values: tuple[str | sp.Symbol, ...] = ()
     unit: str = ""
     textbook: bool = False
     part: tuple[int, ...] = ()
@@ -63,7 +67,7 @@ class Step:
 class Solution:
     """A worked solution: its text, its steps by name, and which of them give the answer."""
 
-    def __init__(self, text: str, answer: tuple[str, ...] = (), **steps: Step) -> None:
+    def __init__(self, text: str, answer: tuple[Any, ...] = (), **steps: Step) -> None:
         self.text, self.steps = text, steps
         self.answer = answer or tuple(steps)[-1:]
 
@@ -151,7 +155,7 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
         )
         for a, b, value in zip(*components(left, right), results, strict=True)
     )
-    names = step.values or tuple(str(symbol) for symbol in flat(left))
+    names = tuple(str(symbol) for symbol in step.values or flat(left))
     given = dict(zip(names, result.ravel().tolist(), strict=len(names) == result.size))
     return Worked(lines, given | {name: result if result.ndim else float(result)}, result)
 
@@ -181,16 +185,31 @@ def sides(name: str, step: Step, known: Mapping[str, Any]) -> tuple[Any, Any, st
     """Left side, right side as printed, unit, and the right side as computed."""
     formula = step.formula
     if not isinstance(formula, Equation | Line):
-        formula = formula(**known)
+        return sides_of(step, formula(**known), frozenset(known))
+    named = {str(symbol) for symbol, _ in getattr(formula, "where", ())}
+    return fixed_sides(step, frozenset(named & known.keys()))
+
+
+@cache
+def fixed_sides(step: Step, known: frozenset[str]) -> tuple[Any, Any, str, Any]:
+    """The sides of a step whose formula is the same for all numbers."""
+    return sides_of(step, step.formula, known)
+
+
+def sides_of(step: Step, formula: Any, known: frozenset[str]) -> tuple[Any, Any, str, Any]:
+    """The sides of a formula in a step. known: the names of what is known already."""
     left, right = formula.left, sp.sympify(formula.right)
     full = right
     if isinstance(formula, Equation):
         right = formula.textbook if step.textbook else right
-        full = right if step.textbook else full_form(right, formula.where)
+        open_ = [(s, e) for s, e in formula.where if s not in step.given and str(s) not in known]
+        full = right if step.textbook else full_form(right, open_)
     if step.part:
         left, right, full = (picked(side, step.part) for side in (left, right, full))
     other = {s: sp.sympify(v) for s, v in step.given.items() if not isinstance(v, str)}
     right, full = (tidied(put_in(side, other)) for side in (right, full))
+    if all(isinstance(symbol, sp.Symbol) for symbol in step.values) and step.values:
+        left = sp.Matrix(step.values) if is_column(left) else step.values[0]
     units = {getattr(s, "unit", "") for s in flat(left)}
     unit = units.pop() if len(units) == 1 else ""
     return left, right, formula.unit if isinstance(formula, Line) else unit, full

@@ -219,6 +219,17 @@ def test_an_answer_can_come_from_several_steps():
     assert rows == [[2.5, 3.5], [0.0, 2.5], [3.5]]
 
 
+def test_each_line_of_a_column_has_its_unit():
+    speed, rate = quantity("v", "m/s", -1, 1, "speed"), quantity("w", "rad/s", -1, 1, "rate")
+    with sp.evaluate(False):
+        both = Line(sp.Matrix([speed, rate]), sp.Matrix([2 * a, b + a]))
+    assert told(Solution("{p}", p=Step(both))) == (
+        "v = 2 a = 2 · 3 = 6 m/s\n\nw = b + a = −0.5 + 3 = 2.5 rad/s"
+    )
+    solution = Solution("{p}; {p.value}", p=Step(both, unit=("m", "rad")))
+    assert told(solution) == ("v = 2 a = 2 · 3 = 6 m\n\nw = b + a = −0.5 + 3 = 2.5 rad; [6, 2.5]")
+
+
 def test_what_is_not_known_is_named():
     solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Symbol("d"))))
     with pytest.raises(CourseError, match=r"step 'c' .* uses d \(the number 'd'\), .* a, b"):

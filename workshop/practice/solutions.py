@@ -36,12 +36,19 @@ from workshop.practice.wording import number_text, with_unit
 LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
 
 
+Unit = str | tuple[str, ...]
+Sides = tuple[Any, Any, tuple[str, ...], Any]
+
+
 class Line(NamedTuple):
-    """A formula that belongs to one solution only: its two sides, and the unit of its result."""
+    """A formula that belongs to one solution only: its two sides, and the unit of its result.
+
+    unit: one for each line where they differ; without it, those of the symbols on the left.
+    """
 
     left: Any
     right: Any
-    unit: str = ""
+    unit: Unit = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +65,7 @@ class Step:
     formula: Equation | Line | Callable[..., Equation | Line]
     given: Mapping[sp.Symbol, Any] = field(default_factory=dict)
     values: tuple[str | sp.Symbol, ...] = ()
-    unit: str = ""
+    unit: Unit = ""
     textbook: bool = False
     part: tuple[int, ...] = ()
     check: Callable[..., Any] | None = None
@@ -129,14 +136,15 @@ class Worked:
             return "\n\n".join(f"{line.formula} = {line.rest}" for line in self.lines)
         if part == "value":
             values = [line.value for line in self.lines]
-            told = self.lines[0]._replace(value=values if len(values) > 1 else values[0])
-            return told.shown(spec)
+            units = {line.unit for line in self.lines}
+            unit = units.pop() if len(units) == 1 else ""
+            return Told("", "", values if len(values) > 1 else values[0], unit).shown(spec)
         return self.lines[int(part)].rest
 
 
 def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, str]) -> Worked:
     """One step, from what the exercise and the steps before it gave."""
-    left, right, unit, full = sides(name, step, known)
+    left, right, units, full = sides(name, step, known)
     symbols = sorted(free_symbols(full), key=str)
     keys = {s: key if isinstance(key := step.given.get(s), str) else str(s) for s in symbols}
     missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
@@ -150,10 +158,8 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
     put = letters(values, keys, shown)
     results = result.ravel() if is_column(left) else [result if result.ndim else float(result)]
     lines = tuple(
-        Told(
-            f"{formula_text(a)} = {formula_text(b)}", in_numbers(b, *put), value, step.unit or unit
-        )
-        for a, b, value in zip(*components(left, right), results, strict=True)
+        Told(f"{formula_text(a)} = {formula_text(b)}", in_numbers(b, *put), value, unit)
+        for a, b, value, unit in zip(*components(left, right), results, units, strict=True)
     )
     names = tuple(str(symbol) for symbol in step.values or flat(left))
     given = dict(zip(names, result.ravel().tolist(), strict=len(names) == result.size))
@@ -181,8 +187,8 @@ def components(left: Any, right: Any) -> tuple[list[Any], list[Any]]:
     return list(left), list(right)
 
 
-def sides(name: str, step: Step, known: Mapping[str, Any]) -> tuple[Any, Any, str, Any]:
-    """Left side, right side as printed, unit, and the right side as computed."""
+def sides(name: str, step: Step, known: Mapping[str, Any]) -> Sides:
+    """Left side, right side as printed, unit of each line, and the right side as computed."""
     formula = step.formula
     if not isinstance(formula, Equation | Line):
         return sides_of(step, formula(**known), frozenset(known))
@@ -191,12 +197,12 @@ def sides(name: str, step: Step, known: Mapping[str, Any]) -> tuple[Any, Any, st
 
 
 @cache
-def fixed_sides(step: Step, known: frozenset[str]) -> tuple[Any, Any, str, Any]:
+def fixed_sides(step: Step, known: frozenset[str]) -> Sides:
     """The sides of a step whose formula is the same for all numbers."""
     return sides_of(step, step.formula, known)
 
 
-def sides_of(step: Step, formula: Any, known: frozenset[str]) -> tuple[Any, Any, str, Any]:
+def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
     """The sides of a formula in a step. known: the names of what is known already."""
     left, right = formula.left, sp.sympify(formula.right)
     full = right
@@ -210,9 +216,15 @@ def sides_of(step: Step, formula: Any, known: frozenset[str]) -> tuple[Any, Any,
     right, full = (tidied(put_in(side, other)) for side in (right, full))
     if all(isinstance(symbol, sp.Symbol) for symbol in step.values) and step.values:
         left = sp.Matrix(step.values) if is_column(left) else step.values[0]
-    units = {getattr(s, "unit", "") for s in flat(left)}
-    unit = units.pop() if len(units) == 1 else ""
-    return left, right, formula.unit if isinstance(formula, Line) else unit, full
+    return left, right, units_of(left, step.unit or getattr(formula, "unit", "")), full
+
+
+def units_of(left: Any, unit: Unit) -> tuple[str, ...]:
+    """The unit of each line: as told, or that of its symbol."""
+    lines = flat(left) if is_column(left) else [left]
+    if not unit:
+        return tuple(getattr(symbol, "unit", "") for symbol in lines)
+    return (unit,) * len(lines) if isinstance(unit, str) else unit
 
 
 def tidied(e: Any) -> Any:

@@ -27,7 +27,14 @@ GREEK = {
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
 GREEK |= {"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ", "det": "det", "top": "ᵀ"}
 ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304"}
-NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "Max": "max", "Min": "min"}
+NAMES = {
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "Max": "max",
+    "Min": "min",
+    "Mod": "mod",
+}
 TURNS = ("sin", "cos", "tan", "cot")  # what takes an angle
 RAISED = {2: "²", 3: "³"}
 
@@ -35,7 +42,8 @@ RAISED = {2: "²", 3: "³"}
 def symbol_text(symbol: sp.Symbol) -> str:
     """A symbol's letter: "θ̇_1" for `\\dot\\theta_1`."""
     latex: str = sp.latex(symbol)
-    text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{(\w+)\}", r"\1", latex)
+    text = re.sub(r"\\operatorname\s*\{(\w+)\}(?=[\w\\])", r"\1 ", latex)
+    text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{(\w+)\}", r"\1", text)
     text = re.sub(r"\\([A-Za-z]+)", lambda m: GREEK.get(m[1], m[0]), text)
     text = re.sub(
         r"\\(dot|ddot|hat|bar)\s*(?:\{\s*(\w)\s*\}|(\w))",
@@ -125,6 +133,8 @@ class Writer:
         sign, rest = signed(e)
         above, below = fraction(rest)
         text = self._factors(above, closed=bool(below))
+        if sign < 0 and len(above) == 1 and self.bound(above[0])[1] < PRODUCT and not below:
+            text = f"({text})"
         if below:
             under = self._factors(below, closed=False)
             several = len(below) > 1 or self.bound(below[0])[1] < POWER

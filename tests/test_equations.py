@@ -281,11 +281,11 @@ def test_a_column_prints_one_line_a_component():
 
 def test_show_gives_notebook_and_page_their_forms():
     data = equations.show("motion.arc_step")._repr_mimebundle_()
-    assert data[MIME]["label"] == "motion.arc_step"
+    assert data[MIME] == {"name": "motion.arc_step", "computed": False}
     assert data["text/latex"].endswith(r"\tag{motion.arc\_step} $$")
     assert data["text/plain"].startswith("[x', y', ")
     computed = equations.show("motion.arc_step", computed=True)._repr_mimebundle_()
-    assert computed[MIME]["label"] == "motion.arc_step-computed"
+    assert computed[MIME] == {"name": "motion.arc_step", "computed": True}
 
 
 def test_an_unknown_name_is_refused():

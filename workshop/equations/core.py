@@ -153,7 +153,7 @@ class Equation:
         return both_sides(self.left, self.printed(computed))
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        return mimebundle(self.name, self.left, self.printed())
+        return mimebundle(self.name, False, self.left, self.printed())
 
 
 @dataclass(frozen=True)
@@ -164,8 +164,8 @@ class Shown:
     computed: bool
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        label = self.equation.name + ("-computed" if self.computed else "")
-        return mimebundle(label, self.equation.left, self.equation.printed(self.computed))
+        shown = self.equation
+        return mimebundle(shown.name, self.computed, shown.left, shown.printed(self.computed))
 
 
 def free_symbols(part: Any) -> set[sp.Symbol]:

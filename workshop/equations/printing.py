@@ -25,16 +25,22 @@ def both_sides(left: Any, right: Any) -> str:
     return f"{latex(left)} = {latex(right)}"
 
 
+def name_on_page(name: str, computed: bool) -> str:
+    """What `{eq}` refers to: a formula may stand on a page in both its forms."""
+    return f"{name}-computed" if computed else name
+
+
 def _plain(expression: Any) -> str:
     listed = list(expression) if isinstance(expression, sp.MatrixBase) else expression
     return str(sp.sstr(listed, order="none")).replace("- 1*", "- ")
 
 
-def mimebundle(label: str, left: Any, right: Any) -> dict[str, Any]:
-    """The output of a cell: labelled mathematics for the page, tagged LaTeX for a notebook."""
+def mimebundle(name: str, computed: bool, left: Any, right: Any) -> dict[str, Any]:
+    """The output of a cell: the formula's name for the page, tagged LaTeX for a notebook."""
+    label = name_on_page(name, computed)
     formula, tag = both_sides(left, right), label.replace("_", r"\_")
     return {
-        MIME: {"label": label, "latex": formula},
+        MIME: {"name": name, "computed": computed},
         "text/latex": rf"$$ {formula} \tag{{{tag}}} $$",
         "text/plain": f"{_plain(left)} = {_plain(right)}   ({label})",
     }

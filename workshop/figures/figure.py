@@ -145,9 +145,17 @@ class Figure:
         """The widget; its name, by which a page finds it; for all others a still picture."""
         data = {**self.widget.data(), "text/plain": self.title, MIME: {"name": self.name}}
         if engine.available():
-            plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", self.picture())  # no page, no style
-            data["image/svg+xml"] = plain
+            data["image/svg+xml"] = light(self.picture())
         return data
+
+
+def light(svg: str) -> str:
+    """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
+    plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    whole = re.compile(r"-?\d+\.\d+")
+    return re.sub(
+        r'(?<= d=")[^"]+', lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]), plain
+    )
 
 
 def figures() -> dict[str, Figure]:

@@ -1,21 +1,26 @@
 """What a cell of a notebook becomes on a page: a formula, a figure, an exercise, a mistake."""
 
+from collections.abc import Callable
 from html import escape
-from typing import Any
+from typing import Any, TypeVar
 
 from docutils import nodes
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
 from workshop.course import course
+from workshop.equations.core import find
 from workshop.equations.printing import MIME as EQUATION
+from workshop.equations.printing import name_on_page
 from workshop.errors import CourseError
 from workshop.figures.figure import MIME as FIGURE
-from workshop.figures.figure import find
+from workshop.figures.figure import find as find_figure
 from workshop.practice import page as practice
 from workshop.practice.notebook import MISTAKE, mistake
 from workshop.script import engine
 from workshop.site.sources import depend
+
+T = TypeVar("T")
 
 
 class Outputs:
@@ -32,6 +37,7 @@ class Outputs:
     def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
         """The page elements of a formula or a figure; None leaves the output to MyST-NB."""
         if data.mime_type == EQUATION:
+            depend(renderer.renderer.sphinx_env, "formulas")
             return _equation(renderer, data)
         if data.mime_type == FIGURE:
             depend(renderer.renderer.sphinx_env, "figures")
@@ -46,7 +52,8 @@ class Outputs:
 
 def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     """A display formula, numbered and known to `{eq}` by its name."""
-    label, formula = data.content["label"], data.content["latex"]
+    name, computed = data.content["name"], data.content["computed"]
+    label, formula = name_on_page(name, computed), told(find, name).latex(computed)
     env = renderer.renderer.sphinx_env
     node = nodes.math_block(formula, formula, label=label, nowrap=False, docname=env.docname)
     domain = env.get_domain("math")
@@ -59,8 +66,13 @@ def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
 
 def _figure(name: str) -> nodes.raw:
     """The still picture with its controls, and the data that brings it to life."""
+    return nodes.raw("", told(find_figure, name).on_page(), format="html")
+
+
+def told(find_it: Callable[[str], T], name: str) -> T:
+    """What is declared under a name that stands in a notebook; what is not ends the build."""
     try:
-        return nodes.raw("", find(name).on_page(), format="html")
+        return find_it(name)
     except CourseError as error:
         raise ExtensionError(str(error)) from error
 

@@ -10,9 +10,13 @@ formula's symbols; what a step gives is known to the steps after it by the names
     )
 
 `{omega}` becomes "ω = (v_R − v_L)/b = (0.3 − 0.1)/0.4 = 0.5 rad/s", a column a line for each
-component; `{omega.value}` is the result alone, `{omega.value:deg}` in degrees. What the last step
-gives, or those that `answer` names, is the answer: a test holds it to the library's. Where a
-row of the answer comes from several steps, `answer` holds them together, as a tuple of its own.
+component; `{omega.value}` is the result alone, `{omega.value:deg}` in degrees, `{omega.formula}`
+the formula alone. What the last step gives, or those that `answer` names, is the answer: a test
+holds it to the library's. Where a row of the answer comes from several steps, `answer` holds them
+together, as a tuple of its own.
+
+A whole matrix is a `MatrixSymbol`, known by its name as a number is. A step that gives one can
+name its entries instead, in `values`, row by row.
 
 A formula's named steps on the way (its `where`) are taken from earlier steps where these gave
 them, and otherwise put in.
@@ -36,12 +40,19 @@ from workshop.practice.wording import number_text, with_unit
 LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
 
 
+Unit = str | tuple[str, ...]
+Sides = tuple[Any, Any, tuple[str, ...], Any]
+
+
 class Line(NamedTuple):
-    """A formula that belongs to one solution only: its two sides, and the unit of its result."""
+    """A formula that belongs to one solution only: its two sides, and the unit of its result.
+
+    unit: one for each line where they differ; without it, those of the symbols on the left.
+    """
 
     left: Any
     right: Any
-    unit: str = ""
+    unit: Unit = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +69,8 @@ class Step:
 
     formula: Equation | Line | Callable[..., Equation | Line]
     given: Mapping[sp.Symbol, Any] = field(default_factory=dict)
-    values: tuple[str | sp.Symbol, ...] = ()
-    unit: str = ""
+    values: tuple[str | sp.Symbol | sp.MatrixSymbol, ...] = ()
+    unit: Unit = ""
     textbook: bool = False
     part: tuple[int, ...] = ()
     check: Callable[..., Any] | None = None
@@ -77,9 +88,11 @@ class Solution:
 
         def told(match: re.Match[str]) -> str:
             name, _, part = match[1].partition(".")
-            if name not in self.steps or part:
+            if name not in self.steps or part not in ("", "formula"):
                 return match[0]
             formulas = fixed_formulas(name, self.steps[name])
+            if part:
+                return "\n\n".join(formulas) or match[0]
             lines = (f"{formula} = {{{name}.{k}}}" for k, formula in enumerate(formulas))
             return "\n\n".join(lines) or f"{{{name}.all}}"
 
@@ -112,8 +125,8 @@ class Told(NamedTuple):
     @property
     def rest(self) -> str:
         """What stands behind the formula: the numbers, unless they are too long, and the result."""
-        bare = self.numbers in ("", number_text(self.value, ""))
-        return self.shown() if bare else f"{self.numbers} = {self.shown()}"
+        known = self.numbers in ("", number_text(self.value, ""))
+        return self.shown() if known else f"{self.numbers} = {self.shown()}"
 
 
 @dataclass(frozen=True)
@@ -125,21 +138,22 @@ class Worked:
     result: NDArray[np.float64]
 
     def shown(self, part: str, spec: str) -> str:
-        """What stands for a placeholder: `all`, the rest of line `0`, or `value`."""
+        """What stands for a placeholder: `all`, the rest of line `0`, `formula` or `value`."""
         if part == "all":
             return "\n\n".join(f"{line.formula} = {line.rest}" for line in self.lines)
+        if part == "formula":
+            return "\n\n".join(line.formula for line in self.lines)
         if part == "value":
             values = [line.value for line in self.lines]
             units = {line.unit for line in self.lines}
             unit = units.pop() if len(units) == 1 else ""
-            value = values if len(values) > 1 else values[0]
-            return self.lines[0]._replace(value=value, unit=unit).shown(spec)
+            return Told("", "", values if len(values) > 1 else values[0], unit).shown(spec)
         return self.lines[int(part)].rest
 
 
 def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, str]) -> Worked:
     """One step, from what the exercise and the steps before it gave."""
-    left, right, unit, full = sides(name, step, known)
+    left, right, units, full = sides(name, step, known)
     symbols = sorted(free_symbols(full), key=str)
     keys = {s: key if isinstance(key := step.given.get(s), str) else str(s) for s in symbols}
     missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
@@ -150,20 +164,18 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
         )
     values = {s: known[key] for s, key in keys.items()}
     result = np.array(compiled(full, tuple(symbols))(*values.values()), dtype=float)
+    if result.shape[1:] == (1,):
+        result = result.ravel()  # a column is a plain vector
+    whole = result if result.ndim else float(result)
     put = letters(values, keys, shown)
-    results = result.ravel() if is_column(left) else [result if result.ndim else float(result)]
+    results = result.ravel() if is_column(left) else [whole]
     lines = tuple(
-        Told(
-            f"{formula_text(a)} = {formula_text(b)}",
-            in_numbers(b, *put),
-            value,
-            step.unit or unit or getattr(a, "unit", ""),
-        )
-        for a, b, value in zip(*components(left, right), results, strict=True)
+        Told(f"{formula_text(a)} = {formula_text(b)}", in_numbers(b, *put), value, unit)
+        for a, b, value, unit in zip(*components(left, right), results, units, strict=True)
     )
     names = tuple(str(symbol) for symbol in step.values or flat(left))
-    given = dict(zip(names, result.ravel().tolist(), strict=len(names) == result.size))
-    return Worked(lines, given | {name: result if result.ndim else float(result)}, result)
+    parts = [whole] if len(names) == 1 else result.ravel().tolist()
+    return Worked(lines, dict(zip(names, parts, strict=True)) | {name: whole}, result)
 
 
 def in_numbers(e: Any, numbers: dict[sp.Symbol, str], in_degrees: dict[sp.Symbol, str]) -> str:
@@ -187,22 +199,29 @@ def components(left: Any, right: Any) -> tuple[list[Any], list[Any]]:
     return list(left), list(right)
 
 
-def sides(name: str, step: Step, known: Mapping[str, Any]) -> tuple[Any, Any, str, Any]:
-    """Left side, right side as printed, unit, and the right side as computed."""
-    formula = step.formula
-    if not isinstance(formula, Equation | Line):
-        return sides_of(step, formula(**known), frozenset(known))
+def sides(name: str, step: Step, known: Mapping[str, Any]) -> Sides:
+    """Left side, right side as printed, unit of each line, and the right side as computed."""
+    formula = formula_of(step, known)
+    if formula is not step.formula:
+        return sides_of(step, formula, frozenset(known))
     named = {str(symbol) for symbol, _ in getattr(formula, "where", ())}
     return fixed_sides(step, frozenset(named & known.keys()))
 
 
+def formula_of(step: Step, known: Mapping[str, Any]) -> Equation | Line:
+    """A step's formula for these numbers."""
+    if isinstance(step.formula, Equation | Line):
+        return step.formula
+    return step.formula(**known)
+
+
 @cache
-def fixed_sides(step: Step, known: frozenset[str]) -> tuple[Any, Any, str, Any]:
+def fixed_sides(step: Step, known: frozenset[str]) -> Sides:
     """The sides of a step whose formula is the same for all numbers."""
     return sides_of(step, step.formula, known)
 
 
-def sides_of(step: Step, formula: Any, known: frozenset[str]) -> tuple[Any, Any, str, Any]:
+def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
     """The sides of a formula in a step. known: the names of what is known already."""
     left, right = formula.left, sp.sympify(formula.right)
     full = right
@@ -214,16 +233,24 @@ def sides_of(step: Step, formula: Any, known: frozenset[str]) -> tuple[Any, Any,
         left, right, full = (picked(side, step.part) for side in (left, right, full))
     other = {s: sp.sympify(v) for s, v in step.given.items() if not isinstance(v, str)}
     right, full = (tidied(put_in(side, other)) for side in (right, full))
-    if all(isinstance(symbol, sp.Symbol) for symbol in step.values) and step.values:
+    if step.values and not any(isinstance(name, str) for name in step.values):
         left = sp.Matrix(step.values) if is_column(left) else step.values[0]
-    return left, right, formula.unit if isinstance(formula, Line) else "", full
+    return left, right, units_of(left, step.unit or getattr(formula, "unit", "")), full
+
+
+def units_of(left: Any, unit: Unit) -> tuple[str, ...]:
+    """The unit of each line: as told, or that of its symbol."""
+    lines = flat(left) if is_column(left) else [left]
+    if not unit:
+        return tuple(getattr(symbol, "unit", "") for symbol in lines)
+    return (unit,) * len(lines) if isinstance(unit, str) else unit
 
 
 def tidied(e: Any) -> Any:
     """An expression without the zeros and ones that numbers put in have left, else as written."""
     if isinstance(e, sp.MatrixBase):
         return e.applyfunc(tidied)
-    if not isinstance(e, sp.Basic) or not e.args:
+    if not isinstance(e, sp.Basic) or not e.args or isinstance(e, sp.MatrixSymbol):
         return e
     if isinstance(e, sp.sin | sp.cos | sp.tan) and tidied(e.args[0]) == 0:
         return e.func(0)

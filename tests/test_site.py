@@ -207,6 +207,6 @@ def test_downloaded_notebooks_find_what_they_need(site):
     assert list((site / "_sources").glob("*/differential_drive.ipynb"))
     wheels = [site / link for link in links if link.endswith(".whl")]
     names = {name for wheel in wheels for name in ZipFile(wheel).namelist()}
-    assert {"robokin/motion.py", "workshop/figures/figure.js", "book/bicycle/figures.py"} <= names
+    assert {"robokin/motion.py", "workshop/figures/live.js", "book/bicycle/figures.py"} <= names
     lock = (site / "_sources" / "requirements.txt").read_text("utf-8")
     assert lock == (ROOT / "requirements.txt").read_text("utf-8")

@@ -21,7 +21,7 @@ them, and otherwise put in.
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -40,7 +40,8 @@ Unit = str | tuple[str, ...]
 Sides = tuple[Any, Any, tuple[str, ...], Any]
 
 
-class Line(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Line:
     """A formula that belongs to one solution only: its two sides, and the unit of its result.
 
     unit: one for each line where they differ; without it, those of the symbols on the left.
@@ -191,17 +192,12 @@ def sides(name: str, step: Step, known: Mapping[str, Any]) -> Sides:
     """Left side, right side as printed, unit of each line, and the right side as computed."""
     formula = step.formula
     if not isinstance(formula, Equation | Line):
-        return sides_of(step, formula(**known), frozenset(known))
+        formula = formula(**known)
     named = {str(symbol) for symbol, _ in getattr(formula, "where", ())}
-    return fixed_sides(step, frozenset(named & known.keys()))
+    return sides_of(step, formula, frozenset(named & known.keys()))
 
 
-@cache
-def fixed_sides(step: Step, known: frozenset[str]) -> Sides:
-    """The sides of a step whose formula is the same for all numbers."""
-    return sides_of(step, step.formula, known)
-
-
+@lru_cache(maxsize=1024)  # a formula that a function gives may be another one each time
 def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
     """The sides of a formula in a step. known: the names of what is known already."""
     left, right = formula.left, sp.sympify(formula.right)

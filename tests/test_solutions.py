@@ -12,7 +12,7 @@ from workshop.equations import Equation, quantity
 from workshop.equations.text import signed
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
-from workshop.practice.solutions import sides
+from workshop.practice.solutions import figures, sides
 
 each_exercise = each("exercise", "exercises", Exercise)
 EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart
@@ -228,6 +228,28 @@ def test_each_line_of_a_column_has_its_unit():
     )
     solution = Solution("{p}; {p.value}", p=Step(both, unit=("m", "rad")))
     assert told(solution) == ("v = 2 a = 2 · 3 = 6 m\n\nw = b + a = −0.5 + 3 = 2.5 rad; [6, 2.5]")
+
+
+def test_numbers_that_stand_in_a_formula_are_not_said_twice():
+    solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Pow(2, 4, evaluate=False))))
+    assert told(solution) == "c = 2^4 = 16"
+
+
+def test_small_numbers_keep_four_digits():
+    with sp.evaluate(False):
+        c = Step(Line(sp.Symbol("c"), a / 700, "m"))
+        d = Step(Line(sp.Symbol("d"), 100 * sp.Symbol("c")))
+    solution = Solution("{c}, {c.value:deg}, {d}", c=c, d=d)
+    assert (
+        told(solution)
+        == "c = a/700 = 3/700 = 0.004286 m, 0.2°, d = 100 c = 100 · 0.004286 = 0.4286"
+    )
+    assert [figures(x) for x in (0.002, -0.00012345, 1e-17, -0.25)] == [
+        "0.002",
+        "−0.0001234",
+        "0",
+        "−0.25",
+    ]
 
 
 def test_what_is_not_known_is_named():

@@ -18,6 +18,7 @@ A formula's named steps on the way (its `where`) are taken from earlier steps wh
 them, and otherwise put in.
 """
 
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -113,7 +114,7 @@ class Told(NamedTuple):
 
     def shown(self, spec: str = "") -> str:
         """The result."""
-        text = number_text(self.value, spec)
+        text = number_text(self.value, spec) if spec else figures(self.value)
         return text if spec == "deg" else with_unit(text, self.unit)
 
     @property
@@ -169,8 +170,9 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
 
 def in_numbers(e: Any, numbers: dict[sp.Symbol, str], in_degrees: dict[sp.Symbol, str]) -> str:
     """A right side with numbers, or nothing where that would be too long to read."""
-    if not set(free_symbols(e)) <= set(numbers):
-        return ""  # a named step on the way
+    symbols = set(free_symbols(e))
+    if not symbols or not symbols <= set(numbers):
+        return ""  # it has numbers already, or a named step on the way
     text = numbers_text(e, numbers, in_degrees)
     return text if len(text) <= LONGEST else ""
 
@@ -289,6 +291,14 @@ def letters(
     values: Mapping[sp.Symbol, Any], keys: Mapping[sp.Symbol, str], shown: Mapping[str, str]
 ) -> tuple[dict[sp.Symbol, str], dict[sp.Symbol, str]]:
     """What is put in for symbols: SI numbers, and degrees where the reader was given degrees."""
-    plain = {s: number_text(value, "") for s, value in values.items()}
+    plain = {s: figures(value) for s, value in values.items()}
     degrees = {s: shown[k] for s, k in keys.items() if shown.get(k, "").endswith("°")}
     return plain, degrees
+
+
+def figures(value: Any) -> str:
+    """A number on the way as text: of a small one four digits, so that it can be computed with."""
+    size = abs(value) if isinstance(value, int | float) else 1.0
+    if not 1e-6 < size < 0.01:
+        return number_text(value, "")
+    return number_text(value, f".{3 - math.floor(math.log10(size))}f").rstrip("0")

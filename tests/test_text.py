@@ -17,6 +17,7 @@ def test_a_minus_before_a_sum_or_a_negative_number_has_parentheses():
         assert formula_text(-(a + b)) == "−(a + b)"
         assert formula_text(-(a + b) / 2) == "−(a + b)/2"
         assert formula_text(-a) == "−a"
+        assert formula_text(a * (-b) / 2) == "−a b/2"
         assert numbers_text(-a, {a: "−3"}, {}) == "−(−3)"
 
 

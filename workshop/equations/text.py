@@ -191,6 +191,10 @@ def signed(e: Any) -> tuple[int, Any]:
         if sign < 0:
             rest = e.args[1:] if first == 1 else (first, *e.args[1:])
             return -1, rest[0] if len(rest) == 1 else sp.Mul(*rest, evaluate=False)
+        for place, part in enumerate(e.args):
+            if isinstance(part, sp.Mul) and signed(part)[0] < 0:  # a product in the product
+                rest = (*e.args[:place], signed(part)[1], *e.args[place + 1 :])
+                return -1, sp.Mul(*rest, evaluate=False)
     return 1, e
 
 

@@ -233,6 +233,7 @@ def test_each_line_of_a_column_has_its_unit():
 def test_numbers_that_stand_in_a_formula_are_not_said_twice():
     solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Pow(2, 4, evaluate=False))))
     assert told(solution) == "c = 2^4 = 16"
+    assert told(Solution("{c}", c=Step(Line(sp.Symbol("c"), b, "m")))) == "c = b = −0.5 m"
 
 
 def test_small_numbers_keep_four_digits():

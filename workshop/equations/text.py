@@ -122,7 +122,7 @@ class Writer:
         text = ""
         for place, part in enumerate(e.args):
             sign, rest = signed(part)
-            shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SIGNED)
+            shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SUM)
             if place:
                 text += f" {'−' if sign < 0 else '+'} {shown}"
             else:

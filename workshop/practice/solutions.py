@@ -121,7 +121,7 @@ class Told(NamedTuple):
     def rest(self) -> str:
         """What stands behind the formula: the numbers, unless they are too long, and the result."""
         value = self.shown()
-        return value if self.numbers in ("", value) else f"{self.numbers} = {value}"
+        return value if self.numbers in ("", figures(self.value)) else f"{self.numbers} = {value}"
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ PYTHON ?= python3
 T ?=
 
 BIN := .venv/bin
+INSTALL = $(BIN)/uv pip install --python $(@D)/bin/python
 READY := .venv/.ready
 SITE := _build/html/.built
 BUILD := $(BIN)/jupyter-book build book --config _config.yml \
@@ -15,16 +16,18 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab test test-long check notebooks lock bench mutate clean
+.PHONY: book serve lab test test-long screenshots check notebooks lock bench mutate lowest clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 		echo "Python 3.11 or newer is needed, $(PYTHON) is older: make PYTHON=python3.12"; exit 1; }
-	@echo "Setting up .venv: about a minute, once"
+	@echo "Setting up .venv, once; most of the time is downloading"
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --disable-pip-version-check --require-hashes -r requirements.txt
-	$(BIN)/python -m pip install --disable-pip-version-check --no-deps --no-build-isolation -e . -e workshop -e book
+	@awk '/^[a-z]/ {on = /^uv==/} on' requirements.txt > .venv/uv.txt  # as locked, with its hashes
+	$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r .venv/uv.txt
+	$(INSTALL) --require-hashes -r requirements.txt
+	$(INSTALL) --no-deps --no-build-isolation -e . -e workshop -e book
 	@touch $(READY)
 
 $(SITE): $(READY) $(SOURCES)
@@ -48,16 +51,16 @@ PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --dist
 
 $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@rm -rf $(LIBRARY)
-	$(BIN)/python -m pip install -q --disable-pip-version-check --no-deps --no-build-isolation \
+	$(BIN)/uv pip install -q --python $(BIN)/python --no-deps --no-build-isolation \
 		--target $(LIBRARY) .
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not long" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m "not long and not screenshots" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal tests book
+	$(PYTEST) worksteal -m "not screenshots" tests book
 	$(PYTEST) loadfile --nbval $(NOTEBOOKS)
 
 check: $(READY)
@@ -66,6 +69,9 @@ check: $(READY)
 	$(BIN)/mypy
 	$(BIN)/codespell
 
+screenshots: $(LIBRARY)/.ready
+	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
+
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)
 
@@ -73,25 +79,37 @@ lock: $(READY)
 	$(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
 		--custom-compile-command "make lock" $(LOCK) requirements.in -o requirements.txt
 
-# With environments of their own: the peers that robokin is timed against, the mutation tool.
+# With environments of their own: the peers that robokin is timed against, the mutation tool, and
+# the lowest versions that the wheels say they work with (and the newest of what tests need).
 
-.venv-bench/.ready: benchmarks/requirements.txt pyproject.toml
+.venv-bench/.ready: $(READY) benchmarks/requirements.txt
 	$(PYTHON) -m venv .venv-bench
-	.venv-bench/bin/python -m pip install --disable-pip-version-check -r benchmarks/requirements.txt
-	.venv-bench/bin/python -m pip install --disable-pip-version-check --no-deps -e .
+	$(INSTALL) -r benchmarks/requirements.txt
+	$(INSTALL) --no-deps -e .
 	@touch $@
 
 bench: .venv-bench/.ready
 	.venv-bench/bin/python benchmarks/run.py
 
-.venv-mutate/.ready: tools/mutation-requirements.txt requirements.txt
+.venv-mutate/.ready: $(READY) tools/mutation-requirements.txt
 	$(PYTHON) -m venv .venv-mutate
-	.venv-mutate/bin/python -m pip install --disable-pip-version-check --require-hashes -r requirements.txt
-	.venv-mutate/bin/python -m pip install --disable-pip-version-check --no-deps -r tools/mutation-requirements.txt
+	$(INSTALL) --require-hashes -r requirements.txt
+	$(INSTALL) --no-deps -r tools/mutation-requirements.txt
 	@touch $@
 
 mutate: .venv-mutate/.ready
 	.venv-mutate/bin/python tools/mutate.py $(T)
+
+.venv-lowest/.ready: $(READY) tools/lowest-requirements.txt
+	$(PYTHON) -m venv .venv-lowest
+	$(INSTALL) --resolution lowest-direct ./ "./workshop[teaching]" ./book
+	@$(BIN)/uv pip freeze --python $(@D)/bin/python | grep -v "file:" > .venv-lowest/found.txt
+	$(INSTALL) -c .venv-lowest/found.txt -r tools/lowest-requirements.txt
+	@touch $@
+
+lowest: .venv-lowest/.ready
+	.venv-lowest/bin/pytest -n 2 -m "not long" book
+	.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(wildcard book/*/*.ipynb)
 
 clean:
 	rm -rf _build .venv .venv-*

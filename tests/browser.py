@@ -7,6 +7,7 @@ the module): `site` (folder), `server` (address) and `chromium` (Playwright's br
 import functools
 import gzip
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -73,6 +74,11 @@ def wait_for(file):
         assert time.monotonic() < end, f"no {file.name} after {WAIT} s"
         time.sleep(0.1)
     return file.read_text("utf-8")
+
+
+def listed():
+    """The documents that the table of contents names, the first page first."""
+    return re.findall(r"^(?:root| *- file): (\S+)$", (ROOT / "_toc.yml").read_text("utf-8"), re.M)
 
 
 def pages(site):

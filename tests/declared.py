@@ -7,11 +7,12 @@ import pytest
 
 import book  # noqa: F401  (opens the course)
 from workshop.course import course
-from workshop.equations import Equation
+from workshop.equations import Check, Equation
 from workshop.figures import Figure
 from workshop.practice import Exercise, Mistake
 
 EQUATIONS = course().declared("formulas", Equation)
+CHECKS = course().declared("checks", Check)
 FIGURES = course().declared("figures", Figure)
 EXERCISES = course().declared("exercises", Exercise)
 MISTAKES = course().declared("exercises", Mistake)

@@ -1,95 +1,164 @@
 """Every formula: declared well, printed as written, proved equal to its textbook form, checked."""
 
-import ast
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
+from functools import partial
+from importlib.util import module_from_spec, spec_from_file_location
 
 import numpy as np
 import pytest
 import sympy as sp
-from declared import EQUATIONS, each
+from declared import CHECKS, EQUATIONS, each
+from mutants import mutants
+from support import ROOT
 
 from robokin import motion
 from workshop import equations
 from workshop.course import course
-from workshop.equations.checking import check_one, evaluate, sample
+from workshop.equations.checking import (
+    answer,
+    check_one,
+    differences,
+    evaluate,
+    library_functions,
+    sample,
+)
+from workshop.equations.checks import Check, declared_checks
 from workshop.equations.core import Equation, as_written, quantities, quantity
-from workshop.equations.printing import MIME, equation_latex, latex
+from workshop.equations.printing import MIME, latex
 from workshop.errors import CourseError
+from workshop.figures.compiling import Compiler
+from workshop.figures.declaration import Slider
 from workshop.figures.javascript import function
 from workshop.site import checked
 
-ALL = list(EQUATIONS.values())
-BOOK = Path(__file__).parents[1] / "book"
 each_equation = each("equation", "formulas", Equation)
+each_check = each("check", "checks", Check)
+SPEED, ARC = EQUATIONS["differential_drive.speed"], EQUATIONS["motion.arc_step"]
 
 
-def named(equation):
-    return equation.name
-
-
-def copy_of(equation, **changes):
-    """An equation that differs in a few fields."""
-    return replace(equation, name="test.copy", **changes)
+def known(name):
+    """A quantity by its name."""
+    return next(symbol for symbol in quantities() if str(symbol) == name)
 
 
 # It checks
 
 
-@each_equation
-def test_equation_agrees_with_its_function(equation):
-    if equation.function is None:
-        file, _, test = equation.checked_by.partition("::")
-        tree = ast.parse(next(BOOK.glob(f"*/{Path(file).name}")).read_text(encoding="utf-8"))
-        assert test in {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+@each_check
+def test_a_formula_agrees_with_what_it_is_compared_with(check):
+    if check.function is None:
+        assert callable(holding_test(check))
         return
-    result = check_one(equation)
+    result = check_one(check)
     assert result.samples >= 1000
     assert result.agrees, f"apart by {result.difference:.2g} at {result.worst}"
 
 
-def test_check_covers_all_that_have_a_function():
+def holding_test(check):
+    """The test that holds a formula which no function computes."""
+    file, _, name = check.checked_by.partition("::")
+    spec = spec_from_file_location("holding_test", ROOT / file)
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return getattr(module, name)
+
+
+def test_every_formula_has_a_check():
+    assert list(declared_checks()) == list(EQUATIONS)
     results = equations.check(samples=1)
-    assert {r.equation.name for r in results} == {e.name for e in ALL if e.function}
+    assert [r.check.name for r in results] == [
+        c.name for c in declared_checks().values() if c.function
+    ]
 
 
 def test_a_wrong_equation_is_found():
-    right = EQUATIONS["differential_drive.speed"]
-    wrong = copy_of(right, right=right.right + sp.Float("1e-14"))
+    right = CHECKS["differential_drive.speed"]
+    wrong = replace(SPEED, right=SPEED.right + sp.Float("1e-14"))
     assert check_one(right).agrees
-    assert not check_one(wrong).agrees
+    assert not check_one(replace(right, equation=wrong)).agrees
 
 
 def test_a_wrong_function_is_found():
-    right = EQUATIONS["motion.arc_step"]
-    wrong = copy_of(right, function=lambda *given: motion.arc_step(*given) * (1 + 1e-14))
+    right = CHECKS["motion.arc_step"]
+    wrong = replace(right, function=lambda *given: motion.arc_step(*given) * (1 + 1e-14))
     assert not check_one(wrong).agrees
 
 
 def test_a_wrong_special_point_is_found():
     """Only at the special point: the generated points alone would not notice."""
-    right = EQUATIONS["motion.icr"]
+    right = CHECKS["motion.icr"]
 
     def finite_when_straight(pose, v, omega):
         return np.nan_to_num(motion.icr(pose, v, omega), posinf=1e9)
 
-    wrong = copy_of(right, function=finite_when_straight)
+    wrong = replace(right, function=finite_when_straight)
     assert not check_one(wrong).agrees
-    assert check_one(copy_of(wrong, specials=())).agrees
+    assert check_one(replace(wrong, specials=())).agrees
+
+
+# What is no mistake at all, although a sign has changed; half turns are proved to be none.
+SAME = {
+    "component 0: counter_span/2 of -count_before + count_now + counter_span/2 negated": "half a "
+    "span more and half a span less are a whole span apart, which the remainder does not see"
+}
+
+
+@pytest.mark.parametrize("most", [5, pytest.param(None, marks=pytest.mark.long)])
+@each_check
+def test_a_wrong_sign_is_noticed(check, most, monkeypatch):
+    """Every formula with a sign turned, or a sine for a cosine, at the special points and 20."""
+    changed = mutants(check.equation, most)
+    assert changed
+    unnoticed = [
+        what
+        for what, mutant in changed
+        if what not in SAME and not notices(check, mutant, monkeypatch)
+    ]
+    assert not unnoticed
+
+
+def notices(check, mutant, monkeypatch):
+    """Whether a check fails for a mutant, or the mutant is the same angle."""
+    if check.function is None:
+        home = course().homes("formulas", Equation)[check.name]
+        monkeypatch.setitem(course()._declared["formulas", Equation], check.name, (home, mutant))
+        with pytest.raises(AssertionError):
+            holding_test(check)()
+        return True
+    points = sample(check, 20)
+    try:
+        exact = evaluate(mutant.right, check.symbols, points, mutant.where)
+    except (CourseError, AttributeError, TypeError):  # a pole, or no real number
+        return True
+    apart = differences(answer(check, points), exact, mutant.is_angle)
+    return apart.max() > check.tolerance or whole_turns(check.equation, mutant)
+
+
+def whole_turns(equation, mutant):
+    """Whether two columns of angles are proved to be the same directions."""
+    apart = (sp.Matrix([mutant.right]) - sp.Matrix([equation.right])) / (2 * sp.pi)
+    return equation.is_angle and all(sp.simplify(turns).is_integer for turns in apart)
 
 
 def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
-    right = EQUATIONS["differential_drive.speed"]
-    wrong = copy_of(right, right=right.right * 2)
-    monkeypatch.setattr("workshop.equations.checking.declared", lambda: {"wrong": wrong})
-    with pytest.raises(Exception, match=r"disagree:\ntest\.copy by .*, allowed 1e-15, at b = "):
+    right = CHECKS["differential_drive.speed"]
+    wrong = replace(right, equation=replace(SPEED, right=SPEED.right * 2))
+    monkeypatch.setattr("workshop.equations.checking.declared_checks", lambda: {"wrong": wrong})
+    with pytest.raises(Exception, match=r"disagree:\ndiff.*speed by .*, allowed 1e-15, at b = "):
         checked(tmp_path)
 
 
-def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch):
+@pytest.fixture
+def one_point(monkeypatch):
+    """A page that is made at the special points and one more: as before, and quickly."""
+    monkeypatch.setattr("workshop.equations.check", partial(equations.check, samples=1))
+
+
+def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch, one_point):
     first = checked(tmp_path)
     (kept,) = tmp_path.glob("*.json")
     assert json.loads(kept.read_text(encoding="utf-8")) == first
@@ -101,43 +170,83 @@ def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch)
 
 
 def test_a_function_with_too_few_components_is_refused():
-    right = EQUATIONS["motion.arc_step"]
+    right = CHECKS["motion.arc_step"]
     with pytest.raises(CourseError, match="3 components, its function 2"):
-        check_one(copy_of(right, function=lambda *a: motion.arc_step(*a)[..., :2]))
+        check_one(replace(right, function=lambda *a: motion.arc_step(*a)[..., :2]))
 
 
 def test_samples_lie_in_the_ranges_and_repeat():
-    equation = EQUATIONS["motion.icr"]
-    points = sample(equation, 50)
-    np.testing.assert_array_equal(points, sample(equation, 50))
-    generated = points[len(equation.specials) :, list(map(str, equation.symbols)).index("omega")]
+    check = CHECKS["motion.icr"]
+    points = sample(check, 50)
+    np.testing.assert_array_equal(points, sample(check, 50))
+    generated = points[len(check.specials) :, list(map(str, check.symbols)).index("omega")]
     assert (generated > 0.1).all()
     assert (generated < 6).all()
+
+
+def test_whole_numbers_are_drawn_where_they_are_asked_for():
+    assert set(sample(CHECKS["wheels.mobility"], 100).flat) == {0, 1, 2, 3}
+
+
+# It says what it compares with
+
+
+@each_check
+def test_a_check_says_what_it_compares_with(check):
+    """A function of the library, by way of lines that are explained, or something that is named."""
+    assert bool(library_functions(check)) == (not check.compared_with and not check.checked_by)
+    if check.function and not check.compared_with and not check.between:
+        assert len(library_functions(check)) == 1
+
+
+def test_the_functions_are_those_that_are_called_not_those_that_these_call():
+    assert library_functions(CHECKS["motion.icr"]) == ["robokin.motion.icr"]
+    assert library_functions(CHECKS["bicycle.world"]) == [
+        "robokin.bicycle.body_twist",
+        "robokin.motion.to_world",
+    ]
+
+
+def test_a_check_without_the_library_must_name_what_computes(tmp_path, monkeypatch):
+    silent = replace(CHECKS["odometry.ellipse_axes"], compared_with="")
+    for module in ("workshop.site", "workshop.equations.checking"):
+        monkeypatch.setattr(f"{module}.declared_checks", lambda: {silent.name: silent})
+    with pytest.raises(Exception, match="ellipse_axes calls no function of robokin: say in its"):
+        checked(tmp_path)
+
+
+def test_the_page_counts_what_is_compared_with_what(tmp_path, one_point):
+    summary, *entries = checked(tmp_path)
+    assert len(entries) == len(EQUATIONS)
+    assert summary.startswith(f"There are {len(EQUATIONS)} formulas. ")
+    assert sum("compared with `robokin." in entry for entry in entries) == sum(
+        map(int, re.findall(r"(\d+) (?:are compared )?with", summary))
+    )
 
 
 # Its textbook form
 
 
-@pytest.mark.parametrize("equation", [e for e in ALL if e.textbook is not None], ids=named)
+@each_equation
 def test_textbook_form_is_proved_equal(equation):
+    if equation.textbook is None:
+        return
     written_out = sp.Matrix([equation.right]).applyfunc(_first_case).replace(sp.sinc, _sinc)
     textbook = sp.Matrix([equation.textbook.doit()])
     assert sp.simplify(written_out - textbook) == sp.zeros(*textbook.shape)
 
 
 def test_a_wrong_textbook_form_is_not_proved():
-    equation = EQUATIONS["motion.arc_step"]
-    wrong = copy_of(equation, textbook=equation.textbook.applyfunc(lambda row: -row))
+    wrong = replace(ARC, textbook=ARC.textbook.applyfunc(lambda row: -row))
     with pytest.raises(AssertionError):
         test_textbook_form_is_proved_equal(wrong)
 
 
 def test_special_points_are_limits():
     """The arc at omega = 0 is the limit of the textbook's form, not a convention."""
-    equation = EQUATIONS["motion.arc_step"]
-    omega = next(s for s in equation.symbols if str(s) == "omega")
-    limit = equation.textbook.limit(omega, 0)
-    there = equation.right.subs(omega, 0).doit()
+    omega = known("omega")
+    limit = ARC.textbook.limit(omega, 0)
+    there = ARC.right.subs(omega, 0).doit()
     assert sp.simplify(limit - there) == sp.zeros(3, 1)
 
 
@@ -154,21 +263,20 @@ def _sinc(x):
 
 
 def test_prints_in_the_order_written():
-    assert latex(EQUATIONS["differential_drive.speed"].right) == r"\frac{v_{R} + v_{L}}{2}"
+    assert latex(SPEED.right) == r"\frac{v_{R} + v_{L}}{2}"
     assert latex(EQUATIONS["differential_drive.turning_rate"].right) == r"\frac{v_{R} - v_{L}}{b}"
 
 
 def test_sympy_shows_the_same_symbols():
-    dt = EQUATIONS["motion.arc_step"].symbols[0]
-    assert str(dt) == "dt"
+    dt = known("dt")
     assert sp.latex(dt**2) == r"\Delta t^{2}"
 
 
 def test_a_column_prints_one_line_a_component():
-    text = equation_latex(EQUATIONS["motion.arc_step"])
+    text = ARC.latex()
     assert text.count("&=") == 3
     assert "sinc" not in text
-    assert "sinc" in equation_latex(EQUATIONS["motion.arc_step"], computed=True)
+    assert "sinc" in ARC.latex(computed=True)
 
 
 def test_show_gives_notebook_and_page_their_forms():
@@ -193,10 +301,12 @@ def test_declaration(equation):
     module, _, _ = equation.name.partition(".")
     assert module in course().chapters, "an equation is named after its chapter"
     assert equation.source
-    assert equation.reason
-    assert 0 < equation.tolerance < 1e-9
-    for special in equation.specials:
-        assert set(special) <= set(equation.symbols), "a special point names a symbol not used"
+
+
+@each_check
+def test_a_tolerance_is_small(check):
+    assert (check.tolerance > 0) == bool(check.function)
+    assert check.tolerance < 1e-9
 
 
 def test_quantities_are_described():
@@ -206,25 +316,107 @@ def test_quantities_are_described():
 
 
 def test_declaring_half_is_refused():
-    speed = EQUATIONS["differential_drive.speed"]
-    with pytest.raises(CourseError, match="must name a function or a test"):
-        replace(speed, name="test.half", function=None)
     with pytest.raises(CourseError, match=r"test.unknown uses unheard_of, which no `quantity"):
-        replace(speed, name="test.unknown", right=sp.Symbol("unheard_of"))
-    x = next(s for s in quantities() if str(s) == "x")
-    with pytest.raises(CourseError, match="x in `right`, but not in its arguments"):
-        replace(speed, name="test.unsupplied", right=speed.right + x)
-    with pytest.raises(CourseError, match="x in `specials`, but not in its right nor arguments"):
-        replace(speed, name="test.special", specials=({x: 0.0},))
+        replace(SPEED, name="test.unknown", right=sp.Symbol("unheard_of"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        (
+            {"function": None},
+            "check of differential_drive.speed must name a function or a test",
+        ),
+        ({"checked_by": "tests/test_it.py::test"}, "must name a function or a test"),
+        ({"tolerance": 0.0}, "needs a `reason`, and a `tolerance` above 0"),
+        ({"reason": ""}, "needs a `reason`"),
+        ({"arguments": ()}, "v_L, v_R is in the formula, but not in `arguments`"),
+        (
+            {"specials": ({known("x"): 0.0},)},
+            r"x is in `specials`, but not in .* have b, r, v_L, v_R",
+        ),
+        ({"ranges": {known("x"): (0, 1)}}, "x is in `ranges`, but not in the formula"),
+        ({"whole": (known("x"),)}, "x is in `whole`, but not in the formula"),
+    ],
+)
+def test_half_a_check_is_refused(changes, message):
+    with pytest.raises(CourseError, match=message):
+        replace(CHECKS["differential_drive.speed"], **changes)
+
+
+def test_a_formula_without_a_check_is_told_where_to_write_it(monkeypatch):
+    declared = dict(course()._declared["checks", Check])
+    del declared["odometry.travel"]
+    monkeypatch.setitem(course()._declared, ("checks", Check), declared)
+    line = (
+        r"odometry.travel has no check: add `Check\(formulas.travel, function=…, .*` to CHECKS in "
+    )
+    with pytest.raises(CourseError, match=rf"{line}.*odometry.checks\.py"):
+        declared_checks()
+
+
+def test_a_check_without_a_formula_is_told(monkeypatch):
+    stray = replace(CHECKS["motion.icr"], equation=replace(EQUATIONS["motion.icr"], name="a.b"))
+    declared = {**course()._declared["checks", Check], "a.b": ("motion", stray)}
+    monkeypatch.setitem(course()._declared, ("checks", Check), declared)
+    with pytest.raises(CourseError, match=r"a check of a\.b, but no formula: declare it in a form"):
+        declared_checks()
+
+
+# A symbol belongs to the module that declares it
 
 
 def test_two_symbols_of_one_name_are_told_apart():
     """The message says where both stand."""
-    x = EQUATIONS["motion.arc_step"].symbols[-1]
+    x = known("x")
     other = quantity(str(x), "m", 0, 1, "another one")
     assert other != x
-    with pytest.raises(CourseError, match=r"symbols \w+: .*line \d+ and .*line \d+; use one"):
-        replace(EQUATIONS["motion.arc_step"], name="test.namesakes", right=x + other)
+    assert len({x, other}) == 2
+    with pytest.raises(CourseError, match=r"x: book.*, line \d+ and tests.*, line \d+; use"):
+        replace(ARC, name="test.namesakes", right=x + other)
+    drive = CHECKS["differential_drive.speed"]
+    left = quantity("v_L", "m/s", 0, 1, "another one")
+    with pytest.raises(CourseError, match=r"check of .* symbols v_L: .*line \d+ and .*line \d+"):
+        replace(drive, arguments=(*drive.arguments, left))
+
+
+def test_a_figure_tells_its_slider_from_a_namesake():
+    x, other = known("x"), quantity("x", "m", 0, 1, "another one")
+    figure = Compiler([Slider(x, 0, 1, 0, 0.1)], [], ())
+    with pytest.raises(CourseError, match=r"uses x \(tests.*, line \d+\), .* are x \(book"):
+        figure.numbers(2 * other)
+    with pytest.raises(CourseError, match=r"handle sets x \(.*, line \d+\), which is no slider"):
+        figure.sliders([other], "the handle")
+
+
+def test_a_symbol_declared_twice_in_a_module_is_told(monkeypatch):
+    again = quantity("dt", "s", 0, 1, "again")
+    again.module, formulas = known("dt").module, course().modules("formulas")["motion"]
+    monkeypatch.setattr(formulas, "again", again, raising=False)
+    with pytest.raises(CourseError, match=r"dt is declared twice: book.motion.formulas, line \d+,"):
+        quantities()
+
+
+def test_sympy_keeps_symbols_of_one_name_apart():
+    """Also where it makes symbols of its own on the way, or keeps answers for equal questions."""
+    x, other = known("x"), quantity("x", "m", 0, 1, "another one", latex="z")
+    both = sp.sin(x) * other / x
+    assert both.xreplace({x: other}) == sp.sin(other)
+    assert both.subs(x, 0.5).free_symbols == {other}
+    assert sp.simplify(sp.sin(x) ** 2 + sp.cos(x) ** 2) == 1
+    assert sp.simplify(sp.sin(x) ** 2 + sp.cos(other) ** 2) != 1
+    assert sp.simplify(x - other) != 0
+    assert both.limit(x, 0) == other
+    assert both.series(x, 0, 3).removeO() == other - other * x**2 / 6
+    assert both.diff(other) == sp.sin(x) / x
+    assert sp.latex(both) == r"\frac{z \sin{\left(x \right)}}{x}"
+    assert str(sp.expand((x + other) ** 2)) == "x**2 + 2*x*x + x**2"
+    assert sp.solve(x + 2 * other, x) == [-2 * other]
+    ((_, shared),), _ = sp.cse([sp.sin(x + other) + (x + other) ** 2])
+    assert shared == x + other
+    assert sp.lambdify([x], x**2)(3) == 9
+    np.testing.assert_array_equal(sp.lambdify([other], sp.Matrix([other, 1]))(2), [[2], [1]])
+    assert {x: 1, other: 2}[other] == 2
 
 
 def test_a_pole_is_told_with_its_place():
@@ -234,31 +426,27 @@ def test_a_pole_is_told_with_its_place():
 
 
 def test_putting_in_leaves_the_form_alone():
-    speed = EQUATIONS["differential_drive.speed"]
-    left, right = speed.symbols[2:]
-    assert latex(speed.at({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
+    left, right = SPEED.symbols
+    assert latex(SPEED.at({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
 
 
 # Named steps
 
 
 def test_where_names_steps_for_all_faces():
-    theta, c, s = next(q for q in quantities() if str(q) == "theta"), sp.Symbol("c"), sp.Symbol("s")
+    theta, c, s = known("theta"), sp.Symbol("c"), sp.Symbol("s")
     where = ((c, sp.cos(theta)), (s, 2 * c))
     with as_written():
-        equation = Equation(
-            name="test.where",
-            left=sp.Symbol("z"),
-            right=c + s,
-            where=where,
-            source="test",
-            tolerance=1e-15,
-            reason="test",
-            function=lambda theta: 3 * np.cos(theta),
-            arguments=(theta,),
-        )
+        equation = Equation("test.where", sp.Symbol("z"), c + s, source="test", where=where)
     assert equation.symbols == [theta]
-    assert check_one(equation).agrees
+    check = Check(
+        equation,
+        function=lambda theta: 3 * np.cos(theta),
+        arguments=(theta,),
+        tolerance=1e-15,
+        reason="test",
+    )
+    assert check_one(check).agrees
     assert evaluate(c + s, [theta], np.array([[0.0]]), where)[0, 0] == 3
     code = function({"x": [theta]}, [c + s], where)
     assert code == "(f, x) => { const w0 = Math.cos(x[0]); const w1 = 2*w0; return [w0 + w1]; }"

@@ -75,7 +75,12 @@ WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider
 
 def test_every_figure_has_its_expected_readouts():
     assert FIGURES
-    assert READOUTS.keys() == SPECIALS.keys() == FIGURES.keys()
+    homes = course().homes("figures", Figure)
+    for table, named in ((READOUTS, "READOUTS"), (SPECIALS, "SPECIALS")):
+        missing = [n for n in FIGURES if n not in table]
+        places = [f"{n}: to {named} in book/{homes[n]}/expected.py" for n in missing]
+        assert not missing, f"add {places}"
+        assert table.keys() == FIGURES.keys()
 
 
 def readouts(figure, points):

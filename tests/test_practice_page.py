@@ -11,8 +11,8 @@ from declared import COURSE, EXERCISES
 
 from workshop import practice
 from workshop.practice import dealing, judging, tables
-from workshop.practice.bank import symbols
 from workshop.practice.page import NAMELESS
+from workshop.practice.wording import symbols
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser

@@ -3,6 +3,7 @@
 import re
 import shutil
 import subprocess
+from html import unescape
 from pathlib import Path
 from zipfile import ZipFile
 
@@ -12,13 +13,17 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser")
 
-from browser import ROOT, Watch, build_command, pages, watched_page  # noqa: E402
+from browser import ROOT, Watch, build_command, listed, pages, watched_page  # noqa: E402
 
 AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
-SCREENSHOTS = ROOT / "_build" / "screenshots"
 LIMIT = 300_000  # bytes, compressed, without pictures
-VIEWS = [(width, scheme) for width in (1280, 390) for scheme in ("light", "dark")]
+DESCRIPTION = 160  # characters that search engines show
 PICTURES = ("image", "media")
+GENERATED = ("index", "genindex", "py-modindex", "search")
+PAGES = [f"{name}.html" for name in (*listed(), *GENERATED)]
+each_page = pytest.mark.parametrize("name", PAGES)
+# Opened from disk, pages differ from each other by what they load.
+DIFFERENT = ("index.html", "practice.html", "search.html", "bicycle/bicycle.html", "checks.html")
 
 FOUND_BY_AXE = """
 async () => {
@@ -41,34 +46,67 @@ def settled(page, address, until="networkidle"):
     page.evaluate("() => document.fonts.ready")
 
 
-def assert_clean(problems):
-    """No page has a problem; else all of them are told."""
-    told = "\n".join(f"{where}: {what}" for where, found in problems.items() for what in found)
+def test_these_are_all_pages(site):
+    assert sorted(PAGES) == pages(site)
+
+
+@each_page
+def test_a_page(name, site, server, chromium):
+    """A first visit on a laptop and a later one on a phone, each in light and dark.
+
+    Nothing in the console, nothing asked of strangers, light, no axe violation, nothing that
+    sticks out sideways.
+    """
+    with watched_page(chromium, server, bypass_csp=True) as (first, watch):
+        settled(first, server + name)
+        assert_light(name, watch.weight(site), len(watch.kinds))
+        assert_root_signs_stand(first)
+        assert_fits_and_is_accessible(first, name)
+        later = first.context.new_page()
+        later.set_viewport_size({"width": 390, "height": 844})
+        watch_later = Watch(later, server)
+        settled(later, server + name)
+        assert_fits_and_is_accessible(later, name)
+    told = [what for w in (watch, watch_later) for what in w.errors + w.strangers]
     assert not told, told
 
 
-def test_pages_are_quiet_and_stay_at_home(site, server, chromium):
-    """No console message, no failed or foreign request, on the first visit and on later ones."""
-    problems = {}
-    for name in pages(site):
-        with watched_page(chromium, server) as (first, watch):
-            later = first.context.new_page()
-            watch_later = Watch(later, server)
-            settled(first, server + name)
-            settled(later, server + name)
-            visits = (watch, watch_later)
-            problems[name] = [what for visit in visits for what in visit.errors + visit.strangers]
-    assert_clean(problems)
+def assert_light(name, kinds, requests):
+    """At most 300 kB compressed on a first visit, pictures not counted."""
+    total = sum(size for kind, size in kinds.items() if kind not in PICTURES)
+    parts = ", ".join(f"{kind} {size / 1000:.1f}" for kind, size in sorted(kinds.items()))
+    print(f"{name}: {total / 1000:.1f} kB in {requests} requests ({parts})")
+    assert total <= LIMIT
 
 
-def test_pages_work_from_disk(site, chromium):
-    """The same for a reader who opens the files; nothing outside the folder is asked for."""
-    home, problems = site.as_uri() + "/", {}
-    for name in pages(site):
-        with watched_page(chromium, home) as (page, watch):
-            settled(page, home + name)
-            problems[name] = watch.errors + watch.strangers
-    assert_clean(problems)
+def assert_fits_and_is_accessible(page, name):
+    """Light, then dark, as the system says."""
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        page.wait_for_function("(s) => document.documentElement.dataset.theme === s", arg=scheme)
+        if scheme == "light":
+            page.add_script_tag(path=AXE)
+        assert page.evaluate(FOUND_BY_AXE) == [], scheme
+        assert page.evaluate(OVERFLOW) == 0, "pixels too wide"
+        assert name == "search.html" or page.evaluate(VISIBLE_SEARCHES) <= 1
+
+
+def assert_root_signs_stand(page):
+    """The rule for pictures among the outputs must not squeeze the drawn parts of a formula."""
+    look = "(all) => all.map((s) => [s.getBoundingClientRect().height, s.getAttribute('height')])"
+    for height, ems in page.locator(".katex .sqrt svg").evaluate_all(look):
+        assert height > 10 * float(ems.removesuffix("em"))  # px; letters are 18 px
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.long] * (n not in DIFFERENT)) for n in PAGES]
+)
+def test_a_page_from_disk(name, site, chromium):
+    """For a reader who opens the files; nothing outside the folder is asked for."""
+    home = site.as_uri() + "/"
+    with watched_page(chromium, home) as (page, watch):
+        settled(page, home + name)
+        assert not watch.errors + watch.strangers
 
 
 def test_search_finds_a_page(site, server, chromium):
@@ -77,43 +115,7 @@ def test_search_finds_a_page(site, server, chromium):
         with watched_page(chromium, home) as (page, watch):
             settled(page, home + "search.html?q=robot")
             page.wait_for_selector("#search-results li a")
-            assert_clean({home: watch.errors + watch.strangers})
-
-
-def test_pages_are_light(site, server, chromium):
-    """At most 300 kB compressed on a first visit, pictures not counted."""
-    heavy = {}
-    for name in pages(site):
-        with watched_page(chromium, server) as (page, watch):
-            settled(page, server + name)
-            kinds = watch.weight(site)
-        total = sum(size for kind, size in kinds.items() if kind not in PICTURES)
-        parts = ", ".join(f"{kind} {size / 1000:.1f}" for kind, size in sorted(kinds.items()))
-        print(f"{name}: {total / 1000:.1f} kB in {len(watch.kinds)} requests ({parts})")
-        heavy[name] = [f"{total} bytes"] if total > LIMIT else []
-    assert_clean(heavy)
-
-
-@pytest.mark.parametrize(("width", "scheme"), VIEWS)
-def test_pages_are_accessible_and_fit(site, server, chromium, width, scheme):
-    """axe finds nothing, nothing sticks out sideways, one search; a screenshot of each page."""
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    problems = {}
-    with watched_page(chromium, server, width, scheme, bypass_csp=True) as (page, _):
-        for name in pages(site):
-            settled(page, server + name, "load")
-            page.add_script_tag(path=AXE)
-            found = page.evaluate(FOUND_BY_AXE)
-            if over := page.evaluate(OVERFLOW):
-                found.append(f"the page is {over} px too wide")
-            if (searches := page.evaluate(VISIBLE_SEARCHES)) > 1 and name != "search.html":
-                found.append(f"{searches} search boxes")
-            if page.evaluate("() => document.documentElement.dataset.theme") != scheme:
-                found.append(f"is not {scheme}")
-            problems[name] = found
-            picture = f"{name.removesuffix('.html').replace('/', '-')}-{width}-{scheme}.png"
-            page.screenshot(path=SCREENSHOTS / picture, full_page=True)
-    assert_clean(problems)
+            assert not watch.errors + watch.strangers
 
 
 def test_menu_on_a_phone(site, server, chromium):
@@ -124,7 +126,6 @@ def test_menu_on_a_phone(site, server, chromium):
         assert not chapters.is_visible()
         page.locator(".primary-toggle").click()
         chapters.wait_for(state="visible")
-        page.screenshot(path=SCREENSHOTS / "menu-390-light.png")
         page.keyboard.press("Escape")
         chapters.wait_for(state="hidden")
         page.locator(".primary-toggle").click()
@@ -159,28 +160,12 @@ def test_reduced_motion(site, server, chromium):
         assert moving == 0
 
 
-def test_pages_have_a_description(site):
-    """Search engines and link previews get a sentence of at most 160 characters."""
-    missing = {}
-    for name in pages(site):
-        text = (site / name).read_text("utf-8")
-        found = re.findall(r'<meta name="description" content="([^"]*)"', text)
-        missing[name] = [] if len(found) == 1 and 10 < len(found[0]) <= 200 else [str(found)]
-    assert_clean(missing)
-
-
-def test_root_signs_are_as_high_as_what_is_under_them(site, server, chromium):
-    """The rule for pictures among the outputs must not squeeze the drawn parts of a formula."""
-    look = "(all) => all.map((s) => [s.getBoundingClientRect().height, s.getAttribute('height')])"
-    found = []
-    for name in pages(site):
-        if 'class="mord sqrt"' in (site / name).read_text("utf-8"):
-            with watched_page(chromium, server) as (page, _):
-                page.goto(server + name)
-                found += page.locator(".katex .sqrt svg").evaluate_all(look)
-    assert found
-    for height, ems in found:
-        assert height > 10 * float(ems.removesuffix("em"))  # px; letters are 18 px
+@each_page
+def test_a_page_has_a_description(name, site):
+    """Search engines and link previews get a sentence that they show whole."""
+    text = (site / name).read_text("utf-8")
+    (found,) = re.findall(r'<meta name="description" content="([^"]*)"', text)
+    assert 10 < len(unescape(found)) <= DESCRIPTION
 
 
 def test_icons_are_drawn(site):

@@ -46,7 +46,13 @@ class Course:
     def chapters(self) -> list[str]:
         """The folders, as `_toc.yml` orders them; before them what chapters share, by name."""
         listed = self._listed()
-        folders = sorted(path.parent.name for path in self.folder.glob("[a-z]*/__init__.py"))
+        folders = sorted({path.parent.name for path in self.folder.glob("[a-z]*/*.py")})
+        for chapter in folders:
+            if not (self.folder / chapter / "__init__.py").exists():
+                raise CourseError(
+                    f"{self.folder / chapter} has no __init__.py: write one whose docstring is the "
+                    "question that the chapter answers"
+                )
         for chapter in folders:
             if self.notebook(chapter).exists() and chapter not in listed:
                 raise CourseError(

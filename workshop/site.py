@@ -27,8 +27,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from workshop import equations
 from workshop.course import course
+from workshop.equations.checking import library_functions
+from workshop.equations.checks import Check, declared_checks
 from workshop.equations.printing import MIME as EQUATION
-from workshop.equations.printing import equation_latex
 from workshop.figures.figure import MIME as FIGURE
 from workshop.practice import page as practice
 from workshop.practice.bank import exercises, mistakes, topics
@@ -127,11 +128,11 @@ def _sources(*parts: str) -> list[Path]:
 
 
 class FormulaChecks(SphinxDirective):
-    """Every formula, the function that agrees with it, and how closely."""
+    """How many formulas agree with what; then each, its function, and how closely."""
 
     def run(self) -> list[nodes.Node]:
         """A formula and a sentence for each; a difference over its tolerance fails the build."""
-        _depend(self.env, "formulas")
+        _depend(self.env, "formulas", "checks")
         entries = checked(Path(self.env.app.outdir).parent)
         return self.parse_text_to_nodes("\n\n".join(entries))
 
@@ -228,29 +229,65 @@ def checked(folder: Path) -> list[str]:
 
 
 def _check_all() -> list[str]:
-    results = equations.check()
-    wrong = [r for r in results if not r.agrees]
+    checks, results = declared_checks(), {r.check.name: r for r in equations.check()}
+    wrong = [r for r in results.values() if not r.agrees]
     if wrong:
         apart = "\n".join(map(_disagreement, wrong))
         raise ExtensionError(f"formulas and functions disagree:\n{apart}")
-    return [_entry(result) for result in results]
+    return [
+        _summary(list(checks.values())),
+        *(_entry(check, results.get(name)) for name, check in checks.items()),
+    ]
 
 
 def _disagreement(result: equations.Result) -> str:
     place = ", ".join(f"{name} = {value:.6g}" for name, value in result.worst.items())
     return (
-        f"{result.equation.name} by {result.difference:.1g}, "
-        f"allowed {result.equation.tolerance:.1g}, at {place}"
+        f"{result.check.name} by {result.difference:.1g}, "
+        f"allowed {result.check.tolerance:.1g}, at {place}"
     )
 
 
-def _entry(result: equations.Result) -> str:
-    equation = result.equation
+def _summary(checks: list[Check]) -> str:
+    """How many formulas are held to what."""
+    computed = [c for c in checks if c.function and not c.compared_with]
+    other = [f"`{c.name}`" for c in checks if c.compared_with]
+    tested = [f"`{c.name}`" for c in checks if c.checked_by]
+    directly = sum(not c.between for c in computed)
     return (
-        f"$$\n{equation_latex(equation, computed=True)}\n$$\n\n"
-        f"`{equation.name}` at {result.samples:,} points: at most {_power(result.difference)} "
-        f"apart, allowed {_power(equation.tolerance)} ({equation.reason})."
+        f"There are {len(checks)} formulas. {directly} are compared with a function of the library "
+        f"as it is, {len(computed) - directly} with functions of the library by way of a few lines "
+        "that put arguments and answers in order (in italics: how). Compared with something else, "
+        f"which is named: {', '.join(other) or 'none'}. Held by a test of its own, because no "
+        f"function computes it: {', '.join(tested) or 'none'}."
     )
+
+
+def _entry(check: Check, result: equations.Result | None) -> str:
+    formula = f"$$\n{check.equation.latex(computed=True)}\n$$\n\n`{check.name}`"
+    if result is None:
+        test = check.checked_by.rpartition("::")[2]
+        return f"{formula} is held by the test `{test}`: {check.reason}."
+    return (
+        f"{formula} at {result.samples:,} points, compared with {_other_side(check)}: "
+        f"at most {_power(result.difference)} apart, "
+        f"allowed {_power(check.tolerance)} ({check.reason})."
+    )
+
+
+def _other_side(check: Check) -> str:
+    """What the formula is compared with, and how its arguments and answers are put in order."""
+    called = " and ".join(f"`{name}`" for name in library_functions(check))
+    if check.compared_with:
+        return check.compared_with
+    if not called:
+        raise ExtensionError(
+            f"the check of {check.name} calls no function of {course().library}: say in its "
+            "`compared_with` what computes instead"
+        )
+    if not check.between:
+        return called
+    return f"{called} (*{check.between.rstrip('.')}*)"
 
 
 def _power(number: float) -> str:

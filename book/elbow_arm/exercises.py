@@ -4,9 +4,13 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from sympy import Symbol
 
+from book.elbow_arm import formulas
+from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from robokin import elbow_arm
-from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps
+from workshop.equations import as_written
+from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, one_of, steps
 
 M1 = Mistake(
     "M1",
@@ -113,6 +117,11 @@ def away(theta1, theta2, theta3, a2, a3):
     return answers[2] if theta3 < 0 else answers[3]
 
 
+def place(theta1, theta2, theta3, a2, a3):
+    """Where the wrist is, from the shoulder."""
+    return elbow_arm.forward([theta1, theta2, theta3], a2, a3)
+
+
 def four(p_x, p_y, p_z, a2, a3, theta1=None, bends=None):
     """All four answers, in the order of the library; a mistake gives its own theta1 or bends."""
     theta1 = np.arctan2(p_y, p_x) if theta1 is None else theta1
@@ -140,26 +149,14 @@ def first(formula):
     return lambda p_z, d1, **numbers: formula(p_z=p_z - d1, **numbers)[0]
 
 
-def middle_steps(p_x, p_y, p_z, a2, a3, d1=0):
-    """What a solution shows on the way to the angles."""
-    angles = elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)
-    distance = length(p_x, p_y, p_z - d1)
-    return {
-        "h": p_z - d1,
-        "r": np.hypot(p_x, p_y),
-        "square": distance**2,
-        "A": (distance**2 - a2**2 - a3**2) / (2 * a2 * a3),
-        "base": angles[0, 0],
-        "up": angles[0, 1:],
-        "down": angles[1, 1:],
-        "elbow": angles[0, 2],
-    }
-
-
 SIDE = one_of(*range(-60, -5, 5), *range(10, 65, 5), unit="cm")
 BACK = steps(-60, -10, 5, "cm")
 LINKS = {"a2": steps(30, 60, 5, "cm"), "a3": steps(25, 55, 5, "cm")}
 TARGET = {"p_x": BACK, "p_y": SIDE, "p_z": steps(-30, 50, 5, "cm")}
+with as_written():
+    FOREARM = apart - a2
+TURNED = tuple(Symbol(rf"\theta_{k}'") for k in (1, 2, 3))  # with the base turned round
+
 EXAMPLE = {"p_x": -0.3, "p_y": 0.4, "p_z": 0.2, "a2": 0.4, "a3": 0.3}
 
 elbow_arm_1 = Exercise(
@@ -177,10 +174,12 @@ elbow_arm_1 = Exercise(
         M5: lambda p_x, p_y: np.arctan(p_y / p_x),
     },
     when=lambda p_x, p_y: np.hypot(p_x, p_y) > 0.15,
-    solution="Seen from above, the arm must point from the base to the target. The direction of a "
-    "vector is atan2, with y first; the signs of both numbers say in which quarter it lies. Here "
-    "p_x < 0, so the point lies behind the arm:\n\n"
-    "θ_1 = atan2(p_y, p_x) = atan2({p_y:}, {p_x:}) = {right}",
+    solution=Solution(
+        "Seen from above, the arm must point from the base to the target. The direction of a "
+        "vector is atan2, with y first; the signs of both numbers say in which quarter it lies. "
+        "Here p_x is negative, so the point lies behind the arm:\n\n{base}",
+        base=Step(formulas.base, part=(0,), values=(theta1,)),
+    ),
     example={"p_x": -0.3, "p_y": 0.4},
 )
 
@@ -200,7 +199,6 @@ elbow_arm_2 = Exercise(
         M3: lambda **numbers: cubed(**numbers)[1, 1],
     },
     when=possible,
-    derive=middle_steps,
     also={
         "for the angle inside the triangle, between the links": lambda p_x, p_y, p_z, **links: (
             np.pi - elbow_arm.inverse([p_x, p_y, p_z], **links)[1, 2]
@@ -209,12 +207,16 @@ elbow_arm_2 = Exercise(
             np.cos(elbow_arm.inverse([p_x, p_y, p_z], **links)[1, 2])
         ),
     },
-    solution="Shoulder, elbow and wrist form a triangle. Two of its sides are the links, the third "
-    "is the distance d from shoulder to wrist:\n\n"
-    "d² = p_x² + p_y² + p_z² = {square} m²\n\n"
-    "The law of cosines gives the bend, because the angle in the triangle is π − θ_3:\n\n"
-    "cos θ_3 = (d² − a_2² − a_3²)/(2 a_2 a_3) = ({square} − {a2:}² − {a3:}²)/(2 · {a2:} · {a3:}) = "
-    "{A}\n\nθ_3 = {right}",
+    solution=Solution(
+        "Shoulder, elbow and wrist form a triangle. Two of its sides are the links, the third is "
+        "the distance from shoulder to wrist. The law of cosines gives the cosine of the bend. It "
+        "is written for θ_3, not for the angle inside the triangle; both together make half a "
+        "turn. Here A is short for cos θ_3:\n\n{cosine}\n\n"
+        "The sine is then a square root. Below the line θ_3 is positive, so the root has a plus:"
+        "\n\n{elbow}",
+        cosine=Step(formulas.cosine, {high: p_z}),
+        elbow=Step(formulas.elbow, part=(0,), values=(theta3,)),
+    ),
     example=EXAMPLE,
 )
 
@@ -237,9 +239,6 @@ elbow_arm_3 = Exercise(
     when=lambda theta2, theta3, a2, a3, **_: (
         a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3) > 0.1
     ),
-    derive=lambda theta1, theta2, theta3, a2, a3: {
-        "p": elbow_arm.forward([theta1, theta2, theta3], a2, a3)
-    },
     also={
         "when both angles only change their sign": lambda theta1, theta2, theta3, a2, a3: [
             theta1 + np.pi,
@@ -252,11 +251,22 @@ elbow_arm_3 = Exercise(
             -theta3,
         ],
     },
-    solution="Look at the arm from the side. After half a turn of the base, forward is where "
-    "backward was. To point in the old direction the upper link must lean over backwards, at "
-    "π − θ_2 in place of θ_2. The elbow then bends to the other side: −θ_3.\n\n"
-    "[θ_1 + π, π − θ_2, −θ_3] = {right}\n\n"
-    "Check: put in, both the old and the new angles bring the wrist to {p} m from the shoulder.",
+    solution=Solution(
+        "Look at the arm from the side. After half a turn of the base, forward is where backward "
+        "was. To point in the old direction the upper link must lean over backwards, as far from "
+        "the horizontal as before. The elbow then bends to the other side. With a prime for the "
+        "new angles, which are right up to whole turns:\n\n{away}\n\n"
+        "Check: the place of the wrist, from the shoulder. With the old angles:\n\n{old}\n\n"
+        "With the new angles it is {new.value}, the same place.",
+        answer=("away",),
+        away=Step(formulas.away, values=TURNED, unit="rad"),
+        old=Step(formulas.forward, {d1: 0}, check=place),
+        new=Step(
+            formulas.forward,
+            {theta1: TURNED[0], theta2: TURNED[1], theta3: TURNED[2], d1: 0},
+            check=place,
+        ),
+    ),
     example={
         "theta1": np.pi / 6,
         "theta2": np.pi / 3,
@@ -284,10 +294,6 @@ elbow_arm_4 = Exercise(
     right=lambda d1, a2, **p: length(**p | {"p_z": p["p_z"] - d1}) - a2,
     wrong={M2: lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2},
     when=lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2 > 0.05,
-    derive=lambda d1, a2, p_x, p_y, p_z: {
-        "z": p_z - d1,
-        "distance": length(p_x, p_y, p_z - d1),
-    },
     also={
         "for the distance alone; the upper link is not taken away": lambda d1, a2, p_z, **p: length(
             p_z=p_z - d1, **p
@@ -297,11 +303,16 @@ elbow_arm_4 = Exercise(
             length(p_z=p_z - d1, **p) + a2
         ),
     },
-    solution="With the shortest forearm that reaches the point, the arm is stretched: both links "
-    "lie on the straight line from shoulder to point. Seen from the shoulder, the point is "
-    "p_z − d_1 = {p_z:} − {d1:} = {z} m high. Its distance is\n\n"
-    "√(p_x² + p_y² + (p_z − d_1)²) = {distance} m\n\n"
-    "a_3 = {distance} − {a2:} = {right}",
+    solution=Solution(
+        "With the shortest forearm that reaches the point, the arm is stretched: both links lie "
+        "on the straight line from shoulder to point. Seen from the side, the point is r ahead of "
+        "the shoulder and h above it (below, where h is negative):\n\n{side}\n\n"
+        "The distance from shoulder to point:\n\n{distance}\n\n"
+        "The upper link makes up a part of it, the forearm the rest:\n\n{forearm}",
+        side=Step(formulas.side, part=(0, 1)),
+        distance=Step(formulas.side, part=(2,)),
+        forearm=Step(Line(a3, FOREARM, "m")),
+    ),
 )
 
 elbow_arm_5 = Exercise(
@@ -318,23 +329,25 @@ elbow_arm_5 = Exercise(
     right=lambda p_z, a2, a3: elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:],
     wrong={M3: lambda p_z, a2, a3: cubed(0, 0, p_z, a2, a3)},
     when=lambda p_z, a2, a3: bent(p_z, a2, a3) and bent(p_z, a2, a3, 3),
-    derive=lambda p_z, a2, a3: {
-        "A": (p_z**2 - a2**2 - a3**2) / (2 * a2 * a3),
-        "bend": elbow_arm.inverse([0, 0, p_z], a2, a3)[1, 2],
-        "lift": elbow_arm.inverse([0, 0, p_z], a2, a3)[0, 1] - np.pi / 2,
-    },
     also={
         "for the angle inside the triangle, between the links": lambda p_z, a2, a3: [
             [theta2, theta3 - np.copysign(np.pi, theta3)]
             for theta2, theta3 in elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:]
         ],
     },
-    solution="On the base axis the target has no direction seen from above, so θ_1 is free. The "
-    "triangle of shoulder, elbow and wrist is there as always:\n\n"
-    "cos θ_3 = (p_z² − a_2² − a_3²)/(2 a_2 a_3) = {A}, so θ_3 = ±{bend} rad\n\n"
-    "The line to the wrist points straight up, at π/2. The upper link is off this line by "
-    "atan2(a_3 sin |θ_3|, a_2 + a_3 cos θ_3) = {lift} rad, to the one side or to the other:\n\n"
-    "[θ_2, θ_3] = {right}",
+    solution=Solution(
+        "On the base axis the target has no direction seen from above, so θ_1 is free. The "
+        "triangle of shoulder, elbow and wrist is there as always, with the side p_z from "
+        "shoulder to wrist. The law of cosines gives its angle φ_1 at the shoulder and φ_2 at the "
+        "elbow; the line to the wrist points straight up, at φ_3:\n\n{triangle}\n\n"
+        "The upper link can lie on either side of this line, and the bend of the elbow is what φ_2 "
+        "lacks of half a turn. With the elbow on the one side:\n\n{up}\n\n"
+        "With the elbow on the other side:\n\n{down}",
+        answer=("up", "down"),
+        triangle=Step(formulas.triangle, {out: 0, high: p_z, apart: p_z}, unit="rad"),
+        up=Step(formulas.first_way, part=(0, 1), values=(theta2, theta3)),
+        down=Step(formulas.first_way, part=(2, 3), values=(theta2, theta3)),
+    ),
 )
 
 elbow_arm_6 = Exercise(
@@ -351,7 +364,6 @@ elbow_arm_6 = Exercise(
     right=lambda p_x, p_y, p_z, a2, a3, d1: elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)[0],
     wrong={mistake: first(formula) for mistake, formula in WAYS.items()},
     when=possible,
-    derive=middle_steps,
     also={
         "with the elbow below": lambda p_x, p_y, p_z, d1, **links: elbow_arm.inverse(
             [p_x, p_y, p_z], **links, d1=d1
@@ -360,15 +372,21 @@ elbow_arm_6 = Exercise(
             elbow_arm.inverse([p_x, p_y, p_z], **links, unreachable="nan")[0]
         ),
     },
-    solution="From above: θ_1 = atan2(p_y, p_x) = {base} rad. From the side, in the vertical plane "
-    "through the target, it is r = √(p_x² + p_y²) = {r} m ahead of the shoulder and "
-    "h = p_z − d_1 = {h} m above it.\n\n"
-    "The law of cosines gives the elbow; above the line it bends down again, so θ_3 is "
-    "negative:\n\n"
-    "cos θ_3 = (r² + h² − a_2² − a_3²)/(2 a_2 a_3) = {A}, θ_3 = {elbow} rad\n\n"
-    "The shoulder: the elevation of the target, less the angle between upper link and target, "
-    "θ_2 = atan2(h, r) − atan2(a_3 sin θ_3, a_2 + a_3 cos θ_3). Together:\n\n"
-    "[θ_1, θ_2, θ_3] = {right}",
+    solution=Solution(
+        "Seen from above, the arm faces the point:\n\n{base}\n\n"
+        "Seen from the side, in the vertical plane through the target, the point is r ahead of the "
+        "shoulder and h above it (below, where h is negative):\n\n{side}\n\n"
+        "The law of cosines gives A, the cosine of θ_3. With the elbow above the line the forearm "
+        "bends down again, so the sine of θ_3 is negative:\n\n{cosine}\n\n{elbow}\n\n"
+        "The shoulder: the elevation of the target, less the angle between upper link and "
+        "target:\n\n{shoulder}",
+        answer=(("base", "shoulder", "elbow"),),
+        base=Step(formulas.base, part=(0,), values=(theta1,)),
+        side=Step(formulas.side, part=(0, 1)),
+        cosine=Step(formulas.cosine),
+        elbow=Step(formulas.elbow, part=(1,), values=(theta3,)),
+        shoulder=Step(formulas.shoulder, part=(0,), values=(theta2,)),
+    ),
 )
 
 elbow_arm_7 = Exercise(
@@ -385,13 +403,31 @@ elbow_arm_7 = Exercise(
     right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3),
     wrong=WAYS | {M4: four_alike},
     when=possible,
-    derive=middle_steps,
-    solution="Facing the point, θ_1 = atan2(p_y, p_x) = {base} rad. The law of cosines gives the "
-    "bend of the elbow, with both signs:\n\n"
-    "cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3²)/(2 a_2 a_3) = {A}\n\n"
-    "With r = √(p_x² + p_y²) = {r} m, the shoulder is "
-    "θ_2 = atan2(p_z, r) − atan2(a_3 sin θ_3, a_2 + a_3 cos θ_3). Hence [θ_2, θ_3] = {up} with the "
-    "elbow up and {down} with the elbow down.\n\n"
-    "With the base turned round, the arm leans over backwards to the same places: θ_1 + π, "
-    "π − θ_2, −θ_3. All four:\n\n{right}",
+    solution=Solution(
+        "The base faces the point at\n\n{base}\n\n"
+        "Seen from the side, the point is r ahead of the shoulder. The law of cosines gives A, the "
+        "cosine of θ_3:\n\n{ahead}\n\n{cosine}\n\n"
+        "The sine of θ_3 can have both signs. With the elbow up it is negative:"
+        "\n\n{bend_up}\n\n{lift_up}\n\n"
+        "With the base turned round, the arm leans over backwards to the same places of elbow and "
+        "wrist. With a prime for these angles:\n\n{behind_up}\n\n"
+        "With the elbow down the sine of θ_3 is positive:\n\n{bend_down}\n\n{lift_down}\n\n"
+        "Again with the base turned round:\n\n{behind_down}\n\n"
+        "All four, as [θ_1, θ_2, θ_3] and without whole turns:\n\n{right}",
+        answer=(
+            ("base", "lift_up", "bend_up"),
+            ("base", "lift_down", "bend_down"),
+            "behind_up",
+            "behind_down",
+        ),
+        base=Step(formulas.base, part=(0,), values=(theta1,)),
+        ahead=Step(formulas.side, part=(0,)),
+        cosine=Step(formulas.cosine, {high: p_z}),
+        bend_up=Step(formulas.elbow, part=(1,), values=(theta3,)),
+        lift_up=Step(formulas.shoulder, {high: p_z}, part=(0,), values=(theta2,)),
+        behind_up=Step(formulas.away, values=TURNED, unit="rad"),
+        bend_down=Step(formulas.elbow, part=(0,), values=(theta3,)),
+        lift_down=Step(formulas.shoulder, {high: p_z}, part=(0,), values=(theta2,)),
+        behind_down=Step(formulas.away, values=TURNED, unit="rad"),
+    ),
 )

@@ -4,17 +4,11 @@ Entries of a rotation matrix are named r_11 … r_33, the parts of a unit vector
 is written in them is checked where three angles, or two for the vector, make them.
 """
 
-from collections.abc import Callable
-from math import pi
 from typing import Any
 
-import numpy as np
-from numpy.typing import ArrayLike
 from sympy import Add, Matrix, Symbol, atan2, cos, sin, sqrt
 from sympy import pi as half_turn
 
-from robokin import euler
-from robokin._checks import Array
 from workshop.equations.core import Equation, as_written, quantity
 
 first = quantity("first", "rad", -3.14, 3.14, "first turn of a sequence", latex=r"\alpha")
@@ -23,50 +17,11 @@ third = quantity("third", "rad", -3.14, 3.14, "third turn of a sequence", latex=
 turn = quantity("turn", "rad", -3.14, 3.14, "a turn about one axis", latex=r"\vartheta")
 
 TURNS = (first, middle, third)
-OPEN = {middle: (-1.4, 1.4)}  # rad: not near gimbal lock
-QUARTERS = tuple({turn: quarter * pi / 2} for quarter in (-2, -1, 0, 1, 2))
-STILL = dict.fromkeys(TURNS, 0.0)
-EXERCISE = {first: -pi / 2, middle: 0.0, third: -pi / 2}
-LOCK = ({middle: pi / 2}, {middle: -pi / 2})
 
 r = Matrix(3, 3, lambda i, j: Symbol(f"r_{{{i + 1}{j + 1}}}"))
 n = n_x, n_y, n_z = tuple(Symbol(f"n_{letter}") for letter in "xyz")
 k = k_x, k_y, k_z = tuple(Symbol(f"k_{letter}") for letter in "xyz")
 gamma = Symbol(r"\gamma")  # the third angle, once it is known
-
-
-def of(seq: str) -> Callable[..., Array]:
-    """The function from the angles of a sequence to its matrix."""
-    return lambda angles: euler.to_matrix(seq, angles)
-
-
-def read_back(angles: ArrayLike) -> Array:
-    """The angles of the matrix that turns about x, y and z make."""
-    return euler.from_matrix("XYZ", euler.to_matrix("XYZ", angles))
-
-
-def other(seq: str) -> Callable[..., Array]:
-    """The function from the angles of a sequence to those of its other answer."""
-    return lambda angles: euler.solutions(seq, euler.to_matrix(seq, angles))[..., 1, :]
-
-
-def along_axis(angles: ArrayLike) -> Array:
-    """The axis, times twice the sine of the angle, of the rotation that three turns make."""
-    axis, angle = euler.axis_angle(euler.to_matrix("XYZ", angles))
-    vector: Array = axis * 2 * np.sin(angle)[..., None]
-    return vector
-
-
-def about(along: Array, up: Array, turn: Array) -> Array:
-    """A turn about the x axis of a frame that was turned along about z, then up: (n, 3, 3)."""
-    there = euler.to_matrix("ZY", np.stack([along, -up], axis=-1))
-    return there @ euler.to_matrix("X", turn[..., None]) @ np.swapaxes(there, -1, -2)
-
-
-def quaternion(along: Array, up: Array, turn: Array) -> Array:
-    """w, x, y, z from the axis and the angle of the same rotation."""
-    axis, angle = euler.axis_angle(about(along, up, turn))
-    return np.concatenate([np.cos(angle / 2)[:, None], axis * np.sin(angle / 2)[:, None]], axis=1)
 
 
 def turned_about(axis: Any, angle: Any) -> Matrix:
@@ -103,11 +58,6 @@ with as_written():
             left=Symbol(rf"{{R_{letter}}}(\vartheta)"),
             right=Matrix(rows),
             source="exercise 2",
-            function=of(letter.upper()),
-            arguments=((turn,),),
-            tolerance=2e-16,
-            reason="sine and cosine, each rounded once",
-            specials=QUARTERS,
         )
         for letter, rows in {
             "x": [[1, 0, 0], [0, cos(turn), -sin(turn)], [0, sin(turn), cos(turn)]],
@@ -121,11 +71,6 @@ with as_written():
         left=r,
         right=entries,
         source="exercise 2",
-        function=of("XYZ"),
-        arguments=(TURNS,),
-        tolerance=1e-15,
-        reason="sines and cosines, two products and a sum, each rounded once, of sizes up to 1",
-        specials=(STILL, EXERCISE, *LOCK),
     )
 
     angles_at_once = Equation(
@@ -139,14 +84,8 @@ with as_written():
             ]
         ),
         source="exercise 2",
-        function=read_back,
-        arguments=(TURNS,),
-        ranges=OPEN,
         where=MADE,
         is_angle=True,
-        tolerance=5e-15,
-        reason="a few roundings of entries, divided by the cosine of the middle angle, 0.17",
-        specials=(STILL, EXERCISE),
     )
 
     third_first = Equation(
@@ -163,14 +102,8 @@ with as_written():
             ]
         ),
         source="exercise 2",
-        function=lambda angles: read_back(angles)[..., [2, 0, 1]],
-        arguments=(TURNS,),
-        ranges=OPEN,
         where=(*MADE, (gamma, atan2(-r[0, 1], r[0, 0]))),
         is_angle=True,
-        tolerance=5e-15,
-        reason="as euler.angles_at_once",
-        specials=(STILL, EXERCISE),
     )
 
     other_cardan = Equation(
@@ -178,13 +111,7 @@ with as_written():
         left=Matrix([Symbol(rf"\{name}'") for name in ("alpha", "beta", "gamma")]),
         right=Matrix([first + half_turn, half_turn - middle, third + half_turn]),
         source="exercise 2",
-        function=other("XYZ"),
-        arguments=(TURNS,),
-        ranges=OPEN,
         is_angle=True,
-        tolerance=5e-15,
-        reason="as euler.angles_at_once",
-        specials=(STILL, EXERCISE),
     )
 
     other_proper = Equation(
@@ -192,13 +119,7 @@ with as_written():
         left=other_cardan.left,
         right=Matrix([first + half_turn, -middle, third + half_turn]),
         source="exercise 2",
-        function=other("ZXZ"),
-        arguments=(TURNS,),
-        ranges={middle: (0.17, 2.97)},
         is_angle=True,
-        tolerance=5e-15,
-        reason="a few roundings of entries, divided by the sine of the middle angle, 0.17",
-        specials=({**STILL, middle: pi / 2},),
     )
 
     rodrigues = Equation(
@@ -206,12 +127,7 @@ with as_written():
         left=r,
         right=turned_about(n, turn),
         source="exercise 2",
-        function=about,
-        arguments=(first, middle, turn),
         where=DIRECTION,
-        tolerance=2e-15,
-        reason="five turns one after the other, each rounded",
-        specials=QUARTERS,
     )
 
     turn_vector = Equation(
@@ -219,12 +135,7 @@ with as_written():
         left=Matrix(k),
         right=Matrix([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]),
         source="exercise 2",
-        function=along_axis,
-        arguments=(TURNS,),
         where=MADE,
-        tolerance=5e-15,
-        reason="a few roundings of entries, an angle up to 3.1, and twice its sine",
-        specials=(STILL, EXERCISE, *LOCK),
     )
 
     turn_angle = Equation(
@@ -232,12 +143,7 @@ with as_written():
         left=turn,
         right=atan2(sqrt(Add(k_x**2, k_y**2, k_z**2)), Add(r[0, 0], r[1, 1], r[2, 2], -1)),
         source="exercise 2",
-        function=lambda angles: euler.axis_angle(euler.to_matrix("XYZ", angles))[1],
-        arguments=(TURNS,),
         where=(*MADE, *zip(k, turn_vector.right, strict=True)),
-        tolerance=5e-15,
-        reason="a few roundings of entries up to 1, and an angle up to 3.1",
-        specials=(STILL, EXERCISE, *LOCK),
     )
 
     unit_quaternion = Equation(
@@ -245,10 +151,5 @@ with as_written():
         left=Matrix([Symbol("w"), *(Symbol(f"q_{letter}") for letter in "xyz")]),
         right=Matrix([cos(turn / 2), *(part * sin(turn / 2) for part in n)]),
         source="exercise 2",
-        function=quaternion,
-        arguments=(first, middle, turn),
-        ranges={turn: (0.0, 3.14)},
         where=DIRECTION,
-        tolerance=2e-15,
-        reason="as euler.rodrigues",
     )

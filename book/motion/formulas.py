@@ -1,11 +1,7 @@
 """Planar motion: world and body frame, centre of rotation, the exact arc."""
 
-import numpy as np
-from numpy.typing import ArrayLike
 from sympy import MatMul, Matrix, Ne, Piecewise, Symbol, ceiling, cos, nan, oo, pi, sin, sinc
 
-from robokin import motion
-from robokin._checks import Array
 from workshop.equations.core import Equation, as_written, quantity
 
 x = quantity("x", "m", -2, 2, "position of the robot in the world")
@@ -24,15 +20,6 @@ x_next, y_next, theta_next = (Symbol(rf"{name}'") for name in ("x", "y", r"\thet
 x_icr, y_icr = Symbol(r"x_\mathrm{ICR}"), Symbol(r"y_\mathrm{ICR}")
 wrapped = Symbol(r"\operatorname{wrap}\alpha")
 
-STILL = {v: 0.0, v_y: 0.0, omega: 0.0}
-STRAIGHT = ({omega: 0.0}, {omega: 1e-16}, {omega: -1e-16}, {omega: 1e-8})
-QUARTERS = tuple({theta: quarter * np.pi / 2} for quarter in (-2, -1, 0, 1, 2))
-
-
-def one_euler_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike) -> Array:
-    """The first step of a path that keeps the old heading."""
-    return motion.path(pose, v, omega, dt, method="start")[..., 1, :]
-
 
 with as_written():
     rotation = Matrix([[cos(theta), -sin(theta), 0], [sin(theta), cos(theta), 0], [0, 0, 1]])
@@ -44,11 +31,6 @@ with as_written():
         right=Matrix([v * cos(theta) - v_y * sin(theta), v * sin(theta) + v_y * cos(theta), omega]),
         textbook=MatMul(rotation, Matrix([v, v_y, omega])),
         source="exercise 4",
-        function=motion.to_world,
-        arguments=(theta, (v, v_y, omega)),
-        tolerance=1e-15,
-        reason="sine, cosine, two products and a sum, each rounded once, of sizes up to 1",
-        specials=(*QUARTERS, STILL),
     )
 
     to_body = Equation(
@@ -63,11 +45,6 @@ with as_written():
         ),
         textbook=MatMul(rotation_back, Matrix([x_dot, y_dot, theta_dot])),
         source="exercise 4",
-        function=motion.to_body,
-        arguments=(theta, (x_dot, y_dot, theta_dot)),
-        tolerance=1e-15,
-        reason="as to_world",
-        specials=QUARTERS,
     )
 
     icr = Equation(
@@ -81,12 +58,6 @@ with as_written():
         ),
         textbook=Matrix([x - v / omega * sin(theta), y + v / omega * cos(theta)]),
         source="exercise 5",
-        function=motion.icr,
-        arguments=((x, y, theta), v, omega),
-        ranges={omega: (0.1, 6)},
-        tolerance=5e-15,
-        reason="a few roundings of numbers up to v/omega = 10",
-        specials=({omega: 0.0}, {omega: 0.0, v: 0.0}, {v: 0.0}, {omega: -0.5}, *QUARTERS),
     )
 
     arc_step = Equation(
@@ -107,11 +78,6 @@ with as_written():
             ]
         ),
         source="exercise 5",
-        function=motion.arc_step,
-        arguments=((x, y, theta), v, omega, dt),
-        tolerance=2e-15,
-        reason="a rounding of the heading (up to 9 rad), times a chord of at most 1 m",
-        specials=(*STRAIGHT, *QUARTERS, {dt: 0.0}, {v: 0.0}),
     )
 
     euler_step = Equation(
@@ -119,11 +85,6 @@ with as_written():
         left=Matrix([x_next, y_next, theta_next]),
         right=Matrix([x + v * cos(theta) * dt, y + v * sin(theta) * dt, theta + omega * dt]),
         source="exercise 5 (seed 004)",
-        function=one_euler_step,
-        arguments=((x, y, theta), (v,), (omega,), (dt,)),
-        tolerance=1e-15,
-        reason="a few roundings of numbers up to 9",
-        specials=(*STRAIGHT, {dt: 0.0}),
     )
 
     wrap_angle = Equation(
@@ -131,10 +92,4 @@ with as_written():
         left=wrapped,
         right=angle - 2 * pi * ceiling((angle - pi) / (2 * pi)),
         source="conventions",
-        function=motion.wrap_angle,
-        arguments=(angle,),
-        tolerance=2e-15,
-        reason="a rounding of three turns (18.8 rad)",
-        is_angle=True,
-        specials=({angle: 0.0}, {angle: 3.0}, {angle: -3.0}, {angle: 1e-16}),
     )

@@ -3,9 +3,14 @@
 from functools import partial
 
 import numpy as np
+from sympy import Abs, Add, Matrix, Max, Symbol, cos, pi, sin, solve, sqrt, symbols
 
+from book.motion.formulas import x, x_dot, y, y_dot
+from book.planar_arm import formulas
+from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2
 from robokin import motion, planar_arm
-from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps
+from workshop.equations import as_written
+from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, one_of, steps
 
 TWIST = (Ask("ẋ", "m/s"), Ask("ẏ", "m/s"), Ask("φ̇", "rad/s"))
 RATES = tuple(Ask(f"θ̇_{i}", "rad/s") for i in (1, 2, 3))
@@ -138,10 +143,14 @@ def torques(made, f_x, f_y, m, **numbers):
     return jacobian(made, **numbers).T @ [f_x, f_y, m]
 
 
+def straight_rates(towards, made=None, **numbers):
+    """The joint rates for 1 m/s in a direction, the hand not turning."""
+    return joint_rates(made, np.cos(towards), np.sin(towards), 0.0, **numbers)
+
+
 def top_speed(made, towards, limit, **numbers):
     """How fast the hand can go in a direction without turning, with all rates limited."""
-    rates = joint_rates(made, np.cos(towards), np.sin(towards), 0.0, **numbers)
-    return limit / np.abs(rates).max()
+    return limit / np.abs(straight_rates(towards, made, **numbers)).max()
 
 
 def manipulability(made, **numbers):
@@ -168,31 +177,20 @@ def singular_by_m26(theta1, phi, **numbers):
     return np.stack([theta2, phi - theta1 - theta2], axis=-1)
 
 
-def pose_parts(**numbers):
-    """What stands in the formulas: where the links point, their sines and cosines, J."""
-    theta, lengths = arm(**numbers).values()
+def short_names(**numbers):
+    """What the books shorten: the sines and cosines of the links' directions."""
+    headings = arm(**numbers)["theta"].cumsum()
     names = ("1", "12", "123")
-    turned = dict(zip(names, theta.cumsum(), strict=True))
-    x, y, _ = planar_arm.forward(theta, lengths)
     return {
-        **{f"s{name}": np.sin(turned[name]) for name in names},
-        **{f"c{name}": np.cos(turned[name]) for name in names},
-        **{"phi12": turned["12"], "phi123": turned["123"]},
-        **{"x": x, "y": y, "J": planar_arm.jacobian(theta, lengths)},
+        **{f"s{name}": np.sin(turned) for name, turned in zip(names, headings, strict=True)},
+        **{f"c{name}": np.cos(turned) for name, turned in zip(names, headings, strict=True)},
     }
-
-
-def top_speed_parts(towards, **numbers):
-    """The same, and the joint rates for 1 m/s in a direction."""
-    rates = joint_rates(None, np.cos(towards), np.sin(towards), 0.0, **numbers)
-    return {**pose_parts(**numbers), "rates": rates, "fastest": np.abs(rates).max()}
 
 
 def velocity_parts(q1, q2, q3, **numbers):
     """The same, and the hand's velocity in parts."""
-    x_dot, y_dot, phi_dot = planar_arm.velocity(rates=[q1, q2, q3], **arm(**numbers))
-    rates = {"x_dot": x_dot, "y_dot": y_dot, "phi_dot": phi_dot, "q12": q1 + q2}
-    return {**pose_parts(**numbers), **rates}
+    twist = planar_arm.velocity(rates=[q1, q2, q3], **arm(**numbers))
+    return short_names(**numbers) | dict(zip(("x_dot", "y_dot", "phi_dot"), twist, strict=True))
 
 
 LINKS = {
@@ -209,13 +207,54 @@ ARM = (
     "A planar arm has three links of {l1}, {l2} and {l3}. Its joint angles are θ_1 = {theta1}, "
     "θ_2 = {theta2} and θ_3 = {theta3}; θ_2 and θ_3 are measured from the link before. "
 )
-POINTING = (
-    "The links point at the angles θ_1 = {theta1}, θ_1 + θ_2 = {phi12:deg} and "
-    "θ_1 + θ_2 + θ_3 = {phi123:deg}. "
-)
 SLOW = one_of(*(n / 10 for n in range(-10, 11) if abs(n) > 1), unit="rad/s")
 SPEED = one_of(*(n / 20 for n in range(-8, 9) if n), unit="m/s")
 FORCE = one_of(*(n for n in range(-40, 41, 5) if n), unit="N")
+
+# What the solutions share
+WRITTEN_OUT = dict((*formulas.SHORT, *formulas.BENDS))  # sines and cosines, not their short names
+STRETCHED, FOLDED = solve(formulas.det.right, theta2)
+TOWARDS, LIMIT = Symbol("alpha"), Symbol(r"\dot\theta_\mathrm{max}")
+f_x, f_y, m = symbols("f_x f_y m")
+with as_written():
+    LEVER = Matrix([-(y * rate1), x * rate1, rate1])
+    ROOT = sqrt(formulas.G_xx * formulas.G_yy - formulas.G_xy**2)
+    # a joint's column of J, times what the hand gives out
+    WORK = [Add(f_x * J[0, k], f_y * J[1, k], m * J[2, k]) for k in range(3)]
+
+
+def column(steps):
+    """A column of formulas, from symbols and what they stand for."""
+    return Line(*(Matrix(side) for side in zip(*steps, strict=True)))
+
+
+SHORT = Step(column(formulas.SHORT))
+JACOBIAN = Step(
+    formulas.jacobian,
+    values=tuple(map(str, J)),
+    check=lambda **numbers: planar_arm.jacobian(**arm(**numbers)),
+)
+
+
+def rate_steps(twist, check=None):
+    """The joint rates for a twist, one after the other. check: gives all three."""
+    return {
+        name: Step(
+            formulas.joint_rates,
+            WRITTEN_OUT | twist,
+            part=(k,),
+            check=check and (lambda k=k, **numbers: check(**numbers)[k]),
+        )
+        for k, name in enumerate(("first", "second", "third"))
+    }
+
+
+SHORT_TEXT = (
+    "Each link points where all joint angles up to it add up to. The short names, such as c_12 for "
+    "the cosine of the first two angles together:\n\n{short}\n\n"
+)
+COLUMNS = "Each column of J is the motion of the hand when that joint alone turns:\n\n{J}\n\n"
+
 
 EXAMPLE = {
     **{"l1": 0.4, "l2": 0.3, "l3": 0.1},
@@ -233,11 +272,14 @@ planar_arm_1 = Exercise(
     asks=TWIST,
     right=lambda q1, **pose: planar_arm.velocity(rates=[q1, 0, 0], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
-    derive=lambda q1, **pose: pose_parts(**pose),
-    solution="The whole arm turns about its base like one stiff body. " + POINTING + "So the hand "
-    "is at\n\nx = l_1 cos θ_1 + l_2 cos(θ_1 + θ_2) + l_3 cos(θ_1 + θ_2 + θ_3) = {x} m\n\n"
-    "y, the same with sines, = {y} m\n\nIt moves at right angles to the line from the base to the "
-    "hand, and turns as fast as the joint:\n\n[−y θ̇_1, x θ̇_1, θ̇_1] = {right}",
+    solution=Solution(
+        "The whole arm turns about its base like one stiff body. So find first where the hand is. "
+        "Each link points where all joint angles up to it add up to:\n\n{hand}\n\n"
+        "The hand moves at right angles to the line from the base to it, and turns as fast as the "
+        "joint:\n\n{twist}",
+        hand=Step(formulas.forward, WRITTEN_OUT, part=(0, 1)),
+        twist=Step(Line(Matrix(formulas.TWIST), LEVER), {rate1: "q1"}),
+    ),
 )
 
 planar_arm_2 = Exercise(
@@ -251,13 +293,12 @@ planar_arm_2 = Exercise(
     right=lambda q1, q2, q3, **pose: planar_arm.velocity(rates=[q1, q2, q3], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
     derive=velocity_parts,
-    solution=POINTING + "They turn at θ̇_1 = {q1:} rad/s, θ̇_1 + θ̇_2 = {q12} rad/s and "
-    "θ̇_1 + θ̇_2 + θ̇_3 = {phi_dot} rad/s. Differentiate the position, link by link:\n\n"
-    "ẋ = −l_1 sin θ_1 θ̇_1 − l_2 sin(θ_1 + θ_2)(θ̇_1 + θ̇_2) "
-    "− l_3 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3) = {x_dot} m/s\n\n"
-    "ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2)(θ̇_1 + θ̇_2) "
-    "+ l_3 cos(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3) = {y_dot} m/s\n\n"
-    "The hand turns like the last link:\n\n[ẋ, ẏ, φ̇] = {right}",
+    solution=Solution(
+        SHORT_TEXT + "Differentiate the hand's place, link by link. Each link turns with its own "
+        "joint and with all joints before it, and the hand turns like the last link:\n\n{twist}",
+        short=SHORT,
+        twist=Step(formulas.velocity, {rate1: "q1", rate2: "q2", rate3: "q3"}),
+    ),
     example=EXAMPLE | {"q1": 0.5, "q2": 0.2, "q3": 0.4},
 )
 
@@ -275,16 +316,27 @@ planar_arm_3 = Exercise(
     right=stretched_or_folded,
     wrong={M26: singular_by_m26},
     when=lambda **pose: 0.1 < abs(sine_by_m26(**pose)) < 0.9,
-    derive=lambda theta1, phi, **_: {
-        "stretched": motion.wrap_angle(phi - theta1),
-        "folded": motion.wrap_angle(phi - theta1 - np.pi),
-    },
-    solution="det J = l_1 l_2 sin θ_2: only the second joint counts. It is zero for θ_2 = 0, where "
-    "the first two links are stretched, and for θ_2 = π, where the second is folded back over the "
-    "first. The hand's angle is φ = θ_1 + θ_2 + θ_3, so θ_3 = φ − θ_1 − θ_2:\n\n"
-    "stretched: θ_3 = φ − θ_1 = {stretched:deg}\n\n"
-    "folded: θ_3 = φ − θ_1 − 180° = {folded:deg}, up to whole turns\n\n"
-    "In radians, [θ_2, θ_3]: {right}",
+    solution=Solution(
+        "J has no inverse where its determinant is zero. Of the joint angles only θ_2 is in it, in "
+        "a sine. With the second joint at a right angle it is as large as it can be:\n\n{det}\n\n"
+        "It is zero where the sine is zero: where the first two links are stretched, or where the "
+        "second is folded back over the first by half a turn. The hand's angle is the sum of all "
+        "three joint angles, so θ_3 makes up what is missing. Stretched:\n\n{stretched}"
+        "\n\nFolded, up to whole turns:\n\n{folded}\n\nBoth, as [θ_2, θ_3]: {right}",
+        answer=((STRETCHED, "stretched"), (FOLDED, "folded")),
+        det=Step(
+            formulas.det,
+            {theta2: pi / 2},
+            unit="m²",
+            check=lambda l1, l2, l3, **_: np.linalg.det(
+                planar_arm.jacobian([0, np.pi / 2, 0], [l1, l2, l3])
+            ),
+        ),
+        stretched=Step(
+            formulas.inverse, {formulas.phi_hand: "phi"} | {theta2: STRETCHED}, part=(2,)
+        ),
+        folded=Step(formulas.inverse, {formulas.phi_hand: "phi"} | {theta2: FOLDED}, part=(2,)),
+    ),
 )
 
 planar_arm_4 = Exercise(
@@ -298,16 +350,21 @@ planar_arm_4 = Exercise(
     asks=tuple(Ask(f"τ_{i}", "N·m") for i in (1, 2, 3)),
     right=partial(torques, None),
     wrong=made_in(torques, M26, M27, M28, M36, M37),
-    derive=lambda f_x, f_y, m, **pose: pose_parts(**pose),
     also={
         "with J where its transpose belongs": lambda f_x, f_y, m, **numbers: (
             jacobian(None, **numbers) @ [f_x, f_y, m]
         ),
     },
-    solution="In a small motion the joints must put in as much work as the hand gives out: "
-    "τ · θ̇ = f · ẋ for all joint rates, and ẋ = J θ̇. Hence τ = Jᵀ f, where f has the entries f_x, "
-    "f_y and m. " + POINTING + "Column j of J is the motion of the hand when joint j alone turns:"
-    "\n\nJ = {J}\n\nJᵀ [{f_x:}, {f_y:}, {m:}] = {right}",
+    solution=Solution(
+        "In a small motion the joints must put in as much power as the hand gives out, whichever "
+        "joint turns. So the torque of a joint is the power of the hand when this joint alone "
+        "turns, at 1 rad/s.\n\n" + SHORT_TEXT + COLUMNS + "Power is force times motion along x "
+        "and y, and moment times turning. Column by column this is the transpose of J times the "
+        "force and the moment:\n\n{torques}",
+        short=SHORT,
+        J=JACOBIAN,
+        torques=Step(Line(Matrix(symbols("tau_1:4")), Matrix(WORK), "N·m")),
+    ),
 )
 
 planar_arm_5 = Exercise(
@@ -321,19 +378,26 @@ planar_arm_5 = Exercise(
     right=partial(joint_rates, None),
     wrong=made_in(joint_rates, M26, M27, M28, M29, M36, M37),
     derive=lambda v_x, v_y, omega, **pose: {
-        **pose_parts(**pose),
+        "J": jacobian(None, **pose),
         "twist": np.array([v_x, v_y, omega]),
-        "det": np.linalg.det(planar_arm.jacobian(**arm(**pose))),
     },
     also={
         "with the transpose where the inverse belongs": lambda v_x, v_y, omega, **numbers: (
             jacobian(None, **numbers).T @ [v_x, v_y, omega]
         ),
     },
-    solution=POINTING + "Column j of J is the motion of the hand when joint j alone turns:\n\n"
-    "J = {J}\n\ndet J = l_1 l_2 sin θ_2 = {det} m² is not zero, so J has an inverse. Solve "
-    "J θ̇ = {twist} for the joint rates, with np.linalg.solve or by hand:\n\n"
-    "θ̇ = J⁻¹ {twist} = {right}",
+    solution=Solution(
+        "The determinant of J:\n\n{det}\n\nIt is not zero, so J has an inverse. The joint rates "
+        "are this inverse times the hand's velocity; np.linalg.solve finds them.\n\n"
+        "By hand, look along link 2. The wrist moves as the hand does, but for the turning of the "
+        "last link. Link 2 moves the wrist only across itself, so along link 2 it is moved by the "
+        "first joint alone:\n\n{first}\n\nAlong link 1 it is moved by link 2 alone, which turns "
+        "with the first two joints:\n\n{second}\n\n"
+        "The hand turns with all three joints, so the last one gives what is missing:\n\n{third}",
+        answer=(("first", "second", "third"),),
+        det=Step(formulas.det, unit="m²", check=lambda **n: np.linalg.det(jacobian(None, **n))),
+        **rate_steps({x_dot: "v_x", y_dot: "v_y", phi_dot: "omega"}),
+    ),
     example=EXAMPLE | {"v_x": 0.1, "v_y": 0.2, "omega": 0.3},
 )
 
@@ -348,21 +412,30 @@ planar_arm_6 = Exercise(
     asks=(Ask("v", "m/s"),),
     right=partial(top_speed, None),
     wrong=made_in(top_speed, M26, M27, M29, M37),
-    derive=lambda towards, limit, **pose: top_speed_parts(towards, **pose),
     also={
         "when the rates together, as a vector, reach the limit": lambda limit, **numbers: (
-            limit / np.linalg.norm(top_speed_parts(**numbers)["rates"])
+            limit / np.linalg.norm(straight_rates(**numbers))
         ),
         "when the slowest joint reaches the limit": lambda limit, **numbers: (
-            limit / np.abs(top_speed_parts(**numbers)["rates"]).min()
+            limit / np.abs(straight_rates(**numbers)).min()
         ),
     },
-    solution="The rates grow in proportion to the speed. So find the rates for 1 m/s first. "
-    + POINTING
-    + "Column j of J is the motion of the hand when joint j alone turns:\n\nJ = {J}\n\n"
-    "J⁻¹ [cos {towards}, sin {towards}, 0] = {rates}\n\n"
-    "At 1 m/s the fastest joint would turn at {fastest} rad/s. It may turn at {limit}, so\n\n"
-    "v = {limit:}/{fastest} = {right}",
+    solution=Solution(
+        "The rates grow in proportion to the speed. So find the rates for 1 m/s first, in the "
+        "direction α and without a turn of the hand. Along link 2 the wrist is moved by the first "
+        "joint alone, along link 1 by the turning of link 2, and the third joint makes up for "
+        "both:\n\n{first}\n\n{second}\n\n{third}\n\n"
+        "The fastest of them may be {limit}, and the speed of the hand changes by the same factor:"
+        "\n\n{v}",
+        **rate_steps(
+            {x_dot: cos(TOWARDS), y_dot: sin(TOWARDS), phi_dot: 0, TOWARDS: "towards"},
+            check=lambda limit, **numbers: straight_rates(**numbers),
+        ),
+        v=Step(
+            Line(Symbol("v"), LIMIT / Max(Abs(rate1), Abs(rate2), Abs(rate3)), "m/s"),
+            {LIMIT: "limit"},
+        ),
+    ),
 )
 
 planar_arm_7 = Exercise(
@@ -375,15 +448,27 @@ planar_arm_7 = Exercise(
     asks=(Ask("w", "m²"),),
     right=lambda **pose: planar_arm.manipulability(**arm(**pose)),
     wrong=made_in(manipulability, M27, M28, M36),
-    derive=lambda **pose: {
-        **pose_parts(**pose),
-        "rows": planar_arm.jacobian(**arm(**pose))[:2],
-        "square": (lambda J: J @ J.T)(planar_arm.jacobian(**arm(**pose))[:2]),
-    },
     also={
         "without the root": lambda **numbers: manipulability(None, **numbers) ** 2,
         "with all three rows of J": lambda **numbers: abs(np.linalg.det(jacobian(None, **numbers))),
     },
-    solution=POINTING + "The two rows of J, a column for each joint:\n\nJ = {rows}\n\n"
-    "J Jᵀ = {square}\n\nThe square root of det(J Jᵀ):\n\nw = {right}",
+    solution=Solution(
+        SHORT_TEXT
+        + COLUMNS
+        + "Only its first two rows count here. The entries of J Jᵀ are each row times itself, and "
+        "one row times the other:\n\n{gram}\n\nThe square root of its determinant:\n\n{root}\n\n"
+        "The determinant of J Jᵀ is also the sum of three squares, of the determinants that two "
+        "columns of J make. So the same comes out without J:\n\n{shorter}",
+        answer=("root",),
+        short=SHORT,
+        J=JACOBIAN,
+        gram=Step(column(formulas.GRAM)),
+        root=Step(Line(formulas.w, ROOT, "m²")),
+        shorter=Step(
+            formulas.manipulability,
+            WRITTEN_OUT,
+            unit="m²",
+            check=lambda **pose: planar_arm.manipulability(**arm(**pose)),
+        ),
+    ),
 )

@@ -1,12 +1,8 @@
 """The planar arm with three links: pose, velocity, singular poses, limits, and the way back."""
 
-import numpy as np
-from numpy.typing import ArrayLike
 from sympy import Abs, Add, Matrix, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt
 
 from book.motion.formulas import x, x_dot, y, y_dot
-from robokin import planar_arm
-from robokin._checks import Array
 from workshop.equations.core import Equation, as_written, quantity
 from workshop.equations.functions import solve
 
@@ -50,57 +46,8 @@ s2, s3, s23 = Symbol("s_2"), Symbol("s_3"), Symbol("s_23")
 J = Matrix(3, 3, [Symbol(f"J_{i}{j}") for i in (1, 2, 3) for j in (1, 2, 3)])
 G_xx, G_yy, G_xy = Symbol("G_xx"), Symbol("G_yy"), Symbol("G_xy")
 x_w, y_w, d = Symbol("x_w"), Symbol("y_w"), Symbol("d")
+ROUNDING = 1e-14  # a sine so small is rounding: that of π in floating point is 1.2e-16
 w, large, small, tilt = Symbol("w"), Symbol(r"\sigma_1"), Symbol(r"\sigma_2"), Symbol(r"\alpha")
-
-STRETCHED, FOLDED = {theta2: 0.0}, {theta2: np.pi}
-ON_A_LINE = {theta2: 0.0, theta3: 0.0}
-BENT_BACK = {theta2: np.pi, theta3: np.pi}
-ROUND = {theta1: np.pi / 6, theta2: np.pi / 3, theta3: -np.pi / 2}
-SINGULAR = (STRETCHED, FOLDED, ON_A_LINE, BENT_BACK)
-REGULAR = {theta2: (0.2, 2.9)}
-
-
-def determinant(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """The determinant of the Jacobian, by NumPy."""
-    return np.asarray(np.linalg.det(planar_arm.jacobian(theta, lengths)))
-
-
-def elbow_rate_outward(theta: Array, speed: Array, lengths: Array) -> Array:
-    """The rate of joint 2 that moves the wrist away from the base, the hand not turning."""
-    wrist = planar_arm.joint_positions(theta, lengths)[..., 2, :]
-    away = speed[..., None] * wrist / np.linalg.norm(wrist, axis=-1)[..., None]
-    twist = np.concatenate([away, 0 * speed[..., None]], axis=-1)
-    return planar_arm.joint_rates(theta, twist, lengths, singular="nan")[..., 1]
-
-
-def ellipse_sizes(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """The half-axes of the ellipse, the larger first."""
-    return planar_arm.ellipse(theta, lengths)[0]
-
-
-def twice_the_tilt(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """Twice the angle of the ellipse's long axis: the same for both directions of the axis."""
-    directions = planar_arm.ellipse(theta, lengths)[1]
-    return 2 * np.arctan2(directions[..., 1, 0], directions[..., 0, 0])
-
-
-def normal_equations(theta: Array, twist: Array, lengths: Array, damping: Array) -> Array:
-    """What the damped rates of the library give back: (JᵀJ + λ² I) times the rates."""
-    J = planar_arm.jacobian(theta, lengths)
-    rates = planar_arm.joint_rates(theta, twist, lengths, damping)[..., None]
-    normal = np.swapaxes(J, -1, -2) @ (J @ rates) + damping[..., None, None] ** 2 * rates
-    return np.asarray(normal[..., 0])
-
-
-def wrist_of(pose: ArrayLike, lengths: Array) -> Array:
-    """The wrist of an arm whose hand is at a pose."""
-    theta = planar_arm.inverse(pose, lengths)[..., 0, :]
-    return planar_arm.joint_positions(theta, lengths)[..., 2, :]
-
-
-def elbow_first(pose: ArrayLike, lengths: ArrayLike) -> Array:
-    """The joint angles with θ2 ≥ 0, in the order in which they are found: θ2, θ1, θ3."""
-    return planar_arm.inverse(pose, lengths)[..., 0, [1, 0, 2]]
 
 
 with as_written():
@@ -125,11 +72,6 @@ with as_written():
         right=Matrix([ahead, above, sum123]),
         where=SHORT,
         source="exercise 8 (seed 004)",
-        function=planar_arm.forward,
-        arguments=(ANGLES, LENGTHS),
-        tolerance=5e-15,
-        reason="headings up to 9 rad rounded twice, times links of 3 m in all",
-        specials=(ROUND, *SINGULAR),
     )
 
     velocity = Equation(
@@ -144,11 +86,6 @@ with as_written():
         ),
         where=SHORT,
         source="exercise 8 (seed 004)",
-        function=planar_arm.velocity,
-        arguments=(ANGLES, RATES, LENGTHS),
-        tolerance=2e-14,
-        reason="as forward, times rates of up to 9 rad/s",
-        specials=(ROUND, *SINGULAR),
     )
 
     jacobian = Equation(
@@ -163,11 +100,6 @@ with as_written():
         ),
         where=SHORT,
         source="exercise 8 (seed 004)",
-        function=planar_arm.jacobian,
-        arguments=(ANGLES, LENGTHS),
-        tolerance=5e-15,
-        reason="as forward",
-        specials=(ROUND, *SINGULAR),
     )
 
     det = Equation(
@@ -175,11 +107,6 @@ with as_written():
         left=Symbol(r"\det J"),
         right=l1 * l2 * sin(theta2),
         source="exercise 8",
-        function=determinant,
-        arguments=(ANGLES, LENGTHS),
-        tolerance=4e-15,
-        reason="an elimination with products of up to 3 m x 3 m",
-        specials=(ROUND, *SINGULAR),
     )
 
     along2 = Add(x_dot * c12, y_dot * s12, l3 * phi_dot * s3)
@@ -196,12 +123,6 @@ with as_written():
         right=Matrix(rates),
         where=(*SHORT, *BENDS, (rate1, rates[0]), (rate2, rates[1])),
         source="exercise 8",
-        function=planar_arm.joint_rates,
-        arguments=(ANGLES, TWIST, LENGTHS),
-        ranges=REGULAR,
-        tolerance=2e-13,
-        reason="roundings of 5 m/s over 0.1 m x 0.2 (the least sine) = 250 rad/s, some twice",
-        specials=(ROUND, {theta2: -np.pi / 2}),
     )
 
     distance = sqrt(Add(l1**2, l2**2, 2 * l1 * l2 * cos(theta2)))  # of the wrist from the base
@@ -210,15 +131,9 @@ with as_written():
     elbow_rate = Equation(
         name="planar_arm.elbow_rate",
         left=rate2,
-        right=Piecewise((elbow_speed, Abs(sin(theta2)) > planar_arm.SINGULAR), (nan, True)),
+        right=Piecewise((elbow_speed, Abs(sin(theta2)) > ROUNDING), (nan, True)),
         textbook=elbow_speed,
         source="exercise 8",
-        function=elbow_rate_outward,
-        arguments=(ANGLES, v_out, LENGTHS),
-        ranges=REGULAR,
-        tolerance=1e-13,
-        reason="as joint_rates: 2 m/s over 0.1 m x 0.2 = 100 rad/s, from two quotients",
-        specials=(ROUND, *SINGULAR, {theta2: -np.pi / 2}),
     )
 
     manipulability = Equation(
@@ -233,11 +148,6 @@ with as_written():
         ),
         where=BENDS,
         source="exercise 8; Siciliano et al., section 3.9",
-        function=planar_arm.manipulability,
-        arguments=(ANGLES, LENGTHS),
-        tolerance=4e-15,
-        reason="products of up to 3 m x 3 m, each rounded a few times",
-        specials=(ROUND, *SINGULAR),
     )
 
     GRAM = (
@@ -254,11 +164,6 @@ with as_written():
         right=Matrix([longest, w / large]),
         where=(*POSITION_ROWS, *BENDS, (w, manipulability.right), (large, longest)),
         source="exercise 8; Siciliano et al., section 3.9",
-        function=ellipse_sizes,
-        arguments=(ANGLES, LENGTHS),
-        tolerance=5e-15,
-        reason="as manipulability, over a half-axis of 0.1 m or more",
-        specials=(ROUND, *SINGULAR),
     )
 
     ellipse_tilt = Equation(
@@ -267,12 +172,7 @@ with as_written():
         right=atan2(2 * G_xy, G_xx - G_yy),
         where=POSITION_ROWS,
         source="exercise 8",
-        function=twice_the_tilt,
-        arguments=(ANGLES, LENGTHS),
-        tolerance=5e-14,
-        reason="roundings of 20 m2 over the difference of two squared half-axes, 0.1 m2 or more",
         is_angle=True,
-        specials=(ROUND, *SINGULAR),
     )
 
     damped = Equation(
@@ -281,11 +181,6 @@ with as_written():
         right=Matrix([Add(x_dot * J[0, j], y_dot * J[1, j], phi_dot * J[2, j]) for j in range(3)]),
         where=(*SHORT, *zip(J, jacobian.right, strict=True)),
         source="exercise 8; Siciliano et al., section 3.5.2",
-        function=normal_equations,
-        arguments=(ANGLES, TWIST, LENGTHS, damping),
-        tolerance=1e-13,
-        reason="3 m x 1 m/s a term; the damped rates, up to 30 rad/s, come back times up to 9 m2",
-        specials=(ROUND, *SINGULAR, {damping: 1e-3}),
     )
     command = Equation(
         name="planar_arm.command",
@@ -298,9 +193,6 @@ with as_written():
             ]
         ),
         source="exercise 8; Siciliano et al., section 3.7",
-        checked_by="test_planar_arm.py::test_the_command_takes_the_error_back",
-        tolerance=1e-15,
-        reason="an identity: the error shrinks by the factor 1 - K dt in a step",
     )
 
     wrist = Equation(
@@ -308,12 +200,6 @@ with as_written():
         left=Matrix([x_w, y_w]),
         right=Matrix([x - l3 * cos(phi_hand), y - l3 * sin(phi_hand)]),
         source="exercise 8",
-        function=wrist_of,
-        arguments=(POSE, LENGTHS),
-        ranges={x: (0.4, 0.5), y: (0.1, 0.3), l1: (0.35, 0.5), l2: (0.35, 0.5), l3: (0.05, 0.1)},
-        tolerance=2e-15,
-        reason="roundings of numbers up to 1 m, there and back",
-        specials=({phi_hand: 0.0}, {phi_hand: np.pi}),
     )
 
     ELBOW = 2 * atan2(
@@ -332,13 +218,7 @@ with as_written():
             (theta1, SHOULDER),
         ),
         source="exercise 8",
-        function=elbow_first,
-        arguments=(POSE, LENGTHS),
-        ranges=wrist.ranges,
-        tolerance=1e-14,
-        reason="a rounding of d over the sine of θ2, which is 0.3 or more here",
         is_angle=True,
-        specials=({phi_hand: 0.0}, {phi_hand: np.pi / 2}),
     )
 
 # The damped rates, solved for together with y, what is missing of the twist over λ:

@@ -781,5 +781,5 @@ def test_the_command_takes_the_error_back():
     # second order in dt: up to 5 rad/s, squared, times 1 m and dt²; and EPS of a metre
     assert_close(after, (1 - gain * dt) * error, atol=25 * dt**2 + 4 * EPS)
     # in the wanted pose the wanted velocity is all that is commanded
-    values |= dict(zip(["x", "y", "phi_hand"], wanted, strict=True)) | {"vx_d": 0.3, "omega_d": -1}
-    assert command(*(values[str(symbol)] for symbol in formula.symbols)) == [0.3, 0, -1]
+    values |= {"x": 0.5, "y": 0.45, "phi_hand": 0.1, "vx_d": 0.3, "vy_d": 0.2, "omega_d": -1}
+    assert command(*(values[str(symbol)] for symbol in formula.symbols)) == [0.3, 0.2, -1]

@@ -252,9 +252,9 @@ def four_by(matrix, r, w_1, w_2, w_3, w_4, **_):
     return [*twist, (matrix @ twist - speeds)[0]]
 
 
-def row(alpha=formulas.alpha):
-    """The rolling row of a wheel at an angle alpha, as its formula has it."""
-    return formulas.rolling_row(formulas.l, alpha, formulas.beta)
+def row(alpha=formulas.alpha, beta=formulas.beta):
+    """The rolling row of a wheel, as its formula has it."""
+    return formulas.rolling_row(formulas.l, alpha, beta)
 
 
 def sliding_rank(fixed, **_):
@@ -276,7 +276,6 @@ with as_written():
         "rad",
     )
     THREE_ROWS = Line(MATRIX, Matrix([row(alpha) for alpha in ALPHAS]))
-    FOUR_ROWS = Line(MATRIX, Matrix([row(k * pi / 2) for k in range(4)]))
     ROLLED = Line(Matrix(SPEEDS), Matrix([drive.r * rate for rate in RATES]), "m/s")
     THREE_RATES = Line(Matrix(formulas.omni_rates), Matrix([s / drive.r for s in SPEEDS[:3]]))
     ABOUT = Line(Matrix([planar.v, planar.v_y]), Matrix([planar.omega * C_Y, -planar.omega * C_X]))
@@ -307,6 +306,7 @@ with as_written():
         ("m/s", "m/s", "rad/s"),
     )
     SLIPPED = Line(SLIP, GROUND - SPEEDS[0], "m/s")
+FOUR_ROWS = Line(MATRIX, Matrix([row(k * pi / 2, 0) for k in range(4)]))  # ones and zeros
 
 
 L, R = steps(10, 40, 5, "cm"), steps(3, 8, 1, "cm")
@@ -395,8 +395,8 @@ wheels_3 = Exercise(
     },
     solution=Solution(
         "First see the wanted velocity from the robot:\n\n{body}\n\n"
-        "The turning rate is the same, seen from both. The row of each wheel times this velocity is the "
-        "speed s at which the wheel must roll:\n\n{speeds}\n\nDivide by the radius:\n\n{rates}",
+        "The turning rate is the same, seen from both. The row of each wheel times this velocity "
+        "is the speed s at which the wheel must roll:\n\n{speeds}\n\nDivide by the radius:\n\n{rates}",
         body=Step(planar.to_body, part=(0, 1)),
         speeds=Step(formulas.omni_rolling, {formulas.l: "l"}, values=SPEEDS[:3], unit="m/s"),
         rates=Step(THREE_RATES),
@@ -480,8 +480,9 @@ wheels_5 = Exercise(
         "The axle lines of all fixed and steered wheels must meet in one point (parallel lines: "
         "infinitely far away). Two lines determine this point. The fixed wheels give some of these "
         "lines already. A steered wheel can be turned freely for each line that is left; any "
-        "others must follow:\n\n{delta_s}\n\nEach independent row of the fixed wheels and each free choice takes away one of the "
-        "three ways to move:\n\n{delta_m}\n\nThe third number is the sum of both:\n\n{delta_M}",
+        "others must follow:\n\n{delta_s}\n\nEach independent row of the fixed wheels and each "
+        "free choice takes away one of the three ways to move:\n\n{delta_m}\n\n"
+        "The third number is the sum of both:\n\n{delta_M}",
         answer=(("delta_m", "delta_s", "delta_M"),),
         fixed_rank=Step(sliding_rank),
         steered_rank=Step(steered_rank),
@@ -560,7 +561,7 @@ wheels_7 = Exercise(
         rolled=Step(ROLLED, {rate: f"w_{k}" for k, rate in enumerate(RATES, 1)}),
         rows=Step(
             FOUR_ROWS,
-            {formulas.l: "l", formulas.beta: 0},
+            {formulas.l: "l"},
             check=lambda l, **_: wheels.rolling(wheels.omni_robot(l, 1.0, FOUR)),
         ),
         best=Step(BEST, {formulas.l: "l"}),

@@ -1,10 +1,20 @@
 """Every formula of a course, once: printed in the chapters, checked here, drawn from."""
 
-from workshop.equations.checking import Result, check
-from workshop.equations.core import Equation, as_written, declared, find, quantities, quantity
-from workshop.equations.printing import show
+from workshop.equations.checking import Array, Result, check
+from workshop.equations.checks import Check
+from workshop.equations.core import (
+    Equation,
+    as_written,
+    declared,
+    find,
+    quantities,
+    quantity,
+    show,
+)
 
 __all__ = [
+    "Array",
+    "Check",
     "Equation",
     "Result",
     "as_written",

@@ -1,7 +1,9 @@
-"""Every equation against its function: generated points and special points, in 50 digits."""
+"""Every formula against its function: generated points and special points, in 50 digits."""
 
+import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from types import FrameType
 from typing import Any
 from zlib import crc32
 
@@ -10,7 +12,9 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from workshop.equations.core import Equation, Where, declared
+from workshop.course import course
+from workshop.equations.checks import Check, declared_checks
+from workshop.equations.core import Where
 from workshop.equations.functions import MPMATH
 from workshop.errors import CourseError
 
@@ -21,48 +25,50 @@ DIGITS = 50
 
 @dataclass(frozen=True)
 class Result:
-    """How far an equation and its function are apart, over how many points, and where most."""
+    """How far a formula and its function are apart, over how many points, and where most."""
 
-    equation: Equation
+    check: Check
     samples: int
     difference: float
     worst: dict[str, float]
 
     @property
     def agrees(self) -> bool:
-        """Whether the largest difference is within the equation's tolerance."""
-        return self.difference <= self.equation.tolerance
+        """Whether the largest difference is within the check's tolerance."""
+        return self.difference <= self.check.tolerance
 
 
-def check(equations: Iterable[Equation] | None = None, samples: int = SAMPLES) -> list[Result]:
-    """Hold every declared equation (or those given) that has a function to that function."""
-    chosen = declared().values() if equations is None else equations
-    return [check_one(e, samples) for e in chosen if e.function is not None]
+def check(checks: Iterable[Check] | None = None, samples: int = SAMPLES) -> list[Result]:
+    """Carry out every declared check (or those given) that names a function."""
+    chosen = declared_checks().values() if checks is None else checks
+    return [check_one(c, samples) for c in chosen if c.function is not None]
 
 
-def check_one(equation: Equation, samples: int = SAMPLES) -> Result:
-    """The largest difference between an equation's right side and its function."""
-    points = sample(equation, samples)
-    exact = evaluate(equation.right, equation.symbols, points, equation.where)
-    computed = _component(equation, points)
+def check_one(check: Check, samples: int = SAMPLES) -> Result:
+    """The largest difference between a formula's right side and its function."""
+    equation, points = check.equation, sample(check, samples)
+    exact = evaluate(equation.right, check.symbols, points, equation.where)
+    computed = answer(check, points)
     if computed.shape != exact.shape:
         raise CourseError(
-            f"{equation.name} has {exact.shape[1]} components, its function {computed.shape[1]}"
+            f"{check.name} has {exact.shape[1]} components, its function {computed.shape[1]}"
         )
     apart = differences(computed, exact, equation.is_angle).max(axis=1, initial=0.0)
     worst = int(apart.argmax())
-    where = {str(s): float(v) for s, v in zip(equation.symbols, points[worst], strict=True)}
-    return Result(equation, len(points), float(apart[worst]), where)
+    where = {str(s): float(v) for s, v in zip(check.symbols, points[worst], strict=True)}
+    return Result(check, len(points), float(apart[worst]), where)
 
 
-def sample(equation: Equation, samples: int = SAMPLES) -> Array:
+def sample(check: Check, samples: int = SAMPLES) -> Array:
     """Points (n, symbols): the special ones first, then generated ones, the same every time."""
-    symbols = equation.symbols
-    ranges = [equation.ranges.get(s, (s.low, s.high)) for s in symbols]
+    symbols = check.symbols
+    ranges = [check.ranges.get(s, (s.low, s.high)) for s in symbols]
     low, high = np.array(ranges).T
-    random = np.random.default_rng(crc32(equation.name.encode()))
-    points = random.uniform(low, high, (len(equation.specials) + samples, len(symbols)))
-    for row, special in zip(points, equation.specials, strict=False):
+    random = np.random.default_rng(crc32(check.name.encode()))
+    points = random.uniform(low, high, (len(check.specials) + samples, len(symbols)))
+    whole = [symbols.index(symbol) for symbol in check.whole]
+    points[:, whole] = np.rint(points[:, whole])
+    for row, special in zip(points, check.specials, strict=False):
         for symbol, value in special.items():
             row[symbols.index(symbol)] = value
     return points
@@ -102,15 +108,46 @@ def _real(value: Any) -> Any:
     return mpmath.mpf(value)
 
 
-def _component(equation: Equation, points: Array) -> Array:
+def answer(check: Check, points: Array) -> Array:
     """The function's own answer at the points, (n, components)."""
-    columns = dict(zip(equation.symbols, points.T, strict=True))
-    arguments = [_argument(a, columns, len(points)) for a in equation.arguments]
-    assert equation.function is not None
-    answer = np.asarray(equation.function(*arguments), dtype=float)
-    if equation.component is not None:
-        answer = answer[..., equation.component]
-    return answer.reshape(len(points), -1)
+    assert check.function is not None
+    found = np.asarray(check.function(*_arguments(check, points)), dtype=float)
+    if check.component is not None:
+        found = found[..., check.component]
+    return found.reshape(len(points), -1)
+
+
+def library_functions(check: Check) -> list[str]:
+    """The public functions of the library that a check really calls, as `robokin.motion.icr`."""
+    arguments = _arguments(check, sample(check, 1))
+    public, library = course().library_modules, course().library
+    found: dict[str, None] = {}
+    depth = 0
+
+    def note(frame: FrameType, event: str, _: Any) -> None:
+        nonlocal depth
+        module, name = frame.f_globals.get("__name__", ""), frame.f_code.co_name
+        of_library = module.partition(".")[0] == library or module in public
+        if of_library and event == "return":
+            depth -= 1
+        if of_library and event == "call":
+            if depth == 0 and module in public and name[0] not in "_<":
+                found[f"{module}.{name}"] = None
+            depth += 1
+
+    before = sys.getprofile()
+    sys.setprofile(note)
+    try:
+        if check.function is not None:
+            check.function(*arguments)
+    finally:
+        sys.setprofile(before)
+    return list(found)
+
+
+def _arguments(check: Check, points: Array) -> list[Array]:
+    columns = dict(zip(check.symbols, points.T, strict=True))
+    return [_argument(a, columns, len(points)) for a in check.arguments]
 
 
 def _argument(argument: Any, columns: dict[sp.Symbol, Array], n: int) -> Array:

@@ -6,13 +6,14 @@ that SymPy keeps (v_R + v_L)/2 as it stands.
 """
 
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
 from workshop.course import course, held
+from workshop.equations.printing import both_sides, mimebundle
 from workshop.errors import CourseError
 
 # Named steps on the way to a result, in order: each may use those before it.
@@ -65,7 +66,30 @@ def quantity(
 def quantities(parts: Sequence[str] = ("formulas", "figures")) -> list[NamedSymbol]:
     """All quantities that the course declares, each once, in the course's order."""
     modules = [module for part in parts for module in course().modules(part).values()]
-    return list(dict.fromkeys(s for module in modules for s in held(module, NamedSymbol)))
+    found: dict[NamedSymbol, NamedSymbol] = {}
+    for symbol in (s for module in modules for s in held(module, NamedSymbol)):
+        if found.setdefault(symbol, symbol) is not symbol:
+            raise CourseError(
+                f"{symbol} is declared twice: {found[symbol].place}, and line {symbol.line}; "
+                "choose another name for one of the two"
+            )
+    return list(found)
+
+
+def place(symbol: sp.Symbol) -> str:
+    """Where a symbol is declared, for an error."""
+    return getattr(symbol, "place", "a plain SymPy symbol")
+
+
+def in_order(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
+    """By name; those of one name by the place where they are declared."""
+    return sorted(symbols, key=lambda symbol: (str(symbol), place(symbol)))
+
+
+def told(symbols: Iterable[sp.Symbol], beside: Iterable[Any]) -> str:
+    """The names of symbols for an error; of those with a namesake `beside`, the place, too."""
+    names = set(map(str, beside))
+    return ", ".join(f"{s} ({place(s)})" if str(s) in names else str(s) for s in symbols)
 
 
 def refuse_namesakes(symbols: Iterable[sp.Symbol], who: str) -> None:
@@ -74,11 +98,9 @@ def refuse_namesakes(symbols: Iterable[sp.Symbol], who: str) -> None:
     for symbol in symbols:
         other = known.setdefault(str(symbol), symbol)
         if other != symbol:
-            places = " and ".join(
-                getattr(s, "place", "a plain SymPy symbol") for s in (other, symbol)
-            )
             raise CourseError(
-                f"{who} uses two different symbols {symbol}: {places}; use one of them"
+                f"{who} uses two different symbols {symbol}: {place(other)} and {place(symbol)}; "
+                "use one of them"
             )
 
 
@@ -88,65 +110,62 @@ class Equation:
 
     name: `module.what`, where module is the one that computes it.
     left, right: the two sides, scalar or column; the right one in the form that keeps its digits.
+    source: where it comes from.
     textbook: the right side as books print it, where that reads better; proved equal, only shown.
-    function, arguments, component: `function(*arguments)[..., component]` must agree with `right`;
-    arguments are expressions (or tuples of them, stacked on the last axis).
-    checked_by: for an identity that no function computes, the test that holds it.
-    tolerance, reason: the largest difference allowed, absolute in the unit of `left`, and why.
     where: named steps that the right side is written in, each a symbol and what it stands for.
-    specials: settings that are always checked too; what they leave out is drawn from the range.
+    is_angle: its values are angles, and one turn more is the same angle.
+
+    How it is held to the library is no part of it: `Check` says that.
     """
 
     name: str
     left: Any
     right: Any
     source: str
-    tolerance: float
-    reason: str
-    function: Callable[..., Any] | None = None
-    arguments: tuple[Any, ...] = ()
-    component: int | None = None
-    checked_by: str = ""
     textbook: Any = None
-    specials: tuple[Mapping[sp.Symbol, float], ...] = ()
     where: Where = ()
-    ranges: Mapping[sp.Symbol, tuple[float, float]] = field(default_factory=dict)
     is_angle: bool = False
 
     def __post_init__(self) -> None:
-        if (self.function is None) == (not self.checked_by):
-            raise CourseError(f"{self.name} must name a function or a test, one of the two")
         unknown = [s for s in self.symbols if not isinstance(s, NamedSymbol)]
         if unknown:
             names = ", ".join(map(str, unknown))
             raise CourseError(f"{self.name} uses {names}, which no `quantity(…)` declares")
         refuse_namesakes(self.symbols, self.name)
-        if self.function is not None:
-            self._refuse("right", set(self.symbols) - free_symbols(self.arguments), "arguments")
-        for special in self.specials:
-            self._refuse("specials", set(special) - set(self.symbols), "right nor arguments")
-
-    def _refuse(self, part: str, extra: set[sp.Symbol], of: str) -> None:
-        if extra:
-            names = ", ".join(sorted(map(str, extra)))
-            raise CourseError(f"{self.name} has {names} in `{part}`, but not in its {of}")
 
     @property
     def symbols(self) -> list[sp.Symbol]:
-        """The symbols of the right side and the arguments, in alphabetical order."""
-        steps = [expression for _, expression in self.where]
-        parts = (self.right, *self.arguments, *steps)
+        """The symbols of the right side and its named steps, in alphabetical order."""
+        parts = (self.right, *(expression for _, expression in self.where))
         free = {s for part in parts for s in free_symbols(part)}
-        return sorted(free - {symbol for symbol, _ in self.where}, key=str)
+        return in_order(free - {symbol for symbol, _ in self.where})
 
     def at(self, values: Mapping[sp.Symbol, Any]) -> Any:
         """The right side with expressions put in for its symbols, otherwise as written."""
         return put_in(self.right, values)
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        from workshop.equations.printing import mimebundle
+    def printed(self, computed: bool = False) -> Any:
+        """The right side that is shown: the textbook's where there is one, unless `computed`."""
+        return self.right if computed or self.textbook is None else self.textbook
 
-        return mimebundle(self)
+    def latex(self, computed: bool = False) -> str:
+        """Left side = right side."""
+        return both_sides(self.left, self.printed(computed))
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        return mimebundle(self.name, self.left, self.printed())
+
+
+@dataclass(frozen=True)
+class Shown:
+    """An equation as the value of a notebook cell; `computed`: in the form that the code uses."""
+
+    equation: Equation
+    computed: bool
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        label = self.equation.name + ("-computed" if self.computed else "")
+        return mimebundle(label, self.equation.left, self.equation.printed(self.computed))
 
 
 def free_symbols(part: Any) -> set[sp.Symbol]:
@@ -174,3 +193,8 @@ def find(name: str) -> Equation:
         known = ", ".join(sorted(declared()))
         raise CourseError(f"there is no equation {name!r}; there are {known}")
     return declared()[name]
+
+
+def show(name: str, computed: bool = False) -> Shown:
+    """Show an equation by its name; `computed=True` shows the form that the code uses."""
+    return Shown(find(name), computed)

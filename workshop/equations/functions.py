@@ -1,7 +1,7 @@
 """The few functions beyond SymPy's own that an expression may call.
 
-Each has three faces: 50-digit arithmetic here, JavaScript in `robokin/live/functions.js`, and a
-NumPy oracle in `tests/test_functions.py` that both are held to.
+Each has three faces: 50-digit arithmetic here, JavaScript in `workshop/figures/functions.js`,
+and a NumPy oracle in `tests/test_javascript.py` that both are held to.
 
     rank(C)             the rank of a matrix (0 … 3 columns' worth)
     null_projector(C)   the orthogonal projector onto the motions x with C x = 0

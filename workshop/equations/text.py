@@ -139,6 +139,8 @@ class Writer:
             under = self._factors(below, closed=False)
             several = len(below) > 1 or self.bound(below[0])[1] < POWER
             text = f"{text}/({under})" if several else f"{text}/{under}"
+        if sign < 0 and text.startswith("−"):
+            text = f"({text})"
         return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
 
     def _factors(self, factors: Sequence[Any], closed: bool) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from workshop.course import course
-from workshop.equations.core import NamedSymbol, Where
+from workshop.equations.core import NamedSymbol, Where, told
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
@@ -51,8 +51,8 @@ class Compiler:
             unknown = sp.sympify(expression).free_symbols - set(self.known)
             if unknown:
                 raise CourseError(
-                    f"{expression} uses {', '.join(map(str, unknown))}, but the controls are "
-                    f"{', '.join(map(str, self.known))}"
+                    f"{expression} uses {told(unknown, self.known)}, but the controls are "
+                    f"{told(self.known, unknown)}"
                 )
             self.expressions.append(expression)
         return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
@@ -140,7 +140,7 @@ class Compiler:
         keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
         for symbol in symbols:
             if symbol not in keys:
-                raise CourseError(f"{who} sets {symbol}, which is no slider")
+                raise CourseError(f"{who} sets {told([symbol], keys)}, which is no slider")
         return [keys.index(symbol) for symbol in symbols]
 
     def handle(self, handle: d.Handle) -> dict[str, Any]:

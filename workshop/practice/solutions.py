@@ -59,9 +59,10 @@ class Step:
 
     given: what to put in for symbols that the exercise does not know by their own names: the name
     of a number, an expression of other symbols, or a number. values: names of what it gives, where
-    those of its left side will not do; symbols are its left side then. textbook: whether the textbook's form is shown and used.
-    part: which of several components are shown and given. check: for what does not lead to the
-    answer but is said beside it, a function from the numbers that must give the same.
+    those of its left side will not do; symbols are its left side then. textbook: whether the
+    textbook's form is shown and used. part: which of several components are shown and given.
+    check: for what does not lead to the answer but is said beside it, a function from the numbers
+    that must give the same.
     """
 
     formula: Equation | Line | Callable[..., Equation | Line]

@@ -1,0 +1,17 @@
+"""What the figure of the chapter on the beacon must show."""
+
+import numpy as np
+from book.beacon.functions import range_and_bearing
+
+
+def beacon_readouts(b_x, b_y, theta):
+    """Distance; and the bearing before it is wrapped, as the figure tells it."""
+    still = np.zeros_like(theta)
+    pose = np.column_stack([still, still, still])
+    seen = range_and_bearing(pose, np.column_stack([b_x, b_y]))
+    return np.column_stack([seen[:, 0], seen[:, 1] - theta])
+
+
+READOUTS = {"beacon": beacon_readouts}
+SPECIALS = {"beacon": [{"b_x": 0.0}, {"b_y": 0.0, "b_x": -1.0}]}
+WORDS = []

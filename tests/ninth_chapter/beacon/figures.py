@@ -1,0 +1,39 @@
+"""The live figure of the chapter on the beacon."""
+
+from math import pi
+
+from book.beacon import formulas
+from book.beacon.formulas import b_x, b_y
+
+from book.motion.formulas import theta, x, y
+from workshop.figures import POINTER, Arrow, Body, Figure, Handle, Line, Point, Readout, Slider
+
+
+def beacon_figure() -> Figure:
+    """A beacon under the hand, seen from a robot that turns."""
+    here = {x: 0, y: 0}
+    return Figure(
+        name="beacon",
+        title="A robot and a beacon, seen from above",
+        view=(-1.2, 1.2, -0.8, 0.8),
+        controls=(
+            Slider(b_x, -1.0, 1.0, start=0.6, step=0.05, label="beacon b_x"),
+            Slider(b_y, -0.7, 0.7, start=0.4, step=0.05, label="beacon b_y"),
+            Slider(theta, -pi, pi, start=0.0, step=pi / 36, label="heading"),
+        ),
+        scene=(
+            Line("ghost", ((0, 0), (b_x, b_y))),
+            Body((0, 0), theta, 0.1),
+            Arrow("velocity", (0, 0), (b_x / 2, b_y / 2), label="d"),
+            Point("target", (b_x, b_y), label="beacon"),
+        ),
+        handles=(Handle("the beacon", (b_x, b_y), {b_x: POINTER[0], b_y: POINTER[1]}),),
+        readouts=(
+            Readout("distance", "distance d", formulas.distance.at(here), "m"),
+            Readout("bearing", "bearing", formulas.direction.at(here), "rad", digits=1),
+        ),
+        says="The beacon is {distance} away, at {bearing} from the heading {theta}.",
+    )
+
+
+FIGURES = (beacon_figure(),)

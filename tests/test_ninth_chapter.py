@@ -1,0 +1,132 @@
+"""A ninth chapter is one folder and one line of `_toc.yml`; nothing else is touched.
+
+The folder `ninth_chapter/beacon` is put into a copy of the tree. There the site is built and the
+machine's own tests are run.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from support import ROOT
+
+BEACON = Path(__file__).parent / "ninth_chapter" / "beacon"
+NOT_SOURCE = (".*", "_build", "__pycache__")
+LINE = "      - file: planar_arm/planar_arm\n"
+
+
+def run(tree, *command):
+    """A command in the copy, with the copy's packages."""
+    env = {**os.environ, "PYTHONPATH": str(tree)}
+    env.pop("ROBOKIN_UNDER_TEST", None)
+    return subprocess.run(command, cwd=tree, env=env, capture_output=True, text=True)
+
+
+def python(tree, *arguments):
+    """The copy's Python."""
+    return run(tree, sys.executable, *arguments)
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory):
+    """A copy of the tree with the ninth chapter in it."""
+    place = tmp_path_factory.mktemp("ninth") / "course"
+    shutil.copytree(ROOT, place, ignore=shutil.ignore_patterns(*NOT_SOURCE))
+    shutil.copytree(BEACON, place / "book" / "beacon")
+    toc = place / "_toc.yml"
+    text = toc.read_text("utf-8")
+    assert LINE in text
+    toc.write_text(text.replace(LINE, f"{LINE}      - file: beacon/beacon\n"), "utf-8")
+    return place
+
+
+@pytest.fixture(scope="module")
+def site(tree):
+    """The site of the copy."""
+    written = python(tree, "tools/notebooks.py", "beacon")
+    assert written.returncode == 0, written.stdout + written.stderr
+    book = Path(sys.executable).with_name("jupyter-book")
+    toc = ["--toc", str(tree / "_toc.yml"), "--path-output", "."]
+    built = run(tree, book, "build", "book", "--config", "_config.yml", *toc, "-W", "-n")
+    assert built.returncode == 0, built.stdout[-3000:] + built.stderr[-3000:]
+    return tree / "_build" / "html"
+
+
+@pytest.mark.parametrize(
+    ("page", "holds"),
+    [
+        ("beacon/beacon", ['class="rk-figure" id="beacon"', 'id="M99"', 'id="beacon-1"']),
+        ("practice", ["A beacon", 'id="beacon-1"']),
+        ("notation", ["distance of the beacon", "direction in which the robot sees it"]),
+        ("checks", ["beacon.distance", "beacon.direction"]),
+        ("api", ["book.beacon.functions.range_and_bearing"]),
+        ("intro", ["How far is a beacon, and in which direction does the robot see it?"]),
+    ],
+)
+def test_it_stands_on_every_page(site, page, holds):
+    text = (site / f"{page}.html").read_text("utf-8")
+    for part in holds:
+        assert part in text
+
+
+def test_it_comes_in_the_order_of_the_table_of_contents(site):
+    text = (site / "intro.html").read_text("utf-8")
+    chapters = re.findall(r'href="(\w+)/\1\.html"', text)
+    assert chapters.index("planar_arm") < chapters.index("beacon")
+
+
+def test_the_machine_s_tests_hold_it(tree, site):
+    """Formulas, figure, exercise, page and notebook: all that is tried of any chapter."""
+    options = ("-q", "-p", "no:cacheprovider", "-m", "not long and not screenshots", "-k", "beacon")
+    own = f"--ignore=tests/{Path(__file__).name}"
+    tests = python(tree, "-P", "-m", "pytest", *options, own, "tests", "book")
+    assert tests.returncode == 0, tests.stdout[-4000:]
+    passed = int(re.search(r"(\d+) passed", tests.stdout)[1])
+    assert passed >= 40  # a chapter of two formulas, one figure and one exercise
+    notebook = python(tree, "-P", "-m", "pytest", "--nbval", "-q", "book/beacon/beacon.ipynb")
+    assert notebook.returncode == 0, notebook.stdout[-3000:]
+
+
+COLLECT = "import book; from workshop import equations, practice, course; "
+FORGOTTEN = {
+    "the line of the table of contents": (
+        lambda tree: (tree / "_toc.yml").write_text((ROOT / "_toc.yml").read_text("utf-8")),
+        COLLECT + "course.course().chapters",
+        r"beacon.ipynb is not in _toc.yml: add the line `- file: beacon/beacon`",
+    ),
+    "a formula's check": (
+        lambda tree: (tree / "book/beacon/checks.py").unlink(),
+        COLLECT + "equations.check()",
+        r"beacon.distance has no check: add `Check\(formulas.distance, …\)`",
+    ),
+    "the folder's package": (
+        lambda tree: (tree / "book/beacon/__init__.py").unlink(),
+        COLLECT + "course.course().chapters",
+        r"beacon.* has no __init__.py: .* the question that the chapter answers",
+    ),
+}
+
+
+@pytest.mark.parametrize(("forget", "code", "message"), FORGOTTEN.values(), ids=FORGOTTEN)
+def test_what_is_forgotten_is_told(tree, tmp_path, forget, code, message):
+    """What to do is said where the course is read."""
+    copy = tmp_path / "course"
+    shutil.copytree(tree, copy, ignore=shutil.ignore_patterns(*NOT_SOURCE))
+    forget(copy)
+    found = python(copy, "-c", code)
+    assert found.returncode != 0
+    assert re.search(message, found.stderr), found.stderr[-1000:]
+
+
+def test_a_figure_without_expected_numbers_is_told(tree, tmp_path):
+    """By the test that every figure has them."""
+    copy = tmp_path / "course"
+    shutil.copytree(tree, copy, ignore=shutil.ignore_patterns(*NOT_SOURCE))
+    (copy / "book/beacon/expected.py").unlink()
+    found = python(copy, "-P", "-m", "pytest", "-q", "tests/test_figures.py", "-k", "expected")
+    assert found.returncode != 0
+    assert "book/beacon/expected.py" in found.stdout

@@ -1,7 +1,9 @@
 """Worked solutions: they lead to what the library says, and every formula in them counts."""
 
 import re
+from contextlib import suppress
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -12,7 +14,7 @@ from workshop.equations import Equation, quantity
 from workshop.equations.text import signed
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
-from workshop.practice.solutions import figures, sides
+from workshop.practice.solutions import figures, formula_of, sides
 
 each_exercise = each("exercise", "exercises", Exercise)
 EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart
@@ -58,29 +60,69 @@ def test_a_solution_leads_to_the_library_s_answer(exercise):
 @each_exercise
 def test_what_is_said_beside_the_way_is_right(exercise):
     for variant in dealing.variants(exercise.name):
-        numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
-        steps = exercise.solution.worked(numbers, variant.shown)
-        for name, step in exercise.solution.steps.items():
-            if step.check:
-                wanted = np.ravel(step.check(**variant.numbers))
-                np.testing.assert_allclose(steps[name].result.ravel(), wanted, EXACT, EXACT)
+        assert not wrong_beside(exercise, exercise.solution, variant), variant.shown
+
+
+def wrong_beside(exercise, solution, variant):
+    """The steps that do not give what their check says."""
+    numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
+    steps = solution.worked(numbers, variant.shown)
+    checks = {name: step.check for name, step in solution.steps.items() if step.check}
+    wanted = {name: np.ravel(check(**variant.numbers)) for name, check in checks.items()}
+    return [
+        name
+        for name in checks
+        if not np.allclose(steps[name].result.ravel(), wanted[name], EXACT, EXACT)
+    ]
 
 
 def flips(expression):
-    """The expression with one sign flipped: of the second term of each sum, else of the whole."""
+    """The expression with one sign flipped: of the second term of each sum, else of the whole.
+
+    Of the first where the second is half a turn, which is the same in both directions. And a
+    product of matrices in another order, or without one of its transposes and inverses.
+    """
+    if isinstance(expression, sp.MatrixExpr):
+        yield from misread(expression)
     sums = [e for e in sp.preorder_traversal(expression) if isinstance(e, sp.Add)]
     for one in dict.fromkeys(sums):
         first, *rest = one.args
         with sp.evaluate(False):
-            yield expression.xreplace({one: sp.Add(first, negated(rest[0]), *rest[1:])})
+            if rest[0] == sp.pi:
+                other = sp.Add(negated(first), *rest)
+            else:
+                other = sp.Add(first, negated(rest[0]), *rest[1:])
+            wrong = expression.xreplace({one: other})
+        yield wrong  # not above, where the caller would run without evaluation, too
     if not sums:
         yield negated(expression)
+
+
+def misread(expression):
+    """What becomes of products of matrices that are read wrongly, where the shapes still fit."""
+    for part in dict.fromkeys(sp.preorder_traversal(expression)):
+        wrong = []
+        if isinstance(part, sp.Transpose | sp.Inverse):
+            wrong = [part.arg]
+        if isinstance(part, sp.MatMul):
+            pairs = enumerate(pairwise(part.args))
+            wrong = [(*part.args[:k], b, a, *part.args[k + 2 :]) for k, (a, b) in pairs]
+        for other in wrong:
+            with suppress(sp.matrices.exceptions.ShapeError):
+                with sp.evaluate(False):
+                    whole = sp.MatMul(*other) if isinstance(other, tuple) else other
+                    misreading = expression.xreplace({part: whole})
+                yield misreading
 
 
 def negated(e):
     """An expression with the other sign, otherwise as written."""
     sign, rest = signed(e)
-    return rest if sign < 0 else sp.Mul(-1, rest, evaluate=bool(rest.is_Number))
+    if sign < 0:
+        return rest
+    if isinstance(e, sp.MatrixExpr):
+        return sp.MatMul(-1, *sp.MatMul.make_args(e))
+    return sp.Mul(-1, rest, evaluate=bool(rest.is_Number))
 
 
 def flipped(step, known):
@@ -89,6 +131,8 @@ def flipped(step, known):
     columns = list(full) if isinstance(full, sp.MatrixBase) else [full]
     for place, component in enumerate(columns):
         for wrong in flips(component):
+            if wrong == component:
+                continue  # zero has no sign
             if isinstance(full, sp.MatrixBase):
                 changed = sp.Matrix(*full.shape, [*columns[:place], wrong, *columns[place + 1 :]])
             else:
@@ -99,18 +143,44 @@ def flipped(step, known):
 
 @each_exercise
 def test_a_wrong_sign_in_any_step_is_found(exercise):
-    """The answer is another one then, or a step beside the way differs from its check."""
-    variants = dealing.variants(exercise.name)[:8]
+    """The answer is another one then, or a step beside the way differs from its check.
+
+    What gives the same for all variants is not wrong if it is another order of matrices, or if the
+    formula is a declared one: its own test finds the sign of a cosine that is zero here.
+    """
     for name, step in exercise.solution.steps.items():
-        known = known_at(exercise, name, variants[0])
-        for wrong in flipped(step, known):
-            steps = {**exercise.solution.steps, name: wrong}
-            solution = Solution(exercise.solution.text, exercise.solution.answer, **steps)
-            noticed = any(notices(exercise, solution, name, variant) for variant in variants)
-            assert noticed or all(only_turns(exercise, solution, name, v) for v in variants), (
-                f"{name}: nothing notices that {wrong.formula.left} = {wrong.formula.right}; "
-                "let the answer depend on it, or give the step a `check`"
-            )
+        for variants in of_one_formula(exercise, name):
+            known = known_at(exercise, name, variants[0])
+            may_agree = isinstance(formula_of(step, known), Equation)
+            for wrong in flipped(step, known):
+                steps = {**exercise.solution.steps, name: wrong}
+                solution = Solution(exercise.solution.text, exercise.solution.answer, **steps)
+                noticed = any(notices(exercise, solution, variant) for variant in variants)
+                if not noticed and (may_agree or isinstance(wrong.formula.right, sp.MatrixExpr)):
+                    noticed = all(agrees(exercise, solution, name, v) for v in variants)
+                assert noticed or all(only_turns(exercise, solution, name, v) for v in variants), (
+                    f"{name}: nothing notices that {wrong.formula.left} = {wrong.formula.right}; "
+                    "let the answer depend on it, or give the step a `check`"
+                )
+
+
+def agrees(exercise, solution, name, variant):
+    """Whether a step gives the same in this solution as in the exercise's."""
+    known = {**variant.numbers, **exercise.derive(**variant.numbers)}
+    found = [s.worked(known, variant.shown)[name].result for s in (solution, exercise.solution)]
+    return np.allclose(*found, EXACT, EXACT)
+
+
+def of_one_formula(exercise, name):
+    """The variants, in a group for each formula that a step has."""
+    variants, step = dealing.variants(exercise.name), exercise.solution.steps[name]
+    if isinstance(step.formula, Equation | Line):
+        return [variants]
+    kinds = {}
+    for variant in variants:
+        formula = formula_of(step, known_at(exercise, name, variant))
+        kinds.setdefault(f"{formula.left} = {formula.right}", []).append(variant)
+    return list(kinds.values())
 
 
 def known_at(exercise, name, variant):
@@ -123,15 +193,11 @@ def known_at(exercise, name, variant):
     raise AssertionError(name)
 
 
-def notices(exercise, solution, name, variant):
+def notices(exercise, solution, variant):
     """Whether a wrong step shows with these numbers."""
-    check = solution.steps[name].check
     with np.errstate(all="ignore"):
-        if check:
-            numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
-            found = solution.worked(numbers, variant.shown)[name].result.ravel()
-            return not np.allclose(found, np.ravel(check(**variant.numbers)), EXACT, EXACT)
-        return not leads_to_the_answer(exercise, solution, variant)
+        right = leads_to_the_answer(exercise, solution, variant)
+        return not right or bool(wrong_beside(exercise, solution, variant))
 
 
 def only_turns(exercise, other, name, variant):
@@ -271,6 +337,36 @@ def test_each_line_has_the_unit_of_its_own_left_side():
     assert told(Solution("{p.value}", p=p)) == "[3, −0.5]"
 
 
+P, Q, R = (sp.MatrixSymbol(name, 2, 2) for name in "PQR")
+GIVEN |= {"P": np.array([[0.0, -1.0], [1.0, 0.0]]), "Q": np.array([[1.0, 2.0], [0.0, 1.0]])}
+
+
+def test_a_matrix_is_one_letter_and_can_name_its_entries():
+    product = Step(Line(R, P.T * Q), values=("r_11", "r_12", "r_21", "r_22"))
+    entry = Step(Line(sp.Symbol("c"), sp.Symbol("r_12") * 3))
+    column = Step(Line(sp.MatrixSymbol("p", 2, 1), -R.inv() * sp.Matrix([3, b])))
+    solution = Solution("{R}\n\n{c}\n\n{p}", R=product, c=entry, p=column)
+    assert told(solution).split("\n\n") == [
+        "R = Pᵀ Q = [[0, −1], [1, 0]]ᵀ [[1, 2], [0, 1]] = [[0, 1], [−1, −2]]",
+        "c = 3 r_12 = 3 · 1 = 3",
+        "p = −R⁻¹ [3, b] = −[[0, 1], [−1, −2]]⁻¹ [3, −0.5] = [5.5, −3]",
+    ]
+
+
+def test_products_of_matrices_are_misread_in_every_way():
+    assert set(flips(P.T * Q)) == {Q * P.T, P * Q, -P.T * Q}
+    assert set(flips(P * sp.Matrix([1, 2]))) == {-P * sp.Matrix([1, 2])}  # no other order fits
+
+
+def test_a_step_can_be_told_by_its_formula_alone():
+    solution = Solution("{c.formula}: {c.value}", c=Step(Line(sp.Symbol("c"), a + b)))
+    assert told(solution) == "c = a + b: 2.5"
+
+
+def test_a_result_that_is_already_there_is_not_told_twice():
+    assert told(Solution("{c}", c=Step(Line(sp.Symbol("c"), -a, "m")))) == "c = −a = −3 m"
+
+
 def test_what_is_not_known_is_named():
     solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Symbol("d"))))
     with pytest.raises(CourseError, match=r"step 'c' .* uses d \(the number 'd'\), .* a, b"):
@@ -279,5 +375,9 @@ def test_what_is_not_known_is_named():
 
 def test_steps_come_from_the_declared_formulas():
     """Most of them; a line of its own is for what is said nowhere else."""
-    steps = [s for e in EXERCISES.values() for s in e.solution.steps.values()]
-    assert sum(isinstance(step.formula, Equation) for step in steps) >= len(steps) / 2
+    formulas = []
+    for exercise in EXERCISES.values():
+        variant = dealing.variants(exercise.name)[0]
+        for name, step in exercise.solution.steps.items():
+            formulas.append(formula_of(step, known_at(exercise, name, variant)))
+    assert sum(isinstance(formula, Equation) for formula in formulas) >= len(formulas) / 2

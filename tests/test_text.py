@@ -18,6 +18,9 @@ def test_a_minus_before_a_sum_or_a_negative_number_has_parentheses():
         assert formula_text(-(a + b) / 2) == "−(a + b)/2"
         assert formula_text(-a) == "−a"
         assert formula_text(a * (-b) / 2) == "−a b/2"
+        assert numbers_text(-a / b, {a: "−3", b: "2"}, {}) == "−(−3)/2"
+        assert numbers_text(a / b, {a: "−3", b: "2"}, {}) == "−3/2"
+        assert numbers_text(-a / b - a / b, {a: "−3", b: "2"}, {}) == "−(−3/2) − (−3/2)"
         assert numbers_text(-a, {a: "−3"}, {}) == "−(−3)"
 
 
@@ -32,3 +35,10 @@ def test_a_rest_and_the_rank_of_a_matrix_have_their_names():
     with sp.evaluate(False):
         assert formula_text(sp.Mod(a - b, 4)) == "mod(a − b, 4)"
     assert formula_text(sp.Symbol(r"\operatorname{rank}C_{1f}")) == "rank C_1f"
+
+
+def test_a_product_of_matrices_is_one_of_letters():
+    P, Q = (sp.MatrixSymbol(name, 2, 2) for name in ("R_1", "R_AB"))
+    assert formula_text(P.T * Q) == "R_1ᵀ R_AB"
+    assert formula_text(-P.inv() * sp.Matrix([a, 2])) == "−R_1⁻¹ [a, 2]"
+    assert numbers_text(P * Q, {P: "[[1]]", Q: "[[2]]"}, {}) == "[[1]] [[2]]"

@@ -3,9 +3,35 @@
 from itertools import product
 
 import numpy as np
+from sympy import (
+    MatMul,
+    Matrix,
+    MatrixSymbol,
+    asin,
+    atan2,
+    cos,
+    eye,
+    sin,
+    sqrt,
+    symbols,
+)
 
+from book.euler import formulas
+from book.euler.formulas import r
 from robokin import euler
-from workshop.practice import Ask, Exercise, Mistake, angle, matrix, number_text, one_of
+from workshop.equations import as_written
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Solution,
+    Step,
+    angle,
+    matrix,
+    number_text,
+    one_of,
+)
 
 M6 = Mistake(
     "M6",
@@ -38,6 +64,19 @@ M8 = Mistake(
     "other entries. Rebuild the matrix from your angles and compare.",
     unnoticed="Where the turn that remains is zero.",
 )
+
+
+A, B, C, PHI = symbols("a b c varphi")
+YAW, PITCH, ROLL = symbols("yaw pitch roll")
+E = symbols("e_x e_y e_z")
+SEEN = MatrixSymbol("p_A", 3, 1)
+R_AB, REST, R_1, R_2 = (MatrixSymbol(name, 3, 3) for name in ("R_AB", "R", "R_1", "R_2"))
+R_x, R_y, R_z = (MatrixSymbol(name, 3, 3) for name in ("R_x", "R_y", "R_z"))
+ABOUT = {"x": formulas.turn_x, "y": formulas.turn_y, "z": formulas.turn_z}
+ENTRIES = tuple(map(str, r))  # the names of the entries of a matrix, row by row
+ANGLES = (A, B, C)
+OTHER = symbols("a' b' c'")  # the same rotation by other angles
+RENAMED = dict(zip(formulas.TURNS, ANGLES, strict=True))
 
 
 def clean(R):
@@ -116,10 +155,71 @@ TURNS = {"a": TURN, "first": AXIS, "b": TURN, "second": AXIS}
 DIRECTION = tuple(Ask(f"{letter} of the arrow") for letter in "xyz")
 
 
+def named(R):
+    """The entries of a matrix by their names."""
+    return dict(zip(ENTRIES, np.ravel(R).tolist(), strict=True))
+
+
+def some(R, *places):
+    """Some entries of a matrix, each by its row and column as a reader counts them."""
+    return [R[row - 1, column - 1] for row, column in places]
+
+
+def for_sequence(formula, seq):
+    """A formula of the sequence XYZ for another order of the axes, such as YZX."""
+    order = ["XYZ".index(letter) for letter in seq]
+    return formula.xreplace({r[i, j]: r[order[i], order[j]] for i in range(3) for j in range(3)})
+
+
 def different(first, second, **_):
     """Two turns about different axes."""
     return first != second
 
+
+FIRST = Step(lambda first, **_: ABOUT[first], {formulas.turn: A}, values=(R_1,))
+SECOND = Step(lambda second, **_: ABOUT[second], {formulas.turn: B}, values=(R_2,))
+MADE = (
+    "The first turn, by a = {a} about {first}, has the matrix\n\n{R_1}\n\n"
+    "The second, by b = {b} about the new {second}, has\n\n{R_2}\n\n"
+)
+
+with as_written():
+    BOTH = Step(Line(R_AB, R_1 * R_2), values=ENTRIES)
+    MADE_ZYX = Line(R_AB, MatMul(R_z, R_y, R_x))
+    AXIS_FOUND = Line(Matrix(E), Matrix([part / (2 * sin(PHI)) for part in formulas.k]))
+    READ_ZYX = Line(
+        Matrix(ANGLES),
+        Matrix(
+            [
+                atan2(r[1, 0], r[0, 0]),
+                atan2(-r[2, 0], sqrt(r[0, 0] ** 2 + r[1, 0] ** 2)),
+                atan2(r[2, 1], r[2, 2]),
+            ]
+        ),
+        "rad",
+    )
+    READ_ZYZ = Line(
+        Matrix(ANGLES),
+        Matrix(
+            [
+                atan2(r[1, 2], r[0, 2]),
+                atan2(sqrt(r[0, 2] ** 2 + r[1, 2] ** 2), r[2, 2]),
+                atan2(r[2, 1], -r[2, 0]),
+            ]
+        ),
+        "rad",
+    )
+    LOCKED = ((1, 3), (2, 2), (3, 2))  # of XYZ, with 0 for the third angle
+    ZYX = ((1, 1), (2, 1), (3, 1), (3, 2), (3, 3))  # entries with one or two angles in them
+    OF_ZYX = Line(
+        Matrix(some(r, *ZYX)),
+        Matrix([cos(A) * cos(B), sin(A) * cos(B), -sin(B), cos(B) * sin(C), cos(B) * cos(C)]),
+    )
+    ZYZ = ((1, 3), (2, 3), (3, 3), (3, 1), (3, 2))
+    OF_ZYZ = Line(
+        Matrix(some(r, *ZYZ)),
+        Matrix([cos(A) * sin(B), sin(A) * sin(B), cos(B), -sin(B) * cos(C), sin(B) * sin(C)]),
+    )
 
 euler_1 = Exercise(
     "euler-1",
@@ -136,15 +236,20 @@ euler_1 = Exercise(
         M7: lambda arrow, **turns: column(left_handed(**turns), arrow),
     },
     when=different,
-    derive=lambda arrow, **turns: {"R": two_turns(**turns)},
     also={
         "with a row of the matrix where its column belongs": lambda arrow, **turns: column(
             two_turns(**turns).T, arrow
         ),
     },
-    solution="Turns about new axes are multiplied in the order in which they are made:\n\n"
-    "R_AB = R_{first}({a}) R_{second}({b}) = {R}\n\n"
-    "The columns of R_AB are the axes of B as A sees them. The {arrow} axis:\n\n{right}",
+    solution=Solution(
+        MADE + "Turns about new axes are multiplied in the order in which they are made:\n\n{R_AB}"
+        "\n\nIts columns are the axes of B as A sees them. Times the {arrow} axis as B sees it, it "
+        "gives the one that is asked for:\n\n{p_A}",
+        R_1=FIRST,
+        R_2=SECOND,
+        R_AB=BOTH,
+        p_A=Step(lambda arrow, **_: Line(SEEN, R_AB * eye(3)[:, "xyz".index(arrow)])),
+    ),
 )
 
 euler_2 = Exercise(
@@ -159,8 +264,13 @@ euler_2 = Exercise(
     right=two_turns,
     wrong={M6: fixed_axes, M7: left_handed},
     when=different,
-    solution="The second turn is about an axis of the turned frame, so its matrix stands on the "
-    "right:\n\nR_AB = R_{first}({a}) R_{second}({b}) = {right}",
+    solution=Solution(
+        MADE + "The second turn is about an axis of the turned frame, so its matrix stands on the "
+        "right:\n\n{R_AB}",
+        R_1=FIRST,
+        R_2=SECOND,
+        R_AB=BOTH,
+    ),
     example={"first": "y", "a": np.pi / 2, "second": "z", "b": -np.pi / 2},
 )
 
@@ -183,11 +293,17 @@ euler_3 = Exercise(
         M6: lambda R_AB, axis, turn: QUARTERS[R_AB] @ euler.to_matrix(axis, [turn]).T,
         M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, -turn),
     },
-    derive=lambda R_AB, axis, turn: {"R_1": clean(euler.to_matrix(axis, [turn]))},
-    solution="With R_1 the turn already made and R the one that remains, R_AB = R_1 R: the later "
-    "turn stands on the right, because it is about axes of the turned frame. Take R_1 away from "
-    "the left; its inverse is its transpose:\n\n"
-    "R_1 = {R_1}\n\nR = R_1ᵀ R_AB = {right}",
+    derive=lambda R_AB, axis, turn: {"entries": QUARTERS[R_AB]},
+    solution=Solution(
+        "The turn already made, by ϑ = {turn} about {axis}, has the matrix\n\n{R_1}\n\n"
+        "The one that remains is about axes of the turned frame, so it must stand on the right of "
+        "that:\n\n{whole.formula}\n\nTake R_1 away from the left; its inverse is its transpose:"
+        "\n\n{R}",
+        answer=("R",),
+        R_1=Step(lambda axis, **_: ABOUT[axis], values=(R_1,)),
+        R=Step(Line(REST, R_1.T * R_AB), {R_AB: "entries"}),
+        whole=Step(Line(R_AB, R_1 * REST), check=lambda R_AB, **_: QUARTERS[R_AB]),
+    ),
 )
 
 euler_4 = Exercise(
@@ -207,17 +323,22 @@ euler_4 = Exercise(
         M7: lambda **turns: both_ways(left_handed(**turns)),
     },
     when=different,
-    derive=lambda **turns: {
-        "R": two_turns(**turns),
-        "trace": np.trace(two_turns(**turns)),
-        "phi": euler.axis_angle(two_turns(**turns))[1],
-        "sine": 2 * np.sin(euler.axis_angle(two_turns(**turns))[1]),
-    },
-    solution="Both turns in one matrix, multiplied in the order in which they are made:\n\n"
-    "R = R_{first}({a}) R_{second}({b}) = {R}\n\n"
-    "The sum of its diagonal is 1 + 2 cos φ = {trace}, so φ = {phi} rad ({phi:deg}). The axis is "
-    "[R_zy − R_yz, R_xz − R_zx, R_yx − R_xy]/(2 sin φ), with 2 sin φ = {sine}. Axis and angle:"
-    "\n\n{right}",
+    solution=Solution(
+        MADE + "Both turns in one matrix, multiplied in the order in which they are made:\n\n{R_AB}"
+        "\n\nSubtract the entries on the two sides of its diagonal (r_32 is the entry in row 3 and "
+        "column 2). This gives a vector along the axis, as long as twice the sine of the angle:"
+        "\n\n{k}\n\nThe sum of the diagonal, less 1, is twice the cosine of the angle:\n\n{phi}\n\n"
+        "That is {phi.value:deg}. Divide the vector by its length to have the axis:\n\n{e}\n\n"
+        "The opposite axis with the opposite angle is the other answer. So axis and angle are\n\n"
+        "{right}",
+        answer=(("e", "phi"),),
+        R_1=FIRST,
+        R_2=SECOND,
+        R_AB=BOTH,
+        k=Step(formulas.turn_vector),
+        phi=Step(formulas.turn_angle, values=(PHI,)),
+        e=Step(AXIS_FOUND),
+    ),
 )
 
 euler_5 = Exercise(
@@ -242,19 +363,26 @@ euler_5 = Exercise(
     when=lambda **turns: far_from_lock("zyx", yaw_pitch_roll(**turns)),
     derive=lambda **turns: {
         "R": yaw_pitch_roll(**turns),
-        "first": euler.solutions("ZYX", yaw_pitch_roll(**turns))[0],
+        **named(yaw_pitch_roll(**turns)),
     },
     also={
         "for the matrix with rows and columns swapped": lambda **angles: euler.solutions(
             "ZYX", yaw_pitch_roll(**angles).T
         ),
     },
-    solution="Multiplied out, R_z(a) R_y(b) R_x(c) has −sin b at the lower left, "
-    "[cos a cos b, sin a cos b] above it, and [cos b sin c, cos b cos c] to the right of it. With "
-    "cos b > 0:\n\n"
-    "a = atan2(R_yx, R_xx), c = atan2(R_zy, R_zz), "
-    "b = atan2(−R_zx, √(R_xx² + R_yx²))\n\n[a, b, c] = {first}\n\n"
-    "The other answer has cos b < 0: [a + π, π − b, c + π]. Both:\n\n{right}",
+    solution=Solution(
+        "r_21 is the entry in row 2 and column 1, and so on. Multiplied out, the three turns make "
+        "these entries:\n\n{made.formula}\n\nTwo entries with the sine and the cosine of the same "
+        "angle, both times the same positive number, give that angle. With cos b > 0, which is the "
+        "root of the sum of the first two squares:\n\n{angles}\n\nWith cos b < 0 both numbers "
+        "change their signs for a and for c: these angles are half a turn away. For b only the "
+        "second number does:\n\n{other}\n\nBoth answers, with angles between −π and π:\n\n"
+        "{right}",
+        answer=("angles", "other"),
+        angles=Step(READ_ZYX),
+        other=Step(formulas.other_cardan, RENAMED, values=OTHER, unit="rad"),
+        made=Step(OF_ZYX, check=lambda **turns: some(yaw_pitch_roll(**turns), *ZYX)),
+    ),
 )
 
 euler_6 = Exercise(
@@ -276,20 +404,33 @@ euler_6 = Exercise(
         M7: lambda seq, a, b: -euler.from_matrix(seq, locked(seq, a, b))[:2],
         M8: lambda seq, a, b: regular(seq, locked(seq, a, b)),
     },
-    derive=lambda seq, a, b: {
-        "R": locked(seq, a, b),
-        "one": seq[0].lower(),
-        "two": seq[1].lower(),
-        "three": seq[2].lower(),
-        "sine": locked(seq, a, b)["XYZ".index(seq[2]), "XYZ".index(seq[1])],
-        "cosine": locked(seq, a, b)["XYZ".index(seq[1]), "XYZ".index(seq[1])],
-    },
-    solution="The entry R_{one}{three} is the sine of the second angle. It is 1 or −1, so the "
-    "second angle is π/2 or −π/2. Its cosine is zero, and with it all entries from which the first "
-    "and the third angle are read otherwise.\n\n"
-    "With the third angle 0, R_AB is a turn a about {one}, then one about {two}. The second turn "
-    "leaves the {two} axis where the first one took it: R_{two}{two} = cos a = {cosine} and "
-    "R_{three}{two} = sin a = {sine}. Hence a = atan2(sin a, cos a):\n\n{right}",
+    derive=lambda seq, a, b: {"R": locked(seq, a, b), **named(locked(seq, a, b))},
+    solution=Solution(
+        "r_21 is the entry in row 2 and column 1, and so on. With 0 for the third angle, turns by "
+        "α and β make these entries:\n\n{made.formula}\n\nThe sine of β is 1 or −1 here, so the "
+        "cosine of β is zero, and with it all entries from which the first and the third angle are "
+        "read otherwise. But the second turn leaves its own axis where the first one took it: in "
+        "that column stand the sine and the cosine of α.\n\n{angles}",
+        answer=("angles",),
+        angles=Step(
+            lambda seq, **_: Line(
+                Matrix([formulas.first, formulas.middle]),
+                for_sequence(Matrix([formulas.third_first.right[1], asin(r[0, 2])]), seq),
+                "rad",
+            ),
+            {formulas.gamma: 0},
+        ),
+        made=Step(
+            lambda seq, **_: Line(
+                for_sequence(Matrix(some(r, *LOCKED)), seq),
+                Matrix([sin(formulas.middle), cos(formulas.first), sin(formulas.first)]),
+            ),
+            check=lambda seq, a, b: [
+                locked(seq, a, b)["XYZ".index(seq[i - 1]), "XYZ".index(seq[j - 1])]
+                for i, j in LOCKED
+            ],
+        ),
+    ),
     example={"seq": "XYZ", "a": -np.pi / 2, "b": np.pi / 2},
 )
 
@@ -317,17 +458,28 @@ euler_7 = Exercise(
         far_from_lock("ZYZ", yaw_pitch_roll(**turns))
         and far_from_lock("ZYZ", fixed_yaw_pitch_roll(**turns))
     ),
-    derive=lambda **turns: {"R": yaw_pitch_roll(**turns)},
     also={
         "for the way back, from B to A": lambda **angles: euler.solutions(
             "ZYZ", yaw_pitch_roll(**angles).T
         ),
     },
-    solution="The rotation is the same, so both sequences have the same matrix. First make it:\n\n"
-    "R = R_z({yaw}) R_y({pitch}) R_x({roll}) = {R}\n\n"
-    "Then read the other angles from it. In R_z(a) R_y(b) R_z(c) the last column is "
-    "[cos a sin b, sin a sin b, cos b], and the last row starts with −sin b cos c, sin b sin c. "
-    "With sin b > 0:\n\n"
-    "a = atan2(R_yz, R_xz), b = atan2(√(R_xz² + R_yz²), R_zz), c = atan2(R_zy, −R_zx)\n\n"
-    "The other answer is [a + π, −b, c + π]. Both:\n\n{right}",
+    solution=Solution(
+        "The rotation is the same, so both sequences have the same matrix. First make it:\n\n"
+        "{R_z}\n\n{R_y}\n\n{R_x}\n\n{R_AB}\n\nThen read the other angles from it. Turns by a, b, c "
+        "about z, the new y and the newest z make these entries (r_13 is in row 1 and column 3):"
+        "\n\n{made.formula}\n\nTwo entries with the sine and the cosine of the same angle, both "
+        "times the same positive number, give that angle. With sin b > 0, which is the root of the "
+        "sum of the first two squares:\n\n{angles}\n\nWith sin b < 0 both numbers change their "
+        "signs for a and for c: these angles are half a turn away. For b only the first number "
+        "does:\n\n{other}\n\nEither of them, with angles between −π and π:"
+        "\n\n{right}",
+        answer=("angles", "other"),
+        R_z=Step(formulas.turn_z, {formulas.turn: YAW}, values=(R_z,)),
+        R_y=Step(formulas.turn_y, {formulas.turn: PITCH}, values=(R_y,)),
+        R_x=Step(formulas.turn_x, {formulas.turn: ROLL}, values=(R_x,)),
+        R_AB=Step(MADE_ZYX, values=ENTRIES, check=yaw_pitch_roll),
+        angles=Step(READ_ZYZ),
+        other=Step(formulas.other_proper, RENAMED, values=OTHER, unit="rad"),
+        made=Step(OF_ZYZ, check=lambda **turns: some(yaw_pitch_roll(**turns), *ZYZ)),
+    ),
 )

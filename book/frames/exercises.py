@@ -1,9 +1,24 @@
 """Exercises on chains of frames, and the mistakes that are made there."""
 
 import numpy as np
+from sympy import Matrix, MatrixSymbol, atan2, symbols
 
+from book.frames import formulas
+from book.frames.formulas import sought
+from book.motion.formulas import theta
 from robokin import frames
-from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps
+from workshop.equations import as_written
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Solution,
+    Step,
+    angle,
+    one_of,
+    steps,
+)
 
 M9 = Mistake(
     "M9",
@@ -148,14 +163,45 @@ ARM_STANDS = (
     "Its hand frame c lies at the third joint, turned by γ against the second link."
 )
 ARM_FOUND = (
-    "The hand as the platform sees it: its position is [0.3 cos α + 0.4 cos(α + β), "
-    "0.3 sin α + 0.4 sin(α + β)] = {p_c} m, and it is turned by α + β + γ = {theta_c:deg}."
+    "The hand as the platform sees it, link by link; each angle adds to those before:\n\n{hand}\n\n"
 )
 
+# The formulas of the chapter speak of the poses db, de and bc; here is what each is given.
+UNITS = ("m", "m", "rad")
+DB = (formulas.db_x, formulas.db_y, formulas.db_turn)
+DE = (formulas.de_x, formulas.de_y, formulas.de_turn)
+BC = (formulas.bc_x, formulas.bc_y, formulas.bc_turn)
+PLATFORM_IS = dict(zip(DB, PLATFORM, strict=True))
+OBJECT_IS = dict(zip(DE, OBJECT, strict=True))
+HAND = Step(
+    formulas.hand_pose,
+    {formulas.alpha: "alpha", formulas.beta: "beta", formulas.gamma: "gamma"}
+    | {formulas.l_1: UPPER, formulas.l_2: FORE},
+    unit=UNITS,
+)
+T_db, T_de, T_bc, T_cb, T_bd, T_cd, T_ce = (
+    MatrixSymbol(f"T_{way}", 3, 3) for way in ("db", "de", "bc", "cb", "bd", "cd", "ce")
+)
+R_fb, P, P_b = MatrixSymbol("R_fb", 3, 3), MatrixSymbol("p", 3, 1), MatrixSymbol("p_b", 3, 1)
+t = Matrix(3, 3, symbols("t_{11} t_{12} t_{13} t_{21} t_{22} t_{23} t_{31} t_{32} t_{33}"))
+FB, FE = (formulas.fb_x, formulas.fb_y, formulas.fb_z), symbols("x_{fe} y_{fe} z_{fe}")
+PLATFORM_BELOW = dict(zip(FB, ("x_b", "y_b", "height"), strict=True))
+OBJECT_BELOW = dict(zip(FE, ("x_e", "y_e", "z_e"), strict=True))
 
-def shown_arm(alpha, beta, gamma, **_):
-    """What solutions show of the arm."""
-    return {"p_c": wrist(alpha, beta), "theta_c": alpha + beta + gamma}
+with as_written():
+    AWAY = Line(P, Matrix([there - here for here, there in zip(FB, FE, strict=True)]), "m")
+    POSE_OF = Line(sought("db"), Matrix([t[0, 2], t[1, 2], atan2(t[1, 0], t[0, 0])]))
+
+
+def called(pose, way):
+    """The letters of a pose in a formula, and those of another pose in their place."""
+    return dict(zip(pose, sought(way), strict=True))
+
+
+def matrix_of(way, names=()):
+    """The step that makes a planar pose a matrix. names: what its numbers are given as."""
+    given = called(DB, way) | dict(zip(sought(way), names, strict=False))
+    return Step(formulas.matrix, given, values=(MatrixSymbol(f"T_{way}", 3, 3),))
 
 
 def both_inverses(T_db, T_bc):
@@ -174,16 +220,15 @@ frames_1 = Exercise(
     asks=POSE,
     right=posed(lambda T_db: frames.inverse(T_db)),
     wrong={M10: posed(lambda T_db: shifted_back(T_db))},
-    derive=lambda x_b, y_b, theta_b: {
-        "R": frames.se2(x_b, y_b, theta_b)[:2, :2].T,
-    },
     also={
         "for the platform as the camera sees it: nothing is turned back": posed(lambda T_db: T_db),
     },
-    solution="With T_db = [R, p; 0, 1], the pose seen from the other end is "
-    "T_bd = [Rᵀ, −Rᵀp; 0, 1]. It is turned by −θ. Its position is the way back, −p, measured "
-    "along the axes of the platform:\n\n"
-    "−Rᵀp = −{R} [{x_b:}, {y_b:}]\n\n[x, y, θ] = {right}",
+    solution=Solution(
+        "Seen from the other end, the turn goes the other way. The position is the way back, from "
+        "the platform to the camera. It is known along the axes of the camera; the transposed "
+        "rotation turns it to the axes of the platform.\n\n{back}",
+        back=Step(formulas.turned_round, PLATFORM_IS, unit=UNITS),
+    ),
 )
 
 frames_2 = Exercise(
@@ -199,13 +244,19 @@ frames_2 = Exercise(
         M10: at_point(lambda T_bc, p: frames.transform(shifted_back(T_bc), p)),
         M30: at_point(lambda T_bc, p: frames.transform(T_bc, p)),
     },
-    derive=lambda x, y, **arm: {
-        **shown_arm(**arm),
-        "way": [x, y] - wrist(arm["alpha"], arm["beta"]),
-    },
-    solution=f"{ARM_FOUND}\n\nFrom the hand to the object leads [{{x:}}, {{y:}}] − {{p_c}} = "
-    "{way} m, still along the axes of b. Rᵀ turns this to the axes of c:\n\n"
-    "Rᵀ(p − p_c) = {right}",
+    solution=Solution(
+        ARM_FOUND + "From the hand to the object leads the difference of the two positions, still "
+        "along the axes of b. The transposed rotation of the hand turns it to the axes of c:"
+        "\n\n{seen}",
+        hand=HAND,
+        seen=Step(
+            formulas.object_seen,
+            called(DB, "bc") | called(DE, "be") | dict(zip(sought("be"), "xy", strict=False)),
+            values=tuple(sought("ce")[:2]),
+            unit="m",
+            part=(0, 1),
+        ),
+    ),
 )
 
 frames_3 = Exercise(
@@ -221,7 +272,6 @@ frames_3 = Exercise(
         M9: posed(lambda T_db, T_de: T_db @ T_de),
         M10: posed(lambda T_db, T_de: shifted_back(T_db) @ T_de),
     },
-    derive=lambda x_b, y_b, x_e, y_e, **_: {"way": np.array([x_e - x_b, y_e - y_b])},
     also={
         "along the camera's axes; asked are the platform's": lambda x_b, y_b, x_e, y_e, **turns: [
             x_e - x_b,
@@ -232,10 +282,14 @@ frames_3 = Exercise(
             lambda T_db, T_de: frames.compose(frames.inverse(T_de), T_db)
         ),
     },
-    solution="From b to e the way leads over d: T_be = T_bd T_de, with T_bd = T_db⁻¹.\n\n"
-    "In numbers: from the platform to the object leads {way} m along the camera's axes. Rᵀ with "
-    "{theta_b} turns this to the axes of the platform. The object is turned by {theta_e} − "
-    "({theta_b}) against the platform.\n\n[x, y, θ] = {right}",
+    solution=Solution(
+        "From b to e the way leads over d, so the pose of b must be seen from the other end. "
+        "From the platform to the object leads the difference of the two positions, along the "
+        "camera's axes; the transposed rotation turns it to the axes of the platform. The object "
+        "is turned against the platform by the difference of the two angles.\n\n{seen}\n\n"
+        "With the angle between −π and π, that is {right}.",
+        seen=Step(formulas.object_seen, PLATFORM_IS | OBJECT_IS, unit=UNITS),
+    ),
 )
 
 frames_4 = Exercise(
@@ -255,15 +309,26 @@ frames_4 = Exercise(
         M11: by_hand(lambda T_db, T_bc: numbers_of(frames.inverse(T_db) @ frames.inverse(T_bc))),
         M30: by_hand(lambda T_db, T_bc: numbers_of(T_bc @ frames.inverse(T_db))),
     },
-    derive=by_hand(
-        lambda T_db, T_bc: {
-            "p_c": (T_db @ T_bc)[:2, 2],
-            "theta_c": sum(numbers_of(T)[2] for T in (T_db, T_bc)),
-        }
+    derive=by_hand(lambda T_db, T_bc: {"T_db": T_db, "T_bc": T_bc}),
+    solution=Solution(
+        "First from the camera to the hand: the platform's pose, then the hand's, in this order."
+        "\n\n{there}\n\nThen from the other end: the turn goes the other way, and the position is "
+        "the way back, measured along the axes of the hand:\n\n{back}\n\nWith the angle between −π "
+        "and π, that is {right}.\n\nIt is the same to see both poses from the other end first and "
+        "to join them then. But the order is the other one: from the hand to the platform, then "
+        "from the platform to the camera.\n\n{matrix.formula}",
+        answer=("back",),
+        there=Step(
+            formulas.chained,
+            PLATFORM_IS | dict(zip(BC, ("x", "y", "theta"), strict=True)),
+            unit=UNITS,
+        ),
+        back=Step(formulas.turned_round, called(DB, "dc"), values=tuple(sought("cd")), unit=UNITS),
+        matrix=Step(
+            Line(T_cd, T_bc.inv() * T_db.inv()),
+            check=by_hand(lambda T_db, T_bc: frames.inverse(frames.compose(T_db, T_bc))),
+        ),
     ),
-    solution="First from camera to hand: T_dc = T_db T_bc has the position {p_c} m and is turned "
-    "by {theta_b} + ({theta}) = {theta_c:deg}. Then from the other end, [Rᵀ, −Rᵀp; 0, 1]:\n\n"
-    "T_cd = (T_db T_bc)⁻¹ = T_bc⁻¹ T_db⁻¹\n\n[x, y, θ] = {right}",
 )
 
 frames_5 = Exercise(
@@ -284,11 +349,7 @@ frames_5 = Exercise(
         M11: matrices(lambda T_db, T_bc, T_de: frames.inverse(T_db) @ frames.inverse(T_bc) @ T_de),
         M30: matrices(lambda T_db, T_bc, T_de: T_bc @ frames.inverse(T_db) @ T_de),
     },
-    derive=lambda **given: {
-        **planar(**given),
-        **shown_arm(**given),
-        "T_be": frames.inverse(planar(**given)["T_db"]) @ planar(**given)["T_de"],
-    },
+    derive=planar,
     also={
         "for the object as the platform sees it": matrices(
             lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_db), T_de)
@@ -297,9 +358,19 @@ frames_5 = Exercise(
             lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_de), T_db, T_bc)
         ),
     },
-    solution=f"{ARM_FOUND}\n\nFrom c to e the way leads over b and d: "
-    "T_ce = T_cb T_bd T_de = T_bc⁻¹ T_db⁻¹ T_de. Each inverse is [Rᵀ, −Rᵀp; 0, 1].\n\n"
-    "T_be = T_db⁻¹ T_de = {T_be}\n\nT_ce = T_bc⁻¹ T_be = {right}",
+    solution=Solution(
+        ARM_FOUND + "The three poses that are known, as matrices:\n\n{T_bc}\n\n{T_db}\n\n{T_de}\n\n"
+        "From c to e the way leads over b and d, so that equal letters meet. The first two steps "
+        "of it are known from the other end: turned back by the transposed rotation, at the way "
+        "back, measured along the axes of c and of b.\n\n{T_cb}\n\n{T_bd}\n\n{T_ce}",
+        hand=HAND,
+        T_bc=matrix_of("bc"),
+        T_db=matrix_of("db", PLATFORM),
+        T_de=matrix_of("de", OBJECT),
+        T_cb=Step(Line(T_cb, T_bc.inv())),
+        T_bd=Step(Line(T_bd, T_db.inv())),
+        T_ce=Step(Line(T_ce, T_cb * T_bd * T_de)),
+    ),
     example={
         **{"alpha": np.pi / 6, "beta": np.pi / 3, "gamma": -np.pi / 6},
         **{"x_b": 2.0, "y_b": 1.0, "theta_b": np.pi / 2},
@@ -332,20 +403,21 @@ frames_6 = Exercise(
         M9: from_above(lambda T_fb, p: frames.transform(T_fb, p)),
         M10: from_above(lambda T_fb, p: frames.transform(shifted_back(T_fb), p)),
     },
-    derive=lambda x_b, y_b, height, heading, x_e, y_e, z_e: {
-        "R": looking_down(x_b, y_b, height, heading)[:3, :3],
-        "way": np.array([x_e - x_b, y_e - y_b, z_e - height]),
-    },
     also={
         "along the camera's axes; asked are the platform's": from_above(
             lambda T_fb, p: p - T_fb[:3, 3]
         ),
     },
-    solution="The columns of R_fb are the platform's axes as the camera sees them. Forward is "
-    "[cos φ, −sin φ, 0] with the heading φ, because the camera's y axis is turned round; left is "
-    "[−sin φ, −cos φ, 0]; up is [0, 0, −1]:\n\nR_fb = {R}\n\n"
-    "From the platform to the object leads p_fe − p_fb = {way} m. The transpose turns this to the "
-    "platform's axes:\n\nR_fbᵀ (p_fe − p_fb) = {right}",
+    solution=Solution(
+        "With the heading θ, the columns of R_fb are the platform's axes as the camera sees them: "
+        "forward, left and up. The sine in forward has a minus, because the camera's y axis is "
+        "opposite to the room's; up is opposite to the camera's z axis.\n\n{R_fb}\n\n"
+        "From the platform to the object leads, along the camera's axes,\n\n{p}\n\n"
+        "The transpose, here the same matrix, turns this to the platform's axes:\n\n{seen}",
+        R_fb=Step(Line(R_fb, formulas.looking_down.right[:3, :3]), {theta: "heading"}),
+        p=Step(AWAY, PLATFORM_BELOW | OBJECT_BELOW),
+        seen=Step(Line(P_b, R_fb.T * P, "m")),
+    ),
 )
 
 frames_7 = Exercise(
@@ -362,19 +434,23 @@ frames_7 = Exercise(
         M10: posed(lambda T_de, T_bc: T_de @ shifted_back(T_bc)),
         M30: posed(lambda T_de, T_bc: T_de @ T_bc),
     },
-    derive=lambda alpha, beta, gamma, theta_e, **_: {
-        **shown_arm(alpha, beta, gamma),
-        "theta": theta_e - alpha - beta - gamma,
-    },
     also={
         "for the camera as the platform sees it": posed(
             lambda T_de, T_bc: frames.compose(T_bc, frames.inverse(T_de))
         ),
     },
-    solution=f"{ARM_FOUND}\n\nThe hand lies on the object when T_db T_bc = T_de. Multiply by "
-    "T_bc⁻¹ from the right:\n\nT_db = T_de T_bc⁻¹\n\n"
-    "The platform is turned by {theta_e} − ({theta_c:deg}) = {theta:deg}. Along the "
-    "camera's axes the hand is R_db p_c away from the platform, so the platform must be at "
-    "p_de − R_db p_c.\n\n"
-    "[x, y, θ] = {right}",
+    solution=Solution(
+        ARM_FOUND + "That pose and the object's, as matrices:\n\n{T_bc}\n\n{T_de}\n\n"
+        "The hand lies on the object, turned as it is, when the platform's pose, then the hand's, "
+        "make the object's:\n\n{lies.formula}\n\nMultiply by the inverse of T_bc from the right:"
+        "\n\n{T_db}\n\nIts last column holds the position, its first the cosine and the sine of "
+        "the angle:\n\n{pose}",
+        answer=("pose",),
+        hand=HAND,
+        T_bc=matrix_of("bc"),
+        T_de=matrix_of("de", OBJECT),
+        T_db=Step(Line(T_db, T_de * T_bc.inv()), values=tuple(map(str, t))),
+        pose=Step(POSE_OF, unit=UNITS),
+        lies=Step(Line(T_de, T_db * T_bc), check=matrices(lambda T_de, T_bc: T_de)),
+    ),
 )

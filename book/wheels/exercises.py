@@ -396,7 +396,8 @@ wheels_3 = Exercise(
     solution=Solution(
         "First see the wanted velocity from the robot:\n\n{body}\n\n"
         "The turning rate is the same, seen from both. The row of each wheel times this velocity "
-        "is the speed s at which the wheel must roll:\n\n{speeds}\n\nDivide by the radius:\n\n{rates}",
+        "is the speed s at which the wheel must roll:\n\n{speeds}\n\n"
+        "Divide by the radius:\n\n{rates}",
         body=Step(planar.to_body, part=(0, 1)),
         speeds=Step(formulas.omni_rolling, {formulas.l: "l"}, values=SPEEDS[:3], unit="m/s"),
         rates=Step(THREE_RATES),

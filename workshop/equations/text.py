@@ -83,11 +83,15 @@ class Writer:
         if isinstance(e, sp.MatrixBase):
             return self._matrix(e), ATOM
         if isinstance(e, sp.MatMul):
-            return " ".join(bracketed(self.bound(arg), PRODUCT) for arg in e.args), PRODUCT
-        if isinstance(e, sp.Transpose):
-            return bracketed(self.bound(e.arg), ATOM) + "ᵀ", POWER
+            sign, rest = signed(e)
+            factors = rest.args if isinstance(rest, sp.MatMul) else (rest,)
+            text = " ".join(bracketed(self.bound(factor), PRODUCT) for factor in factors)
+            return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
+        if isinstance(e, sp.Transpose | sp.Inverse):
+            raised = "ᵀ" if isinstance(e, sp.Transpose) else "⁻¹"
+            return bracketed(self.bound(e.arg), ATOM) + raised, POWER
         e = sp.sympify(e)
-        if isinstance(e, sp.Symbol):
+        if isinstance(e, sp.Symbol | sp.MatrixSymbol):
             text = self.letters(e)
             return text, SIGNED if text.startswith("−") else ATOM
         if e.is_Number or e.is_NumberSymbol or e in (sp.nan, sp.oo):
@@ -132,26 +136,27 @@ class Writer:
     def _product(self, e: Any) -> Bound:
         sign, rest = signed(e)
         above, below = fraction(rest)
-        text = self._factors(above, closed=bool(below))
-        if sign < 0 and len(above) == 1 and self.bound(above[0])[1] < PRODUCT and not below:
-            text = f"({text})"
+        alone = PRODUCT if sign < 0 else SIGNED if below else SUM
+        text = self._factors(above, closed=bool(below), alone=alone)
         if below:
             under = self._factors(below, closed=False)
             several = len(below) > 1 or self.bound(below[0])[1] < POWER
             text = f"{text}/({under})" if several else f"{text}/{under}"
-        if sign < 0 and text.startswith("−"):
-            text = f"({text})"
-        return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
+        text = f"−{text}" if sign < 0 else text
+        return text, SIGNED if text.startswith("−") else PRODUCT
 
-    def _factors(self, factors: Sequence[Any], closed: bool) -> str:
-        """Factors side by side; closed: a function at the end has its argument in parentheses."""
+    def _factors(self, factors: Sequence[Any], closed: bool, alone: int = SUM) -> str:
+        """Factors side by side; closed: a function at the end has its argument in parentheses.
+
+        alone: how tightly a single factor must hold together to stand without parentheses.
+        """
         if not factors:
             return "1"
-        alone = len(factors) == 1
+        least = alone if len(factors) == 1 else PRODUCT
         text = ""
         for place, factor in enumerate(factors):
             last = place == len(factors) - 1
-            shown = bracketed(self.bound(factor), SUM if alone and not closed else PRODUCT)
+            shown = bracketed(self.bound(factor), least)
             if is_call(factor) and (closed or not last):
                 shown = self._function(factor, closed=True)
             if place:
@@ -186,17 +191,17 @@ def is_call(e: Any) -> bool:
 
 def signed(e: Any) -> tuple[int, Any]:
     """The sign that an expression starts with, and the rest."""
-    if e.is_Number and e < 0:
+    if not e.is_Matrix and e.is_Number and e < 0:
         return -1, -e
-    if isinstance(e, sp.Mul):
+    if isinstance(e, sp.Mul | sp.MatMul):
         sign, first = signed(e.args[0])
         if sign < 0:
             rest = e.args[1:] if first == 1 else (first, *e.args[1:])
-            return -1, rest[0] if len(rest) == 1 else sp.Mul(*rest, evaluate=False)
+            return -1, rest[0] if len(rest) == 1 else e.func(*rest, evaluate=False)
         for place, part in enumerate(e.args):
             if isinstance(part, sp.Mul) and signed(part)[0] < 0:  # a product in the product
                 rest = (*e.args[:place], signed(part)[1], *e.args[place + 1 :])
-                return -1, sp.Mul(*rest, evaluate=False)
+                return -1, e.func(*rest, evaluate=False)
     return 1, e
 
 

@@ -10,9 +10,13 @@ formula's symbols; what a step gives is known to the steps after it by the names
     )
 
 `{omega}` becomes "ω = (v_R − v_L)/b = (0.3 − 0.1)/0.4 = 0.5 rad/s", a column a line for each
-component; `{omega.value}` is the result alone, `{omega.value:deg}` in degrees. What the last step
-gives, or those that `answer` names, is the answer: a test holds it to the library's. Where a
-row of the answer comes from several steps, `answer` holds them together, as a tuple of its own.
+component; `{omega.value}` is the result alone, `{omega.value:deg}` in degrees, `{omega.formula}`
+the formula alone. What the last step gives, or those that `answer` names, is the answer: a test
+holds it to the library's. Where a row of the answer comes from several steps, `answer` holds them
+together, as a tuple of its own.
+
+A whole matrix is a `MatrixSymbol`, known by its name as a number is. A step that gives one can
+name its entries instead, in `values`, row by row.
 
 A formula's named steps on the way (its `where`) are taken from earlier steps where these gave
 them, and otherwise put in.
@@ -67,7 +71,7 @@ class Step:
 
     formula: Equation | Line | Callable[..., Equation | Line]
     given: Mapping[sp.Symbol, Any] = field(default_factory=dict)
-    values: tuple[str | sp.Symbol, ...] = ()
+    values: tuple[str | sp.Symbol | sp.MatrixSymbol, ...] = ()
     unit: Unit = ""
     textbook: bool = False
     part: tuple[int, ...] = ()
@@ -86,9 +90,11 @@ class Solution:
 
         def told(match: re.Match[str]) -> str:
             name, _, part = match[1].partition(".")
-            if name not in self.steps or part:
+            if name not in self.steps or part not in ("", "formula"):
                 return match[0]
             formulas = fixed_formulas(name, self.steps[name])
+            if part:
+                return "\n\n".join(formulas) or match[0]
             lines = (f"{formula} = {{{name}.{k}}}" for k, formula in enumerate(formulas))
             return "\n\n".join(lines) or f"{{{name}.all}}"
 
@@ -121,8 +127,8 @@ class Told(NamedTuple):
     @property
     def rest(self) -> str:
         """What stands behind the formula: the numbers, unless they are too long, and the result."""
-        value = self.shown()
-        return value if self.numbers in ("", figures(self.value)) else f"{self.numbers} = {value}"
+        known = self.numbers in ("", figures(self.value))
+        return self.shown() if known else f"{self.numbers} = {self.shown()}"
 
 
 @dataclass(frozen=True)
@@ -134,9 +140,11 @@ class Worked:
     result: NDArray[np.float64]
 
     def shown(self, part: str, spec: str) -> str:
-        """What stands for a placeholder: `all`, the rest of line `0`, or `value`."""
+        """What stands for a placeholder: `all`, the rest of line `0`, `formula` or `value`."""
         if part == "all":
             return "\n\n".join(f"{line.formula} = {line.rest}" for line in self.lines)
+        if part == "formula":
+            return "\n\n".join(line.formula for line in self.lines)
         if part == "value":
             values = [line.value for line in self.lines]
             units = {line.unit for line in self.lines}
@@ -158,15 +166,18 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
         )
     values = {s: known[key] for s, key in keys.items()}
     result = np.array(compiled(full, tuple(symbols))(*values.values()), dtype=float)
+    if result.shape[1:] == (1,):
+        result = result.ravel()  # a column is a plain vector
+    whole = result if result.ndim else float(result)
     put = letters(values, keys, shown)
-    results = result.ravel() if is_column(left) else [result if result.ndim else float(result)]
+    results = result.ravel() if is_column(left) else [whole]
     lines = tuple(
         Told(f"{formula_text(a)} = {formula_text(b)}", in_numbers(b, *put), value, unit)
         for a, b, value, unit in zip(*components(left, right), results, units, strict=True)
     )
     names = tuple(str(symbol) for symbol in step.values or flat(left))
-    given = dict(zip(names, result.ravel().tolist(), strict=len(names) == result.size))
-    return Worked(lines, given | {name: result if result.ndim else float(result)}, result)
+    parts = [whole] if len(names) == 1 else result.ravel().tolist()
+    return Worked(lines, dict(zip(names, parts, strict=True)) | {name: whole}, result)
 
 
 def in_numbers(e: Any, numbers: dict[sp.Symbol, str], in_degrees: dict[sp.Symbol, str]) -> str:
@@ -193,11 +204,16 @@ def components(left: Any, right: Any) -> tuple[list[Any], list[Any]]:
 
 def sides(name: str, step: Step, known: Mapping[str, Any]) -> Sides:
     """Left side, right side as printed, unit of each line, and the right side as computed."""
-    formula = step.formula
-    if not isinstance(formula, Equation | Line):
-        formula = formula(**known)
+    formula = formula_of(step, known)
     named = {str(symbol) for symbol, _ in getattr(formula, "where", ())}
     return sides_of(step, formula, frozenset(named & known.keys()))
+
+
+def formula_of(step: Step, known: Mapping[str, Any]) -> Equation | Line:
+    """A step's formula for these numbers."""
+    if isinstance(step.formula, Equation | Line):
+        return step.formula
+    return step.formula(**known)
 
 
 @lru_cache(maxsize=1024)  # a formula that a function gives may be another one each time
@@ -213,7 +229,7 @@ def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
         left, right, full = (picked(side, step.part) for side in (left, right, full))
     other = {s: sp.sympify(v) for s, v in step.given.items() if not isinstance(v, str)}
     right, full = (tidied(put_in(side, other)) for side in (right, full))
-    if all(isinstance(symbol, sp.Symbol) for symbol in step.values) and step.values:
+    if step.values and not any(isinstance(name, str) for name in step.values):
         left = sp.Matrix(step.values) if is_column(left) else step.values[0]
     return left, right, units_of(left, step.unit or getattr(formula, "unit", "")), full
 
@@ -230,7 +246,7 @@ def tidied(e: Any) -> Any:
     """An expression without the zeros and ones that numbers put in have left, else as written."""
     if isinstance(e, sp.MatrixBase):
         return e.applyfunc(tidied)
-    if not isinstance(e, sp.Basic) or not e.args:
+    if not isinstance(e, sp.Basic) or not e.args or isinstance(e, sp.MatrixSymbol):
         return e
     if isinstance(e, sp.sin | sp.cos | sp.tan) and tidied(e.args[0]) == 0:
         return e.func(0)

@@ -365,7 +365,8 @@ wheels_2 = Exercise(
     solution=Solution(
         "The wheels stand at\n\n{angles}\n\nIn degrees this is {angles.value:deg}. Each wheel has "
         "a row of its own. As the axles point along the spokes and the rollers lie across, only α "
-        "and l are in it. The robot's heading is in R(θ) only:\n\n{matrix}",
+        "and l are in it. The robot's heading is in R(θ) only:\n\n{matrix.formula}\n\n"
+        "With the numbers this is\n\n{matrix.value}",
         angles=Step(ANGLES, {formulas.alpha: "first"}),
         matrix=Step(THREE_ROWS, {formulas.l: "l", formulas.beta: 0}),
     ),

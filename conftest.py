@@ -1,4 +1,45 @@
+"""For all tests: how hypothesis draws; and what nbval's run of a notebook also compares."""
+
+import pytest
 from hypothesis import settings
 
 settings.register_profile("robokin", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("robokin")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item):
+    """After a cell of a notebook: the outputs as they are stored, pictures too, and the computed
+    numbers of the prose that follows it."""
+    result = yield
+    if type(item).__name__ == "IPyNbCell":
+        import stored  # here, because other tests do not need it
+
+        told = [stored.different(item.cell, item.test_outputs)]
+        for number, cell in stored.prose_after(item.parent.nb, item.cell):
+            told.append(stale_prose(item, cell, f"{item.path.name}, cell {number}"))
+        if any(told):
+            item.raise_cell_error("\n".join(filter(None, told)))
+    return result
+
+
+def stale_prose(item, cell, where):
+    """What is wrong with a cell's computed numbers; the kernel stands where its reader does."""
+    import prose
+
+    reply = item.parent.kernel.kc.execute(
+        "",
+        silent=True,
+        user_expressions=prose.questions(cell, item.path.stem),
+        reply=True,
+        timeout=60,
+    )
+    try:
+        fresh = prose.filled(cell, where, reply["content"]["user_expressions"])
+    except prose.ProseError as error:
+        return str(error)
+    if fresh == cell.source:
+        return ""
+    pairs = zip(cell.source.splitlines(), fresh.splitlines(), strict=True)
+    lines = [f"stored: {old}\nfresh:  {new}" for old, new in pairs if old != new]
+    return "\n".join([f"{where}: numbers in the text are stale: run `make notebooks`", *lines])

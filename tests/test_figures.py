@@ -40,9 +40,10 @@ from workshop.figures import (
     view_sliders,
 )
 from workshop.figures.compiling import factor
-from workshop.figures.figure import MIME
+from workshop.figures.figure import MIME, find
+from workshop.figures.javascript import evaluate as evaluated
 from workshop.script import engine as script
-from workshop.script.runtime import runtime, stylesheet
+from workshop.script import runtime
 
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
@@ -226,10 +227,10 @@ def test_almost_straight():
 def called(figure, function, rows, extra):
     """A function of the compiled figure, at settings and one more array of numbers each."""
     code = f"""((figure) => (f, given) => {{
-      const c = robokin.compute(figure, given.slice(0, {rows.shape[1]})).c;
+      const c = workshop.figures.compute(figure, given.slice(0, {rows.shape[1]})).c;
       return figure.{function}(f, c, given.slice({rows.shape[1]}));
     }})({figure.code})"""
-    return script.evaluate(code, np.hstack([rows, extra]))
+    return evaluated(code, np.hstack([rows, extra]))
 
 
 @each_figure
@@ -362,7 +363,7 @@ def space(**parts):
 def painted(figure, **shown):
     """The picture at a setting, in the units shown; its pieces in order of painting."""
     state = [shown.get(key(c), c.start) for c in figure.controls]
-    text = script.run(f"((figure) => robokin.svg(figure, {json.dumps(state)}))({figure.code})")
+    text = script.run(f"workshop.figures.svg({figure.code}, {json.dumps(state)})")
     kinds = re.findall(r"--rk-(\w+),", re.sub(r"<text.*?</text>", "", text))
     return [kind for kind in kinds if kind != "ground"]
 
@@ -441,7 +442,7 @@ def test_a_frame_in_space_is_three_arrows():
 
 # --- What a notebook keeps ------------------------------------------------------------------
 
-SIZE = 40_000  # bytes for one figure; the renderer alone has more than half of it
+SIZE = 20_000  # bytes for one figure: nearly all of it is the still picture
 
 
 def kept_figures():
@@ -458,17 +459,30 @@ def kept_figures():
 
 
 @each_figure
-def test_a_notebook_keeps_the_declaration_and_the_still_picture(figure):
+def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
+    """What is compiled is made when the page is: the figure that the chapter declares."""
     data = kept_figures()[figure.name]
-    new = {
-        MIME: {"name": figure.name, "code": figure.code},
-        "image/svg+xml": figure.picture(),
-        "text/plain": figure.title,
-    }
-    assert data == new, "the stored figure is old: run `make notebooks`"
-    text = json.dumps(data)
-    assert len(text) < SIZE
-    assert "bringToLife" not in text
+    new = figure._repr_mimebundle_()
+    assert data == {key: new[key] for key in (MIME, "text/plain", "image/svg+xml")}, (
+        "the stored figure is old: run `make notebooks`"
+    )
+    assert data[MIME] == {"name": figure.name}
+    assert len(json.dumps(data)) < SIZE
+    assert "var(" not in data["image/svg+xml"]  # it stands without the page's style
+
+
+def test_a_figure_that_no_chapter_declares_is_refused():
+    assert find("wheel-speeds") is FIGURES["wheel-speeds"]
+    with pytest.raises(CourseError, match="no chapter declares the figure 'small': add it to FIG"):
+        find("small")
+
+
+def test_a_widget_carries_its_figure_and_the_script_comes_once():
+    first, second = (figure.widget for figure in list(FIGURES.values())[:2])
+    sizes = {key: len(json.dumps(value)) for key, value in first.get_state().items()}
+    assert sizes.pop("content") == len(json.dumps(next(iter(FIGURES.values())).code))
+    assert sum(sizes.values()) < 2_000
+    assert first.runtime == second.runtime
 
 
 # --- Colours --------------------------------------------------------------------------------
@@ -491,7 +505,7 @@ def contrast(first, second):
 
 def grounds():
     """The ground behind the figures on light and on dark pages, from the style sheet."""
-    light, dark = re.findall(r"--rk-ground: (#\w+)", stylesheet())
+    light, dark = re.findall(r"--rk-ground: (#\w+)", runtime.stylesheet())
     return light, dark
 
 
@@ -592,7 +606,7 @@ class OnPage:
 
     def state(self):
         """What the controls stand at, in the units they show; drawn to the end first."""
-        return self.root.evaluate("({robokin}) => { robokin.settled(); return robokin.state(); }")
+        return self.root.evaluate("({workshop}) => { workshop.settled(); return workshop.state; }")
 
     def point(self):
         """The same as a row of numbers in SI, computed here as the page must compute it."""
@@ -670,8 +684,8 @@ def test_the_browser_computes_as_the_engine_does(figure, visit):
     with visit(figure) as live:
         found = live.page.evaluate(
             """([name, rows]) => {
-              const figure = robokinFigures.find((figure) => figure.name === name);
-              return rows.map((row) => robokin.compute(figure, row).values);
+              const figure = workshopFigures.find((figure) => figure.name === name);
+              return rows.map((row) => workshop.figures.compute(figure, row).values);
             }""",
             [figure.name, rows.tolist()],
         )
@@ -824,8 +838,11 @@ def turned(chromium):
         figure = space(handles=(Handle("tip", (1, 1), {QUANTITY: POINTER[0]}),), controls=ABOUT)
         body = f'<figure class="rk-figure" id="space">{figure.html()}</figure>'
         with watched_page(chromium, "about:blank", **options) as (page, watch):
-            page.set_content(f"<style>{stylesheet()}</style>{body}<p style='height: 3000px'>")
-            page.add_script_tag(content=f"{runtime()}\nrobokin.onPage({figure.code});")
+            page.set_content(
+                f"<style>{runtime.stylesheet()}</style>{body}<p style='height: 3000px'>"
+            )
+            start = f"workshop.figures.bringToPage({figure.code});"
+            page.add_script_tag(content=f"{runtime.page()}\n{start}")
             yield OnPage(page, figure).come_alive()
             assert not watch.errors
 
@@ -997,7 +1014,7 @@ def test_scrubbing_takes_over_from_playing(figure, clock, visit):
     with visit(figure) as live:
         live.root.locator(".rk-play").click()
         live.page.wait_for_function(
-            "([name, i, low]) => document.getElementById(name).robokin.state()[i] > low",
+            "([name, i, low]) => document.getElementById(name).workshop.state[i] > low",
             arg=[figure.name, figure.controls.index(clock), clock.low],
         )
         live.press(clock, "End", "ArrowLeft")
@@ -1050,7 +1067,7 @@ def test_a_link_brings_the_setting_back(figure, visit):
 
 def started(figure):
     """The state in which a figure starts."""
-    return script.run(f"robokin.startState({figure.code})")
+    return script.run(f"workshop.figures.startState({figure.code})")
 
 
 JUNK = ["1e99", "-1e99", "NaN", "Infinity", "", "<script>alert(1)</script>", "%", "2.5", "null"]
@@ -1160,7 +1177,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
     figure, server, chromium, page_of, width
 ):
     """The script comes late: the page is complete and the reader looks at the still picture."""
-    held = "**/robokin-live.js*"
+    held = "**/workshop.js*"
     with watched_page(chromium, server, width) as (page, watch):
         page.route(held, lambda route: route.fulfill(body="", content_type="text/javascript"))
         page.goto(server + page_of[figure.name], wait_until="networkidle")
@@ -1170,7 +1187,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
         below = live.root.evaluate(BELOW)
         page.evaluate(SHIFTS)
         page.unroute(held)
-        page.add_script_tag(url=server + "_static/robokin-live.js")
+        page.add_script_tag(url=server + "_static/workshop.js")
         live.come_alive()
         live.picture.evaluate(SHOW)  # two frames: shifts have been reported
         shift = sum(page.evaluate("shifts"))
@@ -1191,7 +1208,7 @@ ANSWERS = """([name, i, count]) => {
     const before = performance.now();
     slider.value = Number(min) + (k * 0.618 % 1) * (max - min);
     slider.dispatchEvent(new Event("input", {bubbles: true}));
-    element.robokin.settled();  // draws now, not with the next picture of the screen
+    element.workshop.settled();  // draws now, not with the next picture of the screen
     element.getBoundingClientRect();  // and lays out
     times.push(performance.now() - before);
   }
@@ -1264,7 +1281,7 @@ RING = """() => {
 
 
 def test_the_ring_stands_out():
-    light, dark = re.findall(r"--rk-accent: (#\w+)", stylesheet())
+    light, dark = re.findall(r"--rk-accent: (#\w+)", runtime.stylesheet())
     assert min(contrast(c, g) for c, g in zip((light, dark), grounds(), strict=True)) >= 3
 
 

@@ -4,12 +4,15 @@ Five cases, 1,000 points each and the special points: the exact arc, four arms a
 among 24 Euler sequences, a loop with state, ranks and possible motions of wheels.
 """
 
+import sys
 from itertools import permutations
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from py_mini_racer import MiniRacer
 from scipy.spatial.transform import Rotation
 
 from book.motion import formulas as arc
@@ -19,8 +22,10 @@ from workshop.equations.checking import differences, evaluate
 from workshop.equations.core import as_written
 from workshop.equations.functions import null_projector, rank, solve
 from workshop.errors import CourseError
+from workshop.figures import Figure, Readout, Recurrence, Slider, Trail
+from workshop.figures.javascript import evaluate as evaluated
 from workshop.figures.javascript import function
-from workshop.script import engine
+from workshop.script import engine, runtime
 
 N = 1000
 ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-15
@@ -28,7 +33,7 @@ ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-15
 
 def in_engine(expressions, symbols, points, where=()):
     """Expressions of symbols, in the JavaScript engine, in one call."""
-    return engine.evaluate(function({"c": symbols}, expressions, where), points)
+    return evaluated(function({"c": symbols}, expressions, where), points)
 
 
 def assert_all_agree(expressions, symbols, points, by_numpy=None, is_angle=False):
@@ -173,8 +178,6 @@ def test_euler_angles(sequence):
 
 
 def test_loop_with_state():
-    from workshop.figures import Figure, Readout, Recurrence, Slider, Trail
-
     state, end = sp.symbols("x_k y_k theta_k"), sp.symbols("x_n y_n theta_n")
     values = dict(zip((arc.x, arc.y, arc.theta), state, strict=True))
     step = arc.euler_step.at({**values, arc.dt: sp.Float("0.02")})
@@ -276,3 +279,39 @@ def test_nan_and_infinities_cross_over():
     np.testing.assert_array_equal(
         in_engine(expressions, [x], [[1.5]]), [[np.nan, np.inf, -np.inf, 1.5]]
     )
+
+
+# What runs the script
+
+
+@pytest.fixture
+def another(monkeypatch):
+    """An engine that is not started yet."""
+    monkeypatch.setattr(engine, "_loaded", set())
+    engine._evaluate.cache_clear()
+    yield monkeypatch
+    engine._evaluate.cache_clear()
+    monkeypatch.undo()
+    engine._loaded.clear()  # the next one must load the parts again
+
+
+def test_python_in_a_browser_asks_the_browser(another):
+    with MiniRacer() as browser:
+        another.setattr(sys, "platform", "emscripten")
+        another.setitem(sys.modules, "pyodide", SimpleNamespace())
+        another.setitem(sys.modules, "pyodide.code", SimpleNamespace(run_js=browser.eval))
+        assert engine.available()
+        assert engine.run("workshop.practice.readAnswer('1/4').value") == 0.25
+        assert browser.eval("Object.keys(workshop).length") == len(runtime.parts())
+
+
+def test_without_an_engine_it_is_said_what_to_install(another):
+    another.setitem(sys.modules, "py_mini_racer", None)
+    assert not engine.available()
+    with pytest.raises(CourseError, match="pip install mini-racer"):
+        engine.run("1")
+
+
+def test_an_unknown_part_is_refused():
+    with pytest.raises(CourseError, match="no part 'sound' is registered; there are figures, prac"):
+        runtime.code("sound")

@@ -1,10 +1,12 @@
 """The practice bank: every exercise, every variant, every mistake."""
 
+import base64
 import csv
 import json
 import math
 import re
 import unicodedata
+import zlib
 from collections import Counter
 from html import escape
 from xml.etree import ElementTree
@@ -36,12 +38,23 @@ def test_every_candidate_of_every_variant_is_named(exercise):
     assert len({tuple(variant.shown.values()) for variant in dealt}) == dealing.VARIANTS
     for variant in dealt:
         assert {m.name for m in exercise.wrong} <= {c.name for c in variant.candidates}
-        for candidate in variant.candidates:
-            verdict = judging.judge(exercise, variant.candidates, candidate.rows)
-            assert verdict.name == candidate.name, (variant.shown, candidate)
-            wanted = "right" if candidate.name == "right" else "wrong"
-            wanted = "partly" if candidate.name.startswith("unit:") else wanted
-            assert verdict.result == wanted
+    answers = [
+        (number, candidate)
+        for number, variant in enumerate(dealt)
+        for candidate in variant.candidates
+    ]
+    verdicts = judged(exercise, [(number, typed(c.rows, exercise)) for number, c in answers])
+    for (number, candidate), verdict in zip(answers, verdicts, strict=True):
+        assert verdict.name == candidate.name, (dealt[number].shown, candidate)
+        wanted = "right" if candidate.name == "right" else "wrong"
+        wanted = "partly" if candidate.name.startswith("unit:") else wanted
+        assert verdict.result == wanted
+
+
+def judged(exercise, answers):
+    """The verdicts on answers, each with the number of its variant."""
+    variants = [variant.candidates for variant in dealing.variants(exercise.name)]
+    return judging.check_all(exercise, variants, answers)
 
 
 @each_exercise
@@ -70,10 +83,9 @@ def test_texts_can_be_filled(exercise):
 @each_exercise
 def test_an_answer_as_the_solution_prints_it_is_right(exercise):
     """Four decimals, as printed, are within the tolerance."""
-    for variant in dealing.variants(exercise.name):
-        right = variant.candidates[0]
-        rounded = [tuple(round(x, 4) for x in row) for row in right.rows]
-        assert judging.judge(exercise, variant.candidates, rounded).name == "right"
+    rights = [v.candidates[0].rows for v in dealing.variants(exercise.name)]
+    answers = [(k, typed(np.round(rows, 4), exercise)) for k, rows in enumerate(rights)]
+    assert {verdict.name for verdict in judged(exercise, answers)} == {"right"}
 
 
 def last_made(code, numbers):
@@ -167,7 +179,8 @@ def dealt_in_python(course, exercise, people):
     return [dealing.dealt(course, exercise, name) for name in people]
 
 
-DEAL = "(people) => people.map((name) => robokin.dealtVariant('2026 Herbst', 'euler-1', name))"
+DEAL = """(people) => people.map((name) =>
+  workshop.practice.dealtVariant("2026 Herbst", "euler-1", name))"""
 
 
 def test_the_engine_deals_the_same():
@@ -208,10 +221,8 @@ def test_another_course_deals_other_variants():
     assert sum(a == b for a, b in zip(last, this, strict=True)) < 50  # 16 expected by chance
 
 
-JUDGE = """((exercise) => exercise.variants.map((_, k) => (answers) => answers.map((text) => {
-  const { result, name, says } = robokin.checkAnswer(exercise, k, text);
-  return [result, name, says];
-})))"""
+JUDGE = """(({ exercise, answers }) => answers.map(([k, text]) =>
+  workshop.practice.checkAnswer(exercise, exercise.variants[k].candidates, text)))"""
 
 
 def typed(rows, exercise):
@@ -222,29 +233,42 @@ def typed(rows, exercise):
     return json.dumps(shaped.tolist()[0] if shaped.shape == (1,) else shaped.tolist())
 
 
+EDGE = (0.99, 0.999, 1 - 1e-9, 1, 1 + 1e-9, 1.001, 1.01)  # in tolerances
+
+
 def answers_to(exercise, variant):
-    """What might be typed: every candidate, a little off it, near it, and something else."""
+    """What might be typed: candidates, a little off the right one, at the edge, something else."""
     random = np.random.default_rng(0)
     scale = np.array([ask.tolerance for ask in exercise.asks])
     texts = ["[1, 2, 3, 4, 5]", "", "what", *(typed(c.rows, exercise) for c in variant.candidates)]
     right = np.array(variant.candidates[0].rows)
-    for size in (0.9, 1.1, 9, 11, 1000):
+    for size in (0.5, *EDGE, 9, 11, 1000):
         texts.append(typed(right + size * scale * random.choice([-1, 1], right.shape), exercise))
     turned = np.array([2 * math.pi if ask.circle else 0.0 for ask in exercise.asks])
     return [*texts, typed(right + turned, exercise), typed(right[:, ::-1], exercise)]
 
 
 @each_exercise
-def test_the_page_judges_as_python_does(exercise):
-    given = [answers_to(exercise, variant) for variant in dealing.variants(exercise.name)]
-    data = json.dumps(page.contents(exercise))
-    code = f"{JUDGE}({data}).map((judge, k) => judge({json.dumps(given)}[k]))"
-    for variant, texts, found in zip(
-        dealing.variants(exercise.name), given, script.run(code), strict=True
-    ):
-        for text, verdict in zip(texts, found, strict=True):
-            wanted = judging.check(exercise, variant.candidates, text)
-            assert verdict == [wanted.result, wanted.name, wanted.says], text
+def test_page_and_grade_agree_also_at_the_edge(exercise):
+    """The data that a page gets, unpacked, and the candidates that `grade` makes: one verdict."""
+    answers = [
+        (number, text)
+        for number, variant in enumerate(dealing.variants(exercise.name))
+        for text in answers_to(exercise, variant)
+    ]
+    data = json.loads(zlib.decompress(base64.b64decode(page.packed([exercise]))))[exercise.name]
+    found = script.call(JUDGE, {"exercise": data, "answers": answers})
+    assert [judging.Verdict(**verdict) for verdict in found] == judged(exercise, answers)
+
+
+def test_the_tolerance_is_kept_to_a_fiftieth():
+    """What is judged is the candidate to a hundredth of its tolerance."""
+    exercise = EXERCISES["differential-drive-1"]
+    for number, variant in enumerate(dealing.variants(exercise.name)):
+        right, tolerance = variant.candidates[0].rows[0][0], exercise.asks[0].tolerance
+        for size, result in ((0.98, "right"), (-0.98, "right"), (1.02, "wrong"), (-1.02, "wrong")):
+            [verdict] = judged(exercise, [(number, repr(right + size * tolerance))])
+            assert verdict.result == result
 
 
 def test_the_data_of_a_topic_are_light_and_not_in_clear():
@@ -270,7 +294,7 @@ def test_a_box_has_the_student_s_numbers(nobody):
     number = dealing.dealt(COURSE, "differential-drive-1", "Ada")
     assert box.variant is dealing.variants("differential-drive-1")[number]
     assert box.variant.shown["b"] in box.text
-    assert repr(box.check(box.variant.candidates[0].rows[0][0])) == judging.SAYS["right"]
+    assert repr(box.check(box.variant.candidates[0].rows[0][0])) == judging.RIGHT
     practice.student(" Ada ")
     assert practice.exercise("differential-drive-1").variant is box.variant
     assert box.another().variant is not box.variant

@@ -11,8 +11,8 @@ from declared import COURSE, EXERCISES
 
 from workshop import practice
 from workshop.practice import dealing, judging, tables
-from workshop.practice.page import NAMELESS
 from workshop.practice.wording import symbols
+from workshop.script import engine
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -22,6 +22,7 @@ from browser import watched_page  # noqa: E402
 from test_practice import DEAL, dealt_in_python, names, typed  # noqa: E402
 
 FIRST = "differential-drive-1"
+NAMELESS = "Type your name first: it picks your numbers."
 
 
 @pytest.fixture
@@ -76,9 +77,9 @@ def test_every_candidate_is_named_on_the_page(page, topic):
             number = dealing.dealt(COURSE, exercise.name, "Ada")
             page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
             for candidate in mine.candidates:
-                said = answer(page, exercise.name, typed(candidate.rows, exercise))
-                says = judging.judge(exercise, mine.candidates, candidate.rows).says
-                assert said == printed(says)
+                text = typed(candidate.rows, exercise)
+                says = judging.check(exercise, mine.candidates, text).says
+                assert answer(page, exercise.name, text) == printed(says)
 
 
 def test_the_browser_deals_as_python_does(page):
@@ -105,7 +106,7 @@ def test_what_cannot_be_read_counts_for_nothing(page):
 def test_progress_is_kept_and_cleared(page):
     sign_in(page, "Ada")
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.SAYS["right"]
+    assert answer(page, FIRST, right) == judging.RIGHT
     assert page.inner_text(".rk-progress").startswith("1 of ")
     page.reload(wait_until="networkidle")
     assert page.input_value("#rk-student") == "Ada"
@@ -124,8 +125,8 @@ def test_progress_is_kept_and_cleared(page):
 def test_a_further_try_takes_nothing_away(page):
     sign_in(page, "Ada")
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.SAYS["right"]
-    assert answer(page, FIRST, "12345") == judging.SAYS["wrong"]
+    assert answer(page, FIRST, right) == judging.RIGHT
+    assert answer(page, FIRST, "12345") == engine.run("workshop.practice.SAYS.wrong")
     assert page.inner_text(".rk-progress").startswith("1 of ")
     page.reload(wait_until="networkidle")
     assert box(page, FIRST).locator("input").input_value() == right
@@ -133,7 +134,7 @@ def test_a_further_try_takes_nothing_away(page):
 
 def test_who_gives_no_name_is_told(page):
     right = typed(variant(FIRST, "").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.SAYS["right"]
+    assert answer(page, FIRST, right) == judging.RIGHT
     assert page.inner_text(".rk-progress").endswith("passed. " + NAMELESS)
     sign_in(page, "Ada")
     assert page.inner_text(".rk-progress").endswith("passed")
@@ -151,7 +152,7 @@ def test_what_is_typed_while_the_numbers_load_stays(page):
     field.fill(right)
     field.press("Enter")
     held[0].continue_()
-    box(page, FIRST).get_by_text(judging.SAYS["right"], exact=True).wait_for()
+    box(page, FIRST).get_by_text(judging.RIGHT, exact=True).wait_for()
     assert field.input_value() == right
 
 
@@ -174,7 +175,7 @@ def test_answers_are_saved_as_grade_reads_them(page, tmp_path):
 def test_nobody_saves_no_answers(page):
     answer(page, FIRST, "1")
     page.click(".rk-export")
-    assert page.inner_text(".rk-progress") == "Type your name first: it picks your numbers."
+    assert page.inner_text(".rk-progress") == NAMELESS
     assert page.evaluate("() => document.activeElement.id") == "rk-student"
 
 
@@ -186,7 +187,7 @@ def test_another_one_is_for_training(page):
     number = dealing.dealt(COURSE, FIRST, "Ada") + 1
     other = dealing.variants(FIRST)[number % dealing.VARIANTS]
     right = typed(other.candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.SAYS["right"]
+    assert answer(page, FIRST, right) == judging.RIGHT
     assert page.inner_text(".rk-progress").startswith("0 of ")
     box(page, FIRST).get_by_role("button", name="Back to my numbers").click()
     assert box(page, FIRST).locator(".rk-text").inner_text() == before
@@ -230,5 +231,5 @@ def test_from_disk(chromium, site):
         page.goto(home + "practice.html")
         sign_in(page, "Ada")
         right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-        assert answer(page, FIRST, right) == judging.SAYS["right"]
+        assert answer(page, FIRST, right) == judging.RIGHT
         assert not watch.errors + watch.strangers

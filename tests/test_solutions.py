@@ -79,8 +79,7 @@ def wrong_beside(exercise, solution, variant):
 def flips(expression):
     """The expression with one sign flipped: of the second term of each sum, else of the whole.
 
-    Of the first where the second is half a turn, which is the same in both directions. And a
-    product of matrices in another order, or without one of its transposes and inverses.
+    And a product of matrices in another order, or without one of its transposes and inverses.
     """
     if isinstance(expression, sp.MatrixExpr):
         yield from misread(expression)
@@ -88,11 +87,7 @@ def flips(expression):
     for one in dict.fromkeys(sums):
         first, *rest = one.args
         with sp.evaluate(False):
-            if rest[0] == sp.pi:
-                other = sp.Add(negated(first), *rest)
-            else:
-                other = sp.Add(first, negated(rest[0]), *rest[1:])
-            wrong = expression.xreplace({one: other})
+            wrong = expression.xreplace({one: sp.Add(first, negated(rest[0]), *rest[1:])})
         yield wrong  # not above, where the caller would run without evaluation, too
     if not sums:
         yield negated(expression)
@@ -146,29 +141,31 @@ def test_a_wrong_sign_in_any_step_is_found(exercise):
     """The answer is another one then, or a step beside the way differs from its check.
 
     What gives the same for all variants is not wrong if it is another order of matrices, or if the
-    formula is a declared one: its own test finds the sign of a cosine that is zero here.
+    formula is a declared one: its own test finds the sign of a cosine that is zero here. And an
+    angle may be off by whole turns.
     """
     for name, step in exercise.solution.steps.items():
         for variants in of_one_formula(exercise, name):
             known = known_at(exercise, name, variants[0])
-            may_agree = isinstance(formula_of(step, known), Equation)
+            is_declared = isinstance(formula_of(step, known), Equation)
             for wrong in flipped(step, known):
                 steps = {**exercise.solution.steps, name: wrong}
                 solution = Solution(exercise.solution.text, exercise.solution.answer, **steps)
+                may_agree = is_declared or isinstance(wrong.formula.right, sp.MatrixExpr)
+                harmless = agrees if may_agree else only_turns
                 noticed = any(notices(exercise, solution, variant) for variant in variants)
-                if not noticed and (may_agree or isinstance(wrong.formula.right, sp.MatrixExpr)):
-                    noticed = all(agrees(exercise, solution, name, v) for v in variants)
-                assert noticed or all(only_turns(exercise, solution, name, v) for v in variants), (
+                assert noticed or all(harmless(exercise, solution, name, v) for v in variants), (
                     f"{name}: nothing notices that {wrong.formula.left} = {wrong.formula.right}; "
                     "let the answer depend on it, or give the step a `check`"
                 )
 
 
-def agrees(exercise, solution, name, variant):
-    """Whether a step gives the same in this solution as in the exercise's."""
-    known = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    found = [s.worked(known, variant.shown)[name].result for s in (solution, exercise.solution)]
-    return np.allclose(*found, EXACT, EXACT)
+def agrees(exercise, other, name, variant):
+    """Whether a step gives the same in another solution, up to whole turns of angles."""
+    numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
+    both = [s.worked(numbers, variant.shown)[name] for s in (other, exercise.solution)]
+    same = np.allclose(both[0].result, both[1].result, EXACT, EXACT)
+    return same or only_turns(exercise, other, name, variant)
 
 
 def of_one_formula(exercise, name):

@@ -16,12 +16,6 @@ PACKAGES = ("robokin", "workshop", "book")
 # Still to mend: imports inside functions without a reason, which hide that modules need each other.
 # Nothing is added here.
 TO_MEND = {
-    ("workshop.figures.figure", "workshop.script.engine"),
-    ("workshop.figures.figure", "workshop.script.widget"),
-    ("workshop.practice.notebook", "workshop.practice.page"),
-    ("workshop.practice.notebook", "workshop.practice.widget"),
-    ("workshop.practice.page", "workshop.practice.reading"),
-    ("workshop.practice.page", "workshop.script.engine"),
     ("workshop.practice.teacher", "matplotlib.figure"),
 }
 

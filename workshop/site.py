@@ -30,13 +30,14 @@ from workshop.course import course
 from workshop.equations.checking import library_functions
 from workshop.equations.checks import Check, declared_checks
 from workshop.equations.printing import MIME as EQUATION
+from workshop.errors import CourseError
 from workshop.figures.figure import MIME as FIGURE
+from workshop.figures.figure import find
 from workshop.practice import page as practice
 from workshop.practice.bank import exercises, mistakes, topics
 from workshop.practice.notebook import MISTAKE, mistake
 from workshop.practice.wording import symbols
-from workshop.script import engine
-from workshop.script.runtime import runtime, stylesheet
+from workshop.script import engine, runtime
 
 MACHINE = Path(__file__).parent
 
@@ -58,7 +59,7 @@ class Outputs:
             return _equation(renderer, data)
         if data.mime_type == FIGURE:
             _depend(renderer.renderer.sphinx_env, "figures")
-            return [_figure(data.content)]
+            return [_figure(data.content["name"])]
         if data.mime_type == practice.MIME:
             return [_exercise(renderer.renderer.sphinx_env, data.content["name"])]
         if data.mime_type == MISTAKE:
@@ -80,16 +81,12 @@ def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     return [target, node]
 
 
-def _figure(content: dict[str, str]) -> nodes.raw:
+def _figure(name: str) -> nodes.raw:
     """The still picture with its controls, and the data that brings it to life."""
-    name, code = content["name"], content["code"]
-    body = engine.run(f"robokin.html({code})")
-    safe = code.replace("</", "<\\/")
-    html = (
-        f'<figure class="rk-figure" id="{name}">{body}</figure>\n'
-        f"<script>(window.robokinFigures ??= []).push({safe});</script>\n"
-    )
-    return nodes.raw("", html, format="html")
+    try:
+        return nodes.raw("", find(name).on_page(), format="html")
+    except CourseError as error:
+        raise ExtensionError(str(error)) from error
 
 
 def _exercise(env: BuildEnvironment, name: str) -> nodes.raw:
@@ -99,7 +96,7 @@ def _exercise(env: BuildEnvironment, name: str) -> nodes.raw:
     html = practice.box(name, salt, solutions)
     if not env.temp_data.get("practice_desk"):
         env.temp_data["practice_desk"] = True
-        desk = engine.run("robokin.deskHtml()")
+        desk = engine.call("workshop.practice.deskHtml")
         start = f'<div class="rk-desk" data-course="{escape(salt, quote=True)}">{desk}</div>'
         html = f"{start}\n{html}"
     return nodes.raw("", html, format="html")
@@ -299,15 +296,8 @@ def _add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: An
     """The runtime and its style on pages that have a figure or an exercise, and only there."""
     body = context.get("body", "") if doctree else ""
     if 'class="rk-' in body:
-        app.add_js_file("robokin-live.js", loading_method="defer")
-        app.add_css_file("robokin-live.css")
-
-
-START = """(window.robokinFigures || []).forEach((figure) => robokin.onPage(figure));
-if (document.querySelector(".rk-desk")) {
-  robokin.exercisesOnPage(document.documentElement.dataset.content_root);
-}
-"""
+        app.add_js_file("workshop.js", loading_method="defer")
+        app.add_css_file("workshop.css")
 
 
 def _write_assets(app: Sphinx, error: Exception | None) -> None:
@@ -317,8 +307,8 @@ def _write_assets(app: Sphinx, error: Exception | None) -> None:
     (static / "practice").mkdir(exist_ok=True)
     solutions = app.config.course_solutions
     for name, text in {
-        "robokin-live.js": f"{runtime()}\n{START}",
-        "robokin-live.css": stylesheet(),
+        "workshop.js": runtime.page(),
+        "workshop.css": runtime.stylesheet(),
         **{f"practice/{t}.js": practice.script(t, solutions) for t in topics()},
     }.items():
         (static / name).write_text(text, encoding="utf-8")

@@ -336,7 +336,7 @@ euler_4 = Exercise(
         R_2=SECOND,
         R_AB=BOTH,
         k=Step(formulas.turn_vector),
-        phi=Step(formulas.turn_angle, values=(PHI,)),
+        phi=Step(formulas.turn_angle, values=(PHI,), unit="rad"),
         e=Step(AXIS_FOUND),
     ),
 )

@@ -2,11 +2,12 @@
 
     Figure(name, title, view, controls, scene, readouts, says)
 
-shows itself in a notebook as a widget, and keeps its declaration and a still picture for the
-page. What it can hold stands in `workshop.figures.declaration`, and for pictures in space in
-`workshop.figures.space`.
+shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
+still picture. What it can hold stands in `workshop.figures.declaration`, and for pictures in space
+in `workshop.figures.space`.
 """
 
+from workshop.figures import kinds
 from workshop.figures.declaration import (
     POINTER,
     AngleArc,
@@ -26,6 +27,19 @@ from workshop.figures.declaration import (
 )
 from workshop.figures.figure import Figure
 from workshop.figures.space import VIEW, View, view_sliders
+from workshop.script.runtime import Part, register
+
+SCRIPTS = "functions numbers words shapes scene panel live hands page notebook"
+register(
+    Part(
+        name="figures",
+        package=__name__,
+        scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
+        styles=("figure.css",),
+        constants=kinds.constants,
+        rules=kinds.rules,
+    )
+)
 
 __all__ = [
     "POINTER",

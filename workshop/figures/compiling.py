@@ -1,8 +1,8 @@
-"""From a declaration to the object that `figure.js` draws: data, and functions made from SymPy."""
+"""From a declaration to the object that the script draws: data, and functions made from SymPy."""
 
 import json
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import sympy as sp
@@ -26,6 +26,19 @@ def factor(unit: str) -> float:
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
     return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
+
+
+# type → its word in the script, what is computed, what is given as it is
+SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] = {
+    d.Point: ("point", lambda s: s.at, ()),
+    d.Line: ("line", lambda s: [x for point in s.points for x in point], ()),
+    d.Arrow: ("arrow", lambda s: (*s.tail, *s.head), ()),
+    d.Wheel: ("wheel", lambda s: (*s.at, s.angle), ("length", "width")),
+    d.Body: ("body", lambda s: (*s.at, s.angle), ("radius",)),
+    d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
+    d.Curve: ("curve", lambda s: (s.low, s.high), ()),
+    d.Trail: ("trail", lambda s: (), ()),
+}
 
 
 class Compiler:
@@ -58,7 +71,7 @@ class Compiler:
         return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
 
     def control(self, control: Control) -> dict[str, Any]:
-        """A control as `figure.js` reads it, in the unit that the reader sees."""
+        """A control as the script reads it, in the unit that the reader sees."""
         if isinstance(control, d.Choice):
             options = [{"label": k, "values": list(v)} for k, v in control.options.items()]
             start = list(control.options).index(control.start)
@@ -93,47 +106,26 @@ class Compiler:
         }
 
     def shape(self, shape: Any) -> dict[str, Any]:
-        """A shape as `figure.js` reads it: its numbers by place, its curve as a function."""
+        """A shape as the script reads it: its numbers by place, its curve as a function."""
+        if type(shape) not in SHAPES:
+            raise CourseError(f"{shape!r} is not a shape")
         _refuse_unknown_kind(shape.kind)
-        base = {"kind": shape.kind, "label": getattr(shape, "label", "")}
+        word, coordinates, sizes = SHAPES[type(shape)]
+        found = {"kind": shape.kind, "label": getattr(shape, "label", "")}
         depth = getattr(shape, "depth", None)
         if depth is not None and not isinstance(shape, d.Curve):
-            base["depth"] = self.numbers(depth)[0]
-        match shape:
-            case d.Point():
-                return {**base, "shape": "point", "at": self.numbers(*shape.at)}
-            case d.Line():
-                flat = [coordinate for point in shape.points for coordinate in point]
-                return {**base, "shape": "line", "at": self.numbers(*flat)}
-            case d.Arrow():
-                return {**base, "shape": "arrow", "at": self.numbers(*shape.tail, *shape.head)}
-            case d.Wheel():
-                at = self.numbers(*shape.at, shape.angle)
-                sizes = {"length": shape.length, "width": shape.width}
-                return {**base, "shape": "wheel", "at": at, **sizes}
-            case d.Body():
-                at = self.numbers(*shape.at, shape.angle)
-                return {**base, "shape": "body", "at": at, "radius": shape.radius}
-            case d.AngleArc():
-                at = self.numbers(*shape.at, shape.start, shape.end)
-                return {**base, "shape": "angle", "at": at, "radius": shape.radius}
-            case d.Curve():
-                at = self.numbers(shape.low, shape.high)
-                traced = shape.at if depth is None else (*shape.at, depth)
-                point = function({"c": self.known, "s": [shape.parameter]}, traced)
-                code = {"point": Code(point), "samples": shape.samples}
-                return {**base, "shape": "curve", "at": at, **code}
-            case d.Trail():
-                point = function({"c": self.known, "s": shape.recurrence.state}, shape.at)
-                index = self.recurrences.index(shape.recurrence)
-                return {
-                    **base,
-                    "shape": "trail",
-                    "at": [],
-                    "recurrence": index,
-                    "point": Code(point),
-                }
-        raise CourseError(f"{shape!r} is not a shape")
+            found["depth"] = self.numbers(depth)[0]
+        found |= {"shape": word, "at": self.numbers(*coordinates(shape))}
+        found |= {size: getattr(shape, size) for size in sizes}
+        if isinstance(shape, d.Curve):
+            traced = shape.at if depth is None else (*shape.at, depth)
+            point = function({"c": self.known, "s": [shape.parameter]}, traced)
+            found |= {"point": Code(point), "samples": shape.samples}
+        if isinstance(shape, d.Trail):
+            point = function({"c": self.known, "s": shape.recurrence.state}, shape.at)
+            index = self.recurrences.index(shape.recurrence)
+            found |= {"recurrence": index, "point": Code(point)}
+        return found
 
     def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
         """The places of the sliders that somebody moves."""

@@ -81,7 +81,7 @@ class Recurrence:
     ends: tuple[sp.Symbol, ...]
 
 
-# The scene: what is drawn. `kind` is a name of `robokin.styles`. Shapes are painted as declared;
+# The scene: what is drawn. `kind` is a name of the course's looks. Shapes are painted as declared;
 # those with a `depth` (larger is nearer) change places among themselves: the nearest comes last.
 
 

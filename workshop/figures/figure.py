@@ -4,17 +4,20 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
+from workshop.course import course
 from workshop.equations.core import Where
 from workshop.errors import CourseError
 from workshop.figures.compiling import Compiler, Control, javascript, settings
 from workshop.figures.declaration import Choice, Handle, Readout
+from workshop.figures.javascript import evaluate
+from workshop.script import engine
+from workshop.script.widget import Widget, widget
 
 MIME = "application/vnd.workshop.figure+json"
 
@@ -93,30 +96,29 @@ class Figure:
 
     def compute(self, points: ArrayLike) -> NDArray[np.float64]:
         """All numbers of the figure at many settings (n, settings), in one call → (n, values)."""
-        from workshop.script import engine
-
-        figure = f"((figure) => (f, c) => robokin.compute(figure, c).values)({self.code})"
-        return engine.evaluate(figure, points)
+        compute = "((figure) => (f, c) => workshop.figures.compute(figure, c).values)"
+        return evaluate(f"{compute}({self.code})", points)
 
     def picture(self) -> str:
         """The still picture (SVG) of the starting state."""
-        from workshop.script import engine
-
-        code = f"((figure) => robokin.svg(figure, robokin.startState(figure)))({self.code})"
-        return str(engine.run(code))
+        return str(engine.run(f"workshop.figures.svg({self.code})"))
 
     def html(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""
-        from workshop.script import engine
+        return str(engine.run(f"workshop.figures.html({self.code})"))
 
-        return str(engine.run(f"robokin.html({self.code})"))
+    def on_page(self) -> str:
+        """The HTML of the figure, and the code that brings it to life."""
+        code = self.code.replace("</", "<\\/")
+        return (
+            f'<figure class="rk-figure" id="{self.name}">{self.html()}</figure>\n'
+            f"<script>(window.workshopFigures ??= []).push({code});</script>\n"
+        )
 
     @cached_property
-    def widget(self) -> Any:
-        """The anywidget that a notebook shows."""
-        from workshop.script.widget import widget
-
-        return widget(self.code, self._start())
+    def widget(self) -> Widget:
+        """What a notebook shows; its state are the settings."""
+        return widget("figures", self.code, self._start())
 
     def _start(self) -> dict[str, Any]:
         return {self._key(c): c.start for c in self.controls}
@@ -128,7 +130,7 @@ class Figure:
     @property
     def values(self) -> dict[str, Any]:
         """The present settings in SI units, by name."""
-        return dict(self.widget.values)
+        return dict(self.widget.state)
 
     def move(self, values: Mapping[str, Any]) -> None:
         """Set some controls (SI units; a choice by its option's name)."""
@@ -137,15 +139,30 @@ class Figure:
             if key not in known:
                 raise CourseError(f"no control {key!r}; there are {', '.join(known)}")
             _refuse_outside(key, value, known[key])
-        self.widget.values = {**self.widget.values, **values}
+        self.widget.state = {**self.widget.state, **values}
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        data: dict[str, Any] = dict(self.widget._repr_mimebundle_()[0])
-        data["text/plain"] = self.title
-        if find_spec("py_mini_racer"):  # not in the browser's Python, which shows the widget only
-            data["image/svg+xml"] = self.picture()
-            data[MIME] = {"name": self.name, "code": self.code}
+        """The widget; its name, by which a page finds it; for all others a still picture."""
+        data = {**self.widget.data(), "text/plain": self.title, MIME: {"name": self.name}}
+        if engine.available():
+            plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", self.picture())  # no page, no style
+            data["image/svg+xml"] = plain
         return data
+
+
+def figures() -> dict[str, Figure]:
+    """Every figure of the course, by name, in the course's order."""
+    return course().declared("figures", Figure)
+
+
+def find(name: str) -> Figure:
+    """The figure of that name: a page shows what a chapter declares, a cell holds only its name."""
+    if name not in figures():
+        raise CourseError(
+            f"no chapter declares the figure {name!r}: add it to FIGURES in the chapter's "
+            f"figures.py; there are {', '.join(figures())}"
+        )
+    return figures()[name]
 
 
 def _refuse_outside(key: str, value: Any, control: Control) -> None:

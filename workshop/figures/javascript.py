@@ -1,13 +1,17 @@
 """SymPy expressions to JavaScript: the third face of a formula."""
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
 import sympy as sp
+from numpy.typing import ArrayLike, NDArray
 from sympy.printing.jscode import JavascriptCodePrinter
 
 from workshop.equations.core import Where, as_written
 from workshop.errors import CourseError
+from workshop.script import engine
 
 RUNTIME_FUNCTIONS = ("sinc", "rank", "null_projector", "solve")
 
@@ -30,7 +34,7 @@ class _Printer(JavascriptCodePrinter):  # type: ignore[misc]
         if name in RUNTIME_FUNCTIONS:
             return f"f.{name}({', '.join(self._print(a) for a in expr.args)})"
         if name not in self.known_functions:
-            raise CourseError(f"no JavaScript for {name}; see robokin/equations/functions.py")
+            raise CourseError(f"no JavaScript for {name}; see workshop/equations/functions.py")
         return str(super()._print_Function(expr))
 
     _print_sinc = _print_Function
@@ -90,3 +94,10 @@ def function(
 
 def _one_line(printer: _Printer, expression: Any) -> str:
     return " ".join(printer.doprint(expression).split())
+
+
+def evaluate(function: str, points: ArrayLike) -> NDArray[np.float64]:
+    """A JavaScript function `(f, c) => […]` at many points (n, k) in one call → (n, values)."""
+    listed = json.dumps(np.asarray(points, dtype=float).tolist(), allow_nan=False)
+    found = engine.run(f"{listed}.map((c) => ({function})(workshop.figures.f, c))")
+    return np.array(found, dtype=float)

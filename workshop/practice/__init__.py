@@ -4,6 +4,7 @@ In a notebook: `practice.exercise("differential-drive-1")`. For teachers, on the
 `python -m book --help`, with the course's package for `book`.
 """
 
+from workshop.practice import page
 from workshop.practice.bank import (
     Ask,
     Exercise,
@@ -20,6 +21,18 @@ from workshop.practice.bank import (
 from workshop.practice.notebook import answers, example, exercise, export, mistake, student
 from workshop.practice.solutions import Line, Solution, Step
 from workshop.practice.wording import number_text
+from workshop.script.runtime import Part, register
+
+SCRIPTS = "problems reading calculating dealing judging box page notebook"
+register(
+    Part(
+        name="practice",
+        package=__name__,
+        scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
+        styles=("practice.css",),
+        constants=page.constants,
+    )
+)
 
 __all__ = [
     "Ask",

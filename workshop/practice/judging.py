@@ -1,8 +1,9 @@
 """Is an answer right, and if not, which mistake does it look like?
 
 Every variant has a list of candidates: the right answers, what each mistake gives, the right
-answers in other units, and the common slips. An answer is the first candidate that it meets
-within the tolerance. `practice.js` judges in the same way; a test holds the two together.
+answers in other units, and the common slips. They are made here, by the exercise's formulas. The
+judge is `judging.js`, on the page as in Python: an answer is the first candidate that it meets
+within the tolerance.
 """
 
 import math
@@ -15,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from workshop.practice import reading
 from workshop.practice.bank import Ask, Exercise
+from workshop.script import engine
 
 Row = tuple[float, ...]
 
@@ -26,15 +27,7 @@ POWERS = {  # how a unit is made of lengths and angles; the others have no other
     **{"m": (1, 0), "m/s": (1, 0), "m²": (2, 0), "1/m": (-1, 0)},
     **{"rad": (0, 1), "rad/s": (0, 1), "rad/m": (-1, 1)},
 }
-NEAR = 10  # tolerances: so close is probably rounding on the way
-SAYS = {
-    "right": "This check passed.",
-    "near": "Not yet, but very close. Keep all digits on the way, and give three decimals.",
-    "wrong": "Not yet, and none of the mistakes known here gives this.",
-    "parts": "Already right: {labels}.",
-    "shape": "Asked is {asked}. This was read as {read}.",
-    "other": "There are other right answers too.",
-}
+RIGHT = "This check passed."
 SLIPS = {
     "sign": "Not yet: the size is right, the sign is not.",
     "twice": "Not yet: this is twice the right value.",
@@ -85,7 +78,7 @@ class Verdict:
 def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     """Every name that a candidate of this exercise can have, and what it means."""
     ones = (1.0,) * len(exercise.asks)
-    found = {"right": Outcome("right", SAYS["right"], ones)}
+    found = {"right": Outcome("right", RIGHT, ones)}
     done = {m.name: m.says for m in exercise.wrong} | {f"slip:{w}": w for w in exercise.also}
     for name, words in done.items():
         found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones)
@@ -195,38 +188,6 @@ def apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
     )
 
 
-def judge(exercise: Exercise, possible: Sequence[Candidate], rows: Sequence[Row]) -> Verdict:
-    """The verdict on an answer that has the right shape."""
-    meant = outcomes(exercise)
-    for candidate in possible:
-        outcome = meant[candidate.name]
-        allowed = [
-            a.tolerance * abs(f) for a, f in zip(exercise.asks, outcome.factors, strict=True)
-        ]
-        if _meet(exercise.asks, rows, candidate.rows, allowed, outcome.factors):
-            several = exercise.accept == "any" and outcome.result == "right"
-            more = f" {SAYS['other']}" if several else ""
-            return Verdict(outcome.result, candidate.name, outcome.says + more)
-    return _not_named(exercise, possible, rows)
-
-
-def _not_named(exercise: Exercise, possible: Sequence[Candidate], rows: Sequence[Row]) -> Verdict:
-    ones = (1.0,) * len(exercise.asks)
-    near = [NEAR * ask.tolerance for ask in exercise.asks]
-    right = [candidate for candidate in possible if candidate.name == "right"]
-    if any(_meet(exercise.asks, rows, candidate.rows, near, ones) for candidate in right):
-        return Verdict("wrong", "near", SAYS["near"])
-    labels = []
-    if exercise.accept == "one" and not exercise.shape:
-        labels = [
-            ask.label
-            for ask, x, wanted in zip(exercise.asks, rows[0], right[0].rows[0], strict=True)
-            if off(ask, x, wanted) <= ask.tolerance
-        ]
-    more = " " + SAYS["parts"].format(labels=", ".join(labels)) if labels else ""
-    return Verdict("wrong", "", SAYS["wrong"] + more)
-
-
 def _meet(
     asks: Sequence[Ask],
     rows: Sequence[Row],
@@ -272,44 +233,51 @@ def asked(exercise: Exercise) -> str:
     return f"{numbers} (any of the right answers)" if exercise.accept == "any" else numbers
 
 
-def rows_of(exercise: Exercise, value: Any, count: int) -> tuple[Row, ...] | None:
-    """A typed number or list as rows of the numbers asked for; None if it has another shape."""
-    array = np.array(value, dtype=float) if _regular(value) else np.empty(0)
-    n = len(exercise.asks)
-    single = [(n,), exercise.shape or (n,), (1, n), *([()] if n == 1 else [])]
-    several = [(count, n), *([(count,)] if n == 1 else [])]
-    if array.shape not in (several if exercise.accept == "all" else single):
-        return None
-    return tuple(map(_floats, array.reshape(-1, n)))
-
-
 def _floats(row: Any) -> Row:
     return tuple(map(float, row))
 
 
-def _regular(value: Any) -> bool:
-    """Whether nested lists form a full array."""
-    try:
-        np.array(value, dtype=float)
-    except (ValueError, TypeError):
-        return False
-    return True
+def essence(exercise: Exercise) -> dict[str, Any]:
+    """What the judge must know of an exercise, whatever its numbers."""
+    return {
+        "asked": asked(exercise),
+        "asks": [
+            {"label": a.label, "circle": a.circle, "tolerance": a.tolerance} for a in exercise.asks
+        ],
+        "shape": exercise.shape,
+        "accept": exercise.accept,
+        "outcomes": {name: vars(outcome) for name, outcome in outcomes(exercise).items()},
+    }
+
+
+def listed(exercise: Exercise, possible: Sequence[Candidate]) -> list[tuple[str, list[Row]]]:
+    """Candidates as the judge gets them: to a hundredth of the tolerance, the rest is weight.
+
+    The right answers in other units are missing: the judge makes them.
+    """
+    digits = [2 - math.floor(math.log10(ask.tolerance)) for ask in exercise.asks]
+    return [
+        (c.name, [tuple(map(_rounded, row, digits)) for row in c.rows])
+        for c in possible
+        if not c.name.startswith("unit:")
+    ]
+
+
+def _rounded(number: float, digits: int) -> float:
+    return round(number, digits) + 0.0  # no -0
 
 
 def check(exercise: Exercise, possible: Sequence[Candidate], typed: str) -> Verdict:
     """The verdict on what was typed; "unread", with a reason, where it is no such answer."""
-    read = reading.read(typed)
-    if read.problem:
-        return Verdict("unread", "", reading.PROBLEMS[read.problem].format(about=read.about))
-    rows = rows_of(exercise, read.value, len(possible[0].rows))
-    if rows is None:
-        says = SAYS["shape"].format(asked=asked(exercise), read=shown_value(read.value))
-        return Verdict("unread", "", says)
-    return judge(exercise, possible, rows)
+    return check_all(exercise, [possible], [(0, typed)])[0]
 
 
-def shown_value(value: Any) -> str:
-    """What was read, shortly: six digits."""
-    if isinstance(value, list):
-        return "[" + ", ".join(map(shown_value, value)) + "]"
-    return f"{value:.6g}".replace("-", "\u2212")
+def check_all(
+    exercise: Exercise,
+    variants: Sequence[Sequence[Candidate]],
+    answers: Sequence[tuple[int, str]],
+) -> list[Verdict]:
+    """The verdicts on many answers, each with the number of its variant, in one call."""
+    lists = [listed(exercise, possible) for possible in variants]
+    found = engine.call("workshop.practice.checkAnswers", essence(exercise), lists, answers)
+    return [Verdict(**verdict) for verdict in found]

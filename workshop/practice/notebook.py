@@ -1,6 +1,8 @@
 """Exercises and mistakes in a notebook: a box to answer in, and the same check from code."""
 
 import ast
+import json
+from functools import cached_property
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -8,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from workshop.errors import CourseError, shown
-from workshop.practice import dealing, judging, tables
+from workshop.practice import dealing, judging, page, tables
 from workshop.practice.bank import (
     Exercise,
     Mistake,
@@ -17,6 +19,7 @@ from workshop.practice.bank import (
     mistakes,
 )
 from workshop.practice.wording import symbols
+from workshop.script.widget import Widget, widget
 
 WIDTH = 42  # of a line of code, for phones
 MOST = 100  # numbers in an answer
@@ -24,7 +27,8 @@ MISTAKE = "application/vnd.workshop.mistake+json"
 COLUMNS = ("course", "student", "exercise", "answer")
 
 _session = {"student": "", "course": ""}  # without a course of one's own: the book's
-_answers: dict[tuple[str, str, str], str] = {}  # course, student, exercise → what counts
+# course, student, exercise → the answer that counts, and what it was judged to be
+_answers: dict[tuple[str, str, str], tuple[str, str]] = {}
 
 
 def student(name: str | int, course: str = "") -> None:
@@ -45,9 +49,12 @@ class Box:
     def __init__(self, exercise: Exercise, name: str, course: str, training: int = 0) -> None:
         self.exercise, self.student, self.course = exercise, name, course
         self.training = training
-        number = dealing.dealt(course, exercise.name, name) + training
-        self.variant = dealing.variants(exercise.name)[number % dealing.VARIANTS]
-        self._widget: Any = None
+
+    @property
+    def variant(self) -> dealing.Variant:
+        """The numbers that the student has."""
+        number = dealing.dealt(self.course, self.exercise.name, self.student) + self.training
+        return dealing.variants(self.exercise.name)[number % dealing.VARIANTS]
 
     @property
     def text(self) -> str:
@@ -69,37 +76,44 @@ class Box:
                 answer = _typed(answer)
             except CourseError as error:
                 return judging.Verdict("unread", "", f"{error}.")
-        verdict = self._verdict(answer)
-        key = self.course, dealing.folded(self.student), self.exercise.name
-        passed = key in _answers and self._verdict(_answers[key]).result == "right"
-        kept = passed and verdict.result != "right"  # a further try takes nothing away
-        if verdict.result != "unread" and not self.training and not kept:
-            _answers[key] = answer
+        verdict = judging.check(self.exercise, self.variant.candidates, answer)
+        if verdict.result != "unread" and not self.training:
+            self._keep(answer, verdict.result)
         return verdict
 
-    def _verdict(self, answer: str) -> judging.Verdict:
-        return judging.check(self.exercise, self.variant.candidates, answer)
+    def _keep(self, answer: str, result: str) -> None:
+        """Keep an answer; a further try takes nothing away from one that was right."""
+        key = self.course, dealing.folded(self.student), self.exercise.name
+        _, before = _answers.get(key, ("", ""))
+        if before != "right" or result == "right":
+            _answers[key] = answer, result
 
     def another(self) -> "Box":
         """Further numbers, for training; answers to them are not kept."""
         return Box(self.exercise, self.student, self.course, self.training + 1)
 
-    @property
-    def widget(self) -> Any:
-        """The anywidget that a notebook shows."""
-        if self._widget is None:
-            from workshop.practice.widget import widget
+    @cached_property
+    def widget(self) -> Widget:
+        """What a notebook shows; in its state are the student and the answer that counts."""
+        data = {"name": self.exercise.name, "course": self.course}
+        data["packed"] = page.packed([self.exercise])
+        state = {"student": self.student, "answer": "", "result": ""}
+        made = widget("practice", json.dumps(data), state)
+        made.observe(lambda change: self._answered(**change["new"]), "state")
+        return made
 
-            self._widget = widget(self.exercise, self.student, self.course)
-            self._widget.observe(lambda change: self.check(change["new"]), "answer")
-        return self._widget
+    def _answered(self, answer: str, result: str, **_: str) -> None:
+        """The box has judged an answer."""
+        if result:
+            self._keep(answer, result)
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        from workshop.practice.page import MIME
-
         plain = f"{self.exercise.title}\n\n{self.text}\n\nAsked: {judging.asked(self.exercise)}"
-        data: dict[str, Any] = dict(self.widget._repr_mimebundle_()[0])
-        return {**data, "text/plain": plain, MIME: {"name": self.exercise.name}}
+        return {
+            **self.widget.data(),
+            "text/plain": plain,
+            page.MIME: {"name": self.exercise.name},
+        }
 
 
 def exercise(name: str, student: str | int | None = None, course: str | None = None) -> Box:
@@ -115,7 +129,7 @@ def exercise(name: str, student: str | int | None = None, course: str | None = N
 
 def answers() -> list[tuple[str, str, str, str]]:
     """The answers of this session that count, the right one or the last: course, student, …"""
-    return [(*key, answer) for key, answer in _answers.items()]
+    return [(*key, answer) for key, (answer, _) in _answers.items()]
 
 
 def export(path: str | Path = "answers.csv", force: bool = False) -> Path:

@@ -5,40 +5,24 @@ who unpacks them finds the answers, so the boxes are for checking oneself.
 """
 
 import base64
+import hashlib
 import json
-import math
 import zlib
 from collections.abc import Iterable
+from functools import cache
 from typing import Any
 
+from workshop.course import course
 from workshop.practice import dealing, judging
 from workshop.practice.bank import Exercise, exercises
+from workshop.script import engine
 
 MIME = "application/vnd.workshop.exercise+json"
-LEVELS = {1: "one step", 2: "several steps", 3: "hard"}
-NOTE = (
-    "For checking yourself. Your name picks your numbers; it and your answers stay in this "
-    "browser, nothing is sent. Give three decimals. Answers can be 0.5, 1/3, pi/3, sqrt(3)/2, "
-    "30°, or a list: [1, 2]."
-)
-NAMELESS = "Type your name first: it picks your numbers."
-TRAINING = "Numbers for training: they are not yours and do not count."
 
 
 def constants() -> dict[str, Any]:
-    """What the script of the page shares with Python, by name."""
-    from workshop.practice.reading import PROBLEMS
-
-    return {
-        "VARIANTS": dealing.VARIANTS,
-        "NEAR": judging.NEAR,
-        "SAYS": judging.SAYS,
-        "PROBLEMS": PROBLEMS,
-        "LEVELS": LEVELS,
-        "NOTE": NOTE,
-        "NAMELESS": NAMELESS,
-        "TRAINING": TRAINING,
-    }
+    """What the script needs of Python: how many variants there are, the name of its store."""
+    return {"VARIANTS": dealing.VARIANTS, "STORE": course().name}
 
 
 def contents(exercise: Exercise, solutions: bool = True) -> dict[str, Any]:
@@ -47,23 +31,11 @@ def contents(exercise: Exercise, solutions: bool = True) -> dict[str, Any]:
     return {
         **question(exercise),
         "solution": solution,
-        "shape": list(exercise.shape),
-        "accept": exercise.accept,
-        "asks": [
-            {"label": a.label, "circle": a.circle, "tolerance": a.tolerance} for a in exercise.asks
-        ],
-        "outcomes": {
-            name: {"result": o.result, "says": o.says, "factors": o.factors}
-            for name, o in judging.outcomes(exercise).items()
-        },
+        **judging.essence(exercise),
         "variants": [
             {
                 "shown": shown(exercise, variant, exercise.text + solution),
-                "candidates": [
-                    (c.name, _rounded(exercise, c.rows))
-                    for c in variant.candidates
-                    if not c.name.startswith("unit:")  # the browser makes them from the right ones
-                ],
+                "candidates": judging.listed(exercise, variant.candidates),
             }
             for variant in dealing.variants(exercise.name)
         ],
@@ -93,29 +65,23 @@ def packed(chosen: Iterable[Exercise], solutions: bool = True) -> str:
     return base64.b64encode(zlib.compress(text.encode("utf-8"), 9)).decode()
 
 
+@cache
 def script(topic: str, solutions: bool = True) -> str:
     """The file that a page loads when one of a topic's exercises is first used."""
     chosen = [exercise for exercise in exercises().values() if exercise.topic == topic]
     data = packed(chosen, solutions)
-    return f'(window.robokinPractice ??= {{}})["{topic}"] = "{data}";\n'
+    return f'(window.workshopPractice ??= {{}})["{topic}"] = "{data}";\n'
 
 
-def box(name: str, course: str, solutions: bool = True) -> str:
+def box(name: str, salt: str, solutions: bool = True) -> str:
     """The HTML of an exercise with the numbers of somebody without a name."""
-    from workshop.script import engine
-
     exercise = dealing.find(name)
-    variant = dealing.variants(name)[dealing.dealt(course, name, "")]
+    variant = dealing.variants(name)[dealing.dealt(salt, name, "")]
     arguments = (question(exercise), shown(exercise, variant, exercise.text), solutions)
-    inner = engine.run(f"robokin.exerciseHtml({', '.join(map(json.dumps, arguments))})")
+    inner = engine.call("workshop.practice.exerciseHtml", *arguments)
+    version = hashlib.sha256(script(exercise.topic, solutions).encode()).hexdigest()[:8]
     return (
         f'<div class="rk-exercise" role="group" id="{name}" data-exercise="{name}" '
-        f'data-topic="{exercise.topic}" data-version="{dealing.version()}" '
+        f'data-topic="{exercise.topic}" data-version="{version}" '
         f'aria-label="{exercise.title}">{inner}</div>\n'
     )
-
-
-def _rounded(exercise: Exercise, rows: tuple[judging.Row, ...]) -> list[list[float]]:
-    """Answers to a hundredth of their tolerance: the rest is weight."""
-    digits = [2 - math.floor(math.log10(ask.tolerance)) for ask in exercise.asks]
-    return [[round(x, d) + 0.0 for x, d in zip(row, digits, strict=True)] for row in rows]

@@ -143,11 +143,7 @@ def grade(
             _collect(given[-1], keys.rows, typed)
     if not given:
         raise CourseError("\n".join(["none of the files could be read", *problems]))
-    graded = [
-        _graded(line, row, typed.get(_person(row)), keys.table)
-        for line, row in progress(list(keys.rows.values()), "answers")
-    ]
-    found = [g for g in graded if g]
+    found = _graded(keys, typed)
     tables.write(paths[0], GRADES, [tuple(vars(g).values()) for g in found], force)
     totals, counts = _totals(found), _counts(found)
     tables.write(paths[1], TOTALS, totals, force)
@@ -237,22 +233,40 @@ def _collect(
             typed[person] = row["answer"]
 
 
-def _graded(line: int, row: tables.Row, answer: str | None, keys: tables.Table) -> Graded | None:
-    try:
-        possible = _candidates(row["exercise"], row["numbers"])
-    except Exception as error:  # whatever a formula makes of numbers that are not its own
-        keys.refuse(line, f"{row['exercise']} cannot be computed from {row['numbers']}: {error}")
-        return None
-    start = (row["student"], row["exercise"], answer or "")
-    if answer is None:
-        return Graded(*start, "missing", "", "")
-    verdict = judging.check(exercises()[row["exercise"]], possible, answer)
-    return Graded(*start, verdict.result, verdict.name, verdict.says)
+def _graded(keys: Keys, typed: Mapping[tuple[str, str], str]) -> list[Graded]:
+    """Each line of the key with what was answered; an exercise's answers are judged together."""
+    rows: dict[str, list[tuple[int, tables.Row]]] = {}
+    for line, row in keys.rows.values():
+        rows.setdefault(row["exercise"], []).append((line, row))
+    found: dict[tuple[str, str], Graded] = {}
+    for name, same in progress(list(rows.items()), "exercises"):
+        variants = _variants(name, same, keys.table)
+        known = [row for _, row in same if row["numbers"] in variants]
+        answered = [row for row in known if _person(row) in typed]
+        places = {numbers: place for place, numbers in enumerate(variants)}
+        answers = [(places[row["numbers"]], typed[_person(row)]) for row in answered]
+        verdicts = judging.check_all(exercises()[name], list(variants.values()), answers)
+        for row in known:
+            found[_person(row)] = Graded(row["student"], name, "", "missing", "", "")
+        for row, (_, text), v in zip(answered, answers, verdicts, strict=True):
+            found[_person(row)] = Graded(row["student"], name, text, v.result, v.name, v.says)
+    return [found[person] for person in keys.rows if person in found]
 
 
-@cache
-def _candidates(name: str, numbers: str) -> tuple[judging.Candidate, ...]:
-    return judging.candidates(exercises()[name], json.loads(numbers))
+def _variants(
+    name: str, rows: Iterable[tuple[int, tables.Row]], keys: tables.Table
+) -> dict[str, tuple[judging.Candidate, ...]]:
+    """What can be answered with the numbers of each row; rows with strange numbers are noted."""
+    found: dict[str, tuple[judging.Candidate, ...]] = {}
+    for line, row in rows:
+        numbers = row["numbers"]
+        if numbers in found:
+            continue
+        try:
+            found[numbers] = judging.candidates(exercises()[name], json.loads(numbers))
+        except Exception as error:  # whatever a formula makes of numbers that are not its own
+            keys.refuse(line, f"{name} cannot be computed from {numbers}: {error}")
+    return found
 
 
 def _totals(graded: Iterable[Graded]) -> list[tuple[object, ...]]:

@@ -1,50 +1,102 @@
-"""The one script and the one style sheet that all live figures and exercises share."""
+"""The one script and the one style sheet of a course, put together from the parts that register.
+
+In the script each part is an object in `workshop`, `workshop.figures` for example. Its files share
+a scope, in which stand its constants, what `text.js` defines, and `part`, to which they add what is
+called from outside. Two functions have fixed names: `onPage()` brings to life what a page holds,
+and `inNotebook(content, view)` shows the content of a widget.
+"""
 
 import json
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from typing import Any
 
-from workshop.course import course
-from workshop.practice import page
-
-EXPORTS = (
-    "f compute vector startState svg html says onPage inNotebook toValues fromAddress toAddress "
-    "readAnswer dealtVariant checkAnswer exerciseHtml deskHtml exercisesOnPage exerciseInNotebook"
-)
+from workshop.errors import CourseError
 
 
-PARTS = (
-    ("workshop.figures", "functions.js"),
-    ("workshop.figures", "figure.js"),
-    ("workshop.practice", "reading.js"),
-    ("workshop.practice", "practice.js"),
-)
+@dataclass(frozen=True)
+class Part:
+    """What a package adds to the script. name: of its object in JavaScript.
+
+    scripts, styles: files of the package, in order. constants: what Python tells the script, by
+    name; rules: what it tells the style sheet. Both are asked once a course is open.
+    """
+
+    name: str
+    package: str
+    scripts: tuple[str, ...]
+    styles: tuple[str, ...]
+    constants: Callable[[], Mapping[str, Any]] = dict
+    rules: Callable[[], str] = str
+
+
+_parts: dict[str, Part] = {}
+
+
+def register(part: Part) -> None:
+    """Make a part known, under its name."""
+    _parts[part.name] = part
+
+
+def parts() -> list[str]:
+    """The names of the parts that are known, sorted."""
+    return sorted(_parts)
 
 
 @cache
-def runtime() -> str:
-    """The script that a page loads once: functions, figures, exercises, and what they share."""
-    kinds = {
-        name: {"light": s.light, "dash": list(s.dash), "width": s.width, "marker": s.marker}
-        for name, s in course().looks.items()
-    }
-    shared = {"KINDS": kinds, **page.constants()}
-    constants = (f"const {k} = {json.dumps(v, ensure_ascii=False)};" for k, v in shared.items())
-    sources = (files(where).joinpath(name).read_text(encoding="utf-8") for where, name in PARTS)
-    parts = ['"use strict";\nconst robokin = (() => {', *constants, *sources]
-    return "\n".join([*parts, f"return {{ {', '.join(EXPORTS.split())} }};", "})();"])
+def code(name: str) -> str:
+    """A part as a JavaScript expression."""
+    part = _part(name)
+    constants = [
+        f"const {key} = {json.dumps(value, ensure_ascii=False)};"
+        for key, value in part.constants().items()
+    ]
+    sources = [("workshop.script", "text.js"), *((part.package, script) for script in part.scripts)]
+    scripts = [_light(_text(*source)) for source in sources]
+    return "\n".join(['((part) => {\n"use strict";', *constants, *scripts, "return part;\n})({})"])
+
+
+def rules(name: str) -> str:
+    """The style sheet of a part: the colours that all share, and its own rules."""
+    return _theme() + _own_rules(name)
+
+
+def page() -> str:
+    """The script of a page: all parts, and their start."""
+    members = ",\n".join(f"{name}: {code(name)}" for name in parts())
+    return (
+        f"globalThis.workshop = {{\n{members}\n}};\n"
+        "for (const part of Object.values(workshop)) part.onPage();\n"
+    )
 
 
 def stylesheet() -> str:
-    """The look of the figures, and the kinds' colours on light and dark pages."""
-    look = "".join(
-        files(where).joinpath(name).read_text(encoding="utf-8")
-        for where, name in (("workshop.figures", "live.css"), ("workshop.practice", "practice.css"))
-    )
-    dark = 'html[data-theme="dark"] .rk-figure, [data-jp-theme-light="false"] .rk-figure'
-    light_colors = " ".join(f"--rk-{name}: {s.light};" for name, s in course().looks.items())
-    dark_colors = " ".join(f"--rk-{name}: {s.dark};" for name, s in course().looks.items())
-    return (
-        f"{look}.rk-figure {{ {light_colors} }}\n"
-        f"{dark}, .vscode-dark .rk-figure {{ {dark_colors} }}\n"
-    )
+    """The style sheet of a page."""
+    return "".join([_theme(), *map(_own_rules, parts())])
+
+
+def _theme() -> str:
+    return _text("workshop.script", "theme.css")
+
+
+def _own_rules(name: str) -> str:
+    part = _part(name)
+    return "".join([*(_text(part.package, sheet) for sheet in part.styles), part.rules()])
+
+
+def _part(name: str) -> Part:
+    if name not in _parts:
+        raise CourseError(f"no part {name!r} is registered; there are {', '.join(parts())}")
+    return _parts[name]
+
+
+def _text(package: str, name: str) -> str:
+    return files(package).joinpath(name).read_text(encoding="utf-8")
+
+
+def _light(script: str) -> str:
+    """A script without what only its readers need: lines of comment, blank lines, indentation."""
+    return re.sub(r"^\s*(//.*\n)?", "", script, flags=re.MULTILINE)

@@ -1,25 +1,42 @@
-"""A live figure in JupyterLab, Notebook and VS Code."""
+"""What a notebook shows, in JupyterLab, Notebook and VS Code: a part's content, and its state."""
 
+from importlib.resources import files
 from typing import Any
 
 import anywidget
+import ipywidgets
 import traitlets
 
-from workshop.script.runtime import runtime, stylesheet
+from workshop.script import runtime
 
 
-class FigureWidget(anywidget.AnyWidget):
-    """The runtime with one compiled figure as a front-end module; `values` are its settings."""
+class Runtime(ipywidgets.Widget):  # type: ignore[misc]
+    """The script and the style of a part, sent once for all its widgets."""
 
-    _esm = traitlets.Unicode().tag(sync=True)
-    _css = traitlets.Unicode().tag(sync=True)
-    values = traitlets.Dict().tag(sync=True)
+    name = traitlets.Unicode().tag(sync=True)
+    script = traitlets.Unicode().tag(sync=True)
+    rules = traitlets.Unicode().tag(sync=True)
 
 
-def widget(code: str, values: dict[str, Any]) -> FigureWidget:
-    """The widget of a compiled figure, set to `values`."""
-    module = (
-        f"{runtime()}\nconst figure = {code};\n"
-        "export default { render: (view) => robokin.inNotebook(figure, view) };\n"
-    )
-    return FigureWidget(_esm=module, _css=stylesheet(), values=values)
+class Widget(anywidget.AnyWidget):
+    """A figure or an exercise. content: a JavaScript expression; state: what changes, as JSON."""
+
+    _esm = files("workshop.script").joinpath("widget.js").read_text(encoding="utf-8")
+    runtime = traitlets.Unicode().tag(sync=True)  # the id of its model
+    content = traitlets.Unicode().tag(sync=True)
+    state = traitlets.Dict().tag(sync=True)
+
+    def data(self) -> dict[str, Any]:
+        """What an output holds of it, by MIME type."""
+        data, _ = self._repr_mimebundle_() or ({}, {})
+        return dict(data)
+
+
+_sent: dict[str, Runtime] = {}  # by the name of the part
+
+
+def widget(part: str, content: str, state: dict[str, Any]) -> Widget:
+    """The widget of a part's content."""
+    if part not in _sent or _sent[part].comm is None:  # none yet, or closed
+        _sent[part] = Runtime(name=part, script=runtime.code(part), rules=runtime.rules(part))
+    return Widget(runtime=_sent[part].model_id, content=content, state=state)

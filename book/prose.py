@@ -1,0 +1,38 @@
+"""What expressions in the prose of the chapters may use, beside the chapters' own variables.
+
+A chapter may add to it in a `prose` module of its own.
+"""
+
+from typing import Any
+
+from workshop.course import course
+from workshop.figures import Figure
+from workshop.figures.declaration import Choice
+
+__all__ = ["digit_and_power", "names", "reads"]
+
+
+def names(chapter: str) -> dict[str, Any]:
+    """All of these names, and those of the chapter's `prose`."""
+    own = course().module(chapter, "prose")
+    return {**globals(), **(vars(own) if own else {})}
+
+
+def reads(figure: str, readout: str, **settings: float | str) -> float:
+    """What a readout of a live figure says, in SI: at `settings` (SI), the rest as at the start."""
+    shown = course().declared("figures", Figure)[figure]
+    row: list[float] = []
+    for control in shown.controls:
+        name = control.name if isinstance(control, Choice) else str(control.symbol)
+        value = settings.pop(name, control.start)
+        row += control.options[str(value)] if isinstance(control, Choice) else [float(value)]
+    if settings:
+        raise KeyError(f"the figure {figure} has no control {', '.join(settings)}")
+    place = [each.name for each in shown.readouts].index(readout)
+    return float(shown.compute([row])[0, place])
+
+
+def digit_and_power(x: float) -> tuple[int, int]:
+    """A number rounded to one digit: 0.0021 → (2, −3)."""
+    digit, power = f"{x:.0e}".split("e")
+    return int(digit), int(power)

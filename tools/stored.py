@@ -1,0 +1,151 @@
+"""The form in which a notebook is stored, the same in every run, and whether two agree in it.
+
+On the reference environment (Linux x86-64, Python 3.11, the lock's matplotlib) pictures are
+compared byte for byte, elsewhere with a tolerance.
+"""
+
+import base64
+import io
+import platform
+import sys
+from collections.abc import Iterator
+from importlib.metadata import version
+from pathlib import Path
+
+import nbformat
+import numpy as np
+import prose
+from PIL import Image
+
+LOCK = Path(__file__).parents[1] / "requirements.txt"
+WIDGET = "application/vnd.jupyter.widget-view+json"
+METADATA = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"},
+}
+COLOURS = 24  # of a picture: more cannot be told apart by eye
+PICTURE_TOLERANCE = 0.01  # mean difference of a pixel, of 1: fonts are drawn a little differently
+
+
+def normal(notebook: nbformat.NotebookNode) -> str:
+    """The text in which a notebook is stored: nothing in it differs from run to run."""
+    notebook.metadata = nbformat.from_dict(METADATA)
+    for number, cell in enumerate(notebook.cells):
+        cell.id = f"cell-{number:02d}"
+        for output in cell.get("outputs", []):
+            tidy(output)
+    nbformat.validate(notebook)
+    return str(nbformat.writes(notebook, indent=1)) + "\n"
+
+
+def tidy(output: nbformat.NotebookNode) -> None:
+    """Drop what differs from run to run; make pictures light and give them their size, so that a
+    page does not jump."""
+    data = output.get("data", {})
+    data.pop(WIDGET, None)
+    if "image/png" in data:
+        picture, (width, height) = light(base64.b64decode(data["image/png"]))
+        data["image/png"] = base64.b64encode(picture).decode()
+        output.metadata["image/png"] = {"width": width // 2, "height": height // 2}
+
+
+def light(png: bytes) -> tuple[bytes, tuple[int, int]]:
+    """A picture in few colours, a quarter of its bytes, and its size.
+
+    The colours are chosen one by one, each where the pixels are furthest from those chosen before:
+    first the areas and lines, which so keep theirs exactly, then steps between them at the edges.
+    """
+    picture = Image.open(io.BytesIO(png))
+    if picture.mode == "P":
+        return png, picture.size  # is light already
+    pixels = np.asarray(picture.convert("RGB")).reshape(-1, 3)
+    colours, which, count = np.unique(pixels, axis=0, return_inverse=True, return_counts=True)
+    squares = colours.astype(np.int64)
+    chosen = [int(count.argmax())]
+    apart = ((squares - squares[chosen[0]]) ** 2).sum(axis=1)
+    nearest = np.zeros(len(colours), dtype=np.uint8)
+    while len(chosen) < min(COLOURS, len(colours)):
+        chosen.append(int((apart * count).argmax()))
+        new = ((squares - squares[chosen[-1]]) ** 2).sum(axis=1)
+        nearest[new < apart] = len(chosen) - 1
+        apart = np.minimum(apart, new)
+    few = Image.fromarray(nearest[which.reshape(picture.size[::-1])], "P")
+    few.putpalette(colours[chosen].tobytes())
+    file = io.BytesIO()
+    few.save(file, "PNG", optimize=True)
+    return file.getvalue(), picture.size
+
+
+def different(cell: nbformat.NotebookNode, outputs: list[nbformat.NotebookNode]) -> str:
+    """How a cell's stored outputs differ from fresh ones; empty if they do not."""
+    for output in outputs:
+        tidy(output)
+    if len(cell.outputs) != len(outputs):
+        return f"{len(outputs)} outputs, {len(cell.outputs)} are stored: run `make notebooks`"
+    for stored, fresh in zip(cell.outputs, outputs, strict=True):
+        stored, fresh = _parts(stored), _parts(fresh)
+        unlike = [k for k in stored | fresh if stored.get(k) != fresh.get(k)]
+        if unlike == ["image/png"] and not is_reference():
+            unlike = [k for k in unlike if not near(stored[k], fresh[k])]
+        if unlike:
+            return f"the stored output differs in {', '.join(unlike)}: run `make notebooks`"
+    return ""
+
+
+def _parts(output: nbformat.NotebookNode) -> dict[str, object]:
+    """An output's parts by name; its cell's number is its place, and is looked at there."""
+    parts = {**output, **output.get("data", {})}
+    parts.pop("data", None)
+    parts.pop("execution_count", None)
+    return parts
+
+
+def prose_after(
+    notebook: nbformat.NotebookNode, cell: nbformat.NotebookNode
+) -> Iterator[tuple[int, nbformat.NotebookNode]]:
+    """The cells of prose with computed numbers between a code cell and the next one."""
+    place = next(k for k, each in enumerate(notebook.cells) if each is cell)
+    for number, each in enumerate(notebook.cells[place + 1 :], start=place + 1):
+        if each.cell_type == "code":
+            return
+        if prose.asks(each):
+            yield number, each
+
+
+def alike(before: str, after: str) -> bool:
+    """Whether two notebooks agree, pictures compared with a tolerance."""
+    return _without_pictures(before) == _without_pictures(after) and all(
+        near(a, b) for a, b in zip(_pictures(before), _pictures(after), strict=True)
+    )
+
+
+def _outputs(text: str) -> list[nbformat.NotebookNode]:
+    cells = nbformat.reads(text, as_version=4).cells
+    return [output for cell in cells for output in cell.get("outputs", [])]
+
+
+def _pictures(text: str) -> list[str]:
+    return [o.data["image/png"] for o in _outputs(text) if "image/png" in o.get("data", {})]
+
+
+def _without_pictures(text: str) -> str:
+    for picture in _pictures(text):
+        text = text.replace(picture.replace("\n", "\\n"), "")
+    return text
+
+
+def near(a: str, b: str) -> bool:
+    """Whether two pictures (base64) differ by no more than fonts do from machine to machine."""
+    first, second = (
+        np.asarray(Image.open(io.BytesIO(base64.b64decode(x))).convert("RGB")) / 255 for x in (a, b)
+    )
+    if first.shape != second.shape:
+        return False
+    return bool(np.abs(first - second).mean() < PICTURE_TOLERANCE)
+
+
+def is_reference() -> bool:
+    """Whether pictures come out here byte for byte as they were stored."""
+    here = (platform.system(), platform.machine(), sys.version_info[:2])
+    locked = f"\nmatplotlib=={version('matplotlib')} " in LOCK.read_text(encoding="utf-8")
+    return here == ("Linux", "x86_64", (3, 11)) and locked

@@ -1,0 +1,102 @@
+// A figure that is alive in an element that holds its HTML. `changed(state)` is told of each new
+// state; the hands on it stand in hands.js.
+class Live {
+  constructor(element, figure, changed = () => {}) {
+    Object.assign(this, { element, figure, changed });
+    this.picture = element.querySelector(".rk-picture svg");
+    this.drawing = this.picture.querySelector("g");
+    this.inputs = this.all("[data-i]:not(button)");
+    this.state = startState(figure);
+    this.width = WIDTH;
+    this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
+    this.handles = [];
+  }
+
+  all(selector) {
+    return [...this.element.querySelectorAll(selector)];
+  }
+
+  start() {
+    takeHandles(this);
+    for (const follow of [followControls, followClock, followGround, followReset]) follow(this);
+    this.resize();
+    new ResizeObserver(() => this.resize()).observe(this.picture.parentElement);
+    this.element.classList.add("rk-live");
+    return this;
+  }
+
+  // quiet: the new state came from outside, which need not be told.
+  set(state, quiet = false) {
+    this.state = state;
+    if (!quiet) this.changed(state);
+    this.drawn ||= requestAnimationFrame(() => this.draw());
+  }
+
+  setOne(i, shown) {
+    this.set(this.state.map((old, k) => (k === i ? shown : old)));
+  }
+
+  // Draws now what waits to be drawn.
+  settled() {
+    if (!this.drawn) return;
+    cancelAnimationFrame(this.drawn);
+    this.draw();
+  }
+
+  place(handle) {
+    return handle.at.map((index) => this.computed.values[index]);
+  }
+
+  resize() {
+    const frame = this.picture.parentElement;
+    this.width = Math.max(240, Math.round(frame.clientWidth || WIDTH));
+    const height = heightOf(this.figure, this.width);
+    this.picture.setAttribute("viewBox", `0 0 ${this.width} ${height}`);
+    this.picture.setAttribute("width", this.width);
+    this.picture.setAttribute("height", height);
+    this.draw();
+  }
+
+  draw() {
+    this.drawn = 0;
+    this.computed = compute(this.figure, settings(this.figure, this.state));
+    this.drawing.innerHTML = scene(this.figure, this.computed, this.width);
+    this.drawHandles();
+    this.writeReadouts();
+    this.writeControls();
+    clearTimeout(this.told);
+    this.told = setTimeout(() => this.tell(), 400);
+  }
+
+  drawHandles() {
+    const to = projection(this.figure.view, this.width);
+    this.figure.handles.forEach((handle, k) => {
+      const [x, y] = to(this.place(handle));
+      this.handles[k].setAttribute("cx", Number.isFinite(x) ? n(x) : -99);
+      this.handles[k].setAttribute("cy", Number.isFinite(y) ? n(y) : -99);
+    });
+  }
+
+  writeReadouts() {
+    this.all("dd").forEach((element, k) => {
+      element.textContent = shownNumber(this.figure.readouts[k], this.computed.values[k]);
+    });
+  }
+
+  writeControls() {
+    const shown = (i) => shownControl(this.figure.controls[i], this.state[i]);
+    this.inputs.forEach((input) => {
+      input.value = this.state[input.dataset.i];
+      if (input.type === "range") input.setAttribute("aria-valuetext", shown(input.dataset.i));
+    });
+    this.all("[data-o]").forEach((output) => { output.textContent = shown(output.dataset.o); });
+  }
+
+  // For those who do not see the picture.
+  tell() {
+    const { element, figure, state, computed: { values } } = this;
+    this.drawing.setAttribute("aria-label", alternative(figure, state, values));
+    if (!element.contains(document.activeElement)) return;
+    element.querySelector(".rk-says").textContent = says(figure, state, values);
+  }
+}

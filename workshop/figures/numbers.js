@@ -1,0 +1,43 @@
+// A figure is one pure function from a state to text (SVG and HTML), and the hands that move the
+// state. It draws what the declaration says and knows no robot. Here: from a state to numbers.
+//
+// figure: { name, title, view, controls, handles, readouts, says, recurrences, where, compute,
+// scene, turns?, grid? }, made by compiling.py. state: what each control shows, in its shown unit.
+
+const startState = (figure) => figure.controls.map((control) => control.start);
+
+// What the formulas get: all symbols that controls set, in SI.
+const settings = (figure, state) => figure.controls.flatMap((control, i) =>
+  control.type === "choice" ? control.options[state[i]].values : [state[i] * control.factor]);
+
+const statesOf = (recurrence, c) => {
+  const count = Math.min(Math.max(0, Math.round(recurrence.count(f, c)[0])), recurrence.most);
+  const states = [recurrence.start(f, c)];
+  for (let i = 0; i < count; i++) states.push(recurrence.step(f, c, states[i]));
+  return states;
+};
+
+// A figure's numbers build on each other: settings, last states of its loops, named steps.
+// All numbers of the figure at once: readouts first, then what the scene refers to by index.
+const compute = (figure, given) => {
+  const trails = figure.recurrences.map((recurrence) => statesOf(recurrence, given));
+  const ended = given.concat(...trails.map((states) => states[states.length - 1]));
+  const c = ended.concat(figure.where(f, ended));
+  return { c, trails, values: figure.compute(f, c) };
+};
+
+const clamp = (control, shown) => {
+  const inside = Math.min(control.high, Math.max(control.low, shown));
+  return control.whole ? Math.round(inside) : inside;
+};
+
+const snap = (control, shown) => {
+  const steps = Math.round((shown - control.low) / control.step);
+  return clamp(control, Number((control.low + steps * control.step).toFixed(9)));
+};
+
+// A slider that goes all the way round has no end: past it, it goes on from the other one.
+const allRound = ({ low, high }, shown) =>
+  high - low === 360 ? shown - 360 * Math.floor((shown - low) / 360) : shown;
+
+Object.assign(part, { f, startState, compute });

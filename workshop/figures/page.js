@@ -1,0 +1,64 @@
+// On a web page: the address carries a setting, the script takes over the waiting picture.
+
+const toAddress = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
+  `${control.key}=${encodeURIComponent(control.type === "choice"
+    ? control.options[state[i]].label : Number(state[i].toFixed(6)))}`).join("&");
+
+const optionOf = (control, name) => control.options.findIndex((option) => option.label === name);
+
+const fromAddress = (figure, address) => {
+  const [name, query] = address.replace(/^#/, "").split("?");
+  if (name !== figure.name || !query) return null;
+  const given = new URLSearchParams(query);
+  return figure.controls.map((control) => {
+    const text = given.get(control.key);
+    if (control.type === "choice") {
+      const i = optionOf(control, text);
+      return i < 0 ? control.start : i;
+    }
+    const shown = text === null || text === "" ? NaN : Number(text);
+    return Number.isFinite(shown) ? clamp(control, shown) : control.start;
+  });
+};
+
+const offerLink = (live) => {
+  const button = live.element.querySelector(".rk-link");
+  button.addEventListener("click", () => {
+    history.replaceState(null, "", toAddress(live.figure, live.state));
+    button.textContent = "The link is in the address bar";
+    navigator.clipboard?.writeText(location.href).then(
+      () => { button.textContent = "Link copied"; }, () => {});
+    setTimeout(() => { button.textContent = "Link to this setting"; }, 2500);
+  });
+};
+
+const followAddress = (live) => {
+  const follow = () => {
+    const state = fromAddress(live.figure, location.hash);
+    if (!state) return;
+    live.set(state);
+    live.element.scrollIntoView();
+  };
+  addEventListener("hashchange", follow);
+  follow();
+};
+
+const bringToPage = (figure) => {
+  const element = document.getElementById(figure.name), before = element.innerHTML;
+  try {
+    const live = new Live(element, figure).start();
+    offerLink(live);
+    followAddress(live);
+    live.settled();
+    element.workshop = live;
+  } catch (error) {
+    element.innerHTML = before; // the still picture stays, without its controls
+    element.querySelector(".rk-panel").remove();
+    element.classList.remove("rk-live");
+    console.error(`The figure ${figure.name} cannot be moved:`, error);
+  }
+};
+
+const onPage = () => (window.workshopFigures ?? []).forEach(bringToPage);
+
+Object.assign(part, { onPage, bringToPage });

@@ -1,0 +1,41 @@
+// The whole figure as HTML: the same text on the page before and after the script takes over.
+
+const controlName = ({ kind, label: words }) => {
+  const swatch = kind ? `<svg class="rk-swatch" width="26" height="8" aria-hidden="true">`
+    + `<path d="M0 4H26" ${stroke(kind)}/></svg>` : "";
+  return `<span class="rk-name">${swatch}${symbols(words)}</span>`;
+};
+
+const choiceHtml = (control, i) => {
+  const options = control.options.map((option, k) =>
+    `<option value="${k}"${k === control.start ? " selected" : ""}>${escaped(option.label)}</option>`);
+  return `<label class="rk-control">${controlName(control)}`
+    + `<select data-i="${i}">${options.join("")}</select></label>`;
+};
+
+const sliderHtml = (control, i) => {
+  const play = control.type === "clock"
+    ? `<button type="button" class="rk-play" data-i="${i}">Play</button>` : "";
+  const shown = shownControl(control, control.start);
+  return `<div class="rk-control">${play}<label>${controlName(control)}`
+    + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
+    + `<input type="range" data-i="${i}" min="${control.low}" max="${control.high}" `
+    + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
+};
+
+const controlHtml = (control, i) => (control.type === "choice" ? choiceHtml : sliderHtml)(control, i);
+
+const readoutHtml = (readout, value) =>
+  `<div><dt>${symbols(readout.label)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
+
+const html = (figure) => {
+  const { values } = compute(figure, settings(figure, startState(figure)));
+  return `<div class="rk-picture">${svg(figure)}</div>`
+    + `<div class="rk-panel"><div class="rk-controls">${figure.controls.map(controlHtml).join("")}</div>`
+    + `<dl class="rk-readouts">${figure.readouts.map((r, k) => readoutHtml(r, values[k])).join("")}</dl>`
+    + `<div class="rk-buttons"><button type="button" class="rk-reset">Reset</button>`
+    + `<button type="button" class="rk-link">Link to this setting</button></div></div>`
+    + `<p class="rk-says" aria-live="polite"></p>`;
+};
+
+Object.assign(part, { html });

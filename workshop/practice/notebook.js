@@ -1,0 +1,39 @@
+// In a notebook: `student` in the state of the widget comes from Python, the answer that counts
+// goes back, with what it was judged to be.
+//
+// content: { packed, name, course }, packed by page.py.
+
+const inNotebook = async ({ packed, name, course }, { model, el }) => {
+  // boxes of one exercise, also of several notebooks in one window, must not share ids
+  const kept = {}, id = `rk-box-${Math.random().toString(36).slice(2)}`;
+  const student = () => foldedName(model.get("state").student);
+  const exercise = (await unpacked(packed))[name];
+  const first = exercise.variants[dealtVariant(course, name, student())];
+  el.classList.add("rk-exercise");
+  el.innerHTML = exerciseHtml(exercise, first.shown, exercise.solution, id);
+  const box = new Box(el, {
+    course,
+    student,
+    load: async () => exercise,
+    kept: () => kept[student()],
+    keep: (entry) => {
+      kept[student()] = entry;
+      model.set("state", { ...model.get("state"), answer: entry.answer, result: entry.result });
+      model.save_changes();
+    },
+  }).start();
+  // JupyterLab takes the Enter key, which would send the form
+  el.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && event.target.matches("input")) box.check();
+  });
+  let before = student();
+  const follow = () => {
+    if (student() !== before) box.renew();
+    before = student();
+  };
+  model.on("change:state", follow);
+  await box.renew();
+  return () => model.off("change:state", follow);
+};
+
+Object.assign(part, { inNotebook });

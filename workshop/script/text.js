@@ -1,0 +1,10 @@
+// Text as every part shows it.
+
+const escaped = (text) => String(text).replace(/[&<>"]/g, (sign) =>
+  ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[sign]);
+
+const trueMinus = (text) => text.replace("-", "\u2212");
+
+// A text as HTML. In it "v_L" and "θ̇_1" are symbols: a letter, which may have marks, with its index.
+const symbols = (text, written = "<i>$1</i><sub>$2</sub>") =>
+  escaped(text).replace(/(\p{L}[\u0300-\u036f]*)_([0-9A-Za-z]+)/gu, written);

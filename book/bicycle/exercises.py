@@ -7,6 +7,7 @@ import sympy as sp
 from sympy import Add, atan, cos, cot, sin
 
 from book.bicycle import formulas
+from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
 from robokin import bicycle, motion
 from workshop.equations import as_written
@@ -322,7 +323,7 @@ bicycle_5 = Exercise(
         "After {time} the heading is:\n\n{heading}\n\nThis is {heading.value:deg}.",
         speed=Step(
             formulas.rear_speed,
-            {formulas.r: DIAMETER / 2, DIAMETER: "diameter", formulas.rate_rear: "wheel_rate"},
+            {drive.r: DIAMETER / 2, DIAMETER: "diameter", formulas.rate_rear: "wheel_rate"},
         ),
         turning=Step(formulas.y_axis, BY_PHI, part=(4,), unit="rad/s"),
         heading=Step(NEXT_HEADING, {PSI: "psi", planar.dt: "time"}),

@@ -291,9 +291,8 @@ with as_written():
     )
     AIMED = Line(formulas.beta, atan2(D_Y, D_X) - formulas.alpha)
     ONE_RATE = Line(formulas.rate, S / drive.r)
-    OTHER_WAY = Line(
-        Matrix([BETA_2, RATE_2]), Matrix([formulas.beta + pi, -formulas.rate]), ("rad", "rad/s")
-    )
+    OTHER_ANGLE = Line(BETA_2, formulas.beta + pi, "rad")
+    OTHER_RATE = Line(RATE_2, -formulas.rate, "rad/s")
     BEST = Line(
         Matrix([V_X, planar.v_y, planar.omega]),
         Matrix(
@@ -521,14 +520,15 @@ wheels_6 = Exercise(
         "The robot's centre moves around the same point:\n\n{centre}\n\nThe rolling row of the "
         "wheel times the robot's velocity is the speed at which it rolls:\n\n{speed}\n\n{rate}"
         "\n\nOr the axle points the other way, half a turn more, and the wheel rolls backward:"
-        "\n\n{other}\n\nWhole turns more or less are the same angle. So [β, φ̇] is {right}.",
-        answer=(("beta", "rate"), "other"),
+        "\n\n{beta_2}\n\n{rate_2}\n\nWhole turns more or less are the same angle. So [β, φ̇] is {right}.",
+        answer=(("beta", "rate"), ("beta_2", "rate_2")),
         to_point=Step(TO_POINT, BY_PLACE),
         beta=Step(AIMED, BY_ALPHA),
         centre=Step(ABOUT),
         speed=Step(formulas.rolling, BY_ALPHA, values=(S,), unit="m/s"),
         rate=Step(ONE_RATE),
-        other=Step(OTHER_WAY),
+        beta_2=Step(OTHER_ANGLE),
+        rate_2=Step(OTHER_RATE),
     ),
 )
 

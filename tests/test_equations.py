@@ -33,7 +33,7 @@ from workshop.errors import CourseError
 from workshop.figures.compiling import Compiler
 from workshop.figures.declaration import Slider
 from workshop.figures.javascript import function
-from workshop.site import checked
+from workshop.site.checks import checked
 
 each_equation = each("equation", "formulas", Equation)
 each_check = each("check", "checks", Check)
@@ -209,7 +209,7 @@ def test_the_functions_are_those_that_are_called_not_those_that_these_call():
 
 def test_a_check_without_the_library_must_name_what_computes(tmp_path, monkeypatch):
     silent = replace(CHECKS["odometry.ellipse_axes"], compared_with="")
-    for module in ("workshop.site", "workshop.equations.checking"):
+    for module in ("workshop.site.checks", "workshop.equations.checking"):
         monkeypatch.setattr(f"{module}.declared_checks", lambda: {silent.name: silent})
     with pytest.raises(Exception, match="ellipse_axes calls no function of robokin: say in its"):
         checked(tmp_path)

@@ -1,0 +1,71 @@
+"""Files beside the pages: the script and its style, the exercises, what a notebook needs."""
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from hatchling.builders.wheel import WheelBuilder
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+
+from workshop.course import course
+from workshop.practice import page as practice
+from workshop.practice.bank import topics
+from workshop.script import runtime
+
+
+def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
+    """The runtime and its style on pages that have a figure or an exercise, and only there."""
+    body = context.get("body", "") if doctree else ""
+    if 'class="rk-' in body:
+        app.add_js_file("workshop.js", loading_method="defer")
+        app.add_css_file("workshop.css")
+
+
+def write_assets(app: Sphinx, error: Exception | None) -> None:
+    if error or app.builder.format != "html":
+        return
+    static = Path(app.outdir) / "_static"
+    (static / "practice").mkdir(exist_ok=True)
+    solutions = app.config.course_solutions
+    for name, text in {
+        "workshop.js": runtime.page(),
+        "workshop.css": runtime.stylesheet(),
+        **{f"practice/{t}.js": practice.script(t, solutions) for t in topics()},
+    }.items():
+        (static / name).write_text(text, encoding="utf-8")
+
+
+class Downloads(SphinxDirective):
+    """Links to what a downloaded notebook needs."""
+
+    def run(self) -> list[nodes.Node]:
+        """The wheel and the locked requirements, which stand beside the notebooks."""
+        projects = map(_project, self.config.course_wheels)
+        names = [Path(self.config.course_lock).name, *(wheel_name(project) for project in projects)]
+        root = "../" * self.env.docname.count("/")
+        links = (f'<a href="{root}_sources/{name}" download>{name}</a>' for name in names)
+        return [nodes.raw("", f"<p>{' · '.join(links)}</p>", format="html")]
+
+
+def write_downloads(app: Sphinx, error: Exception | None) -> None:
+    """The wheels and the locked requirements, beside the notebooks."""
+    if error or app.builder.format != "html":
+        return
+    beside = Path(app.outdir) / "_sources"
+    for project in app.config.course_wheels:
+        next(WheelBuilder(str(_project(project))).build(directory=str(beside)))
+    shutil.copy(_project(app.config.course_lock), beside)
+
+
+def _project(name: str) -> Path:
+    """A file or folder that a setting names: beside the folder of the course's package."""
+    return course().folder.parent / name
+
+
+def wheel_name(project: Path) -> str:
+    """What the wheel of a project will be called."""
+    metadata = WheelBuilder(str(project)).metadata
+    name = metadata.core.name.replace("-", "_")
+    return f"{name}-{metadata.version}-py3-none-any.whl"

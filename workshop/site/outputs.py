@@ -1,0 +1,87 @@
+"""What a cell of a notebook becomes on a page: a formula, a figure, an exercise, a mistake."""
+
+from html import escape
+from typing import Any
+
+from docutils import nodes
+from sphinx.environment import BuildEnvironment
+from sphinx.errors import ExtensionError
+
+from workshop.course import course
+from workshop.equations.printing import MIME as EQUATION
+from workshop.errors import CourseError
+from workshop.figures.figure import MIME as FIGURE
+from workshop.figures.figure import find
+from workshop.practice import page as practice
+from workshop.practice.notebook import MISTAKE, mistake
+from workshop.script import engine
+from workshop.site.sources import depend
+
+
+class Outputs:
+    """The plugin that MyST-NB asks for each output of a cell."""
+
+    mime_priority_overrides = (
+        ("html", EQUATION, 1),
+        ("html", FIGURE, 1),
+        ("html", practice.MIME, 1),
+        ("html", MISTAKE, 1),
+    )
+
+    @staticmethod
+    def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
+        """The page elements of a formula or a figure; None leaves the output to MyST-NB."""
+        if data.mime_type == EQUATION:
+            return _equation(renderer, data)
+        if data.mime_type == FIGURE:
+            depend(renderer.renderer.sphinx_env, "figures")
+            return [_figure(data.content["name"])]
+        if data.mime_type == practice.MIME:
+            return [exercise_box(renderer.renderer.sphinx_env, data.content["name"])]
+        if data.mime_type == MISTAKE:
+            depend(renderer.renderer.sphinx_env, "exercises")
+            return [_mistake(data.content["name"])]
+        return None
+
+
+def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
+    """A display formula, numbered and known to `{eq}` by its name."""
+    label, formula = data.content["label"], data.content["latex"]
+    env = renderer.renderer.sphinx_env
+    node = nodes.math_block(formula, formula, label=label, nowrap=False, docname=env.docname)
+    domain = env.get_domain("math")
+    domain.note_equation(env.docname, label, location=(env.docname, data.line))
+    node["number"] = domain.get_equation_number_for(label)
+    target = nodes.target("", "", ids=[nodes.make_id(f"equation-{label}")])
+    renderer.renderer.document.note_explicit_target(target)
+    return [target, node]
+
+
+def _figure(name: str) -> nodes.raw:
+    """The still picture with its controls, and the data that brings it to life."""
+    try:
+        return nodes.raw("", find(name).on_page(), format="html")
+    except CourseError as error:
+        raise ExtensionError(str(error)) from error
+
+
+def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
+    """The box of an exercise; before the first on a page, the desk with the student's name."""
+    depend(env, "exercises")
+    salt, solutions = env.config.course_name or course().name, env.config.course_solutions
+    html = practice.box(name, salt, solutions)
+    if not env.temp_data.get("practice_desk"):
+        env.temp_data["practice_desk"] = True
+        desk = engine.call("workshop.practice.deskHtml")
+        start = f'<div class="rk-desk" data-course="{escape(salt, quote=True)}">{desk}</div>'
+        html = f"{start}\n{html}"
+    return nodes.raw("", html, format="html")
+
+
+def _mistake(name: str) -> nodes.container:
+    """A wrong line to judge, what it gives, and the answer folded."""
+    shown = mistake(name)
+    title = f'<p class="rk-mistake-title">{escape(shown.exercise.title)}</p>'
+    line = nodes.literal_block(shown.mistake.line, shown.mistake.line, language="python")
+    parts = [nodes.raw("", title, format="html"), line, nodes.raw("", shown.answer, format="html")]
+    return nodes.container("", *parts, classes=["rk-mistake"], ids=[name])

@@ -14,7 +14,7 @@ from workshop.equations import Equation, quantity
 from workshop.equations.text import signed
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
-from workshop.practice.solutions import formula_of, sides
+from workshop.practice.solutions import figures, formula_of, sides
 
 each_exercise = each("exercise", "exercises", Exercise)
 EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart
@@ -87,7 +87,8 @@ def flips(expression):
     for one in dict.fromkeys(sums):
         first, *rest = one.args
         with sp.evaluate(False):
-            yield expression.xreplace({one: sp.Add(first, negated(rest[0]), *rest[1:])})
+            wrong = expression.xreplace({one: sp.Add(first, negated(rest[0]), *rest[1:])})
+        yield wrong  # not above, where the caller would run without evaluation, too
     if not sums:
         yield negated(expression)
 
@@ -102,9 +103,11 @@ def misread(expression):
             pairs = enumerate(pairwise(part.args))
             wrong = [(*part.args[:k], b, a, *part.args[k + 2 :]) for k, (a, b) in pairs]
         for other in wrong:
-            with suppress(sp.matrices.exceptions.ShapeError), sp.evaluate(False):
-                whole = sp.MatMul(*other) if isinstance(other, tuple) else other
-                yield expression.xreplace({part: whole})
+            with suppress(sp.matrices.exceptions.ShapeError):
+                with sp.evaluate(False):
+                    whole = sp.MatMul(*other) if isinstance(other, tuple) else other
+                    misreading = expression.xreplace({part: whole})
+                yield misreading
 
 
 def negated(e):
@@ -299,6 +302,36 @@ def test_each_line_of_a_column_has_its_unit():
     )
     solution = Solution("{p}; {p.value}", p=Step(both, unit=("m", "rad")))
     assert told(solution) == ("v = 2 a = 2 · 3 = 6 m\n\nw = b + a = −0.5 + 3 = 2.5 rad; [6, 2.5]")
+
+
+def test_numbers_that_stand_in_a_formula_are_not_said_twice():
+    solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Pow(2, 4, evaluate=False))))
+    assert told(solution) == "c = 2^4 = 16"
+    assert told(Solution("{c}", c=Step(Line(sp.Symbol("c"), b, "m")))) == "c = b = −0.5 m"
+
+
+def test_small_numbers_keep_four_digits():
+    with sp.evaluate(False):
+        c = Step(Line(sp.Symbol("c"), a / 700, "m"))
+        d = Step(Line(sp.Symbol("d"), 100 * sp.Symbol("c")))
+    solution = Solution("{c}, {c.value:deg}, {d}", c=c, d=d)
+    assert (
+        told(solution)
+        == "c = a/700 = 3/700 = 0.004286 m, 0.2°, d = 100 c = 100 · 0.004286 = 0.4286"
+    )
+    assert [figures(x) for x in (0.002, -0.00012345, 1e-17, -0.25)] == [
+        "0.002",
+        "−0.0001234",
+        "0",
+        "−0.25",
+    ]
+
+
+def test_each_line_has_the_unit_of_its_own_left_side():
+    left = sp.Matrix([quantity("v", "m/s", 0, 1, "a speed"), quantity("w", "1/s", 0, 1, "a rate")])
+    p = Step(Line(left, sp.Matrix([a, b])))
+    assert told(Solution("{p}", p=p)) == "v = a = 3 m/s\n\nw = b = −0.5 1/s"
+    assert told(Solution("{p.value}", p=p)) == "[3, −0.5]"
 
 
 P, Q, R = (sp.MatrixSymbol(name, 2, 2) for name in "PQR")

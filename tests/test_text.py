@@ -17,9 +17,18 @@ def test_a_minus_before_a_sum_or_a_negative_number_has_parentheses():
         assert formula_text(-(a + b)) == "−(a + b)"
         assert formula_text(-(a + b) / 2) == "−(a + b)/2"
         assert formula_text(-a) == "−a"
+        assert formula_text(a * (-b) / 2) == "−a b/2"
         assert numbers_text(-a / b, {a: "−3", b: "2"}, {}) == "−(−3)/2"
         assert numbers_text(a / b, {a: "−3", b: "2"}, {}) == "−3/2"
+        assert numbers_text(-a / b - a / b, {a: "−3", b: "2"}, {}) == "−(−3/2) − (−3/2)"
         assert numbers_text(-a, {a: "−3"}, {}) == "−(−3)"
+
+
+def test_a_sum_at_the_start_of_a_sum_has_no_parentheses():
+    c = sp.Symbol("c")
+    with sp.evaluate(False):
+        assert formula_text((a - b) + c) == "a − b + c"
+        assert formula_text(c - (a - b)) == "c − (a − b)"
 
 
 def test_a_rest_and_the_rank_of_a_matrix_have_their_names():

@@ -1,9 +1,22 @@
 """Exercises on the bicycle model of a car, and the mistakes that are made there."""
 
-import numpy as np
+from functools import cache
 
+import numpy as np
+import sympy as sp
+from sympy import Add, atan, cos, cot, sin
+
+from book.bicycle import formulas
+from book.differential_drive import formulas as drive
+from book.motion import formulas as planar
 from robokin import bicycle, motion
-from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps
+from workshop.equations import as_written
+from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, one_of, steps
+
+PHI, L, V_F, PSI = formulas.steering, formulas.wheelbase, formulas.v_F, formulas.y_heading
+DIAMETER, TANGENT, COTANGENT = sp.symbols("d tangent cotangent")
+PSI_DOT, PSI_NEXT = formulas.psi_dot, sp.Symbol("ψ'")
+BY_PHI = {PHI: "phi", L: "L"}  # the letters of the formulas, the exercises' names of the numbers
 
 M15 = Mistake(
     "M15",
@@ -117,9 +130,27 @@ def front_looped(psi, v, phi, L, dt, n, method="start"):
     return looped(np.pi / 2 - psi + phi, v / np.cos(phi), rate(v, phi, L), dt, n, method)
 
 
+@cache
+def loop(n):
+    """The loop's n steps: the angle of each from the y axis, and the sum of their ways."""
+    angles = sp.symbols(f"delta_1:{n + 1}")
+    with as_written():
+        directions = [Add(PSI, k * PSI_DOT * planar.dt, -PHI) for k in range(n)]
+        ends = [V_F * planar.dt * Add(*map(part, angles)) for part in (sin, cos)]
+    return (
+        Line(sp.Matrix(angles), sp.Matrix(directions), "rad"),
+        Line(sp.Matrix([formulas.x_F, formulas.y_F]), sp.Matrix(ends), "m"),
+    )
+
+
 NEAR_MEAN = "four decimals are asked for: the mean of the two angles can be as near as 0.001"
 CAR = steps(2.4, 3, 0.1, "m")
 STEERING = one_of(*(sign * size for sign in (1, -1) for size in (15, 20, 25, 30, 35, 40)), unit="°")
+
+
+with as_written():
+    OUTER_WHEEL = Line(cot(formulas.alpha_R), 2 * cot(PHI) - cot(formulas.alpha_L))
+    NEXT_HEADING = Line(PSI_NEXT, PSI + PSI_DOT * planar.dt, "rad")
 
 
 bicycle_1 = Exercise(
@@ -137,14 +168,20 @@ bicycle_1 = Exercise(
     asks=(Ask("ω", "rad/s"),),
     right=lambda L, phi, v_front: rate(v_front * np.cos(phi), phi, L),
     wrong={M16: lambda L, phi, v_front: v_front * np.tan(phi) / L},
-    derive=lambda L, phi, v_front: {"v": v_front * np.cos(phi)},
     also={
         "with the cosine where the sine belongs": lambda v_front, phi, L: v_front * np.cos(phi) / L,
     },
-    solution="The front wheel moves at v_f = {v_front}, along the bicycle and sideways at once. "
-    "The part along the bicycle is the speed of the rear wheel, v = v_f cos φ = {v} m/s. The "
-    "part sideways, v_f sin φ, turns the bicycle about its rear wheel, {L} behind:\n\n"
-    "ω = v_f sin φ/L = v tan φ/L = {right}",
+    solution=Solution(
+        "The front wheel moves where it points: along the bicycle and sideways at once. The part "
+        "sideways, with the sine, turns the bicycle about its rear wheel, {L} behind:\n\n{front}"
+        "\n\nThere is a second way. The part along the bicycle, with the cosine, is the speed of "
+        "the rear wheel:\n\n{rear}\n\nFor this speed the formula has the tangent, and it "
+        "gives the same:\n\n{turning}",
+        answer=("front", "turning"),
+        front=Step(formulas.front_rate, {V_F: "v_front"} | BY_PHI),
+        rear=Step(Line(planar.v, V_F * cos(PHI)), {V_F: "v_front"} | BY_PHI),
+        turning=Step(formulas.world, BY_PHI, part=(2,), values=(planar.omega,)),
+    ),
     example={"L": 7.0, "phi": np.pi / 6, "v_front": 1.0},
 )
 
@@ -160,21 +197,21 @@ bicycle_2 = Exercise(
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
     wrong={M18: lambda alpha_L, alpha_R: (alpha_L + alpha_R) / 2},
     when=lambda alpha_L, alpha_R: 0.3 < spread(alpha_L, alpha_R) < 0.9,
-    derive=lambda alpha_L, alpha_R: {
-        "cot_L": 1 / np.tan(alpha_L),
-        "cot_R": 1 / np.tan(alpha_R),
-        "cot": (1 / np.tan(alpha_L) + 1 / np.tan(alpha_R)) / 2,
-    },
     also={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, alpha_R: np.arctan(
             (np.tan(alpha_L) + np.tan(alpha_R)) / 2
         ),
     },
-    solution="All axles meet in one point, R to the left of the middle of the rear axle. With "
-    "the wheelbase L, and the front wheels l apart:\n\n"
-    "L cot α_L = R − l/2, L cot α_R = R + l/2, L cot φ = R\n\n"
-    "R is the mean of the other two, so the cotangents are averaged, not the angles:\n\n"
-    "cot φ = ({cot_L} + {cot_R})/2 = {cot}, so φ = {right}",
+    solution=Solution(
+        "All axles meet in one point, to the left of the car on the line of its rear axle. The "
+        "wheelbase times the cotangent of a wheel's angle says how far to the left of this wheel "
+        "the point lies. The bicycle's wheel is in the middle between the two others. So its "
+        "cotangent, not its angle, is the mean of theirs. The tangent is one over this mean:\n\n"
+        "{tangent}\n\n"
+        "The angle with this tangent is φ = {phi.value}, or {phi.value:deg}.",
+        tangent=Step(formulas.equivalent_steering, textbook=True, values=("tangent",)),
+        phi=Step(Line(PHI, atan(TANGENT))),
+    ),
     example={"alpha_L": np.radians(35), "alpha_R": np.radians(29)},
 )
 
@@ -192,7 +229,7 @@ bicycle_3 = Exercise(
         M17: lambda theta, v, phi: np.multiply(v / np.cos(phi), [np.cos(theta), np.sin(theta)]),
         M33: lambda theta, v, phi: np.full(2, v / np.cos(phi) * np.sin(theta + phi)),
     },
-    derive=lambda theta, v, phi: {"v_front": v / np.cos(phi), "direction": theta + phi},
+    derive=lambda theta, v, phi: {"v_front": v / np.cos(phi)},
     also={
         "with the speed of the rear axle": lambda theta, v, phi: [
             v * np.cos(theta + phi),
@@ -200,10 +237,17 @@ bicycle_3 = Exercise(
         ],
         "as the car sees it; asked is the world": lambda theta, v, phi: [v, v * np.tan(phi)],
     },
-    solution="The front wheel rolls where it points, in the direction θ + φ = {direction:deg}. "
-    "Car and wheel share the part of the speed that is along the car: v = v_f cos φ, so "
-    "v_f = v/cos φ = {v_front} m/s. Hence\n\n"
-    "[v_f cos(θ + φ), v_f sin(θ + φ)] = {right}",
+    solution=Solution(
+        "The front wheel rolls where it points, in the direction θ + φ. Car and wheel share the "
+        "part of the speed that is along the car. So the wheel is faster than the rear axle:\n\n"
+        "{speed}\n\nThis speed in the direction θ + φ is, in the world:\n\n{world}",
+        speed=Step(
+            formulas.front_speed,
+            BY_PHI,
+            check=lambda theta, v, phi: np.hypot(*bicycle.front_twist(v, phi, 1.0)[:2]),
+        ),
+        world=Step(formulas.front_world, BY_PHI, textbook=True, unit="m/s"),
+    ),
     example={"theta": np.pi / 2, "v": 1.0, "phi": np.pi / 6},
 )
 
@@ -220,20 +264,20 @@ bicycle_4 = Exercise(
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
     wrong={M18: lambda alpha_L, phi: 2 * phi - alpha_L},
     when=lambda alpha_L, phi: phi < alpha_L and 0.3 < other_track(alpha_L, phi) < 0.9,
-    derive=lambda alpha_L, phi: {
-        "cot_L": 1 / np.tan(alpha_L),
-        "cot": 1 / np.tan(phi),
-        "cot_R": 2 / np.tan(phi) - 1 / np.tan(alpha_L),
-    },
     also={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, phi: np.arctan(
             2 * np.tan(phi) - np.tan(alpha_L)
         ),
     },
-    solution="The cotangent of the bicycle's angle is the mean of the cotangents of the two "
-    "wheels, because the centre of the turn is at the distances R − l/2, R and R + l/2. Solve for "
-    "the right one:\n\n"
-    "cot α_R = 2 cot φ − cot α_L = 2 · {cot} − {cot_L} = {cot_R}, so α_R = {right}",
+    solution=Solution(
+        "All axles meet in one point on the line of the rear axle. The wheelbase times the "
+        "cotangent of a wheel's angle says how far to the left of this wheel the point lies. The "
+        "bicycle's wheel is in the middle between the two others. So its cotangent, not its "
+        "angle, is the mean of theirs. Solve this for the right wheel:\n\n{cotangent}\n\n"
+        "The angle with this cotangent is α_R = {alpha_R.value}, or {alpha_R.value:deg}.",
+        cotangent=Step(OUTER_WHEEL, BY_PHI, values=("cotangent",)),
+        alpha_R=Step(Line(formulas.alpha_R, atan(1 / COTANGENT))),
+    ),
 )
 
 bicycle_5 = Exercise(
@@ -265,7 +309,6 @@ bicycle_5 = Exercise(
     ),
     derive=lambda psi, diameter, wheel_rate, L, phi, time: {
         "v": wheel_rate * diameter / 2,
-        "omega": rate(wheel_rate * diameter / 2, phi, L),
     },
     also={
         "with the diameter where the radius belongs": lambda diameter, **drive: compass(
@@ -273,9 +316,18 @@ bicycle_5 = Exercise(
         ),
         "with φ where tan φ belongs": lambda phi, **drive: compass(phi=np.arctan(phi), **drive),
     },
-    solution="The rear wheels drive the truck at v = rate times radius = {v} m/s. It turns at "
-    "ω = v tan φ/L = {omega} rad/s; a positive ω is counter-clockwise, to the left. A heading "
-    "that is measured clockwise changes the other way:\n\nψ − ω · {time:} s = {right}",
+    solution=Solution(
+        "The rear wheels drive the truck. The radius is half the diameter d:\n\n{speed}\n\n"
+        "A truck that turns to the left turns counter-clockwise. A heading that is measured "
+        "clockwise gets smaller then, so the turning rate has a minus here:\n\n{turning}\n\n"
+        "After {time} the heading is:\n\n{heading}\n\nThis is {heading.value:deg}.",
+        speed=Step(
+            formulas.rear_speed,
+            {drive.r: DIAMETER / 2, DIAMETER: "diameter", formulas.rate_rear: "wheel_rate"},
+        ),
+        turning=Step(formulas.y_axis, BY_PHI, part=(4,), unit="rad/s"),
+        heading=Step(NEXT_HEADING, {PSI: "psi", planar.dt: "time"}),
+    ),
     example={
         "psi": np.pi / 3,
         "diameter": 0.5,
@@ -310,7 +362,6 @@ bicycle_6 = Exercise(
     },
     derive=lambda theta, v, phi, L, time: {
         "R": bicycle.turning_radius(phi, L),
-        "omega": rate(v, phi, L),
         "turned": theta + rate(v, phi, L) * time,
     },
     also={
@@ -320,10 +371,25 @@ bicycle_6 = Exercise(
             motion.path([0, 0, theta], v, rate(v, phi, L), time, "start")[-1]
         ),
     },
-    solution="The car turns about a point R = L/tan φ = {R} m to its left; a negative R is to the "
-    "right. It turns at ω = v/R = {omega} rad/s, so its heading ends at θ' = θ + ω · {time:} = "
-    "{turned} rad ({turned:deg}). It moves along a circle around that point:\n\n"
-    "[R (sin θ' − sin θ), −R (cos θ' − cos θ), θ'] = {right}",
+    solution=Solution(
+        "The car turns about a point R to its left; a negative R is to its right:\n\n{radius}\n\n"
+        "Its turning rate is:\n\n{turning}\n\n"
+        "It starts at the origin and moves along a circle around that point. The radius v/ω of the "
+        "circle is R again:\n\n{arc}",
+        radius=Step(
+            formulas.turning_radius,
+            BY_PHI,
+            textbook=True,
+            check=lambda L, phi, **_: bicycle.turning_radius(phi, L),
+        ),
+        turning=Step(formulas.world, BY_PHI, part=(2,), values=(planar.omega,)),
+        arc=Step(
+            planar.arc_step,
+            {planar.x: 0, planar.y: 0, planar.dt: "time"},
+            textbook=True,
+            unit=("m", "m", "rad"),
+        ),
+    ),
     example={"theta": np.pi / 6, "v": 2.0, "phi": np.pi / 6, "L": 2.5, "time": 2.0},
 )
 
@@ -360,15 +426,6 @@ bicycle_7 = Exercise(
         ),
         M33: lambda **numbers: np.full(2, front_looped(**numbers)[0]),
     },
-    derive=lambda psi, v, phi, L, dt, n: {
-        "v_O": v / np.cos(phi),
-        "change": -rate(v, phi, L) * dt,
-        "first": psi - phi,
-        "directions": "; ".join(
-            f"{np.degrees(psi - phi - k * rate(v, phi, L) * dt):.1f}°".replace("-", "−")
-            for k in range(int(n))
-        ),
-    },
     also={
         "for the real place of O, on its arc; asked is what the loop says": lambda **drive: (
             front_looped(method="exact", **drive)
@@ -377,10 +434,16 @@ bicycle_7 = Exercise(
             method="end", **drive
         ),
     },
-    solution="O moves where the front wheel points. The wheel is turned to the left, and ψ is "
-    "measured to the right, so this is the direction ψ − φ = {first:deg} from the y axis. O is "
-    "faster than the rear axle: v_O = v/cos φ = {v_O} m/s. In each step ψ changes by −v tan φ/L · "
-    "{dt:} = {change} rad ({change:deg}). So the steps go in the directions {directions}.\n\n"
-    "Each step adds [v_O sin(ψ − φ), v_O cos(ψ − φ)] times {dt:}; from the y axis, x has the "
-    "sine. After {n} steps: {right}",
+    solution=Solution(
+        "O moves where the front wheel points. The wheel is turned to the left, and ψ is measured "
+        "to the right, so this is the direction ψ − φ from the y axis. O is faster than the rear "
+        "axle:\n\n{speed}\n\nThe heading changes at the rate\n\n{turning}\n\n"
+        "In each step O keeps the direction of the step's start. So the steps go in the "
+        "directions\n\n{directions}\n\nIn degrees these are {directions.value:deg}. Each step "
+        "has the length v_F Δt. From the y axis, x has the sine and y the cosine:\n\n{end}",
+        speed=Step(formulas.front_speed, BY_PHI),
+        turning=Step(formulas.y_axis, BY_PHI, part=(4,), unit="rad/s"),
+        directions=Step(lambda n, **_: loop(int(n))[0], BY_PHI | {PSI: "psi"}),
+        end=Step(lambda n, **_: loop(int(n))[1]),
+    ),
 )

@@ -3,9 +3,30 @@
 from functools import partial
 
 import numpy as np
+from sympy import Add, Pow, ceiling, pi, sqrt, symbols
 
+from book.differential_drive import formulas as drive
+from book.motion import formulas as planar
+from book.odometry import formulas
 from robokin import motion, odometry
-from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps, whole
+from workshop.equations import as_written
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Solution,
+    Step,
+    angle,
+    one_of,
+    steps,
+    whole,
+)
+
+N, TURNS, AROUND, JUMP, LEAST, LIMIT, ERROR = symbols("N n U Δc C_min Δω error")
+X_OLD, Y_OLD, X_MID, Y_MID = symbols("x_old y_old x_mid y_mid")
+BY_TURN = {planar.x: 0, planar.y: 0, formulas.dtheta: "turn"}  # from the origin
+POSE_UNITS = ("m", "m", "rad")
 
 M22 = Mistake(
     "M22",
@@ -114,6 +135,11 @@ def resolution(roll, r, b, period, limit):
     return roll(1, 1, r) / (b * period * limit)
 
 
+def finest(**design):
+    """The smallest whole number of ticks a turn."""
+    return np.ceil(resolution(rolled, **design))
+
+
 def wheel_ways(r, C, left_before, left_after, right_before, right_after, count, roll):
     """How far both wheels roll, from the readings of their counters."""
     ticks = {"D_L": count(left_before, left_after), "D_R": count(right_before, right_after)}
@@ -126,19 +152,38 @@ def counted(theta, b, count=turned, roll=rolled, step=one_step, rule="exact", **
     return step(rule, theta=theta, b=b, **ways)
 
 
-def between(theta, b, **drive):
-    """What the way from the readings to the pose goes through."""
+def turn_between(theta, b, **drive):
+    """How much the robot turns, from the readings."""
     ways = wheel_ways(count=turned, roll=rolled, **drive)
-    D, turn = (ways["D_L"] + ways["D_R"]) / 2, (ways["D_R"] - ways["D_L"]) / b
-    return {
-        **ways,
-        "N_L": turned(drive["left_before"], drive["left_after"]),
-        "N_R": drive["right_after"] - drive["right_before"],
-        "D": D,
-        "dtheta": turn,
-        "chord": 2 * D / turn * np.sin(turn / 2),
-        "middle": theta + turn / 2,
-    }
+    return (ways["D_R"] - ways["D_L"]) / b
+
+
+def around(before, after, **_):
+    """The ticks between two readings that lie on two sides of the counter's end."""
+    return FORWARD if after < before else BACKWARD
+
+
+def error_of(x, y):
+    """How far a place is from the end of the real way."""
+    squares = [(end - place) ** 2 for end, place in ((planar.x_next, x), (planar.y_next, y))]
+    return Line(ERROR, sqrt(Add(*squares)), "m")
+
+
+def readings(side=""):
+    """The names of the readings of a counter, for the formula's letters."""
+    names = (f"{side}_{name}".strip("_") for name in ("before", "after"))
+    return dict(zip((formulas.count_before, formulas.count_now), names, strict=True))
+
+
+with as_written():
+    FORWARD = Line(formulas.dN, JUMP + formulas.counter_span, "ticks")
+    BACKWARD = Line(formulas.dN, JUMP - formulas.counter_span, "ticks")
+    DIFFERENCE = Line(JUMP, formulas.count_now - formulas.count_before, "ticks")
+    SPAN = Line(formulas.counter_span, Pow(2, BITS))
+    DISTANCE = Line(drive.b, (formulas.D_R - formulas.D_L) / formulas.dtheta)
+    WHOLE_TURNS = Line(formulas.dtheta, 2 * pi * TURNS, "rad")
+    RESOLUTION = Line(LEAST, 2 * pi * drive.r / (drive.b * planar.dt * LIMIT))
+    OLD_ERROR, MID_ERROR = error_of(X_OLD, Y_OLD), error_of(X_MID, Y_MID)
 
 
 odometry_1 = Exercise(
@@ -155,13 +200,23 @@ odometry_1 = Exercise(
     asks=(Ask("D", "m"),),
     right=lambda C, r, N: rolled(N, C, r),
     wrong={M24: lambda C, r, N: rolled_per_radian(N, C, r)},
-    derive=lambda C, r, N: {"turns": N / C, "around": 2 * np.pi * r},
     also={
         "with the diameter where the radius belongs": lambda C, r, N: rolled(N, C, 2 * r),
         "when ticks and ticks a turn are exchanged": lambda C, r, N: rolled(C, N, r),
     },
-    solution="The wheel made N/C = {N}/{C} = {turns} turns. In one turn it rolls its "
-    "circumference, 2πr = {around} m:\n\nD = 2πr N/C = {right}",
+    solution=Solution(
+        "The wheel made so many turns:\n\n{turns}\n\nIn one turn it rolls its circumference:"
+        "\n\n{around}\n\nThe way is the product of the two:\n\n{way}",
+        turns=Step(
+            Line(TURNS, N / formulas.C),
+            check=lambda C, r, N: odometry.travel(N, C, 1.0) / (2 * np.pi),
+        ),
+        around=Step(
+            Line(AROUND, 2 * pi * drive.r, "m"),
+            check=lambda C, r, N: odometry.travel(C, C, r),
+        ),
+        way=Step(formulas.travel, {formulas.N_L: N}, part=(0,), values=(formulas.D,)),
+    ),
     example={"C": 1000, "r": 0.05, "N": 500},
 )
 
@@ -189,14 +244,27 @@ odometry_2 = Exercise(
     },
     when=lambda before, after, **_: abs(after - before) > 2**15,
     derive=lambda before, after, C, r: {
-        "jump": after - before,
-        "add": "+" if after < before else "−",
-        "end": "went past 65535 to 0" if after < before else "went below 0 to 65535",
-        "N": turned(before, after),
+        "end": "past its last number to 0" if after < before else "below 0 to its last number",
     },
-    solution="A counter of 16 bits has 2¹⁶ = 65536 values, from 0 to 65535. The difference of the "
-    "two readings is {jump}: far too much for a few turns, so the counter {end}. The shorter way "
-    "round is meant:\n\nN = {after} − {before} {add} 65536 = {N} ticks\n\nD = 2πr N/C = {right}",
+    solution=Solution(
+        "The difference of the two readings is far too much for a few turns:\n\n{jump}\n\n"
+        "So the counter went {end}. It has as many numbers as its bits allow:\n\n{span}\n\n"
+        "Of the two ways round, the shorter one is meant:\n\n{ticks}\n\n"
+        "That many ticks are this way:\n\n{way}\n\n"
+        "A formula with the rest of a division needs no such thought. It gives the same number of "
+        "ticks:\n\n{both}",
+        answer=("way",),
+        jump=Step(DIFFERENCE, readings()),
+        span=Step(SPAN),
+        ticks=Step(around),
+        way=Step(formulas.travel, {formulas.N_L: formulas.dN}, part=(0,), values=(formulas.D,)),
+        both=Step(
+            formulas.counter_step,
+            readings(),
+            unit="ticks",
+            check=lambda before, after, **_: turned(before, after),
+        ),
+    ),
     example={"before": 65500, "after": 464, "C": 1000, "r": 0.05},
 )
 
@@ -225,7 +293,6 @@ odometry_3 = Exercise(
     derive=lambda theta, D_L, D_R, b, **_: {
         "D": (D_L + D_R) / 2,
         "dtheta": (D_R - D_L) / b,
-        "new": theta + (D_R - D_L) / b,
     },
     also={
         "by the rule of the old heading": lambda **step: one_step("start", **step),
@@ -235,11 +302,15 @@ odometry_3 = Exercise(
             "end", D_L=D_R, D_R=D_L, **step
         ),
     },
-    solution="The middle of the axle moves by the mean of the two ways, and the robot turns by "
-    "their difference over the wheel distance:\n\nD = (D_L + D_R)/2 = {D} m\n\n"
-    "Δθ = (D_R − D_L)/b = {dtheta} rad ({dtheta:deg})\n\nThe new heading is θ + Δθ = {new} rad "
-    "({new:deg}). The rule drives the whole D in this direction:\n\n"
-    "[x + D cos(θ + Δθ), y + D sin(θ + Δθ), θ + Δθ] = {right}",
+    solution=Solution(
+        "The middle of the axle moves by the mean of the two ways, and the robot turns by their "
+        "difference over the wheel distance:\n\n{distance}\n\n{turned}\n\n"
+        "The rule lays the whole way in the direction of the new heading, which is the old heading "
+        "and the turn together:\n\n{pose}",
+        distance=Step(formulas.distance),
+        turned=Step(formulas.turn),
+        pose=Step(formulas.new_heading, unit=POSE_UNITS),
+    ),
     example={"x": 0.0, "y": 0.0, "theta": np.pi / 2, "D_L": 0.1, "D_R": 0.2, "b": 0.5},
 )
 
@@ -261,16 +332,21 @@ odometry_4 = Exercise(
     right=lambda r, C, n, N_R: rolled(2 * N_R, C, r) / (2 * np.pi * n),
     wrong={M24: lambda r, C, n, N_R: rolled_per_radian(2 * N_R, C, r) / (2 * np.pi * n)},
     when=lambda r, C, n, N_R: 0.15 < 2 * r * N_R / (C * n) < 0.8,
-    derive=lambda r, C, n, N_R: {"turn": 2 * np.pi * n, "way": 2 * np.pi * r * N_R / C},
     also={
         "for one full turn; the robot made several": lambda r, C, n, N_R: (
             rolled(2 * N_R, C, r) / (2 * np.pi)
         ),
         "with the way of one wheel only": lambda r, C, n, N_R: rolled(N_R, C, r) / (2 * np.pi * n),
     },
-    solution="The right wheel rolls D_R = 2πr N_R/C = {way} m, the left one −{way} m. The robot "
-    "turns by Δθ = {n} · 2π = {turn} rad. Solve Δθ = (D_R − D_L)/b for b:\n\n"
-    "b = (D_R − D_L)/Δθ = {right}",
+    solution=Solution(
+        "The two wheels roll the same way, the left one backward:\n\n{ways}\n\n"
+        "The robot makes {n} full turns:\n\n{turned}\n\n"
+        "The turn is the difference of the two ways, over the wheel distance. So the wheel "
+        "distance is the difference over the turn:\n\n{b}",
+        ways=Step(formulas.travel, {formulas.N_L: -formulas.N_R}),
+        turned=Step(WHOLE_TURNS),
+        b=Step(DISTANCE),
+    ),
 )
 
 odometry_5 = Exercise(
@@ -288,16 +364,36 @@ odometry_5 = Exercise(
         "limit": one_of(0.5, 1, 2, 5, unit="°/s"),
     },
     asks=(whole("C"),),
-    right=lambda **design: np.ceil(resolution(rolled, **design)),
+    right=finest,
     wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
     when=lambda **design: (
         100 < resolution(rolled, **design) < 10000
         and 0.01 < resolution(rolled, **design) % 1 < 0.99
     ),
-    derive=lambda **design: {"C": resolution(rolled, **design)},
-    solution="In one tick the wheel rolls 2πr/C. This changes ω = (D_R − D_L)/(b Δt) by "
-    "2πr/(C b Δt), and must be at most Δω = {limit} = {limit:.5f} rad/s:\n\n"
-    "C ≥ 2πr/(b Δt Δω) = {C:.2f}\n\nThe smallest such whole number is {right}.",
+    solution=Solution(
+        "In one tick the wheel rolls its circumference over C. This changes the turning rate by "
+        "the way over b and over the time Δt. The change must be at most Δω, which is {limit:.6f} "
+        "rad/s. So C must be at least\n\n{least}\n\nThe smallest such whole number is {C.value} a "
+        "turn.\n\nA test: with this C, one tick is the way\n\n{way}\n\nIt changes the turning "
+        "rate by\n\n{change}\n\nThis is not more than Δω.",
+        answer=("C",),
+        least=Step(RESOLUTION, {planar.dt: "period", LIMIT: "limit"}),
+        C=Step(Line(formulas.C, ceiling(LEAST))),
+        way=Step(
+            formulas.travel,
+            {formulas.N_R: 1},
+            part=(1,),
+            check=lambda **design: odometry.travel(1, finest(**design), design["r"]),
+        ),
+        change=Step(
+            formulas.velocity,
+            {formulas.D_L: 0, planar.dt: "period"},
+            part=(1,),
+            check=lambda r, b, period, **limit: odometry.velocity(
+                0, 1, period, finest(r=r, b=b, period=period, **limit), r, b
+            )[1],
+        ),
+    ),
 )
 
 odometry_6 = Exercise(
@@ -316,21 +412,35 @@ odometry_6 = Exercise(
     asks=(Ask("error", "m"),),
     right=lambda D, turn, theta: gap(turn, D, theta, theta),
     wrong={M22: lambda D, turn, theta: gap(turn, D, turn, theta)},
-    derive=lambda D, turn, theta: {
-        "place": [D * np.cos(theta), D * np.sin(theta)],
-        "real": motion.arc_step([0, 0, theta], D, turn, 1.0)[:2],
-        "chord": 2 * D / turn * np.sin(turn / 2),
-        "middle": gap(turn, D, theta + turn / 2, theta),
-    },
     also={
         "by the rule of the middle heading": lambda D, turn, theta: gap(
             turn, D, theta + turn / 2, theta
         ),
     },
-    solution="By the old heading the robot is at [D cos θ, D sin θ] = {place}. The real way is an "
-    "arc with the radius D/Δθ. Its chord has the length 2 D/Δθ sin(Δθ/2) = {chord} m and points "
-    "along the middle heading θ + Δθ/2, so the robot is at {real}. The distance between the two:"
-    "\n\n{right}\n\nThe rule of the middle heading would be off by {middle} m only.",
+    solution=Solution(
+        "By the old heading the robot goes straight on:\n\n{old}\n\n"
+        "The real way is an arc:\n\n{real}\n\nThe distance between the two places:\n\n{error}"
+        "\n\nThe straight line between the ends of the arc points along the middle heading. So "
+        "the rule of the middle heading would be much nearer:\n\n{middle}\n\n"
+        "It is off by {middle_error.value} only.",
+        answer=("error",),
+        old=Step(formulas.old_heading, BY_TURN, part=(0, 1), values=(X_OLD, Y_OLD), unit="m"),
+        real=Step(formulas.exact_arc, BY_TURN, textbook=True, part=(0, 1), unit="m"),
+        error=Step(OLD_ERROR),
+        middle=Step(
+            formulas.middle_heading,
+            BY_TURN,
+            part=(0, 1),
+            values=(X_MID, Y_MID),
+            unit="m",
+            check=lambda D, turn, theta: motion.path([0, 0, theta], D, turn, 1.0, "midpoint")[
+                1, :2
+            ],
+        ),
+        middle_error=Step(
+            MID_ERROR, check=lambda D, turn, theta: gap(turn, D, theta + turn / 2, theta)
+        ),
+    ),
 )
 
 odometry_7 = Exercise(
@@ -360,20 +470,26 @@ odometry_7 = Exercise(
         M24: lambda **drive: counted(roll=rolled_per_radian, **drive),
         M25: lambda **drive: counted(count=jumped, **drive),
     },
-    when=lambda **drive: (
-        backward(counted(**drive)[2]) and 0.2 < abs(between(**drive)["dtheta"]) < 2.0
-    ),
-    derive=between,
+    when=lambda **drive: backward(counted(**drive)[2]) and 0.2 < abs(turn_between(**drive)) < 2.0,
     also={
         "by the rule of the old heading": partial(counted, rule="start"),
         "by the rule of the new heading": partial(counted, rule="end"),
         "by the rule of the middle heading": partial(counted, rule="midpoint"),
     },
-    solution="The left counter went past 65535 to 0, so 65536 is added to its difference:\n\n"
-    "N_L = {left_after} − {left_before} + 65536 = {N_L}, N_R = {right_after} − {right_before} = "
-    "{N_R}\n\nWith 2πr/C metres a tick the wheels roll D_L = {D_L} m and D_R = {D_R} m. The "
-    "middle of the axle drives D = (D_L + D_R)/2 = {D} m, and the robot turns by "
-    "Δθ = (D_R − D_L)/b = {dtheta} rad ({dtheta:deg}).\n\nThe chord of this arc has the length "
-    "2 D/Δθ sin(Δθ/2) = {chord} m and points along the middle heading θ + Δθ/2 = {middle} rad:"
-    "\n\n[chord · cos(θ + Δθ/2), chord · sin(θ + Δθ/2), θ + Δθ] = {right}",
+    solution=Solution(
+        "The left counter went past its last number to 0. It has as many numbers as its bits "
+        "allow:\n\n{span}\n\nFor each counter the shorter way round is meant. A formula with "
+        "the rest of a division finds it:\n\n{left}\n\n{right_ticks}\n\n"
+        "So far the wheels roll:\n\n{ways}\n\n"
+        "The middle of the axle drives the mean of the two, and the robot turns by their "
+        "difference over the wheel distance:\n\n{distance}\n\n{turned}\n\n"
+        "From the origin this is an arc:\n\n{pose}",
+        span=Step(SPAN, check=lambda **_: 2**BITS),  # the formula for both ways is even in it
+        left=Step(formulas.counter_step, readings("left"), values=(formulas.N_L,)),
+        right_ticks=Step(formulas.counter_step, readings("right"), values=(formulas.N_R,)),
+        ways=Step(formulas.travel),
+        distance=Step(formulas.distance),
+        turned=Step(formulas.turn),
+        pose=Step(formulas.exact_arc, {planar.x: 0, planar.y: 0}, textbook=True, unit=POSE_UNITS),
+    ),
 )

@@ -2,9 +2,33 @@
 # ruff: noqa: E741  (l is the field's own name)
 
 import numpy as np
+from sympy import Add, Integer, Matrix, Symbol, atan2, cos, pi, sin, symbols
 
+from book.differential_drive import formulas as drive
+from book.motion import formulas as planar
+from book.wheels import formulas
 from robokin import motion, wheels
-from workshop.practice import Ask, Exercise, Mistake, angle, one_of, steps, whole
+from workshop.equations import as_written
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Solution,
+    Step,
+    angle,
+    one_of,
+    steps,
+    whole,
+)
+
+BY_PLACE = {formulas.l: "l", formulas.alpha: "alpha", formulas.beta: "beta"}
+BY_ALPHA = {formulas.l: "l", formulas.alpha: "alpha"}
+ROW, SPEEDS, RATES, ALPHAS = (
+    symbols(names) for names in ("j_1:4", "s_1:5", r"\dot\varphi_1:5", "alpha_1:4")
+)
+C_X, C_Y, D_X, D_Y, V_X, S, GROUND, SLIP = symbols("c_x c_y d_x d_y v_x s u slip")
+BETA_2, RATE_2, MATRIX = Symbol("β'"), Symbol(r"\dot\varphi'"), Symbol("J_1")
 
 M19 = Mistake(
     "M19",
@@ -228,6 +252,62 @@ def four_by(matrix, r, w_1, w_2, w_3, w_4, **_):
     return [*twist, (matrix @ twist - speeds)[0]]
 
 
+def row(alpha=formulas.alpha, beta=formulas.beta):
+    """The rolling row of a wheel, as its formula has it."""
+    return formulas.rolling_row(formulas.l, alpha, beta)
+
+
+def sliding_rank(fixed, **_):
+    """How many sliding rows of the fixed wheels are independent."""
+    rank = np.linalg.matrix_rank(wheels.sliding(FIXED[fixed]))
+    return Line(formulas.rank_fixed, Integer(int(rank)))
+
+
+def steered_rank(steered, **_):
+    """The same for the steered wheels: up to three of them stand as they like."""
+    return Line(formulas.rank_steered, Integer(len(STEERED[steered])))
+
+
+with as_written():
+    ONE_ROW = Line(Matrix(ROW), Matrix(row()), ("", "", "m"))
+    ANGLES = Line(
+        Matrix(ALPHAS),
+        Matrix([formulas.alpha, formulas.alpha + 2 * pi / 3, formulas.alpha + 4 * pi / 3]),
+        "rad",
+    )
+    THREE_ROWS = Line(MATRIX, Matrix([row(alpha) for alpha in ALPHAS]))
+    ROLLED = Line(Matrix(SPEEDS), Matrix([drive.r * rate for rate in RATES]), "m/s")
+    THREE_RATES = Line(Matrix(formulas.omni_rates), Matrix([s / drive.r for s in SPEEDS[:3]]))
+    ABOUT = Line(Matrix([planar.v, planar.v_y]), Matrix([planar.omega * C_Y, -planar.omega * C_X]))
+    TO_POINT = Line(
+        Matrix([D_X, D_Y]),
+        Matrix(
+            [
+                C_X - formulas.l * cos(formulas.alpha),
+                C_Y - formulas.l * sin(formulas.alpha),
+            ]
+        ),
+        "m",
+    )
+    AIMED = Line(formulas.beta, atan2(D_Y, D_X) - formulas.alpha)
+    ONE_RATE = Line(formulas.rate, S / drive.r)
+    OTHER_ANGLE = Line(BETA_2, formulas.beta + pi, "rad")
+    OTHER_RATE = Line(RATE_2, -formulas.rate, "rad/s")
+    BEST = Line(
+        Matrix([V_X, planar.v_y, planar.omega]),
+        Matrix(
+            [
+                (SPEEDS[1] - SPEEDS[3]) / 2,
+                (SPEEDS[2] - SPEEDS[0]) / 2,
+                -Add(*SPEEDS) / (4 * formulas.l),
+            ]
+        ),
+        ("m/s", "m/s", "rad/s"),
+    )
+    SLIPPED = Line(SLIP, GROUND - SPEEDS[0], "m/s")
+FOUR_ROWS = Line(MATRIX, Matrix([row(k * pi / 2, 0) for k in range(4)]))  # ones and zeros
+
+
 L, R = steps(10, 40, 5, "cm"), steps(3, 8, 1, "cm")
 THETA = steps(20, 160, 10, "°")
 RATE = one_of(*(n for n in range(-12, 13) if n), unit="rad/s")
@@ -252,16 +332,18 @@ wheels_1 = Exercise(
     asks=(Ask("number for v_x"), Ask("number for v_y"), Ask("number for ω", "m")),
     right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
     wrong=ways(itself, M19, M20, M34, M35),
-    derive=lambda l, alpha, beta, theta: {"axle": alpha + beta},
     also={
         "for the sliding row": lambda l, alpha, beta, theta: wheels.sliding(
             [wheels.fixed(l, alpha, beta, 1.0)]
         ),
     },
-    solution="The axle points in the direction α + β = {axle:deg}, seen from the robot. The wheel "
-    "rolls at right angles to it. The first two numbers are this rolling direction, the third is "
-    "how far a turn of the robot moves the wheel along it. The heading θ is not in the row, it "
-    "is in R(θ):\n\n[sin(α + β), −cos(α + β), −l cos β] = {right}",
+    solution=Solution(
+        "The axle points in the direction α + β, seen from the robot, and the wheel rolls at right "
+        "angles to it. The first two numbers are this rolling direction. The third is how far a "
+        "turn of the robot moves the wheel along it. The heading θ is not in the row, it is in "
+        "R(θ). So the row [j_1, j_2, j_3] is\n\n{row}",
+        row=Step(ONE_ROW, BY_PLACE),
+    ),
 )
 
 wheels_2 = Exercise(
@@ -279,8 +361,14 @@ wheels_2 = Exercise(
     right=lambda l, first, theta: wheels.rolling(wheels.omni_robot(l, 1.0, three(first))),
     wrong=ways(itself, M19, M20, M34, M35, alpha=three, beta=0.0),
     derive=lambda l, first, theta: {"alpha": three(first)},
-    solution="Each wheel has a row. With β = γ = 0 it is [sin α, −cos α, −l]. The robot's heading "
-    "is in R(θ) only. With the angles {alpha:deg}:\n\nJ1 = {right}",
+    solution=Solution(
+        "The wheels stand at\n\n{angles}\n\nIn degrees this is {angles.value:deg}. Each wheel has "
+        "a row of its own. As the axles point along the spokes and the rollers lie across, only α "
+        "and l are in it. The robot's heading is in R(θ) only:\n\n{matrix.formula}\n\n"
+        "With the numbers this is\n\n{matrix.value}",
+        angles=Step(ANGLES, {formulas.alpha: "first"}),
+        matrix=Step(THREE_ROWS, {formulas.l: "l", formulas.beta: 0}),
+    ),
     example={"l": 0.2, "first": 0.0, "theta": np.pi / 6},
 )
 
@@ -299,19 +387,21 @@ wheels_3 = Exercise(
         **ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0),
         M21: lambda theta, **numbers: rates(theta=-theta, **numbers),
     },
-    derive=lambda l, r, theta, x_dot, y_dot, omega: {
-        "body": motion.to_body(theta, [x_dot, y_dot, omega]),
-        "speeds": r * rates(l, r, theta, x_dot, y_dot, omega),
-    },
     also={
         "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
             numbers["r"] * rates(**numbers)
         ),
         "when the heading is left out": lambda theta, **numbers: rates(theta=0.0, **numbers),
     },
-    solution="First see the wanted velocity from the robot: R(θ) ξ̇_I = {body}. The row of each "
-    "wheel, [sin α, −cos α, −l], times this is the speed at which the wheel must roll: {speeds} "
-    "m/s. Divide by the radius:\n\nφ̇ = {right}",
+    solution=Solution(
+        "First see the wanted velocity from the robot:\n\n{body}\n\n"
+        "The turning rate is the same, seen from both. The row of each wheel times this velocity "
+        "is the speed s at which the wheel must roll:\n\n{speeds}\n\n"
+        "Divide by the radius:\n\n{rates}",
+        body=Step(planar.to_body, part=(0, 1)),
+        speeds=Step(formulas.omni_rolling, {formulas.l: "l"}, values=SPEEDS[:3], unit="m/s"),
+        rates=Step(THREE_RATES),
+    ),
 )
 
 wheels_4 = Exercise(
@@ -331,10 +421,8 @@ wheels_4 = Exercise(
     },
     when=lambda theta, w_1, w_2, w_3, **_: abs(np.cos(theta)) > 0.1 and w_1 + w_2 + w_3 != 0,
     derive=lambda l, r, theta, w_1, w_2, w_3: {
-        "speeds": np.multiply(r, [w_1, w_2, w_3]),
         "rates": np.array([w_1, w_2, w_3]),
         "J1": wheels.rolling(wheels.omni_robot(l, r)),
-        "body": forward(l, r, 0.0, w_1, w_2, w_3),
         "R": np.array(
             [[np.cos(theta), np.sin(theta), 0], [-np.sin(theta), np.cos(theta), 0], [0, 0, 1]]
         ),
@@ -345,11 +433,16 @@ wheels_4 = Exercise(
             theta=0.0, **numbers
         ),
     },
-    solution="The wheels roll at s = r φ̇ = {speeds} m/s. Solve J1 times the robot's own velocity "
-    "= s. For three wheels at equal angles this gives, with the sums over the wheels:\n\n"
-    "v_x = 2/3 Σ s sin α, v_y = −2/3 Σ s cos α, ω = −Σ s/(3l)\n\n"
-    "[v_x, v_y, ω] = {body}. From the robot to the world it is R(θ)⁻¹, a turn by the heading:\n\n"
-    "[ẋ, ẏ, θ̇] = {right}",
+    solution=Solution(
+        "The rolling rows of the three wheels say how fast each wheel rolls when the robot moves. "
+        "Solved for the robot's own velocity, they say how it moves when the wheels roll:\n\n"
+        "{body}\n\nFrom the robot to the world it is a turn by the heading:\n\n{world}",
+        body=Step(
+            formulas.omni_twist,
+            {formulas.l: "l"} | {rate: f"w_{k}" for k, rate in enumerate(formulas.omni_rates, 1)},
+        ),
+        world=Step(planar.to_world),
+    ),
     example={"l": 0.2, "r": 0.05, "theta": np.pi / 6, "w_1": 2.0, "w_2": 4.0, "w_3": -3.0},
 )
 
@@ -365,8 +458,6 @@ wheels_5 = Exercise(
     wrong={},
     when=instructive,
     derive=lambda fixed, steered, free: {
-        "rank": str(np.linalg.matrix_rank(wheels.sliding(FIXED[fixed]))),
-        "delta_s": str(wheels.mobility(built(fixed, steered, free)).delta_s),
         "turned": turned_so(fixed, steered),
     },
     also={
@@ -382,15 +473,24 @@ wheels_5 = Exercise(
             wheels.mobility(built(**names)).delta_m,
         ],
     },
-    solution="Only fixed and steered wheels hold the robot back; castors, balls and omni wheels "
-    "do not. The sliding rows of the fixed wheels have the rank {rank}: wheels on one axle line "
-    "count once.\n\n"
-    "The axle lines of all fixed and steered wheels must meet in one point (parallel lines: "
-    "infinitely far away). Two lines determine this point. So at most 2 − {rank} steered wheels "
-    "can be turned freely, and any others must follow. The robot has {steered}, so δ_s = "
-    "{delta_s}. Each free choice adds one to the rank, and δ_m = 3 − {rank} − {delta_s}. The third "
-    "number is the sum of both:\n\n"
-    "[δ_m, δ_s, δ_M] = {right}",
+    solution=Solution(
+        "Only fixed and steered wheels hold the robot back; castors, balls and omni wheels do not. "
+        "The sliding rows of the fixed wheels have the rank {fixed_rank.value}: wheels on one axle "
+        "line count once. The robot has {steered}, so the rank of their rows, turned as one likes, "
+        "is {steered_rank.value}.\n\n"
+        "The axle lines of all fixed and steered wheels must meet in one point (parallel lines: "
+        "infinitely far away). Two lines determine this point. The fixed wheels give some of these "
+        "lines already. A steered wheel can be turned freely for each line that is left; any "
+        "others must follow:\n\n{delta_s}\n\nEach independent row of the fixed wheels and each "
+        "free choice takes away one of the three ways to move:\n\n{delta_m}\n\n"
+        "The third number is the sum of both:\n\n{delta_M}",
+        answer=(("delta_m", "delta_s", "delta_M"),),
+        fixed_rank=Step(sliding_rank),
+        steered_rank=Step(steered_rank),
+        delta_s=Step(formulas.mobility, part=(0,)),
+        delta_m=Step(formulas.mobility, part=(1,)),
+        delta_M=Step(formulas.mobility, part=(2,)),
+    ),
 )
 
 wheels_6 = Exercise(
@@ -414,17 +514,22 @@ wheels_6 = Exercise(
     right=about,
     wrong=ways(about_by, M19, M34, M35, beta=aimed),
     when=lambda c_x, c_y, **_: np.hypot(c_x, c_y) > 0.6,
-    derive=lambda l, alpha, r, c_x, c_y, omega: {
-        "from_wheel": np.array([c_x - l * np.cos(alpha), c_y - l * np.sin(alpha)]),
-        "axle": motion.wrap_angle(aimed(l, alpha, c_x, c_y)[0] + alpha),
-        "twist": turn_about(c_x, c_y, omega),
-    },
-    solution="The axle must point to the centre of rotation. From the wheel to that point it is "
-    "{from_wheel} m, in the direction α + β = {axle:deg}; or the axle points the other way, half a "
-    "turn more.\n\n"
-    "The robot's centre moves at [ω c_y, −ω c_x], so R(θ) ξ̇_I = {twist}. The rolling row "
-    "[sin(α + β), −cos(α + β), −l cos β] times this, divided by r, is the rate:\n\n"
-    "[β, φ̇] = {right}",
+    solution=Solution(
+        "The axle must point to the centre of rotation. From the wheel to that point it is\n\n"
+        "{to_point}\n\nThe axle has the direction α + β, so the steering angle is\n\n{beta}\n\n"
+        "The robot's centre moves around the same point:\n\n{centre}\n\nThe rolling row of the "
+        "wheel times the robot's velocity is the speed at which it rolls:\n\n{speed}\n\n{rate}"
+        "\n\nOr the axle points the other way, half a turn more, and the wheel rolls backward:"
+        "\n\n{beta_2}\n\n{rate_2}\n\nWhole turns more or less are the same angle. So [β, φ̇] is {right}.",
+        answer=(("beta", "rate"), ("beta_2", "rate_2")),
+        to_point=Step(TO_POINT, BY_PLACE),
+        beta=Step(AIMED, BY_ALPHA),
+        centre=Step(ABOUT),
+        speed=Step(formulas.rolling, BY_ALPHA, values=(S,), unit="m/s"),
+        rate=Step(ONE_RATE),
+        beta_2=Step(OTHER_ANGLE),
+        rate_2=Step(OTHER_RATE),
+    ),
 )
 
 wheels_7 = Exercise(
@@ -444,20 +549,30 @@ wheels_7 = Exercise(
     when=lambda w_1, w_2, w_3, w_4, **_: (
         w_1 + w_3 != w_2 + w_4 and w_1 + w_2 + w_3 + w_4 != 0 and w_1 != w_3 and w_2 != w_4
     ),
-    derive=lambda l, r, w_1, w_2, w_3, w_4: {
-        "speeds": np.multiply(r, [w_1, w_2, w_3, w_4]),
-        "fits": r * np.array([w_1, w_2, w_3, w_4]).mean() + r * (w_1 - w_3) / 2,
-        "s_1": r * w_1,
-    },
     also={
         "when the slip has the other sign": lambda **numbers: np.multiply(
             four(**numbers), [1, 1, 1, -1]
         ),
     },
-    solution="The wheels roll at s = r φ̇ = {speeds} m/s. The rows of J1 are [0, −1, −l], "
-    "[1, 0, −l], [0, 1, −l] and [−1, 0, −l]. Their columns are at right angles to each other, so "
-    "least squares is a mean for each of them:\n\n"
-    "v_x = (s_2 − s_4)/2, v_y = (s_3 − s_1)/2, ω = −(s_1 + s_2 + s_3 + s_4)/(4l)\n\n"
-    "Under the first wheel the ground passes at −v_y − lω = {fits} m/s, and the wheel rolls at "
-    "{s_1} m/s. The difference is the slip:\n\n[v_x, v_y, ω, slip] = {right}",
+    solution=Solution(
+        "The wheels roll at these speeds:\n\n{rolled}\n\nThe rows of J1 are {rows.value}. Its "
+        "columns are at right angles to each other, so least squares is a mean for each of them:"
+        "\n\n{best}\n\nThe row of the first wheel says how fast the ground passes under it:"
+        "\n\n{ground}\n\nThe difference to the speed at which it rolls is the slip:\n\n{slip}",
+        answer=(("best", "slip"),),
+        rolled=Step(ROLLED, {rate: f"w_{k}" for k, rate in enumerate(RATES, 1)}),
+        rows=Step(
+            FOUR_ROWS,
+            {formulas.l: "l"},
+            check=lambda l, **_: wheels.rolling(wheels.omni_robot(l, 1.0, FOUR)),
+        ),
+        best=Step(BEST, {formulas.l: "l"}),
+        ground=Step(
+            formulas.rolling,
+            {formulas.l: "l", formulas.alpha: 0, formulas.beta: 0},
+            values=(GROUND,),
+            unit="m/s",
+        ),
+        slip=Step(SLIPPED),
+    ),
 )

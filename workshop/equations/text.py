@@ -126,7 +126,7 @@ class Writer:
         text = ""
         for place, part in enumerate(e.args):
             sign, rest = signed(part)
-            shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SIGNED)
+            shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SUM)
             if place:
                 text += f" {'−' if sign < 0 else '+'} {shown}"
             else:
@@ -142,7 +142,8 @@ class Writer:
             under = self._factors(below, closed=False)
             several = len(below) > 1 or self.bound(below[0])[1] < POWER
             text = f"{text}/({under})" if several else f"{text}/{under}"
-        return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
+        text = f"−{text}" if sign < 0 else text
+        return text, SIGNED if text.startswith("−") else PRODUCT
 
     def _factors(self, factors: Sequence[Any], closed: bool, alone: int = SUM) -> str:
         """Factors side by side; closed: a function at the end has its argument in parentheses.
@@ -197,6 +198,10 @@ def signed(e: Any) -> tuple[int, Any]:
         if sign < 0:
             rest = e.args[1:] if first == 1 else (first, *e.args[1:])
             return -1, rest[0] if len(rest) == 1 else e.func(*rest, evaluate=False)
+        for place, part in enumerate(e.args):
+            if isinstance(part, sp.Mul) and signed(part)[0] < 0:  # a product in the product
+                rest = (*e.args[:place], signed(part)[1], *e.args[place + 1 :])
+                return -1, e.func(*rest, evaluate=False)
     return 1, e
 
 

@@ -22,10 +22,11 @@ A formula's named steps on the way (its `where`) are taken from earlier steps wh
 them, and otherwise put in.
 """
 
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -44,7 +45,8 @@ Unit = str | tuple[str, ...]
 Sides = tuple[Any, Any, tuple[str, ...], Any]
 
 
-class Line(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Line:
     """A formula that belongs to one solution only: its two sides, and the unit of its result.
 
     unit: one for each line where they differ; without it, those of the symbols on the left.
@@ -119,13 +121,13 @@ class Told(NamedTuple):
 
     def shown(self, spec: str = "") -> str:
         """The result."""
-        text = number_text(self.value, spec)
+        text = number_text(self.value, spec) if spec else figures(self.value)
         return text if spec == "deg" else with_unit(text, self.unit)
 
     @property
     def rest(self) -> str:
         """What stands behind the formula: the numbers, unless they are too long, and the result."""
-        known = self.numbers in ("", number_text(self.value, ""))
+        known = self.numbers in ("", figures(self.value))
         return self.shown() if known else f"{self.numbers} = {self.shown()}"
 
 
@@ -180,8 +182,9 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
 
 def in_numbers(e: Any, numbers: dict[sp.Symbol, str], in_degrees: dict[sp.Symbol, str]) -> str:
     """A right side with numbers, or nothing where that would be too long to read."""
-    if not set(free_symbols(e)) <= set(numbers):
-        return ""  # a named step on the way
+    symbols = set(free_symbols(e))
+    if not symbols or not symbols <= set(numbers):
+        return ""  # it has numbers already, or a named step on the way
     text = numbers_text(e, numbers, in_degrees)
     return text if len(text) <= LONGEST else ""
 
@@ -202,10 +205,8 @@ def components(left: Any, right: Any) -> tuple[list[Any], list[Any]]:
 def sides(name: str, step: Step, known: Mapping[str, Any]) -> Sides:
     """Left side, right side as printed, unit of each line, and the right side as computed."""
     formula = formula_of(step, known)
-    if formula is not step.formula:
-        return sides_of(step, formula, frozenset(known))
     named = {str(symbol) for symbol, _ in getattr(formula, "where", ())}
-    return fixed_sides(step, frozenset(named & known.keys()))
+    return sides_of(step, formula, frozenset(named & known.keys()))
 
 
 def formula_of(step: Step, known: Mapping[str, Any]) -> Equation | Line:
@@ -215,12 +216,7 @@ def formula_of(step: Step, known: Mapping[str, Any]) -> Equation | Line:
     return step.formula(**known)
 
 
-@cache
-def fixed_sides(step: Step, known: frozenset[str]) -> Sides:
-    """The sides of a step whose formula is the same for all numbers."""
-    return sides_of(step, step.formula, known)
-
-
+@lru_cache(maxsize=1024)  # a formula that a function gives may be another one each time
 def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
     """The sides of a formula in a step. known: the names of what is known already."""
     left, right = formula.left, sp.sympify(formula.right)
@@ -312,6 +308,14 @@ def letters(
     values: Mapping[sp.Symbol, Any], keys: Mapping[sp.Symbol, str], shown: Mapping[str, str]
 ) -> tuple[dict[sp.Symbol, str], dict[sp.Symbol, str]]:
     """What is put in for symbols: SI numbers, and degrees where the reader was given degrees."""
-    plain = {s: number_text(value, "") for s, value in values.items()}
+    plain = {s: figures(value) for s, value in values.items()}
     degrees = {s: shown[k] for s, k in keys.items() if shown.get(k, "").endswith("°")}
     return plain, degrees
+
+
+def figures(value: Any) -> str:
+    """A number on the way as text: of a small one four digits, so that it can be computed with."""
+    size = abs(value) if isinstance(value, int | float) else 1.0
+    if not 1e-6 < size < 0.01:
+        return number_text(value, "")
+    return number_text(value, f".{3 - math.floor(math.log10(size))}f").rstrip("0")

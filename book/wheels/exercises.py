@@ -257,10 +257,14 @@ def row(alpha=formulas.alpha, beta=formulas.beta):
     return formulas.rolling_row(formulas.l, alpha, beta)
 
 
+def held_by(fixed):
+    """How many ways to move the fixed wheels take away."""
+    return 3 - wheels.mobility(FIXED[fixed]).delta_m
+
+
 def sliding_rank(fixed, **_):
     """How many sliding rows of the fixed wheels are independent."""
-    rank = np.linalg.matrix_rank(wheels.sliding(FIXED[fixed]))
-    return Line(formulas.rank_fixed, Integer(int(rank)))
+    return Line(formulas.rank_fixed, Integer(held_by(fixed)))
 
 
 def steered_rank(steered, **_):
@@ -462,7 +466,7 @@ wheels_5 = Exercise(
     },
     also={
         "when the steered wheels forbid nothing": lambda fixed, steered, free: degrees(
-            3 - np.linalg.matrix_rank(wheels.sliding(FIXED[fixed])),
+            3 - held_by(fixed),
             wheels.mobility(built(fixed, steered, free)).delta_s,
         ),
         "when every steered wheel counts, also one without a choice": lambda **names: degrees(
@@ -520,7 +524,8 @@ wheels_6 = Exercise(
         "The robot's centre moves around the same point:\n\n{centre}\n\nThe rolling row of the "
         "wheel times the robot's velocity is the speed at which it rolls:\n\n{speed}\n\n{rate}"
         "\n\nOr the axle points the other way, half a turn more, and the wheel rolls backward:"
-        "\n\n{beta_2}\n\n{rate_2}\n\nWhole turns more or less are the same angle. So [β, φ̇] is {right}.",
+        "\n\n{beta_2}\n\n{rate_2}\n\nWhole turns more or less are the same angle. So [β, φ̇] is "
+        "{right}.",
         answer=(("beta", "rate"), ("beta_2", "rate_2")),
         to_point=Step(TO_POINT, BY_PLACE),
         beta=Step(AIMED, BY_ALPHA),

@@ -162,8 +162,6 @@ class Exercise:
     example: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        if isinstance(self.solution, str):  # not yet written in steps
-            object.__setattr__(self, "solution", Solution(self.solution))
         twice = set(self.solution.steps) & set(self.given)
         if twice:
             raise CourseError(

@@ -16,7 +16,7 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab test test-long screenshots check notebooks lock bench mutate lowest clean
+.PHONY: book serve lab test test-long measure screenshots check notebooks lock bench mutate lowest clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -56,11 +56,11 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not long and not screenshots" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m "not long and not measure and not screenshots" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not screenshots" tests book
+	$(PYTEST) worksteal -m "not measure and not screenshots" tests book
 	$(PYTEST) loadfile --nbval $(NOTEBOOKS)
 
 check: $(READY)
@@ -71,6 +71,9 @@ check: $(READY)
 
 screenshots: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
+
+measure: $(LIBRARY)/.ready
+	$(UNDER_TEST) $(BIN)/pytest -q -s -m measure tests
 
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)

@@ -6,10 +6,11 @@ are solved for lie in (-π/2, π/2]. Exercise 5; Siegwart, Nourbakhsh & Scaramuz
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from robokin._checks import Array, finite, numbers, positive, quiet, rows
-from robokin.motion import _follow
+from robokin._arrays import vector
+from robokin._checks import Array, ArrayLike, Bools
+from robokin._door import data, door, finite, one_of, positive, steps
+from robokin._paths import METHODS, follow
 
 __all__ = [
     "ackermann",
@@ -24,7 +25,22 @@ __all__ = [
 STEEPEST = 1 / np.finfo(float).eps  # tangents above: within 2.2e-16 rad of a steering of ±π/2
 
 
-@quiet
+def _across(phi: Array) -> Bools:
+    """Where the front wheel stands across, phi = ±π/2, and a driven rear axle cannot roll."""
+    turned_far = np.abs(phi) > 1.5  # no other angle needs its tangent
+    if not np.count_nonzero(turned_far):
+        return turned_far
+    return turned_far & (np.abs(np.tan(phi)) > STEEPEST)
+
+
+def _axle_angle(y: Array, x: Array) -> Array:
+    """The angle in (-π/2, π/2] of the line along (x, y); a line has no front and no back."""
+    sign = np.copysign(1.0, x)
+    angle = np.arctan2(sign * y, sign * x)
+    return np.where(angle <= -np.pi / 2, np.pi / 2, angle)
+
+
+@door(alpha_left=data(), alpha_right=data())
 def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
     """The steering angle of the bicycle that turns like the car: its axle meets theirs.
 
@@ -35,11 +51,11 @@ def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
     >>> round(float(equivalent_steering(np.radians(35), np.radians(29))), 6)
     0.55411
     """
-    _, (left, right) = rows(("alpha_left", alpha_left, ()), ("alpha_right", alpha_right, ()))
-    return _axle_angle(2 * np.sin(left) * np.sin(right), np.sin(left + right))[()]
+    s_left, s_right = np.sin(alpha_left), np.sin(alpha_right)
+    return _axle_angle(2 * s_left * s_right, np.sin(alpha_left + alpha_right))
 
 
-@quiet
+@door(phi=data(), wheelbase=positive(), track=positive())
 def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     """The two front wheels' steering angles that meet the bicycle's turn without slip.
 
@@ -51,28 +67,22 @@ def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     >>> np.degrees(ackermann(np.radians(30), wheelbase=2.5, track=1.5)).round(3)
     array([34.927, 26.202])
     """
-    base, half = positive("wheelbase", wheelbase), 0.5 * positive("track", track)
-    shape, (phi,) = rows(("phi", phi, ()), parameters=(base, half))
-    ahead, across = base * np.cos(phi), np.sin(phi)
-    out = np.empty((*shape, 2))
-    out[..., 0] = _axle_angle(base * across, ahead - half * across)
-    out[..., 1] = _axle_angle(base * across, ahead + half * across)
-    return out
+    forth, across = wheelbase * np.cos(phi), wheelbase * np.sin(phi)
+    half = track / 2 * np.sin(phi)
+    return vector(_axle_angle(across, forth - half), _axle_angle(across, forth + half))
 
 
-@quiet
+@door(phi=data(), wheelbase=positive())
 def turning_radius(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """How far to the left of the rear axle's middle the car turns about; to the right: negative.
 
     phi: (…) in rad; wheelbase: (…) in m, positive → (…) in m, +inf straight ahead.
     Source: exercise 5, tan φ = L/R.
     """
-    base = positive("wheelbase", wheelbase)
-    _, (phi,) = rows(("phi", phi, ()), parameters=(base,))
-    return base / (np.tan(phi) + 0.0)  # + 0.0 makes a zero positive
+    return wheelbase / (np.tan(phi) + 0.0)  # + 0.0 makes a zero positive
 
 
-@quiet
+@door(alpha_left=data(), alpha_right=data(), wheelbase=positive(), track=positive())
 def ackermann_error(
     alpha_left: ArrayLike, alpha_right: ArrayLike, wheelbase: ArrayLike, track: ArrayLike
 ) -> Array:
@@ -83,18 +93,12 @@ def ackermann_error(
     meet nowhere. One straight ahead: +inf (the right one) or −inf (the left one).
     Source: exercise 5; the cotangents' difference is sin(α_L − α_R)/(sin α_L sin α_R).
     """
-    base, track = positive("wheelbase", wheelbase), positive("track", track)
-    shape, (left, right) = rows(
-        ("alpha_left", alpha_left, ()), ("alpha_right", alpha_right, ()), parameters=(base, track)
-    )
-    difference = np.sin(left - right) / np.sin(left) / np.sin(right)
-    out = np.empty(shape)
-    out[...] = difference - track / base
-    out[np.broadcast_to((left == 0) & (right == 0), shape)] = 0.0
-    return out[()]
+    difference = np.sin(alpha_left - alpha_right) / np.sin(alpha_left) / np.sin(alpha_right)
+    straight = (alpha_left == 0) & (alpha_right == 0)
+    return np.where(straight, 0.0, difference - track / wheelbase)
 
 
-@quiet
+@door(v=data(), phi=data(hopeless=_across), wheelbase=positive())
 def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """The car's velocity in its own frame, at the middle of the rear axle.
 
@@ -105,31 +109,28 @@ def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     >>> body_twist(2.0, np.pi / 4, wheelbase=2.5).round(6)
     array([2. , 0. , 0.8])
     """
-    return _twist(v, phi, wheelbase, 0.0)
+    return vector(v, 0, v * np.tan(phi) / wheelbase)
 
 
-@quiet
+@door(v=data(), phi=data(hopeless=_across), wheelbase=positive())
 def front_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """The velocity of the front axle's middle in the body frame: v/cos φ in the direction φ.
 
     v, phi, wheelbase: as in `body_twist` → (…, 3) `[v, v tan φ, omega]`; NaN at phi = ±π/2.
     Source: exercise 5; the rear axle's velocity plus omega times the wheelbase, sideways.
     """
-    return _twist(v, phi, wheelbase, 1.0)
+    v_y = v * np.tan(phi)
+    return vector(v, v_y, v_y / wheelbase)
 
 
-def _twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike, sideways: float) -> Array:
-    base = positive("wheelbase", wheelbase)
-    shape, (v, phi) = rows(("v", v, ()), ("phi", phi, ()), parameters=(base,))
-    tangent = _tangent(phi)
-    out = np.empty((*shape, 3))
-    out[..., 0] = v + 0 * tangent
-    out[..., 1] = sideways * v * tangent + 0.0  # + 0.0 makes a zero positive
-    out[..., 2] = v * tangent / base
-    return out
-
-
-@quiet
+@door(
+    pose=data(3),
+    v=data(steps),
+    phi=data(steps, hopeless=_across),
+    wheelbase=positive(),
+    dt=finite(steps),
+    method=one_of(*METHODS),
+)
 def path(
     pose: ArrayLike,
     v: ArrayLike,
@@ -148,24 +149,5 @@ def path(
            [1.571, 0.   , 0.   ],
            [2.571, 1.   , 1.571]])
     """
-    base, dt = positive("wheelbase", wheelbase)[..., None], np.atleast_1d(finite("dt", dt))
-    v, phi = np.atleast_1d(numbers("v", v), numbers("phi", phi))
-    steps, (v, phi) = rows(("v", v, ()), ("phi", phi, ()), parameters=(base, dt))
     length = v * dt
-    turn = np.broadcast_to(length * _tangent(phi) / base, steps)
-    return _follow(pose, turn.cumsum(-1), turn, length + 0 * turn, method)
-
-
-def _axle_angle(y: Array, x: Array) -> Array:
-    """The angle in (-π/2, π/2] of the line along (x, y); a line has no front and no back."""
-    sign = np.copysign(1.0, x)
-    angle = np.asarray(np.arctan2(sign * y, sign * x))
-    angle[angle <= -np.pi / 2] = np.pi / 2
-    return angle
-
-
-def _tangent(phi: Array) -> Array:
-    """tan φ, NaN at ±π/2."""
-    tangent = np.asarray(np.tan(phi))
-    tangent[np.abs(tangent) > STEEPEST] = np.nan
-    return tangent
+    return follow(pose, length, length * np.tan(phi) / wheelbase, method)

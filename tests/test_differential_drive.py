@@ -167,11 +167,11 @@ def test_a_length_must_be_positive_and_finite(function, bad):
         ),
         (
             lambda: wheel_rates([1, 2], 1, [0.1, 0.1, 0.1], 0.1),
-            r"do not broadcast together: v \(2,\), omega \(\), a parameter \(3,\)",
+            r"do not broadcast together: v \(2,\), wheel_radius \(3,\)$",
         ),
-        (lambda: wheel_rates(1, [1, 2], 0.1, [1, 2, 3]), r"omega \(2,\), a parameter \(3,\)"),
-        (lambda: body_twist([1, 2], 1, 0.1, [1, 2, 3]), r"rate_right \(\), a parameter \(3,\)"),
-        (lambda: body_twist([1, 2], 1, [1, 2, 3], 0.1), r"rate_right \(\), a parameter \(3,\)"),
+        (lambda: wheel_rates(1, [1, 2], 0.1, [1, 2, 3]), r"omega \(2,\), wheel_distance \(3,\)"),
+        (lambda: body_twist([1, 2], 1, 0.1, [1, 2, 3]), r"rate_left \(2,\), wheel_distance \(3,\)"),
+        (lambda: body_twist([1, 2], 1, [1, 2, 3], 0.1), r"rate_left \(2,\), wheel_radius \(3,\)"),
     ],
 )
 def test_bad_input_is_named(call, message):

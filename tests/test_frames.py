@@ -13,7 +13,7 @@ from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
 from support import EPS, NEAR_ZERO, angles, assert_close, reals, vectors
 
-from robokin import frames
+from robokin._rotations import BLOCK
 from robokin.errors import RobokinError
 from robokin.frames import FrameGraph, check_rotation, compose, inverse, se2, se3, transform
 
@@ -407,9 +407,9 @@ def test_what_is_far_from_a_rotation(matrix):
         check_rotation(matrix[:2, :2] + np.array([[0, 0], [0, 1]]))
 
 
-@pytest.mark.parametrize("index", [0, 1, frames.BLOCK - 1, frames.BLOCK, 2 * frames.BLOCK + 7])
+@pytest.mark.parametrize("index", [0, 1, BLOCK - 1, BLOCK, 2 * BLOCK + 7])
 def test_the_first_bad_one_in_a_long_batch_is_found(index):
-    R = np.broadcast_to(np.eye(3), (3 * frames.BLOCK, 3, 3)).copy()
+    R = np.broadcast_to(np.eye(3), (3 * BLOCK, 3, 3)).copy()
     R[index, 0, 1] = 0.25
     R[index + 1 :, 0, 1] = 0.5
     with pytest.raises(RobokinError, match=rf"R at index {index} is not .* off by 0\.25 "):
@@ -417,10 +417,10 @@ def test_the_first_bad_one_in_a_long_batch_is_found(index):
 
 
 def test_the_first_bad_one_in_a_batch_of_two_dimensions_is_found():
-    T = random_se3(5, frames.BLOCK + 3, 4)
-    T[frames.BLOCK + 1, 2] = np.diag([1, 1, -1, 1])
-    T[frames.BLOCK + 2, 0] = np.diag([2, 1, 1, 1])
-    message = rf"T at index {frames.BLOCK + 1}, 2 is not a rotation \(a mirror"
+    T = random_se3(5, BLOCK + 3, 4)
+    T[BLOCK + 1, 2] = np.diag([1, 1, -1, 1])
+    T[BLOCK + 2, 0] = np.diag([2, 1, 1, 1])
+    message = rf"T at index {BLOCK + 1}, 2 is not a rotation \(a mirror"
     with pytest.raises(RobokinError, match=message):
         inverse(T)
 
@@ -582,7 +582,7 @@ def test_what_is_no_matrix_is_refused(bad):
         (lambda: se3(np.eye(3), [1, 2]), r"position must have shape \(…, 3\), got \(2,\)"),
         (lambda: se2("1", 0, 0), "x must be real numbers"),
         (lambda: se2(0, [1, 2], [1, 2, 3]), "broadcast"),
-        (lambda: check_rotation(np.eye(4)), r"R must have shape \(…, 3, 3\), got \(4, 4\)"),
+        (lambda: check_rotation(np.eye(4)), r"R must have .* or \(…, 3, 3\), got \(4, 4\)"),
         (lambda: check_rotation(np.eye(3), tol=0), "tol must be positive and finite, got 0"),
         (lambda: check_rotation(np.eye(3), tol=np.nan), "tol must be positive and finite"),
         (lambda: check_rotation(np.eye(3), tol=[1e-6]), r"tol must be one number, got \[1e-06\]"),

@@ -624,11 +624,11 @@ def test_refused_arguments(call):
 
 def test_lengths_say_what_is_allowed():
     with pytest.raises(
-        RobokinError, match=r"lengths must have shape \(…, n\), one or more, got \(\)"
+        RobokinError, match=r"lengths must have shape \(…, n\), n at least 1, got \(\)"
     ):
         forward([0.1], 0.4)
     with pytest.raises(
-        RobokinError, match=r"lengths must have shape \(…, n\), one or more, got \(0,\)"
+        RobokinError, match=r"lengths must have shape \(…, n\), n at least 1, got \(0,\)"
     ):
         forward([], [])
     for function in (joint_rates, inverse):
@@ -641,7 +641,7 @@ def test_refused_parameters():
     for bad in (-0.1, np.nan, np.inf, "much", None, 1j, [0.1, -0.2]):
         with pytest.raises(RobokinError, match="damping must"):
             joint_rates([0, 1, 2], [0, 1, 2], LENGTHS, damping=bad)
-    with pytest.raises(RobokinError, match=r"damping must be zero or more, got -0\.2 at index 1"):
+    with pytest.raises(RobokinError, match=r"damping must be zero or more.* got -0\.2 at index 1"):
         joint_rates([0, 1, 2], [0, 1, 2], LENGTHS, damping=[0.1, -0.2])
     with pytest.raises(RobokinError, match="broadcast"):
         joint_rates([[0, 1, 2]] * 3, [0, 1, 2], LENGTHS, damping=[0.1, 0.2])

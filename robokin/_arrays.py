@@ -1,0 +1,62 @@
+"""Arrays and their parts: (…, 3) taken apart into x, y, theta, and put together again."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from robokin._checks import Array, ArrayLike
+
+__all__ = ["entries", "matrix", "parts", "rows", "running_sums", "times", "vector"]
+
+
+def parts(array: Array) -> Sequence[Array]:
+    """The numbers along the last axis: x, y, theta = parts(pose)."""
+    if array.ndim == 1:
+        return list(array)
+    return [array[..., i] for i in range(array.shape[-1])]
+
+
+def entries(matrix: Array) -> list[list[Array]]:
+    """The numbers of a matrix, row by row."""
+    rows, columns = map(range, matrix.shape[-2:])
+    return [[matrix[..., i, j][()] for j in columns] for i in rows]
+
+
+def vector(*numbers: ArrayLike) -> Array:
+    """(…, k) from k numbers, each (…) or the same for all; none of them comes out as -0.0."""
+    shape = np.broadcast(*numbers).shape
+    if not shape:
+        return np.array(numbers, dtype=float) + 0.0
+    out = np.empty((*shape, len(numbers)))
+    for i, number in enumerate(numbers):
+        np.add(number, 0.0, out=out[..., i])
+    return out
+
+
+def matrix(rows: Sequence[Sequence[ArrayLike]]) -> Array:
+    """(…, m, n) from m rows of n numbers, as `vector`."""
+    flat = vector(*(number for row in rows for number in row))
+    return flat.reshape(*flat.shape[:-1], len(rows), len(rows[0]))
+
+
+def rows(*vectors: ArrayLike) -> Array:
+    """(…, m, n) from m rows, each (…, n) or one number all along, as `vector`."""
+    *batch, n = np.broadcast(*vectors).shape
+    out = np.empty((*batch, len(vectors), n))
+    for i, row in enumerate(vectors):
+        np.add(row, 0.0, out=out[..., i, :])
+    return out
+
+
+def running_sums(array: Array) -> Array:
+    """cumsum along the last axis, faster where this is short."""
+    out = array.copy()
+    for i in range(1, array.shape[-1]):
+        out[..., i] += out[..., i - 1]
+    return out
+
+
+def times(matrix: Array, vector: Array) -> Array:
+    """(…, m, n) times (…, n): (…, m)."""
+    product: Array = np.vecdot(matrix, vector[..., None, :])
+    return product

@@ -4,15 +4,20 @@ import numpy as np
 
 from robokin._checks import Array
 
-__all__ = ["opposite", "wrapped"]
+__all__ = ["from_minus_pi", "opposite", "wrapped"]
+
+
+def from_minus_pi(angle: Array) -> Array:
+    """An angle in (-3π, π] brought into (-π, π]."""
+    up: Array = angle + 2 * np.pi * (angle <= -np.pi)
+    return up
 
 
 def wrapped(angle: Array) -> Array:
     """An angle in (-3π, 3π] brought into (-π, π]."""
-    down: Array = angle - 2 * np.pi * (angle > np.pi)
-    return down + 2 * np.pi * (down <= -np.pi)
+    return from_minus_pi(angle - 2 * np.pi * (angle > np.pi))
 
 
 def opposite(angle: Array) -> Array:
     """The opposite direction of an angle in (-2π, 2π), in (-π, π]."""
-    return wrapped(angle - np.copysign(np.pi, angle))
+    return from_minus_pi(angle - np.copysign(np.pi, angle))

@@ -11,9 +11,7 @@ __all__ = ["entries", "matrix", "parts", "rows", "running_sums", "times", "vecto
 
 def parts(array: Array) -> Sequence[Array]:
     """The numbers along the last axis: x, y, theta = parts(pose)."""
-    if array.ndim == 1:
-        return list(array)
-    return [array[..., i] for i in range(array.shape[-1])]
+    return list(array) if array.ndim == 1 else [array[..., i] for i in range(array.shape[-1])]
 
 
 def entries(matrix: Array) -> list[list[Array]]:
@@ -24,12 +22,10 @@ def entries(matrix: Array) -> list[list[Array]]:
 
 def vector(*numbers: ArrayLike) -> Array:
     """(…, k) from k numbers, each (…) or the same for all; none of them comes out as -0.0."""
-    shape = np.broadcast(*numbers).shape
-    if not shape:
-        return np.array(numbers, dtype=float) + 0.0
-    out = np.empty((*shape, len(numbers)))
+    out = np.empty((*np.broadcast(*numbers).shape, len(numbers)))
     for i, number in enumerate(numbers):
-        np.add(number, 0.0, out=out[..., i])
+        out[..., i] = number
+    out += 0.0
     return out
 
 
@@ -44,7 +40,8 @@ def rows(*vectors: ArrayLike) -> Array:
     *batch, n = np.broadcast(*vectors).shape
     out = np.empty((*batch, len(vectors), n))
     for i, row in enumerate(vectors):
-        np.add(row, 0.0, out=out[..., i, :])
+        out[..., i, :] = row
+    out += 0.0
     return out
 
 

@@ -34,10 +34,9 @@ class Rule:
     """An argument that is an array: the shape of one item, and what is refused."""
 
     core: tuple[int | str, ...] = ()  # a letter: a size that arguments have in common
-    is_data: bool = False
-    allowed: str = ""
+    good: Callable[[Array], Bools] | None = None  # of data: what is neither NaN nor infinite
     ok: Callable[[Array], Bools] | None = None
-    hopeless: Callable[[Array], Bools] | None = None  # finite data without an answer
+    allowed: str = ""
     rows_ok: Callable[[str, Array], None] | None = None  # a look at data, bad rows all NaN
     per_step: bool = False
 
@@ -45,19 +44,20 @@ class Rule:
         array = numbers(name, value)
         if self.core:
             self.fit(name, array.shape, sizes)
+        elif not array.ndim:
+            array = array[()]  # a number: faster than an array of one
         if self.ok:
             refuse(name, array, self.ok(array), self.allowed)
-        return array if array.ndim or not self.per_step else array.reshape(1)
+        return array.reshape(1) if self.per_step and not array.ndim else array
 
     def fit(self, name: str, shape: Shape, sizes: Sizes) -> None:
         """Refuse a shape that does not end as it must; learn the sizes that are not yet known."""
-        core = [sizes.get(n, n) if isinstance(n, str) else n for n in self.core]
-        last = shape[-len(core) :]
-        known = all(
-            have == want if isinstance(want, int) else have > 0
-            for have, want in zip(last, core, strict=False)
-        )
-        if len(last) < len(core) or not known:
+        last = shape[-len(self.core) :]
+        if last == self.core:
+            return
+        core = tuple(sizes.get(n, n) if isinstance(n, str) else n for n in self.core)
+        pairs = zip(last, core, strict=False)
+        if len(last) < len(core) or any(a != b if isinstance(b, int) else a < 1 for a, b in pairs):
             wanted = ", ".join(["…", *map(str, core)])
             letters = "".join(f", {n} at least 1" for n in core if isinstance(n, str))
             raise RobokinError(f"{name} must have shape ({wanted}){letters}, got {shape}")
@@ -68,15 +68,19 @@ def _rule(core: tuple[int | str, ...], **fields: Any) -> Rule:
     return Rule(tuple(n for n in core if n != steps), per_step=steps in core, **fields)
 
 
-def data(*core: int | str, hopeless: Callable[[Array], Bools] | None = None) -> Rule:
+def data(*core: int | str, good: Callable[[Array], Bools] = np.isfinite) -> Rule:
     """Poses, angles, rates: any numbers, NaN and infinity among them."""
-    return _rule(core, is_data=True, hopeless=hopeless)
+    return _rule(core, good=good)
 
 
 def whole(*core: int | str) -> Rule:
     """Data in whole numbers: ticks."""
     allowed = "whole numbers (NaN where a reading is missing)"
-    return _rule(core, is_data=True, allowed=allowed, ok=_is_whole)
+    return _rule(core, good=np.isfinite, allowed=allowed, ok=_is_whole)
+
+
+def _is_whole(array: Array) -> Bools:
+    return ~(np.abs(array - np.rint(array)) > 0)  # NaN, and infinity less itself, pass
 
 
 def positive(*core: int | str) -> Rule:
@@ -92,10 +96,6 @@ def not_negative(*core: int | str) -> Rule:
 def finite(*core: int | str) -> Rule:
     """A parameter that may be any finite number."""
     return _rule(core, allowed="finite", ok=np.isfinite)
-
-
-def _is_whole(array: Array) -> Bools:
-    return ~(np.abs(array - np.rint(array)) > 0)  # NaN, and infinity less itself, pass
 
 
 def one(rule: Rule) -> Check:
@@ -131,14 +131,14 @@ def door(**rules: Check) -> Callable[[Callable[P, T]], Callable[P, T]]:
         optional = {name for name, default in defaults.items() if default is None}
 
         @wraps(function)
+        @quiet
         def checked(*args: P.args, **kwargs: P.kwargs) -> T:
             given: dict[str, Any] = {**defaults, **dict(zip(names, args, strict=False)), **kwargs}
             twice = kwargs and not kwargs.keys().isdisjoint(names[: len(args)])
             if twice or len(args) > len(names) or given.keys() != accepted:
                 return function(*args, **kwargs)  # Python itself says what is wrong
-            with np.errstate(all="ignore"):
-                bad = admit(given, rules, optional)
-                return cast(T, _finished(cast(Callable[..., T], function)(**given), bad))
+            bad = admit(given, rules, optional)
+            return cast(T, _finished(cast(Callable[..., T], function)(**given), bad))
 
         return checked
 
@@ -170,19 +170,20 @@ def admit(
             given[name] = rule(name, given[name], sizes)
             if isinstance(rule, Rule):
                 arrays[name] = rule
-    by_steps = any(rule.per_step for rule in arrays.values())
-    batches = {}
-    for name, rule in arrays.items():
-        array = given[name]
-        batches[name] = array.shape[: array.ndim - len(rule.core)]
-        if by_steps and not rule.per_step:
-            batches[name] += (1,)
-            array = array if rule.core else array[..., None]
-        given[name] = array if array.ndim else array[()]  # a number: faster than an array of it
-    shape = _broadcast(batches)
-    bad = _spread_nan(given, {n: r for n, r in arrays.items() if r.is_data and not r.per_step})
+    by_steps = any([rule.per_step for rule in arrays.values()])
+    batches = {
+        name: given[name].shape[: given[name].ndim - len(rule.core)]
+        for name, rule in arrays.items()
+    }
     if by_steps:
-        _spread_nan(given, {n: r for n, r in arrays.items() if r.is_data and r.per_step})
+        for name, rule in arrays.items():
+            if not rule.per_step:
+                batches[name] += (1,)
+                given[name] = given[name] if rule.core else given[name][..., None]
+    shape = _broadcast(batches)
+    bad = _spread_nan(given, {n: r for n, r in arrays.items() if not r.per_step})
+    if by_steps:
+        _spread_nan(given, {n: r for n, r in arrays.items() if r.per_step})
     for name, rule in arrays.items():
         if rule.rows_ok:
             rule.rows_ok(name, given[name])
@@ -202,22 +203,19 @@ def _broadcast(batches: Mapping[str, Shape]) -> Shape:
 
 def _spread_nan(given: dict[str, Any], rules: Mapping[str, Rule]) -> Bools | None:
     """Make a row NaN in all data if it is bad in any; the rows, if there are any."""
-    bad = []
-    for name, rule in rules.items():
-        good = np.isfinite(given[name])
-        if rule.hopeless:
-            good &= ~rule.hopeless(given[name])
-        if not every(good):
-            bad.append(~good.all(axis=tuple(range(-len(rule.core), 0))))
-    if not bad:
+    good = {name: rule.good(given[name]) for name, rule in rules.items() if rule.good}
+    if all([every(of) for of in good.values()]):
         return None
-    rows: Bools = reduce(np.logical_or, bad)
-    for name, rule in rules.items():
-        given[name] = _blank(given[name], rows, len(rule.core))
-    return rows
+    axes = {name: len(rules[name].core) for name in good}
+    rows: Any = ~reduce(
+        np.logical_and, (of.all(axis=tuple(range(-axes[name], 0))) for name, of in good.items())
+    )
+    for name in good:
+        given[name] = _blank(given[name], rows, axes[name])
+    return cast(Bools, rows)
 
 
-def _blank(array: Array, rows: Bools, axes: int) -> Array:
+def _blank(array: Any, rows: Bools, axes: int) -> Array:
     """The array with NaN in some rows, of so many axes each."""
     return np.where(rows[(..., *[None] * axes)], np.nan, array)[()]
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from robokin._checks import Array, ArrayLike
+from robokin._checks import Array, ArrayLike, every
 
-__all__ = ["METHODS", "cos_sin_of_sum", "follow", "sinc"]
+__all__ = ["METHODS", "cos_sin_of_sum", "follow", "sinc", "sinc_slope"]
 
 METHODS = ("exact", "midpoint", "start", "end")
 
@@ -17,7 +17,7 @@ def follow(
     pose: (…, 3); length, turn: of each step, (…, N) together; turned: (…, N) since the start,
     where it is known better than by summing the turns.
     """
-    steps = np.broadcast_shapes((*pose.shape[:-1], 1), np.shape(length), np.shape(turn))
+    steps = np.broadcast(pose[..., :1], length, turn).shape
     turn = np.broadcast_to(turn, steps)
     out = np.empty((*steps[:-1], steps[-1] + 1, 3))
     out[..., 0, :] = pose
@@ -39,6 +39,13 @@ def sinc(x: ArrayLike) -> Array:
     """sin(x)/x, 1 at 0: an even function, and 1e-300 is lost in every |x| that is not next to 0."""
     x = np.abs(x) + 1e-300
     return np.sin(x) / x
+
+
+def sinc_slope(x: Array) -> Array:
+    """The derivative of sin(x)/x; near 0, where the plain formula loses digits, by its series."""
+    small, x2 = np.abs(x) < 0.1, x * x
+    slope = -x / 3 * (1 - x2 / 10 * (1 - x2 / 28 * (1 - x2 / 54)))
+    return slope if every(small) else np.where(small, slope, (np.cos(x) - sinc(x)) / x)
 
 
 def cos_sin_of_sum(theta: Array, half: Array) -> tuple[Array, Array]:

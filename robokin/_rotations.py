@@ -97,8 +97,8 @@ def _refuse_no_pose(name: str, T: Array) -> None:
 
 
 # what an argument is, for `door`: rotations in space, poses in the plane or in space
-rotation = Rule((3, 3), is_data=True, rows_ok=refuse_skewed)
-pose = Square((3, 4), is_data=True, rows_ok=_refuse_no_pose)
+rotation = Rule((3, 3), good=np.isfinite, rows_ok=refuse_skewed)
+pose = Square((3, 4), good=np.isfinite, rows_ok=_refuse_no_pose)
 
 
 def poses(transforms: Mapping[str, ArrayLike]) -> list[Array]:

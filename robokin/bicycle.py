@@ -8,7 +8,7 @@ are solved for lie in (-π/2, π/2]. Exercise 5; Siegwart, Nourbakhsh & Scaramuz
 import numpy as np
 
 from robokin._arrays import vector
-from robokin._checks import Array, ArrayLike, Bools
+from robokin._checks import Array, ArrayLike, Bools, every
 from robokin._door import data, door, finite, one_of, positive, steps
 from robokin._paths import METHODS, follow
 
@@ -25,12 +25,10 @@ __all__ = [
 STEEPEST = 1 / np.finfo(float).eps  # tangents above: within 2.2e-16 rad of a steering of ±π/2
 
 
-def _across(phi: Array) -> Bools:
-    """Where the front wheel stands across, phi = ±π/2, and a driven rear axle cannot roll."""
-    turned_far = np.abs(phi) > 1.5  # no other angle needs its tangent
-    if not np.count_nonzero(turned_far):
-        return turned_far
-    return turned_far & (np.abs(np.tan(phi)) > STEEPEST)
+def _can_roll(phi: Array) -> Bools:
+    """Where a driven rear axle can roll: not at phi = ±π/2, the front wheel across."""
+    ahead = np.abs(phi) < 1.5  # most angles: they need no tangent here
+    return ahead if every(ahead) else ahead | (np.abs(np.tan(phi)) <= STEEPEST)
 
 
 def _axle_angle(y: Array, x: Array) -> Array:
@@ -98,7 +96,7 @@ def ackermann_error(
     return np.where(straight, 0.0, difference - track / wheelbase)
 
 
-@door(v=data(), phi=data(hopeless=_across), wheelbase=positive())
+@door(v=data(), phi=data(good=_can_roll), wheelbase=positive())
 def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """The car's velocity in its own frame, at the middle of the rear axle.
 
@@ -112,7 +110,7 @@ def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     return vector(v, 0, v * np.tan(phi) / wheelbase)
 
 
-@door(v=data(), phi=data(hopeless=_across), wheelbase=positive())
+@door(v=data(), phi=data(good=_can_roll), wheelbase=positive())
 def front_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """The velocity of the front axle's middle in the body frame: v/cos φ in the direction φ.
 
@@ -126,7 +124,7 @@ def front_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
 @door(
     pose=data(3),
     v=data(steps),
-    phi=data(steps, hopeless=_across),
+    phi=data(steps, good=_can_roll),
     wheelbase=positive(),
     dt=finite(steps),
     method=one_of(*METHODS),

@@ -209,7 +209,7 @@ class FrameGraph:
             )
 
 
-@door(R=Square((2, 3), is_data=True), tol=one(positive()))
+@door(R=Square((2, 3), good=np.isfinite), tol=one(positive()))
 def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """Refuse what is not a rotation: columns of length 1, at right angles, right-handed.
 

@@ -5,17 +5,19 @@ NaN. Exercise 7; Siegwart, Nourbakhsh & Scaramuzza, section 5.2.4.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robokin._arrays import parts, rows, vector
 from robokin._checks import Array, ArrayLike, Bools, refuse
 from robokin._door import Rule, data, door, not_negative, one_of, positive, steps, whole
-from robokin._paths import METHODS, follow, sinc
+from robokin._paths import METHODS, follow, sinc, sinc_slope
 
 __all__ = ["covariance", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
 
 
 def _is_size(bits: Array) -> Bools:
-    return np.isin(bits, range(1, 53))
+    fits: Bools = (bits == np.rint(bits)) & (bits >= 1) & (bits <= 52)
+    return fits
 
 
 @door(ticks=whole(), ticks_per_turn=positive(), wheel_radius=positive())
@@ -150,10 +152,17 @@ def covariance(
     """
     per_tick = 2 * np.pi * wheel_radius / ticks_per_turn
     length = per_tick * (ticks_right + ticks_left) / 2
-    turn = per_tick / wheel_distance * (ticks_right - ticks_left)
-    place = follow(pose * [0, 0, 1], length, turn, "exact")
+    half = per_tick / wheel_distance * (ticks_right - ticks_left) / 2
+    heading = pose[..., 2:] + 2 * half.cumsum(axis=-1) - half  # in the middle of each step
+    ahead, chord = np.exp(1j * heading), sinc(half)  # x + iy for all that lies in the plane
+    place = (length * chord * ahead).cumsum(axis=-1)
+
+    along = ahead * chord / 2  # what a metre more of a wheel adds, and then what its turn adds:
+    across = ahead * length * (sinc_slope(half) + 1j * chord) / 2 - 1j * place  # at the origin
+    turn = np.array([-1.0, 1.0]) / wheel_distance[..., None]
+    moved = along[..., None] + across[..., None] * turn
+    errors = rows(moved.real, moved.imag, turn)
     rolled = per_tick[..., None] * np.abs(vector(ticks_left, ticks_right))
-    errors = _step_errors(place, turn / 2, length, wheel_distance)
     errors = errors * np.sqrt(noise[..., None] * rolled)[..., None, :]
     return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place)
 
@@ -181,20 +190,6 @@ def umbmark(
     return corrected, (side + bulge) / (side - bulge)
 
 
-def _step_errors(place: Array, half: Array, length: Array, distance: Array) -> Array:
-    """What a metre more of the left and of the right wheel in each step adds: (…, N, 3, 2).
-
-    Added to the pose after the step, and taken back to the origin of `place`.
-    """
-    heading, chord = place[..., :-1, 2] + half, sinc(half)
-    c, s = np.cos(heading)[..., None], np.sin(heading)[..., None]
-    x, y = place[..., 1:, 0:1], place[..., 1:, 1:2]
-    side = np.array([-1.0, 1.0]) / distance[..., None]
-    along = 0.5 * chord[..., None] + side * (0.5 * length * _sinc_slope(half))[..., None]
-    across = side * (0.5 * length * chord)[..., None]
-    return rows(c * along - s * across + y * side, s * along + c * across - x * side, side)
-
-
 def _summed(steps: Array, start: Array | None) -> Array:
     """Covariances (…, N+1, 3, 3) from that of the first pose and what each step adds."""
     start = np.zeros((3, 3)) if start is None else start
@@ -204,16 +199,10 @@ def _summed(steps: Array, start: Array | None) -> Array:
     return np.cumsum(total, axis=-3, out=total)
 
 
-def _carried(total: Array, place: Array) -> Array:
-    """Covariances at the origin, seen from each place."""
-    lever = vector(-place[..., 1], place[..., 0], 0)
+def _carried(total: Array, place: NDArray[np.complex128]) -> Array:
+    """Covariances at the origin, taken from there to the first place, 0, and to those given."""
+    lever = np.zeros((*place.shape[:-1], place.shape[-1] + 1, 3))
+    lever[..., 1:, 0], lever[..., 1:, 1] = -place.imag, place.real
     half_row = total[..., 2:, :] + 0.5 * total[..., 2:, 2:] * lever[..., None, :]
     carried = lever[..., None] * half_row
     return total + (carried + carried.swapaxes(-1, -2))
-
-
-def _sinc_slope(x: Array) -> Array:
-    """The derivative of sin(x)/x; near 0, where the plain formula loses digits, by its series."""
-    x2 = x * x
-    series = -x / 3 * (1 - x2 / 10 * (1 - x2 / 28 * (1 - x2 / 54)))
-    return np.where(np.abs(x) < 0.1, series, (np.cos(x) - sinc(x)) / x)

@@ -353,13 +353,7 @@ def test_almost_across_the_car(gap):
     )
 
 
-def test_empty_batches():
-    empty = np.empty(0)
-    assert equivalent_steering(empty, 0.3).shape == turning_radius(empty, 2.5).shape == (0,)
-    assert ackermann_error(empty, 0.3, 2.5, 1.5).shape == (0,)
-    assert ackermann(empty, 2.5, 1.5).shape == (0, 2)
-    assert body_twist(1.0, empty, 2.5).shape == front_twist(empty, 0.3, 2.5).shape == (0, 3)
-    assert path(np.empty((0, 3)), 1.0, [0.1, 0.2], 2.5, 0.1).shape == (0, 3, 3)
+def test_a_path_of_no_steps():
     np.testing.assert_array_equal(path([1, 2, 3], [], 0.1, 2.5, 0.1), [[1, 2, 3]])
 
 
@@ -398,33 +392,6 @@ def test_empty_batches():
 def test_what_is_refused(call, message):
     with pytest.raises(RobokinError, match=message):
         call()
-
-
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_a_bad_value_spoils_its_own_row_only(bad):
-    good, spoilt = np.array([0.3, 0.2, 0.1]), np.array([0.3, bad, 0.1])
-    for function in (
-        lambda a: equivalent_steering(a, 0.2),
-        lambda a: equivalent_steering(0.2, a),
-        lambda a: ackermann(a, 2.5, 1.5),
-        lambda a: turning_radius(a, 2.5),
-        lambda a: ackermann_error(a, 0.2, 2.5, 1.5),
-        lambda a: ackermann_error(0.0, a, 2.5, 1.5),
-        lambda a: body_twist(a, 0.2, 2.5),
-        lambda a: body_twist(1.0, a, 2.5),
-        lambda a: front_twist(a, 0.2, 2.5),
-        lambda a: front_twist(1.0, a, 2.5),
-        lambda a: path(np.stack([a, a, a], axis=-1), 1.0, 0.2, 2.5, [0.1, 0.2]),
-    ):
-        result, wanted = function(spoilt), function(good)
-        assert np.isnan(result[1]).all()
-        np.testing.assert_array_equal(result[[0, 2]], wanted[[0, 2]])
-    for method in METHODS:
-        for v, phi in [(spoilt, good), (good, spoilt)]:
-            along = path([0, 0, 0], v, phi, 2.5, 0.1, method)
-            wanted = path([0, 0, 0], good, good, 2.5, 0.1, method)
-            np.testing.assert_array_equal(along[:2], wanted[:2])
-            assert np.isnan(along[2:]).all()
 
 
 # Independent oracles

@@ -11,15 +11,16 @@ from robokin._door import Rule, Sizes, admit
 from robokin.errors import RobokinError
 
 __all__ = [
+    "A_PLANAR_POSE",
+    "A_POSE",
+    "A_ROTATION",
     "TOLERANCE",
     "Square",
     "parts_of",
-    "pose",
     "pose_of",
     "poses",
     "product",
     "refuse_skewed",
-    "rotation",
 ]
 
 TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
@@ -97,8 +98,9 @@ def _refuse_no_pose(name: str, T: Array) -> None:
 
 
 # what an argument is, for `door`: rotations in space, poses in the plane or in space
-rotation = Rule((3, 3), good=np.isfinite, rows_ok=refuse_skewed)
-pose = Square((3, 4), good=np.isfinite, rows_ok=_refuse_no_pose)
+A_ROTATION = Rule((3, 3), good=np.isfinite, rows_ok=refuse_skewed)
+A_POSE = Square((3, 4), good=np.isfinite, rows_ok=_refuse_no_pose)
+A_PLANAR_POSE = Rule((3, 3), good=np.isfinite, rows_ok=_refuse_no_pose)
 
 
 def poses(transforms: Mapping[str, ArrayLike]) -> list[Array]:
@@ -109,7 +111,7 @@ def poses(transforms: Mapping[str, ArrayLike]) -> list[Array]:
     for b, other in others:
         if kind and other and kind != other:
             raise RobokinError(f"SE(2) and SE(3) do not mix: {a} is {kind}, {b} is {other}")
-    admit(given, dict.fromkeys(given, pose))
+    admit(given, dict.fromkeys(given, A_POSE))
     return list(given.values())
 
 

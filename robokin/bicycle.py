@@ -16,8 +16,10 @@ __all__ = [
     "ackermann",
     "ackermann_error",
     "body_twist",
+    "corner_cut",
     "equivalent_steering",
     "front_twist",
+    "lane_width",
     "path",
     "turning_radius",
 ]
@@ -78,6 +80,37 @@ def turning_radius(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     Source: exercise 5, tan φ = L/R.
     """
     return wheelbase / (np.tan(phi) + 0.0)  # + 0.0 makes a zero positive
+
+
+@door(phi=data(), wheelbase=positive())
+def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
+    """How far inside the front axle's circle the rear axle runs: the difference of their radii.
+
+    phi: (…) in rad; wheelbase: (…) in m, positive → (…) in m; 0 straight ahead, the whole
+    wheelbase at phi = ±π/2. Source: exercise 5, √(R² + L²) − |R|, which is L tan(|φ|/2).
+
+    >>> round(float(corner_cut(np.radians(30), wheelbase=7.0)), 3)
+    1.876
+    """
+    return wheelbase * np.abs(np.sin(phi)) / (1 + np.abs(np.cos(phi)))
+
+
+@door(phi=data(), wheelbase=positive(), track=positive())
+def lane_width(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
+    """How wide a lane the wheels need: from the inner rear wheel's circle to the outer front one's.
+
+    phi: (…) in rad; wheelbase, track: (…) in m, positive → (…) in m; the track straight ahead.
+    Where the turn is tighter than half the track, its centre lies under the car: there is no lane
+    but a disc, and this is its radius.
+    Source: exercise 5, √((|R| + l/2)² + L²) − (|R| − l/2), with no difference of large radii.
+
+    >>> round(float(lane_width(np.radians(30), wheelbase=7.0, track=1.5)), 2)
+    3.28
+    """
+    outer = np.abs(wheelbase / np.tan(phi)) + track / 2
+    reach = np.hypot(outer, wheelbase)
+    width: Array = np.minimum(outer, track) + wheelbase * (wheelbase / (reach + outer))
+    return width
 
 
 @door(alpha_left=data(), alpha_right=data(), wheelbase=positive(), track=positive())

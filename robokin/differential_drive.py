@@ -3,11 +3,13 @@
 Wheels in the order left, right. Exercise 4; Siegwart, Nourbakhsh & Scaramuzza, chapter 3.
 """
 
+import numpy as np
+
 from robokin._arrays import vector
 from robokin._checks import Array, ArrayLike
 from robokin._door import data, door, positive
 
-__all__ = ["body_twist", "wheel_rates"]
+__all__ = ["body_twist", "turning_radius", "wheel_rates"]
 
 
 @door(rate_left=data(), rate_right=data(), wheel_radius=positive(), wheel_distance=positive())
@@ -26,6 +28,21 @@ def body_twist(
     v = wheel_radius * (rate_right + rate_left) / 2
     omega = wheel_radius * (rate_right - rate_left) / wheel_distance
     return vector(v, 0, omega)
+
+
+@door(rate_left=data(), rate_right=data(), wheel_distance=positive())
+def turning_radius(rate_left: ArrayLike, rate_right: ArrayLike, wheel_distance: ArrayLike) -> Array:
+    """How far to the left of the robot the centre of its turn lies; to the right: negative.
+
+    rate_left, rate_right: (…) in rad/s, or the wheels' speeds in m/s; wheel_distance: (…) in m,
+    positive → (…) in m, +inf straight ahead, NaN standing still.
+    Source: exercise 5, R = b/2 (v_R + v_L)/(v_R − v_L).
+
+    >>> round(float(turning_radius(5 / 3, 10 / 3, wheel_distance=0.1)), 6)
+    0.15
+    """
+    radius = wheel_distance / 2 * ((rate_right + rate_left) / (rate_right - rate_left))
+    return np.where(np.isinf(radius), np.inf, radius)
 
 
 @door(v=data(), omega=data(), wheel_radius=positive(), wheel_distance=positive())

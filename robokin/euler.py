@@ -21,10 +21,10 @@ from robokin._angles import opposite, wrapped
 from robokin._arrays import entries, matrix, parts, vector
 from robokin._checks import Array, ArrayLike, Bools, every, shown
 from robokin._door import Sizes, data, door, inside, positive
-from robokin._rotations import rotation
+from robokin._rotations import A_ROTATION
 from robokin.errors import RobokinError
 
-__all__ = ["axis_angle", "from_matrix", "is_locked", "solutions", "steps", "to_matrix"]
+__all__ = ["about", "axis_angle", "from_matrix", "is_locked", "solutions", "steps", "to_matrix"]
 
 LOCK = 1e-15  # a zero as rounding leaves it in a rotation matrix
 MADE = np.tri(4, 3, -1)  # row n: 1 for the first n turns
@@ -96,7 +96,7 @@ def to_matrix(seq: str, angles: ArrayLike) -> Array:
     return matrix([[M[(m, n) if intrinsic else (n, m)] for n in range(3)] for m in range(3)])
 
 
-@door(seq=_three_letters, R=rotation)
+@door(seq=_three_letters, R=A_ROTATION)
 def from_matrix(seq: str, R: ArrayLike) -> Array:
     """The angles of a sequence that make a rotation; of the two answers the one in SciPy's range.
 
@@ -122,7 +122,7 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
     return vector(*(np.arctan2(y + 0.0, x) for y, x in ((sine, cosine), middle, (w, u + 0.0))))
 
 
-@door(seq=_three_letters, R=rotation)
+@door(seq=_three_letters, R=A_ROTATION)
 def solutions(seq: str, R: ArrayLike) -> Array:
     """Both answers of a sequence: `from_matrix`, and the one with the first axis turned round.
 
@@ -139,7 +139,7 @@ def solutions(seq: str, R: ArrayLike) -> Array:
     return matrix([[a, b, c], [opposite(a), middle, opposite(c)]])
 
 
-@door(seq=_three_letters, R=rotation, tol=positive())
+@door(seq=_three_letters, R=A_ROTATION, tol=positive())
 def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
     """Whether a rotation is at gimbal lock for a sequence, or near it as a person sees it.
 
@@ -165,7 +165,31 @@ def steps(seq: str, angles: ArrayLike) -> Array:
     return inside(to_matrix)(seq, angles[..., None, :] * MADE[: k + 1, :k])
 
 
-@door(R=rotation)
+@door(axis=data(3), angle=data())
+def about(axis: ArrayLike, angle: ArrayLike) -> Array:
+    """The rotation about an axis by an angle: the inverse of `axis_angle`.
+
+    axis: (…, 3) of any length but 0 (NaN there); angle: (…) in rad → (…, 3, 3).
+    Source: Rodrigues' formula, cos ϑ I + (1 − cos ϑ) n nᵀ + sin ϑ [n]×.
+
+    >>> about([1, 1, 1], 2 * np.pi / 3).round(6) + 0.0
+    array([[0., 0., 1.],
+           [1., 0., 0.],
+           [0., 1., 0.]])
+    """
+    n = axis / np.abs(axis).max(axis=-1, keepdims=True)  # so that no square overflows or vanishes
+    x, y, z = parts(n / np.sqrt(np.vecdot(n, n))[..., None])
+    c, s, rest = np.cos(angle), np.sin(angle), 2 * np.sin(angle / 2) ** 2  # 1 - c, with its digits
+    return matrix(
+        [
+            [c + rest * x * x, rest * x * y - s * z, rest * x * z + s * y],
+            [rest * y * x + s * z, c + rest * y * y, rest * y * z - s * x],
+            [rest * z * x - s * y, rest * z * y + s * x, c + rest * z * z],
+        ]
+    )
+
+
+@door(R=A_ROTATION)
 def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
     """The one axis and angle that make the same rotation.
 

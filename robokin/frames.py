@@ -11,23 +11,35 @@ from itertools import pairwise
 
 import numpy as np
 
-from robokin._arrays import matrix, times
+from robokin._angles import from_minus_pi
+from robokin._arrays import entries, matrix, times, vector
 from robokin._checks import Array, ArrayLike, Shape, at, first, shown
 from robokin._door import data, door, one, positive, quiet
 from robokin._rotations import (
+    A_PLANAR_POSE,
+    A_POSE,
+    A_ROTATION,
     TOLERANCE,
     Square,
     parts_of,
-    pose,
     pose_of,
     poses,
     product,
     refuse_skewed,
-    rotation,
 )
 from robokin.errors import RobokinError
 
-__all__ = ["FrameGraph", "check_rotation", "compose", "inverse", "se2", "se3", "transform"]
+__all__ = [
+    "FrameGraph",
+    "check_rotation",
+    "compose",
+    "dh",
+    "inverse",
+    "pose",
+    "se2",
+    "se3",
+    "transform",
+]
 
 
 @door(x=data(), y=data(), theta=data())
@@ -45,7 +57,7 @@ def se2(x: ArrayLike, y: ArrayLike, theta: ArrayLike) -> Array:
     return matrix([[c, -s, x], [s, c, y], [0, 0, 1]])
 
 
-@door(rotation=rotation, position=data(3))
+@door(rotation=A_ROTATION, position=data(3))
 def se3(rotation: ArrayLike, position: ArrayLike) -> Array:
     """The matrix of a pose in space.
 
@@ -55,7 +67,46 @@ def se3(rotation: ArrayLike, position: ArrayLike) -> Array:
     return pose_of(rotation, position)
 
 
-@door(T=pose)
+@door(T=A_PLANAR_POSE)
+def pose(T: ArrayLike) -> Array:
+    """Place and heading of a matrix in the plane: the inverse of `se2`.
+
+    T: (…, 3, 3) → (…, 3) `[x, y, theta]` in m, m, rad, theta in (-π, π]. A matrix that is not a
+    pose is refused.
+
+    >>> pose(se2(1.0, 2.0, 0.5))
+    array([1. , 2. , 0.5])
+    """
+    (c, _, x), (s, _, y), _ = entries(T)
+    return vector(x, y, from_minus_pi(np.arctan2(s + 0.0, c)))
+
+
+@door(theta=data(), d=data(), a=data(), alpha=data())
+def dh(theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike) -> Array:
+    """The pose of a joint's frame seen from the one before, by Denavit and Hartenberg's numbers.
+
+    A turn theta about z and a shift d along it, then a shift a along the new x and a turn alpha
+    about it. theta, alpha: (…) in rad; d, a: (…) in m → (…, 4, 4).
+    Source: exercise 1; Spong, Hutchinson & Vidyasagar, section 3.2.
+
+    >>> dh(0.0, 0.1, 0.4, np.pi / 2).round(6)
+    array([[ 1. ,  0. ,  0. ,  0.4],
+           [ 0. ,  0. , -1. ,  0. ],
+           [ 0. ,  1. ,  0. ,  0.1],
+           [ 0. ,  0. ,  0. ,  1. ]])
+    """
+    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return matrix(
+        [
+            [c, -s * ca, s * sa, a * c],
+            [s, c * ca, -c * sa, a * s],
+            [0, sa, ca, d],
+            [0, 0, 0, 1],
+        ]
+    )
+
+
+@door(T=A_POSE)
 def inverse(T: ArrayLike) -> Array:
     """The same pose seen from the other end: T_ba from T_ab.
 
@@ -92,7 +143,7 @@ def compose(*transforms: ArrayLike) -> Array:
     return product(poses({f"transforms[{n}]": T for n, T in enumerate(transforms)}))
 
 
-@door(T=pose, points=data("n"))
+@door(T=A_POSE, points=data("n"))
 def transform(T: ArrayLike, points: ArrayLike) -> Array:
     """Points of frame b as seen from frame a: p_a from T_ab and p_b.
 

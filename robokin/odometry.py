@@ -7,12 +7,14 @@ NaN. Exercise 7; Siegwart, Nourbakhsh & Scaramuzza, section 5.2.4.
 import numpy as np
 from numpy.typing import NDArray
 
-from robokin._arrays import parts, rows, vector
+from robokin._arrays import entries, matrix, parts, rows, vector
 from robokin._checks import Array, ArrayLike, Bools, refuse
 from robokin._door import Rule, data, door, not_negative, one_of, positive, steps, whole
 from robokin._paths import METHODS, follow, sinc, sinc_slope
+from robokin._rotations import Square
 
-__all__ = ["covariance", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
+__all__ = ["covariance", "ellipse", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
+ROUNDING = 1e-12  # of the products of variances, in a determinant that should be 0
 
 
 def _is_size(bits: Array) -> Bools:
@@ -165,6 +167,28 @@ def covariance(
     rolled = per_tick[..., None] * np.abs(vector(ticks_left, ticks_right))
     errors = errors * np.sqrt(noise[..., None] * rolled)[..., None, :]
     return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place)
+
+
+@door(covariance=Square((2, 3), good=np.isfinite))
+def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
+    """The error ellipse of a position: how uncertain it is, and in which direction.
+
+    covariance: (…, 3, 3) as from `covariance`, or (…, 2, 2) of x and y in m² → half-axes (…, 2) in
+    m, the standard deviations along the axes, the larger first, and the axes' directions as
+    columns (…, 2, 2), the second a quarter turn from the first. NaN for what is no covariance.
+    Source: the eigenvalues and -vectors of a symmetric 2 × 2 matrix.
+
+    >>> ellipse([[0.05, 0.03], [0.03, 0.05]])[0].round(6)
+    array([0.282843, 0.141421])
+    """
+    (xx, xy, *_), (_, yy, *_), *_ = entries(covariance)
+    large = np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
+    det = xx * yy - xy * xy  # rounding can make a line's a little less than 0
+    det = np.where((det < 0) & (det > -ROUNDING * (xx * yy)), 0.0, det)
+    small = np.where(large > 0, np.sqrt(det) / large, large)
+    angle = np.arctan2(2 * xy, xx - yy) / 2
+    c, s = np.cos(angle), np.sin(angle)
+    return vector(large, small), matrix([[c, -s], [s, c]])
 
 
 @door(ends_cw=data("n", 2), ends_ccw=data("m", 2), side=positive(), wheel_distance=positive())

@@ -156,6 +156,8 @@ TABLE = {
     "motion.icr": row([(2,)], pose=data(POSE), v=data(0.5), omega=data(0.2)),
     "frames.se2": row([(3, 3)], x=data(1.0), y=data(2.0), theta=data(0.3)),
     "frames.se3": row([(4, 4)], rotation=matrix(TURNED), position=data(POINT)),
+    "frames.pose": row([(3,)], T=matrix(SE2)),
+    "frames.dh": row([(4, 4)], theta=data(0.3), d=data(0.1), a=data(0.4), alpha=data(-0.7)),
     "frames.inverse": row([(3, 3)], T=matrix(SE2)),
     "frames.inverse in space": row([(4, 4)], T=matrix(SE3)),
     "frames.compose": row([(3, 3)], first=matrix(SE2), second=matrix(SE2)),
@@ -171,6 +173,7 @@ TABLE = {
     "euler.solutions": row([(2, 3)], seq=SEQ, R=matrix(TURNED)),
     "euler.is_locked": row([()], seq=SEQ, R=matrix(TURNED), tol=length(1e-9)),
     "euler.steps": row([(4, 3, 3)], seq=SEQ, angles=data(ANGLES)),
+    "euler.about": row([(3, 3)], axis=data(POINT), angle=data(0.3)),
     "euler.axis_angle": row([(3,), ()], R=matrix(TURNED)),
     "elbow_arm.forward": row([(3,)], theta=data(ANGLES), **LINKS),
     "elbow_arm.inverse": row([(4, 3)], p=data(POINT), **LINKS, unreachable=RAISE_OR_NAN),
@@ -181,10 +184,15 @@ TABLE = {
     "differential_drive.body_twist": row(
         [(3,)], rate_left=data(1.0), rate_right=data(2.0), **WHEELS
     ),
+    "differential_drive.turning_radius": row(
+        [()], rate_left=data(1.0), rate_right=data(2.0), wheel_distance=length(0.1)
+    ),
     "differential_drive.wheel_rates": row([(2,)], v=data(0.5), omega=data(0.2), **WHEELS),
     "bicycle.equivalent_steering": row([()], alpha_left=data(0.3), alpha_right=data(0.2)),
     "bicycle.ackermann": row([(2,)], phi=data(0.3), **CAR),
     "bicycle.turning_radius": row([()], phi=data(0.3), wheelbase=length(2.5)),
+    "bicycle.corner_cut": row([()], phi=data(0.3), wheelbase=length(2.5)),
+    "bicycle.lane_width": row([()], phi=data(0.3), **CAR),
     "bicycle.ackermann_error": row([()], alpha_left=data(0.3), alpha_right=data(0.2), **CAR),
     "bicycle.body_twist": row([(3,)], v=data(1.0), phi=data(0.3), wheelbase=length(2.5)),
     "bicycle.front_twist": row([(3,)], v=data(1.0), phi=data(0.3), wheelbase=length(2.5)),
@@ -243,6 +251,7 @@ TABLE = {
         pose=data(POSE),
         start=data([[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.2]]),
     ),
+    "odometry.ellipse": row([(2,), (2, 2)], covariance=data([[0.5, 0.3], [0.3, 0.4]])),
     "odometry.umbmark": row(
         [(), ()],
         ends_cw=data([[0.1, 0.2], [0.2, 0.1], [0.1, 0.3]]),

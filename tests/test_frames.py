@@ -11,11 +11,21 @@ import scipy.linalg
 from hypothesis import given
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
-from support import EPS, NEAR_ZERO, angles, assert_close, reals, vectors
+from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, reals, vectors
 
 from robokin._rotations import BLOCK
 from robokin.errors import RobokinError
-from robokin.frames import FrameGraph, check_rotation, compose, inverse, se2, se3, transform
+from robokin.frames import (
+    FrameGraph,
+    check_rotation,
+    compose,
+    dh,
+    inverse,
+    pose,
+    se2,
+    se3,
+    transform,
+)
 
 mpmath.mp.dps = 50
 
@@ -157,6 +167,22 @@ def test_the_graph_finds_the_pose_between_any_two_frames_of_a_tree(tree):
         assert path == graph.path(f"f{b}", f"f{a}")[::-1]
 
 
+@given(reals(-10, 10), reals(-10, 10), angles)
+def test_the_pose_of_a_matrix_is_what_it_was_made_of(x, y, theta):
+    there = pose(se2(x, y, theta))
+    assert (there[0], there[1]) == (x, y)
+    assert_angles(there[2], theta, atol=4 * EPS)
+    assert -np.pi < there[2] <= np.pi
+
+
+@given(angles, reals(-3, 3), reals(-3, 3), angles)
+def test_a_joint_s_frame_is_two_screws_one_after_the_other(theta, d, a, alpha):
+    along_z = se3(Rotation.from_rotvec([0, 0, theta]).as_matrix(), [0, 0, d])
+    along_x = se3(Rotation.from_rotvec([alpha, 0, 0]).as_matrix(), [a, 0, 0])
+    assert_close(dh(theta, d, a, alpha), compose(along_z, along_x), atol=8 * EPS * 3)
+    check_rotation(dh(theta, d, a, alpha)[:3, :3], tol=8 * EPS)
+
+
 # The numbers of the hand solution
 
 
@@ -231,6 +257,12 @@ def test_hand_numbers_of_points():
     # turned by 90° and moved by (1, 2): the point one metre ahead is one metre to the left
     T = se2(1, 2, np.pi / 2)
     assert_close(transform(T, [[0, 0], [1, 0], [0, 1]]), [[1, 2], [1, 3], [0, 2]], atol=2 * EPS)
+
+
+def test_the_elbow_arm_stretched_upwards_by_its_joints():
+    # d1 = 0.1 and a quarter turn of the axis, then 0.4 and 0.3: from the base to the wrist
+    arm = compose(dh(0, 0.1, 0, np.pi / 2), dh(np.pi / 2, 0, 0.4, 0), dh(0, 0, 0.3, 0))
+    assert_close(arm[:3, 3], [0, 0, 0.8], atol=4 * EPS)
 
 
 # Singular and boundary cases
@@ -501,6 +533,13 @@ def test_batches_in_a_graph():
     ):
         graph.add("c", "d", random_se3(3, 5))
     assert graph.frames == ["a", "b", "c"]
+
+
+def test_a_heading_of_half_a_turn_is_pi():
+    np.testing.assert_array_equal(pose([[-1, -0.0, 1], [-0.0, -1, 2], [0, 0, 1]]), [1, 2, np.pi])
+    np.testing.assert_array_equal(pose([[-1, 1e-20, 0], [-1e-20, -1, 0], [0, 0, 1]])[2], np.pi)
+    with pytest.raises(RobokinError, match="T is not a rotation"):
+        pose(np.diag([1, 2, 1]))
 
 
 # Errors

@@ -4,8 +4,6 @@ import numpy as np
 
 from robokin._checks import Array
 
-__all__ = ["from_minus_pi", "opposite", "wrapped"]
-
 
 def from_minus_pi(angle: Array) -> Array:
     """An angle in (-3π, π] brought into (-π, π]."""

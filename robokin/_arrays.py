@@ -6,8 +6,6 @@ import numpy as np
 
 from robokin._checks import Array, ArrayLike
 
-__all__ = ["entries", "matrix", "parts", "rows", "running_sums", "times", "vector"]
-
 
 def parts(array: Array) -> Sequence[Array]:
     """The numbers along the last axis: x, y, theta = parts(pose)."""

@@ -8,19 +8,6 @@ from numpy.typing import NDArray
 
 from robokin.errors import RobokinError
 
-__all__ = [
-    "Array",
-    "ArrayLike",
-    "Bools",
-    "Shape",
-    "at",
-    "every",
-    "first",
-    "numbers",
-    "refuse",
-    "shown",
-]
-
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Shape = tuple[int, ...]

@@ -171,10 +171,7 @@ def admit(
             if isinstance(rule, Rule):
                 arrays[name] = rule
     by_steps = any([rule.per_step for rule in arrays.values()])
-    batches = {
-        name: given[name].shape[: given[name].ndim - len(rule.core)]
-        for name, rule in arrays.items()
-    }
+    batches = {n: given[n].shape[: given[n].ndim - len(r.core)] for n, r in arrays.items()}
     if by_steps:
         for name, rule in arrays.items():
             if not rule.per_step:
@@ -206,12 +203,10 @@ def _spread_nan(given: dict[str, Any], rules: Mapping[str, Rule]) -> Bools | Non
     good = {name: rule.good(given[name]) for name, rule in rules.items() if rule.good}
     if all([every(of) for of in good.values()]):
         return None
-    axes = {name: len(rules[name].core) for name in good}
-    rows: Any = ~reduce(
-        np.logical_and, (of.all(axis=tuple(range(-axes[name], 0))) for name, of in good.items())
-    )
+    axes = {name: tuple(range(-len(rules[name].core), 0)) for name in good}
+    rows: Any = ~reduce(np.logical_and, (of.all(axis=axes[name]) for name, of in good.items()))
     for name in good:
-        given[name] = _blank(given[name], rows, axes[name])
+        given[name] = _blank(given[name], rows, len(axes[name]))
     return cast(Bools, rows)
 
 

@@ -4,8 +4,6 @@ import numpy as np
 
 from robokin._checks import Array, ArrayLike, every
 
-__all__ = ["METHODS", "cos_sin_of_sum", "follow", "sinc", "sinc_slope"]
-
 METHODS = ("exact", "midpoint", "start", "end")
 
 

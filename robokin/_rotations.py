@@ -10,19 +10,6 @@ from robokin._checks import Array, ArrayLike, Shape, at, first, numbers
 from robokin._door import Rule, Sizes, admit
 from robokin.errors import RobokinError
 
-__all__ = [
-    "A_PLANAR_POSE",
-    "A_POSE",
-    "A_ROTATION",
-    "TOLERANCE",
-    "Square",
-    "parts_of",
-    "pose_of",
-    "poses",
-    "product",
-    "refuse_skewed",
-]
-
 TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
 KINDS: dict[Shape, str] = {(3, 3): "SE(2)", (4, 4): "SE(3)"}
 BLOCK = 4000  # matrices looked at together: few enough to stay in the processor's cache

@@ -5,8 +5,6 @@ import numpy as np
 from robokin._checks import Array, Bools, at, first
 from robokin.errors import UnreachableError
 
-__all__ = ["out_of_reach", "triangle"]
-
 TOLERANCE = 1e-12  # a wrist that rounding put outside the shell, in parts of both links together
 
 

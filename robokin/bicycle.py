@@ -92,7 +92,8 @@ def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     >>> round(float(corner_cut(np.radians(30), wheelbase=7.0)), 3)
     1.876
     """
-    return wheelbase * np.abs(np.sin(phi)) / (1 + np.abs(np.cos(phi)))
+    cut: Array = wheelbase * np.abs(np.sin(phi)) / (1 + np.abs(np.cos(phi)))
+    return cut
 
 
 @door(phi=data(), wheelbase=positive(), track=positive())

@@ -11,11 +11,6 @@ def from_minus_pi(angle: Array) -> Array:
     return up
 
 
-def wrapped(angle: Array) -> Array:
-    """An angle in (-3π, 3π] brought into (-π, π]."""
-    return from_minus_pi(angle - 2 * np.pi * (angle > np.pi))
-
-
 def opposite(angle: Array) -> Array:
     """The opposite direction of an angle in (-2π, 2π), in (-π, π]."""
     return from_minus_pi(angle - np.copysign(np.pi, angle))

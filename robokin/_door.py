@@ -80,7 +80,8 @@ def whole(*core: int | str) -> Rule:
 
 
 def _is_whole(array: Array) -> Bools:
-    return ~(np.abs(array - np.rint(array)) > 0)  # NaN, and infinity less itself, pass
+    same: Bools = np.rint(array) == array
+    return same if every(same) else same | np.isnan(array)
 
 
 def positive(*core: int | str) -> Rule:
@@ -164,27 +165,25 @@ def admit(
     Where there are bad rows they are returned; bad steps are not, for NaN finds its own way there.
     """
     sizes: Sizes = {}
-    arrays: dict[str, Rule] = {}
+    rows: dict[str, Rule] = {}
+    stepped: dict[str, Rule] = {}
+    batches: dict[str, Shape] = {}
     for name, rule in rules.items():
         if given[name] is not None or name not in optional:
-            given[name] = rule(name, given[name], sizes)
+            array = given[name] = rule(name, given[name], sizes)
             if isinstance(rule, Rule):
-                arrays[name] = rule
-    by_steps = any([rule.per_step for rule in arrays.values()])
-    batches = {n: given[n].shape[: given[n].ndim - len(r.core)] for n, r in arrays.items()}
-    if by_steps:
-        for name, rule in arrays.items():
-            if not rule.per_step:
-                batches[name] += (1,)
-                given[name] = given[name] if rule.core else given[name][..., None]
+                (stepped if rule.per_step else rows)[name] = rule
+                batches[name] = array.shape[: array.ndim - len(rule.core)]
+    for name in rows if stepped else ():
+        batches[name] += (1,)
+        given[name] = given[name] if rows[name].core else given[name][..., None]
     shape = _broadcast(batches)
-    bad = _spread_nan(given, {n: r for n, r in arrays.items() if not r.per_step})
-    if by_steps:
-        _spread_nan(given, {n: r for n, r in arrays.items() if r.per_step})
-    for name, rule in arrays.items():
+    bad = _spread_nan(given, rows)
+    _spread_nan(given, stepped)
+    for name, rule in rows.items():
         if rule.rows_ok:
             rule.rows_ok(name, given[name])
-    return None if bad is None else np.broadcast_to(bad, shape[:-1] if by_steps else shape)
+    return None if bad is None else np.broadcast_to(bad, shape[:-1] if stepped else shape)
 
 
 def _broadcast(batches: Mapping[str, Shape]) -> Shape:

@@ -8,7 +8,7 @@ raise it. Exercise 1; Spong, Hutchinson & Vidyasagar, Robot Modeling and Control
 
 import numpy as np
 
-from robokin._angles import from_minus_pi, opposite, wrapped
+from robokin._angles import from_minus_pi, opposite
 from robokin._arrays import matrix, parts, vector
 from robokin._checks import Array, ArrayLike, Bools
 from robokin._door import data, door, finite, one_of, positive
@@ -79,17 +79,17 @@ def inverse(
     array([ 0.      ,  1.570796, -1.570796])
     """
     x, y, z = parts(p)
-    h = z - d1
-    d = np.sqrt(x * x + y * y + h * h)
+    h, r_squared = z - d1, x * x + y * y
+    d = np.sqrt(r_squared + h * h)
     outside = out_of_reach("p", d, a2, a3, unreachable)
     lift, elbow = triangle(d, a2, a3)
-    rise = np.arctan2(h, np.sqrt(x * x + y * y))
+    rise = np.arctan2(h, np.sqrt(r_squared))
     up, down = rise + lift, rise - lift
     facing = from_minus_pi(np.arctan2(y + 0.0, x + 0.0))  # + 0.0 turns -0.0 into 0.0
     away = opposite(facing)  # the same arm seen from behind: π - theta2 and -theta3
     out = matrix(
         [
-            [facing, wrapped(up), -elbow],
+            [facing, up - 2 * np.pi * (up > np.pi), -elbow],
             [facing, from_minus_pi(down), elbow],
             [away, opposite(-up), elbow],
             [away, opposite(-down), -elbow],

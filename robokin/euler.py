@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from robokin._angles import opposite, wrapped
+from robokin._angles import from_minus_pi, opposite
 from robokin._arrays import entries, matrix, parts, vector
 from robokin._checks import Array, ArrayLike, Bools, every, shown
 from robokin._door import Sizes, data, door, inside, positive
@@ -135,7 +135,7 @@ def solutions(seq: str, R: ArrayLike) -> Array:
            [ 1.570796,  3.141593,  1.570796]])
     """
     a, b, c = parts(inside(from_matrix)(seq, R))
-    middle = wrapped(-b) if SEQUENCES[seq].proper else opposite(-b)
+    middle = from_minus_pi(-b) if SEQUENCES[seq].proper else opposite(-b)
     return matrix([[a, b, c], [opposite(a), middle, opposite(c)]])
 
 

@@ -216,11 +216,9 @@ def umbmark(
 
 def _summed(steps: Array, start: Array | None) -> Array:
     """Covariances (…, N+1, 3, 3) from that of the first pose and what each step adds."""
-    start = np.zeros((3, 3)) if start is None else start
-    batch = np.broadcast_shapes(start.shape[:-2], steps.shape[:-3])
-    total = np.empty((*batch, steps.shape[-3] + 1, 3, 3))
-    total[..., 0, :, :], total[..., 1:, :, :] = start, steps
-    return np.cumsum(total, axis=-3, out=total)
+    total = np.zeros((*steps.shape[:-3], steps.shape[-3] + 1, 3, 3))
+    np.cumsum(steps, axis=-3, out=total[..., 1:, :, :])
+    return total if start is None else total + start[..., None, :, :]
 
 
 def _carried(total: Array, place: NDArray[np.complex128]) -> Array:

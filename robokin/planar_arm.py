@@ -8,7 +8,7 @@ chapter 5; Siciliano, Sciavicco, Villani & Oriolo, Robotics, chapter 3.
 
 import numpy as np
 
-from robokin._arrays import entries, matrix, parts, rows, running_sums, times, vector
+from robokin._arrays import matrix, parts, rows, running_sums, vector
 from robokin._checks import Array, ArrayLike, Bools, at, first
 from robokin._door import data, door, inside, not_negative, one_of, positive
 from robokin._triangle import out_of_reach, triangle
@@ -212,20 +212,19 @@ def _damped(
     With G = J Jᵀ the determinant is λ⁶ + λ⁴ tr G + λ² (principal minors of G) + det² J. The
     terms without λ come from the caller, times det, so that a small λ does no harm.
     """
-    x, y = _levers(theta, lengths)
-    J = rows(-y, x, 1)
-    (xx, xy, xz), (_, yy, yz), _ = entries(J @ J.swapaxes(-1, -2))  # the last is 1 + 1 + 1
+    x, y = _levers(theta, lengths)  # the rows of J are -y, x and 1
+    v_x, v_y, omega = parts(twist)
+    xx, yy, xy = np.vecdot(y, y), np.vecdot(x, x), -np.vecdot(x, y)  # G, with 3 in its corner
+    xz, yz = -y.sum(axis=-1), x.sum(axis=-1)
     minors = xx * yy + 3 * (xx + yy) - xy * xy - xz * xz - yz * yz
     below = square * (square * (square + xx + yy + 3) + minors) + det * det
-    rest = matrix(  # (λ² + tr G) I - G, with a diagonal in which nothing cancels
-        [
-            [square + yy + 3, -xy, -xz],
-            [-xy, square + xx + 3, -yz],
-            [-xz, -yz, square + xx + yy],
-        ]
-    )
-    above = times(J.swapaxes(-1, -2), times(rest, twist))
-    return (square[..., None] * above + det[..., None] * undamped) / below[..., None]
+    # (λ² + tr G) I - G times the twist, with a diagonal in which nothing cancels
+    a = (square + yy + 3) * v_x - xy * v_y - xz * omega
+    b = (square + xx + 3) * v_y - xy * v_x - yz * omega
+    c = (square + xx + yy) * omega - xz * v_x - yz * v_y
+    above = x * b[..., None] - y * a[..., None] + c[..., None]
+    rates: Array = (square[..., None] * above + det[..., None] * undamped) / below[..., None]
+    return rates
 
 
 def _position_rows(theta: Array, lengths: Array) -> tuple[Array, Array]:

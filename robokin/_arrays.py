@@ -6,6 +6,8 @@ import numpy as np
 
 from robokin._checks import Array, ArrayLike
 
+MANY = 10_000  # from so many numbers on, a pass over all of them takes longer than some calls
+
 
 def parts(array: Array) -> Sequence[Array]:
     """The numbers along the last axis: x, y, theta = parts(pose)."""
@@ -14,13 +16,19 @@ def parts(array: Array) -> Sequence[Array]:
 
 def entries(matrix: Array) -> list[list[Array]]:
     """The numbers of a matrix, row by row."""
+    if matrix.ndim == 2:
+        return [list(row) for row in matrix]
     rows, columns = map(range, matrix.shape[-2:])
-    return [[matrix[..., i, j][()] for j in columns] for i in rows]
+    return [[matrix[..., i, j] for j in columns] for i in rows]
 
 
 def vector(*numbers: ArrayLike) -> Array:
     """(…, k) from k numbers, each (…) or the same for all; none of them comes out as -0.0."""
     out = np.empty((*np.broadcast(*numbers).shape, len(numbers)))
+    if out.size > MANY:
+        for i, number in enumerate(numbers):
+            np.add(number, 0.0, out=out[..., i])
+        return out
     for i, number in enumerate(numbers):
         out[..., i] = number
     out += 0.0
@@ -35,12 +43,7 @@ def matrix(rows: Sequence[Sequence[ArrayLike]]) -> Array:
 
 def rows(*vectors: ArrayLike) -> Array:
     """(…, m, n) from m rows, each (…, n) or one number all along, as `vector`."""
-    *batch, n = np.broadcast(*vectors).shape
-    out = np.empty((*batch, len(vectors), n))
-    for i, row in enumerate(vectors):
-        out[..., i, :] = row
-    out += 0.0
-    return out
+    return vector(*vectors).swapaxes(-1, -2)
 
 
 def running_sums(array: Array) -> Array:

@@ -127,17 +127,19 @@ def door(**rules: Check) -> Callable[[Callable[P, T]], Callable[P, T]]:
 
     def decorate(function: Callable[P, T]) -> Callable[P, T]:
         parameters = inspect.signature(function).parameters
-        names, accepted = list(parameters), set(parameters)
+        names, accepted = list(parameters), parameters.keys()
         defaults = {n: p.default for n, p in parameters.items() if p.default is not p.empty}
         optional = {name for name, default in defaults.items() if default is None}
 
         @wraps(function)
         @quiet
         def checked(*args: P.args, **kwargs: P.kwargs) -> T:
-            given: dict[str, Any] = {**defaults, **dict(zip(names, args, strict=False)), **kwargs}
-            twice = kwargs and not kwargs.keys().isdisjoint(names[: len(args)])
-            if twice or len(args) > len(names) or given.keys() != accepted:
-                return function(*args, **kwargs)  # Python itself says what is wrong
+            given: dict[str, Any] = dict(zip(names, args, strict=False))
+            if kwargs or len(args) != len(names):
+                twice = not kwargs.keys().isdisjoint(given)
+                given = {**defaults, **given, **kwargs}
+                if twice or len(args) > len(names) or given.keys() != accepted:
+                    return function(*args, **kwargs)  # Python itself says what is wrong
             bad = admit(given, rules, optional)
             return cast(T, _finished(cast(Callable[..., T], function)(**given), bad))
 

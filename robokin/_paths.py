@@ -51,4 +51,6 @@ def cos_sin_of_sum(theta: Array, half: Array) -> tuple[Array, Array]:
     heading = theta + half
     rest = theta - heading + half
     c, s = np.cos(heading), np.sin(heading)
-    return c - rest * s, s + rest * c
+    c -= rest * s
+    s += rest * c
+    return c, s

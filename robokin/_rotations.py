@@ -52,18 +52,18 @@ def _errors(matrices: Array, n: int) -> Array:
     columns = np.ascontiguousarray(matrices[..., :n].T)  # an entry's values side by side: fast
     out = np.empty((3 * (n - 1) + (n + 1) * (matrices.shape[-1] > n), *columns.shape[2:]))
     if n == 2:
-        x, y = columns
-        out[0] = x[0] * x[0] + x[1] * x[1] - 1.0
-        out[1] = y[0] + x[1]
-        out[2] = y[1] - x[0]
+        (x0, x1), (y0, y1) = columns[:, :n]
+        out[0] = x0 * x0 + x1 * x1 - 1.0
+        out[1] = y0 + x1
+        out[2] = y1 - x0
     else:
-        x, y, z = columns
-        out[0] = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0
-        out[1] = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0
-        out[2] = x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
-        out[3] = x[1] * y[2] - x[2] * y[1] - z[0]
-        out[4] = x[2] * y[0] - x[0] * y[2] - z[1]
-        out[5] = x[0] * y[1] - x[1] * y[0] - z[2]
+        (x0, x1, x2), (y0, y1, y2), (z0, z1, z2) = columns[:, :n]
+        out[0] = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+        out[1] = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+        out[2] = x0 * y0 + x1 * y1 + x2 * y2
+        out[3] = x1 * y2 - x2 * y1 - z0
+        out[4] = x2 * y0 - x0 * y2 - z1
+        out[5] = x0 * y1 - x1 * y0 - z2
     if matrices.shape[-1] > n:
         out[-n - 1 : -1] = columns[:, n]
         out[-1] = matrices[..., n, n].T - 1.0

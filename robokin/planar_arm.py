@@ -119,14 +119,15 @@ def joint_rates(
     det, square = l1 * l2 * s2, damping * damping
     rate1, rate12 = l2 * along2, -l1 * along1  # of links 1 and 2 in the world, times det
     rates = vector(rate1, rate12 - rate1, det * phi_dot - rate12)
-    bad = (np.abs(s2) <= SINGULAR) & (square == 0) & np.ones(rates.shape[:-1], dtype=bool)
-    if singular == "raise":
-        _refuse_singular(s2, bad)
     if np.count_nonzero(square):
         rates = _damped(theta, twist, lengths, square, det, rates)
     else:
-        rates = rates / det[..., None]
-    return np.where(bad[..., None], np.nan, rates)
+        rates /= det[..., None]
+    bad = np.broadcast_to((np.abs(s2) <= SINGULAR) & (square == 0), rates.shape[:-1])
+    if singular == "raise":
+        _refuse_singular(s2, bad)
+    rates[bad] = np.nan
+    return rates
 
 
 @door(lengths=positive(3), pose=data(3), unreachable=one_of("raise", "nan"))
@@ -191,7 +192,10 @@ def _levers(theta: Array, lengths: Array) -> tuple[Array, Array]:
     """From each joint to the hand: x (…, n) and y (…, n)."""
     heading = running_sums(theta)
     x, y = lengths * np.cos(heading), lengths * np.sin(heading)
-    return running_sums(x[..., ::-1])[..., ::-1], running_sums(y[..., ::-1])[..., ::-1]
+    for i in reversed(range(x.shape[-1] - 1)):
+        x[..., i] += x[..., i + 1]
+        y[..., i] += y[..., i + 1]
+    return x, y
 
 
 def _refuse_singular(s2: Array, bad: Bools) -> None:

@@ -119,7 +119,7 @@ def joint_rates(
     det, square = l1 * l2 * s2, damping * damping
     rate1, rate12 = l2 * along2, -l1 * along1  # of links 1 and 2 in the world, times det
     rates = vector(rate1, rate12 - rate1, det * phi_dot - rate12)
-    if np.count_nonzero(square):
+    if square.ndim or square > 0:
         rates = _damped(theta, twist, lengths, square, det, rates)
     else:
         rates /= det[..., None]

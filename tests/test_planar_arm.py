@@ -499,6 +499,10 @@ def test_batches_of_poses_and_of_arms():
     assert joint_rates(theta, twist, lengths).shape == (5, 4, 2, 3)
     damped = joint_rates(theta, twist, lengths, damping=np.full((6, 1, 1, 1), 0.1))
     assert damped.shape == (6, 5, 4, 2, 3)
+    undamped = joint_rates(theta, twist, lengths, damping=np.zeros((6, 1, 1, 1)))
+    assert undamped.shape == (6, 5, 4, 2, 3)
+    # one formula divides by det J at once, the other in two steps
+    assert_close(undamped[3], joint_rates(theta, twist, lengths), atol=1e-13)
     assert inverse(np.full((4, 1, 3), 0.3), lengths).shape == (4, 2, 2, 3)
     assert manipulability(theta, lengths).shape == (4, 2)
     axes, directions = ellipse(theta, lengths)

@@ -57,13 +57,17 @@ def _errors(matrices: Array, n: int) -> Array:
         out[1] = y0 + x1
         out[2] = y1 - x0
     else:
-        (x0, x1, x2), (y0, y1, y2), (z0, z1, z2) = columns[:, :n]
-        out[0] = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
-        out[1] = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
-        out[2] = x0 * y0 + x1 * y1 + x2 * y2
-        out[3] = x1 * y2 - x2 * y1 - z0
-        out[4] = x2 * y0 - x0 * y2 - z1
-        out[5] = x0 * y1 - x1 * y0 - z2
+        x, y, z = columns[:, :n]
+        for a, b, product in ((x, x, out[0]), (y, y, out[1]), (x, y, out[2])):
+            ab = a * b
+            np.add(ab[0], ab[1], out=product)
+            product += ab[2]
+        out[:2] -= 1.0
+        cross = out[3:6]  # x × y - z
+        for i, j, product in ((1, 2, cross[0]), (2, 0, cross[1]), (0, 1, cross[2])):
+            np.multiply(x[i], y[j], out=product)
+            product -= x[j] * y[i]
+        cross -= z
     if matrices.shape[-1] > n:
         out[-n - 1 : -1] = columns[:, n]
         out[-1] = matrices[..., n, n].T - 1.0

@@ -58,15 +58,15 @@ def _errors(matrices: Array, n: int) -> Array:
         out[2] = y1 - x0
     else:
         x, y, z = columns[:, :n]
-        for a, b, product in ((x, x, out[0]), (y, y, out[1]), (x, y, out[2])):
+        for a, b, product in ((x, x, out[0, ...]), (y, y, out[1, ...]), (x, y, out[2, ...])):
             ab = a * b
             np.add(ab[0], ab[1], out=product)
             product += ab[2]
         out[:2] -= 1.0
         cross = out[3:6]  # x × y - z
-        for i, j, product in ((1, 2, cross[0]), (2, 0, cross[1]), (0, 1, cross[2])):
-            np.multiply(x[i], y[j], out=product)
-            product -= x[j] * y[i]
+        for k, i, j in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            np.multiply(x[i], y[j], out=cross[k, ...])
+            cross[k] -= x[j] * y[i]
         cross -= z
     if matrices.shape[-1] > n:
         out[-n - 1 : -1] = columns[:, n]

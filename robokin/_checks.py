@@ -36,10 +36,11 @@ def numbers(name: str, value: ArrayLike) -> Array:
 
 
 def refuse(name: str, array: Array, ok: Bools | np.bool_, allowed: str) -> None:
-    """Name the first element that is not ok."""
+    """Name the first element that is not ok; in a batch of them, if `ok` is one."""
     if not every(ok):
         index = first(~ok)
-        raise RobokinError(f"{name} must be {allowed}, got {array[index]}{at(index)}")
+        got = np.broadcast_to(array, np.shape(ok))[index]
+        raise RobokinError(f"{name} must be {allowed}, got {got}{at(index)}")
 
 
 def every(ok: Bools | np.bool_) -> bool:

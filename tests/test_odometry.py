@@ -430,6 +430,7 @@ def test_ellipses_that_are_a_circle_a_line_or_a_point():
         (lambda: unwrap_counter([[1], [-129]], 8), r"counts must be .* -129.0 at index 1, 0"),
         (lambda: unwrap_counter([1, 2], 0), "bits must be 1, 2, … or 52, got 0"),
         (lambda: unwrap_counter([1, 2], 53), "bits must be 1, 2, … or 52, got 53"),
+        (lambda: unwrap_counter([1, 2], [8, 1]), "counts must be .* got 2.0 at index 1, 1"),
         (lambda: unwrap_counter([1, 2], 7.5), "bits must be 1, 2, … or 52, got 7.5"),
         (
             lambda: unwrap_counter([1, 2], [8, NAN]),

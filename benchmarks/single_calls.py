@@ -1,6 +1,6 @@
 """One call of every public function on one item, as a figure or a control loop makes it.
 
-The arguments are those of the table in tests/arguments.py.
+The arguments are those of the table in tests/arguments.py, its lists of numbers as arrays.
 """
 
 import sys
@@ -11,7 +11,8 @@ from typing import Any
 
 sys.path.append(str(Path(__file__).parents[1] / "tests"))
 
-from arguments import TABLE, bind, public_functions
+import numpy as np
+from arguments import DATA, PARAMETERS, TABLE, bind, public_functions
 
 LEFT_OUT = set(public_functions()) - {label.split()[0] for label in TABLE}
 if LEFT_OUT:
@@ -19,7 +20,9 @@ if LEFT_OUT:
 
 
 def call(label: str) -> Callable[[], Any]:
-    function, positional, named = bind(label)
+    row = TABLE[label]
+    lists = [key for key in row.having(*DATA, *PARAMETERS) if isinstance(row.good[key], list)]
+    function, positional, named = bind(label, **{key: np.array(row.good[key]) for key in lists})
     return partial(function, *positional, **named)
 
 

@@ -17,7 +17,7 @@ def parts(array: Array) -> Sequence[Array]:
 def entries(matrix: Array) -> list[list[Array]]:
     """The numbers of a matrix, row by row."""
     if matrix.ndim == 2:
-        return [list(row) for row in matrix]
+        return list(map(list, matrix))
     rows, columns = map(range, matrix.shape[-2:])
     return [[matrix[..., i, j] for j in columns] for i in rows]
 

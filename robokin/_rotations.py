@@ -58,16 +58,15 @@ def _errors(matrices: Array, n: int) -> Array:
         out[2] = y1 - x0
     else:
         x, y, z = columns[:, :n]
-        for a, b, product in ((x, x, out[0, ...]), (y, y, out[1, ...]), (x, y, out[2, ...])):
-            ab = a * b
-            np.add(ab[0], ab[1], out=product)
-            product += ab[2]
-        out[:2] -= 1.0
-        cross = out[3:6]  # x × y - z
-        for k, i, j in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-            np.multiply(x[i], y[j], out=cross[k, ...])
-            cross[k] -= x[j] * y[i]
-        cross -= z
+        (x0, x1, x2), (y0, y1, y2) = x, y
+        (xx, xy), yy = x * columns[:2, :n], y * y
+        out[0] = xx[0] + xx[1] + xx[2] - 1.0
+        out[1] = yy[0] + yy[1] + yy[2] - 1.0
+        out[2] = xy[0] + xy[1] + xy[2]
+        out[3] = x1 * y2 - x2 * y1
+        out[4] = x2 * y0 - x0 * y2
+        out[5] = x0 * y1 - x1 * y0
+        out[3:6] -= z
     if matrices.shape[-1] > n:
         out[-n - 1 : -1] = columns[:, n]
         out[-1] = matrices[..., n, n].T - 1.0

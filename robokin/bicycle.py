@@ -6,17 +6,20 @@ are solved for lie in (-π/2, π/2]. Exercise 5; Siegwart, Nourbakhsh & Scaramuz
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from robokin._checks import Array, finite, numbers, positive, quiet, rows
-from robokin.motion import _follow
+from robokin._arrays import vector
+from robokin._checks import Array, ArrayLike, Bools, every
+from robokin._door import data, door, finite, one_of, positive, steps
+from robokin._paths import METHODS, follow
 
 __all__ = [
     "ackermann",
     "ackermann_error",
     "body_twist",
+    "corner_cut",
     "equivalent_steering",
     "front_twist",
+    "lane_width",
     "path",
     "turning_radius",
 ]
@@ -24,7 +27,20 @@ __all__ = [
 STEEPEST = 1 / np.finfo(float).eps  # tangents above: within 2.2e-16 rad of a steering of ±π/2
 
 
-@quiet
+def _can_roll(phi: Array) -> Bools:
+    """Where a driven rear axle can roll: not at phi = ±π/2, the front wheel across."""
+    ahead = np.abs(phi) < 1.5  # most angles: they need no tangent here
+    return ahead if every(ahead) else ahead | (np.abs(np.tan(phi)) <= STEEPEST)
+
+
+def _axle_angle(y: Array, x: Array) -> Array:
+    """The angle in (-π/2, π/2] of the line along (x, y); a line has no front and no back."""
+    sign = np.copysign(1.0, x)
+    angle = np.arctan2(sign * y, sign * x)
+    return np.where(angle <= -np.pi / 2, np.pi / 2, angle)
+
+
+@door(alpha_left=data(), alpha_right=data())
 def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
     """The steering angle of the bicycle that turns like the car: its axle meets theirs.
 
@@ -35,11 +51,11 @@ def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
     >>> round(float(equivalent_steering(np.radians(35), np.radians(29))), 6)
     0.55411
     """
-    _, (left, right) = rows(("alpha_left", alpha_left, ()), ("alpha_right", alpha_right, ()))
-    return _axle_angle(2 * np.sin(left) * np.sin(right), np.sin(left + right))[()]
+    s_left, s_right = np.sin(alpha_left), np.sin(alpha_right)
+    return _axle_angle(2 * s_left * s_right, np.sin(alpha_left + alpha_right))
 
 
-@quiet
+@door(phi=data(), wheelbase=positive(), track=positive())
 def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     """The two front wheels' steering angles that meet the bicycle's turn without slip.
 
@@ -51,28 +67,54 @@ def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     >>> np.degrees(ackermann(np.radians(30), wheelbase=2.5, track=1.5)).round(3)
     array([34.927, 26.202])
     """
-    base, half = positive("wheelbase", wheelbase), 0.5 * positive("track", track)
-    shape, (phi,) = rows(("phi", phi, ()), parameters=(base, half))
-    ahead, across = base * np.cos(phi), np.sin(phi)
-    out = np.empty((*shape, 2))
-    out[..., 0] = _axle_angle(base * across, ahead - half * across)
-    out[..., 1] = _axle_angle(base * across, ahead + half * across)
-    return out
+    forth, across = wheelbase * np.cos(phi), wheelbase * np.sin(phi)
+    half = track / 2 * np.sin(phi)
+    return vector(_axle_angle(across, forth - half), _axle_angle(across, forth + half))
 
 
-@quiet
+@door(phi=data(), wheelbase=positive())
 def turning_radius(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """How far to the left of the rear axle's middle the car turns about; to the right: negative.
 
     phi: (…) in rad; wheelbase: (…) in m, positive → (…) in m, +inf straight ahead.
     Source: exercise 5, tan φ = L/R.
     """
-    base = positive("wheelbase", wheelbase)
-    _, (phi,) = rows(("phi", phi, ()), parameters=(base,))
-    return base / (np.tan(phi) + 0.0)  # + 0.0 makes a zero positive
+    return wheelbase / (np.tan(phi) + 0.0)  # + 0.0 makes a zero positive
 
 
-@quiet
+@door(phi=data(), wheelbase=positive())
+def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
+    """How far inside the front axle's circle the rear axle runs: the difference of their radii.
+
+    phi: (…) in rad; wheelbase: (…) in m, positive → (…) in m; 0 straight ahead, the whole
+    wheelbase at phi = ±π/2. Source: exercise 5, √(R² + L²) − |R|, which is L tan(|φ|/2).
+
+    >>> round(float(corner_cut(np.radians(30), wheelbase=7.0)), 3)
+    1.876
+    """
+    cut: Array = wheelbase * np.abs(np.sin(phi)) / (1 + np.abs(np.cos(phi)))
+    return cut
+
+
+@door(phi=data(), wheelbase=positive(), track=positive())
+def lane_width(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
+    """How wide a lane the wheels need: from the inner rear wheel's circle to the outer front one's.
+
+    phi: (…) in rad; wheelbase, track: (…) in m, positive → (…) in m; the track straight ahead.
+    Where the turn is tighter than half the track, its centre lies under the car: there is no lane
+    but a disc, and this is its radius.
+    Source: exercise 5, √((|R| + l/2)² + L²) − (|R| − l/2), with no difference of large radii.
+
+    >>> round(float(lane_width(np.radians(30), wheelbase=7.0, track=1.5)), 2)
+    3.28
+    """
+    outer = np.abs(wheelbase / np.tan(phi)) + track / 2
+    reach = np.hypot(outer, wheelbase)
+    width: Array = np.minimum(outer, track) + wheelbase * (wheelbase / (reach + outer))
+    return width
+
+
+@door(alpha_left=data(), alpha_right=data(), wheelbase=positive(), track=positive())
 def ackermann_error(
     alpha_left: ArrayLike, alpha_right: ArrayLike, wheelbase: ArrayLike, track: ArrayLike
 ) -> Array:
@@ -83,18 +125,12 @@ def ackermann_error(
     meet nowhere. One straight ahead: +inf (the right one) or −inf (the left one).
     Source: exercise 5; the cotangents' difference is sin(α_L − α_R)/(sin α_L sin α_R).
     """
-    base, track = positive("wheelbase", wheelbase), positive("track", track)
-    shape, (left, right) = rows(
-        ("alpha_left", alpha_left, ()), ("alpha_right", alpha_right, ()), parameters=(base, track)
-    )
-    difference = np.sin(left - right) / np.sin(left) / np.sin(right)
-    out = np.empty(shape)
-    out[...] = difference - track / base
-    out[np.broadcast_to((left == 0) & (right == 0), shape)] = 0.0
-    return out[()]
+    difference = np.sin(alpha_left - alpha_right) / np.sin(alpha_left) / np.sin(alpha_right)
+    straight = (alpha_left == 0) & (alpha_right == 0)
+    return np.where(straight, 0.0, difference - track / wheelbase)
 
 
-@quiet
+@door(v=data(), phi=data(good=_can_roll), wheelbase=positive())
 def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """The car's velocity in its own frame, at the middle of the rear axle.
 
@@ -105,31 +141,28 @@ def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     >>> body_twist(2.0, np.pi / 4, wheelbase=2.5).round(6)
     array([2. , 0. , 0.8])
     """
-    return _twist(v, phi, wheelbase, 0.0)
+    return vector(v, 0, v * np.tan(phi) / wheelbase)
 
 
-@quiet
+@door(v=data(), phi=data(good=_can_roll), wheelbase=positive())
 def front_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """The velocity of the front axle's middle in the body frame: v/cos φ in the direction φ.
 
     v, phi, wheelbase: as in `body_twist` → (…, 3) `[v, v tan φ, omega]`; NaN at phi = ±π/2.
     Source: exercise 5; the rear axle's velocity plus omega times the wheelbase, sideways.
     """
-    return _twist(v, phi, wheelbase, 1.0)
+    v_y = v * np.tan(phi)
+    return vector(v, v_y, v_y / wheelbase)
 
 
-def _twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike, sideways: float) -> Array:
-    base = positive("wheelbase", wheelbase)
-    shape, (v, phi) = rows(("v", v, ()), ("phi", phi, ()), parameters=(base,))
-    tangent = _tangent(phi)
-    out = np.empty((*shape, 3))
-    out[..., 0] = v + 0 * tangent
-    out[..., 1] = sideways * v * tangent + 0.0  # + 0.0 makes a zero positive
-    out[..., 2] = v * tangent / base
-    return out
-
-
-@quiet
+@door(
+    pose=data(3),
+    v=data(steps),
+    phi=data(steps, good=_can_roll),
+    wheelbase=positive(),
+    dt=finite(steps),
+    method=one_of(*METHODS),
+)
 def path(
     pose: ArrayLike,
     v: ArrayLike,
@@ -148,24 +181,5 @@ def path(
            [1.571, 0.   , 0.   ],
            [2.571, 1.   , 1.571]])
     """
-    base, dt = positive("wheelbase", wheelbase)[..., None], np.atleast_1d(finite("dt", dt))
-    v, phi = np.atleast_1d(numbers("v", v), numbers("phi", phi))
-    steps, (v, phi) = rows(("v", v, ()), ("phi", phi, ()), parameters=(base, dt))
     length = v * dt
-    turn = np.broadcast_to(length * _tangent(phi) / base, steps)
-    return _follow(pose, turn.cumsum(-1), turn, length + 0 * turn, method)
-
-
-def _axle_angle(y: Array, x: Array) -> Array:
-    """The angle in (-π/2, π/2] of the line along (x, y); a line has no front and no back."""
-    sign = np.copysign(1.0, x)
-    angle = np.asarray(np.arctan2(sign * y, sign * x))
-    angle[angle <= -np.pi / 2] = np.pi / 2
-    return angle
-
-
-def _tangent(phi: Array) -> Array:
-    """tan φ, NaN at ±π/2."""
-    tangent = np.asarray(np.tan(phi))
-    tangent[np.abs(tangent) > STEEPEST] = np.nan
-    return tangent
+    return follow(pose, length, length * np.tan(phi) / wheelbase, method)

@@ -4,14 +4,15 @@ Wheels in the order left, right. Exercise 4; Siegwart, Nourbakhsh & Scaramuzza, 
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from robokin._checks import Array, positive, quiet, rows
+from robokin._arrays import vector
+from robokin._checks import Array, ArrayLike
+from robokin._door import data, door, positive
 
-__all__ = ["body_twist", "wheel_rates"]
+__all__ = ["body_twist", "turning_radius", "wheel_rates"]
 
 
-@quiet
+@door(rate_left=data(), rate_right=data(), wheel_radius=positive(), wheel_distance=positive())
 def body_twist(
     rate_left: ArrayLike, rate_right: ArrayLike, wheel_radius: ArrayLike, wheel_distance: ArrayLike
 ) -> Array:
@@ -24,21 +25,27 @@ def body_twist(
     >>> body_twist(5 / 3, 10 / 3, wheel_radius=0.03, wheel_distance=0.1).round(6)
     array([0.075, 0.   , 0.5  ])
     """
-    radius = positive("wheel_radius", wheel_radius)
-    distance = positive("wheel_distance", wheel_distance)
-    shape, (left, right) = rows(
-        ("rate_left", rate_left, ()),
-        ("rate_right", rate_right, ()),
-        parameters=(radius, distance),
-    )
-    out = np.empty((*shape, 3))
-    out[..., 0] = 0.5 * radius * (right + left)
-    out[..., 1] = left - left  # 0, or NaN in a NaN row
-    out[..., 2] = radius / distance * (right - left)
-    return out
+    v = wheel_radius * (rate_right + rate_left) / 2
+    omega = wheel_radius * (rate_right - rate_left) / wheel_distance
+    return vector(v, 0, omega)
 
 
-@quiet
+@door(rate_left=data(), rate_right=data(), wheel_distance=positive())
+def turning_radius(rate_left: ArrayLike, rate_right: ArrayLike, wheel_distance: ArrayLike) -> Array:
+    """How far to the left of the robot the centre of its turn lies; to the right: negative.
+
+    rate_left, rate_right: (…) in rad/s, or the wheels' speeds in m/s; wheel_distance: (…) in m,
+    positive → (…) in m, +inf straight ahead, NaN standing still.
+    Source: exercise 5, R = b/2 (v_R + v_L)/(v_R − v_L).
+
+    >>> round(float(turning_radius(5 / 3, 10 / 3, wheel_distance=0.1)), 6)
+    0.15
+    """
+    radius = wheel_distance / 2 * ((rate_right + rate_left) / (rate_right - rate_left))
+    return np.where(np.isinf(radius), np.inf, radius)
+
+
+@door(v=data(), omega=data(), wheel_radius=positive(), wheel_distance=positive())
 def wheel_rates(
     v: ArrayLike, omega: ArrayLike, wheel_radius: ArrayLike, wheel_distance: ArrayLike
 ) -> Array:
@@ -50,11 +57,6 @@ def wheel_rates(
     >>> wheel_rates(0.075, 0.5, wheel_radius=0.03, wheel_distance=0.1).round(6)
     array([1.666667, 3.333333])
     """
-    radius = positive("wheel_radius", wheel_radius)
-    distance = positive("wheel_distance", wheel_distance)
-    shape, (v, omega) = rows(("v", v, ()), ("omega", omega, ()), parameters=(radius, distance))
-    half = 0.5 * distance * omega
-    out = np.empty((*shape, 2))
-    out[..., 0] = (v - half) / radius
-    out[..., 1] = (v + half) / radius
-    return out
+    left = (v - omega * wheel_distance / 2) / wheel_radius
+    right = (v + omega * wheel_distance / 2) / wheel_radius
+    return vector(left, right)

@@ -7,10 +7,13 @@ raise it. Exercise 1; Spong, Hutchinson & Vidyasagar, Robot Modeling and Control
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from robokin._checks import Array, choice, finite, positive, quiet, rows
-from robokin.errors import UnreachableError
+from robokin._angles import from_minus_pi, opposite
+from robokin._arrays import matrix, parts, vector
+from robokin._checks import Array, ArrayLike, Bools
+from robokin._door import data, door, finite, one_of, positive
+from robokin._triangle import TOLERANCE as TOLERANCE
+from robokin._triangle import out_of_reach, triangle
 
 __all__ = [
     "forward",
@@ -21,10 +24,8 @@ __all__ = [
     "reach",
 ]
 
-TOLERANCE = 1e-12  # a wrist that rounding put outside the shell, in parts of a2 + a3
 
-
-@quiet
+@door(theta=data(3), a2=positive(), a3=positive(), d1=finite())
 def forward(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
     """The wrist's position from the joint angles.
 
@@ -34,39 +35,26 @@ def forward(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0)
     >>> forward([0, np.pi / 2, -np.pi / 2], a2=0.4, a3=0.3, d1=0.1).round(6)
     array([0.3, 0. , 0.5])
     """
-    a2, a3, d1 = positive("a2", a2), positive("a3", a3), finite("d1", d1)
-    shape, (t,) = rows(("theta", theta, (3,)), parameters=(a2, a3, d1))
-    raised = t[..., 1] + t[..., 2]
-    r = a2 * np.cos(t[..., 1]) + a3 * np.cos(raised)
-    out = np.empty((*shape, 3))
-    out[..., 0] = r * np.cos(t[..., 0])
-    out[..., 1] = r * np.sin(t[..., 0])
-    out[..., 2] = a2 * np.sin(t[..., 1]) + a3 * np.sin(raised) + d1
-    return out
+    theta1, theta2, theta3 = parts(theta)
+    r = a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3)
+    h = a2 * np.sin(theta2) + a3 * np.sin(theta2 + theta3)
+    return vector(r * np.cos(theta1), r * np.sin(theta1), h + d1)
 
 
-@quiet
+@door(theta=data(3), a2=positive(), a3=positive(), d1=finite())
 def joint_positions(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
     """Where base, shoulder, elbow and wrist are, in this order: the arm as it is drawn.
 
     theta: (…, 3) in rad; a2, a3, d1: (…) in m → (…, 4, 3) in m, a row for each point.
     """
-    a2, a3, d1 = positive("a2", a2), positive("a3", a3), finite("d1", d1)
-    shape, (t,) = rows(("theta", theta, (3,)), parameters=(a2, a3, d1))
-    raised = t[..., 1] + t[..., 2]
-    c, s = np.cos(t[..., 0]), np.sin(t[..., 0])
-    r = a2 * np.cos(t[..., 1])
-    z = a2 * np.sin(t[..., 1]) + d1
-    out = np.empty((*shape, 4, 3))
-    out[..., :2, :] = 0 * t[..., None, :]
-    out[..., 1, 2] += d1
-    out[..., 2, 0], out[..., 2, 1], out[..., 2, 2] = r * c, r * s, z
-    r, z = r + a3 * np.cos(raised), z + a3 * np.sin(raised)
-    out[..., 3, 0], out[..., 3, 1], out[..., 3, 2] = r * c, r * s, z
-    return out
+    theta1, theta2, theta3 = parts(theta)
+    c, s = np.cos(theta1), np.sin(theta1)
+    r2, z2 = a2 * np.cos(theta2), a2 * np.sin(theta2) + d1
+    r3, z3 = r2 + a3 * np.cos(theta2 + theta3), z2 + a3 * np.sin(theta2 + theta3)
+    return matrix([[0, 0, 0], [0, 0, d1], [r2 * c, r2 * s, z2], [r3 * c, r3 * s, z3]])
 
 
-@quiet
+@door(p=data(3), a2=positive(), a3=positive(), d1=finite(), unreachable=one_of("raise", "nan"))
 def inverse(
     p: ArrayLike,
     a2: ArrayLike,
@@ -90,44 +78,38 @@ def inverse(
     >>> inverse([0.3, 0, 0.4], a2=0.4, a3=0.3)[0].round(6)
     array([ 0.      ,  1.570796, -1.570796])
     """
-    choice("unreachable", unreachable, ("raise", "nan"))
-    a2, a3, d1 = positive("a2", a2), positive("a3", a3), finite("d1", d1)
-    shape, (p,) = rows(("p", p, (3,)), parameters=(a2, a3, d1))
-    x, y, h = p[..., 0] + 0.0, p[..., 1] + 0.0, p[..., 2] - d1  # + 0.0 turns -0.0 into 0.0
-    r_squared = x * x + y * y
-    distance = np.sqrt(r_squared + h * h)
-    bad = _out_of_reach("p", distance, a2, a3, unreachable)
-    lift, elbow = _triangle(distance, a2, a3)
-    elevation = np.arctan2(h, np.sqrt(r_squared))
-    up, down = elevation + lift, elevation - lift
-    theta1 = _raise_minus_pi(np.arctan2(y, x))
-    away = _half_turn(theta1)
-    out = np.empty((*shape, 4, 3))
-    out[..., 0, 0] = out[..., 1, 0] = theta1
-    out[..., 2, 0] = out[..., 3, 0] = away
-    out[..., 0, 1] = up - 2 * np.pi * (up > np.pi)
-    out[..., 1, 1] = _raise_minus_pi(down)
-    out[..., 2, 1] = _half_turn(-up)  # away: the same arm seen from behind, π - theta2, -theta3
-    out[..., 3, 1] = _half_turn(-down)
-    out[..., 1, 2] = out[..., 2, 2] = elbow
-    out[..., 0, 2] = out[..., 3, 2] = 0.0 - elbow
-    out[(distance == 0) & ~bad, :, 1] = 0.0
-    out[bad] = np.nan
+    x, y, z = parts(p)
+    h, r_squared = z - d1, x * x + y * y
+    d = np.sqrt(r_squared + h * h)
+    outside = out_of_reach("p", d, a2, a3, unreachable)
+    lift, elbow = triangle(d, a2, a3)
+    rise = np.arctan2(h, np.sqrt(r_squared))
+    up, down = rise + lift, rise - lift
+    facing = from_minus_pi(np.arctan2(y + 0.0, x + 0.0))  # + 0.0 turns -0.0 into 0.0
+    away = opposite(facing)  # the same arm seen from behind: π - theta2 and -theta3
+    out = matrix(
+        [
+            [facing, up - 2 * np.pi * (up > np.pi), -elbow],
+            [facing, from_minus_pi(down), elbow],
+            [away, opposite(-up), elbow],
+            [away, opposite(-down), -elbow],
+        ]
+    )
+    out[(d == 0) & ~outside, :, 1] = 0.0
+    out[outside] = np.nan
     return out
 
 
-@quiet
+@door(a2=positive(), a3=positive())
 def reach(a2: ArrayLike, a3: ArrayLike) -> tuple[Array, Array]:
     """The smallest and the largest distance from shoulder to wrist: folded and stretched.
 
     a2, a3: (…) in m, positive → minimum `|a2 - a3|` (…) and maximum a2 + a3 (…) in m.
     """
-    a2, a3 = positive("a2", a2), positive("a3", a3)
-    rows(parameters=(a2, a3))
     return np.abs(a2 - a3), a2 + a3
 
 
-@quiet
+@door(p=data(3), a2=positive(), a3=positive(), d1=finite())
 def nearest_reachable(p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
     """The point within reach that is nearest to p: p itself, or p moved along its ray.
 
@@ -137,71 +119,21 @@ def nearest_reachable(p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike 
     >>> nearest_reachable([3, 0, 4], a2=0.4, a3=0.1).round(6)
     array([0.3, 0. , 0.4])
     """
-    d1 = finite("d1", d1)
-    low, high = reach(a2, a3)
-    shape, (p,) = rows(("p", p, (3,)), parameters=(low, d1))
-    ray = np.broadcast_to(p, (*shape, 3)).copy()
-    ray[..., 2] -= d1
-    largest = np.abs(ray).max(axis=-1)
-    ray[largest == 0, 0] = 1.0
-    ray /= np.abs(ray).max(axis=-1, keepdims=True)  # so that no square overflows or vanishes
-    length = np.sqrt((ray * ray).sum(axis=-1))
-    distance = largest * length
-    out = ray * (np.clip(distance, low, high) / length)[..., None]
-    out[..., 2] += d1
-    inside = (low <= distance) & (distance <= high)
-    return np.where(inside[..., None], p, out)
+    shoulder = vector(0, 0, d1)
+    ray = p - shoulder
+    size = np.abs(ray).max(axis=-1, keepdims=True)  # so that no square overflows or vanishes
+    ray = np.where(size == 0, [1.0, 0.0, 0.0], ray / size)
+    length = np.sqrt((ray * ray).sum(axis=-1, keepdims=True))
+    d, low, high = size * length, np.abs(a2 - a3)[..., None], (a2 + a3)[..., None]
+    within = (low <= d) & (d <= high)
+    return np.where(within, p, shoulder + ray / length * np.clip(d, low, high))
 
 
-@quiet
-def on_base_axis(p: ArrayLike, tol: ArrayLike = 1e-9) -> NDArray[np.bool_]:
+@door(p=data(3), tol=positive())
+def on_base_axis(p: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
     """Whether a point lies on the base axis (x = y = 0), where theta1 is free.
 
     p: (…, 3) in m; tol: (…) distance from the axis in m, positive → (…) bool; False for NaN.
     """
-    tol = positive("tol", tol)
-    _, (p,) = rows(("p", p, (3,)), parameters=(tol,))
-    return np.asarray(np.hypot(p[..., 0], p[..., 1]) <= tol)[()]
-
-
-def _triangle(distance: Array, a2: Array, a3: Array) -> tuple[Array, Array]:
-    """The triangle shoulder, elbow, wrist: its angle at the shoulder, and theta3, both ≥ 0."""
-    high, difference = a2 + a3, a2 - a3
-    d = np.minimum(np.maximum(distance, np.abs(difference)), high)
-    a, b, c, e = high - d, high + d, d - difference, d + difference
-    lift = 2 * np.arctan2(np.sqrt(a * c), np.sqrt(b * e))
-    elbow = 2 * np.arctan2(np.sqrt(a * b), np.sqrt(c * e))
-    return lift, elbow
-
-
-def _out_of_reach(
-    name: str, distance: Array, a2: Array, a3: Array, unreachable: str
-) -> NDArray[np.bool_]:
-    """Where the wrist is asked outside the shell; in mode "raise" the first one is refused."""
-    low, high = np.abs(a2 - a3), a2 + a3
-    bad = (distance > high * (1 + TOLERANCE)) | (distance < low - high * TOLERANCE)
-    if unreachable == "raise" and bad.any():
-        d, low, high = np.broadcast_arrays(distance, low, high)
-        index, where = _first(bad)
-        gap = max(low[index] - d[index], d[index] - high[index])
-        raise UnreachableError(
-            f"{name}{where} is out of reach by {gap:.6g} m: its wrist is {d[index]:.6g} m "
-            f"from the shoulder, allowed {low[index]:.6g} to {high[index]:.6g} m"
-        )
-    return np.asarray(bad)
-
-
-def _first(bad: NDArray[np.bool_]) -> tuple[tuple[int, ...], str]:
-    """The index of the first bad item, and how a message names it."""
-    index = tuple(np.argwhere(bad)[0])
-    return index, f" at index {', '.join(map(str, index))}" if index else ""
-
-
-def _raise_minus_pi(angle: Array) -> Array:
-    """An angle in (-3π, π] brought into (-π, π]."""
-    return angle + 2 * np.pi * (angle <= -np.pi)
-
-
-def _half_turn(angle: Array) -> Array:
-    """The opposite direction of an angle in (-2π, 2π), in (-π, π]."""
-    return _raise_minus_pi(angle - np.copysign(np.pi, angle))
+    x, y, _ = parts(p)
+    return np.hypot(x, y) <= tol

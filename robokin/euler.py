@@ -11,23 +11,26 @@ if i, j, k is left-handed, with all angles negated. An extrinsic sequence is the
 intrinsic one with all angles negated. Exercise 2; Siciliano et al., Robotics, section 2.4.
 """
 
-from itertools import pairwise
-from typing import NamedTuple
+from itertools import product
+from operator import ne
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from robokin._checks import Array, positive, quiet, rows, shown
+from robokin._angles import from_minus_pi, opposite
+from robokin._arrays import entries, matrix, parts, vector
+from robokin._checks import Array, ArrayLike, Bools, every, shown
+from robokin._door import Sizes, data, door, inside, positive
+from robokin._rotations import A_ROTATION
 from robokin.errors import RobokinError
-from robokin.frames import refuse_skewed
 
-__all__ = ["axis_angle", "from_matrix", "is_locked", "solutions", "steps", "to_matrix"]
+__all__ = ["about", "axis_angle", "from_matrix", "is_locked", "solutions", "steps", "to_matrix"]
 
 LOCK = 1e-15  # a zero as rounding leaves it in a rotation matrix
 MADE = np.tri(4, 3, -1)  # row n: 1 for the first n turns
 
 
-class _Sequence(NamedTuple):
+class _Axes(NamedTuple):
     i: int  # the first axis: 0, 1, 2 for x, y, z
     j: int  # the middle axis
     k: int  # the axis left over
@@ -36,7 +39,40 @@ class _Sequence(NamedTuple):
     intrinsic: bool
 
 
-@quiet
+def _axes(letters: str, intrinsic: bool) -> _Axes:
+    """A sequence's axes; one shorter than three letters is continued as a Cardan sequence."""
+    axes = ["xyz".index(letter) for letter in letters]
+    i = axes[0]
+    j = axes[1] if len(axes) > 1 else (i + 1) % 3
+    sign = 1 if ((j - i) % 3 == 1) == intrinsic else -1
+    return _Axes(i, j, 3 - i - j, axes[2:] == [i], sign, intrinsic)
+
+
+LETTERS = ["".join(word) for n in (1, 2, 3) for word in product("xyz", repeat=n)]
+LETTERS = [word for word in LETTERS if all(map(ne, word, word[1:]))]  # no axis twice in a row
+SEQUENCES = {word: _axes(word, False) for word in LETTERS}
+SEQUENCES |= {word.upper(): _axes(word, True) for word in LETTERS}
+
+
+def _sequence(name: str, seq: Any, sizes: Sizes) -> str:
+    """For the door: 1 to 3 letters, of which each has its angle."""
+    if not isinstance(seq, str) or seq not in SEQUENCES:
+        raise RobokinError(
+            f"{name} must be 1 to 3 letters, all of XYZ (intrinsic) or all of xyz (extrinsic), no "
+            f"axis twice in a row; got {shown(seq)}"
+        )
+    sizes["k"] = len(seq)
+    return seq
+
+
+def _three_letters(name: str, seq: Any, sizes: Sizes) -> str:
+    """For the door: three letters."""
+    if len(_sequence(name, seq, sizes)) != 3:
+        raise RobokinError(f"{name} must have three letters here, got {shown(seq)}")
+    return str(seq)
+
+
+@door(seq=_sequence, angles=data("k"))
 def to_matrix(seq: str, angles: ArrayLike) -> Array:
     """The rotation that a sequence of turns makes.
 
@@ -48,28 +84,19 @@ def to_matrix(seq: str, angles: ArrayLike) -> Array:
            [-1.,  0.,  0.],
            [ 0., -1.,  0.]])
     """
-    i, j, k, proper, sign, intrinsic = _read(seq)
-    shape, (angles,) = rows(("angles", angles, (len(seq),)))
-    turns = [angles[..., n] for n in range(len(seq))]
-    turns += [0.0 * turns[0]] * (3 - len(seq))
-    ca, cb, cc = map(np.cos, turns)
-    sa, sb, sc = (sign * np.sin(turn) + 0.0 for turn in turns)
-    columns = {  # of the first two turns together; the third mixes columns p and q
-        i: (cb, sa * sb, 0.0 - ca * sb),
-        j: (0.0 * ca, ca, sa),
-        k: (sb, 0.0 - sa * cb, ca * cb),
-    }
-    p, q, third = (j, k, i) if proper else (i, j, k)
-    out = np.empty((*shape, 3, 3))
-    M = out if intrinsic else out.swapaxes(-1, -2)
-    for row, P, Q, kept in zip((i, j, k), columns[p], columns[q], columns[third], strict=True):
-        M[..., row, p] = cc * P + sc * Q
-        M[..., row, q] = cc * Q - sc * P
-        M[..., row, third] = kept
-    return out
+    i, j, k, proper, sign, intrinsic = SEQUENCES[seq]
+    a, b, c, *_ = [*parts(angles), 0.0, 0.0]  # what is not turned is turned by 0
+    ca, cb, cc = np.cos(a), np.cos(b), np.cos(c)
+    sa, sb, sc = sign * np.sin(a), sign * np.sin(b), sign * np.sin(c)
+    first_two = {i: (cb, sa * sb, -ca * sb), j: (0.0, ca, sa), k: (sb, -sa * cb, ca * cb)}
+    p, q, third = (j, k, i) if proper else (i, j, k)  # the third turn mixes columns p and q
+    M = {}
+    for row, P, Q, kept in zip((i, j, k), *(first_two[n] for n in (p, q, third)), strict=True):
+        M[row, p], M[row, q], M[row, third] = cc * P + sc * Q, cc * Q - sc * P, kept
+    return matrix([[M[(m, n) if intrinsic else (n, m)] for n in range(3)] for m in range(3)])
 
 
-@quiet
+@door(seq=_three_letters, R=A_ROTATION)
 def from_matrix(seq: str, R: ArrayLike) -> Array:
     """The angles of a sequence that make a rotation; of the two answers the one in SciPy's range.
 
@@ -82,23 +109,20 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
     >>> from_matrix("ZYX", [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]).round(6)
     array([-1.570796,  0.      , -1.570796])
     """
-    M, (i, j, k, proper, sign, _) = _rotation(seq, R)
-    w, u, h = _third(M, i, j, k, proper, sign)
+    i, j, k, proper, sign, intrinsic = SEQUENCES[seq]
+    M = entries(R if intrinsic else R.swapaxes(-1, -2))
+    w, u, h = _third(M, seq)
     free = h > LOCK
-    if not free.all():
+    if not every(free):
         w, u, h = w * free, u * free + ~free, h * free
     turn, mixed = (-sign * w, k) if proper else (sign * w, i)
-    sine = sign * (u * M[..., k, j] + turn * M[..., k, mixed]) + 0.0
-    cosine = u * M[..., j, j] + turn * M[..., j, mixed]
-    middle = (h, M[..., i, i]) if proper else (sign * M[..., i, k] + 0.0, h)
-    out = np.empty((*h.shape, 3))
-    out[..., 0] = np.arctan2(sine, cosine)
-    out[..., 1] = np.arctan2(*middle)
-    out[..., 2] = np.arctan2(w + 0.0, u + 0.0)  # + 0.0 turns -0.0 into 0.0
-    return out
+    sine = sign * (u * M[k][j] + turn * M[k][mixed])
+    cosine = u * M[j][j] + turn * M[j][mixed]
+    middle = (h, M[i][i]) if proper else (sign * M[i][k], h)
+    return vector(*(np.arctan2(y + 0.0, x) for y, x in ((sine, cosine), middle, (w, u + 0.0))))
 
 
-@quiet
+@door(seq=_three_letters, R=A_ROTATION)
 def solutions(seq: str, R: ArrayLike) -> Array:
     """Both answers of a sequence: `from_matrix`, and the one with the first axis turned round.
 
@@ -110,20 +134,13 @@ def solutions(seq: str, R: ArrayLike) -> Array:
     array([[-1.570796,  0.      , -1.570796],
            [ 1.570796,  3.141593,  1.570796]])
     """
-    first = from_matrix(seq, R)
-    a, b, c = first[..., 0], first[..., 1], first[..., 2]
-    out = np.empty((*first.shape[:-1], 2, 3))
-    out[..., 0, :] = first
-    second = out[..., 1, :]
-    second[..., 0] = a + np.pi * (1 - 2 * (a > 0))
-    second[..., 1] = 0.0 - b if _read(seq).proper else np.pi * (1 - 2 * (b < 0)) - b
-    second[..., 2] = c + np.pi * (1 - 2 * (c > 0))
-    second += 2 * np.pi * (second <= -np.pi)
-    return out
+    a, b, c = parts(inside(from_matrix)(seq, R))
+    middle = from_minus_pi(-b) if SEQUENCES[seq].proper else opposite(-b)
+    return matrix([[a, b, c], [opposite(a), middle, opposite(c)]])
 
 
-@quiet
-def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> NDArray[np.bool_]:
+@door(seq=_three_letters, R=A_ROTATION, tol=positive())
+def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
     """Whether a rotation is at gimbal lock for a sequence, or near it as a person sees it.
 
     seq: three letters; R: (…, 3, 3); tol: (…), the largest sine (proper Euler) or cosine (Cardan)
@@ -133,23 +150,46 @@ def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> NDArray[np.bool_
     >>> [seq for seq in ("XYZ", "ZYX", "ZXZ") if is_locked(seq, R_ab)]
     ['XYZ']
     """
-    tol = positive("tol", tol)
-    M, s = _rotation(seq, R, tol)
-    return _third(M, *s[:5])[2] <= tol
+    M = entries(R if SEQUENCES[seq].intrinsic else R.swapaxes(-1, -2))
+    _, _, h = _third(M, seq)
+    return h <= tol
 
 
-@quiet
+@door(seq=_sequence, angles=data("k"))
 def steps(seq: str, angles: ArrayLike) -> Array:
     """The orientations on the way: none of the turns made, the first, the first two, all.
 
     seq: 1–3 letters; angles: (…, k) in rad → (…, k+1, 3, 3); the last one is `to_matrix`.
     """
-    _read(seq)
-    _, (angles,) = rows(("angles", angles, (len(seq),)))
-    return to_matrix(seq, angles[..., None, :] * MADE[: len(seq) + 1, : len(seq)])
+    k = len(seq)
+    return inside(to_matrix)(seq, angles[..., None, :] * MADE[: k + 1, :k])
 
 
-@quiet
+@door(axis=data(3), angle=data())
+def about(axis: ArrayLike, angle: ArrayLike) -> Array:
+    """The rotation about an axis by an angle: the inverse of `axis_angle`.
+
+    axis: (…, 3) of any length but 0 (NaN there); angle: (…) in rad → (…, 3, 3).
+    Source: Rodrigues' formula, cos ϑ I + (1 − cos ϑ) n nᵀ + sin ϑ [n]×.
+
+    >>> about([1, 1, 1], 2 * np.pi / 3).round(6) + 0.0
+    array([[0., 0., 1.],
+           [1., 0., 0.],
+           [0., 1., 0.]])
+    """
+    n = axis / np.abs(axis).max(axis=-1, keepdims=True)  # so that no square overflows or vanishes
+    x, y, z = parts(n / np.sqrt(np.vecdot(n, n))[..., None])
+    c, s, rest = np.cos(angle), np.sin(angle), 2 * np.sin(angle / 2) ** 2  # 1 - c, with its digits
+    return matrix(
+        [
+            [c + rest * x * x, rest * x * y - s * z, rest * x * z + s * y],
+            [rest * y * x + s * z, c + rest * y * y, rest * y * z - s * x],
+            [rest * z * x - s * y, rest * z * y + s * x, c + rest * z * z],
+        ]
+    )
+
+
+@door(R=A_ROTATION)
 def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
     """The one axis and angle that make the same rotation.
 
@@ -162,24 +202,19 @@ def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
     >>> (axis * np.sqrt(3)).round(6), (np.degrees(angle)).round(6)
     (array([-1.,  1., -1.]), np.float64(120.0))
     """
-    _, (R,) = rows(("R", R, (3, 3)))
-    refuse_skewed("R", R)
     w, x, y, z = _quaternion(R)
     length = np.hypot(np.hypot(x, y), z)
     half = np.abs(w) <= 0.5 * LOCK * length
     first = x + (np.abs(x) <= LOCK * length) * (y + (np.abs(y) <= LOCK * length) * z)
-    facing = np.copysign(length, w * ~half + first * half)
-    axis = (np.array([x, y, z]) / facing).T + 0.0
-    axis[(length == 0).T] = [0.0, 0.0, 1.0]
-    return axis, 2.0 * np.arctan2(length, np.abs(w) * ~half).T
+    facing = np.copysign(length, np.where(half, first, w))
+    still = (length == 0)[..., None]
+    axis = np.where(still, [0.0, 0.0, 1.0], vector(x / facing, y / facing, z / facing))
+    return axis, 2 * np.arctan2(length, np.where(half, 0.0, np.abs(w)))
 
 
 def _quaternion(R: Array) -> Array:
-    """w, x, y, z, not yet of length 1: the row of 4 q qᵀ with the largest diagonal entry.
-
-    (…, 3, 3) → (4, …) with the batch axes reversed.
-    """
-    (xx, yx, zx), (xy, yy, zy), (xz, yz, zz) = R.T
+    """w, x, y, z, not yet of length 1: the row of 4 q qᵀ with the largest diagonal entry."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = entries(R)
     wx, wy, wz, ww = zy - yz, xz - zx, yx - xy, 1.0 + xx + yy + zz
     xy, yz, zx = xy + yx, yz + zy, zx + xz
     xx, yy, zz = 1.0 + xx - yy - zz, 1.0 - xx + yy - zz, 1.0 - xx - yy + zz
@@ -188,34 +223,8 @@ def _quaternion(R: Array) -> Array:
     return q
 
 
-def _third(M: Array, i: int, j: int, k: int, proper: bool, sign: int) -> tuple[Array, Array, Array]:
+def _third(M: list[list[Array]], seq: str) -> tuple[Array, Array, Array]:
     """The third angle's sine and cosine, both times h; h ≥ 0, the sine or cosine of the middle."""
-    w, u = (M[..., i, j], sign * M[..., i, k]) if proper else (-sign * M[..., i, j], M[..., i, i])
+    i, j, k, proper, sign, _ = SEQUENCES[seq]
+    w, u = (M[i][j], sign * M[i][k]) if proper else (-sign * M[i][j], M[i][i])
     return w, u, np.sqrt(w * w + u * u)
-
-
-def _rotation(seq: str, R: ArrayLike, *parameters: Array) -> tuple[Array, _Sequence]:
-    """R, transposed for an extrinsic sequence, and the sequence, of three letters."""
-    s = _read(seq)
-    if len(seq) != 3:
-        raise RobokinError(f"seq must have three letters here, got {shown(seq)}")
-    _, (R,) = rows(("R", R, (3, 3)), parameters=parameters)
-    refuse_skewed("R", R)
-    return (R if s.intrinsic else R.swapaxes(-1, -2)), s
-
-
-def _read(seq: str) -> _Sequence:
-    """A sequence's axes; one shorter than three letters is continued as a Cardan sequence."""
-    letters = seq if isinstance(seq, str) and 1 <= len(seq) <= 3 else "?"
-    axes = ["xyz".find(letter) for letter in letters.lower()]
-    twice = any(axis == following for axis, following in pairwise(axes))
-    if min(axes) < 0 or twice or letters not in (letters.upper(), letters.lower()):
-        raise RobokinError(
-            "seq must be 1 to 3 letters, all of XYZ (intrinsic) or all of xyz (extrinsic), no axis "
-            f"twice in a row; got {shown(seq)}"
-        )
-    i = axes[0]
-    j = axes[1] if len(axes) > 1 else (i + 1) % 3
-    intrinsic = letters.isupper()
-    sign = 1 if ((j - i) % 3 == 1) == intrinsic else -1
-    return _Sequence(i, j, 3 - i - j, axes[2:] == [i], sign, intrinsic)

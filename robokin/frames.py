@@ -7,23 +7,42 @@ chapter 3.
 """
 
 from collections import deque
-from functools import reduce
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from robokin._checks import Array, Shape, numbers, positive, quiet, rows, shown
+from robokin._angles import from_minus_pi
+from robokin._arrays import entries, matrix, times, vector
+from robokin._checks import Array, ArrayLike, Shape, at, first, shown
+from robokin._door import data, door, one, positive, quiet
+from robokin._rotations import (
+    A_PLANAR_POSE,
+    A_POSE,
+    A_ROTATION,
+    TOLERANCE,
+    Square,
+    parts_of,
+    pose_of,
+    poses,
+    product,
+    refuse_skewed,
+)
 from robokin.errors import RobokinError
 
-__all__ = ["FrameGraph", "check_rotation", "compose", "inverse", "se2", "se3", "transform"]
+__all__ = [
+    "FrameGraph",
+    "check_rotation",
+    "compose",
+    "dh",
+    "inverse",
+    "pose",
+    "se2",
+    "se3",
+    "transform",
+]
 
-TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
-KINDS: dict[tuple[int, ...], str] = {(3, 3): "SE(2)", (4, 4): "SE(3)"}
-BLOCK = 4000  # matrices checked at a time: few enough to stay in the processor's cache
 
-
-@quiet
+@door(x=data(), y=data(), theta=data())
 def se2(x: ArrayLike, y: ArrayLike, theta: ArrayLike) -> Array:
     """The matrix of a pose in the plane.
 
@@ -34,33 +53,60 @@ def se2(x: ArrayLike, y: ArrayLike, theta: ArrayLike) -> Array:
            [0., 1., 2.],
            [0., 0., 1.]])
     """
-    shape, (x, y, theta) = rows(("x", x, ()), ("y", y, ()), ("theta", theta, ()))
     c, s = np.cos(theta), np.sin(theta)
-    zero = x - x  # NaN in a row that has no answer
-    out = np.empty((*shape, 3, 3))
-    out[..., 0, 0], out[..., 0, 1], out[..., 0, 2] = c, 0.0 - s, x
-    out[..., 1, 0], out[..., 1, 1], out[..., 1, 2] = s, c, y
-    out[..., 2, 0], out[..., 2, 1], out[..., 2, 2] = zero, zero, zero + 1.0
-    return out
+    return matrix([[c, -s, x], [s, c, y], [0, 0, 1]])
 
 
-@quiet
+@door(rotation=A_ROTATION, position=data(3))
 def se3(rotation: ArrayLike, position: ArrayLike) -> Array:
     """The matrix of a pose in space.
 
     rotation: (…, 3, 3); position: (…, 3) in m → (…, 4, 4). What is not a rotation is refused, as
     in `check_rotation`.
     """
-    shape, (R, p) = rows(("rotation", rotation, (3, 3)), ("position", position, (3,)))
-    refuse_skewed("rotation", R)
-    zero = p - p  # NaN in a row that has no answer
-    out = np.empty((*shape, 4, 4))
-    out[..., :3, :3], out[..., :3, 3] = R, p
-    out[..., 3, :3], out[..., 3, 3] = zero, zero[..., 0] + 1.0
-    return out
+    return pose_of(rotation, position)
 
 
-@quiet
+@door(T=A_PLANAR_POSE)
+def pose(T: ArrayLike) -> Array:
+    """Place and heading of a matrix in the plane: the inverse of `se2`.
+
+    T: (…, 3, 3) → (…, 3) `[x, y, theta]` in m, m, rad, theta in (-π, π]. A matrix that is not a
+    pose is refused.
+
+    >>> pose(se2(1.0, 2.0, 0.5))
+    array([1. , 2. , 0.5])
+    """
+    (c, _, x), (s, _, y), _ = entries(T)
+    return vector(x, y, from_minus_pi(np.arctan2(s + 0.0, c)))
+
+
+@door(theta=data(), d=data(), a=data(), alpha=data())
+def dh(theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike) -> Array:
+    """The pose of a joint's frame seen from the one before, by Denavit and Hartenberg's numbers.
+
+    A turn theta about z and a shift d along it, then a shift a along the new x and a turn alpha
+    about it. theta, alpha: (…) in rad; d, a: (…) in m → (…, 4, 4).
+    Source: exercise 1; Spong, Hutchinson & Vidyasagar, section 3.2.
+
+    >>> dh(0.0, 0.1, 0.4, np.pi / 2).round(6)
+    array([[ 1. ,  0. ,  0. ,  0.4],
+           [ 0. ,  0. , -1. ,  0. ],
+           [ 0. ,  1. ,  0. ,  0.1],
+           [ 0. ,  0. ,  0. ,  1. ]])
+    """
+    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return matrix(
+        [
+            [c, -s * ca, s * sa, a * c],
+            [s, c * ca, -c * sa, a * s],
+            [0, sa, ca, d],
+            [0, 0, 0, 1],
+        ]
+    )
+
+
+@door(T=A_POSE)
 def inverse(T: ArrayLike) -> Array:
     """The same pose seen from the other end: T_ba from T_ab.
 
@@ -73,8 +119,9 @@ def inverse(T: ArrayLike) -> Array:
            [-1.,  0.,  1.],
            [ 0.,  0.,  1.]])
     """
-    (T,) = _poses(("T", T))
-    return _inverse(T)
+    R, p = parts_of(T)
+    R_back = R.swapaxes(-1, -2)
+    return pose_of(R_back, -times(R_back, p))
 
 
 @quiet
@@ -93,10 +140,10 @@ def compose(*transforms: ArrayLike) -> Array:
     """
     if not transforms:
         raise RobokinError("compose needs at least one transform, got none")
-    return _product(_poses(*((f"transforms[{n}]", T) for n, T in enumerate(transforms))))
+    return product(poses({f"transforms[{n}]": T for n, T in enumerate(transforms)}))
 
 
-@quiet
+@door(T=A_POSE, points=data("n"))
 def transform(T: ArrayLike, points: ArrayLike) -> Array:
     """Points of frame b as seen from frame a: p_a from T_ab and p_b.
 
@@ -107,13 +154,8 @@ def transform(T: ArrayLike, points: ArrayLike) -> Array:
     array([[1., 2.],
            [1., 3.]])
     """
-    (T,) = _poses(("T", T))
-    n = T.shape[-1] - 1
-    shape, (T, p) = rows(("T", T, (n + 1, n + 1)), ("points", points, (n,)))
-    out = np.empty((*shape, n))
-    for i in range(n):
-        out[..., i] = np.vecdot(T[..., i, :n], p) + T[..., i, n]
-    return out
+    R, p = parts_of(T)
+    return times(R, points) + p
 
 
 class FrameGraph:
@@ -154,7 +196,7 @@ class FrameGraph:
         if not (isinstance(a, str) and isinstance(b, str) and a and b and a != b):
             raise RobokinError(f"a pair needs two different names, got {shown(a)} and {shown(b)}")
         name = f"T_{a}{b}"
-        (T,) = _poses((name, T_ab))
+        (T,) = poses({name: T_ab})
         try:
             shape = np.broadcast_shapes(self._shape, T.shape)
         except ValueError as error:
@@ -168,7 +210,7 @@ class FrameGraph:
             self._refuse_contradiction(name, T, way)
         self._shape = shape
         self._known.setdefault(a, {}).setdefault(b, T.copy())
-        self._known.setdefault(b, {}).setdefault(a, _inverse(T))
+        self._known.setdefault(b, {}).setdefault(a, inverse(T))
 
     @quiet
     def get(self, a: str, b: str) -> Array:
@@ -205,20 +247,20 @@ class FrameGraph:
 
     def _along(self, path: list[str]) -> Array:
         chain = [self._known[here][there] for here, there in pairwise(path)]
-        return _product(chain or [np.eye(self._shape[-1])])
+        return product(chain or [np.eye(self._shape[-1])])
 
     def _refuse_contradiction(self, name: str, T: Array, path: list[str]) -> None:
         off = np.abs(T - self._along(path)).max(axis=(-2, -1))
         off = off / np.abs(T).max(axis=(-2, -1))  # 1 or more: the last row ends in 1
         if (off > TOLERANCE).any():
-            index = tuple(np.argwhere(off > TOLERANCE)[0])
+            index = first(off > TOLERANCE)
             raise RobokinError(
                 f"{name} contradicts what is known along {' → '.join(path)}: off by "
-                f"{off[index]:.3g}{_at(index)}, allowed {TOLERANCE:.3g}"
+                f"{off[index]:.3g}{at(index)}, allowed {TOLERANCE:.3g}"
             )
 
 
-@quiet
+@door(R=Square((2, 3), good=np.isfinite), tol=one(positive()))
 def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """Refuse what is not a rotation: columns of length 1, at right angles, right-handed.
 
@@ -230,93 +272,4 @@ def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
 
     >>> check_rotation([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
     """
-    limit = positive("tol", tol)
-    if limit.ndim:
-        raise RobokinError(f"tol must be one number, got {shown(tol)}")
-    n = 2 if numbers("R", R).shape[-2:] == (2, 2) else 3
-    _, (R,) = rows(("R", R, (n, n)))
-    refuse_skewed("R", R, n, float(limit))
-
-
-def _product(poses: list[Array]) -> Array:
-    return reduce(np.matmul, poses) if len(poses) > 1 else poses[0].copy()
-
-
-def _inverse(T: Array) -> Array:
-    n = T.shape[-1] - 1
-    Rt = T[..., :n, :n].swapaxes(-1, -2)
-    out = np.empty(T.shape)
-    out[..., :n, :n] = Rt
-    np.einsum("...ij,...j->...i", Rt, 0.0 - T[..., :n, n], out=out[..., :n, n])
-    out[..., n, :] = T[..., n, :]
-    return out
-
-
-def _poses(*items: tuple[str, ArrayLike]) -> list[Array]:
-    """The transforms as arrays, each a pose and all of the same kind."""
-    shapes = [numbers(name, value).shape for name, value in items]
-    core = shapes[0][-2:]
-    for (name, _), shape in zip(items, shapes, strict=True):
-        if shape[-2:] not in KINDS:
-            raise RobokinError(f"{name} must have shape (…, 3, 3) or (…, 4, 4), got {shape}")
-        if shape[-2:] != core:
-            kinds = f"{items[0][0]} is {KINDS[core]}, {name} is {KINDS[shape[-2:]]}"
-            raise RobokinError(f"SE(2) and SE(3) do not mix: {kinds}")
-    _, poses = rows(*((name, value, core) for name, value in items))
-    for (name, _), T in zip(items, poses, strict=True):
-        refuse_skewed(name, T, core[0] - 1)
-    return poses
-
-
-def refuse_skewed(name: str, matrices: Array, n: int = 3, tol: float = TOLERANCE) -> None:
-    """Refuse the first matrix that `_errors` finds wrong by more than tol."""
-    for start in range(0, len(matrices), BLOCK) if matrices.ndim > 2 else [0]:
-        block = matrices[start : start + BLOCK]
-        errors = _errors(block, n)
-        if (errors > tol).any():
-            index = tuple(np.argwhere((errors > tol).any(axis=0).T)[0])
-            what = _what(block[index], errors.T[index], n, tol)
-            if index:
-                index = (start + index[0], *index[1:])
-            raise RobokinError(f"{name}{_at(index)} {what}")
-
-
-def _what(matrix: Array, errors: Array, n: int, tol: float) -> str:
-    if len(matrix) > n and (errors[-len(matrix) :] > tol).any():
-        return f"must have 0, …, 0, 1 as its last row, got {matrix[n]}"
-    mirror = " (a mirror: determinant < 0)" if np.linalg.det(matrix[:n, :n]) < 0 else ""
-    return (
-        f"is not a rotation{mirror}: off by {np.nanmax(errors):.3g} from columns of length 1, "
-        f"at right angles and right-handed; allowed {tol:.3g}"
-    )
-
-
-def _at(index: tuple[int, ...]) -> str:
-    return f" at index {', '.join(map(str, index))}" if index else ""
-
-
-def _errors(matrices: Array, n: int) -> Array:
-    """What is 0 if the first n rows and columns are a rotation, and the row below is 0, …, 0, 1.
-
-    (…, m, m) → (k, …) with the batch axes reversed; the numbers of the rotation come first.
-    """
-    columns = np.ascontiguousarray(matrices.T)  # the values of an entry side by side: fast
-    x, y, *rest = columns
-    extra = len(columns) - n  # 1 for a pose, 0 for a rotation
-    out = np.empty((3 * (n - 1) + extra * (n + 1), *columns.shape[2:]))
-    if n == 2:
-        out[0] = x[0] * x[0] + x[1] * x[1] - 1.0
-        out[1] = y[0] + x[1]
-        out[2] = y[1] - x[0]
-    else:
-        z = rest[0]
-        out[0] = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0
-        out[1] = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0
-        out[2] = x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
-        out[3] = x[1] * y[2] - x[2] * y[1] - z[0]
-        out[4] = x[2] * y[0] - x[0] * y[2] - z[1]
-        out[5] = x[0] * y[1] - x[1] * y[0] - z[2]
-    if extra:
-        out[-n - 1 : -1] = columns[:n, n]
-        out[-1] = columns[n, n] - 1.0
-    return np.abs(out, out=out)
+    refuse_skewed("R", R, R.shape[-1], tol)

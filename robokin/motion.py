@@ -5,16 +5,16 @@ leading batch dimensions broadcast. Taught in the chapter on the differential dr
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from robokin._checks import Array, choice, finite, numbers, quiet, rows
+from robokin._arrays import parts, vector
+from robokin._checks import Array, ArrayLike
+from robokin._door import data, door, finite, one_of, steps
+from robokin._paths import METHODS, cos_sin_of_sum, follow, sinc
 
 __all__ = ["arc_step", "icr", "move", "path", "to_body", "to_world", "wrap_angle"]
 
-METHODS = ("exact", "midpoint", "start", "end")
 
-
-@quiet
+@door(angle=data())
 def wrap_angle(angle: ArrayLike) -> Array:
     """The same direction as an angle in (-π, π].
 
@@ -23,12 +23,11 @@ def wrap_angle(angle: ArrayLike) -> Array:
     >>> wrap_angle([np.pi, -np.pi, 7.0]).round(6)
     array([3.141593, 3.141593, 0.716815])
     """
-    _, (a,) = rows(("angle", angle, ()))
-    a = np.minimum(a - 2 * np.pi * np.rint(a / (2 * np.pi)), np.pi)
-    return np.where(a <= -np.pi, np.pi, a)[()]
+    turned = angle - 2 * np.pi * np.rint(angle / (2 * np.pi))
+    return np.where(turned <= -np.pi, np.pi, np.minimum(turned, np.pi))
 
 
-@quiet
+@door(theta=data(), twist=data(3))
 def to_world(theta: ArrayLike, twist: ArrayLike) -> Array:
     """A body twist as seen from the world: its direction turned by the heading.
 
@@ -38,30 +37,23 @@ def to_world(theta: ArrayLike, twist: ArrayLike) -> Array:
     >>> to_world(np.pi / 2, [0.075, 0, 0.5]).round(6)
     array([0.   , 0.075, 0.5  ])
     """
-    return _turn(theta, twist, 1.0)
+    v_x, v_y, omega = parts(twist)
+    c, s = np.cos(theta), np.sin(theta)
+    return vector(c * v_x - s * v_y, s * v_x + c * v_y, omega)
 
 
-@quiet
+@door(theta=data(), twist=data(3))
 def to_body(theta: ArrayLike, twist: ArrayLike) -> Array:
     """A world twist as seen from the robot: the inverse of `to_world`.
 
     theta: heading (…) in rad; twist: (…, 3) `[x_dot, y_dot, omega]` → (…, 3).
     """
-    return _turn(theta, twist, -1.0)
+    x_dot, y_dot, omega = parts(twist)
+    c, s = np.cos(theta), np.sin(theta)
+    return vector(c * x_dot + s * y_dot, c * y_dot - s * x_dot, omega)
 
 
-def _turn(theta: ArrayLike, twist: ArrayLike, sign: float) -> Array:
-    shape, (th, tw) = rows(("theta", theta, ()), ("twist", twist, (3,)))
-    c, s = np.cos(th), np.sin(th)
-    s *= sign
-    out = np.empty((*shape, 3))
-    out[..., 0] = c * tw[..., 0] - s * tw[..., 1]
-    out[..., 1] = s * tw[..., 0] + c * tw[..., 1]
-    out[..., 2] = tw[..., 2]
-    return out
-
-
-@quiet
+@door(pose=data(3), v=data(), omega=data(), dt=finite())
 def arc_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike) -> Array:
     """The pose after driving for dt with constant speed and turning rate: an exact circular arc.
 
@@ -73,22 +65,14 @@ def arc_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike) -> 
     >>> arc_step([0, 0, 0], v=1.0, omega=0.0, dt=2.0)
     array([2., 0., 0.])
     """
-    dt = finite("dt", dt)
-    shape, (p, v, omega) = rows(
-        ("pose", pose, (3,)), ("v", v, ()), ("omega", omega, ()), parameters=(dt,)
-    )
+    x, y, theta = parts(pose)
     turn = omega * dt
-    chord = v * dt * _sinc(0.5 * turn)
-    c, s = _cos_sin(p[..., 2], 0.5 * turn)
-    out = np.empty((*shape, 3))
-    out[...] = p
-    out[..., 0] += chord * c
-    out[..., 1] += chord * s
-    out[..., 2] += turn
-    return out
+    chord = v * dt * sinc(turn / 2)
+    c, s = cos_sin_of_sum(theta, turn / 2)
+    return vector(x + chord * c, y + chord * s, theta + turn)
 
 
-@quiet
+@door(pose=data(3), twist=data(3), dt=finite())
 def move(pose: ArrayLike, twist: ArrayLike, dt: ArrayLike) -> Array:
     """The pose after moving for dt with a constant body twist, sideways speed included.
 
@@ -96,20 +80,15 @@ def move(pose: ArrayLike, twist: ArrayLike, dt: ArrayLike) -> Array:
     exponential map of SE(2); with v_y = 0 it is `arc_step`.
     Source: Lynch & Park, Modern Robotics, section 3.3.3 (in the plane).
     """
-    dt = finite("dt", dt)
-    shape, (p, tw) = rows(("pose", pose, (3,)), ("twist", twist, (3,)), parameters=(dt,))
-    turn = tw[..., 2] * dt
-    scale = dt * _sinc(0.5 * turn)
-    c, s = _cos_sin(p[..., 2], 0.5 * turn)
-    out = np.empty((*shape, 3))
-    out[...] = p
-    out[..., 0] += scale * (c * tw[..., 0] - s * tw[..., 1])
-    out[..., 1] += scale * (s * tw[..., 0] + c * tw[..., 1])
-    out[..., 2] += turn
-    return out
+    x, y, theta = parts(pose)
+    v_x, v_y, omega = parts(twist)
+    turn = omega * dt
+    scale = dt * sinc(turn / 2)
+    c, s = cos_sin_of_sum(theta, turn / 2)
+    return vector(x + scale * (c * v_x - s * v_y), y + scale * (s * v_x + c * v_y), theta + turn)
 
 
-@quiet
+@door(pose=data(3), v=data(steps), omega=data(steps), dt=finite(steps), method=one_of(*METHODS))
 def path(
     pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike, method: str = "exact"
 ) -> Array:
@@ -120,14 +99,10 @@ def path(
     its middle ("midpoint"), its old ("start") or its new heading ("end"). A NaN makes the path
     NaN from its step on.
     """
-    dt = np.atleast_1d(finite("dt", dt))
-    v, omega = np.atleast_1d(numbers("v", v), numbers("omega", omega))
-    steps, (v, omega) = rows(("v", v, ()), ("omega", omega, ()), parameters=(dt,))
-    turn = np.broadcast_to(omega * dt, steps)
-    return _follow(pose, turn.cumsum(-1), turn, v * dt, method)
+    return follow(pose, v * dt, omega * dt, method)
 
 
-@quiet
+@door(pose=data(3), v=data(), omega=data())
 def icr(pose: ArrayLike, v: ArrayLike, omega: ArrayLike) -> Array:
     """The instantaneous centre of rotation (ICR): the point of the plane that stands still.
 
@@ -139,49 +114,8 @@ def icr(pose: ArrayLike, v: ArrayLike, omega: ArrayLike) -> Array:
     >>> icr([0, 0, 0], v=0.075, omega=0.5)
     array([0.  , 0.15])
     """
-    shape, (p, v, omega) = rows(("pose", pose, (3,)), ("v", v, ()), ("omega", omega, ()))
-    radius = np.asarray(v / omega)
-    out = np.empty((*shape, 2))
-    out[..., 0] = p[..., 0] - radius * np.sin(p[..., 2])
-    out[..., 1] = p[..., 1] + radius * np.cos(p[..., 2])
-    out[np.isinf(np.broadcast_to(radius, shape))] = np.inf
-    return out
-
-
-def _follow(pose: ArrayLike, turned: Array, turn: Array, length: Array, method: str) -> Array:
-    """The poses of `path`, (…, N+1, 3), by the four step rules that odometry shares.
-
-    turned: (…, N) how far the robot has turned since the start; turn, length: (…, N) of each step.
-    """
-    choice("method", method, METHODS)
-    batch, (p,) = rows(("pose", pose, (3,)), parameters=(np.empty(turned.shape[:-1]),))
-    out = np.empty((*batch, turned.shape[-1] + 1, 3))
-    out[..., 0, :] = p
-    out[..., 1:, 2] = p[..., 2:] + turned
-    if method == "exact":
-        length = length * _sinc(0.5 * turn)
-    if method == "start":
-        heading = out[..., :-1, 2]
-    elif method == "end":
-        heading = out[..., 1:, 2]
-    else:
-        heading = out[..., :-1, 2] + 0.5 * turn
-    out[..., 1:, 0] = p[..., :1] + (length * np.cos(heading)).cumsum(-1)
-    out[..., 1:, 1] = p[..., 1:2] + (length * np.sin(heading)).cumsum(-1)
-    return out
-
-
-def _sinc(x: Array) -> Array:
-    """sin(x)/x, 1 at 0: an even function, and 1e-300 is lost in every |x| that is not next to 0."""
-    x = np.abs(x) + 1e-300
-    return np.sin(x) / x
-
-
-def _cos_sin(theta: Array, half: Array) -> tuple[Array, Array]:
-    """Cosine and sine of theta + half; what rounding took from the sum is turned in afterwards."""
-    heading = theta + half
-    rest = theta - heading + half
-    c, s = np.cos(heading), np.sin(heading)
-    c -= rest * s
-    s += rest * c
-    return c, s
+    x, y, theta = parts(pose)
+    radius = v / omega
+    straight = np.isinf(radius)
+    x_icr, y_icr = x - radius * np.sin(theta), y + radius * np.cos(theta)
+    return vector(np.where(straight, np.inf, x_icr), np.where(straight, np.inf, y_icr))

@@ -5,16 +5,24 @@ NaN. Exercise 7; Siegwart, Nourbakhsh & Scaramuzza, section 5.2.4.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import NDArray
 
-from robokin._checks import Array, _refuse, finite, numbers, positive, quiet, rows
-from robokin.errors import RobokinError
-from robokin.motion import _follow, _sinc
+from robokin._arrays import entries, matrix, parts, rows, vector
+from robokin._checks import Array, ArrayLike, Bools, refuse
+from robokin._door import Rule, data, door, not_negative, one_of, positive, steps, whole
+from robokin._paths import METHODS, follow, sinc, sinc_slope
+from robokin._rotations import Square
 
-__all__ = ["covariance", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
+__all__ = ["covariance", "ellipse", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
+ROUNDING = 1e-12  # of the products of variances, in a determinant that should be 0
 
 
-@quiet
+def _is_size(bits: Array) -> Bools:
+    fits: Bools = (bits == np.rint(bits)) & (bits >= 1) & (bits <= 52)
+    return fits
+
+
+@door(ticks=whole(), ticks_per_turn=positive(), wheel_radius=positive())
 def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
     """How far a wheel has rolled.
 
@@ -24,13 +32,10 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     >>> round(float(travel(500, ticks_per_turn=1000, wheel_radius=0.05)), 6)
     0.15708
     """
-    per_turn = positive("ticks_per_turn", ticks_per_turn)
-    radius = positive("wheel_radius", wheel_radius)
-    _, (ticks,) = rows(("ticks", _whole("ticks", ticks), ()), parameters=(per_turn, radius))
-    return 2 * np.pi * radius / per_turn * ticks
+    return 2 * np.pi * wheel_radius / ticks_per_turn * ticks
 
 
-@quiet
+@door(bits=Rule(ok=_is_size, allowed="1, 2, … or 52"), counts=whole(steps))
 def unwrap_counter(counts: ArrayLike, bits: ArrayLike) -> Array:
     """The ticks between the readings of a counter that wraps round after 2**bits.
 
@@ -41,18 +46,21 @@ def unwrap_counter(counts: ArrayLike, bits: ArrayLike) -> Array:
     >>> unwrap_counter([65530, 4, 65533], bits=16)
     array([10., -7.])
     """
-    bits = finite("bits", bits)
-    _refuse("bits", bits, (bits != np.rint(bits)) | (bits < 1) | (bits > 52), "1, 2, … or 52")
-    span = 2.0 ** bits[..., None]
-    counts = np.atleast_1d(_whole("counts", counts))
-    shape, (counts,) = rows(("counts", counts, ()), parameters=(span,))
-    counts = np.broadcast_to(counts, shape)
+    span = 2.0**bits
     outside = (counts < -span / 2) | (counts >= span)
-    _refuse("counts", counts, outside, "from -2**(bits-1) to 2**bits - 1")
+    refuse("counts", counts, ~outside, "from -2**(bits-1) to 2**bits - 1")
     return (np.diff(counts) + span / 2) % span - span / 2
 
 
-@quiet
+@door(
+    ticks_left=whole(steps),
+    ticks_right=whole(steps),
+    ticks_per_turn=positive(),
+    wheel_radius=positive(),
+    wheel_distance=positive(),
+    pose=data(3),
+    method=one_of(*METHODS),
+)
 def path(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -75,15 +83,21 @@ def path(
            [0.071, 0.029, 0.785],
            [0.182, 0.14 , 0.785]])
     """
-    left, right, per_tick, distance = _readings(
-        ticks_left, ticks_right, ticks_per_turn, wheel_radius, wheel_distance
-    )
-    difference, angle = right - left, per_tick / distance
-    turned = difference.cumsum(-1) * angle
-    return _follow(pose, turned, difference * angle, 0.5 * per_tick * (right + left), method)
+    per_tick = 2 * np.pi * wheel_radius / ticks_per_turn
+    length = per_tick * (ticks_right + ticks_left) / 2
+    angle, difference = per_tick / wheel_distance, ticks_right - ticks_left
+    turned = angle * difference.cumsum(axis=-1)
+    return follow(pose, length, angle * difference, method, turned)
 
 
-@quiet
+@door(
+    ticks_left=whole(),
+    ticks_right=whole(),
+    dt=positive(),
+    ticks_per_turn=positive(),
+    wheel_radius=positive(),
+    wheel_distance=positive(),
+)
 def velocity(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -102,22 +116,23 @@ def velocity(
     >>> round(float(v), 3), round(float(omega), 3)
     (2.356, 7.854)
     """
-    per_turn, dt = positive("ticks_per_turn", ticks_per_turn), positive("dt", dt)
-    radius = positive("wheel_radius", wheel_radius)
-    distance = positive("wheel_distance", wheel_distance)
-    shape, (left, right) = rows(
-        ("ticks_left", _whole("ticks_left", ticks_left), ()),
-        ("ticks_right", _whole("ticks_right", ticks_right), ()),
-        parameters=(per_turn, dt, radius, distance),
-    )
-    per_tick = 2 * np.pi * radius / per_turn
-    out = np.empty((2, *shape))
-    out[0] = 0.5 * per_tick * (right + left) / dt
-    out[1] = per_tick * (right - left) / (distance * dt)
-    return out[0], out[1]
+    per_tick = 2 * np.pi * wheel_radius / ticks_per_turn
+    v = per_tick * (ticks_right + ticks_left) / (2 * dt)
+    omega = per_tick * (ticks_right - ticks_left) / (wheel_distance * dt)
+    v, omega = parts(vector(v, omega))  # of one shape
+    return v, omega
 
 
-@quiet
+@door(
+    ticks_left=whole(steps),
+    ticks_right=whole(steps),
+    ticks_per_turn=positive(),
+    wheel_radius=positive(),
+    wheel_distance=positive(),
+    noise=not_negative(),
+    pose=data(3),
+    start=data(3, 3),
+)
 def covariance(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -137,37 +152,46 @@ def covariance(
     Source: Siegwart et al., Σ' = F_p Σ F_pᵀ + F_Δ Q F_Δᵀ, along exact arcs. F_p of many steps is
     that of one from the first to the last place, so the steps can be summed in one frame.
     """
-    noise = finite("noise", noise)
-    _refuse("noise", noise, noise < 0, "zero or positive")
-    left, right, per_tick, distance = _readings(
-        ticks_left, ticks_right, ticks_per_turn, wheel_radius, wheel_distance
-    )
-    half, length = 0.5 * per_tick / distance * (right - left), 0.5 * per_tick * (right + left)
-    batch, (pose, start) = rows(
-        ("pose", pose, (3,)),
-        ("start", np.zeros((3, 3)) if start is None else start, (3, 3)),
-        parameters=(noise, np.empty(half.shape[:-1])),
-    )
-    turned = np.broadcast_to(2 * half.cumsum(-1), (*batch, half.shape[-1]))
-    place = _follow(pose * [0, 0, 1], turned, 2 * half, length, "exact")
+    per_tick = 2 * np.pi * wheel_radius / ticks_per_turn
+    length = per_tick * (ticks_right + ticks_left) / 2
+    half = per_tick / wheel_distance * (ticks_right - ticks_left) / 2
+    heading = pose[..., 2:] + 2 * half.cumsum(axis=-1) - half  # in the middle of each step
+    ahead, chord = np.exp(1j * heading), sinc(half)  # x + iy for all that lies in the plane
+    place = (length * chord * ahead).cumsum(axis=-1)
 
-    errors = _step_errors(place, half, length, distance)
-    errors[..., 0] *= np.sqrt(noise[..., None] * per_tick * np.abs(left))[..., None]
-    errors[..., 1] *= np.sqrt(noise[..., None] * per_tick * np.abs(right))[..., None]
-    total = np.empty((*place.shape, 3))
-    total[..., 0, :, :] = start
-    total[..., 1:, :, :] = errors @ np.swapaxes(errors, -1, -2)
-    np.cumsum(total, axis=-3, out=total)
-
-    lever = np.zeros_like(place)
-    lever[..., 0], lever[..., 1] = -place[..., 1], place[..., 0]
-    half_row = total[..., 2:, :] + 0.5 * total[..., 2:, 2:] * lever[..., None, :]
-    carried = lever[..., None] * half_row
-    total += carried + np.swapaxes(carried, -1, -2)
-    return total
+    along = ahead * chord / 2  # what a metre more of a wheel adds, and then what its turn adds:
+    across = ahead * length * (sinc_slope(half) + 1j * chord) / 2 - 1j * place  # at the origin
+    turn = np.array([-1.0, 1.0]) / wheel_distance[..., None]
+    moved = along[..., None] + across[..., None] * turn
+    errors = rows(moved.real, moved.imag, turn)
+    rolled = per_tick[..., None] * np.abs(vector(ticks_left, ticks_right))
+    errors = errors * np.sqrt(noise[..., None] * rolled)[..., None, :]
+    return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place)
 
 
-@quiet
+@door(covariance=Square((2, 3), good=np.isfinite))
+def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
+    """The error ellipse of a position: how uncertain it is, and in which direction.
+
+    covariance: (…, 3, 3) as from `covariance`, or (…, 2, 2) of x and y in m² → half-axes (…, 2) in
+    m, the standard deviations along the axes, the larger first, and the axes' directions as
+    columns (…, 2, 2), the second a quarter turn from the first. NaN for what is no covariance.
+    Source: the eigenvalues and -vectors of a symmetric 2 × 2 matrix.
+
+    >>> ellipse([[0.05, 0.03], [0.03, 0.05]])[0].round(6)
+    array([0.282843, 0.141421])
+    """
+    (xx, xy, *_), (_, yy, *_), *_ = entries(covariance)
+    large = np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
+    det = xx * yy - xy * xy  # rounding can make a line's a little less than 0
+    det = np.where((det < 0) & (det > -ROUNDING * (xx * yy)), 0.0, det)
+    small = np.where(large > 0, np.sqrt(det) / large, large)
+    angle = np.arctan2(2 * xy, xx - yy) / 2
+    c, s = np.cos(angle), np.sin(angle)
+    return vector(large, small), matrix([[c, -s], [s, c]])
+
+
+@door(ends_cw=data("n", 2), ends_ccw=data("m", 2), side=positive(), wheel_distance=positive())
 def umbmark(
     ends_cw: ArrayLike, ends_ccw: ArrayLike, side: ArrayLike, wheel_distance: ArrayLike
 ) -> tuple[Array, Array]:
@@ -182,74 +206,25 @@ def umbmark(
     Source: Borenstein & Feng 1996, their x and y formulas averaged: the robot turns too little
     by alpha at each corner and to the left by beta on each side.
     """
-    side, distance = positive("side", side), positive("wheel_distance", wheel_distance)
-    _, (cw, ccw) = rows(
-        ("ends_cw", _mean_end("ends_cw", ends_cw), (2,)),
-        ("ends_ccw", _mean_end("ends_ccw", ends_ccw), (2,)),
-        parameters=(side, distance),
-    )
-    both = (cw[..., 0] + cw[..., 1]) / (-4 * side)  # alpha + beta
-    difference = (ccw[..., 0] - ccw[..., 1]) / (-4 * side)  # alpha - beta
-    alpha, beta = 0.5 * (both + difference), 0.5 * (both - difference)
-    corrected = distance * (np.pi / 2) / (np.pi / 2 - alpha)
-    bulge = corrected * np.sin(0.5 * beta)  # side * (half the distance / radius of a side's arc)
+    (x_cw, y_cw), (x_ccw, y_ccw) = (parts(ends.mean(axis=-2)) for ends in (ends_cw, ends_ccw))
+    alpha = (y_ccw - x_ccw - x_cw - y_cw) / (8 * side)
+    beta = (x_ccw - y_ccw - x_cw - y_cw) / (8 * side)
+    corrected = wheel_distance * np.pi / (np.pi - 2 * alpha)
+    bulge = corrected * np.sin(beta / 2)  # side * (half the distance / radius of a side's arc)
     return corrected, (side + bulge) / (side - bulge)
 
 
-def _whole(name: str, value: ArrayLike) -> Array:
-    array = numbers(name, value)
-    fractional = np.abs(array - np.rint(array)) > 0
-    return _refuse(name, array, fractional, "whole numbers (NaN where a reading is missing)")
+def _summed(steps: Array, start: Array | None) -> Array:
+    """Covariances (…, N+1, 3, 3) from that of the first pose and what each step adds."""
+    total = np.zeros((*steps.shape[:-3], steps.shape[-3] + 1, 3, 3))
+    np.cumsum(steps, axis=-3, out=total[..., 1:, :, :])
+    return total if start is None else total + start[..., None, :, :]
 
 
-def _readings(
-    ticks_left: ArrayLike,
-    ticks_right: ArrayLike,
-    ticks_per_turn: ArrayLike,
-    wheel_radius: ArrayLike,
-    wheel_distance: ArrayLike,
-) -> tuple[Array, Array, Array, Array]:
-    """The ticks (…, N) of both wheels, and metres a tick and wheel distance (…, 1) for them."""
-    per_turn = positive("ticks_per_turn", ticks_per_turn)[..., None]
-    radius = positive("wheel_radius", wheel_radius)[..., None]
-    distance = positive("wheel_distance", wheel_distance)[..., None]
-    left, right = np.atleast_1d(
-        _whole("ticks_left", ticks_left), _whole("ticks_right", ticks_right)
-    )
-    _, (left, right) = rows(
-        ("ticks_left", left, ()),
-        ("ticks_right", right, ()),
-        parameters=(per_turn, radius, distance),
-    )
-    return left, right, 2 * np.pi * radius / per_turn, distance
-
-
-def _step_errors(place: Array, half: Array, length: Array, distance: Array) -> Array:
-    """What a metre more of the left and of the right wheel in each step adds: (…, N, 3, 2).
-
-    Added to the pose after the step, and taken back to the origin of `place`.
-    """
-    heading, sinc = place[..., :-1, 2] + half, _sinc(half)
-    side = np.array([-1.0, 1.0]) / distance[..., None]
-    along = 0.5 * sinc[..., None] + side * (0.5 * length * _sinc_slope(half))[..., None]
-    across = side * (0.5 * length * sinc)[..., None]
-    c, s = np.cos(heading)[..., None], np.sin(heading)[..., None]
-    out = np.empty((*heading.shape, 3, 2))
-    out[..., 0, :] = c * along - s * across + place[..., 1:, 1:2] * side
-    out[..., 1, :] = s * along + c * across - place[..., 1:, 0:1] * side
-    out[..., 2, :] = side
-    return out
-
-
-def _sinc_slope(x: Array) -> Array:
-    """The derivative of sin(x)/x; near 0, where the plain formula loses digits, by its series."""
-    x2 = x * x
-    series = -x / 3 * (1 - x2 / 10 * (1 - x2 / 28 * (1 - x2 / 54)))
-    return np.where(np.abs(x) < 0.1, series, (np.cos(x) - _sinc(x)) / x)
-
-
-def _mean_end(name: str, ends: ArrayLike) -> Array:
-    array = numbers(name, ends)
-    if array.ndim < 2 or array.shape[-1] != 2 or array.shape[-2] == 0:
-        raise RobokinError(f"{name} must have shape (…, n, 2), n at least 1, got {array.shape}")
-    return np.asarray(array.sum(axis=-2) / array.shape[-2])
+def _carried(total: Array, place: NDArray[np.complex128]) -> Array:
+    """Covariances at the origin, taken from there to the first place, 0, and to those given."""
+    lever = np.zeros((*place.shape[:-1], place.shape[-1] + 1, 3))
+    lever[..., 1:, 0], lever[..., 1:, 1] = -place.imag, place.real
+    half_row = total[..., 2:, :] + 0.5 * total[..., 2:, 2:] * lever[..., None, :]
+    carried = lever[..., None] * half_row
+    return total + (carried + carried.swapaxes(-1, -2))

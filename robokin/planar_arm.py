@@ -6,14 +6,13 @@ dimensions broadcast. The pose is `[x, y, phi]` with phi the sum of the angles, 
 chapter 5; Siciliano, Sciavicco, Villani & Oriolo, Robotics, chapter 3.
 """
 
-from collections.abc import Iterator
-
 import numpy as np
-from numpy.typing import ArrayLike
 
-from robokin._checks import Array, choice, finite, positive, quiet, rows
-from robokin.elbow_arm import _first, _out_of_reach, _triangle
-from robokin.errors import RobokinError, SingularError
+from robokin._arrays import matrix, parts, rows, running_sums, vector
+from robokin._checks import Array, ArrayLike, Bools, at, first
+from robokin._door import data, door, inside, not_negative, one_of, positive
+from robokin._triangle import out_of_reach, triangle
+from robokin.errors import SingularError
 from robokin.motion import wrap_angle
 
 __all__ = [
@@ -30,7 +29,7 @@ __all__ = [
 SINGULAR = 1e-14  # a sine of theta2 so small is rounding: sin(np.pi) is 1.2e-16
 
 
-@quiet
+@door(lengths=positive("n"), theta=data("n"))
 def forward(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """The pose of the hand from the joint angles.
 
@@ -40,31 +39,25 @@ def forward(theta: ArrayLike, lengths: ArrayLike) -> Array:
     >>> forward([np.pi / 2, -np.pi / 2, 0], lengths=[0.4, 0.3, 0.1]).round(6)
     array([0.4, 0.4, 0. ])
     """
-    shape, t, lengths = _arm(theta, lengths)
-    x = y = phi = np.zeros(())
-    for i, (dx, dy) in enumerate(_links(t, lengths)):
-        x, y, phi = x + dx, y + dy, phi + t[..., i]
-    out = np.empty((*shape, 3))
-    out[..., 0], out[..., 1], out[..., 2] = x, y, phi
-    return out
+    heading = running_sums(theta)
+    x, y = np.vecdot(lengths, np.cos(heading)), np.vecdot(lengths, np.sin(heading))
+    return vector(x, y, heading[..., -1])
 
 
-@quiet
+@door(lengths=positive("n"), theta=data("n"))
 def joint_positions(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """Where the base, the joints and the hand are, in this order: the arm as it is drawn.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, n+1, 2) in m, a row for each point.
     """
-    shape, t, lengths = _arm(theta, lengths)
-    out = np.empty((*shape, lengths.shape[-1] + 1, 2))
-    out[..., 0, :] = 0 * t[..., :1]
-    for i, (dx, dy) in enumerate(_links(t, lengths)):
-        out[..., i + 1, 0] = out[..., i, 0] + dx
-        out[..., i + 1, 1] = out[..., i, 1] + dy
+    heading = running_sums(theta)
+    links = vector(lengths * np.cos(heading), lengths * np.sin(heading))
+    out = np.zeros((*links.shape[:-2], links.shape[-2] + 1, 2))
+    np.cumsum(links, axis=-2, out=out[..., 1:, :])
     return out
 
 
-@quiet
+@door(lengths=positive("n"), theta=data("n"))
 def jacobian(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """The matrix J that takes joint rates to the hand's twist.
 
@@ -72,32 +65,30 @@ def jacobian(theta: ArrayLike, lengths: ArrayLike) -> Array:
     phi_dot: ones. Column j is the hand's motion when joint j alone turns with 1 rad/s.
     For three links det J = l1 l2 sin θ2. Source: exercise 8.
     """
-    shape, t, lengths = _arm(theta, lengths)
-    return _jacobian(t, lengths, shape)
+    x, y = _levers(theta, lengths)
+    return rows(-y, x, 1)
 
 
-@quiet
+@door(lengths=positive("n"), theta=data("n"), rates=data("n"))
 def velocity(theta: ArrayLike, rates: ArrayLike, lengths: ArrayLike) -> Array:
     """The hand's twist from the joint rates: J times the rates.
 
     theta: (…, n) in rad; rates: (…, n) in rad/s; lengths: (…, n) in m, positive
     → (…, 3) `[x_dot, y_dot, phi_dot]`. Each link turns with the sum of the rates up to it.
     """
-    lengths = _lengths(lengths)
-    core = lengths.shape[-1:]
-    shape, (t, q) = rows(
-        ("theta", theta, core), ("rates", rates, core), parameters=(lengths[..., 0],)
-    )
-    vx = vy = omega = np.zeros(())
-    for i, (dx, dy) in enumerate(_links(t, lengths)):
-        omega = omega + q[..., i]
-        vx, vy = vx - dy * omega, vy + dx * omega
-    out = np.empty((*shape, 3))
-    out[..., 0], out[..., 1], out[..., 2] = vx, vy, omega
-    return out
+    heading, omega = running_sums(theta), running_sums(rates)
+    x_dot = -np.vecdot(lengths * np.sin(heading), omega)
+    y_dot = np.vecdot(lengths * np.cos(heading), omega)
+    return vector(x_dot, y_dot, omega[..., -1])
 
 
-@quiet
+@door(
+    lengths=positive(3),
+    theta=data(3),
+    twist=data(3),
+    damping=not_negative(),
+    singular=one_of("raise", "nan"),
+)
 def joint_rates(
     theta: ArrayLike,
     twist: ArrayLike,
@@ -117,38 +108,29 @@ def joint_rates(
     >>> joint_rates([0, np.pi / 2, 0], [0, 0.1, 0], lengths=[0.4, 0.3, 0.1]).round(6)
     array([ 0.25, -0.25,  0.  ])
     """
-    choice("singular", singular, ("raise", "nan"))
-    lengths, damping = _lengths(lengths, 3), _not_negative("damping", damping)
-    shape, (t, v) = rows(
-        ("theta", theta, (3,)), ("twist", twist, (3,)), parameters=(lengths[..., 0], damping)
+    l1, l2, l3 = parts(lengths)
+    theta1, theta2, theta3 = parts(theta)
+    x_dot, y_dot, phi_dot = parts(twist)
+    heading, s2 = theta1 + theta2, np.sin(theta2)
+    along1 = (
+        x_dot * np.cos(theta1) + y_dot * np.sin(theta1) + l3 * phi_dot * np.sin(theta2 + theta3)
     )
-    l1, l2, l3 = lengths[..., 0], lengths[..., 1], lengths[..., 2]
-    vx, vy, omega = v[..., 0], v[..., 1], v[..., 2]
-    heading, s2, square = t[..., 0] + t[..., 1], np.sin(t[..., 1]), np.square(damping)
-    along1 = vx * np.cos(t[..., 0]) + vy * np.sin(t[..., 0])  # the hand's velocity along link 1
-    along2 = vx * np.cos(heading) + vy * np.sin(heading)
-    det = l1 * l2 * s2
-    rate1 = l2 * (along2 + l3 * omega * np.sin(t[..., 2]))  # of link 1, times det
-    rate2 = -l1 * (along1 + l3 * omega * np.sin(t[..., 1] + t[..., 2]))  # of link 2, times det
-    out = np.empty((*shape, 3))
-    out[..., 0], out[..., 1], out[..., 2] = rate1, rate2 - rate1, det * omega - rate2
-    if square.any():
-        out = _damped(_jacobian(t, lengths, shape), v, square, det, out)
+    along2 = x_dot * np.cos(heading) + y_dot * np.sin(heading) + l3 * phi_dot * np.sin(theta3)
+    det, square = l1 * l2 * s2, damping * damping
+    rate1, rate12 = l2 * along2, -l1 * along1  # of links 1 and 2 in the world, times det
+    rates = vector(rate1, rate12 - rate1, det * phi_dot - rate12)
+    if square.ndim or square > 0:
+        rates = _damped(theta, twist, lengths, square, det, rates)
     else:
-        out /= det[..., None]
-    bad = np.broadcast_to((np.abs(s2) <= SINGULAR) & (square == 0), shape)
-    if singular == "raise" and bad.any():
-        index, where = _first(bad)
-        raise SingularError(
-            f"theta{where} is singular: |sin(theta2)| is "
-            f"{abs(np.broadcast_to(s2, shape)[index]):.3g}, must be above {SINGULAR}; "
-            "damping > 0 gives an answer there"
-        )
-    out[bad] = np.nan
-    return out
+        rates /= det[..., None]
+    bad = np.broadcast_to((np.abs(s2) <= SINGULAR) & (square == 0), rates.shape[:-1])
+    if singular == "raise":
+        _refuse_singular(s2, bad)
+    rates[bad] = np.nan
+    return rates
 
 
-@quiet
+@door(lengths=positive(3), pose=data(3), unreachable=one_of("raise", "nan"))
 def inverse(pose: ArrayLike, lengths: ArrayLike, unreachable: str = "raise") -> Array:
     """Both ways for three links to bring the hand to a pose.
 
@@ -162,25 +144,19 @@ def inverse(pose: ArrayLike, lengths: ArrayLike, unreachable: str = "raise") -> 
     >>> inverse([0.4, 0.4, 0], lengths=[0.4, 0.3, 0.1])[1].round(6)
     array([ 1.570796, -1.570796,  0.      ])
     """
-    choice("unreachable", unreachable, ("raise", "nan"))
-    lengths = _lengths(lengths, 3)
-    l1, l2, l3 = lengths[..., 0], lengths[..., 1], lengths[..., 2]
-    shape, (p,) = rows(("pose", pose, (3,)), parameters=(l1,))
-    phi = p[..., 2]
-    x, y = p[..., 0] - l3 * np.cos(phi), p[..., 1] - l3 * np.sin(phi)
-    distance = np.sqrt(x * x + y * y)
-    bad = _out_of_reach("pose", distance, l1, l2, unreachable)
-    lift, elbow = _triangle(distance, l1, l2)
-    direction = np.arctan2(y, x)
-    out = np.empty((*shape, 2, 3))
-    out[..., 0, 0], out[..., 1, 0] = direction - lift, direction + lift
-    out[..., 0, 1], out[..., 1, 1] = elbow, -elbow
-    out[..., 2] = phi[..., None] - out[..., 0] - out[..., 1]
-    out[bad] = np.nan
-    return wrap_angle(out)
+    l1, l2, l3 = parts(lengths)
+    x, y, phi = parts(pose)
+    x_w, y_w = x - l3 * np.cos(phi), y - l3 * np.sin(phi)  # the wrist
+    d = np.sqrt(x_w * x_w + y_w * y_w)
+    outside = out_of_reach("pose", d, l1, l2, unreachable)
+    lift, theta2 = triangle(d, l1, l2)
+    low, high = np.arctan2(y_w, x_w) - lift, np.arctan2(y_w, x_w) + lift
+    both = matrix([[low, theta2, phi - low - theta2], [high, -theta2, phi - high + theta2]])
+    both[outside] = np.nan
+    return inside(wrap_angle)(both)
 
 
-@quiet
+@door(lengths=positive("n"), theta=data("n"))
 def manipulability(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """How far from singular the arm is for moving the hand's point: √det(J Jᵀ), rows x, y of J.
 
@@ -188,11 +164,11 @@ def manipulability(theta: ArrayLike, lengths: ArrayLike) -> Array:
     one line. It is the product of the half-axes of `ellipse`, for two links `l1 l2 |sin θ2|`.
     Source: Yoshikawa; Siciliano et al., section 3.9.
     """
-    _, _, _, area = _position_rows(theta, lengths)
-    return area
+    x, y = _position_rows(theta, lengths)
+    return _area(x, y)
 
 
-@quiet
+@door(lengths=positive("n"), theta=data("n"))
 def ellipse(theta: ArrayLike, lengths: ArrayLike) -> tuple[Array, Array]:
     """The manipulability ellipse: the hand's velocities for joint rates of length 1 in all.
 
@@ -204,91 +180,71 @@ def ellipse(theta: ArrayLike, lengths: ArrayLike) -> tuple[Array, Array]:
     >>> ellipse([0, np.pi / 2], lengths=[0.4, 0.4])[0].round(6)
     array([0.647214, 0.247214])
     """
-    theta1, x, y, area = _position_rows(theta, lengths)
-    xx, yy, xy = (x * x).sum(axis=-1), (y * y).sum(axis=-1), (x * y).sum(axis=-1)
-    large = np.sqrt(0.5 * (xx + yy + np.sqrt((xx - yy) ** 2 + 4 * xy * xy)))
-    angle = theta1 + 0.5 * np.arctan2(2 * xy, xx - yy)
-    axes, directions = np.empty((*area.shape, 2)), np.empty((*area.shape, 2, 2))
-    axes[..., 0] = large
-    axes[..., 1] = area / large
-    directions[..., 0, 0] = directions[..., 1, 1] = np.cos(angle)
-    directions[..., 1, 0] = np.sin(angle)
-    directions[..., 0, 1] = -directions[..., 1, 0]
-    return axes, directions
+    x, y = _position_rows(theta, lengths)
+    xx, yy, xy = np.vecdot(x, x), np.vecdot(y, y), np.vecdot(x, y)
+    large = np.sqrt((xx + yy + np.sqrt((xx - yy) ** 2 + 4 * xy * xy)) / 2)
+    angle = theta[..., 0] + np.arctan2(2 * xy, xx - yy) / 2
+    c, s = np.cos(angle), np.sin(angle)
+    return vector(large, _area(x, y) / large), matrix([[c, -s], [s, c]])
 
 
-def _lengths(lengths: ArrayLike, links: int | None = None) -> Array:
-    array = positive("lengths", lengths)
-    if array.shape[-1:] in ((), (0,)) or links not in (None, array.shape[-1]):
-        wanted = "n), one or more" if links is None else f"{links})"
-        raise RobokinError(f"lengths must have shape (…, {wanted}, got {array.shape}")
-    return array
+def _levers(theta: Array, lengths: Array) -> tuple[Array, Array]:
+    """From each joint to the hand: x (…, n) and y (…, n)."""
+    heading = running_sums(theta)
+    x, y = lengths * np.cos(heading), lengths * np.sin(heading)
+    for i in reversed(range(x.shape[-1] - 1)):
+        x[..., i] += x[..., i + 1]
+        y[..., i] += y[..., i + 1]
+    return x, y
 
 
-def _arm(theta: ArrayLike, lengths: ArrayLike) -> tuple[tuple[int, ...], Array, Array]:
-    """The two arguments of most functions here, checked, and their batch shape."""
-    lengths = _lengths(lengths)
-    shape, (t,) = rows(("theta", theta, lengths.shape[-1:]), parameters=(lengths[..., 0],))
-    return shape, t, lengths
+def _refuse_singular(s2: Array, bad: Bools) -> None:
+    if np.count_nonzero(bad):
+        index = first(bad)
+        sine = np.broadcast_to(np.abs(s2), bad.shape)[index]
+        raise SingularError(
+            f"theta{at(index)} is singular: |sin(theta2)| is {sine:.3g}, must be above {SINGULAR}; "
+            "damping > 0 gives an answer there"
+        )
 
 
-def _not_negative(name: str, value: ArrayLike) -> Array:
-    array = finite(name, value)
-    if (array < 0).any():
-        index, where = _first(array < 0)
-        raise RobokinError(f"{name} must be zero or more, got {array[index]}{where}")
-    return array
-
-
-def _links(theta: Array, lengths: Array) -> Iterator[tuple[Array, Array]]:
-    """Each link in turn as a vector x, y."""
-    heading = np.zeros(())
-    for i in range(theta.shape[-1]):
-        heading = heading + theta[..., i]
-        yield lengths[..., i] * np.cos(heading), lengths[..., i] * np.sin(heading)
-
-
-def _jacobian(theta: Array, lengths: Array, shape: tuple[int, ...]) -> Array:
-    n = lengths.shape[-1]
-    out = np.empty((*shape, 3, n))
-    out[..., 2, :] = 1 + 0 * theta
-    x = y = np.zeros(())  # from joint i to the hand
-    for i, (dx, dy) in reversed(list(enumerate(_links(theta, lengths)))):
-        x, y = x + dx, y + dy
-        out[..., 0, i] = -y
-        out[..., 1, i] = x
-    return out
-
-
-def _damped(J: Array, twist: Array, square: Array, det: Array, adjugate_twist: Array) -> Array:
+def _damped(
+    theta: Array, twist: Array, lengths: Array, square: Array, det: Array, undamped: Array
+) -> Array:
     """Jᵀ (J Jᵀ + λ² I)⁻¹ times the twist, by Cramer's rule in powers of λ² (`square`).
 
     With G = J Jᵀ the determinant is λ⁶ + λ⁴ tr G + λ² (principal minors of G) + det² J. The
-    terms without λ come from the caller with all their digits, so that a small λ does no harm.
+    terms without λ come from the caller, times det, so that a small λ does no harm.
     """
-    G = J @ np.swapaxes(J, -1, -2)
-    xx, yy = G[..., 0, 0], G[..., 1, 1]  # the third is 1 + 1 + 1
-    minors = xx * yy + 3 * (xx + yy) - G[..., 0, 1] ** 2 - G[..., 0, 2] ** 2 - G[..., 1, 2] ** 2
+    x, y = _levers(theta, lengths)  # the rows of J are -y, x and 1
+    v_x, v_y, omega = parts(twist)
+    xx, yy, xy = np.vecdot(y, y), np.vecdot(x, x), -np.vecdot(x, y)  # G, with 3 in its corner
+    xz, yz = -y.sum(axis=-1), x.sum(axis=-1)
+    minors = xx * yy + 3 * (xx + yy) - xy * xy - xz * xz - yz * yz
     below = square * (square * (square + xx + yy + 3) + minors) + det * det
-    rest = -G  # becomes (λ² + tr G) I - G, with a diagonal in which nothing cancels
-    rest[..., 0, 0], rest[..., 1, 1] = square + yy + 3, square + xx + 3
-    rest[..., 2, 2] = square + xx + yy
-    above = np.swapaxes(J, -1, -2) @ (rest @ twist[..., None])
-    above = square[..., None] * above[..., 0] + det[..., None] * adjugate_twist
-    return above / below[..., None]
+    # (λ² + tr G) I - G times the twist, with a diagonal in which nothing cancels
+    a = (square + yy + 3) * v_x - xy * v_y - xz * omega
+    b = (square + xx + 3) * v_y - xy * v_x - yz * omega
+    c = (square + xx + yy) * omega - xz * v_x - yz * v_y
+    above = x * b[..., None] - y * a[..., None] + c[..., None]
+    rates: Array = (square[..., None] * above + det[..., None] * undamped) / below[..., None]
+    return rates
 
 
-def _position_rows(theta: ArrayLike, lengths: ArrayLike) -> tuple[Array, Array, Array, Array]:
-    """theta1, the rows x_dot and y_dot of J with link 1 laid along x, and √det(J Jᵀ) of them.
+def _position_rows(theta: Array, lengths: Array) -> tuple[Array, Array]:
+    """The rows x_dot and y_dot of J, (…, n), with link 1 laid along x.
 
-    In that frame all x_dot are small near a singular pose and keep their digits; √det is the
-    length of one row times that of the other's part across it, with no square to cancel.
+    In that frame all x_dot are small near a singular pose and keep their digits.
     """
-    shape, t, lengths = _arm(theta, lengths)
-    laid = t.copy()
-    laid[..., 0] *= 0
-    J = _jacobian(laid, lengths, shape)
-    x, y = J[..., 0, :], J[..., 1, :]
-    yy = (y * y).sum(axis=-1)
-    across = x - y * ((x * y).sum(axis=-1) / yy)[..., None]
-    return t[..., 0], x, y, np.sqrt(yy * (across * across).sum(axis=-1))
+    laid = theta.copy()
+    laid[..., 0] = 0.0
+    x, y = _levers(laid, lengths)
+    return -y, x
+
+
+def _area(x: Array, y: Array) -> Array:
+    """√det of the products of two rows: one's length times the other's part across it."""
+    yy = np.vecdot(y, y)
+    across = x - y * (np.vecdot(x, y) / yy)[..., None]
+    area: Array = np.sqrt(yy * np.vecdot(across, across))
+    return area

@@ -10,12 +10,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import cos, isfinite
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from robokin._checks import Array, Shape, choice, finite, numbers, quiet, rows, shown
+from robokin._arrays import parts, times, vector
+from robokin._checks import Array, ArrayLike, Bools, at, first, shown
+from robokin._door import Sizes, data, door, finite, inside, one, one_of
 from robokin.errors import RobokinError, SingularError, UnreachableError
 from robokin.motion import to_body, to_world
 
@@ -41,6 +42,7 @@ HELD = ("fixed", "steered")  # kinds with a row in `sliding`
 DRIVEN = (*HELD, "castor", "swedish")  # kinds with a row in `rolling`
 KINDS = (*DRIVEN, "spherical")
 DEPENDENT = 1e-12  # rows nearer than this to depending on each other do
+A_KIND, A_NUMBER = one_of(*KINDS), one(finite())
 SLIP = 1e-9  # sideways speed that is called slip, relative to the speeds that make it up
 
 
@@ -61,13 +63,9 @@ class Wheel:
     gamma: float = 0.0
 
     def __post_init__(self) -> None:
-        choice("kind", self.kind, KINDS)
+        A_KIND("kind", self.kind, {})
         for name in ("l", "alpha", "beta", "radius", "d", "gamma"):
-            given = getattr(self, name)
-            value = numbers(name, given)
-            if value.ndim or not isfinite(value):
-                raise RobokinError(f"{name} must be one finite number, got {shown(given)}")
-            object.__setattr__(self, name, float(value))
+            object.__setattr__(self, name, A_NUMBER(name, getattr(self, name), {}))
         if not isfinite(self.alpha + self.beta + self.gamma):
             raise RobokinError("alpha + beta + gamma must be finite, got inf")
         if self.radius <= 0 or self.l < 0:
@@ -90,7 +88,16 @@ class Mobility(NamedTuple):
     delta_M: int
 
 
-Wheels = tuple[Wheel, ...]
+def _wheels(name: str, wheels: Any, sizes: Sizes) -> tuple[Wheel, ...]:
+    """For the door: a list of wheels; how many are driven and how many are steered."""
+    if not isinstance(wheels, (list, tuple)):
+        raise RobokinError(f"{name} must be a list of Wheel, got {shown(wheels)}")
+    for index, wheel in enumerate(wheels):
+        if not isinstance(wheel, Wheel):
+            raise RobokinError(f"{name} must be Wheel, got {shown(wheel)}{at((index,))}")
+    sizes["k"] = sum(wheel.kind in DRIVEN for wheel in wheels)
+    sizes["s"] = sum(wheel.kind == "steered" for wheel in wheels)
+    return tuple(wheels)
 
 
 def fixed(l: float, alpha: float, beta: float, radius: float) -> Wheel:
@@ -131,13 +138,13 @@ def omni_robot(
            [ 0.866,  0.5  , -0.2  ],
            [-0.866,  0.5  , -0.2  ]])
     """
-    array = finite("angles", angles)
+    array = finite()("angles", angles, {})
     if array.ndim != 1:
         raise RobokinError(f"angles must have shape (n,), got {array.shape}")
     return [swedish(l, angle, 0.0, radius, 0.0) for angle in array]
 
 
-@quiet
+@door(wheels=_wheels, steering=data("s"))
 def rolling(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
     """J1: the speed at which each wheel must roll is its row times the robot's twist.
 
@@ -145,34 +152,30 @@ def rolling(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array
     wheel but the spherical ones, in the body frame.
     Source: exercise 6, [sin(α+β+γ), −cos(α+β+γ), −l cos(β+γ)] R(θ) ξ̇_I − r φ̇ cos γ = 0.
     """
-    wheels = _checked(wheels)
-    _, (steering,) = rows(_steering(wheels, steering))
-    out = _rolling(wheels, steering)
-    out[np.isnan(steering).any(axis=-1)] = np.nan
-    return out
+    w = _layout(wheels, DRIVEN)
+    beta = _turned(w, steering) + w.gamma
+    return vector(np.sin(w.alpha + beta), -np.cos(w.alpha + beta), -w.l * np.cos(beta))
 
 
-@quiet
+@door(wheels=_wheels)
 def rolling_rates(wheels: Sequence[Wheel]) -> Array:
     """J2 = diag(r cos γ): from the wheels' rates to the speeds in the rows of J1 → (k, k)."""
-    return np.diag(_layout(_checked(wheels), DRIVEN).per_radian)
+    return np.diag(_layout(wheels, DRIVEN).per_radian)
 
 
-@quiet
+@door(wheels=_wheels, steering=data("s"))
 def sliding(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
     """C1: the speed at which each wheel slides along its axle is its row times the robot's twist.
 
     steering: as in `rolling` → (…, m, 3), a row for each fixed and each steered wheel.
     Source: exercise 6, [cos(α+β), sin(α+β), l sin β] R(θ) ξ̇_I = 0.
     """
-    wheels = _checked(wheels)
-    _, (steering,) = rows(_steering(wheels, steering))
-    out = _sliding(wheels, steering)
-    out[np.isnan(steering).any(axis=-1)] = np.nan
-    return out
+    w = _layout(wheels, HELD)
+    beta = _turned(w, steering)
+    return vector(np.cos(w.alpha + beta), np.sin(w.alpha + beta), w.l * np.sin(beta))
 
 
-@quiet
+@door(wheels=_wheels, rates=data("k"), steering=data("s"), theta=data())
 def forward(
     wheels: Sequence[Wheel],
     rates: ArrayLike,
@@ -190,14 +193,10 @@ def forward(
     >>> forward(omni_robot(0.2, 0.05), [1, 1, 1]).round(6) + 0.0
     array([ 0.  ,  0.  , -0.25])
     """
-    wheels = _checked(wheels)
-    _, (rates, steering, theta) = rows(
-        _rates(wheels, rates), _steering(wheels, steering), ("theta", theta, ())
-    )
-    return to_world(theta, _body_twist(wheels, rates, steering))
+    return inside(to_world)(theta, _body_twist(wheels, rates, steering))
 
 
-@quiet
+@door(wheels=_wheels, rates=data("k"), steering=data("s"))
 def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None = None) -> Array:
     """How far the wheels are from agreeing: what `forward` leaves over in each row.
 
@@ -205,16 +204,19 @@ def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None =
     under each wheel than it rolls, in the order of `rolling`, then how fast each fixed and steered
     wheel slides along its axle, in the order of `sliding`.
     """
-    wheels = _checked(wheels)
-    _, (rates, steering) = rows(_rates(wheels, rates), _steering(wheels, steering))
     twist = _body_twist(wheels, rates, steering)
-    rolled = _times(_rolling(wheels, steering), twist)
-    rolled -= rates * _layout(wheels, DRIVEN).per_radian
-    slid = _times(_sliding(wheels, steering), twist)
-    return np.concatenate([rolled, slid], axis=-1)
+    rolled = times(inside(rolling)(wheels, steering), twist)
+    slid = times(inside(sliding)(wheels, steering), twist)
+    return np.concatenate([rolled - rates * _layout(wheels, DRIVEN).per_radian, slid], axis=-1)
 
 
-@quiet
+@door(
+    wheels=_wheels,
+    twist=data(3),
+    steering=data("s"),
+    theta=data(),
+    slipping=one_of("raise", "nan"),
+)
 def inverse(
     wheels: Sequence[Wheel],
     twist: ArrayLike,
@@ -231,25 +233,14 @@ def inverse(
     >>> inverse(omni_robot(0.2, 0.05), [0, 0, -0.25])
     array([1., 1., 1.])
     """
-    choice("slipping", slipping, ("raise", "nan"))
-    wheels = _checked(wheels)
-    _, (twist, steering, theta) = rows(
-        ("twist", twist, (3,)), _steering(wheels, steering), ("theta", theta, ())
-    )
-    body = to_body(theta, twist)
-    slid = _times(_sliding(wheels, steering), body)
-    rates = _times(_rolling(wheels, steering), body) / _layout(wheels, DRIVEN).per_radian
-    size = np.abs(body)
-    speed = size[..., 0:1] + size[..., 1:2] + _layout(wheels, HELD).l * size[..., 2:3]
-    slips = np.abs(slid) > SLIP * speed
-    if slips.any():
-        if slipping == "raise":
-            raise UnreachableError(_slip_message(wheels, slid, slips))
-        rates[slips.any(axis=-1)] = np.nan
-    return rates
+    body = inside(to_body)(theta, twist)
+    slid = times(inside(sliding)(wheels, steering), body)
+    rates = times(inside(rolling)(wheels, steering), body) / _layout(wheels, DRIVEN).per_radian
+    slips = _slips(wheels, body, slid, slipping)
+    return np.where(slips[..., None], np.nan, rates)
 
 
-@quiet
+@door(wheels=_wheels)
 def mobility(wheels: Sequence[Wheel]) -> Mobility:
     """In how many ways the robot can move at once, be steered, and both together.
 
@@ -259,34 +250,15 @@ def mobility(wheels: Sequence[Wheel]) -> Mobility:
     >>> mobility([fixed(0.1, np.pi / 2, 0, 0.03), fixed(0.1, -np.pi / 2, np.pi, 0.03)])
     Mobility(delta_m=2, delta_s=0, delta_M=2)
     """
-    wheels = _checked(wheels)
     units = _units(wheels)
     held = tuple(w for w in wheels if w.kind == "fixed")
     turned = tuple(w for w in wheels if w.kind == "steered")
-    rank_fixed = np.linalg.matrix_rank(_sliding(held, np.empty(0)) / units, tol=DEPENDENT)
     generic = np.array([2.4 * (i + 1) for i in range(len(turned))])  # golden angles: no two in line
-    rank_steered = np.linalg.matrix_rank(_sliding(turned, generic) / units, tol=DEPENDENT)
+    rank_fixed = np.linalg.matrix_rank(inside(sliding)(held) / units, tol=DEPENDENT)
+    rank_steered = np.linalg.matrix_rank(inside(sliding)(turned, generic) / units, tol=DEPENDENT)
     delta_s = max(0, min(int(rank_steered), 2 - int(rank_fixed)))
     delta_m = 3 - int(rank_fixed) - delta_s
     return Mobility(delta_m, delta_s, delta_m + delta_s)
-
-
-def _checked(wheels: Sequence[Wheel]) -> Wheels:
-    if not isinstance(wheels, (list, tuple)):
-        raise RobokinError(f"wheels must be a list of Wheel, got {shown(wheels)}")
-    for index, wheel in enumerate(wheels):
-        if not isinstance(wheel, Wheel):
-            raise RobokinError(f"wheels must be Wheel, got {shown(wheel)} at index {index}")
-    return tuple(wheels)
-
-
-def _rates(wheels: Wheels, rates: ArrayLike) -> tuple[str, ArrayLike, Shape]:
-    return "rates", rates, (len(_layout(wheels, DRIVEN).l),)
-
-
-def _steering(wheels: Wheels, angles: ArrayLike | None) -> tuple[str, ArrayLike, Shape]:
-    own = _layout(wheels, ("steered",)).beta
-    return "steering", own if angles is None else angles, own.shape
 
 
 class _Layout(NamedTuple):
@@ -297,11 +269,11 @@ class _Layout(NamedTuple):
     beta: Array
     gamma: Array
     per_radian: Array  # metres rolled for each radian, r cos γ
-    steered: NDArray[np.bool_]
+    steered: Bools
 
 
 @lru_cache  # a robot keeps its wheels
-def _layout(wheels: Wheels, kinds: tuple[str, ...]) -> _Layout:
+def _layout(wheels: Sequence[Wheel], kinds: tuple[str, ...]) -> _Layout:
     chosen = [w for w in wheels if w.kind in kinds]
     table = np.array([(w.l, w.alpha, w.beta, w.gamma, w.radius) for w in chosen]).reshape(-1, 5)
     l, alpha, beta, gamma, radius = table.T
@@ -309,41 +281,17 @@ def _layout(wheels: Wheels, kinds: tuple[str, ...]) -> _Layout:
     return _Layout(l, alpha, beta, gamma, radius * np.cos(gamma), steered)
 
 
-def _rolling(wheels: Wheels, steering: Array) -> Array:
-    w = _layout(wheels, DRIVEN)
-    beta = _turned(w, steering) + w.gamma
-    out = np.empty((*beta.shape, 3))
-    out[..., 0] = np.sin(w.alpha + beta)
-    out[..., 1] = -np.cos(w.alpha + beta)
-    out[..., 2] = -w.l * np.cos(beta)
-    return out
-
-
-def _sliding(wheels: Wheels, steering: Array) -> Array:
-    w = _layout(wheels, HELD)
-    beta = _turned(w, steering)
-    out = np.empty((*beta.shape, 3))
-    out[..., 0] = np.cos(w.alpha + beta)
-    out[..., 1] = np.sin(w.alpha + beta)
-    out[..., 2] = w.l * np.sin(beta)
-    return out
-
-
-def _turned(w: _Layout, steering: Array) -> Array:
+def _turned(w: _Layout, steering: Array | None) -> Array:
     """beta of the wheels, (…, n), the steered ones turned."""
+    if steering is None:
+        return w.beta
     beta = np.empty((*steering.shape[:-1], len(w.beta)))
     beta[...] = w.beta
     beta[..., w.steered] = steering
     return beta
 
 
-def _times(matrix: Array, twist: Array) -> Array:
-    """(…, n, 3) times (…, 3): what matmul would do, but fast for a batch of small matrices."""
-    x, y, turn = twist[..., 0:1], twist[..., 1:2], twist[..., 2:3]
-    return matrix[..., 0] * x + matrix[..., 1] * y + matrix[..., 2] * turn
-
-
-def _body_twist(wheels: Wheels, rates: Array, steering: Array) -> Array:
+def _body_twist(wheels: Sequence[Wheel], rates: Array, steering: Array | None) -> Array:
     """`forward` in the body frame.
 
     A steered wheel's two rows are those at beta = 0 turned by beta. So one inverse, that at
@@ -351,6 +299,7 @@ def _body_twist(wheels: Wheels, rates: Array, steering: Array) -> Array:
     """
     driven, held = _layout(wheels, DRIVEN), _layout(wheels, HELD)
     k, m = len(driven.l), len(held.l)
+    steering = _layout(wheels, ("steered",)).beta if steering is None else steering
     batch = np.broadcast_shapes(rates.shape[:-1], steering.shape[:-1])
     speeds = np.zeros((*batch, k + m))
     along, across = speeds[..., :k], speeds[..., k:]
@@ -361,10 +310,10 @@ def _body_twist(wheels: Wheels, rates: Array, steering: Array) -> Array:
 
 
 @lru_cache
-def _left_inverse(wheels: Wheels) -> Array:
+def _left_inverse(wheels: Sequence[Wheel]) -> Array:
     """From the speeds in the rolling and sliding rows at beta = 0 to the twist: (3, k + m)."""
     ahead = np.zeros(len(_layout(wheels, ("steered",)).l))
-    matrix = np.concatenate([_rolling(wheels, ahead), _sliding(wheels, ahead)])
+    matrix = np.concatenate([inside(rows)(wheels, ahead) for rows in (rolling, sliding)])
     units = _units(wheels)
     u, s, vt = np.linalg.svd(matrix / units, full_matrices=False)
     rank = np.count_nonzero(s > DEPENDENT * s.max(initial=0.0))
@@ -373,14 +322,21 @@ def _left_inverse(wheels: Wheels) -> Array:
     return np.asarray((vt.T / s) @ u.T / units[:, None])
 
 
-def _units(wheels: Wheels) -> Array:
+def _units(wheels: Sequence[Wheel]) -> Array:
     """What to divide a row by, so that its third entry compares with the others: the largest l."""
     return np.array([1.0, 1.0, max((w.l for w in wheels), default=0.0) or 1.0])
 
 
-def _slip_message(wheels: Wheels, slid: Array, slips: NDArray[np.bool_]) -> str:
-    *batch, row = np.argwhere(slips)[0]
-    wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
-    where = f" at index {', '.join(map(str, batch))}" if batch else ""
-    speed = abs(slid[(*batch, row)])
-    return f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at {speed:.3g} m/s{where}"
+def _slips(wheels: Sequence[Wheel], twist: Array, slid: Array, slipping: str) -> Bools:
+    """Where a wheel would slip along its axle, (…); with "raise" the first one is refused."""
+    held = _layout(wheels, HELD)
+    v_x, v_y, omega = parts(np.abs(twist)[..., None, :])
+    slips = np.abs(slid) > SLIP * (v_x + v_y + held.l * omega)
+    if slipping == "raise" and slips.any():
+        *batch, row = index = first(slips)
+        wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
+        raise UnreachableError(
+            f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at "
+            f"{abs(slid[index]):.3g} m/s{at(tuple(batch))}"
+        )
+    return np.asarray(slips.any(axis=-1))

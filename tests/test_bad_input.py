@@ -1,13 +1,8 @@
-"""Bad input, one table for the whole package: what each public function does at its door.
+"""Bad input: what each public function does at its door, for every row of `arguments.py`."""
 
-The table has a row for each public function: a call that works, and for every argument what it
-is. From it come all the tests below. A function without a row fails `test_no_function_is_left_out`.
-"""
-
-import importlib
 import inspect
+import itertools
 import random
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 
@@ -15,314 +10,17 @@ import hypothesis.extra.numpy as hnp
 import hypothesis.strategies as st
 import numpy as np
 import pytest
+from arguments import DATA, PARAMETERS, STEPS, TABLE, bind, find, public_functions
 from hypothesis import HealthCheck, given, settings
 
-import robokin
+from robokin._paths import METHODS
 from robokin.errors import RobokinError
-
-MODULES = [name for name in robokin.__all__ if name != "errors"]
-
-# The kinds of argument
-
-
-@dataclass(frozen=True)
-class Arg:
-    """An argument: its kind, a value that works, and the shape of one item."""
-
-    kind: str
-    value: object
-    core: tuple = ()
-
-    @property
-    def good(self):
-        return self.value() if callable(self.value) else self.value
-
-
-def data(value, core=None):
-    """Poses, angles, rates …: NaN and infinity make their own row NaN."""
-    return Arg("data", value, np.shape(value) if core is None else core)
-
-
-def steps(value):
-    """Data of a path, (…, N) with any N: a NaN makes the path NaN from that step on."""
-    return Arg("steps", value, np.shape(value))
-
-
-def matrix(value):
-    """Data that cannot be any numbers: rotations and poses."""
-    return Arg("matrix", value, np.shape(value))
-
-
-def ticks(value):
-    """Data in whole numbers."""
-    return Arg("ticks", value)
-
-
-def tick_steps(value):
-    """Data of a path in whole numbers."""
-    return Arg("tick steps", value, np.shape(value))
-
-
-def length(value, core=()):
-    """A parameter that must be positive and finite."""
-    return Arg("length", value, core)
-
-
-def not_negative(value):
-    """A parameter that may be zero."""
-    return Arg("not negative", value)
-
-
-def number(value, core=()):
-    """A parameter that may be any finite number."""
-    return Arg("number", value, core)
-
-
-def bits(value):
-    """A parameter that is a small whole number."""
-    return Arg("bits", value)
-
-
-def name(value):
-    """One of a few names."""
-    return Arg("name", value)
-
-
-def frame(value):
-    """The name of a frame in a graph: any string."""
-    return Arg("frame", value)
-
-
-def wheels(make):
-    """A list of wheels."""
-    return Arg("wheels", lambda: make(importlib.import_module("robokin.wheels")))
-
-
-DATA = ("data", "steps", "matrix", "ticks", "tick steps")
-STEPS = ("steps", "tick steps")
-PARAMETERS = ("length", "not negative", "number", "bits")
-
-
-@dataclass(frozen=True)
-class Row:
-    """A function: the shape of each of its results for one item, and its arguments by name."""
-
-    results: list
-    args: dict
-    batches: bool = True  # do the parameters broadcast with the data?
-    nan_beside: bool = False  # does a NaN step spoil the results on both sides of it only?
-
-    @property
-    def good(self):
-        return {key: arg.good for key, arg in self.args.items()}
-
-    def having(self, *kinds):
-        return [key for key, arg in self.args.items() if arg.kind in kinds]
-
-
-def row(results, batches=True, nan_beside=False, **args):
-    return Row(results, args, batches, nan_beside)
-
-
-# The table
-
-POSE, TWIST, POINT, ANGLES = [0.3, -0.2, 0.4], [0.5, 0.1, -0.3], [0.3, 0.2, 0.1], [0.3, 0.5, -0.7]
-TURNED = [[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]  # exercise 2
-SE2 = [[0.6, -0.8, 2.0], [0.8, 0.6, -1.0], [0.0, 0.0, 1.0]]
-SE3 = [[0.0, 0.0, 1.0, 2.0], [-1.0, 0.0, 0.0, 3.0], [0.0, -1.0, 0.0, 4.0], [0.0, 0.0, 0.0, 1.0]]
-THREE = [0.4, 0.3, 0.1]
-METHOD = name("exact")
-RAISE_OR_NAN = name("nan")
-LINKS = {"a2": length(0.4), "a3": length(0.3), "d1": number(0.1)}
-WHEELS = {"wheel_radius": length(0.03), "wheel_distance": length(0.1)}
-CAR = {"wheelbase": length(2.5), "track": length(1.5)}
-ENCODER = {"ticks_per_turn": length(1000), **WHEELS}
-TICKS = {"ticks_left": tick_steps([3, 5, -2, 4]), "ticks_right": tick_steps([4, 1, 2, 7])}
-SPOKE = {"l": not_negative(0.2), "alpha": number(0.3)}
-SEQ = name("ZYX")
-OMNI = wheels(lambda w: w.omni_robot(0.2, 0.05))
-CAR_WHEELS = wheels(
-    lambda w: [
-        w.fixed(0.2, np.pi / 2, 0, 0.05),
-        w.fixed(0.2, -np.pi / 2, np.pi, 0.05),
-        w.steered(0.3, 0, np.pi / 2, 0.05),
-    ]
-)
-
-TABLE = {
-    "motion.wrap_angle": row([()], angle=data(0.3)),
-    "motion.to_world": row([(3,)], theta=data(0.3), twist=data(TWIST)),
-    "motion.to_body": row([(3,)], theta=data(0.3), twist=data(TWIST)),
-    "motion.arc_step": row([(3,)], pose=data(POSE), v=data(0.5), omega=data(0.2), dt=number(0.1)),
-    "motion.move": row([(3,)], pose=data(POSE), twist=data(TWIST), dt=number(0.1)),
-    "motion.path": row(
-        [(5, 3)],
-        pose=data(POSE),
-        v=steps([1.0, 0.5, -1.0, 2.0]),
-        omega=steps([0.3, -0.2, 0.0, 1.0]),
-        dt=number([0.1, 0.2, 0.1, 0.3], (4,)),
-        method=METHOD,
-    ),
-    "motion.icr": row([(2,)], pose=data(POSE), v=data(0.5), omega=data(0.2)),
-    "frames.se2": row([(3, 3)], x=data(1.0), y=data(2.0), theta=data(0.3)),
-    "frames.se3": row([(4, 4)], rotation=matrix(TURNED), position=data(POINT)),
-    "frames.inverse": row([(3, 3)], T=matrix(SE2)),
-    "frames.inverse in space": row([(4, 4)], T=matrix(SE3)),
-    "frames.compose": row([(3, 3)], first=matrix(SE2), second=matrix(SE2)),
-    "frames.compose in space": row([(4, 4)], first=matrix(SE3), second=matrix(SE3)),
-    "frames.transform": row([(2,)], T=matrix(SE2), points=data([0.3, 0.4])),
-    "frames.transform in space": row([(3,)], T=matrix(SE3), points=data(POINT)),
-    "frames.check_rotation": row(None, False, R=matrix(TURNED), tol=length(1e-9)),
-    "frames.FrameGraph.add": row(None, a=frame("d"), b=frame("e"), T_ab=matrix(SE2)),
-    "frames.FrameGraph.get": row([(3, 3)], a=frame("b"), b=frame("d")),
-    "frames.FrameGraph.path": row(None, a=frame("b"), b=frame("d")),
-    "euler.to_matrix": row([(3, 3)], seq=SEQ, angles=data(ANGLES)),
-    "euler.from_matrix": row([(3,)], seq=SEQ, R=matrix(TURNED)),
-    "euler.solutions": row([(2, 3)], seq=SEQ, R=matrix(TURNED)),
-    "euler.is_locked": row([()], seq=SEQ, R=matrix(TURNED), tol=length(1e-9)),
-    "euler.steps": row([(4, 3, 3)], seq=SEQ, angles=data(ANGLES)),
-    "euler.axis_angle": row([(3,), ()], R=matrix(TURNED)),
-    "elbow_arm.forward": row([(3,)], theta=data(ANGLES), **LINKS),
-    "elbow_arm.inverse": row([(4, 3)], p=data(POINT), **LINKS, unreachable=RAISE_OR_NAN),
-    "elbow_arm.joint_positions": row([(4, 3)], theta=data(ANGLES), **LINKS),
-    "elbow_arm.reach": row([(), ()], a2=length(0.4), a3=length(0.3)),
-    "elbow_arm.nearest_reachable": row([(3,)], p=data(POINT), **LINKS),
-    "elbow_arm.on_base_axis": row([()], p=data(POINT), tol=length(1e-9)),
-    "differential_drive.body_twist": row(
-        [(3,)], rate_left=data(1.0), rate_right=data(2.0), **WHEELS
-    ),
-    "differential_drive.wheel_rates": row([(2,)], v=data(0.5), omega=data(0.2), **WHEELS),
-    "bicycle.equivalent_steering": row([()], alpha_left=data(0.3), alpha_right=data(0.2)),
-    "bicycle.ackermann": row([(2,)], phi=data(0.3), **CAR),
-    "bicycle.turning_radius": row([()], phi=data(0.3), wheelbase=length(2.5)),
-    "bicycle.ackermann_error": row([()], alpha_left=data(0.3), alpha_right=data(0.2), **CAR),
-    "bicycle.body_twist": row([(3,)], v=data(1.0), phi=data(0.3), wheelbase=length(2.5)),
-    "bicycle.front_twist": row([(3,)], v=data(1.0), phi=data(0.3), wheelbase=length(2.5)),
-    "bicycle.path": row(
-        [(5, 3)],
-        pose=data(POSE),
-        v=steps([1.0, 0.5, -1.0, 2.0]),
-        phi=steps([0.3, -0.2, 0.0, 1.0]),
-        wheelbase=length(2.5),
-        dt=number([0.1, 0.2, 0.1, 0.3], (4,)),
-        method=METHOD,
-    ),
-    "wheels.fixed": row(None, False, **SPOKE, beta=number(0.1), radius=length(0.05)),
-    "wheels.steered": row(None, False, **SPOKE, beta=number(0.1), radius=length(0.05)),
-    "wheels.castor": row(
-        None, False, **SPOKE, beta=number(0.1), radius=length(0.05), d=number(0.02)
-    ),
-    "wheels.swedish": row(
-        None, False, **SPOKE, beta=number(0.1), radius=length(0.05), gamma=number(0.7)
-    ),
-    "wheels.spherical": row(None, False, **SPOKE, radius=length(0.05)),
-    "wheels.omni_robot": row(
-        None, False, l=not_negative(0.2), radius=length(0.05), angles=number([0.0, 2.1, 4.2], (3,))
-    ),
-    "wheels.rolling": row([(3, 3)], wheels=CAR_WHEELS, steering=data([1.4])),
-    "wheels.rolling_rates": row([(3, 3)], wheels=OMNI),
-    "wheels.sliding": row([(3, 3)], wheels=CAR_WHEELS, steering=data([1.4])),
-    "wheels.forward": row(
-        [(3,)], wheels=CAR_WHEELS, rates=data(ANGLES), steering=data([1.4]), theta=data(0.3)
-    ),
-    "wheels.slip": row([(6,)], wheels=CAR_WHEELS, rates=data(ANGLES), steering=data([1.4])),
-    "wheels.inverse": row(
-        [(3,)],
-        wheels=CAR_WHEELS,
-        twist=data([0.5, 0.0, 0.0]),
-        steering=data([np.pi / 2]),
-        theta=data(0.0),
-        slipping=RAISE_OR_NAN,
-    ),
-    "wheels.mobility": row(None, wheels=OMNI),
-    "odometry.travel": row(
-        [()], ticks=ticks(5), ticks_per_turn=length(1000), wheel_radius=length(0.03)
-    ),
-    "odometry.unwrap_counter": row(
-        [(4,)], counts=tick_steps([250, 3, 7, 255, 1]), bits=bits(8), nan_beside=True
-    ),
-    "odometry.path": row([(5, 3)], **TICKS, **ENCODER, pose=data(POSE), method=METHOD),
-    "odometry.velocity": row(
-        [(), ()], ticks_left=ticks(5), ticks_right=ticks(7), dt=length(0.1), **ENCODER
-    ),
-    "odometry.covariance": row(
-        [(5, 3, 3)],
-        **TICKS,
-        **ENCODER,
-        noise=not_negative(0.01),
-        pose=data(POSE),
-        start=data([[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.2]]),
-    ),
-    "odometry.umbmark": row(
-        [(), ()],
-        ends_cw=data([[0.1, 0.2], [0.2, 0.1], [0.1, 0.3]]),
-        ends_ccw=data([[0.1, -0.2], [0.2, 0.1]]),
-        side=length(4.0),
-        wheel_distance=length(0.1),
-    ),
-    "planar_arm.forward": row([(3,)], theta=data(ANGLES), lengths=length(THREE, (3,))),
-    "planar_arm.joint_positions": row([(4, 2)], theta=data(ANGLES), lengths=length(THREE, (3,))),
-    "planar_arm.jacobian": row([(3, 3)], theta=data(ANGLES), lengths=length(THREE, (3,))),
-    "planar_arm.velocity": row(
-        [(3,)], theta=data(ANGLES), rates=data(TWIST), lengths=length(THREE, (3,))
-    ),
-    "planar_arm.joint_rates": row(
-        [(3,)],
-        theta=data(ANGLES),
-        twist=data(TWIST),
-        lengths=length(THREE, (3,)),
-        damping=not_negative(0.1),
-        singular=RAISE_OR_NAN,
-    ),
-    "planar_arm.joint_rates undamped": row(
-        [(3,)],
-        theta=data(ANGLES),
-        twist=data(TWIST),
-        lengths=length(THREE, (3,)),
-        singular=RAISE_OR_NAN,
-    ),
-    "planar_arm.inverse": row(
-        [(2, 3)], pose=data(POSE), lengths=length(THREE, (3,)), unreachable=RAISE_OR_NAN
-    ),
-    "planar_arm.manipulability": row([()], theta=data(ANGLES), lengths=length(THREE, (3,))),
-    "planar_arm.ellipse": row([(2,), (2, 2)], theta=data(ANGLES), lengths=length(THREE, (3,))),
-}
-
-HERE = {label: entry for label, entry in TABLE.items() if label.split(".")[0] in MODULES}
-
-
-def public_functions():
-    """The labels of all functions of the package, and of the methods of its classes."""
-    for module in MODULES:
-        namespace = importlib.import_module(f"robokin.{module}")
-        for name in namespace.__all__:
-            member = getattr(namespace, name)
-            if not inspect.isclass(member):
-                yield f"{module}.{name}"
-            elif not issubclass(member, tuple):
-                for method, _ in inspect.getmembers(member, inspect.isfunction):
-                    if not method.startswith("_"):
-                        yield f"{module}.{name}.{method}"
-
-
-def find(label):
-    """The function of a row, without its remark; a method comes with a graph of two frames."""
-    module, *names = label.split()[0].split(".")
-    found = importlib.import_module(f"robokin.{module}")
-    for name in names:
-        found = getattr(found, name)
-        if name == "FrameGraph":
-            found = found()
-            found.add("d", "b", SE2)
-    return found
 
 
 def call(label, **changed):
     """Call the function of a row with its working arguments, some of them changed."""
-    arguments = {**TABLE[label].good, **changed}
-    if "first" in arguments:  # compose takes any number of transforms, without names
-        return find(label)(*arguments.values())
-    return find(label)(**arguments)
+    function, positional, named = bind(label, **changed)
+    return function(*positional, **named)
 
 
 def results(label, **changed):
@@ -332,10 +30,11 @@ def results(label, **changed):
 
 
 def batch(entry, n, parameters=False):
-    """The working arguments, n times over; the parameters too where they broadcast."""
+    """The working arguments, n times (or n × m times) over; parameters too where they broadcast."""
+    shape = n if isinstance(n, tuple) else (n,)
     kinds = DATA + (PARAMETERS if parameters and entry.batches else ())
     return {
-        key: np.array(np.broadcast_to(entry.args[key].good, (n, *entry.args[key].core)))
+        key: np.array(np.broadcast_to(entry.args[key].good, (*shape, *entry.args[key].core)))
         for key in entry.having(*kinds)
     }
 
@@ -344,7 +43,7 @@ def each(*kinds, wanted=lambda entry: True):
     """Every (row, argument) of these kinds, as parameters of a test."""
     pairs = [
         (label, key)
-        for label, entry in HERE.items()
+        for label, entry in TABLE.items()
         for key in entry.having(*kinds)
         if wanted(entry)
     ]
@@ -352,11 +51,11 @@ def each(*kinds, wanted=lambda entry: True):
 
 
 def each_argument():
-    return each(*{arg.kind for entry in HERE.values() for arg in entry.args.values()})
+    return each(*{arg.kind for entry in TABLE.values() for arg in entry.args.values()})
 
 
 def each_row(wanted=lambda entry: True):
-    labels = [label for label, entry in HERE.items() if wanted(entry)]
+    labels = [label for label, entry in TABLE.items() if wanted(entry)]
     return pytest.mark.parametrize("label", labels)
 
 
@@ -383,18 +82,18 @@ def has_answer(entry):
 
 
 def test_no_function_is_left_out():
-    assert {label.split()[0] for label in HERE} == set(public_functions())
+    assert {label.split()[0] for label in TABLE} == set(public_functions())
 
 
 @each_row(lambda entry: entry.results)
 def test_one_item_in_one_item_out(label):
-    assert [a.shape for a in results(label)] == HERE[label].results
+    assert [a.shape for a in results(label)] == TABLE[label].results
     assert all(np.isfinite(a).all() for a in results(label))
 
 
 @each_row(lambda entry: entry.results)
 def test_a_batch_in_a_batch_out(label):
-    entry = HERE[label]
+    entry = TABLE[label]
     one = results(label)
     for parameters in (False, True):
         for n in (1, 4):
@@ -407,16 +106,26 @@ def test_a_batch_in_a_batch_out(label):
 
 @each_row(has_answer)
 def test_an_empty_batch_gives_an_empty_result(label):
-    entry = HERE[label]
-    wanted = [(0, *shape) for shape in entry.results]
-    assert [a.shape for a in results(label, **batch(entry, 0))] == wanted
-    for key in entry.having(*DATA):  # or one argument empty, the others single
-        assert [a.shape for a in results(label, **{key: batch(entry, 0)[key]})] == wanted
+    entry = TABLE[label]
+    for empty in ((0,), (3, 0), (0, 2)):
+        wanted = [(*empty, *shape) for shape in entry.results]
+        assert [a.shape for a in results(label, **batch(entry, empty))] == wanted
+        for key in entry.having(*DATA):  # or one argument empty, the others single
+            assert [a.shape for a in results(label, **{key: batch(entry, empty)[key]})] == wanted
+
+
+@each(*DATA, *PARAMETERS, wanted=lambda entry: entry.results)
+def test_one_argument_in_a_batch_is_enough(label, key):
+    entry = TABLE[label]
+    if key in batch(entry, 1, parameters=True):
+        many = batch(entry, (2, 3), parameters=True)[key]
+        for a, b in zip(results(label, **{key: many}), results(label), strict=True):
+            np.testing.assert_allclose(a, np.broadcast_to(b, (2, 3, *b.shape)), atol=1e-14)
 
 
 @each_row(lambda entry: entry.results is not None)
 def test_lists_tuples_and_arrays_are_the_same_and_stay_as_they_are(label):
-    entry = HERE[label]
+    entry = TABLE[label]
     keys = entry.having(*DATA, *PARAMETERS)
     wanted = results(label)
     arrays = {key: np.array(entry.args[key].good) for key in keys}
@@ -435,7 +144,7 @@ def totuple(value):
 
 @each_row(has_answer)
 def test_the_result_is_one_s_own(label):
-    given = batch(HERE[label], 3)
+    given = batch(TABLE[label], 3)
     kept = {key: array.copy() for key, array in given.items()}
     first = call(label, **given)
     for array in first if isinstance(first, tuple) else (first,):
@@ -461,21 +170,21 @@ def wrong_shapes(arg):
 
 @each("data", "matrix")
 def test_a_wrong_shape_is_refused(label, key):
-    if HERE[label].args[key].core:
-        for value in wrong_shapes(HERE[label].args[key]):
+    if TABLE[label].args[key].core:
+        for value in wrong_shapes(TABLE[label].args[key]):
             assert_refused(label, key, **{key: value})
 
 
 @each("length", "number")
 def test_a_wrong_shape_of_a_parameter_is_refused(label, key):
-    arg = HERE[label].args[key]
+    arg = TABLE[label].args[key]
     if arg.core and label != "wheels.omni_robot":  # which takes any number of angles
         assert_refused(label, **{key: np.ones(arg.core[-1] + 1)})
 
 
 @each_row()
 def test_batches_of_different_lengths_are_refused(label):
-    entry = HERE[label]
+    entry = TABLE[label]
     two, three = batch(entry, 2, parameters=True), batch(entry, 3, parameters=True)
     for key in two:
         for other in three:
@@ -485,7 +194,7 @@ def test_batches_of_different_lengths_are_refused(label):
 
 @each_row(lambda entry: entry.having(*STEPS))
 def test_paths_of_different_lengths_are_refused(label):
-    entry = HERE[label]
+    entry = TABLE[label]
     keys = [key for key in entry.args if entry.args[key].core[-1:] == (4,)]
     for key in keys:
         for other in keys:
@@ -552,7 +261,7 @@ NOT_PRINTABLE = {
 @each_argument()
 def test_what_is_not_numbers_is_refused(label, key):
     for value in [*NOT_NUMBERS.values(), *NOT_PRINTABLE.values()]:
-        if HERE[label].args[key].kind != "frame" or not isinstance(value, str):
+        if TABLE[label].args[key].kind != "frame" or not isinstance(value, str):
             assert_refused(label, key, **{key: value})
 
 
@@ -568,7 +277,7 @@ def test_an_unknown_name_is_refused(label, key):
     for value in ["", "no such", "EXACT", "Raise", "xyzx", "xxy", "XyZ", "xyé", 3, ["nan"]]:
         message = assert_refused(label, key, **{key: value})
         if key != "seq":
-            assert HERE[label].args[key].good in message  # says what is allowed
+            assert TABLE[label].args[key].good in message  # says what is allowed
 
 
 @each("frame")
@@ -585,7 +294,7 @@ def test_a_chain_of_no_frames_is_refused():
 
 @each("wheels")
 def test_what_is_not_wheels_is_refused(label, key):
-    for value in (1.0, "wheels", [1.0], [None], {}, np.ones(3), [HERE[label].args[key].good]):
+    for value in (1.0, "wheels", [1.0], [None], {}, np.ones(3), [TABLE[label].args[key].good]):
         assert_refused(label, key, **{key: value})
 
 
@@ -601,7 +310,7 @@ NEVER = {
 
 @each(*PARAMETERS)
 def test_a_parameter_that_cannot_be_meant_is_refused(label, key):
-    arg = HERE[label].args[key]
+    arg = TABLE[label].args[key]
     for value in NEVER[arg.kind]:
         bad = np.array(arg.good, dtype=float)
         bad[(-1,) * bad.ndim] = value
@@ -611,8 +320,8 @@ def test_a_parameter_that_cannot_be_meant_is_refused(label, key):
 
 @each(*PARAMETERS)
 def test_one_bad_element_of_a_parameter_is_refused(label, key):
-    arg = HERE[label].args[key]
-    if HERE[label].batches:
+    arg = TABLE[label].args[key]
+    if TABLE[label].batches:
         for value in NEVER[arg.kind]:
             bad = np.array(np.broadcast_to(arg.good, (3, *arg.core)), dtype=float)
             bad[(1,) * bad.ndim] = value
@@ -622,7 +331,7 @@ def test_one_bad_element_of_a_parameter_is_refused(label, key):
 
 @each("ticks", "tick steps")
 def test_ticks_are_whole_numbers(label, key):
-    arg = HERE[label].args[key]
+    arg = TABLE[label].args[key]
     for value in (0.5, 1e-9, 3.0000001):
         bad = np.array(arg.good, dtype=float)
         bad[(-1,) * bad.ndim] = value
@@ -635,32 +344,33 @@ def test_ticks_are_whole_numbers(label, key):
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 @each("data", "matrix", "ticks", wanted=has_answer)
 def test_a_bad_value_makes_its_own_row_nan_and_touches_no_other(label, key, value):
-    entry = HERE[label]
+    entry = TABLE[label]
     clean = batch(entry, 5)
     wanted = results(label, **clean)
-    core = entry.args[key].core
-    for index in [(0,) * len(core), (-1,) * len(core)]:
+    for index in np.ndindex(entry.args[key].core):
         spoilt = clean[key].astype(float)
         spoilt[(2, *index)] = value
         for a, b in zip(results(label, **{**clean, key: spoilt}), wanted, strict=True):
             np.testing.assert_array_equal(np.delete(a, 2, 0), np.delete(b, 2, 0))
-            assert a.dtype == bool or np.isnan(a[2]).all()
+            assert np.isnan(a[2]).all() if a.dtype == float else not a[2]
         # and where it is the only batch, so that its row meets all others of one item
         single = {key: spoilt[1:4]}
         for a in results(label, **single):
-            assert a.dtype == bool or (np.isnan(a[1]).all() and np.isfinite(a[[0, 2]]).all())
+            assert np.isnan(a[1]).all() if a.dtype == float else not a[1]
+            assert np.isfinite(a[[0, 2]]).all()
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 @each("steps", "tick steps")
 def test_a_bad_step_makes_the_path_nan_from_there_on(label, key, value):
-    entry = HERE[label]
+    entry = TABLE[label]
     clean = batch(entry, 3)
-    wanted = results(label, **clean)
-    for k in range(entry.args[key].core[0]):
+    methods = [{"method": method} for method in METHODS] if "method" in entry.args else [{}]
+    for k, method in itertools.product(range(entry.args[key].core[0]), methods):
         spoilt = clean[key].astype(float)
         spoilt[1, k] = value
-        for a, b in zip(results(label, **{**clean, key: spoilt}), wanted, strict=True):
+        wanted = results(label, **clean, **method)
+        for a, b in zip(results(label, **{**clean, key: spoilt}, **method), wanted, strict=True):
             np.testing.assert_array_equal(a[[0, 2]], b[[0, 2]])
             nan = np.zeros(a.shape[1], dtype=bool)
             nan[slice(max(k - 1, 0), k + 1) if entry.nan_beside else slice(k + 1, None)] = True
@@ -673,7 +383,7 @@ EXTREMES = [1e308, -1e308, 1e200, 5e-324, -5e-324, 1e-200, 0.0]
 
 @each("data", "steps")
 def test_the_largest_and_the_smallest_numbers_touch_no_other_row(label, key):
-    entry = HERE[label]
+    entry = TABLE[label]
     clean = batch(entry, 3)
     wanted = results(label, **clean)
     for value in EXTREMES:
@@ -686,7 +396,7 @@ def test_the_largest_and_the_smallest_numbers_touch_no_other_row(label, key):
 @each("matrix")
 def test_one_matrix_that_is_no_rotation_is_refused(label, key):
     for value in EXTREMES:
-        matrices = batch(HERE[label], 3)[key]
+        matrices = batch(TABLE[label], 3)[key]
         matrices[1] = value
         message = assert_refused(label, key, **{key: matrices})
         assert "at index 1" in message
@@ -695,7 +405,7 @@ def test_one_matrix_that_is_no_rotation_is_refused(label, key):
 @each_row()
 def test_the_largest_and_the_smallest_numbers_everywhere(label):
     # in all the data at once, and with each parameter: a warning would be an error here
-    entry = HERE[label]
+    entry = TABLE[label]
     for value in EXTREMES:
         everywhere = {
             key: np.full(entry.args[key].core, value) for key in entry.having("data", "steps")
@@ -823,9 +533,9 @@ def test_junk_finds_nothing_but_robokin_errors(label):
 @pytest.mark.long
 def test_a_million_cases_of_junk_find_nothing_but_robokin_errors(capsys):
     total = 0
-    for label, entry in HERE.items():
+    for label, entry in TABLE.items():
         cases = CASES + 4 * len(entry.args)
-        total += throw_junk(label, examples=1_000_000 // (len(HERE) * cases) + 1)
+        total += throw_junk(label, examples=1_000_000 // (len(TABLE) * cases) + 1)
     with capsys.disabled():
-        print(f"\n{total} cases of junk in {len(HERE)} rows: nothing but RobokinError")
+        print(f"\n{total} cases of junk in {len(TABLE)} rows: nothing but RobokinError")
     assert total >= 1_000_000

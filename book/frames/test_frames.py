@@ -11,11 +11,21 @@ import scipy.linalg
 from hypothesis import given
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
-from support import EPS, NEAR_ZERO, angles, assert_close, reals, vectors
+from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, reals, vectors
 
-from robokin import frames
+from robokin._rotations import BLOCK
 from robokin.errors import RobokinError
-from robokin.frames import FrameGraph, check_rotation, compose, inverse, se2, se3, transform
+from robokin.frames import (
+    FrameGraph,
+    check_rotation,
+    compose,
+    dh,
+    inverse,
+    pose,
+    se2,
+    se3,
+    transform,
+)
 
 mpmath.mp.dps = 50
 
@@ -157,6 +167,22 @@ def test_the_graph_finds_the_pose_between_any_two_frames_of_a_tree(tree):
         assert path == graph.path(f"f{b}", f"f{a}")[::-1]
 
 
+@given(reals(-10, 10), reals(-10, 10), angles)
+def test_the_pose_of_a_matrix_is_what_it_was_made_of(x, y, theta):
+    there = pose(se2(x, y, theta))
+    assert (there[0], there[1]) == (x, y)
+    assert_angles(there[2], theta, atol=4 * EPS)
+    assert -np.pi < there[2] <= np.pi
+
+
+@given(angles, reals(-3, 3), reals(-3, 3), angles)
+def test_a_joint_s_frame_is_two_screws_one_after_the_other(theta, d, a, alpha):
+    along_z = se3(Rotation.from_rotvec([0, 0, theta]).as_matrix(), [0, 0, d])
+    along_x = se3(Rotation.from_rotvec([alpha, 0, 0]).as_matrix(), [a, 0, 0])
+    assert_close(dh(theta, d, a, alpha), compose(along_z, along_x), atol=8 * EPS * 3)
+    check_rotation(dh(theta, d, a, alpha)[:3, :3], tol=8 * EPS)
+
+
 # The numbers of the hand solution
 
 
@@ -231,6 +257,12 @@ def test_hand_numbers_of_points():
     # turned by 90° and moved by (1, 2): the point one metre ahead is one metre to the left
     T = se2(1, 2, np.pi / 2)
     assert_close(transform(T, [[0, 0], [1, 0], [0, 1]]), [[1, 2], [1, 3], [0, 2]], atol=2 * EPS)
+
+
+def test_the_elbow_arm_stretched_upwards_by_its_joints():
+    # d1 = 0.1 and a quarter turn of the axis, then 0.4 and 0.3: from the base to the wrist
+    arm = compose(dh(0, 0.1, 0, np.pi / 2), dh(np.pi / 2, 0, 0.4, 0), dh(0, 0, 0.3, 0))
+    assert_close(arm[:3, 3], [0, 0, 0.8], atol=4 * EPS)
 
 
 # Singular and boundary cases
@@ -407,9 +439,9 @@ def test_what_is_far_from_a_rotation(matrix):
         check_rotation(matrix[:2, :2] + np.array([[0, 0], [0, 1]]))
 
 
-@pytest.mark.parametrize("index", [0, 1, frames.BLOCK - 1, frames.BLOCK, 2 * frames.BLOCK + 7])
+@pytest.mark.parametrize("index", [0, 1, BLOCK - 1, BLOCK, 2 * BLOCK + 7])
 def test_the_first_bad_one_in_a_long_batch_is_found(index):
-    R = np.broadcast_to(np.eye(3), (3 * frames.BLOCK, 3, 3)).copy()
+    R = np.broadcast_to(np.eye(3), (3 * BLOCK, 3, 3)).copy()
     R[index, 0, 1] = 0.25
     R[index + 1 :, 0, 1] = 0.5
     with pytest.raises(RobokinError, match=rf"R at index {index} is not .* off by 0\.25 "):
@@ -417,10 +449,10 @@ def test_the_first_bad_one_in_a_long_batch_is_found(index):
 
 
 def test_the_first_bad_one_in_a_batch_of_two_dimensions_is_found():
-    T = random_se3(5, frames.BLOCK + 3, 4)
-    T[frames.BLOCK + 1, 2] = np.diag([1, 1, -1, 1])
-    T[frames.BLOCK + 2, 0] = np.diag([2, 1, 1, 1])
-    message = rf"T at index {frames.BLOCK + 1}, 2 is not a rotation \(a mirror"
+    T = random_se3(5, BLOCK + 3, 4)
+    T[BLOCK + 1, 2] = np.diag([1, 1, -1, 1])
+    T[BLOCK + 2, 0] = np.diag([2, 1, 1, 1])
+    message = rf"T at index {BLOCK + 1}, 2 is not a rotation \(a mirror"
     with pytest.raises(RobokinError, match=message):
         inverse(T)
 
@@ -503,34 +535,14 @@ def test_batches_in_a_graph():
     assert graph.frames == ["a", "b", "c"]
 
 
+def test_a_heading_of_half_a_turn_is_pi():
+    np.testing.assert_array_equal(pose([[-1, -0.0, 1], [-0.0, -1, 2], [0, 0, 1]]), [1, 2, np.pi])
+    np.testing.assert_array_equal(pose([[-1, 1e-20, 0], [-1e-20, -1, 0], [0, 0, 1]])[2], np.pi)
+    with pytest.raises(RobokinError, match="T is not a rotation"):
+        pose(np.diag([1, 2, 1]))
+
+
 # Errors
-
-
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_bad_values_spoil_their_own_rows_only(bad):
-    x = np.array([1.0, bad, 3.0])
-    for T in (se2(x, 0, 0), se2(0, x, 0), se2(0, 0, x)):
-        assert np.isnan(T[1]).all()
-        assert np.isfinite(T[[0, 2]]).all()
-    T, p = random_se3(1, 3), np.ones((3, 3))
-    T[1, 2, 3] = bad
-    U = random_se3(2, 3)
-    U[0, 3, 0] = bad
-    p[2, 1] = bad
-    for out, rows in (
-        (inverse(T), [1]),
-        (compose(T), [1]),
-        (compose(T, np.eye(4)), [1]),
-        (compose(T, U), [0, 1]),
-        (transform(T, p), [1, 2]),
-        (se3(U[:, :3, :3], p), [2]),
-        (se3(T[:, :3, :3] * [[[1]], [[bad]], [[1]]], [0, 0, 0]), [1]),
-    ):
-        good = np.setdiff1d(range(3), rows)
-        assert np.isnan(out[rows]).all()
-        assert np.isfinite(out[good]).all()
-    np.testing.assert_array_equal(inverse(T)[[0, 2]], inverse(T[[0, 2]]))
-    check_rotation(T[:, :3, :3] * bad)
 
 
 def test_a_graph_lets_unknown_poses_through():
@@ -543,25 +555,6 @@ def test_a_graph_lets_unknown_poses_through():
     assert np.isnan(graph.get("c", "a")[1]).all()
     np.testing.assert_array_equal(graph.get("a", "c")[[0, 2]], T[[0, 2]])
     graph.add("a", "b", T)  # where nothing is known, nothing is contradicted
-
-
-NO_MATRIX = ["x", None, {}, [], 1.0, [["a"]], [[1, 2], [3]], 1j * np.eye(3), np.eye(3) > 0]
-NO_MATRIX += [np.eye(5), np.zeros((4, 3))]
-
-
-@pytest.mark.parametrize("bad", NO_MATRIX)
-def test_what_is_no_matrix_is_refused(bad):
-    for refuses in (
-        lambda: inverse(bad),
-        lambda: check_rotation(bad),
-        lambda: compose(np.eye(3), bad),
-        lambda: transform(bad, [0, 0]),
-        lambda: transform(np.eye(3), bad),
-        lambda: FrameGraph().add("a", "b", bad),
-        lambda: se3(bad, [0, 0, 0]),
-    ):
-        with pytest.raises(RobokinError):
-            refuses()
 
 
 @pytest.mark.parametrize(
@@ -582,7 +575,7 @@ def test_what_is_no_matrix_is_refused(bad):
         (lambda: se3(np.eye(3), [1, 2]), r"position must have shape \(…, 3\), got \(2,\)"),
         (lambda: se2("1", 0, 0), "x must be real numbers"),
         (lambda: se2(0, [1, 2], [1, 2, 3]), "broadcast"),
-        (lambda: check_rotation(np.eye(4)), r"R must have shape \(…, 3, 3\), got \(4, 4\)"),
+        (lambda: check_rotation(np.eye(4)), r"R must have .* or \(…, 3, 3\), got \(4, 4\)"),
         (lambda: check_rotation(np.eye(3), tol=0), "tol must be positive and finite, got 0"),
         (lambda: check_rotation(np.eye(3), tol=np.nan), "tol must be positive and finite"),
         (lambda: check_rotation(np.eye(3), tol=[1e-6]), r"tol must be one number, got \[1e-06\]"),

@@ -416,57 +416,16 @@ def test_round_headings(quarter):
         (lambda: path([0, 0, 0], 1, 1, 1, 3), "method must be one of .*, got 3"),
         (
             lambda: arc_step(np.zeros((2, 3)), np.ones(3), 1, 1),
-            r"do not broadcast together: pose \(2,\), v \(3,\), omega \(\)",
+            r"do not broadcast together: pose \(2,\), v \(3,\)$",
         ),
-        (lambda: arc_step(np.zeros((2, 3)), 1, 1, [1, 1, 1]), r"a parameter \(3,\)"),
+        (lambda: arc_step(np.zeros((2, 3)), 1, 1, [1, 1, 1]), r"pose \(2,\), dt \(3,\)"),
         (lambda: path([0, 0, 0], [1, 2], [1, 2, 3], 1), r"v \(2,\), omega \(3,\)"),
-        (lambda: path(np.zeros((2, 3)), np.ones((3, 4)), 1, 1), r"pose \(2,\), a parameter \(3,\)"),
+        (lambda: path(np.zeros((2, 3)), np.ones((3, 4)), 1, 1), r"pose \(2, 1\), v \(3, 4\)"),
     ],
 )
 def test_bad_input_is_named(call, message):
     with pytest.raises(RobokinError, match=message):
         call()
-
-
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_a_bad_value_makes_its_own_row_nan(bad):
-    rng = np.random.default_rng(4)
-    for function, cores in [
-        (wrap_angle, [()]),
-        (to_world, [(), (3,)]),
-        (to_body, [(), (3,)]),
-        (lambda pose, v, omega: arc_step(pose, v, omega, 0.1), [(3,), (), ()]),
-        (lambda pose, twist: move(pose, twist, 0.1), [(3,), (3,)]),
-        (icr, [(3,), (), ()]),
-    ]:
-        clean = [rng.normal(size=(5, *core)) for core in cores]
-        wanted = function(*clean)
-        for k in range(len(cores)):
-            spoilt = [a.copy() for a in clean]
-            spoilt[k][(2, *[-1] * len(cores[k]))] = bad
-            got = function(*spoilt)
-            assert np.isnan(got[2]).all()
-            np.testing.assert_array_equal(np.delete(got, 2, 0), np.delete(wanted, 2, 0))
-
-
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-@pytest.mark.parametrize("method", METHODS)
-def test_a_bad_value_makes_a_path_nan_from_its_step_on(bad, method):
-    rng = np.random.default_rng(7)
-    start, v, omega = rng.normal(size=(3, 3)), rng.normal(size=(3, 4)), rng.normal(size=(3, 4))
-    wanted = path(start, v, omega, 0.1, method)
-    for spoil_v, spoil_omega in [(bad, 0), (0, bad), (bad, bad)]:
-        spoilt_v, spoilt_omega = v.copy(), omega.copy()
-        spoilt_v[1, 2] += spoil_v
-        spoilt_omega[1, 2] += spoil_omega
-        got = path(start, spoilt_v, spoilt_omega, 0.1, method)
-        assert np.isnan(got[1, 3:]).all()
-        np.testing.assert_array_equal(got[1, :3], wanted[1, :3])
-        np.testing.assert_array_equal(got[[0, 2]], wanted[[0, 2]])
-    start[1, 1] = bad
-    got = path(start, v, omega, 0.1, method)
-    assert np.isnan(got[1]).all()
-    np.testing.assert_array_equal(got[[0, 2]], wanted[[0, 2]])
 
 
 # Independent oracles

@@ -499,6 +499,10 @@ def test_batches_of_poses_and_of_arms():
     assert joint_rates(theta, twist, lengths).shape == (5, 4, 2, 3)
     damped = joint_rates(theta, twist, lengths, damping=np.full((6, 1, 1, 1), 0.1))
     assert damped.shape == (6, 5, 4, 2, 3)
+    undamped = joint_rates(theta, twist, lengths, damping=np.zeros((6, 1, 1, 1)))
+    assert undamped.shape == (6, 5, 4, 2, 3)
+    # one formula divides by det J at once, the other in two steps
+    assert_close(undamped[3], joint_rates(theta, twist, lengths), atol=1e-13)
     assert inverse(np.full((4, 1, 3), 0.3), lengths).shape == (4, 2, 2, 3)
     assert manipulability(theta, lengths).shape == (4, 2)
     axes, directions = ellipse(theta, lengths)
@@ -510,21 +514,6 @@ def test_batches_of_poses_and_of_arms():
         assert_close(function(theta, lengths)[2, 1], function(one, lengths[1]), atol=8 * EPS)
         assert_close(function(one, lengths)[0], function(one, lengths[0]), atol=8 * EPS)
     assert_close(damped[0, 0, 0, 1], joint_rates(one, [0.1] * 3, lengths[1], 0.1), atol=16 * EPS)
-
-
-@pytest.mark.parametrize("shape", [(0,), (0, 4), (4, 0)])
-def test_no_arms(shape):
-    empty = np.empty((*shape, 3))
-    assert forward(empty, LENGTHS).shape == (*shape, 3)
-    assert joint_positions(empty, LENGTHS).shape == (*shape, 4, 2)
-    assert jacobian(empty, LENGTHS).shape == (*shape, 3, 3)
-    assert velocity(empty, empty, LENGTHS).shape == (*shape, 3)
-    assert joint_rates(empty, [1, 2, 3], LENGTHS).shape == (*shape, 3)
-    assert joint_rates([0, 0, 0], empty, LENGTHS).shape == (*shape, 3)  # singular, but no item
-    assert joint_rates(empty, [1, 2, 3], LENGTHS, damping=0.1).shape == (*shape, 3)
-    assert inverse(empty, LENGTHS).shape == (*shape, 2, 3)
-    assert manipulability(empty, LENGTHS).shape == shape
-    assert [part.shape for part in ellipse(empty, LENGTHS)] == [(*shape, 2), (*shape, 2, 2)]
 
 
 # Errors
@@ -547,109 +536,19 @@ def test_out_of_reach(pose, message):
         np.testing.assert_array_equal(both[:2], inverse(pose[:2], LENGTHS))
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-@pytest.mark.parametrize("axis", [0, 1, 2])
-def test_a_bad_number_touches_no_other_row(bad, axis):
-    good = np.array([[0.3, 0.1, 0.4], [0.2, -0.3, 0.3], [-0.1, 0.2, 0.5]])
-    data = good.copy()
-    data[1, axis] = bad
-    calls = [
-        lambda t: forward(t, LENGTHS),
-        lambda t: joint_positions(t, LENGTHS),
-        lambda t: jacobian(t, LENGTHS),
-        lambda t: velocity(t, good, LENGTHS),
-        lambda t: velocity(good, t, LENGTHS),
-        lambda t: joint_rates(t, good, LENGTHS),
-        lambda t: joint_rates(good, t, LENGTHS),
-        lambda t: joint_rates(t, good, LENGTHS, damping=0.1),
-        lambda t: joint_rates(good, t, LENGTHS, damping=0.1),
-        lambda t: joint_rates(good, t, LENGTHS, singular="nan"),
-        lambda t: inverse(t, LENGTHS),
-        lambda t: inverse(t, LENGTHS, unreachable="nan"),
-        lambda t: manipulability(t, LENGTHS),
-        lambda t: ellipse(t, LENGTHS)[0],
-        lambda t: ellipse(t, LENGTHS)[1],
-    ]
-    for call in calls:
-        out, clean = call(data), call(good)
-        assert np.all(np.isnan(out[1]))
-        np.testing.assert_array_equal(out[[0, 2]], clean[[0, 2]])
-        assert np.all(np.isfinite(clean))
-
-
-CALLS = {
-    "forward": lambda t, lengths: forward(t, lengths),
-    "joint_positions": lambda t, lengths: joint_positions(t, lengths),
-    "jacobian": lambda t, lengths: jacobian(t, lengths),
-    "velocity": lambda t, lengths: velocity(t, [0, 1, 2], lengths),
-    "velocity of rates": lambda t, lengths: velocity([0, 1, 2], t, lengths),
-    "joint_rates": lambda t, lengths: joint_rates(t, [0, 1, 2], lengths),
-    "joint_rates of twist": lambda t, lengths: joint_rates([0, 1, 2], t, lengths),
-    "inverse": lambda t, lengths: inverse(t, lengths),
-    "manipulability": lambda t, lengths: manipulability(t, lengths),
-    "ellipse": lambda t, lengths: ellipse(t, lengths),
-}
-
-
-@pytest.mark.parametrize("call", CALLS.values(), ids=CALLS.keys())
-def test_refused_arguments(call):
-    good = [0.3, 0.2, 0.1]
-    call(good, LENGTHS)
-    bad_lengths = [
-        [0, 1, 1],
-        [1, -1, 1],
-        [1, 1, np.nan],
-        [np.inf, 1, 1],
-        "long",
-        [1j, 1, 1],
-        ["1", "1", "1"],
-        None,
-        0.4,
-        [],
-        [[1, 1], [1]],
-    ]
-    for bad in bad_lengths:
-        with pytest.raises(RobokinError, match="lengths must"):
-            call(good, bad)
-    with pytest.raises(
-        RobokinError, match=r"must have shape \(…, \d\), got \(3,\)|must have .* \(2,\)"
-    ):
-        call(good, [0.4, 0.3])
-    for bad in (0.3, [0.3, 0.1], [[0.3], [0.1], [0.4]], [], "abc", [1j, 0, 0], [[1, 2, 3], [4]]):
-        with pytest.raises(RobokinError, match=r"(theta|rates|twist|pose) must"):
-            call(bad, LENGTHS)
-    with pytest.raises(RobokinError, match="broadcast"):
-        call([good, good], [LENGTHS] * 3)
-
-
 def test_lengths_say_what_is_allowed():
     with pytest.raises(
-        RobokinError, match=r"lengths must have shape \(…, n\), one or more, got \(\)"
+        RobokinError, match=r"lengths must have shape \(…, n\), n at least 1, got \(\)"
     ):
         forward([0.1], 0.4)
     with pytest.raises(
-        RobokinError, match=r"lengths must have shape \(…, n\), one or more, got \(0,\)"
+        RobokinError, match=r"lengths must have shape \(…, n\), n at least 1, got \(0,\)"
     ):
         forward([], [])
     for function in (joint_rates, inverse):
         arguments = ([0.1] * 4,) if function is inverse else ([0.1] * 4, [0, 0, 0])
         with pytest.raises(RobokinError, match=r"lengths must have shape \(…, 3\), got \(4,\)"):
             function(*arguments, [1, 1, 1, 1])
-
-
-def test_refused_parameters():
-    for bad in (-0.1, np.nan, np.inf, "much", None, 1j, [0.1, -0.2]):
-        with pytest.raises(RobokinError, match="damping must"):
-            joint_rates([0, 1, 2], [0, 1, 2], LENGTHS, damping=bad)
-    with pytest.raises(RobokinError, match=r"damping must be zero or more, got -0\.2 at index 1"):
-        joint_rates([0, 1, 2], [0, 1, 2], LENGTHS, damping=[0.1, -0.2])
-    with pytest.raises(RobokinError, match="broadcast"):
-        joint_rates([[0, 1, 2]] * 3, [0, 1, 2], LENGTHS, damping=[0.1, 0.2])
-    for bad in ("ignore", None, 0, True, ["raise"]):
-        with pytest.raises(RobokinError, match="singular must be one of raise, nan"):
-            joint_rates([0, 1, 2], [0, 1, 2], LENGTHS, singular=bad)
-        with pytest.raises(RobokinError, match="unreachable must be one of raise, nan"):
-            inverse([0.5, 0, 0], LENGTHS, unreachable=bad)
 
 
 # Independent oracles

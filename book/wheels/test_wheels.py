@@ -505,15 +505,15 @@ def test_empty_batches_and_broadcasting():
         (lambda: fixed(-0.1, 0, 0, 0.1), "radius must be positive and l not negative, .* -0.1"),
         (lambda: steered(0.1, 0, 0, 0), "radius must be positive .* got 0.0 and 0.1"),
         (lambda: spherical(0.1, 0, -1), "radius must be positive"),
-        (lambda: fixed(NAN, 0, 0, 1), "l must be one finite number, got nan"),
-        (lambda: fixed(1, np.inf, 0, 1), "alpha must be one finite number, got inf"),
-        (lambda: fixed(1, 0, [0, 1], 1), r"beta must be one finite number, got \[0, 1\]"),
+        (lambda: fixed(NAN, 0, 0, 1), "l must be finite, got nan"),
+        (lambda: fixed(1, np.inf, 0, 1), "alpha must be finite, got inf"),
+        (lambda: fixed(1, 0, [0, 1], 1), r"beta must be one number, got \[0, 1\]"),
         (lambda: fixed(1, 0, "0", 1), "beta must be real numbers"),
         (lambda: fixed(1, 0, 0, None), "radius must be real numbers"),
         (lambda: fixed(1, 1.5e308, 1.5e308, 1), "alpha [+] beta [+] gamma must be finite"),
         (lambda: swedish(1, 1.5e308, 0, 1, 1.5e308), "alpha [+] beta [+] gamma must be finite"),
         (lambda: castor(1, 0, 0, 1, 0), "d must be other than 0 for a castor only, got 0.0"),
-        (lambda: castor(1, 0, 0, 1, NAN), "d must be one finite number"),
+        (lambda: castor(1, 0, 0, 1, NAN), "d must be finite"),
         (lambda: Wheel("fixed", 1, 0, 0, 1, d=0.1), "d must be other than 0 for a castor only"),
         (
             lambda: swedish(1, 0, 0, 1, QUARTER),
@@ -538,7 +538,7 @@ def test_empty_batches_and_broadcasting():
         (lambda: forward(CAR, [1, 2, 3]), r"rates must have shape \(…, 4\), got \(3,\)"),
         (lambda: forward(OMNI, [1, 2, "3"]), "rates must be real numbers"),
         (lambda: forward(OMNI, [1, 2, 3], theta="x"), "theta must be real numbers"),
-        (lambda: forward(OMNI, np.ones((2, 3)), theta=[1, 2, 3]), r"rates \(2,\), .* theta \(3,\)"),
+        (lambda: forward(OMNI, np.ones((2, 3)), theta=[1, 2, 3]), r"rates \(2,\), theta \(3,\)"),
         (lambda: slip(CAR, np.ones((2, 4)), np.ones((3, 2))), r"rates \(2,\), steering \(3,\)"),
         (lambda: slip(CAR, [1, 2]), r"rates must have shape \(…, 4\)"),
         (lambda: inverse(CAR, [1, 2]), r"twist must have shape \(…, 3\), got \(2,\)"),
@@ -571,34 +571,6 @@ def test_one_wheel_that_slips_is_enough():
     # straight ahead, one front wheel turned a little: the other three would roll
     steering = [CAR[2].beta + 0.2, CAR[3].beta]
     assert np.isnan(inverse(CAR, [1, 0, 0], steering, slipping="nan")).all()
-
-
-@pytest.mark.parametrize("bad", [NAN, np.inf, -np.inf])
-def test_a_bad_value_spoils_its_own_row_only(bad):
-    def spoilt(array):
-        other = np.array(array)
-        other[1, ..., -1] = bad
-        return other
-
-    rates, steering, twist = np.ones((3, 4)), np.ones((3, 2)) * CAR_STRAIGHT, np.eye(3)[[0] * 3]
-    theta = np.zeros((3, 1))
-    for function, good in (
-        (lambda a: rolling(CAR, a), steering),
-        (lambda a: sliding(CAR, a), steering),
-        (lambda a: forward(CAR, a), rates),
-        (lambda a: forward(CAR, [1, 1, 1, 1], a), steering),
-        (lambda a: forward(CAR, [1, 1, 1, 1], theta=a[:, 0]), theta),
-        (lambda a: slip(CAR, a), rates),
-        (lambda a: slip(CAR, [1, 1, 1, 1], a), steering),
-        (lambda a: inverse(CAR, a), twist),
-        (lambda a: inverse(CAR, [1, 0, 0], a), steering),
-        (lambda a: inverse(CAR, [1, 0, 0], theta=a[:, 0]), theta),
-        (lambda a: inverse(CAR, a, slipping="nan"), twist),
-    ):
-        result, wanted = function(spoilt(good)), function(good)
-        assert np.isnan(result[1]).all()
-        # a NaN gives every row its own steering; NumPy's sines of more numbers at once may differ
-        assert_close(result[[0, 2]], wanted[[0, 2]], atol=4 * EPS)
 
 
 # Independent oracles

@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike
 from book.differential_drive import formulas
 from book.differential_drive.formulas import b, r, rate_L, rate_R, v_L, v_R
 from book.motion.formulas import omega, v
-from robokin import differential_drive, motion
+from robokin import differential_drive
 from workshop.equations import Array, Check
 
 STRAIGHT = {v_L: 0.25, v_R: 0.25, r: 0.03, b: 0.1}
@@ -16,12 +16,6 @@ STILL = {v_L: 0.0, v_R: 0.0}
 def twist_of_speeds(v_L: Array, v_R: Array, r: Array, b: Array) -> Array:
     """The body twist from wheel speeds, where a formula is written in speeds and not in rates."""
     return differential_drive.body_twist(v_L / r, v_R / r, r, b)
-
-
-def radius_of_speeds(v_L: Array, v_R: Array, r: Array, b: Array) -> Array:
-    """The turning radius: how far to the left of the robot the ICR lies."""
-    twist = twist_of_speeds(v_L, v_R, r, b)
-    return motion.icr([0, 0, 0], twist[..., 0], twist[..., 2])[..., 1]
 
 
 def speeds_of_twist(v: ArrayLike, omega: ArrayLike, r: Array, b: Array) -> Array:
@@ -50,12 +44,12 @@ CHECKS = (
     ),
     Check(
         formulas.turning_radius,
-        function=radius_of_speeds,
-        arguments=(v_L, v_R, r, b),
+        function=differential_drive.turning_radius,
+        arguments=(v_L, v_R, b),
         ranges={v_L: (-1, 0.4), v_R: (0.5, 1)},
         tolerance=2e-14,
         reason="roundings of v/omega: numbers up to 10 m",
-        specials=(STRAIGHT, ON_THE_SPOT, STILL),
+        specials=({v_L: 0.25, v_R: 0.25, b: 0.1}, ON_THE_SPOT, STILL),
     ),
     Check(
         formulas.body_twist,

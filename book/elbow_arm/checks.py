@@ -92,14 +92,6 @@ def limits(a2: Array, a3: Array) -> Array:
     return np.stack(elbow_arm.reach(a2, a3), axis=-1)
 
 
-def joint_frame(theta: Array, d: Array, a: Array, alpha: Array) -> Array:
-    """A step of four numbers, by the poses of `robokin.frames`."""
-    zero = 0 * theta
-    first = frames.se3(euler.to_matrix("Z", theta[..., None]), np.stack([zero, zero, d], -1))
-    second = frames.se3(euler.to_matrix("X", alpha[..., None]), np.stack([a, zero, zero], -1))
-    return frames.compose(first, second)
-
-
 def wrist_frame(theta: Array, a2: Array, a3: Array, d1: Array) -> Array:
     """The wrist's pose: turned as by three Euler angles, placed as `forward` says."""
     quarter = np.full_like(theta[..., 0], np.pi / 2)
@@ -208,7 +200,7 @@ CHECKS = (
     ),
     Check(
         formulas.dh_step,
-        function=joint_frame,
+        function=frames.dh,
         arguments=(dh_theta, dh_d, dh_a, dh_alpha),
         tolerance=1e-15,
         reason="sines, cosines and products of sizes up to 1",

@@ -34,11 +34,6 @@ from workshop.equations import Array, Check
 QUARTERS = tuple(np.pi / 2 * np.arange(-2, 3))
 
 
-def pose(T: Array) -> Array:
-    """The pose [x, y, theta] of a planar matrix, theta in (-pi, pi]."""
-    return np.stack([T[..., 0, 2], T[..., 1, 2], np.arctan2(T[..., 1, 0], T[..., 0, 0])], axis=-1)
-
-
 def hand(joints: Array, lengths: Array) -> Array:
     """The pose of a frame at the third joint: where two links end, turned by all three angles."""
     there = planar_arm.forward(joints[..., :2], lengths)
@@ -48,18 +43,18 @@ def hand(joints: Array, lengths: Array) -> Array:
 
 def inverse(x: Array, y: Array, theta: Array) -> Array:
     """A planar pose seen from the other end."""
-    return pose(frames.inverse(frames.se2(x, y, theta)))
+    return frames.pose(frames.inverse(frames.se2(x, y, theta)))
 
 
 def seen_from(first: Array, second: Array) -> Array:
     """The second pose as seen from the first, both known from one place."""
     back = frames.inverse(frames.se2(*np.moveaxis(first, -1, 0)))
-    return pose(frames.compose(back, frames.se2(*np.moveaxis(second, -1, 0))))
+    return frames.pose(frames.compose(back, frames.se2(*np.moveaxis(second, -1, 0))))
 
 
 def joined(first: Array, second: Array) -> Array:
     """Two poses in a chain."""
-    return pose(
+    return frames.pose(
         frames.compose(*(frames.se2(*np.moveaxis(each, -1, 0)) for each in (first, second)))
     )
 

@@ -120,20 +120,17 @@ def answer(check: Check, points: Array) -> Array:
 def library_functions(check: Check) -> list[str]:
     """The public functions of the library that a check really calls, as `robokin.motion.icr`."""
     arguments = _arguments(check, sample(check, 1))
-    public, library = course().library_modules, course().library
+    public = course().library_modules
     found: dict[str, None] = {}
     depth = 0
 
     def note(frame: FrameType, event: str, _: Any) -> None:
         nonlocal depth
         module, name = frame.f_globals.get("__name__", ""), frame.f_code.co_name
-        of_library = module.partition(".")[0] == library or module in public
-        if of_library and event == "return":
-            depth -= 1
-        if of_library and event == "call":
-            if depth == 0 and module in public and name[0] not in "_<":
+        if module in public and name[0] not in "_<":
+            if event == "call" and depth == 0:  # what it calls in its turn does not count
                 found[f"{module}.{name}"] = None
-            depth += 1
+            depth += {"call": 1, "return": -1}.get(event, 0)
 
     before = sys.getprofile()
     sys.setprofile(note)

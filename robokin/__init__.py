@@ -1,7 +1,7 @@
 """Robot kinematics for a course: free functions on NumPy arrays, SI units, radians.
 
-One module a topic, named as its chapter. `import robokin` needs NumPy only; the formulas
-(`robokin.equations`), live figures (`robokin.live`) and drawing (`robokin.draw`) are extras.
+One module a topic, named as its chapter. `import robokin` needs NumPy only; still pictures
+(`robokin.draw`) need matplotlib.
 """
 
 from robokin import (

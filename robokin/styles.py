@@ -1,6 +1,6 @@
 """One colour, line and marker for each kind of thing, in every figure of every chapter.
 
-Used by the live figures (`robokin.live`) and the still ones (`robokin.draw`). A kind never
+Used by the course's live figures and by the still ones (`robokin.draw`). A kind never
 differs from another by its colour alone. The colours are told apart by readers who see no red or
 no green, and stand out at least 3:1 from a white and from a black page.
 """

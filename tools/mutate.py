@@ -193,9 +193,10 @@ def run_tests(place: Path, module: str, first: list[str], limit: int) -> int:
     """In a fork: run a module's tests in a copy of the repository; pytest's exit code."""
     signal.alarm(limit)  # which ends the fork by the signal
     os.chdir(place)
+    sys.path.insert(0, str(place))
     for stream in (1, 2):
         os.dup2(os.open(place / "output", os.O_WRONLY | os.O_CREAT | os.O_TRUNC), stream)
-    tests = f"tests/test_{module}.py"
+    tests = f"book/{module}/test_{module}.py"
     options = ["-x", "-q", "-p", "no:cacheprovider", "--tb=no"]
     options += ["-m", "not long", "-p", "_hypothesis_pytestplugin", "--hypothesis-profile=mutation"]
     options += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # hypothesis is there already
@@ -208,10 +209,9 @@ def prepare(place: Path, module: str) -> None:
     """A copy of what the module's tests need."""
     leave = shutil.ignore_patterns("__pycache__")
     shutil.copytree(ROOT / "robokin", place / "robokin", ignore=leave)
-    (place / "tests").mkdir()
-    for name in ("conftest.py", "support.py", f"test_{module}.py"):
-        shutil.copy(ROOT / "tests" / name, place / "tests")
-    shutil.copy(ROOT / "pyproject.toml", place)
+    for name in ("tests/support.py", f"book/{module}/test_{module}.py", "pyproject.toml"):
+        (place / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, place / name)
 
 
 def fork(place: Path, module: str, code: str, first: list[str], limit: int) -> int:

@@ -4,9 +4,8 @@ import re
 
 import nbformat
 import pytest
+from declared import MISTAKES
 from support import ROOT
-
-from workshop.practice import bank
 
 # The field's nouns that a chapter explains once, where it stands in italics, and then uses.
 NOUNS = {
@@ -106,8 +105,7 @@ def test_sources_of_mistakes_are_told_as_they_are(chapter):
         r'practice\.mistake\("(M\d+)"\)',
         "\n".join(cell.source for cell in cells(chapter) if cell.cell_type == "code"),
     )
-    known = bank.mistakes()
-    written = sum(bool(known[name].document) for name in shown)
+    written = sum(bool(MISTAKES[name].document) for name in shown)
     intro = text[text.index("## Find the mistake") :].split("\n\n")[1].lower()
     assert intro.startswith(f"{NUMBERS[len(shown)]} mistakes")
     assert f"{NUMBERS[written]} stand" in intro

@@ -228,7 +228,7 @@ def lane_figure() -> Figure:
         view=(-25, 25, -8, 18),
         controls=(
             Slider(
-                steering, -60 * DEGREE, 60 * DEGREE, start=15 * DEGREE, step=DEGREE,
+                steering, -60 * DEGREE, 60 * DEGREE, start=20 * DEGREE, step=DEGREE,
                 label="steering φ", kind="velocity",
             ),
             Slider(wheelbase, 2.0, 10.0, start=LENGTH, step=0.5, label="wheelbase L"),

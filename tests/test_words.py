@@ -31,6 +31,7 @@ PLURALS = {"degree of freedom": "degrees of freedom", "singularity": "singularit
 ASKING_FIRST = ("basics", *NOUNS)  # chapters whose predictions have their answers folded
 NUMBERS = ("none", "one", "two", "three", "four", "five", "six")
 PREDICTION = re.compile(r"\b(?:Predict|Guess)\b")
+FOLDED = {"hide-output", "hide-cell"}  # hide-cell where the code tells the answer
 DRAWN = re.compile(r"figures\.\w+_figure\(\)")
 
 
@@ -73,7 +74,7 @@ def given_away(steps):
             continue  # a derivation gives the answer
         code = next((s for s in after if not isinstance(s, str)), None)
         open_output = code is not None and not (
-            DRAWN.search(code.source) or "hide-output" in code.metadata.get("tags", [])
+            DRAWN.search(code.source) or FOLDED & set(code.metadata.get("tags", []))
         )
         if open_output or not words.startswith(("<details>", "1. ")):
             yield step

@@ -129,13 +129,17 @@ def cut_by(phi: Array, wheelbase: Array) -> Array:
 
 
 def lane_of(R: Array, wheelbase: Array, track: Array) -> Array:
-    """Outer front wheel: wheelbase over the sine of its angle; inner rear: its speed over rate."""
+    """Outer front wheel: wheelbase over the sine of its angle; inner rear: its speed over rate.
+
+    nan where the ICR lies under the car, so that a rear wheel rolls backwards.
+    """
     phi = np.abs(np.arctan(wheelbase / R))  # as to the left: the right wheels are the outer ones
     outer = np.sin(bicycle.ackermann(phi, wheelbase, track)[..., 1])
     inner = rear_speeds_of(np.ones_like(R), phi, wheelbase, track)[..., 0]
     rate = bicycle.body_twist(1.0, phi, wheelbase)[..., 2]
     with np.errstate(divide="ignore", invalid="ignore"):  # straight ahead both radii are infinite
-        return np.asarray(np.where(rate == 0, track, wheelbase / outer - inner / rate))
+        lane = np.where(rate == 0, track, wheelbase / outer - inner / rate)
+    return np.asarray(np.where(inner < 0, np.nan, lane))
 
 
 CHECKS = (
@@ -317,6 +321,6 @@ CHECKS = (
         arguments=(R, wheelbase, track),
         tolerance=1e-14,
         reason="a few roundings of radii up to 16 m",
-        specials=({R: 5.0}, {R: -5.0}, {R: float("inf")}),
+        specials=({R: 5.0}, {R: -5.0}, {R: float("inf")}, {R: 0.1}, {R: -0.2}),
     ),
 )

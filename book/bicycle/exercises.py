@@ -35,7 +35,7 @@ M16 = Mistake(
     says="when the front axle's speed is put where the rear axle's speed belongs",
     line="omega = v_front * np.tan(phi) / L",
     why="The formula v tan φ/L holds for the speed v of the rear axle. The front axle is faster, "
-    "v_f = v/cos φ. For its speed the formula is v_f sin φ/L.",
+    "v_F = v/cos φ. For its speed the formula is v_F sin φ/L.",
     unnoticed="Straight ahead. For small steering angles it is hard to see: 1.5 % at 10°.",
     document="004 Ans 1",
     stands="θ̇ = v_s sec α tan α/L",
@@ -49,14 +49,14 @@ M17 = Mistake(
     "along the heading θ.",
     unnoticed="Straight ahead, where the wheel points along the heading.",
     document="004 Ans 1",
-    stands="ẋ = v_O sin φ, ẏ = v_O cos φ (heading φ from the y axis, v_O at the front axle)",
-    should="ẋ = v_O sin(φ − α), ẏ = v_O cos(φ − α) (steering α to the left)",
+    stands="ẋ = v_O sin φ, ẏ = v_O cos φ (there φ is the heading from the y axis, v_O our v_F)",
+    should="ẋ = v_O sin(φ − α), ẏ = v_O cos(φ − α) (there α is the steering, to the left)",
 )
 M18 = Mistake(
     "M18",
     says="when the two steering angles are averaged, where their cotangents must be",
     line="phi = (alpha_L + alpha_R) / 2",
-    why="The three axles meet in one point. This makes the distances R − l/2, R and R + l/2 "
+    why="The three axles meet in one point. This makes the distances R − b/2, R and R + b/2 "
     "evenly spaced, and they go with the cotangents of the angles, not with the angles.",
     unnoticed="When both angles are equal. Otherwise the mean is near, but never right.",
 )
@@ -68,8 +68,8 @@ M32 = Mistake(
     "changes by −ωδt, not by +ωδt.",
     unnoticed="On a straight line, where the heading does not change.",
     document="004 Ans 1",
-    stands="φ(t + Δt) = φ + φ̇Δt with φ̇ = +v tan α/L (heading φ from the y axis)",
-    should="φ(t + Δt) = φ + φ̇Δt with φ̇ = −v tan α/L (steering α to the left)",
+    stands="φ(t + Δt) = φ + φ̇Δt with φ̇ = +v tan α/L (there φ is the heading from the y axis)",
+    should="φ(t + Δt) = φ + φ̇Δt with φ̇ = −v tan α/L (there α is the steering, to the left)",
 )
 M33 = Mistake(
     "M33",

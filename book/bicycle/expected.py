@@ -58,11 +58,13 @@ def lane_readouts(phi, wheelbase, track, t):
         more = wheelbase**2 / (np.hypot(outer, wheelbase) + outer)
         cut = wheelbase**2 / (np.hypot(R, wheelbase) + R)
     more[np.isinf(radius)] = cut[np.isinf(radius)] = 0.0
+    more[np.abs(radius) < track / 2] = np.nan  # the ICR lies under the car: no lane
     return np.column_stack([more + track, more, cut])
 
 
 DEGREE = np.pi / 180
 AHEAD = {"steering": 0.0}
+UNDER = {"steering": 60 * DEGREE, "wheelbase": 2.0, "track": 2.5}  # the ICR under the car
 TIGHT = [{"steering": sign * 75 * DEGREE} for sign in (-1, 1)]  # the inner wheel beyond 90°
 
 READOUTS = {
@@ -73,8 +75,10 @@ READOUTS = {
 SPECIALS = {
     "ackermann-steering": [AHEAD, *TIGHT],
     "bicycle-steps": [AHEAD, {"n": 1}, {"point": "front axle"}],
-    "swept-lane": [AHEAD, {**AHEAD, "t": 12.0}, {"t": 12.0}],
+    "swept-lane": [AHEAD, {**AHEAD, "t": 12.0}, {"t": 12.0}, UNDER],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("ackermann-steering", AHEAD, "radius", "none: straight ahead"),
+    ("swept-lane", UNDER, "lane", "no lane: the car turns about a point under itself"),
+    ("swept-lane", UNDER, "more", "no lane"),
 ]

@@ -40,6 +40,7 @@ from workshop.figures import (
 DEGREE = float(pi) / 180
 UP = pi / 2  # rad, the heading of a car that looks up in the picture
 NO_ICR = {"inf": "none: straight ahead"}
+NO_LANE = {"nan": "no lane: the car turns about a point under itself"}
 s = Symbol("s")
 
 radius = bicycle.turning_radius.right
@@ -91,7 +92,7 @@ def ackermann_figure() -> Figure:
                 label="steering φ of the bicycle", kind="velocity",
             ),
             Slider(wheelbase, 1.5, 3.0, start=2.5, step=0.1, label="wheelbase L"),
-            Slider(track, 0.8, 2.2, start=1.5, step=0.1, label="track l"),
+            Slider(track, 0.8, 2.2, start=1.5, step=0.1, label="track b"),
         ),
         scene=(
             axle("icr", (0, 0), UP),
@@ -214,7 +215,11 @@ def lane_figure() -> Figure:
     right_edge = (to_left * wheelbase, -side)
     tip = place(START, wheelbase + FAR * cos(steering), FAR * sin(steering))
     corners = [(0, side), (0, -side), (wheelbase, -side), (wheelbase, side), (0, side)]
-    lane = bicycle.lane.at({R: radius})
+    lane = bicycle.lane.right
+    edges = [
+        tuple(Piecewise((c, Abs(R) >= side), (nan, True)) for c in at(s, *edge))
+        for edge in (left_edge, right_edge)
+    ]
     with as_written():  # in gentler turns the ICR lies outside the picture
         near = Piecewise((-wheelbase / tan(steering), Abs(steering) > 10 * DEGREE), (nan, True))
     return Figure(
@@ -223,17 +228,17 @@ def lane_figure() -> Figure:
         view=(-25, 25, -8, 18),
         controls=(
             Slider(
-                steering, -60 * DEGREE, 60 * DEGREE, start=30 * DEGREE, step=DEGREE,
+                steering, -60 * DEGREE, 60 * DEGREE, start=20 * DEGREE, step=DEGREE,
                 label="steering φ", kind="velocity",
             ),
             Slider(wheelbase, 2.0, 10.0, start=LENGTH, step=0.5, label="wheelbase L"),
-            Slider(track, 1.0, 2.5, start=TRACK, step=0.1, label="track l"),
+            Slider(track, 1.0, 2.5, start=TRACK, step=0.1, label="track b"),
             Clock(t, 0.0, LASTING, start=0.0, step=0.1, label="time, at 3 m/s"),
         ),
-        where=tuple(zip(pose, drawn, strict=True)),
+        where=((R, radius), *zip(pose, drawn, strict=True)),
         scene=(
-            Curve("left", at(s, *left_edge), s, 0, LASTING),
-            Curve("right", at(s, *right_edge), s, 0, LASTING),
+            Curve("left", edges[0], s, 0, LASTING),
+            Curve("right", edges[1], s, 0, LASTING),
             Curve("path", at(s, 0, 0), s, 0, LASTING),
             Curve("approximation", at(s, wheelbase / 2, 0), s, 0, LASTING),
             Curve("velocity", at(s, wheelbase, 0), s, 0, LASTING),
@@ -251,13 +256,13 @@ def lane_figure() -> Figure:
         ),
         handles=(Handle("direction of the front wheels", tip, {steering: steered_at(START)}),),
         readouts=(
-            Readout("lane", "width of the lane", lane, "m", digits=2),
-            Readout("more", "wider than the car by", lane - track, "m", digits=2),
+            Readout("lane", "width of the lane", lane, "m", 2, NO_LANE),
+            Readout("more", "wider than the car by", lane - track, "m", 2, {"nan": "no lane"}),
             Readout("cut", "corner cut c", bicycle.cut.right, "m", digits=2),
         ),
         says=(
-            "Steered {steering}, the car needs a lane of {lane}; its rear axle runs {cut} inside "
-            "its front axle. It has driven for {t}."
+            "The car is steered {steering}. Width of its lane: {lane}. Its rear axle runs {cut} "
+            "inside its front axle. It has driven for {t}."
         ),
     )  # fmt: skip
 

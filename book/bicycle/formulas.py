@@ -38,12 +38,12 @@ from book.motion.formulas import (
 from workshop.equations.core import Equation, as_written, quantity
 
 steering = quantity(
-    "steering", "rad", -1.2, 1.2, "steering angle of the bicycle, to the left", latex=r"\phi"
+    "steering", "rad", -1.2, 1.2, "steering angle of the bicycle, to the left", latex=r"\varphi"
 )
 alpha_L = quantity("alpha_L", "rad", -1.4, 1.4, "steering angle of the left front wheel")
 alpha_R = quantity("alpha_R", "rad", -1.4, 1.4, "steering angle of the right front wheel")
 wheelbase = quantity("wheelbase", "m", 1, 10, "from the rear axle to the front axle", latex="L")
-track = quantity("track", "m", 0.5, 2.5, "distance between the two wheels of an axle", latex="l")
+track = quantity("track", "m", 0.5, 2.5, "distance between the two wheels of an axle", latex="b")
 rate_rear = quantity(
     "rate_rear", "rad/s", -20, 20, "rate of the driven rear wheels, their mean", latex=r"\Omega"
 )
@@ -57,7 +57,7 @@ y_heading = quantity(
 psi_dot = Symbol(r"\dot{\psi}")
 x_dot_F, y_dot_F = Symbol(r"\dot{x}_F"), Symbol(r"\dot{y}_F")
 x_F, y_F = Symbol("x_F"), Symbol("y_F")
-steepest_angle = Symbol(r"\phi_\mathrm{max}")
+steepest_angle = Symbol(r"\varphi_\mathrm{max}")
 corner_cut, lane_width = Symbol("c"), Symbol("w")
 
 
@@ -114,7 +114,7 @@ with as_written():
         name="bicycle.steepest_steering",
         left=steepest_angle,
         right=atan(2 * wheelbase / track),
-        source="exercise 5, |R| > l/2",
+        source="exercise 5, |R| > b/2",
     )
 
     turning_radius = Equation(
@@ -280,7 +280,10 @@ with as_written():
     lane = Equation(
         name="bicycle.lane",
         left=lane_width,
-        right=track + wheelbase**2 / (reach + outer),
+        right=Piecewise(
+            (track + wheelbase**2 / (reach + outer), Abs(R) >= track / 2),
+            (nan, True),  # the ICR lies under the car: no lane
+        ),
         textbook=reach - (Abs(R) - track / 2),
         source="exercise 5, what follows from it",
     )

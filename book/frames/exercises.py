@@ -385,9 +385,9 @@ frames_6 = Exercise(
     text="A camera f hangs {height} above the floor and looks straight down. Its x axis is that of "
     "the room, its z axis points to the floor, so its y axis is opposite to the room's y axis. It "
     "sees a platform b on the floor at x = {x_b}, y = {y_b}, z = {height}, and an object on a "
-    "table at x = {x_e}, y = {y_e}, z = {z_e}. The platform's z axis points up, and its heading in "
-    "the room is {heading} (counter-clockwise, seen from above). Where does the platform see the "
-    "object?",
+    "table at x = {x_e}, y = {y_e}, z = {z_e}. The platform's z axis points up, and its heading θ "
+    "in the room is {heading} (counter-clockwise, seen from above). Where does the platform see "
+    "the object?",
     given={
         "height": steps(2.4, 3.2, 0.1, "m"),
         "x_b": PLACE,

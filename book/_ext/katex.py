@@ -32,6 +32,8 @@ function render(tex, displayMode, macros) {
 
 # KaTeX would number these environments itself; Sphinx does that, so the starred form is drawn
 NUMBERED = re.compile(r"\\(begin|end)\{(equation|align|alignat|gather)\}")
+PUNCTUATION = re.compile(r"[.,;:!?)\]”’]+")
+SHORT = 40  # characters of TeX: such a formula finds room on a line of a phone
 SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
 
@@ -108,10 +110,24 @@ def to_html(writer, node, tex, display):
 
 
 def visit_inline(writer, node):
-    """Write an inline formula."""
+    """Write an inline formula, with the punctuation behind it."""
+    if "after" in node:
+        writer.body.append('<span class="kept">')
     writer.body.append(writer.starttag(node, "span", "", CLASS="math notranslate nohighlight"))
     writer.body.append(to_html(writer, node, node.astext().strip(), False) + "</span>")
+    if "after" in node:
+        writer.body.append(f"{html.escape(node['after'])}</span>")
     raise nodes.SkipNode
+
+
+def keep_punctuation(app, doctree, docname):
+    """Take the punctuation behind a short formula to the formula: it must not start a line."""
+    for node in list(doctree.findall(nodes.math)):
+        following = node.next_node(descend=False, siblings=True)
+        found = PUNCTUATION.match(following) if isinstance(following, nodes.Text) else None
+        if found and len(node.astext()) <= SHORT:
+            node["after"] = found[0]
+            following.parent.replace(following, nodes.Text(following[found.end() :]))
 
 
 def visit_display(writer, node):
@@ -156,5 +172,6 @@ def setup(app):
     app.add_config_value("katex_macros", {}, "html", dict)
     app.add_config_value("katex_sources", sources_digest(), "html", str)
     app.connect("builder-inited", copy_styles)
+    app.connect("doctree-resolved", keep_punctuation)
     app.connect("html-page-context", link_styles)
     return {"parallel_read_safe": True, "parallel_write_safe": False}

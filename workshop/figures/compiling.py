@@ -30,7 +30,7 @@ def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
 
 # type → its word in the script, what is computed, what is given as it is
 SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] = {
-    d.Point: ("point", lambda s: s.at, ()),
+    d.Point: ("point", lambda s: s.at, ("edge",)),
     d.Line: ("line", lambda s: [x for point in s.points for x in point], ()),
     d.Arrow: ("arrow", lambda s: (*s.tail, *s.head), ()),
     d.Wheel: ("wheel", lambda s: (*s.at, s.angle), ("length", "width")),

@@ -87,12 +87,17 @@ class Recurrence:
 
 @dataclass(frozen=True)
 class Point:
-    """A marker, its form given by the kind."""
+    """A marker, its form given by the kind.
+
+    A labelled one that leaves a flat picture is shown at its edge with its distance from the
+    origin in metres, unless `edge` is False.
+    """
 
     kind: str
     at: Pair
     label: str = ""
     depth: Expr = None
+    edge: bool = True
 
 
 @dataclass(frozen=True)

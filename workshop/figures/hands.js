@@ -1,6 +1,11 @@
 // Hands on a live figure: controls, clock, handles, the ground of a picture in space.
 
+const STEPPING = /^(Arrow|Page|Home|End)/;
+
 const followControls = (live) => live.inputs.forEach((input) => {
+  const inSteps = () => { input.step = live.figure.controls[input.dataset.i].step; };
+  input.addEventListener("pointerdown", inSteps);
+  input.addEventListener("keydown", (event) => { if (STEPPING.test(event.key)) inSteps(); });
   input.addEventListener("input", () => {
     pause(live);
     live.setOne(Number(input.dataset.i), Number(input.value));
@@ -50,19 +55,41 @@ const followClock = (live) => live.all(".rk-play").forEach((button) => {
 // ---- handles: a pointer in world coordinates becomes settings of the controls
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
+const MAGNET = 6; // pixels: from so near a special value draws the hand to it
 
 const handleHtml = (handle) =>
   `<circle r="17" tabindex="0" role="button" aria-roledescription="draggable point" `
-  + `aria-label="${escaped(handle.label)}: drag, or move with the arrow keys"/>`;
+  + `aria-label="${escaped(handle.label)}: drag, or move with the arrow keys"/>`
+  + `<ellipse rx="9" ry="9"/>`;
 
 const takeHandles = (live) => {
-  const { figure, picture } = live, circles = figure.handles.map(handleHtml).join("");
-  picture.insertAdjacentHTML("beforeend", `<g class="rk-handles">${circles}</g>`);
+  const { figure, picture } = live, grips = figure.handles.map(handleHtml).join("");
+  picture.insertAdjacentHTML("beforeend", `<g class="rk-handles">${grips}</g>`);
   live.handles = live.all(".rk-handles circle");
   figure.handles.forEach((handle, k) => {
-    followPointer(live, handle, live.handles[k]);
+    followPointer(live, live.handles[k]);
     followArrows(live, handle, live.handles[k]);
   });
+};
+
+const pixel = ({ width, figure: { view } }) => (view[1] - view[0]) / width;
+
+const ASIDE = [[0, 0], [0, -22], [22, 0], [0, 22], [-22, 0]];
+
+// Where the handles are drawn, in pixels: inside the picture, and none under another. The one that
+// was taken last keeps its place, others give way.
+const spots = (live) => {
+  const to = projection(live.figure.view, live.width), margin = 10, found = [];
+  const high = heightOf(live.figure, live.width);
+  const inside = (x, end) => Math.min(end - margin, Math.max(margin, x));
+  const free = ([x, y]) => found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
+  const order = [...live.handles.keys()].sort((a, b) => (b === live.last) - (a === live.last));
+  for (const k of order) {
+    const [x, y] = to(live.place(live.figure.handles[k]));
+    const tried = ASIDE.map(([dx, dy]) => [inside(x + dx, live.width), inside(y + dy, high)]);
+    found[k] = Number.isFinite(x + y) ? tried.find(free) ?? tried[0] : [-99, -99];
+  }
+  return found;
 };
 
 const pointer = ({ picture, figure: { view } }, event) => {
@@ -71,31 +98,68 @@ const pointer = ({ picture, figure: { view } }, event) => {
     view[3] - (event.clientY - box.top) / box.height * (view[3] - view[2])];
 };
 
-const dragTo = (live, handle, point, rounded) => {
-  const next = handle.to(f, settings(live.figure, live.state), point), placed = live.state.slice();
+// How far a few pixels move what a handle sets.
+const reaches = (live, handle, given, [x, y], next) => {
+  const by = MAGNET * pixel(live);
+  const [across, up] = [[x + by, y], [x, y + by]].map((point) => handle.to(f, given, point));
+  return next.map((value, k) => Math.hypot(across[k] - value, up[k] - value));
+};
+
+const dragTo = (live, handle, point, byHand) => {
+  const { figure } = live, given = settings(figure, live.state), placed = live.state.slice();
+  const next = handle.to(f, given, point), reach = reaches(live, handle, given, point, next);
   handle.sets.forEach((i, k) => {
-    const control = live.figure.controls[i];
+    const control = figure.controls[i];
     if (!Number.isFinite(next[k])) return;
-    placed[i] = (rounded ? snap : clamp)(control, next[k] / control.factor);
+    placed[i] = clamp(control, next[k] / control.factor);
+    if (byHand) placed[i] = attracted(figure, placed, i, reach[k] / control.factor);
   });
   pause(live);
   live.set(placed);
 };
 
-const followPointer = (live, handle, grip) => {
-  let off = [0, 0]; // a handle taken at its edge must not jump to the pointer
+// Where targets overlap, the handle that is nearest to the pointer is meant.
+const nearest = (live, event) => {
+  const far = (grip) => {
+    const { left, right, top, bottom } = grip.getBoundingClientRect();
+    return Math.hypot((left + right) / 2 - event.clientX, (top + bottom) / 2 - event.clientY);
+  };
+  return live.handles.reduce((best, grip) => (far(grip) < far(best) ? grip : best));
+};
+
+const followPointer = (live, grip) => {
   grip.addEventListener("pointerdown", (event) => {
-    const at = pointer(live, event);
-    off = live.place(handle).map((x, i) => (Number.isFinite(x) ? x - at[i] : 0));
-    grip.setPointerCapture(event.pointerId);
-    grip.focus({ preventScroll: true });
+    if (event.button > 0) return;
     event.preventDefault();
+    live.settled();
+    const taken = nearest(live, event), k = live.handles.indexOf(taken), at = pointer(live, event);
+    // a handle taken at its edge must not jump to the pointer
+    const off = live.place(live.figure.handles[k])
+      .map((x, i) => (Number.isFinite(x) ? x - at[i] : 0));
+    live.held = { by: taken, k, off, state: live.state };
+    live.last = k;
+    taken.setPointerCapture(event.pointerId);
+    taken.focus({ preventScroll: true });
   });
   // in SVG, `touch-action` alone lets the page scroll away with the finger
   grip.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
   grip.addEventListener("pointermove", (event) => {
-    if (!grip.hasPointerCapture(event.pointerId)) return;
-    dragTo(live, handle, pointer(live, event).map((x, i) => x + off[i]), true);
+    if (live.held?.by !== grip) return;
+    const { k, off } = live.held;
+    dragTo(live, live.figure.handles[k], pointer(live, event).map((x, i) => x + off[i]), true);
+  });
+  letGo(live, grip);
+};
+
+// What the system cuts short, as by a call, has not been.
+const letGo = (live, element) => {
+  element.addEventListener("pointercancel", () => {
+    if (live.held?.by !== element) return;
+    live.set(live.held.state);
+    live.held = null;
+  });
+  element.addEventListener("lostpointercapture", () => {
+    if (live.held?.by === element) live.held = null;
   });
 };
 
@@ -110,11 +174,12 @@ const followArrows = (live, handle, grip) => grip.addEventListener("keydown", (e
 // ---- the ground: dragging it turns the view, by half a turn across the picture
 
 const turned = (live, held, event) => {
-  const { figure, picture } = live, next = live.state.slice();
+  const { figure, picture } = live, next = held.state.slice();
   const moved = [held.x - event.clientX, event.clientY - held.y];
+  const pixelTurns = 180 / picture.getBoundingClientRect().width;
   figure.turns.forEach((i, k) => {
-    const shown = held.state[i] + 180 * moved[k] / picture.getBoundingClientRect().width;
-    next[i] = snap(figure.controls[i], allRound(figure.controls[i], shown));
+    next[i] = allRound(figure.controls[i], held.state[i] + pixelTurns * moved[k]);
+    next[i] = attracted(figure, next, i, MAGNET * pixelTurns);
   });
   return next;
 };
@@ -122,16 +187,15 @@ const turned = (live, held, event) => {
 const followGround = (live) => {
   if (!live.figure.turns) return;
   const { element, picture } = live;
-  let held = null;
   element.classList.add("rk-turns");
   picture.addEventListener("pointerdown", (event) => {
     if (live.handles.includes(event.target) || event.button > 0) return;
     picture.setPointerCapture(event.pointerId);
     event.preventDefault();
-    held = { x: event.clientX, y: event.clientY, state: live.state };
+    live.held = { by: picture, x: event.clientX, y: event.clientY, state: live.state };
   });
   picture.addEventListener("pointermove", (event) => {
-    if (held && picture.hasPointerCapture(event.pointerId)) live.set(turned(live, held, event));
+    if (live.held?.by === picture) live.set(turned(live, live.held, event));
   });
-  picture.addEventListener("lostpointercapture", () => { held = null; });
+  letGo(live, picture);
 };

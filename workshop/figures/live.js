@@ -1,3 +1,14 @@
+// Between two steps of a slider the browser would show the nearer one.
+const showAt = (input, control, shown) => {
+  const there = () => Math.abs(Number(input.value) - shown) < 1e-9;
+  if (there()) return;
+  input.step = control.step;
+  input.value = shown;
+  if (there()) return;
+  input.step = "any";
+  input.value = shown;
+};
+
 // A figure that is alive in an element that holds its HTML. `changed(state)` is told of each new
 // state; the hands on it stand in hands.js.
 class Live {
@@ -10,6 +21,7 @@ class Live {
     this.width = WIDTH;
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
     this.handles = [];
+    this.held = this.last = null; // what a pointer moves now, and the handle that it moved last
   }
 
   all(selector) {
@@ -69,11 +81,11 @@ class Live {
   }
 
   drawHandles() {
-    const to = projection(this.figure.view, this.width);
-    this.figure.handles.forEach((handle, k) => {
-      const [x, y] = to(this.place(handle));
-      this.handles[k].setAttribute("cx", Number.isFinite(x) ? n(x) : -99);
-      this.handles[k].setAttribute("cy", Number.isFinite(y) ? n(y) : -99);
+    spots(this).forEach(([x, y], k) => {
+      for (const part of [this.handles[k], this.handles[k].nextSibling]) {
+        part.setAttribute("cx", n(x));
+        part.setAttribute("cy", n(y));
+      }
     });
   }
 
@@ -86,7 +98,7 @@ class Live {
   writeControls() {
     const shown = (i) => shownControl(this.figure.controls[i], this.state[i]);
     this.inputs.forEach((input) => {
-      input.value = this.state[input.dataset.i];
+      showAt(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
       if (input.type === "range") input.setAttribute("aria-valuetext", shown(input.dataset.i));
     });
     this.all("[data-o]").forEach((output) => { output.textContent = shown(output.dataset.o); });

@@ -36,6 +36,29 @@ const snap = (control, shown) => {
   return clamp(control, Number((control.low + steps * control.step).toFixed(9)));
 };
 
+// What a hand looks for: zero, the ends, the start, right angles, and the value of another control
+// that differs in nothing but its colour, as of the other wheel.
+const magnets = (figure, state, i) => {
+  const { kind, unit, low, high, start } = figure.controls[i];
+  const quarter = unit === "°" ? 90 * Math.round(state[i] / 90) : 0;
+  const others = state.filter((_, k) => {
+    const other = figure.controls[k];
+    return k !== i && kind && other.kind && unit !== "°"
+      && other.unit === unit && other.low === low && other.high === high;
+  });
+  return [0, quarter, low, high, start, ...others].filter((x) => low <= x && x <= high);
+};
+
+const REACH = 0.015; // of a control's range: a magnet never draws from farther away
+
+// The state after a hand has moved control i, who draws it to the nearest magnet in reach.
+const attracted = (figure, state, i, reach) => {
+  const control = figure.controls[i], near = Math.min(reach, REACH * (control.high - control.low));
+  const far = (x) => Math.abs(x - state[i]);
+  const [best] = magnets(figure, state, i).sort((a, b) => far(a) - far(b));
+  return clamp(control, far(best) <= near ? best : state[i]);
+};
+
 // A slider that goes all the way round has no end: past it, it goes on from the other one.
 const allRound = ({ low, high }, shown) =>
   high - low === 360 ? shown - 360 * Math.floor((shown - low) / 360) : shown;

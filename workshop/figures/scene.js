@@ -37,17 +37,19 @@ const grid = (view, to, width, height) => {
 
 const scene = (figure, computed, width) => {
   const to = projection(figure.view, width);
+  const height = to.scale * (figure.view[3] - figure.view[2]);
   const pieces = figure.scene.flatMap((shape) => {
     const at = shape.at.map((index) => computed.values[index]);
     const depth = "depth" in shape ? computed.values[shape.depth] : 0;
     if (![...at, depth].every(Number.isFinite)) return [];
-    const drawn = SHAPES[shape.shape](at, shape, to, computed);
+    const seen = shape.edge && shape.label && figure.grid !== false;
+    const drawn = (seen && beyond(at, shape, to, [width, height]))
+      || SHAPES[shape.shape](at, shape, to, computed);
     if (typeof drawn !== "string") return drawn;
     return "depth" in shape ? { text: drawn, depth } : { text: drawn };
   });
   // those with a depth change places among themselves: the nearest is painted last
   const deep = pieces.filter((piece) => "depth" in piece).sort((a, b) => a.depth - b.depth);
-  const height = to.scale * (figure.view[3] - figure.view[2]);
   const ground = figure.grid === false ? "" : grid(figure.view, to, width, height);
   return ground + pieces.map((piece) => ("depth" in piece ? deep.shift() : piece).text).join("");
 };

@@ -20,8 +20,8 @@ const MARKERS = {
     + `${stroke(kind, ";stroke-width:3;stroke-dasharray:none")}/>`,
 };
 
-const label = (x, y, text, kind, shift = [8, -8]) => `<text x="${n(x + shift[0])}" `
-  + `y="${n(y + shift[1])}" style="fill:${color(kind)};stroke:var(--rk-ground,#fff);`
+const label = (x, y, text, kind, shift = [8, -8], anchor = "") => `<text x="${n(x + shift[0])}" `
+  + `y="${n(y + shift[1])}" ${anchor && `text-anchor="${anchor}" `}style="fill:${color(kind)};stroke:var(--rk-ground,#fff);`
   + `stroke-width:3px;paint-order:stroke;font:italic 15px serif">`
   + `${symbols(text, '$1<tspan dy="4" font-size="75%" font-style="normal">$2</tspan>')}</text>`;
 
@@ -54,6 +54,24 @@ const inPieces = (points, depths, kind, size = 4) => {
 
 const atAngle = (x, y, angle) =>
   `transform="translate(${x} ${y}) rotate(${n(-angle * 180 / Math.PI)})"`;
+
+// A labelled point outside the picture: an arrowhead at the edge, on the way to it from the origin
+// (from the middle, if that is outside, too), and how far from the origin it is.
+const beyond = (p, { label: name, kind }, to, [width, height]) => {
+  const [x, y] = to(p), inside = (a, b) => a > 0 && a < width && b > 0 && b < height;
+  if (inside(x, y)) return "";
+  const [x0, y0] = inside(...to([0, 0])) ? to([0, 0]) : [width / 2, height / 2];
+  const long = Math.sqrt((x - x0) ** 2 + (y - y0) ** 2), [ux, uy] = [(x - x0) / long, (y - y0) / long];
+  const across = ((ux > 0 ? width : 0) - x0) / ux, down = ((uy > 0 ? height : 0) - y0) / uy;
+  const way = Math.min(ux ? across : Infinity, uy ? down : Infinity) - 3;
+  const [ex, ey] = [x0 + way * ux, y0 + way * uy], far = Math.sqrt(p[0] ** 2 + p[1] ** 2);
+  const side = ex < 70 ? "start" : ex > width - 70 ? "end" : "middle";
+  const told = far < 1e4 ? `${fixed(far, far < 1 ? 2 : far < 10 ? 1 : 0)} m` : "far away";
+  const shift = [{ start: 32, end: -12, middle: 0 }[side], ey < 40 ? 28 : -12];
+  return `<path class="rk-beyond" d="M${n(ex)} ${n(ey)}L${n(ex - 13 * ux - 6 * uy)} `
+    + `${n(ey - 13 * uy + 6 * ux)}L${n(ex - 13 * ux + 6 * uy)} ${n(ey - 13 * uy - 6 * ux)}z" `
+    + `${fill(kind)}/>${label(ex, ey, `${name} ${told}`, kind, shift, side)}`;
+};
 
 // Each shape gets its numbers (`at`, already in world units), the declaration, and `to`, which
 // takes world coordinates to pixels. Angles on the screen run the other way (y points down).

@@ -1,0 +1,256 @@
+"""What a hand does to the live figures, and what a phone shows of a page.
+
+On three figures that differ; on all of them in the long run.
+"""
+
+import numpy as np
+import pytest
+from declared import FIGURES
+from test_figures import (
+    SHOW,
+    in_browser,
+    page_of,  # noqa: F401
+    turned,  # noqa: F401
+    typical_figure,
+    visit,  # noqa: F401
+)
+
+from workshop.figures import Choice
+
+pytest_plugins = ["browser"]
+
+# --- Under the hand -------------------------------------------------------------------------
+
+
+def centre(live, place):
+    """Where on the screen a handle is drawn; the picture in view."""
+    live.picture.evaluate(SHOW)
+    live.state()
+    box = live.handles.nth(place).bounding_box()
+    return np.array([box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
+
+
+def put(live, state):
+    """The figure in a state, drawn."""
+    live.root.evaluate("({workshop}, state) => workshop.set(state)", state)
+    return live.state()
+
+
+def states_on_the_way(live, start, end, moves):
+    """The state after each of several moves of the mouse with the button down."""
+    live.page.mouse.move(*start)
+    live.page.mouse.down()
+    found = []
+    for step in range(1, moves + 1):
+        live.page.mouse.move(*(start + (end - start) * step / moves))
+        found.append(tuple(live.state()))
+    live.page.mouse.up()
+    return found
+
+
+WAYS = {  # a handle, and a way of it in pixels that meets at most one magnet
+    "wheel-speeds": (1, (0, 80)),
+    "ackermann-steering": (0, (85, 0)),
+}
+
+
+@in_browser
+@pytest.mark.parametrize("name", WAYS)
+def test_dragging_is_continuous(name, visit):  # noqa: F811
+    place, way = WAYS[name]
+    with visit(FIGURES[name]) as live:
+        start = centre(live, place)
+        found = states_on_the_way(live, start, start + np.array(way), 40)
+    assert len(set(found)) >= 35
+
+
+@in_browser
+def test_turning_is_continuous(turned):  # noqa: F811
+    with turned() as live:
+        box = live.picture.bounding_box()
+        start = np.array([box["x"] + 60, box["y"] + 60], dtype=float)
+        found = states_on_the_way(live, start, start + np.array([-70, 20]), 40)
+    assert len(set(found)) >= 35
+
+
+@in_browser
+@pytest.mark.parametrize(("start", "special"), [(0.05, 0.1), (0.05, 0.0), (-0.1, -0.15)])
+def test_near_a_special_value_it_is_exactly_that(visit, start, special):  # noqa: F811
+    """A wheel's speed: as the other wheel's, zero, its end; two pixels away is near enough."""
+    figure = FIGURES["wheel-speeds"]
+    with visit(figure) as live:
+        there, here = (put(live, [v, 0.1, 1.5]) and centre(live, 0) for v in (special, start))
+        toward = 2 * (there - here) / np.abs(there - here).max()
+        states_on_the_way(live, here, there - toward, 3)
+        assert live.state()[0] == special
+
+
+@in_browser
+def test_the_thumb_follows_and_keys_go_in_steps(visit):  # noqa: F811
+    figure = FIGURES["wheel-speeds"]
+    with visit(figure) as live:
+        start = centre(live, 1)
+        found = states_on_the_way(live, start, start + np.array([0, 13]), 1)[-1]
+        slider = live.input(figure.controls[1])
+        assert float(slider.input_value()) == pytest.approx(found[1], abs=1e-9)
+        assert abs(found[1] / 0.005 - round(found[1] / 0.005)) > 0.01  # between two steps
+        live.press(figure.controls[1], "ArrowRight")
+        after = live.state()[1]
+        assert after == pytest.approx(round(after / 0.005) * 0.005, abs=1e-12)
+        assert 0 < after - found[1] <= 0.0075
+
+
+# --- Handles --------------------------------------------------------------------------------
+
+MEASURED = """(svg) => [...svg.querySelectorAll(".rk-handles ellipse")].map((ring) => {
+  const box = ring.getBoundingClientRect(), style = getComputedStyle(ring);
+  const target = ring.previousSibling.getBoundingClientRect();
+  return {
+    x: box.x + box.width / 2, y: box.y + box.height / 2, wide: box.width, target: target.width,
+    colour: style.stroke, opacity: style.strokeOpacity * style.opacity,
+  };
+})"""
+
+
+@in_browser
+@typical_figure
+def test_handles_are_small_and_apart(figure, visit):  # noqa: F811
+    """Over settings at random, inside the picture; the target is larger than the ring."""
+    random = np.random.default_rng(5)
+    with visit(figure, width=390) as live:
+        picture = live.picture.bounding_box()
+        for _ in range(30):
+            put(live, shown(figure, random))
+            rings = live.picture.evaluate(MEASURED)
+            for k, ring in enumerate(rings):
+                assert ring["wide"] <= 20
+                assert ring["target"] >= 24
+                assert ring["opacity"] == 1  # the accent's contrast is tested where it is declared
+                assert ring["x"] < -50 or picture["x"] < ring["x"] < picture["x"] + picture["width"]
+                for other in rings[:k]:
+                    far = np.hypot(ring["x"] - other["x"], ring["y"] - other["y"])
+                    assert far > 17 or ring["x"] < -50
+
+
+def shown(figure, random):
+    """A random state, in the units shown."""
+    code = []
+    for control in figure.controls:
+        if isinstance(control, Choice):
+            code.append(int(random.integers(len(control.options))))
+        elif isinstance(control.step, int):
+            code.append(int(random.integers(control.low, control.high + 1)))
+        else:
+            scale = np.pi / 180 if control.symbol.unit == "rad" else 1
+            code.append(float(random.uniform(control.low, control.high) / scale))
+    return code
+
+
+@in_browser
+def test_handles_that_meet_can_both_be_taken(visit):  # noqa: F811
+    """The platform of the frames put upon the object: each comes away from the other."""
+    figure = FIGURES["room-plan"]
+    with visit(figure) as live:
+        state = live.state()
+        state[:2] = state[6:8] = [1.2, 0.9]
+        put(live, state)
+        for place, places in ((1, [0, 1]), (6, [6, 7])):
+            before, here = live.state(), centre(live, place)
+            states_on_the_way(live, here, here + np.array([31, -23]), 2)
+            now = live.state()
+            assert [k for k in range(9) if now[k] != before[k]] == places
+            put(live, state)
+
+
+CANCEL = """(element) => element.dispatchEvent(
+  new PointerEvent("pointercancel", {bubbles: true, pointerId: 1}))"""
+
+
+@in_browser
+def test_a_cancelled_drag_has_not_been(visit):  # noqa: F811
+    with visit(FIGURES["wheel-speeds"]) as live:
+        before = live.state()
+        live.page.mouse.move(*centre(live, 1))
+        live.page.mouse.down()
+        live.page.mouse.move(*(centre(live, 1) + np.array([0, 30])), steps=3)
+        assert live.state() != before
+        live.handles.nth(1).evaluate(CANCEL)
+        assert live.state() == before
+        live.page.mouse.move(*(centre(live, 1) + np.array([0, 60])))
+        assert live.state() == before
+        live.page.mouse.up()
+
+
+@in_browser
+def test_a_cancelled_turn_has_not_been(turned):  # noqa: F811
+    with turned() as live:
+        box, before = live.picture.bounding_box(), live.state()
+        live.page.mouse.move(box["x"] + 60, box["y"] + 60)
+        live.page.mouse.down()
+        live.page.mouse.move(box["x"] + 120, box["y"] + 90, steps=3)
+        assert live.state() != before
+        live.picture.evaluate(CANCEL)
+        assert live.state() == before
+        live.page.mouse.up()
+
+
+# --- What is outside the picture ------------------------------------------------------------
+
+
+@in_browser
+def test_the_icr_outside_is_told_at_the_edge(visit):  # noqa: F811
+    """Nearly straight: the ICR is 3.2 m away; on a phone, too, its words are in the picture."""
+    with visit(FIGURES["wheel-speeds"], width=390) as live:
+        marker = live.picture.locator(".rk-beyond")
+        assert marker.count() == 0
+        put(live, [0.0945, 0.0975, 1.5])
+        assert marker.count() == 1
+        words = live.picture.locator("text", has_text="ICR")
+        # the wheels are 10 cm apart: R = b/2 (v_R + v_L)/(v_R - v_L)
+        assert words.text_content() == "ICR 3.2 m"
+        outer, inner = live.picture.bounding_box(), words.bounding_box()
+        assert outer["x"] < inner["x"]
+        assert inner["x"] + inner["width"] < outer["x"] + outer["width"]
+        assert outer["y"] < inner["y"]
+        put(live, [0.1, 0.1, 1.5])  # straight: there is none
+        assert marker.count() == 0
+
+
+# --- On a phone -----------------------------------------------------------------------------
+
+
+@in_browser
+@typical_figure
+def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):  # noqa: F811
+    with visit(figure, width=390) as live:
+        last = live.root.locator(".rk-controls input, .rk-controls select").last
+        last.evaluate("(e) => e.scrollIntoView({block: 'end', behavior: 'instant'})")
+        picture, slider = live.root.locator(".rk-picture").bounding_box(), last.bounding_box()
+        assert picture["y"] >= 0
+        assert picture["height"] <= 0.46 * 844
+        assert picture["y"] + picture["height"] <= slider["y"] + 1
+        assert slider["y"] + slider["height"] <= 844
+
+
+TOO_WIDE = """() => [...document.querySelectorAll(".bd-article pre")]
+  .filter((pre) => pre.closest(".rk-mistake") || !pre.closest(".cell_output"))
+  .filter((pre) => pre.scrollWidth > pre.clientWidth + 1).map((pre) => pre.textContent)"""
+
+
+@in_browser
+def test_on_a_phone_code_is_not_cut(visit):  # noqa: F811
+    with visit(FIGURES["wheel-speeds"], width=390) as live:
+        assert live.page.locator(".rk-mistake pre").count()
+        assert live.page.evaluate(TOO_WIDE) == []
+
+
+KEPT = """() => [...document.querySelectorAll(".kept")].filter((kept) =>
+  kept.getBoundingClientRect().height > 2.2 * parseFloat(getComputedStyle(kept).lineHeight)
+  || kept.getBoundingClientRect().right > innerWidth).map((kept) => kept.textContent)"""
+
+
+@in_browser
+def test_punctuation_stays_with_its_formula(visit):  # noqa: F811
+    with visit(FIGURES["wheel-speeds"], width=390) as live:
+        assert live.page.locator(".kept").count() > 10
+        assert live.page.evaluate(KEPT) == []

@@ -19,6 +19,7 @@ import robokin
 from workshop import practice
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page, tables, teacher
+from workshop.practice.bank import mistakes
 from workshop.practice.command import main
 from workshop.script import engine as script
 

@@ -76,7 +76,8 @@ def erratum(mistake: Mistake) -> str:
     asked = [each for each in exercises().values() if mistake in each.wrong]
     page = f"/{asked[0].topic}/{asked[0].topic}"
     chapter = f"[{course().title(asked[0].topic)}]({page})"
-    links = ", ".join(f"[{each.name}]({page}.ipynb#{each.name})" for each in asked)
+    # an exercise's place is made by its box, so that Sphinx does not know it
+    links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in asked)
     should = symbols(mistake.should).replace("«", "<mark>").replace("»", "</mark>")
     return (
         f"**{mistake.document}**, {symbols(mistake.place)} ({mistake.name})\n\n"

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-import book  # noqa: F401  (opens the course)
+import book  # noqa: F401  opens the course
 from workshop.course import course
 
 NOUNS = {
@@ -46,11 +46,9 @@ CLAIMS = ["students or books", "really write", "never the arctangent", "every fo
 
 @pytest.mark.parametrize("chapter", NOUNS)
 def test_what_cannot_be_shown_is_not_claimed(chapter):
-    text = course().notebook(chapter).read_text("utf-8").lower()
-    pages = [
-        p.read_text("utf-8").lower() for p in course().notebook(chapter).parents[1].glob("*.md")
-    ]
-    assert not [claim for claim in CLAIMS for page in (text, *pages) if claim in page]
+    notebook = course().notebook(chapter)
+    texts = [p.read_text("utf-8").lower() for p in (notebook, *notebook.parents[1].glob("*.md"))]
+    assert not [claim for claim in CLAIMS for text in texts if claim in text]
 
 
 @pytest.mark.parametrize("chapter", NOUNS)

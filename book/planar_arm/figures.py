@@ -59,7 +59,7 @@ SIZES = dict(zip(LENGTHS, LINKS, strict=True))
 BASE = (0, 0)
 
 line_x = quantity("line_x", "m", -0.4, 0.85, "where a line for the hand ends", latex="x_e")
-line_y = quantity("line_y", "m", 0, 0.7, "where a line for the hand ends", latex="y_e")
+line_y = quantity("line_y", "m", -0.1, 0.7, "where a line for the hand ends", latex="y_e")
 s = Symbol("s")
 
 
@@ -254,7 +254,7 @@ def line_figure() -> Figure:
             Slider(gain, 0.0, 2.0, start=0.0, step=0.1, label="feedback K"),
             Slider(damping, 0.0, 0.3, start=0.0, step=0.01, label="damping λ"),
             Slider(line_x, -0.4, 0.85, start=-0.1, step=0.01, label="end of the line, x"),
-            Slider(line_y, 0.0, 0.7, start=0.5, step=0.01, label="end of the line, y"),
+            Slider(line_y, -0.1, 0.7, start=0.5, step=0.01, label="end of the line, y"),
         ),
         where=tuple(at_step(t * n / DURATION, last)[:2]),
         scene=(

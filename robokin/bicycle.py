@@ -87,7 +87,7 @@ def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """How far inside the front axle's circle the rear axle runs: the difference of their radii.
 
     phi: (…) in rad; wheelbase: (…) in m, positive → (…) in m; 0 straight ahead, the whole
-    wheelbase at phi = ±π/2. Source: exercise 5, √(R² + L²) − |R|, which is L tan(|φ|/2).
+    wheelbase at phi = ±π/2. Source: exercise 5, `√(R² + L²) − |R|`, which is `L tan(|φ|/2)`.
 
     >>> round(float(corner_cut(np.radians(30), wheelbase=7.0)), 3)
     1.876
@@ -103,7 +103,7 @@ def lane_width(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     phi: (…) in rad; wheelbase, track: (…) in m, positive → (…) in m; the track straight ahead.
     Where the turn is tighter than half the track, its centre lies under the car: there is no lane
     but a disc, and this is its radius.
-    Source: exercise 5, √((|R| + l/2)² + L²) − (|R| − l/2), with no difference of large radii.
+    Source: exercise 5, `√((|R| + b/2)² + L²) − (|R| − b/2)`, with no difference of large radii.
 
     >>> round(float(lane_width(np.radians(30), wheelbase=7.0, track=1.5)), 2)
     3.28

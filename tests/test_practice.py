@@ -19,6 +19,7 @@ import robokin
 from workshop import practice
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page, tables, teacher
+from workshop.practice.bank import mistakes
 from workshop.practice.command import main
 from workshop.script import engine as script
 
@@ -131,8 +132,19 @@ def test_a_mistake_says_all_it_must(mistake):
     assert mistake.unnoticed.endswith(".")
     assert mistake.why.endswith(".")
     assert not mistake.says.endswith(".")
-    assert bool(mistake.document) == bool(mistake.stands) == bool(mistake.should)
+    told = mistake.document, mistake.place, mistake.nth, mistake.stands, mistake.should
+    assert all(told) or not any((*told, mistake.explained))
+    # an erratum marks what changes, and marks nothing that stands there already
+    assert bool(mistake.document) == ("«" in mistake.should)
     assert max(map(len, mistake.line.splitlines())) <= 80
+
+
+def test_errata_have_an_order():
+    places = [(m.document, m.nth) for m in mistakes().values() if m.document]
+    assert len(set(places)) == len(places)
+    for document in {document for document, _ in places}:
+        mine = sorted(nth for name, nth in places if name == document)
+        assert mine == list(range(1, len(mine) + 1))
 
 
 # --- The page does the same -----------------------------------------------------------------

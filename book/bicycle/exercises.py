@@ -27,8 +27,10 @@ M15 = Mistake(
     "first gives a difference of sines, the second one of cosines. Only y comes out wrong.",
     unnoticed="Where the heading halfway along the arc is 135° or −45°, and after a full circle.",
     document="000 Q5",
+    place="the position after a step",
+    nth=1,
     stands="y(t + δt) = y − R (sin(θ + ωδt) − sin θ)",
-    should="y(t + δt) = y − R (cos(θ + ωδt) − cos θ)",
+    should="y(t + δt) = y − R («cos»(θ + ωδt) − «cos» θ)",
 )
 M16 = Mistake(
     "M16",
@@ -38,8 +40,12 @@ M16 = Mistake(
     "v_F = v/cos φ. For its speed the formula is v_F sin φ/L.",
     unnoticed="Straight ahead. For small steering angles it is hard to see: 1.5 % at 10°.",
     document="004 Ans 1",
+    place="the state equations of point O, third line",
+    nth=2,
     stands="θ̇ = v_s sec α tan α/L",
-    should="θ̇ = v_s tan α/L",
+    should="θ̇ = «v_s» tan α/L",
+    explained="Here α is the steering angle, v_s the speed of the rear axle and v_s sec α that of "
+    "the front axle. The formula with tan α/L wants the speed of the rear axle.",
 )
 M17 = Mistake(
     "M17",
@@ -49,8 +55,14 @@ M17 = Mistake(
     "along the heading θ.",
     unnoticed="Straight ahead, where the wheel points along the heading.",
     document="004 Ans 1",
-    stands="ẋ = v_O sin φ, ẏ = v_O cos φ (there φ is the heading from the y axis, v_O our v_F)",
-    should="ẋ = v_O sin(φ − α), ẏ = v_O cos(φ − α) (there α is the steering, to the left)",
+    place="the state equations of point O",
+    nth=1,
+    stands="ẋ = v_O sin φ, ẏ = v_O cos φ",
+    should="ẋ = v_O sin(φ «− α»), ẏ = v_O cos(φ «− α»)",
+    explained="In this document φ is the heading, clockwise from the y axis, and α is the "
+    "steering angle, to the left. (In the chapter θ is the heading and φ the steering "
+    "angle.) The point O is at the front axle. It moves where the steered wheel rolls, "
+    "and that is φ − α from the y axis.",
 )
 M18 = Mistake(
     "M18",
@@ -68,8 +80,13 @@ M32 = Mistake(
     "changes by −ωδt, not by +ωδt.",
     unnoticed="On a straight line, where the heading does not change.",
     document="004 Ans 1",
-    stands="φ(t + Δt) = φ + φ̇Δt with φ̇ = +v tan α/L (there φ is the heading from the y axis)",
-    should="φ(t + Δt) = φ + φ̇Δt with φ̇ = −v tan α/L (there α is the steering, to the left)",
+    place="the points of the trajectory",
+    nth=4,
+    stands="φ(t + Δt) = φ + φ̇Δt with φ̇ = +v_s tan α/L",
+    should="φ(t + Δt) = φ + φ̇Δt with φ̇ = «−»v_s tan α/L",
+    explained="Here φ is the heading, clockwise from the y axis, and α the steering angle, to the "
+    "left. A heading that is measured clockwise gets smaller when the car turns to the "
+    "left.",
 )
 M33 = Mistake(
     "M33",
@@ -79,8 +96,13 @@ M33 = Mistake(
     "the car could move along one diagonal only.",
     unnoticed="When the motion is along that diagonal, at 45° or at −135° to the x axis.",
     document="004 Ans 1",
+    place="the state equations with numbers",
+    nth=3,
     stands="ẋ = 0.25 w sec α sin φ, ẏ = 0.25 w sec α sin φ",
-    should="ẋ = 0.25 w sec α sin(φ − α), ẏ = 0.25 w sec α cos(φ − α)",
+    should="ẋ = 0.25 w sec α sin(φ «− α»), ẏ = 0.25 w sec α «cos»(φ «− α»)",
+    explained="Here φ is the heading, clockwise from the y axis, α the steering angle, to the "
+    "left, and w the rate of the rear wheels. One of the two lines needs the cosine. "
+    "(The angle φ − α is the erratum M17.)",
 )
 
 

@@ -46,9 +46,6 @@ M31 = Mistake(
     why="Some books divide by 2d, where d is half the wheel distance. Here b is the whole distance "
     "already; with 2b it is counted twice, and the turning rate comes out half as large as it is.",
     unnoticed="On a straight line.",
-    document="000 Q4, last line",
-    stands="ω = (v_R − v_L)/(2b) with the whole distance b",
-    should="ω = (v_R − v_L)/b",
 )
 
 

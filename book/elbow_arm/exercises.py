@@ -20,8 +20,10 @@ M1 = Mistake(
     "clockwise.",
     unnoticed="Where p_x = p_y, on the line in the middle between the two axes.",
     document="000 Q1",
+    place="step 1, the base angle",
+    nth=1,
     stands="θ_1 = atan2(p_x, p_y)",
-    should="θ_1 = atan2(p_y, p_x)",
+    should="θ_1 = atan2(«p_y», «p_x»)",
 )
 M2 = Mistake(
     "M2",
@@ -31,8 +33,10 @@ M2 = Mistake(
     "√(p_x² + p_y²) away from the base axis, not |p_y|.",
     unnoticed="Where p_x = 0: there the arm really stands in that plane.",
     document="000 Q1",
+    place="step 2, the side view",
+    nth=3,
     stands="r = √(p_y² + p_z²), φ_3 = arctan(p_z/p_y)",
-    should="r = √(p_x² + p_y² + p_z²), φ_3 = atan2(p_z, √(p_x² + p_y²))",
+    should="r = √(«p_x² +» p_y² + p_z²), φ_3 = «atan2»(p_z, «√(p_x² + p_y²)»)",
 )
 M3 = Mistake(
     "M3",
@@ -42,8 +46,10 @@ M3 = Mistake(
     "a square metre: the units show the mistake.",
     unnoticed="With a forearm of 1 m: there the square and the third power are the same number.",
     document="001 Q1",
+    place="cos θ_3",
+    nth=1,
     stands="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3³)/(2 a_2 a_3)",
-    should="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3²)/(2 a_2 a_3)",
+    should="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − «a_3²»)/(2 a_2 a_3)",
 )
 M4 = Mistake(
     "M4",
@@ -54,8 +60,10 @@ M4 = Mistake(
     unnoticed="Where the wrist is on the base axis, if you look only at the wrist. The elbow is "
     "then on the other side.",
     document="000 Q1",
+    place="step 1, the second base angle, and the count of four solutions at the end",
+    nth=2,
     stands="θ_1 + π together with the same θ_2 and θ_3",
-    should="θ_1 + π together with π − θ_2 and −θ_3",
+    should="θ_1 + π together with «π − θ_2» and «−θ_3»",
 )
 M5 = Mistake(
     "M5",

@@ -55,8 +55,10 @@ M30 = Mistake(
     "T_bc T_bd. From c to b leads T_cb, the inverse of T_bc.",
     unnoticed="Where T_bc is its own inverse: a half turn.",
     document="001 Q3",
+    place="the last line",
+    nth=1,
     stands="T_bc T_db⁻¹ T_de = T_ce",
-    should="T_bc⁻¹ T_db⁻¹ T_de = T_ce",
+    should="«T_bc⁻¹» T_db⁻¹ T_de = T_ce",
 )
 
 POSE = (Ask("x", "m"), Ask("y", "m"), angle("θ"))

@@ -37,9 +37,14 @@ M22 = Mistake(
     "counts depends on the rule: old, middle or new heading.",
     unnoticed="In the first step from heading 0, with the rule of the new heading. On a straight "
     "line along the x axis with every rule.",
-    document="003, first formulas",
+    document="003",
+    place="the first formulas for Δx and Δy",
+    nth=1,
     stands="Δx = D cos Δθ, Δy = D sin Δθ",
-    should="Δx = D cos(θ + Δθ), Δy = D sin(θ + Δθ), with the new heading as in its third formula",
+    should="Δx = D cos(«θ +» Δθ), Δy = D sin(«θ +» Δθ)",
+    explained="Δθ only says how far the robot turned in this step. The direction in which it "
+    "drives is the heading so far, θ, and the turn together. (This is the rule of the "
+    "new heading, which the document uses in its third formula.)",
 )
 M23 = Mistake(
     "M23",
@@ -50,9 +55,11 @@ M23 = Mistake(
     "tangent answers with the one between −90° and 90°. Where the cosine is negative, it is off "
     "by half a turn. atan2(sin, cos) looks at both signs.",
     unnoticed="As long as the cosine of the heading is positive, so between −90° and 90°.",
-    document="003, third formula",
+    document="003",
+    place="the third formula, rotation",
+    nth=2,
     stands="θ' = tan⁻¹(sin(θ + ωΔt)/cos(θ + ωΔt))",
-    should="θ' = atan2(sin(θ + ωΔt), cos(θ + ωΔt))",
+    should="θ' = «atan2»(sin(θ + ωΔt), cos(θ + ωΔt))",
 )
 M24 = Mistake(
     "M24",

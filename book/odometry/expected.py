@@ -65,7 +65,12 @@ READOUTS = {
 }
 SPECIALS = {
     "four-rules": [{"turned": 2 * np.pi}, {"turned": 2 * np.pi, "samples": 3}, {"samples": 32}],
-    "error-ellipse": [{"turned": 0.0}, {"turned": 0.0, "drive": 3.0}, {"turned": 1e-9}],
+    "error-ellipse": [
+        {"turned": 2 * np.pi},
+        {"turned": 0.0},
+        {"turned": 0.0, "drive": 3.0},
+        {"turned": 1e-9},
+    ],
     "square-path": [{"ratio": 1.0}, {"b_true": 0.2}, {"ratio": 1.0, "b_true": 0.2}],
 }
 WORDS = []  # every readout has a number

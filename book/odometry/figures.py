@@ -228,7 +228,7 @@ def ellipse_figure() -> Figure:
                 label="wheel error over 1 m",
             ),
             Slider(drive, 0.25, 3, start=2.5, step=0.05, label="distance"),
-            Slider(turned, 0, pi, start=pi / 3, step=pi / 36, label="turned in all"),
+            Slider(turned, 0, 2 * pi, start=pi / 3, step=pi / 36, label="turned in all"),
         ),
         scene=(
             Curve("path", tuple(arc_to(drive * s, turned * s)[:2]), s, 0, 1),

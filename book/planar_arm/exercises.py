@@ -25,9 +25,14 @@ M26 = Mistake(
     "l_1 (l_2 sin θ_2 + l_3 sin(θ_2 + θ_3)).",
     unnoticed="Where the first two rates cancel, so that link 2 does not turn. In torques, as long "
     "as no moment acts on the hand.",
-    document="004 Ans 2, the matrices of part 2",
+    document="004 Ans 2",
+    place="the matrices of part 2, last row",
+    nth=5,
     stands="φ̇ = θ̇_3, the last row [0, 0, θ̇_3]",
-    should="φ̇ = θ̇_1 + θ̇_2 + θ̇_3, the last row of J is [1, 1, 1]",
+    should="φ̇ = «θ̇_1 + θ̇_2 +» θ̇_3, the last row «[1, 1, 1]»",
+    explained="The matrices write θ for the hand's angle φ. It is the sum of the three joint "
+    "angles, as the document says on its first page, so its rate is the sum of the "
+    "three rates.",
 )
 M27 = Mistake(
     "M27",
@@ -36,10 +41,14 @@ M27 = Mistake(
     why="The derivative of sin(θ_1 + θ_2) is cos(θ_1 + θ_2) times the rate of the whole sum, "
     "θ̇_1 + θ̇_2. A link turns with its own joint and with all joints before it.",
     unnoticed="When only the last joint turns.",
-    document="004 Ans 2, the first line of ẏ",
+    document="004 Ans 2",
+    place="the first line of ẏ",
+    nth=1,
     stands="ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2) θ̇_2 + l_3 cos(θ_1 + θ_2 + θ_3) θ̇_3",
-    should="ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2) (θ̇_1 + θ̇_2) "
-    "+ l_3 cos(θ_1 + θ_2 + θ_3) (θ̇_1 + θ̇_2 + θ̇_3)",
+    should="ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2) «(θ̇_1 + θ̇_2)» + l_3 cos(θ_1 + θ_2 + "
+    "θ_3) «(θ̇_1 + θ̇_2 + θ̇_3)»",
+    explained="The next line of the document has it right. A link turns with its own joint and "
+    "with all joints before it.",
 )
 M28 = Mistake(
     "M28",
@@ -51,9 +60,11 @@ M28 = Mistake(
     "copied and changed keeps the old index.",
     unnoticed="Where both links are equally long, or the hand does not turn. The value of "
     "det J does not show it: l_3 is not in it.",
-    document="004 Ans 2, the velocity equations as a matrix",
+    document="004 Ans 2",
+    place="part 1, the velocities as a matrix, third column",
+    nth=4,
     stands="l_2 sin(θ_1 + θ_2 + θ_3) and l_2 cos(θ_1 + θ_2 + θ_3)",
-    should="l_3 sin(θ_1 + θ_2 + θ_3), with a minus (M36), and l_3 cos(θ_1 + θ_2 + θ_3)",
+    should="«l_3» sin(θ_1 + θ_2 + θ_3), with a minus (M36), and «l_3» cos(θ_1 + θ_2 + θ_3)",
 )
 M29 = Mistake(
     "M29",
@@ -63,9 +74,13 @@ M29 = Mistake(
     "sides of twist = J @ rates by the inverse of J: rates = inv(J) @ twist. The "
     "units warn: J times the velocity adds metres in a second to radians in a second.",
     unnoticed="When the hand stands still: zero either way.",
-    document="004 Ans 2, the last step",
+    document="004 Ans 2",
+    place="the last step",
+    nth=6,
     stands="A = BC, multiplied by B: BA = BBC, so BA = C",
-    should="B⁻¹ A = B⁻¹ B C = C: the joint rates are J⁻¹ times the hand's velocity",
+    should="A = BC, multiplied by «B⁻¹»: «B⁻¹»A = «B⁻¹»BC, so «B⁻¹»A = C",
+    explained="A is the hand's velocity, C are the joint rates. B leads from C to A; the way back "
+    "is the inverse of B.",
 )
 M36 = Mistake(
     "M36",
@@ -75,9 +90,13 @@ M36 = Mistake(
     why="The derivative of each cosine is minus the sine. One of the three minus signs got lost.",
     unnoticed="Where the hand points along the x axis, either way, or does not turn. The "
     "value of det J does not show it.",
-    document="004 Ans 2, the velocity equations as a matrix",
-    stands="a plus before the third term in the row of ẋ",
-    should="−l_3 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3)",
+    document="004 Ans 2",
+    place="part 1, the velocities as a matrix, first row",
+    nth=3,
+    stands="l_2 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3), with a plus",
+    should="«−»l_3 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3)",
+    explained="The derivative of each cosine is minus the sine. One of the three minus signs got "
+    "lost. (The length is the erratum M28.)",
 )
 M37 = Mistake(
     "M37",
@@ -90,10 +109,14 @@ M37 = Mistake(
     "is off by a quarter turn.",
     unnoticed="Only where the hand's point stands still. Its speed is right, and det J does not "
     "show it.",
-    document="004 Ans 2, part 1, the velocities",
+    document="004 Ans 2",
+    place="part 1, the velocities",
+    nth=2,
     stands="l_1 cos θ_1 θ̇_1, l_2 cos(θ_1 + θ_2) θ̇_1 … in the row of ẋ, sines in that of ẏ",
-    should="−l_1 sin θ_1 θ̇_1, −l_2 sin(θ_1 + θ_2)(θ̇_1 + θ̇_2) … in the row of ẋ, "
-    "cosines in that of ẏ",
+    should="«−»l_1 «sin» θ_1 θ̇_1, «−»l_2 «sin»(θ_1 + θ_2) «(θ̇_1 + θ̇_2)» … in the "
+    "row of ẋ, «cosines» in that of ẏ",
+    explained="A link that turns moves its end at right angles to itself: cos becomes −sin, sin "
+    "becomes cos. The document has this right further above.",
 )
 
 

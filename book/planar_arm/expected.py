@@ -25,26 +25,28 @@ def joints_readouts(theta1, theta2, theta3):
     return np.column_stack([planar_arm.forward(theta, LINKS), det, w, sizes, elbow, near])
 
 
-def followed(steps, count, gain, damping, line):
-    """The joint angles after `count` of all steps, the wanted pose there, the last rates."""
+def followed(t, steps, gain, damping, line):
+    """The joint angles at a time, the wanted pose then, the rates of the step that runs."""
     begin = planar_arm.forward(START, LINKS)
     way = line - begin
     theta = np.tile(START, (len(line), 1))
     rates = np.zeros_like(theta)
-    for k in range(int(count.max())):
+    made = t * steps / DURATION
+    for k in range(int(np.ceil(made.max()))):
         wanted = begin + way * (k / steps)[:, None]
         twist = way / DURATION + gain[:, None] * (wanted - planar_arm.forward(theta, LINKS))
-        now = planar_arm.joint_rates(theta, twist, LINKS, damping)
-        rates = np.where(k < count[:, None], now, rates)
-        theta = theta + np.where(k < count[:, None], now, 0) * (DURATION / steps)[:, None]
-    return theta, begin + way * (count / steps)[:, None], rates
+        runs = (made - k > 1e-6)[:, None]
+        now = planar_arm.joint_rates(theta, twist, LINKS, damping, singular="nan")
+        rates = np.where(runs, now, rates)
+        lasts = np.minimum(1, made - k)[:, None] * DURATION / steps[:, None]
+        theta = np.where(runs, theta + now * lasts, theta)
+    return theta, begin + way * (t / DURATION)[:, None], rates
 
 
 def line_readouts(t, steps, gain, damping, line_x, line_y):
     """off, turned, rates, room."""
     line = np.column_stack([line_x, line_y, 0 * line_x])
-    count = np.floor(t * steps / DURATION)
-    theta, wanted, rates = followed(steps, count, gain, damping, line)
+    theta, wanted, rates = followed(t, steps, gain, damping, line)
     hand = planar_arm.forward(theta, LINKS)
     room = LINKS[0] + LINKS[1] - np.hypot(line_x - LINKS[2], line_y)
     off = np.hypot(*(hand - wanted)[:, :2].T)
@@ -62,9 +64,9 @@ def elbows_readouts(x, y, phi):
 
 AT_END = {"t": DURATION}
 STRETCHED, FOLDED = {"theta2": 0.0}, {"theta2": np.pi}
-OUT = {**AT_END, "line_x": 0.85, "line_y": 0.7}
-BACK = {**AT_END, "line_x": -0.4, "line_y": 0.0}
-CLOSED_LOOP = {**AT_END, "gain": 2.0, "n": 30}
+OUT = {**AT_END, "line_x": 0.85, "line_y": 0.7, "damping": 0.05}
+BACK = {**AT_END, "line_x": -0.4, "line_y": 0.0, "damping": 0.05}
+CLOSED_LOOP = {**AT_END, "gain": 2.0, "n": 30, "damping": 0.05}
 
 READOUTS = {
     "arm-joints": joints_readouts,
@@ -87,6 +89,9 @@ SPECIALS = {
         {**BACK, **CLOSED_LOOP},
         {**CLOSED_LOOP, "damping": 0.3},
         AT_END,
+        {"t": 1.4},
+        {**AT_END, "n": 5},
+        {**AT_END, "n": 100},
     ],
     "arm-elbows": [{"x": 0.2, "y": 0.0}, {"x": 0.9, "y": 0.9}, {"phi_hand": np.pi / 2}],
 }

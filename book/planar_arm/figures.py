@@ -4,7 +4,22 @@ from collections.abc import Mapping
 from math import pi
 from typing import Any
 
-from sympy import Abs, Piecewise, Symbol, atan2, cos, floor, nan, oo, sin, sqrt, symbols
+from sympy import (
+    Abs,
+    Max,
+    Min,
+    Piecewise,
+    Symbol,
+    atan2,
+    ceiling,
+    cos,
+    floor,
+    nan,
+    oo,
+    sin,
+    sqrt,
+    symbols,
+)
 
 from book.differential_drive.figures import n, t
 from book.motion import formulas as motion
@@ -44,7 +59,7 @@ SIZES = dict(zip(LENGTHS, LINKS, strict=True))
 BASE = (0, 0)
 
 line_x = quantity("line_x", "m", -0.4, 0.85, "where a line for the hand ends", latex="x_e")
-line_y = quantity("line_y", "m", 0, 0.7, "where a line for the hand ends", latex="y_e")
+line_y = quantity("line_y", "m", -0.1, 0.7, "where a line for the hand ends", latex="y_e")
 s = Symbol("s")
 
 
@@ -138,8 +153,8 @@ def joints_figure() -> Figure:
             Readout("phi", "hand angle φ", place[2], "rad", digits=0),
             Readout("det", "det J", arm.det.at(SIZES), "m²"),
             Readout("w", "manipulability w", arm.w, "m²"),
-            Readout("long", "fastest, at 1 rad/s", arm.large, "m/s"),
-            Readout("short", "slowest, at 1 rad/s", arm.small, "m/s"),
+            Readout("long", "top speed at 1 rad/s, best direction", arm.large, "m/s"),
+            Readout("short", "top speed at 1 rad/s, worst direction", arm.small, "m/s"),
             Readout(
                 "elbow",
                 "elbow's rate, wrist outward at 0.1 m/s",
@@ -169,6 +184,8 @@ def joints_figure() -> Figure:
 # A straight line
 
 DURATION = 4.0  # s, for the whole line
+PARTS = 60  # pieces of the hand's path, at least
+EARLY = 1e-6  # of a step: how early its end counts
 
 
 def at_step(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]]:
@@ -192,16 +209,30 @@ def at_step(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]
 
 def line_figure() -> Figure:
     """A straight line at constant speed, by joint rates: steps, damping and feedback."""
-    state = symbols("theta1_k theta2_k theta3_k k theta1_before theta2_before theta3_before")
-    end = symbols("theta1_n theta2_n theta3_n k_n theta1_m theta2_m theta3_m")
-    angles, last, before = state[:3], end[:3], end[4:]
+    state = symbols("theta1_k theta2_k theta3_k k rate1_k rate2_k rate3_k")
+    end = symbols("theta1_n theta2_n theta3_n k_n rate1_n rate2_n rate3_n")
+    angles, last, held = state[:3], end[:3], state[4:]
     matrix = sized(arm.damped.where, {**SIZES, **of_angles(angles)})
-    rates = written_out(arm.damped_rates, [*at_step(state[3], angles), *matrix])
+    # Within a step the rates stay: parts of it show the curve on which the hand then runs.
     with as_written():
-        step = [a + rate * (DURATION / n) for a, rate in zip(angles, rates, strict=True)]
-        count = floor(t * n / DURATION)
+        parts = ceiling(PARTS / n)  # of one step
+        done = floor((state[3] + EARLY) / parts)  # whole steps
+        begins = state[3] - done * parts < 0.5
+        since = Max(0, t * n / DURATION - EARLY)  # steps, the one that runs included
+    commanded = written_out(arm.damped_rates, [*at_step(done, angles), *matrix])
+    with as_written():
+        rates = [
+            Piecewise((new, begins), (old, True)) for new, old in zip(commanded, held, strict=True)
+        ]
+        lasts = Min(1, t * n / DURATION * parts - state[3]) * DURATION / (n * parts)
+        step = [a + rate * lasts for a, rate in zip(angles, rates, strict=True)]
     loop = Recurrence(
-        state, (*START, 0, *START), (*step, state[3] + 1, *angles), count, most=30, ends=end
+        state,
+        (*START, 0, 0, 0, 0),
+        (*step, state[3] + 1, *rates),
+        ceiling(since * parts),
+        most=2 * PARTS,
+        ends=end,
     )
     elbow, wrist, hand = joints(last)
     now = joints(angles)[2]
@@ -210,8 +241,7 @@ def line_figure() -> Figure:
     with as_written():
         off = sqrt((hand[0] - arm.x_d) ** 2 + (hand[1] - arm.y_d) ** 2)
         turned = put_in(arm.forward.right[2], of_angles(last))
-        turns = sum((a - b) ** 2 for a, b in zip(last, before, strict=True))
-        busy = sqrt(turns) * n / DURATION
+        busy = sqrt(sum(rate**2 for rate in end[4:]))
         reach = sqrt((line_x - l3) ** 2 + line_y**2)
         room = Piecewise((l1 + l2 - reach, reach <= l1 + l2), (nan, True))
     return Figure(
@@ -220,18 +250,18 @@ def line_figure() -> Figure:
         view=(-0.62, 1.02, -0.22, 0.92),
         controls=(
             Clock(t, 0.0, DURATION, start=0.0, step=0.05, label="time"),
-            Slider(n, 10, 30, start=10, step=1, label="number of steps", kind="approximation"),
+            Slider(n, 5, 100, start=10, step=1, label="number of steps", kind="approximation"),
             Slider(gain, 0.0, 2.0, start=0.0, step=0.1, label="feedback K"),
-            Slider(damping, 0.05, 0.3, start=0.05, step=0.01, label="damping λ"),
+            Slider(damping, 0.0, 0.3, start=0.0, step=0.01, label="damping λ"),
             Slider(line_x, -0.4, 0.85, start=-0.1, step=0.01, label="end of the line, x"),
-            Slider(line_y, 0.0, 0.7, start=0.5, step=0.01, label="end of the line, y"),
+            Slider(line_y, -0.1, 0.7, start=0.5, step=0.01, label="end of the line, y"),
         ),
-        where=tuple(at_step(end[3], last)[:2]),
+        where=tuple(at_step(t * n / DURATION, last)[:2]),
         scene=(
             Curve("ghost", (l3 + (l1 + l2) * cos(s), (l1 + l2) * sin(s)), s, 0, 2 * pi),
             Line("icr", (begin, (line_x, line_y))),
             Line("path", (BASE, elbow, wrist, hand)),
-            Trail("approximation", now, loop),
+            Trail("approximation", now, loop, dots=False),
             Point("left", BASE),
             Point("body", elbow),
             Point("body", wrist),

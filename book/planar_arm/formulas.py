@@ -15,8 +15,8 @@ theta3 = quantity("theta3", "rad", -3.14, 3.14, "angle of joint 3", latex=r"\the
 rate1 = quantity("rate1", "rad/s", -3, 3, "rate of joint 1", latex=r"\dot\theta_1")
 rate2 = quantity("rate2", "rad/s", -3, 3, "rate of joint 2", latex=r"\dot\theta_2")
 rate3 = quantity("rate3", "rad/s", -3, 3, "rate of joint 3", latex=r"\dot\theta_3")
-phi_hand = quantity("phi_hand", "rad", -3.14, 3.14, "where the hand points", latex=r"\phi")
-phi_dot = quantity("phi_dot", "rad/s", -3, 3, "turning rate of the hand", latex=r"\dot\phi")
+phi_hand = quantity("phi_hand", "rad", -3.14, 3.14, "where the hand points", latex=r"\varphi")
+phi_dot = quantity("phi_dot", "rad/s", -3, 3, "turning rate of the hand", latex=r"\dot\varphi")
 v_out = quantity(
     "v_out",
     "m/s",
@@ -31,10 +31,10 @@ damping = quantity(
 gain = quantity("gain", "1/s", 0, 4, "how much of an error is taken back in a second", latex="K")
 x_d = quantity("x_d", "m", -1, 1, "wanted position of the hand")
 y_d = quantity("y_d", "m", -1, 1, "wanted position of the hand")
-phi_d = quantity("phi_d", "rad", -3.14, 3.14, "wanted direction of the hand", latex=r"\phi_d")
+phi_d = quantity("phi_d", "rad", -3.14, 3.14, "wanted direction of the hand", latex=r"\varphi_d")
 vx_d = quantity("vx_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{x}_d")
 vy_d = quantity("vy_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{y}_d")
-omega_d = quantity("omega_d", "rad/s", -3, 3, "wanted turning rate of the hand", r"\dot{\phi}_d")
+omega_d = quantity("omega_d", "rad/s", -3, 3, "wanted turning rate of the hand", r"\dot{\varphi}_d")
 
 LENGTHS, ANGLES, RATES = (l1, l2, l3), (theta1, theta2, theta3), (rate1, rate2, rate3)
 POSE, TWIST = (x, y, phi_hand), (x_dot, y_dot, phi_dot)

@@ -39,8 +39,10 @@ M19 = Mistake(
     unnoticed="When the robot does not move sideways, or when cos(α + β) is 0, as for the two "
     "wheels of a differential drive.",
     document="002",
+    place="the proof of the rolling constraint, V_2",
+    nth=1,
     stands="V_2 = ẏ cos(α + β)",
-    should="V_2 = −ẏ cos(α + β)",
+    should="V_2 = «−»ẏ cos(α + β)",
 )
 M20 = Mistake(
     "M20",
@@ -51,8 +53,12 @@ M20 = Mistake(
     "robot, not on where the robot looks.",
     unnoticed="With θ = β or θ = −β (here: θ = 0), or when the robot does not turn.",
     document="002",
-    stands="[sin(α + β), −cos(α + β), −l cos θ]",
-    should="[sin(α + β), −cos(α + β), −l cos β]",
+    place="the end of the same proof",
+    nth=3,
+    stands="[sin(α + β), −cos(α + β), −L cos θ]",
+    should="[sin(α + β), −cos(α + β), −L cos «β»]",
+    explained="θ is the robot's heading. The row belongs to the robot's own frame: it depends on "
+    "where the wheel stands on the robot, not on where the robot looks.",
 )
 M21 = Mistake(
     "M21",
@@ -70,8 +76,10 @@ M34 = Mistake(
     "counter-clockwise. So it makes the wheel roll backwards.",
     unnoticed="When the robot does not turn, or with β = ±90°.",
     document="002",
-    stands="V_3 = θ̇ l cos β",
-    should="V_3 = −θ̇ l cos β",
+    place="the proof of the rolling constraint, V_3",
+    nth=2,
+    stands="V_3 = θ̇ L cos β",
+    should="V_3 = «−»θ̇ L cos β",
 )
 M35 = Mistake(
     "M35",
@@ -81,8 +89,13 @@ M35 = Mistake(
     "wherever it stands. With cos α the last column is l times the second one: J1 is singular.",
     unnoticed="For a wheel with α = ±β, or when the robot does not turn.",
     document="002",
-    stands="J1 = [sin α_i, −cos α_i, −l cos α_i] (i = 1, 2, 3)",
-    should="J1 = [sin α_i, −cos α_i, −l] (β = 0)",
+    place="the matrix J_1",
+    nth=4,
+    stands="J_1 = [sin α_i, −cos α_i, −L cos α_i] (i = 1, 2, 3)",
+    should="J_1 = [sin α_i, −cos α_i, «−L»] (β = 0)",
+    explained="When the robot turns, a wheel whose axle points to the centre rolls with its whole "
+    "speed, wherever it stands. The next line of the document has the numbers of the "
+    "right matrix.",
 )
 
 THREE = np.radians([0, 120, 240])

@@ -49,7 +49,10 @@ def moved(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
 
 # --- The wheel laboratory
 
-FIXED, STEERED, FREE = (1, 1, 0), (1, 0, 1), (1, 0, 0)  # there, fixed, steered
+# there, fixed, steered; what forbids nothing is there as a castor (1) or as a Swedish wheel (2)
+FIXED, STEERED, CASTOR, SWEDISH = (1, 1, 0), (1, 0, 1), (1, 0, 0), (2, 0, 0)
+WHEEL = {"length": 0.1, "width": 0.03}  # m
+TRAIL = 0.05  # m, from a castor's pivot back to its wheel
 ABSENT = (0.0, 0.0, 0.0, 0, 0, 0)
 OMNI_PLACES = [(0.2, 0.0, -QUARTER), (-0.1, 0.17, pi / 6), (-0.1, -0.17, 5 * pi / 6)]
 
@@ -70,20 +73,20 @@ ROBOTS = {
     "differential drive, castor": [
         (0.0, 0.12, 0.0, *FIXED),
         (0.0, -0.12, 0.0, *FIXED),
-        (-0.2, 0.0, 0.0, *FREE),
+        (-0.2, 0.0, 0.0, *CASTOR),
     ],
     "two steered wheels, castors": [
         (0.2, 0.0, 0.0, *STEERED),
         (-0.2, 0.0, 0.0, *STEERED),
-        (0.0, 0.12, 0.0, *FREE),
-        (0.0, -0.12, 0.0, *FREE),
+        (0.0, 0.12, 0.0, *CASTOR),
+        (0.0, -0.12, 0.0, *CASTOR),
     ],
     "one steered wheel, castors": [
         (0.2, 0.0, 0.0, *STEERED),
-        (-0.12, 0.12, 0.0, *FREE),
-        (-0.12, -0.12, 0.0, *FREE),
+        (-0.12, 0.12, 0.0, *CASTOR),
+        (-0.12, -0.12, 0.0, *CASTOR),
     ],
-    "three Swedish wheels": [(*place, *FREE) for place in OMNI_PLACES],
+    "three Swedish wheels": [(*place, *SWEDISH) for place in OMNI_PLACES],
 }
 WISHES = {
     "drive ahead": (0.15, 0.0, 0.0),
@@ -154,6 +157,9 @@ def laboratory_figure() -> Figure:
         one_motion = (now > 1.5) & (now < 2.5) & (P[2, 2] > 0.2)  # and its centre within 2 m
         icr = [Piecewise((part / P[2, 2], one_motion), (nan, True)) for part in (-P[1, 2], P[0, 2])]
         end, along = moved(0, twist, t), moved(0, twist, s)
+        end = tuple(step(f"end_{name}", part) for name, part in zip("xyt", end, strict=True))
+        rolls = [rolling_direction(k, places[k], axles[k], twist) for k in range(4)]
+        rolls = [step(f"rolls{k}", direction) for k, direction in enumerate(rolls)]
         chosen = [sum(WHICH[k] * NUMBERS[k][i] for k in range(2)) for i in range(2)]
 
     return Figure(
@@ -188,7 +194,8 @@ def laboratory_figure() -> Figure:
             Curve("ghost", along[:2], s, 0, 6),
             Curve("path", along[:2], s, 0, t),
             Body(ORIGIN, 0, 0.05, kind="ghost"),
-            *(shape for k in range(4) for shape in wheel_shapes(k, places[k], axles[k])),
+            *(Wheel("ghost", seen(NUMBERS[k][3], places[k]), rolls[k], **WHEEL) for k in range(4)),
+            *(shape for k in range(4) for shape in wheel_shapes(k, places[k], rolls[k], end)),
             Body(end[:2], end[2], 0.05),
             *(velocity_of(k, places[k], twist) for k in range(4)),
             Point("icr", (icr[0], icr[1]), label="ICR"),
@@ -236,27 +243,66 @@ def axle_line(k: int, place: Any, axle: Any) -> Line:
     return Line("icr", tuple(ends))
 
 
-def wheel_shapes(k: int, place: Any, axle: Any) -> tuple[Any, ...]:
-    """A wheel in the look of its kind; a fixed or steered one with the line it rolls on."""
+def rolling_direction(k: int, place: Any, axle: Any, twist: Any) -> Any:
+    """Where a wheel points: along its plane; a castor to where it is dragged."""
     _, _, _, there, fixed, steered = NUMBERS[k]
-    size = {"length": 0.1, "width": 0.03}
-    along = axle - QUARTER
-    x_k, y_k = seen(fixed + steered, place)
-    ends = [(x_k + a * cos(along), y_k + a * sin(along)) for a in (-0.09, 0.09)]
-    return (
-        Line("body", tuple(ends)),
-        Wheel("body", seen(fixed, place), along, **size),
-        Wheel("left", seen(steered, place), along, **size),
-        Wheel("ghost", seen(there - fixed - steered, place), along, **size),
-    )
+    along, across = pivot_speed(place, twist)
+    dragged = ((there - fixed - steered) * (2 - there) > 0.5) & (along**2 + across**2 > 1e-9)
+    return Piecewise((atan2(across, along), dragged), (axle - QUARTER, True))
+
+
+def pivot_speed(place: Any, twist: Any) -> Any:
+    """How the point of the robot where a wheel is fixed moves."""
+    values = dict(zip((v, v_y, omega), twist, strict=True))
+    return wheels.contact.at({**values, l: place[2], alpha: place[3]})
+
+
+def taken_along(point: Any, pose: Any) -> tuple[Any, Any]:
+    """A point of the robot when it stands at a pose."""
+    turned = motion.to_world.at({v: point[0], v_y: point[1], omega: 0, theta: pose[2]})
+    return pose[0] + turned[0], pose[1] + turned[1]
+
+
+def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
+    """A wheel, taken along by the robot, in the look of its kind."""
+    _, _, _, there, fixed, steered = NUMBERS[k]
+    free = there - fixed - steered
+    castor = free * (2 - there)  # 1 for a castor only
+
+    def beside(ahead: float, left: float = 0.0) -> tuple[Any, Any]:
+        """A point so far from the wheel, ahead and to the left of where it rolls."""
+        return taken_along(
+            (
+                place[0] + ahead * cos(along) - left * sin(along),
+                place[1] + ahead * sin(along) + left * cos(along),
+            ),
+            pose,
+        )
+
+    def line(when: Any, *points: tuple[float, float]) -> Line:
+        return Line("body", tuple(seen(when, beside(*point)) for point in points))
+
+    def wheel(kind: str, when: Any, ahead: float = 0.0) -> Wheel:
+        return Wheel(kind, seen(when, beside(ahead)), along + pose[2], **WHEEL)
+
+    with as_written():
+        rollers = [line(free - 1, (at, -0.025), (at, 0.025)) for at in (-0.03, 0.0, 0.03)]
+        return (
+            line(fixed + steered, (-0.09, 0.0), (0.09, 0.0)),
+            wheel("body", fixed),
+            wheel("left", steered),
+            wheel("ghost", castor, -TRAIL),
+            line(castor, (0.0, 0.0), (-TRAIL, 0.0)),
+            wheel("ghost", free - 1),
+            *rollers,
+        )
 
 
 def velocity_of(k: int, place: Any, twist: Any) -> Arrow:
     """How a wheel's contact point moves."""
-    x_k, y_k, far, spoke = place
+    x_k, y_k = place[:2]
     with as_written():
-        values = dict(zip((v, v_y, omega), twist, strict=True))
-        over = wheels.contact.at({**values, l: far, alpha: spoke})
+        over = pivot_speed(place, twist)
         tail = seen(NUMBERS[k][3], place)
         return Arrow("velocity", tail, (x_k + over[0], y_k + over[1]))
 

@@ -156,11 +156,13 @@ class Curve:
 
 @dataclass(frozen=True)
 class Trail:
-    """The points `at` of every state of a recurrence."""
+    """The points `at` of every state of a recurrence: a line through them, dots on the first 60."""
 
     kind: str
     at: Pair
     recurrence: Recurrence
+    line: bool = True
+    dots: bool = True
 
 
 @dataclass(frozen=True)

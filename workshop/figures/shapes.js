@@ -125,9 +125,9 @@ const SHAPES = {
   },
   trail: (p, shape, to, { c, trails }) => {
     const points = trails[shape.recurrence].map((state) => to(shape.point(f, c, state)));
-    const corners = points.length > 60 ? "" : points
+    const corners = points.length > 60 || !shape.dots ? "" : points
       .map(([x, y]) => `<circle cx="${n(x)}" cy="${n(y)}" r="3" ${fill(shape.kind)}/>`).join("");
-    return stroked(polyline(points), shape) + corners;
+    return (shape.line ? stroked(polyline(points), shape) : "") + corners;
   },
   angle: (p, shape, to) => {
     const [x, y, from, until] = p, points = [], steps = 24;

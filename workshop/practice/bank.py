@@ -39,8 +39,10 @@ class Mistake:
 
     name: M1 … M37. says: completes "This is what you get …". line: the wrong line, as code.
     why: why it is wrong, in one to three sentences. unnoticed: where it happens to be right.
-    document, stands, should: the source document that has it, what stands there, what should;
-    empty for a mistake that is only likely.
+    document, place, nth: the source document that has it, where, and which of its errata this
+    is, counted from its start; stands, should: what stands there and what should, with what
+    changes in « ». explained: why, in the letters of the document, where those of `why` are
+    others. All are empty for a mistake that is only likely.
     """
 
     name: str
@@ -49,8 +51,11 @@ class Mistake:
     why: str
     unnoticed: str
     document: str = ""
+    place: str = ""
+    nth: int = 0
     stands: str = ""
     should: str = ""
+    explained: str = ""
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,13 @@
 """What a page can ask for: all exercises, all chapters, the library, the symbols, the errata."""
 
+import re
+
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from workshop import equations
 from workshop.course import course
-from workshop.practice.bank import exercises, mistakes, topics
+from workshop.practice.bank import Mistake, exercises, mistakes, topics
 from workshop.practice.wording import symbols
 from workshop.site.outputs import exercise_box
 from workshop.site.sources import depend
@@ -64,26 +66,55 @@ class Errata(SphinxDirective):
         """What stands, what should and why, for each mistake that stands in a document."""
         depend(self.env, "exercises")
         found = sorted(
-            (m for m in mistakes().values() if m.document), key=lambda m: int(m.name[1:])
+            (m for m in mistakes().values() if m.document), key=lambda m: (m.document, m.nth)
         )
-        entries = [
-            f"**{m.document}** ({m.name})\n\n- There stands: {symbols(m.stands)}\n"
-            f"- It should be: {symbols(m.should)}\n\n{symbols(m.why)}"
-            for m in found
-        ]
-        return self.parse_text_to_nodes("\n\n".join(entries))
+        return self.parse_text_to_nodes("\n\n".join(map(erratum, found)))
+
+
+def erratum(mistake: Mistake) -> str:
+    """Where it stands, what stands there, what should, why, and where the course treats it."""
+    asked = [each for each in exercises().values() if mistake in each.wrong]
+    page = f"/{asked[0].topic}/{asked[0].topic}"
+    chapter = f"[{course().title(asked[0].topic)}]({page})"
+    # an exercise's place is made by its box, so that Sphinx does not know it
+    links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in asked)
+    should = symbols(mistake.should).replace("«", "<mark>").replace("»", "</mark>")
+    return (
+        f"**{mistake.document}**, {symbols(mistake.place)} ({mistake.name})\n\n"
+        f"- There stands: {symbols(mistake.stands)}\n- It should be: {should}\n\n"
+        f"{symbols(mistake.explained or mistake.why)} "
+        f"Chapter: {chapter}. Exercises: {links}."
+    )
 
 
 class Notation(SphinxDirective):
-    """A table of every symbol: unit, range, meaning."""
+    """The symbols of the formulas, chapter by chapter: name in them, unit, range, meaning."""
 
     def run(self) -> list[nodes.Node]:
-        """One row a symbol that formulas use."""
+        """A table under the title of each chapter that declares symbols."""
         depend(self.env, "formulas", "figures")
-        lines = ["| symbol | in code | unit | range | meaning |", "|---|---|---|---|---|"]
-        for known in equations.quantities():
-            span = f"{known.low:g} … {known.high:g}".replace("-", "\u2212")
-            lines.append(
-                f"| ${known.latex}$ | `{known}` | {known.unit} | {span} | {known.meaning} |"
-            )
-        return self.parse_text_to_nodes("\n".join(lines))
+        lines: list[str] = []
+        for chapter, rows in notation().items():
+            has_page = course().notebook(chapter).exists()
+            title = course().title(chapter) if has_page else chapter.capitalize()
+            lines += ["", f"## {title}", "", "| symbol | name | unit | range | meaning |"]
+            lines += ["|---|---|---|---|---|", *rows]
+        return self.parse_text_to_nodes("\n".join(lines), allow_section_headings=True)
+
+
+def notation() -> dict[str, list[str]]:
+    """Chapter → its rows. What several chapters declare alike stands once, where it is first."""
+    groups: dict[tuple[str, str, str], list[equations.core.NamedSymbol]] = {}
+    for known in equations.quantities():
+        if not re.match("[a-z]{3}", known.latex):  # a word, which no formula prints
+            groups.setdefault((known.latex, known.unit, known.meaning), []).append(known)
+    tables: dict[str, list[str]] = {}
+    for (latex, unit, meaning), alike in groups.items():
+        chapters = list(dict.fromkeys(known.module.split(".")[-2] for known in alike))
+        spans = dict.fromkeys(f"{s.low:.3g} … {s.high:.3g}".replace("-", "\u2212") for s in alike)
+        codes = dict.fromkeys(f"`{known}`" for known in alike)
+        also = [course().title(c) for c in chapters[1:] if course().notebook(c).exists()]
+        more = f" (also: {', '.join(also)})" if also else ""
+        cells = f"${latex}$", ", ".join(codes), unit, "; ".join(spans), meaning + more
+        tables.setdefault(chapters[0], []).append(f"| {' | '.join(cells)} |")
+    return tables

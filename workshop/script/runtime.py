@@ -33,6 +33,7 @@ class Part:
     rules: Callable[[], str] = str
 
 
+COMPACT = (",", ":")  # of JSON, without blanks
 _parts: dict[str, Part] = {}
 
 
@@ -51,7 +52,7 @@ def code(name: str) -> str:
     """A part as a JavaScript expression."""
     part = _part(name)
     constants = [
-        f"const {key} = {json.dumps(value, ensure_ascii=False)};"
+        f"const {key} = {json.dumps(value, ensure_ascii=False, separators=COMPACT)};"
         for key, value in part.constants().items()
     ]
     sources = [("workshop.script", "text.js"), *((part.package, script) for script in part.scripts)]
@@ -98,5 +99,6 @@ def _text(package: str, name: str) -> str:
 
 
 def _light(script: str) -> str:
-    """A script without what only its readers need: lines of comment, blank lines, indentation."""
-    return re.sub(r"^\s*(//.*\n)?", "", script, flags=re.MULTILINE)
+    """A script without what only its readers need: comments, blank lines, indentation."""
+    lines = re.sub(r"^\s*(//.*\n)?", "", script, flags=re.MULTILINE)
+    return re.sub(r" +// .*$", "", lines, flags=re.MULTILINE)  # no text holds this

@@ -60,8 +60,8 @@ test: check $(LIBRARY)/.ready
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not measure and not screenshots" tests book
-	$(PYTEST) loadfile --nbval $(NOTEBOOKS)
+	$(PYTEST) worksteal -m "not measure and not screenshots" $(if $(T),-k $(T)) tests book
+	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 check: $(READY)
 	$(BIN)/ruff check .

@@ -24,7 +24,7 @@ from playwright.sync_api import Error, sync_playwright
 
 ROOT = Path(__file__).resolve().parents[1]
 SITE = ROOT / "_build" / "html"
-WAIT = 300  # seconds for another worker's build
+WAIT = 1200  # seconds for another worker's build; it fails before, if it does
 
 ARGUMENTS = [
     "--no-sandbox",

@@ -16,7 +16,6 @@ CHECKS = course().declared("checks", Check)
 FIGURES = course().declared("figures", Figure)
 EXERCISES = course().declared("exercises", Exercise)
 MISTAKES = course().declared("exercises", Mistake)
-CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
 COURSE = course().name
 
 

@@ -208,10 +208,12 @@ def test_the_functions_are_those_that_are_called_not_those_that_these_call():
 
 
 def test_a_check_without_the_library_must_name_what_computes(tmp_path, monkeypatch):
-    silent = replace(CHECKS["odometry.ellipse_axes"], compared_with="")
+    silent = replace(CHECKS["basics.direction"], compared_with="")
     for module in ("workshop.site.checks", "workshop.equations.checking"):
         monkeypatch.setattr(f"{module}.declared_checks", lambda: {silent.name: silent})
-    with pytest.raises(Exception, match="ellipse_axes calls no function of robokin: say in its"):
+    with pytest.raises(
+        Exception, match=r"basics.direction calls no function of robokin: say in its"
+    ):
         checked(tmp_path)
 
 

@@ -22,7 +22,6 @@ NOTEBOOKS = sorted(BOOK.glob("*/*.ipynb"))
 DRIVE = BOOK / "differential_drive" / "differential_drive.ipynb"
 PAGES = sorted(BOOK.glob("*.md"))
 MARKS = {"definition", "derivation", "mistake"}
-BY_HAND = {"mistake", "solution"}
 
 # display mathematics, or inline mathematics with an equals sign: a formula
 FORMULA = re.compile(r"\$\$|\\begin\{|```\{math\}|\$[^$\n]*(?<![<>!])=[^$\n]*\$")

@@ -119,27 +119,10 @@ def one_euler_step(pose: Array, v: Array, phi: Array, wheelbase: Array, dt: Arra
     return bicycle.path(pose, *given, method="start")[..., 1, :]
 
 
-def cut_by(phi: Array, wheelbase: Array) -> Array:
-    """How far the circle of the rear axle lies inside that of the front axle: speeds over rate."""
-    rear = bicycle.body_twist(1.0, phi, wheelbase)
-    front = bicycle.front_twist(1.0, phi, wheelbase)
-    ahead = rear[..., 2] == 0
-    rate = np.where(ahead, np.inf, np.abs(rear[..., 2]))
-    return (np.hypot(front[..., 0], front[..., 1]) - rear[..., 0]) / rate
-
-
 def lane_of(R: Array, wheelbase: Array, track: Array) -> Array:
-    """Outer front wheel: wheelbase over the sine of its angle; inner rear: its speed over rate.
-
-    nan where the ICR lies under the car, so that a rear wheel rolls backwards.
-    """
-    phi = np.abs(np.arctan(wheelbase / R))  # as to the left: the right wheels are the outer ones
-    outer = np.sin(bicycle.ackermann(phi, wheelbase, track)[..., 1])
-    inner = rear_speeds_of(np.ones_like(R), phi, wheelbase, track)[..., 0]
-    rate = bicycle.body_twist(1.0, phi, wheelbase)[..., 2]
-    with np.errstate(divide="ignore", invalid="ignore"):  # straight ahead both radii are infinite
-        lane = np.where(rate == 0, track, wheelbase / outer - inner / rate)
-    return np.asarray(np.where(inner < 0, np.nan, lane))
+    """From the radius; nan where the ICR lies under the car, which sweeps a disc and no lane."""
+    lane = bicycle.lane_width(np.arctan(wheelbase / R), wheelbase, track)
+    return np.where(np.abs(R) < track / 2, np.nan, lane)
 
 
 CHECKS = (
@@ -308,11 +291,11 @@ CHECKS = (
     ),
     Check(
         formulas.cut,
-        function=cut_by,
+        function=bicycle.corner_cut,
         arguments=(steering, wheelbase),
         ranges=STEERED,
-        tolerance=1e-13,
-        reason="two radii of up to 100 m, each rounded twice",
+        tolerance=5e-15,
+        reason="a few roundings of numbers up to 10 m",
         specials=(AHEAD, {steering: -0.5}),
     ),
     Check(

@@ -31,6 +31,7 @@ from workshop.figures import (
 
 ORIGIN = (0, 0)
 QUARTER = pi / 2
+ASIDE = 1.0  # rad
 s = Symbol("s")
 
 
@@ -248,7 +249,11 @@ def rolling_direction(k: int, place: Any, axle: Any, twist: Any) -> Any:
     _, _, _, there, fixed, steered = NUMBERS[k]
     along, across = pivot_speed(place, twist)
     dragged = ((there - fixed - steered) * (2 - there) > 0.5) & (along**2 + across**2 > 1e-9)
-    return Piecewise((atan2(across, along), dragged), (axle - QUARTER, True))
+    # seen from a direction that no setting meets: dragged straight back, rounding may not choose
+    # between half a turn to the left and one to the right
+    ahead = cos(ASIDE) * along + sin(ASIDE) * across
+    left = cos(ASIDE) * across - sin(ASIDE) * along
+    return Piecewise((ASIDE + atan2(left, ahead), dragged), (axle - QUARTER, True))
 
 
 def pivot_speed(place: Any, twist: Any) -> Any:

@@ -108,7 +108,7 @@ def refuse_namesakes(symbols: Iterable[sp.Symbol], who: str) -> None:
 class Equation:
     """One formula of the course.
 
-    name: `module.what`, where module is the one that computes it.
+    name: `chapter.what`, with the chapter that declares it.
     left, right: the two sides, scalar or column; the right one in the form that keeps its digits.
     source: where it comes from.
     textbook: the right side as books print it, where that reads better; proved equal, only shown.

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 from sympy.printing.jscode import JavascriptCodePrinter
 
 from workshop.equations.core import Where, as_written
+from workshop.equations.functions import MPMATH
 from workshop.errors import CourseError
 from workshop.script import engine
 
-RUNTIME_FUNCTIONS = ("sinc", "rank", "null_projector", "solve")
+RUNTIME_FUNCTIONS = tuple(MPMATH)  # each has its JavaScript in functions.js
 
 
 class _Printer(JavascriptCodePrinter):  # type: ignore[misc]

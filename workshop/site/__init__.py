@@ -6,7 +6,12 @@ against its function), `{notation}`, `{practice} topic` (all exercises of a topi
 `{errata}` (what is wrong in the source documents), `{chapters}` (a table of them), `{library}`
 (its functions), `{downloads}` (what notebooks need).
 Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
-picks each student's numbers; without one the course's own name), `course_solutions`.
+picks each student's numbers; without one the course's own name), `course_solutions`,
+`course_wheels` and `course_lock` (what a downloaded notebook needs).
+
+A figure's way: a cell stores its name (`figures/figure.py`); `outputs.py` finds the declaration by
+that name and has it compiled and drawn (`figures/compiling.py`, `script/engine.py`); the page loads
+the script that `files.py` writes, which brings it to life (`figures/page.js`).
 """
 
 from importlib import import_module

@@ -33,7 +33,7 @@ def python(tree, *arguments):
 
 
 def built(place):
-    """Make a copy of the tree with the ninth chapter in it, and its site; what failed, if it did."""
+    """Make a copy of the tree with the ninth chapter, and its site; gives back what failed."""
     shutil.copytree(ROOT, place, ignore=shutil.ignore_patterns(*NOT_SOURCE))
     shutil.copytree(BEACON, place / "book" / "beacon")
     toc = place / "_toc.yml"

@@ -46,7 +46,7 @@ lab: $(READY)
 
 # The library's tests run once, against the wheel that a user installs.
 LIBRARY := _build/library
-UNDER_TEST := PYTHONPATH=$(CURDIR)/$(LIBRARY) ROBOKIN_UNDER_TEST=$(CURDIR)/$(LIBRARY)
+UNDER_TEST := PYTHONPATH="$(CURDIR)/$(LIBRARY)" ROBOKIN_UNDER_TEST="$(CURDIR)/$(LIBRARY)"
 PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --dist
 
 $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)

@@ -185,7 +185,7 @@ differential_drive_3 = Exercise(
         "{v_}\n\n{omega_}\n\n{centre}",
         v_=Step(formulas.speed),
         omega_=Step(formulas.turning_rate),
-        centre=Step(planar.icr, textbook=True),
+        centre=Step(planar.icr, textbook=True, unit="m"),
     ),
 )
 
@@ -253,7 +253,12 @@ differential_drive_5 = Exercise(
         "of radius v/ω:\n\n{arc}",
         v_=Step(formulas.speed),
         omega_=Step(formulas.turning_rate),
-        arc=Step(planar.arc_step, FROM_ORIGIN | {planar.dt: "time"}, textbook=True),
+        arc=Step(
+            planar.arc_step,
+            FROM_ORIGIN | {planar.dt: "time"},
+            unit=("m", "m", "rad"),
+            textbook=True,
+        ),
     ),
 )
 
@@ -294,6 +299,12 @@ differential_drive_6 = Exercise(
         short=Step(Line(formulas.v_L, (1 - WORN) * DISTANCE, "m")),
         mean=Step(formulas.speed, {formulas.v_R: "distance"}, unit="m"),
         turn=Step(formulas.turning_rate, {formulas.v_R: "distance"}, unit="rad"),
-        arc=Step(planar.arc_step, FROM_ORIGIN | {planar.dt: 1}, textbook=True, part=(0, 1)),
+        arc=Step(
+            planar.arc_step,
+            FROM_ORIGIN | {planar.dt: 1},
+            unit="m",
+            textbook=True,
+            part=(0, 1),
+        ),
     ),
 )

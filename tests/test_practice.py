@@ -575,6 +575,13 @@ def test_no_cell_is_a_formula(folder, cell):
     assert tables.read("t.csv", ("student",)).rows[0][1]["student"] == cell.strip()
 
 
+def test_grades_say_at_once_that_they_cannot_be_drawn(folder, capsys, monkeypatch):
+    monkeypatch.setattr(teacher, "find_spec", lambda name: None)
+    assert run("grade", "answers.csv", "--key", "key.csv") == 2
+    assert "pip install matplotlib" in capsys.readouterr().err
+    assert not list(folder.iterdir())
+
+
 def test_a_thousand_students(folder):
     """All exercises of all; the time is in the note of the release, not tested here."""
     people = "\n".join(f"student {k}" for k in range(1000))

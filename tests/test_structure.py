@@ -13,12 +13,6 @@ from support import ROOT
 
 PACKAGES = ("robokin", "workshop", "book")
 
-# Still to mend: imports inside functions without a reason, which hide that modules need each other.
-# Nothing is added here.
-TO_MEND = {
-    ("workshop.practice.teacher", "matplotlib.figure"),
-}
-
 
 class Import(NamedTuple):
     """That a module imports another, whether at its top, and whether a comment says why not."""
@@ -123,13 +117,13 @@ def test_formulas_are_declared_without_the_library():
 def test_an_import_inside_a_function_says_why():
     """In a comment on its line or the line above: a heavy or optional package, for example."""
     inside = [each for each in IMPORTS if not each.at_top and not each.reason]
-    assert not told(each for each in inside if (each.by, each.of) not in TO_MEND)
+    assert not told(inside)
 
 
 def test_no_two_modules_need_each_other():
     graph = {name: [] for name in MODULES}
     for each in IMPORTS:
-        if each.of in MODULES and each.of != each.by and (each.by, each.of) not in TO_MEND:
+        if each.of in MODULES and each.of != each.by:
             graph[each.by].append(each.of)
     try:
         TopologicalSorter(graph).prepare()

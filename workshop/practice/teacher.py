@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from html import escape
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -127,6 +128,8 @@ def grade(
     answers: files, or folders of CSV files. Beside `out` come the students' totals, the mistakes
     the class makes, and a picture of these.
     """
+    if find_spec("matplotlib") is None:  # said before anything is written
+        raise CourseError("grade draws the class's mistakes: `pip install matplotlib` first")
     paths = [_beside(out, end) for end in ("", "-students.csv", "-mistakes.csv", "-mistakes.svg")]
     for path in paths:
         _refuse_same(path, key)
@@ -289,7 +292,7 @@ def _counts(graded: Sequence[Graded]) -> list[Count]:
 
 def _picture(path: Path, counts: Sequence[Count]) -> None:
     """Bars: the most frequent mistakes of the class."""
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure  # heavy, and nothing else of a teacher's needs it
 
     shown = counts[:BARS][::-1]
     figure = Figure(figsize=(8, 1 + 0.35 * max(1, len(shown))), layout="constrained")

@@ -57,16 +57,13 @@ def _errors(matrices: Array, n: int) -> Array:
         out[1] = y0 + x1
         out[2] = y1 - x0
     else:
-        x, y, z = columns[:, :n]
-        (x0, x1, x2), (y0, y1, y2) = x, y
-        (xx, xy), yy = x * columns[:2, :n], y * y
-        out[0] = xx[0] + xx[1] + xx[2] - 1.0
-        out[1] = yy[0] + yy[1] + yy[2] - 1.0
-        out[2] = xy[0] + xy[1] + xy[2]
-        out[3] = x1 * y2 - x2 * y1
-        out[4] = x2 * y0 - x0 * y2
-        out[5] = x0 * y1 - x1 * y0
-        out[3:6] -= z
+        (x0, x1, x2), (y0, y1, y2), (z0, z1, z2) = columns[:, :n]
+        out[0] = x0 * x0 + x1 * x1 + x2 * x2 - 1.0
+        out[1] = y0 * y0 + y1 * y1 + y2 * y2 - 1.0
+        out[2] = x0 * y0 + x1 * y1 + x2 * y2
+        out[3] = x1 * y2 - x2 * y1 - z0
+        out[4] = x2 * y0 - x0 * y2 - z1
+        out[5] = x0 * y1 - x1 * y0 - z2
     if matrices.shape[-1] > n:
         out[-n - 1 : -1] = columns[:, n]
         out[-1] = matrices[..., n, n].T - 1.0

@@ -119,7 +119,8 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
     sine = sign * (u * M[k][j] + turn * M[k][mixed])
     cosine = u * M[j][j] + turn * M[j][mixed]
     middle = (h, M[i][i]) if proper else (sign * M[i][k], h)
-    return vector(*(np.arctan2(y + 0.0, x) for y, x in ((sine, cosine), middle, (w, u + 0.0))))
+    # + 0.0 turns -0.0 into 0.0, so that a half turn is π; the middle angle is never one from -0.0
+    return vector(np.arctan2(sine + 0.0, cosine), np.arctan2(*middle), np.arctan2(w + 0.0, u))
 
 
 @door(seq=_three_letters, R=A_ROTATION)

@@ -19,7 +19,7 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 from workshop.errors import CourseError
-from workshop.looks import GROUND, Look
+from workshop.looks import Look
 
 __all__ = ["Course", "course", "open_course"]
 
@@ -29,12 +29,13 @@ T = TypeVar("T")
 class Course:
     """A course. name: the salt of its exercises' numbers, too. looks: its kinds of things.
 
+    Among the looks are those of `grid` and `text`, which every picture has.
     library: the package whose functions the chapters use; a chapter may have `functions`, too.
     """
 
     def __init__(self, package: str, name: str, looks: Mapping[str, Look], library: str) -> None:
         self.package, self.name, self.library = package, name, library
-        self.looks = dict(looks) | {k: v for k, v in GROUND.items() if k not in looks}
+        self.looks = looks
         self._declared: dict[tuple[str, type], dict[str, tuple[str, Any]]] = {}
 
     @cached_property

@@ -1,6 +1,5 @@
 """How kinds of things look: one colour, line and marker each, in every figure of a course."""
 
-from dataclasses import dataclass
 from typing import Protocol
 
 
@@ -20,20 +19,3 @@ class Look(Protocol):
     def width(self) -> float: ...
     @property
     def marker(self) -> str: ...
-
-
-@dataclass(frozen=True)
-class Plain:
-    """The look of what stands behind a picture."""
-
-    light: str
-    dark: str
-    dash: tuple[int, ...] = ()
-    width: float = 1.0
-    marker: str = "dot"
-
-
-GROUND: dict[str, Look] = {
-    "grid": Plain("#dfe3e8", "#3a414c"),
-    "text": Plain("#20242c", "#eef1f5"),
-}

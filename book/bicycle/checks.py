@@ -16,12 +16,12 @@ from book.bicycle.formulas import (
     y_heading,
 )
 from book.differential_drive.formulas import R, r
+from book.motion.checks import QUARTERS
 from book.motion.formulas import dt, theta, v, x, y
 from robokin import bicycle, differential_drive, frames, motion
 from workshop.equations import Array, Check
 
 AHEAD, SLIGHT = {steering: 0.0}, ({steering: 1e-8}, {steering: -1e-8})
-QUARTERS = tuple({theta: quarter * np.pi / 2} for quarter in (-2, -1, 0, 1, 2))
 STEERED = {steering: (0.1, 1.2)}
 
 

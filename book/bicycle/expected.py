@@ -49,17 +49,10 @@ def steps_readouts(count, phi, rate, psi, ahead):
 
 
 def lane_readouts(phi, wheelbase, track, t):
-    """lane, more, cut."""
-    radius = bicycle.turning_radius(phi, wheelbase)
-    R = np.where(np.isinf(radius), 0.0, np.abs(radius))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        # differences of nearly equal radii, rewritten with their sum
-        outer = R + track / 2
-        more = wheelbase**2 / (np.hypot(outer, wheelbase) + outer)
-        cut = wheelbase**2 / (np.hypot(R, wheelbase) + R)
-    more[np.isinf(radius)] = cut[np.isinf(radius)] = 0.0
-    more[np.abs(radius) < track / 2] = np.nan  # the ICR lies under the car: no lane
-    return np.column_stack([more + track, more, cut])
+    """lane, more, cut; no lane where the ICR lies under the car."""
+    under = np.abs(bicycle.turning_radius(phi, wheelbase)) < track / 2
+    lane = np.where(under, np.nan, bicycle.lane_width(phi, wheelbase, track))
+    return np.column_stack([lane, lane - track, bicycle.corner_cut(phi, wheelbase)])
 
 
 DEGREE = np.pi / 180

@@ -60,29 +60,18 @@ def quaternion(along: Array, up: Array, turn: Array) -> Array:
 
 
 CHECKS = (
-    Check(
-        formulas.turn_x,
-        function=partial(euler.to_matrix, "X"),
-        arguments=((turn,),),
-        tolerance=2e-16,
-        reason="sine and cosine, each rounded once",
-        specials=QUARTERS,
-    ),
-    Check(
-        formulas.turn_y,
-        function=partial(euler.to_matrix, "Y"),
-        arguments=((turn,),),
-        tolerance=2e-16,
-        reason="sine and cosine, each rounded once",
-        specials=QUARTERS,
-    ),
-    Check(
-        formulas.turn_z,
-        function=partial(euler.to_matrix, "Z"),
-        arguments=((turn,),),
-        tolerance=2e-16,
-        reason="sine and cosine, each rounded once",
-        specials=QUARTERS,
+    *(
+        Check(
+            turn_about,
+            function=partial(euler.to_matrix, axis),
+            arguments=((turn,),),
+            tolerance=2e-16,
+            reason="sine and cosine, each rounded once",
+            specials=QUARTERS,
+        )
+        for axis, turn_about in zip(
+            "XYZ", (formulas.turn_x, formulas.turn_y, formulas.turn_z), strict=True
+        )
     ),
     Check(
         formulas.xyz,

@@ -12,10 +12,12 @@ from workshop.equations.core import NamedSymbol, Where, told
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
+from workshop.figures.solids import Solid
+from workshop.figures.turning import Bracket, Turns
 
 DEGREE = math.pi / 180
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-Control = d.Slider | d.Choice
+Control = d.Slider | d.Choice | Turns
 
 
 def factor(unit: str) -> float:
@@ -25,7 +27,7 @@ def factor(unit: str) -> float:
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
-    return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
+    return [s for c in controls for s in getattr(c, "symbols", None) or (c.symbol,)]
 
 
 # type → its word in the script, what is computed, what is given as it is
@@ -38,6 +40,8 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
     d.Curve: ("curve", lambda s: (s.low, s.high), ()),
     d.Trail: ("trail", lambda s: (), ()),
+    Solid: ("solid", lambda s: s.numbers, ("data", "floor", "opacity", "behind")),
+    Bracket: ("bracket", lambda s: (*s.at, *s.matrix), ("columns", "digits")),
 }
 
 
@@ -82,6 +86,8 @@ class Compiler:
                 "options": options,
                 "start": start,
             }
+        if isinstance(control, Turns):
+            return {"type": "turns", "key": control.name, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
         if control.kind:
@@ -109,7 +115,8 @@ class Compiler:
         """A shape as the script reads it: its numbers by place, its curve as a function."""
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
-        _refuse_unknown_kind(shape.kind)
+        for kind in getattr(shape, "kinds", [shape.kind]):
+            _refuse_unknown_kind(kind)
         word, coordinates, sizes = SHAPES[type(shape)]
         found = {"kind": shape.kind, "label": getattr(shape, "label", "")}
         depth = getattr(shape, "depth", None)
@@ -129,7 +136,7 @@ class Compiler:
 
     def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
         """The places of the sliders that somebody moves."""
-        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        keys = [getattr(c, "symbol", None) for c in self.controls]
         for symbol in symbols:
             if symbol not in keys:
                 raise CourseError(f"{who} sets {told([symbol], keys)}, which is no slider")

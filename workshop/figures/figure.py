@@ -16,6 +16,7 @@ from workshop.errors import CourseError
 from workshop.figures.compiling import Compiler, Control, javascript, settings
 from workshop.figures.declaration import Choice, Handle, Readout
 from workshop.figures.javascript import evaluate
+from workshop.figures.turning import Turns
 from workshop.script import engine
 from workshop.script.widget import Widget, widget
 
@@ -125,7 +126,7 @@ class Figure:
 
     @staticmethod
     def _key(control: Control) -> str:
-        return control.name if isinstance(control, Choice) else str(control.symbol)
+        return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
 
     @property
     def values(self) -> dict[str, Any]:
@@ -174,6 +175,10 @@ def find(name: str) -> Figure:
 
 
 def _refuse_outside(key: str, value: Any, control: Control) -> None:
+    if isinstance(control, Turns):
+        if not (isinstance(value, str) and re.fullmatch("(-?[xyzXYZ])*", value)):
+            raise CourseError(f"{key} must be letters as in 'Zx-Y', got {value!r}")
+        return
     if isinstance(control, Choice):
         if value not in control.options:
             raise CourseError(f"{key} must be one of {', '.join(control.options)}, got {value!r}")

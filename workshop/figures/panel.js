@@ -23,7 +23,8 @@ const sliderHtml = (control, i) => {
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
 };
 
-const controlHtml = (control, i) => (control.type === "choice" ? choiceHtml : sliderHtml)(control, i);
+const controlHtml = (control, i) => ({ choice: choiceHtml, turns: turnsHtml }[control.type]
+  ?? sliderHtml)(control, i);
 
 const readoutHtml = (readout, value) =>
   `<div><dt>${symbols(readout.label)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;

@@ -17,6 +17,7 @@ from typing import Any
 import sympy as sp
 
 from workshop.equations.core import quantity
+from workshop.figures import solids
 from workshop.figures.declaration import Arrow, Expr, Line, Pair, Point, Slider
 
 Triple = Sequence[Any]
@@ -67,6 +68,14 @@ class View:
         middle = [(a + b) / sp.Integer(2) for a, b in zip(tail, head, strict=True)]
         ends = self.project(tail), self.project(head)
         return Arrow(kind, *ends, label, depth=self.depth(middle))
+
+    def solid(self, parts: Sequence[solids.Part], R: Any, at: Triple = ORIGIN, **more: Any) -> Any:
+        """A body of parts at a pose; `floor`, `opacity` and `behind` as `Solid` says."""
+        return solids.Solid(tuple(parts), R, at, self.angles, **more)
+
+    def floor(self, height: float, half: float) -> solids.Solid:
+        """A floor of square tiles, for shadows to fall on; it is not seen from below."""
+        return solids.floor(self.angles, height, half)
 
     def frame(
         self, R: Any, at: Triple = ORIGIN, size: Expr = 1, labels: Sequence[str] = ("", "", "")

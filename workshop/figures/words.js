@@ -8,8 +8,8 @@ const shownNumber = (readout, value) => {
   return readout.unit === "°" ? number + "°" : readout.unit ? `${number} ${readout.unit}` : number;
 };
 
-const shownControl = (control, shown) => control.type === "choice"
-  ? control.options[shown].label
+const shownControl = (control, shown) => control.type === "choice" ? control.options[shown].label
+  : control.type === "turns" ? toldTurns(shown[0])
   : shownNumber({ words: {}, factor: 1, digits: control.digits, unit: control.unit }, shown);
 
 // The sentence about the present state.

@@ -7,8 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from workshop.course import course
-from workshop.equations.core import NamedSymbol, Where, told
+from workshop.equations.core import NamedSymbol, Where, refuse_unknown_kind, told
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
@@ -85,7 +84,7 @@ class Compiler:
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
         if control.kind:
-            _refuse_unknown_kind(control.kind)
+            refuse_unknown_kind(control.kind)
         known = control.symbol
         scale = factor(known.unit)
         step = _tidy(control.step / scale)
@@ -109,7 +108,7 @@ class Compiler:
         """A shape as the script reads it: its numbers by place, its curve as a function."""
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
-        _refuse_unknown_kind(shape.kind)
+        refuse_unknown_kind(shape.kind)
         word, coordinates, sizes = SHAPES[type(shape)]
         found = {"kind": shape.kind, "label": getattr(shape, "label", "")}
         depth = getattr(shape, "depth", None)
@@ -191,11 +190,6 @@ def javascript(value: Any) -> str:
     if isinstance(value, list):
         return "[" + ", ".join(map(javascript, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
-
-
-def _refuse_unknown_kind(kind: str) -> None:
-    if kind not in course().looks:
-        raise CourseError(f"there is no kind {kind!r}; there are {', '.join(course().looks)}")
 
 
 def _tidy(number: float) -> float:

@@ -91,7 +91,8 @@ def look(symbol: NamedSymbol, chapter: str = "") -> str:
     it, else in those of its own.
     """
     for where in (chapter, symbol.chapter):
-        kinds = getattr(where and course().module(where, "formulas"), "LOOKS", {})
+        known = where in course().chapters  # the machine has symbols of its own
+        kinds = getattr(known and course().module(where, "formulas"), "LOOKS", {})
         if symbol in kinds:
             return refuse_unknown_kind(kinds[symbol])
     return ""

@@ -21,7 +21,7 @@ const outline = (q) => {
 const shaded = (kind, [a, b, c]) => {
   const up = crossed(from(a, b), from(b, c));
   const lit = up.reduce((sum, x, k) => sum + x * LIGHT[k], 0) / (Math.hypot(...up) || 1);
-  const part = 5 * Math.round(12 * lit - 4);
+  const part = 5 * Math.round(8 * lit - 1);
   return `color-mix(in srgb,${color(kind)} ${100 - Math.abs(part)}%,${part < 0 ? "#000" : "#fff"})`;
 };
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from math import cos, pi, sin
 from typing import Any
 
-from workshop.figures.declaration import Expr
+from workshop.figures.declaration import Expr, Kind
 
 Corner = tuple[float, float, float]
 Spot = tuple[float, float]
@@ -27,7 +27,7 @@ class Part:
     of that, radius) in metres from the middle.
     """
 
-    kind: str
+    kind: Kind
     corners: tuple[Corner, ...]
     faces: tuple[tuple[int, ...], ...]
     dots: Mapping[int, Sequence[Disc]] = field(default_factory=dict)
@@ -50,14 +50,9 @@ class Solid:
     behind: float = 0.0
 
     @property
-    def kind(self) -> str:
+    def kind(self) -> Kind:
         """The look of its first part."""
-        return self.kinds[0]
-
-    @property
-    def kinds(self) -> list[str]:
-        """The looks of its parts."""
-        return [part.kind for part in self.parts]
+        return self.parts[0].kind
 
     @property
     def numbers(self) -> list[Expr]:
@@ -86,7 +81,7 @@ def placed(corner: Corner, along: str, at: Corner) -> Corner:
 
 
 def between(
-    kind: str,
+    kind: Kind,
     low: Sequence[Corner],
     high: Sequence[Corner],
     along: str = "z",
@@ -104,7 +99,7 @@ def between(
 
 
 def box(
-    kind: str,
+    kind: Kind,
     size: Corner,
     at: Corner = (0, 0, 0),
     dots: Mapping[int, Sequence[Disc]] | None = None,
@@ -123,7 +118,7 @@ def round_(n: int, radius: float, height: float) -> list[Corner]:
 
 
 def cylinder(
-    kind: str,
+    kind: Kind,
     radii: Spot,
     ends: Spot,
     along: str = "z",
@@ -136,14 +131,14 @@ def cylinder(
 
 
 def plate(
-    kind: str, outline: Sequence[Spot], thick: float, along: str = "z", at: Corner = (0, 0, 0)
+    kind: Kind, outline: Sequence[Spot], thick: float, along: str = "z", at: Corner = (0, 0, 0)
 ) -> Part:
     """A flat piece with any convex outline, counter-clockwise."""
     low, high = ([(*corner, end) for corner in outline] for end in (-thick / 2, thick / 2))
     return between(kind, low, high, along, at)
 
 
-def ring(kind: str, inner: float, outer: float, width: float, along: str, n: int = 32) -> Part:
+def ring(kind: Kind, inner: float, outer: float, width: float, along: str, n: int = 32) -> Part:
     """A flat ring about an axis."""
     rims = [(inner, -width / 2), (outer, -width / 2), (outer, width / 2), (inner, width / 2)]
     corners = [placed(corner, along, (0, 0, 0)) for rim in rims for corner in round_(n, *rim)]
@@ -155,7 +150,7 @@ def ring(kind: str, inner: float, outer: float, width: float, along: str, n: int
     return Part(kind, tuple(corners), tuple(faces))
 
 
-def ball(kind: str, radius: float = 1.0, n: int = 24, rows: int = 12) -> Part:
+def ball(kind: Kind, radius: float = 1.0, n: int = 24, rows: int = 12) -> Part:
     """A ball of faces between circles of latitude."""
     heights = [(cos(pi * k / rows), sin(pi * k / rows)) for k in range(rows + 1)]
     corners = [c for z, r in heights for c in round_(n, radius * r, radius * z)]
@@ -192,7 +187,7 @@ PIPS: dict[int, tuple[Spot, ...]] = {
 NUMBERS = (4, 3, 5, 1, 2, 6)  # on −z, +z, −y, +x, +y, −x: opposite faces add up to seven
 
 
-def die(kind: str, side: float = 1.0) -> tuple[Part, ...]:
+def die(kind: Kind, side: float = 1.0) -> tuple[Part, ...]:
     """A die with 1, 2 and 3 towards x, y and z."""
     dots = {
         place: [(0.27 * side * a, 0.27 * side * b, 0.1 * side) for a, b in PIPS[number]]

@@ -53,11 +53,11 @@ class Turns:
 
 @dataclass(frozen=True)
 class Bracket:
-    """A matrix written into the picture, its middle at `at`; each column in the look of a kind."""
+    """A matrix (3, 3) written into the picture, its middle at `at`, its columns in three looks."""
 
     matrix: sp.Matrix
     at: Pair
-    columns: tuple[str, ...] = ("x_axis", "y_axis", "z_axis")
     label: str = ""
-    kind: str = "text"
+    columns: tuple[str, ...] = ("x_axis", "y_axis", "z_axis")
     digits: int = 0
+    kind: str = "text"

@@ -155,10 +155,18 @@ class Figure:
 def light(svg: str) -> str:
     """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
     plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    plain = re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, plain)
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
         r'(?<= d=")[^"]+', lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]), plain
     )
+
+
+def _mixed(found: re.Match[str]) -> str:
+    """A shade of a face as one colour."""
+    part, other = int(found[2]) / 100, 17 * int(found[3], 16)
+    channels = (int(found[1][k : k + 2], 16) for k in (0, 2, 4))
+    return "#" + "".join(f"{round(part * c + (1 - part) * other):02x}" for c in channels)
 
 
 def figures() -> dict[str, Figure]:

@@ -14,7 +14,7 @@ const outline = (q) => {
     const [x1, y1] = q[(i + 1) % q.length];
     return sum + x * y1 - x1 * y;
   }, 0);
-  return area < -0.5 ? `M${q.map(([x, y]) => `${n(x)} ${n(y)}`).join("L")}z` : "";
+  return area < -0.5 ? `M${q.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join(" ")}z` : "";
 };
 
 // Lighter or darker than its kind, in steps of a twentieth.
@@ -46,7 +46,7 @@ SHAPES.solid = (p, { data, floor, opacity, behind }, to) => {
   };
   const pieces = [], ghost = opacity < 1;
   let shadow = "";
-  for (const { kind, corners, faces, dots } of data) {
+  for (const { kind, corners, faces, dots, smooth } of data) {
     const there = corners.map(place), points = there.map(seen);
     const flat = floor === null ? [] : there.map(([x, y]) => seen([x, y, floor]));
     faces.forEach((face, k) => {
@@ -55,7 +55,7 @@ SHAPES.solid = (p, { data, floor, opacity, behind }, to) => {
       if (!line) return;
       const tone = ghost ? `${color(kind)};fill-opacity:${opacity}` : shaded(kind, world);
       const dashes = ghost ? `;stroke-dasharray:${paint(kind).dash.join(" ") || "none"}` : "";
-      const text = `<path d="${line}" style="fill:${tone};stroke:${color(kind)}${dashes}"/>`
+      const text = `<path d="${line}" style="fill:${tone};stroke:${smooth ? tone : color(kind)}${dashes}"/>`
         + printed(dots[k] ?? [], q, world, ghost ? color(kind) : "var(--rk-ground,#fff)");
       pieces.push({ text, depth: mean(q, 2) - behind });
     });

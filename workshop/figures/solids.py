@@ -24,13 +24,14 @@ class Part:
     """Corners, and faces as places of corners, counter-clockwise for one who looks from outside.
 
     dots: what is printed on a face, by its place: discs, each (along the first edge, to the left
-    of that, radius) in metres from the middle.
+    of that, radius) in metres from the middle. smooth: without lines between the faces.
     """
 
     kind: Kind
     corners: tuple[Corner, ...]
     faces: tuple[tuple[int, ...], ...]
     dots: Mapping[int, Sequence[Disc]] = field(default_factory=dict)
+    smooth: bool = False
 
 
 @dataclass(frozen=True)
@@ -65,9 +66,10 @@ class Solid:
         return [
             {
                 "kind": part.kind,
-                "corners": [[round(x, 4) for x in corner] for corner in part.corners],
+                "corners": [[round(x, 3) for x in corner] for corner in part.corners],
                 "faces": [list(face) for face in part.faces],
                 "dots": {str(k): [list(disc) for disc in d] for k, d in part.dots.items()},
+                "smooth": part.smooth,
             }
             for part in self.parts
         ]
@@ -138,7 +140,7 @@ def plate(
     return between(kind, low, high, along, at)
 
 
-def ring(kind: Kind, inner: float, outer: float, width: float, along: str, n: int = 32) -> Part:
+def ring(kind: Kind, inner: float, outer: float, width: float, along: str, n: int = 24) -> Part:
     """A flat ring about an axis."""
     rims = [(inner, -width / 2), (outer, -width / 2), (outer, width / 2), (inner, width / 2)]
     corners = [placed(corner, along, (0, 0, 0)) for rim in rims for corner in round_(n, *rim)]
@@ -147,10 +149,10 @@ def ring(kind: Kind, inner: float, outer: float, width: float, along: str, n: in
         for a, b in ((0, 1), (1, 2), (2, 3), (3, 0))
         for k in range(n)
     ]
-    return Part(kind, tuple(corners), tuple(faces))
+    return Part(kind, tuple(corners), tuple(faces), smooth=True)
 
 
-def ball(kind: Kind, radius: float = 1.0, n: int = 24, rows: int = 12) -> Part:
+def ball(kind: Kind, radius: float = 1.0, n: int = 16, rows: int = 8) -> Part:
     """A ball of faces between circles of latitude."""
     heights = [(cos(pi * k / rows), sin(pi * k / rows)) for k in range(rows + 1)]
     corners = [c for z, r in heights for c in round_(n, radius * r, radius * z)]
@@ -159,21 +161,17 @@ def ball(kind: Kind, radius: float = 1.0, n: int = 24, rows: int = 12) -> Part:
         for row in range(rows)
         for k in range(n)
     ]
-    return Part(kind, tuple(corners), tuple(faces))
+    return Part(kind, tuple(corners), tuple(faces), smooth=True)
 
 
-def floor(view: tuple[Expr, Expr], height: float, half: float, tiles: int = 4) -> Solid:
-    """A floor of square tiles, seen from above only."""
-    ends = [half * (2 * k / tiles - 1) for k in range(tiles + 1)]
+def tiles(height: float, half: float, n: int = 4) -> Part:
+    """A square of n × n tiles that look up."""
+    ends = [half * (2 * k / n - 1) for k in range(n + 1)]
     corners = tuple((x, y, height) for y in ends for x in ends)
-    row = tiles + 1
     faces = tuple(
-        (row * j + i, row * j + i + 1, row * (j + 1) + i + 1, row * (j + 1) + i)
-        for j in range(tiles)
-        for i in range(tiles)
+        (k, k + 1, k + n + 2, k + n + 1) for j in range(n) for k in range(j * (n + 1), j * (n + 1) + n)
     )
-    R = (1, 0, 0, 0, 1, 0, 0, 0, 1)
-    return Solid((Part("grid", corners, faces),), R, (0, 0, 0), view, opacity=0.5, behind=200.0)
+    return Part("grid", corners, faces)
 
 
 PIPS: dict[int, tuple[Spot, ...]] = {

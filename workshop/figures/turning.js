@@ -60,6 +60,8 @@ const followTurns = (live) => live.all("[data-press]").forEach((button) => {
   });
 });
 
+Object.assign(part, { turnNumbers });
+
 // A matrix in the picture: columns in their colours, between brackets.
 SHAPES.bracket = ([x, y, ...entries], { columns, digits, label: name, kind }, to) => {
   const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = 1.5 * wide;

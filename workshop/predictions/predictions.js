@@ -158,6 +158,15 @@ class Prediction {
   }
 }
 
+// A link to what is folded away opens it.
+const reveal = () => {
+  const aim = document.getElementById(location.hash.slice(1).split("?")[0]), fold = aim?.closest(".rk-opens");
+  if (!fold) return;
+  fold.open = true;
+  fold.parentElement.classList.add("rk-answered");
+  aim.scrollIntoView();
+};
+
 const onPage = () => {
   const boxes = [...document.querySelectorAll(".rk-prediction")].map((element) => new Prediction(element));
   const told = forgetLine(boxes), known = store.all();
@@ -167,6 +176,8 @@ const onPage = () => {
     box.open(known[box.name]);
     told(box, true);
   });
+  addEventListener("hashchange", reveal);
+  reveal();
 };
 
-Object.assign(part, { formHtml, onPage });
+Object.assign(part, { formHtml, same, onPage });

@@ -4,6 +4,7 @@ import re
 
 import nbformat
 import pytest
+import stored
 from declared import course, each
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
 from sympy import Float, Symbol
@@ -213,3 +214,11 @@ WRONG = {
 def test_what_is_declared_wrongly_is_told(make, message):
     with pytest.raises(CourseError, match=message):
         make()
+
+
+def test_in_jupyterlab_what_it_opens_is_folded():
+    notebook = nbformat.v4.new_notebook(cells=[ask("rate"), text("0.5 rad/s", "after-rate")])
+    stored.normal(notebook)
+    question, result = notebook.cells
+    assert "jupyter" not in question.metadata
+    assert result.metadata["jupyter"]["source_hidden"]

@@ -21,9 +21,9 @@ const unpacked = (packed) => {
 const memory = { // a browser may refuse to keep anything: then the page alone remembers
   data: {},
   get: (key) => { try { return localStorage.getItem(key) ?? memory.data[key]; } catch { return memory.data[key]; } },
-  set: (key, value) => {
+  set: (key, value) => { // whether the browser keeps it
     memory.data[key] = value;
-    try { localStorage.setItem(key, value); } catch { /* told by the note: kept in this page only */ }
+    try { localStorage.setItem(key, value); return true; } catch { return false; }
   },
 };
 
@@ -140,4 +140,4 @@ const onPage = () => {
   if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
 };
 
-Object.assign(part, { deskHtml, onPage });
+Object.assign(part, { deskHtml, memory, onPage });

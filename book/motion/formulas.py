@@ -16,7 +16,11 @@ angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 x_dot = quantity("x_dot", "m/s", -1, 1, "speed along the world's x axis", latex=r"\dot{x}")
 y_dot = quantity("y_dot", "m/s", -1, 1, "speed along the world's y axis", latex=r"\dot{y}")
 theta_dot = quantity("theta_dot", "rad/s", -6, 6, "turning rate", latex=r"\dot{\theta}")
-x_next, y_next, theta_next = (Symbol(rf"{name}'") for name in ("x", "y", r"\theta"))
+x_next = quantity("x_next", "m", -2, 2, "position after the step", latex="x'")
+y_next = quantity("y_next", "m", -2, 2, "position after the step", latex="y'")
+theta_next = quantity("theta_next", "rad", -9, 9, "heading after the step", latex=r"\theta'")
+chord_length = quantity("chord_length", "m", -1, 1, "straight from the old place to the new", "c")
+theta_m = quantity("theta_m", "rad", -6, 6, "middle heading: halfway through the turn")
 x_icr, y_icr = Symbol(r"x_\mathrm{ICR}"), Symbol(r"y_\mathrm{ICR}")
 wrapped = Symbol(r"\operatorname{wrap}\alpha")
 
@@ -77,6 +81,13 @@ with as_written():
                 theta + omega * dt,
             ]
         ),
+        source="exercise 5",
+    )
+
+    chord = Equation(
+        name="motion.chord",
+        left=Matrix([chord_length, theta_m]),
+        right=Matrix([v * dt * sinc(omega * dt / 2), theta + omega * dt / 2]),
         source="exercise 5",
     )
 

@@ -28,13 +28,17 @@ const controlHtml = (control, i) => (control.type === "choice" ? choiceHtml : sl
 const readoutHtml = (readout, value) =>
   `<div${faceOf(readout)}><dt>${controlName(readout)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
 
+const goalHtml = ({ words }) => `<p class="rk-goal">${symbols(words)} <output></output></p>`;
+
 const html = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
-  return `<div class="rk-picture">${svg(figure)}</div>`
-    + `<div class="rk-panel"><div class="rk-controls">${figure.controls.map(controlHtml).join("")}</div>`
+  const picture = `<div class="rk-picture">${svg(figure)}</div>`;
+  if (!figure.controls.length) return picture;
+  return picture + `<div class="rk-panel">${figure.goals.map(goalHtml).join("")}<div class="rk-controls">${figure.controls.map(controlHtml).join("")}</div>`
     + `<dl class="rk-readouts">${figure.readouts.map((r, k) => readoutHtml(r, values[k])).join("")}</dl>`
     + `<div class="rk-buttons"><button type="button" class="rk-reset">Reset</button>`
-    + `<button type="button" class="rk-link">Link to this setting</button></div></div>`
+    + (figure.size === "step" ? ""
+      : `<button type="button" class="rk-link">Link to this setting</button>`) + `</div></div>`
     + `<p class="rk-says" aria-live="polite"></p>`;
 };
 

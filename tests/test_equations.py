@@ -290,6 +290,11 @@ def test_show_gives_notebook_and_page_their_forms():
     assert computed[MIME] == {"name": "motion.arc_step", "computed": True}
 
 
+def test_a_formula_may_follow_a_figure():
+    data = equations.show("differential_drive.speed", figure="wheel-speeds")._repr_mimebundle_()
+    assert data[MIME]["figure"] == "wheel-speeds"
+
+
 def test_an_unknown_name_is_refused():
     with pytest.raises(CourseError, match=r"no equation 'motion.arc'; there are .*motion.arc_step"):
         equations.show("motion.arc")
@@ -425,6 +430,20 @@ def test_a_pole_is_told_with_its_place():
     x = sp.Symbol("x")
     with pytest.raises(CourseError, match=r"1/x divides by zero at x = 0: .*Piecewise"):
         evaluate(1 / x, [x], np.array([[1.0], [0.0]]))
+
+
+def test_a_symbol_has_a_key_and_a_look(monkeypatch):
+    """The look that its user gives it goes before that of its own chapter."""
+    dt = known("dt")
+    assert dt.key == "motion.dt"
+    assert equations.look(dt) == ""
+    formulas = course().modules("formulas")
+    monkeypatch.setattr(formulas["motion"], "LOOKS", {dt: "path"}, raising=False)
+    monkeypatch.setattr(formulas["odometry"], "LOOKS", {dt: "left"}, raising=False)
+    assert [equations.look(dt, c) for c in ("", "bicycle", "odometry")] == ["path", "path", "left"]
+    formulas["motion"].LOOKS[dt] = "purple"
+    with pytest.raises(CourseError, match="no kind 'purple'; there are left,"):
+        equations.look(dt)
 
 
 def test_putting_in_leaves_the_form_alone():

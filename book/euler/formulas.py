@@ -17,10 +17,10 @@ third = quantity("third", "rad", -3.14, 3.14, "third turn of a sequence", latex=
 turn = quantity("turn", "rad", -3.14, 3.14, "a turn about one axis", latex=r"\vartheta")
 
 TURNS = (first, middle, third)
+LOOKS = {turn: "icr"}
 
 r = Matrix(3, 3, lambda i, j: Symbol(f"r_{{{i + 1}{j + 1}}}"))
 n = n_x, n_y, n_z = tuple(Symbol(f"n_{letter}") for letter in "xyz")
-k = k_x, k_y, k_z = tuple(Symbol(f"k_{letter}") for letter in "xyz")
 gamma = Symbol(r"\gamma")  # the third angle, once it is known
 
 
@@ -132,7 +132,7 @@ with as_written():
 
     turn_vector = Equation(
         name="euler.turn_vector",
-        left=Matrix(k),
+        left=Matrix([2 * sin(turn) * part for part in n]),
         right=Matrix([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]),
         source="exercise 2",
         where=MADE,
@@ -141,9 +141,12 @@ with as_written():
     turn_angle = Equation(
         name="euler.turn_angle",
         left=turn,
-        right=atan2(sqrt(Add(k_x**2, k_y**2, k_z**2)), Add(r[0, 0], r[1, 1], r[2, 2], -1)),
+        right=atan2(
+            sqrt(Add(*(difference**2 for difference in turn_vector.right))),
+            Add(r[0, 0], r[1, 1], r[2, 2], -1),
+        ),
         source="exercise 2",
-        where=(*MADE, *zip(k, turn_vector.right, strict=True)),
+        where=MADE,
     )
 
     unit_quaternion = Equation(

@@ -35,6 +35,16 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
     line: int
 
     @property
+    def chapter(self) -> str:
+        """The chapter that declares it."""
+        return self.module.split(".")[-2:][0]
+
+    @property
+    def key(self) -> str:
+        """What every face of it on a page carries as `data-symbol`."""
+        return f"{self.chapter}.{self.name}"
+
+    @property
     def place(self) -> str:
         """Where it is declared."""
         return f"{self.module}, line {self.line}"
@@ -74,6 +84,25 @@ def quantities(parts: Sequence[str] = ("formulas", "figures")) -> list[NamedSymb
                 "choose another name for one of the two"
             )
     return list(found)
+
+
+def look(symbol: NamedSymbol, chapter: str = "") -> str:
+    """The kind of a quantity's look, or "": as `LOOKS` says in the formulas of a chapter that uses
+    it, else in those of its own.
+    """
+    for where in (chapter, symbol.chapter):
+        known = where in course().chapters  # the machine has symbols of its own
+        kinds = getattr(known and course().module(where, "formulas"), "LOOKS", {})
+        if symbol in kinds:
+            return refuse_unknown_kind(kinds[symbol])
+    return ""
+
+
+def refuse_unknown_kind(kind: str) -> str:
+    """The kind, if the course has a look for it."""
+    if kind not in course().looks:
+        raise CourseError(f"there is no kind {kind!r}; there are {', '.join(course().looks)}")
+    return kind
 
 
 def place(symbol: sp.Symbol) -> str:
@@ -158,14 +187,19 @@ class Equation:
 
 @dataclass(frozen=True)
 class Shown:
-    """An equation as the value of a notebook cell; `computed`: in the form that the code uses."""
+    """An equation as the value of a notebook cell; `computed`: in the form that the code uses.
+
+    figure: whose numbers stand below it on the page.
+    """
 
     equation: Equation
     computed: bool
+    figure: str
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         shown = self.equation
-        return mimebundle(shown.name, self.computed, shown.left, shown.printed(self.computed))
+        right = shown.printed(self.computed)
+        return mimebundle(shown.name, self.computed, shown.left, right, self.figure)
 
 
 def free_symbols(part: Any) -> set[sp.Symbol]:
@@ -195,6 +229,9 @@ def find(name: str) -> Equation:
     return declared()[name]
 
 
-def show(name: str, computed: bool = False) -> Shown:
-    """Show an equation by its name; `computed=True` shows the form that the code uses."""
-    return Shown(find(name), computed)
+def show(name: str, computed: bool = False, figure: str = "") -> Shown:
+    """Show an equation by its name; `computed=True` shows the form that the code uses.
+
+    figure: the name of a live figure whose numbers then stand below the formula on the page.
+    """
+    return Shown(find(name), computed, figure)

@@ -27,9 +27,10 @@ from workshop.figures.declaration import (
 )
 from workshop.figures.figure import Figure
 from workshop.figures.space import VIEW, View, view_sliders
+from workshop.figures.turning import Bracket, Turns
 from workshop.script.runtime import Part, register
 
-SCRIPTS = "functions numbers words shapes scene panel live hands page notebook"
+SCRIPTS = "functions numbers words shapes solids turning scene panel live hands page notebook"
 register(
     Part(
         name="figures",
@@ -47,6 +48,7 @@ __all__ = [
     "AngleArc",
     "Arrow",
     "Body",
+    "Bracket",
     "Choice",
     "Clock",
     "Curve",
@@ -58,6 +60,7 @@ __all__ = [
     "Recurrence",
     "Slider",
     "Trail",
+    "Turns",
     "View",
     "Wheel",
     "view_sliders",

@@ -7,15 +7,17 @@ from typing import Any
 
 import sympy as sp
 
-from workshop.course import course
-from workshop.equations.core import NamedSymbol, Where, told
+from workshop.equations.core import NamedSymbol, Where, look, refuse_unknown_kind, told
+from workshop.equations.text import symbol_text
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
+from workshop.figures.solids import Solid
+from workshop.figures.turning import Bracket, Turns
 
 DEGREE = math.pi / 180
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-Control = d.Slider | d.Choice
+Control = d.Slider | d.Choice | Turns
 
 
 def factor(unit: str) -> float:
@@ -25,7 +27,7 @@ def factor(unit: str) -> float:
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
-    return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
+    return [s for c in controls for s in getattr(c, "symbols", None) or (c.symbol,)]
 
 
 # type → its word in the script, what is computed, what is given as it is
@@ -38,14 +40,18 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
     d.Curve: ("curve", lambda s: (s.low, s.high), ()),
     d.Trail: ("trail", lambda s: (), ()),
+    Solid: ("solid", lambda s: s.numbers, ("data", "floor", "opacity", "behind")),
+    Bracket: ("bracket", lambda s: (*s.at, *s.matrix), ("columns", "digits")),
 }
 
 
 class Compiler:
     """Collects the expressions of one figure, so that all of them become one function."""
 
-    def __init__(self, controls: Sequence[Control], shapes: Sequence[Any], where: Where) -> None:
-        self.controls = controls
+    def __init__(
+        self, controls: Sequence[Control], shapes: Sequence[Any], where: Where, chapter: str
+    ) -> None:
+        self.controls, self.chapter = controls, chapter
         self.settings = settings(controls)
         trails = [s.recurrence for s in shapes if isinstance(s, d.Trail)]
         self.recurrences = list({id(r): r for r in trails}.values())
@@ -70,6 +76,13 @@ class Compiler:
             self.expressions.append(expression)
         return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
 
+    def face(self, kind: Any, label: str | None = None) -> dict[str, Any]:
+        """Look and label of what has a kind; of a quantity its letter and its key, too."""
+        if not isinstance(kind, NamedSymbol):
+            return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
+        letter = symbol_text(kind) if label is None else label
+        return {"kind": look(kind, self.chapter), "label": letter, "symbol": kind.key}
+
     def control(self, control: Control) -> dict[str, Any]:
         """A control as the script reads it, in the unit that the reader sees."""
         if isinstance(control, d.Choice):
@@ -82,18 +95,19 @@ class Compiler:
                 "options": options,
                 "start": start,
             }
+        if isinstance(control, Turns):
+            return {"type": "turns", "key": control.name, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
-        if control.kind:
-            _refuse_unknown_kind(control.kind)
+        face = self.face(control.symbol, control.label or None)
         known = control.symbol
         scale = factor(known.unit)
         step = _tidy(control.step / scale)
         return {
             "type": "clock" if isinstance(control, d.Clock) else "slider",
             "key": str(control.symbol),
-            "label": control.label or str(control.symbol),
-            "kind": control.kind,
+            **face,
+            "kind": self.face(control.kind)["kind"] or face["kind"],
             "unit": "°" if known.unit == "rad" else known.unit,
             "factor": scale,
             "low": _tidy(control.low / scale),
@@ -109,14 +123,20 @@ class Compiler:
         """A shape as the script reads it: its numbers by place, its curve as a function."""
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
-        _refuse_unknown_kind(shape.kind)
         word, coordinates, sizes = SHAPES[type(shape)]
-        found = {"kind": shape.kind, "label": getattr(shape, "label", "")}
+        found = self.face(shape.kind, getattr(shape, "label", ""))
+        if not found["kind"]:
+            raise CourseError(
+                f"{shape.kind} has no look: add it to LOOKS in formulas.py of {self.chapter}, "
+                "or give the shape the name of a kind"
+            )
         depth = getattr(shape, "depth", None)
         if depth is not None and not isinstance(shape, d.Curve):
             found["depth"] = self.numbers(depth)[0]
         found |= {"shape": word, "at": self.numbers(*coordinates(shape))}
         found |= {size: getattr(shape, size) for size in sizes}
+        for part in found.get("data", ()):
+            part["kind"] = self.face(part["kind"])["kind"]
         if isinstance(shape, d.Curve):
             traced = shape.at if depth is None else (*shape.at, depth)
             point = function({"c": self.known, "s": [shape.parameter]}, traced)
@@ -129,7 +149,7 @@ class Compiler:
 
     def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
         """The places of the sliders that somebody moves."""
-        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        keys = [getattr(c, "symbol", None) for c in self.controls]
         for symbol in symbols:
             if symbol not in keys:
                 raise CourseError(f"{who} sets {told([symbol], keys)}, which is no slider")
@@ -160,12 +180,26 @@ class Compiler:
         self.numbers(readout.value)
         return {
             "key": readout.name,
-            "label": readout.label,
+            **self.face(readout.symbol or "", readout.label),
             "unit": "°" if readout.unit == "rad" else readout.unit,
             "factor": 1 / factor(readout.unit),
             "digits": readout.digits,
             "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
         }
+
+    def known_steps(self) -> list[dict[str, Any]]:
+        """The named steps that are quantities, with their places among all known numbers."""
+        start = len(self.known) - len(self.where)
+        return [
+            {
+                "symbol": symbol.key,
+                "at": start + place,
+                "unit": "°" if symbol.unit == "rad" else symbol.unit,
+                "factor": 1 / factor(symbol.unit),
+            }
+            for place, (symbol, _) in enumerate(self.where)
+            if isinstance(symbol, NamedSymbol)
+        ]
 
     def steps(self) -> "Code":
         """The function that computes the named steps, from settings and last states."""
@@ -191,11 +225,6 @@ def javascript(value: Any) -> str:
     if isinstance(value, list):
         return "[" + ", ".join(map(javascript, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
-
-
-def _refuse_unknown_kind(kind: str) -> None:
-    if kind not in course().looks:
-        raise CourseError(f"there is no kind {kind!r}; there are {', '.join(course().looks)}")
 
 
 def _tidy(number: float) -> float:

@@ -16,6 +16,7 @@ from workshop.errors import CourseError
 from workshop.figures.compiling import Compiler, Control, javascript, settings
 from workshop.figures.declaration import Choice, Handle, Readout
 from workshop.figures.javascript import evaluate
+from workshop.figures.turning import Turns
 from workshop.script import engine
 from workshop.script.widget import Widget, widget
 
@@ -64,7 +65,8 @@ class Figure:
 
     @cached_property
     def _compiled(self) -> tuple[str, list[Any]]:
-        compiler = Compiler(self.controls, self.scene, self.where)
+        chapter = course().homes("figures", Figure).get(self.name, "")
+        compiler = Compiler(self.controls, self.scene, self.where, chapter)
         parts: dict[str, Any] = {
             "name": self.name,
             "title": self.title,
@@ -74,6 +76,7 @@ class Figure:
             "readouts": [compiler.readout(readout) for readout in self.readouts],
             "scene": [compiler.shape(shape) for shape in self.scene],
             "handles": [compiler.handle(handle) for handle in self.handles],
+            "steps": compiler.known_steps(),
             "recurrences": [compiler.recurrence(loop) for loop in compiler.recurrences],
         }
         if self.turns:
@@ -125,7 +128,7 @@ class Figure:
 
     @staticmethod
     def _key(control: Control) -> str:
-        return control.name if isinstance(control, Choice) else str(control.symbol)
+        return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
 
     @property
     def values(self) -> dict[str, Any]:
@@ -152,10 +155,18 @@ class Figure:
 def light(svg: str) -> str:
     """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
     plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    plain = re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, plain)
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
         r'(?<= d=")[^"]+', lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]), plain
     )
+
+
+def _mixed(found: re.Match[str]) -> str:
+    """A shade of a face as one colour."""
+    part, other = int(found[2]) / 100, 17 * int(found[3], 16)
+    channels = (int(found[1][k : k + 2], 16) for k in (0, 2, 4))
+    return "#" + "".join(f"{round(part * c + (1 - part) * other):02x}" for c in channels)
 
 
 def figures() -> dict[str, Figure]:
@@ -174,6 +185,10 @@ def find(name: str) -> Figure:
 
 
 def _refuse_outside(key: str, value: Any, control: Control) -> None:
+    if isinstance(control, Turns):
+        if not (isinstance(value, str) and re.fullmatch("(-?[xyzXYZ])*", value)):
+            raise CourseError(f"{key} must be letters as in 'Zx-Y', got {value!r}")
+        return
     if isinstance(control, Choice):
         if value not in control.options:
             raise CourseError(f"{key} must be one of {', '.join(control.options)}, got {value!r}")

@@ -16,7 +16,7 @@ class Live {
     Object.assign(this, { element, figure, changed });
     this.picture = element.querySelector(".rk-picture svg");
     this.drawing = this.picture.querySelector("g");
-    this.inputs = this.all("[data-i]:not(button)");
+    this.inputs = this.all(":is(input, select)[data-i]");
     this.state = startState(figure);
     this.width = WIDTH;
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
@@ -30,7 +30,7 @@ class Live {
 
   start() {
     takeHandles(this);
-    for (const follow of [followControls, followClock, followGround, followReset]) follow(this);
+    for (const follow of [followControls, followTurns, followClock, followGround, followReset]) follow(this);
     this.resize();
     new ResizeObserver(() => this.resize()).observe(this.picture.parentElement);
     this.element.classList.add("rk-live");
@@ -55,6 +55,11 @@ class Live {
     this.draw();
   }
 
+  numbers() {
+    this.settled();
+    return numbers(this.figure, this.state, this.computed);
+  }
+
   place(handle) {
     return handle.at.map((index) => this.computed.values[index]);
   }
@@ -76,6 +81,9 @@ class Live {
     this.drawHandles();
     this.writeReadouts();
     this.writeControls();
+    this.element.dispatchEvent(new CustomEvent("workshop:drawn", {
+      bubbles: true, detail: { name: this.figure.name, numbers: this.numbers() },
+    }));
     clearTimeout(this.told);
     this.told = setTimeout(() => this.tell(), 400);
   }

@@ -34,9 +34,10 @@ from workshop.figures.declaration import (
 from workshop.figures.figure import Figure
 from workshop.figures.graph import Graph
 from workshop.figures.space import VIEW, View, view_sliders
+from workshop.figures.turning import Bracket, Turns
 from workshop.script.runtime import Part, register
 
-SCRIPTS = "functions numbers words shapes scene panel live hands page notebook"
+SCRIPTS = "functions numbers words shapes solids turning scene panel live hands page notebook"
 register(
     Part(
         name="figures",
@@ -55,6 +56,7 @@ __all__ = [
     "Area",
     "Arrow",
     "Body",
+    "Bracket",
     "Choice",
     "Clock",
     "Curve",
@@ -71,6 +73,7 @@ __all__ = [
     "Recurrence",
     "Slider",
     "Trail",
+    "Turns",
     "View",
     "Wheel",
     "solved",

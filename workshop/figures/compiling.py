@@ -12,10 +12,12 @@ from workshop.equations.text import symbol_text
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
+from workshop.figures.solids import Solid
+from workshop.figures.turning import Bracket, Turns
 
 DEGREE = math.pi / 180
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-Control = d.Slider | d.Choice
+Control = d.Slider | d.Choice | Turns
 
 
 def factor(unit: str) -> float:
@@ -25,7 +27,7 @@ def factor(unit: str) -> float:
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
-    return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
+    return [s for c in controls for s in getattr(c, "symbols", None) or (c.symbol,)]
 
 
 # type → its word in the script, what is computed, what is given as it is
@@ -42,6 +44,8 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
     d.Curve: ("curve", lambda s: (s.low, s.high), ()),
     d.Trail: ("trail", lambda s: (), ("line", "dots")),
+    Solid: ("solid", lambda s: s.numbers, ("data", "floor", "opacity", "behind")),
+    Bracket: ("bracket", lambda s: (*s.at, *s.matrix), ("columns", "digits")),
 }
 
 
@@ -95,6 +99,8 @@ class Compiler:
                 "options": options,
                 "start": start,
             }
+        if isinstance(control, Turns):
+            return {"type": "turns", "key": control.name, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
         face = self.face(control.symbol, control.label or None)
@@ -134,6 +140,8 @@ class Compiler:
             found["depth"] = self.numbers(depth)[0]
         found |= {"shape": word, "at": self.numbers(*coordinates(shape))}
         found |= {size: getattr(shape, size) for size in sizes}
+        for part in found.get("data", ()):
+            part["kind"] = self.face(part["kind"])["kind"]
         if isinstance(shape, d.Curve):
             traced = shape.at if depth is None else (*shape.at, depth)
             point = function({"c": self.known, "s": [shape.parameter]}, traced)
@@ -146,7 +154,7 @@ class Compiler:
 
     def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
         """The places of the sliders that somebody moves."""
-        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        keys = [getattr(c, "symbol", None) for c in self.controls]
         for symbol in symbols:
             if symbol not in keys:
                 raise CourseError(f"{who} sets {told([symbol], keys)}, which is no slider")

@@ -16,6 +16,7 @@ from workshop.errors import CourseError
 from workshop.figures.compiling import Compiler, Control, javascript, settings
 from workshop.figures.declaration import Choice, Goal, Handle, Pair, Readout
 from workshop.figures.javascript import evaluate
+from workshop.figures.turning import Turns
 from workshop.script import engine
 from workshop.script.widget import Widget, widget
 
@@ -151,7 +152,7 @@ class Figure:
 
     @staticmethod
     def _key(control: Control) -> str:
-        return control.name if isinstance(control, Choice) else str(control.symbol)
+        return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
 
     @property
     def values(self) -> dict[str, Any]:
@@ -178,10 +179,18 @@ class Figure:
 def light(svg: str) -> str:
     """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
     plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    plain = re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, plain)
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
         r'(?<= d=")[^"]+', lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]), plain
     )
+
+
+def _mixed(found: re.Match[str]) -> str:
+    """A shade of a face as one colour."""
+    part, other = int(found[2]) / 100, 17 * int(found[3], 16)
+    channels = (int(found[1][k : k + 2], 16) for k in (0, 2, 4))
+    return "#" + "".join(f"{round(part * c + (1 - part) * other):02x}" for c in channels)
 
 
 def figures() -> dict[str, Figure]:
@@ -200,6 +209,10 @@ def find(name: str) -> Figure:
 
 
 def _refuse_outside(key: str, value: Any, control: Control) -> None:
+    if isinstance(control, Turns):
+        if not (isinstance(value, str) and re.fullmatch("(-?[xyzXYZ])*", value)):
+            raise CourseError(f"{key} must be letters as in 'Zx-Y', got {value!r}")
+        return
     if isinstance(control, Choice):
         if value not in control.options:
             raise CourseError(f"{key} must be one of {', '.join(control.options)}, got {value!r}")

@@ -16,7 +16,7 @@ class Live {
     Object.assign(this, { element, figure, changed });
     this.picture = element.querySelector(".rk-picture svg");
     this.drawing = this.picture.querySelector("g");
-    this.inputs = this.all("[data-i]:not(button)");
+    this.inputs = this.all(":is(input, select)[data-i]");
     this.state = startState(figure);
     this.width = widthOf(figure);
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
@@ -31,7 +31,8 @@ class Live {
 
   start() {
     takeHandles(this);
-    for (const follow of [followControls, followClock, followGround, followReset, followSight]) follow(this);
+    for (const follow of [followControls, followTurns, followClock, followGround, followReset,
+      followSight]) follow(this);
     this.resize();
     new ResizeObserver(() => this.resize()).observe(this.picture.parentElement);
     this.element.classList.add("rk-live");

@@ -8,7 +8,8 @@ const startState = (figure) => figure.controls.map((control) => control.start);
 
 // What the formulas get: all symbols that controls set, in SI.
 const settings = (figure, state) => figure.controls.flatMap((control, i) =>
-  control.type === "choice" ? control.options[state[i]].values : [state[i] * control.factor]);
+  control.type === "choice" ? control.options[state[i]].values
+    : control.type === "turns" ? turnNumbers(state[i]) : [state[i] * control.factor]);
 
 const statesOf = (recurrence, c) => {
   const count = Math.min(Math.max(0, Math.round(recurrence.count(f, c)[0])), recurrence.most);

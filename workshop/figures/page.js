@@ -1,8 +1,8 @@
 // On a web page: the address carries a setting, the script takes over the waiting picture.
 
 const toAddress = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
-  `${control.key}=${encodeURIComponent(control.type === "choice"
-    ? control.options[state[i]].label : Number(state[i].toFixed(6)))}`).join("&");
+  `${control.key}=${encodeURIComponent(control.type === "choice" ? control.options[state[i]].label
+    : control.type === "turns" ? state[i][0] : Number(state[i].toFixed(6)))}`).join("&");
 
 const optionOf = (control, name) => control.options.findIndex((option) => option.label === name);
 
@@ -16,6 +16,7 @@ const fromAddress = (figure, address) => {
       const i = optionOf(control, text);
       return i < 0 ? control.start : i;
     }
+    if (control.type === "turns") return [pressesOf(text).join(""), 1];
     const shown = text === null || text === "" ? NaN : Number(text);
     return Number.isFinite(shown) ? clamp(control, shown) : control.start;
   });

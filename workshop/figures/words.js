@@ -18,8 +18,8 @@ const shownNumber = (readout, value) => {
   return readout.unit === "°" ? number + "°" : readout.unit ? `${number} ${readout.unit}` : number;
 };
 
-const shownControl = (control, shown) => control.type === "choice"
-  ? control.options[shown].label
+const shownControl = (control, shown) => control.type === "choice" ? control.options[shown].label
+  : control.type === "turns" ? toldTurns(shown[0])
   : shownNumber({ words: {}, factor: 1, digits: control.digits, unit: control.unit }, shown);
 
 // All that a figure tells: named steps, controls, readouts, each as it is in SI and as it is shown.

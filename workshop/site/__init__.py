@@ -21,6 +21,7 @@ from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
+from workshop.site import predictions
 from workshop.site.checks import FormulaChecks
 from workshop.site.directives import Chapters, Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
@@ -52,6 +53,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
     app.connect("html-page-context", add_assets)
+    predictions.setup(app)
     app.add_directive("downloads", Downloads)
     app.connect("build-finished", write_assets)
     app.connect("build-finished", write_downloads)

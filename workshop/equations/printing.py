@@ -13,6 +13,7 @@ def latex(expression: Any) -> str:
     text: str = sp.latex(expression, order="none")
     if r"\frac" in text:
         text = text.replace(r"\\", FRACTIONS_APART)
+    text = text.replace("^{T}", r"^{\top}")  # one sign for the transposed in the whole course
     return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
 
 

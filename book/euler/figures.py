@@ -13,7 +13,7 @@ from book.euler import formulas as euler
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.motion.formulas import angle
-from workshop.equations.core import Where, put_in, quantity
+from workshop.equations.core import Where, quantity
 from workshop.figures import (
     VIEW,
     Bracket,
@@ -76,6 +76,11 @@ def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
     rows, cols = matrix.shape
     entries = symbols(f"{name}:{rows}:{cols}", real=True)
     return Matrix(rows, cols, entries), tuple(zip(entries, matrix, strict=True))
+
+
+def entries(R: Matrix) -> Where:
+    """A rotation as what the entries of the matrix stand for."""
+    return tuple(zip(euler.r, R, strict=True))
 
 
 def angle_of(R: Matrix) -> Any:
@@ -157,20 +162,20 @@ def die_figure() -> Figure:
     return in_space(
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
-        view=(-3, 3, -2.55, 1.4),
+        view=(-3, 3, -2.8, 1.4),
         controls=(turns,),
         scene=(
             *die(now, VIEW.beside(-1.4)),
             *ghost_die(GHOST, VIEW.beside(1.4)),
-            Bracket(turns.before, (-0.85 - 1.25 * own + some, -1.9), "before"),
+            Bracket(turns.before, (-0.85 - 1.25 * own + some, -1.95), "before"),
             Bracket(
                 turns.last(),
-                (-2.1 + own * (1.25 + away) - (1 - own) * away + some, -1.9),
+                (-2.1 + own * (1.25 + away) - (1 - own) * away + some, -1.95),
                 "the turn",
                 columns=("icr", "icr", "icr"),
             ),
-            Label("text", (0.3 + some, -1.9), "="),
-            Bracket(now, (1.4 + done, -1.9), "now"),
+            Label("text", (0.3 + some, -1.95), "="),
+            Bracket(now, (1.4 + done, -1.95), "now"),
         ),
         readouts=(
             Readout("count", "turns made", turns.count, "", digits=0),
@@ -207,7 +212,7 @@ def exercise_figure() -> Figure:
 
 def columns_figure() -> Figure:
     """A turn about one of the axes, and the three columns of its matrix."""
-    R, steps = named("c", euler.turned_about(about, turn))
+    R = euler.r
     options = {name: tuple(map(int, axis)) for name, axis in zip("xyz", (X, Y, Z), strict=True)}
     return in_space(
         name="columns",
@@ -221,11 +226,11 @@ def columns_figure() -> Figure:
         scene=(
             *room(),
             *die(R),
-            Bracket(R, (2.35, 0.1), digits=2),
+            Bracket(R, (2.2, 0.1), digits=2),
         ),
         readouts=(),
         says="A turn of {turn} about the {axis} axis.",
-        where=steps,
+        where=entries(euler.turned_about(about, turn)),
     )
 
 
@@ -257,7 +262,7 @@ def order_figure() -> Figure:
 
 def target_figure() -> Figure:
     """The exercise: two angles to bring the die to frame B."""
-    R, steps = named("t", euler.turned_about(Y, first) * euler.turned_about(Z, middle))
+    R = euler.r
     return in_space(
         name="to-b",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
@@ -270,14 +275,14 @@ def target_figure() -> Figure:
         readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad", digits=1),),
         says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
         goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
-        where=steps,
+        where=entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
     )
 
 
 def both_figure() -> Figure:
     """Both answers of XYZ, turn by turn."""
     answers = (TURNS, tuple(euler.other_cardan.right))
-    dice, where = [], ()
+    dice, where = [], ((first, half_turn / 9), (third, half_turn / 6))
     for name, angles in zip("pq", answers, strict=True):
         turned = [
             euler.turned_about(axis, share(made, k) * each)
@@ -288,7 +293,6 @@ def both_figure() -> Figure:
         dice.append(three)
         where = (*where, *steps_two, *steps_three)
     left, right = dice
-    twenty = {first: half_turn / 9, third: half_turn / 6}  # two of the angles stay
     return in_space(
         name="both-answers",
         title="Two dice turned by the two answers of one sequence XYZ",
@@ -307,7 +311,7 @@ def both_figure() -> Figure:
             "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
             "{made} turns made, they are {apart} apart."
         ),
-        where=tuple((symbol, put_in(each, twenty)) for symbol, each in where),
+        where=where,
     )
 
 
@@ -395,7 +399,7 @@ def rings_figure() -> Figure:
 # One turn: a rotation is a point in a ball, towards its axis, as far out as its angle.
 
 AXIS = Matrix([-1, 1, -1]) / sqrt(3)  # of R_AB
-ANGLE = 2 * half_turn / 3
+ANGLE = 2 * pi / 3
 
 
 def one_turn_figure() -> Figure:
@@ -411,11 +415,10 @@ def one_turn_figure() -> Figure:
         return vector * 2 * atan2(long, cos(a) * cos(b)) / (long + 1e-300) / half_turn
 
     a, b = by_two(2 * part)
-    whole = at_once * euler.turned_about(AXIS, part * ANGLE)
-    R, steps = named(
-        "n", whole + (1 - at_once) * euler.turned_about(Y, a) * euler.turned_about(Z, b)
-    )
-    turned = at_once * part * ANGLE + (1 - at_once) * (a - b)
+    whole = at_once * euler.turned_about(AXIS, part * 2 * half_turn / 3)
+    R = euler.r
+    two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
+    turned = at_once * part * 2 * half_turn / 3 + (1 - at_once) * (a - b)
     middle_of = VIEW.beside(1.1)
 
     def put(vector: Any) -> list[Any]:
@@ -425,7 +428,7 @@ def one_turn_figure() -> Figure:
         at = put(vector)
         return Curve(kind, VIEW.project(at), s, 0, high, samples, depth=VIEW.depth(at) + 0.2)
 
-    spoke = AXIS * ANGLE / half_turn
+    spoke = AXIS * 2 / 3  # of half a turn
     circles = ((cos(s), sin(s), 0), (0, cos(s), sin(s)), (sin(s), 0, cos(s)))
     here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
     return in_space(
@@ -451,7 +454,23 @@ def one_turn_figure() -> Figure:
             Readout("left", "still to B", angle_of(R_AB.T * R), "rad", digits=1),
         ),
         says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
-        where=steps,
+        where=entries(whole + (1 - at_once) * two),
+    )
+
+
+def recap_figure() -> Figure:
+    """All in one: columns, axes of A, the one turn."""
+    R = euler.r
+    return in_space(
+        name="rotation-recap",
+        title="A die on its way from frame A to frame B, its matrix, and the axis of the one turn",
+        view=(-1.5, 3.1, -1.6, 1.5),
+        size="step",
+        controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
+        scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
+        readouts=(),
+        says="Turned by {turn} about the slanted axis.",
+        where=entries(euler.turned_about(AXIS, turn)),
     )
 
 
@@ -574,4 +593,5 @@ FIGURES = (
     rings_figure(),
     one_turn_figure(),
     sequence_figure(),
+    recap_figure(),
 )

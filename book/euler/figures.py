@@ -162,7 +162,7 @@ def die_figure() -> Figure:
     return in_space(
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
-        view=(-3, 3, -2.8, 1.4),
+        view=(-3.3, 3.3, -2.85, 1.4),
         controls=(turns,),
         scene=(
             *die(now, VIEW.beside(-1.4)),
@@ -383,6 +383,7 @@ def rings_figure() -> Figure:
             ),
             VIEW.solid(AEROPLANE, three),
             VIEW.solid((solids.ball("velocity"),), 0.6 * free, beside),
+            Label("velocity", (2.65, -1.1), "turns it can make now"),
         ),
         readouts=(
             Readout("room", "freedom: 1 best, 0 locked", Abs(cos(middle)), ""),

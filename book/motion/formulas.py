@@ -15,9 +15,7 @@ angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 
 x_dot = quantity("x_dot", "m/s", -1, 1, "speed along the world's x axis", latex=r"\dot{x}")
 y_dot = quantity("y_dot", "m/s", -1, 1, "speed along the world's y axis", latex=r"\dot{y}")
-theta_dot = quantity(
-    "theta_dot", "rad/s", -6, 6, "rate of the heading", latex=r"\dot{\theta}"
-)
+theta_dot = quantity("theta_dot", "rad/s", -6, 6, "rate of the heading", latex=r"\dot{\theta}")
 x_next = sign("x_next", "position after the step", "x'", "m")
 y_next = sign("y_next", "position after the step", "y'", "m")
 theta_next = sign("theta_next", "heading after the step", r"\theta'", "rad")

@@ -116,10 +116,10 @@ def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
 
 def room(at: Sequence[Any] = ORIGIN, labels: Sequence[str] = ("", "", "")) -> tuple[Any, ...]:
     """The axes of the room, which stay; where a die turns, they are left out."""
-    ends = [[[at[k] + far * axis[k] for k in range(3)] for far in (0.95, 1.5)] for axis in (X, Y, Z)]
-    return tuple(
-        VIEW.arrow("text", *pair, label) for pair, label in zip(ends, labels, strict=True)
-    )
+    ends = [
+        [[at[k] + far * axis[k] for k in range(3)] for far in (0.95, 1.5)] for axis in (X, Y, Z)
+    ]
+    return tuple(VIEW.arrow("text", *pair, label) for pair, label in zip(ends, labels, strict=True))
 
 
 def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
@@ -331,7 +331,9 @@ def rings_figure() -> Figure:
         view=(-2.3, 4.1, -1.75, 1.6),
         seen_from=(-pi / 4, pi / 6),
         controls=(
-            Slider(middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"),
+            Slider(
+                middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"
+            ),
             Slider(
                 against, -pi, pi, start=0.0, step=pi / 36, label="outer ring on, inner ring back"
             ),

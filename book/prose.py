@@ -6,8 +6,7 @@ A chapter may add to it in a `prose` module of its own.
 from typing import Any
 
 from workshop.course import course
-from workshop.figures import Figure
-from workshop.figures.declaration import Choice
+from workshop.figures import Choice, Figure
 
 __all__ = ["digit_and_power", "names", "reads"]
 

@@ -37,6 +37,7 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
+    Turns,
     view_sliders,
 )
 from workshop.figures.compiling import factor
@@ -93,13 +94,26 @@ def readouts(figure, points):
 
 def key(control):
     """The name of a control in addresses and values."""
-    return control.name if isinstance(control, Choice) else str(control.symbol)
+    return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
+
+
+LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of presses
+
+
+@cache
+def pressed(presses, made=1.0):
+    """The numbers that presses give their symbols, as the script computes them."""
+    return script.run(f"workshop.figures.turnNumbers({json.dumps([presses, made])})")
 
 
 def drawn(control, random, size):
     """Random settings of one control over its whole range: (size, its symbols)."""
     if isinstance(control, Choice):
         return random.choice(list(control.options.values()), size)
+    if isinstance(control, Turns):
+        texts = ["".join(random.choice(LETTERS, random.integers(6))) for _ in range(20)]
+        rows = [pressed(text, float(part)) for text in texts for part in (0, 0.3, 1) if text]
+        return random.choice(rows, size)
     if isinstance(control.step, int):
         return random.integers(control.low, control.high + 1, (size, 1)).astype(float)
     return random.uniform(control.low, control.high, (size, 1))
@@ -109,6 +123,8 @@ def ends(control):
     """The ends of a control's range, and its options one by one."""
     if isinstance(control, Choice):
         return list(control.options)
+    if isinstance(control, Turns):
+        return ["", "x", "-Z"]
     return [control.low, control.high]
 
 
@@ -118,7 +134,10 @@ def point(figure, values):
     assert values.keys() <= known, f"{figure.name} has {known}, not {values.keys() - known}"
     for control in figure.controls:
         value = values.get(key(control), control.start)
-        row += control.options[value] if isinstance(control, Choice) else [value]
+        if isinstance(control, Turns):
+            row += pressed(value)
+        else:
+            row += control.options[value] if isinstance(control, Choice) else [value]
     return row
 
 
@@ -476,7 +495,7 @@ def test_a_frame_in_space_is_three_arrows():
 
 # --- What a notebook keeps ------------------------------------------------------------------
 
-SIZE = 20_000  # bytes for one figure: nearly all of it is the still picture
+SIZE = 30_000  # bytes for one figure: nearly all of it is the still picture
 
 
 def kept_figures():
@@ -648,6 +667,8 @@ class OnPage:
         for control, shown in zip(self.figure.controls, self.state(), strict=True):
             if isinstance(control, Choice):
                 row += list(control.options.values())[shown]
+            elif isinstance(control, Turns):
+                row += pressed(*shown)
             else:
                 row.append(shown * factor(control.symbol.unit))
         return row

@@ -60,15 +60,15 @@ M8 = Mistake(
     "b = np.arctan2(R[0, 2], np.hypot(R[1, 2], R[2, 2]))\n"
     "angles = [a, b]",
     why="At gimbal lock all the entries that these formulas read for the first and the third angle "
-    "are zero, and arctan2(0, 0) gives 0 without a warning. The turn that is missing stands in the "
-    "other entries. Rebuild the matrix from your angles and compare.",
+    "are zero. For exact zeros arctan2(0, 0) gives 0 without a warning; in a computed matrix they "
+    "are rounding errors, and the angles are noise. The turn that is missing stands in the other "
+    "entries. Rebuild the matrix from your angles and compare.",
     unnoticed="Where the turn that remains is zero.",
 )
 
 
-A, B, C, PHI = symbols("a b c vartheta")
+A, B, C = symbols("a b c")
 YAW, PITCH, ROLL = symbols("yaw pitch roll")
-E = symbols("n_x n_y n_z")
 SEEN = MatrixSymbol("p_A", 3, 1)
 R_AB, REST, R_1, R_2 = (MatrixSymbol(name, 3, 3) for name in ("R_AB", "R", "R_1", "R_2"))
 R_x, R_y, R_z = (MatrixSymbol(name, 3, 3) for name in ("R_x", "R_y", "R_z"))
@@ -186,7 +186,10 @@ MADE = (
 with as_written():
     BOTH = Step(Line(R_AB, R_1 * R_2), values=ENTRIES)
     MADE_ZYX = Line(R_AB, MatMul(R_z, R_y, R_x))
-    AXIS_FOUND = Line(Matrix(E), Matrix([part / (2 * sin(PHI)) for part in formulas.k]))
+    AXIS_FOUND = Line(
+        Matrix(formulas.n),
+        Matrix([part / (2 * sin(formulas.turn)) for part in formulas.turn_vector.right]),
+    )
     READ_ZYX = Line(
         Matrix(ANGLES),
         Matrix(
@@ -326,18 +329,17 @@ euler_4 = Exercise(
     solution=Solution(
         MADE + "Both turns in one matrix, multiplied in the order in which they are made:\n\n{R_AB}"
         "\n\nSubtract the entries on the two sides of its diagonal (r_32 is the entry in row 3 and "
-        "column 2). This gives a vector along the axis, as long as twice the sine of the angle:"
-        "\n\n{k}\n\nThe sum of the diagonal, less 1, is twice the cosine of the angle:\n\n{phi}\n\n"
-        "That is {phi.value:deg}. Divide the vector by its length to have the axis:\n\n{e}\n\n"
+        "column 2). This gives a vector along the axis, as long as twice the sine of the angle. The "
+        "sum of the diagonal, less 1, is twice the cosine:\n\n{turn}\n\n"
+        "That is {turn.value:deg}. Divide the vector by its length to have the axis:\n\n{n}\n\n"
         "The opposite axis with the opposite angle is the other answer. So axis and angle are\n\n"
         "{right}",
-        answer=(("e", "phi"),),
+        answer=(("n", "turn"),),
         R_1=FIRST,
         R_2=SECOND,
         R_AB=BOTH,
-        k=Step(formulas.turn_vector),
-        phi=Step(formulas.turn_angle, values=(PHI,), unit="rad"),
-        e=Step(AXIS_FOUND),
+        turn=Step(formulas.turn_angle, values=(formulas.turn,), unit="rad"),
+        n=Step(AXIS_FOUND),
     ),
 )
 

@@ -17,6 +17,7 @@ third = quantity("third", "rad", -3.14, 3.14, "third turn of a sequence", r"\gam
 turn = quantity("turn", "rad", -3.14, 3.14, "a turn about one axis", latex=r"\vartheta")
 
 TURNS = (first, middle, third)
+LOOKS = {turn: "icr"}
 
 ENTRY = "entry of the rotation matrix: row, column"
 r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
@@ -150,7 +151,7 @@ with as_written():
 
     turn_vector = Equation(
         name="euler.turn_vector",
-        left=Matrix(k),
+        left=Matrix([2 * sin(turn) * part for part in n]),
         right=Matrix([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]),
         source="exercise 2",
         where=MADE,
@@ -159,9 +160,12 @@ with as_written():
     turn_angle = Equation(
         name="euler.turn_angle",
         left=turn,
-        right=atan2(sqrt(Add(k_x**2, k_y**2, k_z**2)), Add(r[0, 0], r[1, 1], r[2, 2], -1)),
+        right=atan2(
+            sqrt(Add(*(difference**2 for difference in turn_vector.right))),
+            Add(r[0, 0], r[1, 1], r[2, 2], -1),
+        ),
         source="exercise 2",
-        where=(*MADE, *zip(k, turn_vector.right, strict=True)),
+        where=MADE,
     )
 
     unit_quaternion = Equation(

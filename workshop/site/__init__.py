@@ -21,6 +21,7 @@ from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
+from workshop.site import predictions
 from workshop.site.checks import FormulaChecks
 from workshop.site.directives import Chapters, Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
@@ -55,6 +56,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("doctree-resolved", mark_formulas)
     app.connect("html-page-context", mark_page)
     app.connect("html-page-context", add_assets)
+    predictions.setup(app)
     app.add_directive("downloads", Downloads)
     app.connect("build-finished", write_assets)
     app.connect("build-finished", write_downloads)

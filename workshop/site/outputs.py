@@ -1,4 +1,4 @@
-"""What a cell of a notebook becomes on a page: a formula, a figure, an exercise, a mistake."""
+"""What a cell becomes on a page: a formula, a figure, an exercise, a mistake, a prediction."""
 
 from collections.abc import Callable
 from html import escape
@@ -15,9 +15,13 @@ from workshop.equations.printing import name_on_page
 from workshop.errors import CourseError
 from workshop.figures.figure import MIME as FIGURE
 from workshop.figures.figure import find as find_figure
+from workshop.practice import dealing
 from workshop.practice import page as practice
 from workshop.practice.notebook import MISTAKE, mistake
+from workshop.predictions.declaration import find as find_prediction
+from workshop.predictions.notebook import MIME as PREDICTION
 from workshop.script import engine
+from workshop.site.predictions import asked
 from workshop.site.sources import depend
 from workshop.symbols.numbers import Slots
 
@@ -32,6 +36,7 @@ class Outputs:
         ("html", FIGURE, 1),
         ("html", practice.MIME, 1),
         ("html", MISTAKE, 1),
+        ("html", PREDICTION, 1),
     )
 
     @staticmethod
@@ -48,6 +53,9 @@ class Outputs:
         if data.mime_type == MISTAKE:
             depend(renderer.renderer.sphinx_env, "exercises")
             return [_mistake(data.content["name"])]
+        if data.mime_type == PREDICTION:
+            depend(renderer.renderer.sphinx_env, "predictions", "formulas", "figures")
+            return [asked(renderer.renderer, told(find_prediction, data.content["name"]))]
         return None
 
 
@@ -97,9 +105,9 @@ def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
     html = practice.box(name, salt, solutions)
     if not env.temp_data.get("practice_desk"):
         env.temp_data["practice_desk"] = True
-        desk = engine.call("workshop.practice.deskHtml")
-        start = f'<div class="rk-desk" data-course="{escape(salt, quote=True)}">{desk}</div>'
-        html = f"{start}\n{html}"
+        desk = engine.call("workshop.practice.deskHtml", salt)
+        data = f'data-course="{escape(salt, quote=True)}" data-version="{dealing.version()}"'
+        html = f'<div class="rk-desk" {data}>{desk}</div>\n{html}'
     return nodes.raw("", html, format="html")
 
 

@@ -80,6 +80,8 @@ t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 100, "number of steps")
 share = quantity("share", "rad", -1, 3, "how the speed is shared between the wheels")
 power = quantity("power", "", 0, 16, "the turning rate is ten to the minus this", latex="p")
+guess_x = quantity("guess_x", "m", -0.3, 0.2, "where the reader guesses the robot, along x")
+guess_y = quantity("guess_y", "m", -0.1, 0.3, "where the reader guesses the robot, along y")
 wish_x = quantity("wish_x", "m/s", -0.2, 0.2, "wished speed along the robot's own x axis")
 wish_y = quantity("wish_y", "m/s", -0.2, 0.2, "wished speed to the robot's left")
 s = Symbol("s")
@@ -383,6 +385,34 @@ def rates_figure() -> Figure:
     )
 
 
+def guess_figure() -> Figure:
+    """A place to guess: where the robot of the exercise will be."""
+    now = driven(t)
+    return Figure(
+        name="guess",
+        title="The robot of the exercise with its wheel arrows, and a mark to put where it will be",
+        view=(-0.3, 0.2, -0.09, 0.3),
+        controls=(
+            Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="your guess: x"),
+            Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="your guess: y"),
+            Clock(t, 0.0, 2.0, start=0.0, step=0.05, label="time"),
+        ),
+        where=((v_L, 0.05), (v_R, 0.1), *VELOCITY),
+        scene=(
+            *robot(START, "ghost"),
+            way("path", 0, t),
+            *robot(now, time=t),
+            *arrows(START, middle=False),
+            Point("target", (guess_x, guess_y), "your guess"),
+        ),
+        handles=(
+            Handle("your guess", (guess_x, guess_y), {guess_x: POINTER[0], guess_y: POINTER[1]}),
+        ),
+        readouts=(),
+        size="step",
+    )
+
+
 def arc_figure() -> Figure:
     """The step along the arc: as far as the chord, along the middle heading."""
     end = (x_next, y_next, theta_next)
@@ -394,7 +424,7 @@ def arc_figure() -> Figure:
         title="A step along an arc: the chord from the old place to the new, the middle heading",
         view=(-0.3, 0.2, -0.09, 0.3),
         controls=(
-            Slider(omega, -1.5, 1.5, start=0.5, step=0.05, label="turning rate ω"),
+            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05, label="turning rate ω"),
             Slider(dt, 0.5, 3.0, start=2.0, step=0.1, label="time Δt"),
         ),
         where=(
@@ -644,6 +674,7 @@ FIGURES = (
     infinity_figure(),
     world_figure(),
     rates_figure(),
+    guess_figure(),
     arc_figure(),
     almost_figure(),
     steps_figure(),

@@ -361,7 +361,9 @@ def rings_figure() -> Figure:
         size="step",
         seen_from=(-pi / 4, pi / 6),
         controls=(
-            Slider(middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"),
+            Slider(
+                middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"
+            ),
             Slider(
                 against, -pi, pi, start=0.0, step=pi / 36, label="outer ring on, inner ring back"
             ),

@@ -112,15 +112,6 @@ def test_a_page_from_disk(name, site, chromium):
         assert not watch.errors + watch.strangers
 
 
-def test_search_finds_a_page(site, server, chromium):
-    """Over http and from disk."""
-    for home in (server, site.as_uri() + "/"):
-        with watched_page(chromium, home) as (page, watch):
-            settled(page, home + "search.html?q=robot")
-            page.wait_for_selector("#search-results li a")
-            assert not watch.errors + watch.strangers
-
-
 def test_menu_on_a_phone(site, server, chromium):
     """The menu button opens the chapters, Escape closes them, focus returns to the button."""
     with watched_page(chromium, server, 390) as (page, watch):

@@ -19,7 +19,7 @@ AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
 LIMIT = 300_000  # bytes, compressed, without pictures
 DESCRIPTION = 160  # characters that search engines show
 PICTURES = ("image", "media")
-GENERATED = ("index", "genindex", "py-modindex", "search")
+GENERATED = ("404", "index", "genindex", "py-modindex", "search")
 PAGES = [f"{name}.html" for name in (*listed(), *GENERATED)]
 each_page = pytest.mark.parametrize("name", PAGES)
 # Opened from disk, pages differ from each other by what they load.

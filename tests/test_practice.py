@@ -11,12 +11,12 @@ from html import escape
 
 import numpy as np
 import pytest
-from declared import COURSE, EXERCISES, each
+from declared import COURSE, EXERCISES, each, table
 
 import robokin
 from workshop import practice
 from workshop.errors import CourseError
-from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page, tables
+from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page
 from workshop.practice.bank import mistakes
 from workshop.script import engine as script
 
@@ -329,7 +329,7 @@ def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
     box.check("-1/3")
     box.another().check("5")
     path = practice.export(tmp_path / "answers.csv")
-    [(_, row)] = tables.read(path, ("student", "exercise", "answer")).rows
+    [row] = table(path)
     wanted = {"student": "=Ada, 1", "exercise": "differential-drive-1", "answer": "-1/3"}
     assert datetime.fromisoformat(row.pop("time")).tzinfo == UTC
     version = dealing.version()

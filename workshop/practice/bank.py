@@ -19,6 +19,7 @@ from workshop.course import course
 from workshop.errors import CourseError
 from workshop.practice.solutions import Solution
 from workshop.practice.wording import number_text, with_unit
+from workshop.practice.wrong import Wrong
 
 Answers = NDArray[np.float64]
 
@@ -37,8 +38,10 @@ TOLERANCES = {  # unit → tolerance, reason
 class Mistake:
     """A mistake that people make, written once: exercises name it, chapters show it.
 
-    name: M1 … M37. says: completes "This is what you get …". line: the wrong line, as code.
+    name: M1 … M37. says: completes "This is what you get …".
     why: why it is wrong, in one to three sentences. unnoticed: where it happens to be right.
+    wrong: the wrong formula, from which what it gives is computed; line: the wrong line, as code,
+    where the formula does not print as one would write it.
     document, place, nth: the source document that has it, where, and which of its errata this
     is, counted from its start; stands, should: what stands there and what should, with what
     changes in « ». explained: why, in the letters of the document, where those of `why` are
@@ -47,15 +50,31 @@ class Mistake:
 
     name: str
     says: str
-    line: str
     why: str
     unnoticed: str
+    line: str = ""
+    wrong: Wrong | None = None
     document: str = ""
     place: str = ""
     nth: int = 0
     stands: str = ""
     should: str = ""
     explained: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.line:
+            object.__setattr__(self, "line", self.formula.line)
+
+    @property
+    def formula(self) -> Wrong:
+        """The wrong formula, of a mistake that is declared as one."""
+        if self.wrong is None:
+            raise CourseError(f"{self.name} has no wrong formula: declare it as `wrong=Wrong(…)`")
+        return self.wrong
+
+    def at(self, values: Mapping[Any, Any]) -> Any:
+        """What the mistake makes, as an expression: for a figure that shows what happens then."""
+        return self.formula.at(values)
 
 
 @dataclass(frozen=True)
@@ -253,5 +272,5 @@ def topics() -> list[str]:
 
 
 def default_salt() -> str:
-    """The course's own name: a teacher's course has another."""
-    return course().name
+    """The name that the site's settings give the course, or its own."""
+    return course().setting("course_name") or course().name

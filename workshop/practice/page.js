@@ -126,4 +126,4 @@ const onPage = () => {
   if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
 };
 
-Object.assign(part, { deskHtml, memory, onPage });
+Object.assign(part, { answersCsv, deskHtml, memory, onPage });

@@ -95,9 +95,7 @@ def drawn(figure, **shown):
 
 def cubes(*places, **more):
     """Boxes of side 1 at places, each of a kind."""
-    scene = [
-        VIEW.solid([solids.box(kind, (1, 1, 1))], EYE, at, **more) for kind, at in places
-    ]
+    scene = [VIEW.solid([solids.box(kind, (1, 1, 1))], EYE, at, **more) for kind, at in places]
     return space(scene=tuple(scene))
 
 

@@ -113,12 +113,10 @@ def die(
     R: Matrix, at: Sequence[Any] = ORIGIN, labels: Sequence[str] = ("x", "y", "z")
 ) -> tuple[Any, ...]:
     """A die on its axes, above a floor."""
-    stubs = [
-        VIEW.arrow(
-            kind, *([at[k] + far * R[k, axis] for k in range(3)] for far in (0.5, 1.05)), label
-        )
-        for axis, (kind, label) in enumerate(zip(AXES, labels, strict=True))
-    ]
+    tail, head = (
+        [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.05)
+    )
+    stubs = map(VIEW.arrow, AXES, tail, head, labels)
     body = VIEW.solid(solids.die("body"), R, at, floor=FLOOR)
     return VIEW.floor(FLOOR, HALF, at), body, *stubs
 
@@ -282,7 +280,8 @@ def target_figure() -> Figure:
 def both_figure() -> Figure:
     """Both answers of XYZ, turn by turn."""
     answers = (TURNS, tuple(euler.other_cardan.right))
-    dice, where = [], ((first, half_turn / 9), (third, half_turn / 6))
+    dice: list[Matrix] = []
+    where: Where = ((first, half_turn / 9), (third, half_turn / 6))
     for name, angles in zip("pq", answers, strict=True):
         turned = [
             euler.turned_about(axis, share(made, k) * each)

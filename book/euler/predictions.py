@@ -1,11 +1,12 @@
 """What a reader of the chapter on Euler angles is asked before it is told."""
 
+from collections.abc import Callable
 from itertools import product
 
 from workshop.predictions import Buttons, Number, Prediction
 
 
-def orders(allowed):
+def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:
     """How many sequences of three axes are allowed."""
     return sum(map(allowed, product("XYZ", repeat=3)))
 
@@ -81,7 +82,7 @@ PREDICTIONS = (
             right=lambda: orders(lambda p: p[0] != p[1] != p[2]),
             assumes={
                 "That takes each axis once.": lambda: orders(lambda p: len(set(p)) == 3),
-                "That allows an axis twice in a row.": lambda: orders(bool),
+                "That allows an axis twice in a row.": lambda: orders(lambda p: True),
             },
             near=0.01,
         ),

@@ -8,7 +8,7 @@ const numberOf = ({ step, key }) => [...step.querySelectorAll(".rk-figure")]
 
 // A number of a formula: as the figure shows it, without its unit unless it is the result.
 const slotText = ({ value, text }, { result, radians, guarded }) => {
-  const plain = text.replace(/^([−\d.]+) .*/, "$1");
+  const plain = text.replace(/^([−\d]\S*) .*/, "$1");
   const shown = result ? text : radians ? trueMinus(value.toFixed(3)) : plain;
   return guarded && shown[0] === "−" ? `(${shown})` : shown;
 };

@@ -27,6 +27,7 @@ from workshop.figures import (
     Slider,
     Turns,
     solids,
+    solved,
     view_sliders,
 )
 
@@ -279,9 +280,10 @@ def target_figure() -> Figure:
 
 def both_figure() -> Figure:
     """Both answers of XYZ, turn by turn."""
-    answers = (TURNS, tuple(euler.other_cardan.right))
+    answers = (TURNS, euler.OTHERS)
+    middle_other = euler.OTHERS[1]
     dice: list[Matrix] = []
-    where: Where = ((first, half_turn / 9), (third, half_turn / 6))
+    where: Where = ((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan))
     for name, angles in zip("pq", answers, strict=True):
         turned = [
             euler.turned_about(axis, share(made, k) * each)
@@ -303,7 +305,7 @@ def both_figure() -> Figure:
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
-            Readout("other", "β′ of the other answer", wrapped(answers[1][1]), "rad", digits=0),
+            Readout("other", "β′ of the other answer", wrapped(middle_other), "rad", digits=0),
             Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
         ),
         says=(
@@ -456,7 +458,7 @@ def one_turn_figure() -> Figure:
             Readout("left", "still to B", angle_of(R_AB.T * R), "rad", digits=1),
         ),
         says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
-        where=entries(whole + (1 - at_once) * two),
+        where=(*entries(whole + (1 - at_once) * two), *solved(euler.turn_angle)),
     )
 
 

@@ -26,6 +26,7 @@ from workshop.site.checks import FormulaChecks
 from workshop.site.directives import Chapters, Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
 from workshop.site.outputs import Outputs
+from workshop.symbols.page import mark_formulas, mark_page
 
 
 def _open_course(app: Sphinx, config: Any) -> None:
@@ -52,6 +53,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_config_value("course_lock", "requirements.txt", "env", str)
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
+    app.connect("doctree-resolved", mark_formulas)
+    app.connect("html-page-context", mark_page)
     app.connect("html-page-context", add_assets)
     predictions.setup(app)
     app.add_directive("downloads", Downloads)

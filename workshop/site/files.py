@@ -18,7 +18,7 @@ from workshop.script import runtime
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
     """The runtime and its style on pages that have a figure or an exercise, and only there."""
     body = context.get("body", "") if doctree else ""
-    if 'class="rk-' in body:
+    if 'class="rk-' in body or "data-symbol" in body:
         app.add_js_file("workshop.js", loading_method="defer")
         app.add_css_file("workshop.css")
 

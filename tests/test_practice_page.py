@@ -8,10 +8,10 @@ from datetime import UTC, datetime, timedelta
 from html import unescape
 
 import pytest
-from declared import COURSE, EXERCISES
+from declared import COURSE, EXERCISES, table
 
 from workshop import practice
-from workshop.practice import dealing, judging, tables
+from workshop.practice import dealing, judging
 from workshop.practice.wording import symbols
 from workshop.script import engine
 
@@ -165,7 +165,7 @@ def test_answers_are_saved_as_grade_reads_them(page, tmp_path):
     path = tmp_path / download.value.suggested_filename
     assert path.name == "answers--Ada-B-.csv"
     download.value.save_as(path)
-    [(_, row)] = tables.read(path, ("student", "exercise", "answer")).rows
+    [row] = table(path)
     time = datetime.fromisoformat(row.pop("time"))
     assert abs(datetime.now(UTC) - time) < timedelta(hours=1)  # now, and in no other zone
     assert row == {
@@ -181,8 +181,7 @@ def saved(page, folder):
     with page.expect_download() as download:
         page.click(".rk-export")
     download.value.save_as(folder / "saved.csv")
-    rows = tables.read(folder / "saved.csv", ("exercise", "answer")).rows
-    return {row["exercise"]: row["answer"] for _, row in rows}
+    return {row["exercise"]: row["answer"] for row in table(folder / "saved.csv")}
 
 
 def test_what_was_not_checked_is_saved_too(page, tmp_path):

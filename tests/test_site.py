@@ -19,7 +19,7 @@ AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
 LIMIT = 300_000  # bytes, compressed, without pictures
 DESCRIPTION = 160  # characters that search engines show
 PICTURES = ("image", "media")
-GENERATED = ("index", "genindex", "py-modindex", "search")
+GENERATED = ("404", "index", "genindex", "py-modindex", "search")
 PAGES = [f"{name}.html" for name in (*listed(), *GENERATED)]
 each_page = pytest.mark.parametrize("name", PAGES)
 # Opened from disk, pages differ from each other by what they load.
@@ -110,15 +110,6 @@ def test_a_page_from_disk(name, site, chromium):
     with watched_page(chromium, home) as (page, watch):
         settled(page, home + name)
         assert not watch.errors + watch.strangers
-
-
-def test_search_finds_a_page(site, server, chromium):
-    """Over http and from disk."""
-    for home in (server, site.as_uri() + "/"):
-        with watched_page(chromium, home) as (page, watch):
-            settled(page, home + "search.html?q=robot")
-            page.wait_for_selector("#search-results li a")
-            assert not watch.errors + watch.strangers
 
 
 def test_menu_on_a_phone(site, server, chromium):

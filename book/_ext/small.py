@@ -10,7 +10,12 @@ from pathlib import Path
 from py_mini_racer import MiniRacer
 
 TERSER = Path(__file__).parents[1] / "_vendor" / "terser" / "bundle.min.js"
-OWN = ("workshop.js", "site.js")  # in _static; what the theme brings is small already
+OWN = (
+    "workshop.js",
+    "site.js",
+    "search.js",
+    "minisearch.js",
+)  # in _static; what the theme brings is small already
 BEFORE = "globalThis.sourceMap = {}; globalThis.performance = Date; globalThis.process = {env: {}};"
 
 

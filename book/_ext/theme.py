@@ -39,14 +39,24 @@ def first_paragraph(doctree):
 
 
 def add_description(app, pagename, templatename, context, doctree):
-    """A description: the page's own (front matter), its first paragraph, or the book's."""
-    if 'name="description"' in context.get("metatags", ""):
-        return
+    """A description: the page's own (front matter), its first paragraph, or the book's; and what
+    a message shows that links the page."""
     own = app.env.metadata.get(pagename, {}).get("description", "")
     text = own or (first_paragraph(doctree) if doctree else "") or app.config.site_description
-    content = html.escape(shortened(text, DESCRIPTION_LENGTH))
-    meta = f'<meta name="description" content="{content}" />'
-    context["metatags"] = f"{context.get('metatags', '')}\n{meta}"
+    title = html.escape(html.unescape(re.sub(r"<[^>]+>", "", context.get("title", ""))))
+    told = html.escape(shortened(text, DESCRIPTION_LENGTH))
+    tags = [
+        *([] if own else [f'<meta name="description" content="{told}" />']),
+        f'<meta property="og:title" content="{title or app.config.html_title}" />',
+        f'<meta property="og:description" content="{told}" />',
+        f'<meta property="og:site_name" content="{app.config.html_title}" />',
+        '<meta property="og:type" content="article" />',
+    ]
+    if pagename == app.config.root_doc and app.config.html_baseurl:
+        context["pageurl"] = app.config.html_baseurl  # it is `index.html`, too
+    if context.get("pageurl"):
+        tags.append(f'<meta property="og:url" content="{context["pageurl"]}" />')
+    context["metatags"] = "\n".join([context.get("metatags", ""), *tags])
 
 
 # --- roles ----------------------------------------------------------------------------------
@@ -113,6 +123,22 @@ def first_page(app, exception):
         shutil.copy(index.with_name(f"{app.config.root_doc}.html"), index)
 
 
+# --- for those who look for pages --------------------------------------------------------------
+
+
+def write_sitemap(app, exception):
+    """Where the site's address is known (`html_baseurl`): a list of its pages for search engines."""
+    base = app.config.html_baseurl
+    if exception or app.builder.name != "html" or not base:
+        return
+    names = [base, *(base + app.builder.get_target_uri(doc) for doc in sorted(app.env.found_docs))]
+    urls = "".join(f"<url><loc>{html.escape(name)}</loc></url>" for name in names)
+    schema = "http://www.sitemaps.org/schemas/sitemap/0.9"
+    head = '<?xml version="1.0" encoding="UTF-8"?>\n'
+    Path(app.outdir, "sitemap.xml").write_text(f'{head}<urlset xmlns="{schema}">{urls}</urlset>\n')
+    Path(app.outdir, "robots.txt").write_text(f"User-agent: *\nSitemap: {base}sitemap.xml\n")
+
+
 # --- honest builds --------------------------------------------------------------------------
 
 
@@ -139,5 +165,6 @@ def setup(app):
     app.connect("html-page-context", name_folds, priority=900)
     app.connect("build-finished", drop_unused)
     app.connect("build-finished", first_page, priority=900)
+    app.connect("build-finished", write_sitemap)
     app.connect("build-finished", forget_failed_build)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -11,8 +11,8 @@ const csvCell = (text) => {
 // entries: exercise → { answer, time }; what was not checked is among them.
 const answersCsv = ({ course, version }, student, entries) => [
   ["kind", "course", "version", "time", "student", "exercise", "answer"],
-  ...Object.entries(entries).map(([exercise, { answer, time = "" }]) =>
-    ["answers", course, version, time, student, exercise, answer]),
+  ...Object.entries(entries).filter(([, { answer }]) => answer).map(([exercise, { answer, time }]) =>
+    ["answers", course, version, time ?? "", student, exercise, answer]),
 ].map((row) => row.map(csvCell).join(",")).join("\r\n") + "\r\n";
 
 const saveAnswers = (course, student, entries) => {

@@ -23,7 +23,6 @@ from sympy import (
 
 from book.differential_drive.figures import n, t
 from book.motion import formulas as motion
-from book.motion.formulas import x, y
 from book.planar_arm import formulas as arm
 from book.planar_arm.formulas import (
     ANGLES,
@@ -36,6 +35,8 @@ from book.planar_arm.formulas import (
     theta1,
     theta2,
     theta3,
+    x,
+    y,
 )
 from workshop.equations.core import Where, as_written, put_in, quantity
 from workshop.figures import (

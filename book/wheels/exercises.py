@@ -27,7 +27,7 @@ BY_ALPHA = {formulas.l: "l", formulas.alpha: "alpha"}
 ROW, SPEEDS, RATES, ALPHAS = (
     symbols(names) for names in ("j_1:4", "s_1:5", r"\dot\varphi_1:5", "alpha_1:4")
 )
-C_X, C_Y, D_X, D_Y, V_X, S, GROUND, SLIP = symbols("c_x c_y d_x d_y v_x s u slip")
+P_X, P_Y, D_X, D_Y, V_X, S, GROUND, SLIP = symbols("p_x p_y d_x d_y v_x s u slip")
 BETA_2, RATE_2, MATRIX = Symbol("β'"), Symbol(r"\dot\varphi'"), Symbol("J_1")
 
 M19 = Mistake(
@@ -227,14 +227,14 @@ def instructive(fixed, steered, free):
     return 3 <= len(robot) <= 6 and without_choice <= 1
 
 
-def turn_about(c_x, c_y, omega, **_):
+def turn_about(p_x, p_y, omega, **_):
     """The velocity of a robot that turns about a point of its own frame."""
-    return np.multiply(omega, [c_y, -c_x, 1])
+    return np.multiply(omega, [p_y, -p_x, 1])
 
 
-def aimed(l, alpha, c_x, c_y, **_):
+def aimed(l, alpha, p_x, p_y, **_):
     """The two steering angles beta with which a wheel's axle points along the line to a point."""
-    beta = np.arctan2(c_y - l * np.sin(alpha), c_x - l * np.cos(alpha)) - alpha
+    beta = np.arctan2(p_y - l * np.sin(alpha), p_x - l * np.cos(alpha)) - alpha
     return motion.wrap_angle([beta, beta + np.pi])
 
 
@@ -295,13 +295,13 @@ with as_written():
     THREE_ROWS = Line(MATRIX, Matrix([row(alpha) for alpha in ALPHAS]))
     ROLLED = Line(Matrix(SPEEDS), Matrix([drive.r * rate for rate in RATES]), "m/s")
     THREE_RATES = Line(Matrix(formulas.omni_rates), Matrix([s / drive.r for s in SPEEDS[:3]]))
-    ABOUT = Line(Matrix([planar.v, planar.v_y]), Matrix([planar.omega * C_Y, -planar.omega * C_X]))
+    ABOUT = Line(Matrix([planar.v, planar.v_y]), Matrix([planar.omega * P_Y, -planar.omega * P_X]))
     TO_POINT = Line(
         Matrix([D_X, D_Y]),
         Matrix(
             [
-                C_X - formulas.l * cos(formulas.alpha),
-                C_Y - formulas.l * sin(formulas.alpha),
+                P_X - formulas.l * cos(formulas.alpha),
+                P_Y - formulas.l * sin(formulas.alpha),
             ]
         ),
         "m",
@@ -515,7 +515,7 @@ wheels_6 = Exercise(
     level=3,
     title="Turn about that point",
     text="A robot has a steered wheel of radius {r} at the distance l = {l} from its centre, at "
-    "α = {alpha}. It must turn at {omega} about the point x = {c_x}, y = {c_y} of its own frame. "
+    "α = {alpha}. It must turn at {omega} about the point x = {p_x}, y = {p_y} of its own frame. "
     "What must be the wheel's steering angle β, and at which rate must the wheel turn? With a "
     "positive rate it rolls in the direction α + β − 90°. There are two answers; give one of them.",
     given={
@@ -523,14 +523,14 @@ wheels_6 = Exercise(
         "l": L,
         "alpha": steps(-150, 180, 15, "°"),
         "omega": TURN,
-        "c_x": steps(-1, 1, 0.25, "m"),
-        "c_y": steps(-1, 1, 0.25, "m"),
+        "p_x": steps(-1, 1, 0.25, "m"),
+        "p_y": steps(-1, 1, 0.25, "m"),
     },
     asks=(angle("β"), Ask("φ̇", "rad/s")),
     accept="any",
     right=about,
     wrong=ways(about_by, M19, M34, M35, beta=aimed),
-    when=lambda c_x, c_y, **_: np.hypot(c_x, c_y) > 0.6,
+    when=lambda p_x, p_y, **_: np.hypot(p_x, p_y) > 0.6,
     solution=Solution(
         "The axle must point to the centre of rotation. From the wheel to that point it is\n\n"
         "{to_point}\n\nThe axle has the direction α + β, so the steering angle is\n\n{beta}\n\n"

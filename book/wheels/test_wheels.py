@@ -737,7 +737,7 @@ def test_a_mecanum_wheels_slip_is_seen_along_its_rollers_axis_only():
 
 @pytest.mark.parametrize("metres", [1.0, 0.01])
 def test_the_nearest_motion_is_that_of_a_length_of_one_metre(metres):
-    """The laboratory's car, asked for all three speeds: reckoned in centimetres it is another one."""
+    """The laboratory's car, asked for all three speeds; in centimetres it is another motion."""
     asked = np.array([0.15, 0.15, 0.5])
     wished = {"robot": "car", "wish": "all three at once"}
     shown = [reads("wheel-laboratory", name, **wished) for name in ("v", "v_y", "omega")]

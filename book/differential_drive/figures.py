@@ -14,7 +14,6 @@ from sympy import (
     Symbol,
     atan2,
     cos,
-    floor,
     log,
     oo,
     pi,
@@ -31,7 +30,6 @@ from book.motion.formulas import (
     dt,
     omega,
     theta,
-    theta_dot,
     theta_m,
     theta_next,
     v,
@@ -78,7 +76,7 @@ RADIUS_TOO = (*VELOCITY, *solved(drive.turning_radius))
 
 t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 100, "number of steps")
-share = quantity("share", "rad", -1, 3, "how the speed is shared between the wheels")
+share = quantity("share", "rad", -1.5, 1.5, "how the speed is shared between the wheels")
 power = quantity("power", "", 0, 16, "the turning rate is ten to the minus this", latex="p")
 guess_x = quantity("guess_x", "m", -0.3, 0.2, "where the reader guesses the robot, along x")
 guess_y = quantity("guess_y", "m", -0.1, 0.3, "where the reader guesses the robot, along y")
@@ -112,10 +110,11 @@ def tip(pose: Any, speed: Any, side: int) -> tuple[Any, Any]:
     return beside(pose, ARROW * speed, side * DISTANCE / 2)
 
 
-def arrows(pose: Any, middle: bool = True) -> tuple[Arrow, ...]:
+def arrows(pose: Any, middle: bool = True, letters: bool = True) -> tuple[Arrow, ...]:
     """The speeds of the wheels, and of the middle of the axle."""
     sides = ((v_L, 1), (v_R, -1), (v, 0))[: 3 if middle else 2]
-    return tuple(Arrow(u, tip(pose, 0, side), tip(pose, u, side)) for u, side in sides)
+    label = None if letters else ""
+    return tuple(Arrow(u, tip(pose, 0, side), tip(pose, u, side), label) for u, side in sides)
 
 
 def pulled() -> tuple[Handle, Handle]:
@@ -270,11 +269,11 @@ def tips_figure() -> Figure:
 
 def infinity_figure() -> Figure:
     """The ICR goes out to one side and comes back from the other; infinity is a point."""
-    deep = 0.12  # m, of the circle that touches the axle at P
-    chi = atan2(DISTANCE / 2 * (v_R + v_L), deep * (v_R - v_L))
-    dot = (-deep * cos(chi) * sin(chi), -deep + deep * cos(chi) ** 2)
+    deep, half = 0.12, DISTANCE / 2  # m: of the circle that touches the axle at P
+    low = -atan2(deep * sin(share), half * cos(share))  # half the angle from its lowest point
+    dot = (deep / 2 * sin(2 * low), -deep / 2 - deep / 2 * cos(2 * low))
     around = (deep / 2 * cos(s), -deep / 2 + deep / 2 * sin(s))
-    turn = atan2(deep * POINTER[0], DISTANCE / 2 * (POINTER[1] + deep))
+    held = atan2(POINTER[0], -POINTER[1] - deep / 2) / 2
     return Figure(
         name="infinity",
         title="The robot, its ICR on the axle's line, and a circle on which infinity is a point",
@@ -282,14 +281,18 @@ def infinity_figure() -> Figure:
         controls=(
             Slider(
                 share,
-                radians(-40),
-                radians(130),
-                start=radians(60),
+                radians(-85),
+                radians(85),
+                start=radians(15),
                 step=radians(1),
-                label="turn: from right to left",
+                label="turning: right … left",
             ),
         ),
-        where=((v_L, 0.1 * cos(share)), (v_R, 0.1 * sin(share)), *RADIUS_TOO),
+        where=(
+            (v_L, 0.07 * (cos(share) - sin(share))),
+            (v_R, 0.07 * (cos(share) + sin(share))),
+            *RADIUS_TOO,
+        ),
         scene=(
             Line("icr", ((-0.4, 0), (0.4, 0))),
             way("path", -8, 8),
@@ -303,7 +306,9 @@ def infinity_figure() -> Figure:
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(
-            Handle("the ICR on the circle", dot, {share: turn - pi * floor(turn / pi) - pi / 4}),
+            Handle(
+                "the ICR on the circle", dot, {share: -atan2(half * sin(held), deep * cos(held))}
+            ),
         ),
         readouts=(
             Readout(v_L, "left wheel v_L"),
@@ -352,7 +357,7 @@ def world_figure() -> Figure:
                 {theta: atan2(POINTER[1], POINTER[0])},
             ),
         ),
-        readouts=(Readout(x_dot), Readout(y_dot), Readout(theta_dot)),
+        readouts=(Readout(x_dot), Readout(y_dot)),
         size="step",
     )
 
@@ -363,7 +368,7 @@ def rates_figure() -> Figure:
     for speed, rate, high in ((v_L, rate_L, 0.02), (v_R, rate_R, -0.1)):
         far = (0.1 + speed * t, high + RADIUS)
         rows += [
-            Line("grid", ((0, high), (0.36, high))),
+            Line("grid", ((0.07, high), (0.36, high))),
             Disc(speed, far, pi / 2 - rate * t, RADIUS),
             Length(speed, (0.1, high), (0.1 + speed * t, high), aside=-0.015, label=""),
             Label(rate, (0.1 + speed * t, high + 2.9 * RADIUS)),
@@ -373,8 +378,8 @@ def rates_figure() -> Figure:
         title="A robot from above and, beside it, its two wheels from the side as they roll",
         view=(-0.1, 0.38, -0.15, 0.18),
         controls=(
-            Slider(v, 0.0, 0.1, start=0.075, step=0.005, label="speed v"),
-            Slider(omega, -1.0, 1.0, start=0.5, step=0.05, label="turning rate ω"),
+            Slider(v, 0.0, 0.1, start=0.05, step=0.005, label="speed v"),
+            Slider(omega, -1.0, 1.0, start=0.0, step=0.05, label="turning rate ω"),
             Clock(t, 0.0, 1.5, start=0.0, step=0.05, loops=True, label="time"),
         ),
         where=((b, DISTANCE), (r, RADIUS), *solved(drive.wheel_speeds, drive.wheel_rates)),
@@ -467,7 +472,7 @@ def almost_figure() -> Figure:
     errors = Max(apart(*(put_in(form, {omega: tenth}) for form in (textbook, exact))), LEAST)
     dot = graph.at((omega, Max(apart(LOST, exact), LEAST)))
     return Figure(
-        name="almost-straight",
+        name="digits",
         title="Two robots, placed by the textbook's form and by the chord; the error against ω",
         view=(-0.09, 0.58, -0.09, 0.33),
         controls=(Slider(power, 0.0, 16.0, start=1.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
@@ -484,7 +489,7 @@ def almost_figure() -> Figure:
             Body(LOST, exact[2], 0.065, kind="approximation"),
             Line("error", (LOST, (exact[0], exact[1]))),
             *graph.shapes(),
-            Curve("approximation", graph.at((tenth, errors)), s, 0, 16, samples=160),
+            Curve("approximation", graph.at((tenth, errors)), s, 0, power),
             Point("error", dot),
         ),
         handles=(
@@ -529,7 +534,7 @@ def steps_figure() -> Figure:
         shapes += [
             Trail(kind, (state[0], state[1]), loop),
             Line("error", ((end[0], end[1]), (exact[0], exact[1]))),
-            Curve(kind, graph.at((s, error)), s, 0.1, 6),
+            Curve(kind, graph.at((s, error)), s, step, 3),
             Point(kind, graph.at((step, apart(end, exact))), words),
         ]
         readouts.append(
@@ -577,7 +582,7 @@ def sideways_figure() -> Figure:
             Line("icr", ((-0.3, 0), (0.3, 0))),
             *robot(pose),
             Line("error", (ahead, wished)),
-            Arrow("ghost", ORIGIN, wished, "wish"),
+            Arrow("approximation", ORIGIN, wished, "wish"),
             Arrow(v, ORIGIN, ahead),
         ),
         handles=(
@@ -613,7 +618,7 @@ def drive_figure() -> Figure:
             Line("icr", ((now[0], now[1]), (centre[0], centre[1]))),
             *robot(now, time=t),
             *arrows(now),
-            *arrows(START, middle=False),
+            *arrows(START, middle=False, letters=False),
             Point("icr", (centre[0], centre[1]), label="ICR"),
         ),
         handles=pulled(),
@@ -645,7 +650,7 @@ def recap_figure() -> Figure:
     end = driven(2.0)
     line = [(at, ARROW * (v + omega * at)) for at in (-0.25, 0.12)]
     return Figure(
-        name="recap",
+        name="summary",
         title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
         view=(-0.26, 0.2, -0.09, 0.22),
         controls=(),

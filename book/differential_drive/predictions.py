@@ -42,8 +42,8 @@ def halved():
 PREDICTIONS = (
     Prediction(
         "how-fast",
-        "The left wheel moves at 5 cm/s, the right one at 10 cm/s. How fast does P move, the middle "
-        "of the axle?",
+        "The left wheel moves at 5 cm/s, the right one at 10 cm/s. How fast does P move, the "
+        "middle of the axle?",
         Number(
             "v",
             "cm/s",
@@ -55,8 +55,8 @@ PREDICTIONS = (
                 "That is the difference: the robot *turns* by it.": (v_R - v_L).subs(SPEEDS),
             },
         ),
-        opens="The axle is stiff, so the tips of all arrows along it lie on one line. In the middle "
-        "the line is as high as the *mean* of its ends.",
+        opens="The axle is stiff, so the tips of all arrows along it lie on one line. In the "
+        "middle the line is as high as the *mean* of its ends.",
         hides=("the mean of", "half the sum"),
     ),
     Prediction(
@@ -82,17 +82,17 @@ PREDICTIONS = (
             ("0.5 rad/s", "−0.5 rad/s", "0"),
             right=lambda: f"{motion.to_world(np.pi, [0.075, 0, 0.5])[2]:.1f} rad/s",
             assumes={
-                "−0.5 rad/s": "The arrow of the speed is reversed along an axis, the sense of a turn is not.",
+                "−0.5 rad/s": "Seen from there, the arrow points elsewhere; the turn does not.",
                 "0": "A turn has no direction in the plane that could be lost.",
             },
         ),
-        opens="A turn in the plane looks the same from everywhere. Only the arrow of the speed gets "
-        "other parts.",
+        opens="A turn in the plane looks the same from everywhere. Only the arrow of the speed "
+        "gets other parts.",
         hides=("the same from everywhere",),
     ),
     Prediction(
         "wheel-rate",
-        "The right wheel, of radius 3 cm, rolls at 10 cm/s. How fast does it turn about its own axle?",
+        "The right wheel, of radius 3 cm, rolls at 10 cm/s. How fast does it turn on its axle?",
         Number(
             "rate",
             "rad/s",
@@ -136,14 +136,14 @@ PREDICTIONS = (
                 "it stays right": "In exact numbers yes; a computer keeps 16 digits.",
             },
         ),
-        opens="The two sines are almost equal. Their difference keeps few correct digits, and the huge "
-        "$v/\\omega$ blows the error up.",
+        opens="The two sines are almost equal. Their difference keeps few correct digits, and the "
+        "huge $v/\\omega$ blows the error up.",
         hides=("gets worse as", "blows"),
     ),
     Prediction(
         "twice-as-many",
-        "Many programs drive straight for a short time, then turn, and so on (Euler's method). With "
-        "twice as many steps, how large is the error?",
+        "Many programs drive straight for a short time, then turn, and so on (Euler's method). "
+        "With twice as many steps, how large is the error?",
         Buttons(
             ("as large", "half as large", "a quarter"),
             right=halved,
@@ -152,8 +152,8 @@ PREDICTIONS = (
                 "a quarter": "That is the rule with the middle heading.",
             },
         ),
-        opens="The error falls with the step: slope 1 in the graph, *a method of order 1*. Steps along "
-        "the middle heading have slope 2: the error falls with the square of the step.",
+        opens="The error falls with the step: slope 1 in the graph, *a method of order 1*. Steps "
+        "along the middle heading have slope 2: the error falls with the square of the step.",
         hides=("slope 1", "order 1"),
     ),
     Prediction(
@@ -164,10 +164,11 @@ PREDICTIONS = (
             right="nowhere: no answer",
             assumes={
                 "at P": "P stands still, and so does every other point.",
-                "infinitely far away": "That is the answer straight ahead; here even near points stand still.",
+                "infinitely far away": "So it is straight ahead; here near points rest, too.",
             },
         ),
-        opens="Every point is at rest, so none is *the* centre. The library answers `nan`, not a number.",
+        opens="Every point is at rest, so none is *the* centre. The library answers `nan`: not a "
+        "number.",
         hides=("every point is at rest", "`nan`"),
     ),
 )

@@ -317,6 +317,11 @@ euler_3 = Exercise(
         ),
         M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, wrong_way(turn)),
     },
+    also={
+        "when R_1 itself stands where its transpose belongs": lambda R_AB, axis, turn: (
+            one_turn(axis, turn) @ QUARTERS[R_AB]
+        ),
+    },
     derive=lambda R_AB, axis, turn: {"entries": QUARTERS[R_AB]},
     solution=Solution(
         "The turn already made, by ϑ = {turn} about {axis}, has the matrix\n\n{R_1}\n\n"

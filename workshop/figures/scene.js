@@ -3,11 +3,12 @@
 // Pixels, before a page tells how wide it is.
 const widthOf = ({ size }) => (size === "step" ? 460 : 640);
 
-// From world coordinates to pixels; it gathers the labels, which are placed when all is drawn.
+// From world coordinates to pixels; it gathers the labels, which are placed
+// when all is drawn, and the boxes of other texts.
 const projection = (view, width) => {
   const scale = width / (view[1] - view[0]);
   const to = ([x, y]) => [(x - view[0]) * scale, (view[3] - y) * scale];
-  return Object.assign(to, { scale, labels: [] });
+  return Object.assign(to, { scale, labels: [], taken: [] });
 };
 
 const heightOf = ({ view }, width) => n(width * (view[3] - view[2]) / (view[1] - view[0]));
@@ -57,7 +58,7 @@ const scene = (figure, computed, width, state) => {
   // those with a depth change places among themselves: the nearest is painted last
   const deep = pieces.filter((piece) => "depth" in piece).sort((a, b) => a.depth - b.depth);
   const grips = figure.handles.map(({ at }) => to(at.map((index) => computed.values[index])));
-  const [labels, taken] = placed(to.labels, grips, [width, height]);
+  const [labels, taken] = placed(to, grips, [width, height]);
   const ground = figure.grid === false ? "" : grid(view, to, width, height, taken);
   return ground + pieces.map((piece) => ("depth" in piece ? deep.shift() : piece).text).join("")
     + labels;

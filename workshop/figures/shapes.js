@@ -31,12 +31,12 @@ const label = (to, x, y, shape, toward = [1, -1]) => {
 };
 
 const AROUND = [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]];
-const FAR = [4, 12, 22, 34, 48]; // pixels between a place and its label
+const FAR = [4, 12, 22, 34, 48, 66, 90, 120]; // pixels between a place and its label
 const meets = ([a, b, c, d]) => ([p, q, r, s]) => a < r && p < c && b < s && q < d;
 
 // How wide a text will be, rather too much than too little; marks above letters take no room.
-const wide = (text) => [...text.replace(/[\u0300-\u036f]/g, "")]
-  .reduce((sum, sign) => sum + (/[mwMW—]/.test(sign) ? 13 : /[ .,:()′'|lij]/.test(sign) ? 5.5 : 9), 0);
+const wide = (text) => [...text.normalize("NFC").replace(/[\u0300-\u036f]/g, "")]
+  .reduce((sum, sign) => sum + (/[mwMW]|[^\0-~]/.test(sign) ? 13 : /[ .,:()'|lij]/.test(sign) ? 5.5 : 10), 0);
 
 const written = ({ x, y, shape }) => `<text x="${n(x)}" y="${n(y + 5)}" text-anchor="middle"`
   + `${faceOf(shape)} style="fill:${color(shape.kind)};stroke:var(--rk-ground,#fff);`
@@ -45,10 +45,10 @@ const written = ({ x, y, shape }) => `<text x="${n(x)}" y="${n(y + 5)}" text-anc
 
 // Each label takes the first place that is inside the picture and free of handles and of the labels
 // before it. → their text, and the boxes that are taken.
-const placed = (labels, grips, [width, height]) => {
-  const taken = grips.map(([x, y]) => [x - 10, y - 10, x + 10, y + 10]);
+const placed = ({ labels, taken: already }, grips, [width, height]) => {
+  const taken = [...already, ...grips.map(([x, y]) => [x - 10, y - 10, x + 10, y + 10])];
   const texts = labels.map((one) => {
-    const w = wide(one.shape.label) / 2, h = 10, ways = [one.toward, ...AROUND];
+    const w = wide(one.shape.label) / 2, h = 11, ways = [one.toward, ...AROUND];
     const spots = FAR.flatMap((far) => ways.map(([dx, dy]) => [
       Math.min(width - w - 2, Math.max(w + 2, one.x + dx * (w + far))),
       Math.min(height - h - 2, Math.max(h + 2, one.y + dy * (h + far))),

@@ -2,7 +2,7 @@
 
 const NAMELESS = "Type your name first: it picks your numbers.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
-  + "browser, nothing is sent. Give three decimals. Answers can be 0.5, 1/3, pi/3, sqrt(3)/2, "
+  + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, 1/3, pi/3, sqrt(3)/2, "
   + "30°, or a list: [1, 2].";
 
 const deskHtml = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`

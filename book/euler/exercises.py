@@ -355,8 +355,8 @@ euler_4 = Exercise(
     solution=Solution(
         MADE + "Both turns in one matrix, multiplied in the order in which they are made:\n\n{R_AB}"
         "\n\nSubtract the entries on the two sides of its diagonal (r_32 is the entry in row 3 and "
-        "column 2). This gives a vector along the axis, as long as twice the sine of the angle. The "
-        "sum of the diagonal, less 1, is twice the cosine:\n\n{turn}\n\n"
+        "column 2). This gives a vector along the axis, as long as twice the sine of the angle. "
+        "The sum of the diagonal, less 1, is twice the cosine:\n\n{turn}\n\n"
         "That is {turn.value:deg}. Divide the vector by its length to have the axis:\n\n{n}\n\n"
         "The opposite axis with the opposite angle is the other answer. So axis and angle are\n\n"
         "{right}",

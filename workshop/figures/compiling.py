@@ -27,7 +27,9 @@ def factor(unit: str) -> float:
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
-    return [s for c in controls for s in getattr(c, "symbols", None) or (c.symbol,)]
+    return [
+        s for c in controls for s in (c.symbols if isinstance(c, d.Choice | Turns) else (c.symbol,))
+    ]
 
 
 # type → its word in the script, what is computed, what is given as it is

@@ -87,7 +87,7 @@ def facts(symbol: NamedSymbol, chapter: str) -> list[str]:
 def rules() -> str:
     """Letters in the colour of their quantity."""
     return "".join(
-        f'html[data-theme] :is(.katex, .highlight, .rk-note) [data-look="{kind}"] '
-        f"{{ color: var(--rk-{kind}); }}\n"
+        f'html[data-theme] :is(.katex, .highlight, .rk-named) [data-look="{kind}"] '
+        f"{{ color: color-mix(in srgb, var(--rk-{kind}) 85%, currentcolor); }}\n"
         for kind in course().looks
     )

@@ -1,9 +1,10 @@
 // Hover, tap or focus of a symbol lights all its faces within the step, and a note names it.
 
-const FACE = "[data-symbol]", FORMULA = ".math-scroll";
+// A step is a section without the sections in it.
+const FACE = "[data-symbol]", FORMULA = ".math-scroll", WITHIN = "> :not(section)";
 let lit = null, note, rule; // lit: { face, key, step, by }
 
-const numberOf = ({ step, key }) => [...step.querySelectorAll(".rk-figure")]
+const numberOf = ({ step, key }) => [...step.querySelectorAll(`:scope ${WITHIN} .rk-figure`)]
   .map((figure) => figure.workshop?.numbers()[key]?.text).find(Boolean);
 
 // A number of a formula: as the figure shows it, without its unit unless it is the result.
@@ -47,10 +48,10 @@ const light = (face, by) => {
   clear();
   lit = { face, key, step, by };
   step.classList.add("rk-here");
-  const all = `.rk-here [data-symbol="${CSS.escape(key)}"]`;
-  rule.textContent = `${all} { background: var(--rk-lit); border-radius: 3px; }`
-    + `@media (forced-colors: active) { ${all} { outline: 2px solid Highlight; } }`
-    + `.rk-here svg ${all.slice(9)} { filter: var(--rk-glow); }`;
+  const here = `.rk-here ${WITHIN}`, all = `[data-symbol="${key}"]`;
+  rule.textContent = `${here} ${all} { background: var(--rk-lit); border-radius: 3px; }`
+    + `@media (forced-colors: active) { ${here} ${all} { outline: 2px solid Highlight; } }`
+    + `${here} svg ${all} { filter: var(--rk-glow); }`;
   note.hidden = false;
   note.ariaLive = "polite";
   write();
@@ -59,7 +60,7 @@ const light = (face, by) => {
 
 const onPage = () => {
   if (!globalThis.workshopSymbols) return;
-  document.body.insertAdjacentHTML("beforeend", `<div class="rk-note" role="status" hidden></div>`);
+  document.body.insertAdjacentHTML("beforeend", `<div class="rk-named" role="status" hidden></div>`);
   note = document.body.lastElementChild;
   rule = document.head.appendChild(document.createElement("style"));
   const faceOf = (event) => event.target.closest?.(FACE);

@@ -386,7 +386,7 @@ def rings_figure() -> Figure:
             ),
             VIEW.solid(AEROPLANE, three),
             VIEW.solid((solids.ball("velocity"),), 0.6 * free, beside),
-            Label("velocity", (2.65, -1.1), "turns it can make now"),
+            Label("velocity", (2.65, -1.1), "free turns"),
         ),
         readouts=(
             Readout("room", "freedom: 1 best, 0 locked", Abs(cos(middle)), ""),

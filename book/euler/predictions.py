@@ -59,19 +59,19 @@ PREDICTIONS = (
     ),
     Prediction(
         "other-answer",
-        "Do other angles between −180° and 180° make the same matrix?",
+        "Where do these two dice end, after all three turns?",
         Buttons(
-            ("no", "yes, one other triple", "yes, seven others"),
-            right="yes, one other triple",
+            ("alike for every β", "alike for one β only", "half a turn apart"),
+            right="alike for every β",
             assumes={
-                "no": "The formula takes the positive root, that is a positive $\\cos\\beta$. A "
-                "negative one is as good.",
-                "yes, seven others": "The three half turns depend on each other.",
+                "alike for one β only": "Move $\\beta$: the right die goes on from the other side.",
+                "half a turn apart": "There are two half turns more, and they undo each other.",
             },
         ),
-        opens="Turn the die over first, go on from the other side, turn it back. Press *Play*: "
-        "another way, the same end.",
-        hides=("the same end",),
+        opens="The first half turn lays the die on its other side, $180° - \\beta$ goes on from there, "
+        "the last half turn turns it back. Press *Play*. So every matrix has two answers; "
+        "textbooks take the one with a positive $\\cos\\beta$.",
+        hides=("two answers",),
     ),
     Prediction(
         "how-many-orders",

@@ -112,19 +112,48 @@ def test_a_page_from_disk(name, site, chromium):
         assert not watch.errors + watch.strangers
 
 
-def test_menu_on_a_phone(site, server, chromium):
-    """The menu button opens the chapters, Escape closes them, focus returns to the button."""
+@pytest.mark.parametrize(
+    ("toggle", "menu"),
+    [(".primary-toggle", "nav.bd-docs-nav"), (".secondary-toggle", "nav.page-toc")],
+)
+def test_a_menu_on_a_phone(site, server, chromium, toggle, menu):
+    """Escape, a button and a choice close it; focus returns to the button that opened it."""
     with watched_page(chromium, server, 390) as (page, watch):
-        settled(page, server + "index.html")
-        chapters = page.locator("nav.bd-docs-nav")
-        assert not chapters.is_visible()
-        page.locator(".primary-toggle").click()
-        chapters.wait_for(state="visible")
-        page.keyboard.press("Escape")
-        chapters.wait_for(state="hidden")
-        page.locator(".primary-toggle").click()
-        chapters.locator("a").last.click()
-        page.wait_for_load_state("networkidle")
+        settled(page, server + "bicycle/bicycle.html")
+        button, entries = page.locator(toggle).first, page.locator(menu)
+        ways = (
+            lambda: page.keyboard.press("Escape"),
+            page.locator("dialog[open] .site-close").click,
+            entries.locator("a[href^='#']").last.click,
+        )
+        for close in ways:
+            button.click()
+            entries.wait_for(state="visible")
+            close()
+            entries.wait_for(state="hidden")
+            assert button.evaluate("(each) => each === document.activeElement")
+        assert not watch.errors
+
+
+def test_on_paper(site, server, chromium):
+    """What is folded lies open, unless it shall not; from dark to light; and all comes back."""
+    state = """(event) => {
+      dispatchEvent(new Event(event));
+      const folds = [...document.querySelectorAll("details")];
+      return [document.documentElement.dataset.theme, folds.filter((fold) => fold.open).length];
+    }"""
+    with watched_page(chromium, server, scheme="dark") as (page, watch):
+        settled(page, server + "bicycle/bicycle.html")
+        folds = page.locator("details").count()
+        assert page.evaluate(state, "beforeprint") == ["light", folds]
+        assert page.evaluate(state, "afterprint") == ["dark", 0]
+        page.evaluate("() => { window.print = () => {}; }")
+        page.locator("[data-print=shut]").click()
+        assert page.evaluate(state, "beforeprint") == ["light", 0]
+        page.emulate_media(media="print")
+        assert not page.locator(".bd-sidebar-primary, .bd-header-article").first.is_visible()
+        code = page.locator(".cell_input pre").first
+        assert code.evaluate("(each) => getComputedStyle(each).whiteSpace") == "pre-wrap"
         assert not watch.errors
 
 

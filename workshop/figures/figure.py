@@ -99,9 +99,9 @@ class Figure:
         compute = "((figure) => (f, c) => workshop.figures.compute(figure, c).values)"
         return evaluate(f"{compute}({self.code})", points)
 
-    def picture(self) -> str:
-        """The still picture (SVG) of the starting state."""
-        return str(engine.run(f"workshop.figures.svg({self.code})"))
+    def picture(self, width: int = 640) -> str:
+        """The still picture (SVG) of the starting state; width in pixels."""
+        return str(engine.run(f"workshop.figures.svg({self.code}, undefined, {width})"))
 
     def html(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""

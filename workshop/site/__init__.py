@@ -3,8 +3,9 @@
 A cell's formula becomes a numbered equation, a cell's figure its still picture that the script
 takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
 against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
-`{errata}` (what is wrong in the source documents), `{chapters}` (a table of them), `{library}`
-(its functions), `{downloads}` (what notebooks need).
+`{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
+`{promise}` (what was counted and checked), `{library}` (its functions), `{downloads}` (what
+notebooks need).
 Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
 picks each student's numbers; without one the course's own name), `course_solutions`,
 `course_wheels` and `course_lock` (what a downloaded notebook needs).
@@ -22,8 +23,9 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
 from workshop.site.checks import FormulaChecks
-from workshop.site.directives import Chapters, Errata, Library, Notation, Practice
+from workshop.site.directives import Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
+from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
 
 
@@ -42,6 +44,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("notation", Notation)
     app.add_directive("practice", Practice)
     app.add_directive("chapters", Chapters)
+    app.add_directive("live", Live)
+    app.add_directive("promise", Promise)
     app.add_directive("library", Library)
     app.add_directive("errata", Errata)
     app.add_config_value("course_package", "", "env", str)

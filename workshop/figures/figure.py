@@ -108,12 +108,8 @@ class Figure:
         return str(engine.run(f"workshop.figures.html({self.code})"))
 
     def on_page(self) -> str:
-        """The HTML of the figure, and the code that brings it to life."""
-        code = self.code.replace("</", "<\\/")
-        return (
-            f'<figure class="rk-figure" id="{self.name}">{self.html()}</figure>\n'
-            f"<script>(window.workshopFigures ??= []).push({code});</script>\n"
-        )
+        """The HTML of the figure, which the script brings to life."""
+        return f'<figure class="rk-figure" id="{self.name}">{self.html()}</figure>\n'
 
     @cached_property
     def widget(self) -> Widget:

@@ -57,6 +57,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("config-inited", _open_course)
     app.connect("html-page-context", add_assets)
     app.add_directive("downloads", Downloads)
-    app.connect("build-finished", write_assets)
+    app.connect("env-updated", write_assets)
     app.connect("build-finished", write_downloads)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

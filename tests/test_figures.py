@@ -309,6 +309,34 @@ def test_a_wrong_declaration_is_refused(parts, message):
         _ = declared(**parts).code
 
 
+def told_numbers(figure):
+    """Every number of the start that has a symbol, as a page tells it."""
+    return script.run(
+        f"((figure, state) => workshop.figures.numbers(figure, state, workshop.figures.compute("
+        f"figure, workshop.figures.settings(figure, state))))({figure.code}, {started(figure)})"
+    )
+
+
+def test_numbers_are_told_by_symbol():
+    """Sliders, readouts and named steps that are quantities; in SI and as shown."""
+    theta, v = motion_formulas.theta, motion_formulas.v
+    figure = declared(
+        controls=(Slider(theta, 0.0, 2.0, start=np.pi / 6, step=np.pi / 180),),
+        where=((a, sp.sin(theta)), (v, 4 * a)),
+        scene=(Point("target", (a, 0)),),
+        readouts=(Readout(v, digits=1), Readout("twice", "twice", 2 * a, "m")),
+        says="{v}",
+    )
+    numbers = told_numbers(figure)
+    assert {key: number["text"] for key, number in numbers.items()} == {
+        "motion.theta": "30°",
+        "motion.x": "0.5 m",
+        "motion.v": "2.0 m/s",
+    }
+    values = [number["value"] for number in numbers.values()]
+    np.testing.assert_allclose(values, [0.5, 2.0, np.pi / 6], rtol=4 * EPS)
+
+
 CASES = Choice("which", "which", (a,), {"small": (0.1,), "large": (0.9,)}, start="small")
 COUNT = Slider(a, 1, 5, start=2, step=1)
 

@@ -3,7 +3,7 @@
 from sympy import Matrix, Ne, Piecewise, nan, oo
 
 from book.motion.formulas import omega, v, v_y
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 rate_L = quantity("rate_L", "rad/s", -20, 20, "rate of the left wheel", latex=r"\dot\varphi_L")
 rate_R = quantity("rate_R", "rad/s", -20, 20, "rate of the right wheel", latex=r"\dot\varphi_R")
@@ -12,6 +12,8 @@ v_R = quantity("v_R", "m/s", -1, 1, "speed of the right wheel over the floor")
 r = quantity("r", "m", 0.01, 0.5, "wheel radius")
 b = quantity("b", "m", 0.05, 1, "distance between the wheels, the whole of it")
 R = quantity("R", "m", -10, 10, "turning radius: how far to the left the ICR lies")
+rate = sign("rate", "rate of a wheel", r"\dot\varphi", "rad/s")
+u = sign("u", "half of the angle that is turned in a step", unit="rad")
 
 
 with as_written():

@@ -66,9 +66,9 @@ M8 = Mistake(
 )
 
 
-A, B, C, PHI = symbols("a b c varphi")
+A, B, C, PHI = symbols("a b c vartheta")
 YAW, PITCH, ROLL = symbols("yaw pitch roll")
-E = symbols("e_x e_y e_z")
+E = symbols("n_x n_y n_z")
 SEEN = MatrixSymbol("p_A", 3, 1)
 R_AB, REST, R_1, R_2 = (MatrixSymbol(name, 3, 3) for name in ("R_AB", "R", "R_1", "R_2"))
 R_x, R_y, R_z = (MatrixSymbol(name, 3, 3) for name in ("R_x", "R_y", "R_z"))
@@ -311,11 +311,11 @@ euler_4 = Exercise(
     level=2,
     title="One turn in place of two",
     text="A camera is turned first by {a} about its {first} axis, and then by {b} about its new "
-    "{second} axis. One single turn can do the same. About which axis e (a vector of length 1, as "
-    "seen before the turns), and by what angle φ? The opposite axis with the opposite angle is as "
+    "{second} axis. One single turn can do the same. About which axis n (a vector of length 1, as "
+    "seen before the turns), and by what angle ϑ? The opposite axis with the opposite angle is as "
     "good.",
     given=TURNS,
-    asks=(Ask("e_x"), Ask("e_y"), Ask("e_z"), angle("φ")),
+    asks=(Ask("n_x"), Ask("n_y"), Ask("n_z"), angle("ϑ")),
     accept="any",
     right=lambda **turns: both_ways(two_turns(**turns)),
     wrong={

@@ -13,6 +13,7 @@ def latex(expression: Any) -> str:
     text: str = sp.latex(expression, order="none")
     if r"\frac" in text:
         text = text.replace(r"\\", FRACTIONS_APART)
+    text = text.replace("^{T}", r"^{\top}")  # one sign for the transposed in the whole course
     return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
 
 
@@ -35,12 +36,14 @@ def _plain(expression: Any) -> str:
     return str(sp.sstr(listed, order="none")).replace("- 1*", "- ")
 
 
-def mimebundle(name: str, computed: bool, left: Any, right: Any) -> dict[str, Any]:
+def mimebundle(
+    name: str, computed: bool, left: Any, right: Any, figure: str = ""
+) -> dict[str, Any]:
     """The output of a cell: the formula's name for the page, tagged LaTeX for a notebook."""
     label = name_on_page(name, computed)
     formula, tag = both_sides(left, right), label.replace("_", r"\_")
     return {
-        MIME: {"name": name, "computed": computed},
+        MIME: {"name": name, "computed": computed, **({"figure": figure} if figure else {})},
         "text/latex": rf"$$ {formula} \tag{{{tag}}} $$",
         "text/plain": f"{_plain(left)} = {_plain(right)}   ({label})",
     }

@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from workshop.course import course
-from workshop.equations.core import NamedSymbol, Where, told
+from workshop.equations.core import NamedSymbol, Where, look, refuse_unknown_kind, told
+from workshop.equations.text import symbol_text
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
@@ -44,8 +44,10 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
 class Compiler:
     """Collects the expressions of one figure, so that all of them become one function."""
 
-    def __init__(self, controls: Sequence[Control], shapes: Sequence[Any], where: Where) -> None:
-        self.controls = controls
+    def __init__(
+        self, controls: Sequence[Control], shapes: Sequence[Any], where: Where, chapter: str
+    ) -> None:
+        self.controls, self.chapter = controls, chapter
         self.settings = settings(controls)
         trails = [s.recurrence for s in shapes if isinstance(s, d.Trail)]
         self.recurrences = list({id(r): r for r in trails}.values())
@@ -70,6 +72,13 @@ class Compiler:
             self.expressions.append(expression)
         return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
 
+    def face(self, kind: Any, label: str | None = None) -> dict[str, Any]:
+        """Look and label of what has a kind; of a quantity its letter and its key, too."""
+        if not isinstance(kind, NamedSymbol):
+            return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
+        letter = symbol_text(kind) if label is None else label
+        return {"kind": look(kind, self.chapter), "label": letter, "symbol": kind.key}
+
     def control(self, control: Control) -> dict[str, Any]:
         """A control as the script reads it, in the unit that the reader sees."""
         if isinstance(control, d.Choice):
@@ -84,16 +93,15 @@ class Compiler:
             }
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
-        if control.kind:
-            _refuse_unknown_kind(control.kind)
+        face = self.face(control.symbol, control.label or None)
         known = control.symbol
         scale = factor(known.unit)
         step = _tidy(control.step / scale)
         return {
             "type": "clock" if isinstance(control, d.Clock) else "slider",
             "key": str(control.symbol),
-            "label": control.label or str(control.symbol),
-            "kind": control.kind,
+            **face,
+            "kind": self.face(control.kind)["kind"] or face["kind"],
             "unit": "°" if known.unit == "rad" else known.unit,
             "factor": scale,
             "low": _tidy(control.low / scale),
@@ -109,9 +117,13 @@ class Compiler:
         """A shape as the script reads it: its numbers by place, its curve as a function."""
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
-        _refuse_unknown_kind(shape.kind)
         word, coordinates, sizes = SHAPES[type(shape)]
-        found = {"kind": shape.kind, "label": getattr(shape, "label", "")}
+        found = self.face(shape.kind, getattr(shape, "label", ""))
+        if not found["kind"]:
+            raise CourseError(
+                f"{shape.kind} has no look: add it to LOOKS in formulas.py of {self.chapter}, "
+                "or give the shape the name of a kind"
+            )
         depth = getattr(shape, "depth", None)
         if depth is not None and not isinstance(shape, d.Curve):
             found["depth"] = self.numbers(depth)[0]
@@ -160,12 +172,26 @@ class Compiler:
         self.numbers(readout.value)
         return {
             "key": readout.name,
-            "label": readout.label,
+            **self.face(readout.symbol or "", readout.label),
             "unit": "°" if readout.unit == "rad" else readout.unit,
             "factor": 1 / factor(readout.unit),
             "digits": readout.digits,
             "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
         }
+
+    def known_steps(self) -> list[dict[str, Any]]:
+        """The named steps that are quantities, with their places among all known numbers."""
+        start = len(self.known) - len(self.where)
+        return [
+            {
+                "symbol": symbol.key,
+                "at": start + place,
+                "unit": "°" if symbol.unit == "rad" else symbol.unit,
+                "factor": 1 / factor(symbol.unit),
+            }
+            for place, (symbol, _) in enumerate(self.where)
+            if isinstance(symbol, NamedSymbol)
+        ]
 
     def steps(self) -> "Code":
         """The function that computes the named steps, from settings and last states."""
@@ -191,11 +217,6 @@ def javascript(value: Any) -> str:
     if isinstance(value, list):
         return "[" + ", ".join(map(javascript, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
-
-
-def _refuse_unknown_kind(kind: str) -> None:
-    if kind not in course().looks:
-        raise CourseError(f"there is no kind {kind!r}; there are {', '.join(course().looks)}")
 
 
 def _tidy(number: float) -> float:

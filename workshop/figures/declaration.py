@@ -2,6 +2,10 @@
 
 Controls give symbols their numbers; shapes, readouts and handles are SymPy expressions of these
 symbols. Numbers in a declaration are SI (radians); the reader sees degrees.
+
+A `kind` is a name of the course's looks, or a quantity: then its look comes from the chapter's
+`LOOKS`, its label is the quantity's letter unless said otherwise, and on the page it belongs to
+that quantity. A slider and a readout follow from their quantity likewise.
 """
 
 from collections.abc import Mapping
@@ -10,7 +14,11 @@ from typing import Any
 
 import sympy as sp
 
+from workshop.equations.core import NamedSymbol
+from workshop.equations.text import symbol_text
+
 Expr = Any
+Kind = Any  # a name, or a quantity
 Pair = tuple[Expr, Expr]
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
@@ -21,7 +29,7 @@ POINTER = sp.symbols("pointer_x pointer_y", real=True)
 
 @dataclass(frozen=True)
 class Slider:
-    """A symbol under the hand. low, high, start, step in SI; unit from the quantity.
+    """A symbol under the hand. low, high, start, step in SI; unit and face from the quantity.
 
     A step of type int: the symbol is always a whole number.
     """
@@ -81,7 +89,7 @@ class Recurrence:
     ends: tuple[sp.Symbol, ...]
 
 
-# The scene: what is drawn. `kind` is a name of the course's looks. Shapes are painted as declared;
+# The scene: what is drawn. Shapes are painted as declared;
 # those with a `depth` (larger is nearer) change places among themselves: the nearest comes last.
 
 
@@ -93,9 +101,9 @@ class Point:
     origin in metres, unless `edge` is False.
     """
 
-    kind: str
+    kind: Kind
     at: Pair
-    label: str = ""
+    label: str | None = None
     depth: Expr = None
     edge: bool = True
 
@@ -104,7 +112,7 @@ class Point:
 class Line:
     """Straight pieces through several points."""
 
-    kind: str
+    kind: Kind
     points: tuple[Pair, ...]
     depth: Expr = None
 
@@ -113,10 +121,10 @@ class Line:
 class Arrow:
     """From `tail` to `head`."""
 
-    kind: str
+    kind: Kind
     tail: Pair
     head: Pair
-    label: str = ""
+    label: str | None = None
     depth: Expr = None
 
 
@@ -124,7 +132,7 @@ class Arrow:
 class Wheel:
     """A wheel from above, rolling along `angle`; length and width in metres."""
 
-    kind: str
+    kind: Kind
     at: Pair
     angle: Expr
     length: float
@@ -138,14 +146,14 @@ class Body:
     at: Pair
     angle: Expr
     radius: float
-    kind: str = "body"
+    kind: Kind = "body"
 
 
 @dataclass(frozen=True)
 class Curve:
     """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too."""
 
-    kind: str
+    kind: Kind
     at: Pair
     parameter: sp.Symbol
     low: Expr
@@ -158,7 +166,7 @@ class Curve:
 class Trail:
     """The points `at` of every state of a recurrence: a line through them, dots on the first 60."""
 
-    kind: str
+    kind: Kind
     at: Pair
     recurrence: Recurrence
     line: bool = True
@@ -169,12 +177,12 @@ class Trail:
 class AngleArc:
     """The arc of an angle around a point."""
 
-    kind: str
+    kind: Kind
     at: Pair
     start: Expr
     end: Expr
     radius: float
-    label: str = ""
+    label: str | None = None
 
 
 # Numbers beside the picture.
@@ -182,11 +190,23 @@ class AngleArc:
 
 @dataclass(frozen=True)
 class Readout:
-    """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan"."""
+    """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan".
 
-    name: str
-    label: str
-    value: Expr
-    unit: str
+    A quantity as the name gives its letter and unit, and itself as the value.
+    """
+
+    name: Any
+    label: str = ""
+    value: Expr = None
+    unit: str = ""
     digits: int = 3
     words: Mapping[str, str] = field(default_factory=dict)
+    symbol: NamedSymbol | None = None
+
+    def __post_init__(self) -> None:
+        if isinstance(self.name, NamedSymbol):
+            symbol = self.name
+            value = symbol if self.value is None else self.value
+            told = {"label": self.label or symbol_text(symbol), "unit": symbol.unit, "value": value}
+            for key, known in {**told, "name": str(symbol), "symbol": symbol}.items():
+                object.__setattr__(self, key, known)

@@ -64,7 +64,8 @@ class Figure:
 
     @cached_property
     def _compiled(self) -> tuple[str, list[Any]]:
-        compiler = Compiler(self.controls, self.scene, self.where)
+        chapter = course().homes("figures", Figure).get(self.name, "")
+        compiler = Compiler(self.controls, self.scene, self.where, chapter)
         parts: dict[str, Any] = {
             "name": self.name,
             "title": self.title,
@@ -74,6 +75,7 @@ class Figure:
             "readouts": [compiler.readout(readout) for readout in self.readouts],
             "scene": [compiler.shape(shape) for shape in self.scene],
             "handles": [compiler.handle(handle) for handle in self.handles],
+            "steps": compiler.known_steps(),
             "recurrences": [compiler.recurrence(loop) for loop in compiler.recurrences],
         }
         if self.turns:

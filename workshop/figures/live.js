@@ -55,6 +55,11 @@ class Live {
     this.draw();
   }
 
+  numbers() {
+    this.settled();
+    return numbers(this.figure, this.state, this.computed);
+  }
+
   place(handle) {
     return handle.at.map((index) => this.computed.values[index]);
   }
@@ -76,6 +81,9 @@ class Live {
     this.drawHandles();
     this.writeReadouts();
     this.writeControls();
+    this.element.dispatchEvent(new CustomEvent("workshop:drawn", {
+      bubbles: true, detail: { name: this.figure.name, numbers: this.numbers() },
+    }));
     clearTimeout(this.told);
     this.told = setTimeout(() => this.tell(), 400);
   }

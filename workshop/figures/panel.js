@@ -17,7 +17,7 @@ const sliderHtml = (control, i) => {
   const play = control.type === "clock"
     ? `<button type="button" class="rk-play" data-i="${i}">Play</button>` : "";
   const shown = shownControl(control, control.start);
-  return `<div class="rk-control">${play}<label>${controlName(control)}`
+  return `<div class="rk-control"${faceOf(control)}>${play}<label>${controlName(control)}`
     + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
@@ -26,7 +26,7 @@ const sliderHtml = (control, i) => {
 const controlHtml = (control, i) => (control.type === "choice" ? choiceHtml : sliderHtml)(control, i);
 
 const readoutHtml = (readout, value) =>
-  `<div><dt>${symbols(readout.label)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
+  `<div${faceOf(readout)}><dt>${controlName(readout)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
 
 const html = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));

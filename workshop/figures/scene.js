@@ -45,8 +45,9 @@ const scene = (figure, computed, width) => {
     const seen = shape.edge && shape.label && figure.grid !== false;
     const drawn = (seen && beyond(at, shape, to, [width, height]))
       || SHAPES[shape.shape](at, shape, to, computed);
-    if (typeof drawn !== "string") return drawn;
-    return "depth" in shape ? { text: drawn, depth } : { text: drawn };
+    if (typeof drawn !== "string") return drawn; // in space, and of no quantity
+    const text = shape.symbol ? `<g${faceOf(shape)}>${drawn}</g>` : drawn;
+    return "depth" in shape ? { text, depth } : { text };
   });
   // those with a depth change places among themselves: the nearest is painted last
   const deep = pieces.filter((piece) => "depth" in piece).sort((a, b) => a.depth - b.depth);

@@ -8,6 +8,8 @@ const stroke = (kind, extra = "") => {
   return `style="fill:none;stroke:${color(kind)};stroke-width:${width}${dashes}${extra}"`;
 };
 const fill = (kind) => `style="fill:${color(kind)};stroke:none"`;
+// What belongs to a quantity carries its key.
+const faceOf = ({ symbol }) => (symbol ? ` data-symbol="${symbol}"` : "");
 const n = (number) => Number(number.toFixed(2));
 
 const MARKERS = {

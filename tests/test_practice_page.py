@@ -4,13 +4,14 @@ import csv
 import io
 import json
 import re
+from datetime import UTC, datetime, timedelta
 from html import unescape
 
 import pytest
-from declared import COURSE, EXERCISES
+from declared import COURSE, EXERCISES, table
 
 from workshop import practice
-from workshop.practice import dealing, judging, tables
+from workshop.practice import dealing, judging
 from workshop.practice.wording import symbols
 from workshop.script import engine
 
@@ -164,12 +165,43 @@ def test_answers_are_saved_as_grade_reads_them(page, tmp_path):
     path = tmp_path / download.value.suggested_filename
     assert path.name == "answers--Ada-B-.csv"
     download.value.save_as(path)
-    rows = tables.read(path, ("student", "exercise", "answer")).rows
-    assert [row for _, row in rows] == [
-        {"course": "robokin", "student": '=Ada, "B"', "exercise": FIRST, "answer": "-1/3"}
-    ]
+    [row] = table(path)
+    time = datetime.fromisoformat(row.pop("time"))
+    assert abs(datetime.now(UTC) - time) < timedelta(hours=1)  # now, and in no other zone
+    assert row == {
+        **{"kind": "answers", "course": "robokin", "version": dealing.version()},
+        **{"student": '=Ada, "B"', "exercise": FIRST, "answer": "-1/3"},
+    }
     first = next(csv.reader(io.StringIO(path.read_text("utf-8-sig").splitlines()[1])))
-    assert first[1].startswith("'=")  # for a spreadsheet it is no formula
+    assert first[4].startswith("'=")  # for a spreadsheet it is no formula
+
+
+def saved(page, folder):
+    """The answers of the file that the page saves, by exercise."""
+    with page.expect_download() as download:
+        page.click(".rk-export")
+    download.value.save_as(folder / "saved.csv")
+    return {row["exercise"]: row["answer"] for row in table(folder / "saved.csv")}
+
+
+def test_what_was_not_checked_is_saved_too(page, tmp_path):
+    """Also after the page was loaded again; it takes no pass away, and training is not saved."""
+    sign_in(page, "Ada")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    assert answer(page, FIRST, right) == judging.RIGHT
+    box(page, FIRST).locator("input").fill("12345")
+    box(page, "differential-drive-2").locator("input").fill("1, 2")
+    box(page, "euler-2").get_by_role("button", name="Another one").click()
+    box(page, "euler-2").locator("input").fill("7")
+    wanted = {FIRST: right, "differential-drive-2": "1, 2"}
+    assert saved(page, tmp_path) == wanted
+    page.reload(wait_until="networkidle")
+    assert saved(page, tmp_path) == wanted
+    assert page.inner_text(".rk-progress").startswith("1 of ")
+
+
+def test_the_desk_names_the_course(page):
+    assert "Course: robokin." in page.inner_text(".rk-desk")
 
 
 def test_nobody_saves_no_answers(page):

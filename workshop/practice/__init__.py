@@ -23,7 +23,7 @@ from workshop.practice.solutions import Line, Solution, Step
 from workshop.practice.wording import number_text
 from workshop.script.runtime import Part, register
 
-SCRIPTS = "problems reading calculating dealing judging box page notebook"
+SCRIPTS = "problems reading calculating dealing judging box saving page notebook"
 register(
     Part(
         name="practice",

@@ -253,5 +253,5 @@ def topics() -> list[str]:
 
 
 def default_salt() -> str:
-    """The course's own name: a teacher's course has another."""
-    return course().name
+    """The name that the site's settings give the course, or its own."""
+    return course().setting("course_name") or course().name

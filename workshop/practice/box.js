@@ -49,6 +49,7 @@ class Box {
       event.preventDefault();
       this.check();
     });
+    this.input.addEventListener("change", () => this.keepTyped());
     const train = (training) => this.withExercise(() => {
       this.training = training;
       this.show();
@@ -86,6 +87,13 @@ class Box {
 
   get variant() {
     return this.exercise.variants[this.number];
+  }
+
+  // What is typed and not checked yet is kept, and saved, too; it takes no pass away.
+  keepTyped() {
+    const answer = this.input.value, kept = this.desk.kept();
+    if (this.training || !answer || kept?.result === "right" || kept?.answer === answer) return;
+    this.desk.keep({ answer, result: "", says: "" });
   }
 
   check() {

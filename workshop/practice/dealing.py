@@ -17,6 +17,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+import numpy as np
+
 from workshop.errors import CourseError
 from workshop.practice.bank import Exercise, exercises
 from workshop.practice.judging import Candidate, candidates, clash
@@ -61,24 +63,36 @@ def dealt(course: str, exercise: str, name: str) -> int:
     return (value ^ value >> 16) % VARIANTS
 
 
+def variants(name: str, secret: str = "") -> tuple[Variant, ...]:
+    """The variants of an exercise: drawn by a fixed seed, each different, no two answers alike.
+
+    A teacher's secret draws others, none of which is on the page; where an exercise has few
+    numbers, these are fewer than 64.
+    """
+    return _variants(name, secret)
+
+
 @cache
-def variants(name: str) -> tuple[Variant, ...]:
-    """The variants of an exercise: drawn by a fixed seed, each different, no two answers alike."""
+def _variants(name: str, secret: str) -> tuple[Variant, ...]:
     exercise = find(name)
-    draw, met = random.Random(name), Counter[str]()
+    draw, met = random.Random(f"{name} {secret}" if secret else name), Counter[str]()
+    public = {tuple(v.shown.values()) for v in variants(name)} if secret else set()
     found: dict[tuple[str, ...], Variant] = {}
     for _ in range(ATTEMPTS * VARIANTS):
         numbers, shown = _drawn(exercise, draw)
         key = tuple(shown.values())
-        if key in found or not exercise.when(**numbers):
+        if key in found or key in public or not exercise.when(**numbers):
             continue
-        possible = candidates(exercise, numbers)
+        with np.errstate(divide="ignore", invalid="ignore"):  # infinities are told by `clash`
+            possible = candidates(exercise, numbers)
         alike = clash(exercise, possible)
         met[alike] += 1
         if not alike:
             found[key] = Variant(numbers, shown, possible)
         if len(found) == VARIANTS:
             return tuple(found.values())
+    if secret and found:
+        return tuple(found.values())
     raise CourseError(
         f"{name}: only {len(found)} of {VARIANTS} variants can be dealt; answers that are too "
         f"close, and how often: {dict(met)}"

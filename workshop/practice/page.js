@@ -5,12 +5,12 @@ const NOTE = "For checking yourself. Your name picks your numbers; it and your a
   + "browser, nothing is sent. Give three decimals. Answers can be 0.5, 1/3, pi/3, sqrt(3)/2, "
   + "30°, or a list: [1, 2].";
 
-const deskHtml = () => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
+const deskHtml = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
   + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false"></div>`
   + `<p class="rk-progress" role="status"></p>`
   + `<div class="rk-row"><button type="button" class="rk-export">Save my answers (CSV)</button>`
   + `<button type="button" class="rk-clear">Clear my answers</button></div>`
-  + `<p class="rk-note">${NOTE}</p>`;
+  + `<p class="rk-note">Course: <strong>${escaped(course)}</strong>. ${NOTE}</p>`;
 
 const unpacked = (packed) => {
   const bytes = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
@@ -26,16 +26,6 @@ const memory = { // a browser may refuse to keep anything: then the page alone r
     try { localStorage.setItem(key, value); } catch { /* told by the note: kept in this page only */ }
   },
 };
-
-// As a spreadsheet may read it: quoted, and no cell that it would take for a formula.
-const csvCell = (text) => {
-  const safe = /^[=+\-@\t\r]/.test(text) && !/^[+-]?[\d.]+$/.test(text) ? `'${text}` : text;
-  return /[",;\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
-};
-
-const answersCsv = (course, student, entries) => [["course", "student", "exercise", "answer"],
-  ...Object.entries(entries).map(([name, entry]) => [course, student, name, entry.answer]),
-].map((row) => row.map(csvCell).join(",")).join("\r\n") + "\r\n";
 
 // The numbers of a topic's exercises, a file beside the page that is loaded when they are needed.
 const topics = {};
@@ -63,7 +53,7 @@ class Desk {
       student: () => this.student(),
       load: async () => (await loadTopic(topic, version))[exercise],
       kept: () => this.mine()[exercise],
-      keep: (entry) => this.keep({ ...this.mine(), [exercise]: entry }),
+      keep: (entry) => this.keep({ ...this.mine(), [exercise]: { ...entry, time: now() } }),
     };
   }
 
@@ -127,11 +117,7 @@ class Desk {
       this.tell(NAMELESS);
       return this.name.focus();
     }
-    const text = "\ufeff" + answersCsv(this.course, student, this.mine());
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
-    link.download = `answers-${student.replace(/[^\p{L}\p{N}]+/gu, "-").slice(0, 40)}.csv`;
-    link.click();
+    saveAnswers(this.element.dataset, student, this.mine());
   }
 }
 
@@ -140,4 +126,4 @@ const onPage = () => {
   if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
 };
 
-Object.assign(part, { deskHtml, onPage });
+Object.assign(part, { answersCsv, deskHtml, onPage });

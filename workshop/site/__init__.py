@@ -20,22 +20,44 @@ from typing import Any
 
 from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
-from sphinx.errors import ExtensionError
 
+from workshop.course import course
 from workshop.site.checks import FormulaChecks
 from workshop.site.directives import Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
 
+SETTINGS = {  # name → what it is without, what it must be, an example
+    "course_package": ("", "the name of a package, in quotes", '"book"'),
+    "course_name": ("", "a text, in quotes", '"kinematics-2026"'),
+    "course_solutions": (True, "true or false, without quotes", "true"),
+    "course_wheels": ([], "a list of folders", "[., workshop, book]"),
+    "course_lock": ("requirements.txt", "the name of a file, in quotes", '"requirements.txt"'),
+}
+
 
 def _open_course(app: Sphinx, config: Any) -> None:
-    """Import the course's package, which opens it."""
-    if not config.course_package:
-        raise ExtensionError(
-            "set course_package in _config.yml: the package to import, such as book"
-        )
-    import_module(config.course_package)
+    """Look at the settings and import the course's package, which opens it."""
+    for name, (default, words, example) in SETTINGS.items():
+        value = getattr(config, name)
+        texts = value if isinstance(value, list) else [""]
+        if type(value) is not type(default) or not all(isinstance(text, str) for text in texts):
+            _refuse(name, f"is {value!r}: it must be {words}, such as `{name}: {example}`")
+    try:
+        import_module(config.course_package)
+    except (ImportError, ValueError) as error:
+        _refuse("course_package", f"is {config.course_package!r}, which is not imported: {error}")
+    for name in ("course_wheels", "course_lock"):
+        value = getattr(config, name)
+        for file in value if isinstance(value, list) else [value]:
+            if not (course().folder.parent / file).exists():
+                _refuse(name, f"names {file!r}, which is not in {course().folder.parent}")
+
+
+def _refuse(setting: str, words: str) -> None:
+    """End the build with a sentence: of an error Jupyter Book shows tracebacks."""
+    raise SystemExit(f"{setting} in _config.yml {words}")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -48,11 +70,9 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("promise", Promise)
     app.add_directive("library", Library)
     app.add_directive("errata", Errata)
-    app.add_config_value("course_package", "", "env", str)
-    app.add_config_value("course_name", "", "env", str)
-    app.add_config_value("course_solutions", True, "env", bool)
-    app.add_config_value("course_wheels", [], "env", list)
-    app.add_config_value("course_lock", "requirements.txt", "env", str)
+    for name, (default, *_) in SETTINGS.items():
+        # with text allowed, Sphinx leaves "no" as it is: without, it would be true
+        app.add_config_value(name, default, "env", (type(default), str))
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
     app.connect("html-page-context", add_assets)

@@ -15,6 +15,7 @@ from workshop.equations.printing import name_on_page
 from workshop.errors import CourseError
 from workshop.figures.figure import MIME as FIGURE
 from workshop.figures.figure import find as find_figure
+from workshop.practice import dealing
 from workshop.practice import page as practice
 from workshop.practice.notebook import MISTAKE, mistake
 from workshop.script import engine
@@ -84,9 +85,9 @@ def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
     html = practice.box(name, salt, solutions)
     if not env.temp_data.get("practice_desk"):
         env.temp_data["practice_desk"] = True
-        desk = engine.call("workshop.practice.deskHtml")
-        start = f'<div class="rk-desk" data-course="{escape(salt, quote=True)}">{desk}</div>'
-        html = f"{start}\n{html}"
+        desk = engine.call("workshop.practice.deskHtml", salt)
+        data = f'data-course="{escape(salt, quote=True)}" data-version="{dealing.version()}"'
+        html = f'<div class="rk-desk" {data}>{desk}</div>\n{html}'
     return nodes.raw("", html, format="html")
 
 

@@ -1,16 +1,16 @@
-// What scrolls sideways can be reached and scrolled with the keyboard.
+// What scrolls sideways, or has symbols to name, can be reached with the keyboard.
 {
-  const LABELS = {
-    "math-scroll": "Equation, scrolls sideways",
-    "pst-scrollable-table-container": "Table, scrolls sideways",
-  };
+  const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 
   const mark = (box) => {
-    if (box.scrollWidth > box.clientWidth) {
+    const told = [];
+    if (box.scrollWidth > box.clientWidth) told.push("scrolls sideways");
+    if (box.querySelector(".katex [data-symbol]")) told.push("the arrow keys name its symbols");
+    if (told.length) {
       box.tabIndex = 0;
       box.setAttribute("role", "group");
-      box.setAttribute("aria-label", LABELS[box.className]);
+      box.setAttribute("aria-label", [LABELS[box.className], ...told].join(", "));
     } else {
       ["tabindex", "role", "aria-label"].forEach((name) => box.removeAttribute(name));
     }

@@ -129,7 +129,7 @@ def version() -> str:
 
 def _contents(exercise: Exercise) -> list[Any]:
     """All that a student can see of an exercise, or be judged by."""
-    asks = [(ask.label, ask.unit, ask.tolerance) for ask in exercise.asks]
+    asks = [(ask.label, ask.unit, ask.tolerance, ask.relative) for ask in exercise.asks]
     answers = [
         (c.name, [f"{x:.8g}" for row in c.rows for x in row])
         for variant in variants(exercise.name)

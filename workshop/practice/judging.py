@@ -117,8 +117,10 @@ def candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidat
         for name, factors in _units(exercise.asks).items()
         for c in right
     ]
-    known = [*right, *wrong, *units]
-    for slip in [*also, *_slips(exercise, right)]:
+    taken = [*right, *units]
+    also = [a for a in also if _finite(a) and all(apart(exercise, a, other) for other in taken)]
+    known = [*right, *wrong, *units, *also]
+    for slip in _slips(exercise, right):
         if all(apart(exercise, slip, other) for other in known):
             known.append(slip)
     return tuple(known)
@@ -163,10 +165,18 @@ def _slips(exercise: Exercise, right: Sequence[Candidate]) -> list[Candidate]:
     return found
 
 
+def _finite(candidate: Candidate) -> bool:
+    return all(math.isfinite(x) for row in candidate.rows for x in row)
+
+
 def clash(exercise: Exercise, possible: Sequence[Candidate]) -> str:
-    """Two candidates that an answer could both mean, as text; "" if there are none."""
+    """Two candidates that an answer could both mean, as text; "" if there are none.
+
+    Of what is no documented mistake all is said that gives a number.
+    """
+    possible = [one for one in possible if not one.name.startswith("slip:")]
     for place, one in enumerate(possible):
-        if not all(map(math.isfinite, (x for row in one.rows for x in row))):
+        if not _finite(one):
             return f"{one.name} is no number"
         for other in possible[:place]:
             if one.name != other.name and not apart(exercise, one, other):
@@ -178,28 +188,20 @@ def apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
     """Whether no answer can meet both."""
     meant = outcomes(exercise)
     first, second = meant[one.name].factors, meant[other.name].factors
-    both = [
-        a.tolerance * (abs(f) + abs(g))
-        for a, f, g in zip(exercise.asks, first, second, strict=True)
-    ]
     return not (
-        _meet(exercise.asks, one.rows, other.rows, both, second)
-        or _meet(exercise.asks, other.rows, one.rows, both, first)
+        _meet(exercise.asks, one.rows, other.rows, first, second)
+        or _meet(exercise.asks, other.rows, one.rows, second, first)
     )
 
 
 def _meet(
-    asks: Sequence[Ask],
-    rows: Sequence[Row],
-    wanted: Sequence[Row],
-    allowed: Sequence[float],
-    factors: Row,
+    asks: Sequence[Ask], rows: Sequence[Row], wanted: Sequence[Row], own: Row, factors: Row
 ) -> bool:
-    """Whether each row is one of the wanted ones, each of them once."""
+    """Whether each row may be taken for one of the wanted ones, each of them once."""
     left = list(wanted)
     for row in rows:
         for place, other in enumerate(left):
-            if all(map(_within, asks, row, other, allowed, factors)):
+            if all(map(_near, asks, row, other, own, factors)):
                 del left[place]
                 break
         else:
@@ -207,7 +209,8 @@ def _meet(
     return not left
 
 
-def _within(ask: Ask, x: float, wanted: float, allowed: float, factor: float) -> bool:
+def _near(ask: Ask, x: float, wanted: float, own: float, factor: float) -> bool:
+    allowed = ask.allowed(x, own) + ask.allowed(wanted, factor)
     return off(ask, x, wanted, factor) <= allowed
 
 
@@ -224,6 +227,8 @@ def asked(exercise: Exercise) -> str:
     """What an answer must look like, in words: "2 numbers: v in m/s, ω in rad/s"."""
     names = ", ".join(f"{a.label} in {a.unit}" if a.unit else a.label for a in exercise.asks)
     n = len(exercise.asks)
+    if max(ask.decimals for ask in exercise.asks) > 3:
+        names += ", to four decimals"
     if exercise.shape:
         rows, columns = exercise.shape
         return f"a matrix: {rows} rows of {columns} numbers"
@@ -242,8 +247,10 @@ def essence(exercise: Exercise) -> dict[str, Any]:
     return {
         "asked": asked(exercise),
         "asks": [
-            {"label": a.label, "circle": a.circle, "tolerance": a.tolerance} for a in exercise.asks
+            {"label": a.label, "circle": a.circle, "tolerance": a.tolerance, "relative": a.relative}
+            for a in exercise.asks
         ],
+        "decimals": max(a.decimals for a in exercise.asks),
         "shape": exercise.shape,
         "accept": exercise.accept,
         "outcomes": {name: vars(outcome) for name, outcome in outcomes(exercise).items()},

@@ -2,7 +2,7 @@
 
 const NAMELESS = "Type your name first: it picks your numbers.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
-  + "browser, nothing is sent. Give three decimals. Answers can be 0.5, 1/3, pi/3, sqrt(3)/2, "
+  + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, 1/3, pi/3, sqrt(3)/2, "
   + "30°, or a list: [1, 2].";
 
 const deskHtml = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
@@ -21,9 +21,9 @@ const unpacked = (packed) => {
 const memory = { // a browser may refuse to keep anything: then the page alone remembers
   data: {},
   get: (key) => { try { return localStorage.getItem(key) ?? memory.data[key]; } catch { return memory.data[key]; } },
-  set: (key, value) => {
+  set: (key, value) => { // whether the browser keeps it
     memory.data[key] = value;
-    try { localStorage.setItem(key, value); } catch { /* told by the note: kept in this page only */ }
+    try { localStorage.setItem(key, value); return true; } catch { return false; }
   },
 };
 
@@ -126,4 +126,4 @@ const onPage = () => {
   if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
 };
 
-Object.assign(part, { answersCsv, deskHtml, onPage });
+Object.assign(part, { answersCsv, deskHtml, memory, onPage });

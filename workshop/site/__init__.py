@@ -22,11 +22,13 @@ from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
 
 from workshop.course import course
+from workshop.site import predictions
 from workshop.site.checks import FormulaChecks
 from workshop.site.directives import Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
+from workshop.symbols.page import mark_formulas, mark_page
 
 SETTINGS = {  # name → what it is without, what it must be, an example
     "course_package": ("", "the name of a package, in quotes", '"book"'),
@@ -75,7 +77,10 @@ def setup(app: Sphinx) -> dict[str, Any]:
         app.add_config_value(name, default, "env", (type(default), str))
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
+    app.connect("doctree-resolved", mark_formulas)
+    app.connect("html-page-context", mark_page)
     app.connect("html-page-context", add_assets)
+    predictions.setup(app)
     app.add_directive("downloads", Downloads)
     app.connect("env-updated", write_assets)
     app.connect("build-finished", write_downloads)

@@ -30,7 +30,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         code = ",\n".join(figures()[name].code for name in names)
         write_static(app, file, f"window.workshopFigures = [{code}];\n")
         app.add_js_file(file, loading_method="defer")
-    if 'class="rk-' in body:
+    if 'class="rk-' in body or "data-symbol" in body:
         app.add_js_file("workshop.js", loading_method="defer")
         app.add_css_file("workshop.css")
 

@@ -105,7 +105,7 @@ mutate: .venv-mutate/.ready
 
 .venv-lowest/.ready: $(READY) tools/lowest-requirements.txt
 	$(PYTHON) -m venv .venv-lowest
-	$(INSTALL) --resolution lowest-direct ./ "./workshop[teaching]" ./book
+	$(INSTALL) --resolution lowest-direct "./[draw]" "./workshop[engine]" ./book
 	@$(BIN)/uv pip freeze --python $(@D)/bin/python | grep -v "file:" > .venv-lowest/found.txt
 	$(INSTALL) -c .venv-lowest/found.txt -r tools/lowest-requirements.txt
 	@touch $@

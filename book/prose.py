@@ -6,8 +6,7 @@ A chapter may add to it in a `prose` module of its own.
 from typing import Any
 
 from workshop.course import course
-from workshop.figures import Figure
-from workshop.figures.declaration import Choice
+from workshop.figures import Choice, Figure, Slider
 
 __all__ = ["digit_and_power", "names", "reads"]
 
@@ -26,7 +25,7 @@ def reads(figure: str, readout: str, **settings: float | str) -> float:
     shown = course().declared("figures", Figure)[figure]
     row: list[float] = []
     for control in shown.controls:
-        name = control.name if isinstance(control, Choice) else str(control.symbol)
+        name = str(control.symbol) if isinstance(control, Slider) else control.name
         value = settings.pop(name, control.start)
         if isinstance(control, Choice):
             row += control.options[str(value)]

@@ -9,7 +9,7 @@ import book  # noqa: F401  (opens the course)
 from workshop.course import course
 from workshop.equations import Check, Equation
 from workshop.figures import Figure
-from workshop.practice import Exercise, Mistake
+from workshop.practice import Exercise, Mistake, tables
 
 EQUATIONS = course().declared("formulas", Equation)
 CHECKS = course().declared("checks", Check)
@@ -29,3 +29,8 @@ def each(argument, part, kind, marks=lambda name: []):
             for name, thing in course().declared(part, kind).items()
         ],
     )
+
+
+def table(path):
+    """The rows of a table."""
+    return [row for _, row in tables.read(path, (), tables.Problems())]

@@ -62,13 +62,23 @@ class Course:
                 )
         return [f for f in folders if f not in listed] + [f for f in listed if f in folders]
 
+    def _beside(self, name: str) -> str | None:
+        """The text of a file that stands beside the package or, installed, in it."""
+        places = (self.folder.parent / name, self.folder / name)
+        return next((p.read_text(encoding="utf-8") for p in places if p.exists()), None)
+
     def _listed(self) -> list[str]:
-        """The chapters of `_toc.yml`, which stands beside the package or, installed, in it."""
-        places = (self.folder.parent / "_toc.yml", self.folder / "_toc.yml")
-        text = next((p.read_text(encoding="utf-8") for p in places if p.exists()), None)
+        """The chapters of `_toc.yml`."""
+        text = self._beside("_toc.yml")
         if text is None:
             raise CourseError(f"there is no _toc.yml beside {self.folder} or in it")
         return re.findall(r"^\s*- file: (\w+)/\1\s*$", text, re.MULTILINE)
+
+    def setting(self, name: str) -> str:
+        """A text that `_config.yml` sets; "" where there is none."""
+        lines = re.findall(rf"^ +{name}:(.*)$", self._beside("_config.yml") or "", re.MULTILINE)
+        found = [re.match(r"""\s*(?:"(.*?)"|'(.*?)'|([^#]*))""", line) for line in lines[-1:]]
+        return next((match[match.lastindex or 0].strip() for match in found if match), "")
 
     def notebook(self, chapter: str) -> Path:
         """A chapter's notebook; what chapters share has none."""

@@ -2,7 +2,7 @@
 
 from sympy import Matrix, Ne, Piecewise, nan, oo
 
-from book.motion.formulas import omega, v, v_y
+from book.motion.formulas import omega, theta, theta_m, v, v_y, x_dot, y_dot
 from workshop.equations.core import Equation, as_written, quantity, sign
 
 rate_L = quantity("rate_L", "rad/s", -20, 20, "rate of the left wheel", latex=r"\dot\varphi_L")
@@ -15,6 +15,21 @@ R = quantity("R", "m", -10, 10, "turning radius: how far to the left the ICR lie
 rate = sign("rate", "rate of a wheel", r"\dot\varphi", "rad/s")
 u = sign("u", "half of the angle that is turned in a step", unit="rad")
 
+LOOKS = {
+    v_L: "left",
+    v_R: "right",
+    rate_L: "left",
+    rate_R: "right",
+    v: "velocity",
+    omega: "turning",
+    R: "icr",
+    theta: "heading",
+    theta_m: "middle_heading",
+    x_dot: "x_axis",
+    y_dot: "y_axis",
+    b: "length",
+    r: "length",
+}
 
 with as_written():
     speed = Equation(

@@ -17,13 +17,11 @@ third = quantity("third", "rad", -3.14, 3.14, "third turn of a sequence", r"\gam
 turn = quantity("turn", "rad", -3.14, 3.14, "a turn about one axis", latex=r"\vartheta")
 
 TURNS = (first, middle, third)
+LOOKS = {turn: "icr"}
 
 ENTRY = "entry of the rotation matrix: row, column"
 r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
 n = n_x, n_y, n_z = tuple(sign(f"n_{x}", f"axis of the one turn, along {x}") for x in "xyz")
-k = k_x, k_y, k_z = tuple(
-    sign(f"k_{x}", f"the turn's axis, not yet of length 1, along {x}") for x in "xyz"
-)
 gamma = Symbol(r"\gamma")  # the third angle, once it is known
 OTHERS = [
     sign(f"{name}_other", f"{which} turn of the other answer", rf"\{name}'", "rad")
@@ -34,12 +32,11 @@ Q = [sign(f"q_{x}", f"the quaternion's part along {x}") for x in "xyz"]
 R = sign("R", "a rotation matrix")
 R_turn = {x: sign(f"R_{x}", f"matrix of a turn about {x}", f"R_{x}") for x in "xyz"}
 whole_n = sign("n", "axis of the one turn, an arrow of length 1")
-whole_k = sign("k", "the turn's axis, not yet of length 1")
 whole_q = sign("q", "a quaternion")
 identity = sign("I", "the identity matrix")
 AXES = [sign(x, f"the {x} axis") for x in "xyz"]
 AXES += [sign(f"{x}_{a}", f"the {x} axis of frame {a}") for a in "AB" for x in "xyz"]
-AXES += [sign(f"{x}_1", f"the {x} axis after the first turn") for x in "xyz"]
+R_made = [sign(f"R_{k}", f"matrix of turn {k}") for k in (1, 2)]
 
 
 def turned_about(axis: Any, angle: Any) -> Matrix:
@@ -150,7 +147,7 @@ with as_written():
 
     turn_vector = Equation(
         name="euler.turn_vector",
-        left=Matrix(k),
+        left=Matrix([2 * sin(turn) * part for part in n]),
         right=Matrix([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]),
         source="exercise 2",
         where=MADE,
@@ -159,9 +156,12 @@ with as_written():
     turn_angle = Equation(
         name="euler.turn_angle",
         left=turn,
-        right=atan2(sqrt(Add(k_x**2, k_y**2, k_z**2)), Add(r[0, 0], r[1, 1], r[2, 2], -1)),
+        right=atan2(
+            sqrt(Add(*(difference**2 for difference in turn_vector.right))),
+            Add(r[0, 0], r[1, 1], r[2, 2], -1),
+        ),
         source="exercise 2",
-        where=(*MADE, *zip(k, turn_vector.right, strict=True)),
+        where=MADE,
     )
 
     unit_quaternion = Equation(

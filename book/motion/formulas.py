@@ -15,14 +15,14 @@ angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 
 x_dot = quantity("x_dot", "m/s", -1, 1, "speed along the world's x axis", latex=r"\dot{x}")
 y_dot = quantity("y_dot", "m/s", -1, 1, "speed along the world's y axis", latex=r"\dot{y}")
-theta_dot = quantity(
-    "theta_dot", "rad/s", -6, 6, "rate of the heading", latex=r"\dot{\theta}"
-)
+theta_dot = quantity("theta_dot", "rad/s", -6, 6, "rate of the heading", latex=r"\dot{\theta}")
 x_next = sign("x_next", "position after the step", "x'", "m")
 y_next = sign("y_next", "position after the step", "y'", "m")
 theta_next = sign("theta_next", "heading after the step", r"\theta'", "rad")
 x_icr = sign("x_icr", "the ICR, in the world", r"x_\mathrm{ICR}", "m")
 y_icr = sign("y_icr", "the ICR, in the world", r"y_\mathrm{ICR}", "m")
+chord_length = sign("chord_length", "straight from the old place to the new", "c", "m")
+theta_m = quantity("theta_m", "rad", -6, 6, "middle heading: halfway through the turn")
 wrapped = sign("wrapped", "the same angle in (−π, π]", r"\operatorname{wrap}\alpha", "rad")
 
 
@@ -82,6 +82,13 @@ with as_written():
                 theta + omega * dt,
             ]
         ),
+        source="exercise 5",
+    )
+
+    chord = Equation(
+        name="motion.chord",
+        left=Matrix([chord_length, theta_m]),
+        right=Matrix([v * dt * sinc(omega * dt / 2), theta + omega * dt / 2]),
         source="exercise 5",
     )
 

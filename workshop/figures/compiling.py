@@ -12,10 +12,12 @@ from workshop.equations.text import symbol_text
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
+from workshop.figures.solids import Solid
+from workshop.figures.turning import Bracket, Turns
 
 DEGREE = math.pi / 180
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-Control = d.Slider | d.Choice
+Control = d.Slider | d.Choice | Turns
 
 
 def factor(unit: str) -> float:
@@ -25,7 +27,9 @@ def factor(unit: str) -> float:
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
-    return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
+    return [
+        s for c in controls for s in (c.symbols if isinstance(c, d.Choice | Turns) else (c.symbol,))
+    ]
 
 
 # type → its word in the script, what is computed, what is given as it is
@@ -33,11 +37,17 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     d.Point: ("point", lambda s: s.at, ("edge",)),
     d.Line: ("line", lambda s: [x for point in s.points for x in point], ()),
     d.Arrow: ("arrow", lambda s: (*s.tail, *s.head), ()),
-    d.Wheel: ("wheel", lambda s: (*s.at, s.angle), ("length", "width")),
+    d.Wheel: ("wheel", lambda s: (*s.at, s.angle, s.roll), ("length", "width")),
+    d.Disc: ("disc", lambda s: (*s.at, s.angle), ("radius", "spokes")),
+    d.Area: ("area", lambda s: [x for point in s.points for x in point], ()),
+    d.Length: ("length", lambda s: (*s.start, *s.end), ("aside",)),
+    d.Label: ("label", lambda s: s.at, ()),
     d.Body: ("body", lambda s: (*s.at, s.angle), ("radius",)),
     d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
     d.Curve: ("curve", lambda s: (s.low, s.high), ()),
-    d.Trail: ("trail", lambda s: (), ()),
+    d.Trail: ("trail", lambda s: (), ("line", "dots")),
+    Solid: ("solid", lambda s: s.numbers, ("data", "floor", "opacity", "behind")),
+    Bracket: ("bracket", lambda s: (*s.at, *s.matrix), ("columns", "digits")),
 }
 
 
@@ -91,6 +101,8 @@ class Compiler:
                 "options": options,
                 "start": start,
             }
+        if isinstance(control, Turns):
+            return {"type": "turns", "key": control.name, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
         face = self.face(control.symbol, control.label or None)
@@ -110,6 +122,7 @@ class Compiler:
             "step": step,
             "digits": max(0, -math.floor(math.log10(step) + 1e-9)),
             "rate": control.rate,
+            "loops": isinstance(control, d.Clock) and control.loops,
             "whole": isinstance(control.step, int),
         }
 
@@ -129,6 +142,8 @@ class Compiler:
             found["depth"] = self.numbers(depth)[0]
         found |= {"shape": word, "at": self.numbers(*coordinates(shape))}
         found |= {size: getattr(shape, size) for size in sizes}
+        for part in found.get("data", ()):
+            part["kind"] = self.face(part["kind"])["kind"]
         if isinstance(shape, d.Curve):
             traced = shape.at if depth is None else (*shape.at, depth)
             point = function({"c": self.known, "s": [shape.parameter]}, traced)
@@ -141,7 +156,7 @@ class Compiler:
 
     def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
         """The places of the sliders that somebody moves."""
-        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        keys = [getattr(c, "symbol", None) for c in self.controls]
         for symbol in symbols:
             if symbol not in keys:
                 raise CourseError(f"{who} sets {told([symbol], keys)}, which is no slider")
@@ -149,13 +164,18 @@ class Compiler:
 
     def handle(self, handle: d.Handle) -> dict[str, Any]:
         """A handle: where it is, which controls it sets, and the function from pointer to them."""
-        code = function({"c": self.settings, "p": d.POINTER}, list(handle.sets.values()))
+        code = function({"c": self.known, "p": d.POINTER}, list(handle.sets.values()))
         return {
             "label": handle.label,
             "at": self.numbers(*handle.at),
             "sets": self.sliders(handle.sets, f"the handle {handle.label!r}"),
             "to": Code(code),
         }
+
+    def goal(self, goal: d.Goal) -> dict[str, Any]:
+        """A goal: its number is 1 when it is reached, else 0."""
+        reached = sp.Piecewise((1, goal.condition), (0, True))
+        return {"words": goal.words, "at": self.numbers(reached)[0]}
 
     def recurrence(self, loop: d.Recurrence) -> dict[str, Any]:
         """A loop: functions for its start, its step and how often."""
@@ -184,6 +204,7 @@ class Compiler:
         start = len(self.known) - len(self.where)
         return [
             {
+                "key": str(symbol),
                 "symbol": symbol.key,
                 "at": start + place,
                 "unit": "°" if symbol.unit == "rad" else symbol.unit,

@@ -1,8 +1,9 @@
 """Which numbers a student gets: the variants of an exercise, and the hash that picks one.
 
 The hash is 32-bit FNV-1a over the UTF-8 of course, exercise and name, joined by line feeds; the
-page computes the same. Names are compared in Unicode's form NFC, without invisible characters,
-with the Persian letters for yeh and kaf (keyboards have two), trimmed, each run of spaces one.
+page computes the same. Names are compared in small letters and Unicode's form NFC, without
+invisible characters, with the Persian letters for yeh and kaf (keyboards have two), with our
+digits, trimmed, each run of spaces one: who writes the own name otherwise is the same student.
 """
 
 import difflib
@@ -17,6 +18,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+import numpy as np
+
 from workshop.errors import CourseError
 from workshop.practice.bank import Exercise, exercises
 from workshop.practice.judging import Candidate, candidates, clash
@@ -28,7 +31,8 @@ SPACES = "[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\
 
 
 INVISIBLE = "[\xad\u200b-\u200f\u202a-\u202e\u2060-\u2064]"
-PERSIAN = str.maketrans("\u064a\u0643", "\u06cc\u06a9")
+ZEROS = (0x660, 0x6F0, 0x966, 0xFF10)  # of Arabic, Persian, Hindi and wide digits
+ALIKE = {0x64A: 0x6CC, 0x643: 0x6A9} | {zero + k: 48 + k for zero in ZEROS for k in range(10)}
 
 
 @dataclass(frozen=True)
@@ -41,10 +45,10 @@ class Variant:
 
 
 def folded(name: str) -> str:
-    """A student's name as it is hashed: NFC, trimmed, each run of spaces one space."""
+    """A student's name as it is hashed."""
     whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole)).translate(PERSIAN)
-    return re.sub(SPACES, " ", seen).strip(" ")
+    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole)).translate(ALIKE)
+    return unicodedata.normalize("NFC", re.sub(SPACES, " ", seen).strip(" ").lower())
 
 
 def fnv1a(text: str) -> int:
@@ -61,24 +65,36 @@ def dealt(course: str, exercise: str, name: str) -> int:
     return (value ^ value >> 16) % VARIANTS
 
 
+def variants(name: str, secret: str = "") -> tuple[Variant, ...]:
+    """The variants of an exercise: drawn by a fixed seed, each different, no two answers alike.
+
+    A teacher's secret draws others, none of which is on the page; where an exercise has few
+    numbers, these are fewer than 64.
+    """
+    return _variants(name, secret)
+
+
 @cache
-def variants(name: str) -> tuple[Variant, ...]:
-    """The variants of an exercise: drawn by a fixed seed, each different, no two answers alike."""
+def _variants(name: str, secret: str) -> tuple[Variant, ...]:
     exercise = find(name)
-    draw, met = random.Random(name), Counter[str]()
+    draw, met = random.Random(f"{name} {secret}" if secret else name), Counter[str]()
+    public = {tuple(v.shown.values()) for v in variants(name)} if secret else set()
     found: dict[tuple[str, ...], Variant] = {}
     for _ in range(ATTEMPTS * VARIANTS):
         numbers, shown = _drawn(exercise, draw)
         key = tuple(shown.values())
-        if key in found or not exercise.when(**numbers):
+        if key in found or key in public or not exercise.when(**numbers):
             continue
-        possible = candidates(exercise, numbers)
+        with np.errstate(divide="ignore", invalid="ignore"):  # infinities are told by `clash`
+            possible = candidates(exercise, numbers)
         alike = clash(exercise, possible)
         met[alike] += 1
         if not alike:
             found[key] = Variant(numbers, shown, possible)
         if len(found) == VARIANTS:
             return tuple(found.values())
+    if secret and found:
+        return tuple(found.values())
     raise CourseError(
         f"{name}: only {len(found)} of {VARIANTS} variants can be dealt; answers that are too "
         f"close, and how often: {dict(met)}"
@@ -115,7 +131,7 @@ def version() -> str:
 
 def _contents(exercise: Exercise) -> list[Any]:
     """All that a student can see of an exercise, or be judged by."""
-    asks = [(ask.label, ask.unit, ask.tolerance) for ask in exercise.asks]
+    asks = [(ask.label, ask.unit, ask.tolerance, ask.relative) for ask in exercise.asks]
     answers = [
         (c.name, [f"{x:.8g}" for row in c.rows for x in row])
         for variant in variants(exercise.name)

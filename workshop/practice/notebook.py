@@ -2,6 +2,7 @@
 
 import ast
 import json
+from datetime import UTC, datetime
 from functools import cached_property
 from html import escape
 from pathlib import Path
@@ -18,17 +19,17 @@ from workshop.practice.bank import (
     exercises,
     mistakes,
 )
-from workshop.practice.wording import symbols
+from workshop.practice.wording import highlighted, symbols
 from workshop.script.widget import Widget, widget
 
 WIDTH = 42  # of a line of code, for phones
 MOST = 100  # numbers in an answer
 MISTAKE = "application/vnd.workshop.mistake+json"
-COLUMNS = ("course", "student", "exercise", "answer")
+COLUMNS = ("kind", "course", "version", "time", "student", "exercise", "answer")
 
 _session = {"student": "", "course": ""}  # without a course of one's own: the book's
-# course, student, exercise → the answer that counts, and what it was judged to be
-_answers: dict[tuple[str, str, str], tuple[str, str]] = {}
+# course, student, exercise → the answer that counts, what it was judged to be, and when
+_answers: dict[tuple[str, str, str], tuple[str, str, str]] = {}
 
 
 def student(name: str | int, course: str = "") -> None:
@@ -84,9 +85,9 @@ class Box:
     def _keep(self, answer: str, result: str) -> None:
         """Keep an answer; a further try takes nothing away from one that was right."""
         key = self.course, dealing.folded(self.student), self.exercise.name
-        _, before = _answers.get(key, ("", ""))
-        if before != "right" or result == "right":
-            _answers[key] = answer, result
+        if result == "right" or _answers.get(key, ("", "", ""))[1] != "right":
+            now = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+            _answers[key] = answer, result, now
 
     def another(self) -> "Box":
         """Further numbers, for training; answers to them are not kept."""
@@ -103,8 +104,8 @@ class Box:
         return made
 
     def _answered(self, answer: str, result: str, **_: str) -> None:
-        """The box has judged an answer."""
-        if result:
+        """The box has judged an answer, or it is typed and not checked."""
+        if answer:
             self._keep(answer, result)
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
@@ -129,7 +130,7 @@ def exercise(name: str, student: str | int | None = None, course: str | None = N
 
 def answers() -> list[tuple[str, str, str, str]]:
     """The answers of this session that count, the right one or the last: course, student, …"""
-    return [(*key, answer) for key, (answer, _) in _answers.items()]
+    return [(*key, answer) for key, (answer, *_) in _answers.items()]
 
 
 def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
@@ -138,7 +139,11 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
         raise CourseError("there are no answers yet: check an answer of an exercise first")
     if not all(student for _, student, _ in _answers):
         raise CourseError('say who you are first: practice.student("…") picks your numbers')
-    return tables.write(path, COLUMNS, answers(), force)
+    rows = [
+        ("answers", course, dealing.version(), time, student, exercise, answer)
+        for (course, student, exercise), (answer, _, time) in _answers.items()
+    ]
+    return tables.write(path, COLUMNS, rows, force)
 
 
 class ExampleView:
@@ -230,9 +235,11 @@ class MistakeView:
     def answer(self) -> str:
         """What stands behind the fold, as HTML."""
         m, right = self.mistake, self.exercise.answer_text(self.exercise.example)
+        lines = zip(m.wrong.lines, ("Right", "Here"), strict=True) if m.wrong else ()
+        formulas = "".join(f"<p>{word}: {highlighted(line)}</p>" for line, word in lines)
         return (
             f"<p>It gives {escape(self.gives)}.</p><details><summary>What is wrong?</summary>"
-            f"<p>Right is {escape(right)}. {symbols(m.why)}</p>"
+            f"{formulas}<p>Right is {escape(right)}. {symbols(m.why)}</p>"
             f"<p><em>Where nobody notices.</em> {symbols(m.unnoticed)}</p></details>"
         )
 

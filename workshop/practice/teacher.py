@@ -1,80 +1,106 @@
 """For teachers: everyone's answer key, sheets to print, grades and what the class gets wrong.
 
-The tables are documented in the chapter for teachers. All functions report bad lines and go on
-with the good ones; nothing is overwritten without `force`.
+The tables are documented in the chapter for teachers. All functions note bad lines and go on with
+the good ones; nothing is overwritten without `force`.
 """
 
 import json
 import re
+import secrets
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from html import escape
-from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from workshop.errors import CourseError
-from workshop.practice import dealing, judging, tables
+from workshop.practice import class_page, dealing, judging, tables
 from workshop.practice.bank import Exercise, exercises, mistakes
+from workshop.practice.class_page import RESULTS, Count, Graded
+from workshop.practice.collecting import Collected, Keys, collect, folded, read_key
 from workshop.practice.wording import paragraphs, symbols
 
 T = TypeVar("T")
-Count = tuple[str, str, int, int, str]  # a row of the mistakes
 
-KEY = ("course", "version", "student", "exercise", "variant", "numbers", "answer")
+KEY = ("kind", "course", "version", "student", "exercise", "variant", "numbers", "answer")
 GRADES = ("student", "exercise", "answer", "result", "mistake", "comment")
-TOTALS = ("student", "right", "partly", "wrong", "unread", "missing")
+TOTALS = ("student", *RESULTS)
 COUNTS = ("exercise", "mistake", "students", "of", "comment")
 COUNTED = ("wrong", "partly")
-BARS = 15  # the most frequent mistakes, in the picture
-TOLD = 20  # problems of one file
+MOST = 15  # the most frequent mistakes, in the summary
+SECRET = 16  # characters at least
 
 
 def key(
-    roster: str | Path, out: str | Path, course: str, only: Sequence[str] = (), force: bool = False
+    roster: str | Path,
+    out: str | Path,
+    course: str,
+    only: Sequence[str] = (),
+    secret: str = "",
+    force: bool = False,
 ) -> list[str]:
     """Write everyone's numbers and right answers. Gives back what is wrong with the roster."""
-    table, students = _students(roster)
+    problems = tables.Problems(shown=sys.maxsize)
+    students = _students(roster, problems)
     _refuse_same(out, roster)
-    tables.free(Path(out), force)
-    exercises = chosen(only)
-    rows = (
-        (course, dealing.version(), student, e.name, number, *_dealt(e.name, number))
-        for student in progress(students, "students")
-        for e in exercises
-        for number in [dealing.dealt(course, e.name, student)]
-    )
-    tables.write(out, KEY, rows, force)
-    return table.problems
+    salt = course + secret
+    course += ", secret" if secret else ""  # answers to the page's numbers are none to these
+    with tables.writing(out, KEY, force) as write:
+        for student in progress(students, "students"):
+            for e in chosen(only):
+                number = dealing.dealt(salt, e.name, student)
+                number %= len(dealing.variants(e.name, secret))
+                row = (student, e.name, number, *_dealt(e.name, number, secret))
+                write(("key", course, dealing.version(), *row))
+    return problems.lines()
 
 
 @cache
-def _dealt(name: str, number: int) -> tuple[str, str]:
+def _dealt(name: str, number: int, secret: str) -> tuple[str, str]:
     """The numbers of a variant as JSON, and its right answer as text."""
-    variant = dealing.variants(name)[number]
+    variant = dealing.variants(name, secret)[number]
     answer = exercises()[name].answer_text(variant.numbers)
     return json.dumps(variant.numbers, ensure_ascii=False), answer
 
 
-def sheets(
-    roster: str | Path, out: str | Path, course: str, only: Sequence[str] = (), force: bool = False
-) -> list[str]:
-    """Write a page for each student, to print or to hand out, without answers."""
-    table, students = _students(roster)
-    folder, exercises = Path(out), chosen(only)
+def secret_of(path: str | Path | None, make: bool = False) -> str:
+    """The secret in a file; `make` writes a new one where there is none. "" without a file."""
+    if path is None:
+        return ""
+    path = Path(path)
+    if make and not path.exists():
+        path.write_text(secrets.token_hex(SECRET) + "\n", encoding="utf-8")
+    try:
+        secret = path.read_text(encoding="utf-8").strip()
+    except (OSError, UnicodeDecodeError) as error:
+        raise CourseError(f"{path} cannot be read: {error}; `key --secret` makes one") from error
+    if len(secret) < SECRET:
+        raise CourseError(
+            f"the secret in {path} has {len(secret)} characters, which can be guessed: "
+            f"{SECRET} are the least; delete the file, and `key --secret` makes another"
+        )
+    return secret
+
+
+def sheets(key: str | Path, out: str | Path, force: bool = False) -> list[str]:
+    """Write a page for each student of the key, to print or to hand out, without answers."""
+    problems = tables.Problems(shown=sys.maxsize)
+    students: dict[str, list[tables.Row]] = {}
+    for _, row in read_key(key, problems).rows.values():
+        students.setdefault(row["student"], []).append(row)
+    folder = Path(out)
     if folder.is_file():
         raise CourseError(f"{folder} is a file: give the name of a folder")
     folder.mkdir(parents=True, exist_ok=True)
     for student in students:
         tables.free(folder / _file_name(student), force)
-    for student in progress(students, "students"):
-        page = _sheet(student, course, exercises)
+    for student in progress(list(students), "students"):
+        page = _sheet(student, students[student])
         (folder / _file_name(student)).write_text(page, encoding="utf-8")
-    return table.problems
+    return problems.lines()
 
 
 def _file_name(student: str) -> str:
@@ -84,112 +110,101 @@ def _file_name(student: str) -> str:
 
 
 SHEET = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>{student}: {course}</title><style>
+<html lang="en"><head><meta charset="utf-8"><title>{student}: {course}</title>
+<meta name="viewport" content="width=device-width"><style>
+:root {{ color-scheme: light dark; }}
 body {{ font: 11pt/1.5 sans-serif; max-width: 42rem; margin: 2rem auto; padding: 0 1rem; }}
 section {{ break-inside: avoid; margin: 1.2rem 0; }} h2 {{ font-size: 1rem; margin: 0; }}
-p {{ margin: .2rem 0; }} .answer {{ border-bottom: 1px solid; padding-top: 1.6rem; }}
-</style></head><body><h1>{student}</h1><p>Course: {course}. Each exercise has your own numbers.</p>
-{exercises}</body></html>
+p {{ margin: .2rem 0; }} input {{ font: inherit; width: 100%; box-sizing: border-box; }}
+@media print {{ .screen {{ display: none; }}
+  input {{ border: 0; border-bottom: 1px solid; height: 2.4rem; }} }}
+</style></head><body data-course="{course}" data-version="{version}" data-student="{student}">
+<h1>{student}</h1><p>Course: {course}. Each exercise has your own numbers.</p>
+<p class="screen">Answers can be 0.5, 1/3, pi/3, 30°, or a list: [1, 2]. Give four decimals. Nothing
+is checked here: what you type stays in this browser. Save it and hand in the file.</p>
+{exercises}<p class="screen"><button type="button">Save my answers (CSV)</button></p>
+<script>{script}</script></body></html>
 """
 
 
-def _sheet(student: str, course: str, exercises: Sequence[Exercise]) -> str:
-    parts = [_question(e.name, dealing.dealt(course, e.name, student)) for e in exercises]
-    return SHEET.format(student=escape(student), course=escape(course), exercises="\n".join(parts))
-
-
-@cache
-def _question(name: str, number: int) -> str:
-    exercise, variant = exercises()[name], dealing.variants(name)[number]
-    text = exercise.filled(exercise.text, variant.numbers, variant.shown)
-    return (
-        f"<section><h2>{name}: {escape(exercise.title)}</h2>{paragraphs(text)}"
-        f'<p class="answer">Answer, {symbols(judging.asked(exercise))}:</p></section>'
+def _sheet(student: str, rows: Sequence[tables.Row]) -> str:
+    folder = Path(__file__).parent
+    return SHEET.format(
+        student=escape(student),
+        course=escape(rows[0]["course"]),
+        version=escape(rows[0]["version"]),
+        exercises="\n".join(_question(row["exercise"], row["numbers"]) for row in rows),
+        script="".join((folder / name).read_text("utf-8") for name in ("saving.js", "sheet.js")),
     )
 
 
-@dataclass(frozen=True)
-class Graded:
-    """One line of the grades."""
+@cache
+def _question(name: str, numbers: str) -> str:
+    exercise, drawn = exercises()[name], json.loads(numbers)
+    given = exercise.given.items()
+    shown = {each: how.shown(how.option(drawn[each])) for each, how in given}
+    return (
+        f"<section><h2>{name}: {escape(exercise.title)}</h2>"
+        f"{paragraphs(exercise.filled(exercise.text, drawn, shown))}<p><label>Answer, "
+        f'{symbols(judging.asked(exercise))}: <input name="{name}" autocomplete="off" '
+        f'autocapitalize="off" spellcheck="false"></label></p></section>'
+    )
 
-    student: str
-    exercise: str
-    answer: str
-    result: str
-    mistake: str
-    comment: str
+
+def check(answers: Sequence[str | Path], key: str | Path) -> tuple[list[str], str]:
+    """What grading would find: problems, and an account to print. Nothing is written."""
+    problems = tables.Problems()
+    keys = read_key(key, problems)
+    found = collect(answers, keys, problems, leave_out=())
+    return problems.lines(), "\n".join([*_account(found), "nothing was written"])
+
+
+def _account(found: Collected) -> list[str]:
+    """Whose answers were found, in what files, of which courses and versions."""
+    keys, strangers = found.keys, [str(path) for path, count in found.files.items() if not count]
+    asked = {exercise for _, exercise in keys.rows}
+    lines = [
+        f"the key: {len(keys.students):,} students, {len(asked)} exercises, course "
+        f"{', '.join(sorted(keys.courses))}, version {', '.join(sorted(keys.versions))}",
+        f"answers that count: {len(found.typed):,}, of "
+        f"{len(keys.students) - len(found.silent):,} students, in {len(found.files):,} files",
+    ]
+    for what, counts in (("course", found.courses), ("version", found.versions)):
+        lines += [f"  {what} {name or '(not said)'}: {n:,} lines" for name, n in counts.items()]
+    for what, names in (
+        ("students of whom nothing came", found.silent),
+        ("files without an answer of anybody in the key", strangers),
+    ):
+        lines += [f"{what}: {len(names):,}", *(f"  {name}" for name in names)] if names else []
+    return lines
 
 
 def grade(
     answers: Sequence[str | Path], key: str | Path, out: str | Path, force: bool = False
 ) -> tuple[list[str], str]:
-    """Grade tables of answers. Gives back what is wrong with the lines, and a summary to print.
+    """Grade what was handed in. Gives back what was left out or replaced, and a summary to print.
 
-    answers: files, or folders of CSV files. Beside `out` come the students' totals, the mistakes
-    the class makes, and a picture of these.
+    answers: files, or folders in which also the key, rosters and old grades may lie. Beside `out`
+    come the students' totals, the class's mistakes, all problems, and a page that shows the class.
     """
-    if find_spec("matplotlib") is None:  # said before anything is written
-        raise CourseError("grade draws the class's mistakes: `pip install matplotlib` first")
-    paths = [_beside(out, end) for end in ("", "-students.csv", "-mistakes.csv", "-mistakes.svg")]
+    ends = ("", "-students.csv", "-mistakes.csv", "-problems.csv", ".html")
+    paths = [Path(out).with_name(Path(out).stem + end) if end else Path(out) for end in ends]
     for path in paths:
         _refuse_same(path, key)
         tables.free(path, force)
-    keys = _key(key)
-    files, problems = _files(answers, leave_out=paths)
-    given, typed = [], dict[tuple[str, str], str]()
-    for file in files:
-        try:
-            given.append(tables.read(file, ("student", "exercise", "answer")))
-        except CourseError as error:  # one student's file does not stop the others
-            problems.append(str(error))
-        else:
-            _collect(given[-1], keys.rows, typed)
-    if not given:
-        raise CourseError("\n".join(["none of the files could be read", *problems]))
-    found = _graded(keys, typed)
-    tables.write(paths[0], GRADES, [tuple(vars(g).values()) for g in found], force)
-    totals, counts = _totals(found), _counts(found)
-    tables.write(paths[1], TOTALS, totals, force)
-    tables.write(paths[2], COUNTS, counts, force)
-    _picture(paths[3], counts)
-    problems += [words for table in (keys.table, *given) for words in _first(table.problems)]
-    return problems, _summary(keys.versions, totals, counts, paths)
-
-
-@dataclass
-class Keys:
-    """The key by student and exercise, each row with its line number."""
-
-    table: tables.Table
-    rows: dict[tuple[str, str], tuple[int, tables.Row]]
-
-    @property
-    def versions(self) -> set[str]:
-        """The versions of the bank that the key was dealt from."""
-        return {row["version"] for _, row in self.rows.values()}
-
-
-def _key(path: str | Path) -> Keys:
-    table = tables.read(path, KEY[:-1])
-    rows: dict[tuple[str, str], tuple[int, tables.Row]] = {}
-    for line, row in table.rows:
-        if row["exercise"] not in exercises():
-            table.refuse(line, f"there is no exercise {row['exercise']!r}")
-        elif _person(row) in rows:
-            table.refuse(line, f"{row['student']} has {row['exercise']} already")
-        else:
-            rows[_person(row)] = (line, row)
-    return Keys(table, rows)
-
-
-def _person(row: tables.Row) -> tuple[str, str]:
-    return dealing.folded(row["student"]), row["exercise"]
-
-
-def _first(problems: Sequence[str]) -> list[str]:
-    """The first problems of a file, and how many more there are."""
-    more = len(problems) - TOLD
-    return [*problems[:TOLD], *([f"… and {more:,} more of this kind"] if more > 0 else [])]
+    with tables.writing(paths[3], tables.PROBLEMS, force) as write:
+        problems = tables.Problems(write)
+        keys = read_key(key, problems)
+        collected = collect(answers, keys, problems, leave_out=paths)
+        found = _graded(keys, collected, problems)
+        tables.write(paths[0], GRADES, (tuple(vars(g).values()) for g in found), force)
+        totals, counts = _totals(found), _counts(found)
+        tables.write(paths[1], TOTALS, totals, force)
+        tables.write(paths[2], COUNTS, counts, force)
+    course = ", ".join(sorted(keys.courses))
+    paths[4].write_text(class_page.page(course, found, counts), encoding="utf-8")
+    lines = [*_account(collected), "", *_summary(keys, totals, counts), ""]
+    return problems.lines(), "\n".join([*lines, *(f"written: {path}" for path in paths)])
 
 
 def _refuse_same(out: str | Path, read: str | Path) -> None:
@@ -197,53 +212,15 @@ def _refuse_same(out: str | Path, read: str | Path) -> None:
         raise CourseError(f"{out} is what is read: give another name to write to")
 
 
-def _files(paths: Sequence[str | Path], leave_out: Sequence[Path]) -> tuple[list[Path], list[str]]:
-    """The files, and those in the folders and their folders; and those that are no tables."""
-    found, problems = [], []
-    own = {path.resolve() for path in leave_out}
-    for path in map(Path, paths):
-        inside = sorted(p for p in path.rglob("*") if p.is_file()) if path.is_dir() else [path]
-        inside = [file for file in inside if file.resolve() not in own]
-        csv = [file for file in inside if file.suffix.lower() == ".csv" or not path.is_dir()]
-        problems += [f"{file}: not read, only .csv files are" for file in inside if file not in csv]
-        if not csv:
-            raise CourseError(f"there is no .csv file in {path}")
-        found += csv
-    return found, problems
-
-
-def _collect(
-    given: tables.Table,
-    keys: Mapping[tuple[str, str], tuple[int, tables.Row]],
-    typed: dict[tuple[str, str], str],
-) -> None:
-    """Add what each student answered last; lines that fit no line of the key are noted."""
-    students = {student for student, _ in keys}
-    for line, row in given.rows:
-        person = _person(row)
-        course = keys[person][1]["course"] if person in keys else ""
-        if person[0] not in students:
-            given.refuse(line, f"{row['student']!r} is not in the key")
-        elif person not in keys:
-            given.refuse(line, f"{row['student']} has no exercise {row['exercise']!r}")
-        elif row.get("course", course) not in ("", course):
-            given.refuse(line, f"answered in the course {row['course']!r}, the key is {course!r}")
-        elif not row["answer"]:
-            given.refuse(line, f"{row['student']} has an empty answer to {row['exercise']}")
-        else:
-            if person in typed:
-                given.refuse(line, f"{row['student']} answers {row['exercise']} again: this counts")
-            typed[person] = row["answer"]
-
-
-def _graded(keys: Keys, typed: Mapping[tuple[str, str], str]) -> list[Graded]:
+def _graded(keys: Keys, collected: Collected, problems: tables.Problems) -> list[Graded]:
     """Each line of the key with what was answered; an exercise's answers are judged together."""
+    typed = {person: given.answer for person, given in collected.typed.items()}
     rows: dict[str, list[tuple[int, tables.Row]]] = {}
     for line, row in keys.rows.values():
         rows.setdefault(row["exercise"], []).append((line, row))
     found: dict[tuple[str, str], Graded] = {}
     for name, same in progress(list(rows.items()), "exercises"):
-        variants = _variants(name, same, keys.table)
+        variants = _variants(name, same, keys, problems)
         known = [row for _, row in same if row["numbers"] in variants]
         answered = [row for row in known if _person(row) in typed]
         places = {numbers: place for place, numbers in enumerate(variants)}
@@ -257,7 +234,7 @@ def _graded(keys: Keys, typed: Mapping[tuple[str, str], str]) -> list[Graded]:
 
 
 def _variants(
-    name: str, rows: Iterable[tuple[int, tables.Row]], keys: tables.Table
+    name: str, rows: Iterable[tuple[int, tables.Row]], keys: Keys, problems: tables.Problems
 ) -> dict[str, tuple[judging.Candidate, ...]]:
     """What can be answered with the numbers of each row; rows with strange numbers are noted."""
     found: dict[str, tuple[judging.Candidate, ...]] = {}
@@ -268,15 +245,20 @@ def _variants(
         try:
             found[numbers] = judging.candidates(exercises()[name], json.loads(numbers))
         except Exception as error:  # whatever a formula makes of numbers that are not its own
-            keys.refuse(line, f"{name} cannot be computed from {numbers}: {error}")
+            words = f"{name} cannot be computed from {numbers}: {type(error).__name__}: {error}"
+            problems.note("lines of the key that cannot be used", keys.path, line, words, row)
     return found
 
 
-def _totals(graded: Iterable[Graded]) -> list[tuple[object, ...]]:
+def _person(row: tables.Row) -> tuple[str, str]:
+    return folded(row["student"]), row["exercise"]
+
+
+def _totals(graded: Iterable[Graded]) -> list[tuple[str | int, ...]]:
     results: dict[str, Counter[str]] = {}
     for g in graded:
         results.setdefault(g.student, Counter())[g.result] += 1
-    return [(student, *(count[r] for r in TOTALS[1:])) for student, count in results.items()]
+    return [(student, *(count[r] for r in RESULTS)) for student, count in results.items()]
 
 
 def _counts(graded: Sequence[Graded]) -> list[Count]:
@@ -290,62 +272,38 @@ def _counts(graded: Sequence[Graded]) -> list[Count]:
     ]
 
 
-def _picture(path: Path, counts: Sequence[Count]) -> None:
-    """Bars: the most frequent mistakes of the class."""
-    from matplotlib.figure import Figure  # heavy, and nothing else of a teacher's needs it
-
-    shown = counts[:BARS][::-1]
-    figure = Figure(figsize=(8, 1 + 0.35 * max(1, len(shown))), layout="constrained")
-    axes = figure.subplots()
-    names = [f"{exercise}: {mistake}" for exercise, mistake, *_ in shown]
-    bars = axes.barh(range(len(shown)), [row[2] for row in shown], color="#0072b2")
-    axes.set_yticks(range(len(shown)), names)
-    axes.bar_label(bars, padding=3)
-    axes.set_xlabel("students")
-    axes.spines[["top", "right"]].set_visible(False)
-    figure.savefig(path)
-
-
 def _summary(
-    versions: set[str],
-    totals: Sequence[tuple[Any, ...]],
-    counts: Sequence[Count],
-    paths: Sequence[Path],
-) -> str:
-    sums = [f"{sum(row[k] for row in totals)} {TOTALS[k]}" for k in range(1, len(TOTALS))]
-    lines = [f"{len(totals)} students: {', '.join(sums)}", ""]
-    if versions - {dealing.version()}:
+    keys: Keys, totals: Sequence[tuple[str | int, ...]], counts: Sequence[Count]
+) -> list[str]:
+    sums = [f"{sum(int(row[k]) for row in totals):,} {TOTALS[k]}" for k in range(1, len(TOTALS))]
+    lines = [", ".join(sums), ""]
+    if keys.versions - {dealing.version()}:
         lines += [
-            f"The key was dealt from version {', '.join(sorted(versions))} of the bank; this is "
+            f"The key is of version {', '.join(sorted(keys.versions))} of the bank, this is "
             f"{dealing.version()}. The students' numbers are the key's, the answers this bank's.",
             "",
         ]
-    for exercise, name, count, of, comment in counts[:BARS]:
+    for exercise, name, count, of, comment in counts[:MOST]:
         known = mistakes()[name].says if name in mistakes() else comment
         lines.append(f"{count:5} of {of:5}  {exercise:24} {name:14} {known}")
-    return "\n".join([*lines, "", *(f"written: {path}" for path in paths)])
+    return lines
 
 
-def _beside(out: str | Path, end: str) -> Path:
-    path = Path(out)
-    return path.with_name(path.stem + end) if end else path
-
-
-def _students(roster: str | Path) -> tuple[tables.Table, list[str]]:
+def _students(roster: str | Path, problems: tables.Problems) -> list[str]:
     """The names of a roster; empty and repeated ones are noted."""
-    table = tables.read(roster, ("student",))
-    names: dict[str, int] = {}
-    for line, row in table.rows:
-        name = dealing.folded(row["student"])
+    path, names = Path(roster), dict[str, int]()
+    for line, row in tables.read(path, ("student",), problems):
+        name = folded(row["student"])
         if not name:
-            table.refuse(line, "no student's name")
+            problems.note("lines without a student's name", path, line)
         elif name in names:
-            table.refuse(line, f"{name} is in line {names[name]} already")
+            words = f"{name} is in line {names[name]} already"
+            problems.note("students named twice", path, line, words)
         else:
             names[name] = line
     if not names:
-        raise CourseError(f"{table.path} names no student")
-    return table, list(names)
+        raise CourseError("\n".join([f"{path} names no student", *problems.lines()]))
+    return list(names)
 
 
 def chosen(only: Sequence[str]) -> list[Exercise]:

@@ -32,6 +32,11 @@ def symbols(text: str) -> str:
     return re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2\3</sub>", escape(text))
 
 
+def highlighted(text: str) -> str:
+    """A text as HTML, with what stands in « » marked."""
+    return symbols(text).replace("«", "<mark>").replace("»", "</mark>")
+
+
 def paragraphs(text: str) -> str:
     """A text of several paragraphs as HTML."""
     return "".join(f"<p>{symbols(paragraph)}</p>" for paragraph in text.split("\n\n"))

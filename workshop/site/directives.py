@@ -6,7 +6,7 @@ from sphinx.util.docutils import SphinxDirective
 from workshop.course import course
 from workshop.equations.core import NamedSymbol
 from workshop.practice.bank import Mistake, exercises, mistakes, topics
-from workshop.practice.wording import symbols
+from workshop.practice.wording import highlighted, symbols
 from workshop.site.outputs import exercise_box
 from workshop.site.sources import depend
 from workshop.symbols import lexicon
@@ -42,22 +42,6 @@ class Library(SphinxDirective):
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
-class Chapters(SphinxDirective):
-    """A table of the chapters: each with the question that its package's docstring asks."""
-
-    def run(self) -> list[nodes.Node]:
-        """A row for each chapter that has a notebook."""
-        depend(self.env, "__init__")
-        rows = [
-            f"| [{course().title(chapter)}](/{chapter}/{chapter}) | {course().question(chapter)} |"
-            for chapter in course().chapters
-            if course().notebook(chapter).exists()
-        ]
-        return self.parse_text_to_nodes(
-            "\n".join(["| chapter | the question |", "|---|---|", *rows])
-        )
-
-
 class Errata(SphinxDirective):
     """What stands wrong in the source documents."""
 
@@ -77,7 +61,7 @@ def erratum(mistake: Mistake) -> str:
     chapter = f"[{course().title(asked[0].topic)}]({page})"
     # an exercise's place is made by its box, so that Sphinx does not know it
     links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in asked)
-    should = symbols(mistake.should).replace("«", "<mark>").replace("»", "</mark>")
+    should = highlighted(mistake.should)
     return (
         f"**{mistake.document}**, {symbols(mistake.place)} ({mistake.name})\n\n"
         f"- There stands: {symbols(mistake.stands)}\n- It should be: {should}\n\n"

@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any
 
 from workshop.course import course, held
-from workshop.equations.core import Equation, NamedSymbol, find, free_symbols
+from workshop.equations.core import Equation, NamedSymbol, find, free_symbols, look
 from workshop.equations.printing import MIME
 from workshop.errors import CourseError
 
@@ -29,6 +29,11 @@ ATOM = rf"(?P<letter>(?:{ACCENT}(?:{GROUP}|{LETTER})|{LETTER})(?:\s*{INDEX})?(?:
 REST = rf"(?P<rest>{WORD}|\\\\\s*\[\d+pt\]|\\[A-Za-z]+|\\.|.)"
 TYPED = re.compile(r"\$\$(.*?)\$\$|(?<![\\$])\$([^$]+?)\$", re.DOTALL)
 TOKEN = re.compile(r"\{[^{}]*\}|\\(?:mathrm|operatorname)\s*\{\w+\}|\\[A-Za-z]+|\S")
+
+
+def is_chapter(name: str) -> bool:
+    """Whether it is a chapter with a notebook."""
+    return name in course().chapters and course().notebook(name).exists()
 
 
 @cache
@@ -137,6 +142,22 @@ def scan(chapter: str, tex: str) -> Iterable[tuple[str, NamedSymbol | None, bool
             yield match[0], None, name == "letter"
         else:
             yield match[0], known[int(name[1:])], True
+
+
+def marked(chapter: str, tex: str) -> str:
+    """The TeX with each symbol in a `\\htmlData` that carries its key, and its look if any."""
+    return "".join(
+        rf"{{\htmlData{{{face(symbol, chapter)}}}{{{text}}}}}"
+        if symbol
+        else text  # an ordinary atom
+        for text, symbol, _ in scan(chapter, tex)
+    )
+
+
+def face(symbol: NamedSymbol, chapter: str) -> str:
+    """What KaTeX makes `data-symbol` and `data-look` of."""
+    kind = look(symbol, chapter)
+    return f"symbol={symbol.key}" + (f",look={kind}" if kind else "")
 
 
 def unknown(chapter: str, tex: str) -> list[str]:

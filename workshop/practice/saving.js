@@ -1,0 +1,37 @@
+// The file of answers that a student hands in: `grade` reads it.
+
+const now = () => new Date().toISOString();
+
+// As a spreadsheet may read it: quoted, and no cell that it would take for a formula.
+const csvCell = (text) => {
+  const safe = /^[=+\-@\t\r]/.test(text) && !/^[+-]?[\d.]+$/.test(text) ? `'${text}` : text;
+  return /[",;\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
+};
+
+// entries: exercise → { answer, time }; what was not checked is among them.
+const answersCsv = ({ course, version }, student, entries) => [
+  ["kind", "course", "version", "time", "student", "exercise", "answer"],
+  ...Object.entries(entries).filter(([, { answer }]) => answer).map(([exercise, { answer, time }]) =>
+    ["answers", course, version, time ?? "", student, exercise, answer]),
+].map((row) => row.map(csvCell).join(",")).join("\r\n") + "\r\n";
+
+// The rows of such a file, by its heading.
+const answersOf = (text) => {
+  const rows = [[]];
+  for (const [, quoted, plain, end] of text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
+    rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(/^'(?=[=+\-@])/, ""));
+    if (end !== ",") rows.push([]);
+  }
+  const [heading, ...lines] = rows;
+  return lines.filter((line) => line.length === heading.length)
+    .map((line) => Object.fromEntries(heading.map((name, i) => [name, line[i]])))
+    .filter(({ kind, answer }) => kind === "answers" && answer);
+};
+
+const saveAnswers = (course, student, entries) => {
+  const text = "\ufeff" + answersCsv(course, student, entries);
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
+  link.download = `answers-${student.replace(/[^\p{L}\p{N}]+/gu, "-").slice(0, 40)}.csv`;
+  link.click();
+};

@@ -450,7 +450,7 @@ def test_answers_of_nobody_are_not_exported(nobody, tmp_path):
 
 def test_an_exercise_is_named_after_its_folder(monkeypatch):
     monkeypatch.setattr(type(course()), "homes", lambda *_: {"car-1": "bicycle"})
-    with pytest.raises(CourseError, match="folder bicycle is named bicycle-1, .* got car-1"):
+    with pytest.raises(CourseError, match=r"folder bicycle is named bicycle-1, .* got car-1"):
         exercises()
 
 

@@ -36,7 +36,7 @@ const meets = ([a, b, c, d]) => ([p, q, r, s]) => a < r && p < c && b < s && q <
 
 // How wide a text will be, rather too much than too little; marks above letters take no room.
 const wide = (text) => [...text.normalize("NFC").replace(/[\u0300-\u036f]/g, "")]
-  .reduce((sum, sign) => sum + (/[mwMW]|[^\0-~]/.test(sign) ? 13 : /[ .,:()'|lij]/.test(sign) ? 5.5 : 10), 0);
+  .reduce((sum, sign) => sum + (/[ .,:()'|lij⁰¹²³⁴-⁹⁻]/.test(sign) ? 5.5 : /[mwMW]|[^\0-~]/.test(sign) ? 13 : 10), 0);
 
 const written = ({ x, y, shape }) => `<text x="${n(x)}" y="${n(y + 5)}" text-anchor="middle"`
   + `${faceOf(shape)} style="fill:${color(shape.kind)};stroke:var(--rk-ground,#fff);`

@@ -25,6 +25,10 @@ from workshop.site.predictions import asked
 from workshop.site.sources import depend
 
 T = TypeVar("T")
+NO_SCRIPT = (
+    "<noscript><p>Without JavaScript these exercises can be read, with the numbers of somebody "
+    "without a name; answers cannot be checked.</p></noscript>\n"
+)
 
 
 class Outputs:

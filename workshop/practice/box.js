@@ -12,7 +12,14 @@ const RUNGS = ["Where should I look?", "Show the first step", "Show the next ste
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
 
-const paragraphs = (text) => symbols(text).split("\n\n")
+// Lists in a list as a matrix.
+const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
+const cells = (row) => row.split(/, (?![^(]*\))/).map((cell) => `<mtd><mtext>${cell}</mtext></mtd>`).join("");
+const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mrow><mo>[</mo><mtable>${
+  rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
+}</mtable><mo>]</mo></mrow></math>`);
+
+const paragraphs = (text) => matrices(symbols(text)).split("\n\n")
   .map((paragraph) => `<p>${paragraph}</p>`).join("");
 
 const FORMULA = /^(\[[^=]*\]|\S+) = /;

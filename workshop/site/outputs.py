@@ -98,7 +98,7 @@ def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
         env.temp_data["practice_desk"] = True
         desk = engine.call("workshop.practice.deskHtml", salt)
         data = f'data-course="{escape(salt, quote=True)}" data-version="{dealing.version()}"'
-        html = f'<div class="rk-desk" {data}>{desk}</div>\n{html}'
+        html = f'{NO_SCRIPT}<div class="rk-desk" {data}>{desk}</div>\n{html}'
     return nodes.raw("", html, format="html")
 
 

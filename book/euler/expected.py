@@ -129,6 +129,7 @@ READOUTS = {
     "gimbal-rings": rings_readouts,
     "one-turn": one_turn_readouts,
     "euler-sequence": sequence_readouts,
+    "rotation-recap": no_readouts,
 }
 LOCKED = {"middle": HALF}
 ANSWERS = {  # of the exercise, in degrees; the first three are at lock
@@ -153,5 +154,6 @@ SPECIALS = {
         for seq, a in ANSWERS.items()
     ]
     + [{"first": 0.0, "middle": 0.0, "third": 0.0}, {"made": 1.0}, {"made": 2.0}],
+    "rotation-recap": [{"turn": HALF}],
 }
 WORDS = []

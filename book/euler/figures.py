@@ -6,14 +6,14 @@ from itertools import permutations
 from math import pi
 from typing import Any
 
-from sympy import Abs, Matrix, Max, Min, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
+from sympy import Abs, And, Matrix, Max, Min, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
 from sympy import pi as half_turn
 
 from book.euler import formulas as euler
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.motion.formulas import angle
-from workshop.equations.core import Where, put_in, quantity
+from workshop.equations.core import Where, quantity
 from workshop.figures import (
     VIEW,
     Bracket,
@@ -21,10 +21,13 @@ from workshop.figures import (
     Clock,
     Curve,
     Figure,
+    Goal,
+    Label,
     Readout,
     Slider,
     Turns,
     solids,
+    solved,
     view_sliders,
 )
 
@@ -76,9 +79,19 @@ def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
     return Matrix(rows, cols, entries), tuple(zip(entries, matrix, strict=True))
 
 
+def entries(R: Matrix) -> Where:
+    """A rotation as what the entries of the matrix stand for."""
+    return tuple(zip(euler.r, R, strict=True))
+
+
 def angle_of(R: Matrix) -> Any:
     """The angle of the one turn that a rotation is."""
     return euler.turn_angle.at(dict(zip(euler.r, R, strict=True)))
+
+
+def meets(R: Matrix, target: Matrix) -> Any:
+    """Whether two orientations are less than a degree apart."""
+    return angle_of(target.T * R) < half_turn / 180
 
 
 def share(turns: Any, k: int) -> Any:
@@ -94,31 +107,33 @@ def behind(shape: Any) -> Any:
 # Dice: 1, 2 and 3 towards x, y and z of the frame that is fixed to them.
 
 
+FLOOR, HALF = -1.1, 0.75  # m: the floor's height, and half its side
+
+
 def die(
     R: Matrix, at: Sequence[Any] = ORIGIN, labels: Sequence[str] = ("x", "y", "z")
 ) -> tuple[Any, ...]:
     """A die on its axes, above a floor."""
-    stubs = [
-        VIEW.arrow(
-            kind, *([at[k] + far * R[k, axis] for k in range(3)] for far in (0.5, 1.05)), label
-        )
-        for axis, (kind, label) in enumerate(zip(AXES, labels, strict=True))
-    ]
-    body = VIEW.solid(solids.die("body"), R, at, floor=-1.1)
-    return VIEW.floor(-1.1, 1.1, at), body, *stubs
+    tail, head = (
+        [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.05)
+    )
+    stubs = map(VIEW.arrow, AXES, tail, head, labels)
+    body = VIEW.solid(solids.die("body"), R, at, floor=FLOOR)
+    return VIEW.floor(FLOOR, HALF, at), body, *stubs
 
 
 def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
     """Where a die shall be brought to."""
-    body = VIEW.solid(solids.die("ghost"), R, at, floor=-1.1, opacity=0.15)
-    return VIEW.floor(-1.1, 1.1, at), body
+    body = VIEW.solid(solids.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
+    return VIEW.floor(FLOOR, HALF, at), body
 
 
-def room(at: Sequence[Any] = ORIGIN, labels: Sequence[str] = ("", "", "")) -> tuple[Any, ...]:
-    """The axes of the room, which stay; where a die turns, they are left out."""
-    ends = [[[at[k] + far * axis[k] for k in range(3)] for far in (0.95, 1.5)] for axis in (X, Y, Z)]
+def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
+    """The axes of frame A, which stay: along the floor and up from its corner."""
+    corner = [at[0] - HALF, at[1] - HALF, FLOOR]
     return tuple(
-        VIEW.arrow("text", *pair, label) for pair, label in zip(ends, labels, strict=True)
+        VIEW.arrow("text", corner, [c + 1.9 * u for c, u in zip(corner, axis, strict=True)], label)
+        for axis, label in zip((X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
     )
 
 
@@ -132,7 +147,7 @@ def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     )
 
 
-LEFT, RIGHT = VIEW.beside(-1.5), VIEW.beside(1.5)
+LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
 
 
 def die_figure() -> Figure:
@@ -146,25 +161,33 @@ def die_figure() -> Figure:
     return in_space(
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
-        view=(-3, 3, -2.8, 1.55),
+        view=(-3.3, 3.3, -2.85, 1.4),
         controls=(turns,),
         scene=(
-            *die(now, LEFT),
-            *ghost_die(GHOST, RIGHT),
-            Bracket(turns.before, (-0.95 - 0.9 * own + some, -2.1), "before"),
+            *die(now, VIEW.beside(-1.4)),
+            *ghost_die(GHOST, VIEW.beside(1.4)),
+            Bracket(turns.before, (-0.85 - 1.25 * own + some, -1.95), "before"),
             Bracket(
                 turns.last(),
-                (-1.4 + own * (0.9 + away) - (1 - own) * (0.45 + away) + some, -2.1),
+                (-2.1 + own * (1.25 + away) - (1 - own) * away + some, -1.95),
                 "the turn",
                 columns=("icr", "icr", "icr"),
             ),
-            Bracket(now, (1.6 + done, -2.1), "now"),
+            Label("text", (0.3 + some, -1.95), "="),
+            Bracket(now, (1.4 + done, -1.95), "now"),
         ),
         readouts=(
             Readout("count", "turns made", turns.count, "", digits=0),
             Readout("apart", "still to the ghost", angle_of(GHOST.T * now), "rad", digits=0),
         ),
         says="{count} turns made: {turns}. The die is one turn of {apart} from the ghost.",
+        goal=tuple(
+            Goal(And(meets(now, GHOST), turns.part >= 1, turns.count <= most), words)
+            for most, words in (
+                (99, "Bring the die onto its ghost."),
+                (3, "Do it again in three turns: the fewest there are."),
+            )
+        ),
         where=(*steps_last, *steps_now),
     )
 
@@ -174,7 +197,8 @@ def exercise_figure() -> Figure:
     return in_space(
         name="two-frames",
         title="Frame A on the left; frame B on the right, turned another way",
-        view=(-3.2, 3.2, -1.6, 1.6),
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
         controls=(),
         scene=(
             *die(UNTURNED, LEFT, ("x_A", "y_A", "z_A")),
@@ -187,24 +211,25 @@ def exercise_figure() -> Figure:
 
 def columns_figure() -> Figure:
     """A turn about one of the axes, and the three columns of its matrix."""
-    R, steps = named("c", euler.turned_about(about, turn))
+    R = euler.r
     options = {name: tuple(map(int, axis)) for name, axis in zip("xyz", (X, Y, Z), strict=True)}
     return in_space(
         name="columns",
         title="A die turned about one axis of the room, and the matrix of the turn",
-        view=(-2.2, 3.8, -1.45, 1.55),
+        view=(-1.5, 3.1, -1.6, 1.5),
+        size="step",
         controls=(
             Choice("axis", "turn about", tuple(about), options, start="z"),
             Slider(turn, -pi, pi, start=pi / 6, step=pi / 36),
         ),
         scene=(
-            *room(labels=("x_A", "y_A", "z_A")),
+            *room(),
             *die(R),
-            Bracket(R, (2.6, 0.1), "x_B  y_B  z_B", digits=2),
+            Bracket(R, (2.2, 0.1), digits=2),
         ),
         readouts=(),
         says="A turn of {turn} about the {axis} axis.",
-        where=steps,
+        where=entries(euler.turned_about(about, turn)),
     )
 
 
@@ -220,7 +245,8 @@ def order_figure() -> Figure:
     return in_space(
         name="order",
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
-        view=(-3.2, 3.2, -1.6, 1.6),
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
         controls=(
             Clock(made, 0.0, 2.0, start=0.0, step=0.05, label="quarter turns made", rate=0.5),
         ),
@@ -235,25 +261,29 @@ def order_figure() -> Figure:
 
 def target_figure() -> Figure:
     """The exercise: two angles to bring the die to frame B."""
-    R, steps = named("t", euler.turned_about(Y, first) * euler.turned_about(Z, middle))
+    R = euler.r
     return in_space(
         name="to-b",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
-        view=(-3.2, 3.2, -1.6, 1.6),
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
         controls=angle_sliders(
             ("α, about y", "β, about the new z"), (0.0, 0.0), ("y_axis", "z_axis")
         ),
         scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, RIGHT)),
         readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad", digits=1),),
         says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
-        where=steps,
+        goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
+        where=entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
     )
 
 
 def both_figure() -> Figure:
     """Both answers of XYZ, turn by turn."""
-    answers = (TURNS, tuple(euler.other_cardan.right))
-    dice, where = [], ()
+    answers = (TURNS, euler.OTHERS)
+    middle_other = euler.OTHERS[1]
+    dice: list[Matrix] = []
+    where: Where = ((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan))
     for name, angles in zip("pq", answers, strict=True):
         turned = [
             euler.turned_about(axis, share(made, k) * each)
@@ -264,25 +294,25 @@ def both_figure() -> Figure:
         dice.append(three)
         where = (*where, *steps_two, *steps_three)
     left, right = dice
-    twenty = {first: half_turn / 9, third: half_turn / 6}  # two of the angles stay
     return in_space(
         name="both-answers",
         title="Two dice turned by the two answers of one sequence XYZ",
-        view=(-3.2, 3.2, -1.6, 1.6),
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
         controls=(
             Slider(middle, -pi, pi, start=pi / 6, step=pi / 36, kind="y_axis"),
             Clock(made, 0.0, 3.0, start=0.0, step=0.05, label="turns made", rate=0.75),
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
-            Readout("other", "β′ of the other answer", wrapped(answers[1][1]), "rad", digits=0),
+            Readout("other", "β′ of the other answer", wrapped(middle_other), "rad", digits=0),
             Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
         ),
         says=(
             "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
             "{made} turns made, they are {apart} apart."
         ),
-        where=tuple((symbol, put_in(each, twenty)) for symbol, each in where),
+        where=where,
     )
 
 
@@ -324,14 +354,17 @@ def rings_figure() -> Figure:
     three, steps_three = named("c", two * euler.turned_about(Z, gamma))
     free = Matrix.hstack(Piecewise((1, cos(middle) > 0), (-1, True)) * X, one[:, 1], two[:, 2])
     floor = -1.46
-    beside = VIEW.beside(2.9)
+    beside = VIEW.beside(2.65)
     return in_space(
         name="gimbal-rings",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
-        view=(-2.3, 4.1, -1.75, 1.6),
+        view=(-2.0, 3.6, -1.85, 1.6),
+        size="step",
         seen_from=(-pi / 4, pi / 6),
         controls=(
-            Slider(middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"),
+            Slider(
+                middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"
+            ),
             Slider(
                 against, -pi, pi, start=0.0, step=pi / 36, label="outer ring on, inner ring back"
             ),
@@ -353,6 +386,7 @@ def rings_figure() -> Figure:
             ),
             VIEW.solid(AEROPLANE, three),
             VIEW.solid((solids.ball("velocity"),), 0.6 * free, beside),
+            Label("velocity", (2.65, -1.1), "free turns"),
         ),
         readouts=(
             Readout("room", "freedom: 1 best, 0 locked", Abs(cos(middle)), ""),
@@ -369,7 +403,7 @@ def rings_figure() -> Figure:
 # One turn: a rotation is a point in a ball, towards its axis, as far out as its angle.
 
 AXIS = Matrix([-1, 1, -1]) / sqrt(3)  # of R_AB
-ANGLE = 2 * half_turn / 3
+ANGLE = 2 * pi / 3
 
 
 def one_turn_figure() -> Figure:
@@ -385,28 +419,28 @@ def one_turn_figure() -> Figure:
         return vector * 2 * atan2(long, cos(a) * cos(b)) / (long + 1e-300) / half_turn
 
     a, b = by_two(2 * part)
-    whole = at_once * euler.turned_about(AXIS, part * ANGLE)
-    R, steps = named(
-        "n", whole + (1 - at_once) * euler.turned_about(Y, a) * euler.turned_about(Z, b)
-    )
-    turned = at_once * part * ANGLE + (1 - at_once) * (a - b)
-    middle_of = VIEW.beside(1.5)
+    whole = at_once * euler.turned_about(AXIS, part * 2 * half_turn / 3)
+    R = euler.r
+    two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
+    turned = at_once * part * 2 * half_turn / 3 + (1 - at_once) * (a - b)
+    middle_of = VIEW.beside(1.1)
 
     def put(vector: Any) -> list[Any]:
-        return [1.2 * each + at for each, at in zip(vector, middle_of, strict=True)]
+        return [1.1 * each + at for each, at in zip(vector, middle_of, strict=True)]
 
     def way(kind: str, vector: Any, high: Any, samples: int = 32) -> Curve:
         at = put(vector)
         return Curve(kind, VIEW.project(at), s, 0, high, samples, depth=VIEW.depth(at) + 0.2)
 
-    spoke = AXIS * ANGLE / half_turn
+    spoke = AXIS * 2 / 3  # of half a turn
     circles = ((cos(s), sin(s), 0), (0, cos(s), sin(s)), (sin(s), 0, cos(s)))
     here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
     return in_space(
         name="one-turn",
         title="A die on its way to frame B, and its way in the ball of all rotations",
-        view=(-3.2, 3.2, -1.6, 1.6),
-        seen_from=(5 * pi / 12, pi / 9),
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
+        seen_from=(5 * pi / 6, 5 * pi / 36),
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
             Clock(part, 0.0, 1.0, start=0.0, step=0.01, label="part of the way", rate=0.25),
@@ -424,7 +458,23 @@ def one_turn_figure() -> Figure:
             Readout("left", "still to B", angle_of(R_AB.T * R), "rad", digits=1),
         ),
         says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
-        where=steps,
+        where=(*entries(whole + (1 - at_once) * two), *solved(euler.turn_angle)),
+    )
+
+
+def recap_figure() -> Figure:
+    """All in one: columns, axes of A, the one turn."""
+    R = euler.r
+    return in_space(
+        name="rotation-recap",
+        title="A die on its way from frame A to frame B, its matrix, and the axis of the one turn",
+        view=(-1.5, 3.1, -1.6, 1.5),
+        size="step",
+        controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
+        scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
+        readouts=(),
+        says="Turned by {turn} about the slanted axis.",
+        where=entries(euler.turned_about(AXIS, turn)),
     )
 
 
@@ -495,14 +545,15 @@ def sequence_figure() -> Figure:
     return in_space(
         name="euler-sequence",
         title="A die turned about three axes, one after the other; the ghost is frame B",
-        view=(-3.2, 3.2, -1.7, 1.8),
+        view=(-2.7, 2.7, -1.7, 1.6),
+        size="laboratory",
         controls=(
             sequences(),
             *angle_sliders(("first α", "middle β", "third γ"), (0.0, 0.0, 0.0), ("", "", "")),
             Clock(made, 0.0, 3.0, start=3.0, step=0.05, label="turns made", rate=0.75),
         ),
         scene=(
-            *room(LEFT, labels=("x_A", "y_A", "z_A")),
+            *room(LEFT),
             *turn_axis(u, LEFT),
             *die(now, LEFT),
             *ghost_die(R_AB, RIGHT),
@@ -521,6 +572,14 @@ def sequence_figure() -> Figure:
             "is {lock} from gimbal lock. The whole is one turn of {whole} and ends {apart} from "
             "frame B."
         ),
+        goal=tuple(
+            Goal(And(meets(end, R_AB), chosen > 0), f"Reach frame B with {name}.")
+            for name, chosen in (
+                ("ZXZ", outer[2] * mid[0] * inner[2] * (1 - fixed)),
+                ("ZYX", outer[2] * mid[1] * inner[0] * (1 - fixed)),
+                ("zyx", outer[0] * mid[1] * inner[2] * fixed),
+            )
+        ),
         where=(
             *(*steps_angles, *steps_factors, *steps_two, *steps_now, *steps_whole),
             *(*steps_first, *steps_end, *steps_u),
@@ -538,4 +597,5 @@ FIGURES = (
     rings_figure(),
     one_turn_figure(),
     sequence_figure(),
+    recap_figure(),
 )

@@ -11,6 +11,7 @@ from workshop.equations.core import (
     quantities,
     quantity,
     show,
+    sign,
 )
 
 __all__ = [
@@ -26,4 +27,5 @@ __all__ = [
     "quantities",
     "quantity",
     "show",
+    "sign",
 ]

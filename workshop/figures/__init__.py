@@ -11,12 +11,17 @@ from workshop.figures import kinds
 from workshop.figures.declaration import (
     POINTER,
     AngleArc,
+    Area,
     Arrow,
     Body,
     Choice,
     Clock,
     Curve,
+    Disc,
+    Goal,
     Handle,
+    Label,
+    Length,
     Line,
     Point,
     Readout,
@@ -24,8 +29,10 @@ from workshop.figures.declaration import (
     Slider,
     Trail,
     Wheel,
+    solved,
 )
 from workshop.figures.figure import Figure
+from workshop.figures.graph import Graph
 from workshop.figures.space import VIEW, View, view_sliders
 from workshop.figures.turning import Bracket, Turns
 from workshop.script.runtime import Part, register
@@ -37,6 +44,7 @@ register(
         package=__name__,
         scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
         styles=("figure.css",),
+        called_by="rk-figure",
         constants=kinds.constants,
         rules=kinds.rules,
     )
@@ -46,14 +54,20 @@ __all__ = [
     "POINTER",
     "VIEW",
     "AngleArc",
+    "Area",
     "Arrow",
     "Body",
     "Bracket",
     "Choice",
     "Clock",
     "Curve",
+    "Disc",
     "Figure",
+    "Goal",
+    "Graph",
     "Handle",
+    "Label",
+    "Length",
     "Line",
     "Point",
     "Readout",
@@ -63,5 +77,6 @@ __all__ = [
     "Turns",
     "View",
     "Wheel",
+    "solved",
     "view_sliders",
 ]

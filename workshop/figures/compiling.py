@@ -27,7 +27,9 @@ def factor(unit: str) -> float:
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
-    return [s for c in controls for s in getattr(c, "symbols", None) or (c.symbol,)]
+    return [
+        s for c in controls for s in (c.symbols if isinstance(c, d.Choice | Turns) else (c.symbol,))
+    ]
 
 
 # type → its word in the script, what is computed, what is given as it is
@@ -35,11 +37,15 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     d.Point: ("point", lambda s: s.at, ("edge",)),
     d.Line: ("line", lambda s: [x for point in s.points for x in point], ()),
     d.Arrow: ("arrow", lambda s: (*s.tail, *s.head), ()),
-    d.Wheel: ("wheel", lambda s: (*s.at, s.angle), ("length", "width")),
+    d.Wheel: ("wheel", lambda s: (*s.at, s.angle, s.roll), ("length", "width")),
+    d.Disc: ("disc", lambda s: (*s.at, s.angle), ("radius", "spokes")),
+    d.Area: ("area", lambda s: [x for point in s.points for x in point], ()),
+    d.Length: ("length", lambda s: (*s.start, *s.end), ("aside",)),
+    d.Label: ("label", lambda s: s.at, ()),
     d.Body: ("body", lambda s: (*s.at, s.angle), ("radius",)),
     d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
     d.Curve: ("curve", lambda s: (s.low, s.high), ()),
-    d.Trail: ("trail", lambda s: (), ()),
+    d.Trail: ("trail", lambda s: (), ("line", "dots")),
     Solid: ("solid", lambda s: s.numbers, ("data", "floor", "opacity", "behind")),
     Bracket: ("bracket", lambda s: (*s.at, *s.matrix), ("columns", "digits")),
 }
@@ -116,6 +122,7 @@ class Compiler:
             "step": step,
             "digits": max(0, -math.floor(math.log10(step) + 1e-9)),
             "rate": control.rate,
+            "loops": isinstance(control, d.Clock) and control.loops,
             "whole": isinstance(control.step, int),
         }
 
@@ -157,13 +164,18 @@ class Compiler:
 
     def handle(self, handle: d.Handle) -> dict[str, Any]:
         """A handle: where it is, which controls it sets, and the function from pointer to them."""
-        code = function({"c": self.settings, "p": d.POINTER}, list(handle.sets.values()))
+        code = function({"c": self.known, "p": d.POINTER}, list(handle.sets.values()))
         return {
             "label": handle.label,
             "at": self.numbers(*handle.at),
             "sets": self.sliders(handle.sets, f"the handle {handle.label!r}"),
             "to": Code(code),
         }
+
+    def goal(self, goal: d.Goal) -> dict[str, Any]:
+        """A goal: its number is 1 when it is reached, else 0."""
+        reached = sp.Piecewise((1, goal.condition), (0, True))
+        return {"words": goal.words, "at": self.numbers(reached)[0]}
 
     def recurrence(self, loop: d.Recurrence) -> dict[str, Any]:
         """A loop: functions for its start, its step and how often."""
@@ -192,6 +204,7 @@ class Compiler:
         start = len(self.known) - len(self.where)
         return [
             {
+                "key": str(symbol),
                 "symbol": symbol.key,
                 "at": start + place,
                 "unit": "°" if symbol.unit == "rad" else symbol.unit,

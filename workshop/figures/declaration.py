@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from workshop.equations.core import NamedSymbol
+from workshop.equations.core import Equation, NamedSymbol, Where
 from workshop.equations.text import symbol_text
 
 Expr = Any
@@ -22,6 +22,12 @@ Kind = Any  # a name, or a quantity
 Pair = tuple[Expr, Expr]
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
+
+
+def solved(*equations: Equation) -> Where:
+    """Named steps that compute the left sides of equations, in order, for `Figure.where`."""
+    sides = [(sp.Matrix([e.left]), sp.Matrix([e.right])) for e in equations]
+    return [pair for left, right in sides for pair in zip(left, right, strict=True)]
 
 
 # Controls: what the reader moves.
@@ -46,9 +52,14 @@ class Slider:
 
 @dataclass(frozen=True)
 class Clock(Slider):
-    """A slider that also plays: it runs from low to high at `rate` seconds in a second."""
+    """A slider that also plays: it runs from low to high at `rate` seconds in a second.
+
+    loops: it plays by itself while the picture is in sight, again and again, for readers who like
+    motion; a hand on it stops it.
+    """
 
     rate: float = 1.0
+    loops: bool = False
 
 
 @dataclass(frozen=True)
@@ -64,7 +75,10 @@ class Choice:
 
 @dataclass(frozen=True)
 class Handle:
-    """A point to drag: where it is, and which slider gets which expression of `POINTER`."""
+    """A point to drag: where it is, and which slider gets which expression of `POINTER`.
+
+    The expression may use all that the figure knows.
+    """
 
     label: str
     at: Pair
@@ -89,8 +103,17 @@ class Recurrence:
     ends: tuple[sp.Symbol, ...]
 
 
-# The scene: what is drawn. Shapes are painted as declared;
-# those with a `depth` (larger is nearer) change places among themselves: the nearest comes last.
+@dataclass(frozen=True)
+class Goal:
+    """What the reader shall reach: a condition of the figure's numbers, and the task in words."""
+
+    condition: Any
+    words: str
+
+
+# The scene: what is drawn. In a label `{name}` is a number of the figure. Shapes are painted as
+# declared; those with a `depth` (larger is nearer) change places among themselves: the nearest
+# comes last.
 
 
 @dataclass(frozen=True)
@@ -130,13 +153,56 @@ class Arrow:
 
 @dataclass(frozen=True)
 class Wheel:
-    """A wheel from above, rolling along `angle`; length and width in metres."""
+    """A wheel from above, rolling along `angle`; length and width in metres.
+
+    roll: how far it has rolled, which its treads show.
+    """
 
     kind: Kind
     at: Pair
     angle: Expr
     length: float
     width: float
+    roll: Expr = 0
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A wheel from the side: a round thing whose spokes show how far it has turned."""
+
+    kind: Kind
+    at: Pair
+    angle: Expr
+    radius: float
+    spokes: int = 5
+
+
+@dataclass(frozen=True)
+class Area:
+    """A filled piece of the ground, by its corners."""
+
+    kind: Kind
+    points: tuple[Pair, ...]
+
+
+@dataclass(frozen=True)
+class Length:
+    """A length with its ends marked; aside: how far to the left of start → end it is drawn, m."""
+
+    kind: Kind
+    start: Pair
+    end: Pair
+    label: str | None = None
+    aside: float = 0.0
+
+
+@dataclass(frozen=True)
+class Label:
+    """Words or a number at a place."""
+
+    kind: Kind
+    at: Pair
+    label: str | None = None
 
 
 @dataclass(frozen=True)
@@ -175,7 +241,7 @@ class Trail:
 
 @dataclass(frozen=True)
 class AngleArc:
-    """The arc of an angle around a point."""
+    """An angle around a point: its arc, and the sector in it."""
 
     kind: Kind
     at: Pair
@@ -192,7 +258,8 @@ class AngleArc:
 class Readout:
     """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan".
 
-    A quantity as the name gives its letter and unit, and itself as the value.
+    A quantity as the name gives its letter and unit, and itself as the value. digits: after the
+    point; -2 means two digits and a power of ten.
     """
 
     name: Any

@@ -14,7 +14,8 @@ const fromValues = (figure, values) => figure.controls.map((control) => {
 const inNotebook = (figure, { model, el }) => {
   el.classList.add("rk-figure");
   el.innerHTML = html(figure);
-  el.querySelector(".rk-link").remove();
+  el.dataset.size = figure.size;
+  el.querySelector(".rk-link")?.remove();
   const live = new Live(el, figure, (state) => {
     model.set("state", toValues(figure, state));
     model.save_changes();

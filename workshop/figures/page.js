@@ -24,7 +24,7 @@ const fromAddress = (figure, address) => {
 
 const offerLink = (live) => {
   const button = live.element.querySelector(".rk-link");
-  button.addEventListener("click", () => {
+  button?.addEventListener("click", () => {
     history.replaceState(null, "", toAddress(live.figure, live.state));
     button.textContent = "The link is in the address bar";
     navigator.clipboard?.writeText(location.href).then(
@@ -54,7 +54,7 @@ const bringToPage = (figure) => {
     element.workshop = live;
   } catch (error) {
     element.innerHTML = before; // the still picture stays, without its controls
-    element.querySelector(".rk-panel").remove();
+    element.querySelector(".rk-panel")?.remove();
     element.classList.remove("rk-live");
     console.error(`The figure ${figure.name} cannot be moved:`, error);
   }

@@ -29,17 +29,22 @@ const controlHtml = (control, i) => ({ choice: choiceHtml, turns: turnsHtml }[co
 const readoutHtml = (readout, value) =>
   `<div${faceOf(readout)}><dt>${controlName(readout)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
 
+const goalHtml = ({ words }) => `<p class="rk-goal">${symbols(words)} <output></output></p>`;
+
 const html = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
+  const picture = `<div class="rk-picture">${svg(figure)}</div>`;
+  if (!figure.controls.length) return picture;
   const turns = (_, i) => figure.turns?.includes(i), parts = figure.controls.map(controlHtml);
   const aside = parts.filter(turns).join("");
   const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
     + `<div class="rk-controls">${aside}</div></details>`;
-  return `<div class="rk-picture">${svg(figure)}</div>`
-    + `<div class="rk-panel"><div class="rk-controls">${parts.filter((...of) => !turns(...of)).join("")}</div>`
+  const link = `<button type="button" class="rk-link">Link to this setting</button>`;
+  return `${picture}<div class="rk-panel">${figure.goals.map(goalHtml).join("")}`
+    + `<div class="rk-controls">${parts.filter((...of) => !turns(...of)).join("")}</div>`
     + `<dl class="rk-readouts">${figure.readouts.map((r, k) => readoutHtml(r, values[k])).join("")}</dl>`
     + `<div class="rk-buttons"><button type="button" class="rk-reset">Reset</button>`
-    + `<button type="button" class="rk-link">Link to this setting</button></div>${view}</div>`
+    + `${figure.size === "step" ? "" : link}</div>${view}</div>`
     + `<p class="rk-says" aria-live="polite"></p>`;
 };
 

@@ -48,7 +48,7 @@ SHAPES.solid = (p, { data, floor, opacity, behind }, to) => {
   let shadow = "";
   for (const { kind, corners, faces, dots, smooth } of data) {
     const there = corners.map(place), points = there.map(seen);
-    const flat = floor === null ? [] : there.map(([x, y]) => seen([x, y, floor]));
+    const flat = floor === null || se < 0 ? [] : there.map(([x, y]) => seen([x, y, floor]));
     faces.forEach((face, k) => {
       if (flat.length) shadow += outline(face.map((i) => flat[i]));
       const q = face.map((i) => points[i]), line = outline(q), world = face.map((i) => there[i]);

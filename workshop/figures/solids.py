@@ -169,7 +169,9 @@ def tiles(height: float, half: float, n: int = 4) -> Part:
     ends = [half * (2 * k / n - 1) for k in range(n + 1)]
     corners = tuple((x, y, height) for y in ends for x in ends)
     faces = tuple(
-        (k, k + 1, k + n + 2, k + n + 1) for j in range(n) for k in range(j * (n + 1), j * (n + 1) + n)
+        (k, k + 1, k + n + 2, k + n + 1)
+        for j in range(n)
+        for k in range(j * (n + 1), j * (n + 1) + n)
     )
     return Part("grid", corners, faces)
 

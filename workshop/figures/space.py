@@ -70,7 +70,9 @@ class View:
         ends = self.project(tail), self.project(head)
         return Arrow(kind, *ends, label, depth=self.depth(middle))
 
-    def solid(self, parts: Sequence[solids.Part], R: Any, at: Triple = ORIGIN, **more: Any) -> Any:
+    def solid(
+        self, parts: Sequence[solids.Part], R: Any, at: Triple = ORIGIN, **more: Any
+    ) -> solids.Solid:
         """A body of parts at a pose; `floor`, `opacity` and `behind` as `Solid` says."""
         return solids.Solid(tuple(parts), R, at, self.angles, **more)
 

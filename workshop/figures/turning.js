@@ -63,15 +63,17 @@ const followTurns = (live) => live.all("[data-press]").forEach((button) => {
 Object.assign(part, { turnNumbers });
 
 // A matrix in the picture: columns in their colours, between brackets.
-SHAPES.bracket = ([x, y, ...entries], { columns, digits, label: name, kind }, to) => {
+SHAPES.bracket = ([x, y, ...entries], shape, to) => {
+  const { columns, digits, kind } = shape;
   const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = 1.5 * wide;
   const number = (value, k) => {
     const at = `x="${n(x0 + (k % 3 - 0.6) * wide)}" y="${n(y0 + (Math.floor(k / 3) - 0.7) * high)}"`;
     return `<text ${at} text-anchor="end" style="fill:${color(columns[k % 3])};font:600 13px sans-serif">`
       + `${fixed(value, digits)}</text>`;
   };
+  to.taken.push([x0 - half, y0 - 1.7 * high, x0 + half, y0 + 1.7 * high]);
   const edge = (side) => `M${n(x0 + side * (half - 4))} ${n(y0 - 1.6 * high)}h${4 * side}`
     + `v${n(3.2 * high)}h${-4 * side}`;
   return `<path d="${edge(-1)}${edge(1)}" ${stroke(kind)}/>${entries.map(number).join("")}`
-    + (name ? label(x0, y0, name, kind, [0, 2.7 * high], "middle") : "");
+    + label(to, x0, y0 + 1.6 * high, shape, [0, 1]);
 };

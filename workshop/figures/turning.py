@@ -23,6 +23,7 @@ class Turns:
 
     name: str = "turns"
     start: str = ""
+    label: str = "turns"
 
     before: ClassVar[sp.Matrix] = BEFORE  # the rotation before the last turn
     axis: ClassVar[sp.Matrix] = AXIS  # of the last turn: a unit vector, (0, 0, 0) if there is none

@@ -1,6 +1,16 @@
 // From numbers to words.
 
-const fixed = (number, digits) => trueMinus(number.toFixed(digits).replace(/^-(?=[0.]*$)/, ""));
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+// Digits after the point; -2: two digits and a power of ten.
+const fixed = (number, digits) => {
+  if (digits < 0 && number) {
+    const [digit, power] = number.toExponential(-digits - 1).split("e");
+    const raised = power.replace("+", "").replace("-", "⁻").replace(/\d/g, (d) => RAISED[d]);
+    return `${trueMinus(digit)}·10${raised}`;
+  }
+  return trueMinus(number.toFixed(Math.max(0, digits)).replace(/^-(?=[0.]*$)/, ""));
+};
 
 const shownNumber = (readout, value) => {
   if (String(value) in readout.words) return readout.words[String(value)];
@@ -12,29 +22,34 @@ const shownControl = (control, shown) => control.type === "choice" ? control.opt
   : control.type === "turns" ? toldTurns(shown[0])
   : shownNumber({ words: {}, factor: 1, digits: control.digits, unit: control.unit }, shown);
 
-// Every number that has a symbol, by its key: what it is in SI, and as it is shown.
-const numbers = (figure, state, { c, values }) => {
-  const found = {};
-  const add = ({ symbol }, value, text) => { if (symbol) found[symbol] = { value, text }; };
-  figure.steps.forEach((step) => {
-    const short = trueMinus(String(Number((c[step.at] * step.factor).toPrecision(3))));
-    add(step, c[step.at], step.unit === "°" ? `${short}°` : `${short} ${step.unit}`.trim());
-  });
-  figure.controls.forEach((control, i) => {
-    if (control.type !== "choice") add(control, state[i] * control.factor, shownControl(control, state[i]));
-  });
-  figure.readouts.forEach((readout, k) => add(readout, values[k], shownNumber(readout, values[k])));
-  return found;
+// All that a figure tells: named steps, controls, readouts, each as it is in SI and as it is shown.
+const told = (figure, state, { c, values }) => {
+  const short = (x) => trueMinus(String(Number(x.toPrecision(3))));
+  return [
+    ...figure.steps.map((step) => {
+      const text = short(c[step.at] * step.factor);
+      return { ...step, value: c[step.at],
+        text: step.unit === "°" ? `${text}°` : `${text} ${step.unit}`.trim() };
+    }),
+    ...figure.controls.map((control, i) =>
+      ({ ...control, value: state[i] * control.factor, text: shownControl(control, state[i]) })),
+    ...figure.readouts.map((readout, k) =>
+      ({ ...readout, value: values[k], text: shownNumber(readout, values[k]) })),
+  ];
 };
 
-// The sentence about the present state.
-const says = (figure, state, values) => figure.says.replace(/\{(\w+)\}/g, (_, key) => {
-  const i = figure.controls.findIndex((control) => control.key === key);
-  if (i >= 0) return shownControl(figure.controls[i], state[i]);
-  const k = figure.readouts.findIndex((readout) => readout.key === key);
-  return shownNumber(figure.readouts[k], values[k]);
-});
+// Every number that has a symbol, by its key.
+const numbers = (figure, state, computed) => Object.fromEntries(
+  told(figure, state, computed).filter(({ symbol }) => symbol)
+    .map(({ symbol, value, text }) => [symbol, { value, text }]));
 
-const alternative = (figure, state, values) => `${figure.title}. ${says(figure, state, values)}`;
+// Words about the present state: `{name}` becomes what is told under it.
+const filled = (text, all) =>
+  text.replace(/\{(\w+)\}/g, (_, name) => all.findLast(({ key }) => key === name).text);
+
+const says = (figure, state, computed) => filled(figure.says, told(figure, state, computed));
+
+const alternative = (figure, state, computed) =>
+  `${figure.title}. ${says(figure, state, computed)}`.trim();
 
 Object.assign(part, { numbers, settings });

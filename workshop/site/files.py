@@ -1,5 +1,6 @@
 """Files beside the pages: the script and its style, the exercises, what a notebook needs."""
 
+import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -10,31 +11,55 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from workshop.course import course
+from workshop.figures.compiling import Code, javascript
+from workshop.figures.figure import figures
 from workshop.practice import page as practice
 from workshop.practice.bank import topics
 from workshop.script import runtime
+from workshop.symbols.page import symbols_told
+
+FIGURE = re.compile(r'<figure class="rk-figure" id="([^"]+)"')
 
 
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The runtime and its style on pages that have a figure or an exercise, and only there."""
+    """The scripts and the style on pages that have a figure, an exercise …, and only there.
+
+    What is told a page's scripts comes in a file, too: no script stands in a page.
+    """
     body = context.get("body", "") if doctree else ""
-    if 'class="rk-' in body:
-        app.add_js_file("workshop.js", loading_method="defer")
+    names = dict.fromkeys(FIGURE.findall(body))
+    told = {
+        "workshopFigures": [Code(figures()[name].code) for name in names],
+        "workshopSymbols": symbols_told(page, body),
+    }
+    if any(told.values()):
+        file = f"pages/{page.replace('/', '-')}.js"
+        lines = (f"window.{name} = {javascript(value)};\n" for name, value in told.items())
+        write_static(app, file, "".join(lines))
+        app.add_js_file(file, loading_method="defer")
+    if needed := runtime.called_by(body):
         app.add_css_file("workshop.css")
+        for name in needed:
+            app.add_js_file(f"workshop/{name}.js", loading_method="defer")
 
 
-def write_assets(app: Sphinx, error: Exception | None) -> None:
-    if error or app.builder.format != "html":
+def write_assets(app: Sphinx, env: Any) -> None:
+    """Before the pages, so that these can say which version they want."""
+    if app.builder.format != "html":
         return
-    static = Path(app.outdir) / "_static"
-    (static / "practice").mkdir(exist_ok=True)
     solutions = app.config.course_solutions
-    for name, text in {
-        "workshop.js": runtime.page(),
-        "workshop.css": runtime.stylesheet(),
-        **{f"practice/{t}.js": practice.script(t, solutions) for t in topics()},
-    }.items():
-        (static / name).write_text(text, encoding="utf-8")
+    write_static(app, "workshop.css", runtime.stylesheet())
+    for name in runtime.parts():
+        write_static(app, f"workshop/{name}.js", runtime.script(name))
+    for topic in topics():
+        write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
+
+
+def write_static(app: Sphinx, name: str, text: str) -> None:
+    """A file in the site's `_static`."""
+    file = Path(app.outdir) / "_static" / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8")
 
 
 class Downloads(SphinxDirective):

@@ -23,6 +23,7 @@ from workshop.predictions.notebook import MIME as PREDICTION
 from workshop.script import engine
 from workshop.site.predictions import asked
 from workshop.site.sources import depend
+from workshop.symbols.numbers import Slots
 
 T = TypeVar("T")
 NO_SCRIPT = (
@@ -73,7 +74,19 @@ def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     node["number"] = domain.get_equation_number_for(label)
     target = nodes.target("", "", ids=[nodes.make_id(f"equation-{label}")])
     renderer.renderer.document.note_explicit_target(target)
-    return [target, node]
+    followed = data.content.get("figure")
+    return [target, node, *(_numbers(name, computed, followed, env) if followed else ())]
+
+
+def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> list[nodes.Element]:
+    """Below a formula the same with the numbers of a figure, which the script keeps up to date."""
+    depend(env, "figures")
+    slots = Slots(told(find, name), told(find_figure, figure), env.docname.partition("/")[0])
+    tex = told(lambda _: slots.tex(computed), name)
+    node = nodes.math_block(tex, tex, number=None, nowrap=False, seen_only=True, marked=tex)
+    start = nodes.raw("", '<div class="rk-numbers">', format="html")
+    said = f'<p class="rk-says">{slots.said()}</p></div>'
+    return [start, node, nodes.raw("", said, format="html")]
 
 
 def _figure(name: str) -> nodes.raw:

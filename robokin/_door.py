@@ -130,6 +130,7 @@ def door(**rules: Check) -> Callable[[Callable[P, T]], Callable[P, T]]:
         names, accepted = list(parameters), parameters.keys()
         defaults = {n: p.default for n, p in parameters.items() if p.default is not p.empty}
         optional = {name for name, default in defaults.items() if default is None}
+        formula: Callable[..., T] = function  # past the door its arguments are arrays
 
         @wraps(function)
         @quiet
@@ -141,7 +142,7 @@ def door(**rules: Check) -> Callable[[Callable[P, T]], Callable[P, T]]:
                 if twice or len(args) > len(names) or given.keys() != accepted:
                     return function(*args, **kwargs)  # Python itself says what is wrong
             bad = admit(given, rules, optional)
-            return cast(T, _finished(cast(Callable[..., T], function)(**given), bad))
+            return cast(T, _finished(formula(**given), bad))
 
         return checked
 
@@ -156,7 +157,8 @@ def quiet(function: Callable[P, T]) -> Callable[P, T]:
 
 def inside(function: Callable[P, T]) -> Callable[P, T]:
     """A public function without its door, for arguments that have come through one."""
-    return cast(Callable[P, T], vars(function)["__wrapped__"])
+    formula: Callable[P, T] = vars(function)["__wrapped__"]
+    return formula
 
 
 def admit(

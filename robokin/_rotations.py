@@ -12,7 +12,7 @@ from robokin.errors import RobokinError
 
 TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
 KINDS: dict[Shape, str] = {(3, 3): "SE(2)", (4, 4): "SE(3)"}
-BLOCK = 4000  # matrices looked at together: few enough to stay in the processor's cache
+BLOCK = 4000  # matrices taken together: few enough to stay in the processor's cache
 
 
 class Square(Rule):
@@ -31,7 +31,7 @@ def refuse_skewed(name: str, matrices: Array, n: int = 3, tol: float = TOLERANCE
 
     A matrix with NaN is not judged.
     """
-    for start in range(0, len(matrices), BLOCK) if matrices.ndim > 2 else [0]:
+    for start in range(0, len(matrices), BLOCK):
         block = matrices[start : start + BLOCK]
         errors = _errors(block, n)
         if errors.max(initial=0.0) <= tol:
@@ -104,7 +104,12 @@ def poses(transforms: Mapping[str, ArrayLike]) -> list[Array]:
 
 def product(chain: Sequence[Array]) -> Array:
     """The pose at the end of a chain, in an array of its own."""
-    return reduce(np.matmul, chain) if len(chain) > 1 else chain[0].copy()
+    chain = np.broadcast_arrays(*chain)
+    out = np.empty(chain[0].shape)
+    for start in range(0, len(out), BLOCK):
+        block = slice(start, start + BLOCK)
+        out[block] = reduce(np.matmul, [T[block] for T in chain])
+    return out
 
 
 def parts_of(T: Array) -> tuple[Array, Array]:

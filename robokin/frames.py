@@ -14,7 +14,7 @@ import numpy as np
 from robokin._angles import from_minus_pi
 from robokin._arrays import entries, matrix, times, vector
 from robokin._checks import Array, ArrayLike, Shape, at, first, shown
-from robokin._door import data, door, one, positive, quiet
+from robokin._door import data, door, inside, one, positive, quiet
 from robokin._rotations import (
     A_PLANAR_POSE,
     A_POSE,
@@ -210,7 +210,7 @@ class FrameGraph:
             self._refuse_contradiction(name, T, way)
         self._shape = shape
         self._known.setdefault(a, {}).setdefault(b, T.copy())
-        self._known.setdefault(b, {}).setdefault(a, inverse(T))
+        self._known.setdefault(b, {}).setdefault(a, inside(inverse)(T))
 
     @quiet
     def get(self, a: str, b: str) -> Array:

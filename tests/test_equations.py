@@ -161,7 +161,8 @@ def one_point(monkeypatch):
 def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch, one_point):
     first = checked(tmp_path)
     (kept,) = tmp_path.glob("*.json")
-    assert json.loads(kept.read_text(encoding="utf-8")) == first
+    assert json.loads(kept.read_text(encoding="utf-8"))["entries"] == first.entries
+    assert first.formulas == len([c for c in CHECKS.values() if c.function])
     monkeypatch.setattr("workshop.equations.check", lambda: pytest.fail("checked again"))
     assert checked(tmp_path) == first
     kept.rename(tmp_path / "formula-checks-of-other-sources.json")
@@ -285,9 +286,14 @@ def test_show_gives_notebook_and_page_their_forms():
     data = equations.show("motion.arc_step")._repr_mimebundle_()
     assert data[MIME] == {"name": "motion.arc_step", "computed": False}
     assert data["text/latex"].endswith(r"\tag{motion.arc\_step} $$")
-    assert data["text/plain"].startswith("[x', y', ")
+    assert data["text/plain"].startswith("[x_next, y_next, ")
     computed = equations.show("motion.arc_step", computed=True)._repr_mimebundle_()
     assert computed[MIME] == {"name": "motion.arc_step", "computed": True}
+
+
+def test_a_formula_may_follow_a_figure():
+    data = equations.show("differential_drive.speed", figure="wheel-speeds")._repr_mimebundle_()
+    assert data[MIME]["figure"] == "wheel-speeds"
 
 
 def test_an_unknown_name_is_refused():
@@ -314,7 +320,7 @@ def test_a_tolerance_is_small(check):
 def test_quantities_are_described():
     for symbol in quantities():
         assert symbol.meaning, symbol
-        assert symbol.low < symbol.high, symbol
+        assert symbol.is_sign or symbol.low < symbol.high, symbol
 
 
 def test_declaring_half_is_refused():
@@ -384,7 +390,7 @@ def test_two_symbols_of_one_name_are_told_apart():
 
 def test_a_figure_tells_its_slider_from_a_namesake():
     x, other = known("x"), quantity("x", "m", 0, 1, "another one")
-    figure = Compiler([Slider(x, 0, 1, 0, 0.1)], [], ())
+    figure = Compiler([Slider(x, 0, 1, 0, 0.1)], [], (), "")
     with pytest.raises(CourseError, match=r"uses x \(tests.*, line \d+\), .* are x \(book"):
         figure.numbers(2 * other)
     with pytest.raises(CourseError, match=r"handle sets x \(.*, line \d+\), which is no slider"):
@@ -425,6 +431,20 @@ def test_a_pole_is_told_with_its_place():
     x = sp.Symbol("x")
     with pytest.raises(CourseError, match=r"1/x divides by zero at x = 0: .*Piecewise"):
         evaluate(1 / x, [x], np.array([[1.0], [0.0]]))
+
+
+def test_a_symbol_has_a_key_and_a_look(monkeypatch):
+    """The look that its user gives it goes before that of its own chapter."""
+    dt = known("dt")
+    assert dt.key == "motion.dt"
+    assert equations.look(dt) == ""
+    formulas = course().modules("formulas")
+    monkeypatch.setattr(formulas["motion"], "LOOKS", {dt: "path"}, raising=False)
+    monkeypatch.setattr(formulas["odometry"], "LOOKS", {dt: "left"}, raising=False)
+    assert [equations.look(dt, c) for c in ("", "bicycle", "odometry")] == ["path", "path", "left"]
+    formulas["motion"].LOOKS[dt] = "purple"
+    with pytest.raises(CourseError, match="no kind 'purple'; there are left,"):
+        equations.look(dt)
 
 
 def test_putting_in_leaves_the_form_alone():

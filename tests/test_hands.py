@@ -16,6 +16,7 @@ from test_figures import (
 )
 
 from workshop.figures import Choice
+from workshop.figures.turning import Turns
 
 pytest_plugins = ["browser"]
 
@@ -138,6 +139,8 @@ def shown(figure, random):
     for control in figure.controls:
         if isinstance(control, Choice):
             code.append(int(random.integers(len(control.options))))
+        elif isinstance(control, Turns):
+            code.append([str(random.choice(["", "x", "Zx-Y"])), 1])
         elif isinstance(control.step, int):
             code.append(int(random.integers(control.low, control.high + 1)))
         else:

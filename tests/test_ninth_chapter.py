@@ -1,7 +1,7 @@
 """A ninth chapter is one folder and one line of `_toc.yml`; nothing else is touched.
 
-The folder `ninth_chapter/beacon` is put into a copy of the tree. There the site is built and the
-machine's own tests are run.
+The folder `ninth_chapter/beacon` is put into a copy of the tree, which also gets a public address.
+There the site is built and the machine's own tests are run.
 """
 
 import os
@@ -17,6 +17,7 @@ from support import ROOT
 
 BEACON = Path(__file__).parent / "ninth_chapter" / "beacon"
 NOT_SOURCE = (".*", "_build", "__pycache__")
+ADDRESS = "https://example.org/course/"
 LINE = "      - file: planar_arm/planar_arm\n"
 
 
@@ -40,6 +41,10 @@ def built(place):
     text = toc.read_text("utf-8")
     assert LINE in text
     toc.write_text(text.replace(LINE, f"{LINE}      - file: beacon/beacon\n"), "utf-8")
+    config = place / "_config.yml"
+    settings = config.read_text("utf-8")
+    assert 'html_baseurl: ""' in settings
+    config.write_text(settings.replace('html_baseurl: ""', f'html_baseurl: "{ADDRESS}"'), "utf-8")
     book = Path(sys.executable).with_name("jupyter-book")
     options = ["--config", "_config.yml", "--toc", str(toc), "--path-output", ".", "-W", "-n"]
     for command in (
@@ -90,6 +95,17 @@ def test_it_comes_in_the_order_of_the_table_of_contents(site):
     text = (site / "intro.html").read_text("utf-8")
     chapters = re.findall(r'href="(\w+)/\1\.html"', text)
     assert chapters.index("planar_arm") < chapters.index("beacon")
+
+
+def test_it_stands_in_the_list_for_search_engines(site):
+    page = f"{ADDRESS}beacon/beacon.html"
+    assert f"<loc>{page}</loc>" in (site / "sitemap.xml").read_text("utf-8")
+    assert f"Sitemap: {ADDRESS}sitemap.xml" in (site / "robots.txt").read_text("utf-8")
+    text = (site / "beacon" / "beacon.html").read_text("utf-8")
+    assert f'<link rel="canonical" href="{page}" />' in text
+    assert f'<meta property="og:url" content="{page}" />' in text
+    same = f'<link rel="canonical" href="{ADDRESS}" />'
+    assert all(same in (site / name).read_text("utf-8") for name in ("index.html", "intro.html"))
 
 
 def test_the_machine_s_tests_hold_it(tree, site):

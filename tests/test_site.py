@@ -24,7 +24,7 @@ AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
 LIMIT = 300_000  # bytes, compressed, without pictures
 DESCRIPTION = 160  # characters that search engines show
 PICTURES = ("image", "media")
-GENERATED = ("index", "genindex", "py-modindex", "search")
+GENERATED = ("404", "index", "genindex", "py-modindex", "search")
 PAGES = [f"{name}.html" for name in (*listed(), *GENERATED)]
 each_page = pytest.mark.parametrize("name", PAGES)
 # Opened from disk, pages differ from each other by what they load.
@@ -38,6 +38,8 @@ async () => {
       ({id, help, nodes}) => `${id}: ${help}: ${nodes.map((node) => node.target).join(", ")}`);
 }
 """
+# colours that still change from light to dark are nobody's fault
+AT_REST = "() => !document.getAnimations().some((each) => each instanceof CSSTransition)"
 OVERFLOW = "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"
 VISIBLE_SEARCHES = """
 () => [...document.querySelectorAll("input[type=search], .search-button__button")]
@@ -89,6 +91,7 @@ def assert_fits_and_is_accessible(page, name):
     for scheme in ("light", "dark"):
         page.emulate_media(color_scheme=scheme)
         page.wait_for_function("(s) => document.documentElement.dataset.theme === s", arg=scheme)
+        page.wait_for_function(AT_REST)
         if scheme == "light":
             page.add_script_tag(path=AXE)
         assert page.evaluate(FOUND_BY_AXE) == [], scheme
@@ -103,8 +106,21 @@ def assert_root_signs_stand(page):
         assert height > 10 * float(ems.removesuffix("em"))  # px; letters are 18 px
 
 
+@each_page
+def test_no_script_stands_in_a_page(name, site):
+    """So that the page's policy can forbid what others might write into it."""
+    text = (site / name).read_text("utf-8")
+    assert """content="default-src 'self'; style-src""" in text
+    assert not re.findall(r"<script(?![^>]* src=)|\son[a-z]+=\"|javascript:", text)
+
+
 @pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=[pytest.mark.long] * (n not in DIFFERENT)) for n in PAGES]
+    "name",
+    [
+        pytest.param(n, marks=[pytest.mark.long] * (n not in DIFFERENT))
+        for n in PAGES
+        if n != "404.html"
+    ],
 )
 def test_a_page_from_disk(name, site, chromium):
     """For a reader who opens the files; nothing outside the folder is asked for."""
@@ -114,28 +130,48 @@ def test_a_page_from_disk(name, site, chromium):
         assert not watch.errors + watch.strangers
 
 
-def test_search_finds_a_page(site, server, chromium):
-    """Over http and from disk."""
-    for home in (server, site.as_uri() + "/"):
-        with watched_page(chromium, home) as (page, watch):
-            settled(page, home + "search.html?q=robot")
-            page.wait_for_selector("#search-results li a")
-            assert not watch.errors + watch.strangers
-
-
-def test_menu_on_a_phone(site, server, chromium):
-    """The menu button opens the chapters, Escape closes them, focus returns to the button."""
+@pytest.mark.parametrize(
+    ("toggle", "menu"),
+    [(".primary-toggle", "nav.bd-docs-nav"), (".secondary-toggle", "nav.page-toc")],
+)
+def test_a_menu_on_a_phone(site, server, chromium, toggle, menu):
+    """Escape, a button and a choice close it; focus returns to the button that opened it."""
     with watched_page(chromium, server, 390) as (page, watch):
-        settled(page, server + "index.html")
-        chapters = page.locator("nav.bd-docs-nav")
-        assert not chapters.is_visible()
-        page.locator(".primary-toggle").click()
-        chapters.wait_for(state="visible")
-        page.keyboard.press("Escape")
-        chapters.wait_for(state="hidden")
-        page.locator(".primary-toggle").click()
-        chapters.locator("a").last.click()
-        page.wait_for_load_state("networkidle")
+        settled(page, server + "bicycle/bicycle.html")
+        button, entries = page.locator(toggle).first, page.locator(menu)
+        ways = (
+            lambda: page.keyboard.press("Escape"),
+            page.locator("dialog[open] .site-close").click,
+            entries.locator("a[href^='#']").last.click,
+        )
+        for close in ways:
+            button.click()
+            entries.wait_for(state="visible")
+            close()
+            entries.wait_for(state="hidden")
+            assert button.evaluate("(each) => each === document.activeElement")
+        assert not watch.errors
+
+
+def test_on_paper(site, server, chromium):
+    """What is folded lies open, unless it shall not; from dark to light; and all comes back."""
+    state = """(event) => {
+      dispatchEvent(new Event(event));
+      const folds = [...document.querySelectorAll("details")];
+      return [document.documentElement.dataset.theme, folds.filter((fold) => fold.open).length];
+    }"""
+    with watched_page(chromium, server, scheme="dark") as (page, watch):
+        settled(page, server + "bicycle/bicycle.html")
+        folds = page.locator("details").count()
+        assert page.evaluate(state, "beforeprint") == ["light", folds]
+        assert page.evaluate(state, "afterprint") == ["dark", 0]
+        page.evaluate("() => { window.print = () => {}; }")
+        page.locator("[data-print=shut]").click()
+        assert page.evaluate(state, "beforeprint") == ["light", 0]
+        page.emulate_media(media="print")
+        assert not page.locator(".bd-sidebar-primary, .bd-header-article").first.is_visible()
+        code = page.locator(".cell_input pre").first
+        assert code.evaluate("(each) => getComputedStyle(each).whiteSpace") == "pre-wrap"
         assert not watch.errors
 
 

@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 import sympy as sp
 from declared import EXERCISES, each
+from test_practice import typed
 
 from workshop.equations import Equation, quantity
 from workshop.equations.text import signed
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
-from workshop.practice.solutions import figures, formula_of, sides
+from workshop.practice.solutions import figures, formula_of, sides, worked
+from workshop.practice.wording import number_text
 
 each_exercise = each("exercise", "exercises", Exercise)
 EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart
@@ -55,6 +57,34 @@ def leads_to_the_answer(exercise, solution, variant):
 def test_a_solution_leads_to_the_library_s_answer(exercise):
     for variant in dealing.variants(exercise.name):
         assert leads_to_the_answer(exercise, exercise.solution, variant), variant.shown
+
+
+def as_printed(value):
+    """A number, vector or matrix as a solution prints it."""
+    if isinstance(value, str):
+        return value
+    texts = [number_text(x, "") for x in np.ravel(value)] if np.ndim(value) else [figures(value)]
+    return np.reshape([float(text.replace("\u2212", "-")) for text in texts], np.shape(value))[()]
+
+
+def reckoned(exercise, variant):
+    """Rows of the answer for somebody who goes on with each number as it is printed."""
+    found = {}
+    known = {k: as_printed(v) for k, v in exercise.derive(**variant.numbers).items()}
+    known |= variant.numbers
+    for name, step in exercise.solution.steps.items():
+        found[name] = worked(name, step, known, {})
+        known |= {key: as_printed(value) for key, value in found[name].given.items()}
+    rows = [list(map(as_printed, row_of(found, names))) for names in exercise.solution.answer]
+    return rows if exercise.accept == "all" else rows[:1]
+
+
+@each_exercise
+def test_reckoning_with_the_printed_numbers_is_right(exercise):
+    dealt = dealing.variants(exercise.name)
+    answers = [(k, typed(reckoned(exercise, v), exercise)) for k, v in enumerate(dealt)]
+    verdicts = judging.check_all(exercise, [v.candidates for v in dealt], answers)
+    assert {verdict.result for verdict in verdicts} == {"right"}
 
 
 @each_exercise
@@ -183,10 +213,10 @@ def of_one_formula(exercise, name):
 def known_at(exercise, name, variant):
     """The numbers that a step can use."""
     known = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    for other, worked in exercise.solution.worked(known, variant.shown).items():
+    for other, done in exercise.solution.worked(known, variant.shown).items():
         if other == name:
             return known
-        known |= worked.given
+        known |= done.given
     raise AssertionError(name)
 
 
@@ -310,18 +340,18 @@ def test_numbers_that_stand_in_a_formula_are_not_said_twice():
     assert told(Solution("{c}", c=Step(Line(sp.Symbol("c"), b, "m")))) == "c = b = −0.5 m"
 
 
-def test_small_numbers_keep_four_digits():
+def test_small_numbers_keep_five_digits():
     with sp.evaluate(False):
         c = Step(Line(sp.Symbol("c"), a / 700, "m"))
         d = Step(Line(sp.Symbol("d"), 100 * sp.Symbol("c")))
     solution = Solution("{c}, {c.value:deg}, {d}", c=c, d=d)
     assert (
         told(solution)
-        == "c = a/700 = 3/700 = 0.004286 m, 0.2°, d = 100 c = 100 · 0.004286 = 0.4286"
+        == "c = a/700 = 3/700 = 0.0042857 m, 0.2°, d = 100 c = 100 · 0.0042857 = 0.42857"
     )
     assert [figures(x) for x in (0.002, -0.00012345, 1e-17, -0.25)] == [
         "0.002",
-        "−0.0001234",
+        "−0.00012345",
         "0",
         "−0.25",
     ]

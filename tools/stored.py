@@ -32,6 +32,9 @@ def normal(notebook: nbformat.NotebookNode) -> str:
     notebook.metadata = nbformat.from_dict(METADATA)
     for number, cell in enumerate(notebook.cells):
         cell.id = f"cell-{number:02d}"
+        if any(tag.startswith("after-") for tag in cell.metadata.get("tags", [])):
+            # JupyterLab folds it, as the page does until its prediction is answered
+            cell.metadata["jupyter"] = {"source_hidden": True, "outputs_hidden": True}
         for output in cell.get("outputs", []):
             tidy(output)
     nbformat.validate(notebook)

@@ -1,16 +1,16 @@
-// What scrolls sideways can be reached and scrolled with the keyboard.
+// What scrolls sideways, or has symbols to name, can be reached with the keyboard.
 {
-  const LABELS = {
-    "math-scroll": "Equation, scrolls sideways",
-    "pst-scrollable-table-container": "Table, scrolls sideways",
-  };
+  const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 
   const mark = (box) => {
-    if (box.scrollWidth > box.clientWidth) {
+    const told = [];
+    if (box.scrollWidth > box.clientWidth) told.push("scrolls sideways");
+    if (box.querySelector(".katex [data-symbol]")) told.push("the arrow keys name its symbols");
+    if (told.length) {
       box.tabIndex = 0;
       box.setAttribute("role", "group");
-      box.setAttribute("aria-label", LABELS[box.className]);
+      box.setAttribute("aria-label", [LABELS[box.className], ...told].join(", "));
     } else {
       ["tabindex", "role", "aria-label"].forEach((name) => box.removeAttribute(name));
     }
@@ -19,9 +19,52 @@
   const observer = new ResizeObserver((entries) => entries.forEach(({ target }) => mark(target)));
   document.querySelectorAll(BOXES).forEach((box) => observer.observe(box));
   document.fonts?.ready.then(() => document.querySelectorAll(BOXES).forEach(mark));
+}
 
-  // Search results show no text from pages on disk: browsers do not let a script read them.
-  if (location.protocol === "file:" && typeof DOCUMENTATION_OPTIONS !== "undefined") {
-    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
-  }
+// The menus of a phone: a button closes them, so does a choice in them, and focus goes back.
+for (const which of ["primary", "secondary"]) {
+  const dialog = document.getElementById(`pst-${which}-sidebar-modal`);
+  if (!dialog) continue;
+  const close = document.createElement("button");
+  Object.assign(close, { type: "button", className: "btn site-close", title: "Close" });
+  close.setAttribute("aria-label", "Close the menu");
+  close.innerHTML = '<i class="fa-solid fa-xmark"></i>';
+  close.addEventListener("click", () => dialog.close());
+  // the theme moves the menu in when it opens, and out again
+  new MutationObserver(() => { if (dialog.open && !close.isConnected) dialog.prepend(close); })
+    .observe(dialog, { attributeFilter: ["open"] });
+  dialog.addEventListener("click", ({ target }) => {
+    if (target.closest("a[href*='#']")) dialog.close();
+  });
+  dialog.addEventListener("close", () => {
+    close.remove();
+    document.querySelector(`.${which}-toggle`)?.focus();
+  });
+}
+
+// On paper: light, and what is folded lies open, unless the reader wants it shut.
+{
+  const root = document.documentElement;
+  let before = null;
+  const prepare = () => {
+    if (before) return;
+    const shut = root.dataset.folds === "shut" ? [] : document.querySelectorAll("details:not([open])");
+    before = { theme: root.dataset.theme, opened: [...shut] };
+    before.opened.forEach((fold) => { fold.open = true; });
+    root.dataset.theme = "light";
+  };
+  const restore = () => {
+    before?.opened.forEach((fold) => { fold.open = false; });
+    root.dataset.theme = before?.theme ?? root.dataset.theme;
+    before = null;
+    delete root.dataset.folds;
+  };
+  addEventListener("beforeprint", prepare);
+  addEventListener("afterprint", restore);
+  document.querySelectorAll("[data-print]").forEach((button) => {
+    button.addEventListener("click", () => {
+      root.dataset.folds = button.dataset.print;
+      print();
+    });
+  });
 }

@@ -23,8 +23,10 @@ logger = logging.getLogger(__name__)
 VENDOR = Path(__file__).parents[1] / "_vendor" / "katex"
 
 RENDER = """
-function render(tex, displayMode, macros) {
-  const options = {displayMode, macros, output: "htmlAndMathml", strict: "error", trust: false};
+function render(tex, displayMode, macros, output) {
+  const ours = ({command}) => command === "\\\\htmlData"; // keys of symbols, which the site writes
+  const strict = (code) => code === "htmlExtension" ? "ignore" : "error";
+  const options = {displayMode, macros, output, strict, trust: ours};
   try { return {html: katex.renderToString(tex, options)}; }
   catch (error) { return {error: error.rawMessage || error.message || String(error)}; }
 }
@@ -33,6 +35,10 @@ function render(tex, displayMode, macros) {
 # KaTeX would number these environments itself; Sphinx does that, so the starred form is drawn
 NUMBERED = re.compile(r"\\(begin|end)\{(equation|align|alignat|gather)\}")
 PUNCTUATION = re.compile(r"[.,;:!?)\]”’]+")
+PLAIN = re.compile(r"(?<=x-tex\")>.*?</annotation>", re.DOTALL)
+ALIGNED = re.compile(r"\\begin\{aligned\}((?:(?!\\begin).)*)\\end\{aligned\}", re.DOTALL)
+LINE_END = re.compile(r"\\\\\s*(?:\[\d+pt\])?")
+BIG = r"\displaystyle "
 SHORT = 40  # characters of TeX: such a formula finds room on a line of a phone
 SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
@@ -59,9 +65,26 @@ def lines_aligned(tex):
     return r"\begin{aligned}" + r" \\ ".join(parts) + r"\end{aligned}"
 
 
+def lines_of(tex):
+    """The two sides of each line of an aligned formula, the sign = with the left one.
+
+    None where a line holds another environment or is no equation.
+    """
+    found = ALIGNED.fullmatch(tex)
+    lines = [line.split("&") for line in LINE_END.split(found[1])] if found else []
+    if any(len(line) != 2 or not line[1].lstrip().startswith("=") for line in lines):
+        return []
+    return [(f"{left} =", right.lstrip()[1:]) for left, right in lines]
+
+
+def tex_of(node):
+    """The TeX of a formula, in which the site may have marked its symbols."""
+    return node.get("marked", node.astext()).strip()
+
+
 def display_tex(node):
     """The TeX that KaTeX draws for a display."""
-    tex = node.astext().strip()
+    tex = tex_of(node)
     return NUMBERED.sub(r"\\\1{\2*}", tex) if node.get("nowrap") else lines_aligned(tex)
 
 
@@ -79,9 +102,9 @@ def engine():
 
 
 @functools.cache
-def rendered(tex, display, macros=()):
+def rendered(tex, display, macros=(), output="htmlAndMathml"):
     """`{"html": …}` or `{"error": …}` for one formula; `macros` are pairs (name, TeX)."""
-    return engine().call("render", tex, display, dict(macros))
+    return engine().call("render", tex, display, dict(macros), output)
 
 
 def place(node):
@@ -94,16 +117,32 @@ def place(node):
     return (f"{source}:{line}" if line else source), ""
 
 
-def to_html(writer, node, tex, display):
-    """The formula as HTML, or its TeX and a warning."""
+def to_html(writer, node, tex, display, plain=None):
+    """The formula as HTML, or its TeX and a warning. plain: what who copies it gets."""
     macros = tuple(sorted(writer.builder.config.katex_macros.items()))
-    result = rendered(tex, display, macros)
+    output = "html" if node.get("seen_only") else "htmlAndMathml"  # what is said stands elsewhere
+    result = rendered(tex, display, macros, output)
     if "html" in result:
-        return result["html"]
+        copied = html.escape(plain or node.astext().strip(), quote=False)
+        return PLAIN.sub(lambda _: f">{copied}</annotation>", result["html"])
     location, cell = place(node)
     where = f" ({cell})" if cell else ""
     logger.warning("TeX: %s in %s%s", result["error"], tex, where, location=location, type="katex")
     return f"<code>{html.escape(tex)}</code>"
+
+
+def display_html(writer, node):
+    """A display. Lines below each other are cells of their own: a long one can be broken."""
+    lines = lines_of(display_tex(node))
+    plain = lines_of(lines_aligned(node.astext().strip()))
+    if not lines or len(lines) != len(plain):
+        return to_html(writer, node, display_tex(node), True)
+    cells = (
+        f"<div>{to_html(writer, node, BIG + side, False, copied)}</div>"
+        for line, same in zip(lines, plain, strict=True)
+        for side, copied in zip(line, same, strict=True)
+    )
+    return f'<div class="math-lines">{"".join(cells)}</div>'
 
 
 # --- what Sphinx calls ----------------------------------------------------------------------
@@ -114,7 +153,7 @@ def visit_inline(writer, node):
     if "after" in node:
         writer.body.append('<span class="kept">')
     writer.body.append(writer.starttag(node, "span", "", CLASS="math notranslate nohighlight"))
-    writer.body.append(to_html(writer, node, node.astext().strip(), False) + "</span>")
+    writer.body.append(to_html(writer, node, tex_of(node), False) + "</span>")
     if "after" in node:
         writer.body.append(f"{html.escape(node['after'])}</span>")
     raise nodes.SkipNode
@@ -132,7 +171,7 @@ def keep_punctuation(app, doctree, docname):
 
 def visit_display(writer, node):
     """Write a display: the formula in a box that scrolls, its number beside the box."""
-    formula = to_html(writer, node, display_tex(node), True)
+    formula = display_html(writer, node)
     writer.body.append(writer.starttag(node, "div", CLASS="math notranslate nohighlight"))
     writer.body.append(f'<div class="math-scroll">{formula}</div>')
     if node["number"]:

@@ -10,6 +10,8 @@ from docutils import nodes
 
 BOOK = Path(__file__).parents[1]
 ASSETS = BOOK / "_assets"
+# what a page may load and run: the site's own files, nothing that is written in the page
+POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"
 DESCRIPTION_LENGTH = 160  # what search engines show
 
 # what the theme puts in the site and no page of it uses
@@ -39,14 +41,25 @@ def first_paragraph(doctree):
 
 
 def add_description(app, pagename, templatename, context, doctree):
-    """A description: the page's own (front matter), its first paragraph, or the book's."""
-    if 'name="description"' in context.get("metatags", ""):
-        return
+    """A description: the page's own (front matter), its first paragraph, or the book's; and what
+    a message shows that links the page."""
     own = app.env.metadata.get(pagename, {}).get("description", "")
     text = own or (first_paragraph(doctree) if doctree else "") or app.config.site_description
-    content = html.escape(shortened(text, DESCRIPTION_LENGTH))
-    meta = f'<meta name="description" content="{content}" />'
-    context["metatags"] = f"{context.get('metatags', '')}\n{meta}"
+    title = html.escape(html.unescape(re.sub(r"<[^>]+>", "", context.get("title", ""))))
+    told = html.escape(shortened(text, DESCRIPTION_LENGTH))
+    tags = [
+        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}" />',
+        f'<meta name="description" content="{told}" />',
+        f'<meta property="og:title" content="{title or app.config.html_title}" />',
+        f'<meta property="og:description" content="{told}" />',
+        f'<meta property="og:site_name" content="{app.config.html_title}" />',
+        '<meta property="og:type" content="article" />',
+    ]
+    if pagename == app.config.root_doc and app.config.html_baseurl:
+        context["pageurl"] = app.config.html_baseurl  # it is `index.html`, too
+    if context.get("pageurl"):
+        tags.append(f'<meta property="og:url" content="{context["pageurl"]}" />')
+    context["metatags"] = "\n".join([context.get("metatags", ""), *tags])
 
 
 # --- roles ----------------------------------------------------------------------------------
@@ -71,6 +84,32 @@ def name_folds(app, pagename, templatename, context, doctree):
 
     if menu:
         context["generate_toctree_html"] = named_menu
+
+
+# --- scripts --------------------------------------------------------------------------------
+
+INLINE = re.compile(r"[ \n]*<script(?: data-cfasync=\"false\")?>(.*?)</script>", re.DOTALL)
+
+
+def scripts_in_files(app, exception):
+    """What the theme writes into its pages as scripts moves to one file, which all pages share."""
+    if exception or app.builder.format != "html":
+        return
+    for page in Path(app.outdir).rglob("*.html"):
+        text = page.read_text("utf-8")
+        scripts = [s for s in INLINE.findall(text) if "DOCUMENTATION_OPTIONS.pagename" not in s]
+        if scripts and "data-content_root" in text:
+            page.write_text(with_file(app, text, "\n".join(scripts)), "utf-8")
+
+
+def with_file(app, text, script):
+    """The page with its inline scripts in a file, which comes first; they may not wait."""
+    name = f"start-{hashlib.sha256(script.encode()).hexdigest()[:8]}.js"
+    Path(app.outdir, "_static", name).write_text(script, "utf-8")
+    root = re.search(r'data-content_root="([^"]*)"', text)[1]
+    link = f'\n    <script src="{root}_static/{name}"></script>'
+    without = INLINE.sub("", INLINE.sub("\0", text, count=1))
+    return without.replace("\0", link).replace('onclick="window.print()"', 'data-print="open"')
 
 
 # --- weight ---------------------------------------------------------------------------------
@@ -113,6 +152,22 @@ def first_page(app, exception):
         shutil.copy(index.with_name(f"{app.config.root_doc}.html"), index)
 
 
+# --- for those who look for pages --------------------------------------------------------------
+
+
+def write_sitemap(app, exception):
+    """Where the site's address is known (`html_baseurl`), its pages for search engines."""
+    base = app.config.html_baseurl
+    if exception or app.builder.name != "html" or not base:
+        return
+    names = [base, *(base + app.builder.get_target_uri(doc) for doc in sorted(app.env.found_docs))]
+    urls = "".join(f"<url><loc>{html.escape(name)}</loc></url>" for name in names)
+    schema = "http://www.sitemaps.org/schemas/sitemap/0.9"
+    head = '<?xml version="1.0" encoding="UTF-8"?>\n'
+    Path(app.outdir, "sitemap.xml").write_text(f'{head}<urlset xmlns="{schema}">{urls}</urlset>\n')
+    Path(app.outdir, "robots.txt").write_text(f"User-agent: *\nSitemap: {base}sitemap.xml\n")
+
+
 # --- honest builds --------------------------------------------------------------------------
 
 
@@ -123,8 +178,9 @@ def forget_failed_build(app, exception):
 
 
 def sources_digest():
-    """Changes when an asset changes, so that pages link the new one."""
-    files = sorted(file for file in ASSETS.rglob("*") if file.is_file())
+    """Changes with an asset, a template or one of these extensions: pages are then made anew."""
+    folders = (ASSETS, BOOK / "_templates", BOOK / "_ext")
+    files = sorted(file for each in folders for file in each.rglob("*.*") if file.is_file())
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
@@ -138,6 +194,8 @@ def setup(app):
     app.connect("html-page-context", renew_roles)
     app.connect("html-page-context", name_folds, priority=900)
     app.connect("build-finished", drop_unused)
+    app.connect("build-finished", scripts_in_files)
     app.connect("build-finished", first_page, priority=900)
+    app.connect("build-finished", write_sitemap)
     app.connect("build-finished", forget_failed_build)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

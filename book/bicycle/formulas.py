@@ -6,7 +6,6 @@ from sympy import (
     Matrix,
     Ne,
     Piecewise,
-    Symbol,
     atan,
     cos,
     cot,
@@ -35,14 +34,14 @@ from book.motion.formulas import (
     y_icr,
     y_next,
 )
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 steering = quantity(
-    "steering", "rad", -1.2, 1.2, "steering angle of the bicycle, to the left", latex=r"\varphi"
+    "steering", "rad", -1.2, 1.2, "steering angle of the bicycle, to the left", r"\varphi", "phi"
 )
 alpha_L = quantity("alpha_L", "rad", -1.4, 1.4, "steering angle of the left front wheel")
 alpha_R = quantity("alpha_R", "rad", -1.4, 1.4, "steering angle of the right front wheel")
-wheelbase = quantity("wheelbase", "m", 1, 10, "from the rear axle to the front axle", latex="L")
+wheelbase = quantity("wheelbase", "m", 1, 10, "from the rear axle to the front axle", "L", "L")
 track = quantity("track", "m", 0.5, 2.5, "distance between the two wheels of an axle", latex="b")
 rate_rear = quantity(
     "rate_rear", "rad/s", -20, 20, "rate of the driven rear wheels, their mean", latex=r"\Omega"
@@ -52,13 +51,20 @@ ahead = quantity(
     "ahead", "", 0, 1, "how far ahead of the rear axle a point lies, in wheelbases", latex="a"
 )
 y_heading = quantity(
-    "y_heading", "rad", -3.14, 3.14, "heading from the y axis, clockwise positive", latex=r"\psi"
+    "y_heading", "rad", -3.14, 3.14, "heading from the y axis, clockwise positive", r"\psi", "psi"
 )
-psi_dot = Symbol(r"\dot{\psi}")
-x_dot_F, y_dot_F = Symbol(r"\dot{x}_F"), Symbol(r"\dot{y}_F")
-x_F, y_F = Symbol("x_F"), Symbol("y_F")
-steepest_angle = Symbol(r"\varphi_\mathrm{max}")
-corner_cut, lane_width = Symbol("c"), Symbol("w")
+psi_dot = sign("psi_dot", "turning rate, clockwise", r"\dot{\psi}", "rad/s")
+x_dot_F, y_dot_F = (
+    sign(f"{x}_dot_F", f"speed of the front axle's middle along {x}", rf"\dot{{{x}}}_F", "m/s")
+    for x in "xy"
+)
+x_F, y_F = (sign(f"{x}_F", f"the middle of the front axle, along {x}", unit="m") for x in "xy")
+steepest_angle = sign(
+    "phi_max", "steepest steering that both wheels can follow", r"\varphi_\mathrm{max}", "rad"
+)
+corner_cut = sign("c", "by how much the rear axle cuts a corner", unit="m")
+lane_width = sign("w", "width of the lane that the car sweeps", unit="m")
+alpha = sign("alpha", "steering angle of any wheel", r"\alpha", "rad")
 
 
 with as_written():

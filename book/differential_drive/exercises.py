@@ -6,9 +6,10 @@ import numpy as np
 from sympy import pi, symbols
 
 from book.differential_drive import formulas
+from book.differential_drive.formulas import b
 from book.motion import formulas as planar
 from robokin import differential_drive, motion
-from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, steps
+from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, Wrong, angle, steps
 
 RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
 FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
@@ -18,7 +19,7 @@ V, OMEGA = Ask("v", "m/s"), Ask("ω", "rad/s")
 M12 = Mistake(
     "M12",
     says="with half the wheel distance in place of the whole",
-    line="omega = (v_R - v_L) / (b / 2)",
+    wrong=Wrong(formulas.turning_rate, {b: b / 2}),
     why="The right wheel circles around the left one at the whole distance b, not at the distance "
     "from a wheel to the middle. The turning rate comes out twice too large.",
     unnoticed="On a straight line, where the turning rate is zero either way.",
@@ -26,6 +27,7 @@ M12 = Mistake(
 M13 = Mistake(
     "M13",
     says="when degrees are handed to cosine and sine, which want radians",
+    wrong=Wrong(planar.to_world, {planar.theta: 180 * planar.theta / pi}),
     line="velocity = [v * np.cos(theta_deg), v * np.sin(theta_deg)]",
     why="np.cos and np.sin want radians. 90 radians are 14 turns and a bit, so the robot seems to "
     "drive in a direction that has nothing to do with its heading.",
@@ -34,6 +36,7 @@ M13 = Mistake(
 M14 = Mistake(
     "M14",
     says="with the transposed rotation matrix, which leads from the world to the robot",
+    wrong=Wrong(planar.to_world, {planar.theta: -planar.theta}),
     line="c, s = np.cos(theta), np.sin(theta)\nvelocity = [[c, s], [-s, c]] @ np.array([v, 0])",
     why="This matrix takes a velocity from the world to the robot, not from the robot to the "
     "world. It mirrors the direction at the x axis.",
@@ -42,7 +45,7 @@ M14 = Mistake(
 M31 = Mistake(
     "M31",
     says="when the wheel distance is counted twice",
-    line="omega = (v_R - v_L) / (2 * b)",
+    wrong=Wrong(formulas.turning_rate, {b: 2 * b}),
     why="Some books divide by 2d, where d is half the wheel distance. Here b is the whole distance "
     "already; with 2b it is counted twice, and the turning rate comes out half as large as it is.",
     unnoticed="On a straight line.",
@@ -61,10 +64,7 @@ def moving(theta, v_L, v_R):
 
 def ways(formula):
     """What M12 and M31 make of a formula: the wheel distance halved and doubled."""
-    return {
-        M12: lambda b, **numbers: formula(b=b / 2, **numbers),
-        M31: lambda b, **numbers: formula(b=2 * b, **numbers),
-    }
+    return {mistake: mistake.formula.through(formula) for mistake in (M12, M31)}
 
 
 def centre(x, y, theta, v_L, v_R, b):
@@ -116,10 +116,7 @@ differential_drive_1 = Exercise(
     given=SPEEDS,
     asks=(OMEGA,),
     right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
-    wrong={
-        M12: lambda v_L, v_R, b: (v_R - v_L) / (b / 2),
-        M31: lambda v_L, v_R, b: (v_R - v_L) / (2 * b),
-    },
+    wrong={M12: M12.formula.gives, M31: M31.formula.gives},
     when=different,
     solution=Solution(
         "Seen from the left wheel, the right one moves at the difference of the two speeds, on a "
@@ -137,13 +134,8 @@ differential_drive_2 = Exercise(
     "wheel at {v_R}. What is the velocity of the middle of its axle in the world, along x and y?",
     given={"theta": steps(20, 160, 5, "°"), "v_L": SPEEDS["v_L"], "v_R": SPEEDS["v_R"]},
     asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s")),
-    right=lambda theta, v_L, v_R: motion.to_world(theta, [(v_L + v_R) / 2, 0, 0])[:2],
-    wrong={
-        M13: lambda theta, v_L, v_R: motion.to_world(np.degrees(theta), [(v_L + v_R) / 2, 0, 0])[
-            :2
-        ],
-        M14: lambda theta, v_L, v_R: motion.to_body(theta, [(v_L + v_R) / 2, 0, 0])[:2],
-    },
+    right=moving,
+    wrong={M13: M13.formula.through(moving), M14: M14.formula.through(moving)},
     derive=lambda theta, v_L, v_R: {"v": (v_L + v_R) / 2, "theta_deg": np.degrees(theta)},
     solution=Solution(
         "The middle moves at the mean of the two speeds, along the heading:\n\n{speed}\n\n{world}",
@@ -164,7 +156,7 @@ differential_drive_3 = Exercise(
     | SPEEDS,
     asks=(Ask("x", "m"), Ask("y", "m")),
     right=centre,
-    wrong=ways(centre) | {M14: lambda x, y, theta, **speeds: centre(x, y, -theta, **speeds)},
+    wrong=ways(centre) | {M14: M14.formula.through(centre)},
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
     also={

@@ -1,23 +1,62 @@
-"""The live figures of the chapter on the differential drive."""
+"""The live figures of the chapter on the differential drive: one robot all the way."""
 
-from math import pi
+from math import radians
 from typing import Any
 
-from sympy import Symbol, sqrt, symbols
+from sympy import (
+    Abs,
+    And,
+    Integer,
+    Matrix,
+    Max,
+    Ne,
+    Piecewise,
+    Symbol,
+    atan2,
+    cos,
+    log,
+    oo,
+    pi,
+    sin,
+    sinc,
+    sqrt,
+    symbols,
+)
 
 from book.differential_drive import formulas as drive
-from book.differential_drive.formulas import b, v_L, v_R
+from book.differential_drive.formulas import R, b, r, rate_L, rate_R, v_L, v_R
 from book.motion import formulas as motion
-from book.motion.formulas import dt, omega, theta, v, v_y, x, y
-from workshop.equations.core import as_written, quantity
+from book.motion.formulas import (
+    dt,
+    omega,
+    theta,
+    theta_m,
+    theta_next,
+    v,
+    v_y,
+    x,
+    x_dot,
+    x_next,
+    y,
+    y_dot,
+    y_next,
+)
+from workshop.equations.core import put_in, quantity
 from workshop.figures import (
     POINTER,
+    AngleArc,
+    Area,
     Arrow,
     Body,
     Clock,
     Curve,
+    Disc,
     Figure,
+    Goal,
+    Graph,
     Handle,
+    Label,
+    Length,
     Line,
     Point,
     Readout,
@@ -25,138 +64,626 @@ from workshop.figures import (
     Slider,
     Trail,
     Wheel,
+    solved,
 )
 
-DISTANCE = 0.1  # m, between the wheels, as in the exercise
-WHEEL = {"length": 0.06, "width": 0.014}  # m, a wheel of radius 3 cm from above
-ORIGIN = (0, 0)
-NO_ICR = {"inf": "none: straight line", "nan": "every point: standing still"}
+DISTANCE, RADIUS = 0.1, 0.03  # m, between the wheels, and of a wheel, as in the exercise
+ARROW = 1.5  # an arrow is as long as the way in 1.5 s
+ORIGIN, START = (0, 0), (0, 0, pi / 2)  # the robot looks along the world's y axis
+NO_ICR = {"inf": "none: straight", "nan": "any: at rest"}
+VELOCITY = ((b, DISTANCE), *solved(drive.speed, drive.turning_rate))
+RADIUS_TOO = (*VELOCITY, *solved(drive.turning_radius))
 
 t = quantity("t", "s", 0, 12, "time")
-n = quantity("n", "", 1, 40, "number of steps")
+n = quantity("n", "", 1, 100, "number of steps")
+share = quantity("share", "rad", -1.5, 1.5, "how the speed is shared between the wheels")
+power = quantity("power", "", 0, 16, "the turning rate is ten to the minus this", latex="p")
+guess_x = quantity("guess_x", "m", -0.3, 0.2, "where the reader guesses the robot, along x")
+guess_y = quantity("guess_y", "m", -0.1, 0.3, "where the reader guesses the robot, along y")
+wish_x = quantity("wish_x", "m/s", -0.2, 0.2, "wished speed along the robot's own x axis")
+wish_y = quantity("wish_y", "m/s", -0.2, 0.2, "wished speed to the robot's left")
 s = Symbol("s")
 
-speed = drive.speed.right
-rate = drive.turning_rate.at({b: DISTANCE})
-radius = drive.turning_radius.at({b: DISTANCE})
-icr = motion.icr.at({x: 0, y: 0, v: speed, omega: rate})
+
+# The robot, and where its parts are.
 
 
-def pose_after(time: Any) -> Any:
-    """The pose [x, y, theta] after driving for a time from the origin."""
-    return motion.arc_step.at({x: 0, y: 0, v: speed, omega: rate, dt: time})
+def beside(pose: Any, forward: Any, left: Any) -> tuple[Any, Any]:
+    """A point so far ahead and to the left of a robot at a pose."""
+    ahead = motion.to_world.at({theta: pose[2], v: forward, v_y: left, omega: 0})
+    return pose[0] + ahead[0], pose[1] + ahead[1]
 
 
-def turned(forward: Any, left: Any) -> tuple[Any, Any]:
-    """An arrow of the robot's frame, at its starting heading, as seen from the world."""
-    arrow = motion.to_world.at({v: forward, v_y: left, omega: 0})
-    return arrow[0], arrow[1]
+def robot(pose: Any, kind: Any = "body", time: Any = 0) -> tuple[Any, ...]:
+    """Body and wheels; time: how long the wheels have rolled."""
+    sides = ((v_L, 1), (v_R, -1))
+    size = {"length": 2 * RADIUS, "width": 0.014}
+    wheels = [
+        Wheel(speed, beside(pose, 0, side * DISTANCE / 2), pose[2], **size, roll=speed * time)
+        for speed, side in sides
+    ]
+    return Body((pose[0], pose[1]), pose[2], 0.065, kind), *wheels
 
 
-def wheel_at(side: int, forward: Any = 0) -> tuple[Any, Any]:
-    """A point ahead of the left (1) or right (-1) wheel at the start."""
-    return turned(forward, side * DISTANCE / 2)
+def tip(pose: Any, speed: Any, side: int) -> tuple[Any, Any]:
+    """Where the arrow of the left (1), the middle (0) or the right (-1) ends."""
+    return beside(pose, ARROW * speed, side * DISTANCE / 2)
 
 
-def pulled() -> Any:
-    """The speed that puts an arrow's tip where the pointer is."""
-    x_dot, y_dot = motion.x_dot, motion.y_dot
-    return motion.to_body.at({x_dot: POINTER[0], y_dot: POINTER[1]})[0]
+def arrows(pose: Any, middle: bool = True, letters: bool = True) -> tuple[Arrow, ...]:
+    """The speeds of the wheels, and of the middle of the axle."""
+    sides = ((v_L, 1), (v_R, -1), (v, 0))[: 3 if middle else 2]
+    label = None if letters else ""
+    return tuple(Arrow(u, tip(pose, 0, side), tip(pose, u, side), label) for u, side in sides)
 
 
-def speed_sliders() -> tuple[Slider, Slider]:
-    """The two wheel speeds under the hand, set as in the exercise."""
+def pulled() -> tuple[Handle, Handle]:
+    """The tips of the wheels' arrows under the hand, of the robot at the start."""
+    speed = POINTER[1] / ARROW
     return (
-        Slider(v_L, -0.15, 0.15, start=0.05, step=0.005, label="left wheel v_L", kind="left"),
-        Slider(v_R, -0.15, 0.15, start=0.1, step=0.005, label="right wheel v_R", kind="right"),
+        Handle("tip of the left wheel's arrow", tip(START, v_L, 1), {v_L: speed}),
+        Handle("tip of the right wheel's arrow", tip(START, v_R, -1), {v_R: speed}),
     )
 
 
-def drive_figure() -> Figure:
-    """Wheel speeds under the hand: the motion, the ICR and the arc, played or scrubbed."""
-    now = pose_after(t)
+def wheels_from(left: float, right: float, most: float = 0.15) -> tuple[Slider, Slider]:
+    """The two wheel speeds under the hand."""
+    return (
+        Slider(v_L, -most, most, start=left, step=0.005, label="left wheel v_L"),
+        Slider(v_R, -most, most, start=right, step=0.005, label="right wheel v_R"),
+    )
+
+
+def driven(time: Any, start: Any = START) -> Any:
+    """The pose after driving for a time from a start."""
+    return motion.arc_step.at({x: start[0], y: start[1], theta: start[2], dt: time})
+
+
+def way(kind: str, low: Any, high: Any, forward: Any = 0, left: Any = 0) -> Curve:
+    """The track of a point of the robot between two times."""
+    return Curve(kind, beside(driven(s), forward, left), s, low, high)
+
+
+def tracks(low: Any, high: Any) -> tuple[Curve, ...]:
+    """The tracks of both wheels and of the middle."""
+    half = DISTANCE / 2
+    ways = (("left", half), ("right", -half), ("path", 0))
+    return tuple(way(kind, low, high, left=left) for kind, left in ways)
+
+
+def apart(one: Any, other: Any) -> Any:
+    """The distance of two places."""
+    return sqrt((one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2)
+
+
+def round_turn(angle: Any) -> Any:
+    """The size of an angle, round the circle."""
+    return Abs(atan2(sin(angle), cos(angle)))
+
+
+def parked(end: Any, mark: Any) -> Any:
+    """Within 2 cm and 5 degrees of the mark."""
+    return And(apart(end, mark) < 0.02, round_turn(end[2] - mark[2]) < 5 * pi / 180)
+
+
+# Opening.
+
+TIME = 3.0  # s, of the opening's drive
+MARK = tuple(
+    motion.arc_step.at({x: 0, y: 0, theta: pi / 2, v: 0.09, omega: 0.6, dt: TIME}).evalf(17)
+)
+
+
+def park_figure() -> Figure:
+    """Two wheel speeds, and a mark to end on."""
+    now, end = driven(t), driven(TIME)
     return Figure(
-        name="wheel-speeds",
-        title="A differential-drive robot seen from above, its wheel speeds under your hand",
-        view=(-0.42, 0.28, -0.21, 0.25),
+        name="park",
+        title="A robot seen from above, its two wheels under your hand, and a mark to park on",
+        view=(-0.34, 0.2, -0.1, 0.3),
         controls=(
-            *speed_sliders(),
-            Slider(theta, -pi, pi, start=pi / 2, step=pi / 36, label="heading at the start"),
-            Clock(t, 0.0, 12.0, start=0.0, step=0.05, label="time"),
+            *wheels_from(0.05, 0.05),
+            Clock(t, 0.0, TIME, start=0.0, step=0.05, loops=True, label="time"),
+        ),
+        where=VELOCITY,
+        scene=(
+            Body((MARK[0], MARK[1]), MARK[2], 0.065, kind="target"),
+            Label("target", (MARK[0], MARK[1] - 0.085), "park here"),
+            Curve("ghost", (driven(s)[0], driven(s)[1]), s, 0, TIME),
+            *robot(START, "ghost"),
+            Body((end[0], end[1]), end[2], 0.065, kind="ghost"),
+            *robot(now, time=t),
+            *arrows(START, middle=False),
+        ),
+        handles=pulled(),
+        readouts=(
+            Readout("off", "off the mark", apart(end, MARK), "m"),
+            Readout("turned", "turned wrongly by", round_turn(end[2] - MARK[2]), "rad", digits=0),
+        ),
+        goal=Goal(parked(end, MARK), "Park the robot on the mark: within 2 cm and 5°."),
+        size="step",
+    )
+
+
+# The exercise, and the steps.
+
+
+def exercise_figure() -> Figure:
+    """The robot of the exercise with all its symbols, at rest."""
+    given = ((b, DISTANCE), (r, RADIUS), (theta, pi / 2), (v_L, 0.05), (v_R, 0.1))
+    left, right = beside(START, 0, DISTANCE / 2), beside(START, 0, -DISTANCE / 2)
+    return Figure(
+        name="exercise",
+        title=(
+            "A round robot from above that looks along the y axis of the world; its left wheel has "
+            "a short arrow forward, its right wheel an arrow twice as long"
+        ),
+        view=(-0.2, 0.2, -0.09, 0.18),
+        controls=(),
+        where=given,
+        scene=(
+            Arrow("x_axis", ORIGIN, (0.17, 0), "x"),
+            Arrow("y_axis", ORIGIN, (0, 0.16), "y"),
+            *robot(START),
+            *arrows(START, middle=False),
+            Point("body", ORIGIN, "P"),
+            AngleArc(theta, ORIGIN, 0, theta, 0.04),
+            Length(b, left, right, aside=0.06, label="b = 10 cm"),
+            Length(r, (-0.05, 0), (-0.05, -RADIUS), aside=-0.03, label="r = 3 cm"),
+        ),
+        readouts=(),
+        size="step",
+    )
+
+
+def tips_figure() -> Figure:
+    """The line through the tips: its middle is v, its slope ω, where it meets the axle the ICR."""
+    slope = v_R - v_L
+    line = [(at, ARROW * (v + omega * at)) for at in (-0.4, 0.2)]
+    low = Piecewise((-DISTANCE / 2, v_L < v_R), (DISTANCE / 2, True))
+    return Figure(
+        name="tips",
+        title="The robot's wheel arrows, and the line through their tips down to the axle's line",
+        view=(-0.32, 0.17, -0.12, 0.26),
+        controls=wheels_from(0.02, 0.14),
+        where=RADIUS_TOO,
+        scene=(
+            Line("icr", ((-0.4, 0), (0.2, 0))),
+            Line("turning", tuple(line)),
+            *robot(START),
+            *arrows(START),
+            AngleArc(omega, (low, ARROW * (v + omega * low)), Piecewise((0, slope > 0), (pi, True)),
+                     Piecewise((0, slope > 0), (pi, True)) + atan2(ARROW * omega, 1), 0.05),
+            Length(R, ORIGIN, (-R, 0), aside=0.09),
+            Point("icr", (-R, 0), label="ICR"),
+        ),
+        handles=pulled(),
+        readouts=(
+            Readout(v, "speed v"),
+            Readout(omega, "turning rate ω"),
+            Readout(R, "turning radius R", words=NO_ICR),
+        ),
+        size="step",
+    )  # fmt: skip
+
+
+def infinity_figure() -> Figure:
+    """The ICR goes out to one side and comes back from the other; infinity is a point."""
+    deep, half = 0.12, DISTANCE / 2  # m: of the circle that touches the axle at P
+    low = -atan2(deep * sin(share), half * cos(share))  # half the angle from its lowest point
+    dot = (deep / 2 * sin(2 * low), -deep / 2 - deep / 2 * cos(2 * low))
+    around = (deep / 2 * cos(s), -deep / 2 + deep / 2 * sin(s))
+    held = atan2(POINTER[0], -POINTER[1] - deep / 2) / 2
+    return Figure(
+        name="infinity",
+        title="The robot, its ICR on the axle's line, and a circle on which infinity is a point",
+        view=(-0.32, 0.32, -0.18, 0.2),
+        controls=(
+            Slider(
+                share,
+                radians(-85),
+                radians(85),
+                start=radians(15),
+                step=radians(1),
+                label="turning: right … left",
+            ),
+        ),
+        where=(
+            (v_L, 0.07 * (cos(share) - sin(share))),
+            (v_R, 0.07 * (cos(share) + sin(share))),
+            *RADIUS_TOO,
         ),
         scene=(
-            Curve("ghost", (pose_after(s)[0], pose_after(s)[1]), s, 0, 12),
-            Curve("path", (pose_after(s)[0], pose_after(s)[1]), s, 0, t),
-            Line("icr", (ORIGIN, (icr[0], icr[1]))),
-            Body(ORIGIN, theta, 0.065, kind="ghost"),
-            Wheel("left", wheel_at(1), theta, **WHEEL),
-            Wheel("right", wheel_at(-1), theta, **WHEEL),
-            Body((now[0], now[1]), now[2], 0.065),
-            Arrow("left", wheel_at(1), wheel_at(1, v_L), label="v_L"),
-            Arrow("right", wheel_at(-1), wheel_at(-1, v_R), label="v_R"),
-            Arrow("velocity", ORIGIN, turned(speed, 0), label="v"),
-            Point("icr", (icr[0], icr[1]), label="ICR"),
+            Line("icr", ((-0.4, 0), (0.4, 0))),
+            way("path", -8, 8),
+            Curve("ghost", around, s, 0, 2 * pi),
+            *robot(START),
+            *arrows(START, middle=False),
+            Line("ghost", ((0, -deep), dot)),
+            Line("ghost", (dot, (-R, 0))),
+            Point("ghost", dot),
+            Point("icr", (0, -deep), label="∞", edge=False),
+            Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(
-            Handle("tip of the left wheel's arrow", wheel_at(1, v_L), {v_L: pulled()}),
-            Handle("tip of the right wheel's arrow", wheel_at(-1, v_R), {v_R: pulled()}),
+            Handle(
+                "the ICR on the circle", dot, {share: -atan2(half * sin(held), deep * cos(held))}
+            ),
         ),
         readouts=(
-            Readout("v", "speed v", speed, "m/s"),
-            Readout("omega", "turning rate ω", rate, "rad/s"),
-            Readout("radius", "turning radius R", radius, "m", words=NO_ICR),
-            Readout("x", "x at this time", now[0], "m"),
-            Readout("y", "y at this time", now[1], "m"),
-            Readout("heading", "heading at this time", now[2], "rad", digits=1),
+            Readout(v_L, "left wheel v_L"),
+            Readout(v_R, "right wheel v_R"),
+            Readout(R, "turning radius R", words={"inf": "none: straight"}),
         ),
-        says=(
-            "Left wheel {v_L}, right wheel {v_R}: the robot drives at {v} and turns at {omega}; "
-            "its turning radius is {radius}. After {t} it is at x = {x}, y = {y}, "
-            "heading {heading}."
+        size="step",
+    )
+
+
+TWIST = ((v, 0.075), (v_y, 0), (omega, 0.5))  # of the exercise
+
+
+def world_figure() -> Figure:
+    """One velocity, and its parts along the world's axes."""
+    ends = (ARROW * x_dot, ARROW * y_dot)
+    return Figure(
+        name="world",
+        title="The robot's velocity and its parts along the axes of the world",
+        view=(-0.2, 0.22, -0.16, 0.17),
+        controls=(
+            Slider(
+                theta,
+                radians(-180),
+                radians(180),
+                start=radians(40),
+                step=radians(1),
+                label="heading θ",
+            ),
         ),
+        where=((v_L, 0.05), (v_R, 0.1), *TWIST, *solved(motion.to_world)),
+        scene=(
+            Line("ghost", ((-0.3, 0), (0.3, 0))),
+            Line("ghost", ((0, -0.3), (0, 0.3))),
+            *robot((0, 0, theta)),
+            AngleArc(theta, ORIGIN, 0, theta, 0.04),
+            Arrow(x_dot, ORIGIN, (ends[0], 0)),
+            Arrow(y_dot, ORIGIN, (0, ends[1])),
+            Line("ghost", ((ends[0], 0), ends, (0, ends[1]))),
+            Arrow(v, ORIGIN, ends),
+        ),
+        handles=(
+            Handle(
+                "tip of the velocity",
+                beside((0, 0, theta), ARROW * v, 0),
+                {theta: atan2(POINTER[1], POINTER[0])},
+            ),
+        ),
+        readouts=(Readout(x_dot), Readout(y_dot)),
+        size="step",
+    )
+
+
+def rates_figure() -> Figure:
+    """A wanted motion, and the two wheels that roll for it, seen from the side."""
+    rows = []
+    for speed, rate, high in ((v_L, rate_L, 0.02), (v_R, rate_R, -0.1)):
+        far = (0.1 + speed * t, high + RADIUS)
+        rows += [
+            Line("grid", ((0.07, high), (0.36, high))),
+            Disc(speed, far, pi / 2 - rate * t, RADIUS),
+            Length(speed, (0.1, high), (0.1 + speed * t, high), aside=-0.015, label=""),
+            Label(rate, (0.1 + speed * t, high + 2.9 * RADIUS)),
+        ]
+    return Figure(
+        name="rates",
+        title="A robot from above and, beside it, its two wheels from the side as they roll",
+        view=(-0.1, 0.38, -0.15, 0.18),
+        controls=(
+            Slider(v, 0.0, 0.1, start=0.05, step=0.005, label="speed v"),
+            Slider(omega, -1.0, 1.0, start=0.0, step=0.05, label="turning rate ω"),
+            Clock(t, 0.0, 1.5, start=0.0, step=0.05, loops=True, label="time"),
+        ),
+        where=((b, DISTANCE), (r, RADIUS), *solved(drive.wheel_speeds, drive.wheel_rates)),
+        scene=(*robot(START, time=t), *arrows(START), *rows),
+        readouts=(Readout(rate_L, "left rate φ̇_L"), Readout(rate_R, "right rate φ̇_R")),
+        grid=False,
+        size="step",
+    )
+
+
+def guess_figure() -> Figure:
+    """A place to guess: where the robot of the exercise will be."""
+    now = driven(t)
+    return Figure(
+        name="guess",
+        title="The robot of the exercise with its wheel arrows, and a mark to put where it will be",
+        view=(-0.3, 0.2, -0.09, 0.3),
+        controls=(
+            Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="your guess: x"),
+            Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="your guess: y"),
+            Clock(t, 0.0, 2.0, start=0.0, step=0.05, label="time"),
+        ),
+        where=((v_L, 0.05), (v_R, 0.1), *VELOCITY),
+        scene=(
+            *robot(START, "ghost"),
+            way("path", 0, t),
+            *robot(now, time=t),
+            *arrows(START, middle=False),
+            Point("target", (guess_x, guess_y), "your guess"),
+        ),
+        handles=(
+            Handle("your guess", (guess_x, guess_y), {guess_x: POINTER[0], guess_y: POINTER[1]}),
+        ),
+        readouts=(),
+        size="step",
+    )
+
+
+def arc_figure() -> Figure:
+    """The step along the arc: as far as the chord, along the middle heading."""
+    end = (x_next, y_next, theta_next)
+    half = atan2(-POINTER[0], POINTER[1])
+    time = sqrt(POINTER[0] ** 2 + POINTER[1] ** 2) / (v * sinc(half))
+    still = {v_L: v - omega * DISTANCE / 2, v_R: v + omega * DISTANCE / 2}
+    return Figure(
+        name="arc",
+        title="A step along an arc: the chord from the old place to the new, the middle heading",
+        view=(-0.3, 0.2, -0.09, 0.3),
+        controls=(
+            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05, label="turning rate ω"),
+            Slider(dt, 0.5, 3.0, start=2.0, step=0.1, label="time Δt"),
+        ),
+        where=(
+            (v, 0.075), (x, 0), (y, 0), (theta, pi / 2), *still.items(),
+            *solved(motion.arc_step, motion.chord),
+            (R, Piecewise((v / omega, Ne(omega, 0)), (oo, True))),
+        ),
+        scene=(
+            Area("icr", ((-R, 0), ORIGIN, (x_next, y_next))),
+            Line("icr", (ORIGIN, (-R, 0), (x_next, y_next))),
+            *robot(START, "ghost"),
+            Line("ghost", (ORIGIN, (0, 0.3))),
+            way("path", 0, dt),
+            Arrow("middle_heading", ORIGIN, (x_next, y_next), "c"),
+            AngleArc(theta_m, ORIGIN, pi / 2, theta_m, 0.1, label="½ωΔt"),
+            *robot(end),
+            Point("icr", (-R, 0), label="ICR"),
+        ),
+        handles=(Handle("the end", (x_next, y_next), {omega: 2 * half / time, dt: time}),),
+        readouts=(Readout(x_next), Readout(y_next), Readout(theta_next, digits=1)),
+        size="step",
+    )  # fmt: skip
+
+
+# Almost straight: lost digits.
+
+FAST, SLANTED, LONG = 0.1, 1.0, 2.0  # m/s, rad, s: of the drive that is almost straight
+LOST = symbols("x_lost y_lost")  # by the textbook's form, which loses digits
+LEAST = 1e-18  # m: no error is drawn as this one
+
+
+def almost_figure() -> Figure:
+    """The textbook's form and the chord, nearer and nearer to a straight line."""
+    graph = Graph((0.31, 0.55, 0.03, 0.27), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
+    drive_on = {x: 0, y: 0, theta: SLANTED, v: FAST, dt: LONG}
+    exact, textbook = (
+        put_in(form, drive_on) for form in (motion.arc_step.right, motion.arc_step.textbook)
+    )
+    tenth = Integer(10) ** (-s)
+    errors = Max(apart(*(put_in(form, {omega: tenth}) for form in (textbook, exact))), LEAST)
+    dot = graph.at((omega, Max(apart(LOST, exact), LEAST)))
+    return Figure(
+        name="digits",
+        title="Two robots, placed by the textbook's form and by the chord; the error against ω",
+        view=(-0.09, 0.58, -0.09, 0.33),
+        controls=(Slider(power, 0.0, 16.0, start=1.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
+        where=(
+            (omega, Integer(10) ** (-power)),
+            (v_L, FAST),
+            (v_R, FAST),
+            *zip(LOST, textbook[:2], strict=True),
+        ),
+        scene=(
+            Line("path", (ORIGIN, (exact[0], exact[1]))),
+            *robot((0, 0, SLANTED), "ghost"),
+            *robot(exact),
+            Body(LOST, exact[2], 0.065, kind="approximation"),
+            Line("error", (LOST, (exact[0], exact[1]))),
+            *graph.shapes(),
+            Curve("approximation", graph.at((tenth, errors)), s, 0, power),
+            Point("error", dot),
+        ),
+        handles=(
+            Handle("the dot in the graph", dot, {power: -log(graph.x_of(POINTER)) / log(10)}),
+        ),
+        readouts=(
+            Readout(omega, "turning rate ω", digits=-2),
+            Readout("error", "error, textbook's form", apart(LOST, exact), "m", digits=-2),
+        ),
+        grid=False,
+        size="step",
     )
 
 
 DURATION = 6.0  # s, of the drive that is cut into steps
+CRUISE = {v: 0.075, omega: 0.5}  # of the exercise
 
 
 def steps_figure() -> Figure:
-    """One drive in n straight steps beside the exact arc: the error shrinks with the step."""
-    state = symbols("x_k y_k theta_k")
-    end = symbols("x_n y_n theta_n")
-    exact = pose_after(DURATION)
-    with as_written():
-        values = {x: state[0], y: state[1], theta: state[2], v: speed, omega: rate}
-        step = motion.euler_step.at({**values, dt: DURATION / n})
-        apart = sqrt((end[0] - exact[0]) ** 2 + (end[1] - exact[1]) ** 2)
-    loop = Recurrence(state, (0, 0, theta), tuple(step), count=n, most=40, ends=end)
+    """One drive in n straight steps: the error against the step has slope 1, or slope 2."""
+    graph = Graph((0.17, 0.38, 0.03, 0.27), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
+    exact, step = put_in(driven(DURATION), CRUISE), DURATION / n
+    straight = put_in(motion.euler_step.right, {**CRUISE, dt: step})
+    shapes, readouts = [], []
+    half = CRUISE[omega] * s / 2  # of the turn in a step s
+    for kind, early, words in (
+        ("approximation", 0, "old"),
+        ("middle_heading", 1, "middle"),
+    ):
+        state, end = (
+            symbols(f"x_{early} y_{early} theta_{early}"),
+            symbols(f"X_{early} Y_{early} T_{early}"),
+        )
+        turn = early * CRUISE[omega] * step / 2
+        to_next = put_in(straight, {x: state[0], y: state[1], theta: state[2] + turn})
+        loop = Recurrence(state, START, (to_next[0], to_next[1], to_next[2] - turn), n, 60, end)
+        # the steps' own chord: longer than the true one, and turned by the old heading
+        lengthened, turned = 1 / sinc(half), (1 - early) * half
+        error = apart(exact, ORIGIN) * sqrt(
+            (lengthened - 1) ** 2 + 4 * lengthened * sin(turned / 2) ** 2
+        )
+        shapes += [
+            Trail(kind, (state[0], state[1]), loop),
+            Line("error", ((end[0], end[1]), (exact[0], exact[1]))),
+            Curve(kind, graph.at((s, error)), s, step, 3),
+            Point(kind, graph.at((step, apart(end, exact))), words),
+        ]
+        readouts.append(
+            Readout(f"error_{early}", f"error, {words} heading", apart(end, exact), "m", digits=5)
+        )
+    dot = graph.at((step, apart(symbols("X_0 Y_0"), exact)))
     return Figure(
         name="steps",
-        title="The exact arc and the same drive in straight steps",
-        view=(-0.42, 0.28, -0.11, 0.31),
-        controls=(
-            Slider(n, 1, 40, start=6, step=1, label="number of steps", kind="approximation"),
-            *speed_sliders(),
-            Slider(theta, -pi, pi, start=pi / 2, step=pi / 36, label="heading at the start"),
-        ),
+        title="A drive along an arc, cut into straight steps, and the error against the step",
+        view=(-0.38, 0.41, -0.12, 0.36),
+        controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
+        where=((v_L, 0.05), (v_R, 0.1)),
         scene=(
-            Curve("path", (pose_after(s)[0], pose_after(s)[1]), s, 0, DURATION),
-            Trail("approximation", (state[0], state[1]), loop),
-            Body(ORIGIN, theta, 0.065, kind="ghost"),
-            Body((exact[0], exact[1]), exact[2], 0.065),
-            Line("approximation", ((exact[0], exact[1]), (end[0], end[1]))),
-            Point("target", (exact[0], exact[1]), label="exact"),
+            Curve("path", tuple(put_in(Matrix(driven(s)[:2]), CRUISE)), s, 0, DURATION),
+            *robot(START, "ghost"),
+            *robot(exact),
+            *graph.shapes(),
+            *shapes,
         ),
-        readouts=(
-            Readout("apart", "error at the end", apart, "m", digits=4),
-            Readout("x", "exact x", exact[0], "m"),
-            Readout("y", "exact y", exact[1], "m"),
-        ),
-        says=(
-            "With {n} straight steps the drive of 6 s ends {apart} from the exact end, "
-            "which is at x = {x}, y = {y}."
-        ),
+        handles=(Handle("the upper dot in the graph", dot, {n: DURATION / graph.x_of(POINTER)}),),
+        readouts=tuple(readouts),
+        grid=False,
+        size="step",
     )
 
 
-FIGURES = (drive_figure(), steps_figure())
+# Where it fails, and the laboratory.
+
+
+def sideways_figure() -> Figure:
+    """A wished velocity: its part along the axle cannot be had."""
+    pose = (0, 0, pi / 2)
+    wished = beside(pose, ARROW * wish_x, ARROW * wish_y)
+    ahead = beside(pose, ARROW * wish_x, 0)
+    return Figure(
+        name="sideways",
+        title="The robot, a velocity that you wish, and what its wheels can do of it",
+        view=(-0.26, 0.26, -0.14, 0.24),
+        controls=(
+            Slider(wish_x, -0.08, 0.15, start=0.08, step=0.01, label="wish: ahead"),
+            Slider(wish_y, -0.15, 0.15, start=0.1, step=0.01, label="wish: to the left"),
+        ),
+        where=((v, wish_x), (v_L, wish_x), (v_R, wish_x)),
+        scene=(
+            Line("icr", ((-0.3, 0), (0.3, 0))),
+            *robot(pose),
+            Line("error", (ahead, wished)),
+            Arrow("approximation", ORIGIN, wished, "wish"),
+            Arrow(v, ORIGIN, ahead),
+        ),
+        handles=(
+            Handle("the wish", wished, {wish_x: POINTER[1] / ARROW, wish_y: -POINTER[0] / ARROW}),
+        ),
+        readouts=(
+            Readout(v, "what it can do: v"),
+            Readout("lost", "what it cannot", wish_y, "m/s"),
+        ),
+        goal=Goal(And(Abs(wish_y) < 0.006, Abs(wish_x) > 0.02), "Wish for something it can do."),
+        size="step",
+    )
+
+
+BAY = tuple(motion.arc_step.at({x: 0, y: 0, theta: pi / 2, v: 0.075, omega: -0.5, dt: 5}).evalf(17))
+
+
+def drive_figure() -> Figure:
+    """The laboratory: drive, follow, tracks of both wheels around one centre, park."""
+    now = driven(t)
+    centre = motion.icr.at({x: 0, y: 0, theta: pi / 2})
+    return Figure(
+        name="wheel-speeds",
+        title="The robot in its laboratory, driven by two wheel speeds and a time",
+        view=(-0.42, 0.38, -0.2, 0.28),
+        controls=(*wheels_from(0.05, 0.1), Clock(t, 0.0, 12.0, start=2.0, step=0.05, label="time")),
+        where=RADIUS_TOO,
+        scene=(
+            Body((BAY[0], BAY[1]), BAY[2], 0.065, kind="target"),
+            Label("target", (BAY[0], BAY[1] - 0.085), "bay"),
+            *tracks(0, t),
+            *robot(START, "ghost"),
+            Line("icr", ((now[0], now[1]), (centre[0], centre[1]))),
+            *robot(now, time=t),
+            *arrows(now),
+            *arrows(START, middle=False, letters=False),
+            Point("icr", (centre[0], centre[1]), label="ICR"),
+        ),
+        handles=pulled(),
+        readouts=(
+            Readout(v, "speed v"),
+            Readout(omega, "turning rate ω"),
+            Readout(R, "turning radius R", words=NO_ICR),
+            Readout("x", "x at this time", now[0], "m"),
+            Readout("y", "y at this time", now[1], "m"),
+            Readout("heading", "heading at this time", now[2], "rad", digits=1),
+        ),
+        goal=(
+            Goal(And(Abs(v_L) < 0.0005, Abs(v_R) > 0.01), "Turn about the left wheel."),
+            Goal(
+                And(Abs(v_R - 3 * v_L) < 0.002, Abs(v_L) > 0.01),
+                "Leave two tracks around one centre, the right one three times as long.",
+            ),
+            Goal(
+                parked(now, BAY), "Park in the bay: within 2 cm and 5°, by two speeds and a time."
+            ),
+        ),
+        follow=(now[0], now[1]),
+        size="laboratory",
+    )
+
+
+def recap_figure() -> Figure:
+    """All of it at rest: speeds, line through the tips, ICR, arc, chord."""
+    end = driven(2.0)
+    line = [(at, ARROW * (v + omega * at)) for at in (-0.25, 0.12)]
+    return Figure(
+        name="summary",
+        title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
+        view=(-0.26, 0.2, -0.09, 0.22),
+        controls=(),
+        where=((v_L, 0.05), (v_R, 0.1), *RADIUS_TOO),
+        scene=(
+            Line("icr", ((-R, 0), (0.1, 0))),
+            Line("turning", tuple(line)),
+            *robot(START),
+            *arrows(START),
+            AngleArc(omega, (-R, 0), 0, atan2(ARROW * omega, 1), 0.06),
+            way("path", 0, 2.0),
+            Arrow("middle_heading", ORIGIN, (end[0], end[1]), "c"),
+            Body((end[0], end[1]), end[2], 0.065, kind="ghost"),
+            Length(R, ORIGIN, (-R, 0), aside=0.07),
+            Point("icr", (-R, 0), label="ICR"),
+        ),
+        readouts=(),
+        size="step",
+    )
+
+
+FIGURES = (
+    park_figure(),
+    exercise_figure(),
+    tips_figure(),
+    infinity_figure(),
+    world_figure(),
+    rates_figure(),
+    guess_figure(),
+    arc_figure(),
+    almost_figure(),
+    steps_figure(),
+    sideways_figure(),
+    drive_figure(),
+    recap_figure(),
+)

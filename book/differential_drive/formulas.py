@@ -2,8 +2,8 @@
 
 from sympy import Matrix, Ne, Piecewise, nan, oo
 
-from book.motion.formulas import omega, v, v_y
-from workshop.equations.core import Equation, as_written, quantity
+from book.motion.formulas import omega, theta, theta_m, v, v_y, x_dot, y_dot
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 rate_L = quantity("rate_L", "rad/s", -20, 20, "rate of the left wheel", latex=r"\dot\varphi_L")
 rate_R = quantity("rate_R", "rad/s", -20, 20, "rate of the right wheel", latex=r"\dot\varphi_R")
@@ -12,7 +12,24 @@ v_R = quantity("v_R", "m/s", -1, 1, "speed of the right wheel over the floor")
 r = quantity("r", "m", 0.01, 0.5, "wheel radius")
 b = quantity("b", "m", 0.05, 1, "distance between the wheels, the whole of it")
 R = quantity("R", "m", -10, 10, "turning radius: how far to the left the ICR lies")
+rate = sign("rate", "rate of a wheel", r"\dot\varphi", "rad/s")
+u = sign("u", "half of the angle that is turned in a step", unit="rad")
 
+LOOKS = {
+    v_L: "left",
+    v_R: "right",
+    rate_L: "left",
+    rate_R: "right",
+    v: "velocity",
+    omega: "turning",
+    R: "icr",
+    theta: "heading",
+    theta_m: "middle_heading",
+    x_dot: "x_axis",
+    y_dot: "y_axis",
+    b: "length",
+    r: "length",
+}
 
 with as_written():
     speed = Equation(

@@ -1,9 +1,9 @@
 """The three-joint elbow arm: from joint angles to the wrist, and the ways back."""
 
-from sympy import Abs, Add, Matrix, Max, Min, Symbol, acos, atan2, cos, pi, sin, sqrt
+from sympy import Abs, Add, Matrix, Max, Min, acos, atan2, cos, pi, sin, sqrt
 
 from book.basics.formulas import p_x, p_y
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 theta1 = quantity("theta1", "rad", -3.14, 3.14, "angle of joint 1", latex=r"\theta_1")
 theta2 = quantity("theta2", "rad", -3.14, 3.14, "angle of joint 2", latex=r"\theta_2")
@@ -12,23 +12,45 @@ p_z = quantity("p_z", "m", -2, 2, "a point, along z")
 a2 = quantity("a2", "m", 0.4, 0.5, "length of the upper link", latex="a_2")
 a3 = quantity("a3", "m", 0.3, 0.4, "length of the forearm", latex="a_3")
 d1 = quantity("d1", "m", -0.5, 0.5, "height of the shoulder above the base", latex="d_1")
-out = quantity("out", "m", 0.3, 0.4, "distance of the wrist from the base axis", latex="r")
-high = quantity("high", "m", -0.3, 0.3, "height of the wrist above the shoulder", latex="h")
-apart = quantity("apart", "m", 0.25, 0.55, "distance from shoulder to wrist", latex="d")
+out = quantity("out", "m", 0.3, 0.4, "distance of the wrist from the base axis", "r", "r")
+high = quantity("high", "m", -0.3, 0.3, "height of the wrist above the shoulder", "h", "h")
+apart = quantity("apart", "m", 0.25, 0.55, "distance from shoulder to wrist", "d", "d")
 dh_theta = quantity("dh_theta", "rad", -3.14, 3.14, "turn about z of a step", latex=r"\theta_i")
 dh_d = quantity("dh_d", "m", -1, 1, "shift along z of a step", latex="d_i")
 dh_a = quantity("dh_a", "m", -1, 1, "shift along x of a step", latex="a_i")
 dh_alpha = quantity("dh_alpha", "rad", -3.14, 3.14, "turn about x of a step", latex=r"\alpha_i")
 
-A = Symbol("A")
-phi1, phi2, phi3 = (Symbol(rf"\varphi_{k}") for k in (1, 2, 3))
-d_min, d_max = Symbol(r"d_\mathrm{min}"), Symbol(r"d_\mathrm{max}")
-NEAREST = [Symbol(rf"p'_{{{axis}}}") for axis in "xyz"]
-
-
-def on_side(kind: str, name: str) -> Symbol:
-    """A joint angle of one of the answers: up, down, facing or away."""
-    return Symbol(rf"\theta_{name}^\mathrm{{{kind}}}")
+A = sign("A", "cosine of the elbow's angle")
+phi1 = sign("phi1", "angle of the triangle at the shoulder", r"\varphi_1", "rad")
+phi2 = sign("phi2", "angle of the triangle at the elbow", r"\varphi_2", "rad")
+phi3 = sign("phi3", "how steeply the wrist is seen from the shoulder", r"\varphi_3", "rad")
+d_min = sign("d_min", "least distance that the arm can do", r"d_\mathrm{min}", "m")
+d_max = sign("d_max", "largest distance that the arm can do", r"d_\mathrm{max}", "m")
+D = sign("D", "the distance nearest to d that the arm can do", r"\hat{d}", "m")
+NEAREST = [
+    sign(f"near_{x}", f"the nearest point in reach, along {x}", f"p'_{x}", "m") for x in "xyz"
+]
+ELBOW_BOTH = [
+    sign("theta3_plus", "the elbow's angle, elbow down", r"\theta_3^{+}", "rad"),
+    sign("theta3_minus", "the elbow's angle, elbow up", r"\theta_3^{-}", "rad"),
+]
+SIDES = {
+    f"{side}{k}": sign(
+        f"theta{k}_{side}", f"angle of joint {k}, {side}", rf"\theta_{k}^\mathrm{{{side}}}", "rad"
+    )
+    for side, joints in {"facing": (1, 2), "away": (1, 2, 3), "up": (2, 3), "down": (2, 3)}.items()
+    for k in joints
+}
+p = sign("p", "the point where the wrist is to be")
+x, y, z = (sign(axis, f"the {axis} axis") for axis in "xyz")
+joint = sign("joint", "number of a joint", "i")
+Z_AXES = [
+    sign(f"z_{k}", f"axis of joint {j}", f"z_{{{k}}}")
+    for k, j in zip(("0", "1", "2", "i-1"), "123i", strict=True)
+]
+a1 = sign("a1", "length of the first step of the DH table: zero", "a_1", "m")
+T_03 = sign("T_03", "pose of the wrist's frame as seen from the base", "T_{03}")
+T_step = sign("T_step", "pose of a frame of the DH table as seen from the one before", "T_{i-1,i}")
 
 
 with as_written():
@@ -48,7 +70,7 @@ with as_written():
 
     base = Equation(
         name="elbow_arm.base",
-        left=Matrix([on_side("facing", "1"), on_side("away", "1")]),
+        left=Matrix([SIDES["facing1"], SIDES["away1"]]),
         right=Matrix([atan2(p_y, p_x), atan2(p_y, p_x) + pi]),
         source="exercise 1",
         is_angle=True,
@@ -80,10 +102,10 @@ with as_written():
         name="elbow_arm.first_way",
         left=Matrix(
             [
-                on_side("up", "2"),
-                on_side("up", "3"),
-                on_side("down", "2"),
-                on_side("down", "3"),
+                SIDES["up2"],
+                SIDES["up3"],
+                SIDES["down2"],
+                SIDES["down3"],
             ]
         ),
         right=Matrix([phi3 + phi1, phi2 - pi, phi3 - phi1, pi - phi2]),
@@ -101,7 +123,7 @@ with as_written():
     COSINE = (A, (square - a2**2 - a3**2) / (2 * a2 * a3))
     elbow = Equation(
         name="elbow_arm.elbow",
-        left=Matrix([Symbol(r"\theta_3^{+}"), Symbol(r"\theta_3^{-}")]),
+        left=Matrix(ELBOW_BOTH),
         right=Matrix([atan2(sqrt(1 - A**2), A), atan2(-sqrt(1 - A**2), A)]),
         where=(COSINE,),
         source="exercise 1 (seed 001)",
@@ -109,7 +131,7 @@ with as_written():
 
     shoulder = Equation(
         name="elbow_arm.shoulder",
-        left=Matrix([on_side("facing", "2"), on_side("away", "2")]),
+        left=Matrix([SIDES["facing2"], SIDES["away2"]]),
         right=Matrix(
             [
                 atan2(high, out) - atan2(a3 * sin(theta3), a2 + a3 * cos(theta3)),
@@ -137,7 +159,7 @@ with as_written():
 
     away = Equation(
         name="elbow_arm.away",
-        left=Matrix([on_side("away", str(k)) for k in (1, 2, 3)]),
+        left=Matrix([SIDES[f"away{k}"] for k in (1, 2, 3)]),
         right=Matrix([theta1 + pi, pi - theta2, -theta3]),
         source="exercise 1",
         is_angle=True,
@@ -150,7 +172,6 @@ with as_written():
         source="exercise 1",
     )
 
-    D = Symbol(r"\hat{d}")  # the distance nearest to d that the arm can do
     nearest = Equation(
         name="elbow_arm.nearest",
         left=Matrix(NEAREST),
@@ -164,7 +185,7 @@ with as_written():
 
     dh_step = Equation(
         name="elbow_arm.dh_step",
-        left=Symbol("T_{i-1,i}"),
+        left=T_step,
         right=Matrix(
             [
                 [
@@ -188,7 +209,7 @@ with as_written():
 
     dh_wrist = Equation(
         name="elbow_arm.dh_wrist",
-        left=Symbol("T_{03}"),
+        left=T_03,
         right=Matrix(
             [
                 [cos(theta1) * cos(raised), -cos(theta1) * sin(raised), sin(theta1), p_x],

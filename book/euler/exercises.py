@@ -1,5 +1,6 @@
 """Exercises on Euler rotation sequences, and the mistakes that are made there."""
 
+from functools import reduce
 from itertools import product
 
 import numpy as np
@@ -27,15 +28,29 @@ from workshop.practice import (
     Mistake,
     Solution,
     Step,
+    Wrong,
     angle,
     matrix,
     number_text,
     one_of,
 )
 
+A, B, C = symbols("a b c")
+YAW, PITCH, ROLL = symbols("yaw pitch roll")
+SEEN = MatrixSymbol("p_A", 3, 1)
+R_AB, REST, R_1, R_2 = (MatrixSymbol(name, 3, 3) for name in ("R_AB", "R", "R_1", "R_2"))
+R_x, R_y, R_z = (MatrixSymbol(name, 3, 3) for name in ("R_x", "R_y", "R_z"))
+ABOUT = {"x": formulas.turn_x, "y": formulas.turn_y, "z": formulas.turn_z}
+ENTRIES = tuple(map(str, r))  # the names of the entries of a matrix, row by row
+ANGLES = (A, B, C)
+OTHER = symbols("a' b' c'")  # the same rotation by other angles
+RENAMED = dict(zip(formulas.TURNS, ANGLES, strict=True))
+AT_LOCK = (formulas.third_first.right[1].subs(formulas.gamma, 0), asin(r[0, 2]))  # of XYZ
+
 M6 = Mistake(
     "M6",
     says="with the matrices in the wrong order, that of turns about the axes of the fixed frame",
+    wrong=Wrong(Line(R_AB, R_1 * R_2), instead=R_2 * R_1),
     line='R_y, R_z = euler.to_matrix("Y", [a]), euler.to_matrix("Z", [b])\nR_AB = R_z @ R_y',
     why="A turn about an axis of the turned frame is multiplied on the right: R_1 R_2. On the "
     "left, R_2 R_1, it would be a turn about an axis of the fixed frame A.",
@@ -45,6 +60,7 @@ M6 = Mistake(
 M7 = Mistake(
     "M7",
     says="with left-handed turns: every sine has the wrong sign",
+    wrong=Wrong(formulas.turn_y, {formulas.turn: -formulas.turn}),
     line="R_y = [[np.cos(a), 0, -np.sin(a)], [0, 1, 0], [np.sin(a), 0, np.cos(a)]]\n"
     "R_z = [[np.cos(b), np.sin(b), 0], [-np.sin(b), np.cos(b), 0], [0, 0, 1]]\n"
     "R_AB = np.array(R_y) @ R_z",
@@ -54,34 +70,31 @@ M7 = Mistake(
 )
 M8 = Mistake(
     "M8",
+    wrong=Wrong(
+        Line(Matrix([formulas.first, formulas.middle]), Matrix(AT_LOCK)),
+        instead=Matrix(formulas.angles_at_once.right[:2]),
+    ),
     says="when all three angles are read by the regular formulas, although the frame is at gimbal "
     "lock; atan2(0, 0) then gives 0",
     line="a = np.arctan2(-R[1, 2], R[2, 2])\n"
     "b = np.arctan2(R[0, 2], np.hypot(R[1, 2], R[2, 2]))\n"
     "angles = [a, b]",
     why="At gimbal lock all the entries that these formulas read for the first and the third angle "
-    "are zero, and arctan2(0, 0) gives 0 without a warning. The turn that is missing stands in the "
-    "other entries. Rebuild the matrix from your angles and compare.",
+    "are zero. For exact zeros arctan2(0, 0) gives 0 without a warning; in a computed matrix they "
+    "are rounding errors, and the angles are noise. The turn that is missing stands in the other "
+    "entries. Rebuild the matrix from your angles and compare.",
     unnoticed="Where the turn that remains is zero.",
 )
-
-
-A, B, C, PHI = symbols("a b c varphi")
-YAW, PITCH, ROLL = symbols("yaw pitch roll")
-E = symbols("e_x e_y e_z")
-SEEN = MatrixSymbol("p_A", 3, 1)
-R_AB, REST, R_1, R_2 = (MatrixSymbol(name, 3, 3) for name in ("R_AB", "R", "R_1", "R_2"))
-R_x, R_y, R_z = (MatrixSymbol(name, 3, 3) for name in ("R_x", "R_y", "R_z"))
-ABOUT = {"x": formulas.turn_x, "y": formulas.turn_y, "z": formulas.turn_z}
-ENTRIES = tuple(map(str, r))  # the names of the entries of a matrix, row by row
-ANGLES = (A, B, C)
-OTHER = symbols("a' b' c'")  # the same rotation by other angles
-RENAMED = dict(zip(formulas.TURNS, ANGLES, strict=True))
 
 
 def clean(R):
     """A matrix without the dust of rounding."""
     return R.round(12) + 0.0
+
+
+def one_turn(axis, angle):
+    """The matrix of a turn about an axis."""
+    return euler.to_matrix(axis, [angle])
 
 
 def two_turns(first, second, a, b):
@@ -91,12 +104,18 @@ def two_turns(first, second, a, b):
 
 def fixed_axes(first, second, a, b):
     """M6 for two turns: both about axes of A."""
-    return euler.to_matrix(first + second, [a, b])
+    return M6.formula.gives(R_1=one_turn(first, a), R_2=one_turn(second, b))
 
 
 def left_handed(first, second, a, b):
     """M7 for two turns."""
-    return two_turns(first, second, -a, -b)
+    first, second = (M7.formula.made_in(ABOUT[axis]) for axis in (first, second))
+    return first.gives(turn=a) @ second.gives(turn=b)
+
+
+def wrong_way(turned):
+    """A turn, or several, as M7 takes them."""
+    return M7.formula.put(turn=turned)["turn"]
 
 
 def column(R, arrow):
@@ -106,7 +125,7 @@ def column(R, arrow):
 
 def rest(R_AB, axis, turn):
     """What remains of R_AB after a first turn about an axis of A."""
-    return euler.to_matrix(axis, [turn]).T @ R_AB
+    return one_turn(axis, turn).T @ R_AB
 
 
 def both_ways(R):
@@ -122,7 +141,8 @@ def yaw_pitch_roll(yaw, pitch, roll):
 
 def fixed_yaw_pitch_roll(yaw, pitch, roll):
     """M6: the same turns about the axes of A."""
-    return euler.to_matrix("zyx", [yaw, pitch, roll])
+    turns = (one_turn(axis, angle) for axis, angle in zip("zyx", (yaw, pitch, roll), strict=True))
+    return reduce(lambda R_1, R_2: M6.formula.gives(R_1=R_1, R_2=R_2), turns)
 
 
 def to_zyz(yaw, pitch, roll):
@@ -142,9 +162,8 @@ def locked(seq, a, b):
 
 def regular(seq, R):
     """M8 for XYZ, YZX or ZXY: the first two angles by the formulas that fail at lock."""
-    i, j, k = map("XYZ".index, seq)
-    zero, one = 0.0 - R[j, k], R[k, k]
-    return [np.arctan2(zero, one), np.arctan2(R[i, k], np.hypot(zero, one))]
+    order = list(map("XYZ".index, seq))
+    return M8.formula.gives(**named(R[np.ix_(order, order)])).ravel()
 
 
 ALL = clean(euler.to_matrix("XYZ", np.pi / 2 * np.array(list(product(range(4), repeat=3)))))
@@ -186,7 +205,10 @@ MADE = (
 with as_written():
     BOTH = Step(Line(R_AB, R_1 * R_2), values=ENTRIES)
     MADE_ZYX = Line(R_AB, MatMul(R_z, R_y, R_x))
-    AXIS_FOUND = Line(Matrix(E), Matrix([part / (2 * sin(PHI)) for part in formulas.k]))
+    AXIS_FOUND = Line(
+        Matrix(formulas.n),
+        Matrix([part / (2 * sin(formulas.turn)) for part in formulas.turn_vector.right]),
+    )
     READ_ZYX = Line(
         Matrix(ANGLES),
         Matrix(
@@ -290,8 +312,15 @@ euler_3 = Exercise(
     shape=(3, 3),
     right=lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, turn),
     wrong={
-        M6: lambda R_AB, axis, turn: QUARTERS[R_AB] @ euler.to_matrix(axis, [turn]).T,
-        M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, -turn),
+        M6: lambda R_AB, axis, turn: M6.formula.gives(
+            R_1=one_turn(axis, turn).T, R_2=QUARTERS[R_AB]
+        ),
+        M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, wrong_way(turn)),
+    },
+    also={
+        "when R_1 itself stands where its transpose belongs": lambda R_AB, axis, turn: (
+            one_turn(axis, turn) @ QUARTERS[R_AB]
+        ),
     },
     derive=lambda R_AB, axis, turn: {"entries": QUARTERS[R_AB]},
     solution=Solution(
@@ -311,11 +340,11 @@ euler_4 = Exercise(
     level=2,
     title="One turn in place of two",
     text="A camera is turned first by {a} about its {first} axis, and then by {b} about its new "
-    "{second} axis. One single turn can do the same. About which axis e (a vector of length 1, as "
-    "seen before the turns), and by what angle φ? The opposite axis with the opposite angle is as "
+    "{second} axis. One single turn can do the same. About which axis n (a vector of length 1, as "
+    "seen before the turns), and by what angle ϑ? The opposite axis with the opposite angle is as "
     "good.",
     given=TURNS,
-    asks=(Ask("e_x"), Ask("e_y"), Ask("e_z"), angle("φ")),
+    asks=(Ask("n_x"), Ask("n_y"), Ask("n_z"), angle("ϑ")),
     accept="any",
     right=lambda **turns: both_ways(two_turns(**turns)),
     wrong={
@@ -326,18 +355,17 @@ euler_4 = Exercise(
     solution=Solution(
         MADE + "Both turns in one matrix, multiplied in the order in which they are made:\n\n{R_AB}"
         "\n\nSubtract the entries on the two sides of its diagonal (r_32 is the entry in row 3 and "
-        "column 2). This gives a vector along the axis, as long as twice the sine of the angle:"
-        "\n\n{k}\n\nThe sum of the diagonal, less 1, is twice the cosine of the angle:\n\n{phi}\n\n"
-        "That is {phi.value:deg}. Divide the vector by its length to have the axis:\n\n{e}\n\n"
+        "column 2). This gives a vector along the axis, as long as twice the sine of the angle. "
+        "The sum of the diagonal, less 1, is twice the cosine:\n\n{turn}\n\n"
+        "That is {turn.value:deg}. Divide the vector by its length to have the axis:\n\n{n}\n\n"
         "The opposite axis with the opposite angle is the other answer. So axis and angle are\n\n"
         "{right}",
-        answer=(("e", "phi"),),
+        answer=(("n", "turn"),),
         R_1=FIRST,
         R_2=SECOND,
         R_AB=BOTH,
-        k=Step(formulas.turn_vector),
-        phi=Step(formulas.turn_angle, values=(PHI,), unit="rad"),
-        e=Step(AXIS_FOUND),
+        turn=Step(formulas.turn_angle, values=(formulas.turn,), unit="rad"),
+        n=Step(AXIS_FOUND),
     ),
 )
 
@@ -358,7 +386,7 @@ euler_5 = Exercise(
     right=lambda **turns: euler.solutions("ZYX", yaw_pitch_roll(**turns)),
     wrong={
         M6: lambda **turns: euler.solutions("zyx", yaw_pitch_roll(**turns)),
-        M7: lambda **turns: -euler.solutions("ZYX", yaw_pitch_roll(**turns)),
+        M7: lambda **turns: wrong_way(euler.solutions("ZYX", yaw_pitch_roll(**turns))),
     },
     when=lambda **turns: far_from_lock("zyx", yaw_pitch_roll(**turns)),
     derive=lambda **turns: {
@@ -401,7 +429,7 @@ euler_6 = Exercise(
     asks=(angle("first"), angle("second")),
     right=lambda seq, a, b: euler.from_matrix(seq, locked(seq, a, b))[:2],
     wrong={
-        M7: lambda seq, a, b: -euler.from_matrix(seq, locked(seq, a, b))[:2],
+        M7: lambda seq, a, b: wrong_way(euler.from_matrix(seq, locked(seq, a, b))[:2]),
         M8: lambda seq, a, b: regular(seq, locked(seq, a, b)),
     },
     derive=lambda seq, a, b: {"R": locked(seq, a, b), **named(locked(seq, a, b))},
@@ -452,7 +480,7 @@ euler_7 = Exercise(
     right=to_zyz,
     wrong={
         M6: lambda **turns: euler.solutions("ZYZ", fixed_yaw_pitch_roll(**turns)),
-        M7: lambda yaw, pitch, roll: to_zyz(-yaw, -pitch, -roll),
+        M7: lambda **turns: to_zyz(**{name: wrong_way(turn) for name, turn in turns.items()}),
     },
     when=lambda **turns: (
         far_from_lock("ZYZ", yaw_pitch_roll(**turns))

@@ -5,8 +5,8 @@ import numpy as np
 from robokin import euler, motion
 
 R_AB = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
+GHOST = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])
 HALF = np.pi / 2
-AXIS = np.array([-1.0, 1, -1]) / np.sqrt(3)
 
 
 def letters(left, mid, right, fixed):
@@ -57,32 +57,79 @@ def from_lock(seq, R):
     return np.arctan2(rest, np.abs(row[:, last]))
 
 
-def rings_readouts(first, middle, third, azimuth, elevation):
-    """Angle of the outer and the inner axis, volume of the three axes, whole turn."""
+def turns_readouts(*columns):
+    """How many turns are made, and the angle of the one turn to the ghost."""
+    rows = np.column_stack(columns)
+    before, axis, own, part, count = np.split(rows[:, :15], [9, 12, 13, 14], axis=1)
+    before = before.reshape(-1, 3, 3)
+    turning = np.linalg.norm(axis, axis=1) > 0
+    # before the first turn there is no axis, and any will do
+    last = euler.about(np.where(turning[:, None], axis, [0, 0, 1]), part[:, 0] * HALF * turning)
+    now = np.where(own[..., None] > 0, before @ last, last @ before)
+    return np.column_stack([count[:, 0], euler.axis_angle(GHOST.T @ now)[1]])
+
+
+def no_readouts(*columns):
+    """A figure without numbers beside it."""
+    return np.empty((len(columns[0]), 0))
+
+
+def order_readouts(made, azimuth, elevation):
+    """The one turn between the same turns in two orders."""
+    angles = HALF * np.clip(np.stack([made, made - 1], axis=-1), 0, 1)
+    apart = np.swapaxes(euler.to_matrix("ZX", angles), 1, 2) @ euler.to_matrix("XZ", angles)
+    return euler.axis_angle(apart)[1][:, None]
+
+
+def target_readouts(first, middle, azimuth, elevation):
+    """Still to turn to frame B."""
+    R = euler.to_matrix("YZ", np.stack([first, middle], axis=-1))
+    return euler.axis_angle(R_AB.T @ R)[1][:, None]
+
+
+def both_readouts(middle, made, azimuth, elevation):
+    """The middle angle of the other answer, and the one turn between the two dice."""
+    left = np.stack([0 * middle + np.pi / 9, middle, 0 * middle + np.pi / 6], axis=-1)
+    right = np.stack([left[:, 0] + np.pi, np.pi - middle, left[:, 2] + np.pi], axis=-1)
+    done = np.clip(made[:, None] - np.arange(3), 0, 1)
+    R, S = (euler.to_matrix("XYZ", done * angles) for angles in (left, right))
+    apart = euler.axis_angle(np.swapaxes(R, 1, 2) @ S)[1]
+    return np.column_stack([motion.wrap_angle(np.pi - middle), apart])
+
+
+def rings_readouts(middle, against, azimuth, elevation):
+    """Volume of the three axes, whole turn."""
+    first, third = np.pi / 9 + against, np.pi / 9 - against
     zero = 0 * first
     outer = np.stack([zero + 1, zero, zero], axis=-1)
     mid = euler.to_matrix("X", first[:, None])[..., 1]
     inner = euler.to_matrix("XY", np.stack([first, middle], axis=-1))[..., 2]
-    between = np.arctan2(
-        np.linalg.norm(np.cross(outer, inner), axis=1), np.sum(outer * inner, axis=1)
-    )
     volume = np.abs(np.linalg.det(np.stack([outer, mid, inner], axis=-1)))
     whole = euler.axis_angle(euler.to_matrix("XYZ", np.stack([first, middle, third], -1)))[1]
-    return np.column_stack([between, volume, whole])
+    return np.column_stack([volume, whole])
 
 
-def one_turn_readouts(part, azimuth, elevation):
-    """Turned so far, still to turn, and still to turn with both angles growing together."""
-    then = euler.to_matrix("YZ", np.stack([part * HALF, -part * HALF], axis=-1))
-    total = euler.axis_angle(R_AB)[1]
-    detour = euler.axis_angle(R_AB.T @ then)[1]
-    return np.column_stack([part * total, total - part * total, detour])
+def one_turn_readouts(at_once, part, azimuth, elevation):
+    """Turned on the way, and still to turn, by one turn or by two."""
+    axis, angle = euler.axis_angle(R_AB)
+    two = np.clip(np.stack([2 * part, 2 * part - 1], axis=-1), 0, 1)
+    by_two = euler.to_matrix("YZ", two * [HALF, -HALF])
+    R = np.where(at_once[:, None, None] > 0, euler.about(axis, part * angle), by_two)
+    turned = np.where(at_once > 0, part * angle, two.sum(axis=1) * HALF)
+    return np.column_stack([turned, euler.axis_angle(R_AB.T @ R)[1]])
 
 
 READOUTS = {
-    "euler-sequence": sequence_readouts,
+    "die": turns_readouts,
+    "two-frames": no_readouts,
+    "columns": no_readouts,
+    "order": order_readouts,
+    "to-b": target_readouts,
+    "both-answers": both_readouts,
     "gimbal-rings": rings_readouts,
     "one-turn": one_turn_readouts,
+    "euler-sequence": sequence_readouts,
+    "rotation-recap": no_readouts,
 }
 LOCKED = {"middle": HALF}
 ANSWERS = {  # of the exercise, in degrees; the first three are at lock
@@ -94,12 +141,19 @@ ANSWERS = {  # of the exercise, in degrees; the first three are at lock
     "xzx": (90, 90, 180),
 }
 SPECIALS = {
+    "die": [{"turns": turns} for turns in ("Z", "zxx", "zxX", "X-XyY-Z", "xyZ")],
+    "two-frames": [{"elevation": HALF}],
+    "columns": [{"axis": axis, "turn": turn} for axis in "xyz" for turn in (0.0, HALF, -HALF)],
+    "order": [{"made": 1.0}, {"made": 2.0}],
+    "to-b": [{"first": HALF, "middle": -HALF}, {"first": 0.0, "middle": 0.0}],
+    "both-answers": [{**LOCKED, "made": 3.0}, {"made": 1.0}, {"made": 2.0}, {"made": 3.0}],
+    "gimbal-rings": [LOCKED, {"middle": -HALF}, {"middle": 0.0, "against": 0.0}],
+    "one-turn": [{"part": 0.5}, {"part": 1.0}, {"part": 1.0, "way": "one turn"}, {"part": 0.0}],
     "euler-sequence": [
         {"sequence": seq, **dict(zip(("first", "middle", "third"), np.radians(a), strict=True))}
         for seq, a in ANSWERS.items()
     ]
     + [{"first": 0.0, "middle": 0.0, "third": 0.0}, {"made": 1.0}, {"made": 2.0}],
-    "gimbal-rings": [LOCKED, {"middle": -HALF}, {"first": 0.0, "middle": 0.0, "third": 0.0}],
-    "one-turn": [{"elevation": HALF}],
+    "rotation-recap": [{"turn": HALF}],
 }
 WORDS = []

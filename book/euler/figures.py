@@ -1,4 +1,4 @@
-"""The live figures of the chapter on Euler angles, in space."""
+"""The live figures of the chapter on Euler angles: dice, rings and a ball, all solid."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -6,38 +6,45 @@ from itertools import permutations
 from math import pi
 from typing import Any
 
-from sympy import (
-    Abs,
-    Matrix,
-    Max,
-    Min,
-    Piecewise,
-    Symbol,
-    atan2,
-    cos,
-    sin,
-    sqrt,
-    symbols,
-)
+from sympy import Abs, And, Matrix, Max, Min, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
 from sympy import pi as half_turn
 
 from book.euler import formulas as euler
-from book.euler.formulas import TURNS, middle
+from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.motion.formulas import angle
-from workshop.equations.core import Where, put_in, quantity
-from workshop.figures import VIEW, Choice, Clock, Curve, Figure, Readout, Slider, view_sliders
+from workshop.equations.core import Where, quantity
+from workshop.figures import (
+    VIEW,
+    Bracket,
+    Choice,
+    Clock,
+    Curve,
+    Figure,
+    Goal,
+    Label,
+    Readout,
+    Slider,
+    Turns,
+    solids,
+    solved,
+    view_sliders,
+)
 
 R_AB = Matrix([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # the exercise
+GHOST = Matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]])  # of the opening: three quarter turns away
+UNTURNED = Matrix.eye(3)
 SEQUENCES = [
     *("".join(letters) for letters in permutations("XYZ")),
     *(i + j + i for i, j in permutations("XYZ", 2)),
 ]
 ORIGIN = (0, 0, 0)
-NAMES_A = ("x_A", "y_A", "z_A")
+AXES = ("x_axis", "y_axis", "z_axis")
+X, Y, Z = (UNTURNED[:, axis] for axis in range(3))
 
 made = quantity("made", "", 0, 3, "how many turns of a sequence are made")
-part = quantity("part", "", 0, 1, "how much of one turn is made")
+part = quantity("part", "", 0, 1, "how much of a way is made")
+against = quantity("against", "rad", -3.14, 3.14, "the outer ring turned on, the inner one back")
 s = Symbol("s")
 
 outer = Matrix(
@@ -45,8 +52,433 @@ outer = Matrix(
 )  # the axis of the turn on the left: 1 for its letter
 mid = Matrix(symbols("m_x m_y m_z", real=True))
 inner = Matrix(symbols("i_x i_y i_z", real=True))  # of the turn on the right
-AXES = (outer, mid, inner)
 fixed = Symbol("fixed", real=True)  # 1 for extrinsic turns
+about = Matrix(symbols("about_x about_y about_z", real=True))
+at_once = Symbol("at_once", real=True)  # 1 for one turn about one axis, 0 for two
+
+
+def in_space(**parts: Any) -> Figure:
+    """A figure without a grid whose view is turned by dragging it."""
+    start = parts.pop("seen_from", (pi / 6, pi / 9))
+    controls = (*parts.pop("controls"), *view_sliders(*start))
+    return Figure(controls=controls, turns=VIEW.angles, grid=False, **parts)
+
+
+def angle_sliders(labels: Sequence[str], starts: Sequence[float], kinds: Any) -> tuple[Slider, ...]:
+    """The angles of a sequence under the hand."""
+    return tuple(
+        Slider(symbol, -pi, pi, start=start, step=pi / 36, label=label, kind=kind)
+        for symbol, start, label, kind in zip(TURNS, starts, labels, kinds, strict=False)
+    )
+
+
+def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
+    """A matrix whose entries are symbols, and what they stand for."""
+    rows, cols = matrix.shape
+    entries = symbols(f"{name}:{rows}:{cols}", real=True)
+    return Matrix(rows, cols, entries), tuple(zip(entries, matrix, strict=True))
+
+
+def entries(R: Matrix) -> Where:
+    """A rotation as what the entries of the matrix stand for."""
+    return tuple(zip(euler.r, R, strict=True))
+
+
+def angle_of(R: Matrix) -> Any:
+    """The angle of the one turn that a rotation is."""
+    return euler.turn_angle.at(dict(zip(euler.r, R, strict=True)))
+
+
+def meets(R: Matrix, target: Matrix) -> Any:
+    """Whether two orientations are less than a degree apart."""
+    return angle_of(target.T * R) < half_turn / 180
+
+
+def share(turns: Any, k: int) -> Any:
+    """How much of turn k is made, when so many turns are made."""
+    return Max(0, Min(1, turns - k))
+
+
+def behind(shape: Any) -> Any:
+    """A little further away, so that what lies along it is painted over it."""
+    return replace(shape, depth=shape.depth - 0.3)
+
+
+# Dice: 1, 2 and 3 towards x, y and z of the frame that is fixed to them.
+
+
+FLOOR, HALF = -1.1, 0.75  # m: the floor's height, and half its side
+
+
+def die(
+    R: Matrix, at: Sequence[Any] = ORIGIN, labels: Sequence[str] = ("x", "y", "z")
+) -> tuple[Any, ...]:
+    """A die on its axes, above a floor."""
+    tail, head = (
+        [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.05)
+    )
+    stubs = map(VIEW.arrow, AXES, tail, head, labels)
+    body = VIEW.solid(solids.die("body"), R, at, floor=FLOOR)
+    return VIEW.floor(FLOOR, HALF, at), body, *stubs
+
+
+def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
+    """Where a die shall be brought to."""
+    body = VIEW.solid(solids.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
+    return VIEW.floor(FLOOR, HALF, at), body
+
+
+def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
+    """The axes of frame A, which stay: along the floor and up from its corner."""
+    corner = [at[0] - HALF, at[1] - HALF, FLOOR]
+    return tuple(
+        VIEW.arrow("text", corner, [c + 1.9 * u for c, u in zip(corner, axis, strict=True)], label)
+        for axis, label in zip((X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
+    )
+
+
+def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
+    """What a die turns about, to both sides of it."""
+    return tuple(
+        VIEW.line(
+            "icr", [[at[k] + side * far * direction[k] for k in range(3)] for far in (0.5, 1.45)]
+        )
+        for side in (-1, 1)
+    )
+
+
+LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
+
+
+def die_figure() -> Figure:
+    """The opening: a die, twelve buttons, a ghost."""
+    turns = Turns()
+    last, steps_last = named("l", turns.last(turns.part))
+    now, steps_now = named("n", turns.after(last))
+    own, away = turns.own, 2 * (1 - turns.part)
+    some = Piecewise((0, turns.count > 0), (nan, True))
+    done = Piecewise((0, turns.part >= 1), (nan, True))
+    return in_space(
+        name="die",
+        title="A die, and beside it the ghost of a die that is turned another way",
+        view=(-3.3, 3.3, -2.85, 1.4),
+        controls=(turns,),
+        scene=(
+            *die(now, VIEW.beside(-1.4)),
+            *ghost_die(GHOST, VIEW.beside(1.4)),
+            Bracket(turns.before, (-0.85 - 1.25 * own + some, -1.95), "before"),
+            Bracket(
+                turns.last(),
+                (-2.1 + own * (1.25 + away) - (1 - own) * away + some, -1.95),
+                "the turn",
+                columns=("icr", "icr", "icr"),
+            ),
+            Label("text", (0.3 + some, -1.95), "="),
+            Bracket(now, (1.4 + done, -1.95), "now"),
+        ),
+        readouts=(
+            Readout("count", "turns made", turns.count, "", digits=0),
+            Readout("apart", "still to the ghost", angle_of(GHOST.T * now), "rad", digits=0),
+        ),
+        says="{count} turns made: {turns}. The die is one turn of {apart} from the ghost.",
+        goal=tuple(
+            Goal(And(meets(now, GHOST), turns.part >= 1, turns.count <= most), words)
+            for most, words in (
+                (99, "Bring the die onto its ghost."),
+                (3, "Do it again in three turns: the fewest there are."),
+            )
+        ),
+        where=(*steps_last, *steps_now),
+    )
+
+
+def exercise_figure() -> Figure:
+    """The two frames of the exercise."""
+    return in_space(
+        name="two-frames",
+        title="Frame A on the left; frame B on the right, turned another way",
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
+        controls=(),
+        scene=(
+            *die(UNTURNED, LEFT, ("x_A", "y_A", "z_A")),
+            *die(R_AB, RIGHT, ("x_B", "y_B", "z_B")),
+        ),
+        readouts=(),
+        says="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
+    )
+
+
+def columns_figure() -> Figure:
+    """A turn about one of the axes, and the three columns of its matrix."""
+    R = euler.r
+    options = {name: tuple(map(int, axis)) for name, axis in zip("xyz", (X, Y, Z), strict=True)}
+    return in_space(
+        name="columns",
+        title="A die turned about one axis of the room, and the matrix of the turn",
+        view=(-1.5, 3.1, -1.6, 1.5),
+        size="step",
+        controls=(
+            Choice("axis", "turn about", tuple(about), options, start="z"),
+            Slider(turn, -pi, pi, start=pi / 6, step=pi / 36),
+        ),
+        scene=(
+            *room(),
+            *die(R),
+            Bracket(R, (2.2, 0.1), digits=2),
+        ),
+        readouts=(),
+        says="A turn of {turn} about the {axis} axis.",
+        where=entries(euler.turned_about(about, turn)),
+    )
+
+
+def order_figure() -> Figure:
+    """The same two quarter turns in two orders."""
+    quarters = [share(made, k) * half_turn / 2 for k in (0, 1)]
+    left, steps_left = named(
+        "p", euler.turned_about(Z, quarters[0]) * euler.turned_about(X, quarters[1])
+    )
+    right, steps_right = named(
+        "q", euler.turned_about(X, quarters[0]) * euler.turned_about(Z, quarters[1])
+    )
+    return in_space(
+        name="order",
+        title="Two dice: the left one turned about z, then x, the right one about x, then z",
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
+        controls=(
+            Clock(made, 0.0, 2.0, start=0.0, step=0.05, label="quarter turns made", rate=0.5),
+        ),
+        scene=(*die(left, LEFT), *die(right, RIGHT)),
+        readouts=(
+            Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
+        ),
+        says="{made} turns made of each; the dice are one turn of {apart} apart.",
+        where=(*steps_left, *steps_right),
+    )
+
+
+def target_figure() -> Figure:
+    """The exercise: two angles to bring the die to frame B."""
+    R = euler.r
+    return in_space(
+        name="to-b",
+        title="A die turned about y, then about its new z axis; the ghost is frame B",
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
+        controls=angle_sliders(
+            ("α, about y", "β, about the new z"), (0.0, 0.0), ("y_axis", "z_axis")
+        ),
+        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, RIGHT)),
+        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad", digits=1),),
+        says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
+        goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
+        where=entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
+    )
+
+
+def both_figure() -> Figure:
+    """Both answers of XYZ, turn by turn."""
+    answers = (TURNS, euler.OTHERS)
+    middle_other = euler.OTHERS[1]
+    dice: list[Matrix] = []
+    where: Where = ((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan))
+    for name, angles in zip("pq", answers, strict=True):
+        turned = [
+            euler.turned_about(axis, share(made, k) * each)
+            for k, (axis, each) in enumerate(zip((X, Y, Z), angles, strict=True))
+        ]
+        two, steps_two = named(f"{name}t", turned[0] * turned[1])
+        three, steps_three = named(name, two * turned[2])
+        dice.append(three)
+        where = (*where, *steps_two, *steps_three)
+    left, right = dice
+    return in_space(
+        name="both-answers",
+        title="Two dice turned by the two answers of one sequence XYZ",
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
+        controls=(
+            Slider(middle, -pi, pi, start=pi / 6, step=pi / 36, kind="y_axis"),
+            Clock(made, 0.0, 3.0, start=0.0, step=0.05, label="turns made", rate=0.75),
+        ),
+        scene=(*die(left, LEFT), *die(right, RIGHT)),
+        readouts=(
+            Readout("other", "β′ of the other answer", wrapped(middle_other), "rad", digits=0),
+            Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
+        ),
+        says=(
+            "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
+            "{made} turns made, they are {apart} apart."
+        ),
+        where=where,
+    )
+
+
+def wrapped(value: Any) -> Any:
+    """An angle in (−180°, 180°]."""
+    return motion.wrap_angle.at({angle: value})
+
+
+# Rings, one inside the other: an XYZ sequence as a machine.
+
+AEROPLANE = (
+    solids.cylinder("body", (0.1, 0.1), (-0.45, 0.3), along="x", n=10),
+    solids.cylinder("body", (0.1, 0.02), (0.3, 0.52), along="x", n=10),
+    solids.plate("left", [(0.0, 0.09), (0.25, 0.09), (0.02, 0.58), (-0.12, 0.58)], 0.04),
+    solids.plate("left", [(0.25, -0.09), (0.0, -0.09), (-0.12, -0.58), (0.02, -0.58)], 0.04),
+    solids.plate("left", [(-0.45, 0.08), (-0.27, 0.08), (-0.38, 0.26), (-0.46, 0.26)], 0.03),
+    solids.plate("left", [(-0.27, -0.08), (-0.45, -0.08), (-0.46, -0.26), (-0.38, -0.26)], 0.03),
+    solids.plate("right", [(0.1, -0.45), (0.28, -0.46), (0.28, -0.36), (0.1, -0.25)], 0.03, "y"),
+)
+STAND = (
+    solids.box("body", (0.1, 0.24, 1.45), at=(1.45, 0, -0.62)),
+    solids.box("body", (0.1, 0.24, 1.45), at=(-1.45, 0, -0.62)),
+    solids.box("body", (3.0, 0.5, 0.1), at=(0, 0, -1.4)),
+)
+
+
+def pins(kind: str, along: str, far: float, end: float) -> tuple[solids.Part, ...]:
+    """Two pins on which a ring turns in the one around it."""
+    return tuple(
+        solids.cylinder(kind, (0.06, 0.06), ends, along, n=8) for ends in ((far, end), (-end, -far))
+    )
+
+
+def rings_figure() -> Figure:
+    """A stand, three rings, an aeroplane, and the turns that it can make at this moment."""
+    alpha, gamma = half_turn / 9 + against, half_turn / 9 - against
+    one, steps_one = named("a", euler.turned_about(X, alpha))
+    two, steps_two = named("b", one * euler.turned_about(Y, middle))
+    three, steps_three = named("c", two * euler.turned_about(Z, gamma))
+    free = Matrix.hstack(Piecewise((1, cos(middle) > 0), (-1, True)) * X, one[:, 1], two[:, 2])
+    floor = -1.46
+    beside = VIEW.beside(2.65)
+    return in_space(
+        name="gimbal-rings",
+        title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
+        view=(-2.0, 3.6, -1.85, 1.6),
+        size="step",
+        seen_from=(-pi / 4, pi / 6),
+        controls=(
+            Slider(
+                middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"
+            ),
+            Slider(
+                against, -pi, pi, start=0.0, step=pi / 36, label="outer ring on, inner ring back"
+            ),
+        ),
+        scene=(
+            VIEW.floor(floor, 1.8),
+            VIEW.solid(STAND, UNTURNED, floor=floor),
+            VIEW.solid(
+                (solids.ring("x_axis", 1.16, 1.3, 0.1, "z"), *pins("x_axis", "x", 1.3, 1.46)),
+                one,
+                floor=floor,
+            ),
+            VIEW.solid(
+                (solids.ring("y_axis", 0.94, 1.08, 0.1, "x"), *pins("y_axis", "y", 1.08, 1.16)), two
+            ),
+            VIEW.solid(
+                (solids.ring("z_axis", 0.72, 0.86, 0.1, "y"), *pins("z_axis", "z", 0.86, 0.94)),
+                three,
+            ),
+            VIEW.solid(AEROPLANE, three),
+            VIEW.solid((solids.ball("velocity"),), 0.6 * free, beside),
+            Label("velocity", (2.65, -1.1), "free turns"),
+        ),
+        readouts=(
+            Readout("room", "freedom: 1 best, 0 locked", Abs(cos(middle)), ""),
+            Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad", digits=1),
+        ),
+        says=(
+            "Middle ring {middle}, outer ring on and inner ring back by {against}. The freedom is "
+            "{room}; the aeroplane is turned by {whole} in all."
+        ),
+        where=(*steps_one, *steps_two, *steps_three),
+    )
+
+
+# One turn: a rotation is a point in a ball, towards its axis, as far out as its angle.
+
+AXIS = Matrix([-1, 1, -1]) / sqrt(3)  # of R_AB
+ANGLE = 2 * pi / 3
+
+
+def one_turn_figure() -> Figure:
+    """From A to B by one turn and by two, as a die and as ways in the ball of all turns."""
+
+    def by_two(turns: Any) -> tuple[Any, Any]:
+        return share(turns, 0) * half_turn / 2, -share(turns, 1) * half_turn / 2
+
+    def in_ball(turns: Any) -> Matrix:
+        a, b = (each / 2 for each in by_two(turns))
+        vector = Matrix([sin(a) * sin(b), sin(a) * cos(b), cos(a) * sin(b)])
+        long = sqrt(vector.dot(vector))
+        return vector * 2 * atan2(long, cos(a) * cos(b)) / (long + 1e-300) / half_turn
+
+    a, b = by_two(2 * part)
+    whole = at_once * euler.turned_about(AXIS, part * 2 * half_turn / 3)
+    R = euler.r
+    two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
+    turned = at_once * part * 2 * half_turn / 3 + (1 - at_once) * (a - b)
+    middle_of = VIEW.beside(1.1)
+
+    def put(vector: Any) -> list[Any]:
+        return [1.1 * each + at for each, at in zip(vector, middle_of, strict=True)]
+
+    def way(kind: str, vector: Any, high: Any, samples: int = 32) -> Curve:
+        at = put(vector)
+        return Curve(kind, VIEW.project(at), s, 0, high, samples, depth=VIEW.depth(at) + 0.2)
+
+    spoke = AXIS * 2 / 3  # of half a turn
+    circles = ((cos(s), sin(s), 0), (0, cos(s), sin(s)), (sin(s), 0, cos(s)))
+    here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
+    return in_space(
+        name="one-turn",
+        title="A die on its way to frame B, and its way in the ball of all rotations",
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
+        seen_from=(5 * pi / 6, 5 * pi / 36),
+        controls=(
+            Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
+            Clock(part, 0.0, 1.0, start=0.0, step=0.01, label="part of the way", rate=0.25),
+        ),
+        scene=(
+            *die(R, LEFT),
+            *(way("ghost", circle, 2 * half_turn, 64) for circle in circles),
+            way("icr", s * spoke, 1),
+            way("approximation", in_ball(2 * s), 1, 48),
+            VIEW.point("target", put(spoke), "B"),
+            VIEW.point("text", put(here)),
+        ),
+        readouts=(
+            Readout("turned", "turned on the way", turned, "rad", digits=0),
+            Readout("left", "still to B", angle_of(R_AB.T * R), "rad", digits=1),
+        ),
+        says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
+        where=(*entries(whole + (1 - at_once) * two), *solved(euler.turn_angle)),
+    )
+
+
+def recap_figure() -> Figure:
+    """All in one: columns, axes of A, the one turn."""
+    R = euler.r
+    return in_space(
+        name="rotation-recap",
+        title="A die on its way from frame A to frame B, its matrix, and the axis of the one turn",
+        view=(-1.5, 3.1, -1.6, 1.5),
+        size="step",
+        controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
+        scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
+        readouts=(),
+        says="Turned by {turn} about the slanted axis.",
+        where=entries(euler.turned_about(AXIS, turn)),
+    )
+
+
+# The laboratory: any of the 24 sequences.
 
 
 def sequences() -> Choice:
@@ -64,33 +496,13 @@ def sequences() -> Choice:
         label,
         (*outer, *mid, *inner, fixed),
         {name: numbers(name) for name in names},
-        start="YZX",
+        start="ZXZ",
     )
-
-
-def angle_sliders(labels: Sequence[str], starts: Sequence[float], kinds: Any) -> tuple[Slider, ...]:
-    """The three angles of a sequence under the hand."""
-    return tuple(
-        Slider(symbol, -pi, pi, start=start, step=pi / 36, label=label, kind=kind)
-        for symbol, start, label, kind in zip(TURNS, starts, labels, kinds, strict=True)
-    )
-
-
-def turned_by(turns: Any) -> list[Any]:
-    """The angles reached, when so many turns are made."""
-    return [Max(0, Min(1, turns - k)) * each for k, each in enumerate(TURNS)]
 
 
 def current(three: Sequence[Any]) -> Any:
     """Of three things the one of the turn that is being made."""
     return Piecewise((three[0], made <= 1), (three[1], made <= 2), (three[2], True))
-
-
-def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
-    """A matrix whose entries are symbols, and what they stand for."""
-    rows, cols = matrix.shape
-    entries = symbols(f"{name}:{rows}:{cols}", real=True)
-    return Matrix(rows, cols, entries), tuple(zip(entries, matrix, strict=True))
 
 
 def factors_of(name: str, angles: Sequence[Any]) -> tuple[list[Matrix], Where]:
@@ -99,53 +511,17 @@ def factors_of(name: str, angles: Sequence[Any]) -> tuple[list[Matrix], Where]:
     places = Matrix([(1 - fixed) * a + fixed * c, b, (1 - fixed) * c + fixed * a])
     (left, between, right), where = named(f"{name}a", places)
     found = []
-    for letter, axis, each in zip("pqr", AXES, (left, between, right), strict=True):
+    axes = (outer, mid, inner)
+    for letter, axis, each in zip("pqr", axes, (left, between, right), strict=True):
         entries, steps = named(name + letter, euler.turned_about(axis, each))
         found.append(entries)
         where = (*where, *steps)
     return found, where
 
 
-def angle_of(R: Matrix) -> Any:
-    """The angle of the one turn that a rotation is."""
-    entries = dict(zip(euler.r, R, strict=True))
-    vector = zip(euler.k, put_in(euler.turn_vector.right, entries), strict=True)
-    return put_in(euler.turn_angle.right, {**entries, **dict(vector)})
-
-
-def wrapped(value: Any) -> Any:
-    """An angle in (−180°, 180°]."""
-    return motion.wrap_angle.at({angle: value})
-
-
-def tips(kind_of: Any, R: Matrix, low: Any, high: Any, samples: int = 48) -> tuple[Curve, ...]:
-    """The ways of the tips of a frame's axes on the unit sphere, with R an expression of s."""
-    return tuple(
-        Curve(kind, VIEW.project(R[:, k]), s, low, high, samples=samples, depth=VIEW.depth(R[:, k]))
-        for k, kind in enumerate(kind_of)
-    )
-
-
-def behind(shape: Any) -> Any:
-    """A little further away, so that what lies along it is painted over it."""
-    return replace(shape, depth=shape.depth - 0.3)
-
-
-def thin_frame() -> tuple[Any, ...]:
-    """The frame {A}, which stays."""
-    heads = [[1.5 * (k == axis) for k in range(3)] for axis in range(3)]
-    pairs = zip(heads, NAMES_A, strict=True)
-    return tuple(behind(VIEW.arrow("text", ORIGIN, *pair)) for pair in pairs)
-
-
-def turn_axis(direction: Matrix) -> tuple[Any, ...]:
-    """What a frame turns about, to both sides."""
-    return tuple(behind(VIEW.line("icr", [ORIGIN, end * direction])) for end in (-1.3, 1.3))
-
-
 def sequence_figure() -> Figure:
     """Any of the 24 sequences, turn by turn, with its other answer and how near lock is."""
-    angles, steps_angles = named("a", Matrix(turned_by(made)))
+    angles, steps_angles = named("a", Matrix([share(made, k) * e for k, e in enumerate(TURNS)]))
     factors, steps_factors = factors_of("l", angles)
     two, steps_two = named("t", factors[0] * factors[1])
     now, steps_now = named("n", two * factors[2])
@@ -159,50 +535,33 @@ def sequence_figure() -> Figure:
         (1 - fixed) * two * inner + fixed * outer,
     )
     u, steps_u = named("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
-    turning, steps_turning = named("v", Matrix([current(angles)]))
-    back = euler.turned_about(u, -s * turning[0]) * now  # 0 … 1: from here to this turn's beginning
 
     proper = outer.dot(inner)
     cosine, sine = Abs(cos(middle)), Abs(sin(middle))
     near = proper * sine + (1 - proper) * cosine
     far = proper * cosine + (1 - proper) * sine
-    other = {
-        name: equation.right
-        for name, equation in (("cardan", euler.other_cardan), ("proper", euler.other_proper))
-    }
-    return Figure(
+    cardan, euler_ = euler.other_cardan.right, euler.other_proper.right
+    other_middle = proper * euler_[1] + (1 - proper) * wrapped(cardan[1])
+    return in_space(
         name="euler-sequence",
-        title="A frame turned about three axes, one after the other; sequence and angles are yours",
-        view=(-1.8, 1.8, -1.4, 1.85),
+        title="A die turned about three axes, one after the other; the ghost is frame B",
+        view=(-2.7, 2.7, -1.7, 1.6),
+        size="laboratory",
         controls=(
             sequences(),
-            *angle_sliders(
-                ("first α", "middle β", "third γ"), (pi / 2, -pi / 2, 0.0), ("", "", "")
-            ),
-            Clock(made, 0.0, 3.0, start=1.5, step=0.05, label="turns made", rate=0.5),
-            *view_sliders(),
+            *angle_sliders(("first α", "middle β", "third γ"), (0.0, 0.0, 0.0), ("", "", "")),
+            Clock(made, 0.0, 3.0, start=3.0, step=0.05, label="turns made", rate=0.75),
         ),
         scene=(
-            *thin_frame(),
-            *(behind(VIEW.arrow("ghost", ORIGIN, end[:, k])) for k in range(3)),
-            *turn_axis(u),
-            *tips(("x_axis", "y_axis", "z_axis"), back, 0, 1),
-            *VIEW.frame(now, labels=("x", "y", "z")),
+            *room(LEFT),
+            *turn_axis(u, LEFT),
+            *die(now, LEFT),
+            *ghost_die(R_AB, RIGHT),
         ),
         readouts=(
-            Readout(
-                "other_first", "other answer: first", wrapped(other["cardan"][0]), "rad", digits=1
-            ),
-            Readout(
-                "other_middle",
-                "other answer: middle",
-                proper * other["proper"][1] + (1 - proper) * wrapped(other["cardan"][1]),
-                "rad",
-                digits=1,
-            ),
-            Readout(
-                "other_third", "other answer: third", wrapped(other["cardan"][2]), "rad", digits=1
-            ),
+            Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad", digits=1),
+            Readout("other_middle", "other answer: β′", other_middle, "rad", digits=1),
+            Readout("other_third", "other answer: γ′", wrapped(cardan[2]), "rad", digits=1),
             Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad", digits=1),
             Readout("whole", "the whole as one turn", angle_of(end), "rad", digits=1),
             Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad", digits=1),
@@ -213,139 +572,30 @@ def sequence_figure() -> Figure:
             "is {lock} from gimbal lock. The whole is one turn of {whole} and ends {apart} from "
             "frame B."
         ),
+        goal=tuple(
+            Goal(And(meets(end, R_AB), chosen > 0), f"Reach frame B with {name}.")
+            for name, chosen in (
+                ("ZXZ", outer[2] * mid[0] * inner[2] * (1 - fixed)),
+                ("ZYX", outer[2] * mid[1] * inner[0] * (1 - fixed)),
+                ("zyx", outer[0] * mid[1] * inner[2] * fixed),
+            )
+        ),
         where=(
             *(*steps_angles, *steps_factors, *steps_two, *steps_now, *steps_whole),
-            *(*steps_first, *steps_end, *steps_u, *steps_turning),
+            *(*steps_first, *steps_end, *steps_u),
         ),
-        turns=VIEW.angles,
-        grid=False,
     )
 
 
-RINGS = (1.3, 1.1, 0.9)  # m
-
-
-def rings_figure() -> Figure:
-    """Three rings, each turning in the one around it: an XYZ sequence as a machine."""
-    x_turn, y_turn, z_turn = (
-        equation.right.xreplace({euler.turn: value})
-        for equation, value in zip((euler.turn_x, euler.turn_y, euler.turn_z), TURNS, strict=True)
-    )
-    one, steps_one = named("a", Matrix(x_turn))
-    two, steps_two = named("b", one * Matrix(y_turn))
-    three, steps_three = named("c", two * Matrix(z_turn))
-    big, medium, small = RINGS
-
-    def ring(kind: str, R: Matrix, p: int, q: int, radius: float) -> Curve:
-        point = radius * (cos(s) * R[:, p] + sin(s) * R[:, q])
-        return Curve(kind, VIEW.project(point), s, 0, 2 * pi, samples=64, depth=VIEW.depth(point))
-
-    def pivots(kind: str, along: Matrix, low: float, high: float) -> tuple[Any, ...]:
-        return tuple(VIEW.line(kind, [side * low * along, side * high * along]) for side in (-1, 1))
-
-    nose, left, right = (0.7, 0, 0), (-0.35, 0.3, 0), (-0.35, -0.3, 0)
-    tail, fin = (-0.35, 0, 0), (-0.35, 0, 0.25)
-    outlines = ((nose, left), (left, right), (right, nose), (nose, fin), (fin, tail))
-    along_x = Matrix([1, 0, 0])
-    return Figure(
-        name="gimbal-rings",
-        title="Three rings, one inside the other, and an aeroplane in the innermost",
-        view=(-1.75, 1.75, -1.45, 1.45),
-        controls=(
-            *angle_sliders(
-                ("outer ring α", "middle ring β", "inner ring γ"),
-                (pi / 9, pi / 4, pi / 9),
-                ("x_axis", "y_axis", "z_axis"),
-            ),
-            *view_sliders(-pi / 9, pi / 6),
-        ),
-        scene=(
-            ring("x_axis", one, 0, 1, big),
-            ring("y_axis", two, 1, 2, medium),
-            ring("z_axis", three, 2, 0, small),
-            *pivots("x_axis", along_x, big, 1.55),
-            *pivots("y_axis", one[:, 1], medium, big),
-            *pivots("z_axis", two[:, 2], small, medium),
-            VIEW.point("x_axis", 1.55 * along_x, label="α"),
-            VIEW.point("y_axis", big * one[:, 1], label="β"),
-            VIEW.point("z_axis", medium * two[:, 2], label="γ"),
-            *(VIEW.line("body", [three * Matrix(p) for p in ends]) for ends in outlines),
-        ),
-        readouts=(
-            Readout(
-                "between",
-                "angle between the outer and the inner axis",
-                atan2(Abs(cos(middle)), sin(middle)),
-                "rad",
-                digits=1,
-            ),
-            Readout("room", "freedom: 1 best, 0 locked", Abs(cos(middle)), ""),
-            Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad", digits=1),
-        ),
-        says=(
-            "Outer ring {first}, middle ring {middle}, inner ring {third}. The axes of the outer "
-            "and the inner ring are {between} apart; the freedom of the three axes is {room}. The "
-            "aeroplane is turned by {whole} in all."
-        ),
-        where=(*steps_one, *steps_two, *steps_three),
-        turns=VIEW.angles,
-        grid=False,
-    )
-
-
-AXIS = Matrix([-1, 1, -1]) / sqrt(3)  # of R_AB
-ANGLE = 2 * half_turn / 3
-
-
-def one_turn_figure() -> Figure:
-    """The exercise's rotation as one turn, beside both of its angles growing together."""
-
-    def at_once(share: Any) -> Matrix:
-        return euler.turned_about(AXIS, share * ANGLE)
-
-    def by_angles(share: Any) -> Matrix:
-        y_axis, z_axis = Matrix([0, 1, 0]), Matrix([0, 0, 1])
-        quarter = share * half_turn / 2
-        return euler.turned_about(y_axis, quarter) * euler.turned_about(z_axis, -quarter)
-
-    now, steps_now = named("n", at_once(part))
-    then, steps_then = named("t", by_angles(part))
-    return Figure(
-        name="one-turn",
-        title="Frame A taken to frame B by one turn about a slanted axis",
-        view=(-1.8, 1.8, -1.4, 1.85),
-        controls=(
-            Clock(part, 0.0, 1.0, start=0.5, step=0.01, label="part of the way", rate=0.25),
-            *view_sliders(),
-        ),
-        scene=(
-            *thin_frame(),
-            *turn_axis(AXIS),
-            *tips(["approximation"] * 3, by_angles(s), 0, 1, samples=32),
-            *tips(("x_axis", "y_axis", "z_axis"), at_once(s), 0, part, samples=32),
-            *(VIEW.point("approximation", then[:, k]) for k in range(3)),
-            *VIEW.frame(now, labels=("x", "y", "z")),
-        ),
-        readouts=(
-            Readout("turned", "turned so far", angle_of(now), "rad", digits=1),
-            Readout("left", "still to B", angle_of(R_AB.T * now), "rad", digits=1),
-            Readout(
-                "detour",
-                "still to B, both angles together",
-                angle_of(R_AB.T * then),
-                "rad",
-                digits=1,
-            ),
-        ),
-        says=(
-            "After {part} of the way the frame is turned by {turned} about the slanted axis; "
-            "{left} are left to frame B. With both Euler angles growing together {detour} would "
-            "be left."
-        ),
-        where=(*steps_now, *steps_then),
-        turns=VIEW.angles,
-        grid=False,
-    )
-
-
-FIGURES = (sequence_figure(), rings_figure(), one_turn_figure())
+FIGURES = (
+    die_figure(),
+    exercise_figure(),
+    columns_figure(),
+    order_figure(),
+    target_figure(),
+    both_figure(),
+    rings_figure(),
+    one_turn_figure(),
+    sequence_figure(),
+    recap_figure(),
+)

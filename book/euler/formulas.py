@@ -9,19 +9,34 @@ from typing import Any
 from sympy import Add, Matrix, Symbol, atan2, cos, sin, sqrt
 from sympy import pi as half_turn
 
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
-first = quantity("first", "rad", -3.14, 3.14, "first turn of a sequence", latex=r"\alpha")
-middle = quantity("middle", "rad", -3.14, 3.14, "middle turn of a sequence", latex=r"\beta")
-third = quantity("third", "rad", -3.14, 3.14, "third turn of a sequence", latex=r"\gamma")
+first = quantity("first", "rad", -3.14, 3.14, "first turn of a sequence", r"\alpha", "alpha")
+middle = quantity("middle", "rad", -3.14, 3.14, "middle turn of a sequence", r"\beta", "beta")
+third = quantity("third", "rad", -3.14, 3.14, "third turn of a sequence", r"\gamma", "gamma")
 turn = quantity("turn", "rad", -3.14, 3.14, "a turn about one axis", latex=r"\vartheta")
 
 TURNS = (first, middle, third)
+LOOKS = {turn: "icr"}
 
-r = Matrix(3, 3, lambda i, j: Symbol(f"r_{{{i + 1}{j + 1}}}"))
-n = n_x, n_y, n_z = tuple(Symbol(f"n_{letter}") for letter in "xyz")
-k = k_x, k_y, k_z = tuple(Symbol(f"k_{letter}") for letter in "xyz")
+ENTRY = "entry of the rotation matrix: row, column"
+r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
+n = n_x, n_y, n_z = tuple(sign(f"n_{x}", f"axis of the one turn, along {x}") for x in "xyz")
 gamma = Symbol(r"\gamma")  # the third angle, once it is known
+OTHERS = [
+    sign(f"{name}_other", f"{which} turn of the other answer", rf"\{name}'", "rad")
+    for name, which in {"alpha": "first", "beta": "middle", "gamma": "third"}.items()
+]
+w = sign("w", "the quaternion's first number")
+Q = [sign(f"q_{x}", f"the quaternion's part along {x}") for x in "xyz"]
+R = sign("R", "a rotation matrix")
+R_turn = {x: sign(f"R_{x}", f"matrix of a turn about {x}", f"R_{x}") for x in "xyz"}
+whole_n = sign("n", "axis of the one turn, an arrow of length 1")
+whole_q = sign("q", "a quaternion")
+identity = sign("I", "the identity matrix")
+AXES = [sign(x, f"the {x} axis") for x in "xyz"]
+AXES += [sign(f"{x}_{a}", f"the {x} axis of frame {a}") for a in "AB" for x in "xyz"]
+R_made = [sign(f"R_{k}", f"matrix of turn {k}") for k in (1, 2)]
 
 
 def turned_about(axis: Any, angle: Any) -> Matrix:
@@ -108,7 +123,7 @@ with as_written():
 
     other_cardan = Equation(
         name="euler.other_cardan",
-        left=Matrix([Symbol(rf"\{name}'") for name in ("alpha", "beta", "gamma")]),
+        left=Matrix(OTHERS),
         right=Matrix([first + half_turn, half_turn - middle, third + half_turn]),
         source="exercise 2",
         is_angle=True,
@@ -132,7 +147,7 @@ with as_written():
 
     turn_vector = Equation(
         name="euler.turn_vector",
-        left=Matrix(k),
+        left=Matrix([2 * sin(turn) * part for part in n]),
         right=Matrix([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]),
         source="exercise 2",
         where=MADE,
@@ -141,14 +156,17 @@ with as_written():
     turn_angle = Equation(
         name="euler.turn_angle",
         left=turn,
-        right=atan2(sqrt(Add(k_x**2, k_y**2, k_z**2)), Add(r[0, 0], r[1, 1], r[2, 2], -1)),
+        right=atan2(
+            sqrt(Add(*(difference**2 for difference in turn_vector.right))),
+            Add(r[0, 0], r[1, 1], r[2, 2], -1),
+        ),
         source="exercise 2",
-        where=(*MADE, *zip(k, turn_vector.right, strict=True)),
+        where=MADE,
     )
 
     unit_quaternion = Equation(
         name="euler.quaternion",
-        left=Matrix([Symbol("w"), *(Symbol(f"q_{letter}") for letter in "xyz")]),
+        left=Matrix([w, *Q]),
         right=Matrix([cos(turn / 2), *(part * sin(turn / 2) for part in n)]),
         source="exercise 2",
         where=DIRECTION,

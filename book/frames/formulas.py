@@ -1,17 +1,17 @@
 """Frames: a pose as a matrix, its inverse, poses in a chain, a camera that looks down."""
 
-from sympy import Abs, Add, MatMul, Matrix, Symbol, cos, sin, symbols
+from sympy import Abs, Add, MatMul, Matrix, cos, sin
 
 from book.motion.formulas import theta
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 TURN = (-3.14, 3.14)
 
-alpha = quantity("joint_alpha", "rad", *TURN, "first joint angle of the arm", latex=r"\alpha")
-beta = quantity("joint_beta", "rad", *TURN, "second joint angle of the arm", latex=r"\beta")
-gamma = quantity("joint_gamma", "rad", *TURN, "third joint angle of the arm", latex=r"\gamma")
-l_1 = quantity("link_1", "m", 0.1, 1, "first link of the arm on the platform", latex="l_1")
-l_2 = quantity("link_2", "m", 0.1, 1, "second link of the arm on the platform", latex="l_2")
+alpha = quantity("joint_alpha", "rad", *TURN, "first joint angle of the arm", r"\alpha", "alpha")
+beta = quantity("joint_beta", "rad", *TURN, "second joint angle of the arm", r"\beta", "beta")
+gamma = quantity("joint_gamma", "rad", *TURN, "third joint angle of the arm", r"\gamma", "gamma")
+l_1 = quantity("link_1", "m", 0.1, 1, "first link of the arm on the platform", "l_1", "l1")
+l_2 = quantity("link_2", "m", 0.1, 1, "second link of the arm on the platform", "l_2", "l2")
 
 db_x = quantity("db_x", "m", -2, 2, "platform b seen from camera d", latex="x_{db}")
 db_y = quantity("db_y", "m", -2, 2, "platform b seen from camera d", latex="y_{db}")
@@ -22,29 +22,51 @@ de_turn = quantity("de_turn", "rad", *TURN, "heading of e seen from d", latex=r"
 fb_x = quantity("fb_x", "m", -2, 2, "platform b seen from camera f above", latex="x_{fb}")
 fb_y = quantity("fb_y", "m", -2, 2, "platform b seen from camera f above", latex="y_{fb}")
 fb_z = quantity("fb_z", "m", 1, 3, "platform b seen from camera f above", latex="z_{fb}")
-bc_x = quantity("bc_x", "m", -2, 2, "hand c seen from platform b", latex="x_{bc}")
-bc_y = quantity("bc_y", "m", -2, 2, "hand c seen from platform b", latex="y_{bc}")
+bc_x = quantity("bc_x", "m", -2, 2, "hand c seen from platform b", "x_{bc}", "x_bc")
+bc_y = quantity("bc_y", "m", -2, 2, "hand c seen from platform b", "y_{bc}", "y_bc")
 bc_turn = quantity("bc_turn", "rad", *TURN, "heading of c seen from b", latex=r"\theta_{bc}")
 
 roll = quantity("roll", "rad", *TURN, "turn about x, by which any rotation begins")
 pitch = quantity("pitch", "rad", *TURN, "turn about y, the second of any rotation")
 yaw = quantity("yaw", "rad", *TURN, "turn about z, the third of any rotation")
-r = Matrix(3, 3, symbols("r_{11} r_{12} r_{13} r_{21} r_{22} r_{23} r_{31} r_{32} r_{33}"))
+ENTRY = "entry of the rotation matrix: row, column"
+r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
 
 lever = quantity("lever", "m", 0, 5, "distance of a point from its axis of turning", latex=r"\ell")
 error = quantity("error", "rad", -0.5, 0.5, "error of an angle", latex=r"\delta")
 missed = quantity("missed", "m", 0, 3, "by how much a point is missed", latex=r"\Delta")
 
 
-def sought(which: str) -> Matrix:
-    """The pose [x, y, theta] on the left of a formula."""
-    return Matrix([Symbol(f"{part}_{{{which}}}") for part in ("x", "y", r"\theta")])
+PAIRS = ["ab", "ac", "bc", "bd", "be", "cb", "ce", "db", "de", "fb", "fd", "rb", "rf"]
+T = {of: sign(f"T_{of}", f"pose of {of[1]} as seen from {of[0]}", f"T_{{{of}}}") for of in PAIRS}
+PARTS = {"x": ("x", "place", "m"), "y": ("y", "place", "m"), "z": ("z", "place", "m")}
+PARTS["theta"] = (r"\theta", "heading", "rad")
+SOUGHT = {
+    f"{part}_{of}": sign(
+        f"{part}_{of}", f"{what} of {of[1]} as seen from {of[0]}", f"{latex}_{{{of}}}", unit
+    )
+    for of in ("bd", "be", "bf", "cd", "ce", "dc")
+    for part, (latex, what, unit) in PARTS.items()
+}
+SOUGHT |= {"x_db": db_x, "y_db": db_y, "theta_db": db_turn}
+SOUGHT |= {"x_de": de_x, "y_de": de_y, "theta_de": de_turn}
+SOUGHT |= {"x_bc": bc_x, "y_bc": bc_y, "theta_bc": bc_turn}
+R = sign("R", "the turn in a pose, a rotation matrix")
+p = sign("p", "the position in a pose")
+Q = sign("Q", "the turn in the inverse of a pose")
+q = sign("q", "the position in the inverse of a pose")
+identity = sign("I", "the identity matrix")
+
+
+def sought(of: str, parts: tuple[str, ...] = ("x", "y", "theta")) -> Matrix:
+    """The pose on the left of a formula."""
+    return Matrix([SOUGHT[f"{part}_{of}"] for part in parts])
 
 
 with as_written():
     matrix = Equation(
         name="frames.matrix",
-        left=Symbol("T_{db}"),
+        left=T["db"],
         right=Matrix(
             [
                 [cos(db_turn), -sin(db_turn), db_x],
@@ -84,7 +106,7 @@ with as_written():
 
     inverse_in_space = Equation(
         name="frames.inverse_in_space",
-        left=Matrix(symbols("x_{bf} y_{bf} z_{bf}")),
+        left=sought("bf", ("x", "y", "z")),
         right=Matrix([-(r[0, k] * fb_x + r[1, k] * fb_y + r[2, k] * fb_z) for k in range(3)]),
         textbook=MatMul(-1, r.T, Matrix([fb_x, fb_y, fb_z])),
         where=(
@@ -131,7 +153,7 @@ with as_written():
 
     looking_down = Equation(
         name="frames.looking_down",
-        left=Symbol("T_{fb}"),
+        left=T["fb"],
         right=Matrix(
             [
                 [cos(theta), -sin(theta), 0, fb_x],

@@ -18,6 +18,15 @@ def one_euler_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLik
     return motion.path(pose, v, omega, dt, method="start")[..., 1, :]
 
 
+def chord_of_the_step(x: Array, y: Array, theta: Array, v: Array, omega: Array, dt: Array) -> Array:
+    """The length and the direction of the way from start to end, for less than a whole turn."""
+    end = motion.arc_step(np.stack([x, y, theta], axis=-1), v, omega, dt)
+    way = motion.to_body(theta, np.stack([end[..., 0] - x, end[..., 1] - y, 0 * x], axis=-1))
+    return np.stack(
+        [np.hypot(way[..., 0], way[..., 1]), theta + np.arctan2(way[..., 1], way[..., 0])], axis=-1
+    )
+
+
 CHECKS = (
     Check(
         formulas.to_world,
@@ -51,6 +60,15 @@ CHECKS = (
         tolerance=2e-15,
         reason="a rounding of the heading (up to 9 rad), times a chord of at most 1 m",
         specials=(*STRAIGHT, *QUARTERS, {dt: 0.0}, {v: 0.0}),
+    ),
+    Check(
+        formulas.chord,
+        function=chord_of_the_step,
+        arguments=(x, y, theta, v, omega, dt),
+        ranges={v: (0.1, 1), dt: (0.1, 1)},
+        tolerance=5e-13,
+        reason="a rounding of a place up to 3 m away, over a chord of a tenth of a millimetre",
+        specials=({omega: 0.0}, {omega: 1e-12}, *QUARTERS),
     ),
     Check(
         formulas.euler_step,

@@ -1,24 +1,29 @@
 """Planar motion: world and body frame, centre of rotation, the exact arc."""
 
-from sympy import MatMul, Matrix, Ne, Piecewise, Symbol, ceiling, cos, nan, oo, pi, sin, sinc
+from sympy import MatMul, Matrix, Ne, Piecewise, ceiling, cos, nan, oo, pi, sin, sinc
 
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 x = quantity("x", "m", -2, 2, "position of the robot in the world")
 y = quantity("y", "m", -2, 2, "position of the robot in the world")
 theta = quantity("theta", "rad", -3.14, 3.14, "heading: from the world's x axis to the robot's")
-v = quantity("v", "m/s", -1, 1, "forward speed")
-v_y = quantity("v_y", "m/s", -1, 1, "sideways speed, to the left")
+v = quantity("v", "m/s", -1, 1, "speed of the robot along its own x axis, forward")
+v_y = quantity("v_y", "m/s", -1, 1, "speed of the robot along its own y axis, to the left")
 omega = quantity("omega", "rad/s", -6, 6, "turning rate, counter-clockwise")
 dt = quantity("dt", "s", 0, 1, "length of a time step", latex=r"\Delta t")
 angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 
 x_dot = quantity("x_dot", "m/s", -1, 1, "speed along the world's x axis", latex=r"\dot{x}")
 y_dot = quantity("y_dot", "m/s", -1, 1, "speed along the world's y axis", latex=r"\dot{y}")
-theta_dot = quantity("theta_dot", "rad/s", -6, 6, "turning rate", latex=r"\dot{\theta}")
-x_next, y_next, theta_next = (Symbol(rf"{name}'") for name in ("x", "y", r"\theta"))
-x_icr, y_icr = Symbol(r"x_\mathrm{ICR}"), Symbol(r"y_\mathrm{ICR}")
-wrapped = Symbol(r"\operatorname{wrap}\alpha")
+theta_dot = quantity("theta_dot", "rad/s", -6, 6, "rate of the heading", latex=r"\dot{\theta}")
+x_next = sign("x_next", "position after the step", "x'", "m")
+y_next = sign("y_next", "position after the step", "y'", "m")
+theta_next = sign("theta_next", "heading after the step", r"\theta'", "rad")
+x_icr = sign("x_icr", "the ICR, in the world", r"x_\mathrm{ICR}", "m")
+y_icr = sign("y_icr", "the ICR, in the world", r"y_\mathrm{ICR}", "m")
+chord_length = sign("chord_length", "straight from the old place to the new", "c", "m")
+theta_m = quantity("theta_m", "rad", -6, 6, "middle heading: halfway through the turn")
+wrapped = sign("wrapped", "the same angle in (−π, π]", r"\operatorname{wrap}\alpha", "rad")
 
 
 with as_written():
@@ -77,6 +82,13 @@ with as_written():
                 theta + omega * dt,
             ]
         ),
+        source="exercise 5",
+    )
+
+    chord = Equation(
+        name="motion.chord",
+        left=Matrix([chord_length, theta_m]),
+        right=Matrix([v * dt * sinc(omega * dt / 2), theta + omega * dt / 2]),
         source="exercise 5",
     )
 

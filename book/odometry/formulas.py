@@ -6,7 +6,7 @@ from sympy import Abs, Add, Matrix, Mod, Mul, Piecewise, Symbol, cos, pi, sin, s
 
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, x_next, y, y_next
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 N_L = quantity("N_L", "ticks", -1000, 1000, "ticks of the left encoder in a sample")
 N_R = quantity("N_R", "ticks", -1000, 1000, "ticks of the right encoder in a sample")
@@ -21,10 +21,10 @@ dtheta = quantity(
 count_before = quantity("count_before", "ticks", 0, 60000, "a counter's reading", latex="c")
 count_now = quantity("count_now", "ticks", 0, 60000, "its next reading", latex="c'")
 counter_span = quantity(
-    "counter_span", "ticks", 4, 1e6, "numbers that a counter of k bits can show", latex="2^k"
+    "counter_span", "ticks", 4, 1e6, "numbers that a counter of m bits can show", latex="2^m"
 )
 
-noise = quantity("noise", "m", 0, 0.01, "variance of a wheel's travel per metre", latex="k")
+noise = quantity("noise", "m", 0, 0.01, "variance of a wheel's travel per metre", "k", "k")
 p_xx = quantity("p_xx", "m²", 0, 0.1, "variance of x", latex="p_{xx}")
 p_xy = quantity("p_xy", "m²", -0.1, 0.1, "covariance of x and y", latex="p_{xy}")
 p_xt = quantity("p_xt", "m rad", -0.1, 0.1, "covariance of x and heading", latex=r"p_{x\theta}")
@@ -47,11 +47,19 @@ short_turn = quantity(
 side_swing = quantity(
     "side_swing", "rad", -0.2, 0.2, "angle by which a side swings to the left", latex=r"\beta"
 )
-b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", latex="b'")
+b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", "b'", "true_b")
 ratio = quantity("ratio", "", 0.9, 1.1, "diameter of the right wheel by the left", latex="E_d")
 
 long_axis, short_axis = symbols(r"\sigma_1 \sigma_2")
-dN = Symbol(r"\Delta N")
+dN = sign("dN", "ticks between two readings", r"\Delta N", "ticks")
+bits = sign("m", "bits of a counter", code="bits")
+N = sign("N", "ticks of an encoder", unit="ticks")
+rho = sign("rho", "distance of the left wheel from the centre of the arc", r"\rho", "m")
+Sigma = sign("Sigma", "covariance of the pose", r"\Sigma")
+Sigma_next = sign("Sigma_next", "covariance after the sample", r"\Sigma'")
+F = sign("F", "derivative of the new pose by the old one")
+G = sign("G", "derivative of the new pose by the travel of the wheels")
+error = sign("e", "small errors of the pose")
 covariance_entries = (p_xx, p_xy, p_xt, p_yy, p_yt, p_tt)
 p_next = [Symbol(f"{name}'") for name in ("p_{xx}", "p_{xy}", r"p_{x\theta}")]
 p_next += [Symbol(f"{name}'") for name in ("p_{yy}", r"p_{y\theta}", r"p_{\theta\theta}")]

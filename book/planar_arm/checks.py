@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from book.motion.formulas import x, y
 from book.planar_arm import formulas
 from book.planar_arm.formulas import (
     ANGLES,
@@ -20,6 +19,8 @@ from book.planar_arm.formulas import (
     theta2,
     theta3,
     v_out,
+    x,
+    y,
 )
 from robokin import planar_arm
 from workshop.equations import Array, Check

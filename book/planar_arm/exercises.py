@@ -5,9 +5,8 @@ from functools import partial
 import numpy as np
 from sympy import Abs, Add, Matrix, Max, Symbol, cos, pi, sin, solve, sqrt, symbols
 
-from book.motion.formulas import x, x_dot, y, y_dot
 from book.planar_arm import formulas
-from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2
+from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2, x, x_dot, y, y_dot
 from robokin import motion, planar_arm
 from workshop.equations import as_written
 from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, one_of, steps

@@ -2,8 +2,7 @@
 
 from sympy import Abs, Add, Matrix, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt
 
-from book.motion.formulas import x, x_dot, y, y_dot
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 from workshop.equations.functions import solve
 
 l1 = quantity("l1", "m", 0.1, 1, "length of the first link", latex="l_1")
@@ -12,9 +11,13 @@ l3 = quantity("l3", "m", 0.1, 1, "length of the third link", latex="l_3")
 theta1 = quantity("theta1", "rad", -3.14, 3.14, "angle of joint 1", latex=r"\theta_1")
 theta2 = quantity("theta2", "rad", -3.14, 3.14, "angle of joint 2", latex=r"\theta_2")
 theta3 = quantity("theta3", "rad", -3.14, 3.14, "angle of joint 3", latex=r"\theta_3")
-rate1 = quantity("rate1", "rad/s", -3, 3, "rate of joint 1", latex=r"\dot\theta_1")
-rate2 = quantity("rate2", "rad/s", -3, 3, "rate of joint 2", latex=r"\dot\theta_2")
+rate1 = quantity("rate1", "rad/s", -3, 3, "rate of joint 1", r"\dot\theta_1", "rate_1")
+rate2 = quantity("rate2", "rad/s", -3, 3, "rate of joint 2", r"\dot\theta_2", "rate_2")
 rate3 = quantity("rate3", "rad/s", -3, 3, "rate of joint 3", latex=r"\dot\theta_3")
+x = quantity("x", "m", -2, 2, "place of the hand's point")
+y = quantity("y", "m", -2, 2, "place of the hand's point")
+x_dot = quantity("x_dot", "m/s", -1, 1, "its speed along the world's x axis", latex=r"\dot{x}")
+y_dot = quantity("y_dot", "m/s", -1, 1, "its speed along the world's y axis", latex=r"\dot{y}")
 phi_hand = quantity("phi_hand", "rad", -3.14, 3.14, "where the hand points", latex=r"\varphi")
 phi_dot = quantity("phi_dot", "rad/s", -3, 3, "turning rate of the hand", latex=r"\dot\varphi")
 v_out = quantity(
@@ -40,14 +43,29 @@ LENGTHS, ANGLES, RATES = (l1, l2, l3), (theta1, theta2, theta3), (rate1, rate2, 
 POSE, TWIST = (x, y, phi_hand), (x_dot, y_dot, phi_dot)
 
 # The short names of every book: c_12 is the cosine of θ1 + θ2.
-c1, c12, c123 = Symbol("c_1"), Symbol("c_12"), Symbol("c_123")
-s1, s12, s123 = Symbol("s_1"), Symbol("s_12"), Symbol("s_123")
-s2, s3, s23 = Symbol("s_2"), Symbol("s_3"), Symbol("s_23")
-J = Matrix(3, 3, [Symbol(f"J_{i}{j}") for i in (1, 2, 3) for j in (1, 2, 3)])
+SUMS = {"1": "θ_1", "12": "θ_1 + θ_2", "123": "θ_1 + θ_2 + θ_3"}
+c1, c12, c123 = (sign(f"c_{k}", f"cos({sum_})", f"c_{{{k}}}") for k, sum_ in SUMS.items())
+s1, s12, s123 = (sign(f"s_{k}", f"sin({sum_})", f"s_{{{k}}}") for k, sum_ in SUMS.items())
+s2, s3 = sign("s_2", "sin θ_2"), sign("s_3", "sin θ_3")
+s23 = sign("s_23", "sin(θ_2 + θ_3)", "s_{23}")
+J = Matrix(3, 3, lambda i, j: sign(f"J_{i + 1}{j + 1}", "entry of the Jacobian: row, column"))
 G_xx, G_yy, G_xy = Symbol("G_xx"), Symbol("G_yy"), Symbol("G_xy")
-x_w, y_w, d = Symbol("x_w"), Symbol("y_w"), Symbol("d")
+x_w, y_w = (sign(f"{x}_w", f"the wrist, along {x}", unit="m") for x in "xy")
+d = sign("d", "distance of the wrist from the base", unit="m")
 ROUNDING = 1e-14  # a sine so small is rounding: that of π in floating point is 1.2e-16
-w, large, small, tilt = Symbol("w"), Symbol(r"\sigma_1"), Symbol(r"\sigma_2"), Symbol(r"\alpha")
+w = sign("w", "manipulability")
+large, small, tilt = Symbol(r"\sigma_1"), Symbol(r"\sigma_2"), Symbol(r"\alpha")
+whole_J = sign("J", "the Jacobian")
+det_J = sign("det_J", "determinant of the Jacobian", r"\det J")
+identity = sign("I", "the identity matrix")
+theta_dot = sign("theta_dot", "the joint rates, a column", r"\dot\theta", code="rates")
+p_dot = sign("p_dot", "the wanted twist of the hand", r"\dot{p}", code="twist")
+q = sign("q", "joint rate along a single direction", unit="rad/s")
+sigma = sign("sigma", "by what the arm multiplies a rate in a single direction", r"\sigma")
+v = sign("v", "velocity that is wanted in a single direction", unit="m/s")
+arrow = [
+    sign(part, f"{which} part of an arrow") for part, which in {"a": "first", "b": "second"}.items()
+]
 
 
 with as_written():
@@ -90,7 +108,7 @@ with as_written():
 
     jacobian = Equation(
         name="planar_arm.jacobian",
-        left=Symbol("J"),
+        left=whole_J,
         right=Matrix(
             [
                 [Add(-(l1 * s1), -(l2 * s12), -(l3 * s123)), -l2 * s12 - l3 * s123, -l3 * s123],
@@ -104,7 +122,7 @@ with as_written():
 
     det = Equation(
         name="planar_arm.determinant",
-        left=Symbol(r"\det J"),
+        left=det_J,
         right=l1 * l2 * sin(theta2),
         source="exercise 8",
     )

@@ -27,7 +27,7 @@ BY_ALPHA = {formulas.l: "l", formulas.alpha: "alpha"}
 ROW, SPEEDS, RATES, ALPHAS = (
     symbols(names) for names in ("j_1:4", "s_1:5", r"\dot\varphi_1:5", "alpha_1:4")
 )
-C_X, C_Y, D_X, D_Y, V_X, S, GROUND, SLIP = symbols("c_x c_y d_x d_y v_x s u slip")
+P_X, P_Y, D_X, D_Y, S, GROUND, SLIP = symbols("p_x p_y d_x d_y s u slip")
 BETA_2, RATE_2, MATRIX = Symbol("β'"), Symbol(r"\dot\varphi'"), Symbol("J_1")
 
 M19 = Mistake(
@@ -86,7 +86,7 @@ M35 = Mistake(
     says="with cos α in the last entry of the rolling row, where cos β belongs",
     line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), -l * np.cos(alpha)])",
     why="When the robot turns, a wheel whose axle points to the centre rolls with its whole speed, "
-    "wherever it stands. With cos α the last column is l times the second one: J1 is singular.",
+    "wherever it stands. With cos α the last column is l times the second one: J_1 is singular.",
     unnoticed="For a wheel with α = ±β, or when the robot does not turn.",
     document="002",
     place="the matrix J_1",
@@ -227,14 +227,14 @@ def instructive(fixed, steered, free):
     return 3 <= len(robot) <= 6 and without_choice <= 1
 
 
-def turn_about(c_x, c_y, omega, **_):
+def turn_about(p_x, p_y, omega, **_):
     """The velocity of a robot that turns about a point of its own frame."""
-    return np.multiply(omega, [c_y, -c_x, 1])
+    return np.multiply(omega, [p_y, -p_x, 1])
 
 
-def aimed(l, alpha, c_x, c_y, **_):
+def aimed(l, alpha, p_x, p_y, **_):
     """The two steering angles beta with which a wheel's axle points along the line to a point."""
-    beta = np.arctan2(c_y - l * np.sin(alpha), c_x - l * np.cos(alpha)) - alpha
+    beta = np.arctan2(p_y - l * np.sin(alpha), p_x - l * np.cos(alpha)) - alpha
     return motion.wrap_angle([beta, beta + np.pi])
 
 
@@ -295,13 +295,13 @@ with as_written():
     THREE_ROWS = Line(MATRIX, Matrix([row(alpha) for alpha in ALPHAS]))
     ROLLED = Line(Matrix(SPEEDS), Matrix([drive.r * rate for rate in RATES]), "m/s")
     THREE_RATES = Line(Matrix(formulas.omni_rates), Matrix([s / drive.r for s in SPEEDS[:3]]))
-    ABOUT = Line(Matrix([planar.v, planar.v_y]), Matrix([planar.omega * C_Y, -planar.omega * C_X]))
+    ABOUT = Line(Matrix([planar.v, planar.v_y]), Matrix([planar.omega * P_Y, -planar.omega * P_X]))
     TO_POINT = Line(
         Matrix([D_X, D_Y]),
         Matrix(
             [
-                C_X - formulas.l * cos(formulas.alpha),
-                C_Y - formulas.l * sin(formulas.alpha),
+                P_X - formulas.l * cos(formulas.alpha),
+                P_Y - formulas.l * sin(formulas.alpha),
             ]
         ),
         "m",
@@ -311,7 +311,7 @@ with as_written():
     OTHER_ANGLE = Line(BETA_2, formulas.beta + pi, "rad")
     OTHER_RATE = Line(RATE_2, -formulas.rate, "rad/s")
     BEST = Line(
-        Matrix([V_X, planar.v_y, planar.omega]),
+        Matrix([planar.v, planar.v_y, planar.omega]),
         Matrix(
             [
                 (SPEEDS[1] - SPEEDS[3]) / 2,
@@ -337,7 +337,7 @@ wheels_1 = Exercise(
     title="The rolling row of a wheel",
     text="A fixed wheel stands at the distance l = {l} from the robot's centre, at the angle "
     "α = {alpha}. From this spoke to the wheel's axle it is β = {beta}. The robot's heading θ is "
-    "{theta}. The rolling constraint says: a row times the velocity R(θ) ξ̇_I = [v_x, v_y, ω], "
+    "{theta}. The rolling constraint says: a row times the velocity R(θ) ξ̇_I = [v, v_y, ω], "
     "seen from the robot, is r φ̇. With a positive rate φ̇ the wheel rolls in the direction "
     "α + β − 90°. Which three numbers are in this row?",
     given={
@@ -346,7 +346,7 @@ wheels_1 = Exercise(
         "beta": steps(-75, 75, 15, "°"),
         "theta": THETA,
     },
-    asks=(Ask("number for v_x"), Ask("number for v_y"), Ask("number for ω", "m")),
+    asks=(Ask("number for v"), Ask("number for v_y"), Ask("number for ω", "m")),
     right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
     wrong=ways(itself, M19, M20, M34, M35),
     also={
@@ -370,8 +370,8 @@ wheels_2 = Exercise(
     text="An omni robot has three wheels. The first stands at α = {first}, the others 120° and "
     "240° further. Each is {l} from the centre, and its axle points along the spoke (β = 0). The "
     "rollers leave it free to slide along its axle (γ = 0). The robot's heading θ is {theta}. "
-    "What is the matrix J1? J1 times R(θ) ξ̇_I, the velocity seen from the robot, gives the speeds "
-    "r φ̇ of the three wheels. A positive rate rolls a wheel to the right of its spoke.",
+    "What is the matrix J_1? J_1 times R(θ) ξ̇_I, the velocity seen from the robot, gives the "
+    "speeds r φ̇ of the three wheels. A positive rate rolls a wheel to the right of its spoke.",
     given={"l": L, "first": steps(-90, 105, 15, "°"), "theta": THETA},
     asks=tuple(Ask(f"J1[{i}, {j}]", "m" if j == 2 else "") for i in range(3) for j in range(3)),
     shape=(3, 3),
@@ -515,7 +515,7 @@ wheels_6 = Exercise(
     level=3,
     title="Turn about that point",
     text="A robot has a steered wheel of radius {r} at the distance l = {l} from its centre, at "
-    "α = {alpha}. It must turn at {omega} about the point x = {c_x}, y = {c_y} of its own frame. "
+    "α = {alpha}. It must turn at {omega} about the point x = {p_x}, y = {p_y} of its own frame. "
     "What must be the wheel's steering angle β, and at which rate must the wheel turn? With a "
     "positive rate it rolls in the direction α + β − 90°. There are two answers; give one of them.",
     given={
@@ -523,14 +523,14 @@ wheels_6 = Exercise(
         "l": L,
         "alpha": steps(-150, 180, 15, "°"),
         "omega": TURN,
-        "c_x": steps(-1, 1, 0.25, "m"),
-        "c_y": steps(-1, 1, 0.25, "m"),
+        "p_x": steps(-1, 1, 0.25, "m"),
+        "p_y": steps(-1, 1, 0.25, "m"),
     },
     asks=(angle("β"), Ask("φ̇", "rad/s")),
     accept="any",
     right=about,
     wrong=ways(about_by, M19, M34, M35, beta=aimed),
-    when=lambda c_x, c_y, **_: np.hypot(c_x, c_y) > 0.6,
+    when=lambda p_x, p_y, **_: np.hypot(p_x, p_y) > 0.6,
     solution=Solution(
         "The axle must point to the centre of rotation. From the wheel to that point it is\n\n"
         "{to_point}\n\nThe axle has the direction α + β, so the steering angle is\n\n{beta}\n\n"
@@ -561,7 +561,7 @@ wheels_7 = Exercise(
     "faster does the ground then pass under the first wheel "
     "than the wheel rolls?",
     given={"r": R, "l": L, "w_1": RATE, "w_2": RATE, "w_3": RATE, "w_4": RATE},
-    asks=(Ask("v_x", "m/s"), Ask("v_y", "m/s"), Ask("ω", "rad/s"), Ask("slip", "m/s")),
+    asks=(Ask("v", "m/s"), Ask("v_y", "m/s"), Ask("ω", "rad/s"), Ask("slip", "m/s")),
     right=four,
     wrong=ways(four_by, M19, M34, M35, alpha=FOUR, beta=0.0),
     when=lambda w_1, w_2, w_3, w_4, **_: (
@@ -573,7 +573,7 @@ wheels_7 = Exercise(
         ),
     },
     solution=Solution(
-        "The wheels roll at these speeds:\n\n{rolled}\n\nThe rows of J1 are {rows.value}. Its "
+        "The wheels roll at these speeds:\n\n{rolled}\n\nThe rows of J_1 are {rows.value}. Its "
         "columns are at right angles to each other, so least squares is a mean for each of them:"
         "\n\n{best}\n\nThe row of the first wheel says how fast the ground passes under it:"
         "\n\n{ground}\n\nThe difference to the speed at which it rolls is the slip:\n\n{slip}",

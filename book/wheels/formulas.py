@@ -3,7 +3,7 @@
 
 from typing import Any
 
-from sympy import Add, MatMul, Matrix, Max, Min, Rational, Symbol, cos, sin, sqrt
+from sympy import Add, MatMul, Matrix, Max, Min, Rational, cos, sin, sqrt
 
 from book.differential_drive.formulas import r
 from book.motion.formulas import (
@@ -16,28 +16,49 @@ from book.motion.formulas import (
     x_dot,
     y_dot,
 )
-from workshop.equations.core import Equation, as_written, quantity
+from workshop.equations.core import Equation, as_written, quantity, sign
 
 l = quantity("wheel_l", "m", 0, 1, "distance of a wheel from the robot's centre", latex="l")
 alpha = quantity(
-    "wheel_alpha", "rad", -3.14, 3.14, "from the robot's x axis to a wheel's spoke", latex=r"\alpha"
+    "wheel_alpha",
+    "rad",
+    -3.14,
+    3.14,
+    "from the robot's x axis to a wheel's spoke",
+    r"\alpha",
+    "alpha",
 )
 beta = quantity(
-    "wheel_beta", "rad", -3.14, 3.14, "from a wheel's spoke to its axle", latex=r"\beta"
+    "wheel_beta", "rad", -3.14, 3.14, "from a wheel's spoke to its axle", r"\beta", "beta"
 )
 gamma = quantity(
-    "wheel_gamma", "rad", -1.4, 1.4, "angle of the rollers on a Swedish wheel", latex=r"\gamma"
+    "wheel_gamma", "rad", -1.4, 1.4, "angle of the rollers on a Swedish wheel", r"\gamma", "gamma"
 )
-d = quantity("castor_d", "m", -0.2, -0.02, "from a castor's pivot to its contact point", latex="d")
+d = quantity("castor_d", "m", -0.2, -0.02, "from a castor's pivot to its contact point", "d", "d")
 rate = quantity("wheel_rate", "rad/s", -20, 20, "rate of a wheel", latex=r"\dot\varphi")
 omni_rates = [
     quantity(f"omni_rate{k}", "rad/s", -20, 20, f"rate of wheel {k}", latex=rf"\dot\varphi_{k}")
     for k in (1, 2, 3)
 ]
 
-contact_x, contact_y, across = Symbol("c_x"), Symbol("c_y"), Symbol(r"v_\mathrm{axle}")
-beta_dot = Symbol(r"\dot{\beta}")
-delta_m, delta_s, delta_M = Symbol(r"\delta_m"), Symbol(r"\delta_s"), Symbol(r"\delta_M")
+contact_x = sign("v_cx", "velocity of the contact point, ahead", "v_{cx}", "m/s")
+contact_y = sign("v_cy", "velocity of the contact point, to the left", "v_{cy}", "m/s")
+c_x = sign("c_x", "a wheel's contact point, ahead", unit="m")
+c_y = sign("c_y", "a wheel's contact point, to the left", unit="m")
+across = sign("v_axle", "velocity of a wheel along its axle", r"v_\mathrm{axle}", "m/s")
+beta_dot = sign("beta_dot", "rate at which a castor swivels", r"\dot{\beta}", "rad/s")
+beta_s = sign("beta_s", "the angles β of the steered wheels", r"\beta_s", "rad")
+delta_m = sign("delta_m", "degree of mobility", r"\delta_m")
+delta_s = sign("delta_s", "degree of steerability", r"\delta_s")
+delta_M = sign("delta_M", "degree of manoeuvrability", r"\delta_M")
+J_1 = sign("J_1", "the rolling rows of all wheels", code="J1")
+J_2 = sign("J_2", "how far each wheel rolls at a rate of 1", code="J2")
+C_1 = sign("C_1", "the sliding rows of fixed and steered wheels", code="C1")
+C_1f = sign("C_1f", "the sliding rows of the fixed wheels", "C_{1f}")
+C_1s = sign("C_1s", "the sliding rows of the steered wheels", "C_{1s}")
+R = sign("R", "the matrix that takes a velocity from the world to the robot")
+x, y = (sign(axis, f"the robot's {axis} axis") for axis in "xy")
+xi_dot = sign("xi_dot", "velocity of the robot in the world", r"\dot\xi_I")
 rank_fixed = quantity(
     "rank_fixed", "", 0, 3, "independent sliding rows of the fixed wheels",
     latex=r"\operatorname{rank}C_{1f}",

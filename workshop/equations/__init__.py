@@ -7,9 +7,11 @@ from workshop.equations.core import (
     as_written,
     declared,
     find,
+    look,
     quantities,
     quantity,
     show,
+    sign,
 )
 
 __all__ = [
@@ -21,7 +23,9 @@ __all__ = [
     "check",
     "declared",
     "find",
+    "look",
     "quantities",
     "quantity",
     "show",
+    "sign",
 ]

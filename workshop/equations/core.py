@@ -1,10 +1,12 @@
 """What an equation is: declared once, then printed, checked and drawn from.
 
 A quantity is a SymPy symbol with its unit, range and meaning; it belongs to the module that
-declares it. An equation holds its two sides. Sides are written inside `with as_written():`, so
+declares it. A sign is the same without a range: what formulas name on the way, or only the text
+uses. An equation holds its two sides. Sides are written inside `with as_written():`, so
 that SymPy keeps (v_R + v_L)/2 as it stands.
 """
 
+import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -21,7 +23,10 @@ Where = Sequence[tuple[sp.Symbol, Any]]
 
 
 class NamedSymbol(sp.Symbol):  # type: ignore[misc]
-    """A symbol with its unit (SI), the range it is tested in, what it means, how it prints.
+    """A symbol with its unit (SI), the range it is tested in, what it means, how it prints, and
+    its name in the code of the chapter's notebook.
+
+    One without a range (`low` is NaN) is a sign: no formula is computed from it alone.
 
     Two symbols of one name are different if two modules declare them.
     """
@@ -31,8 +36,24 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
     high: float
     meaning: str
     latex: str
+    code: str
     module: str
     line: int
+
+    @property
+    def is_sign(self) -> bool:
+        """Whether it has no range."""
+        return math.isnan(self.low)
+
+    @property
+    def chapter(self) -> str:
+        """The chapter that declares it."""
+        return self.module.split(".")[-2:][0]
+
+    @property
+    def key(self) -> str:
+        """What every face of it on a page carries as `data-symbol`."""
+        return f"{self.chapter}.{self.name}"
 
     @property
     def place(self) -> str:
@@ -52,13 +73,35 @@ def as_written() -> Any:
 
 
 def quantity(
-    name: str, unit: str, low: float, high: float, meaning: str, latex: str = ""
-) -> sp.Symbol:
-    """Declare a symbol: its name in code, unit, the range it is tested in, what it means."""
-    symbol = NamedSymbol.__xnew__(NamedSymbol, name, real=True)  # not SymPy's own of that name
-    symbol.unit, symbol.low, symbol.high, symbol.meaning = unit, low, high, meaning
-    symbol.latex = latex or sp.latex(sp.Symbol(name))
-    caller = sys._getframe(1)
+    name: str,
+    unit: str,
+    low: float,
+    high: float,
+    meaning: str,
+    latex: str = "",
+    code: str = "",
+) -> NamedSymbol:
+    """Declare a symbol: its name, unit, the range it is tested in, what it means.
+
+    code: its name in the code of the chapter's notebook, where that is another one.
+    """
+    return _named(name, unit, (low, high), meaning, latex, code)
+
+
+def sign(name: str, meaning: str, latex: str = "", unit: str = "", code: str = "") -> NamedSymbol:
+    """Declare what is printed and never given a number by itself: a step, a matrix, a point."""
+    return _named(name, unit, (math.nan, math.nan), meaning, latex, code)
+
+
+def _named(
+    name: str, unit: str, span: tuple[float, float], meaning: str, latex: str, code: str
+) -> NamedSymbol:
+    symbol: NamedSymbol = NamedSymbol.__xnew__(
+        NamedSymbol, name, real=True
+    )  # not SymPy's own of that name
+    symbol.unit, symbol.meaning, (symbol.low, symbol.high) = unit, meaning, span
+    symbol.latex, symbol.code = latex or sp.latex(sp.Symbol(name)), code or name
+    caller = sys._getframe(2)
     symbol.module, symbol.line = caller.f_globals["__name__"], caller.f_lineno
     return symbol
 
@@ -74,6 +117,25 @@ def quantities(parts: Sequence[str] = ("formulas", "figures")) -> list[NamedSymb
                 "choose another name for one of the two"
             )
     return list(found)
+
+
+def look(symbol: NamedSymbol, chapter: str = "") -> str:
+    """The kind of a quantity's look, or "": as `LOOKS` says in the formulas of a chapter that uses
+    it, else in those of its own.
+    """
+    for where in (chapter, symbol.chapter):
+        known = where in course().chapters  # the machine has symbols of its own
+        kinds = getattr(known and course().module(where, "formulas"), "LOOKS", {})
+        if symbol in kinds:
+            return refuse_unknown_kind(kinds[symbol])
+    return ""
+
+
+def refuse_unknown_kind(kind: str) -> str:
+    """The kind, if the course has a look for it."""
+    if kind not in course().looks:
+        raise CourseError(f"there is no kind {kind!r}; there are {', '.join(course().looks)}")
+    return kind
 
 
 def place(symbol: sp.Symbol) -> str:
@@ -127,7 +189,7 @@ class Equation:
     is_angle: bool = False
 
     def __post_init__(self) -> None:
-        unknown = [s for s in self.symbols if not isinstance(s, NamedSymbol)]
+        unknown = [s for s in self.symbols if getattr(s, "is_sign", True)]
         if unknown:
             names = ", ".join(map(str, unknown))
             raise CourseError(f"{self.name} uses {names}, which no `quantity(…)` declares")
@@ -158,14 +220,19 @@ class Equation:
 
 @dataclass(frozen=True)
 class Shown:
-    """An equation as the value of a notebook cell; `computed`: in the form that the code uses."""
+    """An equation as the value of a notebook cell; `computed`: in the form that the code uses.
+
+    figure: whose numbers stand below it on the page.
+    """
 
     equation: Equation
     computed: bool
+    figure: str
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         shown = self.equation
-        return mimebundle(shown.name, self.computed, shown.left, shown.printed(self.computed))
+        right = shown.printed(self.computed)
+        return mimebundle(shown.name, self.computed, shown.left, right, self.figure)
 
 
 def free_symbols(part: Any) -> set[sp.Symbol]:
@@ -195,6 +262,9 @@ def find(name: str) -> Equation:
     return declared()[name]
 
 
-def show(name: str, computed: bool = False) -> Shown:
-    """Show an equation by its name; `computed=True` shows the form that the code uses."""
-    return Shown(find(name), computed)
+def show(name: str, computed: bool = False, figure: str = "") -> Shown:
+    """Show an equation by its name; `computed=True` shows the form that the code uses.
+
+    figure: the name of a live figure whose numbers then stand below the formula on the page.
+    """
+    return Shown(find(name), computed, figure)

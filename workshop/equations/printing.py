@@ -1,5 +1,6 @@
 """How an equation is shown: numbered mathematics in JupyterLab and on the page."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
@@ -8,21 +9,27 @@ MIME = "application/vnd.workshop.equation+json"
 LINES_APART, FRACTIONS_APART = r"\\[4pt]", r"\\[10pt]"  # fractions in two rows would touch
 
 
-def latex(expression: Any) -> str:
+def latex(expression: Any, **settings: Any) -> str:
     """LaTeX of an expression in the order in which it was written."""
-    text: str = sp.latex(expression, order="none")
+    text: str = sp.latex(expression, order="none", **settings)
     if r"\frac" in text:
         text = text.replace(r"\\", FRACTIONS_APART)
+    text = text.replace("^{T}", r"^{\top}")  # one sign for the transposed in the whole course
     return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
 
 
 def both_sides(left: Any, right: Any) -> str:
     """Left side = right side; columns as one line for each component."""
     if isinstance(left, sp.MatrixBase) and isinstance(right, sp.MatrixBase):
-        lines = [f"{latex(a)} &= {latex(c)}" for a, c in zip(left, right, strict=True)]
-        apart = FRACTIONS_APART if any(r"\frac" in line for line in lines) else LINES_APART
-        return r"\begin{aligned} " + f" {apart} ".join(lines) + r" \end{aligned}"
+        return aligned([(latex(a), latex(c)) for a, c in zip(left, right, strict=True)])
     return f"{latex(left)} = {latex(right)}"
+
+
+def aligned(lines: Sequence[tuple[str, str]]) -> str:
+    """Lines with their signs = below each other."""
+    apart = FRACTIONS_APART if any(r"\frac" in right for _, right in lines) else LINES_APART
+    both = f" {apart} ".join(f"{left} &= {right}" for left, right in lines)
+    return rf"\begin{{aligned}} {both} \end{{aligned}}"
 
 
 def name_on_page(name: str, computed: bool) -> str:
@@ -35,12 +42,14 @@ def _plain(expression: Any) -> str:
     return str(sp.sstr(listed, order="none")).replace("- 1*", "- ")
 
 
-def mimebundle(name: str, computed: bool, left: Any, right: Any) -> dict[str, Any]:
+def mimebundle(
+    name: str, computed: bool, left: Any, right: Any, figure: str = ""
+) -> dict[str, Any]:
     """The output of a cell: the formula's name for the page, tagged LaTeX for a notebook."""
     label = name_on_page(name, computed)
     formula, tag = both_sides(left, right), label.replace("_", r"\_")
     return {
-        MIME: {"name": name, "computed": computed},
+        MIME: {"name": name, "computed": computed, **({"figure": figure} if figure else {})},
         "text/latex": rf"$$ {formula} \tag{{{tag}}} $$",
         "text/plain": f"{_plain(left)} = {_plain(right)}   ({label})",
     }

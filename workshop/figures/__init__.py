@@ -11,12 +11,17 @@ from workshop.figures import kinds
 from workshop.figures.declaration import (
     POINTER,
     AngleArc,
+    Area,
     Arrow,
     Body,
     Choice,
     Clock,
     Curve,
+    Disc,
+    Goal,
     Handle,
+    Label,
+    Length,
     Line,
     Point,
     Readout,
@@ -24,12 +29,15 @@ from workshop.figures.declaration import (
     Slider,
     Trail,
     Wheel,
+    solved,
 )
 from workshop.figures.figure import Figure
+from workshop.figures.graph import Graph
 from workshop.figures.space import VIEW, View, view_sliders
+from workshop.figures.turning import Bracket, Turns
 from workshop.script.runtime import Part, register
 
-SCRIPTS = "functions numbers words shapes scene panel live hands page notebook"
+SCRIPTS = "functions numbers words shapes solids turning scene panel live hands page notebook"
 register(
     Part(
         name="figures",
@@ -45,20 +53,29 @@ __all__ = [
     "POINTER",
     "VIEW",
     "AngleArc",
+    "Area",
     "Arrow",
     "Body",
+    "Bracket",
     "Choice",
     "Clock",
     "Curve",
+    "Disc",
     "Figure",
+    "Goal",
+    "Graph",
     "Handle",
+    "Label",
+    "Length",
     "Line",
     "Point",
     "Readout",
     "Recurrence",
     "Slider",
     "Trail",
+    "Turns",
     "View",
     "Wheel",
+    "solved",
     "view_sliders",
 ]

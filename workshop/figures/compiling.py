@@ -7,15 +7,17 @@ from typing import Any
 
 import sympy as sp
 
-from workshop.course import course
-from workshop.equations.core import NamedSymbol, Where, told
+from workshop.equations.core import NamedSymbol, Where, look, refuse_unknown_kind, told
+from workshop.equations.text import symbol_text
 from workshop.errors import CourseError
 from workshop.figures import declaration as d
 from workshop.figures.javascript import function
+from workshop.figures.solids import Solid
+from workshop.figures.turning import Bracket, Turns
 
 DEGREE = math.pi / 180
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-Control = d.Slider | d.Choice
+Control = d.Slider | d.Choice | Turns
 
 
 def factor(unit: str) -> float:
@@ -25,7 +27,9 @@ def factor(unit: str) -> float:
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
-    return [s for c in controls for s in (c.symbols if isinstance(c, d.Choice) else (c.symbol,))]
+    return [
+        s for c in controls for s in (c.symbols if isinstance(c, d.Choice | Turns) else (c.symbol,))
+    ]
 
 
 # type → its word in the script, what is computed, what is given as it is
@@ -33,19 +37,27 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     d.Point: ("point", lambda s: s.at, ("edge",)),
     d.Line: ("line", lambda s: [x for point in s.points for x in point], ()),
     d.Arrow: ("arrow", lambda s: (*s.tail, *s.head), ()),
-    d.Wheel: ("wheel", lambda s: (*s.at, s.angle), ("length", "width")),
+    d.Wheel: ("wheel", lambda s: (*s.at, s.angle, s.roll), ("length", "width")),
+    d.Disc: ("disc", lambda s: (*s.at, s.angle), ("radius", "spokes")),
+    d.Area: ("area", lambda s: [x for point in s.points for x in point], ()),
+    d.Length: ("length", lambda s: (*s.start, *s.end), ("aside",)),
+    d.Label: ("label", lambda s: s.at, ()),
     d.Body: ("body", lambda s: (*s.at, s.angle), ("radius",)),
     d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
     d.Curve: ("curve", lambda s: (s.low, s.high), ()),
-    d.Trail: ("trail", lambda s: (), ()),
+    d.Trail: ("trail", lambda s: (), ("line", "dots")),
+    Solid: ("solid", lambda s: s.numbers, ("data", "floor", "opacity", "behind")),
+    Bracket: ("bracket", lambda s: (*s.at, *s.matrix), ("columns", "digits")),
 }
 
 
 class Compiler:
     """Collects the expressions of one figure, so that all of them become one function."""
 
-    def __init__(self, controls: Sequence[Control], shapes: Sequence[Any], where: Where) -> None:
-        self.controls = controls
+    def __init__(
+        self, controls: Sequence[Control], shapes: Sequence[Any], where: Where, chapter: str
+    ) -> None:
+        self.controls, self.chapter = controls, chapter
         self.settings = settings(controls)
         trails = [s.recurrence for s in shapes if isinstance(s, d.Trail)]
         self.recurrences = list({id(r): r for r in trails}.values())
@@ -70,6 +82,13 @@ class Compiler:
             self.expressions.append(expression)
         return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
 
+    def face(self, kind: Any, label: str | None = None) -> dict[str, Any]:
+        """Look and label of what has a kind; of a quantity its letter and its key, too."""
+        if not isinstance(kind, NamedSymbol):
+            return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
+        letter = symbol_text(kind) if label is None else label
+        return {"kind": look(kind, self.chapter), "label": letter, "symbol": kind.key}
+
     def control(self, control: Control) -> dict[str, Any]:
         """A control as the script reads it, in the unit that the reader sees."""
         if isinstance(control, d.Choice):
@@ -82,18 +101,19 @@ class Compiler:
                 "options": options,
                 "start": start,
             }
+        if isinstance(control, Turns):
+            return {"type": "turns", "key": control.name, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
-        if control.kind:
-            _refuse_unknown_kind(control.kind)
+        face = self.face(control.symbol, control.label or None)
         known = control.symbol
         scale = factor(known.unit)
         step = _tidy(control.step / scale)
         return {
             "type": "clock" if isinstance(control, d.Clock) else "slider",
             "key": str(control.symbol),
-            "label": control.label or str(control.symbol),
-            "kind": control.kind,
+            **face,
+            "kind": self.face(control.kind)["kind"] or face["kind"],
             "unit": "°" if known.unit == "rad" else known.unit,
             "factor": scale,
             "low": _tidy(control.low / scale),
@@ -102,6 +122,7 @@ class Compiler:
             "step": step,
             "digits": max(0, -math.floor(math.log10(step) + 1e-9)),
             "rate": control.rate,
+            "loops": isinstance(control, d.Clock) and control.loops,
             "whole": isinstance(control.step, int),
         }
 
@@ -109,14 +130,20 @@ class Compiler:
         """A shape as the script reads it: its numbers by place, its curve as a function."""
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
-        _refuse_unknown_kind(shape.kind)
         word, coordinates, sizes = SHAPES[type(shape)]
-        found = {"kind": shape.kind, "label": getattr(shape, "label", "")}
+        found = self.face(shape.kind, getattr(shape, "label", ""))
+        if not found["kind"]:
+            raise CourseError(
+                f"{shape.kind} has no look: add it to LOOKS in formulas.py of {self.chapter}, "
+                "or give the shape the name of a kind"
+            )
         depth = getattr(shape, "depth", None)
         if depth is not None and not isinstance(shape, d.Curve):
             found["depth"] = self.numbers(depth)[0]
         found |= {"shape": word, "at": self.numbers(*coordinates(shape))}
         found |= {size: getattr(shape, size) for size in sizes}
+        for part in found.get("data", ()):
+            part["kind"] = self.face(part["kind"])["kind"]
         if isinstance(shape, d.Curve):
             traced = shape.at if depth is None else (*shape.at, depth)
             point = function({"c": self.known, "s": [shape.parameter]}, traced)
@@ -129,7 +156,7 @@ class Compiler:
 
     def sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
         """The places of the sliders that somebody moves."""
-        keys = [None if isinstance(c, d.Choice) else c.symbol for c in self.controls]
+        keys = [getattr(c, "symbol", None) for c in self.controls]
         for symbol in symbols:
             if symbol not in keys:
                 raise CourseError(f"{who} sets {told([symbol], keys)}, which is no slider")
@@ -137,13 +164,18 @@ class Compiler:
 
     def handle(self, handle: d.Handle) -> dict[str, Any]:
         """A handle: where it is, which controls it sets, and the function from pointer to them."""
-        code = function({"c": self.settings, "p": d.POINTER}, list(handle.sets.values()))
+        code = function({"c": self.known, "p": d.POINTER}, list(handle.sets.values()))
         return {
             "label": handle.label,
             "at": self.numbers(*handle.at),
             "sets": self.sliders(handle.sets, f"the handle {handle.label!r}"),
             "to": Code(code),
         }
+
+    def goal(self, goal: d.Goal) -> dict[str, Any]:
+        """A goal: its number is 1 when it is reached, else 0."""
+        reached = sp.Piecewise((1, goal.condition), (0, True))
+        return {"words": goal.words, "at": self.numbers(reached)[0]}
 
     def recurrence(self, loop: d.Recurrence) -> dict[str, Any]:
         """A loop: functions for its start, its step and how often."""
@@ -160,12 +192,27 @@ class Compiler:
         self.numbers(readout.value)
         return {
             "key": readout.name,
-            "label": readout.label,
+            **self.face(readout.symbol or "", readout.label),
             "unit": "°" if readout.unit == "rad" else readout.unit,
             "factor": 1 / factor(readout.unit),
             "digits": readout.digits,
             "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
         }
+
+    def known_steps(self) -> list[dict[str, Any]]:
+        """The named steps that are quantities, with their places among all known numbers."""
+        start = len(self.known) - len(self.where)
+        return [
+            {
+                "key": str(symbol),
+                "symbol": symbol.key,
+                "at": start + place,
+                "unit": "°" if symbol.unit == "rad" else symbol.unit,
+                "factor": 1 / factor(symbol.unit),
+            }
+            for place, (symbol, _) in enumerate(self.where)
+            if isinstance(symbol, NamedSymbol)
+        ]
 
     def steps(self) -> "Code":
         """The function that computes the named steps, from settings and last states."""
@@ -191,11 +238,6 @@ def javascript(value: Any) -> str:
     if isinstance(value, list):
         return "[" + ", ".join(map(javascript, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
-
-
-def _refuse_unknown_kind(kind: str) -> None:
-    if kind not in course().looks:
-        raise CourseError(f"there is no kind {kind!r}; there are {', '.join(course().looks)}")
 
 
 def _tidy(number: float) -> float:

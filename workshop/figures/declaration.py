@@ -2,6 +2,10 @@
 
 Controls give symbols their numbers; shapes, readouts and handles are SymPy expressions of these
 symbols. Numbers in a declaration are SI (radians); the reader sees degrees.
+
+A `kind` is a name of the course's looks, or a quantity: then its look comes from the chapter's
+`LOOKS`, its label is the quantity's letter unless said otherwise, and on the page it belongs to
+that quantity. A slider and a readout follow from their quantity likewise.
 """
 
 from collections.abc import Mapping
@@ -10,10 +14,20 @@ from typing import Any
 
 import sympy as sp
 
+from workshop.equations.core import Equation, NamedSymbol, Where
+from workshop.equations.text import symbol_text
+
 Expr = Any
+Kind = Any  # a name, or a quantity
 Pair = tuple[Expr, Expr]
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
+
+
+def solved(*equations: Equation) -> Where:
+    """Named steps that compute the left sides of equations, in order, for `Figure.where`."""
+    sides = [(sp.Matrix([e.left]), sp.Matrix([e.right])) for e in equations]
+    return [pair for left, right in sides for pair in zip(left, right, strict=True)]
 
 
 # Controls: what the reader moves.
@@ -21,7 +35,7 @@ POINTER = sp.symbols("pointer_x pointer_y", real=True)
 
 @dataclass(frozen=True)
 class Slider:
-    """A symbol under the hand. low, high, start, step in SI; unit from the quantity.
+    """A symbol under the hand. low, high, start, step in SI; unit and face from the quantity.
 
     A step of type int: the symbol is always a whole number.
     """
@@ -38,9 +52,14 @@ class Slider:
 
 @dataclass(frozen=True)
 class Clock(Slider):
-    """A slider that also plays: it runs from low to high at `rate` seconds in a second."""
+    """A slider that also plays: it runs from low to high at `rate` seconds in a second.
+
+    loops: it plays by itself while the picture is in sight, again and again, for readers who like
+    motion; a hand on it stops it.
+    """
 
     rate: float = 1.0
+    loops: bool = False
 
 
 @dataclass(frozen=True)
@@ -56,7 +75,10 @@ class Choice:
 
 @dataclass(frozen=True)
 class Handle:
-    """A point to drag: where it is, and which slider gets which expression of `POINTER`."""
+    """A point to drag: where it is, and which slider gets which expression of `POINTER`.
+
+    The expression may use all that the figure knows.
+    """
 
     label: str
     at: Pair
@@ -81,8 +103,17 @@ class Recurrence:
     ends: tuple[sp.Symbol, ...]
 
 
-# The scene: what is drawn. `kind` is a name of the course's looks. Shapes are painted as declared;
-# those with a `depth` (larger is nearer) change places among themselves: the nearest comes last.
+@dataclass(frozen=True)
+class Goal:
+    """What the reader shall reach: a condition of the figure's numbers, and the task in words."""
+
+    condition: Any
+    words: str
+
+
+# The scene: what is drawn. In a label `{name}` is a number of the figure. Shapes are painted as
+# declared; those with a `depth` (larger is nearer) change places among themselves: the nearest
+# comes last.
 
 
 @dataclass(frozen=True)
@@ -93,9 +124,9 @@ class Point:
     origin in metres, unless `edge` is False.
     """
 
-    kind: str
+    kind: Kind
     at: Pair
-    label: str = ""
+    label: str | None = None
     depth: Expr = None
     edge: bool = True
 
@@ -104,7 +135,7 @@ class Point:
 class Line:
     """Straight pieces through several points."""
 
-    kind: str
+    kind: Kind
     points: tuple[Pair, ...]
     depth: Expr = None
 
@@ -113,22 +144,65 @@ class Line:
 class Arrow:
     """From `tail` to `head`."""
 
-    kind: str
+    kind: Kind
     tail: Pair
     head: Pair
-    label: str = ""
+    label: str | None = None
     depth: Expr = None
 
 
 @dataclass(frozen=True)
 class Wheel:
-    """A wheel from above, rolling along `angle`; length and width in metres."""
+    """A wheel from above, rolling along `angle`; length and width in metres.
 
-    kind: str
+    roll: how far it has rolled, which its treads show.
+    """
+
+    kind: Kind
     at: Pair
     angle: Expr
     length: float
     width: float
+    roll: Expr = 0
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A wheel from the side: a round thing whose spokes show how far it has turned."""
+
+    kind: Kind
+    at: Pair
+    angle: Expr
+    radius: float
+    spokes: int = 5
+
+
+@dataclass(frozen=True)
+class Area:
+    """A filled piece of the ground, by its corners."""
+
+    kind: Kind
+    points: tuple[Pair, ...]
+
+
+@dataclass(frozen=True)
+class Length:
+    """A length with its ends marked; aside: how far to the left of start → end it is drawn, m."""
+
+    kind: Kind
+    start: Pair
+    end: Pair
+    label: str | None = None
+    aside: float = 0.0
+
+
+@dataclass(frozen=True)
+class Label:
+    """Words or a number at a place."""
+
+    kind: Kind
+    at: Pair
+    label: str | None = None
 
 
 @dataclass(frozen=True)
@@ -138,14 +212,14 @@ class Body:
     at: Pair
     angle: Expr
     radius: float
-    kind: str = "body"
+    kind: Kind = "body"
 
 
 @dataclass(frozen=True)
 class Curve:
     """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too."""
 
-    kind: str
+    kind: Kind
     at: Pair
     parameter: sp.Symbol
     low: Expr
@@ -158,7 +232,7 @@ class Curve:
 class Trail:
     """The points `at` of every state of a recurrence: a line through them, dots on the first 60."""
 
-    kind: str
+    kind: Kind
     at: Pair
     recurrence: Recurrence
     line: bool = True
@@ -167,14 +241,14 @@ class Trail:
 
 @dataclass(frozen=True)
 class AngleArc:
-    """The arc of an angle around a point."""
+    """An angle around a point: its arc, and the sector in it."""
 
-    kind: str
+    kind: Kind
     at: Pair
     start: Expr
     end: Expr
     radius: float
-    label: str = ""
+    label: str | None = None
 
 
 # Numbers beside the picture.
@@ -182,11 +256,24 @@ class AngleArc:
 
 @dataclass(frozen=True)
 class Readout:
-    """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan"."""
+    """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan".
 
-    name: str
-    label: str
-    value: Expr
-    unit: str
+    A quantity as the name gives its letter and unit, and itself as the value. digits: after the
+    point; -2 means two digits and a power of ten.
+    """
+
+    name: Any
+    label: str = ""
+    value: Expr = None
+    unit: str = ""
     digits: int = 3
     words: Mapping[str, str] = field(default_factory=dict)
+    symbol: NamedSymbol | None = None
+
+    def __post_init__(self) -> None:
+        if isinstance(self.name, NamedSymbol):
+            symbol = self.name
+            value = symbol if self.value is None else self.value
+            told = {"label": self.label or symbol_text(symbol), "unit": symbol.unit, "value": value}
+            for key, known in {**told, "name": str(symbol), "symbol": symbol}.items():
+                object.__setattr__(self, key, known)

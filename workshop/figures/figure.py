@@ -14,11 +14,13 @@ from workshop.course import course
 from workshop.equations.core import Where
 from workshop.errors import CourseError
 from workshop.figures.compiling import Compiler, Control, javascript, settings
-from workshop.figures.declaration import Choice, Handle, Readout
+from workshop.figures.declaration import Choice, Goal, Handle, Pair, Readout
 from workshop.figures.javascript import evaluate
+from workshop.figures.turning import Turns
 from workshop.script import engine
 from workshop.script.widget import Widget, widget
 
+SIZES = ("", "step", "laboratory")
 MIME = "application/vnd.workshop.figure+json"
 
 
@@ -28,10 +30,13 @@ class Figure:
 
     name: its address on the page, letters and dashes. title: what it shows, for those who cannot
     see it. view: the window on the world, (x_low, x_high, y_low, y_high) in metres. says: a
-    sentence about the present state, with `{name}` for controls and readouts. where: named steps
-    of the computation, in order, that all expressions may use. turns: for a picture in space, the
+    sentence about the present state, with `{name}` for controls, readouts and named steps; without
+    one, all controls and readouts are told. where: named steps of the computation, in order, that
+    all expressions may use. turns: for a picture in space, the
     azimuth and the elevation (of sliders) that dragging its ground changes. grid: whether the
-    ground shows x, y in m.
+    ground shows x, y in m. goal: what the reader shall reach, or several such. follow: a point that
+    the view moves along with, so that it stays inside. size: "step" or "laboratory", whose sizes on
+    a page are tested, or "".
     """
 
     name: str
@@ -40,16 +45,24 @@ class Figure:
     controls: tuple[Control, ...]
     scene: tuple[Any, ...]
     readouts: tuple[Readout, ...]
-    says: str
+    says: str = ""
     handles: tuple[Handle, ...] = ()
     where: Where = ()
     turns: tuple[sp.Symbol, ...] = ()
     grid: bool = True
+    goal: Goal | tuple[Goal, ...] = ()
+    follow: Pair | tuple[()] = ()
+    size: str = ""
 
     def __post_init__(self) -> None:
         names = [*map(self._key, self.controls), *(readout.name for readout in self.readouts)]
         if len(set(names)) < len(names):
             raise CourseError(f"the figure {self.name} has two controls or readouts of one name")
+        if self.size not in SIZES:
+            raise CourseError(
+                f"the size of {self.name} is {self.size!r}; there are {', '.join(map(repr, SIZES))}"
+            )
+        names += [str(symbol) for symbol, _ in self.where]
         unknown = set(re.findall(r"{(\w+)}", self.says)) - set(names)
         if unknown:
             raise CourseError(
@@ -64,22 +77,29 @@ class Figure:
 
     @cached_property
     def _compiled(self) -> tuple[str, list[Any]]:
-        compiler = Compiler(self.controls, self.scene, self.where)
+        chapter = course().homes("figures", Figure).get(self.name, "")
+        compiler = Compiler(self.controls, self.scene, self.where, chapter)
         parts: dict[str, Any] = {
             "name": self.name,
             "title": self.title,
             "view": list(self.view),
-            "says": self.says,
+            "says": self.says or self._list(),
             "controls": [compiler.control(control) for control in self.controls],
             "readouts": [compiler.readout(readout) for readout in self.readouts],
             "scene": [compiler.shape(shape) for shape in self.scene],
             "handles": [compiler.handle(handle) for handle in self.handles],
+            "steps": compiler.known_steps(),
             "recurrences": [compiler.recurrence(loop) for loop in compiler.recurrences],
         }
         if self.turns:
             parts["turns"] = compiler.sliders(self.turns, f"dragging the ground of {self.name}")
         if not self.grid:
             parts["grid"] = False
+        goals = (self.goal,) if isinstance(self.goal, Goal) else self.goal
+        parts["goals"] = [compiler.goal(goal) for goal in goals]
+        if self.follow:
+            parts["follow"] = compiler.numbers(*self.follow)
+        parts["size"] = self.size
         parts["where"] = compiler.steps()
         parts["compute"] = compiler.code()
         return javascript(parts), compiler.expressions
@@ -99,21 +119,18 @@ class Figure:
         compute = "((figure) => (f, c) => workshop.figures.compute(figure, c).values)"
         return evaluate(f"{compute}({self.code})", points)
 
-    def picture(self) -> str:
-        """The still picture (SVG) of the starting state."""
-        return str(engine.run(f"workshop.figures.svg({self.code})"))
+    def picture(self, width: int = 640) -> str:
+        """The still picture (SVG) of the starting state; width in pixels."""
+        return str(engine.run(f"workshop.figures.svg({self.code}, undefined, {width})"))
 
     def html(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""
         return str(engine.run(f"workshop.figures.html({self.code})"))
 
     def on_page(self) -> str:
-        """The HTML of the figure, and the code that brings it to life."""
-        code = self.code.replace("</", "<\\/")
-        return (
-            f'<figure class="rk-figure" id="{self.name}">{self.html()}</figure>\n'
-            f"<script>(window.workshopFigures ??= []).push({code});</script>\n"
-        )
+        """The HTML of the figure, which the script brings to life."""
+        start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}">'
+        return f"{start}{self.html()}</figure>\n"
 
     @cached_property
     def widget(self) -> Widget:
@@ -123,9 +140,15 @@ class Figure:
     def _start(self) -> dict[str, Any]:
         return {self._key(c): c.start for c in self.controls}
 
+    def _list(self) -> str:
+        """All controls and readouts, for those who cannot see them."""
+        named = [(c.label or self._key(c), self._key(c)) for c in self.controls]
+        named += [(readout.label, readout.name) for readout in self.readouts]
+        return ", ".join(f"{label}: {{{name}}}" for label, name in named)
+
     @staticmethod
     def _key(control: Control) -> str:
-        return control.name if isinstance(control, Choice) else str(control.symbol)
+        return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
 
     @property
     def values(self) -> dict[str, Any]:
@@ -152,10 +175,18 @@ class Figure:
 def light(svg: str) -> str:
     """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
     plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    plain = re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, plain)
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
         r'(?<= d=")[^"]+', lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]), plain
     )
+
+
+def _mixed(found: re.Match[str]) -> str:
+    """A shade of a face as one colour."""
+    part, other = int(found[2]) / 100, 17 * int(found[3], 16)
+    channels = (int(found[1][k : k + 2], 16) for k in (0, 2, 4))
+    return "#" + "".join(f"{round(part * c + (1 - part) * other):02x}" for c in channels)
 
 
 def figures() -> dict[str, Figure]:
@@ -174,6 +205,10 @@ def find(name: str) -> Figure:
 
 
 def _refuse_outside(key: str, value: Any, control: Control) -> None:
+    if isinstance(control, Turns):
+        if not (isinstance(value, str) and re.fullmatch("(-?[xyzXYZ])*", value)):
+            raise CourseError(f"{key} must be letters as in 'Zx-Y', got {value!r}")
+        return
     if isinstance(control, Choice):
         if value not in control.options:
             raise CourseError(f"{key} must be one of {', '.join(control.options)}, got {value!r}")

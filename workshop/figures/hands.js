@@ -7,15 +7,17 @@ const followControls = (live) => live.inputs.forEach((input) => {
   input.addEventListener("pointerdown", inSteps);
   input.addEventListener("keydown", (event) => { if (STEPPING.test(event.key)) inSteps(); });
   input.addEventListener("input", () => {
-    pause(live);
+    stops(live, Number(input.dataset.i));
     live.setOne(Number(input.dataset.i), Number(input.value));
   });
 });
 
 const followReset = (live) => live.element.querySelector(".rk-reset")
-  .addEventListener("click", () => {
+  ?.addEventListener("click", () => {
     pause(live);
+    live.reached.clear();
     live.set(startState(live.figure));
+    live.look?.();
   });
 
 // ---- the clock
@@ -28,18 +30,47 @@ const pause = (live) => {
   live.all(".rk-play").forEach((button) => { button.textContent = "Play"; });
 };
 
+const REST = 0.8; // seconds at the end, before it starts again
+
 const play = (live, i, from) => {
   const control = live.figure.controls[i], began = performance.now();
+  const round = control.high - control.low + REST * control.rate;
   const tick = (now) => {
-    const time = clamp(control, from + control.rate * Math.max(0, now - began) / 1000);
+    const gone = from + control.rate * Math.max(0, now - began) / 1000;
+    const time = clamp(control, control.loops ? control.low + (gone - control.low) % round : gone);
     live.setOne(i, time);
-    if (time >= control.high) pause(live); else live.tick = requestAnimationFrame(tick);
+    if (time >= control.high && !control.loops) pause(live);
+    else live.tick = requestAnimationFrame(tick);
   };
   live.tick = requestAnimationFrame(tick);
+  live.all(".rk-play").forEach((button) => { button.textContent = "Pause"; });
+};
+
+// A hand on a control stops the clock; one that loops only if it is on the clock itself.
+const stops = (live, i) => {
+  const { controls } = live.figure;
+  if (controls[i].loops || !controls.some(({ loops }) => loops)) pause(live);
+  if (controls[i].loops) live.look = null;
+};
+
+// A clock that loops runs while its picture is in sight, until a hand stops it.
+const followSight = (live) => {
+  const i = live.figure.controls.findIndex(({ loops }) => loops);
+  if (i < 0 || reducedMotion()) return;
+  let seen = false;
+  live.look = () => {
+    if (seen && !live.tick) play(live, i, live.state[i]);
+    if (!seen) pause(live);
+  };
+  new IntersectionObserver(([{ isIntersecting }]) => {
+    seen = isIntersecting;
+    live.look?.();
+  }, { threshold: 0.5 }).observe(live.picture);
 };
 
 const followClock = (live) => live.all(".rk-play").forEach((button) => {
   button.addEventListener("click", () => {
+    live.look = null; // from now on by hand
     if (live.tick) return pause(live);
     const i = Number(button.dataset.i), control = live.figure.controls[i];
     const ended = live.state[i] >= control.high, from = ended ? control.low : live.state[i];
@@ -47,7 +78,6 @@ const followClock = (live) => live.all(".rk-play").forEach((button) => {
       const step = (control.high - control.low) / 10;
       return live.setOne(i, snap(control, from + (ended ? 0 : step)));
     }
-    button.textContent = "Pause";
     play(live, i, from);
   });
 });
@@ -72,14 +102,14 @@ const takeHandles = (live) => {
   });
 };
 
-const pixel = ({ width, figure: { view } }) => (view[1] - view[0]) / width;
+const pixel = ({ width, computed: { view } }) => (view[1] - view[0]) / width;
 
 const ASIDE = [[0, 0], [0, -22], [22, 0], [0, 22], [-22, 0]];
 
 // Where the handles are drawn, in pixels: inside the picture, and none under another. The one that
 // was taken last keeps its place, others give way.
 const spots = (live) => {
-  const to = projection(live.figure.view, live.width), margin = 10, found = [];
+  const to = projection(live.computed.view, live.width), margin = 10, found = [];
   const high = heightOf(live.figure, live.width);
   const inside = (x, end) => Math.min(end - margin, Math.max(margin, x));
   const free = ([x, y]) => found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
@@ -92,7 +122,7 @@ const spots = (live) => {
   return found;
 };
 
-const pointer = ({ picture, figure: { view } }, event) => {
+const pointer = ({ picture, computed: { view } }, event) => {
   const box = picture.getBoundingClientRect();
   return [view[0] + (event.clientX - box.left) / box.width * (view[1] - view[0]),
     view[3] - (event.clientY - box.top) / box.height * (view[3] - view[2])];
@@ -106,7 +136,8 @@ const reaches = (live, handle, given, [x, y], next) => {
 };
 
 const dragTo = (live, handle, point, byHand) => {
-  const { figure } = live, given = settings(figure, live.state), placed = live.state.slice();
+  const { figure } = live, placed = live.state.slice();
+  const given = compute(figure, settings(figure, live.state)).c;
   const next = handle.to(f, given, point), reach = reaches(live, handle, given, point, next);
   handle.sets.forEach((i, k) => {
     const control = figure.controls[i];
@@ -114,7 +145,7 @@ const dragTo = (live, handle, point, byHand) => {
     placed[i] = clamp(control, next[k] / control.factor);
     if (byHand) placed[i] = attracted(figure, placed, i, reach[k] / control.factor);
   });
-  pause(live);
+  handle.sets.forEach((i) => stops(live, i));
   live.set(placed);
 };
 

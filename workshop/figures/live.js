@@ -16,10 +16,11 @@ class Live {
     Object.assign(this, { element, figure, changed });
     this.picture = element.querySelector(".rk-picture svg");
     this.drawing = this.picture.querySelector("g");
-    this.inputs = this.all("[data-i]:not(button)");
+    this.inputs = this.all(":is(input, select)[data-i]");
     this.state = startState(figure);
-    this.width = WIDTH;
+    this.width = widthOf(figure);
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
+    this.reached = new Set(); // goals, until a reset
     this.handles = [];
     this.held = this.last = null; // what a pointer moves now, and the handle that it moved last
   }
@@ -30,7 +31,8 @@ class Live {
 
   start() {
     takeHandles(this);
-    for (const follow of [followControls, followClock, followGround, followReset]) follow(this);
+    for (const follow of [followControls, followTurns, followClock, followGround, followReset,
+      followSight]) follow(this);
     this.resize();
     new ResizeObserver(() => this.resize()).observe(this.picture.parentElement);
     this.element.classList.add("rk-live");
@@ -55,13 +57,18 @@ class Live {
     this.draw();
   }
 
+  numbers() {
+    this.settled();
+    return numbers(this.figure, this.state, this.computed);
+  }
+
   place(handle) {
     return handle.at.map((index) => this.computed.values[index]);
   }
 
   resize() {
     const frame = this.picture.parentElement;
-    this.width = Math.max(240, Math.round(frame.clientWidth || WIDTH));
+    this.width = Math.max(240, Math.round(frame.clientWidth || this.width));
     const height = heightOf(this.figure, this.width);
     this.picture.setAttribute("viewBox", `0 0 ${this.width} ${height}`);
     this.picture.setAttribute("width", this.width);
@@ -72,10 +79,14 @@ class Live {
   draw() {
     this.drawn = 0;
     this.computed = compute(this.figure, settings(this.figure, this.state));
-    this.drawing.innerHTML = scene(this.figure, this.computed, this.width);
+    this.drawing.innerHTML = scene(this.figure, this.computed, this.width, this.state);
     this.drawHandles();
+    this.writeGoals();
     this.writeReadouts();
     this.writeControls();
+    this.element.dispatchEvent(new CustomEvent("workshop:drawn", {
+      bubbles: true, detail: { name: this.figure.name, numbers: this.numbers() },
+    }));
     clearTimeout(this.told);
     this.told = setTimeout(() => this.tell(), 400);
   }
@@ -104,11 +115,22 @@ class Live {
     this.all("[data-o]").forEach((output) => { output.textContent = shown(output.dataset.o); });
   }
 
+  // What is reached once stays so until a reset.
+  writeGoals() {
+    this.figure.goals.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
+    this.all(".rk-goal").forEach((goal, k) => {
+      const done = this.reached.has(k);
+      if (goal.classList.contains("rk-done") === done) return;
+      goal.classList.toggle("rk-done", done);
+      goal.querySelector("output").textContent = done ? "reached" : "";
+    });
+  }
+
   // For those who do not see the picture.
   tell() {
-    const { element, figure, state, computed: { values } } = this;
-    this.drawing.setAttribute("aria-label", alternative(figure, state, values));
-    if (!element.contains(document.activeElement)) return;
-    element.querySelector(".rk-says").textContent = says(figure, state, values);
+    const { element, figure, state, computed } = this;
+    this.drawing.setAttribute("aria-label", alternative(figure, state, computed));
+    if (!this.inputs.length || !element.contains(document.activeElement)) return;
+    element.querySelector(".rk-says").textContent = says(figure, state, computed);
   }
 }

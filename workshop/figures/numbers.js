@@ -1,14 +1,15 @@
 // A figure is one pure function from a state to text (SVG and HTML), and the hands that move the
 // state. It draws what the declaration says and knows no robot. Here: from a state to numbers.
 //
-// figure: { name, title, view, controls, handles, readouts, says, recurrences, where, compute,
-// scene, turns?, grid? }, made by compiling.py. state: what each control shows, in its shown unit.
+// figure: { name, title, view, controls, handles, readouts, says, steps, recurrences, where, compute,
+// scene, goals, size, turns?, grid?, follow? }, made by compiling.py. state: what each control shows, in its shown unit.
 
 const startState = (figure) => figure.controls.map((control) => control.start);
 
 // What the formulas get: all symbols that controls set, in SI.
 const settings = (figure, state) => figure.controls.flatMap((control, i) =>
-  control.type === "choice" ? control.options[state[i]].values : [state[i] * control.factor]);
+  control.type === "choice" ? control.options[state[i]].values
+    : control.type === "turns" ? turnNumbers(state[i]) : [state[i] * control.factor]);
 
 const statesOf = (recurrence, c) => {
   const count = Math.min(Math.max(0, Math.round(recurrence.count(f, c)[0])), recurrence.most);
@@ -23,7 +24,18 @@ const compute = (figure, given) => {
   const trails = figure.recurrences.map((recurrence) => statesOf(recurrence, given));
   const ended = given.concat(...trails.map((states) => states[states.length - 1]));
   const c = ended.concat(figure.where(f, ended));
-  return { c, trails, values: figure.compute(f, c) };
+  const values = figure.compute(f, c);
+  return { c, trails, values, view: viewOf(figure, values) };
+};
+
+// The window on the world: it moves along with a point, once that comes near an edge.
+const viewOf = ({ view, follow }, values) => {
+  if (!follow) return view;
+  return view.map((edge, k) => {
+    const axis = k >> 1, [low, high] = view.slice(2 * axis, 2 * axis + 2), free = 0.2 * (high - low);
+    const at = values[follow[axis]];
+    return edge + at - Math.min(high - free, Math.max(low + free, at));
+  });
 };
 
 const clamp = (control, shown) => {

@@ -1,8 +1,8 @@
 // On a web page: the address carries a setting, the script takes over the waiting picture.
 
 const toAddress = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
-  `${control.key}=${encodeURIComponent(control.type === "choice"
-    ? control.options[state[i]].label : Number(state[i].toFixed(6)))}`).join("&");
+  `${control.key}=${encodeURIComponent(control.type === "choice" ? control.options[state[i]].label
+    : control.type === "turns" ? state[i][0] : Number(state[i].toFixed(6)))}`).join("&");
 
 const optionOf = (control, name) => control.options.findIndex((option) => option.label === name);
 
@@ -16,6 +16,7 @@ const fromAddress = (figure, address) => {
       const i = optionOf(control, text);
       return i < 0 ? control.start : i;
     }
+    if (control.type === "turns") return [pressesOf(text).join(""), 1];
     const shown = text === null || text === "" ? NaN : Number(text);
     return Number.isFinite(shown) ? clamp(control, shown) : control.start;
   });
@@ -23,7 +24,7 @@ const fromAddress = (figure, address) => {
 
 const offerLink = (live) => {
   const button = live.element.querySelector(".rk-link");
-  button.addEventListener("click", () => {
+  button?.addEventListener("click", () => {
     history.replaceState(null, "", toAddress(live.figure, live.state));
     button.textContent = "The link is in the address bar";
     navigator.clipboard?.writeText(location.href).then(
@@ -53,7 +54,7 @@ const bringToPage = (figure) => {
     element.workshop = live;
   } catch (error) {
     element.innerHTML = before; // the still picture stays, without its controls
-    element.querySelector(".rk-panel").remove();
+    element.querySelector(".rk-panel")?.remove();
     element.classList.remove("rk-live");
     console.error(`The figure ${figure.name} cannot be moved:`, error);
   }

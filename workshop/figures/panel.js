@@ -17,24 +17,34 @@ const sliderHtml = (control, i) => {
   const play = control.type === "clock"
     ? `<button type="button" class="rk-play" data-i="${i}">Play</button>` : "";
   const shown = shownControl(control, control.start);
-  return `<div class="rk-control">${play}<label>${controlName(control)}`
+  return `<div class="rk-control"${faceOf(control)}>${play}<label>${controlName(control)}`
     + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
 };
 
-const controlHtml = (control, i) => (control.type === "choice" ? choiceHtml : sliderHtml)(control, i);
+const controlHtml = (control, i) => ({ choice: choiceHtml, turns: turnsHtml }[control.type]
+  ?? sliderHtml)(control, i);
 
 const readoutHtml = (readout, value) =>
-  `<div><dt>${symbols(readout.label)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
+  `<div${faceOf(readout)}><dt>${controlName(readout)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
+
+const goalHtml = ({ words }) => `<p class="rk-goal">${symbols(words)} <output></output></p>`;
 
 const html = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
-  return `<div class="rk-picture">${svg(figure)}</div>`
-    + `<div class="rk-panel"><div class="rk-controls">${figure.controls.map(controlHtml).join("")}</div>`
+  const picture = `<div class="rk-picture">${svg(figure)}</div>`;
+  if (!figure.controls.length) return picture;
+  const turns = (_, i) => figure.turns?.includes(i), parts = figure.controls.map(controlHtml);
+  const aside = parts.filter(turns).join("");
+  const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
+    + `<div class="rk-controls">${aside}</div></details>`;
+  const link = `<button type="button" class="rk-link">Link to this setting</button>`;
+  return `${picture}<div class="rk-panel">${figure.goals.map(goalHtml).join("")}`
+    + `<div class="rk-controls">${parts.filter((...of) => !turns(...of)).join("")}</div>`
     + `<dl class="rk-readouts">${figure.readouts.map((r, k) => readoutHtml(r, values[k])).join("")}</dl>`
     + `<div class="rk-buttons"><button type="button" class="rk-reset">Reset</button>`
-    + `<button type="button" class="rk-link">Link to this setting</button></div></div>`
+    + `${figure.size === "step" ? "" : link}</div>${view}</div>`
     + `<p class="rk-says" aria-live="polite"></p>`;
 };
 

@@ -17,6 +17,7 @@ from typing import Any
 import sympy as sp
 
 from workshop.equations.core import quantity
+from workshop.figures import solids
 from workshop.figures.declaration import Arrow, Expr, Line, Pair, Point, Slider
 
 Triple = Sequence[Any]
@@ -26,6 +27,7 @@ elevation = quantity("elevation", "rad", -1.57, 1.57, "where a viewer stands: ab
 
 AXES = ("x_axis", "y_axis", "z_axis")  # kinds
 ORIGIN = (0, 0, 0)
+IDENTITY = sp.eye(3)
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,20 @@ class View:
         middle = [(a + b) / sp.Integer(2) for a, b in zip(tail, head, strict=True)]
         ends = self.project(tail), self.project(head)
         return Arrow(kind, *ends, label, depth=self.depth(middle))
+
+    def solid(
+        self, parts: Sequence[solids.Part], R: Any, at: Triple = ORIGIN, **more: Any
+    ) -> solids.Solid:
+        """A body of parts at a pose; `floor`, `opacity` and `behind` as `Solid` says."""
+        return solids.Solid(tuple(parts), R, at, self.angles, **more)
+
+    def floor(self, height: float, half: float, at: Triple = ORIGIN) -> solids.Solid:
+        """A floor of square tiles, for shadows to fall on; it is not seen from below."""
+        return self.solid([solids.tiles(height, half)], IDENTITY, at, opacity=0.5, behind=200.0)
+
+    def beside(self, right: Expr) -> Triple:
+        """The place so far to the right in the picture, from wherever one looks."""
+        return -right * sp.sin(self.azimuth), right * sp.cos(self.azimuth), 0
 
     def frame(
         self, R: Any, at: Triple = ORIGIN, size: Expr = 1, labels: Sequence[str] = ("", "", "")

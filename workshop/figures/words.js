@@ -1,6 +1,16 @@
 // From numbers to words.
 
-const fixed = (number, digits) => trueMinus(number.toFixed(digits).replace(/^-(?=[0.]*$)/, ""));
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+// Digits after the point; -2: two digits and a power of ten.
+const fixed = (number, digits) => {
+  if (digits < 0 && number) {
+    const [digit, power] = number.toExponential(-digits - 1).split("e");
+    const raised = power.replace("+", "").replace("-", "⁻").replace(/\d/g, (d) => RAISED[d]);
+    return `${trueMinus(digit)}·10${raised}`;
+  }
+  return trueMinus(number.toFixed(Math.max(0, digits)).replace(/^-(?=[0.]*$)/, ""));
+};
 
 const shownNumber = (readout, value) => {
   if (String(value) in readout.words) return readout.words[String(value)];
@@ -8,16 +18,38 @@ const shownNumber = (readout, value) => {
   return readout.unit === "°" ? number + "°" : readout.unit ? `${number} ${readout.unit}` : number;
 };
 
-const shownControl = (control, shown) => control.type === "choice"
-  ? control.options[shown].label
+const shownControl = (control, shown) => control.type === "choice" ? control.options[shown].label
+  : control.type === "turns" ? toldTurns(shown[0])
   : shownNumber({ words: {}, factor: 1, digits: control.digits, unit: control.unit }, shown);
 
-// The sentence about the present state.
-const says = (figure, state, values) => figure.says.replace(/\{(\w+)\}/g, (_, key) => {
-  const i = figure.controls.findIndex((control) => control.key === key);
-  if (i >= 0) return shownControl(figure.controls[i], state[i]);
-  const k = figure.readouts.findIndex((readout) => readout.key === key);
-  return shownNumber(figure.readouts[k], values[k]);
-});
+// All that a figure tells: named steps, controls, readouts, each as it is in SI and as it is shown.
+const told = (figure, state, { c, values }) => {
+  const short = (x) => trueMinus(String(Number(x.toPrecision(3))));
+  return [
+    ...figure.steps.map((step) => {
+      const text = short(c[step.at] * step.factor);
+      return { ...step, value: c[step.at],
+        text: step.unit === "°" ? `${text}°` : `${text} ${step.unit}`.trim() };
+    }),
+    ...figure.controls.map((control, i) =>
+      ({ ...control, value: state[i] * control.factor, text: shownControl(control, state[i]) })),
+    ...figure.readouts.map((readout, k) =>
+      ({ ...readout, value: values[k], text: shownNumber(readout, values[k]) })),
+  ];
+};
 
-const alternative = (figure, state, values) => `${figure.title}. ${says(figure, state, values)}`;
+// Every number that has a symbol, by its key.
+const numbers = (figure, state, computed) => Object.fromEntries(
+  told(figure, state, computed).filter(({ symbol }) => symbol)
+    .map(({ symbol, value, text }) => [symbol, { value, text }]));
+
+// Words about the present state: `{name}` becomes what is told under it.
+const filled = (text, all) =>
+  text.replace(/\{(\w+)\}/g, (_, name) => all.findLast(({ key }) => key === name).text);
+
+const says = (figure, state, computed) => filled(figure.says, told(figure, state, computed));
+
+const alternative = (figure, state, computed) =>
+  `${figure.title}. ${says(figure, state, computed)}`.trim();
+
+Object.assign(part, { numbers, settings });

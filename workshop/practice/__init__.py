@@ -21,9 +21,10 @@ from workshop.practice.bank import (
 from workshop.practice.notebook import answers, example, exercise, export, mistake, student
 from workshop.practice.solutions import Line, Solution, Step
 from workshop.practice.wording import number_text
+from workshop.practice.wrong import Wrong
 from workshop.script.runtime import Part, register
 
-SCRIPTS = "problems reading calculating dealing judging box saving page notebook"
+SCRIPTS = "problems reading calculating asked dealing judging storage box saving page notebook"
 register(
     Part(
         name="practice",
@@ -41,6 +42,7 @@ __all__ = [
     "Mistake",
     "Solution",
     "Step",
+    "Wrong",
     "angle",
     "answers",
     "example",

@@ -19,6 +19,7 @@ from workshop.course import course
 from workshop.errors import CourseError
 from workshop.practice.solutions import Solution
 from workshop.practice.wording import number_text, with_unit
+from workshop.practice.wrong import Wrong
 
 Answers = NDArray[np.float64]
 
@@ -31,14 +32,17 @@ TOLERANCES = {  # unit → tolerance, reason
     "m": (6e-4, "three decimals are enough: half a millimetre and a little"),
     "": (6e-4, "three decimals are enough"),
 }
+RELATIVE = 1e-3  # of a large answer: as much as numbers make that are rounded on the way
 
 
 @dataclass(frozen=True)
 class Mistake:
     """A mistake that people make, written once: exercises name it, chapters show it.
 
-    name: M1 … M37. says: completes "This is what you get …". line: the wrong line, as code.
+    name: M1 … M37. says: completes "This is what you get …".
     why: why it is wrong, in one to three sentences. unnoticed: where it happens to be right.
+    wrong: the wrong formula, from which what it gives is computed; line: the wrong line, as code,
+    where the formula does not print as one would write it.
     document, place, nth: the source document that has it, where, and which of its errata this
     is, counted from its start; stands, should: what stands there and what should, with what
     changes in « ». explained: why, in the letters of the document, where those of `why` are
@@ -47,15 +51,31 @@ class Mistake:
 
     name: str
     says: str
-    line: str
     why: str
     unnoticed: str
+    line: str = ""
+    wrong: Wrong | None = None
     document: str = ""
     place: str = ""
     nth: int = 0
     stands: str = ""
     should: str = ""
     explained: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.line:
+            object.__setattr__(self, "line", self.formula.line)
+
+    @property
+    def formula(self) -> Wrong:
+        """The wrong formula, of a mistake that is declared as one."""
+        if self.wrong is None:
+            raise CourseError(f"{self.name} has no wrong formula: declare it as `wrong=Wrong(…)`")
+        return self.wrong
+
+    def at(self, values: Mapping[Any, Any]) -> Any:
+        """What the mistake makes, as an expression: for a figure that shows what happens then."""
+        return self.formula.at(values)
 
 
 @dataclass(frozen=True)
@@ -100,7 +120,7 @@ class Ask:
     """One number that is asked for. circle: an angle, compared up to whole turns.
 
     tolerance: how far off an answer may be, in the unit; whole numbers have 0. A tolerance of its
-    own needs a reason; without one it is the unit's.
+    own needs a reason; without one it is the unit's, and a part of the answer where that is more.
     """
 
     label: str
@@ -108,6 +128,7 @@ class Ask:
     circle: bool = False
     tolerance: float = -1.0
     reason: str = ""
+    relative: float = 0.0
 
     def __post_init__(self) -> None:
         if (self.tolerance < 0) == bool(self.reason):
@@ -117,6 +138,17 @@ class Ask:
             tolerance, reason = TOLERANCES.get(unit, TOLERANCES[""])
             object.__setattr__(self, "tolerance", tolerance)
             object.__setattr__(self, "reason", reason)
+            object.__setattr__(self, "relative", 0.0 if self.circle else RELATIVE)
+
+    def allowed(self, value: float, factor: float = 1.0) -> float:
+        """How far off an answer may be from a value in a unit of this size."""
+        return max(self.tolerance * abs(factor), self.relative * abs(value))
+
+    @property
+    def decimals(self) -> int:
+        """How many decimals are always enough: half of the last one is within the tolerance."""
+        exact = self.tolerance < 1e-6  # a whole number
+        return 0 if exact else math.ceil(-math.log10(2 * self.tolerance))
 
 
 def angle(label: str) -> Ask:
@@ -144,9 +176,9 @@ class Exercise:
     symbol; an empty line starts a paragraph. given: name → how it is drawn. asks: the numbers
     asked for, in order. right: function of the numbers → the answer, shape (n,) or `shape`.
     wrong: mistake → function → the answer of somebody who makes it. also: the same for what is
-    no documented mistake, as words that end "This is what you get …"; named where it can be told
-    from all others. accept: "one" answer, "any" of the rows of `right`, or "all" its rows in any
-    order. when: numbers that may be dealt.
+    no documented mistake, as words that end "This is what you get …"; where it gives what a
+    mistake gives, both are said. accept: "one" answer, "any" of the rows of `right`, or "all" its
+    rows in any order. when: numbers that may be dealt.
     example: the numbers of the source document, in SI, where the chapter shows the mistakes.
     """
 

@@ -6,12 +6,15 @@
 
 const NEAR = 10; // tolerances: so close is probably rounding on the way
 const SAYS = {
-  near: "Not yet, but very close. Keep all digits on the way, and give three decimals.",
+  near: "Not yet, but very close. Keep all digits on the way{digits}.",
   wrong: "Not yet, and none of the mistakes known here gives this.",
   parts: "Already right: {labels}.",
   shape: "Asked is {asked}. This was read as {read}.",
   other: "There are other right answers too.",
+  digits: "Give {decimals} decimals: with fewer the check cannot tell what went wrong.",
+  units: "And it is in other units ({unit}).",
 };
+const COUNTS = ["no", "one", "two", "three", "four", "five"];
 
 // A sentence with its placeholders filled.
 const said = (sentence, words) => sentence.replace(/\{(\w+)\}/g, (_, key) => words[key]);
@@ -22,11 +25,15 @@ const offBy = (ask, x, wanted, factor) => {
   return Math.min(off, turn - off);
 };
 
+// How far off an answer may be from what is wanted, in a unit of this size.
+const allowedOff = ({ tolerance, relative }, wanted, factor) =>
+  Math.max(tolerance * Math.abs(factor), relative * Math.abs(wanted));
+
 // Whether each row is one of the wanted ones, each of them once. allowed: in tolerances.
 const meets = ({ asks }, rows, wanted, factors, allowed = 1) => {
   const left = wanted.slice();
   const fits = (x, i, other) => offBy(asks[i], x, other[i], factors[i])
-    <= allowed * asks[i].tolerance * Math.abs(factors[i]);
+    <= allowed * allowedOff(asks[i], other[i], factors[i]);
   return rows.every((row) => {
     const place = left.findIndex((other) => row.every((x, i) => fits(x, i, other)));
     if (place >= 0) left.splice(place, 1);
@@ -45,24 +52,45 @@ const withUnits = ({ outcomes }, listed) => {
 // The labels of those numbers of an answer that are right by themselves.
 const rightParts = ({ accept, shape, asks }, right, row) =>
   accept !== "one" || shape.length ? [] : asks.filter((ask, i) =>
-    offBy(ask, row[i], right[i], 1) <= ask.tolerance).map((ask) => ask.label);
+    offBy(ask, row[i], right[i], 1) <= allowedOff(ask, right[i], 1)).map((ask) => ask.label);
 
-// The verdict on an answer that has the right shape.
-const judge = (exercise, listed, rows) => {
-  for (const [name, wanted] of withUnits(exercise, listed)) {
-    const { result, says, factors } = exercise.outcomes[name];
-    if (meets(exercise, rows, wanted, factors)) {
-      const more = exercise.accept === "any" && result === "right" ? ` ${SAYS.other}` : "";
-      return { result, name, says: says + more };
-    }
+// Several mistakes may give one number: then all of them are said.
+const told = (all) => all.join(" ").replaceAll(". Not yet. This is what you get ", ", or ");
+
+// Whether an answer is a right one with fewer decimals than asked for.
+const roundedRight = ({ decimals, asks }, rows, wanted) =>
+  [2, 3].some((digits) => digits < decimals && rows.length === wanted.length && rows.every((row, k) =>
+    row.every((x, i) => Math.abs(x - Number(wanted[k][i].toFixed(digits))) < 1e-9)));
+
+// Whether no number was typed with as many decimals as are asked for.
+const coarse = ({ decimals }, rows, text) => decimals && !RegExp(`\\p{Nd}{${decimals}}`, "u").test(text)
+  && rows.flat().every((x) => Math.abs(x - Number(x.toFixed(decimals - 1))) < 1e-9);
+
+// The verdict on an answer that has the right shape. text: as it was typed.
+const judge = (exercise, listed, rows, text) => {
+  const { asks, accept, outcomes, decimals } = exercise, ones = asks.map(() => 1);
+  const met = withUnits(exercise, listed).filter(([name, wanted]) =>
+    meets(exercise, rows, wanted, outcomes[name].factors)).map(([name]) => name);
+  const verdict = (result, name, ...words) => ({ result, name, says: words.filter(Boolean).join(" ") });
+  const { result, says } = outcomes[met[0]] ?? {};
+  if (result === "right") return verdict(result, met[0], says, accept === "any" && SAYS.other);
+  if (result === "partly") return verdict(result, met[0], says);
+  const right = listed.filter(([name]) => name === "right").map(([, wanted]) => wanted);
+  const near = said(SAYS.near, { digits: decimals ? `, and give ${COUNTS[decimals]} decimals` : "" });
+  if (right.some((wanted) => roundedRight(exercise, rows, wanted))) return verdict("wrong", "near", near);
+  if (met.length) return verdict("wrong", met[0], told(met.map((name) => outcomes[name].says)));
+  if (right.some((wanted) => meets(exercise, rows, wanted, ones, NEAR))) return verdict("wrong", "near", near);
+  const wrong = listed.filter(([name]) => name !== "right");
+  for (const unit of Object.keys(outcomes).filter((name) => name.startsWith("unit:"))) {
+    const { factors } = outcomes[unit];
+    const [same] = wrong.filter(([, wanted]) =>
+      meets(exercise, rows, wanted.map((row) => row.map((x, i) => x * factors[i])), factors));
+    if (same) return verdict("wrong", same[0], outcomes[same[0]].says, said(SAYS.units, { unit: unit.slice(5) }));
   }
-  const right = listed.filter(([name]) => name === "right"), ones = exercise.asks.map(() => 1);
-  if (right.some(([, wanted]) => meets(exercise, rows, wanted, ones, NEAR))) {
-    return { result: "wrong", name: "near", says: SAYS.near };
-  }
-  const parts = rightParts(exercise, right[0][1][0], rows[0]);
-  const more = parts.length ? ` ${said(SAYS.parts, { labels: parts.join(", ") })}` : "";
-  return { result: "wrong", name: "", says: SAYS.wrong + more };
+  const parts = rightParts(exercise, right[0][0], rows[0]);
+  return verdict("wrong", "", SAYS.wrong,
+    parts.length && said(SAYS.parts, { labels: parts.join(", ") }),
+    coarse(exercise, rows, text) && said(SAYS.digits, { decimals: COUNTS[decimals] }));
 };
 
 // Lengths, from outside to inside, of lists in lists that are all alike; null if they are not.
@@ -89,13 +117,15 @@ const shownValue = (value) => Array.isArray(value)
   ? `[${value.map(shownValue).join(", ")}]`
   : trueMinus(String(Number(value.toPrecision(6))));
 
-// The verdict on what was typed: { result, name, says }; result "unread" counts for nothing.
+// The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing.
 const checkAnswer = (exercise, listed, text) => {
   const unread = (says) => ({ result: "unread", name: "", says });
-  const { value, problem, about } = readAnswer(text);
+  const { value, problem, about } = readAsked(text, exercise.asks);
   if (problem) return unread(said(PROBLEMS[problem], { about }));
   const rows = rowsOf(exercise, value, listed[0][1].length);
-  if (rows) return judge(exercise, listed, rows);
+  const unit = exercise.asks.length === 1 ? exercise.asks[0].unit : "";
+  const read = `Read as ${shownValue(value)}${unit && ` ${unit}`}.`;
+  if (rows) return { ...judge(exercise, listed, rows, text), read };
   return unread(said(SAYS.shape, { asked: exercise.asked, read: shownValue(value) }));
 };
 

@@ -54,21 +54,26 @@ class Candidate:
 class Outcome:
     """What meeting a candidate means: right, partly (another unit) or wrong, and what is said.
 
-    factors: for each number asked, its size in the unit of the candidate.
+    factors: for each number asked, its size in the unit of the candidate. why: a mistake is one.
     """
 
     result: str
     says: str
     factors: Row
+    why: str = ""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """The answer to an answer. result: right, partly, wrong, or unread (it counts for nothing)."""
+    """The answer to an answer. result: right, partly, wrong, or unread (it counts for nothing).
+
+    read: what was read.
+    """
 
     result: str
     name: str
     says: str
+    read: str = ""
 
     def __repr__(self) -> str:
         return self.says
@@ -79,9 +84,10 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     """Every name that a candidate of this exercise can have, and what it means."""
     ones = (1.0,) * len(exercise.asks)
     found = {"right": Outcome("right", RIGHT, ones)}
-    done = {m.name: m.says for m in exercise.wrong} | {f"slip:{w}": w for w in exercise.also}
-    for name, words in done.items():
-        found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones)
+    done = {m.name: (m.says, m.why) for m in exercise.wrong}
+    done |= {f"slip:{words}": (words, "") for words in exercise.also}
+    for name, (words, why) in done.items():
+        found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones, why)
     for name, factors in _units(exercise.asks).items():
         asked = " and ".join(dict.fromkeys(a.unit for a in exercise.asks if a.unit in POWERS))
         says = (
@@ -117,8 +123,10 @@ def candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidat
         for name, factors in _units(exercise.asks).items()
         for c in right
     ]
-    known = [*right, *wrong, *units]
-    for slip in [*also, *_slips(exercise, right)]:
+    taken = [*right, *units]
+    also = [a for a in also if _finite(a) and all(apart(exercise, a, other) for other in taken)]
+    known = [*right, *wrong, *units, *also]
+    for slip in _slips(exercise, right):
         if all(apart(exercise, slip, other) for other in known):
             known.append(slip)
     return tuple(known)
@@ -163,10 +171,18 @@ def _slips(exercise: Exercise, right: Sequence[Candidate]) -> list[Candidate]:
     return found
 
 
+def _finite(candidate: Candidate) -> bool:
+    return all(math.isfinite(x) for row in candidate.rows for x in row)
+
+
 def clash(exercise: Exercise, possible: Sequence[Candidate]) -> str:
-    """Two candidates that an answer could both mean, as text; "" if there are none."""
+    """Two candidates that an answer could both mean, as text; "" if there are none.
+
+    Of what is no documented mistake all is said that gives a number.
+    """
+    possible = [one for one in possible if not one.name.startswith("slip:")]
     for place, one in enumerate(possible):
-        if not all(map(math.isfinite, (x for row in one.rows for x in row))):
+        if not _finite(one):
             return f"{one.name} is no number"
         for other in possible[:place]:
             if one.name != other.name and not apart(exercise, one, other):
@@ -178,28 +194,20 @@ def apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
     """Whether no answer can meet both."""
     meant = outcomes(exercise)
     first, second = meant[one.name].factors, meant[other.name].factors
-    both = [
-        a.tolerance * (abs(f) + abs(g))
-        for a, f, g in zip(exercise.asks, first, second, strict=True)
-    ]
     return not (
-        _meet(exercise.asks, one.rows, other.rows, both, second)
-        or _meet(exercise.asks, other.rows, one.rows, both, first)
+        _meet(exercise.asks, one.rows, other.rows, first, second)
+        or _meet(exercise.asks, other.rows, one.rows, second, first)
     )
 
 
 def _meet(
-    asks: Sequence[Ask],
-    rows: Sequence[Row],
-    wanted: Sequence[Row],
-    allowed: Sequence[float],
-    factors: Row,
+    asks: Sequence[Ask], rows: Sequence[Row], wanted: Sequence[Row], own: Row, factors: Row
 ) -> bool:
-    """Whether each row is one of the wanted ones, each of them once."""
+    """Whether each row may be taken for one of the wanted ones, each of them once."""
     left = list(wanted)
     for row in rows:
         for place, other in enumerate(left):
-            if all(map(_within, asks, row, other, allowed, factors)):
+            if all(map(_near, asks, row, other, own, factors)):
                 del left[place]
                 break
         else:
@@ -207,7 +215,8 @@ def _meet(
     return not left
 
 
-def _within(ask: Ask, x: float, wanted: float, allowed: float, factor: float) -> bool:
+def _near(ask: Ask, x: float, wanted: float, own: float, factor: float) -> bool:
+    allowed = ask.allowed(x, own) + ask.allowed(wanted, factor)
     return off(ask, x, wanted, factor) <= allowed
 
 
@@ -224,6 +233,8 @@ def asked(exercise: Exercise) -> str:
     """What an answer must look like, in words: "2 numbers: v in m/s, ω in rad/s"."""
     names = ", ".join(f"{a.label} in {a.unit}" if a.unit else a.label for a in exercise.asks)
     n = len(exercise.asks)
+    if max(ask.decimals for ask in exercise.asks) > 3:
+        names += ", to four decimals"
     if exercise.shape:
         rows, columns = exercise.shape
         return f"a matrix: {rows} rows of {columns} numbers"
@@ -242,8 +253,16 @@ def essence(exercise: Exercise) -> dict[str, Any]:
     return {
         "asked": asked(exercise),
         "asks": [
-            {"label": a.label, "circle": a.circle, "tolerance": a.tolerance} for a in exercise.asks
+            {
+                "label": a.label,
+                "unit": a.unit,
+                "circle": a.circle,
+                "tolerance": a.tolerance,
+                "relative": a.relative,
+            }
+            for a in exercise.asks
         ],
+        "decimals": max(a.decimals for a in exercise.asks),
         "shape": exercise.shape,
         "accept": exercise.accept,
         "outcomes": {name: vars(outcome) for name, outcome in outcomes(exercise).items()},

@@ -155,25 +155,29 @@ def _answers(
     ask, meant = exercise.asks[place], judging.outcomes(exercise)
     right = variant.candidates[0].rows[0][place]
     for turn in (0, -2 * math.pi, 2 * math.pi) if ask.circle else (0,):
-        yield True, _number(right + turn), ask.tolerance, judging.RIGHT
+        yield True, _number(right + turn), ask.allowed(right), judging.RIGHT
     general = {f"slip:{name}" for name in judging.SLIPS} if len(exercise.asks) > 1 else set()
     wrong = [  # value, tolerance, what is said
-        (c.rows[0][place], ask.tolerance, meant[c.name].says)
+        (c.rows[0][place], ask.allowed(c.rows[0][place]), meant[c.name].says)
         for c in variant.candidates
         if meant[c.name].result == "wrong" and c.name not in general
     ] + [
-        (right * factor, ask.tolerance * factor, f"The right value in {unit}. Asked is {ask.unit}.")
+        (
+            right * factor,
+            ask.allowed(right) * factor,
+            f"The right value in {unit}. Asked is {ask.unit}.",
+        )
         for unit, factor in _units(ask).items()
         if factor != 1
     ]
     told = set[float]()
     for value, tolerance, _ in wrong:
-        if value not in told and judging.off(ask, value, right) > 2 * ask.tolerance:
+        if value not in told and judging.off(ask, value, right) > ask.allowed(right) + tolerance:
             told.add(value)
             alike = [says for x, t, says in wrong if judging.off(ask, value, x) <= tolerance + t]
             says = symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
             yield False, _number(value), tolerance, says
-    yield False, _number(right), NEAR * ask.tolerance, CLOSE
+    yield False, _number(right), NEAR * ask.allowed(right), CLOSE
     yield False, "*", 0, OTHER
 
 

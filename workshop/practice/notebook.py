@@ -19,7 +19,7 @@ from workshop.practice.bank import (
     exercises,
     mistakes,
 )
-from workshop.practice.wording import symbols
+from workshop.practice.wording import highlighted, symbols
 from workshop.script.widget import Widget, widget
 
 WIDTH = 42  # of a line of code, for phones
@@ -235,9 +235,11 @@ class MistakeView:
     def answer(self) -> str:
         """What stands behind the fold, as HTML."""
         m, right = self.mistake, self.exercise.answer_text(self.exercise.example)
+        lines = zip(m.wrong.lines, ("Right", "Here"), strict=True) if m.wrong else ()
+        formulas = "".join(f"<p>{word}: {highlighted(line)}</p>" for line, word in lines)
         return (
             f"<p>It gives {escape(self.gives)}.</p><details><summary>What is wrong?</summary>"
-            f"<p>Right is {escape(right)}. {symbols(m.why)}</p>"
+            f"{formulas}<p>Right is {escape(right)}. {symbols(m.why)}</p>"
             f"<p><em>Where nobody notices.</em> {symbols(m.unnoticed)}</p></details>"
         )
 

@@ -314,8 +314,8 @@ def letters(
 
 
 def figures(value: Any) -> str:
-    """A number on the way as text: of a small one four digits, so that it can be computed with."""
+    """A number on the way as text: five digits, so that it can be computed with; four decimals."""
     size = abs(value) if isinstance(value, int | float) else 1.0
-    if not 1e-6 < size < 0.01:
+    if not 1e-6 < size < 1:
         return number_text(value, "")
-    return number_text(value, f".{3 - math.floor(math.log10(size))}f").rstrip("0")
+    return number_text(value, f".{4 - math.floor(math.log10(size))}f").rstrip("0").rstrip(".")

@@ -3,8 +3,9 @@
 A cell's formula becomes a numbered equation, a cell's figure its still picture that the script
 takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
 against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
-`{errata}` (what is wrong in the source documents), `{chapters}` (a table of them), `{library}`
-(its functions), `{downloads}` (what notebooks need).
+`{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
+`{promise}` (what was counted and checked), `{library}` (its functions), `{downloads}` (what
+notebooks need).
 Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
 picks each student's numbers; without one the course's own name), `course_solutions`,
 `course_wheels` and `course_lock` (what a downloaded notebook needs).
@@ -21,10 +22,13 @@ from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
 
 from workshop.course import course
+from workshop.site import predictions
 from workshop.site.checks import FormulaChecks
-from workshop.site.directives import Chapters, Errata, Library, Notation, Practice
+from workshop.site.directives import Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
+from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
+from workshop.symbols.page import mark_formulas, mark_page
 
 SETTINGS = {  # name → what it is without, what it must be, an example
     "course_package": ("", "the name of a package, in quotes", '"book"'),
@@ -64,6 +68,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("notation", Notation)
     app.add_directive("practice", Practice)
     app.add_directive("chapters", Chapters)
+    app.add_directive("live", Live)
+    app.add_directive("promise", Promise)
     app.add_directive("library", Library)
     app.add_directive("errata", Errata)
     for name, (default, *_) in SETTINGS.items():
@@ -71,8 +77,11 @@ def setup(app: Sphinx) -> dict[str, Any]:
         app.add_config_value(name, default, "env", (type(default), str))
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
+    app.connect("doctree-resolved", mark_formulas)
+    app.connect("html-page-context", mark_page)
     app.connect("html-page-context", add_assets)
+    predictions.setup(app)
     app.add_directive("downloads", Downloads)
-    app.connect("build-finished", write_assets)
+    app.connect("env-updated", write_assets)
     app.connect("build-finished", write_downloads)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,16 +1,15 @@
 """What a page can ask for: all exercises, all chapters, the library, the symbols, the errata."""
 
-import re
-
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from workshop import equations
 from workshop.course import course
+from workshop.equations.core import NamedSymbol
 from workshop.practice.bank import Mistake, exercises, mistakes, topics
-from workshop.practice.wording import symbols
+from workshop.practice.wording import highlighted, symbols
 from workshop.site.outputs import exercise_box
 from workshop.site.sources import depend
+from workshop.symbols import lexicon
 
 
 class Practice(SphinxDirective):
@@ -43,22 +42,6 @@ class Library(SphinxDirective):
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
-class Chapters(SphinxDirective):
-    """A table of the chapters: each with the question that its package's docstring asks."""
-
-    def run(self) -> list[nodes.Node]:
-        """A row for each chapter that has a notebook."""
-        depend(self.env, "__init__")
-        rows = [
-            f"| [{course().title(chapter)}](/{chapter}/{chapter}) | {course().question(chapter)} |"
-            for chapter in course().chapters
-            if course().notebook(chapter).exists()
-        ]
-        return self.parse_text_to_nodes(
-            "\n".join(["| chapter | the question |", "|---|---|", *rows])
-        )
-
-
 class Errata(SphinxDirective):
     """What stands wrong in the source documents."""
 
@@ -78,7 +61,7 @@ def erratum(mistake: Mistake) -> str:
     chapter = f"[{course().title(asked[0].topic)}]({page})"
     # an exercise's place is made by its box, so that Sphinx does not know it
     links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in asked)
-    should = symbols(mistake.should).replace("«", "<mark>").replace("»", "</mark>")
+    should = highlighted(mistake.should)
     return (
         f"**{mistake.document}**, {symbols(mistake.place)} ({mistake.name})\n\n"
         f"- There stands: {symbols(mistake.stands)}\n- It should be: {should}\n\n"
@@ -88,33 +71,40 @@ def erratum(mistake: Mistake) -> str:
 
 
 class Notation(SphinxDirective):
-    """The symbols of the formulas, chapter by chapter: name in them, unit, range, meaning."""
+    """All symbols that the chapters print, chapter by chapter."""
 
     def run(self) -> list[nodes.Node]:
-        """A table under the title of each chapter that declares symbols."""
+        """A table under the title of each chapter."""
         depend(self.env, "formulas", "figures")
+        for chapter in course().chapters:
+            self.env.note_dependency(str(course().notebook(chapter)))
         lines: list[str] = []
         for chapter, rows in notation().items():
-            has_page = course().notebook(chapter).exists()
-            title = course().title(chapter) if has_page else chapter.capitalize()
-            lines += ["", f"## {title}", "", "| symbol | name | unit | range | meaning |"]
-            lines += ["|---|---|---|---|---|", *rows]
+            lines += ["", f"## {course().title(chapter)}", "", "::::{container} notation"]
+            lines += [
+                "| symbol | meaning | unit | range | in code |",
+                "|---|---|---|---|---|",
+                *rows,
+            ]
+            lines += ["::::"]
         return self.parse_text_to_nodes("\n".join(lines), allow_section_headings=True)
 
 
 def notation() -> dict[str, list[str]]:
-    """Chapter → its rows. What several chapters declare alike stands once, where it is first."""
-    groups: dict[tuple[str, str, str], list[equations.core.NamedSymbol]] = {}
-    for known in equations.quantities():
-        if not re.match("[a-z]{3}", known.latex):  # a word, which no formula prints
-            groups.setdefault((known.latex, known.unit, known.meaning), []).append(known)
+    """Chapter → its rows. Symbols that mean alike, such as a matrix's entries, share one."""
     tables: dict[str, list[str]] = {}
-    for (latex, unit, meaning), alike in groups.items():
-        chapters = list(dict.fromkeys(known.module.split(".")[-2] for known in alike))
-        spans = dict.fromkeys(f"{s.low:.3g} … {s.high:.3g}".replace("-", "\u2212") for s in alike)
-        codes = dict.fromkeys(f"`{known}`" for known in alike)
-        also = [course().title(c) for c in chapters[1:] if course().notebook(c).exists()]
-        more = f" (also: {', '.join(also)})" if also else ""
-        cells = f"${latex}$", ", ".join(codes), unit, "; ".join(spans), meaning + more
-        tables.setdefault(chapters[0], []).append(f"| {' | '.join(cells)} |")
+    for chapter in filter(lexicon.cells, course().chapters):
+        names, alike = lexicon.names(chapter), dict[tuple[str, ...], list[NamedSymbol]]()
+        for symbol in lexicon.printed_symbols(chapter):
+            span = "" if symbol.is_sign else f"{symbol.low:.7g} … {symbol.high:.7g}"
+            alike.setdefault((symbol.meaning, symbol.unit, span.replace("-", "−")), []).append(
+                symbol
+            )
+        for (meaning, unit, span), group in alike.items():
+            letters = [f"${symbol.latex}$" for symbol in group]
+            if len(letters) > 4:
+                letters[1:-1] = ["…"]
+            codes = ", ".join(f"`{symbol.code}`" for symbol in group if symbol.code in names)
+            row = (", ".join(letters), symbols(meaning), unit, span, codes)
+            tables.setdefault(chapter, []).append(f"| {' | '.join(row)} |")
     return tables

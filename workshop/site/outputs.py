@@ -1,4 +1,4 @@
-"""What a cell of a notebook becomes on a page: a formula, a figure, an exercise, a mistake."""
+"""What a cell becomes on a page: a formula, a figure, an exercise, a mistake, a prediction."""
 
 from collections.abc import Callable
 from html import escape
@@ -18,8 +18,12 @@ from workshop.figures.figure import find as find_figure
 from workshop.practice import dealing
 from workshop.practice import page as practice
 from workshop.practice.notebook import MISTAKE, mistake
+from workshop.predictions.declaration import find as find_prediction
+from workshop.predictions.notebook import MIME as PREDICTION
 from workshop.script import engine
+from workshop.site.predictions import asked
 from workshop.site.sources import depend
+from workshop.symbols.numbers import Slots
 
 T = TypeVar("T")
 
@@ -32,6 +36,7 @@ class Outputs:
         ("html", FIGURE, 1),
         ("html", practice.MIME, 1),
         ("html", MISTAKE, 1),
+        ("html", PREDICTION, 1),
     )
 
     @staticmethod
@@ -48,6 +53,9 @@ class Outputs:
         if data.mime_type == MISTAKE:
             depend(renderer.renderer.sphinx_env, "exercises")
             return [_mistake(data.content["name"])]
+        if data.mime_type == PREDICTION:
+            depend(renderer.renderer.sphinx_env, "predictions", "formulas", "figures")
+            return [asked(renderer.renderer, told(find_prediction, data.content["name"]))]
         return None
 
 
@@ -62,7 +70,19 @@ def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     node["number"] = domain.get_equation_number_for(label)
     target = nodes.target("", "", ids=[nodes.make_id(f"equation-{label}")])
     renderer.renderer.document.note_explicit_target(target)
-    return [target, node]
+    followed = data.content.get("figure")
+    return [target, node, *(_numbers(name, computed, followed, env) if followed else ())]
+
+
+def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> list[nodes.Element]:
+    """Below a formula the same with the numbers of a figure, which the script keeps up to date."""
+    depend(env, "figures")
+    slots = Slots(told(find, name), told(find_figure, figure), env.docname.partition("/")[0])
+    tex = told(lambda _: slots.tex(computed), name)
+    node = nodes.math_block(tex, tex, number=None, nowrap=False, seen_only=True, marked=tex)
+    start = nodes.raw("", '<div class="rk-numbers">', format="html")
+    said = f'<p class="rk-says">{slots.said()}</p></div>'
+    return [start, node, nodes.raw("", said, format="html")]
 
 
 def _figure(name: str) -> nodes.raw:

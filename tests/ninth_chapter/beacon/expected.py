@@ -4,7 +4,7 @@ import numpy as np
 from book.beacon.functions import range_and_bearing
 
 
-def beacon_readouts(b_x, b_y, theta):
+def beacon_readouts(b_x, b_y, theta, **_):
     """Distance; and the bearing before it is wrapped, as the figure tells it."""
     still = np.zeros_like(theta)
     pose = np.column_stack([still, still, still])
@@ -12,6 +12,7 @@ def beacon_readouts(b_x, b_y, theta):
     return np.column_stack([seen[:, 0], seen[:, 1] - theta])
 
 
-READOUTS = {"beacon": beacon_readouts}
-SPECIALS = {"beacon": [{"b_x": 0.0}, {"b_y": 0.0, "b_x": -1.0}]}
+READOUTS = {"beacon": beacon_readouts, "beacon-guess": beacon_readouts}
+BEACON = [{"b_x": 0.0}, {"b_y": 0.0, "b_x": -1.0}]
+SPECIALS = {"beacon": BEACON, "beacon-guess": BEACON}
 WORDS = []

@@ -6,7 +6,11 @@ from book.beacon import formulas
 from book.beacon.formulas import b_x, b_y
 
 from book.motion.formulas import theta, x, y
+from workshop.equations import quantity
 from workshop.figures import POINTER, Arrow, Body, Figure, Handle, Line, Point, Readout, Slider
+
+guess_x = quantity("guess_x", "m", -1, 1, "where the reader puts the beacon, along x")
+guess_y = quantity("guess_y", "m", -0.7, 0.7, "where the reader puts the beacon, along y")
 
 
 def beacon_figure() -> Figure:
@@ -36,4 +40,26 @@ def beacon_figure() -> Figure:
     )
 
 
-FIGURES = (beacon_figure(),)
+def guess_figure() -> Figure:
+    """The same with a ghost to place."""
+    seen = beacon_figure()
+    return Figure(
+        name="beacon-guess",
+        title="A robot, and a ghost of the beacon to place",
+        view=seen.view,
+        controls=(
+            *seen.controls,
+            Slider(guess_x, -1.0, 1.0, start=0.3, step=0.05, label="x"),
+            Slider(guess_y, -0.7, 0.7, start=-0.3, step=0.05, label="y"),
+        ),
+        scene=(*seen.scene, Point("ghost", (guess_x, guess_y), label="your guess")),
+        handles=(
+            *seen.handles,
+            Handle("your guess", (guess_x, guess_y), {guess_x: POINTER[0], guess_y: POINTER[1]}),
+        ),
+        readouts=seen.readouts,
+        says=seen.says,
+    )
+
+
+FIGURES = (beacon_figure(), guess_figure())

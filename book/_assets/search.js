@@ -1,0 +1,125 @@
+// Search while typing, in the dialog of every page and on the page of results. The data come when
+// a reader starts; from then on nothing is loaded.
+{
+  const ROOT = document.documentElement.dataset.content_root;
+  const STATIC = new URL("_static/", new URL(ROOT, location.href));
+  // how much a word counts: in a title, where a chapter explains it, in prose, in code
+  const FIELDS = { title: 9, terms: 9, text: 1.2, code: 0.15 };
+  const PAGES = { glossary: 0.6, api: 0.3, notation: 0.4, practice: 0.4, errata: 0.7 };
+  const SHOWN = { dialog: 8, page: 30 };
+  let index = null, loading = null;
+
+  // one letter for what looks alike: case, Arabic and Persian ya and kaf, joiners, accents
+  const folded = (term) => term.normalize("NFKD").toLowerCase()
+    .replace(/[\p{M}\u200c\u200d]/gu, "").replace(/ي/g, "ی").replace(/ك/g, "ک");
+
+  const load = (name) => new Promise((done, failed) => {
+    const script = document.createElement("script");
+    Object.assign(script, { src: new URL(name, STATIC), onload: done, onerror: failed });
+    document.head.append(script);
+  });
+
+  const start = () => (loading ??= load("minisearch.js").then(() => load("search-data.js")));
+
+  globalThis.siteSearch = {
+    found(entries) {
+      index = new MiniSearch({
+        fields: Object.keys(FIELDS),
+        storeFields: ["page", "at", "title", "of", "text", "code"],
+        processTerm: (term) => folded(term) || null,
+        searchOptions: {
+          boost: FIELDS,
+          prefix: (term) => term.length > 1,
+          fuzzy: (term) => (term.length > 4 ? 0.2 : 0),
+          boostDocument: (id, term, entry) => PAGES[entry.page] ?? 1,
+        },
+      });
+      index.addAll(entries.map((entry, id) => ({ id, ...entry })));
+    },
+    // all words if some section has them all, else any of them
+    ask(words) {
+      const all = index.search(words, { combineWith: "AND" });
+      return all.length ? all : index.search(words);
+    },
+    start,
+  };
+
+  const addressOf = ({ page, at }) => `${ROOT}${page}.html${at ? `#${at}` : ""}`;
+
+  // The text around the first word that was looked for, this one marked.
+  const excerpt = ({ text = "", code = "", terms }) => {
+    const letters = terms.map((term) => term.replace(/[^\p{L}\p{N}]/gu, ".")).join("|");
+    const source = [text, code].find((each) => new RegExp(letters, "iu").test(each)) ?? text;
+    const at = Math.max(0, source.search(new RegExp(letters, "iu")));
+    const from = at < 70 ? 0 : source.indexOf(" ", at - 60) + 1;
+    const cut = source.slice(from, from + 160);
+    const line = document.createElement("p");
+    line.append(from ? "… " : "");
+    cut.split(new RegExp(`(${letters})`, "iu")).forEach((part, i) => {
+      const mark = document.createElement("mark");
+      mark.textContent = part;
+      line.append(i % 2 ? mark : part);
+    });
+    line.append(from + 160 < source.length ? " …" : "");
+    return line;
+  };
+
+  const item = (result) => {
+    const li = document.createElement("li"), link = document.createElement("a");
+    const of = document.createElement("span");
+    link.href = addressOf(result);
+    link.textContent = result.title;
+    of.textContent = result.of === result.title ? "" : result.of;
+    li.append(link, of, excerpt(result));
+    return li;
+  };
+
+  const show = (box, words, most) => {
+    const results = words ? siteSearch.ask(words) : [];
+    const told = document.createElement("p"), list = document.createElement("ol");
+    const more = results.length > most ? `, the best ${most} of them here` : "";
+    const count = results.length === 1 ? "1 section" : `${results.length || "No"} sections`;
+    told.textContent = words ? `${count} found${more}` : "";
+    told.setAttribute("role", "status");
+    list.append(...results.slice(0, most).map(item));
+    box.replaceChildren(told, list);
+  };
+
+  // Up and down go through the results.
+  const walk = (box, input) => (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const stops = [input, ...box.querySelectorAll("a")];
+    const next = stops[stops.indexOf(document.activeElement) + step];
+    if (!next) return;
+    event.preventDefault();
+    next.focus();
+  };
+
+  const bring = (form, most) => {
+    const input = form.querySelector("input"), box = document.createElement("div");
+    box.className = "site-results";
+    form.after(box);
+    const follow = () => start().then(
+      () => show(box, input.value.trim(), most),
+      () => { box.textContent = "The search could not be loaded. Try again when you are online."; });
+    input.addEventListener("input", follow);
+    input.addEventListener("focus", start, { once: true });
+    for (const part of [form, box]) part.addEventListener("keydown", walk(box, input));
+    return { input, follow };
+  };
+
+  const dialog = document.querySelector("#pst-search-dialog form");
+  if (dialog) bring(dialog, SHOWN.dialog);
+  const page = document.querySelector(".bd-search-container form");
+  if (page) {
+    const { input, follow } = bring(page, SHOWN.page);
+    input.value = new URLSearchParams(location.search).get("q") ?? "";
+    page.addEventListener("submit", (event) => {
+      event.preventDefault();
+      history.replaceState(null, "", `?q=${encodeURIComponent(input.value)}`);
+      follow();
+    });
+    if (input.value) follow();
+    input.focus();
+  }
+}

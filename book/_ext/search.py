@@ -1,0 +1,155 @@
+"""Search by section, for a reader who types: the sections of the book as data for MiniSearch.
+
+A section's title, text and code stand apart, so that titles count more than prose, and prose more
+than code. Exercises, mistakes, functions and terms of the glossary are entries of their own.
+Nothing is asked of a server: `search.js` loads the data when a reader starts to search, from disk
+too.
+"""
+
+import html
+import json
+import re
+import shutil
+from pathlib import Path
+
+from docutils import nodes
+from myst_nb.sphinx_ import SelectMimeType
+from sphinx import addnodes
+
+from workshop.equations.text import GREEK
+
+BOOK = Path(__file__).parents[1]
+MINISEARCH = BOOK / "_vendor" / "minisearch" / "minisearch.js"
+NAMES = {"sin", "cos", "tan", "cot", "arctan", "det"}
+UNREAD = ["checks"]  # formulas of the chapters once more
+BOX = re.compile(r'<(?:div|section)[^>]* id="([a-z]+(?:-[a-z]+)*-\d+)"[^>]*>(.*)', re.DOTALL)
+STYLE = re.compile(r"<(style|script|svg|button|label)\b.*?</\1>", re.DOTALL)
+
+
+def plain(tex):
+    """TeX as a reader would type it: θ for a Greek letter, a/b for a fraction."""
+    tex = re.sub(r"\\(begin|end)\{\w+\}|\[\d+pt\]", " ", tex)
+    text = re.sub(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", r"\1/\2", tex)
+    text = re.sub(r"\\([A-Za-z]+)", lambda m: GREEK.get(m[1], m[1] if m[1] in NAMES else " "), text)
+    return re.sub(r"\\.|[{}&^]", " ", text)
+
+
+def plain_words(raw):
+    """The text of HTML."""
+    return html.unescape(re.sub(r"<[^>]+>", " ", STYLE.sub(" ", raw)))
+
+
+def within(node):
+    """All words of a mistake: HTML and code."""
+    return " ".join(plain_words(part.astext()) for part in node.children)
+
+
+def squeezed(parts):
+    """In one line."""
+    return re.sub(r" (?=[.,:;)])", "", " ".join(" ".join(parts).split()))
+
+
+class Reader:
+    """Collects the entries of one page."""
+
+    def __init__(self, page, title):
+        self.page, self.title = page, title
+        self.entries = []
+
+    def add(self, anchor, title, **fields):
+        """An entry; what is empty is left out."""
+        entry = {"page": self.page, "at": anchor, "title": title, "of": self.title, **fields}
+        self.entries.append({key: value for key, value in entry.items() if value})
+
+    def section(self, section, top):
+        """A section without those inside it, which are entries of their own."""
+        words = {"terms": [], "text": [], "code": []}
+        for child in section.children[1:]:
+            self.read(child, words)
+        title = section.next_node(nodes.title).astext()
+        anchor = "" if top else section["ids"][0]
+        self.add(anchor, title, **{field: squeezed(parts) for field, parts in words.items()})
+
+    def read(self, node, words):
+        """Sort a node's words: what a chapter explains stands in italics."""
+        if isinstance(node, nodes.section):
+            self.section(node, top=False)
+        elif isinstance(node, nodes.Text):
+            words["text"].append(node.astext())
+        elif isinstance(node, nodes.literal_block):
+            words["code"].append(node.astext())
+        elif isinstance(node, nodes.math | nodes.math_block):
+            words["text"].append(plain(node.astext()))
+        elif isinstance(node, nodes.raw):
+            self.raw(node.astext(), words["text"])
+        elif isinstance(node, addnodes.desc):
+            self.function(node)
+        elif isinstance(node, nodes.definition_list_item) and node.next_node(nodes.term)["ids"]:
+            self.term(node)
+        elif isinstance(node, nodes.container) and "rk-mistake" in node["classes"]:
+            self.add(node["ids"][0], f"Mistake {node['ids'][0]}", text=squeezed([within(node)]))
+        elif not isinstance(node, nodes.Invisible):
+            words["terms"] += [node.astext()] if isinstance(node, nodes.emphasis) else []
+            for child in node.children:
+                self.read(child, words)
+
+    def raw(self, source, text):
+        """An exercise is an entry; a figure says what it shows."""
+        if box := BOX.search(source):
+            self.add(box[1], f"Exercise {box[1]}", text=squeezed([plain_words(box[2])]))
+        elif figure := re.search(r'role="(?:img|group)"[^>]* aria-label="([^"]+)"', source):
+            text.append(html.unescape(figure[1]))
+        elif "<figure" not in source:
+            text.append(plain_words(source))
+
+    def function(self, desc):
+        """A function, or a class, of the library."""
+        signature = desc.next_node(addnodes.desc_signature)
+        content = desc.next_node(addnodes.desc_content)
+        if signature["ids"]:
+            name = signature["ids"][0].removeprefix("robokin.")
+            self.add(signature["ids"][0], name, text=squeezed([content.astext()]))
+
+    def term(self, item):
+        """A term of the glossary."""
+        names = [term.astext() for term in item.findall(nodes.term)]
+        self.add(
+            item.next_node(nodes.term)["ids"][0],
+            ", ".join(names),
+            text=squeezed([plain_words(item.next_node(nodes.definition).astext())]),
+        )
+
+
+def entries(env):
+    """All of the book."""
+    found = []
+    for page in sorted(env.found_docs - set(UNREAD)):
+        document = env.get_doctree(page)
+        SelectMimeType(document).run()  # of an output that is stored in several forms, one
+        reader = Reader(page, env.titles[page].astext())
+        reader.section(document.next_node(nodes.section), top=True)
+        found += reader.entries
+    return found
+
+
+def write(app, error):
+    """The data and the engine, beside `search.js`."""
+    if error or app.builder.format != "html":
+        return
+    static = Path(app.outdir) / "_static"
+    data = json.dumps(entries(app.env), ensure_ascii=False, separators=(",", ":"))
+    (static / "search-data.js").write_text(f"siteSearch.found({data});\n", "utf-8")
+    shutil.copy(MINISEARCH, static)
+
+
+def replace_own(app):
+    """Sphinx's own search stays out: no index, and the page of results is this book's."""
+    app.builder.search = False
+
+
+def setup(app):
+    """Called by Sphinx."""
+    app.connect("builder-inited", replace_own)
+    app.connect("build-finished", write)
+    app.add_js_file("search.js", loading_method="defer")
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

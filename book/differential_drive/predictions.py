@@ -1,0 +1,174 @@
+"""What a reader of the chapter on the differential drive is asked before it is told."""
+
+import numpy as np
+from sympy import Float, pi
+
+from book.differential_drive import formulas
+from book.differential_drive.figures import guess_x, guess_y, t
+from book.differential_drive.formulas import b, r, v_L, v_R
+from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
+from robokin import motion
+from workshop.predictions import Buttons, Ghost, Number, Prediction
+
+SPEEDS = {v_L: Float("0.05"), v_R: Float("0.1"), b: Float("0.1")}  # of the exercise
+TWIST = {v: formulas.speed.at(SPEEDS), omega: formulas.turning_rate.at(SPEEDS)}
+AHEAD = {x: 0, y: 0, theta: pi / 2}
+
+
+def after_two_seconds(turning):
+    """Where the robot of the exercise is after 2 s, if it turns so fast."""
+    return tuple(arc_step.at({**AHEAD, **TWIST, omega: turning, dt: 2})[:2])
+
+
+def error(steps):
+    """How far the end of 6 s is off in so many straight steps."""
+    drive = np.full(steps, 0.075), np.full(steps, 0.5), np.full(steps, 6 / steps)
+    start = [0, 0, np.pi / 2]
+    ends = [motion.path(start, *drive, method=m)[-1, :2] for m in ("start", "exact")]
+    return np.linalg.norm(ends[0] - ends[1])
+
+
+def halved():
+    """What becomes of that error with twice as many steps."""
+    ratio = error(120) / error(60)
+    return min(
+        ("as large", 1),
+        ("half as large", 1 / 2),
+        ("a quarter", 1 / 4),
+        key=lambda o: abs(o[1] - ratio),
+    )[0]
+
+
+PREDICTIONS = (
+    Prediction(
+        "how-fast",
+        "The left wheel moves at 5 cm/s, the right one at 10 cm/s. How fast does P move, the "
+        "middle of the axle?",
+        Number(
+            "v",
+            "cm/s",
+            right=formulas.speed.at(SPEEDS),
+            assumes={
+                "The sum of both would make the middle faster than each end.": (v_L + v_R).subs(
+                    SPEEDS
+                ),
+                "That is the difference: the robot *turns* by it.": (v_R - v_L).subs(SPEEDS),
+            },
+        ),
+        opens="The axle is stiff, so the tips of all arrows along it lie on one line. In the "
+        "middle the line is as high as the *mean* of its ends.",
+        hides=("the mean of", "half the sum"),
+    ),
+    Prediction(
+        "where-to",
+        "The left wheel gets faster, up to the right wheel's speed. Where does the ICR go?",
+        Buttons(
+            ("to P", "to the right wheel", "to the left, without end"),
+            right="to the left, without end",
+            assumes={
+                "to P": "P is where it lies when the wheels run *against* each other.",
+                "to the right wheel": "The ICR is the point that stands still; this wheel moves.",
+            },
+        ),
+        opens="The line through the tips gets flat, and meets the axle farther and farther away. "
+        "Straight ahead the two are parallel.",
+        hides=("without end", "meets the axle farther"),
+    ),
+    Prediction(
+        "turned-view",
+        "The robot looks along $y$ and turns at 0.5 rad/s. Now it looks along $-x$ and does the "
+        "same. How fast does it turn, seen from the world?",
+        Buttons(
+            ("0.5 rad/s", "−0.5 rad/s", "0"),
+            right=lambda: f"{motion.to_world(np.pi, [0.075, 0, 0.5])[2]:.1f} rad/s",
+            assumes={
+                "−0.5 rad/s": "Seen from there, the arrow points elsewhere; the turn does not.",
+                "0": "A turn has no direction in the plane that could be lost.",
+            },
+        ),
+        opens="A turn in the plane looks the same from everywhere. Only the arrow of the speed "
+        "gets other parts.",
+        hides=("the same from everywhere",),
+    ),
+    Prediction(
+        "wheel-rate",
+        "The right wheel, of radius 3 cm, rolls at 10 cm/s. How fast does it turn on its axle?",
+        Number(
+            "rate",
+            "rad/s",
+            right=(v_R / r).subs({**SPEEDS, r: Float("0.03")}),
+            assumes={
+                "That divides by the whole width of the wheel, twice the radius.": (
+                    v_R / (2 * r)
+                ).subs({**SPEEDS, r: Float("0.03")}),
+                "That multiplies by the radius.": (v_R * r).subs({**SPEEDS, r: Float("0.03")}),
+            },
+        ),
+        opens="In one radian a wheel rolls one radius. So its rate is its speed divided by $r$.",
+        hides=("one radius", "speed divided by"),
+    ),
+    Prediction(
+        "where-after",
+        "The robot of the exercise drives for 2 s. Put the mark where P will be.",
+        Ghost(
+            "guess",
+            places=(guess_x, guess_y),
+            right=after_two_seconds(TWIST[omega]),
+            then={t: Float(2)},
+            near=0.015,
+            assumes={
+                "That is straight on, as if it did not turn.": after_two_seconds(0),
+                "That is the right way, to the other side.": after_two_seconds(-TWIST[omega]),
+            },
+        ),
+        opens="P runs along a circle around the ICR.",
+        hides=("along a circle",),
+    ),
+    Prediction(
+        "ever-straighter",
+        "The textbook's step divides by ω. Let ω become smaller and smaller, but not zero. What "
+        "happens to the computed place?",
+        Buttons(
+            ("it gets better", "it stays right", "it gets worse"),
+            right="it gets worse",
+            assumes={
+                "it gets better": "The *path* gets simpler, but not the computation.",
+                "it stays right": "In exact numbers yes; a computer keeps 16 digits.",
+            },
+        ),
+        opens="The two sines are almost equal. Their difference keeps few correct digits, and the "
+        "huge $v/\\omega$ blows the error up.",
+        hides=("gets worse as", "blows"),
+    ),
+    Prediction(
+        "twice-as-many",
+        "Many programs drive straight for a short time, then turn, and so on (Euler's method). "
+        "With twice as many steps, how large is the error?",
+        Buttons(
+            ("as large", "half as large", "a quarter"),
+            right=halved,
+            assumes={
+                "as large": "Look at the dots of the graph: both go down to the left.",
+                "a quarter": "That is the rule with the middle heading.",
+            },
+        ),
+        opens="The error falls with the step: slope 1 in the graph, *a method of order 1*. Steps "
+        "along the middle heading have slope 2: the error falls with the square of the step.",
+        hides=("slope 1", "order 1"),
+    ),
+    Prediction(
+        "at-rest",
+        "Both wheels stand still. Where is the ICR?",
+        Buttons(
+            ("at P", "infinitely far away", "nowhere: no answer"),
+            right="nowhere: no answer",
+            assumes={
+                "at P": "P stands still, and so does every other point.",
+                "infinitely far away": "So it is straight ahead; here near points rest, too.",
+            },
+        ),
+        opens="Every point is at rest, so none is *the* centre. The library answers `nan`: not a "
+        "number.",
+        hides=("every point is at rest", "`nan`"),
+    ),
+)

@@ -1,0 +1,124 @@
+"""What a reader of the chapter on Euler angles is asked before it is told."""
+
+from collections.abc import Callable
+from itertools import product
+
+from workshop.predictions import Buttons, Number, Prediction
+
+
+def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:
+    """How many sequences of three axes are allowed."""
+    return sum(map(allowed, product("XYZ", repeat=3)))
+
+
+PREDICTIONS = (
+    Prediction(
+        "how-many-turns",
+        "How many quarter turns about axes of the frame does it take at least from {A} to {B}?",
+        Buttons(
+            ("one", "two", "three"),
+            right="two",
+            assumes={
+                "one": "A quarter turn about an axis of {A} leaves that axis where it is. Here all "
+                "three have moved.",
+                "three": "Three always do, if any angles are allowed. Here fewer are enough.",
+            },
+        ),
+        opens="You will find the two below, and after that one single turn that does it, too.",
+        hides=("the two below",),
+    ),
+    Prediction(
+        "first-column",
+        "The die is turned by 90° about $y$. What is the first column, where $x$ of the die then "
+        "points? Try it with your right hand, then with the figure.",
+        Buttons(
+            ("(0, 0, 1)", "(0, 0, −1)", "(0, 1, 0)"),
+            right="(0, 0, −1)",
+            assumes={
+                "(0, 0, 1)": "That turns from $x$ to $z$, the left-handed way.",
+                "(0, 1, 0)": "That is a turn about $z$.",
+            },
+        ),
+        opens="Thumb along $y$: the fingers of the right hand curl from $z$ to $x$. So $x$ itself "
+        "goes down. With any angle, about each axis:",
+        hides=("goes down",),
+    ),
+    Prediction(
+        "two-orders",
+        "Where do the two dice end?",
+        Buttons(
+            ("alike", "one turn of 120° apart", "half a turn apart"),
+            right="one turn of 120° apart",
+            assumes={
+                "alike": "So it is with numbers, and with turns about one and the same axis.",
+                "half a turn apart": "Press *Play* and look at the threes.",
+            },
+        ),
+        opens="Not alike: a product of matrices depends on the order. Press *Play*.",
+        hides=("depends on the order",),
+    ),
+    Prediction(
+        "other-answer",
+        "Where do these two dice end, after all three turns?",
+        Buttons(
+            ("alike for every β", "alike for one β only", "half a turn apart"),
+            right="alike for every β",
+            assumes={
+                "alike for one β only": "Move $\\beta$: the right die goes on from the other side.",
+                "half a turn apart": "There are two half turns more, and they undo each other.",
+            },
+        ),
+        opens="The first half turn lays the die on its other side, $180° - \\beta$ goes on from there, "
+        "the last half turn turns it back. Press *Play*. So every matrix has two answers; "
+        "textbooks take the one with a positive $\\cos\\beta$.",
+        hides=("two answers",),
+    ),
+    Prediction(
+        "how-many-orders",
+        "How many orders are there?",
+        Number(
+            "orders",
+            "",
+            right=lambda: orders(lambda p: p[0] != p[1] != p[2]),
+            assumes={
+                "That takes each axis once.": lambda: orders(lambda p: len(set(p)) == 3),
+                "That allows an axis twice in a row.": lambda: orders(lambda p: True),
+            },
+            near=0.01,
+        ),
+        opens="Three choices, then two, then two. For frame {B}, in degrees:",
+        hides=("then two, then two",),
+    ),
+    Prediction(
+        "ring-against-ring",
+        "Set the middle ring to 90°. Then the outer ring is turned on by 30° and the inner ring "
+        "back by 30°. What does the aeroplane do?",
+        Buttons(
+            ("it rolls by 60°", "it rolls by 30°", "nothing"),
+            right="nothing",
+            assumes={
+                "it rolls by 60°": "That adds the two, but they turn against each other.",
+                "it rolls by 30°": "That forgets one of the two rings.",
+            },
+        ),
+        opens="The pins of the outer and the inner ring lie on one line: what one turns on, the "
+        "other turns back. Try it. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
+        hides=("lie on one line",),
+    ),
+    Prediction(
+        "which-axis",
+        "About which axis does one single turn take the die from {A} to {B}?",
+        Buttons(
+            ("through two faces", "through two edges", "through two corners"),
+            right="through two corners",
+            assumes={
+                "through two faces": "Such a turn leaves one axis of the die where it is.",
+                "through two edges": "Such a turn swaps two axes. Here all three change places.",
+            },
+        ),
+        opens="$x$ goes to $-y$, $-y$ to $z$, and $z$ to $x$: three axes in a circle, round a "
+        "corner. In general the differences across the diagonal of $R$ point along the axis, and "
+        "the sum of the diagonal tells the angle:",
+        hides=("round a corner",),
+    ),
+)

@@ -1,0 +1,56 @@
+"""What a reader of the chapter on the beacon is asked before it is told."""
+
+from math import pi
+
+from book.beacon import formulas
+from book.beacon.figures import guess_x, guess_y
+from book.beacon.formulas import b_x, b_y
+
+from book.motion.formulas import omega, theta, to_world, v, v_y, x, y
+from workshop.predictions import Buttons, Ghost, Number, Prediction
+
+HERE = {x: 0, y: 0, theta: 0}
+
+
+def in_world(ahead, left):
+    """A point that the robot sees, as the world does."""
+    return tuple(to_world.at({v: ahead, v_y: left, omega: 0, theta: 0})[:2])
+
+
+PREDICTIONS = (
+    Prediction(
+        "beacon-turns",
+        "The robot turns to the left. To which side does the beacon move, as the robot sees it?",
+        Buttons(
+            ("to its left", "to its right", "not at all"),
+            right="to its right",
+            assumes={"to its left": "That is how the *robot* moves as the beacon sees it."},
+        ),
+        opens="The bearing is counted from straight ahead, so $\\theta$ is taken off.",
+        hides=("taken off",),
+    ),
+    Prediction(
+        "beacon-far",
+        "The beacon stands at $x = 3$, $y = 4$. How far away is it?",
+        Number(
+            "d",
+            "m",
+            right=formulas.distance.at(HERE | {b_x: 3, b_y: 4}),
+            assumes={"It goes along the walls.": (b_x + b_y).subs({b_x: 3, b_y: 4})},
+        ),
+        opens="By Pythagoras.",
+    ),
+    Prediction(
+        "beacon-place",
+        "The beacon is 0.5 m away, straight to the left. Where is it?",
+        Ghost(
+            "beacon-guess",
+            places=(guess_x, guess_y),
+            right=in_world(0, 0.5),
+            then={b_x: 0, b_y: 0.5, theta: pi / 6},
+            near=0.05,
+            assumes={"It takes ahead for left.": in_world(0.5, 0)},
+        ),
+        opens="Left is along $y$.",
+    ),
+)

@@ -1,0 +1,77 @@
+"""A mistake as a wrong formula: its line, its number and its expression come from one place."""
+
+import numpy as np
+import pytest
+from declared import EXERCISES, MISTAKES, each
+from sympy import Symbol
+
+from book.differential_drive import formulas
+from book.differential_drive.exercises import M12, M13, M14
+from book.differential_drive.formulas import b, v_L, v_R
+from workshop import practice
+from workshop.errors import CourseError
+from workshop.practice import Mistake, Wrong
+from workshop.practice.wrong import marked
+
+DECLARED = ("M6", "M7", "M8", "M12", "M13", "M14", "M31")
+
+
+def test_these_are_declared_as_wrong_formulas():
+    assert {name for name, mistake in MISTAKES.items() if mistake.wrong} >= set(DECLARED)
+
+
+@each("mistake", "exercises", Mistake)
+def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
+    html = practice.mistake(mistake.name).answer
+    if mistake.wrong:
+        right, wrong = mistake.wrong.lines
+        plain = [line.replace("«", "").replace("»", "") for line in (right, wrong)]
+        assert plain[0] != plain[1]
+        assert html.index("What is wrong?") < html.index("Right: ") < html.index("Here: ")
+        assert html.count("<mark>") == right.count("«") + wrong.count("«") > 0
+    else:
+        assert "Here: " not in html
+
+
+def test_the_line_of_code_comes_from_the_formula():
+    assert M12.line == "omega = (v_R - v_L) / (b / 2)"
+    assert M12.wrong.lines == ("ω = (v_R − v_L)/«b»", "ω = (v_R − v_L)/«(b/2)»")
+
+
+def test_a_figure_gets_the_expression():
+    """In which a ghost can be drawn: here with the speeds as symbols, and as numbers."""
+    assert M12.at({b: 0.1}).free_symbols == {v_L, v_R}
+    assert float(M12.at({b: 0.1, v_L: 0.05, v_R: 0.1})) == pytest.approx(1.0, rel=1e-15)
+
+
+def test_the_same_is_put_in_for_the_numbers_of_other_formulas():
+    assert M13.formula.put(theta=np.pi, v=2) == {"theta": 180, "v": 2}
+    assert M14.formula.through(lambda theta: [theta])(theta=1) == [-1]
+    other = M12.formula.made_in(formulas.wheel_speeds).gives(v=0, omega=1, b=0.4)
+    np.testing.assert_allclose(other.ravel(), [-0.1, 0.1], rtol=1e-15)
+
+
+def test_the_bank_s_numbers_are_the_formula_s():
+    drive = EXERCISES["differential-drive-1"]
+    assert drive.wrong[M12](v_L=0.05, v_R=0.1, b=0.1) == pytest.approx(1.0, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("lines", "shown"),
+    [
+        (("a = b", "a = −b"), ("a = b", "a = «−»b")),
+        (("a = b − c", "a = (b/2) − c"), ("a = «b» − c", "a = «(b/2)» − c")),
+        (("R_1 R_2", "R_2 R_1"), ("«R_1 R_2»", "«R_2 R_1»")),
+        (("θ̇_1 + a", "θ̇_2 + a"), ("«θ̇_1» + a", "«θ̇_2» + a")),
+    ],
+)
+def test_what_changed_is_marked(lines, shown):
+    assert marked(*lines) == shown
+
+
+def test_without_a_formula_it_is_told():
+    with pytest.raises(CourseError, match="M1 has no wrong formula: declare it"):
+        MISTAKES["M1"].at({})
+    with pytest.raises(CourseError, match="M99 has no wrong formula"):
+        Mistake("M99", says="", why="", unnoticed="")
+    assert Mistake("M99", "", "", "", wrong=Wrong(formulas.speed, {v_L: Symbol("z")})).line

@@ -1,0 +1,224 @@
+"""A prediction is asked before it is told: nothing above or beside it gives the answer away."""
+
+import re
+
+import nbformat
+import pytest
+import stored
+from declared import course, each
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
+from sympy import Float, Symbol
+
+from book.differential_drive import formulas
+from book.differential_drive.formulas import b, v_L, v_R
+from workshop.errors import CourseError
+from workshop.figures import figure
+from workshop.predictions import Buttons, Ghost, Number, Prediction
+from workshop.predictions.declaration import predictions
+from workshop.predictions.notebook import MIME, Asked
+from workshop.script import engine
+from workshop.site.predictions import TAG
+
+ASK = re.compile(r'predictions\.ask\("([\w-]+)"\)')
+BARE = re.compile(r"\*\*\s*(Predict|Guess first)", re.IGNORECASE)
+PLAIN = re.compile(r"[*_$`]|<[^>]+>|\\[a-z]+")  # what is no word of the text
+
+
+def plain(text):
+    """A text as it is read: small letters, one blank between words, a plain minus."""
+    return " ".join(PLAIN.sub(" ", text).replace("\u2212", "-").lower().split())
+
+
+def asked_in(cell):
+    """The name of the prediction that a cell asks, or None."""
+    found = ASK.search(cell.source) if cell.cell_type == "code" else None
+    return found and found[1]
+
+
+def shown_by(cell, known):
+    """What a reader has seen of a cell when the next one is read; predictions are open then."""
+    if asked_in(cell) in known:
+        prediction = known[asked_in(cell)]
+        return f"{prediction.question} {Asked(prediction).opened}"
+    texts = [cell.source]
+    for output in cell.get("outputs", []):
+        data = output.get("data", {})
+        if figure.MIME in data:
+            texts.append(figure.find(data[figure.MIME]["name"]).html())
+        texts += [output.get("text", ""), data.get("text/plain", ""), data.get("text/html", "")]
+    return " ".join("".join(text) for text in texts)
+
+
+def tells(prediction):
+    """Words that give the answer away."""
+    answers = prediction.answers
+    unit = isinstance(answers, Number) and answers.unit
+    return [*prediction.hides, *([answers.answer()] if unit else [])]
+
+
+def given_away(cells, known):
+    """Where a notebook says what it asks, and cells that are tagged and asked wrongly."""
+    for place, cell in enumerate(cells):
+        before, after = cells[place - 1 : place], cells[place + 1 : place + 2]
+        folds = {name for other in before for name in (asked_in(other), *followed(other))}
+        yield from (f"{TAG}{tag} follows another question" for tag in followed(cell) - folds)
+        bare = cell.cell_type == "markdown" and BARE.search(cell.source)
+        if bare and not any(map(asked_in, after)):
+            yield f"no prediction is asked after “{cell.source[:60]}”"
+        if asked_in(cell) in known:
+            prediction = known[asked_in(cell)]
+            beside = unfolded(cells[place + 1 :], prediction.name)
+            seen = [shown_by(other, known) for other in cells[:place]]
+            seen += [prediction.question, *(shown_by(other, {}) for other in beside)]
+            yield from (
+                f"{prediction.name}: “{words}” stands outside its fold"
+                for words in tells(prediction)
+                if re.search(rf"(?<![\w.]){re.escape(plain(words))}(?!\w)", plain(" ".join(seen)))
+            )
+
+
+def followed(cell):
+    """The predictions that a cell is folded into."""
+    tags = cell.metadata.get("tags", [])
+    return {tag.removeprefix(TAG) for tag in tags if tag.startswith(TAG)}
+
+
+def unfolded(cells, name):
+    """The cells that stand open below a question, up to the next heading or question."""
+    for cell in cells:
+        if asked_in(cell) or (cell.cell_type == "markdown" and cell.source.startswith("#")):
+            return
+        if name not in followed(cell):
+            yield cell
+
+
+REBORN = list(course().modules("predictions"))
+
+
+def cells_of(chapter):
+    return nbformat.read(course().notebook(chapter), as_version=4).cells
+
+
+@pytest.mark.parametrize("chapter", REBORN)
+def test_nothing_gives_an_answer_away(chapter):
+    assert not list(given_away(cells_of(chapter), predictions()))
+
+
+@pytest.mark.parametrize("chapter", REBORN)
+def test_each_is_asked_once_in_its_own_chapter(chapter):
+    homes = course().homes("predictions", Prediction)
+    asked = [name for cell in cells_of(chapter) if (name := asked_in(cell))]
+    assert sorted(asked) == sorted(name for name, home in homes.items() if home == chapter)
+
+
+@each("prediction", "predictions", Prediction)
+def test_it_says_what_would_give_it_away(prediction):
+    """A number with a unit is looked for by itself."""
+    assert tells(prediction), f"{prediction.name}: name such words in `hides`"
+
+
+@each("prediction", "predictions", Prediction)
+def test_a_usual_wrong_guess_is_not_right(prediction):
+    data = prediction.answers.data()
+    same = "(d) => d.wrong.map((w) => workshop.predictions.same(d, w, d.right))"
+    assert not any(engine.call(f"({same})", data))
+
+
+@each("prediction", "predictions", Prediction)
+def test_a_ghost_stands_in_the_figure_before(prediction):
+    if isinstance(prediction.answers, Ghost):
+        chapter = course().homes("predictions", Prediction)[prediction.name]
+        cells = cells_of(chapter)
+        place = next(i for i, cell in enumerate(cells) if asked_in(cell) == prediction.name)
+        outputs = [o.data for o in cells[place - 1].outputs if figure.MIME in o.get("data", {})]
+        assert [o[figure.MIME]["name"] for o in outputs] == [prediction.answers.figure]
+
+
+# --- the checks themselves -------------------------------------------------------------------
+
+SPEEDS = {v_L: Float("0.05"), v_R: Float("0.1"), b: Float("0.1")}
+RATE = Prediction(
+    "rate",
+    "How fast does it turn?",
+    Number("ω", "rad/s", right=formulas.turning_rate.at(SPEEDS)),
+    opens="By the difference.",
+)
+SIDE = Prediction(
+    "side", "Which side?", Buttons(("left", "right"), right="left"), "", hides=("to the left",)
+)
+KNOWN = {"rate": RATE, "side": SIDE}
+
+
+def ask(name):
+    return new_code_cell(f'predictions.ask("{name}")')
+
+
+def text(source, *tags):
+    return new_markdown_cell(source, metadata={"tags": list(tags)})
+
+
+def printing(words):
+    return new_code_cell("1", outputs=[new_output("execute_result", {"text/plain": words})])
+
+
+GIVEN = {
+    "above": [text("It turns at 0.5\nrad/s."), ask("rate")],
+    "in the title": [text("# A turn *to the* left"), ask("side")],
+    "in an output above": [printing("0.5 rad/s"), ask("rate")],
+    "below": [ask("rate"), text("So it is 0.5 rad/s.")],
+    "in another's fold": [ask("rate"), text("0.5 rad/s", "after-side")],
+    "by the same question asked before": [ask("rate"), text("## Again"), ask("rate")],
+    "bare": [text("**Predict.** Which side?"), printing("")],
+    "a tag without its question": [text("#"), text("so", "after-rate")],
+}
+NOT_GIVEN = {
+    "another number": [text("It turns at 10.5 rad/s."), ask("rate")],
+    "in the fold": [ask("rate"), text("0.5 rad/s", "after-rate"), text("0.5 rad/s", "after-rate")],
+    "after the next heading": [ask("rate"), text("## Next\n\n0.5 rad/s")],
+    "asked": [text("**Predict.** Which side?"), ask("side")],
+}
+
+
+@pytest.mark.parametrize("cells", GIVEN.values(), ids=GIVEN)
+def test_what_gives_away_is_found(cells):
+    assert list(given_away(cells, KNOWN))
+
+
+@pytest.mark.parametrize("cells", NOT_GIVEN.values(), ids=NOT_GIVEN)
+def test_what_does_not_is_left(cells):
+    assert not list(given_away(cells, KNOWN))
+
+
+def test_in_a_notebook_the_answer_is_folded():
+    data = Asked(RATE)._repr_mimebundle_()
+    question, _, fold = data["text/markdown"].partition("<details>")
+    assert "0.5 rad/s" in fold
+    assert "0.5" not in question + data["text/plain"]
+    assert data[MIME] == {"name": "rate"}
+
+
+WRONG = {
+    "a typed number": (lambda: Number("ω", "rad/s", right=0.5), "are computed"),
+    "a function that types it": (lambda: Number("ω", "rad/s", right=lambda: 0.5), "are computed"),
+    "one option": (lambda: Buttons(("left",), right="left"), "two to four"),
+    "an unknown option": (lambda: Buttons(("left", "right"), right="up"), "up"),
+    "a name with blanks": (lambda: Prediction("a b", "", SIDE.answers, ""), "letters and dashes"),
+    "no such slider": (
+        lambda: Ghost("wheel-speeds", (Symbol("z"),), {}, formulas.speed.at(SPEEDS), 1).sliders(),
+        "moves z, but the figure wheel-speeds has the sliders v_L",
+    ),
+}
+
+
+@pytest.mark.parametrize(("make", "message"), WRONG.values(), ids=WRONG)
+def test_what_is_declared_wrongly_is_told(make, message):
+    with pytest.raises(CourseError, match=message):
+        make()
+
+
+def test_in_jupyterlab_what_it_opens_is_folded():
+    notebook = nbformat.v4.new_notebook(cells=[ask("rate"), text("0.5 rad/s", "after-rate")])
+    stored.normal(notebook)
+    question, result = notebook.cells
+    assert "jupyter" not in question.metadata
+    assert result.metadata["jupyter"]["source_hidden"]

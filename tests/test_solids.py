@@ -1,0 +1,322 @@
+"""Solids in space, quarter turns by buttons, and the matrix in the picture."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+import sympy as sp
+from declared import FIGURES
+from hypothesis import given
+from hypothesis import strategies as st
+from support import EPS, assert_close
+from test_figures import (
+    in_browser,
+    page_of,  # noqa: F401
+    painted,
+    pressed,
+    space,
+    visit,  # noqa: F401
+)
+
+from robokin import euler
+from workshop.errors import CourseError
+from workshop.figures import VIEW, Bracket, Readout, Turns, solids, view_sliders
+from workshop.script import engine as script
+
+pytest_plugins = ["browser"]
+
+BODIES = {
+    "box": solids.box("body", (1, 2, 3), at=(1, 1, 1)),
+    "cylinder": solids.cylinder("body", (1, 0.5), (-1, 2), along="x"),
+    "plate": solids.plate("body", [(0, 0), (2, 0), (1, 1)], 0.1, along="y"),
+    "die": solids.die("body")[0],
+    "ball": solids.ball("body"),
+    "ring": solids.ring("body", 1.0, 1.5, 0.2, along="y"),
+}
+EYE = sp.eye(3)
+
+
+def normals(part):
+    """The middle and the outward normal (not of length 1) of each face that has an area."""
+    corners = np.array(part.corners)
+    for face in part.faces:
+        q = corners[list(face)]
+        up = sum(np.cross(a, b) for a, b in zip(q, np.roll(q, -1, axis=0), strict=True))
+        yield q.mean(axis=0), up
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_faces_look_outward(name):
+    """By the volume that lies behind them: of a ring turned inside out it would be negative."""
+    part = BODIES[name]
+    inside = np.mean(part.corners, axis=0)
+    volume = sum(np.dot(middle - inside, up) for middle, up in normals(part)) / 6
+    known = {"box": 6, "die": 1, "plate": 0.1, "ring": None, "ball": None, "cylinder": None}[name]
+    assert volume > 0
+    if known:
+        assert volume == pytest.approx(known)
+    if name != "ring":  # the others are convex: every face has the middle behind it
+        assert all(np.dot(middle - inside, up) >= -1e-12 for middle, up in normals(part))
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_a_body_is_closed(name):
+    """Every edge is run through once in each direction."""
+    faces = BODIES[name].faces
+    rounded = [tuple(np.round(c, 9)) for c in BODIES[name].corners]  # a ball's poles are one point
+    edges = [
+        (rounded[a], rounded[b])
+        for face in faces
+        for a, b in zip(face, (*face[1:], face[0]), strict=True)
+        if rounded[a] != rounded[b]
+    ]
+    assert sorted(edges) == sorted((b, a) for a, b in edges)
+
+
+def test_opposite_faces_of_a_die_add_up_to_seven():
+    middles = {
+        number: tuple(np.round(middle, 6))
+        for number, (middle, _) in zip(solids.NUMBERS, normals(BODIES["die"]), strict=True)
+    }
+    assert sorted(middles) == [1, 2, 3, 4, 5, 6]
+    assert [middles[k] for k in (1, 2, 3)] == [(0.5, 0, 0), (0, 0.5, 0), (0, 0, 0.5)]
+    assert all(np.allclose(middles[k], -np.array(middles[7 - k])) for k in (1, 2, 3))
+
+
+# --- What is painted ------------------------------------------------------------------------
+
+
+def drawn(figure, **shown):
+    """The picture at a setting, in the units shown."""
+    state = [shown.get(str(c.symbol), c.start) for c in figure.controls]
+    return str(script.run(f"workshop.figures.svg({figure.code}, {json.dumps(state)})"))
+
+
+def cubes(*places, **more):
+    """Boxes of side 1 at places, each of a kind."""
+    scene = [VIEW.solid([solids.box(kind, (1, 1, 1))], EYE, at, **more) for kind, at in places]
+    return space(scene=tuple(scene))
+
+
+SIDES = [(30, 20, 3), (0, 0, 1), (90, 0, 1), (45, 0, 2), (-120, -40, 3), (10, 90, 1)]
+
+
+@pytest.mark.parametrize(("azimuth", "elevation", "faces"), SIDES)
+def test_faces_that_look_away_are_not_drawn(azimuth, elevation, faces):
+    figure = cubes(("body", (0, 0, 0)))
+    svg = drawn(figure, azimuth=azimuth, elevation=elevation)
+    assert len(re.findall("color-mix", svg)) == faces
+
+
+@pytest.mark.parametrize(("azimuth", "last"), [(0, "left"), (180, "right"), (170, "right")])
+def test_the_nearer_body_is_painted_over_the_other(azimuth, last):
+    figure = cubes(("left", (1, 0, 0)), ("right", (-1, 0, 0)))
+    order = painted(figure, azimuth=azimuth, elevation=20)
+    first = {"left": "right", "right": "left"}[last]
+    assert set(order) == {"left", "right"}
+    assert max(k for k, kind in enumerate(order) if kind == first) < order.index(last)
+
+
+def shades(svg):
+    """How much of its own colour each face keeps, + if lighter, in the order of painting."""
+    found = re.findall(r"fill:color-mix\(in srgb,var\(--rk-body,#\w+\) (\d+)%,#(\w)", svg)
+    return [(100 - int(part)) * (1 if other == "f" else -1) for part, other in found]
+
+
+def test_the_light_comes_from_above_and_stays_in_the_room():
+    """The top is the lightest face from wherever it is seen, and turning the view changes none."""
+    figure = cubes(("body", (0, 0, 0)))
+    seen = {a: shades(drawn(figure, azimuth=a, elevation=30)) for a in (20, 40, 110, 130)}
+    assert sorted(seen[20]) == sorted(seen[40])
+    assert sorted(seen[20]) != sorted(seen[110])
+    tops = {max(found) for found in seen.values()}
+    assert len(tops) == 1
+    assert all(found.count(max(found)) == 1 for found in seen.values())
+
+
+def test_a_pose_turns_and_moves_a_body():
+    """A box turned by a quarter about z looks like one with its sides exchanged."""
+    R = sp.Matrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    turned = space(scene=(VIEW.solid([solids.box("body", (1, 2, 3))], R, (0, 1, 0)),))
+    exchanged = space(scene=(VIEW.solid([solids.box("body", (2, 1, 3), at=(0, 1, 0))], EYE),))
+    outlines = [set(map(frozenset, map(str.split, re.findall('d="M([^"]+)z"', drawn(f)))))
+                for f in (turned, exchanged)]  # fmt: skip
+    assert outlines[0] == outlines[1]
+
+
+def test_a_shadow_falls_straight_down_and_lies_under_all():
+    figure = cubes(("body", (0, 0, 0)), floor=-1.0)
+    order = painted(figure, elevation=30)
+    assert order[0] == "grid"
+    assert set(order[1:]) == {"body"}
+    from_above = drawn(figure, azimuth=0, elevation=90)
+    shadow, top = re.findall('d="M([^"]+)z"', from_above)[:2]
+    assert sorted(shadow.split()) == sorted(top.split())
+    assert "grid" not in painted(figure, elevation=-30)  # through the floor one sees no shadow
+
+
+def test_a_ghost_is_clear_and_a_floor_is_seen_from_above_only():
+    ghost = drawn(cubes(("ghost", (0, 0, 0)), opacity=0.2))
+    assert "fill-opacity:0.2" in ghost
+    assert "color-mix" not in ghost
+    floor = space(scene=(VIEW.floor(-1, 1),))
+    assert drawn(floor, elevation=30).count("fill-opacity:0.5") == 16
+    assert drawn(floor, elevation=-30).count("fill-opacity:0.5") == 0
+
+
+def test_what_is_printed_on_a_face_goes_with_it():
+    figure = space(scene=(VIEW.solid(solids.die("body"), EYE),))
+    counts = {drawn(figure, azimuth=a, elevation=e).count("<circle")
+              for a, e in ((0, 0), (90, 0), (0, 90), (180, 0), (-90, 0), (0, -90))}  # fmt: skip
+    assert counts == {1, 2, 3, 4, 5, 6}
+
+
+def test_an_unknown_look_of_a_part_is_refused():
+    with pytest.raises(CourseError, match="no kind 'gold'; there are"):
+        _ = cubes(("gold", (0, 0, 0))).code
+
+
+def test_shades_are_plain_colours_in_a_notebook():
+    assert "color-mix" not in FIGURES["die"]._repr_mimebundle_()["image/svg+xml"]
+
+
+# --- Quarter turns --------------------------------------------------------------------------
+
+TURNS = Turns()
+presses = st.lists(st.sampled_from([s + x for s in ("", "-") for x in "xyzXYZ"]), max_size=6)
+
+
+def turning(**parts):
+    """A body's rotation, entry by entry, after presses."""
+    now = TURNS.after(TURNS.last(TURNS.part))
+    names = [f"r{k}" for k in range(9)]
+    right = {
+        "controls": (TURNS, *view_sliders()),
+        "readouts": tuple(Readout(n, n, x, "") for n, x in zip(names, now, strict=True)),
+        "scene": (Bracket(now, (0, 0), "now"),),
+        "says": "{turns}",
+    }
+    return space(**{**right, **parts})
+
+
+FIGURE = turning()
+
+
+def rotation(text, made=1.0):
+    """The rotation that the figure computes."""
+    row = [*pressed(text, made), 0.5, 0.3]
+    return FIGURE.compute([row])[0, :9].reshape(3, 3)
+
+
+@given(presses, st.floats(0, 1))
+def test_own_axes_multiply_on_the_right_and_the_rooms_on_the_left(pressed_ones, made):
+    R = np.eye(3)
+    for place, press in enumerate(pressed_ones):
+        part = made if place == len(pressed_ones) - 1 else 1
+        angle = np.pi / 2 * part * (-1 if press[0] == "-" else 1)
+        turn = euler.to_matrix(press[-1], [angle])
+        R = R @ turn if press[-1].isupper() else turn @ R
+    # six products of quarter turns, each off by a rounding of cos(90°)
+    assert_close(rotation("".join(pressed_ones), made), R, atol=12 * EPS)
+
+
+def test_whole_turns_are_whole_numbers():
+    assert set(np.ravel(pressed("XyZ-x-Y-z", 1.0)[:9])) <= {-1, 0, 1}
+    assert pressed("", 1.0)[9:] == [0, 0, 0, 1, 1, 0]
+    assert pressed("X-y", 0.5)[9:] == [0, -1, 0, 0, 0.5, 2]
+
+
+@pytest.mark.parametrize("value", ["xw", "--x", "x-", 3, None])
+def test_presses_that_are_none_are_refused(value):
+    figure = turning()
+    with pytest.raises(CourseError, match="turns must be letters as in 'Zx-Y', got"):
+        figure.move({"turns": value})
+    figure.move({"turns": "Zx-Y"})
+    assert figure.values["turns"] == "Zx-Y"
+
+
+def test_a_matrix_stands_in_the_picture_with_its_columns_in_colour():
+    svg = str(script.run(f"workshop.figures.svg({FIGURE.code}, [['Z', 1], 30, 20])"))
+    found = re.findall(r'style="font:600 13px[^"]*--rk-(\w)_axis[^"]*">([^<]+)<', svg)
+    assert found == [(axis, n) for row in (["0", "−1", "0"], ["1", "0", "0"], ["0", "0", "1"])
+                     for axis, n in zip("xyz", row, strict=True)]  # fmt: skip
+    assert "now" in svg
+
+
+# --- On the page ----------------------------------------------------------------------------
+
+DIE = FIGURES["die"]
+MADE = "(name) => document.getElementById(name).workshop.state[0][1] === 1"
+
+
+def press(live, *which):
+    """Presses buttons, one after the other has come to its end."""
+    for one in which:
+        live.root.locator(f"[data-press='{one}']").click()
+        live.page.wait_for_function(MADE, arg=DIE.name)
+
+
+@in_browser
+def test_buttons_turn_the_die_and_the_goal_is_reached(visit):  # noqa: F811
+    with visit(DIE) as live:
+        goals = live.root.locator(".rk-goal")
+        press(live, "Z", "X", "Y", "-Y", "X")
+        assert live.state()[0] == ["ZXY-YX", 1]
+        assert live.readouts() == {"count": "5", "apart": "0°"}
+        assert [goal.locator("output").text_content() for goal in goals.all()] == ["reached", ""]
+        live.root.locator(".rk-reset").click()
+        assert live.state()[0] == ["", 1]
+        press(live, "z", "X", "X")
+        assert goals.nth(1).locator("output").text_content() == "reached"
+
+
+@in_browser
+def test_a_turn_slides_in_from_its_own_side(visit):  # noqa: F811
+    """From the right about own axes, from the left about the room's; then it stands beside."""
+    with visit(DIE, before=lambda page: page.clock.install(time=0)) as live:
+        live.page.clock.pause_at(60_000)
+        ways = {}
+        for one in ("Z", "z"):
+            live.root.locator(f"[data-press='{one}']").click()
+            ways[one] = []
+            for _ in range(3):
+                live.page.clock.run_for(150)
+                live.state()
+                ways[one].append(live.root.evaluate(PLACE))
+            live.page.clock.run_for(600)
+        assert ways["Z"] == sorted(ways["Z"], reverse=True)
+        assert ways["z"] == sorted(ways["z"])
+        assert ways["Z"][0] > ways["Z"][-1] > ways["z"][-1] > ways["z"][0]
+
+
+PLACE = """(figure) => Math.min(...[...figure.querySelectorAll("svg text")]
+  .filter((text) => text.getAttribute("style").includes("--rk-icr"))
+  .map((text) => Number(text.getAttribute("x"))))"""
+
+
+@in_browser
+def test_with_reduced_motion_a_turn_is_there_at_once(visit):  # noqa: F811
+    with visit(DIE, reduced_motion="reduce") as live:
+        live.root.locator("[data-press='X']").click()
+        assert live.state()[0] == ["X", 1]
+
+
+@in_browser
+def test_a_link_keeps_the_presses_and_drops_junk(visit):  # noqa: F811
+    with visit(DIE) as live:
+        press(live, "Z", "-x")
+        live.root.locator(".rk-link").click()
+        address = live.page.evaluate("location.hash")
+    with visit(DIE, address.replace("Z-x", "Z-x<script>")) as live:
+        assert live.state()[0] == ["Z-x", 1]
+
+
+@in_browser
+def test_the_view_is_turned_by_keys_once_its_fold_is_open(visit):  # noqa: F811
+    with visit(DIE) as live:
+        before = live.state()
+        assert not live.input(DIE.controls[-1]).is_visible()
+        live.root.locator(".rk-view summary").press("Enter")
+        live.press(DIE.controls[-1], "ArrowRight")
+        assert live.state()[-1] == before[-1] + 1

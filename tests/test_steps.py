@@ -1,0 +1,221 @@
+"""What a chapter that shows, asks and then says keeps to: sizes of figures, goals, motion, screens."""
+
+import json
+
+import nbformat
+import numpy as np
+import pytest
+import sympy as sp
+from declared import FIGURES, each
+from test_figures import (
+    in_browser,
+    page_of,  # noqa: F401
+    visit,  # noqa: F401
+)
+from test_hands import centre, put
+
+from workshop.course import course
+from workshop.figures import Clock, Figure, Slider
+
+pytest_plugins = ["browser"]
+
+STEPS = {name: figure for name, figure in FIGURES.items() if figure.size == "step"}
+LABORATORIES = {name: f for name, f in FIGURES.items() if f.size == "laboratory"}
+REBORN = ("differential_drive",)
+
+# --- Sizes ----------------------------------------------------------------------------------
+
+BOX = "(e) => { const {width, height} = e.getBoundingClientRect(); return [width, height]; }"
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_a_step_has_two_things_to_move_and_three_numbers(name):
+    figure = STEPS[name]
+    moved = [c for c in figure.controls if not isinstance(c, Clock)]
+    assert len(moved) <= 2
+    assert len(figure.readouts) <= 3
+
+
+@in_browser
+@pytest.mark.parametrize(
+    ("width", "most"), [(1280, {"step": 420, "laboratory": 800}), (390, {"step": 560})]
+)
+@pytest.mark.parametrize("name", [*STEPS, *LABORATORIES])
+def test_figures_have_their_size(name, width, most, visit):  # noqa: F811
+    figure = FIGURES[name]
+    with visit(figure, width=width) as live:
+        height = live.root.evaluate(BOX)[1]
+    print(f"{name} at {width}: {height:.0f} px")
+    assert height <= most.get(figure.size, np.inf)
+
+
+# --- Goals ----------------------------------------------------------------------------------
+
+
+def reached(live):
+    """Which goals are marked as reached; drawn to the end first."""
+    live.state()
+    return live.root.locator(".rk-goal").evaluate_all(
+        "(all) => all.map((goal) => goal.classList.contains('rk-done'))"
+    )
+
+
+def drag(live, place, wished):
+    """A handle, by the mouse, to where it is at a state."""
+    before = live.state()
+    put(live, wished)
+    there = centre(live, place)
+    put(live, before)
+    live.page.mouse.move(*centre(live, place))
+    live.page.mouse.down()
+    live.page.mouse.move(*there, steps=8)
+    live.page.mouse.up()
+
+
+@in_browser
+@pytest.mark.parametrize("width", [1280, 390])
+def test_the_robot_is_parked_by_two_drags(visit, width):  # noqa: F811
+    with visit(FIGURES["park"], width=width) as live:
+        goal = live.root.locator(".rk-goal output")
+        assert reached(live) == [False]
+        assert goal.text_content() == ""
+        drag(live, 0, [0.06, 0.05, 0])
+        assert reached(live) == [False]
+        drag(live, 1, [0.06, 0.12, 0])
+        assert reached(live) == [True]
+        assert goal.text_content() == "reached"
+        assert goal.evaluate("(e) => e.matches('output')")  # which is read aloud when it changes
+        put(live, [0.0, 0.0, 0])
+        assert reached(live) == [True]  # once is enough …
+        live.root.locator(".rk-reset").click()
+        assert reached(live) == [False]  # … until a reset
+
+
+@in_browser
+def test_the_tasks_of_the_laboratory_are_done_by_keys(visit):  # noqa: F811
+    """On the steps of the sliders, as they are for those who use no mouse."""
+    figure = FIGURES["wheel-speeds"]
+    left, right, time = figure.controls
+    with visit(figure) as live:
+        assert reached(live) == [False] * 3
+        live.press(left, *["ArrowLeft"] * 10)  # from 0.05 to 0
+        assert reached(live) == [True, False, False]
+        live.press(left, *["ArrowRight"] * 4)
+        live.press(right, *["ArrowLeft"] * 8)  # 0.02 and 0.06
+        assert reached(live) == [True, True, False]
+        live.press(left, *["ArrowRight"] * 16)
+        live.press(right, *["ArrowLeft"] * 2)  # 0.1 and 0.05: the bay is where that is after 5 s
+        live.press(time, *["ArrowRight"] * 60)
+        assert reached(live) == [True] * 3
+
+
+@in_browser
+def test_a_wish_that_can_be_had(visit):  # noqa: F811
+    with visit(FIGURES["sideways"]) as live:
+        drag(live, 0, [0.08, 0.0])
+        assert reached(live) == [True]
+
+
+@each("figure", "figures", Figure)
+def test_a_goal_is_not_reached_at_the_start(figure):
+    goals = figure._compiled[0].count('"words": ') and figure.goal
+    for goal in (goals,) if not isinstance(goals, tuple) else goals:
+        if goal:
+            at = figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True)))
+            start = [c.start for c in figure.controls if isinstance(c, Slider)]
+            assert figure.compute([start])[0, at] == 0
+
+
+# --- Motion ---------------------------------------------------------------------------------
+
+LOOPING = [f for f in FIGURES.values() if any(getattr(c, "loops", False) for c in f.controls)]
+TIME = "([name, i]) => document.getElementById(name).workshop.state[i]"
+
+
+@in_browser
+@pytest.mark.parametrize("figure", LOOPING, ids=lambda figure: figure.name)
+def test_motion_loops_in_sight_and_rests_out_of_it(figure, visit):  # noqa: F811
+    place = next(i for i, c in enumerate(figure.controls) if getattr(c, "loops", False))
+    clock, at = figure.controls[place], [figure.name, place]
+    with visit(figure, reduced_motion="no-preference") as live:
+        live.picture.scroll_into_view_if_needed()
+        live.page.wait_for_function(f"(at) => ({TIME})(at) > {clock.low + 0.2}", arg=at)
+        highest = 0.9 * clock.high
+        live.page.wait_for_function(f"(at) => ({TIME})(at) > {highest}", arg=at)
+        live.page.wait_for_function(f"(at) => ({TIME})(at) < {highest}", arg=at)  # and again
+        live.press(figure.controls[0], "End")  # another hand does not stop it …
+        before = live.state()[place]
+        live.page.wait_for_function(f"(at) => ({TIME})(at) !== {before}", arg=at)
+        live.page.evaluate("() => scrollTo(0, document.body.scrollHeight)")
+        button = live.root.locator(".rk-play")
+        live.page.wait_for_function("(e) => e.textContent === 'Play'", arg=button.element_handle())
+        button.click()  # … and the button does
+        live.page.wait_for_function("(e) => e.textContent === 'Pause'", arg=button.element_handle())
+        button.click()
+        assert button.text_content() == "Play"
+
+
+@in_browser
+@pytest.mark.parametrize("figure", LOOPING, ids=lambda figure: figure.name)
+def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, visit):  # noqa: F811
+    with visit(figure) as live:
+        live.picture.scroll_into_view_if_needed()
+        assert live.root.locator(".rk-play").text_content() == "Play"
+        assert live.state() == json.loads(json.dumps([c.start for c in figure.controls]))
+
+
+@in_browser
+def test_the_view_follows_the_robot(visit):  # noqa: F811
+    """Straight on at the highest speed for 12 s: 1.8 m, and still in the picture."""
+    with visit(FIGURES["wheel-speeds"]) as live:
+        put(live, [0.15, 0.15, 12.0])
+        box = live.picture.bounding_box()
+        wheel = live.picture.locator('[data-symbol="differential_drive.v_L"] rect').last
+        seen = wheel.bounding_box()
+        assert box["y"] < seen["y"] < box["y"] + box["height"]
+
+
+# --- The page -------------------------------------------------------------------------------
+
+FULL = """() => {
+  const article = document.querySelector(".bd-article").getBoundingClientRect();
+  const kinds = ".rk-figure, .rk-prediction, [data-slot], .math, .rk-exercise, .rk-mistake, svg";
+  const boxes = [...document.querySelectorAll(`.bd-article :is(${kinds})`)]
+    .map((e) => e.getBoundingClientRect()).filter(({ height }) => height > 0)
+    .map(({ top, bottom }) => [top + scrollY, bottom + scrollY]);
+  const end = article.bottom + scrollY, screens = [];
+  for (let top = 0; top < end - 300; top += 900) {
+    screens.push(boxes.some(([a, b]) => a < top + 900 && b > top));
+  }
+  return screens;
+}"""
+
+
+@in_browser
+@pytest.mark.parametrize("chapter", REBORN)
+def test_every_screen_has_something_to_see_or_do(chapter, server, chromium):
+    page = chromium.new_page(viewport={"width": 1280, "height": 900}, reduced_motion="reduce")
+    page.goto(f"{server}{chapter}/{chapter}.html")
+    page.wait_for_selector(".rk-live")
+    screens = page.evaluate(FULL)
+    page.close()
+    print(f"{chapter}: {sum(screens)} of {len(screens)} screens have something to see or do")
+    assert all(screens)
+
+
+WORDS = 1500
+
+
+@pytest.mark.parametrize("chapter", REBORN)
+def test_a_chapter_has_few_words(chapter):
+    """Without exercises, mistakes and what is folded."""
+    cells = nbformat.read(course().notebook(chapter), as_version=4).cells
+    text = [
+        cell.source
+        for cell in cells
+        if cell.cell_type == "markdown"
+        and not any(tag.startswith("after-") for tag in cell.metadata.get("tags", []))
+    ]
+    count = len(" ".join(text).split())
+    print(f"{chapter}: {count} words")
+    assert count <= WORDS

@@ -1,0 +1,242 @@
+"""One symbol, one thing: what is printed is declared, and lights up wherever it stands."""
+
+import json
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from declared import EQUATIONS, FIGURES, course
+from support import on_circle
+
+from workshop.course import held
+from workshop.equations.core import NamedSymbol, quantity, sign
+from workshop.equations.printing import MIME
+from workshop.errors import CourseError
+from workshop.figures import Figure, Readout, Slider
+from workshop.script import engine
+from workshop.site.directives import notation
+from workshop.symbols import lexicon
+from workshop.symbols.lexicon import cells, printed, results, scan, unknown
+from workshop.symbols.numbers import Slots, at_start, rows
+
+CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
+each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
+
+
+def keys(chapter, tex):
+    """The symbols in TeX, in order."""
+    return [symbol.key for _, symbol, _ in scan(chapter, tex) if symbol]
+
+
+@each_chapter
+def test_every_printed_symbol_is_declared(chapter):
+    """So it stands on the notation page, with its meaning."""
+    missing = {letter: tex for tex in printed(chapter) for letter in unknown(chapter, tex)}
+    assert not missing, f"declare in formulas.py of {chapter}, as `quantity` or `sign`: {missing}"
+
+
+@each_chapter
+def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
+    for equation, computed in lexicon.shown(chapter):
+        parts = (equation.left, equation.printed(computed))
+        symbols = {s.key for s in lexicon.in_expressions(parts)}
+        assert symbols <= set(keys(chapter, equation.latex(computed)))
+
+
+def test_the_notation_page_has_a_row_for_each():
+    for chapter, table in notation().items():
+        text = "\n".join(table)
+        for symbol in lexicon.printed_symbols(chapter):
+            assert symbol.meaning
+            several = symbol.name[-1].isdigit() or "entry" in symbol.meaning
+            assert several or f"${symbol.latex}$" in text
+
+
+@pytest.mark.parametrize(
+    ("tex", "found"),
+    [
+        (r"\dot\varphi_L - \dot{\varphi}_{R}", ["rate_L", "rate_R"]),
+        (r"\frac{v_{R} + v_L}{b}", ["v_R", "v_L", "b"]),
+        (r"v\cos\theta\,\Delta t", ["v", "theta", "dt"]),
+        (r"b^{2} + b_1 + \mathrm{b} + \dot{b}", ["b"]),  # an index or an accent: another letter
+        (r"x' + x", ["x_next", "x"]),
+    ],
+)
+def test_letters_are_found_whole(tex, found):
+    assert [key.split(".")[1] for key in keys("differential_drive", tex)] == found
+
+
+def test_a_letter_of_two_symbols_is_refused(monkeypatch):
+    formulas = course().module("bicycle", "formulas")
+    monkeypatch.setattr(formulas, "other", sign("other", "a length", "L"), raising=False)
+    lexicon.symbols_of.cache_clear()
+    with pytest.raises(
+        CourseError, match=r"^L stands for two symbols .* bicycle: wheelbase \(.*other"
+    ):
+        lexicon.symbols_of("bicycle")
+    lexicon.symbols_of.cache_clear()
+
+
+def test_a_letter_that_is_not_declared_is_told():
+    assert unknown("bicycle", r"\Xi_k + L + \sin\kappa + R^T") == [r"\Xi_k", r"\kappa", "T"]
+
+
+def test_signs_have_no_range():
+    declared = [s for c in CHAPTERS for s in held(course().module(c, "formulas"), NamedSymbol)]
+    assert {s.is_sign for s in declared} == {True, False}
+    assert not quantity("q", "m", 0, 1, "a length").is_sign
+
+
+# The formula with its numbers
+
+
+def followed():
+    """The formulas of the notebooks that follow a figure, as they are shown."""
+    outputs = [(c, data) for c in CHAPTERS for cell in cells(c) for data in results(cell)]
+    found = [(c, data[MIME]) for c, data in outputs if "figure" in data.get(MIME, ())]
+    return [
+        pytest.param(
+            EQUATIONS[d["name"]], d["computed"], FIGURES[d["figure"]], id=f"{c}:{d['name']}"
+        )
+        for c, d in found
+    ]
+
+
+STATES = """((figure, {numbers, settings, compute}, parts) => parts.map((row) => {
+  const state = figure.controls.map((control, i) => (control.type === "slider" || control.type ===
+    "clock" ? control.low + (control.high - control.low) * row[i] : control.start));
+  return numbers(figure, state, compute(figure, settings(figure, state)));
+}))"""
+
+
+def numbers_of(figure, count):
+    """What a figure shows by symbol, at settings from all over its sliders."""
+    rows = np.random.default_rng(1).random((count, len(figure.controls))).tolist()
+    return engine.run(f"{STATES}({figure.code}, workshop.figures, {rows})")
+
+
+def slots(tex):
+    """The keys of the slots in TeX, each with its flags."""
+    found = re.findall(r"\\htmlData\{([^}]*)\}\{0\}", tex)
+    return [dict(pair.split("=") for pair in face.split(",")) for face in found]
+
+
+def as_number(text):
+    """What a text such as (−1.5·10⁻³) says, and half of its last digit; degrees as radians."""
+    raised = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+    plain = text.strip("()").replace("−", "-").replace("·10", "e").translate(raised)
+    digits, _, power = plain.split(" ")[0].rstrip("°").partition("e")
+    unit = 10.0 ** int(power or 0) * (np.pi / 180 if "°" in plain else 1)
+    return float(digits) * unit, 0.5 * 10.0 ** -len(digits.partition(".")[2]) * unit
+
+
+def agrees(equation, computed, figure, count):
+    """Every slot says its number to its last digit, and each right side gives the left one."""
+    tex = Slots(equation, figure, CHAPTERS[0]).tex(computed)
+    for numbers in numbers_of(figure, count):
+        told = [(numbers[flags["symbol"]], flags) for flags in slots(tex)]
+        texts = engine.run(f"{json.dumps(told)}.map((pair) => workshop.symbols.slotText(...pair))")
+        for (number, flags), text in zip(told, texts, strict=True):
+            if "result" in flags:
+                assert text == number["text"]
+            if re.match(r"\(?[−\d]", text):
+                shown, half = as_number(text)
+                assert abs(shown - number["value"]) <= half * (1 + 1e-9), text
+        for left, right in rows(equation, computed):
+            values = {s: numbers[s.key]["value"] for s in right.free_symbols if s.key in numbers}
+            value, expected = right.subs(values).evalf(), numbers[left.key]["value"]
+            if value.is_real and np.isfinite(expected):
+                apart = float(value) - expected
+                apart = on_circle(apart) if left.unit == "rad" else abs(apart)
+                assert apart <= 1e-9 * max(1, abs(expected)), left  # rounding, many times over
+
+
+@pytest.mark.parametrize(("equation", "computed", "figure"), followed())
+def test_the_numbers_of_a_formula_are_those_of_its_figure(equation, computed, figure):
+    """At 200 settings."""
+    agrees(equation, computed, figure, 200)
+
+
+DRIVE, MOTION = (course().module(c, "formulas") for c in ("differential_drive", "motion"))
+
+
+def small_figure(**changes):
+    """A robot that turns, backwards at first; its numbers alone."""
+    v_L, v_R, theta, dt = DRIVE.v_L, DRIVE.v_R, MOTION.theta, MOTION.dt
+    ends = zip(
+        (MOTION.x_next, MOTION.y_next, MOTION.theta_next), MOTION.euler_step.right, strict=True
+    )
+    parts = {
+        "name": "small",
+        "title": "",
+        "view": (-1, 1, -1, 1),
+        "controls": (
+            Slider(v_L, -0.5, 0.5, start=-0.25, step=0.01),
+            Slider(v_R, -0.5, 0.5, start=-0.1, step=0.01),
+            Slider(theta, -3, 3, start=np.pi / 6, step=np.pi / 180),
+            Slider(dt, 0, 2, start=0.5, step=0.1),
+        ),
+        "scene": (),
+        "says": "",
+        "readouts": (
+            Readout(MOTION.v),
+            Readout(MOTION.omega, digits=1),
+            *(Readout(symbol, value=end) for symbol, end in ends),
+        ),
+        "where": (
+            (DRIVE.b, 0.1),
+            (MOTION.v, DRIVE.speed.right),
+            (MOTION.omega, DRIVE.turning_rate.right),
+            (MOTION.x, 0.0),
+            (MOTION.y, 0.0),
+        ),
+    }
+    return Figure(**parts | changes)
+
+
+def written(name, figure):
+    """The formula with its starting numbers, as TeX without marks."""
+    numbers = at_start(figure)
+
+    def text(slot):
+        flags = dict(pair.split("=") for pair in slot[1].split(","))
+        if slot[2] != "0":
+            return slot[2]
+        return engine.call("workshop.symbols.slotText", numbers[flags["symbol"]], flags)
+
+    tex = Slots(EQUATIONS[name], figure, "differential_drive").tex(False)
+    return re.sub(r"\{\\htmlData\{([^{}]*)\}\{((?:[^{}]|\{[^{}]*\})*)\}\}", text, tex)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("differential_drive.speed", r"v = \frac{−0.10 + (−0.25)}{2} = −0.175 m/s"),
+        ("differential_drive.turning_rate", r"\omega = \frac{−0.10 - (−0.25)}{0.1} = 1.5 rad/s"),
+        (
+            "motion.euler_step",
+            r"x' &= 0 + (−0.175) \cdot \cos{\left(30° \right)} \cdot 0.5 = −0.076 m",
+        ),
+        ("motion.euler_step", r"\theta' &= 0.524 + 1.5 \cdot 0.5 = 1.274\,\mathrm{rad} = 72.972°"),
+    ],
+)
+def test_signs_and_units_of_the_numbers(name, expected):
+    assert expected in written(name, small_figure())
+
+
+def test_a_number_that_a_figure_lacks_is_told():
+    silent, speed = small_figure(readouts=()), EQUATIONS["motion.euler_step"]
+    with pytest.raises(
+        CourseError, match=r"the figure small, which shows none for x_next .* readout"
+    ):
+        Slots(speed, silent, "differential_drive").tex(False)
+    with pytest.raises(CourseError, match=r"left side .* is no symbol"):
+        Slots(EQUATIONS["bicycle.equivalent_steering"], silent, "bicycle").tex(False)
+
+
+def test_wrong_numbers_would_be_found():
+    speed, figure = EQUATIONS["differential_drive.speed"], small_figure()
+    agrees(speed, False, figure, 20)
+    with pytest.raises(AssertionError):
+        agrees(replace(speed, right=DRIVE.v_R - DRIVE.v_L), False, figure, 20)

@@ -1,0 +1,145 @@
+"""One symbol, one thing, on a page: touch a face of it, and all in the step light up."""
+
+from contextlib import contextmanager
+
+import pytest
+
+pytest_plugins = ["browser"]
+pytestmark = pytest.mark.browser
+pytest.register_assert_rewrite("browser")
+
+from browser import watched_page  # noqa: E402
+
+PAGE, STEP, KEY = "differential_drive", "#one-line-three-answers", "differential_drive.v_L"
+FACES = {  # where a symbol has a face
+    "sentence": "p span.math .katex",
+    "formula": "div.math .katex",
+    "numbers": ".rk-numbers .katex",
+    "figure": ".rk-picture svg",
+    "slider": ".rk-control",
+    "code": ".highlight pre",
+}
+LIT = """(faces) => faces.every((face) => {
+  const { backgroundColor, filter } = getComputedStyle(face);
+  return backgroundColor !== "rgba(0, 0, 0, 0)" || filter !== "none";
+})"""
+CONTRAST = """(letters) => {
+  const pen = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
+  const light = (color) => {
+    pen.fillStyle = color;
+    pen.fillRect(0, 0, 1, 1);
+    const [r, g, b] = [...pen.getImageData(0, 0, 1, 1).data].map((part) => part / 255)
+      .map((part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const root = getComputedStyle(document.documentElement);
+  const grounds = ["--rk-lit", "--rk-ground", "--pst-color-surface", "--pst-color-info-bg"]
+    .map((name) => root.getPropertyValue(name));
+  return letters.flatMap((letter) => grounds.map((ground) => {
+    const [a, b] = [getComputedStyle(letter).color, ground].map(light).sort((x, y) => y - x);
+    return [(a + 0.05) / (b + 0.05), letter.dataset.look, ground];
+  }));
+}"""
+
+
+@pytest.fixture
+def opened(server, chromium):
+    """Opens the page whose step has all faces of a symbol; afterwards its console must be empty."""
+
+    @contextmanager
+    def visit(**options):
+        with watched_page(chromium, server, **options) as (page, watch):
+            page.goto(f"{server}{PAGE}/{PAGE}.html")
+            page.wait_for_selector(f"{STEP} .rk-live")
+            yield page
+            assert not watch.errors + watch.strangers
+
+    return visit
+
+
+def faces(page, where, key=KEY):
+    """The faces of a symbol in the step, of one sort."""
+    return page.locator(
+        f'{STEP} {FACES[where]} [data-symbol="{key}"], {STEP} {FACES[where]}[data-symbol="{key}"]'
+    )
+
+
+def lit(page, where, key=KEY):
+    """Whether all of them are lit, and there are some."""
+    found = faces(page, where, key)
+    assert found.count(), where
+    return found.evaluate_all(LIT)
+
+
+def test_every_face_lights_all_of_them(opened):
+    with opened() as page:
+        note = page.locator(".rk-named")
+        for where in FACES:
+            page.mouse.move(0, 0)
+            assert note.is_hidden()
+            assert not any(lit(page, other) for other in FACES)
+            faces(page, where).first.hover(force=True)
+            assert all(lit(page, other) for other in FACES), where
+            assert not lit(page, "formula", "differential_drive.v_R")
+            assert "speed of the left wheel over the floor: 0.0" in note.inner_text()
+        page.keyboard.press("Escape")
+        assert note.is_hidden()
+        assert not lit(page, "formula")
+
+
+def test_a_tap_lights_and_a_tap_elsewhere_clears(opened):
+    with opened(width=390, has_touch=True) as page:
+        note, height = page.locator(".rk-named"), "() => document.documentElement.scrollHeight"
+        before = page.evaluate(height)
+        faces(page, "formula").first.tap()
+        assert all(lit(page, where) for where in FACES)
+        assert page.evaluate(height) == before  # nothing moves
+        box = note.bounding_box()
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 390
+        page.locator(f"{STEP} h2").tap()
+        assert note.is_hidden()
+
+
+def test_the_arrow_keys_name_the_symbols_of_a_formula(opened):
+    """Which a screen reader hears: the note is a status."""
+    with opened() as page:
+        formula = page.locator(f"{STEP} .math-scroll").first
+        assert "arrow keys" in formula.get_attribute("aria-label")
+        formula.focus()
+        told = []
+        for _ in range(4):
+            page.keyboard.press("ArrowRight")
+            told.append(page.get_by_role("status").filter(visible=True).inner_text())
+        assert len(set(told[:3])) == 3  # v, v_R, v_L, and round again
+        assert told[3] == told[0]
+        page.keyboard.press("ArrowLeft")
+        assert page.locator(".rk-named").inner_text() == told[2]
+        page.keyboard.press("Tab")
+        assert page.locator(".rk-named").is_hidden()
+
+
+def test_the_numbers_of_a_formula_follow_the_hand(opened):
+    with opened() as page:
+        slider = page.locator(f'{STEP} .rk-control[data-symbol="{KEY}"] input')
+        for _ in range(3):
+            slider.press("ArrowLeft")
+            shown = slider.get_attribute("aria-valuetext")
+            page.wait_for_function(
+                "([slots, text]) => [...document.querySelectorAll(slots)]"
+                ".every((slot) => text.startsWith(slot.textContent.replace(/[()]/g, '')))",
+                arg=[f'{STEP} .rk-numbers .katex [data-symbol="{KEY}"]', shown],
+            )
+            speed = page.locator(f'{STEP} .rk-readouts [data-symbol="motion.v"] dd').inner_text()
+            results = f'{STEP} .rk-numbers .katex [data-symbol="motion.v"][data-result]'
+            assert page.locator(results).first.text_content() == speed
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_coloured_letters_can_be_read(opened, scheme):
+    """On the page, in a box, in code, and where they are lit: at least 4.5:1."""
+    with opened(scheme=scheme) as page:
+        page.wait_for_function("(s) => document.documentElement.dataset.theme === s", arg=scheme)
+        found = page.locator(".katex [data-look], .highlight [data-look]").evaluate_all(CONTRAST)
+        assert len({look for _, look, _ in found}) >= 5
+        assert min(found)[0] >= 4.5, min(found)

@@ -1,0 +1,18 @@
+"""One symbol, one thing: the faces of a symbol on a page light up together, and a note names it.
+
+`lexicon` finds a chapter's symbols in TeX, `page` marks them in its formulas and its code. Figures
+mark their own.
+"""
+
+from workshop.script.runtime import Part, register
+from workshop.symbols import page
+
+register(
+    Part(
+        name="symbols",
+        package=__name__,
+        scripts=("symbols.js",),
+        styles=("symbols.css",),
+        rules=page.rules,
+    )
+)

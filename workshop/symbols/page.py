@@ -1,0 +1,93 @@
+"""What the site does to a chapter's page: formulas and code carry the keys of their symbols."""
+
+import json
+import re
+from functools import cache
+from html import escape, unescape
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+from workshop.course import course
+from workshop.equations.core import NamedSymbol, look
+from workshop.equations.text import symbol_text
+from workshop.figures.figure import find
+from workshop.script.runtime import COMPACT
+from workshop.symbols import lexicon
+from workshop.symbols.numbers import fill
+
+# "the x axis", "looks along y": the letter names an axis, not a number
+AXIS = re.compile(r"[+-]?[xyz]")
+AXIS_BEHIND, AXIS_BEFORE = re.compile(r"\s+(axis|axes|direction)\b"), re.compile(r"\balong\s+$")
+
+
+def mark_formulas(app: Sphinx, doctree: nodes.document, docname: str) -> None:
+    """Give each formula of a chapter the TeX in which its symbols are marked."""
+    chapter = docname.partition("/")[0]
+    if not lexicon.is_chapter(chapter):
+        return
+    for node in doctree.findall(lambda n: isinstance(n, nodes.math | nodes.math_block)):
+        if "marked" not in node and not names_an_axis(node):
+            node["marked"] = lexicon.marked(chapter, node.astext())
+
+
+def names_an_axis(node: nodes.Element) -> bool:
+    """Whether an inline formula is the name of an axis."""
+    if not AXIS.fullmatch(node.astext()):
+        return False
+    siblings = node.parent.children
+    place = siblings.index(node)
+    before = siblings[place - 1].astext() if place else ""
+    behind = node.get("after", "") + "".join(n.astext() for n in siblings[place + 1 : place + 2])
+    return bool(AXIS_BEHIND.match(behind) or AXIS_BEFORE.search(before))
+
+
+def mark_page(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
+    """Names in a chapter's code get their symbols, and the page gets what it says of each."""
+    chapter = page.partition("/")[0]
+    if not doctree or not lexicon.is_chapter(chapter):
+        return
+    known = by_name(chapter)
+    body = re.sub(
+        r'<span class="n">(\w+)</span>',
+        lambda found: named(found, known[found[1]], chapter) if found[1] in known else found[0],
+        context["body"],
+    )
+    body = fill(body, find)
+    used = {unescape(key) for key in re.findall(r'data-symbol="([^"]+)"', body)}
+    told = {s.key: facts(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key in used}
+    data = json.dumps(told, ensure_ascii=False, separators=COMPACT).replace("</", "<\\/")
+    context["body"] = f"{body}\n<script>workshopSymbols = {data};</script>\n"
+
+
+@cache
+def by_name(chapter: str) -> dict[str, NamedSymbol]:
+    """The symbols whose names stand in the code of a chapter's notebook, each name for one only."""
+    found: dict[str, list[NamedSymbol]] = {}
+    for symbol in lexicon.printed_symbols(chapter):
+        found.setdefault(symbol.code, []).append(symbol)
+    names = lexicon.names(chapter)
+    return {name: alike[0] for name, alike in found.items() if name in names and len(alike) == 1}
+
+
+def named(found: re.Match[str], symbol: NamedSymbol, chapter: str) -> str:
+    """A name in highlighted code, with its symbol."""
+    kind = look(symbol, chapter)
+    shown = f' data-look="{kind}"' if kind else ""
+    return f'<span class="n" data-symbol="{escape(symbol.key)}"{shown}>{found[1]}</span>'
+
+
+def facts(symbol: NamedSymbol, chapter: str) -> list[str]:
+    """What the note says of a symbol: letter, meaning, unit; and the look of the letter."""
+    kind = look(symbol, chapter)
+    return [symbol_text(symbol), symbol.meaning, symbol.unit, *([kind] if kind else [])]
+
+
+def rules() -> str:
+    """Letters in the colour of their quantity."""
+    return "".join(
+        f'html[data-theme] :is(.katex, .highlight, .rk-named) [data-look="{kind}"] '
+        f"{{ color: color-mix(in srgb, var(--rk-{kind}) 85%, currentcolor); }}\n"
+        for kind in course().looks
+    )

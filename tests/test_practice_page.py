@@ -12,6 +12,7 @@ from declared import COURSE, EXERCISES, table
 
 from workshop import practice
 from workshop.practice import dealing, judging
+from workshop.practice.command import main
 from workshop.practice.wording import symbols
 from workshop.script import engine
 
@@ -395,3 +396,27 @@ def test_without_a_script_it_is_said_where_the_answer_box_would_be(chromium, ser
         assert page.get_by_text("answers cannot be checked").is_visible()
         assert box(page, FIRST).locator(".rk-text").is_visible()
         assert box(page, FIRST).locator("input").is_hidden()
+
+
+def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, monkeypatch):
+    """From disk; it judges nothing, and `grade` reads what it saves."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "roster.csv").write_text("student\nAda\n")
+    (tmp_path / "answers").mkdir()
+    assert main(["key", "roster.csv", "--secret", "secret.txt", "--only", FIRST]) == 0
+    assert main(["sheet", "key.csv"]) == 0
+    [sheet] = (tmp_path / "sheets").iterdir()
+    with watched_page(chromium, tmp_path.as_uri()) as (page, watch):
+        page.goto(sheet.as_uri())
+        page.get_by_label("Answer, one number").fill("1/3")
+        page.keyboard.press("Tab")
+        page.reload()
+        assert page.get_by_label("Answer, one number").input_value() == "1/3"
+        with page.expect_download() as download:
+            page.get_by_role("button", name="Save my answers").click()
+        download.value.save_as(tmp_path / "answers" / download.value.suggested_filename)
+        assert not watch.errors + watch.strangers
+    assert main(["grade", "answers", "--key", "key.csv"]) == 0
+    [graded] = table("grades.csv")
+    assert (graded["student"], graded["answer"]) == ("Ada", "1/3")
+    assert graded["result"] != "missing"

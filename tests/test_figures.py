@@ -345,7 +345,10 @@ def test_the_small_figure_is_right():
             {"controls": (Choice("c", "", (a,), {"one": (1.0,)}, "two"),), "says": ""},
             "one, got 'two'",
         ),
-        ({"controls": (Choice("c", "", (a,), {"one": ()}, "one"),), "says": ""}, "each of x, got 0"),
+        (
+            {"controls": (Choice("c", "", (a,), {"one": ()}, "one"),), "says": ""},
+            "each of x, got 0",
+        ),
         (
             {"readouts": (Readout("twice", "", a, "m", words={"big": "far"}),)},
             "twice has a word for big",

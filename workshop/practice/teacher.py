@@ -291,19 +291,20 @@ def _summary(
 
 def _students(roster: str | Path, problems: tables.Problems) -> list[str]:
     """The names of a roster; empty and repeated ones are noted."""
-    path, names = Path(roster), dict[str, int]()
+    path, lines, names = Path(roster), dict[str, int](), list[str]()
     for line, row in tables.read(path, ("student",), problems):
-        name = folded(row["student"])
-        if not name:
+        name, alike = dealing.tidy(row["student"]), folded(row["student"])
+        if not alike:
             problems.note("lines without a student's name", path, line)
-        elif name in names:
-            words = f"{name} is in line {names[name]} already"
+        elif alike in lines:
+            words = f"{name} is in line {lines[alike]} already"
             problems.note("students named twice", path, line, words)
         else:
-            names[name] = line
+            lines[alike] = line
+            names.append(name)
     if not names:
         raise CourseError("\n".join([f"{path} names no student", *problems.lines()]))
-    return list(names)
+    return names
 
 
 def chosen(only: Sequence[str]) -> list[Exercise]:

@@ -1,4 +1,6 @@
-"""The questions in a real Moodle: `python tools/moodle.py FOLDER [EXERCISE …]`, FOLDER with its code.
+"""The questions in a real Moodle: `python tools/moodle.py FOLDER [EXERCISE …]`.
+
+FOLDER holds Moodle's own code.
 
 A PostgreSQL of its own is started, Moodle is installed in it, imports all questions and answers
 them through its question engine: the right answer, the mistakes, with units. Needs PHP with what

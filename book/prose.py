@@ -30,10 +30,10 @@ def reads(figure: str, readout: str, **settings: float | str) -> float:
         if isinstance(control, Choice):
             row += control.options[str(value)]
             continue
-        if not control.low <= value <= control.high:
-            reach = f"from {control.low:.4g} to {control.high:.4g}"
-            raise ValueError(f"{figure}: the slider {name} goes {reach}, not to {value:.4g}")
         row.append(float(value))
+        if not control.low <= row[-1] <= control.high:
+            reach = f"from {control.low:.4g} to {control.high:.4g}"
+            raise ValueError(f"{figure}: the slider {name} goes {reach}, not to {row[-1]:.4g}")
     if settings:
         raise KeyError(f"the figure {figure} has no control {', '.join(settings)}")
     place = [each.name for each in shown.readouts].index(readout)

@@ -19,6 +19,12 @@ NOUNS = {
         "singularity",
     ),
     "frames": ("frame", "homogeneous transform", "inverse", "loop closure"),
+    "differential_drive": (
+        "angular velocity",
+        "instantaneous centre of rotation",
+        "twist",
+        "nonholonomic",
+    ),
     "bicycle": (
         "instantaneous centre of rotation",
         "angular velocity",

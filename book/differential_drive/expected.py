@@ -80,6 +80,12 @@ def sideways_readouts(ahead, left):
     return np.column_stack([ahead, left])
 
 
+def damage_readouts(rate, heading, t):
+    """apart."""
+    places = driven(0.075, 0.5 + 0 * rate, t), driven(0.075, rate, t, heading)
+    return np.hypot(*(places[0] - places[1])[:, :2].T)[:, None]
+
+
 def drive_readouts(v_left, v_right, t):
     """v, omega, R, x, y, heading."""
     return np.column_stack([tips_readouts(v_left, v_right), driven(*twist_of(v_left, v_right), t)])
@@ -99,6 +105,7 @@ READOUTS = {
     "digits": digits_readouts,
     "steps": steps_readouts,
     "sideways": sideways_readouts,
+    "damage": damage_readouts,
     "wheel-speeds": drive_readouts,
 }
 SPECIALS = {
@@ -113,6 +120,7 @@ SPECIALS = {
     "digits": [{"power": 8.0}],
     "steps": [{"n": 6}, {"n": 12}],
     "sideways": [{"wish_y": 0.0}, {"wish_x": 0.0}],
+    "damage": [{"t": 0.0}, {"mistake": "fourth", "t": 2.0}],
     "wheel-speeds": [*DRIVES, {**STRAIGHT, "t": 12.0}],
     "summary": [],
 }

@@ -24,6 +24,7 @@ from sympy import (
 )
 
 from book.differential_drive import formulas as drive
+from book.differential_drive.exercises import M12, M13, M14, M31
 from book.differential_drive.formulas import R, b, r, rate_L, rate_R, v_L, v_R
 from book.motion import formulas as motion
 from book.motion.formulas import (
@@ -48,6 +49,7 @@ from workshop.figures import (
     Area,
     Arrow,
     Body,
+    Choice,
     Clock,
     Curve,
     Disc,
@@ -80,6 +82,8 @@ share = quantity("share", "rad", -1.5, 1.5, "how the speed is shared between the
 power = quantity("power", "", 0, 16, "the turning rate is ten to the minus this", latex="p")
 guess_x = quantity("guess_x", "m", -0.3, 0.2, "where the reader guesses the robot, along x")
 guess_y = quantity("guess_y", "m", -0.1, 0.3, "where the reader guesses the robot, along y")
+believed_rate = quantity("believed_rate", "rad/s", -2, 2, "turning rate as a mistake makes it")
+believed_heading = quantity("believed_heading", "rad", -99, 99, "heading as a mistake makes it")
 wish_x = quantity("wish_x", "m/s", -0.2, 0.2, "wished speed along the robot's own x axis")
 wish_y = quantity("wish_y", "m/s", -0.2, 0.2, "wished speed to the robot's left")
 s = Symbol("s")
@@ -180,7 +184,7 @@ def park_figure() -> Figure:
     return Figure(
         name="park",
         title="A robot seen from above, its two wheels under your hand, and a mark to park on",
-        view=(-0.34, 0.2, -0.1, 0.3),
+        view=(-0.34, 0.2, -0.1, 0.27),
         controls=(
             *wheels_from(0.05, 0.05),
             Clock(t, 0.0, TIME, start=0.0, step=0.05, loops=True, label="time"),
@@ -398,8 +402,8 @@ def guess_figure() -> Figure:
         title="The robot of the exercise with its wheel arrows, and a mark to put where it will be",
         view=(-0.3, 0.2, -0.09, 0.3),
         controls=(
-            Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="your guess: x"),
-            Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="your guess: y"),
+            Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="x"),
+            Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="y"),
             Clock(t, 0.0, 2.0, start=0.0, step=0.05, label="time"),
         ),
         where=((v_L, 0.05), (v_R, 0.1), *VELOCITY),
@@ -645,6 +649,41 @@ def drive_figure() -> Figure:
     )
 
 
+def damage_figure() -> Figure:
+    """The robot, and where a program with a mistake believes it to be."""
+    right = {v_L: 0.05, v_R: 0.1, b: DISTANCE}
+    speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
+    turns = {mistake: float(mistake.wrong.at(right)) for mistake in (M12, M31)}
+    looks = {m: float(m.wrong.puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
+    options = {
+        nth: (turns.get(m, float(rate)), looks.get(m, radians(90)))
+        for nth, m in zip(("first", "second", "third", "fourth"), (M12, M31, M13, M14), strict=True)
+    }
+    true, believed = (
+        motion.arc_step.at({x: 0, y: 0, theta: look, v: speed, omega: turn, dt: t})
+        for turn, look in ((rate, pi / 2), (believed_rate, believed_heading))
+    )
+    return Figure(
+        name="damage",
+        title="The robot, and where a program with a mistake believes it to be",
+        view=(-0.3, 0.3, -0.19, 0.22),
+        controls=(
+            Choice("mistake", "mistake", (believed_rate, believed_heading), options, "first"),
+            Clock(t, 0.0, 2.0, start=1.5, step=0.05, loops=True, label="time"),
+        ),
+        where=((v_L, 0.05), (v_R, 0.1)),
+        scene=(
+            Curve("path", tuple(true.subs(t, s)[:2]), s, 0, t),
+            Curve("approximation", tuple(believed.subs(t, s)[:2]), s, 0, t),
+            Line("error", ((true[0], true[1]), (believed[0], believed[1]))),
+            *robot(true, time=t),
+            Body((believed[0], believed[1]), believed[2], 0.065, kind="approximation"),
+        ),
+        readouts=(Readout("apart", "apart", apart(true, believed), "m"),),
+        size="step",
+    )
+
+
 def recap_figure() -> Figure:
     """All of it at rest: speeds, line through the tips, ICR, arc, chord."""
     end = driven(2.0)
@@ -685,5 +724,6 @@ FIGURES = (
     steps_figure(),
     sideways_figure(),
     drive_figure(),
+    damage_figure(),
     recap_figure(),
 )

@@ -7,6 +7,7 @@ from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, sy
 
 from book.differential_drive.figures import t
 from book.differential_drive.formulas import r
+from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, v, v_y, x, y
 from book.wheels import formulas as wheels
@@ -333,12 +334,6 @@ def pivot_speed(place: Any, twist: Any) -> Any:
     return wheels.contact.at({**values, l: place[2], alpha: place[3]})
 
 
-def taken_along(point: Any, pose: Any) -> tuple[Any, Any]:
-    """A point of the robot when it stands at a pose."""
-    turned = motion.to_world.at({v: point[0], v_y: point[1], omega: 0, theta: pose[2]})
-    return pose[0] + turned[0], pose[1] + turned[1]
-
-
 def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
     """A wheel, taken along by the robot, in the look of its kind."""
     _, _, _, there, fixed, steered = NUMBERS[k]
@@ -347,13 +342,7 @@ def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
 
     def beside(ahead: float, left: float = 0.0) -> tuple[Any, Any]:
         """A point so far from the wheel, ahead and to the left of where it rolls."""
-        return taken_along(
-            (
-                place[0] + ahead * cos(along) - left * sin(along),
-                place[1] + ahead * sin(along) + left * cos(along),
-            ),
-            pose,
-        )
+        return point_of(pose, *point_of((*place[:2], along), ahead, left))
 
     def line(when: Any, *points: tuple[float, float]) -> Line:
         return Line("body", tuple(seen(when, beside(*point)) for point in points))

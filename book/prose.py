@@ -18,13 +18,22 @@ def names(chapter: str) -> dict[str, Any]:
 
 
 def reads(figure: str, readout: str, **settings: float | str) -> float:
-    """What a readout of a live figure says, in SI: at `settings` (SI), the rest as at the start."""
+    """What a readout of a live figure says, in SI: at `settings` (SI), the rest as at the start.
+
+    A setting that the reader cannot reach is refused.
+    """
     shown = course().declared("figures", Figure)[figure]
     row: list[float] = []
     for control in shown.controls:
         name = str(control.symbol) if isinstance(control, Slider) else control.name
         value = settings.pop(name, control.start)
-        row += control.options[str(value)] if isinstance(control, Choice) else [float(value)]
+        if isinstance(control, Choice):
+            row += control.options[str(value)]
+            continue
+        row.append(float(value))
+        if not control.low <= row[-1] <= control.high:
+            reach = f"from {control.low:.4g} to {control.high:.4g}"
+            raise ValueError(f"{figure}: the slider {name} goes {reach}, not to {row[-1]:.4g}")
     if settings:
         raise KeyError(f"the figure {figure} has no control {', '.join(settings)}")
     place = [each.name for each in shown.readouts].index(readout)

@@ -62,7 +62,7 @@ def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     phi: (…) in rad; wheelbase, track (the distance of the front wheels): (…) in m, positive
     → (…, 2) `[left, right]` in (-π/2, π/2]. Where the turn is tighter than half the track, the
     inner wheel has turned past 90°, and its angle comes round with the other sign.
-    Source: exercise 5, tan α_L = L/(R − l/2), tan α_R = L/(R + l/2), multiplied by tan φ = L/R.
+    Source: exercise 5, tan α_L = L/(R − b/2), tan α_R = L/(R + b/2) with the track b.
 
     >>> np.degrees(ackermann(np.radians(30), wheelbase=2.5, track=1.5)).round(3)
     array([34.927, 26.202])

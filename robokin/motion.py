@@ -1,7 +1,8 @@
 """Planar motion: frames of a moving robot, the exact arc, paths and the centre of rotation.
 
-A pose is `[x, y, theta]`, a planar velocity (twist) `[v_x, v_y, omega]`, both on the last axis;
-leading batch dimensions broadcast. Taught in the chapter on the differential drive.
+A pose is `[x, y, theta]`, a planar velocity (twist) `[v_x, v_y, omega]`, in the robot's own frame
+where no other is named, both on the last axis; leading batch dimensions broadcast. Taught in the
+chapter on the differential drive.
 """
 
 import numpy as np

@@ -22,6 +22,11 @@ def _is_size(bits: Array) -> Bools:
     return fits
 
 
+def _per_tick(ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
+    """How far a wheel rolls in a tick, m."""
+    return 2 * np.pi * wheel_radius / ticks_per_turn
+
+
 @door(ticks=whole(), ticks_per_turn=positive(), wheel_radius=positive())
 def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
     """How far a wheel has rolled.
@@ -32,7 +37,7 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     >>> round(float(travel(500, ticks_per_turn=1000, wheel_radius=0.05)), 6)
     0.15708
     """
-    return 2 * np.pi * wheel_radius / ticks_per_turn * ticks
+    return _per_tick(ticks_per_turn, wheel_radius) * ticks
 
 
 @door(bits=Rule(ok=_is_size, allowed="1, 2, … or 52"), counts=whole(steps))
@@ -83,7 +88,7 @@ def path(
            [0.071, 0.029, 0.785],
            [0.182, 0.14 , 0.785]])
     """
-    per_tick = 2 * np.pi * wheel_radius / ticks_per_turn
+    per_tick = _per_tick(ticks_per_turn, wheel_radius)
     length = per_tick * (ticks_right + ticks_left) / 2
     angle, difference = per_tick / wheel_distance, ticks_right - ticks_left
     turned = angle * difference.cumsum(axis=-1)
@@ -116,7 +121,7 @@ def velocity(
     >>> round(float(v), 3), round(float(omega), 3)
     (2.356, 7.854)
     """
-    per_tick = 2 * np.pi * wheel_radius / ticks_per_turn
+    per_tick = _per_tick(ticks_per_turn, wheel_radius)
     v = per_tick * (ticks_right + ticks_left) / (2 * dt)
     omega = per_tick * (ticks_right - ticks_left) / (wheel_distance * dt)
     v, omega = parts(vector(v, omega))  # of one shape
@@ -152,7 +157,7 @@ def covariance(
     Source: Siegwart et al., Σ' = F_p Σ F_pᵀ + F_Δ Q F_Δᵀ, along exact arcs. F_p of many steps is
     that of one from the first to the last place, so the steps can be summed in one frame.
     """
-    per_tick = 2 * np.pi * wheel_radius / ticks_per_turn
+    per_tick = _per_tick(ticks_per_turn, wheel_radius)
     length = per_tick * (ticks_right + ticks_left) / 2
     half = per_tick / wheel_distance * (ticks_right - ticks_left) / 2
     heading = pose[..., 2:] + 2 * half.cumsum(axis=-1) - half  # in the middle of each step

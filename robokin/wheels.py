@@ -200,9 +200,10 @@ def forward(
 def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None = None) -> Array:
     """How far the wheels are from agreeing: what `forward` leaves over in each row.
 
-    rates, steering: as in `forward` → (…, k + m) in m/s: by how much the ground passes faster
-    under each wheel than it rolls, in the order of `rolling`, then how fast each fixed and steered
-    wheel slides along its axle, in the order of `sliding`.
+    rates, steering: as in `forward` → (…, k + m) in m/s: how much faster each wheel is moved than
+    it drives, in the direction that it drives (for a Swedish wheel: along the axis of the roller on
+    the ground), in the order of `rolling`; then how fast each fixed and steered wheel slides along
+    its axle, in the order of `sliding`.
     """
     twist = _body_twist(wheels, rates, steering)
     rolled = times(inside(rolling)(wheels, steering), twist)

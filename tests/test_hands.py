@@ -236,7 +236,7 @@ def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):  # noqa: 
 
 
 TOO_WIDE = """() => [...document.querySelectorAll(".bd-article pre")]
-  .filter((pre) => pre.closest(".rk-mistake") || !pre.closest(".cell_output"))
+  .filter((pre) => pre.closest(".rk-mistake") || !pre.closest(".output"))
   .filter((pre) => pre.scrollWidth > pre.clientWidth + 1).map((pre) => pre.textContent)"""
 
 
@@ -245,6 +245,21 @@ def test_on_a_phone_code_is_not_cut(visit):  # noqa: F811
     with visit(FIGURES["wheel-speeds"], width=390) as live:
         assert live.page.locator(".rk-mistake pre").count()
         assert live.page.evaluate(TOO_WIDE) == []
+
+
+UNTOLD = """() => [...document.querySelectorAll(".bd-article *")]
+  .filter((e) => !["visible", "hidden", "clip"].includes(getComputedStyle(e).overflowX))
+  .filter((e) => e.scrollWidth > e.clientWidth + 1)
+  .filter((e) => !getComputedStyle(e).backgroundImage.includes("gradient"))
+  .map((e) => e.textContent.slice(0, 60))"""
+
+
+@in_browser
+def test_on_a_phone_what_scrolls_shows_it(visit):  # noqa: F811
+    with visit(FIGURES["four-arms"], width=390) as live:
+        live.page.evaluate("document.querySelectorAll('details').forEach((d) => (d.open = true))")
+        assert live.page.locator(".output pre").count()
+        assert live.page.evaluate(UNTOLD) == []
 
 
 KEPT = """() => [...document.querySelectorAll(".kept")].filter((kept) =>

@@ -7,15 +7,20 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 
 import nbformat
 import notebooks
 import prose
 import pytest
 import stored
+from declared import EXERCISES
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from PIL import Image
 from support import ROOT
+
+from workshop.course import course
+from workshop.equations import checking
 
 BOOK = ROOT / "book"
 NOTEBOOKS = sorted(BOOK.glob("*/*.ipynb"))
@@ -183,6 +188,29 @@ def test_code_further_below_accounts_for_nothing():
     assert list(prose.typed(notebook, "one"))
     del notebook.cells[1]  # now it is the next cell: the exercise's numbers stand before their code
     assert not list(prose.typed(notebook, "one"))
+
+
+def test_a_number_in_a_text_alternative_is_accounted_for_too():
+    image = {"mystnb": {"image": {"alt": "A wheel of 3 cm, turned by 40°."}}}
+    notebook = new_notebook(cells=[new_code_cell("r = 0.03", metadata=image)])
+    (found,) = prose.typed(notebook, "one")
+    assert "40°" in found
+
+
+def test_numbers_on_pages_are_those_of_the_code():
+    """The few that the pages without code have; the teachers' page is held to its own."""
+
+    def says(page, *words):
+        text = (BOOK / f"{page}.md").read_text("utf-8")
+        assert not [word for word in words if word not in text], page
+
+    with (ROOT / "workshop" / "pyproject.toml").open("rb") as settings:
+        python = tomllib.load(settings)["project"]["requires-python"].removeprefix(">=")
+    exercises = [t for t in course().chapters if any(e.topic == t for e in EXERCISES.values())]
+    assert len(exercises) == 8
+    says("intro", f"Python {python} or newer", "eight exercises")
+    says("checks", f"evaluated with {checking.DIGITS} digits", "a thousand generated points")
+    assert checking.SAMPLES == 1000
 
 
 def test_marks_account_for_their_numbers_only():

@@ -99,7 +99,7 @@ def test_the_text_has_the_student_s_numbers(page):
 
 def test_what_cannot_be_read_counts_for_nothing(page):
     assert "one number" in answer(page, FIRST, "[1, 2]")
-    assert "unit" in answer(page, FIRST, "0.5 rad/s")
+    assert "unit" in answer(page, FIRST, "0.5 cm/s")
     assert answer(page, FIRST, "")
     assert page.inner_text(".rk-progress").startswith("0 of ")
 
@@ -225,14 +225,133 @@ def test_another_one_is_for_training(page):
     assert box(page, FIRST).locator(".rk-text").inner_text() == before
 
 
-def test_the_solution_has_the_same_numbers(page):
+def ladder(page, exercise):
+    """What is open of the ladder of an exercise."""
+    return box(page, exercise).locator(".rk-ladder").inner_text()
+
+
+def test_a_ladder_from_where_to_look_to_the_answer(page):
+    """The steps open after a try, one by one; the reason after two; what was opened is kept."""
+    name = "differential-drive-4"
     sign_in(page, "Ada")
-    solution = box(page, FIRST).locator("details")
-    assert "=" not in solution.inner_text()  # nothing is there before it is asked for
-    solution.locator("summary").press("Enter")
-    page.wait_for_function("(e) => e.textContent", arg=solution.locator("div").element_handle())
-    mine = variant(FIRST, "Ada")
-    assert EXERCISES[FIRST].answer_text(mine.numbers) in solution.inner_text()
+    mine, help = variant(name, "Ada"), box(page, name).locator(".rk-help")
+    assert not ladder(page, name)
+    help.click()
+    assert "formulas of [φ̇L, φ̇R]" in ladder(page, name)
+    help.click()
+    assert "Check an answer first" in ladder(page, name)
+    wrong = next(c for c in mine.candidates if c.name == "M12")
+    assert "half the wheel distance" in answer(page, name, typed(wrong.rows, EXERCISES[name]))
+    assert "circles around the left one" not in ladder(page, name)
+    answer(page, name, typed(wrong.rows, EXERCISES[name]))
+    assert "circles around the left one" in ladder(page, name)  # why it is wrong
+    link = box(page, name).get_by_role("link", name="See it in the chapter.")
+    assert link.get_attribute("href") == "differential_drive/differential_drive.html#M12"
+    assert help.inner_text() == "Show the first step"
+    help.click()
+    right = EXERCISES[name].answer_text(mine.numbers)
+    assert "radius times turning rate" in ladder(page, name)
+    assert f"{mine.candidates[0].rows[0][0]:.3f}" not in ladder(page, name)
+    page.reload(wait_until="networkidle")
+    assert "radius times turning rate" in ladder(page, name)
+    assert answer(page, name, right.replace("rad/s", "")) == judging.RIGHT
+    assert box(page, name).locator(".rk-passed").inner_text() == "passed, 1 steps shown"
+    assert help.inner_text() == "Show the answer"
+    help.click()
+    assert f"{mine.candidates[0].rows[0][0]:.3f}" in ladder(page, name)
+    assert help.is_hidden()
+    page.reload(wait_until="networkidle")
+    assert box(page, name).locator(".rk-passed").inner_text() == "passed, 1 steps shown"
+
+
+def test_what_was_read_is_always_shown(page):
+    answer(page, FIRST, "ω = ۲/۱۹۱ rad/s")
+    assert box(page, FIRST).locator(".rk-read").inner_text() == "Read as 2.191 rad/s."
+
+
+def test_numbers_that_do_not_come_are_told_and_asked_for_again(page):
+    """Nothing is judged by numbers that are not shown."""
+    numbers = "**/_static/practice/differential_drive.js*"
+    page.route(numbers, lambda route: route.abort())
+    page.fill("#rk-student", "Ada")
+    page.keyboard.press("Tab")
+    first = box(page, FIRST)
+    first.get_by_text("could not be loaded").wait_for()
+    field = first.locator("input")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    field.fill(right)
+    field.press("Enter")
+    assert "wheels" not in first.locator(".rk-text").inner_text()
+    assert not first.locator(".rk-verdict").inner_text()
+    page.unroute(numbers)
+    first.get_by_role("button", name="Try again").click()
+    page.locator(f"#{FIRST}[data-variant='{dealing.dealt(COURSE, FIRST, 'Ada')}']").wait_for()
+    assert field.input_value() == right
+    assert answer(page, FIRST, right) == judging.RIGHT
+
+
+def test_the_bar_says_who_and_how_far(page):
+    sign_in(page, "ADA")
+    box(page, FIRST).scroll_into_view_if_needed()
+    bar = page.locator(".rk-bar")
+    bar.wait_for()
+    who = bar.locator("button").inner_text()
+    assert re.fullmatch(r"ADA · number set \d{4}", who)
+    assert f"0 of {len(EXERCISES)} in the course" in bar.inner_text()
+    right = typed(variant(FIRST, "ada").candidates[0].rows, EXERCISES[FIRST])
+    assert answer(page, FIRST, right) == judging.RIGHT  # the same student
+    assert f"1 of {len(EXERCISES)} in the course" in bar.inner_text()
+    assert "Differential drive 1/6" in page.inner_text(".rk-course")
+    sign_in(page, " ada")
+    assert bar.locator("button").inner_text().split("set ")[1] == who.split("set ")[1]
+    assert page.inner_text(".rk-progress").startswith("1 of ")
+
+
+def test_answers_are_taken_along(page, chromium, server, tmp_path):
+    """By the file: on another computer they are checked again."""
+    sign_in(page, "Ada")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    answer(page, FIRST, right)
+    answer(page, "euler-1", "1, 2, 3")
+    saved(page, tmp_path)
+    with watched_page(chromium, server) as (other, _):
+        other.goto(server + "practice.html", wait_until="networkidle")
+        other.set_input_files("[type=file]", tmp_path / "saved.csv")
+        other.get_by_text("1 of 55 checks on this page passed").wait_for()
+        assert other.input_value("#rk-student") == "Ada"
+        assert box(other, FIRST).locator("input").input_value() == right
+        box(other, "euler-1").get_by_text("Not yet").wait_for()
+
+
+FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
+
+
+def test_a_full_browser_is_told_of(chromium, server):
+    with watched_page(chromium, server) as (page, watch):
+        page.add_init_script(FULL)
+        page.goto(server + "practice.html", wait_until="networkidle")
+        sign_in(page, "Ada")
+        right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+        assert answer(page, FIRST, right) == judging.RIGHT
+        assert "1 of 55" in page.inner_text(".rk-progress")
+        for place in (".rk-progress", ".rk-bar"):
+            assert "keeps nothing more" in page.inner_text(place)
+        assert not watch.errors
+
+
+def test_broken_memory_is_laid_aside(chromium, server):
+    with watched_page(chromium, server) as (page, watch):
+        page.add_init_script(
+            "localStorage.getItem('robokin answers robokin unreadable') ?? "
+            "localStorage.setItem('robokin answers robokin', '{oh')"
+        )
+        page.goto(server + "practice.html", wait_until="networkidle")
+        assert "laid aside" in page.inner_text(".rk-progress")
+        right = typed(variant(FIRST, "").candidates[0].rows, EXERCISES[FIRST])
+        assert answer(page, FIRST, right) == judging.RIGHT
+        kept = page.evaluate("() => localStorage.getItem('robokin answers robokin unreadable')")
+        assert kept == "{oh"
+        assert not watch.errors
 
 
 def test_answers_do_not_stand_in_clear(page):
@@ -250,7 +369,7 @@ def test_keyboard_and_screen_reader(page):
     described = field.get_attribute("aria-describedby").split()
     assert "wheels" in page.inner_text(f"#{described[0]}")
     assert page.get_attribute(f"#{described[1]}", "role") == "status"
-    order = ["Check", "Another one", "Solution"]
+    order = ["Check", "Another one", "Where should I look?"]
     for name in order:
         page.keyboard.press("Tab")
         assert page.evaluate("() => document.activeElement.textContent") == name

@@ -325,3 +325,60 @@ def test_garbage(seed):
 @given(st.lists(st.text(), max_size=10))
 def test_texts_that_shrink(texts):
     read(texts)
+
+
+# --- an answer with more than was asked -----------------------------------------------------------
+
+RATE = [("ω", "rad/s")]
+TWIST = [("v", "m/s"), ("ω", "rad/s")]
+POINT = [("x", "m"), ("y", "m")]
+
+
+@pytest.mark.parametrize(
+    ("text", "asks", "value"),
+    [
+        ("2.191.", RATE, 2.191),
+        ("۲٫۱۹۱. ", RATE, 2.191),
+        ("0.5 rad/s", RATE, 0.5),
+        ("pi/2rad/s", RATE, math.pi / 2),
+        ("3 m²", [("w", "m²")], 3),
+        ("ω = 0.5", RATE, 0.5),
+        ("omega≈0.5 rad/s", RATE, 0.5),
+        ("θ̇_1 = 3", [("θ̇_1", "rad/s")], 3),
+        ("0.1 m/s, 0.2 rad/s", TWIST, [0.1, 0.2]),
+        ("v = 0.1, ω = 0.2", TWIST, [0.1, 0.2]),
+        ("x=1 m, y=2 m", POINT, [1, 2]),
+        ("[1, 2] m", POINT, [1, 2]),
+        ("۲/۱۹۱", RATE, 2.191),
+        ("۰/۵", RATE, 0.5),
+        ("۲/۰۵، ۱٫۵", POINT, [2.05, 1.5]),
+        ("1/3", RATE, 1 / 3),
+    ],
+)
+def test_what_can_mean_only_one_thing_is_read(text, asks, value):
+    found = asked(text, asks)
+    assert_value(floats(found["value"]), floats(value), text)
+
+
+@pytest.mark.parametrize(
+    ("text", "asks", "problem"),
+    [
+        ("0.5 m/s", RATE, "unit"),
+        ("0.5 rad", RATE, "unit"),
+        ("3 m", [("w", "m²")], "unit"),
+        ("0.2 rad/s, 0.1 m/s", TWIST, "unit"),  # in the order of the question, or of the units?
+        ("1 mm, 2 m", POINT, "unit"),
+        ("ω = 0.1, v = 0.2", TWIST, "equals"),
+        ("v = ω = 3", RATE, "equals"),
+        ("۱/۳", RATE, "slash"),
+        ("2.1.9", RATE, "unknown"),
+    ],
+)
+def test_what_can_mean_two_things_is_not(text, asks, problem):
+    assert asked(text, asks)["problem"] == problem
+
+
+def asked(text, asks):
+    """What is read where numbers of these labels and units are asked."""
+    named = [{"label": label, "unit": unit} for label, unit in asks]
+    return engine.call("workshop.practice.readAsked", text, named)

@@ -5,9 +5,14 @@ import shutil
 import subprocess
 from html import unescape
 from pathlib import Path
+from types import SimpleNamespace
 from zipfile import ZipFile
 
 import pytest
+
+from workshop.course import Course
+from workshop.site import SETTINGS
+from workshop.site import _open_course as look_at
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -101,8 +106,21 @@ def assert_root_signs_stand(page):
         assert height > 10 * float(ems.removesuffix("em"))  # px; letters are 18 px
 
 
+@each_page
+def test_no_script_stands_in_a_page(name, site):
+    """So that the page's policy can forbid what others might write into it."""
+    text = (site / name).read_text("utf-8")
+    assert """content="default-src 'self'; style-src""" in text
+    assert not re.findall(r"<script(?![^>]* src=)|\son[a-z]+=\"|javascript:", text)
+
+
 @pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=[pytest.mark.long] * (n not in DIFFERENT)) for n in PAGES]
+    "name",
+    [
+        pytest.param(n, marks=[pytest.mark.long] * (n not in DIFFERENT))
+        for n in PAGES
+        if n != "404.html"
+    ],
 )
 def test_a_page_from_disk(name, site, chromium):
     """For a reader who opens the files; nothing outside the folder is asked for."""
@@ -112,19 +130,48 @@ def test_a_page_from_disk(name, site, chromium):
         assert not watch.errors + watch.strangers
 
 
-def test_menu_on_a_phone(site, server, chromium):
-    """The menu button opens the chapters, Escape closes them, focus returns to the button."""
+@pytest.mark.parametrize(
+    ("toggle", "menu"),
+    [(".primary-toggle", "nav.bd-docs-nav"), (".secondary-toggle", "nav.page-toc")],
+)
+def test_a_menu_on_a_phone(site, server, chromium, toggle, menu):
+    """Escape, a button and a choice close it; focus returns to the button that opened it."""
     with watched_page(chromium, server, 390) as (page, watch):
-        settled(page, server + "index.html")
-        chapters = page.locator("nav.bd-docs-nav")
-        assert not chapters.is_visible()
-        page.locator(".primary-toggle").click()
-        chapters.wait_for(state="visible")
-        page.keyboard.press("Escape")
-        chapters.wait_for(state="hidden")
-        page.locator(".primary-toggle").click()
-        chapters.locator("a").last.click()
-        page.wait_for_load_state("networkidle")
+        settled(page, server + "bicycle/bicycle.html")
+        button, entries = page.locator(toggle).first, page.locator(menu)
+        ways = (
+            lambda: page.keyboard.press("Escape"),
+            page.locator("dialog[open] .site-close").click,
+            entries.locator("a[href^='#']").last.click,
+        )
+        for close in ways:
+            button.click()
+            entries.wait_for(state="visible")
+            close()
+            entries.wait_for(state="hidden")
+            assert button.evaluate("(each) => each === document.activeElement")
+        assert not watch.errors
+
+
+def test_on_paper(site, server, chromium):
+    """What is folded lies open, unless it shall not; from dark to light; and all comes back."""
+    state = """(event) => {
+      dispatchEvent(new Event(event));
+      const folds = [...document.querySelectorAll("details")];
+      return [document.documentElement.dataset.theme, folds.filter((fold) => fold.open).length];
+    }"""
+    with watched_page(chromium, server, scheme="dark") as (page, watch):
+        settled(page, server + "bicycle/bicycle.html")
+        folds = page.locator("details").count()
+        assert page.evaluate(state, "beforeprint") == ["light", folds]
+        assert page.evaluate(state, "afterprint") == ["dark", 0]
+        page.evaluate("() => { window.print = () => {}; }")
+        page.locator("[data-print=shut]").click()
+        assert page.evaluate(state, "beforeprint") == ["light", 0]
+        page.emulate_media(media="print")
+        assert not page.locator(".bd-sidebar-primary, .bd-header-article").first.is_visible()
+        code = page.locator(".cell_input pre").first
+        assert code.evaluate("(each) => getComputedStyle(each).whiteSpace") == "pre-wrap"
         assert not watch.errors
 
 
@@ -189,6 +236,66 @@ def test_bad_tex_fails_the_build(tmp_path):
         assert run.returncode != 0
         assert "bad.md:5: WARNING: TeX: " in run.stderr
         assert "bad.md:7: WARNING: TeX: Undefined control sequence: \\unknown" in run.stderr
+
+
+def set_to(folder, line):
+    """The settings of the site in a folder, with one line changed."""
+    name = line.partition(":")[0].strip()
+    text = (ROOT / "_config.yml").read_text("utf-8")
+    changed, count = re.subn(rf"(?m)^( +){name}:.*$", rf"\1{line}", text)
+    assert count == 1
+    (folder / "_config.yml").write_text(changed, "utf-8")
+
+
+def test_a_setting_that_cannot_be_meant_ends_the_build_with_a_sentence(tmp_path):
+    """And with that alone: no traceback follows. Left to Sphinx, "no" would be taken for true."""
+    ignore = shutil.ignore_patterns("*.ipynb", "*.md")
+    shutil.copytree(ROOT / "book", tmp_path / "book", ignore=ignore)
+    set_to(tmp_path, 'course_solutions: "no"')
+    command = build_command()
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 1
+    assert run.stderr.strip().splitlines() == [
+        "course_solutions in _config.yml is 'no': it must be true or false, without quotes, "
+        "such as `course_solutions: true`"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("course_name", 2026, 'is 2026: it must be a text, in quotes, such as `course_name: "kin'),
+        ("course_name", None, "is None: it must be a text, in quotes"),
+        ("course_package", "bok", "is 'bok', which is not imported: No module named 'bok'"),
+        ("course_package", "", "is '', which is not imported: Empty module name"),
+        ("course_wheels", [".", "gone"], "names 'gone', which is not in "),
+        ("course_wheels", [1], "is [1]: it must be a list of folders"),
+        ("course_lock", "gone.txt", "names 'gone.txt', which is not in "),
+    ],
+)
+def test_settings_are_looked_at(name, value, words):
+    settings = {setting: default for setting, (default, *_) in SETTINGS.items()}
+    settings = SimpleNamespace(**{**settings, "course_package": "book", name: value})
+    with pytest.raises(SystemExit, match=re.escape(f"{name} in _config.yml {words}")):
+        look_at(None, settings)
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        ("course_name: kinematics-2026  # a new one", "kinematics-2026"),
+        ('course_name: "2026 # 1"  # a new one', "2026 # 1"),
+        ("course_name: 'kin 2026'", "kin 2026"),
+        ("course_name:", ""),
+    ],
+)
+def test_the_teacher_s_commands_know_the_course_of_the_site(tmp_path, line, name):
+    set_to(tmp_path, line)
+    (tmp_path / "book").mkdir()
+    known = Course("book", "own", {}, "robokin")
+    known.folder = tmp_path / "book"
+    assert known.setting("course_name") == name
+    assert known.setting("course_nothing") == ""
 
 
 def test_downloaded_notebooks_find_what_they_need(site):

@@ -117,23 +117,29 @@ def typed(notebook: Any, name: str) -> Iterator[str]:
     """Numbers with a decimal point or a unit that nothing accounts for, each with its place.
 
     Accounted for is what is computed or given, a multiple of a right angle, and a number that the
-    code sets: in an assignment or a loop of the cells above, or of the next cell.
+    code sets: in an assignment or a loop of the cells above, or of the next cell. A code cell's
+    prose is the text alternative of its picture.
     """
     code = [k for k, cell in enumerate(notebook.cells) if cell.cell_type == "code"]
     for k, cell in enumerate(notebook.cells):
-        if cell.cell_type == "markdown":
-            near = [j for j in code if j < k] + [j for j in code if j > k][:1]
-            values = {v for j in near for v in set_in(notebook.cells[j].source)}
-            where = f"{name}, cell {k}"
-            spans = list(_accounted(cell, where))
-            for start, end, text, unit in numbers(cell.source):
-                # a computed exponent lies within its power of ten
-                if any((a <= start and end <= b) or (start <= a and b <= end) for a, b in spans):
-                    continue
-                if _known(text, unit, values):
-                    continue
-                around = cell.source[max(0, start - 25) : end + 15].replace("\n", " ")
-                yield f"{where}: {text}{unit} in “{around}”"
+        said = cell.source if cell.cell_type == "markdown" else alternative(cell)
+        near = [j for j in code if j <= k] + [j for j in code if j > k][:1]
+        values = {v for j in near for v in set_in(notebook.cells[j].source)}
+        where = f"{name}, cell {k}"
+        spans = list(_accounted(cell, where))
+        for start, end, text, unit in numbers(said):
+            # a computed exponent lies within its power of ten
+            if any((a <= start and end <= b) or (start <= a and b <= end) for a, b in spans):
+                continue
+            if _known(text, unit, values):
+                continue
+            around = said[max(0, start - 25) : end + 15].replace("\n", " ")
+            yield f"{where}: {text}{unit} in “{around}”"
+
+
+def alternative(cell: Any) -> str:
+    """The text alternative of a code cell's picture, if it has one."""
+    return str(cell.metadata.get("mystnb", {}).get("image", {}).get("alt", ""))
 
 
 def numbers(source: str) -> Iterator[tuple[int, int, str, str]]:

@@ -19,9 +19,52 @@
   const observer = new ResizeObserver((entries) => entries.forEach(({ target }) => mark(target)));
   document.querySelectorAll(BOXES).forEach((box) => observer.observe(box));
   document.fonts?.ready.then(() => document.querySelectorAll(BOXES).forEach(mark));
+}
 
-  // Search results show no text from pages on disk: browsers do not let a script read them.
-  if (location.protocol === "file:" && typeof DOCUMENTATION_OPTIONS !== "undefined") {
-    DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
-  }
+// The menus of a phone: a button closes them, so does a choice in them, and focus goes back.
+for (const which of ["primary", "secondary"]) {
+  const dialog = document.getElementById(`pst-${which}-sidebar-modal`);
+  if (!dialog) continue;
+  const close = document.createElement("button");
+  Object.assign(close, { type: "button", className: "btn site-close", title: "Close" });
+  close.setAttribute("aria-label", "Close the menu");
+  close.innerHTML = '<i class="fa-solid fa-xmark"></i>';
+  close.addEventListener("click", () => dialog.close());
+  // the theme moves the menu in when it opens, and out again
+  new MutationObserver(() => { if (dialog.open && !close.isConnected) dialog.prepend(close); })
+    .observe(dialog, { attributeFilter: ["open"] });
+  dialog.addEventListener("click", ({ target }) => {
+    if (target.closest("a[href*='#']")) dialog.close();
+  });
+  dialog.addEventListener("close", () => {
+    close.remove();
+    document.querySelector(`.${which}-toggle`)?.focus();
+  });
+}
+
+// On paper: light, and what is folded lies open, unless the reader wants it shut.
+{
+  const root = document.documentElement;
+  let before = null;
+  const prepare = () => {
+    if (before) return;
+    const shut = root.dataset.folds === "shut" ? [] : document.querySelectorAll("details:not([open])");
+    before = { theme: root.dataset.theme, opened: [...shut] };
+    before.opened.forEach((fold) => { fold.open = true; });
+    root.dataset.theme = "light";
+  };
+  const restore = () => {
+    before?.opened.forEach((fold) => { fold.open = false; });
+    root.dataset.theme = before?.theme ?? root.dataset.theme;
+    before = null;
+    delete root.dataset.folds;
+  };
+  addEventListener("beforeprint", prepare);
+  addEventListener("afterprint", restore);
+  document.querySelectorAll("[data-print]").forEach((button) => {
+    button.addEventListener("click", () => {
+      root.dataset.folds = button.dataset.print;
+      print();
+    });
+  });
 }

@@ -35,7 +35,8 @@ def make_small(app, error):
     """Writes the site's scripts anew."""
     if error or app.builder.format != "html":
         return
-    files = [Path(app.outdir, "_static", name) for name in OWN]
+    static = Path(app.outdir, "_static")
+    files = [*(static / name for name in OWN), *static.glob("figures/*.js")]
     scripts = minify(file.read_text("utf-8") for file in files)
     for file, script in zip(files, scripts, strict=True):
         file.write_text(script, "utf-8")

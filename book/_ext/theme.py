@@ -10,6 +10,8 @@ from docutils import nodes
 
 BOOK = Path(__file__).parents[1]
 ASSETS = BOOK / "_assets"
+# what a page may load and run: the site's own files, nothing that is written in the page
+POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"
 DESCRIPTION_LENGTH = 160  # what search engines show
 
 # what the theme puts in the site and no page of it uses
@@ -46,7 +48,8 @@ def add_description(app, pagename, templatename, context, doctree):
     title = html.escape(html.unescape(re.sub(r"<[^>]+>", "", context.get("title", ""))))
     told = html.escape(shortened(text, DESCRIPTION_LENGTH))
     tags = [
-        *([] if own else [f'<meta name="description" content="{told}" />']),
+        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}" />',
+        f'<meta name="description" content="{told}" />',
         f'<meta property="og:title" content="{title or app.config.html_title}" />',
         f'<meta property="og:description" content="{told}" />',
         f'<meta property="og:site_name" content="{app.config.html_title}" />',
@@ -81,6 +84,32 @@ def name_folds(app, pagename, templatename, context, doctree):
 
     if menu:
         context["generate_toctree_html"] = named_menu
+
+
+# --- scripts --------------------------------------------------------------------------------
+
+INLINE = re.compile(r"[ \n]*<script(?: data-cfasync=\"false\")?>(.*?)</script>", re.DOTALL)
+
+
+def scripts_in_files(app, exception):
+    """What the theme writes into its pages as scripts moves to one file, which all pages share."""
+    if exception or app.builder.format != "html":
+        return
+    for page in Path(app.outdir).rglob("*.html"):
+        text = page.read_text("utf-8")
+        scripts = [s for s in INLINE.findall(text) if "DOCUMENTATION_OPTIONS.pagename" not in s]
+        if scripts and "data-content_root" in text:
+            page.write_text(with_file(app, text, "\n".join(scripts)), "utf-8")
+
+
+def with_file(app, text, script):
+    """The page with its inline scripts in a file, which comes first; they may not wait."""
+    name = f"start-{hashlib.sha256(script.encode()).hexdigest()[:8]}.js"
+    Path(app.outdir, "_static", name).write_text(script, "utf-8")
+    root = re.search(r'data-content_root="([^"]*)"', text)[1]
+    link = f'\n    <script src="{root}_static/{name}"></script>'
+    without = INLINE.sub("", INLINE.sub("\0", text, count=1))
+    return without.replace("\0", link).replace('onclick="window.print()"', 'data-print="open"')
 
 
 # --- weight ---------------------------------------------------------------------------------
@@ -127,7 +156,7 @@ def first_page(app, exception):
 
 
 def write_sitemap(app, exception):
-    """Where the site's address is known (`html_baseurl`): a list of its pages for search engines."""
+    """Where the site's address is known (`html_baseurl`), its pages for search engines."""
     base = app.config.html_baseurl
     if exception or app.builder.name != "html" or not base:
         return
@@ -149,8 +178,9 @@ def forget_failed_build(app, exception):
 
 
 def sources_digest():
-    """Changes when an asset changes, so that pages link the new one."""
-    files = sorted(file for file in ASSETS.rglob("*") if file.is_file())
+    """Changes with an asset, a template or one of these extensions: pages are then made anew."""
+    folders = (ASSETS, BOOK / "_templates", BOOK / "_ext")
+    files = sorted(file for each in folders for file in each.rglob("*.*") if file.is_file())
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
@@ -164,6 +194,7 @@ def setup(app):
     app.connect("html-page-context", renew_roles)
     app.connect("html-page-context", name_folds, priority=900)
     app.connect("build-finished", drop_unused)
+    app.connect("build-finished", scripts_in_files)
     app.connect("build-finished", first_page, priority=900)
     app.connect("build-finished", write_sitemap)
     app.connect("build-finished", forget_failed_build)

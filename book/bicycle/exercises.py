@@ -57,8 +57,8 @@ M17 = Mistake(
     document="004 Ans 1",
     place="the state equations of point O",
     nth=1,
-    stands="ẋ = v_O sin φ, ẏ = v_O cos φ",
-    should="ẋ = v_O sin(φ «− α»), ẏ = v_O cos(φ «− α»)",
+    stands="ẋ = v_so sin φ, ẏ = v_so cos φ",
+    should="ẋ = v_so sin(φ «− α»), ẏ = v_so cos(φ «− α»)",
     explained="In this document φ is the heading, clockwise from the y axis, and α is the "
     "steering angle, to the left. (In the chapter θ is the heading and φ the steering "
     "angle.) The point O is at the front axle. It moves where the steered wheel rolls, "
@@ -82,11 +82,11 @@ M32 = Mistake(
     document="004 Ans 1",
     place="the points of the trajectory",
     nth=4,
-    stands="φ(t + Δt) = φ + φ̇Δt with φ̇ = +v_s tan α/L",
-    should="φ(t + Δt) = φ + φ̇Δt with φ̇ = «−»v_s tan α/L",
+    stands="φ(t + Δt) = φ + φ̇Δt, with φ̇ = θ̇ of the third state equation",
+    should="φ(t + Δt) = φ + φ̇Δt, with φ̇ = «−»θ̇",
     explained="Here φ is the heading, clockwise from the y axis, and α the steering angle, to the "
-    "left. A heading that is measured clockwise gets smaller when the car turns to the "
-    "left.",
+    "left; θ = 90° − φ. So φ gets smaller when θ grows, in a turn to the left. (θ̇ itself is "
+    "the erratum M16.)",
 )
 M33 = Mistake(
     "M33",

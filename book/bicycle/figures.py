@@ -17,6 +17,7 @@ from book.bicycle.formulas import (
 )
 from book.differential_drive.figures import n, t
 from book.differential_drive.formulas import R, r
+from book.frames.figures import point_of
 from book.motion.formulas import dt, theta, v, x, y
 from workshop.equations.core import as_written
 from workshop.figures import (
@@ -47,19 +48,9 @@ radius = bicycle.turning_radius.right
 angles = bicycle.ackermann.right
 
 
-def place(pose: Any, forward: Any, left: Any) -> tuple[Any, Any]:
-    """A point of the car's frame in the world."""
-    px, py, heading = pose
-    with as_written():
-        return (
-            px + forward * cos(heading) - left * sin(heading),
-            py + forward * sin(heading) + left * cos(heading),
-        )
-
-
 def steered_at(pose: Any) -> Any:
     """The steering angle of a front wheel that points from the front axle to the pointer."""
-    fx, fy = place(pose, wheelbase, 0)
+    fx, fy = point_of(pose, wheelbase, 0)
     dx, dy = POINTER[0] - fx, POINTER[1] - fy
     heading = pose[2]
     return atan2(dy * cos(heading) - dx * sin(heading), dx * cos(heading) + dy * sin(heading))
@@ -78,9 +69,9 @@ def axle(kind: str, at: tuple[Any, Any], angle: Any) -> Line:
 
 def ackermann_figure() -> Figure:
     """Steering under the hand: both front wheels, the bicycle between them, axles and ICR."""
-    left, right = place(START, wheelbase, track / 2), place(START, wheelbase, -track / 2)
-    middle = place(START, wheelbase, 0)
-    tip = place(START, wheelbase + TIP * cos(steering), TIP * sin(steering))
+    left, right = point_of(START, wheelbase, track / 2), point_of(START, wheelbase, -track / 2)
+    middle = point_of(START, wheelbase, 0)
+    tip = point_of(START, wheelbase + TIP * cos(steering), TIP * sin(steering))
     back = bicycle.equivalent_steering.at({alpha_L: angles[0], alpha_R: angles[1]})
     return Figure(
         name="ackermann-steering",
@@ -99,17 +90,17 @@ def ackermann_figure() -> Figure:
             axle("left", left, UP + angles[0]),
             axle("right", right, UP + angles[1]),
             axle("ghost", middle, UP + steering),
-            Line("body", (place(START, 0, -track / 2), place(START, 0, track / 2))),
+            Line("body", (point_of(START, 0, -track / 2), point_of(START, 0, track / 2))),
             Line("body", (right, left)),
             Line("body", ((0, 0), middle)),
-            Wheel("left", place(START, 0, track / 2), UP, **WHEEL),
-            Wheel("right", place(START, 0, -track / 2), UP, **WHEEL),
+            Wheel("left", point_of(START, 0, track / 2), UP, **WHEEL),
+            Wheel("right", point_of(START, 0, -track / 2), UP, **WHEEL),
             Wheel("left", left, UP + angles[0], **WHEEL),
             Wheel("right", right, UP + angles[1], **WHEEL),
             Wheel("body", (0, 0), UP, **WHEEL),
             Wheel("body", middle, UP + steering, **WHEEL),
             AngleArc("body", middle, UP, UP + steering, 1.2),
-            Line("ghost", (middle, place(START, wheelbase + TIP, 0))),
+            Line("ghost", (middle, point_of(START, wheelbase + TIP, 0))),
             Arrow("velocity", middle, tip, label="φ"),
             Point("icr", (-radius, 0), label="ICR"),
         ),
@@ -138,7 +129,7 @@ def loop_figure() -> Figure:
     """One drive of the long car in n straight steps beside the exact arc."""
     speed = bicycle.rear_speed.at({r: RADIUS})
     heading = UP - y_heading
-    start = place((0, 0, heading), -ahead * LENGTH, 0)  # of the rear axle
+    start = point_of((0, 0, heading), -ahead * LENGTH, 0)  # of the rear axle
     given = {v: speed, wheelbase: LENGTH}
     state = symbols("x_k y_k theta_k")
     end = symbols("x_n y_n theta_n")
@@ -146,7 +137,7 @@ def loop_figure() -> Figure:
     def exact(time: Any) -> tuple[Any, Any]:
         pose = {x: start[0], y: start[1], theta: heading}
         arc = bicycle.arc_step.at({**given, **pose, dt: time})
-        return place(arc, ahead * LENGTH, 0)
+        return point_of(arc, ahead * LENGTH, 0)
 
     with as_written():
         velocity = bicycle.point_world.at({v: speed, theta: state[2]})
@@ -205,7 +196,7 @@ def lane_figure() -> Figure:
     given = {v: SPEED, x: 0, y: 0, theta: UP}
 
     def at(time: Any, forward: Any, left: Any) -> tuple[Any, Any]:
-        return place(bicycle.arc_step.at({**given, dt: time}), forward, left)
+        return point_of(bicycle.arc_step.at({**given, dt: time}), forward, left)
 
     pose, drawn = symbols("x_t y_t theta_t"), tuple(bicycle.arc_step.at({**given, dt: t}))
     side = track / 2
@@ -213,7 +204,7 @@ def lane_figure() -> Figure:
     to_left = (1 + sign(steering)) / 2
     left_edge = ((1 - to_left) * wheelbase, side)
     right_edge = (to_left * wheelbase, -side)
-    tip = place(START, wheelbase + FAR * cos(steering), FAR * sin(steering))
+    tip = point_of(START, wheelbase + FAR * cos(steering), FAR * sin(steering))
     corners = [(0, side), (0, -side), (wheelbase, -side), (wheelbase, side), (0, side)]
     lane = bicycle.lane.right
     edges = [
@@ -242,16 +233,16 @@ def lane_figure() -> Figure:
             Curve("path", at(s, 0, 0), s, 0, LASTING),
             Curve("approximation", at(s, wheelbase / 2, 0), s, 0, LASTING),
             Curve("velocity", at(s, wheelbase, 0), s, 0, LASTING),
-            Line("ghost", tuple(place(START, *corner) for corner in corners)),
-            Line("body", tuple(place(pose, *corner) for corner in corners)),
-            Wheel("left", place(pose, 0, side), pose[2], **TYRE),
-            Wheel("right", place(pose, 0, -side), pose[2], **TYRE),
-            Wheel("left", place(pose, wheelbase, side), pose[2] + angles[0], **TYRE),
-            Wheel("right", place(pose, wheelbase, -side), pose[2] + angles[1], **TYRE),
-            Point("path", place(pose, 0, 0)),
-            Point("approximation", place(pose, wheelbase / 2, 0)),
-            Point("velocity", place(pose, wheelbase, 0)),
-            Arrow("velocity", place(START, wheelbase, 0), tip, label="φ"),
+            Line("ghost", tuple(point_of(START, *corner) for corner in corners)),
+            Line("body", tuple(point_of(pose, *corner) for corner in corners)),
+            Wheel("left", point_of(pose, 0, side), pose[2], **TYRE),
+            Wheel("right", point_of(pose, 0, -side), pose[2], **TYRE),
+            Wheel("left", point_of(pose, wheelbase, side), pose[2] + angles[0], **TYRE),
+            Wheel("right", point_of(pose, wheelbase, -side), pose[2] + angles[1], **TYRE),
+            Point("path", point_of(pose, 0, 0)),
+            Point("approximation", point_of(pose, wheelbase / 2, 0)),
+            Point("velocity", point_of(pose, wheelbase, 0)),
+            Arrow("velocity", point_of(START, wheelbase, 0), tip, label="φ"),
             Point("icr", (near, 0), label="ICR"),
         ),
         handles=(Handle("direction of the front wheels", tip, {steering: steered_at(START)}),),

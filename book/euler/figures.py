@@ -296,7 +296,7 @@ def both_figure() -> Figure:
     left, right = dice
     return in_space(
         name="both-answers",
-        title="Two dice turned by the two answers of one sequence XYZ",
+        title="Two dice turned about x, y and z by different angles",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
         controls=(
@@ -305,7 +305,7 @@ def both_figure() -> Figure:
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
-            Readout("other", "β′ of the other answer", wrapped(middle_other), "rad", digits=0),
+            Readout("other", "β′ of the right die", wrapped(middle_other), "rad", digits=0),
             Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
         ),
         says=(

@@ -26,7 +26,7 @@ M9 = Mistake(
     line="T_ce = T_db @ T_bc @ T_de",
     why="c meets d: there the letters break; and the product starts in d, not in c. In "
     "T_ce = T_cb T_bd T_de they meet. So both poses given, T_bc and T_db, must be inverted first.",
-    unnoticed="Where T_db T_bc is a half turn: in the plane a half turn is its own inverse.",
+    unnoticed="Where T_db T_bc is its own inverse, as a half turn in the plane is.",
 )
 M10 = Mistake(
     "M10",
@@ -53,12 +53,15 @@ M30 = Mistake(
     line="T_ce = T_bc @ np.linalg.inv(T_db) @ T_de",
     why="The product would start in b and end in e, with c and b side by side in the middle: "
     "T_bc T_bd. From c to b leads T_cb, the inverse of T_bc.",
-    unnoticed="Where T_bc is its own inverse: a half turn.",
+    unnoticed="Where T_bc is its own inverse, as a half turn is.",
     document="001 Q3",
     place="the last line",
     nth=1,
-    stands="T_bc T_db⁻¹ T_de = T_ce",
-    should="«T_bc⁻¹» T_db⁻¹ T_de = T_ce",
+    stands="T_bc¹ T_db⁻¹ T_de = T_ce",
+    should="T_bc«⁻»¹ T_db⁻¹ T_de = T_ce",
+    explained="The exponent has lost its minus, perhaps only in the copy. As it stands, the "
+    "product starts in b and ends in e, with c and b side by side in the middle: T_bc T_bd. From "
+    "c to b leads T_cb, the inverse of T_bc.",
 )
 
 POSE = (Ask("x", "m"), Ask("y", "m"), angle("θ"))

@@ -26,7 +26,7 @@ from book.frames.formulas import (
     l_2,
 )
 from book.motion import formulas as motion
-from workshop.equations.core import Where, put_in, quantity
+from workshop.equations.core import Where, as_written, put_in, quantity
 from workshop.figures import (
     POINTER,
     VIEW,
@@ -82,16 +82,21 @@ def place(pose: Pose) -> tuple[Any, Any]:
     return pose[0], pose[1]
 
 
-def ahead(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
-    """A point of a frame."""
-    return place(joined(pose, (forward, left, 0)))
+def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
+    """A point of a frame, so far along its axes, where the frame's pose is seen from."""
+    x, y, turn = pose
+    with as_written():
+        return (
+            x + forward * cos(turn) - left * sin(turn),
+            y + forward * sin(turn) + left * cos(turn),
+        )
 
 
 def axes(pose: Pose, name: str) -> tuple[Arrow, Arrow]:
     """The x and y axis of a frame; its name stands at x."""
     return (
-        Arrow("x_axis", place(pose), ahead(pose, AXIS), label=f"x_{name}"),
-        Arrow("y_axis", place(pose), ahead(pose, 0, AXIS)),
+        Arrow("x_axis", place(pose), point_of(pose, AXIS), label=f"x_{name}"),
+        Arrow("y_axis", place(pose), point_of(pose, 0, AXIS)),
     )
 
 
@@ -153,15 +158,15 @@ def chain_figure() -> Figure:
         ),
         handles=(
             Handle(
-                "nose of the platform", ahead(T_db, RADIUS), {db_turn: direction((*T_db[:2], 0))}
+                "nose of the platform", point_of(T_db, RADIUS), {db_turn: direction((*T_db[:2], 0))}
             ),
             Handle("platform", place(T_db), {db_x: POINTER[0], db_y: POINTER[1]}),
             Handle("second joint", place(elbow), {alpha: direction(T_db)}),
-            Handle("tip of the hand's x axis", ahead(dc, AXIS), {gamma: direction(wrist_now)}),
+            Handle("tip of the hand's x axis", point_of(dc, AXIS), {gamma: direction(wrist_now)}),
             Handle("hand", place(dc), {beta: direction(elbow_now)}),
             Handle(
                 "tip of the object's x axis",
-                ahead(T_de, AXIS),
+                point_of(T_de, AXIS),
                 {de_turn: direction((*T_de[:2], 0))},
             ),
             Handle("object", place(T_de), {de_x: POINTER[0], de_y: POINTER[1]}),

@@ -58,8 +58,8 @@ M23 = Mistake(
     document="003",
     place="the third formula, rotation",
     nth=2,
-    stands="θ' = tan⁻¹(sin(θ + ωΔt)/cos(θ + ωΔt))",
-    should="θ' = «atan2»(sin(θ + ωΔt), cos(θ + ωΔt))",
+    stands="θ_{i+1} = tan⁻¹(sin(θ_i + w_{i+1} Δt)/cos(θ_i + w_{i+1} Δt))",
+    should="θ_{i+1} = «atan2»(sin(θ_i + w_{i+1} Δt), cos(θ_i + w_{i+1} Δt))",
 )
 M24 = Mistake(
     "M24",

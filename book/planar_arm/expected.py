@@ -10,6 +10,14 @@ DURATION = 4.0  # s
 SPEED_OUT = 0.1  # m/s
 
 
+def levers_readouts(turns1, turns2, turns3, theta2, theta3):
+    """length, x_dot, y_dot."""
+    theta = np.column_stack([np.full_like(theta2, START[0]), theta2, theta3])
+    rates = np.column_stack([turns1, turns2, turns3])
+    velocity = planar_arm.velocity(theta, rates, LINKS)[:, :2]
+    return np.column_stack([np.hypot(*velocity.T), velocity])
+
+
 def joints_readouts(theta1, theta2, theta3):
     """x, y, phi, det, w, long, short, elbow, near."""
     theta = np.column_stack([theta1, theta2, theta3])
@@ -69,11 +77,13 @@ BACK = {**AT_END, "line_x": -0.4, "line_y": 0.0, "damping": 0.05}
 CLOSED_LOOP = {**AT_END, "gain": 2.0, "n": 30, "damping": 0.05}
 
 READOUTS = {
+    "arm-levers": levers_readouts,
     "arm-joints": joints_readouts,
     "arm-line": line_readouts,
     "arm-elbows": elbows_readouts,
 }
 SPECIALS = {
+    "arm-levers": [{"joint": "joint 3"}, {"joint": "joint 2", "theta3": np.pi}],
     "arm-joints": [
         STRETCHED,
         FOLDED,

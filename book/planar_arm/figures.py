@@ -42,6 +42,8 @@ from workshop.equations.core import Where, as_written, put_in, quantity
 from workshop.figures import (
     POINTER,
     AngleArc,
+    Arrow,
+    Choice,
     Clock,
     Curve,
     Figure,
@@ -58,10 +60,12 @@ LINKS = (0.4, 0.3, 0.2)  # m, as in the exercise
 START = (pi / 6, pi / 3, -pi / 2)  # rad, as in the exercise
 SIZES = dict(zip(LENGTHS, LINKS, strict=True))
 BASE = (0, 0)
+CORNER = 0.05  # m, the sign of a right angle
 
 line_x = quantity("line_x", "m", -0.4, 0.85, "where a line for the hand ends", latex="x_e")
 line_y = quantity("line_y", "m", -0.1, 0.7, "where a line for the hand ends", latex="y_e")
 s = Symbol("s")
+lever_x, lever_y = symbols("lever_x lever_y")
 
 
 def sized(steps: Where, values: Mapping[Any, Any] = SIZES) -> list[tuple[Symbol, Any]]:
@@ -87,6 +91,81 @@ def joints(angles: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
     without: tuple[dict[Any, Any], ...] = ({arm.l2: 0, arm.l3: 0}, {arm.l3: 0}, {})
     points = [put_in(place, {**SIZES, **missing, **of_angles(angles)}) for missing in without]
     return tuple((point[0], point[1]) for point in points)  # type: ignore[return-value]
+
+
+# One joint turns
+
+TURNS = symbols("turns_1 turns_2 turns_3")  # 1 for the joint that turns
+
+
+def levers_figure() -> Figure:
+    """One joint turns at 1 rad/s: its lever and, a quarter turn from it, the hand's velocity."""
+    with_first = {theta1: START[0]}
+    elbow, wrist, hand = (
+        tuple(put_in(part, with_first) for part in point) for point in joints(ANGLES)
+    )
+    with as_written():
+        turning = [
+            sum(turns * at[i] for turns, at in zip(TURNS, (BASE, elbow, wrist), strict=True))
+            for i in range(2)
+        ]
+        lever = lever_x, lever_y
+        length = sqrt(lever[0] ** 2 + lever[1] ** 2)
+        tip = hand[0] - lever[1], hand[1] + lever[0]
+        side = CORNER / length
+        corner = [
+            (hand[0] + side * a, hand[1] + side * b)
+            for a, b in (
+                (-lever[0], -lever[1]),
+                (-lever[0] - lever[1], lever[0] - lever[1]),
+                (-lever[1], lever[0]),
+            )
+        ]
+        steps = [(symbol, hand[i] - turning[i]) for i, symbol in enumerate((lever_x, lever_y))]
+    return Figure(
+        name="arm-levers",
+        title="One joint of an arm turns: its lever, and the velocity of the hand",
+        view=(-0.9, 1.3, -0.22, 1.28),
+        controls=(
+            Choice(
+                "joint",
+                "joint that turns",
+                TURNS,
+                {
+                    "joint 1": (1.0, 0.0, 0.0),
+                    "joint 2": (0.0, 1.0, 0.0),
+                    "joint 3": (0.0, 0.0, 1.0),
+                },
+                start="joint 1",
+            ),
+            Slider(theta2, 0, 2 * pi / 3, start=START[1], step=pi / 36, label="θ_2"),
+            Slider(theta3, -17 * pi / 18, pi, start=START[2], step=pi / 36, label="θ_3"),
+        ),
+        where=tuple(steps),
+        scene=(
+            Line("path", (BASE, elbow, wrist, hand)),
+            Point("left", BASE, label="1"),
+            Point("body", elbow, label="2"),
+            Point("body", wrist, label="3"),
+            Arrow("approximation", tuple(turning), hand),
+            Arrow("velocity", hand, tip),
+            Line("text", tuple(corner)),
+            Point("target", hand, label="P"),
+        ),
+        handles=(
+            Handle("wrist, the end of link 2", wrist, {theta2: pulled(elbow, START[0])}),
+            Handle("hand, the end of link 3", hand, {theta3: pulled(wrist, START[0] + theta2)}),
+        ),
+        readouts=(
+            Readout("length", "length of the lever", length, "m"),
+            Readout("x_dot", "first number of the column, ẋ at 1 rad/s", -lever_y, "m/s"),
+            Readout("y_dot", "second number, ẏ at 1 rad/s", lever_x, "m/s"),
+        ),
+        says=(
+            "{joint} turns at 1 rad/s, with θ2 at {theta2} and θ3 at {theta3}. Its lever to the "
+            "hand is {length} long, and the hand moves at {x_dot} along x and {y_dot} along y."
+        ),
+    )
 
 
 # The arm under the hand
@@ -350,4 +429,4 @@ def elbows_figure() -> Figure:
     )
 
 
-FIGURES = (joints_figure(), line_figure(), elbows_figure())
+FIGURES = (levers_figure(), joints_figure(), line_figure(), elbows_figure())

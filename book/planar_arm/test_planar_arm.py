@@ -682,3 +682,18 @@ def test_the_command_takes_the_error_back():
     # in the wanted pose the wanted velocity is all that is commanded
     values |= {"x": 0.5, "y": 0.45, "phi_hand": 0.1, "vx_d": 0.3, "vy_d": 0.2, "omega_d": -1}
     assert command(*(values[str(symbol)] for symbol in formula.symbols)) == [0.3, 0.2, -1]
+
+
+# What the chapter says
+
+
+def test_the_half_axes_are_top_speeds_and_the_least_speed_is_0():
+    """Of all joint rates of size 1; the lesser half-axis is not the slowest speed."""
+    theta, lengths = np.radians([30, 60, -90]), [0.4, 0.3, 0.2]
+    axes, directions = ellipse(theta, lengths)
+    q = np.random.default_rng(8).normal(size=(20_000, 3))
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    moved = velocity(theta, q, lengths)[:, :2]
+    # 20,000 rates leave gaps of about 0.02 rad between them: 2e-4 of a top speed, squared
+    np.testing.assert_allclose(np.abs(moved @ directions).max(axis=0), axes, rtol=1e-3)
+    assert np.linalg.norm(moved, axis=1).min() < 0.1 * axes[1]

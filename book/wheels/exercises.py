@@ -27,7 +27,7 @@ BY_ALPHA = {formulas.l: "l", formulas.alpha: "alpha"}
 ROW, SPEEDS, RATES, ALPHAS = (
     symbols(names) for names in ("j_1:4", "s_1:5", r"\dot\varphi_1:5", "alpha_1:4")
 )
-P_X, P_Y, D_X, D_Y, V_X, S, GROUND, SLIP = symbols("p_x p_y d_x d_y v_x s u slip")
+P_X, P_Y, D_X, D_Y, S, GROUND, SLIP = symbols("p_x p_y d_x d_y s u slip")
 BETA_2, RATE_2, MATRIX = Symbol("β'"), Symbol(r"\dot\varphi'"), Symbol("J_1")
 
 M19 = Mistake(
@@ -86,7 +86,7 @@ M35 = Mistake(
     says="with cos α in the last entry of the rolling row, where cos β belongs",
     line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), -l * np.cos(alpha)])",
     why="When the robot turns, a wheel whose axle points to the centre rolls with its whole speed, "
-    "wherever it stands. With cos α the last column is l times the second one: J1 is singular.",
+    "wherever it stands. With cos α the last column is l times the second one: J_1 is singular.",
     unnoticed="For a wheel with α = ±β, or when the robot does not turn.",
     document="002",
     place="the matrix J_1",
@@ -311,7 +311,7 @@ with as_written():
     OTHER_ANGLE = Line(BETA_2, formulas.beta + pi, "rad")
     OTHER_RATE = Line(RATE_2, -formulas.rate, "rad/s")
     BEST = Line(
-        Matrix([V_X, planar.v_y, planar.omega]),
+        Matrix([planar.v, planar.v_y, planar.omega]),
         Matrix(
             [
                 (SPEEDS[1] - SPEEDS[3]) / 2,
@@ -337,7 +337,7 @@ wheels_1 = Exercise(
     title="The rolling row of a wheel",
     text="A fixed wheel stands at the distance l = {l} from the robot's centre, at the angle "
     "α = {alpha}. From this spoke to the wheel's axle it is β = {beta}. The robot's heading θ is "
-    "{theta}. The rolling constraint says: a row times the velocity R(θ) ξ̇_I = [v_x, v_y, ω], "
+    "{theta}. The rolling constraint says: a row times the velocity R(θ) ξ̇_I = [v, v_y, ω], "
     "seen from the robot, is r φ̇. With a positive rate φ̇ the wheel rolls in the direction "
     "α + β − 90°. Which three numbers are in this row?",
     given={
@@ -346,7 +346,7 @@ wheels_1 = Exercise(
         "beta": steps(-75, 75, 15, "°"),
         "theta": THETA,
     },
-    asks=(Ask("number for v_x"), Ask("number for v_y"), Ask("number for ω", "m")),
+    asks=(Ask("number for v"), Ask("number for v_y"), Ask("number for ω", "m")),
     right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
     wrong=ways(itself, M19, M20, M34, M35),
     also={
@@ -370,8 +370,8 @@ wheels_2 = Exercise(
     text="An omni robot has three wheels. The first stands at α = {first}, the others 120° and "
     "240° further. Each is {l} from the centre, and its axle points along the spoke (β = 0). The "
     "rollers leave it free to slide along its axle (γ = 0). The robot's heading θ is {theta}. "
-    "What is the matrix J1? J1 times R(θ) ξ̇_I, the velocity seen from the robot, gives the speeds "
-    "r φ̇ of the three wheels. A positive rate rolls a wheel to the right of its spoke.",
+    "What is the matrix J_1? J_1 times R(θ) ξ̇_I, the velocity seen from the robot, gives the "
+    "speeds r φ̇ of the three wheels. A positive rate rolls a wheel to the right of its spoke.",
     given={"l": L, "first": steps(-90, 105, 15, "°"), "theta": THETA},
     asks=tuple(Ask(f"J1[{i}, {j}]", "m" if j == 2 else "") for i in range(3) for j in range(3)),
     shape=(3, 3),
@@ -561,7 +561,7 @@ wheels_7 = Exercise(
     "faster does the ground then pass under the first wheel "
     "than the wheel rolls?",
     given={"r": R, "l": L, "w_1": RATE, "w_2": RATE, "w_3": RATE, "w_4": RATE},
-    asks=(Ask("v_x", "m/s"), Ask("v_y", "m/s"), Ask("ω", "rad/s"), Ask("slip", "m/s")),
+    asks=(Ask("v", "m/s"), Ask("v_y", "m/s"), Ask("ω", "rad/s"), Ask("slip", "m/s")),
     right=four,
     wrong=ways(four_by, M19, M34, M35, alpha=FOUR, beta=0.0),
     when=lambda w_1, w_2, w_3, w_4, **_: (
@@ -573,7 +573,7 @@ wheels_7 = Exercise(
         ),
     },
     solution=Solution(
-        "The wheels roll at these speeds:\n\n{rolled}\n\nThe rows of J1 are {rows.value}. Its "
+        "The wheels roll at these speeds:\n\n{rolled}\n\nThe rows of J_1 are {rows.value}. Its "
         "columns are at right angles to each other, so least squares is a mean for each of them:"
         "\n\n{best}\n\nThe row of the first wheel says how fast the ground passes under it:"
         "\n\n{ground}\n\nThe difference to the speed at which it rolls is the slip:\n\n{slip}",

@@ -8,6 +8,24 @@ QUARTER = np.pi / 2
 OMNI = wheels.omni_robot(0.2, 0.05)
 
 
+def kinds_readouts(*columns):
+    """rolled, aside."""
+    return np.array([of_kind(*row) for row in zip(*columns, strict=True)])
+
+
+def of_kind(fixed, castor, straight, slanted, ball, course):
+    """What a wheel that looks along x rolls, and what is left of its velocity, with a sign."""
+    if ball:
+        return [np.nan, np.nan]
+    gamma = slanted * np.pi / 4
+    place = 0.2, -QUARTER, np.pi, 0.07
+    made = wheels.swedish(*place, gamma) if straight or slanted else wheels.fixed(*place)
+    velocity = np.array([0.2 * np.cos(course), 0.2 * np.sin(course), 0.0])
+    rolled = (wheels.rolling([made]) @ velocity / np.cos(gamma))[0]
+    left = velocity[:2] - [rolled, 0]
+    return [rolled, left @ [-np.sin(gamma), np.cos(gamma)]]
+
+
 def laboratory_readouts(*columns):
     """rank, now, mobility, steerability, both, v, v_y, omega."""
     return np.array([laboratory(row) for row in zip(*columns, strict=True)])
@@ -55,8 +73,13 @@ CAR, TWO = {"robot": "car"}, {"robot": "two steered wheels, castors"}
 DRIVE = {"robot": "differential drive, castor"}
 RATES = ("omni_rate1", "omni_rate2", "omni_rate3")
 
-READOUTS = {"wheel-laboratory": laboratory_readouts, "omni": omni_readouts}
+READOUTS = {
+    "wheel-kinds": kinds_readouts,
+    "wheel-laboratory": laboratory_readouts,
+    "omni": omni_readouts,
+}
 SPECIALS = {
+    "wheel-kinds": [{"kind": kind, "course": QUARTER} for kind in ("fixed", "Swedish, 45°")],
     "wheel-laboratory": [
         {**CAR, "centre_y": 0.0},
         {**CAR, "centre_x": 0.15},

@@ -3,10 +3,11 @@
 from math import pi
 from typing import Any
 
-from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
+from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols, tan
 
 from book.differential_drive.figures import t
 from book.differential_drive.formulas import r
+from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, v, v_y, x, y
 from book.wheels import formulas as wheels
@@ -46,6 +47,77 @@ def moved(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
         aside = {x: 0, y: 0, theta: start + QUARTER, v: left, omega: turn, dt: time}
         sideways = motion.arc_step.at(aside)
         return there[0] + sideways[0], there[1] + sideways[1], there[2]
+
+
+# --- One wheel of each kind
+
+SPEED = 0.2  # m/s
+KINDS = ("fixed", "castor", "Swedish, 90°", "Swedish, 45°", "ball")
+CHOSEN = symbols("is_fixed is_castor is_90 is_45 is_ball")  # 1 for the kind that is chosen
+LONG, WIDE = 0.16, 0.05  # m
+
+course = quantity("course", "rad", -pi, pi, "the direction in which a wheel is moved", r"\chi")
+
+
+def kinds_figure() -> Figure:
+    """A wheel of each kind is moved: what of the motion it rolls, and how it gives way."""
+    fixed, castor, straight, slanted, ball = CHOSEN
+    with as_written():
+        gamma = pi / 4 * slanted
+        tip = SPEED * cos(course), SPEED * sin(course)
+        rolled, aside = tip[0] + tip[1] * tan(gamma), tip[1] / cos(gamma)
+        contact = (-2 * TRAIL * castor, 0)
+        along = [Piecewise((part, ball < 0.5), (nan, True)) for part in (rolled, aside)]
+        rounds = [(0.08, 0.08, "ghost"), (0.06, 0.06, "body")]
+        rounds += [(0.06, 0.02, "body"), (0.02, 0.06, "body")]
+
+    def rollers(when: Any, turned: float, size: float) -> list[Wheel]:
+        return [
+            Wheel("left", seen(when, (at, 0)), turned, length=size, width=0.02)
+            for at in (-0.055, 0, 0.055)
+        ]
+
+    return Figure(
+        name="wheel-kinds",
+        title="A wheel from above is moved: what it rolls, and how it gives way",
+        view=(-0.36, 0.36, -0.23, 0.23),
+        controls=(
+            Choice(
+                "kind",
+                "wheel",
+                CHOSEN,
+                {name: tuple(float(k == n) for n in range(5)) for k, name in enumerate(KINDS)},
+                start="fixed",
+            ),
+            Slider(course, -pi, pi, start=pi / 6, step=pi / 36, label="direction of the motion"),
+        ),
+        scene=(
+            Line("body", (seen(fixed, (0, -0.09)), seen(fixed, (0, 0.09)))),
+            Line("body", (seen(castor, (0, 0)), seen(castor, contact))),
+            Wheel("ghost", seen(1 - ball, contact), 0, length=LONG, width=WIDE),
+            *rollers(straight, 0, 0.048),
+            *rollers(slanted, pi / 4, 0.07),
+            *(
+                Curve(kind, seen(ball, (wide * cos(s), high * sin(s))), s, 0, 2 * pi)
+                for wide, high, kind in rounds
+            ),
+            Arrow("left", ORIGIN, (along[0], 0)),
+            Arrow("approximation", (along[0], 0), seen(1 - ball, tip)),
+            Arrow("velocity", ORIGIN, tip),
+            Point("body", ORIGIN),
+        ),
+        handles=(
+            Handle("tip of the arrow", tip, {course: atan2(POINTER[1], POINTER[0])}),
+        ),
+        readouts=(
+            Readout("rolled", "rolls at", along[0], "m/s", words={"nan": "any speed, any way"}),
+            Readout("aside", "the rest", along[1], "m/s", words={"nan": "nothing"}),
+        ),
+        says=(
+            "{kind} wheel, moved at 0.2 m/s in the direction {course} from where it rolls. It "
+            "rolls at {rolled}; the rest is {aside}."
+        ),
+    )  # fmt: skip
 
 
 # --- The wheel laboratory
@@ -262,12 +334,6 @@ def pivot_speed(place: Any, twist: Any) -> Any:
     return wheels.contact.at({**values, l: place[2], alpha: place[3]})
 
 
-def taken_along(point: Any, pose: Any) -> tuple[Any, Any]:
-    """A point of the robot when it stands at a pose."""
-    turned = motion.to_world.at({v: point[0], v_y: point[1], omega: 0, theta: pose[2]})
-    return pose[0] + turned[0], pose[1] + turned[1]
-
-
 def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
     """A wheel, taken along by the robot, in the look of its kind."""
     _, _, _, there, fixed, steered = NUMBERS[k]
@@ -276,13 +342,7 @@ def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
 
     def beside(ahead: float, left: float = 0.0) -> tuple[Any, Any]:
         """A point so far from the wheel, ahead and to the left of where it rolls."""
-        return taken_along(
-            (
-                place[0] + ahead * cos(along) - left * sin(along),
-                place[1] + ahead * sin(along) + left * cos(along),
-            ),
-            pose,
-        )
+        return point_of(pose, *point_of((*place[:2], along), ahead, left))
 
     def line(when: Any, *points: tuple[float, float]) -> Line:
         return Line("body", tuple(seen(when, beside(*point)) for point in points))
@@ -407,4 +467,4 @@ def pulled(k: int) -> Any:
     return (row[0] * back[0] + row[1] * back[1]) / RADIUS
 
 
-FIGURES = (laboratory_figure(), omni_figure())
+FIGURES = (kinds_figure(), laboratory_figure(), omni_figure())

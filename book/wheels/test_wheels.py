@@ -9,6 +9,7 @@ import sympy
 from hypothesis import assume, given
 from support import EPS, NEAR_ZERO, angles, assert_close, reals, twists, vectors
 
+from book.prose import reads
 from robokin import bicycle, differential_drive, motion
 from robokin.errors import RobokinError, SingularError, UnreachableError
 from robokin.wheels import (
@@ -716,3 +717,31 @@ def test_wheels_that_roll_as_told_drive_the_robot_along():
         assert_close(lengths.sum(), abs(rate) * 0.3 * 3, atol=1e-6)
         middles = np.array([at_time(t)[2] for t in (times[1:] + times[:-1]) / 2])
         assert_close(np.sum(np.diff(points, axis=0) * middles, axis=-1), np.zeros(3000), atol=1e-12)
+
+
+# What the chapter says
+
+
+def test_a_mecanum_wheels_slip_is_seen_along_its_rollers_axis_only():
+    rates = np.array([2.0, 1.0, 1.0, 1.0])
+    v, v_y, omega = forward(MECANUM, rates)
+    x, y = 0.2, 0.15  # wheel 1, which rolls ahead; its radius is 5 cm
+    ground = np.array([v - omega * y, v_y + omega * x])
+    rim = np.array([0.05 * rates[0], 0])
+    axis = np.array([np.cos(np.pi / 4), -np.sin(np.pi / 4)])
+    found = slip(MECANUM, rates)[0]
+    assert_close(axis @ (ground - rim), found, atol=4 * EPS)
+    assert abs(found + 0.0088) < 1e-4  # as the chapter prints it
+    assert (ground - rim)[0] < 3 * found  # along the rolling direction it is another number
+
+
+@pytest.mark.parametrize("metres", [1.0, 0.01])
+def test_the_nearest_motion_is_that_of_a_length_of_one_metre(metres):
+    """The laboratory's car, asked for all three speeds; in centimetres it is another motion."""
+    asked = np.array([0.15, 0.15, 0.5])
+    wished = {"robot": "car", "wish": "all three at once"}
+    shown = [reads("wheel-laboratory", name, **wished) for name in ("v", "v_y", "omega")]
+    allowed = np.array([0.4, 0.0, 1.0])  # about the ring C, 0.4 m to the left
+    weights = np.array([1, 1, metres])
+    size = (weights * allowed) @ (weights * asked) / np.sum((weights * allowed) ** 2)
+    assert np.allclose(shown, size * allowed, rtol=0, atol=1e-12) == (metres == 1)

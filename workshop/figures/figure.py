@@ -119,22 +119,18 @@ class Figure:
         compute = "((figure) => (f, c) => workshop.figures.compute(figure, c).values)"
         return evaluate(f"{compute}({self.code})", points)
 
-    def picture(self) -> str:
-        """The still picture (SVG) of the starting state."""
-        return str(engine.run(f"workshop.figures.svg({self.code})"))
+    def picture(self, width: int = 640) -> str:
+        """The still picture (SVG) of the starting state; width in pixels."""
+        return str(engine.run(f"workshop.figures.svg({self.code}, undefined, {width})"))
 
     def html(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""
         return str(engine.run(f"workshop.figures.html({self.code})"))
 
     def on_page(self) -> str:
-        """The HTML of the figure, and the code that brings it to life."""
-        code = self.code.replace("</", "<\\/")
-        return (
-            f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}">'
-            f"{self.html()}</figure>\n"
-            f"<script>(window.workshopFigures ??= []).push({code});</script>\n"
-        )
+        """The HTML of the figure, which the script brings to life."""
+        start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}">'
+        return f"{start}{self.html()}</figure>\n"
 
     @cached_property
     def widget(self) -> Widget:

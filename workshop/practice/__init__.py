@@ -24,7 +24,7 @@ from workshop.practice.wording import number_text
 from workshop.practice.wrong import Wrong
 from workshop.script.runtime import Part, register
 
-SCRIPTS = "problems reading calculating dealing judging box saving page notebook"
+SCRIPTS = "problems reading calculating asked dealing judging storage box saving page notebook"
 register(
     Part(
         name="practice",

@@ -176,9 +176,9 @@ class Exercise:
     symbol; an empty line starts a paragraph. given: name → how it is drawn. asks: the numbers
     asked for, in order. right: function of the numbers → the answer, shape (n,) or `shape`.
     wrong: mistake → function → the answer of somebody who makes it. also: the same for what is
-    no documented mistake, as words that end "This is what you get …"; where it gives what a mistake
-    gives, both are said. accept: "one" answer, "any" of the rows of `right`, or "all" its rows in any
-    order. when: numbers that may be dealt.
+    no documented mistake, as words that end "This is what you get …"; where it gives what a
+    mistake gives, both are said. accept: "one" answer, "any" of the rows of `right`, or "all" its
+    rows in any order. when: numbers that may be dealt.
     example: the numbers of the source document, in SI, where the chapter shows the mistakes.
     """
 

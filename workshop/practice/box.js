@@ -5,12 +5,24 @@
 
 const LEVELS = { 1: "one step", 2: "several steps", 3: "hard" };
 const TRAINING = "Numbers for training: they are not yours and do not count.";
-const NOT_LOADED = "The exercise could not be loaded. Please load the page again.";
+const LOADING = "Your numbers are being loaded …";
+const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
+const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
+const RUNGS = ["Where should I look?", "Show the first step", "Show the next step", "Show the answer"];
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
 
 const paragraphs = (text) => symbols(text).split("\n\n")
   .map((paragraph) => `<p>${paragraph}</p>`).join("");
+
+const FORMULA = /^(\[[^=]*\]|\S+) = /;
+
+// A solution in steps: each is a text and the formulas that follow it.
+const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
+    const last = steps.at(-1)?.split("\n\n").at(-1);
+    if (last === undefined || (FORMULA.test(last) && !FORMULA.test(part))) return [...steps, part];
+    return [...steps.slice(0, -1), `${steps.at(-1)}\n\n${part}`];
+  }, []) : [];
 
 // id: the start of the ids inside, for the box's own parts to find each other.
 const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
@@ -26,18 +38,20 @@ const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
     + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
     + `<button type="submit">Check</button>`
     + `<button type="button" class="rk-another">Another one</button></div></form>`
-    + `<p class="rk-verdict" id="${id}-verdict" role="status"></p>`
-    + (solution ? `<details class="rk-solution"><summary>Solution</summary><div></div></details>` : "");
+    + `<p class="rk-verdict" id="${id}-verdict" role="status"></p><p class="rk-read"></p>`
+    + `<div class="rk-ladder" aria-live="polite"></div>`
+    + `<button type="button" class="rk-help">${RUNGS[0]}</button>`;
 
 // An exercise in an element that holds its HTML. desk: { course, student(), load(), kept(),
-// keep(entry) }; load() promises the exercise with its variants.
+// keep(entry) }; load() promises the exercise with its variants. What is shown is what is judged:
+// both take the variant from `number`, which `show` alone sets.
 class Box {
   constructor(element, desk) {
     Object.assign(this, { element, desk });
     this.input = this.one("input");
-    this.solution = this.one(".rk-solution");
-    this.exercise = null; // until it is loaded
+    this.exercise = this.number = null; // until they are loaded and shown
     this.training = 0; // how many variants beyond one's own
+    this.trained = {}; // what is kept of one's own numbers is not kept of these
   }
 
   one(selector) {
@@ -51,89 +65,131 @@ class Box {
     });
     this.input.addEventListener("change", () => this.keepTyped());
     const train = (training) => this.withExercise(() => {
-      this.training = training;
+      Object.assign(this, { training, trained: {} });
       this.show();
       this.restore();
       this.input.focus();
     });
     this.one(".rk-another").addEventListener("click", () => train(this.training + 1));
     this.one(".rk-training button").addEventListener("click", () => train(0));
-    this.solution?.addEventListener("toggle", () => this.withExercise(() => this.unfold()));
+    this.one(".rk-help").addEventListener("click", () => this.withExercise(() => this.help()));
     this.element.classList.add("rk-live");
     return this;
   }
 
   // For another student.
   renew() {
-    this.training = 0;
+    Object.assign(this, { training: 0, number: null });
     this.restore(); // at once: what is typed while the numbers are loaded must stay
-    return this.withExercise(() => this.show());
+    return this.withExercise(() => {
+      this.show();
+      if (this.entry().unjudged) this.check(); // from a file
+      else this.climb();
+    });
   }
 
+  // Does something with the exercise; until it is there, the box says so in place of the question.
   async withExercise(work) {
+    const text = this.one(".rk-text");
     try {
+      if (!this.exercise) text.textContent = LOADING;
       this.exercise ??= await this.desk.load();
     } catch (error) {
-      this.tell("unread", NOT_LOADED);
+      text.innerHTML = `<p>${NOT_LOADED} <button type="button">Try again</button></p>`;
+      text.querySelector("button").addEventListener("click", () => this.renew());
       return console.error(error);
     }
+    if (this.number === null) this.show();
     return work();
-  }
-
-  get number() {
-    const { course, student } = this.desk;
-    return (dealtVariant(course, this.exercise.name, student()) + this.training) % VARIANTS;
   }
 
   get variant() {
     return this.exercise.variants[this.number];
   }
 
+  // What is kept of the present numbers: { answer, result, says, tries, help, … }.
+  entry() {
+    return (this.training ? this.trained : this.desk.kept()) ?? {};
+  }
+
+  keep(entry) {
+    if (this.training) this.trained = entry; else this.desk.keep(entry);
+  }
+
   // What is typed and not checked yet is kept, and saved, too; it takes no pass away.
   keepTyped() {
-    const answer = this.input.value, kept = this.desk.kept();
-    if (this.training || !answer || kept?.result === "right" || kept?.answer === answer) return;
-    this.desk.keep({ answer, result: "", says: "" });
+    const answer = this.input.value, kept = this.entry();
+    if (this.training || !answer || kept.result === "right" || kept.answer === answer) return;
+    this.keep({ ...kept, answer, result: "", says: "" });
   }
 
   check() {
     return this.withExercise(() => {
-      const { input, number, variant } = this;
+      const { input, number, variant } = this, { unjudged, ...kept } = this.entry();
       const found = checkAnswer(this.exercise, variant.candidates, input.value);
-      this.tell(found.result, found.says);
-      const passed = this.desk.kept()?.result === "right"; // a further try takes nothing away
-      if (this.training || found.result === "unread" || (passed && found.result !== "right")) return;
-      this.desk.keep({ answer: input.value, ...found, variant: number });
-      this.one(".rk-passed").hidden = found.result !== "right";
+      this.tell(found);
+      if (found.result === "unread") return;
+      const passed = kept.result === "right"; // a further try takes nothing away
+      const tries = (kept.tries ?? 0) + 1, right = found.result === "right";
+      if (!passed) this.keep({ ...kept, answer: input.value, ...found, variant: number, tries });
+      if (right) this.pass(); else this.climb(passed ? { ...found, tries } : this.entry());
     });
   }
 
-  tell(result, words) {
+  tell({ result = "", says = "", read = "" }) {
     this.one(".rk-verdict").className = `rk-verdict rk-${result}`;
-    this.one(".rk-verdict").innerHTML = symbols(words);
+    this.one(".rk-verdict").innerHTML = symbols(says);
+    this.one(".rk-read").innerHTML = symbols(read);
+  }
+
+  pass() {
+    const { result, help = 0 } = this.entry();
+    this.one(".rk-passed").hidden = this.training > 0 || result !== "right";
+    this.one(".rk-passed").textContent = help > 1 ? `passed, ${help - 1} steps shown` : "passed";
+  }
+
+  // The next rung of the ladder; what is opened before the pass is kept with it.
+  help() {
+    const entry = this.entry(), opened = this.opened ?? entry.help ?? 0;
+    if (opened && !entry.tries) return this.climb(entry, TRY_FIRST);
+    this.opened = opened + 1;
+    if (entry.result !== "right") this.keep({ answer: "", says: "", ...entry, help: this.opened });
+    this.climb();
+  }
+
+  // The rungs that are open: why, after two tries, a named mistake is one; then where to look, then
+  // the steps of the solution.
+  climb(entry = this.entry(), note = "") {
+    const { look, outcomes, topic, solution } = this.exercise, opened = this.opened ?? entry.help ?? 0;
+    const steps = stepsOf(filled(solution, this.variant.shown)), last = steps.length;
+    const { why } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
+    const chapter = `${document.documentElement.dataset.content_root ?? ""}${topic}/${topic}.html`;
+    const link = (place, words) => document.documentElement.dataset.content_root === undefined ? ""
+      : ` <a href="${chapter}${place}">${words}</a>`;
+    this.one(".rk-ladder").innerHTML = (why ? `<p>${symbols(why)}${link(`#${entry.name}`, "See it in the chapter.")}</p>` : "")
+      + (opened ? `<p>${symbols(look)}${link("", "To the chapter.")}</p>` : "")
+      + steps.slice(0, Math.max(0, opened - 1)).map(paragraphs).join("") + (note && `<p>${note}</p>`);
+    const button = this.one(".rk-help");
+    button.hidden = opened > last;
+    button.textContent = opened < 2 ? RUNGS[opened] : RUNGS[opened < last ? 2 : 3];
   }
 
   show() {
-    const { dataset } = this.element, before = dataset.variant;
-    this.one(".rk-text").innerHTML = paragraphs(filled(this.exercise.text, this.variant.shown));
-    dataset.variant = this.number;
-    this.one(".rk-training").hidden = !this.training;
-    if (this.solution && before !== undefined && before !== dataset.variant) this.solution.open = false;
-    this.unfold();
-  }
-
-  unfold() {
-    if (!this.solution?.open) return;
-    const text = filled(this.exercise.solution, this.variant.shown);
-    this.solution.querySelector("div").innerHTML = paragraphs(text);
+    const { course, student } = this.desk, { exercise, training } = this;
+    this.number = (dealtVariant(course, exercise.name, student()) + training) % VARIANTS;
+    this.one(".rk-text").innerHTML = paragraphs(filled(exercise.text, this.variant.shown));
+    this.element.dataset.variant = this.number;
+    this.one(".rk-training").hidden = !training;
   }
 
   restore() {
-    const kept = this.training ? null : this.desk.kept();
-    this.input.value = kept ? kept.answer : "";
-    this.one(".rk-passed").hidden = kept?.result !== "right";
-    this.tell(kept ? kept.result : "", kept ? kept.says : "");
+    const kept = this.entry();
+    this.opened = null; // besides what was opened before the pass
+    this.input.value = kept.answer ?? "";
+    this.pass();
+    this.tell(kept);
+    if (this.exercise && this.number !== null) this.climb();
   }
 }
 
-Object.assign(part, { exerciseHtml });
+Object.assign(part, { exerciseHtml, stepsOf });

@@ -3,17 +3,19 @@
 It needs no server and no script, loads nothing, and holds nothing but the class's results.
 """
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 
 from workshop.course import course as opened
-from workshop.practice.bank import exercises
+from workshop.practice.bank import exercises, mistakes
 from workshop.practice.wording import symbols
 
 Count = tuple[str, str, int, int, str]  # a row of the mistakes
 
+MOST = 25  # mistakes that are shown; the table of mistakes has all
 RESULTS = ("right", "partly", "wrong", "unread", "missing")
 SIGNS = dict(zip(RESULTS, "✓≈✗?·", strict=True))
 
@@ -35,27 +37,32 @@ PAGE = """<!doctype html>
 <meta name="viewport" content="width=device-width"><style>
 :root {{ color-scheme: light dark; --right: light-dark(#1b7340, #74c995);
   --partly: light-dark(#0065a3, #7cc4f5); --wrong: light-dark(#a3322e, #f28b9b);
-  --unread: light-dark(#7a5c00, #e0c060); --missing: light-dark(#767676, #8c8c8c); }}
+  --unread: light-dark(#7a5c00, #e0c060); --missing: light-dark(#767676, #8c8c8c);
+  --none: light-dark(#e4e4e4, #3a3a3a); }}
 body {{ font: 1rem/1.5 sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }}
 table {{ border-collapse: collapse; }} div {{ overflow-x: auto; }}
-th, td {{ padding: .1rem .6rem .1rem 0; text-align: left; vertical-align: top; }}
+th, td {{ padding: .1rem .7rem .1rem 0; text-align: left; vertical-align: top; }}
 th {{ font-weight: normal; }} thead th {{ font-size: .85rem; vertical-align: bottom; }}
 .n {{ text-align: right; font-variant-numeric: tabular-nums; }}
-.bar {{ display: flex; width: 16rem; height: 1rem; margin-top: .25rem; }}
+.bar {{ display: flex; width: 14rem; height: 1rem; margin-top: .25rem; }}
 {colours}
-.signs {{ font: .95rem/1.5 monospace; white-space: nowrap; }}
-@media print {{ :root {{ color-scheme: light; }} body {{ font-size: 9pt; margin: 0; }}
-  .bar {{ width: 8rem; }} i {{ print-color-adjust: exact; -webkit-print-color-adjust: exact; }}
+.signs {{ font: 1rem/1.5 monospace; letter-spacing: .05em; white-space: nowrap; }}
+.line th, th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width: 6rem; }}
+.words {{ min-width: 16rem; }} .exercise {{ min-width: 13rem; }}
+@media print {{ :root {{ color-scheme: light; }} body {{ font-size: 8pt; margin: 0; }}
+  i {{ print-color-adjust: exact; -webkit-print-color-adjust: exact; }}
   tr {{ break-inside: avoid; }} thead {{ display: table-header-group; }}
-  .signs {{ font-size: 7pt; }} div {{ overflow: visible; }} h2 {{ break-after: avoid; }} }}
+  .signs {{ font-size: 7pt; letter-spacing: 0; }} .bar {{ width: 7rem; height: .7rem; }}
+  .topic {{ max-width: 3rem; font-size: 6pt; }} .line th {{ white-space: normal; }}
+  div {{ overflow: visible; }} h2 {{ break-after: avoid; }} }}
 </style></head><body>
 <h1>{course}: the class</h1>
-<p>{students:,} students, {asked} exercises. {totals}. {legend}</p>
-<h2>Exercises</h2><div><table><thead><tr><th>exercise<th>{heads}<th></thead><tbody>
+<p>{students:,} students, {asked} exercises: {totals}.</p>
+<h2>Exercises</h2><div><table><thead><tr><th>exercise{heads}<th></thead><tbody>
 {exercises}
 </tbody></table></div>
-<h2>Mistakes</h2><p>The most frequent first; the share of those who answered.</p>
-<div><table><thead><tr><th class="n">students<th class="n">of<th><th>exercise<th>mistake
+<h2>Mistakes</h2><p>{frequent}</p>
+<div class="few"><table><thead><tr><th class="n">students<th class="n">of<th><th>exercise<th>mistake
 </thead><tbody>
 {mistakes}
 </tbody></table></div>
@@ -82,23 +89,23 @@ def page(course: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
         students=len(students),
         asked=len(asked),
         totals=", ".join(f"{totals[result]:,} {result}" for result in RESULTS),
-        legend=", ".join(f"{_sign(result)} {result}" for result in RESULTS),
         colours="\n".join(
-            f".bar .{r} {{ background: var(--{r}); }} .signs .{r} {{ color: var(--{r}); }}"
+            f".bar .{r} {{ background: var(--{r}); }} b.{r} {{ color: var(--{r}); }}"
             for r in RESULTS
+        ).replace("background: var(--missing)", "background: var(--none)"),
+        heads="".join(
+            f'<th class="n"><b class="{result}">{SIGNS[result]}</b> {result}' for result in RESULTS
         ),
-        heads="<th>".join(RESULTS),
         exercises="\n".join(
             _exercise(name, asked[name]) for names in topics.values() for name in names
         ),
-        mistakes="\n".join(map(_mistake, counts)),
-        topics="".join(f"<th>{escape(opened().title(topic))}" for topic in topics),
+        frequent=f"The most frequent {MOST} of {len(counts):,}; as a share of those who answered."
+        if len(counts) > MOST
+        else "As a share of those who answered.",
+        mistakes="\n".join(map(_mistake, counts[:MOST])),
+        topics="".join(f'<th class="topic">{escape(opened().title(topic))}' for topic in topics),
         lines="\n".join(_student(name, found, topics.values()) for name, found in students.items()),
     )
-
-
-def _sign(result: str) -> str:
-    return f'<span class="signs"><b class="{result}">{SIGNS[result]}</b></span>'
 
 
 def _bar(parts: Iterable[tuple[str, float]]) -> str:
@@ -109,15 +116,17 @@ def _bar(parts: Iterable[tuple[str, float]]) -> str:
 def _exercise(name: str, count: Counter[str]) -> str:
     cells = "".join(f'<td class="n">{count[result]}' for result in RESULTS)
     bar = _bar((result, count[result] / count.total()) for result in RESULTS)
-    return f"<tr><th>{name}: {escape(exercises()[name].title)}{cells}{bar}"
+    return f"<tr><th class='exercise'>{name}: {escape(exercises()[name].title)}{cells}{bar}"
 
 
 def _mistake(row: Count) -> str:
     exercise, mistake, count, of, comment = row
+    says = re.sub("^Not yet(. This is what you get|:) ", "", comment)
+    known = f"{mistake}: " if mistake in mistakes() else ""
     bar = _bar([("wrong", count / of)])
     return (
         f'<tr><td class="n">{count}<td class="n">{of}{bar}<td>{exercise}'
-        f"<td>{escape(mistake)}: {symbols(comment)}"
+        f'<td class="words">{known}{symbols(says)}'
     )
 
 
@@ -128,7 +137,8 @@ def _student(name: str, found: dict[str, Graded], topics: Iterable[Sequence[str]
         for names in topics
     )
     answered = count.total() - count["missing"]
-    return f'<tr><th>{escape(name)}<td class="n">{count["right"]}<td class="n">{answered}{cells}'
+    counts = f'<td class="n">{count["right"]}<td class="n">{answered}'
+    return f'<tr class="line"><th>{escape(name)}{counts}{cells}'
 
 
 def _of(graded: Graded | None) -> str:

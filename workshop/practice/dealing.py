@@ -1,8 +1,9 @@
 """Which numbers a student gets: the variants of an exercise, and the hash that picks one.
 
 The hash is 32-bit FNV-1a over the UTF-8 of course, exercise and name, joined by line feeds; the
-page computes the same. Names are compared in Unicode's form NFC, without invisible characters,
-with the Persian letters for yeh and kaf (keyboards have two), trimmed, each run of spaces one.
+page computes the same. Names are compared in small letters and Unicode's form NFC, without
+invisible characters, with the Persian letters for yeh and kaf (keyboards have two), with our
+digits, trimmed, each run of spaces one: who writes the own name otherwise is the same student.
 """
 
 import difflib
@@ -30,7 +31,8 @@ SPACES = "[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\
 
 
 INVISIBLE = "[\xad\u200b-\u200f\u202a-\u202e\u2060-\u2064]"
-PERSIAN = str.maketrans("\u064a\u0643", "\u06cc\u06a9")
+ZEROS = (0x660, 0x6F0, 0x966, 0xFF10)  # of Arabic, Persian, Hindi and wide digits
+ALIKE = {0x64A: 0x6CC, 0x643: 0x6A9} | {zero + k: 48 + k for zero in ZEROS for k in range(10)}
 
 
 @dataclass(frozen=True)
@@ -43,10 +45,10 @@ class Variant:
 
 
 def folded(name: str) -> str:
-    """A student's name as it is hashed: NFC, trimmed, each run of spaces one space."""
+    """A student's name as it is hashed."""
     whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole)).translate(PERSIAN)
-    return re.sub(SPACES, " ", seen).strip(" ")
+    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole)).translate(ALIKE)
+    return unicodedata.normalize("NFC", re.sub(SPACES, " ", seen).strip(" ").lower())
 
 
 def fnv1a(text: str) -> int:

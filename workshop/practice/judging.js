@@ -117,13 +117,15 @@ const shownValue = (value) => Array.isArray(value)
   ? `[${value.map(shownValue).join(", ")}]`
   : trueMinus(String(Number(value.toPrecision(6))));
 
-// The verdict on what was typed: { result, name, says }; result "unread" counts for nothing.
+// The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing.
 const checkAnswer = (exercise, listed, text) => {
   const unread = (says) => ({ result: "unread", name: "", says });
-  const { value, problem, about } = readAnswer(text);
+  const { value, problem, about } = readAsked(text, exercise.asks);
   if (problem) return unread(said(PROBLEMS[problem], { about }));
   const rows = rowsOf(exercise, value, listed[0][1].length);
-  if (rows) return judge(exercise, listed, rows, text);
+  const unit = exercise.asks.length === 1 ? exercise.asks[0].unit : "";
+  const read = `Read as ${shownValue(value)}${unit && ` ${unit}`}.`;
+  if (rows) return { ...judge(exercise, listed, rows, text), read };
   return unread(said(SAYS.shape, { asked: exercise.asked, read: shownValue(value) }));
 };
 

@@ -54,21 +54,26 @@ class Candidate:
 class Outcome:
     """What meeting a candidate means: right, partly (another unit) or wrong, and what is said.
 
-    factors: for each number asked, its size in the unit of the candidate.
+    factors: for each number asked, its size in the unit of the candidate. why: a mistake is one.
     """
 
     result: str
     says: str
     factors: Row
+    why: str = ""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """The answer to an answer. result: right, partly, wrong, or unread (it counts for nothing)."""
+    """The answer to an answer. result: right, partly, wrong, or unread (it counts for nothing).
+
+    read: what was read.
+    """
 
     result: str
     name: str
     says: str
+    read: str = ""
 
     def __repr__(self) -> str:
         return self.says
@@ -79,9 +84,10 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     """Every name that a candidate of this exercise can have, and what it means."""
     ones = (1.0,) * len(exercise.asks)
     found = {"right": Outcome("right", RIGHT, ones)}
-    done = {m.name: m.says for m in exercise.wrong} | {f"slip:{w}": w for w in exercise.also}
-    for name, words in done.items():
-        found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones)
+    done = {m.name: (m.says, m.why) for m in exercise.wrong}
+    done |= {f"slip:{words}": (words, "") for words in exercise.also}
+    for name, (words, why) in done.items():
+        found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones, why)
     for name, factors in _units(exercise.asks).items():
         asked = " and ".join(dict.fromkeys(a.unit for a in exercise.asks if a.unit in POWERS))
         says = (
@@ -247,7 +253,13 @@ def essence(exercise: Exercise) -> dict[str, Any]:
     return {
         "asked": asked(exercise),
         "asks": [
-            {"label": a.label, "circle": a.circle, "tolerance": a.tolerance, "relative": a.relative}
+            {
+                "label": a.label,
+                "unit": a.unit,
+                "circle": a.circle,
+                "tolerance": a.tolerance,
+                "relative": a.relative,
+            }
             for a in exercise.asks
         ],
         "decimals": max(a.decimals for a in exercise.asks),

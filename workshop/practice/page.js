@@ -2,29 +2,27 @@
 
 const NAMELESS = "Type your name first: it picks your numbers.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
-  + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, 1/3, pi/3, sqrt(3)/2, "
-  + "30°, or a list: [1, 2].";
+  + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
+  + "1/3, pi/3, sqrt(3)/2, 30°, or a list: [1, 2].";
+const NOT_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
+const BROKEN = "What this browser kept could not be read; it was laid aside.";
+const NO_ANSWERS = "There are no answers for this course in that file.";
 
 const deskHtml = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
   + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false"></div>`
-  + `<p class="rk-progress" role="status"></p>`
+  + `<p class="rk-progress" role="status"></p><p class="rk-course"></p>`
   + `<div class="rk-row"><button type="button" class="rk-export">Save my answers (CSV)</button>`
+  + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv"></label>`
   + `<button type="button" class="rk-clear">Clear my answers</button></div>`
   + `<p class="rk-note">Course: <strong>${escaped(course)}</strong>. ${NOTE}</p>`;
+
+// A line that stays in sight while an exercise is.
+const barHtml = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
 
 const unpacked = (packed) => {
   const bytes = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).json();
-};
-
-const memory = { // a browser may refuse to keep anything: then the page alone remembers
-  data: {},
-  get: (key) => { try { return localStorage.getItem(key) ?? memory.data[key]; } catch { return memory.data[key]; } },
-  set: (key, value) => { // whether the browser keeps it
-    memory.data[key] = value;
-    try { localStorage.setItem(key, value); return true; } catch { return false; }
-  },
 };
 
 // The numbers of a topic's exercises, a file beside the page that is loaded when they are needed.
@@ -37,13 +35,17 @@ const loadTopic = (topic, version) => topics[topic] ??= new Promise((resolve, re
   document.head.append(script);
 });
 
-// The desk of a page: who works here, and what this student has answered.
+// The desk of a page: who works here, and what this student has answered. `name` is who it is
+// until another name is given as a whole, so that numbers and answers are always one student's.
 class Desk {
   constructor(element, sections) {
     Object.assign(this, { element, sections });
     this.course = element.dataset.course;
-    this.name = element.querySelector("input");
+    this.field = element.querySelector("input");
     this.boxes = sections.map((section) => new Box(section, this.seenBy(section.dataset)));
+    this.bar = document.createElement("div");
+    this.bar.className = "rk-bar";
+    this.bar.innerHTML = barHtml;
   }
 
   // What the box of one exercise sees of the desk.
@@ -58,27 +60,36 @@ class Desk {
   }
 
   start() {
-    const press = (button, work) =>
-      this.element.querySelector(button).addEventListener("click", () => work.call(this));
-    press(".rk-clear", this.clear);
-    press(".rk-export", this.save);
-    this.name.value = memory.get(`${STORE} student`) ?? "";
-    this.name.addEventListener("change", () => this.renew());
-    this.boxes.forEach((box) => box.start());
+    const press = (where, button, work) =>
+      where.querySelector(button).addEventListener("click", () => work.call(this));
+    press(this.element, ".rk-clear", this.clear);
+    press(this.element, ".rk-export", this.save);
+    press(this.bar, ".rk-who", () => { this.element.scrollIntoView(); this.field.focus(); });
+    this.element.querySelector("[type=file]").addEventListener("change", (event) => this.load(event.target));
+    this.field.value = this.name = memory.get(`${STORE} student`) ?? "";
+    this.field.addEventListener("change", () => this.renew());
+    (this.element.closest("article") ?? document.body).append(this.bar);
+    const near = new Set(), watch = new IntersectionObserver((seen) => {
+      seen.forEach(({ target, isIntersecting }) => near[isIntersecting ? "add" : "delete"](target));
+      this.bar.hidden = !near.size;
+    });
+    this.boxes.forEach((box) => watch.observe(box.start().element));
     this.tellProgress();
-    if (this.name.value || Object.keys(this.mine()).length) this.boxes.forEach((box) => box.renew());
+    if (this.name || Object.keys(this.mine()).length) this.boxes.forEach((box) => box.renew());
   }
 
   student() {
-    return foldedName(this.name.value);
+    return foldedName(this.name);
   }
 
   all() {
-    return JSON.parse(memory.get(`${STORE} answers ${this.course}`) || "{}");
+    return parsed(`${STORE} answers ${this.course}`);
   }
 
   mine() {
-    return this.all()[this.student()] ?? {};
+    const all = this.all();
+    const [alike] = Object.keys(all).filter((name) => foldedName(name) === this.student());
+    return all[this.student()] ?? all[alike] ?? {};
   }
 
   // Answers of the present student; undefined: none any more.
@@ -89,7 +100,8 @@ class Desk {
   }
 
   renew() {
-    memory.set(`${STORE} student`, this.name.value);
+    this.name = this.field.value;
+    memory.set(`${STORE} student`, this.name);
     this.tellProgress();
     this.boxes.forEach((box) => box.renew());
   }
@@ -99,25 +111,53 @@ class Desk {
   }
 
   tellProgress() {
-    const mine = this.mine();
-    const passed = this.sections.filter(({ dataset }) => mine[dataset.exercise]?.result === "right");
-    const nameless = passed.length && !this.student() ? `. ${NAMELESS}` : "";
-    this.tell(`${passed.length} of ${this.sections.length} checks on this page passed${nameless}`);
+    const mine = this.mine(), passed = (name) => mine[name]?.result === "right";
+    const here = this.sections.map(({ dataset }) => dataset.exercise), done = here.filter(passed);
+    const nameless = done.length && !this.student() ? `. ${NAMELESS}` : "";
+    const storage = !memory.kept ? ` ${NOT_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
+    this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`);
+    const all = Object.entries(TOPICS).map(([title, [topic, count]]) => {
+      const many = Object.keys(mine).filter((name) =>
+        passed(name) && name.replace(/-\d+$/, "").replaceAll("-", "_") === topic).length;
+      return { title, count, many };
+    });
+    const sum = (key) => all.reduce((total, one) => total + one[key], 0), open = here.find((name) => !passed(name));
+    const course = `${sum("many")} of ${sum("count")} in the course`;
+    this.element.querySelector(".rk-course").textContent =
+      `${course}: ${all.map(({ title, many, count }) => `${title} ${many}/${count}`).join(", ")}.`;
+    this.bar.querySelector(".rk-who").textContent = this.student()
+      ? `${this.name.trim()} · number set ${numberSet(this.course, this.name)}` : "Type your name";
+    this.bar.querySelector("span").textContent = `${done.length} of ${here.length} here, ${course}${storage}`;
+    const next = this.bar.querySelector("a");
+    next.hidden = !open;
+    if (open) next.href = `#${open}`;
   }
 
   clear() {
-    if (!confirm(`Clear all answers of ${this.student() || "this page"} in this browser?`)) return;
+    if (!confirm(`Clear all answers of ${this.name.trim() || "this page"} in this browser?`)) return;
     this.keep(undefined);
     this.renew();
   }
 
   save() {
-    const student = this.student();
-    if (!student) {
+    if (!this.student()) {
       this.tell(NAMELESS);
-      return this.name.focus();
+      return this.field.focus();
     }
-    saveAnswers(this.element.dataset, student, this.mine());
+    saveAnswers(this.element.dataset, this.name.trim(), this.mine());
+  }
+
+  // Answers of a file that was saved here or elsewhere: each box checks its own again.
+  async load(input) {
+    const rows = answersOf(await input.files[0].text()).filter(({ course }) => foldedName(course) === foldedName(this.course));
+    input.value = "";
+    if (!rows.length) return this.tell(NO_ANSWERS);
+    this.name = this.field.value = rows[0].student;
+    const found = rows.filter(({ student, exercise }) =>
+      foldedName(student) === this.student() && this.mine()[exercise]?.result !== "right");
+    this.keep({ ...this.mine(), ...Object.fromEntries(found.map(({ exercise, answer, time }) =>
+      [exercise, { answer, time, result: "", says: "", unjudged: true }])) });
+    this.renew();
   }
 }
 
@@ -126,4 +166,4 @@ const onPage = () => {
   if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
 };
 
-Object.assign(part, { answersCsv, deskHtml, memory, onPage });
+Object.assign(part, { answersCsv, answersOf, deskHtml, onPage });

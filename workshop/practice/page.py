@@ -8,11 +8,14 @@ import base64
 import hashlib
 import json
 import zlib
+from collections import Counter
 from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
 from workshop.course import course
+from workshop.equations.core import Equation
+from workshop.equations.text import formula_text
 from workshop.practice import dealing, judging
 from workshop.practice.bank import Exercise, exercises
 from workshop.script import engine
@@ -21,8 +24,13 @@ MIME = "application/vnd.workshop.exercise+json"
 
 
 def constants() -> dict[str, Any]:
-    """What the script needs of Python: how many variants there are, the name of its store."""
-    return {"VARIANTS": dealing.VARIANTS, "STORE": course().name}
+    """What the script needs of Python: how many variants there are, the name of its store, and how
+    many exercises each chapter has."""
+    count = Counter(exercise.topic for exercise in exercises().values())
+    chapters = {
+        course().title(t): (t, n) for t, n in count.items() if course().notebook(t).exists()
+    }
+    return {"VARIANTS": dealing.VARIANTS, "STORE": course().name, "TOPICS": chapters}
 
 
 def contents(exercise: Exercise, solutions: bool = True) -> dict[str, Any]:
@@ -31,6 +39,8 @@ def contents(exercise: Exercise, solutions: bool = True) -> dict[str, Any]:
     return {
         **question(exercise),
         "solution": solution,
+        "topic": exercise.topic,
+        "look": look(exercise),
         **judging.essence(exercise),
         "variants": [
             {
@@ -40,6 +50,14 @@ def contents(exercise: Exercise, solutions: bool = True) -> dict[str, Any]:
             for variant in dealing.variants(exercise.name)
         ],
     }
+
+
+def look(exercise: Exercise) -> str:
+    """Where to look who does not know how to begin: the formulas that the solution uses."""
+    used = [s.formula for s in exercise.solution.steps.values() if isinstance(s.formula, Equation)]
+    sides = dict.fromkeys(formula_text(formula.left) for formula in used)
+    formulas = f"the formulas of {'; '.join(sides)}" if sides else exercise.title
+    return f"Look in the chapter “{course().title(exercise.topic)}” for {formulas}."
 
 
 def question(exercise: Exercise) -> dict[str, Any]:

@@ -86,9 +86,13 @@ const readAnswer = (text) => {
     if (!level.length) refuse("empty", "");
     return { value: group(level, "", ""), problem: "", about: "" };
   } catch (refused) {
-    if (!(refused instanceof Refused)) throw refused;
-    return { value: null, problem: refused.problem, about: refused.about };
+    return problemOf(refused);
   }
+};
+
+const problemOf = (refused) => {
+  if (!(refused instanceof Refused)) throw refused;
+  return { value: null, problem: refused.problem, about: refused.about };
 };
 
 // Numbers, names and signs of a text, in order.

@@ -15,6 +15,19 @@ const answersCsv = ({ course, version }, student, entries) => [
     ["answers", course, version, time ?? "", student, exercise, answer]),
 ].map((row) => row.map(csvCell).join(",")).join("\r\n") + "\r\n";
 
+// The rows of such a file, by its heading.
+const answersOf = (text) => {
+  const rows = [[]];
+  for (const [, quoted, plain, end] of text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
+    rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(/^'(?=[=+\-@])/, ""));
+    if (end !== ",") rows.push([]);
+  }
+  const [heading, ...lines] = rows;
+  return lines.filter((line) => line.length === heading.length)
+    .map((line) => Object.fromEntries(heading.map((name, i) => [name, line[i]])))
+    .filter(({ kind, answer }) => kind === "answers" && answer);
+};
+
 const saveAnswers = (course, student, entries) => {
   const text = "\ufeff" + answersCsv(course, student, entries);
   const link = document.createElement("a");

@@ -27,9 +27,9 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def symbols(text: str) -> str:
-    """A text as HTML, with "v_L" and "θ̇_1" as letters with an index."""
-    letter, index = r"([^\W\d_][\u0300-\u036f]*)", "([0-9A-Za-z]+)"
-    return re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2</sub>", escape(text))
+    """A text as HTML, with "v_L", "θ̇_1" and "x_{i+1}" as letters with an index."""
+    letter, index = r"([^\W\d_][\u0300-\u036f]*)", "(?:([0-9A-Za-z]+)|{([^}]+)})"
+    return re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2\3</sub>", escape(text))
 
 
 def highlighted(text: str) -> str:

@@ -35,7 +35,7 @@ const same = ({ kind, near, units }, guess, other) => kind === "buttons" ? guess
   });
 
 const store = {
-  all: () => { try { return JSON.parse(workshop.practice.memory.get(KEY)) ?? {}; } catch { return {}; } },
+  all: () => workshop.practice.parsed(KEY),
   keep: (guesses) => workshop.practice.memory.set(KEY, JSON.stringify(guesses)),
 };
 
@@ -90,7 +90,7 @@ class Prediction {
     }
     const typed = this.one("input").value;
     const text = units[0] === "°" ? typed.replace(/(°|deg\w*)\s*$/i, "") : typed;
-    const { value, problem, about } = workshop.practice.readAnswer(text);
+    const { value, problem, about } = workshop.practice.readAsked(text, [{ unit: units[0] }]);
     if (!problem && typeof value === "number") return this.take([value]);
     this.say(problem ? workshop.practice.PROBLEMS[problem].replace("{about}", about) : "Type one number.");
   }

@@ -3,8 +3,9 @@
 A cell's formula becomes a numbered equation, a cell's figure its still picture that the script
 takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
 against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
-`{errata}` (what is wrong in the source documents), `{chapters}` (a table of them), `{library}`
-(its functions), `{downloads}` (what notebooks need).
+`{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
+`{promise}` (what was counted and checked), `{library}` (its functions), `{downloads}` (what
+notebooks need).
 Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
 picks each student's numbers; without one the course's own name), `course_solutions`,
 `course_wheels` and `course_lock` (what a downloaded notebook needs).
@@ -19,23 +20,46 @@ from typing import Any
 
 from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
-from sphinx.errors import ExtensionError
 
+from workshop.course import course
 from workshop.site import predictions
 from workshop.site.checks import FormulaChecks
-from workshop.site.directives import Chapters, Errata, Library, Notation, Practice
+from workshop.site.directives import Errata, Library, Notation, Practice
 from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
+from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
 from workshop.symbols.page import mark_formulas, mark_page
 
+SETTINGS = {  # name → what it is without, what it must be, an example
+    "course_package": ("", "the name of a package, in quotes", '"book"'),
+    "course_name": ("", "a text, in quotes", '"kinematics-2026"'),
+    "course_solutions": (True, "true or false, without quotes", "true"),
+    "course_wheels": ([], "a list of folders", "[., workshop, book]"),
+    "course_lock": ("requirements.txt", "the name of a file, in quotes", '"requirements.txt"'),
+}
+
 
 def _open_course(app: Sphinx, config: Any) -> None:
-    """Import the course's package, which opens it."""
-    if not config.course_package:
-        raise ExtensionError(
-            "set course_package in _config.yml: the package to import, such as book"
-        )
-    import_module(config.course_package)
+    """Look at the settings and import the course's package, which opens it."""
+    for name, (default, words, example) in SETTINGS.items():
+        value = getattr(config, name)
+        texts = value if isinstance(value, list) else [""]
+        if type(value) is not type(default) or not all(isinstance(text, str) for text in texts):
+            _refuse(name, f"is {value!r}: it must be {words}, such as `{name}: {example}`")
+    try:
+        import_module(config.course_package)
+    except (ImportError, ValueError) as error:
+        _refuse("course_package", f"is {config.course_package!r}, which is not imported: {error}")
+    for name in ("course_wheels", "course_lock"):
+        value = getattr(config, name)
+        for file in value if isinstance(value, list) else [value]:
+            if not (course().folder.parent / file).exists():
+                _refuse(name, f"names {file!r}, which is not in {course().folder.parent}")
+
+
+def _refuse(setting: str, words: str) -> None:
+    """End the build with a sentence: of an error Jupyter Book shows tracebacks."""
+    raise SystemExit(f"{setting} in _config.yml {words}")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -44,13 +68,13 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("notation", Notation)
     app.add_directive("practice", Practice)
     app.add_directive("chapters", Chapters)
+    app.add_directive("live", Live)
+    app.add_directive("promise", Promise)
     app.add_directive("library", Library)
     app.add_directive("errata", Errata)
-    app.add_config_value("course_package", "", "env", str)
-    app.add_config_value("course_name", "", "env", str)
-    app.add_config_value("course_solutions", True, "env", bool)
-    app.add_config_value("course_wheels", [], "env", list)
-    app.add_config_value("course_lock", "requirements.txt", "env", str)
+    for name, (default, *_) in SETTINGS.items():
+        # with text allowed, Sphinx leaves "no" as it is: without, it would be true
+        app.add_config_value(name, default, "env", (type(default), str))
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
     app.connect("doctree-resolved", mark_formulas)
@@ -58,6 +82,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("html-page-context", add_assets)
     predictions.setup(app)
     app.add_directive("downloads", Downloads)
-    app.connect("build-finished", write_assets)
+    app.connect("env-updated", write_assets)
     app.connect("build-finished", write_downloads)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

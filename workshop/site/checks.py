@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from docutils import nodes
@@ -21,33 +22,49 @@ class FormulaChecks(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """A formula and a sentence for each; a difference over its tolerance fails the build."""
         depend(self.env, "formulas", "checks")
-        entries = checked(Path(self.env.app.outdir).parent)
-        return self.parse_text_to_nodes("\n\n".join(entries))
+        found = checked(Path(self.env.app.outdir).parent)
+        return self.parse_text_to_nodes("\n\n".join(found.entries))
 
 
-def checked(folder: Path) -> list[str]:
-    """The entries of the page, kept in `folder` under a hash of the sources they depend on."""
+@dataclass(frozen=True)
+class Checked:
+    """What the checks found: the page's entries, how many formulas, at how many points at least,
+    and the largest difference."""
+
+    entries: list[str]
+    formulas: int
+    samples: int
+    largest: float
+
+
+def checked(folder: Path) -> Checked:
+    """All checks, kept in `folder` under a hash of the sources they depend on."""
     files = sources("formulas", "checks")
     key = hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()[:16]
     kept = folder / f"formula-checks-{key}.json"
     if not kept.exists():
         for old in folder.glob("formula-checks-*.json"):
             old.unlink()
-        kept.write_text(json.dumps(_check_all()), encoding="utf-8")
-    entries: list[str] = json.loads(kept.read_text(encoding="utf-8"))
-    return entries
+        kept.write_text(json.dumps(asdict(_check_all())), encoding="utf-8")
+    return Checked(**json.loads(kept.read_text(encoding="utf-8")))
 
 
-def _check_all() -> list[str]:
+def _check_all() -> Checked:
     checks, results = declared_checks(), {r.check.name: r for r in equations.check()}
     wrong = [r for r in results.values() if not r.agrees]
     if wrong:
         apart = "\n".join(map(_disagreement, wrong))
         raise ExtensionError(f"formulas and functions disagree:\n{apart}")
-    return [
+    entries = [
         _summary(list(checks.values())),
         *(_entry(check, results.get(name)) for name, check in checks.items()),
     ]
+    return Checked(
+        entries,
+        len(results),
+        min(result.samples for result in results.values()),
+        max(result.difference for result in results.values()),
+    )
 
 
 def _disagreement(result: equations.Result) -> str:
@@ -80,8 +97,8 @@ def _entry(check: Check, result: equations.Result | None) -> str:
         return f"{formula} is held by the test `{test}`: {check.reason}."
     return (
         f"{formula} at {result.samples:,} points, compared with {_other_side(check)}: "
-        f"at most {_power(result.difference)} apart, "
-        f"allowed {_power(check.tolerance)} ({check.reason})."
+        f"at most {power(result.difference)} apart, "
+        f"allowed {power(check.tolerance)} ({check.reason})."
     )
 
 
@@ -100,6 +117,6 @@ def _other_side(check: Check) -> str:
     return f"{called} (*{check.between.rstrip('.')}*)"
 
 
-def _power(number: float) -> str:
+def power(number: float) -> str:
     digit, exponent = f"{number:.0e}".split("e")
     return f"${digit} \\cdot 10^{{{int(exponent)}}}$" if number else "0"

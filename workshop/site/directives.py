@@ -42,22 +42,6 @@ class Library(SphinxDirective):
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
-class Chapters(SphinxDirective):
-    """A table of the chapters: each with the question that its package's docstring asks."""
-
-    def run(self) -> list[nodes.Node]:
-        """A row for each chapter that has a notebook."""
-        depend(self.env, "__init__")
-        rows = [
-            f"| [{course().title(chapter)}](/{chapter}/{chapter}) | {course().question(chapter)} |"
-            for chapter in course().chapters
-            if course().notebook(chapter).exists()
-        ]
-        return self.parse_text_to_nodes(
-            "\n".join(["| chapter | the question |", "|---|---|", *rows])
-        )
-
-
 class Errata(SphinxDirective):
     """What stands wrong in the source documents."""
 

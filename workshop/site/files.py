@@ -1,5 +1,6 @@
 """Files beside the pages: the script and its style, the exercises, what a notebook needs."""
 
+import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -10,31 +11,46 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from workshop.course import course
+from workshop.figures.figure import figures
 from workshop.practice import page as practice
 from workshop.practice.bank import topics
 from workshop.script import runtime
 
+FIGURE = re.compile(r'<figure class="rk-figure" id="([^"]+)"')
+
 
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The runtime and its style on pages that have a figure or an exercise, and only there."""
+    """The runtime and its style on pages that have a figure or an exercise, and only there.
+
+    The page's figures come in a file of their own: no script stands in a page.
+    """
     body = context.get("body", "") if doctree else ""
+    if names := list(dict.fromkeys(FIGURE.findall(body))):
+        file = f"figures/{page.replace('/', '-')}.js"
+        code = ",\n".join(figures()[name].code for name in names)
+        write_static(app, file, f"window.workshopFigures = [{code}];\n")
+        app.add_js_file(file, loading_method="defer")
     if 'class="rk-' in body or "data-symbol" in body:
         app.add_js_file("workshop.js", loading_method="defer")
         app.add_css_file("workshop.css")
 
 
-def write_assets(app: Sphinx, error: Exception | None) -> None:
-    if error or app.builder.format != "html":
+def write_assets(app: Sphinx, env: Any) -> None:
+    """Before the pages, so that these can say which version they want."""
+    if app.builder.format != "html":
         return
-    static = Path(app.outdir) / "_static"
-    (static / "practice").mkdir(exist_ok=True)
     solutions = app.config.course_solutions
-    for name, text in {
-        "workshop.js": runtime.page(),
-        "workshop.css": runtime.stylesheet(),
-        **{f"practice/{t}.js": practice.script(t, solutions) for t in topics()},
-    }.items():
-        (static / name).write_text(text, encoding="utf-8")
+    write_static(app, "workshop.js", runtime.page())
+    write_static(app, "workshop.css", runtime.stylesheet())
+    for topic in topics():
+        write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
+
+
+def write_static(app: Sphinx, name: str, text: str) -> None:
+    """A file in the site's `_static`."""
+    file = Path(app.outdir) / "_static" / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8")
 
 
 class Downloads(SphinxDirective):

@@ -1,0 +1,48 @@
+// An answer typed with more than was asked: a name before the number, its unit after it, decimals
+// behind a slash. Here it becomes the bare number, where it can only mean one thing.
+
+const NAMED = /(\p{L}[\p{L}\p{M}\p{Nd}_']*)\s*[=≈≃≅≡]\s*/gu;
+const NATIVE = "[\u0660-\u0669\u06f0-\u06f9]"; // digits beside which a slash is a decimal sign
+const SLASHED = RegExp(`(?<![\\p{Nd}./])(${NATIVE}+)/(${NATIVE}+)(?![\\p{Nd}./])`, "gu");
+const ZERO = /^[\u0660\u06f0]/;
+
+// One name before one number is its name; several must be those that are asked for, in order.
+const unnamed = (text, asks) => {
+  const names = [...text.matchAll(NAMED)].map(([, name]) => name);
+  const meant = names.length === asks.length && (asks.length === 1 ? NAMED.test(text) && text.trim().search(NAMED) === 0
+    : asks.every(({ label }, i) => label === names[i]));
+  NAMED.lastIndex = 0;
+  return meant ? text.replace(NAMED, "") : text;
+};
+
+// Units that stand after the numbers, in the order in which they are asked for; and those of a list
+// that all have the same one.
+const unitless = (text, asks) => {
+  const units = [...new Set(asks.map(({ unit }) => unit).filter(Boolean))];
+  if (!units.length) return text;
+  const known = units.map((unit) => unit.replace(/[.*+?^${}()|[\]\\/]/g, "\\$&"))
+    .sort((a, b) => b.length - a.length).join("|");
+  const after = RegExp(`(?<=[\\p{Nd}.)\\]πi\\s])\\s*(${known})(?![\\p{L}\\p{Nd}/*^²³])`, "gu");
+  const found = [...text.matchAll(after)].map(([, unit]) => unit);
+  const inOrder = found.every((unit, i) => unit === asks[i]?.unit) && found.length === asks.length;
+  return units.length === 1 || inOrder ? text.replace(after, "") : text;
+};
+
+// ۲/۱۹۱ is 2.191: nobody divides by 191, or by 05, or zero by something. ۱/۳ may be both.
+const unslashed = (text) => text.replace(SLASHED, (all, whole, part) => {
+  if (part.length < 3 && !ZERO.test(whole) && !ZERO.test(part)) refuse("slash", all);
+  return `${whole}.${part}`;
+});
+
+const bare = (text, asks) => unslashed(unitless(unnamed(text, asks), asks))
+  .replace(/(\p{Nd}[.٫]\p{Nd}+)\.(?=\s*$)/u, "$1"); // a full stop
+
+const readAsked = (text, asks) => {
+  try {
+    return readAnswer(bare(text, asks));
+  } catch (refused) {
+    return problemOf(refused);
+  }
+};
+
+Object.assign(part, { readAsked });

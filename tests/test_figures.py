@@ -1289,7 +1289,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
     figure, server, chromium, page_of, width
 ):
     """The script comes late: the page is complete and the reader looks at the still picture."""
-    held = "**/workshop.js*"
+    held = "**/workshop/figures.js*"
     with watched_page(chromium, server, width) as (page, watch):
         page.route(held, lambda route: route.fulfill(body="", content_type="text/javascript"))
         page.goto(server + page_of[figure.name], wait_until="networkidle")
@@ -1299,7 +1299,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
         below = live.root.evaluate(BELOW)
         page.evaluate(SHIFTS)
         page.unroute(held)
-        page.add_script_tag(url=server + "_static/workshop.js")
+        page.add_script_tag(url=server + "_static/workshop/figures.js")
         live.come_alive()
         live.picture.evaluate(SHOW)  # two frames: shifts have been reported
         shift = sum(page.evaluate("shifts"))

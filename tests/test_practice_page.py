@@ -12,6 +12,7 @@ from declared import COURSE, EXERCISES, table
 
 from workshop import practice
 from workshop.practice import dealing, judging
+from workshop.practice.command import main
 from workshop.practice.wording import symbols
 from workshop.script import engine
 
@@ -246,7 +247,7 @@ def test_a_ladder_from_where_to_look_to_the_answer(page):
     answer(page, name, typed(wrong.rows, EXERCISES[name]))
     assert "circles around the left one" in ladder(page, name)  # why it is wrong
     link = box(page, name).get_by_role("link", name="See it in the chapter.")
-    assert link.get_attribute("href") == "differential_drive/differential_drive.html#M12"
+    assert link.get_attribute("href") == "./differential_drive/differential_drive.html#M12"
     assert help.inner_text() == "Show the first step"
     help.click()
     right = EXERCISES[name].answer_text(mine.numbers)
@@ -255,13 +256,13 @@ def test_a_ladder_from_where_to_look_to_the_answer(page):
     page.reload(wait_until="networkidle")
     assert "radius times turning rate" in ladder(page, name)
     assert answer(page, name, right.replace("rad/s", "")) == judging.RIGHT
-    assert box(page, name).locator(".rk-passed").inner_text() == "passed, 1 steps shown"
+    assert box(page, name).locator(".rk-passed").inner_text() == "passed with help: 1 of 2 steps"
     assert help.inner_text() == "Show the answer"
     help.click()
     assert f"{mine.candidates[0].rows[0][0]:.3f}" in ladder(page, name)
     assert help.is_hidden()
     page.reload(wait_until="networkidle")
-    assert box(page, name).locator(".rk-passed").inner_text() == "passed, 1 steps shown"
+    assert box(page, name).locator(".rk-passed").inner_text() == "passed with help: 1 of 2 steps"
 
 
 def test_what_was_read_is_always_shown(page):
@@ -269,25 +270,28 @@ def test_what_was_read_is_always_shown(page):
     assert box(page, FIRST).locator(".rk-read").inner_text() == "Read as 2.191 rad/s."
 
 
-def test_numbers_that_do_not_come_are_told_and_asked_for_again(page):
+def test_numbers_that_do_not_come_are_told_and_asked_for_again(chromium, server):
     """Nothing is judged by numbers that are not shown."""
     numbers = "**/_static/practice/differential_drive.js*"
-    page.route(numbers, lambda route: route.abort())
-    page.fill("#rk-student", "Ada")
-    page.keyboard.press("Tab")
-    first = box(page, FIRST)
-    first.get_by_text("could not be loaded").wait_for()
-    field = first.locator("input")
-    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    field.fill(right)
-    field.press("Enter")
-    assert "wheels" not in first.locator(".rk-text").inner_text()
-    assert not first.locator(".rk-verdict").inner_text()
-    page.unroute(numbers)
-    first.get_by_role("button", name="Try again").click()
-    page.locator(f"#{FIRST}[data-variant='{dealing.dealt(COURSE, FIRST, 'Ada')}']").wait_for()
-    assert field.input_value() == right
-    assert answer(page, FIRST, right) == judging.RIGHT
+    with watched_page(chromium, server) as (page, _):
+        page.route(numbers, lambda route: route.abort())
+        page.goto(server + "practice.html", wait_until="networkidle")
+        page.fill("#rk-student", "Ada")
+        page.keyboard.press("Tab")
+        first = box(page, FIRST)
+        first.get_by_text("could not be loaded").wait_for()
+        field = first.locator("input")
+        right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+        field.fill(right)
+        field.press("Enter")
+        first.get_by_text("could not be loaded").wait_for()
+        assert "wheels" not in first.locator(".rk-text").inner_text()
+        assert not first.locator(".rk-verdict").inner_text()
+        page.unroute(numbers)
+        first.get_by_role("button", name="Try again").click()
+        page.locator(f"#{FIRST}[data-variant='{dealing.dealt(COURSE, FIRST, 'Ada')}']").wait_for()
+        assert field.input_value() == right
+        assert answer(page, FIRST, right) == judging.RIGHT
 
 
 def test_the_bar_says_who_and_how_far(page):
@@ -384,3 +388,35 @@ def test_from_disk(chromium, site):
         right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
         assert answer(page, FIRST, right) == judging.RIGHT
         assert not watch.errors + watch.strangers
+
+
+def test_without_a_script_it_is_said_where_the_answer_box_would_be(chromium, server):
+    with watched_page(chromium, server, java_script_enabled=False) as (page, _):
+        page.goto(server + "practice.html")
+        assert page.get_by_text("answers cannot be checked").is_visible()
+        assert box(page, FIRST).locator(".rk-text").is_visible()
+        assert box(page, FIRST).locator("input").is_hidden()
+
+
+def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, monkeypatch):
+    """From disk; it judges nothing, and `grade` reads what it saves."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "roster.csv").write_text("student\nAda\n")
+    (tmp_path / "answers").mkdir()
+    assert main(["key", "roster.csv", "--secret", "secret.txt", "--only", FIRST]) == 0
+    assert main(["sheet", "key.csv"]) == 0
+    [sheet] = (tmp_path / "sheets").iterdir()
+    with watched_page(chromium, tmp_path.as_uri()) as (page, watch):
+        page.goto(sheet.as_uri())
+        page.get_by_label("Answer, one number").fill("1/3")
+        page.keyboard.press("Tab")
+        page.reload()
+        assert page.get_by_label("Answer, one number").input_value() == "1/3"
+        with page.expect_download() as download:
+            page.get_by_role("button", name="Save my answers").click()
+        download.value.save_as(tmp_path / "answers" / download.value.suggested_filename)
+        assert not watch.errors + watch.strangers
+    assert main(["grade", "answers", "--key", "key.csv"]) == 0
+    [graded] = table("grades.csv")
+    assert (graded["student"], graded["answer"]) == ("Ada", "1/3")
+    assert graded["result"] != "missing"

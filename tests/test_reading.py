@@ -78,7 +78,7 @@ def test_the_table_is_large_and_without_duplicates():
     assert len(ROWS) >= 500
     assert len({text for text, _ in ROWS}) == len(ROWS)
     refused = {result["problem"] for _, result in ROWS if isinstance(result, dict)}
-    assert refused == set(PROBLEMS)
+    assert refused == set(PROBLEMS) - {"slash"}  # which is for what is asked, below
 
 
 @pytest.mark.parametrize("group", GROUPS)

@@ -3,12 +3,14 @@
 import csv
 import json
 import random
+import re
 import subprocess
 import sys
 from collections import Counter
 
 import pytest
 from declared import EXERCISES, table
+from support import ROOT
 from test_practice import typed
 
 from workshop.practice import dealing, judging, notebook, tables, teacher
@@ -416,6 +418,22 @@ def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):
     ]
     assert "answers of students who are not in the key: 1" in told.err
     assert {path: path.stat().st_mtime_ns for path in keyed.iterdir()} == before
+
+
+def test_the_commands_of_the_page_on_one_s_own_course(folder, capsys):
+    """From the roster that it shows to the files that it names."""
+    page = (ROOT / "book" / "own_course.md").read_text("utf-8")
+    blocks = re.findall(r"^```\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
+    roster = next(block for block in blocks if block.startswith("student\n"))
+    (folder / "roster.csv").write_text(roster)
+    (folder / "answers").mkdir()
+    (folder / "answers" / "answers-s0471.csv").write_text(saved("s0471", {ONE: "1"}))
+    commands = [block.split(" -m book ")[1].split() for block in blocks if " -m book " in block]
+    assert [command[0] for command in commands] == ["key", "check", "grade"]
+    assert [run(*command) for command in commands] == [0, 0, 0]
+    assert "students of whom nothing came: 2\n  s0472\n  s0473\n" in capsys.readouterr().out
+    for name in re.findall(r"`(grades[\w.-]*)`", page):
+        assert (folder / name).exists()
 
 
 # --- a class --------------------------------------------------------------------------------

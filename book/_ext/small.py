@@ -11,11 +11,12 @@ from py_mini_racer import MiniRacer
 
 TERSER = Path(__file__).parents[1] / "_vendor" / "terser" / "bundle.min.js"
 OWN = (
-    "workshop.js",
     "site.js",
     "search.js",
     "minisearch.js",
-)  # in _static; what the theme brings is small already
+    "workshop/*.js",
+    "pages/*.js",
+)  # the theme's are small already
 BEFORE = "globalThis.sourceMap = {}; globalThis.performance = Date; globalThis.process = {env: {}};"
 
 
@@ -36,7 +37,7 @@ def make_small(app, error):
     if error or app.builder.format != "html":
         return
     static = Path(app.outdir, "_static")
-    files = [*(static / name for name in OWN), *static.glob("figures/*.js")]
+    files = [file for names in OWN for file in static.glob(names)]
     scripts = minify(file.read_text("utf-8") for file in files)
     for file, script in zip(files, scripts, strict=True):
         file.write_text(script, "utf-8")

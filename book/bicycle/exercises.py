@@ -142,6 +142,11 @@ def front_as_rear(theta, v, phi, L, time):
     return motion.arc_step([0, 0, theta], v, rate(v / np.cos(phi), phi, L), time)
 
 
+def front_on_circle(theta, v, phi, L, time):
+    """M16 in the turning rate alone: the radius is the right one."""
+    return motion.arc_step([0, 0, theta], v / np.cos(phi), rate(v / np.cos(phi), phi, L), time)
+
+
 def looped(direction, speed, omega, dt, n, method="start"):
     """Where a point is after n straight steps: speed, direction at the start, its turning rate."""
     return motion.path([0, 0, direction], speed, omega, np.full(int(n), dt), method)[-1, :2]
@@ -187,6 +192,7 @@ bicycle_1 = Exercise(
         "phi": steps(15, 45, 5, "°"),
         "v_front": steps(1, 5, 0.5, "m/s"),
     },
+    when=lambda L, phi, v_front: v_front**2 * np.cos(phi) * np.sin(phi) / L < 4,  # m/s² sideways
     asks=(Ask("ω", "rad/s"),),
     right=lambda L, phi, v_front: rate(v_front * np.cos(phi), phi, L),
     wrong={M16: lambda L, phi, v_front: v_front * np.tan(phi) / L},
@@ -309,10 +315,10 @@ bicycle_5 = Exercise(
     text="A truck measures its heading ψ as a compass does: clockwise, from the y axis. With "
     "ψ = 90° it looks along x. Now ψ is {psi}. The rear wheels have a diameter of {diameter} and "
     "turn at {wheel_rate}. The wheelbase is {L}, and the steering angle of the bicycle model is "
-    "{phi} (positive: to the left). What is ψ after {time}?",
+    "{phi} (positive: to the left). Both stay as they are. What is ψ after {time}?",
     given={
         "psi": steps(20, 160, 10, "°"),
-        "diameter": steps(40, 100, 10, "cm"),
+        "diameter": steps(70, 110, 5, "cm"),
         "wheel_rate": steps(2, 6, 0.5, "rad/s"),
         "L": steps(4, 7, 0.5, "m"),
         "phi": STEERING,
@@ -388,6 +394,7 @@ bicycle_6 = Exercise(
     },
     also={
         "with φ where tan φ belongs": lambda phi, **drive: arc_end(phi=np.arctan(phi), **drive),
+        "when the front axle's speed turns the car, on the circle of the right R": front_on_circle,
         "when the heading at the start is forgotten": lambda theta, **drive: arc_end(0, **drive),
         "when the car drives straight on and only then turns": lambda theta, v, phi, L, time: (
             motion.path([0, 0, theta], v, rate(v, phi, L), time, "start")[-1]

@@ -90,6 +90,13 @@ def straight_end(turned, v_L, v_R, b, time):
     return [way * np.cos(turned * turn), way * np.sin(turned * turn), turn]
 
 
+def degrees_end(v_L, v_R, b, time):
+    """The end of the arc by M13: its sine and cosine get degrees."""
+    v, omega = twist(v_L, v_R, b)
+    turned = M13.formula.put(theta=omega * time)["theta"]
+    return [v / omega * np.sin(turned), v / omega * (1 - np.cos(turned)), omega * time]
+
+
 def worn_end(worn, distance, b):
     """Where a robot with a smaller left wheel ends that wants to drive straight ahead."""
     return end((1 - worn) * distance, distance, b, 1.0)[:2]
@@ -112,7 +119,7 @@ differential_drive_1 = Exercise(
     level=1,
     title="How fast does it turn?",
     text="The wheels of a robot are {b} apart. The left wheel moves over the floor at {v_L}, the "
-    "right one at {v_R}. How fast does the robot turn?",
+    "right one at {v_R}. How fast does the robot turn, counter-clockwise positive?",
     given=SPEEDS,
     asks=(OMEGA,),
     right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
@@ -151,12 +158,12 @@ differential_drive_3 = Exercise(
     title="Which point does it turn about?",
     text="A robot stands at x = {x}, y = {y} with the heading {theta}. Its wheels are {b} apart "
     "and move at {v_L} (left) and {v_R} (right). Where in the world is the point that it turns "
-    "about, the ICR?",
+    "about, the ICR? x and y are those of the middle of its axle.",
     given={"x": steps(1, 4, 0.5, "m"), "y": steps(1, 4, 0.5, "m"), "theta": steps(20, 160, 10, "°")}
     | SPEEDS,
     asks=(Ask("x", "m"), Ask("y", "m")),
     right=centre,
-    wrong=ways(centre) | {M14: M14.formula.through(centre)},
+    wrong=ways(centre) | {M13: M13.formula.through(centre), M14: M14.formula.through(centre)},
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
     also={
@@ -220,8 +227,8 @@ differential_drive_5 = Exercise(
     level=3,
     title="Along the arc",
     text="A robot starts at the origin with heading 0. Its wheels are {b} apart. For {time} the "
-    "left wheel moves at {v_L} and the right one at {v_R}. Where is it then, and what is its "
-    "heading?",
+    "left wheel moves at {v_L} and the right one at {v_R}. Where is the middle of its axle then, "
+    "and what is the robot's heading?",
     given=SPEEDS | {"time": steps(1, 3, 0.5, "s")},
     asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
     right=end,
@@ -233,6 +240,7 @@ differential_drive_5 = Exercise(
         "turn": (v_R - v_L) / b * time,
     },
     also={
+        M13.says: degrees_end,
         "when the robot drives straight on and only then turns": partial(straight_end, 0.0),
         "when the robot turns first and then drives straight on": partial(straight_end, 1.0),
         "when the whole way is laid along the middle heading, not along the arc": partial(
@@ -261,7 +269,7 @@ differential_drive_6 = Exercise(
     text="The left wheel of a robot is worn: its radius is {worn} smaller than the program "
     "believes; the right one is as it believes. The wheels are {b} apart. The program gives both "
     "wheels the same rate and wants to drive {distance} straight ahead along x, from the origin. "
-    "Where does the robot end?",
+    "Where does the middle of its axle end?",
     given={
         "worn": steps(1, 4, 0.5, "%"),
         "b": SPEEDS["b"],

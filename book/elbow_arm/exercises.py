@@ -101,6 +101,12 @@ def without_x(p_x, p_y, p_z, a2, a3):
     return bend(np.hypot(p_y, p_z), np.arctan(p_z / p_y), a2, a3)
 
 
+def without_x_by_atan2(p_x, p_y, p_z, a2, a3):
+    """M2 with an elevation beyond 90° where p_y is negative."""
+    bends = bend(np.hypot(p_y, p_z), np.arctan2(p_z, p_y), a2, a3)
+    return four(p_x, p_y, p_z, a2, a3, bends=bends)
+
+
 def cubed(p_x, p_y, p_z, a2, a3):
     """M3: the third power of the forearm."""
     return bend(length(p_x, p_y, p_z), rise(p_x, p_y, p_z), a2, a3, power=3)
@@ -233,8 +239,10 @@ elbow_arm_3 = Exercise(
     level=2,
     title="The same place from behind",
     text="An arm with a_2 = {a2} and a_3 = {a3} faces its target. Its joints stand at "
-    "θ_1 = {theta1}, θ_2 = {theta2}, θ_3 = {theta3}. Now the base makes half a turn, and then the "
-    "elbow and the wrist must be where they were before. What are the three joint angles?",
+    "θ_1 = {theta1}, θ_2 = {theta2}, θ_3 = {theta3}: θ_2 is counted upwards from the level "
+    "direction in which the base faces, θ_3 from the upper link. Now the base makes half a turn, "
+    "and then the elbow and the wrist must be where they were before. What are the three joint "
+    "angles?",
     given={
         "theta1": one_of(*range(-160, 0, 10), *range(10, 170, 10), unit="°"),
         "theta2": steps(-40, 80, 10, "°"),
@@ -373,6 +381,7 @@ elbow_arm_6 = Exercise(
     wrong={mistake: first(formula) for mistake, formula in WAYS.items()},
     when=possible,
     also={
+        f"{M2.says}, although with atan2": first(without_x_by_atan2),
         "with the elbow below": lambda p_x, p_y, p_z, d1, **links: elbow_arm.inverse(
             [p_x, p_y, p_z], **links, d1=d1
         )[1],

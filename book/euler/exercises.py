@@ -301,8 +301,8 @@ euler_3 = Exercise(
     level=2,
     title="What remains to be turned?",
     text="Frame A must be brought to frame B, with R_AB = {R_AB}. A first turn is already made, "
-    "by {turn} about the {axis} axis of A. Which rotation R is still needed? Give its matrix as "
-    "the turned frame sees it.",
+    "by {turn} about the {axis} axis of A. Which rotation R is still needed? Give its matrix in "
+    "the turned frame: its columns are the axes of B as the turned frame sees them.",
     given={
         "R_AB": one_of(*QUARTERS),
         "axis": AXIS,
@@ -487,6 +487,9 @@ euler_7 = Exercise(
         and far_from_lock("ZYZ", fixed_yaw_pitch_roll(**turns))
     ),
     also={
+        "with the matrices in the wrong order in both sequences": lambda **turns: euler.solutions(
+            "zyz", fixed_yaw_pitch_roll(**turns)
+        ),
         "for the way back, from B to A": lambda **angles: euler.solutions(
             "ZYZ", yaw_pitch_roll(**angles).T
         ),

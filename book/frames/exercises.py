@@ -356,6 +356,9 @@ frames_5 = Exercise(
     },
     derive=planar,
     also={
+        "with −p for −Rᵀp in the inverse of the product T_db T_bc": matrices(
+            lambda T_db, T_bc, T_de: shifted_back(T_db @ T_bc) @ T_de
+        ),
         "for the object as the platform sees it": matrices(
             lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_db), T_de)
         ),
@@ -400,8 +403,9 @@ frames_6 = Exercise(
         "heading": TURN,
         "x_e": PLACE,
         "y_e": PLACE,
-        "z_e": steps(1.4, 2, 0.1, "m"),
+        "z_e": steps(1.4, 2.6, 0.1, "m"),
     },
+    when=lambda height, z_e, **_: 0.55 < height - z_e < 1.05,  # a table
     asks=(Ask("x", "m"), Ask("y", "m"), Ask("z", "m")),
     right=from_above(lambda T_fb, p: frames.transform(frames.inverse(T_fb), p)),
     wrong={

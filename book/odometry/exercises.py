@@ -6,6 +6,7 @@ import numpy as np
 from sympy import Add, Pow, ceiling, pi, sqrt, symbols
 
 from book.differential_drive import formulas as drive
+from book.differential_drive.exercises import M12, M13
 from book.motion import formulas as planar
 from book.odometry import formulas
 from robokin import motion, odometry
@@ -124,6 +125,19 @@ def half_seen_step(theta, D_L, D_R, b, x, y):
     """The step with the new heading, by M23."""
     D, heading = (D_L + D_R) / 2, half_seen(theta + (D_R - D_L) / b)
     return [x + D * np.cos(heading), y + D * np.sin(heading), heading]
+
+
+def half_seen_heading(theta, D_L, D_R, b, x, y):
+    """M23 in the heading alone; the way is laid along the right one."""
+    *place, heading = one_step("end", theta, D_L, D_R, b, x, y)
+    return [*place, half_seen(heading)]
+
+
+def degrees_step(theta, D_L, D_R, b, x, y):
+    """The step with the new heading, by M13."""
+    heading, turned = theta + (D_R - D_L) / b, M13.formula.put(theta=theta + (D_R - D_L) / b)
+    D, h = (D_L + D_R) / 2, turned["theta"]
+    return [x + D * np.cos(h), y + D * np.sin(h), heading]
 
 
 def backward(heading):
@@ -282,7 +296,7 @@ odometry_3 = Exercise(
     text="A robot is at x = {x}, y = {y} with the heading {theta}. In one step its left wheel "
     "rolls {D_L} and its right wheel {D_R}; the wheels are {b} apart. Update the pose by the rule "
     "of the new heading: the robot first turns, and then drives straight. What are its new x, y "
-    "and heading?",
+    "(of the middle of its axle) and heading?",
     given={
         "x": steps(1, 4, 0.5, "m"),
         "y": steps(1, 4, 0.5, "m"),
@@ -305,6 +319,9 @@ odometry_3 = Exercise(
         "by the rule of the old heading": lambda **step: one_step("start", **step),
         "by the rule of the middle heading": lambda **step: one_step("midpoint", **step),
         "along the exact arc": lambda **step: one_step("exact", **step),
+        M12.says: M12.formula.through(lambda **step: one_step("end", **step)),
+        M13.says: degrees_step,
+        "when only the heading that is answered is taken as tan⁻¹(sin/cos)": half_seen_heading,
         "when left and right are exchanged": lambda D_L, D_R, **step: one_step(
             "end", D_L=D_R, D_R=D_L, **step
         ),
@@ -362,8 +379,8 @@ odometry_5 = Exercise(
     title="How fine must the encoder be?",
     text="A robot has wheels of radius {r}, {b} apart. Its program reads the encoders every "
     "{period} and computes the turning rate from the ticks. One tick more or less of one wheel "
-    "may change this turning rate by at most {limit}. How many ticks a turn must the encoder "
-    "have at least?",
+    "may change this turning rate by at most {limit}. How many ticks a turn, a whole "
+    "number, must the encoder have at least?",
     given={
         "r": steps(2, 8, 0.5, "cm"),
         "b": steps(20, 60, 5, "cm"),
@@ -373,6 +390,11 @@ odometry_5 = Exercise(
     asks=(whole("C"),),
     right=finest,
     wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
+    also={
+        "when it is rounded down: with one tick less the change is more than allowed": (
+            lambda **design: np.floor(resolution(rolled, **design))
+        ),
+    },
     when=lambda **design: (
         100 < resolution(rolled, **design) < 10000
         and 0.01 < resolution(rolled, **design) % 1 < 0.99
@@ -410,7 +432,8 @@ odometry_6 = Exercise(
     text="A robot reads its encoders too seldom: in one step it drives {D} and turns to the left "
     "by {turn}. Before the step it stands at the origin with the heading {theta}. Really it drives "
     "along an arc of a circle. The program uses the old heading instead: it lets the robot drive "
-    "straight, and then turn. How far is the program's place from the real one?",
+    "straight, and then turn. How far is the program's place of the middle of its axle from "
+    "the real one?",
     given={
         "D": steps(20, 80, 5, "cm"),
         "turn": steps(15, 60, 5, "°"),
@@ -458,7 +481,8 @@ odometry_7 = Exercise(
     "and are {b} apart; one turn of a wheel is {C} ticks. Two counters of 16 bits count the ticks. "
     "Before the step they showed {left_before} (left) and {right_before} (right), after it "
     "{left_after} and {right_after}. No wheel has made more than a few turns. The robot has "
-    "driven along the exact arc. What are its x, y and heading now?",
+    "driven along the exact arc. What are the x and y of the middle of its axle, and its heading "
+    "now?",
     given={
         "theta": steps(100, 170, 5, "°"),
         "r": steps(3, 6, 1, "cm"),

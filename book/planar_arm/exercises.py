@@ -125,19 +125,20 @@ def arm(l1, l2, l3, theta1, theta2, theta3, **_):
 
 
 def jacobian(made, **numbers):
-    """J as somebody has it who made a mistake; with None the right one."""
+    """J as somebody has it who made a mistake, or several; with None the right one."""
+    made = made if isinstance(made, tuple) else (made,)
     theta, lengths = arm(**numbers).values()
-    if made is M28:
+    if M28 in made:
         lengths = lengths[[0, 1, 1]]
     J = planar_arm.jacobian(theta, lengths)
     x, y = lengths * np.cos(theta.cumsum()), lengths * np.sin(theta.cumsum())
-    if made is M26:
+    if M26 in made:
         J[2] = [0, 0, 1]
-    elif made is M27:
+    elif M27 in made:
         J[1] = x
-    elif made is M36:
+    elif M36 in made:
         J[0] += 2 * y[2]
-    elif made is M37:
+    elif M37 in made:
         J[:2] = [J[1], -J[0]]
     return J
 
@@ -314,6 +315,11 @@ planar_arm_2 = Exercise(
     asks=TWIST,
     right=lambda q1, q2, q3, **pose: planar_arm.velocity(rates=[q1, q2, q3], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
+    also={
+        "with l_2 for l_3 and a plus before its sine, two mistakes in one term": partial(
+            hand_velocity, (M28, M36)
+        ),
+    },
     derive=velocity_parts,
     solution=Solution(
         SHORT_TEXT + "Differentiate the hand's place, link by link. Each link turns with its own "

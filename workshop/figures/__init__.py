@@ -44,6 +44,7 @@ register(
         package=__name__,
         scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
         styles=("figure.css",),
+        called_by="rk-figure",
         constants=kinds.constants,
         rules=kinds.rules,
     )

@@ -31,6 +31,7 @@ register(
         package=__name__,
         scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
         styles=("practice.css",),
+        called_by="rk-exercise",
         constants=page.constants,
     )
 )

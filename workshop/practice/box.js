@@ -12,7 +12,14 @@ const RUNGS = ["Where should I look?", "Show the first step", "Show the next ste
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
 
-const paragraphs = (text) => symbols(text).split("\n\n")
+// Lists in a list as a matrix.
+const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
+const cells = (row) => row.split(/, (?![^(]*\))/).map((cell) => `<mtd><mtext>${cell}</mtext></mtd>`).join("");
+const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mrow><mo>[</mo><mtable>${
+  rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
+}</mtable><mo>]</mo></mrow></math>`);
+
+const paragraphs = (text) => matrices(symbols(text)).split("\n\n")
   .map((paragraph) => `<p>${paragraph}</p>`).join("");
 
 const FORMULA = /^(\[[^=]*\]|\S+) = /;
@@ -107,6 +114,10 @@ class Box {
     return this.exercise.variants[this.number];
   }
 
+  get steps() {
+    return stepsOf(filled(this.exercise.solution, this.variant.shown));
+  }
+
   // What is kept of the present numbers: { answer, result, says, tries, help, … }.
   entry() {
     return (this.training ? this.trained : this.desk.kept()) ?? {};
@@ -143,9 +154,9 @@ class Box {
   }
 
   pass() {
-    const { result, help = 0 } = this.entry();
+    const { result, help = 0, of } = this.entry();
     this.one(".rk-passed").hidden = this.training > 0 || result !== "right";
-    this.one(".rk-passed").textContent = help > 1 ? `passed, ${help - 1} steps shown` : "passed";
+    this.one(".rk-passed").textContent = help > 1 ? `passed with help: ${help - 1} of ${of} steps` : "passed";
   }
 
   // The next rung of the ladder; what is opened before the pass is kept with it.
@@ -153,15 +164,15 @@ class Box {
     const entry = this.entry(), opened = this.opened ?? entry.help ?? 0;
     if (opened && !entry.tries) return this.climb(entry, TRY_FIRST);
     this.opened = opened + 1;
-    if (entry.result !== "right") this.keep({ answer: "", says: "", ...entry, help: this.opened });
+    if (entry.result !== "right") this.keep({ answer: "", says: "", ...entry, help: this.opened, of: this.steps.length });
     this.climb();
   }
 
   // The rungs that are open: why, after two tries, a named mistake is one; then where to look, then
   // the steps of the solution.
   climb(entry = this.entry(), note = "") {
-    const { look, outcomes, topic, solution } = this.exercise, opened = this.opened ?? entry.help ?? 0;
-    const steps = stepsOf(filled(solution, this.variant.shown)), last = steps.length;
+    const { look, outcomes, topic } = this.exercise, opened = this.opened ?? entry.help ?? 0;
+    const { steps } = this, last = steps.length;
     const { why } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
     const chapter = `${document.documentElement.dataset.content_root ?? ""}${topic}/${topic}.html`;
     const link = (place, words) => document.documentElement.dataset.content_root === undefined ? ""

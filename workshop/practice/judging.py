@@ -231,14 +231,16 @@ def off(ask: Ask, x: float, wanted: float, factor: float = 1.0) -> float:
 
 def asked(exercise: Exercise) -> str:
     """What an answer must look like, in words: "2 numbers: v in m/s, ω in rad/s"."""
-    names = ", ".join(f"{a.label} in {a.unit}" if a.unit else a.label for a in exercise.asks)
-    n = len(exercise.asks)
-    if max(ask.decimals for ask in exercise.asks) > 3:
-        names += ", to four decimals"
+    asks, kind = exercise.asks, "number"
+    names = ", ".join(f"{a.label} in {a.unit}" if a.unit else a.label for a in asks)
     if exercise.shape:
         rows, columns = exercise.shape
         return f"a matrix: {rows} rows of {columns} numbers"
-    numbers = f"one number: {names}" if n == 1 else f"{n} numbers: {names}"
+    if not any(ask.decimals for ask in asks):
+        kind = "whole number"
+    if max(ask.decimals for ask in asks) > 3:
+        names += ", to four decimals"
+    numbers = f"one {kind}: {names}" if len(asks) == 1 else f"{len(asks)} {kind}s: {names}"
     if exercise.accept == "all":
         return f"all answers, in any order, each {numbers}"
     return f"{numbers} (any of the right answers)" if exercise.accept == "any" else numbers

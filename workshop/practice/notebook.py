@@ -28,8 +28,8 @@ MISTAKE = "application/vnd.workshop.mistake+json"
 COLUMNS = ("kind", "course", "version", "time", "student", "exercise", "answer")
 
 _session = {"student": "", "course": ""}  # without a course of one's own: the book's
-# course, student, exercise → the answer that counts, what it was judged to be, and when
-_answers: dict[tuple[str, str, str], tuple[str, str, str]] = {}
+# course, student (folded), exercise → the answer that counts, its verdict, when, and the name
+_answers: dict[tuple[str, str, str], tuple[str, str, str, str]] = {}
 
 
 def student(name: str | int, course: str = "") -> None:
@@ -85,9 +85,9 @@ class Box:
     def _keep(self, answer: str, result: str) -> None:
         """Keep an answer; a further try takes nothing away from one that was right."""
         key = self.course, dealing.folded(self.student), self.exercise.name
-        if result == "right" or _answers.get(key, ("", "", ""))[1] != "right":
+        if result == "right" or _answers.get(key, ("", "", "", ""))[1] != "right":
             now = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
-            _answers[key] = answer, result, now
+            _answers[key] = answer, result, now, self.student
 
     def another(self) -> "Box":
         """Further numbers, for training; answers to them are not kept."""
@@ -130,7 +130,10 @@ def exercise(name: str, student: str | int | None = None, course: str | None = N
 
 def answers() -> list[tuple[str, str, str, str]]:
     """The answers of this session that count, the right one or the last: course, student, …"""
-    return [(*key, answer) for key, (answer, *_) in _answers.items()]
+    return [
+        (course, student, exercise, answer)
+        for (course, _, exercise), (answer, _, _, student) in _answers.items()
+    ]
 
 
 def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
@@ -141,7 +144,7 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
         raise CourseError('say who you are first: practice.student("…") picks your numbers')
     rows = [
         ("answers", course, dealing.version(), time, student, exercise, answer)
-        for (course, student, exercise), (answer, _, time) in _answers.items()
+        for (course, _, exercise), (answer, _, time, student) in _answers.items()
     ]
     return tables.write(path, COLUMNS, rows, force)
 

@@ -127,7 +127,7 @@ class Desk {
       `${course}: ${all.map(({ title, many, count }) => `${title} ${many}/${count}`).join(", ")}.`;
     this.bar.querySelector(".rk-who").textContent = this.student()
       ? `${this.name.trim()} · number set ${numberSet(this.course, this.name)}` : "Type your name";
-    this.bar.querySelector("span").textContent = `${done.length} of ${here.length} here, ${course}${storage}`;
+    this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;
     const next = this.bar.querySelector("a");
     next.hidden = !open;
     if (open) next.href = `#${open}`;

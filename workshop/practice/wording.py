@@ -16,7 +16,7 @@ def number_text(value: Any, spec: str) -> str:
     if isinstance(value, Sequence | np.ndarray):
         return "[" + ", ".join(number_text(v, spec) for v in value) + "]"
     if spec == "deg":
-        return number_text(value * 180 / math.pi, ".1f") + "°"
+        return number_text(value * 180 / math.pi, ".1f").removesuffix(".0") + "°"
     text = format(value, spec) if spec else f"{value:.4f}".rstrip("0").rstrip(".")
     return re.sub(r"^-(?=[0.]*$)", "", text).replace("-", "\u2212")
 

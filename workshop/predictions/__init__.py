@@ -25,6 +25,8 @@ register(
         package=__name__,
         scripts=("predictions.js",),
         styles=("predictions.css",),
+        called_by="rk-prediction",
+        needs=("practice",),  # reads answers, keeps them
         constants=lambda: {"STORE": constants()["STORE"]},
     )
 )

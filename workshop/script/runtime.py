@@ -1,6 +1,6 @@
-"""The one script and the one style sheet of a course, put together from the parts that register.
+"""The scripts and the one style sheet of a course, put together from the parts that register.
 
-In the script each part is an object in `workshop`, `workshop.figures` for example. Its files share
+In the browser each part is an object in `workshop`, `workshop.figures` for example. Its files share
 a scope, in which stand its constants, what `text.js` defines, and `part`, to which they add what is
 called from outside. Two functions have fixed names: `onPage()` brings to life what a page holds,
 and `inNotebook(content, view)` shows the content of a widget.
@@ -23,12 +23,15 @@ class Part:
 
     scripts, styles: files of the package, in order. constants: what Python tells the script, by
     name; rules: what it tells the style sheet. Both are asked once a course is open.
+    called_by: what stands in the text of a page that needs it; needs: parts that come before it.
     """
 
     name: str
     package: str
     scripts: tuple[str, ...]
     styles: tuple[str, ...]
+    called_by: str
+    needs: tuple[str, ...] = ()
     constants: Callable[[], Mapping[str, Any]] = dict
     rules: Callable[[], str] = str
 
@@ -65,13 +68,22 @@ def rules(name: str) -> str:
     return _theme() + _own_rules(name)
 
 
+def called_by(text: str) -> list[str]:
+    """The parts that a page with this text needs, in order."""
+    wanted = [part for part in _parts.values() if part.called_by in text]
+    names = {name for part in wanted for name in (*part.needs, part.name)}
+    return [name for name in parts() if name in names]
+
+
+def script(name: str) -> str:
+    """A part's script for a page: the part, and its start."""
+    part = f"workshop.{name}"
+    return f"globalThis.workshop ??= {{}};\n{part} = {code(name)};\n{part}.onPage();\n"
+
+
 def page() -> str:
-    """The script of a page: all parts, and their start."""
-    members = ",\n".join(f"{name}: {code(name)}" for name in parts())
-    return (
-        f"globalThis.workshop = {{\n{members}\n}};\n"
-        "for (const part of Object.values(workshop)) part.onPage();\n"
-    )
+    """The scripts of all parts."""
+    return "".join(map(script, parts()))
 
 
 def stylesheet() -> str:

@@ -11,28 +11,36 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from workshop.course import course
+from workshop.figures.compiling import Code, javascript
 from workshop.figures.figure import figures
 from workshop.practice import page as practice
 from workshop.practice.bank import topics
 from workshop.script import runtime
+from workshop.symbols.page import symbols_told
 
 FIGURE = re.compile(r'<figure class="rk-figure" id="([^"]+)"')
 
 
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The runtime and its style on pages that have a figure or an exercise, and only there.
+    """The scripts and the style on pages that have a figure, an exercise …, and only there.
 
-    The page's figures come in a file of their own: no script stands in a page.
+    What is told a page's scripts comes in a file, too: no script stands in a page.
     """
     body = context.get("body", "") if doctree else ""
-    if names := list(dict.fromkeys(FIGURE.findall(body))):
-        file = f"figures/{page.replace('/', '-')}.js"
-        code = ",\n".join(figures()[name].code for name in names)
-        write_static(app, file, f"window.workshopFigures = [{code}];\n")
+    names = dict.fromkeys(FIGURE.findall(body))
+    told = {
+        "workshopFigures": [Code(figures()[name].code) for name in names],
+        "workshopSymbols": symbols_told(page, body),
+    }
+    if any(told.values()):
+        file = f"pages/{page.replace('/', '-')}.js"
+        lines = (f"window.{name} = {javascript(value)};\n" for name, value in told.items())
+        write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
-    if 'class="rk-' in body or "data-symbol" in body:
-        app.add_js_file("workshop.js", loading_method="defer")
+    if needed := runtime.called_by(body):
         app.add_css_file("workshop.css")
+        for name in needed:
+            app.add_js_file(f"workshop/{name}.js", loading_method="defer")
 
 
 def write_assets(app: Sphinx, env: Any) -> None:
@@ -40,8 +48,9 @@ def write_assets(app: Sphinx, env: Any) -> None:
     if app.builder.format != "html":
         return
     solutions = app.config.course_solutions
-    write_static(app, "workshop.js", runtime.page())
     write_static(app, "workshop.css", runtime.stylesheet())
+    for name in runtime.parts():
+        write_static(app, f"workshop/{name}.js", runtime.script(name))
     for topic in topics():
         write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
 

@@ -26,6 +26,10 @@ from workshop.site.sources import depend
 from workshop.symbols.numbers import Slots
 
 T = TypeVar("T")
+NO_SCRIPT = (
+    "<noscript><p>Without JavaScript these exercises can be read, with the numbers of somebody "
+    "without a name; answers cannot be checked.</p></noscript>\n"
+)
 
 
 class Outputs:
@@ -107,7 +111,7 @@ def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
         env.temp_data["practice_desk"] = True
         desk = engine.call("workshop.practice.deskHtml", salt)
         data = f'data-course="{escape(salt, quote=True)}" data-version="{dealing.version()}"'
-        html = f'<div class="rk-desk" {data}>{desk}</div>\n{html}'
+        html = f'{NO_SCRIPT}<div class="rk-desk" {data}>{desk}</div>\n{html}'
     return nodes.raw("", html, format="html")
 
 

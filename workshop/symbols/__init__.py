@@ -13,6 +13,7 @@ register(
         package=__name__,
         scripts=("symbols.js",),
         styles=("symbols.css",),
+        called_by="data-symbol",
         rules=page.rules,
     )
 )

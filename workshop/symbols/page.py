@@ -1,6 +1,5 @@
 """What the site does to a chapter's page: formulas and code carry the keys of their symbols."""
 
-import json
 import re
 from functools import cache
 from html import escape, unescape
@@ -13,7 +12,6 @@ from workshop.course import course
 from workshop.equations.core import NamedSymbol, look
 from workshop.equations.text import symbol_text
 from workshop.figures.figure import find
-from workshop.script.runtime import COMPACT
 from workshop.symbols import lexicon
 from workshop.symbols.numbers import fill
 
@@ -44,7 +42,7 @@ def names_an_axis(node: nodes.Element) -> bool:
 
 
 def mark_page(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """Names in a chapter's code get their symbols, and the page gets what it says of each."""
+    """Names in a chapter's code get their symbols, and formulas the numbers of their figures."""
     chapter = page.partition("/")[0]
     if not doctree or not lexicon.is_chapter(chapter):
         return
@@ -54,11 +52,16 @@ def mark_page(app: Sphinx, page: str, template: str, context: Any, doctree: Any)
         lambda found: named(found, known[found[1]], chapter) if found[1] in known else found[0],
         context["body"],
     )
-    body = fill(body, find)
+    context["body"] = fill(body, find)
+
+
+def symbols_told(page: str, body: str) -> dict[str, list[str]]:
+    """What the page says of each symbol in it, by key."""
+    chapter = page.partition("/")[0]
+    if not lexicon.is_chapter(chapter):
+        return {}
     used = {unescape(key) for key in re.findall(r'data-symbol="([^"]+)"', body)}
-    told = {s.key: facts(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key in used}
-    data = json.dumps(told, ensure_ascii=False, separators=COMPACT).replace("</", "<\\/")
-    context["body"] = f"{body}\n<script>workshopSymbols = {data};</script>\n"
+    return {s.key: facts(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key in used}
 
 
 @cache

@@ -16,7 +16,7 @@ const fromAddress = (figure, address) => {
       const i = optionOf(control, text);
       return i < 0 ? control.start : i;
     }
-    if (control.type === "turns") return [pressesOf(text).join(""), 1];
+    if (control.type === "turns") return [pressesOf(text ?? "").join(""), 1];
     const shown = text === null || text === "" ? NaN : Number(text);
     return Number.isFinite(shown) ? clamp(control, shown) : control.start;
   });

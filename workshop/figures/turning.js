@@ -1,8 +1,8 @@
 // Quarter turns: a state is [presses, part of the last one that is made].
 
-const PRESS = /-?[xyz]/gi, LONG = 600; // ms
+const LONG = 600; // ms
 
-const pressesOf = (text) => String(text ?? "").match(PRESS) ?? [];
+const pressesOf = (text) => (/^(-?[xyz])*$/i.test(text) && text.match(/-?./g)) || [];
 
 const quarter = (press) => {
   const axis = "xyz".indexOf(press.slice(-1).toLowerCase()), sign = press[0] === "-" ? -1 : 1;

@@ -338,6 +338,18 @@ def test_the_small_figure_is_right():
         ({"controls": (Slider(loose, 0, 1, 0, 0.1),), "says": ""}, "loose is no declared quantity"),
         ({"controls": (Slider(a, 0, 1, 0, 0.1, kind="purple"),)}, "no kind 'purple'"),
         ({"readouts": (Readout("x", "", a, "m"),)}, "two controls or readouts of one name"),
+        ({"controls": (Slider(a, 1, 0, 0, 0.1),)}, "slider x goes from 1 to 0 .* must be below"),
+        ({"controls": (Slider(a, 0, 1, 2, 0.1),)}, "starts at 2: .* its start between them"),
+        ({"controls": (Slider(a, 0, 1, 0, 0),)}, "in steps of 0 .* its step positive"),
+        (
+            {"controls": (Choice("c", "", (a,), {"one": (1.0,)}, "two"),), "says": ""},
+            "one, got 'two'",
+        ),
+        ({"controls": (Choice("c", "", (a,), {"one": ()}, "one"),), "says": ""}, "each of x, got 0"),
+        (
+            {"readouts": (Readout("twice", "", a, "m", words={"big": "far"}),)},
+            "twice has a word for big",
+        ),
         ({"says": "b is {b}"}, "text `says` of .* uses b, but there are only x, twice"),
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),

@@ -15,9 +15,10 @@ from declared import COURSE, EXERCISES, each, table
 
 import robokin
 from workshop import practice
+from workshop.course import course
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page
-from workshop.practice.bank import mistakes
+from workshop.practice.bank import exercises, mistakes
 from workshop.script import engine as script
 
 each_exercise = each("exercise", "exercises", Exercise)
@@ -502,6 +503,12 @@ def test_answers_of_nobody_are_not_exported(nobody, tmp_path):
     practice.exercise("differential-drive-1").check(1)
     with pytest.raises(CourseError, match="say who you are first"):
         practice.export(tmp_path / "answers.csv")
+
+
+def test_an_exercise_is_named_after_its_folder(monkeypatch):
+    monkeypatch.setattr(type(course()), "homes", lambda *_: {"car-1": "bicycle"})
+    with pytest.raises(CourseError, match=r"folder bicycle is named bicycle-1, .* got car-1"):
+        exercises()
 
 
 def test_unknown_names_are_refused():

@@ -120,7 +120,7 @@ SPECIALS = {
     "digits": [{"power": 8.0}],
     "steps": [{"n": 6}, {"n": 12}],
     "sideways": [{"wish_y": 0.0}, {"wish_x": 0.0}],
-    "damage": [{"t": 0.0}, {"mistake": "M14", "t": 2.0}],
+    "damage": [{"t": 0.0}, {"mistake": "fourth", "t": 2.0}],
     "wheel-speeds": [*DRIVES, {**STRAIGHT, "t": 12.0}],
     "summary": [],
 }

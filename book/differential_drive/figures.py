@@ -656,7 +656,8 @@ def damage_figure() -> Figure:
     turns = {mistake: float(mistake.wrong.at(right)) for mistake in (M12, M31)}
     looks = {m: float(m.wrong.puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
     options = {
-        m.name: (turns.get(m, float(rate)), looks.get(m, radians(90))) for m in (M12, M31, M13, M14)
+        nth: (turns.get(m, float(rate)), looks.get(m, radians(90)))
+        for nth, m in zip(("first", "second", "third", "fourth"), (M12, M31, M13, M14), strict=True)
     }
     true, believed = (
         motion.arc_step.at({x: 0, y: 0, theta: look, v: speed, omega: turn, dt: t})
@@ -667,7 +668,7 @@ def damage_figure() -> Figure:
         title="The robot, and where a program with a mistake believes it to be",
         view=(-0.3, 0.3, -0.19, 0.22),
         controls=(
-            Choice("mistake", "mistake", (believed_rate, believed_heading), options, "M12"),
+            Choice("mistake", "mistake", (believed_rate, believed_heading), options, "first"),
             Clock(t, 0.0, 2.0, start=1.5, step=0.05, loops=True, label="time"),
         ),
         where=((v_L, 0.05), (v_R, 0.1)),

@@ -92,6 +92,7 @@ class Compiler:
     def control(self, control: Control) -> dict[str, Any]:
         """A control as the script reads it, in the unit that the reader sees."""
         if isinstance(control, d.Choice):
+            _refuse_wrong_choice(control)
             options = [{"label": k, "values": list(v)} for k, v in control.options.items()]
             start = list(control.options).index(control.start)
             return {
@@ -105,6 +106,7 @@ class Compiler:
             return {"type": "turns", "key": control.name, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
+        _refuse_wrong_slider(control)
         face = self.face(control.symbol, control.label or None)
         known = control.symbol
         scale = factor(known.unit)
@@ -190,6 +192,11 @@ class Compiler:
     def readout(self, readout: d.Readout) -> dict[str, Any]:
         """A readout: its number comes at its own place in the list of values."""
         self.numbers(readout.value)
+        if unknown := set(readout.words) - set(_JS_NAMES):
+            raise CourseError(
+                f"the readout {readout.name} has a word for {', '.join(unknown)}; words can stand "
+                f"for {', '.join(_JS_NAMES)}"
+            )
         return {
             "key": readout.name,
             **self.face(readout.symbol or "", readout.label),
@@ -244,3 +251,24 @@ def _tidy(number: float) -> float:
     """90.0 for 90.00000000000001: what a reader sees is round where it was meant to be."""
     rounded = float(f"{number:.12g}")
     return int(rounded) if rounded.is_integer() else rounded
+
+
+def _refuse_wrong_choice(choice: d.Choice) -> None:
+    for option, values in choice.options.items():
+        if len(values) != len(choice.symbols):
+            raise CourseError(
+                f"the option {option!r} of {choice.name} must give a number to each of "
+                f"{', '.join(map(str, choice.symbols))}, got {len(values)}"
+            )
+    if choice.start not in choice.options:
+        known = ", ".join(choice.options)
+        raise CourseError(f"{choice.name} must start at one of {known}, got {choice.start!r}")
+
+
+def _refuse_wrong_slider(s: d.Slider) -> None:
+    if not (s.low < s.high and s.low <= s.start <= s.high and 0 < s.step <= s.high - s.low):
+        raise CourseError(
+            f"the slider {s.symbol} goes from {s.low} to {s.high} in steps of {s.step} and starts "
+            f"at {s.start}: its low end must be below its high one, its start between them, its "
+            "step positive and no longer than its way"
+        )

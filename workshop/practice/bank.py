@@ -271,6 +271,12 @@ PLACEHOLDER = r"{([\w.:]+)}"
 
 def exercises() -> dict[str, Exercise]:
     """Every exercise of the course, by name, in the course's order."""
+    for name, chapter in course().homes("exercises", Exercise).items():
+        stem = chapter.replace("_", "-")
+        if name.rpartition("-")[0] != stem:
+            raise CourseError(
+                f"an exercise in the folder {chapter} is named {stem}-1, {stem}-2, …; got {name}"
+            )
     return course().declared("exercises", Exercise)
 
 

@@ -271,7 +271,8 @@ def test_buttons_turn_the_die_and_the_goal_is_reached(visit):  # noqa: F811
 @in_browser
 def test_a_turn_slides_in_from_its_own_side(visit):  # noqa: F811
     """From the right about own axes, from the left about the room's; then it stands beside."""
-    with visit(DIE, before=lambda page: page.clock.install(time=0)) as live:
+    own = {"before": lambda page: page.clock.install(time=0), "reduced_motion": "no-preference"}
+    with visit(DIE, **own) as live:
         live.page.clock.pause_at(60_000)
         ways = {}
         for one in ("Z", "z"):

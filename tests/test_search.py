@@ -34,7 +34,7 @@ FIRST = {
     "degree of freedom": "glossary#term-degree-of-freedom",
     "jacobain": "glossary#term-Jacobian",
     "FrameGraph": "api#robokin.frames.FrameGraph",
-    "from_matrix": "euler/euler",
+    "from_matrix": "api#robokin.euler.from_matrix",
     "wrap_angle": "api#robokin.motion.wrap_angle",
     "umbmark": "api#robokin.odometry.umbmark",
     "Moodle": "teaching#in-moodle",

@@ -26,6 +26,9 @@
       index = new MiniSearch({
         fields: Object.keys(FIELDS),
         storeFields: ["page", "at", "title", "of", "text", "code"],
+        // the name of a function is a word as well as its parts
+        tokenize: (text) => text.match(/\w+_\w+|[\p{L}\p{M}\p{N}\u200c]+/gu)
+          ?.flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : word)) ?? [],
         processTerm: (term) => folded(term) || null,
         searchOptions: {
           boost: FIELDS,

@@ -30,6 +30,8 @@ def reads(figure: str, readout: str, **settings: float | str) -> float:
         if isinstance(control, Choice):
             row += control.options[str(value)]
             continue
+        if not isinstance(control, Slider):
+            raise TypeError(f"{figure}: what {name} shows is made of presses, not of a number")
         row.append(float(value))
         if not control.low <= row[-1] <= control.high:
             reach = f"from {control.low:.4g} to {control.high:.4g}"

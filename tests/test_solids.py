@@ -238,7 +238,7 @@ def test_presses_that_are_none_are_refused(value):
 
 def test_a_matrix_stands_in_the_picture_with_its_columns_in_colour():
     svg = str(script.run(f"workshop.figures.svg({FIGURE.code}, [['Z', 1], 30, 20])"))
-    found = re.findall(r'style="font:600 13px[^"]*--rk-(\w)_axis[^"]*">([^<]+)<', svg)
+    found = re.findall(r'style="fill:var\(--rk-(\w)_axis[^"]*font:600 13px[^"]*">([^<]+)<', svg)
     assert found == [(axis, n) for row in (["0", "−1", "0"], ["1", "0", "0"], ["0", "0", "1"])
                      for axis, n in zip("xyz", row, strict=True)]  # fmt: skip
     assert "now" in svg

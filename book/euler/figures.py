@@ -489,9 +489,9 @@ def mistakes_figure() -> Figure:
     z_turn = {turn: -half_turn / 2}
     left_handed = (M7.formula.at(y_turn), M7.formula.made_in(euler.turn_z).at(z_turn))
     wrong = {
-        "M6": euler.turn_z.at(z_turn) * euler.turn_y.at(y_turn),
-        "M7": left_handed[0] * left_handed[1],
-        "M8": euler.turn_y.at(y_turn),  # both angles that are zero or noise taken for zero
+        "first": euler.turn_z.at(z_turn) * euler.turn_y.at(y_turn),
+        "second": left_handed[0] * left_handed[1],
+        "third": euler.turn_y.at(y_turn),  # both angles that are zero or noise taken for zero
     }
     R, options = Matrix(3, 3, WRONG), {n: tuple(map(int, M.doit())) for n, M in wrong.items()}
     return in_space(
@@ -499,13 +499,13 @@ def mistakes_figure() -> Figure:
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
-        controls=(Choice("mistake", "mistake", WRONG, options, start="M6"),),
+        controls=(Choice("mistake", "mistake", WRONG, options, start="first"),),
         scene=(
             *die(R_AB, LEFT, ("x_B", "y_B", "z_B")),
             *die(R, RIGHT, kind="error"),
         ),
         readouts=(Readout("apart", "off by one turn of", angle_of(R_AB.T * R), "rad", digits=0),),
-        says="The frame of mistake {mistake} is one turn of {apart} from frame B.",
+        says="The frame of the {mistake} mistake is one turn of {apart} from frame B.",
     )
 
 

@@ -37,7 +37,9 @@ from workshop.figures import (
     Handle,
     Point,
     Readout,
+    Recurrence,
     Slider,
+    Trail,
     Turns,
     view_sliders,
 )
@@ -401,6 +403,14 @@ def test_numbers_are_told_by_symbol():
     }
     values = [number["value"] for number in numbers.values()]
     np.testing.assert_allclose(values, [0.5, 2.0, np.pi / 6], rtol=4 * EPS)
+
+
+def test_a_trail_is_a_line_with_dots():
+    place, end = sp.symbols("place end")
+    loop = Recurrence((place,), (0,), (place + a,), count=3, most=5, ends=(end,))
+    drawn = declared(scene=(Trail("path", (place, 0), loop),), readouts=(), says="").picture()
+    assert len(re.findall("<circle", drawn)) == 4
+    assert len(re.findall(r"M[\d.]+ [\d.]+L[^\"]*L[^\"]*L", drawn)) == 1
 
 
 CASES = Choice("which", "which", (a,), {"small": (0.1,), "large": (0.9,)}, start="small")
@@ -1393,7 +1403,10 @@ def test_the_text_alternative_follows(figure, visit):
         assert before.startswith(figure.title)
         assert live.root.locator(".rk-says").text_content() == ""  # silent until touched
         live.press(figure.controls[0], "End")
-        said = live.root.locator(".rk-says:not(:empty)").text_content()
+        changed = "([picture, before]) => picture.getAttribute('aria-label') !== before"
+        label = live.picture.locator("[role=img]").element_handle()
+        live.page.wait_for_function(changed, arg=[label, before])
+        said = live.root.locator(".rk-says").text_content()
         assert live.root.locator(".rk-says").get_attribute("aria-live") == "polite"
         assert live.alternative() == f"{figure.title}. {said}" != before
         assert "{" not in said

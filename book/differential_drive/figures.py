@@ -658,11 +658,12 @@ def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
     right = {v_L: 0.05, v_R: 0.1, b: DISTANCE}
     speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
-    turns = {mistake: float(mistake.wrong.at(right)) for mistake in (M12, M31)}
-    looks = {m: float(m.wrong.puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
+    wrong: dict[Any, Any] = {m: m.wrong for m in (M12, M31, M13, M14)}
+    turns = {m: float(wrong[m].at(right)) for m in (M12, M31)}
+    looks = {m: float(wrong[m].puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
     options = {
         nth: (turns.get(m, float(rate)), looks.get(m, radians(90)))
-        for nth, m in zip(("first", "second", "third", "fourth"), (M12, M31, M13, M14), strict=True)
+        for nth, m in zip(("first", "second", "third", "fourth"), wrong, strict=True)
     }
     true, believed = (
         motion.arc_step.at({x: 0, y: 0, theta: look, v: speed, omega: turn, dt: t})

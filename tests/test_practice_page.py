@@ -420,3 +420,17 @@ def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, mon
     [graded] = table("grades.csv")
     assert (graded["student"], graded["answer"]) == ("Ada", "1/3")
     assert graded["result"] != "missing"
+
+
+def test_a_matrix_can_be_typed_entry_by_entry(page):
+    sign_in(page, "Ada")
+    right = variant("euler-2", "Ada").candidates[0].rows[0]
+    grid = box(page, "euler-2").locator(".rk-grid")
+    grid.locator("summary").click()
+    for k, entry in enumerate(right):
+        grid.get_by_label(f"row {k // 3 + 1}, column {k % 3 + 1}").fill(f"{entry:.4f}")
+    grid.get_by_label("row 3, column 3").press("Enter")
+    box(page, "euler-2").get_by_text(judging.RIGHT, exact=True).wait_for()
+    page.reload(wait_until="networkidle")
+    first = grid.get_by_label("row 1, column 1")
+    assert float(first.input_value()) == pytest.approx(right[0], abs=1e-4)

@@ -118,7 +118,7 @@ def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
     page.mouse.up()
     put = state(page)
     assert put["guess_x"] < 0.3  # where it was
-    page.get_by_role("button", name="Here").click()
+    page.get_by_role("button", name="Here", exact=True).click()
     fold(page, "beacon-place").wait_for()
     then = state(page)
     assert {key: then[key] for key in ("guess_x", "guess_y")} == {
@@ -131,7 +131,7 @@ def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
 
 def test_a_ghost_in_the_right_place_is_right(page):
     place_ghost(page, guess_x=0.02, guess_y=0.5)
-    page.get_by_role("button", name="Here").click()
+    page.get_by_role("button", name="Here", exact=True).click()
     fold(page, "beacon-place").wait_for()
     assert said(page, "beacon-place").inner_text().startswith("✓")
 
@@ -139,7 +139,7 @@ def test_a_ghost_in_the_right_place_is_right(page):
 def test_guesses_are_kept_until_they_are_forgotten(page):
     page.get_by_role("button", name="not at all").click()
     place_ghost(page, guess_x=-0.4, guess_y=0.1)
-    page.get_by_role("button", name="Here").click()
+    page.get_by_role("button", name="Here", exact=True).click()
     fold(page, "beacon-place").wait_for()
     page.reload()
     fold(page, "beacon-place").wait_for()

@@ -31,6 +31,13 @@ const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
     return [...steps.slice(0, -1), `${steps.at(-1)}\n\n${part}`];
   }, []) : [];
 
+// A matrix can be typed entry by entry, too.
+const gridHtml = ({ shape: [rows, columns] = [] }) => columns ? `<details class="rk-grid">`
+  + `<summary>Type it entry by entry</summary><table>${Array.from({ length: rows }, (_, i) =>
+    `<tr>${Array.from({ length: columns }, (_, j) => `<td><input type="text" autocomplete="off" `
+      + `spellcheck="false" aria-label="row ${i + 1}, column ${j + 1}"></td>`).join("")}</tr>`).join("")
+  }</table></details>` : "";
+
 // id: the start of the ids inside, for the box's own parts to find each other.
 const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
   `<div class="rk-question" id="${id}-question">`
@@ -44,7 +51,7 @@ const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
     + `<div class="rk-row"><input id="${id}-answer" type="text" autocomplete="off" autocapitalize="off" `
     + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
     + `<button type="submit">Check</button>`
-    + `<button type="button" class="rk-another">Another one</button></div></form>`
+    + `<button type="button" class="rk-another">Another one</button></div>${gridHtml(exercise)}</form>`
     + `<p class="rk-verdict" id="${id}-verdict" role="status"></p><p class="rk-read"></p>`
     + `<div class="rk-ladder" aria-live="polite"></div>`
     + `<button type="button" class="rk-help">${RUNGS[0]}</button>`;
@@ -71,6 +78,12 @@ class Box {
       this.check();
     });
     this.input.addEventListener("change", () => this.keepTyped());
+    this.one(".rk-grid")?.addEventListener("input", () => {
+      const rows = [...this.element.querySelectorAll("tr")].map((row) =>
+        `[${[...row.querySelectorAll("input")].map((cell) => cell.value.replace(/,/g, ".")).join(", ")}]`);
+      this.input.value = `[${rows.join(", ")}]`;
+    });
+    this.one(".rk-grid")?.addEventListener("change", () => this.keepTyped());
     const train = (training) => this.withExercise(() => {
       Object.assign(this, { training, trained: {} });
       this.show();
@@ -197,6 +210,8 @@ class Box {
     const kept = this.entry();
     this.opened = null; // besides what was opened before the pass
     this.input.value = kept.answer ?? "";
+    const entries = [readAnswer(this.input.value).value].flat(Infinity);
+    this.element.querySelectorAll("td input").forEach((cell, k) => { cell.value = entries[k] ?? ""; });
     this.pass();
     this.tell(kept);
     if (this.exercise && this.number !== null) this.climb();

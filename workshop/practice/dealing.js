@@ -12,8 +12,9 @@ const ourDigit = (digit) => {
 
 const foldedName = (name) => [...name]
   .map((sign) => /[\ud800-\udfff]/.test(sign) && sign.length === 1 ? "\ufffd" : sign).join("")
-  .normalize("NFC").replace(UNSEEN, "").replace(/\u064a/g, "\u06cc").replace(/\u0643/g, "\u06a9")
-  .replace(/\p{Nd}/gu, ourDigit).replace(SPACES, " ").replace(/^ | $/g, "").toLowerCase().normalize("NFC");
+  .normalize("NFC").replace(UNSEEN, "").replace(SPACES, " ").replace(/^ | $/g, "")
+  .replace(/\u064a/g, "\u06cc").replace(/\u0643/g, "\u06a9").replace(/\p{Nd}/gu, ourDigit)
+  .toLowerCase().normalize("NFC");
 
 // Which numbers a student has, in four digits: to see that a name is written as before.
 const numberSet = (course, name) => String(fnv1a([foldedName(course), foldedName(name)].join("\n")) % 10000)

@@ -44,11 +44,16 @@ class Variant:
     candidates: tuple[Candidate, ...]
 
 
+def tidy(name: str) -> str:
+    """A name as it is shown: without what is not seen, and with single spaces."""
+    whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole))
+    return re.sub(SPACES, " ", seen).strip(" ")
+
+
 def folded(name: str) -> str:
     """A student's name as it is hashed."""
-    whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole)).translate(ALIKE)
-    return unicodedata.normalize("NFC", re.sub(SPACES, " ", seen).strip(" ").lower())
+    return unicodedata.normalize("NFC", tidy(name).translate(ALIKE).lower())
 
 
 def fnv1a(text: str) -> int:
@@ -85,9 +90,12 @@ def _variants(name: str, secret: str) -> tuple[Variant, ...]:
         key = tuple(shown.values())
         if key in found or key in public or not exercise.when(**numbers):
             continue
-        with np.errstate(divide="ignore", invalid="ignore"):  # infinities are told by `clash`
-            possible = candidates(exercise, numbers)
-        alike = clash(exercise, possible)
+        try:
+            with np.errstate(divide="ignore", invalid="ignore"):  # infinities are told by `clash`
+                possible = candidates(exercise, numbers)
+            alike = clash(exercise, possible)
+        except np.linalg.LinAlgError:
+            alike = "a mistake that has no answer"
         met[alike] += 1
         if not alike:
             found[key] = Variant(numbers, shown, possible)

@@ -68,6 +68,7 @@ def question(exercise: Exercise) -> dict[str, Any]:
         "level": exercise.level,
         "text": exercise.text,
         "asked": judging.asked(exercise),
+        "shape": exercise.shape,
     }
 
 

@@ -27,8 +27,8 @@ from workshop.symbols.numbers import Slots
 
 T = TypeVar("T")
 NO_SCRIPT = (
-    "<noscript><p>Without JavaScript these exercises can be read, with the numbers of somebody "
-    "without a name; answers cannot be checked.</p></noscript>\n"
+    '<p class="rk-noscript">Without JavaScript these exercises can be read, with the numbers of '
+    "somebody without a name; answers cannot be checked.</p>\n"
 )
 
 

@@ -50,7 +50,8 @@ def test_no_text_lies_on_another_or_outside(chromium, width, count):
     with watched_page(chromium, "about:blank", width) as (page, watch):
         page.emulate_media(reduced_motion="reduce")
         page.set_content(f"<style>{style}</style>{body}")
-        page.add_script_tag(content=runtime.page())
+        alive = [f"workshop.figures.bringToPage({figure.code});" for figure in FIGURES.values()]
+        page.add_script_tag(content="\n".join([runtime.page(), *alive]))
         found = {}
         for name, figure in FIGURES.items():
             states = [shown(figure, random) for _ in range(count)]

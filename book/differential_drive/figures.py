@@ -517,7 +517,7 @@ def steps_figure() -> Figure:
     graph = Graph((0.17, 0.38, 0.03, 0.27), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
     exact, step = put_in(driven(DURATION), CRUISE), DURATION / n
     straight = put_in(motion.euler_step.right, {**CRUISE, dt: step})
-    shapes, readouts = [], []
+    shapes, readouts, dots = [], [], []
     half = CRUISE[omega] * s / 2  # of the turn in a step s
     for kind, early, words in (
         ("approximation", 0, "old"),
@@ -541,10 +541,10 @@ def steps_figure() -> Figure:
             Curve(kind, graph.at((s, error)), s, step, 3),
             Point(kind, graph.at((step, apart(end, exact))), words),
         ]
+        dots.append(graph.at((step, error.subs(s, step))))
         readouts.append(
             Readout(f"error_{early}", f"error, {words} heading", apart(end, exact), "m", digits=5)
         )
-    dot = graph.at((step, apart(symbols("X_0 Y_0"), exact)))
     return Figure(
         name="steps",
         title="A drive along an arc, cut into straight steps, and the error against the step",
@@ -558,7 +558,9 @@ def steps_figure() -> Figure:
             *graph.shapes(),
             *shapes,
         ),
-        handles=(Handle("the upper dot in the graph", dot, {n: DURATION / graph.x_of(POINTER)}),),
+        handles=(
+            Handle("the upper dot in the graph", dots[0], {n: DURATION / graph.x_of(POINTER)}),
+        ),
         readouts=tuple(readouts),
         grid=False,
         size="step",
@@ -656,11 +658,12 @@ def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
     right = {v_L: 0.05, v_R: 0.1, b: DISTANCE}
     speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
-    turns = {mistake: float(mistake.wrong.at(right)) for mistake in (M12, M31)}
-    looks = {m: float(m.wrong.puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
+    wrong: dict[Any, Any] = {m: m.wrong for m in (M12, M31, M13, M14)}
+    turns = {m: float(wrong[m].at(right)) for m in (M12, M31)}
+    looks = {m: float(wrong[m].puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
     options = {
         nth: (turns.get(m, float(rate)), looks.get(m, radians(90)))
-        for nth, m in zip(("first", "second", "third", "fourth"), (M12, M31, M13, M14), strict=True)
+        for nth, m in zip(("first", "second", "third", "fourth"), wrong, strict=True)
     }
     true, believed = (
         motion.arc_step.at({x: 0, y: 0, theta: look, v: speed, omega: turn, dt: t})

@@ -20,6 +20,12 @@ def after_two_seconds(turning):
     return tuple(arc_step.at({**AHEAD, **TWIST, omega: turning, dt: 2})[:2])
 
 
+def rolling(radius):
+    """The rate of the exercise's right wheel, if this is taken for its radius."""
+    ahead = {v: SPEEDS[v_R], omega: 0, r: radius}
+    return formulas.wheel_rates.at(ahead)[1].subs({r: Float("0.03"), b: SPEEDS[b]})
+
+
 def error(steps):
     """How far the end of 6 s is off in so many straight steps."""
     drive = np.full(steps, 0.075), np.full(steps, 0.5), np.full(steps, 6 / steps)
@@ -96,12 +102,10 @@ PREDICTIONS = (
         Number(
             "rate",
             "rad/s",
-            right=(v_R / r).subs({**SPEEDS, r: Float("0.03")}),
+            right=rolling(r),
             assumes={
-                "That divides by the whole width of the wheel, twice the radius.": (
-                    v_R / (2 * r)
-                ).subs({**SPEEDS, r: Float("0.03")}),
-                "That multiplies by the radius.": (v_R * r).subs({**SPEEDS, r: Float("0.03")}),
+                "That divides by the whole width of the wheel, twice the radius.": rolling(2 * r),
+                "That multiplies by the radius.": rolling(1 / r),
             },
         ),
         opens="In one radian a wheel rolls one radius. So its rate is its speed divided by $r$.",

@@ -119,9 +119,10 @@ class Figure:
         compute = "((figure) => (f, c) => workshop.figures.compute(figure, c).values)"
         return evaluate(f"{compute}({self.code})", points)
 
-    def picture(self, width: int = 640) -> str:
-        """The still picture (SVG) of the starting state; width in pixels."""
-        return str(engine.run(f"workshop.figures.svg({self.code}, undefined, {width})"))
+    def picture(self, width: int | None = None) -> str:
+        """The still picture (SVG) of the starting state; width in pixels, else as on a page."""
+        given = "" if width is None else f", undefined, {width}"
+        return str(engine.run(f"workshop.figures.svg({self.code}{given})"))
 
     def html(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""

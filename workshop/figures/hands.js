@@ -168,7 +168,7 @@ const followPointer = (live, grip) => {
     // a handle taken at its edge must not jump to the pointer
     const off = live.place(live.figure.handles[k])
       .map((x, i) => (Number.isFinite(x) ? x - at[i] : 0));
-    live.held = { by: taken, k, off, state: live.state };
+    live.held = { by: taken, k, off, state: live.state, view: live.computed.view };
     live.last = k;
     taken.setPointerCapture(event.pointerId);
     taken.focus({ preventScroll: true });
@@ -191,7 +191,9 @@ const letGo = (live, element) => {
     live.held = null;
   });
   element.addEventListener("lostpointercapture", () => {
-    if (live.held?.by === element) live.held = null;
+    if (live.held?.by !== element) return;
+    live.held = null;
+    live.set(live.state, true);
   });
 };
 

@@ -79,6 +79,7 @@ class Live {
   draw() {
     this.drawn = 0;
     this.computed = compute(this.figure, settings(this.figure, this.state));
+    if (this.held?.view) this.computed.view = this.held.view; // a view that follows waits for a hand
     this.drawing.innerHTML = scene(this.figure, this.computed, this.width, this.state);
     this.drawHandles();
     this.writeGoals();

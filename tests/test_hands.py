@@ -50,7 +50,7 @@ def states_on_the_way(live, start, end, moves):
 
 
 WAYS = {  # a handle, and a way of it in pixels that meets at most one magnet
-    "wheel-speeds": (1, (0, 80)),
+    "wheel-speeds": (1, (0, 120)),
     "ackermann-steering": (0, (85, 0)),
 }
 
@@ -75,7 +75,7 @@ def test_turning_is_continuous(turned):  # noqa: F811
 
 
 @in_browser
-@pytest.mark.parametrize(("start", "special"), [(0.05, 0.1), (0.05, 0.0), (-0.1, -0.15)])
+@pytest.mark.parametrize(("start", "special"), [(0.05, 0.1), (0.05, 0.0), (-0.1, -0.12)])
 def test_near_a_special_value_it_is_exactly_that(visit, start, special):  # noqa: F811
     """A wheel's speed: as the other wheel's, zero, its end; two pixels away is near enough."""
     figure = FIGURES["wheel-speeds"]

@@ -271,7 +271,8 @@ def test_buttons_turn_the_die_and_the_goal_is_reached(visit):  # noqa: F811
 @in_browser
 def test_a_turn_slides_in_from_its_own_side(visit):  # noqa: F811
     """From the right about own axes, from the left about the room's; then it stands beside."""
-    with visit(DIE, before=lambda page: page.clock.install(time=0)) as live:
+    own = {"before": lambda page: page.clock.install(time=0), "reduced_motion": "no-preference"}
+    with visit(DIE, **own) as live:
         live.page.clock.pause_at(60_000)
         ways = {}
         for one in ("Z", "z"):
@@ -305,8 +306,8 @@ def test_a_link_keeps_the_presses_and_drops_junk(visit):  # noqa: F811
         press(live, "Z", "-x")
         live.root.locator(".rk-link").click()
         address = live.page.evaluate("location.hash")
-    for given, text in (("Z-x", "Z-x"), ("Zwx", ""), ("Z-x<script>", "")):
-        with visit(DIE, address.replace("Z-x", given)) as live:
+    for found, text in (("Z-x", "Z-x"), ("Zwx", ""), ("Z-x<script>", "")):
+        with visit(DIE, address.replace("Z-x", found)) as live:
             assert live.state()[0] == [text, 1]
 
 

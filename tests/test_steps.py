@@ -1,6 +1,4 @@
-"""What a chapter that shows, asks and then says keeps to: sizes of figures, goals, motion, screens."""
-
-import json
+"""What a chapter that shows, asks and then says keeps to: sizes, goals, motion, screens, words."""
 
 import nbformat
 import numpy as np
@@ -10,12 +8,14 @@ from declared import FIGURES, each
 from test_figures import (
     in_browser,
     page_of,  # noqa: F401
+    point,
+    started,
     visit,  # noqa: F401
 )
 from test_hands import centre, put
 
 from workshop.course import course
-from workshop.figures import Clock, Figure, Slider
+from workshop.figures import Clock, Figure
 
 pytest_plugins = ["browser"]
 
@@ -118,12 +118,11 @@ def test_a_wish_that_can_be_had(visit):  # noqa: F811
 
 @each("figure", "figures", Figure)
 def test_a_goal_is_not_reached_at_the_start(figure):
-    goals = figure._compiled[0].count('"words": ') and figure.goal
-    for goal in (goals,) if not isinstance(goals, tuple) else goals:
-        if goal:
-            at = figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True)))
-            start = [c.start for c in figure.controls if isinstance(c, Slider)]
-            assert figure.compute([start])[0, at] == 0
+    goals = figure.goal if isinstance(figure.goal, tuple) else (figure.goal,)
+    places = [
+        figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True))) for goal in goals
+    ]
+    assert not figure.compute([point(figure, {})])[0, places].any()
 
 
 # --- Motion ---------------------------------------------------------------------------------
@@ -161,7 +160,7 @@ def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, visit):  #
     with visit(figure) as live:
         live.picture.scroll_into_view_if_needed()
         assert live.root.locator(".rk-play").text_content() == "Play"
-        assert live.state() == json.loads(json.dumps([c.start for c in figure.controls]))
+        assert live.state() == started(figure)
 
 
 @in_browser

@@ -27,6 +27,13 @@ UNFOLD = """(folds) => folds.forEach((fold) => {
   fold.open = true;
   fold.closest(".rk-prediction")?.classList.add("rk-answered");
 })"""
+FOLLOWED = """([step, key, before]) => {
+  const face = `${step} .rk-control[data-symbol="${key}"] input`;
+  const now = document.querySelector(face).getAttribute("aria-valuetext");
+  return now !== before && [...document.querySelectorAll(`${step} .rk-numbers .katex [data-of]`)]
+    .filter((slot) => slot.dataset.symbol === key)
+    .every((slot) => now.startsWith(slot.textContent.replace(/[()]/g, "")));
+}"""
 CONTRAST = """(letters) => {
   const pen = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
   const light = (color) => {
@@ -128,13 +135,9 @@ def test_the_numbers_of_a_formula_follow_the_hand(opened):
     with opened() as page:
         slider = page.locator(f'{STEP} .rk-control[data-symbol="{KEY}"] input')
         for _ in range(3):
+            before = slider.get_attribute("aria-valuetext")
             slider.press("ArrowLeft")
-            shown = slider.get_attribute("aria-valuetext")
-            page.wait_for_function(
-                "([slots, text]) => [...document.querySelectorAll(slots)]"
-                ".every((slot) => text.startsWith(slot.textContent.replace(/[()]/g, '')))",
-                arg=[f'{STEP} .rk-numbers .katex [data-symbol="{KEY}"]', shown],
-            )
+            page.wait_for_function(FOLLOWED, arg=[STEP, KEY, before])
             speed = page.locator(f'{STEP} .rk-readouts [data-symbol="motion.v"] dd').inner_text()
             results = f'{STEP} .rk-numbers .katex [data-symbol="motion.v"][data-result]'
             assert page.locator(results).first.text_content() == speed

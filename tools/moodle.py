@@ -1,4 +1,6 @@
-"""The questions in a real Moodle: `python tools/moodle.py FOLDER`, FOLDER with Moodle's own code.
+"""The questions in a real Moodle: `python tools/moodle.py FOLDER [EXERCISE …]`.
+
+FOLDER holds Moodle's own code.
 
 A PostgreSQL of its own is started, Moodle is installed in it, imports all questions and answers
 them through its question engine: the right answer, the mistakes, with units. Needs PHP with what
@@ -17,7 +19,7 @@ from html import unescape
 from pathlib import Path
 
 import book  # noqa: F401  (opens the course)
-from workshop.practice import dealing, exercises, judging, moodle
+from workshop.practice import dealing, judging, moodle, teacher
 
 PORT = 5432  # the name of a socket in a folder of its own: nothing listens on the network
 CONFIG = """<?php
@@ -43,7 +45,7 @@ def run(*command, **options):
     return done.stdout
 
 
-def main(folder):
+def main(folder, only):
     """Install, import, answer, and print the table."""
     config = folder / "config.php"
     if config.exists() or not (folder / "question").is_dir():
@@ -69,8 +71,8 @@ def main(folder):
             install = ("--agree-license", "--adminpass=Pass-w0rd", "--fullname=t", "--shortname=t")
             run(*php, folder / "admin/cli/install_database.php", *install)
             quiz, answers = place / "quiz.xml", place / "answers.json"
-            moodle.write(quiz)
-            answers.write_text(json.dumps([*asked()]))
+            moodle.write(quiz, only)
+            answers.write_text(json.dumps([*asked(only)]))
             here = Path(__file__).with_suffix(".php")
             told = run(*php, here, folder, quiz, answers)
         finally:
@@ -79,9 +81,9 @@ def main(folder):
     table(json.loads(next(line for line in told.splitlines() if line.startswith('{"imported'))))
 
 
-def asked():
+def asked(only):
     """What is answered to each question, and what should be said."""
-    for exercise in exercises().values():
+    for exercise in teacher.chosen(only):
         for number, variant in enumerate(dealing.variants(exercise.name)):
             tries = [*answered(exercise, variant)]
             name = f"{exercise.name} {number:02}: {exercise.title}"
@@ -132,4 +134,4 @@ def table(told):
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]).resolve())
+    main(Path(sys.argv[1]).resolve(), sys.argv[2:])

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from py_mini_racer import MiniRacer
 
-TERSER = Path(__file__).parents[1] / "_vendor" / "terser" / "bundle.min.js"
+TERSER = Path(__file__).parents[1] / "_vendor" / "terser" / "terser.min.js"
 OWN = (
     "site.js",
     "search.js",

@@ -612,7 +612,10 @@ def drive_figure() -> Figure:
         name="wheel-speeds",
         title="The robot in its laboratory, driven by two wheel speeds and a time",
         view=(-0.42, 0.38, -0.2, 0.28),
-        controls=(*wheels_from(0.05, 0.1), Clock(t, 0.0, 12.0, start=2.0, step=0.05, label="time")),
+        controls=(
+            *wheels_from(0.05, 0.1, most=0.12),
+            Clock(t, 0.0, 12.0, start=2.0, step=0.05, label="time"),
+        ),
         where=RADIUS_TOO,
         scene=(
             Body((BAY[0], BAY[1]), BAY[2], 0.065, kind="target"),

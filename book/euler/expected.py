@@ -119,6 +119,12 @@ def one_turn_readouts(at_once, part, azimuth, elevation):
     return np.column_stack([turned, euler.axis_angle(R_AB.T @ R)[1]])
 
 
+def mistakes_readouts(*columns):
+    """How far a wrong frame is from frame B."""
+    R = np.stack(columns[:9], axis=-1).reshape(-1, 3, 3)
+    return euler.axis_angle(R_AB.T @ R)[1][:, None]
+
+
 READOUTS = {
     "die": turns_readouts,
     "two-frames": no_readouts,
@@ -130,6 +136,7 @@ READOUTS = {
     "one-turn": one_turn_readouts,
     "euler-sequence": sequence_readouts,
     "rotation-recap": no_readouts,
+    "wrong-frames": mistakes_readouts,
 }
 LOCKED = {"middle": HALF}
 ANSWERS = {  # of the exercise, in degrees; the first three are at lock
@@ -155,5 +162,6 @@ SPECIALS = {
     ]
     + [{"first": 0.0, "middle": 0.0, "third": 0.0}, {"made": 1.0}, {"made": 2.0}],
     "rotation-recap": [{"turn": HALF}],
+    "wrong-frames": [],
 }
 WORDS = []

@@ -10,6 +10,7 @@ from sympy import Abs, And, Matrix, Max, Min, Piecewise, Symbol, atan2, cos, nan
 from sympy import pi as half_turn
 
 from book.euler import formulas as euler
+from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.motion.formulas import angle
@@ -46,6 +47,7 @@ made = quantity("made", "", 0, 3, "how many turns of a sequence are made")
 part = quantity("part", "", 0, 1, "how much of a way is made")
 against = quantity("against", "rad", -3.14, 3.14, "the outer ring turned on, the inner one back")
 s = Symbol("s")
+WRONG = symbols("wrong:3:3", real=True)  # the entries of a wrong matrix
 
 outer = Matrix(
     symbols("o_x o_y o_z", real=True)
@@ -111,14 +113,17 @@ FLOOR, HALF = -1.1, 0.75  # m: the floor's height, and half its side
 
 
 def die(
-    R: Matrix, at: Sequence[Any] = ORIGIN, labels: Sequence[str] = ("x", "y", "z")
+    R: Matrix,
+    at: Sequence[Any] = ORIGIN,
+    labels: Sequence[str] = ("x", "y", "z"),
+    kind: str = "body",
 ) -> tuple[Any, ...]:
     """A die on its axes, above a floor."""
     tail, head = (
         [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.05)
     )
     stubs = map(VIEW.arrow, AXES, tail, head, labels)
-    body = VIEW.solid(solids.die("body"), R, at, floor=FLOOR)
+    body = VIEW.solid(solids.die(kind), R, at, floor=FLOOR)
     return VIEW.floor(FLOOR, HALF, at), body, *stubs
 
 
@@ -458,7 +463,7 @@ def one_turn_figure() -> Figure:
             Readout("left", "still to B", angle_of(R_AB.T * R), "rad", digits=1),
         ),
         says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
-        where=(*entries(whole + (1 - at_once) * two), *solved(euler.turn_angle)),
+        where=entries(whole + (1 - at_once) * two),
     )
 
 
@@ -475,6 +480,32 @@ def recap_figure() -> Figure:
         readouts=(),
         says="Turned by {turn} about the slanted axis.",
         where=entries(euler.turned_about(AXIS, turn)),
+    )
+
+
+def mistakes_figure() -> Figure:
+    """Frame B, and where three mistakes lead instead."""
+    y_turn = {turn: half_turn / 2}
+    z_turn = {turn: -half_turn / 2}
+    left_handed = (M7.formula.at(y_turn), M7.formula.made_in(euler.turn_z).at(z_turn))
+    wrong = {
+        "M6": euler.turn_z.at(z_turn) * euler.turn_y.at(y_turn),
+        "M7": left_handed[0] * left_handed[1],
+        "M8": euler.turn_y.at(y_turn),  # both angles that are zero or noise taken for zero
+    }
+    R, options = Matrix(3, 3, WRONG), {n: tuple(map(int, M.doit())) for n, M in wrong.items()}
+    return in_space(
+        name="wrong-frames",
+        title="Frame B, and beside it in red the frame that a mistake makes of it",
+        view=(-2.3, 2.3, -1.6, 1.5),
+        size="step",
+        controls=(Choice("mistake", "mistake", WRONG, options, start="M6"),),
+        scene=(
+            *die(R_AB, LEFT, ("x_B", "y_B", "z_B")),
+            *die(R, RIGHT, kind="error"),
+        ),
+        readouts=(Readout("apart", "off by one turn of", angle_of(R_AB.T * R), "rad", digits=0),),
+        says="The frame of mistake {mistake} is one turn of {apart} from frame B.",
     )
 
 
@@ -597,5 +628,6 @@ FIGURES = (
     rings_figure(),
     one_turn_figure(),
     sequence_figure(),
+    mistakes_figure(),
     recap_figure(),
 )

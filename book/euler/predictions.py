@@ -68,8 +68,8 @@ PREDICTIONS = (
                 "half a turn apart": "There are two half turns more, and they undo each other.",
             },
         ),
-        opens="The first half turn lays the die on its other side, $180° - \\beta$ goes on from there, "
-        "the last half turn turns it back. Press *Play*. So every matrix has two answers; "
+        opens="The first half turn lays the die on its other side, $180° - \\beta$ goes on from "
+        "there, the last half turn turns it back. Press *Play*. So every matrix has two answers; "
         "textbooks take the one with a positive $\\cos\\beta$.",
         hides=("two answers",),
     ),

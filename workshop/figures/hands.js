@@ -115,9 +115,10 @@ const spots = (live) => {
   const free = ([x, y]) => found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
   const order = [...live.handles.keys()].sort((a, b) => (b === live.last) - (a === live.last));
   for (const k of order) {
-    const [x, y] = to(live.place(live.figure.handles[k]));
+    const [at, up] = to(live.place(live.figure.handles[k]));
+    const [x, y] = [inside(at, live.width), inside(up, high)];
     const tried = ASIDE.map(([dx, dy]) => [inside(x + dx, live.width), inside(y + dy, high)]);
-    found[k] = Number.isFinite(x + y) ? tried.find(free) ?? tried[0] : [-99, -99];
+    found[k] = Number.isFinite(at + up) ? tried.find(free) ?? tried[0] : [-99, -99];
   }
   return found;
 };

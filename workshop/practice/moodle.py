@@ -175,10 +175,14 @@ def _answers(
         if value not in told and judging.off(ask, value, right) > ask.allowed(right) + tolerance:
             told.add(value)
             alike = [says for x, t, says in wrong if judging.off(ask, value, x) <= tolerance + t]
-            says = symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
-            yield False, _number(value), tolerance, says
+            yield False, _number(value), tolerance, _said(alike)
     yield False, _number(right), NEAR * ask.allowed(right), CLOSE
     yield False, "*", 0, OTHER
+
+
+def _said(alike: Sequence[str]) -> str:
+    """What is said where one or several mistakes give an answer."""
+    return symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
 
 
 def _number(value: float) -> str:
@@ -197,11 +201,13 @@ def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[s
         rows = tuple(tuple(factor * x for x in row) for row in right.rows)
         if len(given) <= FEW and judging.apart(exercise, Candidate(name, rows), right):
             given.setdefault(name, rows)
-    choices = {_shown(exercise, rows): name for name, rows in list(given.items())[: CHOICES + 1]}
+    choices: dict[str, list[str]] = {}
+    for name, rows in list(given.items())[: CHOICES + 1]:
+        choices.setdefault(_shown(exercise, rows), []).append(meant[name].says)
     answers = [
-        f'<answer fraction="{100 * (name == "right")}" format="html">'
-        f"<text><![CDATA[{shown}]]></text>{_text('feedback', meant[name].says, 'html')}</answer>"
-        for shown, name in choices.items()
+        f'<answer fraction="{100 * (judging.RIGHT in says)}" format="html">'
+        f"<text><![CDATA[{shown}]]></text>{_text('feedback', _said(says), 'html')}</answer>"
+        for shown, says in choices.items()
     ]
     asked = "Which are all the answers" if exercise.accept == "all" else "Which is a right answer"
     labels = ", ".join(symbols(ask.label) for ask in exercise.asks)

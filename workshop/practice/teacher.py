@@ -290,21 +290,20 @@ def _summary(
 
 
 def _students(roster: str | Path, problems: tables.Problems) -> list[str]:
-    """The names of a roster; empty and repeated ones are noted."""
-    path, lines, names = Path(roster), dict[str, int](), list[str]()
+    """The names of a roster as they are written; empty and repeated ones are noted."""
+    path, names = Path(roster), dict[str, tuple[int, str]]()
     for line, row in tables.read(path, ("student",), problems):
-        name, alike = dealing.tidy(row["student"]), folded(row["student"])
+        alike = folded(row["student"])
         if not alike:
             problems.note("lines without a student's name", path, line)
-        elif alike in lines:
-            words = f"{name} is in line {lines[alike]} already"
+        elif alike in names:
+            words = f"{row['student']} is in line {names[alike][0]} already"
             problems.note("students named twice", path, line, words)
         else:
-            lines[alike] = line
-            names.append(name)
+            names[alike] = line, row["student"]
     if not names:
         raise CourseError("\n".join([f"{path} names no student", *problems.lines()]))
-    return names
+    return [written for _, written in names.values()]
 
 
 def chosen(only: Sequence[str]) -> list[Exercise]:

@@ -51,7 +51,7 @@ def box(page, exercise):
 def answer(page, exercise, text):
     """Type an answer, press Enter, and read what is said."""
     field, verdict = (
-        box(page, exercise).locator("input"),
+        box(page, exercise).locator(".rk-row input"),
         box(page, exercise).locator(".rk-verdict"),
     )
     verdict.evaluate("(element) => { element.textContent = ''; }")
@@ -112,11 +112,11 @@ def test_progress_is_kept_and_cleared(page):
     assert page.inner_text(".rk-progress").startswith("1 of ")
     page.reload(wait_until="networkidle")
     assert page.input_value("#rk-student") == "Ada"
-    assert box(page, FIRST).locator("input").input_value() == right
+    assert box(page, FIRST).locator(".rk-row input").input_value() == right
     assert page.inner_text(".rk-progress").startswith("1 of ")
     sign_in(page, "Bob")
     assert page.inner_text(".rk-progress").startswith("0 of ")
-    assert box(page, FIRST).locator("input").input_value() == ""
+    assert box(page, FIRST).locator(".rk-row input").input_value() == ""
     sign_in(page, "Ada")
     page.on("dialog", lambda dialog: dialog.accept())
     page.click(".rk-clear")
@@ -131,7 +131,7 @@ def test_a_further_try_takes_nothing_away(page):
     assert answer(page, FIRST, "12345") == engine.run("workshop.practice.SAYS.wrong")
     assert page.inner_text(".rk-progress").startswith("1 of ")
     page.reload(wait_until="networkidle")
-    assert box(page, FIRST).locator("input").input_value() == right
+    assert box(page, FIRST).locator(".rk-row input").input_value() == right
 
 
 def test_who_gives_no_name_is_told(page):
@@ -150,7 +150,7 @@ def test_what_is_typed_while_the_numbers_load_stays(page):
     with page.expect_request(numbers):
         page.keyboard.press("Tab")
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    field = box(page, FIRST).locator("input")
+    field = box(page, FIRST).locator(".rk-row input")
     field.fill(right)
     field.press("Enter")
     held[0].continue_()
@@ -190,10 +190,10 @@ def test_what_was_not_checked_is_saved_too(page, tmp_path):
     sign_in(page, "Ada")
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
     assert answer(page, FIRST, right) == judging.RIGHT
-    box(page, FIRST).locator("input").fill("12345")
-    box(page, "differential-drive-2").locator("input").fill("1, 2")
+    box(page, FIRST).locator(".rk-row input").fill("12345")
+    box(page, "differential-drive-2").locator(".rk-row input").fill("1, 2")
     box(page, "euler-2").get_by_role("button", name="Another one").click()
-    box(page, "euler-2").locator("input").fill("7")
+    box(page, "euler-2").locator(".rk-row input").fill("7")
     wanted = {FIRST: right, "differential-drive-2": "1, 2"}
     assert saved(page, tmp_path) == wanted
     page.reload(wait_until="networkidle")
@@ -280,7 +280,7 @@ def test_numbers_that_do_not_come_are_told_and_asked_for_again(chromium, server)
         page.keyboard.press("Tab")
         first = box(page, FIRST)
         first.get_by_text("could not be loaded").wait_for()
-        field = first.locator("input")
+        field = first.locator(".rk-row input")
         right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
         field.fill(right)
         field.press("Enter")
@@ -323,7 +323,7 @@ def test_answers_are_taken_along(page, chromium, server, tmp_path):
         other.set_input_files("[type=file]", tmp_path / "saved.csv")
         other.get_by_text("1 of 55 checks on this page passed").wait_for()
         assert other.input_value("#rk-student") == "Ada"
-        assert box(other, FIRST).locator("input").input_value() == right
+        assert box(other, FIRST).locator(".rk-row input").input_value() == right
         box(other, "euler-1").get_by_text("Not yet").wait_for()
 
 
@@ -395,7 +395,7 @@ def test_without_a_script_it_is_said_where_the_answer_box_would_be(chromium, ser
         page.goto(server + "practice.html")
         assert page.get_by_text("answers cannot be checked").is_visible()
         assert box(page, FIRST).locator(".rk-text").is_visible()
-        assert box(page, FIRST).locator("input").is_hidden()
+        assert box(page, FIRST).locator(".rk-row input").is_hidden()
 
 
 def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, monkeypatch):

@@ -15,9 +15,9 @@ const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) 
 // Lists in a list as a matrix.
 const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
 const cells = (row) => row.split(/, (?![^(]*\))/).map((cell) => `<mtd><mtext>${cell}</mtext></mtd>`).join("");
-const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mrow><mo>[</mo><mtable>${
+const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mtable>${
   rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
-}</mtable><mo>]</mo></mrow></math>`);
+}</mtable></math>`);
 
 const paragraphs = (text) => matrices(symbols(text)).split("\n\n")
   .map((paragraph) => `<p>${paragraph}</p>`).join("");

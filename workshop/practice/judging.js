@@ -62,9 +62,11 @@ const roundedRight = ({ decimals, asks }, rows, wanted) =>
   [2, 3].some((digits) => digits < decimals && rows.length === wanted.length && rows.every((row, k) =>
     row.every((x, i) => Math.abs(x - Number(wanted[k][i].toFixed(digits))) < 1e-9)));
 
-// Whether no number was typed with as many decimals as are asked for.
-const coarse = ({ decimals }, rows, text) => decimals && !RegExp(`\\p{Nd}{${decimals}}`, "u").test(text)
-  && rows.flat().every((x) => Math.abs(x - Number(x.toFixed(decimals - 1))) < 1e-9);
+const round = (rows, digits) => rows.flat().every((x) => Math.abs(x - Number(x.toFixed(digits))) < 1e-9);
+
+// Whether no number was typed with as many decimals as are asked for and the right one has.
+const coarse = ({ decimals }, rows, text, right) => decimals && !RegExp(`\\p{Nd}{${decimals}}`, "u").test(text)
+  && round(rows, decimals - 1) && !round(right, decimals - 1);
 
 // The verdict on an answer that has the right shape. text: as it was typed.
 const judge = (exercise, listed, rows, text) => {
@@ -90,7 +92,7 @@ const judge = (exercise, listed, rows, text) => {
   const parts = rightParts(exercise, right[0][0], rows[0]);
   return verdict("wrong", "", SAYS.wrong,
     parts.length && said(SAYS.parts, { labels: parts.join(", ") }),
-    coarse(exercise, rows, text) && said(SAYS.digits, { decimals: COUNTS[decimals] }));
+    coarse(exercise, rows, text, right[0]) && said(SAYS.digits, { decimals: COUNTS[decimals] }));
 };
 
 // Lengths, from outside to inside, of lists in lists that are all alike; null if they are not.

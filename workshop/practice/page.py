@@ -56,8 +56,8 @@ def look(exercise: Exercise) -> str:
     """Where to look who does not know how to begin: the formulas that the solution uses."""
     used = [s.formula for s in exercise.solution.steps.values() if isinstance(s.formula, Equation)]
     sides = dict.fromkeys(formula_text(formula.left) for formula in used)
-    formulas = f"the formulas of {'; '.join(sides)}" if sides else exercise.title
-    return f"Look in the chapter “{course().title(exercise.topic)}” for {formulas}."
+    formulas = f" for the formulas of {'; '.join(sides)}" if sides else ""
+    return f"Look in the chapter “{course().title(exercise.topic)}”{formulas}."
 
 
 def question(exercise: Exercise) -> dict[str, Any]:

@@ -42,7 +42,7 @@ PAGE = """<!doctype html>
 body {{ font: 1rem/1.5 sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }}
 table {{ border-collapse: collapse; }} div {{ overflow-x: auto; }}
 th, td {{ padding: .1rem .7rem .1rem 0; text-align: left; vertical-align: top; }}
-th {{ font-weight: normal; }} thead th {{ font-size: .85rem; vertical-align: bottom; }}
+th {{ font-weight: normal; }} thead th {{ font-size: .85em; vertical-align: bottom; }}
 .n {{ text-align: right; font-variant-numeric: tabular-nums; }}
 .bar {{ display: flex; width: 14rem; height: 1rem; margin-top: .25rem; }}
 {colours}

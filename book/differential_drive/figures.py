@@ -656,8 +656,8 @@ def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
     right = {v_L: 0.05, v_R: 0.1, b: DISTANCE}
     speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
-    turns = {mistake: float(mistake.wrong.at(right)) for mistake in (M12, M31)}
-    looks = {m: float(m.wrong.puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
+    turns = {mistake: float(mistake.formula.at(right)) for mistake in (M12, M31)}
+    looks = {m: float(m.formula.puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
     options = {
         nth: (turns.get(m, float(rate)), looks.get(m, radians(90)))
         for nth, m in zip(("first", "second", "third", "fourth"), (M12, M31, M13, M14), strict=True)

@@ -99,7 +99,7 @@ PREDICTIONS = (
             right=(v_R / r).subs({**SPEEDS, r: Float("0.03")}),
             assumes={
                 "That divides by the whole width of the wheel, twice the radius.": (
-                    v_R / (2 * r)
+                    v_R / r / 2
                 ).subs({**SPEEDS, r: Float("0.03")}),
                 "That multiplies by the radius.": (v_R * r).subs({**SPEEDS, r: Float("0.03")}),
             },

@@ -4,7 +4,7 @@ import numpy as np
 from book.beacon.functions import range_and_bearing
 
 
-def beacon_readouts(b_x, b_y, theta, **_):
+def beacon_readouts(b_x, b_y, theta, *guess):
     """Distance; and the bearing before it is wrapped, as the figure tells it."""
     still = np.zeros_like(theta)
     pose = np.column_stack([still, still, still])

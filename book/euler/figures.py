@@ -270,12 +270,12 @@ def target_figure() -> Figure:
     return in_space(
         name="to-b",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
-        view=(-2.5, 2.4, -1.6, 1.5),
+        view=(-2.5, 2.6, -1.6, 1.5),
         size="step",
         controls=angle_sliders(
             ("α, about y", "β, about the new z"), (0.0, 0.0), ("y_axis", "z_axis")
         ),
-        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, RIGHT)),
+        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.beside(1.45))),
         readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad", digits=1),),
         says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
         goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
@@ -589,7 +589,7 @@ def sequence_figure() -> Figure:
             *room(LEFT),
             *turn_axis(u, LEFT),
             *die(now, LEFT),
-            *ghost_die(R_AB, RIGHT),
+            *ghost_die(R_AB, VIEW.beside(1.45)),
         ),
         readouts=(
             Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad", digits=1),

@@ -77,7 +77,7 @@ M8 = Mistake(
     says="when all three angles are read by the regular formulas, although the frame is at gimbal "
     "lock; atan2(0, 0) then gives 0",
     line="a = np.arctan2(-R[1, 2], R[2, 2])\n"
-    "b = np.arctan2(R[0, 2], np.hypot(R[1, 2], R[2, 2]))\n"
+    "b = np.arctan2(R[0, 2], np.hypot(R[0, 0], R[0, 1]))\n"
     "angles = [a, b]",
     why="At gimbal lock all the entries that these formulas read for the first and the third angle "
     "are zero. For exact zeros arctan2(0, 0) gives 0 without a warning; in a computed matrix they "

@@ -5,7 +5,6 @@ import numpy as np
 from robokin import euler, motion
 
 R_AB = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
-GHOST = np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, -1]])
 HALF = np.pi / 2
 
 
@@ -58,15 +57,8 @@ def from_lock(seq, R):
 
 
 def turns_readouts(*columns):
-    """How many turns are made, and the angle of the one turn to the ghost."""
-    rows = np.column_stack(columns)
-    before, axis, own, part, count = np.split(rows[:, :15], [9, 12, 13, 14], axis=1)
-    before = before.reshape(-1, 3, 3)
-    turning = np.linalg.norm(axis, axis=1) > 0
-    # before the first turn there is no axis, and any will do
-    last = euler.about(np.where(turning[:, None], axis, [0, 0, 1]), part[:, 0] * HALF * turning)
-    now = np.where(own[..., None] > 0, before @ last, last @ before)
-    return np.column_stack([count[:, 0], euler.axis_angle(GHOST.T @ now)[1]])
+    """How many turns are made."""
+    return columns[14][:, None]
 
 
 def no_readouts(*columns):
@@ -99,13 +91,12 @@ def both_readouts(middle, made, azimuth, elevation):
 
 def rings_readouts(middle, against, azimuth, elevation):
     """Volume of the three axes, whole turn."""
-    first, third = np.pi / 9 + against, np.pi / 9 - against
-    zero = 0 * first
+    zero = 0 * against
     outer = np.stack([zero + 1, zero, zero], axis=-1)
-    mid = euler.to_matrix("X", first[:, None])[..., 1]
-    inner = euler.to_matrix("XY", np.stack([first, middle], axis=-1))[..., 2]
+    mid = euler.to_matrix("X", against[:, None])[..., 1]
+    inner = euler.to_matrix("XY", np.stack([against, middle], axis=-1))[..., 2]
     volume = np.abs(np.linalg.det(np.stack([outer, mid, inner], axis=-1)))
-    whole = euler.axis_angle(euler.to_matrix("XYZ", np.stack([first, middle, third], -1)))[1]
+    whole = euler.axis_angle(euler.to_matrix("XYZ", np.stack([against, middle, -against], -1)))[1]
     return np.column_stack([volume, whole])
 
 

@@ -137,7 +137,7 @@ def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     """The axes of frame A, which stay: along the floor and up from its corner."""
     corner = [at[0] - HALF, at[1] - HALF, FLOOR]
     return tuple(
-        VIEW.arrow("text", corner, [c + 1.9 * u for c, u in zip(corner, axis, strict=True)], label)
+        VIEW.arrow("text", corner, [c + 1.7 * u for c, u in zip(corner, axis, strict=True)], label)
         for axis, label in zip((X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
     )
 
@@ -145,8 +145,11 @@ def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
 def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     """What a die turns about, to both sides of it."""
     return tuple(
-        VIEW.line(
-            "icr", [[at[k] + side * far * direction[k] for k in range(3)] for far in (0.5, 1.45)]
+        behind(
+            VIEW.line(
+                "icr",
+                [[at[k] + side * far * direction[k] for k in range(3)] for far in (0.5, 1.45)],
+            )
         )
         for side in (-1, 1)
     )
@@ -181,16 +184,13 @@ def die_figure() -> Figure:
             Label("text", (0.3 + some, -1.95), "="),
             Bracket(now, (1.4 + done, -1.95), "now"),
         ),
-        readouts=(
-            Readout("count", "turns made", turns.count, "", digits=0),
-            Readout("apart", "still to the ghost", angle_of(GHOST.T * now), "rad", digits=0),
-        ),
-        says="{count} turns made: {turns}. The die is one turn of {apart} from the ghost.",
+        readouts=(Readout("count", "turns made", turns.count, "", digits=0),),
+        says="{count} turns made: {turns}.",
         goal=tuple(
             Goal(And(meets(now, GHOST), turns.part >= 1, turns.count <= most), words)
             for most, words in (
                 (99, "Bring the die onto its ghost."),
-                (3, "Do it again in three turns: the fewest there are."),
+                (3, "Do it again, in as few turns as you can."),
             )
         ),
         where=(*steps_last, *steps_now),
@@ -225,7 +225,7 @@ def columns_figure() -> Figure:
         size="step",
         controls=(
             Choice("axis", "turn about", tuple(about), options, start="z"),
-            Slider(turn, -pi, pi, start=pi / 6, step=pi / 36),
+            Slider(turn, -pi, pi, start=pi / 3, step=pi / 36),
         ),
         scene=(
             *room(),
@@ -270,12 +270,12 @@ def target_figure() -> Figure:
     return in_space(
         name="to-b",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
-        view=(-2.3, 2.3, -1.6, 1.5),
+        view=(-2.5, 2.6, -1.6, 1.5),
         size="step",
         controls=angle_sliders(
             ("α, about y", "β, about the new z"), (0.0, 0.0), ("y_axis", "z_axis")
         ),
-        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, RIGHT)),
+        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.beside(1.45))),
         readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad", digits=1),),
         says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
         goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
@@ -353,10 +353,9 @@ def pins(kind: str, along: str, far: float, end: float) -> tuple[solids.Part, ..
 
 def rings_figure() -> Figure:
     """A stand, three rings, an aeroplane, and the turns that it can make at this moment."""
-    alpha, gamma = half_turn / 9 + against, half_turn / 9 - against
-    one, steps_one = named("a", euler.turned_about(X, alpha))
+    one, steps_one = named("a", euler.turned_about(X, against))
     two, steps_two = named("b", one * euler.turned_about(Y, middle))
-    three, steps_three = named("c", two * euler.turned_about(Z, gamma))
+    three, steps_three = named("c", two * euler.turned_about(Z, -against))
     free = Matrix.hstack(Piecewise((1, cos(middle) > 0), (-1, True)) * X, one[:, 1], two[:, 2])
     floor = -1.46
     beside = VIEW.beside(2.65)
@@ -394,7 +393,7 @@ def rings_figure() -> Figure:
             Label("velocity", (2.65, -1.1), "free turns"),
         ),
         readouts=(
-            Readout("room", "freedom: 1 best, 0 locked", Abs(cos(middle)), ""),
+            Readout("room", "freedom |cos β|: 1 best, 0 locked", Abs(cos(middle)), ""),
             Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad", digits=1),
         ),
         says=(
@@ -431,7 +430,7 @@ def one_turn_figure() -> Figure:
     middle_of = VIEW.beside(1.1)
 
     def put(vector: Any) -> list[Any]:
-        return [1.1 * each + at for each, at in zip(vector, middle_of, strict=True)]
+        return [each + at for each, at in zip(vector, middle_of, strict=True)]
 
     def way(kind: str, vector: Any, high: Any, samples: int = 32) -> Curve:
         at = put(vector)
@@ -445,7 +444,6 @@ def one_turn_figure() -> Figure:
         title="A die on its way to frame B, and its way in the ball of all rotations",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
-        seen_from=(5 * pi / 6, 5 * pi / 36),
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
             Clock(part, 0.0, 1.0, start=0.0, step=0.01, label="part of the way", rate=0.25),
@@ -453,6 +451,10 @@ def one_turn_figure() -> Figure:
         scene=(
             *die(R, LEFT),
             *(way("ghost", circle, 2 * half_turn, 64) for circle in circles),
+            *(
+                VIEW.arrow(kind, put(axis), put(1.25 * axis), label)
+                for kind, axis, label in zip(AXES, (X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
+            ),
             way("icr", s * spoke, 1),
             way("approximation", in_ball(2 * s), 1, 48),
             VIEW.point("target", put(spoke), "B"),
@@ -587,7 +589,7 @@ def sequence_figure() -> Figure:
             *room(LEFT),
             *turn_axis(u, LEFT),
             *die(now, LEFT),
-            *ghost_die(R_AB, RIGHT),
+            *ghost_die(R_AB, VIEW.beside(1.45)),
         ),
         readouts=(
             Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad", digits=1),

@@ -83,7 +83,7 @@ with as_written():
 
     xyz = Equation(
         name="euler.xyz",
-        left=r,
+        left=R,
         right=entries,
         source="exercise 2",
     )

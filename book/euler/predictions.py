@@ -59,7 +59,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "other-answer",
-        "Where do these two dice end, after all three turns?",
+        "Where do the two dice end, after all three turns?",
         Buttons(
             ("alike for every β", "alike for one β only", "half a turn apart"),
             right="alike for every β",
@@ -83,6 +83,9 @@ PREDICTIONS = (
             assumes={
                 "That takes each axis once.": lambda: orders(lambda p: len(set(p)) == 3),
                 "That allows an axis twice in a row.": lambda: orders(lambda p: True),
+                "That counts each order twice, about own axes and about the room's.": lambda: (
+                    2 * orders(lambda p: p[0] != p[1] != p[2])
+                ),
             },
             near=0.01,
         ),
@@ -91,18 +94,18 @@ PREDICTIONS = (
     ),
     Prediction(
         "ring-against-ring",
-        "Set the middle ring to 90°. Then the outer ring is turned on by 30° and the inner ring "
+        "The middle ring stands at 90°. The outer ring is turned on by 30° and the inner ring "
         "back by 30°. What does the aeroplane do?",
         Buttons(
-            ("it rolls by 60°", "it rolls by 30°", "nothing"),
+            ("it turns by 60°", "it turns by 30°", "nothing"),
             right="nothing",
             assumes={
-                "it rolls by 60°": "That adds the two, but they turn against each other.",
-                "it rolls by 30°": "That forgets one of the two rings.",
+                "it turns by 60°": "That adds the two, but they turn against each other.",
+                "it turns by 30°": "That forgets one of the two rings.",
             },
         ),
         opens="The pins of the outer and the inner ring lie on one line: what one turns on, the "
-        "other turns back. Try it. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
+        "other turns back. Try it below. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
         hides=("lie on one line",),
     ),
     Prediction(

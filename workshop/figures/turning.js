@@ -65,7 +65,7 @@ Object.assign(part, { turnNumbers });
 // A matrix in the picture: columns in their colours, between brackets.
 SHAPES.bracket = ([x, y, ...entries], shape, to) => {
   const { columns, digits, kind } = shape;
-  const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = 1.5 * wide;
+  const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = 1.5 * wide + 6;
   const number = (value, k) => {
     const at = `x="${n(x0 + (k % 3 - 0.6) * wide)}" y="${n(y0 + (Math.floor(k / 3) - 0.7) * high)}"`;
     return `<text ${at} text-anchor="end" style="fill:${color(columns[k % 3])};font:600 13px sans-serif">`

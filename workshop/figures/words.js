@@ -24,7 +24,7 @@ const shownControl = (control, shown) => control.type === "choice" ? control.opt
 
 // All that a figure tells: named steps, controls, readouts, each as it is in SI and as it is shown.
 const told = (figure, state, { c, values }) => {
-  const short = (x) => trueMinus(String(Number(x.toPrecision(3))));
+  const short = (x) => trueMinus(String(Math.abs(x) < 1e-12 ? 0 : Number(x.toPrecision(3)))); // rounding
   return [
     ...figure.steps.map((step) => {
       const text = short(c[step.at] * step.factor);

@@ -9,7 +9,7 @@ UP = np.pi / 2  # the heading at the start
 
 
 def twist_of(v_left, v_right):
-    """Speed and turning rate of the robot in the figures; the wheel radius cancels."""
+    """Speed and angular velocity of the robot in the figures; the wheel radius cancels."""
     twist = differential_drive.body_twist(v_left, v_right, 1.0, DISTANCE)
     return twist[..., 0], twist[..., 2]
 

@@ -1385,7 +1385,7 @@ def test_how_long_an_answer_takes(figure, visit):
         times = [
             statistics.median(live.page.evaluate(ANSWERS, [figure.name, i, 200])) for i in sliders
         ]
-    print(f"{figure.name}: {max(times):.1f} ms for an answer")
+    print(f"{figure.name}: {max(times, default=0):.1f} ms for an answer")
 
 
 # --- For every reader -----------------------------------------------------------------------

@@ -667,7 +667,7 @@ def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
     right = {v_L: 0.05, v_R: 0.1, b: DISTANCE}
     speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
-    wrong: dict[Any, Any] = {m: m.wrong for m in (M12, M31, M13, M14)}
+    wrong = {m: m.formula for m in (M12, M31, M13, M14)}
     turns = {m: float(wrong[m].at(right)) for m in (M12, M31)}
     looks = {m: float(wrong[m].puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
     options = {

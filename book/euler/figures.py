@@ -576,7 +576,7 @@ def sequence_figure() -> Figure:
     return in_space(
         name="euler-sequence",
         title="A die turned about three axes, one after the other; the ghost is frame B",
-        view=(-2.7, 2.7, -1.7, 1.6),
+        view=(-3.2, 3.2, -1.6, 1.5),
         size="laboratory",
         controls=(
             sequences(),

@@ -52,9 +52,8 @@ def guess_figure() -> Figure:
             Slider(guess_x, -1.0, 1.0, start=0.3, step=0.05, label="x"),
             Slider(guess_y, -0.7, 0.7, start=-0.3, step=0.05, label="y"),
         ),
-        scene=(*seen.scene, Point("ghost", (guess_x, guess_y), label="your guess")),
+        scene=(*seen.scene, Point("approximation", (guess_x, guess_y), label="your guess")),
         handles=(
-            *seen.handles,
             Handle("your guess", (guess_x, guess_y), {guess_x: POINTER[0], guess_y: POINTER[1]}),
         ),
         readouts=seen.readouts,

@@ -52,5 +52,6 @@ PREDICTIONS = (
             assumes={"It takes ahead for left.": in_world(0.5, 0)},
         ),
         opens="Left is along $y$.",
+        hides=("Left is along",),
     ),
 )

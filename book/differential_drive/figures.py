@@ -340,7 +340,7 @@ def world_figure() -> Figure:
     return Figure(
         name="world",
         title="The robot's velocity and its parts along the axes of the world",
-        view=(-0.2, 0.22, -0.16, 0.17),
+        view=(-0.14, 0.15, -0.11, 0.12),
         controls=(
             Slider(
                 theta,
@@ -475,7 +475,7 @@ LEAST = 1e-18  # m: no error is drawn as this one
 
 def almost_figure() -> Figure:
     """The textbook's form and the chord, nearer and nearer to a straight line."""
-    graph = Graph((0.25, 0.56, 0.0, 0.3), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
+    graph = Graph((0.25, 0.56, 0.02, 0.29), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
     drive_on = {x: 0, y: 0, theta: SLANTED, v: FAST, dt: LONG}
     exact, textbook = (
         put_in(form, drive_on) for form in (motion.arc_step.right, motion.arc_step.textbook)
@@ -486,7 +486,7 @@ def almost_figure() -> Figure:
     return Figure(
         name="digits",
         title="Two robots, placed by the textbook's form and by the chord; the error against ω",
-        view=(-0.09, 0.6, -0.09, 0.35),
+        view=(-0.09, 0.6, -0.12, 0.34),
         controls=(Slider(power, 0.0, 16.0, start=1.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
         where=(
             (omega, Integer(10) ** (-power)),
@@ -545,7 +545,6 @@ def steps_figure() -> Figure:
         )
         shapes += [
             Trail(kind, (state[0], state[1]), loop),
-            Label(kind, (end[0], end[1]), words),
             Line("error", ((end[0], end[1]), (exact[0], exact[1]))),
             Curve(kind, graph.at((s, error)), s, step, 3),
             Point(kind, graph.at((step, apart(end, exact))), words),

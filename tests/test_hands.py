@@ -226,7 +226,7 @@ def test_the_icr_outside_is_told_at_the_edge(visit):  # noqa: F811
 @typical_figure
 def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):  # noqa: F811
     with visit(figure, width=390) as live:
-        last = live.root.locator(".rk-controls input, .rk-controls select").last
+        last = live.root.locator(".rk-controls :is(input, select, button):not(details *)").last
         last.evaluate("(e) => e.scrollIntoView({block: 'end', behavior: 'instant'})")
         picture, slider = live.root.locator(".rk-picture").bounding_box(), last.bounding_box()
         assert picture["y"] >= 0

@@ -155,10 +155,10 @@ def test_figures_and_exercises_in_the_notebook(tmp_path, chromium):
         figure = shown.locator(".rk-figure.rk-live")
         shows(figure, "speed v", "\u22120.025 m/s")  # the last cell has turned the right wheel back
         drag(page, figure.locator(".rk-handles circle").first)
-        shows(figure, "speed v", "0.025 m/s")
-        assert float(run_again(asked).partition(":")[2]) == 0.15
+        shows(figure, "speed v", "0.010 m/s")
+        assert float(run_again(asked).partition(":")[2]) == 0.12
         run_again(turned)
-        shows(figure, "speed v", "0.125 m/s")
+        shows(figure, "speed v", "0.110 m/s")
         run_again(shown)  # a new figure, which needs no second script
         shows(figure, "speed v", "0.075 m/s")
         SCREENSHOTS.mkdir(parents=True, exist_ok=True)

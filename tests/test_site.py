@@ -96,7 +96,7 @@ def assert_fits_and_is_accessible(page, name):
             page.add_script_tag(path=AXE)
         assert page.evaluate(FOUND_BY_AXE) == [], scheme
         assert page.evaluate(OVERFLOW) == 0, "pixels too wide"
-        assert name == "search.html" or page.evaluate(VISIBLE_SEARCHES) <= 1
+        assert name in ("search.html", "404.html") or page.evaluate(VISIBLE_SEARCHES) <= 1
 
 
 def assert_root_signs_stand(page):

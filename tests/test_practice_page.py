@@ -251,10 +251,10 @@ def test_a_ladder_from_where_to_look_to_the_answer(page):
     assert help.inner_text() == "Show the first step"
     help.click()
     right = EXERCISES[name].answer_text(mine.numbers)
-    assert "radius times turning rate" in ladder(page, name)
+    assert "radius times angular velocity" in ladder(page, name)
     assert f"{mine.candidates[0].rows[0][0]:.3f}" not in ladder(page, name)
     page.reload(wait_until="networkidle")
-    assert "radius times turning rate" in ladder(page, name)
+    assert "radius times angular velocity" in ladder(page, name)
     assert answer(page, name, right.replace("rad/s", "")) == judging.RIGHT
     assert box(page, name).locator(".rk-passed").inner_text() == "passed with help: 1 of 2 steps"
     assert help.inner_text() == "Show the answer"

@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 from declared import FIGURES, each
 from test_figures import (
+    SHOW,
     in_browser,
     page_of,  # noqa: F401
     point,
@@ -115,6 +116,33 @@ def test_a_wish_that_can_be_had(visit):  # noqa: F811
     with visit(FIGURES["sideways"]) as live:
         drag(live, 0, [0.08, 0.0])
         assert reached(live) == [True]
+
+
+@in_browser
+def test_a_goal_is_not_reached_by_passing_over_it(visit):  # noqa: F811
+    """Over the wish that can be had, on to one that cannot; with the handle and with the slider."""
+    figure = FIGURES["sideways"]
+    with visit(figure) as live:
+        drag(live, 0, [0.08, -0.1])
+        assert reached(live) == [False]
+        slider = live.input(figure.controls[1])
+        slider.evaluate(SHOW)
+        box = slider.bounding_box()
+        height, ends = box["y"] + box["height"] / 2, (0.2, 0.5, 0.8)
+        mouse, (start, middle, end) = live.page.mouse, (box["x"] + box["width"] * x for x in ends)
+        mouse.move(start, height)
+        mouse.down()
+        mouse.move(middle, height, steps=4)
+        assert live.state()[1] == pytest.approx(0, abs=0.005)
+        assert reached(live) == [False]  # the hand is still on it …
+        mouse.move(end, height)
+        mouse.up()
+        assert reached(live) == [False]
+        mouse.move(end, height)
+        mouse.down()
+        mouse.move(middle, height)
+        mouse.up()
+        assert reached(live) == [True]  # … and here it has let go
 
 
 @each("figure", "figures", Figure)

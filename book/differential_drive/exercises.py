@@ -21,8 +21,8 @@ M12 = Mistake(
     says="with half the wheel distance in place of the whole",
     wrong=Wrong(formulas.turning_rate, {b: b / 2}),
     why="The right wheel circles around the left one at the whole distance b, not at the distance "
-    "from a wheel to the middle. The turning rate comes out twice too large.",
-    unnoticed="On a straight line, where the turning rate is zero either way.",
+    "from a wheel to the middle. The angular velocity comes out twice too large.",
+    unnoticed="On a straight line, where the angular velocity is zero either way.",
 )
 M13 = Mistake(
     "M13",
@@ -47,13 +47,14 @@ M31 = Mistake(
     says="when the wheel distance is counted twice",
     wrong=Wrong(formulas.turning_rate, {b: 2 * b}),
     why="Some books divide by 2d, where d is half the wheel distance. Here b is the whole distance "
-    "already; with 2b it is counted twice, and the turning rate comes out half as large as it is.",
+    "already; with 2b it is counted twice, and the angular velocity comes out half as "
+    "large as it is.",
     unnoticed="On a straight line.",
 )
 
 
 def twist(v_L, v_R, b):
-    """Speed and turning rate [v, omega] from wheel speeds."""
+    """Speed and angular velocity [v, omega] from wheel speeds."""
     return differential_drive.body_twist(v_L, v_R, 1.0, b)[[0, 2]]
 
 
@@ -180,7 +181,7 @@ differential_drive_3 = Exercise(
     },
     solution=Solution(
         "The ICR lies v/ω to the left of the robot, on the line of its axle; where that is "
-        "negative, to the right. So find the speed and the turning rate first:\n\n"
+        "negative, to the right. So find the speed and the angular velocity first:\n\n"
         "{v_}\n\n{omega_}\n\n{centre}",
         v_=Step(formulas.speed),
         omega_=Step(formulas.turning_rate),
@@ -214,7 +215,7 @@ differential_drive_4 = Exercise(
         ),
     },
     solution=Solution(
-        "One turn takes {time}, and on a circle the speed is radius times turning rate:\n\n"
+        "One turn takes {time}, and on a circle the speed is radius times angular velocity:\n\n"
         "{turning}\n\n{speed}\n\nEach wheel is half the wheel distance from the middle:\n\n{rates}",
         turning=Step(Line(planar.omega, 2 * pi / TIME, "rad/s")),
         speed=Step(Line(planar.v, RADIUS * planar.omega, "m/s")),
@@ -241,6 +242,9 @@ differential_drive_5 = Exercise(
     },
     also={
         M13.says: degrees_end,
+        "when the left and the right wheel are exchanged": lambda v_L, v_R, b, time: end(
+            v_R, v_L, b, time
+        ),
         "when the robot drives straight on and only then turns": partial(straight_end, 0.0),
         "when the robot turns first and then drives straight on": partial(straight_end, 1.0),
         "when the whole way is laid along the middle heading, not along the arc": partial(
@@ -248,7 +252,7 @@ differential_drive_5 = Exercise(
         ),
     },
     solution=Solution(
-        "Speed and turning rate come first:\n\n{v_}\n\n{omega_}\n\n"
+        "Speed and angular velocity come first:\n\n{v_}\n\n{omega_}\n\n"
         "The robot starts at the origin with heading 0 and keeps both for {time}, along an arc "
         "of radius v/ω:\n\n{arc}",
         v_=Step(formulas.speed),

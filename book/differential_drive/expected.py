@@ -9,7 +9,7 @@ UP = np.pi / 2  # the heading at the start
 
 
 def twist_of(v_left, v_right):
-    """Speed and turning rate of the robot in the figures; the wheel radius cancels."""
+    """Speed and angular velocity of the robot in the figures; the wheel radius cancels."""
     twist = differential_drive.body_twist(v_left, v_right, 1.0, DISTANCE)
     return twist[..., 0], twist[..., 2]
 
@@ -40,7 +40,7 @@ def tips_readouts(v_left, v_right):
 
 def infinity_readouts(share):
     """v_L, v_R, R."""
-    c, s = np.cos(share), np.sin(share)
+    c, s = np.cos(share), np.sin(share) * DISTANCE / 2 / 0.12  # m: how wide the map is
     speeds = 0.07 * (c - s), 0.07 * (c + s)
     return np.column_stack([*speeds, differential_drive.turning_radius(*speeds, DISTANCE)])
 

@@ -70,7 +70,7 @@ from workshop.figures import (
 )
 
 DISTANCE, RADIUS = 0.1, 0.03  # m, between the wheels, and of a wheel, as in the exercise
-ARROW = 1.5  # an arrow is as long as the way in 1.5 s
+ARROW = 1  # s: an arrow is as long as the way in this time, so that a slope is an ω
 ORIGIN, START = (0, 0), (0, 0, pi / 2)  # the robot looks along the world's y axis
 NO_ICR = {"inf": "none: straight", "nan": "any: at rest"}
 VELOCITY = ((b, DISTANCE), *solved(drive.speed, drive.turning_rate))
@@ -78,11 +78,11 @@ RADIUS_TOO = (*VELOCITY, *solved(drive.turning_radius))
 
 t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 100, "number of steps")
-share = quantity("share", "rad", -1.5, 1.5, "how the speed is shared between the wheels")
-power = quantity("power", "", 0, 16, "the turning rate is ten to the minus this", latex="p")
+share = quantity("share", "rad", -1.6, 1.6, "angle that shares the speed between the wheels")
+power = quantity("power", "", 0, 16, "the angular velocity is ten to the minus this", latex="p")
 guess_x = quantity("guess_x", "m", -0.3, 0.2, "where the reader guesses the robot, along x")
 guess_y = quantity("guess_y", "m", -0.1, 0.3, "where the reader guesses the robot, along y")
-believed_rate = quantity("believed_rate", "rad/s", -2, 2, "turning rate as a mistake makes it")
+believed_rate = quantity("believed_rate", "rad/s", -2, 2, "angular velocity as a mistake makes it")
 believed_heading = quantity("believed_heading", "rad", -99, 99, "heading as a mistake makes it")
 wish_x = quantity("wish_x", "m/s", -0.2, 0.2, "wished speed along the robot's own x axis")
 wish_y = quantity("wish_y", "m/s", -0.2, 0.2, "wished speed to the robot's left")
@@ -201,8 +201,14 @@ def park_figure() -> Figure:
         ),
         handles=pulled(),
         readouts=(
-            Readout("off", "off the mark", apart(end, MARK), "m"),
-            Readout("turned", "turned wrongly by", round_turn(end[2] - MARK[2]), "rad", digits=0),
+            Readout("off", "at the end: off the mark", apart(end, MARK), "m"),
+            Readout(
+                "turned",
+                "at the end: turned wrongly by",
+                round_turn(end[2] - MARK[2]),
+                "rad",
+                digits=0,
+            ),
         ),
         goal=Goal(parked(end, MARK), "Park the robot on the mark: within 2 cm and 5°."),
         size="step",
@@ -222,7 +228,7 @@ def exercise_figure() -> Figure:
             "A round robot from above that looks along the y axis of the world; its left wheel has "
             "a short arrow forward, its right wheel an arrow twice as long"
         ),
-        view=(-0.2, 0.2, -0.09, 0.18),
+        view=(-0.2, 0.2, -0.12, 0.18),
         controls=(),
         where=given,
         scene=(
@@ -232,7 +238,7 @@ def exercise_figure() -> Figure:
             *arrows(START, middle=False),
             Point("body", ORIGIN, "P"),
             AngleArc(theta, ORIGIN, 0, theta, 0.04),
-            Length(b, left, right, aside=0.06, label="b = 10 cm"),
+            Length(b, left, right, aside=-0.085, label="b = 10 cm"),
             Length(r, (-0.05, 0), (-0.05, -RADIUS), aside=-0.03, label="r = 3 cm"),
         ),
         readouts=(),
@@ -248,7 +254,7 @@ def tips_figure() -> Figure:
     return Figure(
         name="tips",
         title="The robot's wheel arrows, and the line through their tips down to the axle's line",
-        view=(-0.32, 0.17, -0.12, 0.26),
+        view=(-0.32, 0.17, -0.17, 0.2),
         controls=wheels_from(0.02, 0.14),
         where=RADIUS_TOO,
         scene=(
@@ -264,7 +270,7 @@ def tips_figure() -> Figure:
         handles=pulled(),
         readouts=(
             Readout(v, "speed v"),
-            Readout(omega, "turning rate ω"),
+            Readout(omega, "angular velocity ω"),
             Readout(R, "turning radius R", words=NO_ICR),
         ),
         size="step",
@@ -273,11 +279,10 @@ def tips_figure() -> Figure:
 
 def infinity_figure() -> Figure:
     """The ICR goes out to one side and comes back from the other; infinity is a point."""
-    deep, half = 0.12, DISTANCE / 2  # m: of the circle that touches the axle at P
-    low = -atan2(deep * sin(share), half * cos(share))  # half the angle from its lowest point
-    dot = (deep / 2 * sin(2 * low), -deep / 2 - deep / 2 * cos(2 * low))
+    deep = 0.12  # m: of the circle that touches the axle at P
+    dot = (-deep / 2 * sin(2 * share), -deep / 2 - deep / 2 * cos(2 * share))
     around = (deep / 2 * cos(s), -deep / 2 + deep / 2 * sin(s))
-    held = atan2(POINTER[0], -POINTER[1] - deep / 2) / 2
+    turn = DISTANCE / 2 / deep * sin(share)
     return Figure(
         name="infinity",
         title="The robot, its ICR on the axle's line, and a circle on which infinity is a point",
@@ -285,16 +290,16 @@ def infinity_figure() -> Figure:
         controls=(
             Slider(
                 share,
-                radians(-85),
-                radians(85),
-                start=radians(15),
+                radians(-90),
+                radians(90),
+                start=radians(40),
                 step=radians(1),
-                label="turning: right … left",
+                label="angle of the line at ∞",
             ),
         ),
         where=(
-            (v_L, 0.07 * (cos(share) - sin(share))),
-            (v_R, 0.07 * (cos(share) + sin(share))),
+            (v_L, 0.07 * (cos(share) - turn)),
+            (v_R, 0.07 * (cos(share) + turn)),
             *RADIUS_TOO,
         ),
         scene=(
@@ -305,13 +310,16 @@ def infinity_figure() -> Figure:
             *arrows(START, middle=False),
             Line("ghost", ((0, -deep), dot)),
             Line("ghost", (dot, (-R, 0))),
+            AngleArc("ghost", (0, -deep), pi, pi - share, 0.04, label=""),
+            Point("body", ORIGIN, "P"),
+            Label("ghost", (deep / 2, -deep / 2), "map"),
             Point("ghost", dot),
             Point("icr", (0, -deep), label="∞", edge=False),
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(
             Handle(
-                "the ICR on the circle", dot, {share: -atan2(half * sin(held), deep * cos(held))}
+                "the ICR on the map", dot, {share: atan2(-POINTER[0], -POINTER[1] - deep / 2) / 2}
             ),
         ),
         readouts=(
@@ -332,7 +340,7 @@ def world_figure() -> Figure:
     return Figure(
         name="world",
         title="The robot's velocity and its parts along the axes of the world",
-        view=(-0.2, 0.22, -0.16, 0.17),
+        view=(-0.14, 0.15, -0.11, 0.12),
         controls=(
             Slider(
                 theta,
@@ -383,7 +391,7 @@ def rates_figure() -> Figure:
         view=(-0.1, 0.38, -0.15, 0.18),
         controls=(
             Slider(v, 0.0, 0.1, start=0.05, step=0.005, label="speed v"),
-            Slider(omega, -1.0, 1.0, start=0.0, step=0.05, label="turning rate ω"),
+            Slider(omega, -1.0, 1.0, start=0.0, step=0.05, label="angular velocity ω"),
             Clock(t, 0.0, 1.5, start=0.0, step=0.05, loops=True, label="time"),
         ),
         where=((b, DISTANCE), (r, RADIUS), *solved(drive.wheel_speeds, drive.wheel_rates)),
@@ -399,7 +407,7 @@ def guess_figure() -> Figure:
     now = driven(t)
     return Figure(
         name="guess",
-        title="The robot of the exercise with its wheel arrows, and a mark to put where it will be",
+        title="The robot of the exercise with its wheel arrows, and your guess of where it will be",
         view=(-0.3, 0.2, -0.09, 0.3),
         controls=(
             Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="x"),
@@ -433,7 +441,7 @@ def arc_figure() -> Figure:
         title="A step along an arc: the chord from the old place to the new, the middle heading",
         view=(-0.3, 0.2, -0.09, 0.3),
         controls=(
-            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05, label="turning rate ω"),
+            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05, label="angular velocity ω"),
             Slider(dt, 0.5, 3.0, start=2.0, step=0.1, label="time Δt"),
         ),
         where=(
@@ -467,7 +475,7 @@ LEAST = 1e-18  # m: no error is drawn as this one
 
 def almost_figure() -> Figure:
     """The textbook's form and the chord, nearer and nearer to a straight line."""
-    graph = Graph((0.31, 0.55, 0.03, 0.27), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
+    graph = Graph((0.25, 0.56, 0.02, 0.29), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
     drive_on = {x: 0, y: 0, theta: SLANTED, v: FAST, dt: LONG}
     exact, textbook = (
         put_in(form, drive_on) for form in (motion.arc_step.right, motion.arc_step.textbook)
@@ -478,7 +486,7 @@ def almost_figure() -> Figure:
     return Figure(
         name="digits",
         title="Two robots, placed by the textbook's form and by the chord; the error against ω",
-        view=(-0.09, 0.58, -0.09, 0.33),
+        view=(-0.09, 0.6, -0.12, 0.34),
         controls=(Slider(power, 0.0, 16.0, start=1.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
         where=(
             (omega, Integer(10) ** (-power)),
@@ -500,7 +508,7 @@ def almost_figure() -> Figure:
             Handle("the dot in the graph", dot, {power: -log(graph.x_of(POINTER)) / log(10)}),
         ),
         readouts=(
-            Readout(omega, "turning rate ω", digits=-2),
+            Readout(omega, "angular velocity ω", digits=-2),
             Readout("error", "error, textbook's form", apart(LOST, exact), "m", digits=-2),
         ),
         grid=False,
@@ -633,7 +641,7 @@ def drive_figure() -> Figure:
         handles=pulled(),
         readouts=(
             Readout(v, "speed v"),
-            Readout(omega, "turning rate ω"),
+            Readout(omega, "angular velocity ω"),
             Readout(R, "turning radius R", words=NO_ICR),
             Readout("x", "x at this time", now[0], "m"),
             Readout("y", "y at this time", now[1], "m"),
@@ -642,7 +650,7 @@ def drive_figure() -> Figure:
         goal=(
             Goal(And(Abs(v_L) < 0.0005, Abs(v_R) > 0.01), "Turn about the left wheel."),
             Goal(
-                And(Abs(v_R - 3 * v_L) < 0.002, Abs(v_L) > 0.01),
+                And(Abs(Abs(v_R) - 3 * Abs(v_L)) < 0.002, Abs(v_L) > 0.01),
                 "Leave two tracks around one centre, the right one three times as long.",
             ),
             Goal(

@@ -38,9 +38,9 @@ def halved():
     """What becomes of that error with twice as many steps."""
     ratio = error(120) / error(60)
     return min(
-        ("as large", 1),
-        ("half as large", 1 / 2),
-        ("a quarter", 1 / 4),
+        ("the same", 1),
+        ("half as far", 1 / 2),
+        ("a quarter as far", 1 / 4),
         key=lambda o: abs(o[1] - ratio),
     )[0]
 
@@ -113,7 +113,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "where-after",
-        "The robot of the exercise drives for 2 s. Put the mark where P will be.",
+        "The robot of the exercise drives for 2 s. Drag *your guess* to where P will be.",
         Ghost(
             "guess",
             places=(guess_x, guess_y),
@@ -147,13 +147,13 @@ PREDICTIONS = (
     Prediction(
         "twice-as-many",
         "Many programs drive straight for a short time, then turn, and so on (Euler's method). "
-        "With twice as many steps, how large is the error?",
+        "With twice as many steps, how far off is the computed end?",
         Buttons(
-            ("as large", "half as large", "a quarter"),
+            ("the same", "half as far", "a quarter as far"),
             right=halved,
             assumes={
-                "as large": "Look at the dots of the graph: both go down to the left.",
-                "a quarter": "That is the rule with the middle heading.",
+                "the same": "Look at the dots of the graph: both go down to the left.",
+                "a quarter as far": "That is the rule with the middle heading.",
             },
         ),
         opens="The error falls with the step: slope 1 in the graph, *a method of order 1*. Steps "

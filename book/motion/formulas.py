@@ -9,7 +9,7 @@ y = quantity("y", "m", -2, 2, "position of the robot in the world")
 theta = quantity("theta", "rad", -3.14, 3.14, "heading: from the world's x axis to the robot's")
 v = quantity("v", "m/s", -1, 1, "speed of the robot along its own x axis, forward")
 v_y = quantity("v_y", "m/s", -1, 1, "speed of the robot along its own y axis, to the left")
-omega = quantity("omega", "rad/s", -6, 6, "turning rate, counter-clockwise")
+omega = quantity("omega", "rad/s", -6, 6, "angular velocity, counter-clockwise")
 dt = quantity("dt", "s", 0, 1, "length of a time step", latex=r"\Delta t")
 angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 

@@ -14,6 +14,7 @@ def latex(expression: Any, **settings: Any) -> str:
     text: str = sp.latex(expression, order="none", **settings)
     if r"\frac" in text:
         text = text.replace(r"\\", FRACTIONS_APART)
+    text = text.replace(r"} \frac", r"} \, \frac")  # two fractions side by side are two
     text = text.replace("^{T}", r"^{\top}")  # one sign for the transposed in the whole course
     return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
 

@@ -4,7 +4,13 @@ const STEPPING = /^(Arrow|Page|Home|End)/;
 
 const followControls = (live) => live.inputs.forEach((input) => {
   const inSteps = () => { input.step = live.figure.controls[input.dataset.i].step; };
-  input.addEventListener("pointerdown", inSteps);
+  input.addEventListener("pointerdown", (event) => {
+    inSteps();
+    if (event.button > 0 || input.type !== "range") return;
+    input.setPointerCapture(event.pointerId);
+    live.held = { by: input, state: live.state };
+  });
+  letGo(live, input);
   input.addEventListener("keydown", (event) => { if (STEPPING.test(event.key)) inSteps(); });
   input.addEventListener("input", () => {
     stops(live, Number(input.dataset.i));

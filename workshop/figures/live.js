@@ -116,9 +116,10 @@ class Live {
     this.all("[data-o]").forEach((output) => { output.textContent = shown(output.dataset.o); });
   }
 
-  // What is reached once stays so until a reset.
+  // What is passed over by a hand is not reached; what is reached once stays so until a reset.
   writeGoals() {
-    this.figure.goals.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
+    const now = this.held ? [] : this.figure.goals;
+    now.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
     this.all(".rk-goal").forEach((goal, k) => {
       const done = this.reached.has(k);
       if (goal.classList.contains("rk-done") === done) return;

@@ -3,7 +3,8 @@
 const controlName = ({ kind, label: words }) => {
   const swatch = kind ? `<svg class="rk-swatch" width="26" height="8" aria-hidden="true">`
     + `<path d="M0 4H26" ${stroke(kind)}/></svg>` : "";
-  return `<span class="rk-name">${swatch}${symbols(words)}</span>`;
+  const name = symbols(words).replace(/(^| )(Δ?\p{L})$/u, "$1<i>$2</i>"); // a letter at the end
+  return `<span class="rk-name">${swatch}${name}</span>`;
 };
 
 const choiceHtml = (control, i) => {

@@ -14,7 +14,7 @@ const plain = (options) => options.length
 const formHtml = ({ kind, options, units }) => `<form class="rk-guess">${
   kind === "buttons" ? options.map((option, k) =>
     `<button type="button" value="${k}" aria-pressed="false">${symbols(option)}</button>`).join("")
-  : kind === "ghost" ? `<span>Put the ghost where you think it belongs, then:</span> `
+  : kind === "ghost" ? `<span>Drag your guess to where you think it belongs, then:</span> `
     + `<button type="submit">Here</button>`
   : `<label>Your guess <input type="text" autocomplete="off" autocapitalize="off" spellcheck="false">`
     + `${units[0] ? ` ${escaped(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`

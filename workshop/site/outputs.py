@@ -26,6 +26,7 @@ from workshop.site.sources import depend
 from workshop.symbols.numbers import Slots
 
 T = TypeVar("T")
+WITH = '<p class="rk-with">With the numbers of the figure:</p>'
 NO_SCRIPT = (
     '<p class="rk-noscript">Without JavaScript these exercises can be read, with the numbers of '
     "somebody without a name; answers cannot be checked.</p>\n"
@@ -84,7 +85,7 @@ def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> l
     slots = Slots(told(find, name), told(find_figure, figure), env.docname.partition("/")[0])
     tex = told(lambda _: slots.tex(computed), name)
     node = nodes.math_block(tex, tex, number=None, nowrap=False, seen_only=True, marked=tex)
-    start = nodes.raw("", '<div class="rk-numbers">', format="html")
+    start = nodes.raw("", f'<div class="rk-numbers">{WITH}', format="html")
     said = f'<p class="rk-says">{slots.said()}</p></div>'
     return [start, node, nodes.raw("", said, format="html")]
 

@@ -74,6 +74,8 @@ class Slots:
                 f"{left} is no symbol"
             )
         self._refuse_unknown(left, "a readout")
+        if isinstance(right, NamedSymbol):  # its number is the result already
+            return lexicon.marked(self.chapter, left.latex), self._slot(left, result=True)
         right = put_in(right, self._steps())
         degrees, result = in_degrees(right) and not meets(right), self._slot(left, result=True)
         if left.unit == "rad" and not degrees:

@@ -45,7 +45,7 @@ def sources(package, suffixes, left_out=()):
     [
         ("robokin", [".py"], []),
         ("workshop", [".py", ".js", ".css"], []),
-        ("book", [".py"], ["book/_*/*", "test_*.py", "expected.py"]),
+        ("book", [".py", ".ipynb"], ["book/_*/*", "test_*.py", "expected.py"]),
     ],
 )
 def test_a_wheel_holds_its_package_and_nothing_else(wheels, package, suffixes, left_out):

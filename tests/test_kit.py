@@ -106,6 +106,7 @@ def test_the_site_works_from_a_stick(site, chromium, tmp_path):
     home = (tmp_path / "robokin-site").as_uri() + "/"
     with watched_page(chromium, home) as (page, watch):
         page.goto(home + "differential_drive/differential_drive.html")
+        assert not page.locator(".dropdown-run-buttons a[href^='../']").count()
         figure = page.locator("figure#wheel-speeds")
         before = figure.locator("dd").all_inner_texts()
         figure.locator("input[type=range]").first.press("ArrowRight")

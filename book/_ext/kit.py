@@ -11,7 +11,8 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 from workshop.site.files import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
-LEFT_OUT = ("lite/", ".")  # JupyterLite needs a server; files of the build
+# JupyterLite and Python in the page need a server; names with a dot are the build's own
+LEFT_OUT = ("lite/", "_static/python/", ".")
 
 
 def write_zip(target, files):

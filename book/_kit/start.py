@@ -18,7 +18,7 @@ READY = ENVIRONMENT / "ready"
 
 def set_up():
     """An environment with the packages of the list, each as its hash says, and the course."""
-    print("Setting up, once. This needs about 500 MB on the disk and some minutes.", flush=True)
+    print("Setting up, once: loading 100 MB, which become 500 MB on the disk.", flush=True)
     venv.create(ENVIRONMENT, clear=True, with_pip=True)
     pip = [str(PYTHON), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     source = ["--no-index", "--find-links", str(PACKAGES)] if PACKAGES.is_dir() else []

@@ -31,6 +31,9 @@ const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
     return [...steps.slice(0, -1), `${steps.at(-1)}\n\n${part}`];
   }, []) : [];
 
+// All of it, for paper.
+const solutionHtml = (text, shown) => paragraphs(filled(text, shown));
+
 // A matrix can be typed entry by entry, too.
 const gridHtml = ({ shape: [rows, columns] = [] }) => columns ? `<details class="rk-grid">`
   + `<summary>Type it entry by entry</summary><table>${Array.from({ length: rows }, (_, i) =>
@@ -218,4 +221,4 @@ class Box {
   }
 }
 
-Object.assign(part, { exerciseHtml, stepsOf });
+Object.assign(part, { exerciseHtml, solutionHtml, stepsOf });

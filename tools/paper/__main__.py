@@ -12,10 +12,10 @@ from dataclasses import dataclass
 
 import chromium
 import yaml
-from paper import epub, pdf
-from paper.pages import BUILD, ROOT
 
 import book
+from paper import epub, pdf
+from paper.pages import BUILD, ROOT
 from workshop.practice import page
 from workshop.practice.bank import default_salt, exercises
 

@@ -10,7 +10,6 @@ from html import escape, unescape
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile
 
 from paper.pages import BUILD, HERE, SITE, pages
-
 from workshop.figures.figure import plain
 
 TARGET = BUILD / "robokin.epub"
@@ -61,8 +60,8 @@ DOCUMENT = """<?xml version="1.0" encoding="UTF-8"?>
 """  # noqa: E501
 COVER = """<body style="margin: 0; height: 100vh; display: grid; place-content: center; gap: 40px;
 font: 30px sans-serif; text-align: center; background: #fff; color: #16202c">
-<div style="font-size: 100px; font-weight: 700">{title}</div><div style="width: 560px; margin: auto">
-{claim}</div></body>"""
+<div style="font-size: 100px; font-weight: 700">{title}</div>
+<div style="width: 560px; margin: auto">{claim}</div></body>"""
 
 
 def contents(given):

@@ -49,11 +49,16 @@ const withoutControls = (article) => {
   all(article, ":is(.rk-controls, .rk-readouts, .rk-panel):empty").forEach((box) => box.remove());
 };
 
-const withSolutions = ({ name, article }, solutions) => name === SOLVED
-  && all(article, ".rk-exercise").forEach((box) => {
-    const html = solutions[box.id];
-    if (html) box.insertAdjacentHTML("beforeend", `<details><summary>Solution</summary>${html}</details>`);
-  });
+// The exercises of a chapter stand on one more page, and there they have their solutions.
+const withSolutions = ({ name, article }, solutions) => {
+  if (!Object.keys(solutions).length) return;
+  if (name !== SOLVED) {
+    return all(article, ".paper-note").forEach((note) => note.insertAdjacentHTML("beforeend",
+      ` The solutions stand in the part <a href="/${SOLVED}.html">Practice</a>.`));
+  }
+  all(article, ".rk-exercise").forEach((box) => box.insertAdjacentHTML("beforeend",
+    `<details><summary>Solution</summary><div class="rk-ladder">${solutions[box.id]}</div></details>`));
+};
 
 // folds: "open", "gone", or "kept" where a reader can open them. The fold of a cell says how to open
 // it, and no more.
@@ -137,8 +142,8 @@ const titleOf = (heading) => {
 const paper = (given, solutions, { link, folder, mathml, folds }) => {
   const pages = given.map(read);
   for (const page of pages) {
-    withSolutions(page, solutions);
     withoutControls(page.article);
+    withSolutions(page, solutions);
     page.ids = new Set(all(page.article, "[id]").map(({ id }) => id));
     page.titles = all(page.article, "h1, h2").map((heading) => ({
       title: titleOf(heading), level: Number(heading.tagName[1]),

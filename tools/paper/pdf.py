@@ -99,7 +99,7 @@ def make(browser, book, folds):
     """Write the PDF; how many pages it has."""
     title = book.title
     options = {"link": "#ID", "folder": "../html/", "mathml": False, "folds": folds}
-    given = pages(browser, book.solutions, **options)
+    given = pages(browser, book.solutions if folds == "open" else {}, **options)
     links = max((page.styles for page in given), key=len)
     links = "\n".join(f'<link rel="stylesheet" href="{escape(each)}"/>' for each in links)
     own = (HERE / "pdf.css").read_text("utf-8")
@@ -108,7 +108,9 @@ def make(browser, book, folds):
     text = printed(browser, "text", title=title, links=links, style=own + heads, body=body)
     entries = list(outlined(text))
     lines = contents(entries, [page.part for page in given])
-    body = FRONT.format(title=escape(title), claim=escape(book.claim), rights=book.rights, lines=lines)
+    body = FRONT.format(
+        title=escape(title), claim=escape(book.claim), rights=book.rights, lines=lines
+    )
     front = printed(browser, "front", title=title, links=links, style=own, body=body)
     writer = joined(front, text, entries, title)
     writer.write(TARGET)

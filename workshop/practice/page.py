@@ -115,6 +115,4 @@ def solution(name: str, salt: str) -> str:
     """The worked solution of what `box` asks, as HTML."""
     exercise = dealing.find(name)
     text = exercise.solution_text
-    return str(
-        engine.call("workshop.practice.solutionHtml", text, _nobody(exercise, salt, text))
-    )
+    return str(engine.call("workshop.practice.solutionHtml", text, _nobody(exercise, salt, text)))

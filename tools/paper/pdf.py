@@ -4,6 +4,7 @@ The contents need the numbers of the text's pages, which are known once it is pr
 holds them. Where a line of the contents leads is an address until both are joined.
 """
 
+import logging
 import re
 from html import escape
 from io import BytesIO
@@ -78,6 +79,7 @@ def contents(entries, parts):
 
 def joined(front, text, entries, title):
     """Contents and text as one, with the contents' links into the text."""
+    logging.getLogger("pypdf").setLevel(logging.ERROR)  # it wonders at objects that it adds
     writer = PdfWriter(clone_from=text)
     before = len(front.pages)
     writer.merge(0, front, import_outline=False)

@@ -12,9 +12,11 @@ const RUNGS = ["Where should I look?", "Show the first step", "Show the next ste
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
 
-// Lists in a list as a matrix.
+// Lists in a list as a matrix. In a cell letters and indices stand in one span: in mathematics each
+// would have a line of its own.
 const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
-const cells = (row) => row.split(/, (?![^(]*\))/).map((cell) => `<mtd><mtext>${cell}</mtext></mtd>`).join("");
+const cells = (row) => row.split(/, (?![^(]*\))/)
+  .map((cell) => `<mtd><mtext><span>${cell}</span></mtext></mtd>`).join("");
 const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mtable>${
   rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
 }</mtable></math>`);

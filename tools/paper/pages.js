@@ -3,7 +3,7 @@
 
 const GONE = `.headerlink, .copybtn, .site-paper, .rk-desk, .rk-training, .rk-row,
   .rk-grid, .rk-verdict, .rk-read, .rk-ladder, .rk-help, .rk-guess, .rk-said, .rk-view, .rk-turning,
-  .rk-buttons, .rk-play, .rk-passed, .rk-figure > .rk-says, .rk-goal output, .rk-control input, script, style`;
+  .rk-buttons, .rk-passed, .rk-figure > .rk-says, button, input, output, script, style`;
 // what is in them is kept, in elements that are no control
 const PLAIN = { form: "div", label: "div", article: "section" };
 const NOBODY = "On the site each student gets numbers of their own, and answers are checked. Here "

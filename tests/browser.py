@@ -20,10 +20,13 @@ from urllib.parse import urlsplit
 
 import pytest
 from chromium import started
+from playwright.sync_api import expect
 
 ROOT = Path(__file__).resolve().parents[1]
 SITE = ROOT / "_build" / "html"
 WAIT = 1200  # seconds for another worker's build; it fails before, if it does
+
+expect.set_options(timeout=30_000)  # ms, as all other waits; on a busy machine 5 s are too few
 
 # --- the site -------------------------------------------------------------------------------
 

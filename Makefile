@@ -1,6 +1,7 @@
 # make book    set everything up and build the site        make test          all tests
 # make serve   look at the site                            make test T=motion   one topic
-# make lab     open the notebooks in JupyterLab            make test-long      longer sweeps too
+# make lab     open the notebooks in JupyterLab            make test-long      longer sweeps
+# make paper   the book as PDF and EPUB; make book after it links them
 # make notebooks, make check, make lock, make clean: see CONTRIBUTING.md
 
 PYTHON ?= python3
@@ -13,10 +14,10 @@ SITE := _build/html/.built
 BUILD := $(BIN)/jupyter-book build book --config _config.yml \
 	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
-	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
+	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') $(wildcard _build/robokin.*)
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab hosted test test-long test-anywhere measure screenshots check notebooks lock bench mutate lowest clean
+.PHONY: book paper test-paper serve lab hosted test test-long test-anywhere measure screenshots check notebooks lock bench mutate lowest clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -47,10 +48,14 @@ hosted: $(SITE)
 lab: $(READY)
 	$(BIN)/jupyter lab book
 
+FOLDS := open
+
+paper: $(SITE)
+	PYTHONPATH=tools $(BIN)/python -m paper --folds $(FOLDS)
+
 # The library's tests run once, against the wheel that a user installs.
 LIBRARY := _build/library
 UNDER_TEST := PYTHONPATH="$(CURDIR)/$(LIBRARY)" ROBOKIN_UNDER_TEST="$(CURDIR)/$(LIBRARY)"
-ORDINARY := not measure and not screenshots and not anywhere
 PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --dist
 
 $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
@@ -60,12 +65,11 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not long and $(ORDINARY)" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
-test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "$(ORDINARY)" $(if $(T),-k $(T)) tests book
-	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
+test-long: $(LIBRARY)/.ready
+	$(PYTEST) worksteal -m long $(if $(T),-k $(T)) tests book
 
 test-anywhere: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m anywhere tests
@@ -78,6 +82,9 @@ check: $(READY)
 
 screenshots: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
+
+test-paper: paper
+	$(BIN)/pytest -m paper tests/test_paper.py
 
 measure: $(LIBRARY)/.ready
 	$(UNDER_TEST) $(BIN)/pytest -q -s -m measure tests
@@ -122,7 +129,7 @@ mutate: .venv-mutate/.ready
 	@touch $@
 
 lowest: .venv-lowest/.ready
-	.venv-lowest/bin/pytest -n 2 -m "not long" book
+	.venv-lowest/bin/pytest -n 2 book
 	.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(wildcard book/*/*.ipynb)
 
 clean:

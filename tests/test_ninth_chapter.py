@@ -139,8 +139,6 @@ def test_the_machine_s_tests_hold_it(tree, site):
         "-q",
         "-p",
         "no:cacheprovider",
-        "-m",
-        "not long and not measure and not screenshots and not anywhere",
         "-k",
         "beacon",
     )

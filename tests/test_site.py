@@ -170,6 +170,8 @@ def test_on_paper(site, server, chromium):
         assert page.evaluate(state, "beforeprint") == ["light", 0]
         page.emulate_media(media="print")
         assert not page.locator(".bd-sidebar-primary, .bd-header-article").first.is_visible()
+        assert page.locator(".rk-readouts dd").first.is_visible()
+        assert not page.locator(".rk-panel :is(input, button)").first.is_visible()
         code = page.locator(".cell_input pre").first
         assert code.evaluate("(each) => getComputedStyle(each).whiteSpace") == "pre-wrap"
         assert not watch.errors

@@ -175,12 +175,18 @@ class Figure:
 
 def light(svg: str) -> str:
     """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
-    plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
-    plain = re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, plain)
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
-        r'(?<= d=")[^"]+', lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]), plain
+        r'(?<= d=")[^"]+',
+        lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]),
+        plain(svg),
     )
+
+
+def plain(svg: str) -> str:
+    """Pictures with the colours of a light page in place of names for them."""
+    named = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    return re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, named)
 
 
 def _mixed(found: re.Match[str]) -> str:

@@ -12,9 +12,11 @@ const RUNGS = ["Where should I look?", "Show the first step", "Show the next ste
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
 
-// Lists in a list as a matrix.
+// Lists in a list as a matrix. In a cell letters and indices stand in one span: in mathematics each
+// would have a line of its own.
 const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
-const cells = (row) => row.split(/, (?![^(]*\))/).map((cell) => `<mtd><mtext>${cell}</mtext></mtd>`).join("");
+const cells = (row) => row.split(/, (?![^(]*\))/)
+  .map((cell) => `<mtd><mtext><span>${cell}</span></mtext></mtd>`).join("");
 const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mtable>${
   rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
 }</mtable></math>`);
@@ -30,6 +32,9 @@ const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
     if (last === undefined || (FORMULA.test(last) && !FORMULA.test(part))) return [...steps, part];
     return [...steps.slice(0, -1), `${steps.at(-1)}\n\n${part}`];
   }, []) : [];
+
+// All of it, for paper.
+const solutionHtml = (text, shown) => paragraphs(filled(text, shown));
 
 // A matrix can be typed entry by entry, too.
 const gridHtml = ({ shape: [rows, columns] = [] }) => columns ? `<details class="rk-grid">`
@@ -218,4 +223,4 @@ class Box {
   }
 }
 
-Object.assign(part, { exerciseHtml, stepsOf });
+Object.assign(part, { exerciseHtml, solutionHtml, stepsOf });

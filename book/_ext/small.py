@@ -15,6 +15,7 @@ OWN = (
     "search.js",
     "minisearch.js",
     "workshop/*.js",
+    "run/*.js",
     "pages/*.js",
 )  # the theme's are small already
 BEFORE = "globalThis.sourceMap = {}; globalThis.performance = Date; globalThis.process = {env: {}};"

@@ -1,8 +1,8 @@
 """Python in the page: runs the cells of a chapter, and says what they show.
 
-The worker (`worker.js`) gives this file to Python, which is not installed there but loaded. Packages
-come late: an import is done when its name is first used, so that a cell that only computes does
-not wait for what draws and derives.
+The worker (`worker.js`) gives this file to the Python that it has loaded. Packages come late: an
+import is done when its name is first used, so that a cell that only computes does not wait for
+what draws and derives.
 """
 
 import ast
@@ -22,13 +22,12 @@ MOST = 20_000  # characters that a cell may print: more than a page can show
 PICTURES = ("image/png", "image/svg+xml")
 # the first of these that a value has is shown
 SHOWN = (*PICTURES, "text/html", "text/latex", "text/plain")
-BRACKETS = {tuple: "()", list: "[]"}
+BRACKETS: dict[type, tuple[str, str]] = {tuple: ("(", ")"), list: ("[", "]")}
 METHODS = {
     "image/svg+xml": "_repr_svg_",
     "text/html": "_repr_html_",
     "text/latex": "_repr_latex_",
 }
-
 
 
 class Still:
@@ -43,7 +42,6 @@ class Still:
 
     def observe(self, handler: Callable[..., None], names: str) -> None:
         """Nobody moves it."""
-
 
 
 def start(say: Callable[[str, str], None], packages: list[str]) -> "Cells":

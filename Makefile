@@ -17,7 +17,7 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab test test-long measure screenshots check notebooks lock bench mutate lowest clean FORCE
+.PHONY: book serve lab hosted test test-long test-anywhere measure screenshots check notebooks lock bench mutate lowest clean FORCE
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -46,12 +46,16 @@ serve: $(SITE)
 	@echo "http://127.0.0.1:8000 - stop with Ctrl-C"
 	$(BIN)/python -m http.server -b 127.0.0.1 -d _build/html 8000
 
+hosted: $(SITE)
+	$(BIN)/python tools/hosted.py
+
 lab: $(READY)
 	$(BIN)/jupyter lab book
 
 # The library's tests run once, against the wheel that a user installs.
 LIBRARY := _build/library
 UNDER_TEST := PYTHONPATH="$(CURDIR)/$(LIBRARY)" ROBOKIN_UNDER_TEST="$(CURDIR)/$(LIBRARY)"
+ORDINARY := not measure and not screenshots and not anywhere
 PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --dist
 
 $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
@@ -61,12 +65,15 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not long and not measure and not screenshots" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m "not long and $(ORDINARY)" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not measure and not screenshots" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m "$(ORDINARY)" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
+
+test-anywhere: $(LIBRARY)/.ready
+	$(PYTEST) worksteal -m anywhere tests
 
 check: $(READY)
 	$(BIN)/ruff check .
@@ -83,9 +90,13 @@ measure: $(LIBRARY)/.ready
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)
 
+LOCKED = $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
+	--custom-compile-command "make lock" $(LOCK) --no-emit-package robokin \
+	--no-emit-package robokin-workshop --no-emit-package robokin-book
+
 lock: $(READY)
-	$(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
-		--custom-compile-command "make lock" $(LOCK) requirements.in -o requirements.txt
+	$(LOCKED) requirements.in -o requirements.txt
+	$(LOCKED) -c requirements.txt requirements-light.in -o requirements-light.txt
 
 # With environments of their own: the peers that robokin is timed against, the mutation tool, and
 # the lowest versions that the wheels say they work with (and the newest of what tests need).

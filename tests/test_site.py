@@ -6,7 +6,6 @@ import subprocess
 from html import unescape
 from pathlib import Path
 from types import SimpleNamespace
-from zipfile import ZipFile
 
 import pytest
 
@@ -297,18 +296,3 @@ def test_the_teacher_s_commands_know_the_course_of_the_site(tmp_path, line, name
     known.folder = tmp_path / "book"
     assert known.setting("course_name") == name
     assert known.setting("course_nothing") == ""
-
-
-def test_downloaded_notebooks_find_what_they_need(site):
-    """The wheel and the lock stand beside the notebooks, where the first page links to them."""
-    links = re.findall(
-        r'href="(_sources/[^"]+)" download', (site / "intro.html").read_text("utf-8")
-    )
-    assert {Path(link).suffix for link in links} == {".txt", ".whl"}
-    assert all((site / link).is_file() for link in links)
-    assert list((site / "_sources").glob("*/differential_drive.ipynb"))
-    wheels = [site / link for link in links if link.endswith(".whl")]
-    names = {name for wheel in wheels for name in ZipFile(wheel).namelist()}
-    assert {"robokin/motion.py", "workshop/figures/live.js", "book/bicycle/figures.py"} <= names
-    lock = (site / "_sources" / "requirements.txt").read_text("utf-8")
-    assert lock == (ROOT / "requirements.txt").read_text("utf-8")

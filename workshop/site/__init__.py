@@ -4,8 +4,7 @@ A cell's formula becomes a numbered equation, a cell's figure its still picture 
 takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
 against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
 `{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
-`{promise}` (what was counted and checked), `{library}` (its functions), `{downloads}` (what
-notebooks need).
+`{promise}` (what was counted and checked), `{library}` (its functions).
 Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
 picks each student's numbers; without one the course's own name), `course_solutions`,
 `course_wheels` and `course_lock` (what a downloaded notebook needs), `course_python` (where the
@@ -26,7 +25,7 @@ from workshop.course import course
 from workshop.site import predictions, run
 from workshop.site.checks import FormulaChecks
 from workshop.site.directives import Errata, Library, Notation, Practice
-from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
+from workshop.site.files import add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
 from workshop.symbols.page import mark_formulas, mark_page
@@ -89,7 +88,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("html-page-context", add_assets)
     predictions.setup(app)
     run.setup(app)
-    app.add_directive("downloads", Downloads)
     app.connect("env-updated", write_assets)
     app.connect("build-finished", write_downloads)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

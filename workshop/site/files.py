@@ -5,10 +5,8 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from docutils import nodes
 from hatchling.builders.wheel import WheelBuilder
 from sphinx.application import Sphinx
-from sphinx.util.docutils import SphinxDirective
 
 from workshop.course import course
 from workshop.figures.compiling import Code, javascript
@@ -62,18 +60,6 @@ def write_static(app: Sphinx, name: str, text: str) -> None:
     file.write_text(text, encoding="utf-8")
 
 
-class Downloads(SphinxDirective):
-    """Links to what a downloaded notebook needs."""
-
-    def run(self) -> list[nodes.Node]:
-        """The wheel and the locked requirements, which stand beside the notebooks."""
-        projects = map(_project, self.config.course_wheels)
-        names = [Path(self.config.course_lock).name, *(wheel_name(project) for project in projects)]
-        root = "../" * self.env.docname.count("/")
-        links = (f'<a href="{root}_sources/{name}" download>{name}</a>' for name in names)
-        return [nodes.raw("", f"<p>{' · '.join(links)}</p>", format="html")]
-
-
 def write_downloads(app: Sphinx, error: Exception | None) -> None:
     """The wheels and the locked requirements, beside the notebooks."""
     if error or app.builder.format != "html":
@@ -89,8 +75,8 @@ def _project(name: str) -> Path:
     return course().folder.parent / name
 
 
-def wheel_name(project: Path) -> str:
+def wheel_name(project: str) -> str:
     """What the wheel of a project will be called."""
-    metadata = WheelBuilder(str(project)).metadata
+    metadata = WheelBuilder(str(_project(project))).metadata
     name = metadata.core.name.replace("-", "_")
     return f"{name}-{metadata.version}-py3-none-any.whl"

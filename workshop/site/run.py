@@ -56,7 +56,7 @@ def write_files(app: Sphinx, env: Any) -> None:
     for name, text in run.fetched().items():
         write_static(app, f"run/{name}", text)
     folder, katex = own_python(app), app.config.course_katex
-    wheels = [wheel_name(course().folder.parent / name) for name in app.config.course_wheels]
+    wheels = [wheel_name(name) for name in app.config.course_wheels]
     settings = {
         "python": f"../{FOLDER}/" if folder else app.config.course_python,
         "katex": f"../{katex}" if katex else "",

@@ -14,6 +14,7 @@ import zipfile
 from importlib.metadata import distribution, version
 from pathlib import Path
 
+import nbformat
 from sphinx.util import logging
 
 from workshop.course import course
@@ -25,7 +26,6 @@ logger = logging.getLogger(__name__)
 LOCK = Path(__file__).parents[1] / "_vendor" / "pyodide" / "pyodide-lock.json"
 KERNEL = "@jupyterlite/pyodide-kernel-extension:kernel"
 KERNELSPEC = {"name": "python", "display_name": "Python (Pyodide)", "language": "python"}
-TEXT = {".ipynb_checkpoints", "__pycache__"}
 # what widgets need and Pyodide has not: taken from what is installed here, name → what it needs
 WIDGETS = {
     "comm": ("traitlets",),
@@ -62,7 +62,7 @@ def write_notebooks(folder):
     for chapter in course().chapters:
         file = course().notebook(chapter)
         if file.exists():
-            notebook = json.loads(file.read_text("utf-8"))
+            notebook = nbformat.read(file, as_version=4)  # texts whole, not by lines
             notebook["metadata"]["kernelspec"] = KERNELSPEC
             text = json.dumps(notebook, ensure_ascii=False)
             (folder / notebook_name(chapter)).write_text(text, "utf-8")

@@ -69,7 +69,17 @@ def had():
             archive.extractall(CACHE, filter="data")
         pins = [f"{name}=={package['version']}" for name, package in pure().items()]
         pip = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps"]
-        pip += ["--only-binary", ":all:", "--python-version", "3.14", "--platform", "any", "--dest", str(CACHE / "package"), *pins]
+        pip += [
+            "--only-binary",
+            ":all:",
+            "--python-version",
+            "3.14",
+            "--platform",
+            "any",
+            "--dest",
+            str(CACHE / "package"),
+            *pins,
+        ]
         subprocess.run(pip, check=True)
         (CACHE / ".ready").touch()
     return CACHE / "package"

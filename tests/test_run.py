@@ -1,26 +1,28 @@
 """*Run* under a page's cells: what it needs, what it loads and when, and what runs them there.
 
-The minutes of real Python in a browser are in `test_run_in_browser.py` (`make test-anywhere`).
+With a real Python in a browser: `test_in_browser.py` (`make test-anywhere`).
 """
 
 import ast
 import builtins
 import itertools
 import json
+import subprocess
+import sys
 
 import pytest
 from support import ROOT
 
 import book  # noqa: F401 (opens the course)
 from workshop.course import course
-from workshop.run.cells import Cells
+from workshop.run.cells import Cells, start
 
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
 
 from browser import compressed, watched_page  # noqa: E402
+from pyodide import PLACE  # noqa: E402
 
-PLACE = "https://cdn.jsdelivr.net/pyodide/v314.0.6/full/"
 PAGE = "differential_drive/differential_drive.html"
 SMALL = 1000  # bytes, compressed: what a page may load of this before it is asked for
 CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
@@ -60,6 +62,48 @@ def test_the_cells_on_a_page_need_no_cell_that_is_not_there(chapter):
         known |= names(tree, ast.Store)
         unknown = names(tree, ast.Load) - known
         assert not unknown, f"{source}\nuses {unknown}: import or compute it in a shown cell"
+
+
+OWN_PROCESS = "import sys, test_run; test_run.assert_as_stored(sys.argv[1])"
+
+
+@pytest.mark.anywhere
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_the_cells_on_a_page_give_what_is_stored(chapter):
+    """All of them, in order, by what runs them in a page, but in this Python."""
+    command = [sys.executable, "-W", "error", "-c", OWN_PROCESS, chapter]
+    run = subprocess.run(command, cwd=ROOT / "tests", capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+
+
+def assert_as_stored(chapter):
+    """In a process of its own: what gets a Python ready for a page changes it."""
+    said = []
+    cells = start(lambda kind, text: said.append((kind, text)), ["numpy", "sympy", "matplotlib"])
+    for number, cell in enumerate(shown_cells(chapter), 1):
+        said.clear()
+        source = "".join(cell["source"])
+        cells.needs(source)
+        assert cells.run(source, f"cell {number}"), (source, said)
+        assert told(said) == stored(cell), source
+
+
+def told(said):
+    """What a run has said: its text, its formulas, how many pictures."""
+    text = "".join(text for kind, text in said if kind in ("stdout", "stderr", "text/plain"))
+    kinds = [kind for kind, _ in said]
+    tex = [text for kind, text in said if kind == "text/latex"]
+    return text.strip(), tex, kinds.count("image/png")
+
+
+def stored(cell):
+    """The same of the outputs that stand in a notebook."""
+    said = []
+    for output in cell["outputs"]:
+        data = output.get("data", {"stdout": output.get("text")})
+        kind = next(k for k in ("image/png", "text/latex", "text/plain", "stdout") if k in data)
+        said.append((kind, "".join(data[kind])))
+    return told(said)
 
 
 # --- cells ----------------------------------------------------------------------------------

@@ -85,7 +85,7 @@ def write_packages(app, folder):
     """The course's wheels and the widgets', and the list of all packages."""
     folder.mkdir(parents=True)
     lock = json.loads(LOCK.read_text("utf-8"))
-    place = own_python(app) and f"../../_static/{FOLDER}/" or app.config.course_python
+    place = (own_python(app) and f"../../_static/{FOLDER}/") or app.config.course_python
     for entry in lock["packages"].values():
         entry["file_name"] = place + entry["file_name"]
     for name, needs in WIDGETS.items():

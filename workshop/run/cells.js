@@ -36,7 +36,7 @@ class Cell {
   open() {
     this.code.contentEditable = "plaintext-only";
     if (this.code.contentEditable !== "plaintext-only") this.code.contentEditable = "true";
-    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox" });
+    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox", tabIndex: 0 });
     this.code.ariaMultiLine = "true";
     this.code.ariaLabel = `Code of cell ${this.k + 1}`;
     this.code.addEventListener("input", () => { this.reset.hidden = false; });
@@ -172,6 +172,7 @@ const run = async (k) => {
     clearTimeout(heard);
     running = null;
     draw();
+    cell.bar.dispatchEvent(new Event("workshop:ran"));
   }
 };
 

@@ -13,7 +13,6 @@ from typing import Any
 from sphinx.application import Sphinx
 
 from workshop import run
-from workshop.course import course
 from workshop.errors import CourseError
 from workshop.site.files import wheel_name, write_static
 

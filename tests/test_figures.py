@@ -576,7 +576,7 @@ def kept_figures():
 def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
     """What is compiled is made when the page is: the figure that the chapter declares."""
     data = kept_figures()[figure.name]
-    new = figure._repr_mimebundle_()
+    new, _ = figure._repr_mimebundle_()
     assert data == {key: new[key] for key in (MIME, "text/plain", "image/svg+xml")}, (
         "the stored figure is old: run `make notebooks`"
     )

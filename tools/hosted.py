@@ -25,11 +25,7 @@ import os
 import sys
 
 if "google.colab" in sys.modules or "KAGGLE_KERNEL_RUN_TYPE" in os.environ:
-    %pip install --quiet {wheels}
-    if "google.colab" in sys.modules:
-        from google.colab import output
-
-        output.enable_custom_widget_manager()  # for the live figures"""
+    %pip install --quiet {wheels}"""
 
 
 def installing(address, wheels):

@@ -165,12 +165,12 @@ class Figure:
             _refuse_outside(key, value, known[key])
         self.widget.state = {**self.widget.state, **values}
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """The widget; its name, by which a page finds it; for all others a still picture."""
-        data = {**self.widget.data(), "text/plain": self.title, MIME: {"name": self.name}}
+        others = {"text/plain": self.title, MIME: {"name": self.name}}
         if engine.available():
-            data["image/svg+xml"] = light(self.picture())
-        return data
+            others["image/svg+xml"] = light(self.picture())
+        return self.widget.output(others)
 
 
 def light(svg: str) -> str:

@@ -108,13 +108,9 @@ class Box:
         if answer:
             self._keep(answer, result)
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         plain = f"{self.exercise.title}\n\n{self.text}\n\nAsked: {judging.asked(self.exercise)}"
-        return {
-            **self.widget.data(),
-            "text/plain": plain,
-            page.MIME: {"name": self.exercise.name},
-        }
+        return self.widget.output({"text/plain": plain, page.MIME: {"name": self.exercise.name}})
 
 
 def exercise(name: str, student: str | int | None = None, course: str | None = None) -> Box:

@@ -20,11 +20,13 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Error, sync_playwright
+from playwright.sync_api import Error, expect, sync_playwright
 
 ROOT = Path(__file__).resolve().parents[1]
 SITE = ROOT / "_build" / "html"
 WAIT = 1200  # seconds for another worker's build; it fails before, if it does
+
+expect.set_options(timeout=30_000)  # ms, as all other waits; on a busy machine 5 s are too few
 
 ARGUMENTS = [
     "--no-sandbox",

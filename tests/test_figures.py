@@ -711,6 +711,16 @@ SHOW = """(svg) => new Promise((standing) => {
 })"""
 
 
+UNFOLD = """(figure) => {
+  for (let at = figure; at; at = at.parentElement) {
+    if (at.matches("details")) at.open = true;
+    if (at.matches(".rk-prediction")) at.classList.add("rk-answered");
+  }
+}"""
+FITS = """(name) => {
+  const svg = document.getElementById(name).querySelector(".rk-picture svg");
+  return svg.clientWidth >= 240 && svg.clientWidth === svg.parentElement.clientWidth;
+}"""
 MADE = "(name) => document.getElementById(name).workshop.state[0][1] === 1"
 OPENED = "(input) => { const fold = input.closest('details'); if (fold) fold.open = true; }"
 
@@ -725,9 +735,15 @@ class OnPage:
         self.picture = self.root.locator(".rk-picture svg")
 
     def come_alive(self):
-        """Wait until the script has taken over."""
+        """In sight, wait until the script draws it."""
+        self.unfold()
         self.page.wait_for_selector(f"#{self.figure.name}.rk-live")
+        self.page.wait_for_function(FITS, arg=self.figure.name)
         return self
+
+    def unfold(self):
+        """Open the folds around it: what a prediction shows."""
+        self.root.evaluate(UNFOLD)
 
     def state(self):
         """What the controls stand at, in the units they show; drawn to the end first."""
@@ -802,14 +818,6 @@ class OnPage:
         return self.picture.locator("[role=img]").get_attribute("aria-label")
 
 
-# what a prediction opens may hold a figure
-UNFOLD = """(name) => {
-  for (let at = document.getElementById(name); at; at = at.parentElement) {
-    if (at.matches("details")) at.open = true;
-  }
-}"""
-
-
 @pytest.fixture(scope="session")
 def visit(chromium, server, page_of):
     """Opens the page of a figure; afterwards the console must be empty."""
@@ -822,7 +830,6 @@ def visit(chromium, server, page_of):
             page.goto(server + page_of[figure.name] + address)
             page.evaluate("() => document.fonts.ready")  # else the page still moves
             page.add_style_tag(content="html { scroll-behavior: auto !important; }")
-            page.evaluate(UNFOLD, figure.name)
             yield OnPage(page, figure).come_alive()
             assert not watch.errors + watch.strangers
 
@@ -1318,6 +1325,7 @@ def test_a_broken_figure_stays_still_and_alone(figure, server, chromium, page_of
         dead = OnPage(page, figure)
         assert None not in [other.state() for other in neighbours(dead)]
         assert "rk-live" not in dead.root.get_attribute("class")
+        dead.unfold()
         assert dead.picture.is_visible()
         same = "([e, text]) => { const d = document.createElement('div'); d.innerHTML = text;"
         same += " return d.innerHTML === e.outerHTML; }"

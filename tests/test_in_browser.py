@@ -200,7 +200,9 @@ def test_a_chapter_opens_in_jupyterlite_ready_to_run(page, server):
     """By the button of its page: no dialog, no cell that installs; widgets live."""
     page.goto(server + PAGE)
     page.get_by_label("Run this chapter").click()
-    page.get_by_role("link", name="In the browser").click()
+    with page.expect_popup() as opened:
+        page.get_by_role("link", name="In the browser").click()
+    page = opened.value
     page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
     began = time.monotonic()
     write_and_run(page, "print(6 * 7)")

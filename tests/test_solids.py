@@ -265,6 +265,7 @@ def test_buttons_turn_the_die_and_the_goal_is_reached(visit):  # noqa: F811
         live.root.locator(".rk-reset").click()
         assert live.state()[0] == ["", 1]
         press(live, "z", "X", "X")
+        live.state()  # drawn to the end
         assert goals.nth(1).locator("output").text_content() == "reached"
 
 

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from declared import FIGURES, each
+from playwright.sync_api import expect
 from test_figures import (
     SHOW,
     in_browser,
@@ -176,11 +177,13 @@ def test_motion_loops_in_sight_and_rests_out_of_it(figure, visit):  # noqa: F811
         live.page.wait_for_function(f"(at) => ({TIME})(at) !== {before}", arg=at)
         live.page.evaluate("() => scrollTo(0, document.body.scrollHeight)")
         button = live.root.locator(".rk-play")
-        live.page.wait_for_function("(e) => e.textContent === 'Play'", arg=button.element_handle())
+        expect(button).to_have_text("Play")
+        live.picture.scroll_into_view_if_needed()
+        expect(button).to_have_text("Pause")  # in sight again
         button.click()  # … and the button does
-        live.page.wait_for_function("(e) => e.textContent === 'Pause'", arg=button.element_handle())
+        expect(button).to_have_text("Play")
         button.click()
-        assert button.text_content() == "Play"
+        expect(button).to_have_text("Pause")
 
 
 @in_browser

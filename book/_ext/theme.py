@@ -18,7 +18,13 @@ POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' d
 DESCRIPTION_LENGTH = 160  # what search engines show
 
 # what the theme puts in the site and no page of it uses
-UNUSED = ["vendor/fontawesome", "scripts/fontawesome.js", "scripts/fontawesome.js.LICENSE.txt"]
+UNUSED = [
+    "vendor/fontawesome",
+    "scripts/fontawesome.js",
+    "scripts/fontawesome.js.LICENSE.txt",
+    "searchtools.js",  # the search is our own
+    "language_data.js",
+]
 ICON_RULE = re.compile(r"(?<=[{}/])(?:\.fa-[a-z0-9-]+(?:::?before|::?after)?,?)+\{[^{}]*\}")
 FONT_FACE = re.compile(r"@font-face\{[^{}]*\}")
 

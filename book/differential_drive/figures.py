@@ -70,6 +70,11 @@ from workshop.figures import (
 )
 
 DISTANCE, RADIUS = 0.1, 0.03  # m, between the wheels, and of a wheel, as in the exercise
+SPEEDS = {v_L: 0.05, v_R: 0.1}  # m/s, of the exercise's wheels
+TWIST = {  # and so of the robot; rounded, as 0.05 + 0.1 has a last digit too many
+    each.left: round(float(each.at({**SPEEDS, b: DISTANCE})), 15)
+    for each in (drive.speed, drive.turning_rate)
+}
 ARROW = 1  # s: an arrow is as long as the way in this time, so that a slope is an ω
 ORIGIN, START = (0, 0), (0, 0, pi / 2)  # the robot looks along the world's y axis
 NO_ICR = {"inf": "none: straight", "nan": "any: at rest"}
@@ -220,7 +225,7 @@ def park_figure() -> Figure:
 
 def exercise_figure() -> Figure:
     """The robot of the exercise with all its symbols, at rest."""
-    given = ((b, DISTANCE), (r, RADIUS), (theta, pi / 2), (v_L, 0.05), (v_R, 0.1))
+    given = ((b, DISTANCE), (r, RADIUS), (theta, pi / 2), *SPEEDS.items())
     left, right = beside(START, 0, DISTANCE / 2), beside(START, 0, -DISTANCE / 2)
     return Figure(
         name="exercise",
@@ -331,9 +336,6 @@ def infinity_figure() -> Figure:
     )
 
 
-TWIST = ((v, 0.075), (v_y, 0), (omega, 0.5))  # of the exercise
-
-
 def world_figure() -> Figure:
     """One velocity, and its parts along the world's axes."""
     ends = (ARROW * x_dot, ARROW * y_dot)
@@ -351,7 +353,7 @@ def world_figure() -> Figure:
                 label="heading θ",
             ),
         ),
-        where=((v_L, 0.05), (v_R, 0.1), *TWIST, *solved(motion.to_world)),
+        where=(*SPEEDS.items(), *TWIST.items(), (v_y, 0), *solved(motion.to_world)),
         scene=(
             Line("ghost", ((-0.3, 0), (0.3, 0))),
             Line("ghost", ((0, -0.3), (0, 0.3))),
@@ -414,7 +416,7 @@ def guess_figure() -> Figure:
             Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="y"),
             Clock(t, 0.0, 2.0, start=0.0, step=0.05, label="time"),
         ),
-        where=((v_L, 0.05), (v_R, 0.1), *VELOCITY),
+        where=(*SPEEDS.items(), *VELOCITY),
         scene=(
             *robot(START, "ghost"),
             way("path", 0, t),
@@ -445,7 +447,7 @@ def arc_figure() -> Figure:
             Slider(dt, 0.5, 3.0, start=2.0, step=0.1, label="time Δt"),
         ),
         where=(
-            (v, 0.075), (x, 0), (y, 0), (theta, pi / 2), *still.items(),
+            (v, TWIST[v]), (x, 0), (y, 0), (theta, pi / 2), *still.items(),
             *solved(motion.arc_step, motion.chord),
             (R, Piecewise((v / omega, Ne(omega, 0)), (oo, True))),
         ),
@@ -517,16 +519,15 @@ def almost_figure() -> Figure:
 
 
 DURATION = 6.0  # s, of the drive that is cut into steps
-CRUISE = {v: 0.075, omega: 0.5}  # of the exercise
 
 
 def steps_figure() -> Figure:
     """One drive in n straight steps: the error against the step has slope 1, or slope 2."""
     graph = Graph((0.17, 0.38, 0.03, 0.27), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
-    exact, step = put_in(driven(DURATION), CRUISE), DURATION / n
-    straight = put_in(motion.euler_step.right, {**CRUISE, dt: step})
+    exact, step = put_in(driven(DURATION), TWIST), DURATION / n
+    straight = put_in(motion.euler_step.right, {**TWIST, dt: step})
     shapes, readouts, dots = [], [], []
-    half = CRUISE[omega] * s / 2  # of the turn in a step s
+    half = TWIST[omega] * s / 2  # of the turn in a step s
     for kind, early, words in (
         ("approximation", 0, "old"),
         ("middle_heading", 1, "middle"),
@@ -535,7 +536,7 @@ def steps_figure() -> Figure:
             symbols(f"x_{early} y_{early} theta_{early}"),
             symbols(f"X_{early} Y_{early} T_{early}"),
         )
-        turn = early * CRUISE[omega] * step / 2
+        turn = early * TWIST[omega] * step / 2
         to_next = put_in(straight, {x: state[0], y: state[1], theta: state[2] + turn})
         loop = Recurrence(state, START, (to_next[0], to_next[1], to_next[2] - turn), n, 60, end)
         # the steps' own chord: longer than the true one, and turned by the old heading
@@ -558,9 +559,9 @@ def steps_figure() -> Figure:
         title="A drive along an arc, cut into straight steps, and the error against the step",
         view=(-0.38, 0.41, -0.12, 0.36),
         controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
-        where=((v_L, 0.05), (v_R, 0.1)),
+        where=tuple(SPEEDS.items()),
         scene=(
-            Curve("path", tuple(put_in(Matrix(driven(s)[:2]), CRUISE)), s, 0, DURATION),
+            Curve("path", tuple(put_in(Matrix(driven(s)[:2]), TWIST)), s, 0, DURATION),
             *robot(START, "ghost"),
             *robot(exact),
             *graph.shapes(),
@@ -611,7 +612,8 @@ def sideways_figure() -> Figure:
     )
 
 
-BAY = tuple(motion.arc_step.at({x: 0, y: 0, theta: pi / 2, v: 0.075, omega: -0.5, dt: 5}).evalf(17))
+BACK = {x: 0, y: 0, theta: pi / 2, **TWIST, omega: -TWIST[omega], dt: 5}  # to the other side
+BAY = tuple(motion.arc_step.at(BACK).evalf(17))
 
 
 def drive_figure() -> Figure:
@@ -623,7 +625,7 @@ def drive_figure() -> Figure:
         title="The robot in its laboratory, driven by two wheel speeds and a time",
         view=(-0.42, 0.38, -0.2, 0.28),
         controls=(
-            *wheels_from(0.05, 0.1, most=0.12),
+            *wheels_from(SPEEDS[v_L], SPEEDS[v_R], most=0.12),
             Clock(t, 0.0, 12.0, start=2.0, step=0.05, label="time"),
         ),
         where=RADIUS_TOO,
@@ -664,7 +666,7 @@ def drive_figure() -> Figure:
 
 def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
-    right = {v_L: 0.05, v_R: 0.1, b: DISTANCE}
+    right = {**SPEEDS, b: DISTANCE}
     speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
     wrong = {m: m.formula for m in (M12, M31, M13, M14)}
     turns = {m: float(wrong[m].at(right)) for m in (M12, M31)}
@@ -685,7 +687,7 @@ def damage_figure() -> Figure:
             Choice("mistake", "mistake", (believed_rate, believed_heading), options, "first"),
             Clock(t, 0.0, 2.0, start=1.5, step=0.05, loops=True, label="time"),
         ),
-        where=((v_L, 0.05), (v_R, 0.1)),
+        where=tuple(SPEEDS.items()),
         scene=(
             Curve("path", tuple(true.subs(t, s)[:2]), s, 0, t),
             Curve("approximation", tuple(believed.subs(t, s)[:2]), s, 0, t),
@@ -707,7 +709,7 @@ def recap_figure() -> Figure:
         title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
         view=(-0.26, 0.2, -0.09, 0.22),
         controls=(),
-        where=((v_L, 0.05), (v_R, 0.1), *RADIUS_TOO),
+        where=(*SPEEDS.items(), *RADIUS_TOO),
         scene=(
             Line("icr", ((-R, 0), (0.1, 0))),
             Line("turning", tuple(line)),

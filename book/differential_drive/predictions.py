@@ -4,14 +4,22 @@ import numpy as np
 from sympy import Float, pi
 
 from book.differential_drive import formulas
-from book.differential_drive.figures import guess_x, guess_y, t
+from book.differential_drive.figures import (
+    DISTANCE,
+    DURATION,
+    RADIUS,
+    SPEEDS,
+    TWIST,
+    guess_x,
+    guess_y,
+    t,
+)
 from book.differential_drive.formulas import b, r, v_L, v_R
 from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
 from robokin import motion
 from workshop.predictions import Buttons, Ghost, Number, Prediction
 
-SPEEDS = {v_L: Float("0.05"), v_R: Float("0.1"), b: Float("0.1")}  # of the exercise
-TWIST = {v: formulas.speed.at(SPEEDS), omega: formulas.turning_rate.at(SPEEDS)}
+EXERCISE = {**SPEEDS, b: DISTANCE}
 AHEAD = {x: 0, y: 0, theta: pi / 2}
 
 
@@ -22,13 +30,13 @@ def after_two_seconds(turning):
 
 def rolling(radius):
     """The rate of the exercise's right wheel, if this is taken for its radius."""
-    ahead = {v: SPEEDS[v_R], omega: 0, r: radius}
-    return formulas.wheel_rates.at(ahead)[1].subs({r: Float("0.03"), b: SPEEDS[b]})
+    ahead = {v: EXERCISE[v_R], omega: 0, r: radius}
+    return formulas.wheel_rates.at(ahead)[1].subs({r: RADIUS, b: DISTANCE})
 
 
 def error(steps):
     """How far the end of 6 s is off in so many straight steps."""
-    drive = np.full(steps, 0.075), np.full(steps, 0.5), np.full(steps, 6 / steps)
+    drive = [np.full(steps, each) for each in (TWIST[v], TWIST[omega], DURATION / steps)]
     start = [0, 0, np.pi / 2]
     ends = [motion.path(start, *drive, method=m)[-1, :2] for m in ("start", "exact")]
     return np.linalg.norm(ends[0] - ends[1])
@@ -53,7 +61,7 @@ PREDICTIONS = (
         Number(
             "v",
             "cm/s",
-            right=formulas.speed.at(SPEEDS),
+            right=formulas.speed.at(EXERCISE),
             assumes={
                 "The sum of both would make the middle faster than each end.": (v_L + v_R).subs(
                     SPEEDS
@@ -86,7 +94,7 @@ PREDICTIONS = (
         "same. How fast does it turn, seen from the world?",
         Buttons(
             ("0.5 rad/s", "−0.5 rad/s", "0"),
-            right=lambda: f"{motion.to_world(np.pi, [0.075, 0, 0.5])[2]:.1f} rad/s",
+            right=lambda: f"{motion.to_world(np.pi, [TWIST[v], 0, TWIST[omega]])[2]:.1f} rad/s",
             assumes={
                 "−0.5 rad/s": "Seen from there, the arrow points elsewhere; the turn does not.",
                 "0": "A turn has no direction in the plane that could be lost.",

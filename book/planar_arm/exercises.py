@@ -124,6 +124,9 @@ def arm(l1, l2, l3, theta1, theta2, theta3, **_):
     return {"theta": np.array([theta1, theta2, theta3]), "lengths": np.array([l1, l2, l3])}
 
 
+OWN_RATES = "in ẋ and in ẏ each link turns only at the rate of its own joint"
+
+
 def jacobian(made, **numbers):
     """J as somebody has it who made a mistake, or several; with None the right one."""
     made = made if isinstance(made, tuple) else (made,)
@@ -140,6 +143,8 @@ def jacobian(made, **numbers):
         J[0] += 2 * y[2]
     elif M37 in made:
         J[:2] = [J[1], -J[0]]
+    elif OWN_RATES in made:
+        J[:2] = [-y, x]
     return J
 
 
@@ -295,6 +300,7 @@ planar_arm_1 = Exercise(
     asks=TWIST,
     right=lambda q1, **pose: planar_arm.velocity(rates=[q1, 0, 0], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
+    also={OWN_RATES: partial(hand_velocity, OWN_RATES)},
     solution=Solution(
         "The whole arm turns about its base like one stiff body. So find first where the hand is. "
         "Each link points where all joint angles up to it add up to:\n\n{hand}\n\n"
@@ -319,6 +325,7 @@ planar_arm_2 = Exercise(
         "with l_2 for l_3 and a plus before its sine, two mistakes in one term": partial(
             hand_velocity, (M28, M36)
         ),
+        OWN_RATES: partial(hand_velocity, OWN_RATES),
     },
     derive=velocity_parts,
     solution=Solution(

@@ -128,13 +128,13 @@ is checked here: what you type stays in this browser. Save it and hand in the fi
 
 
 def _sheet(student: str, rows: Sequence[tables.Row]) -> str:
-    folder = Path(__file__).parent
+    folder, scripts = Path(__file__).parent, ("storage.js", "saving.js", "sheet.js")
     return SHEET.format(
         student=escape(student),
         course=escape(rows[0]["course"]),
         version=escape(rows[0]["version"]),
         exercises="\n".join(_question(row["exercise"], row["numbers"]) for row in rows),
-        script="".join((folder / name).read_text("utf-8") for name in ("saving.js", "sheet.js")),
+        script="const part = {};\n" + "".join((folder / n).read_text("utf-8") for n in scripts),
     )
 
 

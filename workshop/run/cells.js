@@ -39,7 +39,10 @@ class Cell {
     Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox", tabIndex: 0 });
     this.code.ariaMultiLine = "true";
     this.code.ariaLabel = `Code of cell ${this.k + 1}`;
-    this.code.addEventListener("input", () => { this.reset.hidden = false; });
+    this.code.addEventListener("input", () => {
+      this.reset.hidden = false;
+      this.code.classList.add("rk-changed");
+    });
     this.code.addEventListener("keydown", (event) => {
       if (event.key !== "Enter" || !(event.shiftKey || event.ctrlKey)) return;
       event.preventDefault();
@@ -78,6 +81,7 @@ class Cell {
 
   putBack() {
     this.code.innerHTML = this.first;
+    this.code.classList.remove("rk-changed");
     this.fresh?.remove();
     this.outputs.forEach((output) => { output.hidden = false; });
     this.ran = this.fresh = null;

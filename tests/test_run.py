@@ -5,24 +5,28 @@ With a real Python in a browser: `test_in_browser.py` (`make test-anywhere`).
 
 import ast
 import builtins
+import hashlib
 import itertools
 import json
 import subprocess
 import sys
 
 import pytest
+from jupyterlite_pyodide_kernel.constants import PYODIDE_CDN_URL
 from support import ROOT
 
 import book  # noqa: F401 (opens the course)
 from workshop.course import course
 from workshop.run.cells import Cells, start
+from workshop.site import SETTINGS
 
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
 
 from browser import compressed, watched_page  # noqa: E402
-from pyodide import PLACE  # noqa: E402
+from pyodide import PLACE, VERSION  # noqa: E402
 
+VENDORED = ROOT / "book" / "_vendor" / "pyodide"
 PAGE = "differential_drive/differential_drive.html"
 SMALL = 1000  # bytes, compressed: what a page may load of this before it is asked for
 CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
@@ -216,6 +220,10 @@ def test_the_policy_names_what_a_page_with_code_may_load(site):
     assert "cdn.jsdelivr.net" not in (site / "intro.html").read_text("utf-8")
 
 
-def test_the_page_has_the_version_that_is_tested():
-    """One release of Pyodide, named where it is set."""
-    assert f'"{PLACE}"' in (ROOT / "workshop" / "site" / "__init__.py").read_text("utf-8")
+def test_one_version_of_python_is_named_everywhere():
+    """By the pages, by the list of packages, and by JupyterLite's kernel."""
+    assert SETTINGS["course_python"][0] == PLACE
+    assert f"# Pyodide {VERSION}:" in (VENDORED / "README.md").read_text("utf-8")
+    listed = hashlib.sha256((VENDORED / "pyodide-lock.json").read_bytes()).hexdigest()
+    assert listed in (VENDORED / "README.md").read_text("utf-8")
+    assert f"{PYODIDE_CDN_URL}/" == PLACE

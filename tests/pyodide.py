@@ -18,10 +18,11 @@ from urllib.request import urlopen
 
 from support import ROOT
 
+from workshop.site.run import PACKAGES, with_needs
+
 VERSION = "314.0.6"
 PLACE = f"https://cdn.jsdelivr.net/pyodide/v{VERSION}/full/"
 CACHE = ROOT / "_build" / f"pyodide-{VERSION}"
-WANTED = ("ipython", "jedi", "matplotlib", "micropip", "numpy", "sympy", "typing-extensions")
 KINDS = {".mjs": "text/javascript", ".wasm": "application/wasm", ".json": "application/json"}
 
 
@@ -39,13 +40,7 @@ def reached():
 def packages():
     """The entries of what is wanted and of what that needs."""
     lock = json.loads((ROOT / "book/_vendor/pyodide/pyodide-lock.json").read_text("utf-8"))
-    found, wanted = {}, list(WANTED)
-    while wanted:
-        name = re.sub("[-_.]+", "-", wanted.pop()).lower()
-        if name not in found:
-            found[name] = lock["packages"][name]
-            wanted += found[name]["depends"]
-    return found
+    return {name: lock["packages"][name] for name in with_needs(lock["packages"], PACKAGES)}
 
 
 def pure():

@@ -10,6 +10,7 @@ import itertools
 import json
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import pytest
 from jupyterlite_pyodide_kernel.constants import PYODIDE_CDN_URL
@@ -17,8 +18,9 @@ from support import ROOT
 
 import book  # noqa: F401 (opens the course)
 from workshop.course import course
+from workshop.errors import CourseError
 from workshop.run.cells import Cells, start
-from workshop.site import SETTINGS
+from workshop.site import SETTINGS, run
 
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
@@ -218,6 +220,28 @@ def test_the_policy_names_what_a_page_with_code_may_load(site):
     asked = f"script-src 'self' 'wasm-unsafe-eval' {PLACE}; connect-src 'self' {PLACE}\""
     assert asked in (site / PAGE).read_text("utf-8")
     assert "cdn.jsdelivr.net" not in (site / "intro.html").read_text("utf-8")
+
+
+def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):
+    """All that is needed of it, or a sentence on what it has not; pages may load nothing else."""
+    release, site = tmp_path / "release", tmp_path / "site"
+    release.mkdir()
+    monkeypatch.setenv("PYODIDE", str(release))
+    with pytest.raises(SystemExit, match=r"has no pyodide\.mjs, .*: it must be the folder"):
+        run.read_setting(None, SimpleNamespace())
+    for name in run.NEEDED:
+        (release / name).write_text(name)
+    packages = json.loads((VENDORED / run.LOCK).read_text("utf-8"))["packages"]
+    (release / run.LOCK).write_text(json.dumps({"packages": packages}))
+    with pytest.raises(CourseError, match=r"has no \S+\.whl: it must be a whole release"):
+        run.copy_python(release, site)
+    for package in packages.values():
+        (release / package["file_name"]).write_text(package["name"])
+    run.copy_python(release, site)
+    copied = {file.name.partition("-")[0] for file in site.glob("*.whl")}
+    assert {"numpy", "pillow", "prompt_toolkit"} <= copied
+    assert "scipy" not in copied
+    assert run.allowed(None, "<div class='cell_input'>") == "; script-src 'self' 'wasm-unsafe-eval'"
 
 
 def test_one_version_of_python_is_named_everywhere():

@@ -85,7 +85,7 @@ def write_packages(app, folder):
     """The course's wheels and the widgets', and the list of all packages."""
     folder.mkdir(parents=True)
     lock = json.loads(LOCK.read_text("utf-8"))
-    place = (own_python(app) and f"../../_static/{FOLDER}/") or app.config.course_python
+    place = (own_python() and f"../../_static/{FOLDER}/") or app.config.course_python
     for entry in lock["packages"].values():
         entry["file_name"] = place + entry["file_name"]
     for name, needs in WIDGETS.items():
@@ -116,7 +116,7 @@ def listed(wheel, imported, needs):
 
 def settings(app):
     """What JupyterLite reads when it starts."""
-    python = f"./../_static/{FOLDER}/" if own_python(app) else app.config.course_python
+    python = f"./../_static/{FOLDER}/" if own_python() else app.config.course_python
     kernel = {
         "pyodideUrl": f"{python}pyodide.mjs",
         "disablePyPIFallback": True,  # a package that is missing may not come from strangers

@@ -11,8 +11,10 @@ import re
 import subprocess
 import sys
 import tarfile
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from urllib.error import URLError
 from urllib.request import urlopen
 
@@ -56,28 +58,25 @@ def missing():
 @cache
 def had():
     """The folder with the files that are to be had, filled once."""
-    if not (CACHE / ".ready").exists():
-        CACHE.mkdir(parents=True, exist_ok=True)
-        pack = ["npm", "pack", "--silent", f"pyodide@{VERSION}"]
-        subprocess.run(pack, cwd=CACHE, check=True, capture_output=True)
-        with tarfile.open(CACHE / f"pyodide-{VERSION}.tgz") as archive:
-            archive.extractall(CACHE, filter="data")
-        pins = [f"{name}=={package['version']}" for name, package in pure().items()]
-        pip = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps"]
-        pip += [
-            "--only-binary",
-            ":all:",
-            "--python-version",
-            "3.14",
-            "--platform",
-            "any",
-            "--dest",
-            str(CACHE / "package"),
-            *pins,
-        ]
-        subprocess.run(pip, check=True)
-        (CACHE / ".ready").touch()
-    return CACHE / "package"
+    if not CACHE.exists():
+        CACHE.parent.mkdir(exist_ok=True)
+        with TemporaryDirectory(dir=CACHE.parent) as name:
+            fill(Path(name))
+            with suppress(OSError):  # another worker was faster
+                (Path(name) / "package").rename(CACHE)
+    return CACHE
+
+
+def fill(folder):
+    """Put the files into its folder `package`."""
+    pack = ["npm", "pack", "--silent", f"pyodide@{VERSION}"]
+    subprocess.run(pack, cwd=folder, check=True, capture_output=True)
+    with tarfile.open(folder / f"pyodide-{VERSION}.tgz") as archive:
+        archive.extractall(folder, filter="data")
+    pins = [f"{name}=={package['version']}" for name, package in pure().items()]
+    pip = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--platform", "any"]
+    pip += ["--only-binary", ":all:", "--python-version", "3.14"]
+    subprocess.run([*pip, "--dest", str(folder / "package"), *pins], check=True)
 
 
 def wheel(file_name):

@@ -7,10 +7,14 @@ const onPage = () => {
       `<div class="rk-run"><button type="button">Run</button><p role="status"></p></div>`);
     return input.lastElementChild;
   });
-  bars.forEach((bar, k) => bar.firstChild.addEventListener("click", () =>
-    import(new URL(`../run/cells.js?v=${VERSION}`, home)).then(({ press }) => press(bars, k), () => {
-      bar.lastChild.textContent = "This runs only where the page comes from a server, not from disk.";
-    })));
+  const press = async (k) => {
+    try {
+      await (await import(new URL(`../run/cells.js?v=${VERSION}`, home))).press(bars, k);
+    } catch {
+      bars[k].lastChild.textContent = "This runs where the page comes from a server, not from disk.";
+    }
+  };
+  bars.forEach((bar, k) => bar.firstChild.addEventListener("click", () => press(k)));
 };
 
 Object.assign(part, { onPage });

@@ -46,7 +46,7 @@ class Cells:
         return self.page.locator(".rk-run").nth(k)
 
     def code(self, k):
-        return self.page.locator(".cell_input pre").nth(k)
+        return self.page.locator(".cell_input pre code").nth(k)
 
     def cell(self, k):
         return self.bar(k).locator("xpath=ancestor::div[starts-with(@class, 'cell ')][1]")

@@ -19,7 +19,10 @@ class Cell {
   constructor(bar, k) {
     Object.assign(this, { bar, k, input: bar.parentElement, ran: null, fresh: null });
     [this.button, this.status] = [bar.firstChild, bar.lastChild];
-    this.code = this.input.querySelector("pre");
+    const box = this.input.querySelector("pre"); // the theme says whether it can have the focus
+    this.code = document.createElement("code");
+    this.code.append(...box.childNodes);
+    box.append(this.code);
     this.first = this.code.innerHTML;
     this.outputs = this.input.closest(".cell").querySelectorAll(".cell_output, .below-input");
     this.button.insertAdjacentHTML("afterend", `<button type="button" hidden>Reset</button>`);
@@ -36,7 +39,7 @@ class Cell {
   open() {
     this.code.contentEditable = "plaintext-only";
     if (this.code.contentEditable !== "plaintext-only") this.code.contentEditable = "true";
-    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox", tabIndex: 0 });
+    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox" });
     this.code.ariaMultiLine = "true";
     this.code.ariaLabel = `Code of cell ${this.k + 1}`;
     this.code.addEventListener("input", () => {

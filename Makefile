@@ -6,18 +6,19 @@
 
 PYTHON ?= python3
 T ?=
+PYODIDE ?=
 
 BIN := .venv/bin
 INSTALL = $(BIN)/uv pip install --python $(@D)/bin/python
 READY := .venv/.ready
 SITE := _build/html/.built
-BUILD := $(BIN)/jupyter-book build book --config _config.yml \
+BUILD := PYODIDE="$(PYODIDE)" $(BIN)/jupyter-book build book --config _config.yml \
 	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') $(wildcard _build/robokin.*)
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book paper test-paper serve lab hosted test test-long test-anywhere measure screenshots check notebooks lock bench mutate lowest clean
+.PHONY: book paper test-paper serve lab hosted test test-long test-anywhere measure screenshots check notebooks lock bench mutate lowest clean FORCE
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -31,7 +32,11 @@ $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject
 	$(INSTALL) --no-deps --no-build-isolation -e . -e workshop -e book
 	@touch $(READY)
 
-$(SITE): $(READY) $(SOURCES)
+# which Python the pages load, if not from its public address; changes with it
+_build/pyodide: FORCE
+	@mkdir -p _build; echo "$(PYODIDE)" | cmp -s - $@ || echo "$(PYODIDE)" > $@
+
+$(SITE): $(READY) $(SOURCES) _build/pyodide
 	$(BUILD)
 	@touch $(SITE)
 

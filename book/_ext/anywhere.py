@@ -8,6 +8,8 @@ import html
 import re
 from urllib.parse import quote, urlencode
 
+from lite import address
+
 GITHUB = re.compile(r"https://github\.com/([\w.-]+)/([\w.-]+?)(?:\.git)?/?")
 COPIES = "hosted"  # the branch with the notebooks that install the course: tools/hosted.py
 
@@ -16,7 +18,12 @@ def places(app, page):
     """Name → (address, what it says) of each place where the notebook of a page can be run."""
     theme, hub = app.config.html_theme_options, app.config.site_hub
     url, branch = theme.get("repository_url", ""), theme.get("repository_branch") or "main"
-    return {**on_hub(url, branch, hub, page), **on_github(url, branch, page)}
+    return {**in_browser(page), **on_hub(url, branch, hub, page), **on_github(url, branch, page)}
+
+
+def in_browser(page):
+    """JupyterLite, which stands beside the book."""
+    return {"In the browser": ("../" * page.count("/") + address(page), "Nothing to install")}
 
 
 def on_github(url, branch, page):

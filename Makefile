@@ -16,7 +16,7 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab test test-long measure screenshots check notebooks lock bench mutate lowest clean
+.PHONY: book serve lab test test-long measure lighthouse screenshots check notebooks lock bench mutate lowest clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -71,6 +71,9 @@ check: $(READY)
 
 screenshots: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
+
+lighthouse: $(SITE)
+	PYTHONPATH=tests $(BIN)/python tools/lighthouse.py $(T)
 
 measure: $(LIBRARY)/.ready
 	$(UNDER_TEST) $(BIN)/pytest -q -s -m measure tests

@@ -224,6 +224,8 @@ const turned = (live, held, event) => {
   return next;
 };
 
+const UNDECIDED = 10; // pixels: so far a finger may still mean to scroll the page
+
 const followGround = (live) => {
   if (!live.figure.turns) return;
   const { element, picture } = live;
@@ -232,10 +234,15 @@ const followGround = (live) => {
     if (live.handles.includes(event.target) || event.button > 0) return;
     picture.setPointerCapture(event.pointerId);
     event.preventDefault();
-    live.held = { by: picture, x: event.clientX, y: event.clientY, state: live.state };
+    const waits = event.pointerType === "touch";
+    live.held = { by: picture, x: event.clientX, y: event.clientY, state: live.state, waits };
   });
   picture.addEventListener("pointermove", (event) => {
-    if (live.held?.by === picture) live.set(turned(live, live.held, event));
+    const { held } = live;
+    if (held?.by !== picture) return;
+    const across = Math.abs(event.clientX - held.x), along = Math.abs(event.clientY - held.y);
+    held.waits &&= across < UNDECIDED || across < along;
+    if (!held.waits) live.set(turned(live, held, event));
   });
   letGo(live, picture);
 };

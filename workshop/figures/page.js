@@ -60,6 +60,22 @@ const bringToPage = (figure) => {
   }
 };
 
-const onPage = () => (window.workshopFigures ?? []).forEach(bringToPage);
+// A figure comes to life when it comes near, within a screen's height, or when the address names it.
+const onPage = () => {
+  const still = new Map((window.workshopFigures ?? []).map((figure) => [figure.name, figure]));
+  const near = new IntersectionObserver((seen) => seen.forEach(({ target, isIntersecting }) => {
+    if (isIntersecting) wake(target.id);
+  }), { rootMargin: "100% 0px" });
+  const wake = (name) => {
+    if (!still.has(name)) return;
+    near.unobserve(document.getElementById(name));
+    bringToPage(still.get(name));
+    still.delete(name);
+  };
+  const follow = () => wake(location.hash.slice(1).split("?")[0]);
+  addEventListener("hashchange", follow);
+  follow();
+  still.forEach((_, name) => near.observe(document.getElementById(name)));
+};
 
 Object.assign(part, { onPage, bringToPage });

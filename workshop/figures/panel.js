@@ -11,7 +11,7 @@ const choiceHtml = (control, i) => {
   const options = control.options.map((option, k) =>
     `<option value="${k}"${k === control.start ? " selected" : ""}>${escaped(option.label)}</option>`);
   return `<label class="rk-control">${controlName(control)}`
-    + `<select data-i="${i}">${options.join("")}</select></label>`;
+    + `<select data-i="${i}" autocomplete="off">${options.join("")}</select></label>`;
 };
 
 const sliderHtml = (control, i) => {
@@ -20,7 +20,7 @@ const sliderHtml = (control, i) => {
   const shown = shownControl(control, control.start);
   return `<div class="rk-control"${faceOf(control)}>${play}<label>${controlName(control)}`
     + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
-    + `<input type="range" data-i="${i}" min="${control.low}" max="${control.high}" `
+    + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
 };
 

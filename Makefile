@@ -16,7 +16,7 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab test test-long measure lighthouse screenshots check notebooks lock bench mutate lowest clean
+.PHONY: book serve lab test test-long measure lighthouse links test-browsers screenshots check notebooks lock bench mutate lowest clean
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -56,11 +56,11 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not long and not measure and not screenshots" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m "not long and not measure and not screenshots and not browsers" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not measure and not screenshots" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m "not measure and not screenshots and not browsers" $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
 check: $(READY)
@@ -69,8 +69,14 @@ check: $(READY)
 	$(BIN)/mypy
 	$(BIN)/codespell
 
+test-browsers: $(LIBRARY)/.ready
+	$(UNDER_TEST) $(BIN)/pytest -m browsers tests/test_browsers.py
+
 screenshots: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
+
+links: $(READY)
+	$(BUILD) --builder linkcheck
 
 lighthouse: $(SITE)
 	PYTHONPATH=tests $(BIN)/python tools/lighthouse.py $(T)

@@ -95,6 +95,7 @@ class Live {
 
   drawHandles() {
     spots(this).forEach(([x, y], k) => {
+      tellHandle(this, this.figure.handles[k], this.handles[k]);
       for (const part of [this.handles[k], this.handles[k].nextSibling]) {
         part.setAttribute("cx", n(x));
         part.setAttribute("cy", n(y));

@@ -26,10 +26,10 @@ const offerLink = (live) => {
   const button = live.element.querySelector(".rk-link");
   button?.addEventListener("click", () => {
     history.replaceState(null, "", toAddress(live.figure, live.state));
-    button.textContent = "The link is in the address bar";
+    called(button, "The link is in the address bar", live.figure);
     navigator.clipboard?.writeText(location.href).then(
-      () => { button.textContent = "Link copied"; }, () => {});
-    setTimeout(() => { button.textContent = "Link to this setting"; }, 2500);
+      () => called(button, "Link copied", live.figure), () => {});
+    setTimeout(() => called(button, "Link to this setting", live.figure), 2500);
   });
 };
 

@@ -18,7 +18,8 @@ SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') $(wildcard _build/robokin.*)
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book paper test-paper serve lab hosted test test-long test-anywhere measure screenshots check notebooks lock bench mutate lowest clean FORCE
+.PHONY: book paper test-paper serve lab hosted test test-long test-anywhere test-browsers measure \
+	lighthouse links screenshots check notebooks lock bench mutate lowest clean FORCE
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -85,11 +86,19 @@ check: $(READY)
 	$(BIN)/mypy
 	$(BIN)/codespell
 
+test-browsers: $(LIBRARY)/.ready
+	$(UNDER_TEST) $(BIN)/pytest -m browsers tests/test_browsers.py
+
 screenshots: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
 
 test-paper: paper
 	$(BIN)/pytest -m paper tests/test_paper.py
+links: $(READY)
+	$(BUILD) --builder linkcheck
+
+lighthouse: $(SITE)
+	PYTHONPATH=tests $(BIN)/python tools/lighthouse.py $(T)
 
 measure: $(LIBRARY)/.ready
 	$(UNDER_TEST) $(BIN)/pytest -q -s -m measure tests

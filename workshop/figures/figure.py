@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -130,8 +131,8 @@ class Figure:
 
     def on_page(self) -> str:
         """The HTML of the figure, which the script brings to life."""
-        start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}">'
-        return f"{start}{self.html()}</figure>\n"
+        start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}"'
+        return f'{start} aria-label="{escape(self.title)}">{self.html()}</figure>\n'
 
     @cached_property
     def widget(self) -> Widget:
@@ -173,20 +174,20 @@ class Figure:
         return self.widget.output(others)
 
 
+def plain(svg: str) -> str:
+    """A picture for where there is no page and no style, with colours of its own."""
+    svg = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    return re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, svg)
+
+
 def light(svg: str) -> str:
-    """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
+    """The same with lines in whole pixels, so that notebooks stay small."""
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
         r'(?<= d=")[^"]+',
         lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]),
         plain(svg),
     )
-
-
-def plain(svg: str) -> str:
-    """Pictures with the colours of a light page in place of names for them."""
-    named = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
-    return re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, named)
 
 
 def _mixed(found: re.Match[str]) -> str:

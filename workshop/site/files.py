@@ -2,6 +2,7 @@
 
 import re
 import shutil
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,7 @@ FIGURE = re.compile(r'<figure class="rk-figure" id="([^"]+)"')
 
 
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The scripts and the style on pages that have a figure, an exercise …, and only there.
+    """The scripts of a figure, an exercise … on pages that have one, and whose course it is.
 
     What is told a page's scripts comes in a file, too: no script stands in a page.
     """
@@ -35,10 +36,12 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         lines = (f"window.{name} = {javascript(value)};\n" for name, value in told.items())
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
-    if needed := runtime.called_by(body):
-        app.add_css_file("workshop.css")
-        for name in needed:
-            app.add_js_file(f"workshop/{name}.js", loading_method="defer")
+    app.add_css_file("workshop.css")
+    for name in runtime.called_by(body):
+        app.add_js_file(f"workshop/{name}.js", loading_method="defer")
+    name = escape(app.config.course_name or course().name, quote=True)
+    tag = f'<meta name="course" content="{name}" />'
+    context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
 
 
 def write_assets(app: Sphinx, env: Any) -> None:

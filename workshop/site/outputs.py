@@ -29,7 +29,8 @@ T = TypeVar("T")
 WITH = '<p class="rk-with">With the numbers of the figure:</p>'
 NO_SCRIPT = (
     '<p class="rk-noscript">Without JavaScript these exercises can be read, with the numbers of '
-    "somebody without a name; answers cannot be checked.</p>\n"
+    "somebody without a name; answers cannot be checked here. In the notebook of the chapter they "
+    "can: a box to answer in stands below each exercise, once its cell has been run.</p>\n"
 )
 
 

@@ -369,7 +369,7 @@ def test_statements_say_what_is_counted_and_from_where():
         **{f"differential-drive-{k}": "middle of its axle" for k in (3, 5, 6)},
         **{f"odometry-{k}": "middle of its axle" for k in (3, 6, 7)},
         "odometry-5": "a whole number",
-        "bicycle-5": "Both stay as they are",
+        "bicycle-5": "Speed and steering angle stay constant",
     }
     for name, words in told.items():
         assert words in EXERCISES[name].text

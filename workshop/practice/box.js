@@ -21,7 +21,12 @@ const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mtable>${
   rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
 }</mtable></math>`);
 
-const paragraphs = (text) => matrices(symbols(text)).split("\n\n")
+// No line ends before a unit, or beside the = of a short formula: as wording.py has it.
+const unbroken = (text) => text
+  .replace(/(\d|\bin) (?=(?:[cm]?m|m?s|rad|N|bits|ticks|turns)\b|°)/g, "$1\u00a0")
+  .replace(/(?<=\S) = (?=\S{1,9}(?:\s|$))/g, "\u00a0=\u00a0");
+
+const paragraphs = (text) => matrices(symbols(unbroken(text))).split("\n\n")
   .map((paragraph) => `<p>${paragraph}</p>`).join("");
 
 const FORMULA = /^(\[[^=]*\]|\S+) = /;
@@ -52,7 +57,7 @@ const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
     + `<div class="rk-text">${paragraphs(filled(exercise.text, shown))}</div></div>`
     + `<p class="rk-training" hidden>${TRAINING} <button type="button">Back to my numbers</button></p>`
     + `<form class="rk-form"><label for="${id}-answer">Answer, <span class="rk-asked">`
-    + `${symbols(exercise.asked)}</span></label>`
+    + `${symbols(unbroken(exercise.asked))}</span></label>`
     + `<div class="rk-row"><input id="${id}-answer" type="text" autocomplete="off" autocapitalize="off" `
     + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
     + `<button type="submit">Check</button>`
@@ -223,4 +228,4 @@ class Box {
   }
 }
 
-Object.assign(part, { exerciseHtml, solutionHtml, stepsOf });
+Object.assign(part, { exerciseHtml, paragraphs, solutionHtml, stepsOf });

@@ -3,7 +3,8 @@
 const NAMELESS = "Type your name first: it picks your numbers.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
   + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
-  + "1/3, pi/3, sqrt(3)/2, 30°, or a list: [1, 2].";
+  + "1/3, pi/3, sqrt(3)/2, 30° where rad is asked, a list: [1, 2], or a matrix: [[1, 2], [3, 4]]. "
+  + "Whole turns more or less do not matter in an angle.";
 const NOT_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 const BROKEN = "What this browser kept could not be read; it was laid aside.";
 const NO_ANSWERS = "There are no answers for this course in that file.";

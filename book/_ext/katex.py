@@ -85,6 +85,8 @@ def tex_of(node):
 def display_tex(node):
     """The TeX that KaTeX draws for a display."""
     tex = tex_of(node)
+    if r"\begin{matrix}" in tex and not node["number"]:  # SymPy's own; its fractions in full size
+        tex = tex.replace(r"\frac", r"\dfrac")
     return NUMBERED.sub(r"\\\1{\2*}", tex) if node.get("nowrap") else lines_aligned(tex)
 
 

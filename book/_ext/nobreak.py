@@ -4,7 +4,7 @@ import re
 
 from docutils import nodes
 
-UNIT = r"(?:(?:[cmk]?m|m?s|rad|kg|kB|N|Hz|%|ticks)(?:/s|/m|²)?)(?![\w/])"
+UNIT = r"(?:(?:[cmk]?m|m?s|rad|kg|kB|N|Hz|%|ticks)(?:/s²?|/m|²)?)(?![\w/])"
 BETWEEN = re.compile(rf"(?<=[\d°]) (?={UNIT})")
 BEHIND_FORMULA = re.compile(rf"^ (?={UNIT})")
 ENDS_IN_NUMBER = re.compile(r"\d\W*$")

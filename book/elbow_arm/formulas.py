@@ -31,8 +31,18 @@ NEAREST = [
     sign(f"near_{x}", f"the nearest point in reach, along {x}", f"p'_{x}", "m") for x in "xyz"
 ]
 ELBOW_BOTH = [
-    sign("theta3_plus", "the elbow's angle, elbow down if the arm faces the target", r"\theta_3^{+}", "rad"),
-    sign("theta3_minus", "the elbow's angle, elbow up if the arm faces the target", r"\theta_3^{-}", "rad"),
+    sign(
+        "theta3_plus",
+        "the elbow's angle, elbow down if the arm faces the target",
+        r"\theta_3^{+}",
+        "rad",
+    ),
+    sign(
+        "theta3_minus",
+        "the elbow's angle, elbow up if the arm faces the target",
+        r"\theta_3^{-}",
+        "rad",
+    ),
 ]
 SIDES = {
     f"{side}{k}": sign(

@@ -52,7 +52,7 @@ ratio = quantity("ratio", "", 0.9, 1.1, "diameter of the right wheel by the left
 
 long_axis, short_axis = symbols(r"\sigma_1 \sigma_2")
 dN = sign("dN", "ticks between two readings", r"\Delta N", "ticks")
-bits = sign("m", "bits of a counter", code="bits")
+bits = sign("m", "bits of a counter")
 N = sign("N", "ticks of an encoder", unit="ticks")
 rho = sign("rho", "distance of the left wheel from the centre of the arc", r"\rho", "m")
 Sigma = sign("Sigma", "covariance of the pose", r"\Sigma")

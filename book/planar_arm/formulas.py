@@ -34,10 +34,14 @@ damping = quantity(
 gain = quantity("gain", "1/s", 0, 4, "how much of an error is taken back in a second", latex="K")
 x_d = quantity("x_d", "m", -1, 1, "wanted position of the hand", r"x_\mathrm{des}")
 y_d = quantity("y_d", "m", -1, 1, "wanted position of the hand", r"y_\mathrm{des}")
-phi_d = quantity("phi_d", "rad", -3.14, 3.14, "wanted direction of the hand", r"\varphi_\mathrm{des}")
+phi_d = quantity(
+    "phi_d", "rad", -3.14, 3.14, "wanted direction of the hand", r"\varphi_\mathrm{des}"
+)
 vx_d = quantity("vx_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{x}_\mathrm{des}")
 vy_d = quantity("vy_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{y}_\mathrm{des}")
-omega_d = quantity("omega_d", "rad/s", -3, 3, "wanted turning rate of the hand", r"\dot{\varphi}_\mathrm{des}")
+omega_d = quantity(
+    "omega_d", "rad/s", -3, 3, "wanted turning rate of the hand", r"\dot{\varphi}_\mathrm{des}"
+)
 
 LENGTHS, ANGLES, RATES = (l1, l2, l3), (theta1, theta2, theta3), (rate1, rate2, rate3)
 POSE, TWIST = (x, y, phi_hand), (x_dot, y_dot, phi_dot)

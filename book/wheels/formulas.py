@@ -59,7 +59,7 @@ J_2 = sign(
     code="J2",
 )
 rates = sign("rates", "the rates of all wheels, a column", r"\boldsymbol{\dot\varphi}", "rad/s")
-C_1 = sign("C_1", "the sliding rows of fixed and steered wheels", code="C1")
+C_1 = sign("C_1", "the sliding rows of fixed and steered wheels")
 C_1f = sign("C_1f", "the sliding rows of the fixed wheels", "C_{1f}")
 C_1s = sign("C_1s", "the sliding rows of the steered wheels", "C_{1s}")
 R = sign("R", "the matrix that takes a velocity from the world to the robot")

@@ -89,9 +89,7 @@ def names(chapter: str) -> set[str]:
     walked = [node for text in code for node in ast.walk(ast.parse(text))]
     arguments = {node.arg for node in walked if isinstance(node, ast.arg)}
     return arguments | {
-        node.id
-        for node in walked
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+        node.id for node in walked if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
     }
 
 

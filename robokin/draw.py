@@ -33,6 +33,7 @@ __all__ = [
 
 Vector = Sequence[float] | NDArray[np.float64]
 VIEW = (np.pi / 6, np.pi / 9)  # azimuth and elevation: x, y and z all point a little forward
+READABLE = 12  # points: a digit is 8 px high where a phone shows five inches as 358 px
 MARKERS = {"dot": "o", "ring": "o", "cross": "x", "square": "s", "diamond": "D"}
 
 
@@ -50,7 +51,10 @@ def axes(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
     """
     height = width * (y[1] - y[0]) / (x[1] - x[0])
     _, ax = plt.subplots(figsize=(width, height), dpi=200, layout="constrained")
-    ax.set(xlim=x, ylim=y, aspect="equal", xlabel="$x$ [m]", ylabel="$y$ [m]")
+    ax.set(xlim=x, ylim=y, aspect="equal")
+    ax.set_xlabel("$x$ [m]", fontsize=READABLE)
+    ax.set_ylabel("$y$ [m]", fontsize=READABLE)
+    ax.tick_params(labelsize=READABLE)
     ax.grid(color=style("grid").light)
     ax.set_axisbelow(True)
     return ax

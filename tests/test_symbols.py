@@ -37,6 +37,20 @@ def test_every_printed_symbol_is_declared(chapter):
 
 
 @each_chapter
+def test_a_name_in_code_is_given_in_the_code(chapter):
+    """What a formula's declaration says of the notebook: the name is set there, not only read."""
+    own = [s for s in lexicon.printed_symbols(chapter) if s.chapter == chapter]
+    told = {s.code for s in own if s.code != s.name}
+    assert told <= lexicon.names(chapter), f"set them in the notebook, or take off `code=`: {told}"
+
+
+def test_what_code_only_reads_or_catches_has_no_name(monkeypatch):
+    source = "try:\n    here, n = f(there), [k for k in x]\nexcept E as error:\n    print(error)\n"
+    monkeypatch.setattr(lexicon, "cells", lambda _: [{"cell_type": "code", "source": source}])
+    assert lexicon.names("any") == {"here", "n", "k"}
+
+
+@each_chapter
 def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
     for equation, computed in lexicon.shown(chapter):
         parts = (equation.left, equation.printed(computed))

@@ -85,6 +85,8 @@ def tex_of(node):
 def display_tex(node):
     """The TeX that KaTeX draws for a display."""
     tex = tex_of(node)
+    if r"\begin{matrix}" in tex and not node["number"]:  # SymPy's own; its fractions in full size
+        tex = tex.replace(r"\frac", r"\dfrac")
     return NUMBERED.sub(r"\\\1{\2*}", tex) if node.get("nowrap") else lines_aligned(tex)
 
 
@@ -149,10 +151,13 @@ def display_html(writer, node):
 
 
 def visit_inline(writer, node):
-    """Write an inline formula, with the punctuation behind it."""
+    """Write an inline formula, with the punctuation behind it; a short one stays on one line."""
     if "after" in node:
         writer.body.append('<span class="kept">')
-    writer.body.append(writer.starttag(node, "span", "", CLASS="math notranslate nohighlight"))
+    kept = " kept" if len(node.astext()) <= SHORT else ""
+    writer.body.append(
+        writer.starttag(node, "span", "", CLASS=f"math{kept} notranslate nohighlight")
+    )
     writer.body.append(to_html(writer, node, tex_of(node), False) + "</span>")
     if "after" in node:
         writer.body.append(f"{html.escape(node['after'])}</span>")

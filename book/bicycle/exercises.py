@@ -59,10 +59,10 @@ M17 = Mistake(
     nth=1,
     stands="ẋ = v_so sin φ, ẏ = v_so cos φ",
     should="ẋ = v_so sin(φ «− α»), ẏ = v_so cos(φ «− α»)",
-    explained="In this document φ is the heading, clockwise from the y axis, and α is the "
-    "steering angle, to the left. (In the chapter θ is the heading and φ the steering "
-    "angle.) The point O is at the front axle. It moves where the steered wheel rolls, "
-    "and that is φ − α from the y axis.",
+    explained="In this document φ is the heading, clockwise from the y axis, α is the "
+    "steering angle, to the left, and v_so the speed of O. (In the chapter θ is the heading and "
+    "φ the steering angle.) The point O is at the front axle. It moves where the steered wheel "
+    "rolls, and that is φ − α from the y axis.",
 )
 M18 = Mistake(
     "M18",
@@ -77,7 +77,7 @@ M32 = Mistake(
     says="when a heading that is measured from the y axis, clockwise, grows in a left turn",
     line="heading = psi + v * np.tan(phi) / L * time",
     why="A heading that is measured clockwise gets smaller when the car turns to the left. It "
-    "changes by −ωδt, not by +ωδt.",
+    "changes by −ωΔt, not by +ωΔt.",
     unnoticed="On a straight line, where the heading does not change.",
     document="004 Ans 1",
     place="the points of the trajectory",

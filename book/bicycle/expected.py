@@ -68,7 +68,7 @@ READOUTS = {
 SPECIALS = {
     "ackermann-steering": [AHEAD, *TIGHT],
     "bicycle-steps": [AHEAD, {"n": 1}, {"point": "front axle"}],
-    "swept-lane": [AHEAD, {**AHEAD, "t": 12.0}, {"t": 12.0}, UNDER],
+    "swept-lane": [AHEAD, {**AHEAD, "t": 8.0}, {"t": 8.0}, UNDER],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("ackermann-steering", AHEAD, "radius", "none: straight ahead"),

@@ -186,7 +186,7 @@ def loop_figure() -> Figure:
     )  # fmt: skip
 
 
-SPEED, LASTING = 3.0, 12.0  # m/s, s: 36 m of driving
+SPEED, LASTING = 3.0, 8.0  # m/s, s: 24 m of driving, once round in the tightest turn
 FAR = 4.0  # m, from the front axle to the handle that steers
 TYRE = {"length": 1.2, "width": 0.4}  # m, larger than true, to be seen
 
@@ -216,7 +216,7 @@ def lane_figure() -> Figure:
     return Figure(
         name="swept-lane",
         title="A long car in a turn, and the lane that it needs",
-        view=(-25, 25, -8, 18),
+        view=(-14, 14, -4, 13),
         controls=(
             Slider(
                 steering, -60 * DEGREE, 60 * DEGREE, start=20 * DEGREE, step=DEGREE,

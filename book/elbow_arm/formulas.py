@@ -26,13 +26,23 @@ phi2 = sign("phi2", "angle of the triangle at the elbow", r"\varphi_2", "rad")
 phi3 = sign("phi3", "how steeply the wrist is seen from the shoulder", r"\varphi_3", "rad")
 d_min = sign("d_min", "least distance that the arm can do", r"d_\mathrm{min}", "m")
 d_max = sign("d_max", "largest distance that the arm can do", r"d_\mathrm{max}", "m")
-D = sign("D", "the distance nearest to d that the arm can do", r"\hat{d}", "m")
+D = sign("d_hat", "the distance nearest to d that the arm can do", r"\hat{d}", "m")
 NEAREST = [
     sign(f"near_{x}", f"the nearest point in reach, along {x}", f"p'_{x}", "m") for x in "xyz"
 ]
 ELBOW_BOTH = [
-    sign("theta3_plus", "the elbow's angle, elbow down", r"\theta_3^{+}", "rad"),
-    sign("theta3_minus", "the elbow's angle, elbow up", r"\theta_3^{-}", "rad"),
+    sign(
+        "theta3_plus",
+        "the elbow's angle, elbow down if the arm faces the target",
+        r"\theta_3^{+}",
+        "rad",
+    ),
+    sign(
+        "theta3_minus",
+        "the elbow's angle, elbow up if the arm faces the target",
+        r"\theta_3^{-}",
+        "rad",
+    ),
 ]
 SIDES = {
     f"{side}{k}": sign(
@@ -42,7 +52,7 @@ SIDES = {
     for k in joints
 }
 p = sign("p", "the point where the wrist is to be")
-x, y, z = (sign(axis, f"the {axis} axis") for axis in "xyz")
+x, y, z = (sign(f"{axis}_axis", f"the {axis} axis", axis) for axis in "xyz")
 joint = sign("joint", "number of a joint", "i")
 Z_AXES = [
     sign(f"z_{k}", f"axis of joint {j}", f"z_{{{k}}}")

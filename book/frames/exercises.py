@@ -58,7 +58,7 @@ M30 = Mistake(
     place="the last line",
     nth=1,
     stands="T_bc¹ T_db⁻¹ T_de = T_ce",
-    should="T_bc«⁻»¹ T_db⁻¹ T_de = T_ce",
+    should="T_bc«⁻¹» T_db⁻¹ T_de = T_ce",
     explained="The exponent has lost its minus, perhaps only in the copy. As it stands, the "
     "product starts in b and ends in e, with c and b side by side in the middle: T_bc T_bd. From "
     "c to b leads T_cb, the inverse of T_bc.",

@@ -33,8 +33,8 @@ ENTRY = "entry of the rotation matrix: row, column"
 r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
 
 lever = quantity("lever", "m", 0, 5, "distance of a point from its axis of turning", latex=r"\ell")
-error = quantity("error", "rad", -0.5, 0.5, "error of an angle", latex=r"\delta")
-missed = quantity("missed", "m", 0, 3, "by how much a point is missed", latex=r"\Delta")
+error = quantity("error", "rad", -0.5, 0.5, "error of an angle", r"\delta", "delta")
+missed = quantity("missed", "m", 0, 3, "by how much a point is missed", r"\Delta", "miss")
 
 
 PAIRS = ["ab", "ac", "bc", "bd", "be", "cb", "ce", "db", "de", "fb", "fd", "rb", "rf"]

@@ -17,6 +17,7 @@ from workshop.figures import (
     Curve,
     Figure,
     Handle,
+    Label,
     Line,
     Point,
     Readout,
@@ -98,15 +99,6 @@ def rules_figure() -> Figure:
             sp.cos(centre) * POINTER[0] + sp.sin(centre) * (POINTER[1] - CIRCLE),
             sp.sin(centre) * POINTER[0] - sp.cos(centre) * (POINTER[1] - CIRCLE),
         )
-    kinds = ("path", "old_heading", "new_heading", "middle_heading")
-    names = ("exact arc", "old heading", "new heading", "middle heading")
-    legend = []
-    for place, (kind, name) in enumerate(zip(kinds, names, strict=True)):
-        height = 0.58 - 0.12 * place
-        legend += [
-            Line(kind, ((-0.32, height), (-0.22, height))),
-            Point(kind, (-0.22, height), name),
-        ]
     return Figure(
         name="four-rules",
         title="One drive of a robot, read from its encoders by four rules",
@@ -124,7 +116,10 @@ def rules_figure() -> Figure:
             Trail("ghost", (x, y), exact),
             Body(ORIGIN, 0, 0.06, kind="ghost"),
             Body((end[0], end[1]), turned, 0.06),
-            *legend,
+            Point("path", (end[0], end[1]), "exact"),
+            Point("old_heading", (old.ends[0], old.ends[1]), "old"),
+            Point("new_heading", (new.ends[0], new.ends[1]), "new"),
+            Point("middle_heading", (middle.ends[0], middle.ends[1]), "middle"),
         ),
         handles=(Handle("end of the drive", (end[0], end[1]), {turned: centre + ahead}),),
         readouts=(
@@ -317,8 +312,10 @@ def square_figure() -> Figure:
             Trail("path", (x, y), cw),
             Trail("path", (x, y), ccw),
             Body(ORIGIN, 0, 0.1, kind="ghost"),
-            Point("target", (cw.ends[0], cw.ends[1]), label="cw"),
-            Point("target", (ccw.ends[0], ccw.ends[1]), label="ccw"),
+            Point("target", (cw.ends[0], cw.ends[1])),
+            Point("target", (ccw.ends[0], ccw.ends[1])),
+            Label("target", (SIDE / 2, -SIDE / 2), "cw"),
+            Label("target", (SIDE / 2, SIDE / 2), "ccw"),
             Body((PLACE, 0), 0, 0.55),
             Line("left", ((PLACE - HALF, wheel), (PLACE + HALF, wheel))),
             Line("right", ((back, -wheel), (tip, -wheel))),

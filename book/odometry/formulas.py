@@ -47,19 +47,19 @@ short_turn = quantity(
 side_swing = quantity(
     "side_swing", "rad", -0.2, 0.2, "angle by which a side swings to the left", latex=r"\beta"
 )
-b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", "b'", "true_b")
+b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", "b'")
 ratio = quantity("ratio", "", 0.9, 1.1, "diameter of the right wheel by the left", latex="E_d")
 
 long_axis, short_axis = symbols(r"\sigma_1 \sigma_2")
 dN = sign("dN", "ticks between two readings", r"\Delta N", "ticks")
-bits = sign("m", "bits of a counter", code="bits")
+bits = sign("m", "bits of a counter")
 N = sign("N", "ticks of an encoder", unit="ticks")
 rho = sign("rho", "distance of the left wheel from the centre of the arc", r"\rho", "m")
 Sigma = sign("Sigma", "covariance of the pose", r"\Sigma")
 Sigma_next = sign("Sigma_next", "covariance after the sample", r"\Sigma'")
 F = sign("F", "derivative of the new pose by the old one")
 G = sign("G", "derivative of the new pose by the travel of the wheels")
-error = sign("e", "small errors of the pose")
+error = sign("pose_error", "small errors of the pose", "e")
 covariance_entries = (p_xx, p_xy, p_xt, p_yy, p_yt, p_tt)
 p_next = [Symbol(f"{name}'") for name in ("p_{xx}", "p_{xy}", r"p_{x\theta}")]
 p_next += [Symbol(f"{name}'") for name in ("p_{yy}", r"p_{y\theta}", r"p_{\theta\theta}")]

@@ -32,12 +32,16 @@ damping = quantity(
     "damping", "", 0.05, 1, "damping of the least squares; one number for m and rad", r"\lambda"
 )
 gain = quantity("gain", "1/s", 0, 4, "how much of an error is taken back in a second", latex="K")
-x_d = quantity("x_d", "m", -1, 1, "wanted position of the hand")
-y_d = quantity("y_d", "m", -1, 1, "wanted position of the hand")
-phi_d = quantity("phi_d", "rad", -3.14, 3.14, "wanted direction of the hand", latex=r"\varphi_d")
-vx_d = quantity("vx_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{x}_d")
-vy_d = quantity("vy_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{y}_d")
-omega_d = quantity("omega_d", "rad/s", -3, 3, "wanted turning rate of the hand", r"\dot{\varphi}_d")
+x_d = quantity("x_d", "m", -1, 1, "wanted position of the hand", r"x_\mathrm{des}")
+y_d = quantity("y_d", "m", -1, 1, "wanted position of the hand", r"y_\mathrm{des}")
+phi_d = quantity(
+    "phi_d", "rad", -3.14, 3.14, "wanted direction of the hand", r"\varphi_\mathrm{des}"
+)
+vx_d = quantity("vx_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{x}_\mathrm{des}")
+vy_d = quantity("vy_d", "m/s", -1, 1, "wanted velocity of the hand", latex=r"\dot{y}_\mathrm{des}")
+omega_d = quantity(
+    "omega_d", "rad/s", -3, 3, "wanted turning rate of the hand", r"\dot{\varphi}_\mathrm{des}"
+)
 
 LENGTHS, ANGLES, RATES = (l1, l2, l3), (theta1, theta2, theta3), (rate1, rate2, rate3)
 POSE, TWIST = (x, y, phi_hand), (x_dot, y_dot, phi_dot)
@@ -50,7 +54,7 @@ s2, s3 = sign("s_2", "sin θ_2"), sign("s_3", "sin θ_3")
 s23 = sign("s_23", "sin(θ_2 + θ_3)", "s_{23}")
 J = Matrix(3, 3, lambda i, j: sign(f"J_{i + 1}{j + 1}", "entry of the Jacobian: row, column"))
 G_xx, G_yy, G_xy = Symbol("G_xx"), Symbol("G_yy"), Symbol("G_xy")
-x_w, y_w = (sign(f"{x}_w", f"the wrist, along {x}", unit="m") for x in "xy")
+x_w, y_w = (sign(f"{x}_w", f"the wrist, along {x}", rf"{x}_\mathrm{{wr}}", "m") for x in "xy")
 d = sign("d", "distance of the wrist from the base", unit="m")
 ROUNDING = 1e-14  # a sine so small is rounding: that of π in floating point is 1.2e-16
 w = sign("w", "manipulability")
@@ -59,12 +63,12 @@ whole_J = sign("J", "the Jacobian")
 det_J = sign("det_J", "determinant of the Jacobian", r"\det J")
 identity = sign("I", "the identity matrix")
 theta_dot = sign("theta_dot", "the joint rates, a column", r"\dot\theta", code="rates")
-p_dot = sign("p_dot", "the wanted twist of the hand", r"\dot{p}", code="twist")
-q = sign("q", "joint rate along a single direction", unit="rad/s")
+p_dot = sign("p_dot", "the wanted twist of the hand", r"\dot{p}", code="wanted")
+u = sign("u", "joint rate along a single direction", unit="rad/s")
 sigma = sign("sigma", "by what the arm multiplies a rate in a single direction", r"\sigma")
 v = sign("v", "velocity that is wanted in a single direction", unit="m/s")
 arrow = [
-    sign(part, f"{which} part of an arrow") for part, which in {"a": "first", "b": "second"}.items()
+    sign(part, f"{which} part of an arrow") for part, which in {"g": "first", "h": "second"}.items()
 ]
 
 

@@ -248,8 +248,8 @@ def laboratory_figure() -> Figure:
                 start="car",
             ),
             Choice("wish", "asked to", tuple(WISH), WISHES, start="turn on the spot"),
-            Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring C ahead"),
-            Slider(centre_y, -0.5, 0.5, start=0.4, step=0.05, label="ring C to the left"),
+            Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring Q ahead"),
+            Slider(centre_y, -0.5, 0.5, start=0.4, step=0.05, label="ring Q to the left"),
             Choice(
                 "which",
                 "change",
@@ -276,7 +276,7 @@ def laboratory_figure() -> Figure:
             *(Point("approximation", seen(WHICH[k], places[k]), label=f"{k + 1}") for k in (0, 1)),
         ),
         handles=(
-            Handle("ring C, which the steered axles look at", (centre_x, centre_y), {
+            Handle("ring Q, which the steered axles look at", (centre_x, centre_y), {
                 centre_x: POINTER[0], centre_y: POINTER[1],
             }),
             Handle("the wheel that is changed", (chosen[0] + shift_x, chosen[1] + shift_y), {

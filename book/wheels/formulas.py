@@ -34,7 +34,7 @@ beta = quantity(
 gamma = quantity(
     "wheel_gamma", "rad", -1.4, 1.4, "angle of the rollers on a Swedish wheel", r"\gamma", "gamma"
 )
-d = quantity("castor_d", "m", -0.2, -0.02, "from a castor's pivot to its contact point", "d", "d")
+d = quantity("castor_d", "m", -0.2, -0.02, "from a castor's pivot to its contact point", "d")
 rate = quantity("wheel_rate", "rad/s", -20, 20, "rate of a wheel", latex=r"\dot\varphi")
 omni_rates = [
     quantity(f"omni_rate{k}", "rad/s", -20, 20, f"rate of wheel {k}", latex=rf"\dot\varphi_{k}")
@@ -52,12 +52,18 @@ delta_m = sign("delta_m", "degree of mobility", r"\delta_m")
 delta_s = sign("delta_s", "degree of steerability", r"\delta_s")
 delta_M = sign("delta_M", "degree of manoeuvrability", r"\delta_M")
 J_1 = sign("J_1", "the rolling rows of all wheels", code="J1")
-J_2 = sign("J_2", "how far each wheel rolls at a rate of 1", code="J2")
-C_1 = sign("C_1", "the sliding rows of fixed and steered wheels", code="C1")
+J_2 = sign(
+    "J_2",
+    "r cos γ of each wheel on the diagonal: how far it drives the robot along the roller's axis "
+    "at a rate of 1",
+    code="J2",
+)
+rates = sign("rates", "the rates of all wheels, a column", r"\boldsymbol{\dot\varphi}", "rad/s")
+C_1 = sign("C_1", "the sliding rows of fixed and steered wheels")
 C_1f = sign("C_1f", "the sliding rows of the fixed wheels", "C_{1f}")
 C_1s = sign("C_1s", "the sliding rows of the steered wheels", "C_{1s}")
 R = sign("R", "the matrix that takes a velocity from the world to the robot")
-x, y = (sign(axis, f"the robot's {axis} axis") for axis in "xy")
+x, y = (sign(f"{axis}_axis", f"the robot's {axis} axis", axis) for axis in "xy")
 xi_dot = sign("xi_dot", "velocity of the robot in the world", r"\dot\xi_I")
 rank_fixed = quantity(
     "rank_fixed", "", 0, 3, "independent sliding rows of the fixed wheels",

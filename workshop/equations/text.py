@@ -43,7 +43,7 @@ def symbol_text(symbol: sp.Symbol) -> str:
     """A symbol's letter: "θ̇_1" for `\\dot\\theta_1`."""
     latex: str = sp.latex(symbol)
     text = re.sub(r"\\operatorname\s*\{(\w+)\}(?=[\w\\])", r"\1 ", latex)
-    text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{(\w+)\}", r"\1", text)
+    text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{((?:\\?\w)+)\}", r"\1", text)
     text = re.sub(r"\\([A-Za-z]+)", lambda m: GREEK.get(m[1], m[0]), text)
     text = re.sub(
         r"\\(dot|ddot|hat|bar)\s*(?:\{\s*(\w)\s*\}|(\w))",

@@ -40,7 +40,7 @@ const wide = (text) => [...text.normalize("NFC").replace(/[\u0300-\u036f]/g, "")
 
 const written = ({ x, y, shape }) => `<text x="${n(x)}" y="${n(y + 5)}" text-anchor="middle"`
   + `${faceOf(shape)} style="fill:${color(shape.kind)};stroke:var(--rk-ground,#fff);`
-  + `stroke-width:3px;paint-order:stroke;font:italic 15px serif">`
+  + `stroke-width:5px;stroke-linejoin:round;paint-order:stroke;font:italic 15px serif">`
   + `${symbols(shape.label, '$1<tspan dy="4" font-size="75%" font-style="normal">$2</tspan>')}</text>`;
 
 // Each label takes the first place that is inside the picture and free of handles and of the labels

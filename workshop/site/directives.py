@@ -64,7 +64,7 @@ def erratum(mistake: Mistake) -> str:
     should = highlighted(mistake.should)
     return (
         f"**{mistake.document}**, {symbols(mistake.place)} ({mistake.name})\n\n"
-        f"- There stands: {symbols(mistake.stands)}\n- It should be: {should}\n\n"
+        f"- The document says: {symbols(mistake.stands)}\n- It should be: {should}\n\n"
         f"{symbols(mistake.explained or mistake.why)} "
         f"Chapter: {chapter}. Exercises: {links}."
     )

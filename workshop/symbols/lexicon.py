@@ -84,11 +84,13 @@ def printed_symbols(chapter: str) -> list[NamedSymbol]:
 
 
 def names(chapter: str) -> set[str]:
-    """The names in the code of a chapter's notebook."""
+    """The names that the code of a chapter's notebook gives to something."""
     code = ["".join(cell["source"]) for cell in cells(chapter) if cell["cell_type"] == "code"]
     walked = [node for text in code for node in ast.walk(ast.parse(text))]
     arguments = {node.arg for node in walked if isinstance(node, ast.arg)}
-    return arguments | {node.id for node in walked if isinstance(node, ast.Name)}
+    return arguments | {
+        node.id for node in walked if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
 
 
 def cells(chapter: str) -> list[dict[str, Any]]:

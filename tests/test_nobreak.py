@@ -1,0 +1,52 @@
+"""What stays on one line: a number with its unit, a short formula."""
+
+import sys
+
+import pytest
+
+pytest_plugins = ["browser"]
+pytest.register_assert_rewrite("browser")
+
+from browser import ROOT, watched_page  # noqa: E402
+from declared import course  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "book" / "_ext"))
+from nobreak import BETWEEN, kept  # noqa: E402
+
+# texts of the page, but not what is code or made by a script
+TEXTS = """
+() => [...document.querySelectorAll(".bd-article :is(p, li, td)")]
+  .filter((each) => !each.closest(".rk-exercise, .rk-mistake, .rk-figure, .rk-prediction"))
+  .flatMap((each) => [...each.childNodes].filter((n) => n.nodeType === 3).map((n) => n.data))
+"""
+TORN = """
+() => [...document.querySelectorAll("span.math.kept")]
+  .filter((each) => each.offsetWidth && getComputedStyle(each).whiteSpace !== "nowrap")
+  .map((each) => each.textContent)
+"""
+CHAPTERS = [name for name in course().chapters if course().notebook(name).exists()]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("at 0.3 m and 30° in 2 s", "at 0.3~m and 30° in 2~s"),
+        ("10 cm/s, 1.5 rad/s.", "10~cm/s, 1.5~rad/s."),
+        ("4 mistakes, 2 motors, 5 steps", "4 mistakes, 2 motors, 5 steps"),
+        ("Move 2 m/s² or m s", "Move 2~m/s² or m s"),
+    ],
+)
+def test_a_number_is_tied_to_its_unit(text, expected):
+    assert kept(text) == expected.replace("~", "\N{NO-BREAK SPACE}")
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_no_number_leaves_its_unit(chromium, server, chapter):
+    with watched_page(chromium, server, 390) as (page, _):
+        page.goto(f"{server}{chapter}/{chapter}.html")
+        texts = page.evaluate(TEXTS)
+        assert any("\N{NO-BREAK SPACE}" in text for text in texts) or chapter == "basics"
+        assert not [text for text in texts if BETWEEN.search(text)]
+        assert page.locator("span.math.kept").count()
+        assert not page.evaluate(TORN)

@@ -172,6 +172,9 @@ def test_sources_of_mistakes_are_told_as_they_are(chapter):
     intro = text[text.index("## Find the mistake") :].split("\n\n")[1].lower()
     assert intro.startswith(f"{NUMBERS[len(shown)]} mistakes")
     assert f"**recognise** {NUMBERS[len(shown)]} mistakes" in text
+    if not written:
+        assert f"all {NUMBERS[len(shown)]} are likely" in intro
+        return
     assert f"{NUMBERS[written]} stand" in intro
     if written < len(shown):
         assert f"{NUMBERS[len(shown) - written]} " in intro.split(" stand")[1]

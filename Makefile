@@ -1,22 +1,25 @@
 # make book    set everything up and build the site        make test          all tests
 # make serve   look at the site                            make test T=motion   one topic
-# make lab     open the notebooks in JupyterLab            make test-long      longer sweeps too
+# make lab     open the notebooks in JupyterLab            make test-long      longer sweeps
+# make paper   the book as PDF and EPUB; make book after it links them
 # make notebooks, make check, make lock, make clean: see CONTRIBUTING.md
 
 PYTHON ?= python3
 T ?=
+PYODIDE ?=
 
 BIN := .venv/bin
 INSTALL = $(BIN)/uv pip install --python $(@D)/bin/python
 READY := .venv/.ready
 SITE := _build/html/.built
-BUILD := $(BIN)/jupyter-book build book --config _config.yml \
+BUILD := PYODIDE="$(PYODIDE)" $(BIN)/jupyter-book build book --config _config.yml \
 	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
-	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*')
+	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') $(wildcard _build/robokin.*)
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
-.PHONY: book serve lab test test-long measure screenshots check notebooks lock bench mutate lowest clean
+.PHONY: book paper test-paper serve lab hosted test test-long test-anywhere test-browsers measure \
+	lighthouse links screenshots check notebooks lock bench mutate lowest clean FORCE
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -30,7 +33,11 @@ $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject
 	$(INSTALL) --no-deps --no-build-isolation -e . -e workshop -e book
 	@touch $(READY)
 
-$(SITE): $(READY) $(SOURCES)
+# which Python the pages load, if not from its public address; changes with it
+_build/pyodide: FORCE
+	@mkdir -p _build; echo "$(PYODIDE)" | cmp -s - $@ || echo "$(PYODIDE)" > $@
+
+$(SITE): $(READY) $(SOURCES) _build/pyodide
 	$(BUILD)
 	@touch $(SITE)
 
@@ -41,8 +48,16 @@ serve: $(SITE)
 	@echo "http://127.0.0.1:8000 - stop with Ctrl-C"
 	$(BIN)/python -m http.server -b 127.0.0.1 -d _build/html 8000
 
+hosted: $(SITE)
+	$(BIN)/python tools/hosted.py
+
 lab: $(READY)
 	$(BIN)/jupyter lab book
+
+FOLDS := open
+
+paper: $(SITE)
+	PYTHONPATH=tools $(BIN)/python -m paper --folds $(FOLDS)
 
 # The library's tests run once, against the wheel that a user installs.
 LIBRARY := _build/library
@@ -56,12 +71,14 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not long and not measure and not screenshots" $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
-test-long: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m "not measure and not screenshots" $(if $(T),-k $(T)) tests book
-	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
+test-long: $(LIBRARY)/.ready
+	$(PYTEST) worksteal -m long $(if $(T),-k $(T)) tests book
+
+test-anywhere: $(LIBRARY)/.ready
+	$(PYTEST) worksteal -m anywhere tests
 
 check: $(READY)
 	$(BIN)/ruff check .
@@ -69,8 +86,19 @@ check: $(READY)
 	$(BIN)/mypy
 	$(BIN)/codespell
 
+test-browsers: $(LIBRARY)/.ready
+	$(UNDER_TEST) $(BIN)/pytest -m browsers tests/test_browsers.py
+
 screenshots: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
+
+test-paper: paper
+	$(BIN)/pytest -m paper tests/test_paper.py
+links: $(READY)
+	$(BUILD) --builder linkcheck
+
+lighthouse: $(SITE)
+	PYTHONPATH=tests $(BIN)/python tools/lighthouse.py $(T)
 
 measure: $(LIBRARY)/.ready
 	$(UNDER_TEST) $(BIN)/pytest -q -s -m measure tests
@@ -78,9 +106,13 @@ measure: $(LIBRARY)/.ready
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)
 
+LOCKED = $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
+	--custom-compile-command "make lock" $(LOCK) --no-emit-package robokin \
+	--no-emit-package robokin-workshop --no-emit-package robokin-book
+
 lock: $(READY)
-	$(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
-		--custom-compile-command "make lock" $(LOCK) requirements.in -o requirements.txt
+	$(LOCKED) requirements.in -o requirements.txt
+	$(LOCKED) -c requirements.txt requirements-light.in -o requirements-light.txt
 
 # With environments of their own: the peers that robokin is timed against, the mutation tool, and
 # the lowest versions that the wheels say they work with (and the newest of what tests need).
@@ -111,7 +143,7 @@ mutate: .venv-mutate/.ready
 	@touch $@
 
 lowest: .venv-lowest/.ready
-	.venv-lowest/bin/pytest -n 2 -m "not long" book
+	.venv-lowest/bin/pytest -n 2 book
 	.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(wildcard book/*/*.ipynb)
 
 clean:

@@ -8,7 +8,6 @@ import functools
 import gzip
 import os
 import re
-import shutil
 import subprocess
 import sys
 import threading
@@ -20,24 +19,14 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Error, expect, sync_playwright
+from chromium import started
+from playwright.sync_api import expect
 
 ROOT = Path(__file__).resolve().parents[1]
 SITE = ROOT / "_build" / "html"
 WAIT = 1200  # seconds for another worker's build; it fails before, if it does
 
 expect.set_options(timeout=30_000)  # ms, as all other waits; on a busy machine 5 s are too few
-
-ARGUMENTS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
-
 
 # --- the site -------------------------------------------------------------------------------
 
@@ -144,26 +133,11 @@ def server(site):
 # --- the browser ----------------------------------------------------------------------------
 
 
-def chromium_path():
-    """Chromium or Chrome on this machine, or None; without its windows it is twice as fast."""
-    names = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome")
-    return next(filter(None, map(shutil.which, names)), None)
-
-
 @pytest.fixture(scope="session")
 def chromium():
     """Playwright's browser: Chromium from the path, else Playwright's own."""
-    with sync_playwright() as playwright:
-        try:
-            browser = playwright.chromium.launch(executable_path=chromium_path(), args=ARGUMENTS)
-        except Error as error:
-            pytest.fail(
-                "no Chromium: install the package `chromium`, or run `playwright install chromium`"
-                f"\n{error}",
-                pytrace=False,
-            )
+    with started() as browser:
         yield browser
-        browser.close()
 
 
 # --- what a page does -----------------------------------------------------------------------

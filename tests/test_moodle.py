@@ -86,7 +86,7 @@ def test_the_text_is_that_of_the_page_and_says_how_to_write(quiz):
             text = question.find("questiontext/text").text
             filled = exercise.filled(exercise.text, variant.numbers, variant.shown)
             assert text.startswith(moodle.paragraphs(filled))
-            assert ("decimal" in text) == (question.get("type") != "multichoice")
+            assert ("decimal number" in text) == (question.get("type") != "multichoice")
 
 
 def test_right_answers_pass_and_mistakes_do_not_and_are_named(quiz):

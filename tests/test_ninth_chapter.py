@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+from html import unescape
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,11 @@ from support import ROOT
 BEACON = Path(__file__).parent / "ninth_chapter" / "beacon"
 NOT_SOURCE = (".*", "_build", "__pycache__")
 ADDRESS = "https://example.org/course/"
+ADDRESSES = {
+    "html_baseurl": ADDRESS,
+    "repository_url": "https://github.com/someone/course",
+    "site_hub": "https://hub.example.org",
+}
 LINE = "      - file: planar_arm/planar_arm\n"
 
 
@@ -43,8 +49,10 @@ def built(place):
     toc.write_text(text.replace(LINE, f"{LINE}      - file: beacon/beacon\n"), "utf-8")
     config = place / "_config.yml"
     settings = config.read_text("utf-8")
-    assert 'html_baseurl: ""' in settings
-    config.write_text(settings.replace('html_baseurl: ""', f'html_baseurl: "{ADDRESS}"'), "utf-8")
+    for name, address in ADDRESSES.items():
+        assert f'{name}: ""' in settings
+        settings = settings.replace(f'{name}: ""', f'{name}: "{address}"')
+    config.write_text(settings, "utf-8")
     book = Path(sys.executable).with_name("jupyter-book")
     options = ["--config", "_config.yml", "--toc", str(toc), "--path-output", ".", "-W", "-n"]
     for command in (
@@ -108,14 +116,29 @@ def test_it_stands_in_the_list_for_search_engines(site):
     assert all(same in (site / name).read_text("utf-8") for name in ("index.html", "intro.html"))
 
 
+def test_it_can_be_run_where_the_addresses_lead(site):
+    text = unescape((site / "beacon" / "beacon.html").read_text("utf-8"))
+    menu = re.findall(r'href="(https?://[^"]+)" target="_blank"\s+class="[^"]*dropdown-item', text)
+    copy = "github.com/someone/course/blob/hosted/beacon.ipynb"
+    asked = "repo=https%3A%2F%2Fgithub.com%2Fsomeone%2Fcourse&branch=main"
+    place = "lab%2Ftree%2Fbook%2Fbeacon%2Fbeacon.ipynb"
+    assert menu == [
+        "https://hub.example.org/hub/user-redirect/git-pull?"
+        f"{asked}&urlpath={place.replace('book', 'course%2Fbook')}",
+        f"https://mybinder.org/v2/gh/someone/course/main?urlpath={place}",
+        f"https://colab.research.google.com/{copy.replace('.com', '', 1)}",
+        f"https://kaggle.com/kernels/welcome?src=https://{copy}",
+        "https://codespaces.new/someone/course/tree/main?quickstart=1",
+    ]
+    assert "Run this chapter" not in (site / "practice.html").read_text("utf-8")
+
+
 def test_the_machine_s_tests_hold_it(tree, site):
     """Formulas, figure, exercise, page and notebook: all that is tried of any chapter."""
     options = (
         "-q",
         "-p",
         "no:cacheprovider",
-        "-m",
-        "not long and not measure and not screenshots",
         "-k",
         "beacon",
     )

@@ -10,7 +10,7 @@ from zipfile import ZipFile
 import numpy
 import pytest
 from hatchling.builders.wheel import WheelBuilder
-from support import ROOT
+from support import ROOT, python_of
 
 PROGRAM = """
 import sys, robokin
@@ -45,7 +45,7 @@ def sources(package, suffixes, left_out=()):
     [
         ("robokin", [".py"], []),
         ("workshop", [".py", ".js", ".css"], []),
-        ("book", [".py"], ["book/_*/*", "test_*.py", "expected.py"]),
+        ("book", [".py", ".ipynb"], ["book/_*/*", "test_*.py", "expected.py"]),
     ],
 )
 def test_a_wheel_holds_its_package_and_nothing_else(wheels, package, suffixes, left_out):
@@ -71,7 +71,6 @@ def test_no_wheel_registers_in_other_people_s_tools(wheels):
 def test_the_library_computes_with_numpy_only(wheels, tmp_path):
     """A fresh environment that sees this one's NumPy and nothing else."""
     venv.create(tmp_path / "fresh", with_pip=False)
-    place = "Scripts/python.exe" if os.name == "nt" else "bin/python"
     packages = tmp_path / "packages"
     ZipFile(wheels["robokin"]).extractall(packages)
     site = os.path.dirname(os.path.dirname(numpy.__file__))
@@ -79,7 +78,7 @@ def test_the_library_computes_with_numpy_only(wheels, tmp_path):
         if name.split("-")[0].split(".")[0] in ("numpy", "numpy_libs"):
             os.symlink(os.path.join(site, name), packages / name)
     run = subprocess.run(
-        [tmp_path / "fresh" / place, "-W", "error", "-c", PROGRAM],
+        [python_of(tmp_path / "fresh"), "-W", "error", "-c", PROGRAM],
         env={**os.environ, "PYTHONPATH": str(packages)},
         cwd=tmp_path,
         capture_output=True,

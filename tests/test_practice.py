@@ -7,7 +7,7 @@ import re
 import unicodedata
 import zlib
 from datetime import UTC, datetime
-from html import escape
+from html import escape, unescape
 
 import numpy as np
 import pytest
@@ -19,6 +19,7 @@ from workshop.course import course
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page
 from workshop.practice.bank import exercises, mistakes
+from workshop.practice.wording import paragraphs, symbols, unbroken
 from workshop.script import engine as script
 
 each_exercise = each("exercise", "exercises", Exercise)
@@ -88,6 +89,42 @@ def test_an_answer_as_the_solution_prints_it_is_right(exercise):
     rights = [v.candidates[0].rows for v in dealing.variants(exercise.name)]
     answers = [(k, typed(np.round(rows, 4), exercise)) for k, rows in enumerate(rights)]
     assert {verdict.name for verdict in judged(exercise, answers)} == {"right"}
+
+
+@each_exercise
+def test_whole_turns_more_or_less_do_not_matter(exercise):
+    """So the page and the sheets say of all angles."""
+    assert all(ask.circle for ask in exercise.asks if ask.unit == "rad")
+    turn = np.array([2 * math.pi * ask.circle for ask in exercise.asks])
+    answers = [
+        (k, typed(np.array(v.candidates[0].rows) + turns * turn, exercise))
+        for k, v in enumerate(dealing.variants(exercise.name))
+        for turns in (1, -2)
+    ]
+    assert {verdict.name for verdict in judged(exercise, answers)} == {"right"}
+
+
+def plain(html):
+    return unescape(re.sub("<[^>]+>", "", html))
+
+
+@each_exercise
+def test_no_line_ends_inside_a_number_with_its_unit(exercise):
+    """In the text as Python writes it and as the page does; nothing else changes in it."""
+    variant = dealing.variants(exercise.name)[0]
+    text = exercise.filled(exercise.text, variant.numbers, variant.shown)
+    for html in (paragraphs(text), script.call("workshop.practice.paragraphs", text)):
+        shown = plain(html)
+        assert not re.search(r"\d (?:cm|m|s|rad|N)\b|[=] \d| = −?\d", shown)
+        if "[[" not in text:  # on the page a matrix
+            assert shown.replace("\u00a0", " ") == plain(symbols(text.replace("\n\n", "")))
+
+
+def test_short_formulas_and_units_stay_together():
+    said = unbroken("a = 3 cm and b = −0.5 m/s in rad, x = (a longer formula) in 2 ways, 5 °/s")
+    kept = ["a = 3 cm", "b = −0.5 m/s", "in rad", "x = (a", "5 °/s"]
+    assert all(part.replace(" ", "\u00a0") in said for part in kept)
+    assert "longer formula) in 2 ways" in said
 
 
 def last_made(code, numbers):
@@ -336,6 +373,8 @@ def test_a_mistake_in_degrees_is_named():
         ("differential-drive-5", "degrees are handed"),
         ("planar-arm-2", "two mistakes in one term"),
         ("odometry-5", "rounded down"),
+        ("odometry-7", "starts with heading 0"),
+        ("odometry-7", "heading at the start is forgotten"),
     ],
 )
 def test_further_forms_of_mistakes_are_named(name, words):
@@ -364,16 +403,27 @@ def test_numbers_are_those_of_real_things():
 def test_statements_say_what_is_counted_and_from_where():
     told = {
         "differential-drive-1": "counter-clockwise positive",
-        "elbow-arm-3": "counted upwards from the level direction",
+        "elbow-arm-1": "counted from the x axis, counter-clockwise",
+        **{f"elbow-arm-{k}": "counted upwards from the level direction" for k in (3, 5, 6, 7)},
+        **{f"frames-{k}": "from the x axis of the frame that sees" for k in (1, 3, 4, 5, 7)},
+        **{f"frames-{k}": "first joint is at the origin of b" for k in (2, 5, 7)},
+        **{f"planar-arm-{k}": "θ_1 from the x axis, θ_2 and θ_3 from" for k in range(1, 8)},
+        **{f"wheels-{k}": "to the right of its spoke" for k in (2, 3, 4, 7)},
+        **{f"wheels-{k}": "in the direction α + β − 90°" for k in (1, 6)},
         "euler-3": "as the turned frame sees them",
         **{f"differential-drive-{k}": "middle of its axle" for k in (3, 5, 6)},
         **{f"odometry-{k}": "middle of its axle" for k in (3, 6, 7)},
         "odometry-5": "a whole number",
-        "bicycle-5": "Both stay as they are",
+        "bicycle-5": "Speed and steering angle stay constant",
     }
     for name, words in told.items():
         assert words in EXERCISES[name].text
     assert judging.asked(EXERCISES["odometry-5"]) == "one whole number: C"
+
+
+def test_a_unit_that_all_numbers_have_is_said_once():
+    assert judging.asked(EXERCISES["elbow-arm-3"]) == "3 numbers: θ_1, θ_2, θ_3 in rad"
+    assert judging.asked(EXERCISES["wheels-6"]).startswith("2 numbers: β in rad, φ̇ in rad/s")
 
 
 EDGE = (0.99, 0.999, 1 - 1e-9, 1, 1 + 1e-9, 1.001, 1.01)  # in tolerances
@@ -525,3 +575,16 @@ def test_a_mistake_is_shown_with_its_value(mistake):
     assert not re.search(r"\bnan\b", html)
     assert html.index("It gives") < html.index("<details>") < html.index("Right is")
     assert html.index(escape(mistake.line)) < html.index("It gives")
+
+
+def test_mistakes_in_one_exercise_are_numbered():
+    titles = [practice.mistake(name).title for name in mistakes()]
+    assert len(set(titles)) == len(titles)
+    assert practice.mistake("M20").title == "Mistake 2 of 4: The matrix of an omni robot"
+    assert practice.mistake("M4").title == "The same place from behind"
+
+
+def test_a_matrix_is_given_row_by_row():
+    html = practice.mistake("M19").answer
+    assert html.count("<br>") == 6  # three rows, wrong and right
+    assert "<br>" not in practice.mistake("M12").answer

@@ -24,7 +24,7 @@ def page(chromium, home):
     """The chapter on a first visit; it must stay quiet and at home."""
     with watched_page(chromium, home.rpartition("beacon/")[0]) as (page, watch):
         page.goto(home)
-        page.locator("#beacon-place.rk-prediction button").wait_for()
+        page.locator("#beacon-place .rk-skip").wait_for()
         yield page
         assert not watch.errors + watch.strangers
 
@@ -136,6 +136,28 @@ def test_a_ghost_in_the_right_place_is_right(page):
     assert said(page, "beacon-place").inner_text().startswith("✓")
 
 
+@pytest.mark.parametrize("name", ["beacon-turns", "beacon-far", "beacon-place"])
+def test_it_is_shown_without_a_guess_too(page, name):
+    for _ in range(2):  # shown, forgotten, shown again
+        skip = page.locator(f"#{name} .rk-skip")
+        skip.focus()
+        page.keyboard.press("Enter")
+        assert fold(page, name).is_visible()
+        assert skip.is_hidden()
+        assert said(page, name).inner_text().startswith("Shown: ")
+        assert page.evaluate("document.activeElement.className") == "rk-said"
+        page.reload()
+        fold(page, name).wait_for()
+        page.get_by_role("button", name="Forget my guesses").click()
+        assert not fold(page, name).is_visible()
+
+
+def test_a_ghost_that_is_shown_stands_where_it_belongs(page):
+    page.locator("#beacon-place .rk-skip").click()
+    put = state(page)
+    assert (put["guess_x"], put["guess_y"]) == pytest.approx((0, 0.5), abs=0.05)
+
+
 def test_guesses_are_kept_until_they_are_forgotten(page):
     page.get_by_role("button", name="not at all").click()
     place_ghost(page, guess_x=-0.4, guess_y=0.1)
@@ -149,7 +171,7 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     assert not fold(page, "beacon-turns").is_visible()
     assert not fold(page, "beacon-place").is_visible()
     page.reload()
-    page.locator("#beacon-place button").wait_for()
+    page.locator("#beacon-place .rk-skip").wait_for()
     assert not fold(page, "beacon-turns").is_visible()
     assert page.evaluate("() => document.cookie") == ""
 

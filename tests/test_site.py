@@ -1,12 +1,12 @@
 """Every page of the built site, in a real browser."""
 
+import json
 import re
 import shutil
 import subprocess
 from html import unescape
 from pathlib import Path
 from types import SimpleNamespace
-from zipfile import ZipFile
 
 import pytest
 
@@ -154,6 +154,77 @@ def test_a_menu_on_a_phone(site, server, chromium, toggle, menu):
         assert not watch.errors
 
 
+OUTSIDE = """(box) => [...document.querySelectorAll(`${box} *`)].filter((leaf) => {
+  const outer = document.querySelector(box).getBoundingClientRect();
+  const { left, right, width } = leaf.getBoundingClientRect();
+  return !leaf.childElementCount && leaf.textContent.trim() && leaf.checkVisibility() && width > 1
+    && (left < outer.left - 1 || right > outer.right + 1)
+    && !leaf.closest("svg, pre, .math, .katex, math, .pst-scrollable-table-container");
+}).map((leaf) => leaf.textContent)"""
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("name", ["index", "practice", "differential_drive/differential_drive"])
+def test_text_of_twice_the_size_is_all_there(name, width, server, chromium):
+    with watched_page(chromium, server, width, bypass_csp=True) as (page, _):
+        settled(page, f"{server}{name}.html")
+        page.add_style_tag(content="html { font-size: 200% !important; }")
+        for box in (".bd-article", ".bd-sidebar-primary", ".bd-header-article"):
+            assert page.evaluate(OUTSIDE, box) == [], box
+        assert page.evaluate(OVERFLOW) == 0
+
+
+def test_back_brings_a_figure_s_controls_and_picture_as_they_belong(server, chromium):
+    """Without the browser's memory of whole pages, which tests run without."""
+    with watched_page(chromium, server, reduced_motion="reduce") as (page, _):
+        page.goto(f"{server}wheels/wheels.html")
+        figure = page.locator(".rk-figure:has(select)").first
+        figure.scroll_into_view_if_needed()
+        page.wait_for_selector(".rk-live select")
+        figure.locator("select").select_option(index=1)
+        figure.locator("input[type=range]").first.press("End")
+        page.goto(f"{server}index.html")
+        page.go_back()
+        figure.scroll_into_view_if_needed()
+        page.wait_for_selector(".rk-live select")
+        shown = figure.evaluate(
+            "({workshop: {inputs, state}}) => inputs.map((input, k) => [Number(input.value), k])"
+        )
+        state = figure.evaluate(
+            "({workshop: {inputs, state}}) => inputs.map((input, k) => [state[input.dataset.i], k])"
+        )
+        assert shown == state
+
+
+def test_progress_stands_in_the_menu_and_on_the_first_page(server, chromium):
+    answers = {"anna": {f"bicycle-{k}": {"result": "right"} for k in (1, 3)}}
+    answers["anna"]["euler-1"] = {"result": "wrong"}
+    kept = {"robokin student": " Anna", "robokin answers robokin": json.dumps(answers)}
+    with watched_page(chromium, server) as (page, watch):
+        settled(page, server + "index.html")
+        assert page.locator(".rk-so-far:not(:empty), .site-so-far:not(:empty)").count() == 0
+        page.evaluate("(kept) => Object.assign(localStorage, kept)", kept)
+        page.reload()
+        told = "2 of 7 passed"
+        card = page.locator("a.site-card", has_text="Bicycle model")
+        assert card.locator(".rk-so-far").inner_text() == told
+        assert page.locator("nav.bd-links").first.get_by_text(told).count() == 1
+        assert page.get_by_text("You have passed 2 of ").is_visible()
+        assert page.locator(".rk-so-far:not(:empty)").count() == 2
+        assert not watch.errors
+
+
+def test_without_javascript_figures_say_why_they_stand_still(server, chromium):
+    with watched_page(chromium, server, java_script_enabled=False) as (page, _):
+        page.goto(f"{server}bicycle/bicycle.html")
+        figure = page.locator("#ackermann-steering")
+        title = figure.get_attribute("aria-label")
+        after = figure.evaluate("(element) => getComputedStyle(element, '::after').content")
+        assert title
+        assert after.startswith(f'"{title}')
+        assert "because JavaScript is off" in after
+
+
 def test_on_paper(site, server, chromium):
     """What is folded lies open, unless it shall not; from dark to light; and all comes back."""
     state = """(event) => {
@@ -171,6 +242,8 @@ def test_on_paper(site, server, chromium):
         assert page.evaluate(state, "beforeprint") == ["light", 0]
         page.emulate_media(media="print")
         assert not page.locator(".bd-sidebar-primary, .bd-header-article").first.is_visible()
+        assert page.locator(".rk-readouts dd").first.is_visible()
+        assert not page.locator(".rk-panel :is(input, button)").first.is_visible()
         code = page.locator(".cell_input pre").first
         assert code.evaluate("(each) => getComputedStyle(each).whiteSpace") == "pre-wrap"
         assert not watch.errors
@@ -297,18 +370,3 @@ def test_the_teacher_s_commands_know_the_course_of_the_site(tmp_path, line, name
     known.folder = tmp_path / "book"
     assert known.setting("course_name") == name
     assert known.setting("course_nothing") == ""
-
-
-def test_downloaded_notebooks_find_what_they_need(site):
-    """The wheel and the lock stand beside the notebooks, where the first page links to them."""
-    links = re.findall(
-        r'href="(_sources/[^"]+)" download', (site / "intro.html").read_text("utf-8")
-    )
-    assert {Path(link).suffix for link in links} == {".txt", ".whl"}
-    assert all((site / link).is_file() for link in links)
-    assert list((site / "_sources").glob("*/differential_drive.ipynb"))
-    wheels = [site / link for link in links if link.endswith(".whl")]
-    names = {name for wheel in wheels for name in ZipFile(wheel).namelist()}
-    assert {"robokin/motion.py", "workshop/figures/live.js", "book/bicycle/figures.py"} <= names
-    lock = (site / "_sources" / "requirements.txt").read_text("utf-8")
-    assert lock == (ROOT / "requirements.txt").read_text("utf-8")

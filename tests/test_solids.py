@@ -178,7 +178,7 @@ def test_an_unknown_look_of_a_part_is_refused():
 
 
 def test_shades_are_plain_colours_in_a_notebook():
-    assert "color-mix" not in FIGURES["die"]._repr_mimebundle_()["image/svg+xml"]
+    assert "color-mix" not in FIGURES["die"]._repr_mimebundle_()[0]["image/svg+xml"]
 
 
 # --- Quarter turns --------------------------------------------------------------------------

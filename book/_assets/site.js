@@ -68,3 +68,10 @@ for (const which of ["primary", "secondary"]) {
     });
   });
 }
+
+// From disk: JupyterLite needs a server and is not there.
+if (location.protocol === "file:") {
+  const menu = document.querySelector(".dropdown-run-buttons");
+  menu?.querySelectorAll("a[href^='../']").forEach((link) => link.parentElement.remove());
+  if (menu && !menu.querySelector("a")) menu.remove();
+}

@@ -195,12 +195,13 @@ def link_styles(app, pagename, templatename, context, doctree):
 
 
 def copy_styles(app):
-    """Ship the style sheet and the fonts, nothing else."""
+    """Ship the style sheet and the fonts, and KaTeX for those who ask for it."""
     if app.builder.format != "html":
         return
     target = Path(app.outdir) / "_static" / "katex"
     shutil.copytree(VENDOR / "fonts", target / "fonts", dirs_exist_ok=True)
     shutil.copy(VENDOR / "katex.min.css", target)
+    shutil.copy(VENDOR / "katex.min.js", target)  # only for cells that are run in the page
     shutil.copy(VENDOR / "LICENSE", target)
 
 

@@ -11,7 +11,7 @@ from py_mini_racer import MiniRacer
 
 TERSER = Path(__file__).parents[1] / "_vendor" / "terser" / "terser.min.js"
 # the theme's are small already
-OWN = ("site.js", "search.js", "minisearch.js", "workshop/*.js", "pages/*.js")
+OWN = ("site.js", "search.js", "minisearch.js", "workshop/*.js", "run/*.js", "pages/*.js")
 BEFORE = "globalThis.sourceMap = {}; globalThis.performance = Date; globalThis.process = {env: {}};"
 
 

@@ -8,9 +8,12 @@ from pathlib import Path
 
 from docutils import nodes
 
+from workshop.site.run import allowed
+
 BOOK = Path(__file__).parents[1]
 ASSETS = BOOK / "_assets"
-# what a page may load and run: the site's own files, nothing that is written in the page
+# what a page may load and run: the site's own files, nothing that is written in the page; a page
+# with code also the Python that *Run* loads
 POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"
 DESCRIPTION_LENGTH = 160  # what search engines show
 
@@ -53,8 +56,9 @@ def add_description(app, pagename, templatename, context, doctree):
     text = own or (first_paragraph(doctree) if doctree else "") or app.config.site_description
     title = html.escape(html.unescape(re.sub(r"<[^>]+>", "", context.get("title", ""))))
     told = html.escape(shortened(text, DESCRIPTION_LENGTH))
+    policy = POLICY + allowed(app, context.get("body", ""))
     tags = [
-        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}" />',
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}" />',
         f'<meta name="description" content="{told}" />',
         f'<meta property="og:title" content="{title or app.config.html_title}" />',
         f'<meta property="og:description" content="{told}" />',

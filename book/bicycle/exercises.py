@@ -180,13 +180,17 @@ with as_written():
     NEXT_HEADING = Line(PSI_NEXT, PSI + PSI_DOT * planar.dt, "rad")
 
 
+# What several exercises say
+MIDDLE = "The two wheels of the bicycle are in the middle of the car's axles. "
+COMPASS = "the heading ψ as a compass does: clockwise, from the y axis. "
+
 bicycle_1 = Exercise(
     "bicycle-1",
     level=1,
     title="A speedometer on the front wheel",
-    text="The wheels of a bicycle touch the floor {L} from each other. The front wheel is turned "
-    "by {phi} to the left. A speedometer on the front wheel shows {v_front}. How fast does the "
-    "bicycle turn?",
+    text="The wheelbase of a bicycle is {L}: so far apart its wheels touch the floor. The front "
+    "wheel is turned by {phi} to the left. A speedometer on the front wheel shows {v_front}. How "
+    "fast does the bicycle turn? To the left is positive.",
     given={
         "L": steps(0.9, 1.2, 0.05, "m"),
         "phi": steps(15, 45, 5, "°"),
@@ -218,8 +222,9 @@ bicycle_2 = Exercise(
     level=1,
     title="One wheel in place of two",
     text="A car turns to the left. Its left front wheel is turned by {alpha_L}, its right front "
-    "wheel by {alpha_R}. By which angle φ is the front wheel of a bicycle turned that drives the "
-    "same curve? Give four decimals.",
+    "wheel by {alpha_R}. A bicycle drives the same curve. "
+    + MIDDLE
+    + "By which angle φ is its front wheel turned?",
     given={"alpha_L": steps(18, 42, 1, "°"), "alpha_R": steps(14, 36, 1, "°")},
     asks=(Ask("φ", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
@@ -285,8 +290,10 @@ bicycle_4 = Exercise(
     title="The outer wheel",
     text="You design the steering of a car. When its left front wheel is turned by {alpha_L} to "
     "the left, the car must turn like a bicycle whose front wheel is turned by {phi} to the "
-    "left. By which angle must the right front wheel be turned, so that no wheel slips? Give four "
-    "decimals.",
+    "left. "
+    + MIDDLE
+    + "By which angle α_R must the right front wheel of the car then be turned to the left, so "
+    "that no wheel slips?",
     given={"alpha_L": steps(18, 42, 1, "°"), "phi": steps(16, 39, 1, "°")},
     asks=(Ask("α_R", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
@@ -312,10 +319,13 @@ bicycle_5 = Exercise(
     "bicycle-5",
     level=2,
     title="A heading as on a compass",
-    text="A truck measures its heading ψ as a compass does: clockwise, from the y axis. With "
-    "ψ = 90° it looks along x. Now ψ is {psi}. The rear wheels have a diameter of {diameter} and "
-    "turn at {wheel_rate}. The wheelbase is {L}, and the steering angle of the bicycle model is "
-    "{phi} (positive: to the left). Both stay as they are. What is ψ after {time}?",
+    text="A truck measures "
+    + COMPASS
+    + "With ψ = 90° it looks along x. Now ψ is {psi}. The rear wheels have a diameter of "
+    "{diameter} and turn at {wheel_rate}. The middle of the rear axle moves at the speed of these "
+    "wheels, their radius times their rate. The wheelbase is {L}, and the steering angle of the "
+    "bicycle model is {phi} (positive: to the left). Speed and steering angle stay constant. What "
+    "is ψ after {time}?",
     given={
         "psi": steps(20, 160, 10, "°"),
         "diameter": steps(70, 110, 5, "cm"),
@@ -371,9 +381,8 @@ bicycle_6 = Exercise(
     level=3,
     title="Along the arc",
     text="A car with a wheelbase of {L} starts with the middle of its rear axle at the origin and "
-    "with the heading {theta}. For {time} its rear axle drives at {v}, with a steering angle of "
-    "{phi} (positive: to the left). Where is the middle of the rear axle then, and what is the "
-    "heading?",
+    "with the heading {theta}. For {time} this point drives at {v}, with a steering angle of {phi} "
+    "(positive: to the left). Where is the middle of the rear axle then, and what is the heading?",
     given={
         "L": CAR,
         "theta": steps(-60, 150, 10, "°"),
@@ -425,14 +434,15 @@ bicycle_6 = Exercise(
 bicycle_7 = Exercise(
     "bicycle-7",
     level=3,
-    title="What the loop says",
-    text="A program follows O, the middle of a car's front axle. It measures the heading ψ as a "
-    "compass does: clockwise, from the y axis. At the start O is at the origin, and ψ is {psi}. "
-    "The wheelbase is {L}. All the time the rear axle moves at {v}, and the steering angle is "
-    "{phi} to the left.\n\n"
-    "The program takes {n} steps of {dt}. In each step it moves O straight on with the velocity "
-    "that O has at the start of the step, and then it changes ψ. Where is O after the last step, "
-    "as the program says?",
+    title="The position that a program computes",
+    text="A program computes the position of O, the middle of a car's front axle. It measures "
+    + COMPASS
+    + "At the start O is at the origin, and ψ is {psi}. The wheelbase is {L}. All the time the "
+    "middle of the rear axle moves at {v}, and the steering angle of the bicycle model is {phi} to "
+    "the left.\n\n"
+    "The program takes {n} steps of {dt}. In each step it first moves O in a straight line, with "
+    "the velocity that O has now. Then it changes ψ. Which position of O does it compute after the "
+    "last step?",
     given={
         "psi": steps(20, 160, 10, "°"),
         "L": CAR,
@@ -456,7 +466,7 @@ bicycle_7 = Exercise(
         M33: lambda **numbers: np.full(2, front_looped(**numbers)[0]),
     },
     also={
-        "for the real place of O, on its arc; asked is what the loop says": lambda **drive: (
+        "for the real place of O, on its arc; asked is what the program computes": lambda **drive: (
             front_looped(method="exact", **drive)
         ),
         "when each step first changes ψ and then moves O": lambda **drive: front_looped(

@@ -157,9 +157,9 @@ differential_drive_3 = Exercise(
     "differential-drive-3",
     level=2,
     title="Which point does it turn about?",
-    text="A robot stands at x = {x}, y = {y} with the heading {theta}. Its wheels are {b} apart "
-    "and move at {v_L} (left) and {v_R} (right). Where in the world is the point that it turns "
-    "about, the ICR? x and y are those of the middle of its axle.",
+    text="A robot stands with the middle of its axle at x = {x}, y = {y} and has the heading "
+    "{theta}. Its wheels are {b} apart and move at {v_L} (left) and {v_R} (right). Where in the "
+    "world is the point that it turns about, the instantaneous centre of rotation (ICR)?",
     given={"x": steps(1, 4, 0.5, "m"), "y": steps(1, 4, 0.5, "m"), "theta": steps(20, 160, 10, "°")}
     | SPEEDS,
     asks=(Ask("x", "m"), Ask("y", "m")),
@@ -192,7 +192,7 @@ differential_drive_3 = Exercise(
 differential_drive_4 = Exercise(
     "differential-drive-4",
     level=2,
-    title="A circle to order",
+    title="Once around a circle",
     text="A robot has wheels of radius {r}, {b} apart. The middle of its axle must run once "
     "around a circle of radius {radius}, to the left, in {time}. How fast must the left and the "
     "right wheel turn?",
@@ -271,9 +271,9 @@ differential_drive_6 = Exercise(
     level=3,
     title="A worn wheel",
     text="The left wheel of a robot is worn: its radius is {worn} smaller than the program "
-    "believes; the right one is as it believes. The wheels are {b} apart. The program gives both "
-    "wheels the same rate and wants to drive {distance} straight ahead along x, from the origin. "
-    "Where does the middle of its axle end?",
+    "believes; the right one is as it believes. The wheels are {b} apart. The program "
+    "wants to drive straight ahead along x, from the origin. It gives both wheels the same rate "
+    "until, by its own count, it has driven {distance}. Where does the middle of its axle end?",
     given={
         "worn": steps(1, 4, 0.5, "%"),
         "b": SPEEDS["b"],

@@ -10,11 +10,13 @@ from sympy import (
     Matrix,
     Max,
     Ne,
+    Or,
     Piecewise,
     Symbol,
     atan2,
     cos,
     log,
+    nan,
     oo,
     pi,
     sin,
@@ -77,7 +79,7 @@ TWIST = {  # and so of the robot; rounded, as 0.05 + 0.1 has a last digit too ma
 }
 ARROW = 1  # s: an arrow is as long as the way in this time, so that a slope is an ω
 ORIGIN, START = (0, 0), (0, 0, pi / 2)  # the robot looks along the world's y axis
-NO_ICR = {"inf": "none: straight", "nan": "any: at rest"}
+NO_ICR = {"inf": "none: straight", "nan": "nowhere: at rest"}
 VELOCITY = ((b, DISTANCE), *solved(drive.speed, drive.turning_rate))
 RADIUS_TOO = (*VELOCITY, *solved(drive.turning_radius))
 
@@ -254,16 +256,17 @@ def exercise_figure() -> Figure:
 def tips_figure() -> Figure:
     """The line through the tips: its middle is v, its slope ω, where it meets the axle the ICR."""
     slope = v_R - v_L
-    line = [(at, ARROW * (v + omega * at)) for at in (-0.4, 0.2)]
-    low = Piecewise((-DISTANCE / 2, v_L < v_R), (DISTANCE / 2, True))
+    low = Piecewise((-DISTANCE / 2, v_L < v_R), (DISTANCE / 2, v_L > v_R), (nan, True))
+    moves = Piecewise((0, Or(Ne(v_L, 0), Ne(v_R, 0))), (nan, True))
+    line = [(at, moves + ARROW * (v + omega * at)) for at in (-0.4, 0.2)]
     return Figure(
         name="tips",
         title="The robot's wheel arrows, and the line through their tips down to the axle's line",
         view=(-0.32, 0.17, -0.17, 0.2),
-        controls=wheels_from(0.02, 0.14),
+        controls=wheels_from(0.04, 0.12),
         where=RADIUS_TOO,
         scene=(
-            Line("icr", ((-0.4, 0), (0.2, 0))),
+            Line("icr", ((-0.4, moves), (0.2, moves))),
             Line("turning", tuple(line)),
             *robot(START),
             *arrows(START),
@@ -339,6 +342,10 @@ def infinity_figure() -> Figure:
 def world_figure() -> Figure:
     """One velocity, and its parts along the world's axes."""
     ends = (ARROW * x_dot, ARROW * y_dot)
+
+    def aside(other: Any) -> Any:  # a letter stands where the other part is not
+        return Piecewise((0.012, other >= 0), (-0.012, True))
+
     return Figure(
         name="world",
         title="The robot's velocity and its parts along the axes of the world",
@@ -359,8 +366,10 @@ def world_figure() -> Figure:
             Line("ghost", ((0, -0.3), (0, 0.3))),
             *robot((0, 0, theta)),
             AngleArc(theta, ORIGIN, 0, theta, 0.04),
-            Arrow(x_dot, ORIGIN, (ends[0], 0)),
-            Arrow(y_dot, ORIGIN, (0, ends[1])),
+            Arrow(x_dot, ORIGIN, (ends[0], 0), ""),
+            Arrow(y_dot, ORIGIN, (0, ends[1]), ""),
+            Label(x_dot, (ends[0] / 2, -aside(y_dot))),
+            Label(y_dot, (-aside(x_dot), ends[1] / 2)),
             Line("ghost", ((ends[0], 0), ends, (0, ends[1]))),
             Arrow(v, ORIGIN, ends),
         ),
@@ -489,7 +498,7 @@ def almost_figure() -> Figure:
         name="digits",
         title="Two robots, placed by the textbook's form and by the chord; the error against ω",
         view=(-0.09, 0.6, -0.12, 0.34),
-        controls=(Slider(power, 0.0, 16.0, start=1.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
+        controls=(Slider(power, 0.0, 16.0, start=6.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
         where=(
             (omega, Integer(10) ** (-power)),
             (v_L, FAST),

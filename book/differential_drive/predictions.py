@@ -138,8 +138,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "ever-straighter",
-        "The textbook's step divides by ω. Let ω become smaller and smaller, but not zero. What "
-        "happens to the computed place?",
+        "The textbook's step divides by ω. The heading is 1 rad. Let ω become smaller and smaller, "
+        "but not zero. What happens to the computed place?",
         Buttons(
             ("it gets better", "it stays right", "it gets worse"),
             right="it gets worse",

@@ -173,13 +173,23 @@ TURNED = tuple(Symbol(rf"\theta_{k}'") for k in (1, 2, 3))  # with the base turn
 
 EXAMPLE = {"p_x": -0.3, "p_y": 0.4, "p_z": 0.2, "a2": 0.4, "a3": 0.3}
 
+# What several exercises say
+POINT = "the point with the coordinates p_x = {p_x}, p_y = {p_y}, p_z = {p_z}"
+BASE = "θ_1 is counted from the x axis, counter-clockwise seen from above. "
+BENDS = (
+    "θ_2 is counted upwards from the level direction in which the base faces, θ_3 from the upper "
+    "link, the same way round. "
+)
+
 elbow_arm_1 = Exercise(
     "elbow-arm-1",
     level=1,
     title="Which way must the base turn?",
-    text="The base of an arm turns by θ_1 about the vertical z axis. With θ_1 = 0 the arm reaches "
-    "forward along x. The wrist must come to a point with p_x = {p_x}, p_y = {p_y}. What is "
-    "θ_1 if the arm faces this point, and does not lean over backwards to it?",
+    text="The base of an arm is at the origin and turns by θ_1 about the vertical z axis. "
+    + BASE
+    + "With θ_1 = 0 the arm reaches forward along x. The wrist must come to a point with the "
+    "coordinates p_x = {p_x}, p_y = {p_y}. What is θ_1 if the arm faces this point? (It does not "
+    "face away and reach back over its base.)",
     given={"p_x": BACK, "p_y": SIDE},
     asks=(angle("θ_1"),),
     right=lambda p_x, p_y: elbow_arm.inverse([p_x, p_y, 0], 0.6, 0.5)[0, 0],
@@ -202,9 +212,9 @@ elbow_arm_2 = Exercise(
     level=2,
     title="How far must the elbow bend?",
     text="An arm has an upper link of a_2 = {a2} and a forearm of a_3 = {a3}. The wrist must come "
-    "to p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured from the shoulder. With θ_3 = 0 the arm is "
-    "stretched. How far must the elbow bend if it hangs below the line from shoulder to wrist, so "
-    "that θ_3 is positive?",
+    f"to {POINT}, measured from the shoulder. With θ_3 = 0 the arm is stretched. By which angle "
+    "θ_3 must the elbow bend? Take the case with the elbow below the line from shoulder to wrist: "
+    "there θ_3 is positive.",
     given=TARGET | LINKS,
     asks=(angle("θ_3"),),
     right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3)[1, 2],
@@ -238,11 +248,12 @@ elbow_arm_3 = Exercise(
     "elbow-arm-3",
     level=2,
     title="The same place from behind",
-    text="An arm with a_2 = {a2} and a_3 = {a3} faces its target. Its joints stand at "
-    "θ_1 = {theta1}, θ_2 = {theta2}, θ_3 = {theta3}: θ_2 is counted upwards from the level "
-    "direction in which the base faces, θ_3 from the upper link. Now the base makes half a turn, "
-    "and then the elbow and the wrist must be where they were before. What are the three joint "
-    "angles?",
+    text="An arm with the links a_2 = {a2} and a_3 = {a3} faces its target. Its joint angles are "
+    "θ_1 = {theta1}, θ_2 = {theta2}, θ_3 = {theta3}. "
+    + BASE
+    + BENDS
+    + "Now the base makes half a turn. Then the elbow and the wrist must be where they were "
+    "before. What are the three joint angles now?",
     given={
         "theta1": one_of(*range(-160, 0, 10), *range(10, 170, 10), unit="°"),
         "theta2": steps(-40, 80, 10, "°"),
@@ -297,8 +308,9 @@ elbow_arm_4 = Exercise(
     level=2,
     title="How long must the forearm be?",
     text="You design an arm. Its shoulder is {d1} above the floor, and its upper link is "
-    "{a2} long. The wrist must reach a point with p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured "
-    "from the floor below the shoulder. How long must the forearm be at least?",
+    "{a2} long. The wrist must reach "
+    f"{POINT}, measured from the floor straight below the shoulder. "
+    "How long must the forearm be at least?",
     given={
         "d1": steps(20, 50, 10, "cm"),
         "a2": steps(30, 50, 5, "cm"),
@@ -336,9 +348,9 @@ elbow_arm_5 = Exercise(
     level=2,
     title="Straight above the shoulder",
     text="An arm has the links a_2 = {a2} and a_3 = {a3}. Its wrist must come to a point straight "
-    "above the shoulder, {p_z} higher (p_x = p_y = 0). The base may then stand as it likes: every "
-    "θ_1 will do. What are θ_2 and θ_3? With both 0 the arm is stretched and level; positive "
-    "angles lift it. There are two answers; either of them is enough.",
+    "above the shoulder, {p_z} higher (p_x = p_y = 0). Then θ_1 can be any angle. "
+    + BENDS
+    + "What are θ_2 and θ_3? There are two answers; either of them is enough.",
     given=LINKS | {"p_z": steps(20, 90, 5, "cm")},
     asks=(angle("θ_2"), angle("θ_3")),
     accept="any",
@@ -370,11 +382,13 @@ elbow_arm_6 = Exercise(
     "elbow-arm-6",
     level=3,
     title="All three joints",
-    text="The shoulder of an arm is {d1} above its base; the links are a_2 = {a2} and a_3 = {a3}. "
-    "The wrist must come to p_x = {p_x}, p_y = {p_y}, p_z = {p_z}, measured from the base. The "
-    "arm faces this point, and the elbow is above the line from shoulder to wrist. What are the "
-    "three joint angles? With θ_2 = θ_3 = 0 the arm is stretched and level; positive angles lift "
-    "it.",
+    text="The base of an arm is at the origin, and its shoulder is {d1} straight above. The links "
+    "are a_2 = {a2} and a_3 = {a3}. "
+    f"The wrist must come to {POINT}, measured from the base. "
+    + BASE
+    + BENDS
+    + "The arm faces the point, and the elbow is above the line from shoulder to wrist. What are "
+    "the three joint angles?",
     given={**TARGET, "p_z": steps(0, 80, 5, "cm"), "d1": steps(10, 40, 5, "cm"), **LINKS},
     asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     right=lambda p_x, p_y, p_z, a2, a3, d1: elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)[0],
@@ -410,10 +424,12 @@ elbow_arm_7 = Exercise(
     "elbow-arm-7",
     level=3,
     title="All four arms",
-    text="An arm has the links a_2 = {a2} and a_3 = {a3}. The wrist must come to p_x = {p_x}, "
-    "p_y = {p_y}, p_z = {p_z}, measured from the shoulder. There are four ways: facing the point "
-    "or turned away from it, the elbow up or down. Give the angles θ_1, θ_2, θ_3 of all four. "
-    "With θ_2 = θ_3 = 0 the arm is stretched and level; positive angles lift it.",
+    text="An arm has the links a_2 = {a2} and a_3 = {a3}. "
+    f"The wrist must come to {POINT}, measured from the shoulder. "
+    + BASE
+    + BENDS
+    + "There are four ways: the base faces the point or faces away from it, and the elbow is above "
+    "or below the line from shoulder to wrist. Give the angles θ_1, θ_2, θ_3 of all four.",
     given=TARGET | LINKS,
     asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     accept="all",

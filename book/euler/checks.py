@@ -73,13 +73,16 @@ CHECKS = (
             "XYZ", (formulas.turn_x, formulas.turn_y, formulas.turn_z), strict=True
         )
     ),
-    Check(
-        formulas.xyz,
-        function=partial(euler.to_matrix, "XYZ"),
-        arguments=(TURNS,),
-        tolerance=1e-15,
-        reason="sines and cosines, two products and a sum, each rounded once, of sizes up to 1",
-        specials=(STILL, EXERCISE, *LOCK),
+    *(
+        Check(
+            matrix,
+            function=partial(euler.to_matrix, seq),
+            arguments=(TURNS,),
+            tolerance=1e-15,
+            reason="sines and cosines, two products and a sum, each rounded once, of sizes up to 1",
+            specials=(STILL, EXERCISE, *LOCK),
+        )
+        for seq, matrix in {"XYZ": formulas.xyz, "ZYX": formulas.zyx}.items()
     ),
     Check(
         formulas.angles_at_once,

@@ -301,7 +301,7 @@ euler_3 = Exercise(
     level=2,
     title="What remains to be turned?",
     text="Frame A must be brought to frame B, with R_AB = {R_AB}. A first turn is already made, "
-    "by {turn} about the {axis} axis of A. Which rotation R is still needed? Give its matrix in "
+    "by {turn} about the {axis} axis of A. Which rotation is still needed? Give its matrix in "
     "the turned frame: its columns are the axes of B as the turned frame sees them.",
     given={
         "R_AB": one_of(*QUARTERS),
@@ -341,8 +341,8 @@ euler_4 = Exercise(
     title="One turn in place of two",
     text="A camera is turned first by {a} about its {first} axis, and then by {b} about its new "
     "{second} axis. One single turn can do the same. About which axis n (a vector of length 1, as "
-    "seen before the turns), and by what angle ϑ? The opposite axis with the opposite angle is as "
-    "good.",
+    "seen before the turns), and by what angle ϑ? The opposite axis with the opposite angle is "
+    "also right.",
     given=TURNS,
     asks=(Ask("n_x"), Ask("n_y"), Ask("n_z"), angle("ϑ")),
     accept="any",
@@ -374,8 +374,9 @@ euler_5 = Exercise(
     level=2,
     title="Yaw, pitch and roll",
     text="A drone was turned from frame A: first by a (yaw) about its z axis, then by b (pitch) "
-    "about its new y axis, then by c (roll) about its newest x axis. The result is "
-    "R_AB = {R}. Which a, b, c can it have been? There are two answers: give both.",
+    "about its new y axis, then by c (roll) about the x axis after both turns. The result, "
+    "rounded to four decimals, is R_AB = {R}. Which a, b, c can it have been? There are two "
+    "answers: give both.",
     given={
         "yaw": one_of(*range(-150, 0, 30), *range(30, 180, 30), -45, 45, 135, unit="°"),
         "pitch": one_of(-60, -45, -30, 30, 45, 60, unit="°"),
@@ -418,9 +419,9 @@ euler_6 = Exercise(
     level=3,
     title="At gimbal lock",
     text="Frame A is brought to frame B by three turns in the sequence {seq}, each about an axis "
-    "of the frame as turned so far. The result is R_AB = {R}. Here the sequence is at gimbal lock: "
-    "many triples of angles make the same rotation. Choose 0 for the third angle. What are the "
-    "first and the second?",
+    "of the frame as turned so far. The result, rounded to four decimals, is R_AB = {R}. Here "
+    "the sequence is at gimbal lock: many triples of angles make the same rotation. Choose 0 for "
+    "the third angle. What are the first and the second?",
     given={
         "seq": one_of("XYZ", "YZX", "ZXY"),
         "a": one_of(*range(-165, 0, 15), *range(15, 180, 15), unit="°"),
@@ -467,9 +468,9 @@ euler_7 = Exercise(
     level=3,
     title="From one sequence to another",
     text="A drone's program says how its camera is turned by yaw {yaw}, pitch {pitch} and roll "
-    "{roll}: about z, the new y, and the newest x. The camera's stand wants angles for the "
-    "sequence ZYZ: about z, the new y, and the newest z. Which angles make the same rotation? "
-    "There are two answers; either of them is enough.",
+    "{roll}: about z, the new y, and the x axis after both turns. The camera's stand wants "
+    "angles for the sequence ZYZ: about z, the new y, and the z axis after both turns. Which "
+    "angles make the same rotation? There are two answers; either of them is enough.",
     given={
         "yaw": one_of(*range(-150, 0, 30), *range(30, 180, 30), unit="°"),
         "pitch": one_of(-60, -45, -30, 30, 45, 60, unit="°"),
@@ -497,12 +498,12 @@ euler_7 = Exercise(
     solution=Solution(
         "The rotation is the same, so both sequences have the same matrix. First make it:\n\n"
         "{R_z}\n\n{R_y}\n\n{R_x}\n\n{R_AB}\n\nThen read the other angles from it. Turns by a, b, c "
-        "about z, the new y and the newest z make these entries (r_13 is in row 1 and column 3):"
-        "\n\n{made.formula}\n\nTwo entries with the sine and the cosine of the same angle, both "
-        "times the same positive number, give that angle. With sin b > 0, which is the root of the "
-        "sum of the first two squares:\n\n{angles}\n\nWith sin b < 0 both numbers change their "
-        "signs for a and for c: these angles are half a turn away. For b only the first number "
-        "does:\n\n{other}\n\nEither of them, with angles between −π and π:"
+        "about z, the new y and the z axis after both turns make these entries (r_13 is in row 1 "
+        "and column 3):\n\n{made.formula}\n\nTwo entries with the sine and the cosine of the same "
+        "angle, both times the same positive number, give that angle. With sin b > 0, which is the "
+        "root of the sum of the first two squares:\n\n{angles}\n\nWith sin b < 0 both numbers "
+        "change their signs for a and for c: these angles are half a turn away. For b only the "
+        "first number does:\n\n{other}\n\nEither of them, with angles between −π and π:"
         "\n\n{right}",
         answer=("angles", "other"),
         R_z=Step(formulas.turn_z, {formulas.turn: YAW}, values=(R_z,)),

@@ -101,9 +101,9 @@ def share(turns: Any, k: int) -> Any:
     return Max(0, Min(1, turns - k))
 
 
-def behind(shape: Any) -> Any:
+def behind(shape: Any, far: float = 0.3) -> Any:
     """A little further away, so that what lies along it is painted over it."""
-    return replace(shape, depth=shape.depth - 0.3)
+    return replace(shape, depth=shape.depth - far)
 
 
 # Dice: 1, 2 and 3 towards x, y and z of the frame that is fixed to them.
@@ -164,24 +164,23 @@ def die_figure() -> Figure:
     last, steps_last = named("l", turns.last(turns.part))
     now, steps_now = named("n", turns.after(last))
     own, away = turns.own, 2 * (1 - turns.part)
-    some = Piecewise((0, turns.count > 0), (nan, True))
     done = Piecewise((0, turns.part >= 1), (nan, True))
     return in_space(
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
-        view=(-3.3, 3.3, -2.85, 1.4),
+        view=(-3.3, 3.3, -3.1, 1.4),
         controls=(turns,),
         scene=(
             *die(now, VIEW.beside(-1.4)),
             *ghost_die(GHOST, VIEW.beside(1.4)),
-            Bracket(turns.before, (-0.85 - 1.25 * own + some, -1.95), "before"),
+            Bracket(turns.before, (-0.75 - 1.6 * own, -1.95), "before"),
             Bracket(
                 turns.last(),
-                (-2.1 + own * (1.25 + away) - (1 - own) * away + some, -1.95),
+                (-2.35 + own * (1.6 + away) - (1 - own) * away, -1.95),
                 "the turn",
                 columns=("icr", "icr", "icr"),
             ),
-            Label("text", (0.3 + some, -1.95), "="),
+            Label("text", (0.3, -1.95), "="),
             Bracket(now, (1.4 + done, -1.95), "now"),
         ),
         readouts=(Readout("count", "turns made", turns.count, "", digits=0),),
@@ -358,13 +357,13 @@ def rings_figure() -> Figure:
     three, steps_three = named("c", two * euler.turned_about(Z, -against))
     free = Matrix.hstack(Piecewise((1, cos(middle) > 0), (-1, True)) * X, one[:, 1], two[:, 2])
     floor = -1.46
-    beside = VIEW.beside(2.65)
+    beside = VIEW.beside(2.75)
     return in_space(
         name="gimbal-rings",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
-        view=(-2.0, 3.6, -1.85, 1.6),
+        view=(-2.3, 3.5, -2.25, 1.5),
         size="step",
-        seen_from=(-pi / 4, pi / 6),
+        seen_from=(-pi / 4, pi / 8),
         controls=(
             Slider(
                 middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"
@@ -374,7 +373,7 @@ def rings_figure() -> Figure:
             ),
         ),
         scene=(
-            VIEW.floor(floor, 1.8),
+            VIEW.floor(floor, 1.55),
             VIEW.solid(STAND, UNTURNED, floor=floor),
             VIEW.solid(
                 (solids.ring("x_axis", 1.16, 1.3, 0.1, "z"), *pins("x_axis", "x", 1.3, 1.46)),
@@ -390,7 +389,7 @@ def rings_figure() -> Figure:
             ),
             VIEW.solid(AEROPLANE, three),
             VIEW.solid((solids.ball("velocity"),), 0.6 * free, beside),
-            Label("velocity", (2.65, -1.1), "free turns"),
+            Label("velocity", (2.75, -1), "free turns"),
         ),
         readouts=(
             Readout("room", "freedom |cos β|: 1 best, 0 locked", Abs(cos(middle)), ""),
@@ -408,6 +407,7 @@ def rings_figure() -> Figure:
 
 AXIS = Matrix([-1, 1, -1]) / sqrt(3)  # of R_AB
 ANGLE = 2 * pi / 3
+BALL = 1.35  # m: the radius of the ball, half a turn
 
 
 def one_turn_figure() -> Figure:
@@ -427,10 +427,10 @@ def one_turn_figure() -> Figure:
     R = euler.r
     two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
     turned = at_once * part * 2 * half_turn / 3 + (1 - at_once) * (a - b)
-    middle_of = VIEW.beside(1.1)
+    middle_of = VIEW.beside(1.35)
 
     def put(vector: Any) -> list[Any]:
-        return [each + at for each, at in zip(vector, middle_of, strict=True)]
+        return [BALL * each + at for each, at in zip(vector, middle_of, strict=True)]
 
     def way(kind: str, vector: Any, high: Any, samples: int = 32) -> Curve:
         at = put(vector)
@@ -442,23 +442,23 @@ def one_turn_figure() -> Figure:
     return in_space(
         name="one-turn",
         title="A die on its way to frame B, and its way in the ball of all rotations",
-        view=(-2.3, 2.3, -1.6, 1.5),
+        view=(-2.45, 3.15, -1.7, 1.85),
         size="step",
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
             Clock(part, 0.0, 1.0, start=0.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
-            *die(R, LEFT),
+            *die(R, VIEW.beside(-1.3)),
             *(way("ghost", circle, 2 * half_turn, 64) for circle in circles),
             *(
-                VIEW.arrow(kind, put(axis), put(1.25 * axis), label)
+                VIEW.arrow(kind, put(0 * axis), put(1.2 * axis), label)
                 for kind, axis, label in zip(AXES, (X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
             ),
             way("icr", s * spoke, 1),
             way("approximation", in_ball(2 * s), 1, 48),
-            VIEW.point("target", put(spoke), "B"),
-            VIEW.point("text", put(here)),
+            behind(VIEW.point("target", put(spoke), "B"), -9),
+            behind(VIEW.point("body", put(here)), -9),
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),

@@ -34,6 +34,11 @@ R_turn = {x: sign(f"R_{x}", f"matrix of a turn about {x}", f"R_{x}") for x in "x
 whole_n = sign("n", "axis of the one turn, an arrow of length 1")
 whole_q = sign("q", "a quaternion")
 identity = sign("I", "the identity matrix")
+c_a, c_b, c_c, s_a, s_b, s_c = SHORT = [
+    sign(f"{of}_{name}", f"{what} of the {which} turn", rf"{of}_\{name}")
+    for of, what in {"c": "cosine", "s": "sine"}.items()
+    for name, which in {"alpha": "first", "beta": "middle", "gamma": "third"}.items()
+]
 AXES = [sign(x, f"the {x} axis") for x in "xyz"]
 AXES += [sign(f"{x}_{a}", f"the {x} axis of frame {a}") for a in "AB" for x in "xyz"]
 R_made = [sign(f"R_{k}", f"matrix of turn {k}") for k in (1, 2)]
@@ -81,11 +86,34 @@ with as_written():
         }.items()
     )
 
+    steps = tuple(zip(SHORT, (ca, cb, cc, sa, sb, sc), strict=True))
+
     xyz = Equation(
         name="euler.xyz",
         left=R,
-        right=entries,
+        right=Matrix(
+            [
+                [c_b * c_c, -c_b * s_c, s_b],
+                [c_a * s_c + s_a * s_b * c_c, c_a * c_c - s_a * s_b * s_c, -s_a * c_b],
+                [s_a * s_c - c_a * s_b * c_c, s_a * c_c + c_a * s_b * s_c, c_a * c_b],
+            ]
+        ),
         source="exercise 2",
+        where=steps,
+    )
+
+    zyx = Equation(
+        name="euler.zyx",
+        left=R,
+        right=Matrix(
+            [
+                [c_a * c_b, c_a * s_b * s_c - s_a * c_c, c_a * s_b * c_c + s_a * s_c],
+                [s_a * c_b, s_a * s_b * s_c + c_a * c_c, s_a * s_b * c_c - c_a * s_c],
+                [-s_b, c_b * s_c, c_b * c_c],
+            ]
+        ),
+        source="exercise 2",
+        where=steps,
     )
 
     angles_at_once = Equation(

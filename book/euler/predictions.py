@@ -45,13 +45,14 @@ PREDICTIONS = (
     ),
     Prediction(
         "two-orders",
-        "Where do the two dice end?",
+        "Where do the two dice end? By how much must one be turned to stand like the other?",
         Buttons(
-            ("alike", "one turn of 120° apart", "half a turn apart"),
-            right="one turn of 120° apart",
+            ("alike", "90° apart", "120° apart", "180° apart"),
+            right="120° apart",
             assumes={
                 "alike": "So it is with numbers, and with turns about one and the same axis.",
-                "half a turn apart": "Press *Play* and look at the threes.",
+                "90° apart": "That takes one of the turns for the same in both.",
+                "180° apart": "Press *Play* and look at the threes.",
             },
         ),
         opens="Not alike: a product of matrices depends on the order. Press *Play*.",
@@ -61,16 +62,16 @@ PREDICTIONS = (
         "other-answer",
         "Where do the two dice end, after all three turns?",
         Buttons(
-            ("alike for every β", "alike for one β only", "half a turn apart"),
-            right="alike for every β",
+            ("alike", "a quarter turn apart", "half a turn apart"),
+            right="alike",
             assumes={
-                "alike for one β only": "Move $\\beta$: the right die goes on from the other side.",
+                "a quarter turn apart": "Move $\\beta$: how far apart they end is always the same.",
                 "half a turn apart": "There are two half turns more, and they undo each other.",
             },
         ),
         opens="The first half turn lays the die on its other side, $180° - \\beta$ goes on from "
-        "there, the last half turn turns it back. Press *Play*. So every matrix has two answers; "
-        "textbooks take the one with a positive $\\cos\\beta$.",
+        "there, the last half turn turns it back. Press *Play*. It is so for every $\\beta$: "
+        "every matrix has two answers; textbooks take the one with a positive $\\cos\\beta$.",
         hides=("two answers",),
     ),
     Prediction(

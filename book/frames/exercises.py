@@ -160,12 +160,21 @@ ARM = {
 PLATFORM = {"x_b": PLACE, "y_b": PLACE, "theta_b": TURN}
 OBJECT = {"x_e": PLACE, "y_e": PLACE, "theta_e": TURN}
 
+PLAN = (
+    "A plan shows a room from above. On it a camera d is a frame like all others: an origin with "
+    "an x and a y axis. It sees "
+)
+TURNED = (
+    "“Turned by” is the angle from the x axis of the frame that sees to the x axis of the frame "
+    "that is seen, counter-clockwise positive."
+)
 PLATFORM_SEEN = "the platform b at x = {x_b}, y = {y_b}, turned by {theta_b}"
 OBJECT_SEEN = "the object e at x = {x_e}, y = {y_e}, turned by {theta_e}"
 ARM_STANDS = (
-    "The arm on a platform b has links of 30 cm and 40 cm and the joint angles α = {alpha}, "
-    "β = {beta}, γ = {gamma}, each counted from the link before (α from the platform's x axis). "
-    "Its hand frame c lies at the third joint, turned by γ against the second link."
+    "The arm on a platform b has links of 30 cm and 40 cm; its first joint is at the origin of b. "
+    "The joint angles are α = {alpha}, β = {beta}, γ = {gamma}, counter-clockwise positive, each "
+    "counted from the link before (α from the platform's x axis). The hand frame c lies at the end "
+    "of the second link, turned by γ against this link."
 )
 ARM_FOUND = (
     "The hand as the platform sees it, link by link; each angle adds to those before:\n\n{hand}\n\n"
@@ -219,8 +228,8 @@ frames_1 = Exercise(
     "frames-1",
     level=1,
     title="Seen from the other end",
-    text=f"On the plan of a room, a camera d sees {PLATFORM_SEEN}. How does the platform see the "
-    "camera: at what x and y, and turned by what angle?",
+    text=f"{PLAN}{PLATFORM_SEEN}. {TURNED} How does the platform see the camera: at what x and y, "
+    "and turned by what angle?",
     given=PLATFORM,
     asks=POSE,
     right=posed(lambda T_db: frames.inverse(T_db)),
@@ -268,8 +277,8 @@ frames_3 = Exercise(
     "frames-3",
     level=2,
     title="What the platform sees",
-    text=f"On the plan of a room, a camera d sees {PLATFORM_SEEN}, and {OBJECT_SEEN}. How does "
-    "the platform see the object: at what x and y, and turned by what angle?",
+    text=f"{PLAN}{PLATFORM_SEEN}, and {OBJECT_SEEN}. {TURNED} How does the platform see the "
+    "object: at what x and y, and turned by what angle?",
     given=PLATFORM | OBJECT,
     asks=POSE,
     right=posed(lambda T_db, T_de: frames.compose(frames.inverse(T_db), T_de)),
@@ -301,9 +310,9 @@ frames_4 = Exercise(
     "frames-4",
     level=2,
     title="The camera as the hand sees it",
-    text=f"On the plan of a room, a camera d sees {PLATFORM_SEEN}. The platform sees the hand c of "
-    "its arm at x = {x}, y = {y}, turned by {theta}. How does the hand see the camera: at what x "
-    "and y, and turned by what angle?",
+    text=f"{PLAN}{PLATFORM_SEEN}. The platform sees the hand c of its arm at x = {{x}}, y = {{y}}, "
+    f"turned by {{theta}}. {TURNED} How does the hand see the camera: at what x and y, and turned "
+    "by what angle?",
     given=PLATFORM
     | {"x": steps(0.1, 0.7, 0.1, "m"), "y": steps(-0.5, 0.5, 0.1, "m"), "theta": TURN},
     asks=POSE,
@@ -340,8 +349,8 @@ frames_5 = Exercise(
     "frames-5",
     level=3,
     title="All the way to the object",
-    text=f"{ARM_STANDS}\n\nOn the plan of the room, a camera d sees {PLATFORM_SEEN}, and "
-    f"{OBJECT_SEEN}. What is T_ce, the pose of the object as the hand sees it, as a 3×3 matrix?",
+    text=f"{ARM_STANDS}\n\n{PLAN}{PLATFORM_SEEN}, and {OBJECT_SEEN}. {TURNED} What is T_ce, "
+    "the pose of the object as the hand sees it, as a 3×3 matrix?",
     given=ARM | PLATFORM | OBJECT,
     asks=entries("T_ce"),
     shape=(3, 3),
@@ -433,9 +442,9 @@ frames_7 = Exercise(
     "frames-7",
     level=3,
     title="Where must the platform stand?",
-    text=f"{ARM_STANDS} A camera d sees {OBJECT_SEEN}. The platform must drive to a place from "
-    "where the hand lies exactly on the object, turned as the object is, with the arm kept as it "
-    "stands. At what x and y, and turned by what angle, must the camera then see the platform?",
+    text=f"{ARM_STANDS}\n\n{PLAN}{OBJECT_SEEN}. {TURNED} The arm's joints do not move. Where must "
+    "the platform stand so that the frames c and e coincide: at what x and y, and turned by what "
+    "angle, must the camera see it?",
     given=ARM | OBJECT,
     asks=POSE,
     right=posed(lambda T_de, T_bc: frames.compose(T_de, frames.inverse(T_bc))),

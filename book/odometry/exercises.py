@@ -173,6 +173,16 @@ def counted(theta, b, count=turned, roll=rolled, step=one_step, rule="exact", **
     return step(rule, theta=theta, b=b, **ways)
 
 
+def counted_from(start, theta, **drive):
+    """The pose after one step if the heading at the start is taken for this one."""
+    return counted(start, **drive)
+
+
+def arc_from_zero(**drive):
+    """M22 with the exact arc: it starts with heading 0, the heading in the answer is right."""
+    return [*counted_from(0.0, **drive)[:2], counted(**drive)[2]]
+
+
 def turn_between(theta, b, **drive):
     """How much the robot turns, from the readings."""
     ways = wheel_ways(count=turned, roll=rolled, **drive)
@@ -248,7 +258,7 @@ odometry_2 = Exercise(
     text="A counter of 16 bits counts the ticks of a wheel: up when the wheel rolls forward, down "
     "when it rolls backward. It showed {before}, and now it shows {after}. In the meantime the "
     "wheel has made only a few turns. One turn is {C} ticks, and the radius of the wheel is {r}. "
-    "How far has the wheel rolled? Forward is positive. Give four decimals.",
+    "How far has the wheel rolled? Forward is positive.",
     given={
         "before": one_of(*range(120, 1000, 80), *range(64600, 65500, 80)),
         "after": one_of(*range(75, 1000, 50), *range(64610, 65500, 50)),
@@ -379,8 +389,8 @@ odometry_5 = Exercise(
     title="How fine must the encoder be?",
     text="A robot has wheels of radius {r}, {b} apart. Its program reads the encoders every "
     "{period} and computes the turning rate from the ticks. One tick more or less of one wheel "
-    "may change this turning rate by at most {limit}. How many ticks a turn, a whole "
-    "number, must the encoder have at least?",
+    "may change this turning rate by at most {limit}. An encoder gives C ticks in one turn of its "
+    "wheel, a whole number. How large must C be at least?",
     given={
         "r": steps(2, 8, 0.5, "cm"),
         "b": steps(20, 60, 5, "cm"),
@@ -428,7 +438,7 @@ odometry_5 = Exercise(
 odometry_6 = Exercise(
     "odometry-6",
     level=3,
-    title="Straight on in a bend",
+    title="The error of the old heading",
     text="A robot reads its encoders too seldom: in one step it drives {D} and turns to the left "
     "by {turn}. Before the step it stands at the origin with the heading {theta}. Really it drives "
     "along an arc of a circle. The program uses the old heading instead: it lets the robot drive "
@@ -506,6 +516,10 @@ odometry_7 = Exercise(
         "by the rule of the old heading": partial(counted, rule="start"),
         "by the rule of the new heading": partial(counted, rule="end"),
         "by the rule of the middle heading": partial(counted, rule="midpoint"),
+        "along the exact arc of a robot that starts with heading 0": arc_from_zero,
+        "when the heading at the start is forgotten, in the arc and in the answer": partial(
+            counted_from, 0.0
+        ),
     },
     solution=Solution(
         "The left counter went past its last number to 0. It has as many numbers as its bits "

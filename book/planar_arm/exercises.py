@@ -228,10 +228,14 @@ POSE = LINKS | {
     "theta2": steps(30, 150, 10, "°"),
     "theta3": steps(-90, 90, 10, "°"),
 }
-ARM = (
-    "A planar arm has three links of {l1}, {l2} and {l3}. Its joint angles are θ_1 = {theta1}, "
-    "θ_2 = {theta2} and θ_3 = {theta3}; θ_2 and θ_3 are measured from the link before. "
+HAND = (
+    "A planar arm has three links of {l1}, {l2} and {l3}. The hand is the end of the third link, "
+    "and φ is the angle of this link from the x axis. "
 )
+MEASURED = (
+    "Angles are counted counter-clockwise, θ_1 from the x axis, θ_2 and θ_3 from the link before. "
+)
+ARM = HAND + "The joint angles are θ_1 = {theta1}, θ_2 = {theta2} and θ_3 = {theta3}. " + MEASURED
 SLOW = one_of(*(n / 10 for n in range(-10, 11) if abs(n) > 1), unit="rad/s")
 SPEED = one_of(*(n / 20 for n in range(-8, 9) if n), unit="m/s")
 FORCE = one_of(*(n for n in range(-40, 41, 5) if n), unit="N")
@@ -338,10 +342,11 @@ planar_arm_3 = Exercise(
     "planar-arm-3",
     level=2,
     title="Where the arm gets stuck",
-    text="A planar arm has three links of {l1}, {l2} and {l3}. Its first joint is at "
-    "θ_1 = {theta1}, and the hand must point at the angle φ = {phi} from the x axis. There are "
-    "two such poses in which the arm is singular: the 3×3 matrix J has no inverse. Find θ_2 and "
-    "θ_3 of both.",
+    text=HAND
+    + "The first joint is at θ_1 = {theta1}, and φ must be {phi}. "
+    + MEASURED
+    + "There are two such poses in which the arm is singular: the 3×3 matrix J with the rows of ẋ, "
+    "ẏ and φ̇ has no inverse. Find θ_2 and θ_3 of both.",
     given=LINKS | {"theta1": steps(-60, 120, 10, "°"), "phi": steps(-90, 90, 10, "°")},
     asks=(angle("θ_2"), angle("θ_3")),
     accept="all",
@@ -474,8 +479,8 @@ planar_arm_7 = Exercise(
     "planar-arm-7",
     level=3,
     title="How well can the hand move?",
-    text=ARM + "The manipulability √det(J Jᵀ) says how well the hand's point can move in all "
-    "directions; for this J has only the two rows of ẋ and ẏ. How large is it?",
+    text=ARM + "The manipulability w = √det(J Jᵀ) says how well the hand can move in all "
+    "directions. Use the 2×3 matrix J of ẋ and ẏ. How large is w?",
     given=POSE,
     asks=(Ask("w", "m²"),),
     right=lambda **pose: planar_arm.manipulability(**arm(**pose)),

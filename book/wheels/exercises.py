@@ -101,6 +101,8 @@ M35 = Mistake(
 THREE = np.radians([0, 120, 240])
 FOUR = np.radians([0, 90, 180, 270])
 
+PARALLEL = "two fixed wheels on two parallel axles"
+TWO_AXLES = " The two parallel axles are not in one line; one wheel is on each."
 FIXED = {
     "no fixed wheels": [],
     "one fixed wheel": [wheels.fixed(0.2, np.pi / 2, 0, 0.05)],
@@ -108,7 +110,7 @@ FIXED = {
         wheels.fixed(0.2, np.pi / 2, 0, 0.05),
         wheels.fixed(0.2, -np.pi / 2, np.pi, 0.05),
     ],
-    "two fixed wheels on two parallel axles": [
+    PARALLEL: [
         wheels.fixed(0.2, 0, np.pi / 2, 0.05),
         wheels.fixed(0.2, np.pi, -np.pi / 2, 0.05),
     ],
@@ -325,6 +327,32 @@ with as_written():
 FOUR_ROWS = Line(MATRIX, Matrix([row(k * pi / 2, 0) for k in range(4)]))  # ones and zeros
 
 
+# What several exercises say
+SPOKE = (
+    "at the end of a spoke, the line from the robot's centre to the wheel. The spoke is l = {l} "
+    "long and stands at the angle α = {alpha} from the robot's x axis. "
+)
+AXLES = (
+    "Each axle points along the spoke, the line from the centre to the wheel (β = 0). The rollers "
+    "leave each wheel free to slide along its axle (γ = 0). "
+)
+THREE_WHEELS = (
+    "An omni robot has three wheels of radius {r}, each {l} from the centre. They stand at 0°, "
+    "120° and 240° from the robot's x axis, counter-clockwise. " + AXLES
+)
+TO_THE_RIGHT = (
+    "Seen from above and from the centre outwards, a positive rate rolls a wheel to the right of "
+    "its spoke."
+)
+BY_DIRECTION = "With a positive rate φ̇ the wheel rolls in the direction α + β − 90°. "
+COMPONENTS = "v is along the robot's x axis, v_y along its y axis, and ω is its turning rate"
+VELOCITIES = (
+    "The robot's velocity in the world is ξ̇_I = [ẋ, ẏ, θ̇]. R(θ) leads from the world to the "
+    "robot: R(θ) ξ̇_I = [v, v_y, ω] is the same velocity, seen from the robot. "
+    f"{COMPONENTS}. "
+)
+
+
 L, R = steps(10, 40, 5, "cm"), steps(3, 8, 1, "cm")
 THETA = steps(20, 160, 10, "°")
 RATE = one_of(*(n for n in range(-12, 13) if n), unit="rad/s")
@@ -335,11 +363,14 @@ wheels_1 = Exercise(
     "wheels-1",
     level=1,
     title="The rolling row of a wheel",
-    text="A fixed wheel stands at the distance l = {l} from the robot's centre, at the angle "
-    "α = {alpha}. From this spoke to the wheel's axle it is β = {beta}. The robot's heading θ is "
-    "{theta}. The rolling constraint says: a row times the velocity R(θ) ξ̇_I = [v, v_y, ω], "
-    "seen from the robot, is r φ̇. With a positive rate φ̇ the wheel rolls in the direction "
-    "α + β − 90°. Which three numbers are in this row?",
+    text="A fixed wheel stands "
+    + SPOKE
+    + "From the spoke to the wheel's axle the angle is β = {beta}. "
+    + BY_DIRECTION
+    + "The robot's heading θ is {theta}.\n\n"
+    + VELOCITIES
+    + "The rolling constraint says: a row of three numbers times R(θ) ξ̇_I is r φ̇, the speed at "
+    "which the wheel rolls. Which three numbers are in this row?",
     given={
         "l": L,
         "alpha": steps(-150, 165, 15, "°"),
@@ -367,11 +398,13 @@ wheels_2 = Exercise(
     "wheels-2",
     level=1,
     title="The matrix of an omni robot",
-    text="An omni robot has three wheels. The first stands at α = {first}, the others 120° and "
-    "240° further. Each is {l} from the centre, and its axle points along the spoke (β = 0). The "
-    "rollers leave it free to slide along its axle (γ = 0). The robot's heading θ is {theta}. "
-    "What is the matrix J_1? J_1 times R(θ) ξ̇_I, the velocity seen from the robot, gives the "
-    "speeds r φ̇ of the three wheels. A positive rate rolls a wheel to the right of its spoke.",
+    text="An omni robot has three wheels, each {l} from the centre. The first stands at "
+    "α = {first} from the robot's x axis, the others 120° and 240° further, counter-clockwise. "
+    + AXLES
+    + TO_THE_RIGHT
+    + " The robot's heading θ is {theta}.\n\n"
+    + VELOCITIES
+    + "J_1 times R(θ) ξ̇_I gives the speeds r φ̇ of the three wheels. What is the matrix J_1?",
     given={"l": L, "first": steps(-90, 105, 15, "°"), "theta": THETA},
     asks=tuple(Ask(f"J1[{i}, {j}]", "m" if j == 2 else "") for i in range(3) for j in range(3)),
     shape=(3, 3),
@@ -393,10 +426,11 @@ wheels_3 = Exercise(
     "wheels-3",
     level=2,
     title="How fast must the wheels turn?",
-    text="An omni robot has three wheels of radius {r} at 0°, 120° and 240°, each {l} from the "
-    "centre with its axle along the spoke (β = 0). Its heading θ is {theta}. In the world it must "
-    "move at {x_dot} along x and {y_dot} along y, and turn at {omega}. At which rates must the "
-    "three wheels turn? A positive rate rolls a wheel to the right of its spoke.",
+    text=THREE_WHEELS
+    + TO_THE_RIGHT
+    + " The robot's heading θ is {theta}. In the world it must move at {x_dot} along x and {y_dot} "
+    "along y, and turn at {omega} (counter-clockwise positive). At which rates must the three "
+    "wheels turn?",
     given={"l": L, "r": R, "theta": THETA, "x_dot": SPEED, "y_dot": SPEED, "omega": TURN},
     asks=(Ask("φ̇_1", "rad/s"), Ask("φ̇_2", "rad/s"), Ask("φ̇_3", "rad/s")),
     right=rates,
@@ -425,10 +459,10 @@ wheels_4 = Exercise(
     "wheels-4",
     level=2,
     title="Where does the omni robot go?",
-    text="An omni robot has three wheels of radius {r} at 0°, 120° and 240°, each {l} from the "
-    "centre with its axle along the spoke (β = 0). Its heading θ is {theta}. The wheels turn at "
-    "{w_1}, {w_2} and {w_3}. What is the robot's velocity in the world: along x, along y, and its "
-    "turning rate?",
+    text=THREE_WHEELS
+    + TO_THE_RIGHT
+    + " The robot's heading θ is {theta}. The wheels turn at {w_1}, {w_2} and {w_3}. What is the "
+    "robot's velocity in the world: along x, along y, and its turning rate?",
     given={"l": L, "r": R, "theta": THETA, "w_1": RATE, "w_2": RATE, "w_3": RATE},
     asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s"), Ask("θ̇", "rad/s")),
     right=forward,
@@ -467,14 +501,15 @@ wheels_5 = Exercise(
     "wheels-5",
     level=2,
     title="In how many ways can it move?",
-    text="A robot has {fixed}, {steered} and {free}.{turned} What are the robot's degrees of "
-    "mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
+    text="A robot has {fixed}, {steered} and {free}.{axles}{turned} What are the robot's "
+    "degrees of mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
     given={"fixed": one_of(*FIXED), "steered": one_of(*STEERED), "free": one_of(*FREE)},
     asks=(whole("δ_m"), whole("δ_s"), whole("δ_M")),
     right=lambda fixed, steered, free: wheels.mobility(built(fixed, steered, free)),
     wrong={},
     when=instructive,
     derive=lambda fixed, steered, free: {
+        "axles": TWO_AXLES if fixed == PARALLEL else "",
         "turned": turned_so(fixed, steered),
     },
     also={
@@ -514,10 +549,13 @@ wheels_6 = Exercise(
     "wheels-6",
     level=3,
     title="Turn about that point",
-    text="A robot has a steered wheel of radius {r} at the distance l = {l} from its centre, at "
-    "α = {alpha}. It must turn at {omega} about the point x = {p_x}, y = {p_y} of its own frame. "
-    "What must be the wheel's steering angle β, and at which rate must the wheel turn? With a "
-    "positive rate it rolls in the direction α + β − 90°. There are two answers; give one of them.",
+    text="A steered wheel of radius {r} stands "
+    + SPOKE
+    + "Its steering angle β is the angle from the spoke to its axle. "
+    + BY_DIRECTION
+    + "The robot must turn at {omega} (counter-clockwise positive) about the point x = {p_x}, "
+    "y = {p_y} of the robot's frame. What must β be, and at which rate φ̇ must the wheel turn? "
+    "There are two answers; give one of them.",
     given={
         "r": R,
         "l": L,
@@ -554,12 +592,16 @@ wheels_7 = Exercise(
     "wheels-7",
     level=3,
     title="One wheel too many",
-    text="An omni robot has four wheels of radius {r} at 0°, 90°, 180° and 270°, each {l} from "
-    "the centre with its axle along the spoke (β = 0). A positive rate rolls a wheel to the right "
-    "of its spoke. They turn at {w_1}, {w_2}, {w_3} and {w_4}, and no motion of the robot fits all "
-    "four rates. Which velocity, seen from the robot, fits best (least squares)? And how much "
-    "faster does the ground then pass under the first wheel "
-    "than the wheel rolls?",
+    text="An omni robot has four wheels of radius {r}, each {l} from the centre. They stand at 0°, "
+    "90°, 180° and 270° from the robot's x axis, counter-clockwise. "
+    + AXLES
+    + TO_THE_RIGHT
+    + " The wheels turn at {w_1}, {w_2}, {w_3} and {w_4}, and no motion of the robot fits all four "
+    "rates. Which velocity [v, v_y, ω], seen from the robot, fits best (least squares)? "
+    f"{COMPONENTS}.\n\n"
+    "And what is then the slip of the first wheel? The slip is the wheel's rolling row times "
+    "[v, v_y, ω], minus r φ̇_1: the speed at which the ground passes under the wheel, minus the "
+    "speed at which the wheel rolls.",
     given={"r": R, "l": L, "w_1": RATE, "w_2": RATE, "w_3": RATE, "w_4": RATE},
     asks=(Ask("v", "m/s"), Ask("v_y", "m/s"), Ask("ω", "rad/s"), Ask("slip", "m/s")),
     right=four,

@@ -4,6 +4,7 @@ from workshop.equations.checking import Array, Result, check
 from workshop.equations.checks import Check
 from workshop.equations.core import (
     Equation,
+    again,
     as_written,
     declared,
     find,
@@ -19,6 +20,7 @@ __all__ = [
     "Check",
     "Equation",
     "Result",
+    "again",
     "as_written",
     "check",
     "declared",

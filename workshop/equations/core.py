@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from workshop.course import course, held
-from workshop.equations.printing import both_sides, mimebundle
+from workshop.equations.printing import AGAIN, COMPUTED, both_sides, mimebundle
 from workshop.errors import CourseError
 
 # Named steps on the way to a result, in order: each may use those before it.
@@ -235,6 +235,21 @@ class Shown:
         return mimebundle(shown.name, self.computed, shown.left, right, self.figure)
 
 
+@dataclass(frozen=True)
+class Again:
+    """Equations of a chapter, together once more, as the value of a notebook cell."""
+
+    labels: tuple[str, ...]
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        shown = [labelled(label).latex(label.endswith(COMPUTED)) for label in self.labels]
+        return {
+            AGAIN: {"labels": self.labels},
+            "text/latex": "\n\n".join(f"$$ {formula} $$" for formula in shown),
+            "text/plain": "Again: " + ", ".join(self.labels),
+        }
+
+
 def free_symbols(part: Any) -> set[sp.Symbol]:
     """The symbols in an expression, a matrix, a number or a nested tuple of them."""
     if isinstance(part, tuple):
@@ -268,3 +283,13 @@ def show(name: str, computed: bool = False, figure: str = "") -> Shown:
     figure: the name of a live figure whose numbers then stand below the formula on the page.
     """
     return Shown(find(name), computed, figure)
+
+
+def again(*labels: str) -> Again:
+    """Show equations of the chapter once more, in a box; "…-computed": as the code uses it."""
+    return Again(labels)
+
+
+def labelled(label: str) -> Equation:
+    """The equation of a label on a page."""
+    return find(label.removesuffix(COMPUTED))

@@ -6,6 +6,7 @@ from typing import Any
 import sympy as sp
 
 MIME = "application/vnd.workshop.equation+json"
+AGAIN = "application/vnd.workshop.equations+json"  # those of a chapter once more
 LINES_APART, FRACTIONS_APART = r"\\[4pt]", r"\\[10pt]"  # fractions in two rows would touch
 
 
@@ -33,9 +34,12 @@ def aligned(lines: Sequence[tuple[str, str]]) -> str:
     return rf"\begin{{aligned}} {both} \end{{aligned}}"
 
 
+COMPUTED = "-computed"
+
+
 def name_on_page(name: str, computed: bool) -> str:
     """What `{eq}` refers to: a formula may stand on a page in both its forms."""
-    return f"{name}-computed" if computed else name
+    return name + COMPUTED if computed else name
 
 
 def _plain(expression: Any) -> str:

@@ -51,7 +51,7 @@ def symbol_text(symbol: sp.Symbol) -> str:
         text,
     )
     text = re.sub(r"_\{([^{}]*)\}", lambda m: "_" + re.sub("[ ,]", "", m[1]), text)
-    text = text.replace("{", "").replace("}", "").replace("Δ ", "Δ")
+    text = text.replace("{", "").replace("}", "").replace("Δ ", "Δ").replace("'", "′")
     if "\\" in text:
         raise CourseError(f"the symbol {symbol} prints as {latex}, which has no plain letter")
     return text

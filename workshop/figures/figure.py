@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -130,8 +131,8 @@ class Figure:
 
     def on_page(self) -> str:
         """The HTML of the figure, which the script brings to life."""
-        start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}">'
-        return f"{start}{self.html()}</figure>\n"
+        start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}"'
+        return f'{start} aria-label="{escape(self.title)}">{self.html()}</figure>\n'
 
     @cached_property
     def widget(self) -> Widget:
@@ -165,21 +166,27 @@ class Figure:
             _refuse_outside(key, value, known[key])
         self.widget.state = {**self.widget.state, **values}
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """The widget; its name, by which a page finds it; for all others a still picture."""
-        data = {**self.widget.data(), "text/plain": self.title, MIME: {"name": self.name}}
+        others = {"text/plain": self.title, MIME: {"name": self.name}}
         if engine.available():
-            data["image/svg+xml"] = light(self.picture())
-        return data
+            others["image/svg+xml"] = light(self.picture())
+        return self.widget.output(others)
+
+
+def plain(svg: str) -> str:
+    """A picture for where there is no page and no style, with colours of its own."""
+    svg = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
+    return re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, svg)
 
 
 def light(svg: str) -> str:
-    """A picture for where there is no page and no style: plain colours, lines in whole pixels."""
-    plain = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
-    plain = re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, plain)
+    """The same with lines in whole pixels, so that notebooks stay small."""
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
-        r'(?<= d=")[^"]+', lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]), plain
+        r'(?<= d=")[^"]+',
+        lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]),
+        plain(svg),
     )
 
 

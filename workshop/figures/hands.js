@@ -7,8 +7,9 @@ const followControls = (live) => live.inputs.forEach((input) => {
   input.addEventListener("pointerdown", (event) => {
     inSteps();
     if (event.button > 0 || input.type !== "range") return;
-    input.setPointerCapture(event.pointerId);
+    // no capture of the pointer: with it, WebKit would not move the thumb
     live.held = { by: input, state: live.state };
+    addEventListener("pointerup", () => release(live, input), { once: true });
   });
   letGo(live, input);
   input.addEventListener("keydown", (event) => { if (STEPPING.test(event.key)) inSteps(); });
@@ -30,10 +31,16 @@ const followReset = (live) => live.element.querySelector(".rk-reset")
 
 const reducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
+// The words on a button, and whose it is for those who hear it alone.
+const called = (button, words, { title }) => {
+  button.textContent = words;
+  button.ariaLabel = `${words}: ${title}`;
+};
+
 const pause = (live) => {
   cancelAnimationFrame(live.tick);
   live.tick = 0;
-  live.all(".rk-play").forEach((button) => { button.textContent = "Play"; });
+  live.all(".rk-play").forEach((button) => called(button, "Play", live.figure));
 };
 
 const REST = 0.8; // seconds at the end, before it starts again
@@ -49,7 +56,7 @@ const play = (live, i, from) => {
     else live.tick = requestAnimationFrame(tick);
   };
   live.tick = requestAnimationFrame(tick);
-  live.all(".rk-play").forEach((button) => { button.textContent = "Pause"; });
+  live.all(".rk-play").forEach((button) => called(button, "Pause", live.figure));
 };
 
 // A hand on a control stops the clock; one that loops only if it is on the clock itself.
@@ -93,10 +100,18 @@ const followClock = (live) => live.all(".rk-play").forEach((button) => {
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 const MAGNET = 6; // pixels: from so near a special value draws the hand to it
 
+// To a screen reader a slider in two directions, whose number is that of the first thing it sets.
 const handleHtml = (handle) =>
-  `<circle r="17" tabindex="0" role="button" aria-roledescription="draggable point" `
+  `<circle r="17" tabindex="0" role="slider" aria-roledescription="draggable point" `
   + `aria-label="${escaped(handle.label)}: drag, or move with the arrow keys"/>`
   + `<ellipse rx="9" ry="9"/>`;
+
+const tellHandle = (live, { sets }, grip) => {
+  const { controls } = live.figure, [first] = sets, { low, high } = controls[first];
+  const all = sets.map((i) => `${controls[i].label} ${shownControl(controls[i], live.state[i])}`);
+  Object.assign(grip, { ariaValueMin: low, ariaValueMax: high, ariaValueNow: live.state[first],
+    ariaValueText: all.join(", ") });
+};
 
 const takeHandles = (live) => {
   const { figure, picture } = live, grips = figure.handles.map(handleHtml).join("");
@@ -189,6 +204,12 @@ const followPointer = (live, grip) => {
   letGo(live, grip);
 };
 
+const release = (live, element) => {
+  if (live.held?.by !== element) return;
+  live.held = null;
+  live.set(live.state, true);
+};
+
 // What the system cuts short, as by a call, has not been.
 const letGo = (live, element) => {
   element.addEventListener("pointercancel", () => {
@@ -196,11 +217,7 @@ const letGo = (live, element) => {
     live.set(live.held.state);
     live.held = null;
   });
-  element.addEventListener("lostpointercapture", () => {
-    if (live.held?.by !== element) return;
-    live.held = null;
-    live.set(live.state, true);
-  });
+  element.addEventListener("lostpointercapture", () => release(live, element));
 };
 
 const followArrows = (live, handle, grip) => grip.addEventListener("keydown", (event) => {
@@ -224,6 +241,8 @@ const turned = (live, held, event) => {
   return next;
 };
 
+const UNDECIDED = 10; // pixels: so far a finger may still mean to scroll the page
+
 const followGround = (live) => {
   if (!live.figure.turns) return;
   const { element, picture } = live;
@@ -232,10 +251,15 @@ const followGround = (live) => {
     if (live.handles.includes(event.target) || event.button > 0) return;
     picture.setPointerCapture(event.pointerId);
     event.preventDefault();
-    live.held = { by: picture, x: event.clientX, y: event.clientY, state: live.state };
+    const waits = event.pointerType === "touch";
+    live.held = { by: picture, x: event.clientX, y: event.clientY, state: live.state, waits };
   });
   picture.addEventListener("pointermove", (event) => {
-    if (live.held?.by === picture) live.set(turned(live, live.held, event));
+    const { held } = live;
+    if (held?.by !== picture) return;
+    const across = Math.abs(event.clientX - held.x), along = Math.abs(event.clientY - held.y);
+    held.waits &&= across < UNDECIDED || across < along;
+    if (!held.waits) live.set(turned(live, held, event));
   });
   letGo(live, picture);
 };

@@ -33,8 +33,10 @@ class Live {
     takeHandles(this);
     for (const follow of [followControls, followTurns, followClock, followGround, followReset,
       followSight]) follow(this);
-    this.resize();
-    new ResizeObserver(() => this.resize()).observe(this.picture.parentElement);
+    this.resize(this.picture.parentElement.clientWidth);
+    new ResizeObserver(([{ contentRect: { width } }]) => {
+      if (Math.round(width) !== this.width) this.resize(width);
+    }).observe(this.picture.parentElement);
     this.element.classList.add("rk-live");
     return this;
   }
@@ -66,9 +68,8 @@ class Live {
     return handle.at.map((index) => this.computed.values[index]);
   }
 
-  resize() {
-    const frame = this.picture.parentElement;
-    this.width = Math.max(240, Math.round(frame.clientWidth || this.width));
+  resize(width) {
+    this.width = Math.max(240, Math.round(width || this.width));
     const height = heightOf(this.figure, this.width);
     this.picture.setAttribute("viewBox", `0 0 ${this.width} ${height}`);
     this.picture.setAttribute("width", this.width);
@@ -94,6 +95,7 @@ class Live {
 
   drawHandles() {
     spots(this).forEach(([x, y], k) => {
+      tellHandle(this, this.figure.handles[k], this.handles[k]);
       for (const part of [this.handles[k], this.handles[k].nextSibling]) {
         part.setAttribute("cx", n(x));
         part.setAttribute("cy", n(y));

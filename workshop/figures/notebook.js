@@ -15,6 +15,8 @@ const inNotebook = (figure, { model, el }) => {
   el.classList.add("rk-figure");
   el.innerHTML = html(figure);
   el.dataset.size = figure.size;
+  el.role = "group";
+  el.ariaLabel = figure.title;
   el.querySelector(".rk-link")?.remove();
   const live = new Live(el, figure, (state) => {
     model.set("state", toValues(figure, state));

@@ -26,10 +26,10 @@ const offerLink = (live) => {
   const button = live.element.querySelector(".rk-link");
   button?.addEventListener("click", () => {
     history.replaceState(null, "", toAddress(live.figure, live.state));
-    button.textContent = "The link is in the address bar";
+    called(button, "The link is in the address bar", live.figure);
     navigator.clipboard?.writeText(location.href).then(
-      () => { button.textContent = "Link copied"; }, () => {});
-    setTimeout(() => { button.textContent = "Link to this setting"; }, 2500);
+      () => called(button, "Link copied", live.figure), () => {});
+    setTimeout(() => called(button, "Link to this setting", live.figure), 2500);
   });
 };
 
@@ -60,6 +60,22 @@ const bringToPage = (figure) => {
   }
 };
 
-const onPage = () => (window.workshopFigures ?? []).forEach(bringToPage);
+// A figure comes to life when it comes near, within a screen's height, or when the address names it.
+const onPage = () => {
+  const still = new Map((window.workshopFigures ?? []).map((figure) => [figure.name, figure]));
+  const near = new IntersectionObserver((seen) => seen.forEach(({ target, isIntersecting }) => {
+    if (isIntersecting) wake(target.id);
+  }), { rootMargin: "100% 0px" });
+  const wake = (name) => {
+    if (!still.has(name)) return;
+    near.unobserve(document.getElementById(name));
+    bringToPage(still.get(name));
+    still.delete(name);
+  };
+  const follow = () => wake(location.hash.slice(1).split("?")[0]);
+  addEventListener("hashchange", follow);
+  follow();
+  still.forEach((_, name) => near.observe(document.getElementById(name)));
+};
 
 Object.assign(part, { onPage, bringToPage });

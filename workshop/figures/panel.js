@@ -11,21 +11,23 @@ const choiceHtml = (control, i) => {
   const options = control.options.map((option, k) =>
     `<option value="${k}"${k === control.start ? " selected" : ""}>${escaped(option.label)}</option>`);
   return `<label class="rk-control">${controlName(control)}`
-    + `<select data-i="${i}">${options.join("")}</select></label>`;
+    + `<select data-i="${i}" autocomplete="off">${options.join("")}</select></label>`;
 };
 
-const sliderHtml = (control, i) => {
-  const play = control.type === "clock"
-    ? `<button type="button" class="rk-play" data-i="${i}">Play</button>` : "";
+const buttonHtml = (kind, words, title, data = "") =>
+  `<button type="button" class="rk-${kind}" aria-label="${words}: ${escaped(title)}"${data}>${words}</button>`;
+
+const sliderHtml = (control, i, title) => {
+  const play = control.type === "clock" ? buttonHtml("play", "Play", title, ` data-i="${i}"`) : "";
   const shown = shownControl(control, control.start);
   return `<div class="rk-control"${faceOf(control)}>${play}<label>${controlName(control)}`
     + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
-    + `<input type="range" data-i="${i}" min="${control.low}" max="${control.high}" `
+    + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
 };
 
-const controlHtml = (control, i) => ({ choice: choiceHtml, turns: turnsHtml }[control.type]
-  ?? sliderHtml)(control, i);
+const controlHtml = (control, i, title) => ({ choice: choiceHtml, turns: turnsHtml }[control.type]
+  ?? sliderHtml)(control, i, title);
 
 const readoutHtml = (readout, value) =>
   `<div${faceOf(readout)}><dt>${controlName(readout)}</dt><dd>${escaped(shownNumber(readout, value))}</dd></div>`;
@@ -36,16 +38,15 @@ const html = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
   const picture = `<div class="rk-picture">${svg(figure)}</div>`;
   if (!figure.controls.length) return picture;
-  const turns = (_, i) => figure.turns?.includes(i), parts = figure.controls.map(controlHtml);
+  const turns = (_, i) => figure.turns?.includes(i), parts = figure.controls.map((control, i) => controlHtml(control, i, figure.title));
   const aside = parts.filter(turns).join("");
   const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
     + `<div class="rk-controls">${aside}</div></details>`;
-  const link = `<button type="button" class="rk-link">Link to this setting</button>`;
   return `${picture}<div class="rk-panel">${figure.goals.map(goalHtml).join("")}`
     + `<div class="rk-controls">${parts.filter((...of) => !turns(...of)).join("")}</div>`
     + `<dl class="rk-readouts">${figure.readouts.map((r, k) => readoutHtml(r, values[k])).join("")}</dl>`
-    + `<div class="rk-buttons"><button type="button" class="rk-reset">Reset</button>`
-    + `${figure.size === "step" ? "" : link}</div>${view}</div>`
+    + `<div class="rk-buttons">${buttonHtml("reset", "Reset", figure.title)}`
+    + `${figure.size === "step" ? "" : buttonHtml("link", "Link to this setting", figure.title)}</div>${view}</div>`
     + `<p class="rk-says" aria-live="polite"></p>`;
 };
 

@@ -57,6 +57,7 @@ const scene = (figure, computed, width, state) => {
   });
   // those with a depth change places among themselves: the nearest is painted last
   const deep = pieces.filter((piece) => "depth" in piece).sort((a, b) => a.depth - b.depth);
+  to.labels = to.labels.filter((one) => !covered(one, computed.values[one.shape.depth], deep));
   const grips = figure.handles.map(({ at }) => to(at.map((index) => computed.values[index])));
   const [labels, taken] = placed(to, grips, [width, height]);
   const ground = figure.grid === false ? "" : grid(view, to, width, height, taken);

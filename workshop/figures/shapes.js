@@ -24,9 +24,11 @@ const MARKERS = {
 
 // ---- labels, which get out of each other's way
 
-// A label beside a place in pixels; toward: where it stands if that is free, in steps around it.
+// A label beside a place in pixels; toward: where it stands if that is free, in steps around it,
+// as far as its box must go to be clear of the place.
 const label = (to, x, y, shape, toward = [1, -1]) => {
-  if (shape.label) to.labels.push({ x, y, shape, toward });
+  const most = Math.max(...toward.map(Math.abs)) || 1;
+  if (shape.label) to.labels.push({ x, y, shape, toward: toward.map((step) => step / most) });
   return "";
 };
 

@@ -36,6 +36,13 @@ const printed = (discs, q, [a, b, c], paint) => {
     + `transform="matrix(${axes.map(n)} ${at(x, y, 0)} ${at(x, y, 1)})"/>`).join("");
 };
 
+// Whether a face is painted over the place of a label: then it would name what is not seen.
+const covered = ({ x, y }, depth, pieces) => pieces.some(({ face, depth: near }) => face
+  && near > depth && face.every(([a, b], i) => {
+    const [c, d] = face[(i + 1) % face.length];
+    return (c - a) * (y - b) < (d - b) * (x - a);
+  }));
+
 SHAPES.solid = (p, { data, floor, opacity, behind }, to) => {
   const [ca, sa, ce, se] = [0, 1].flatMap((k) => [Math.cos(p[k]), Math.sin(p[k])]);
   const place = (corner) => [0, 1, 2].map((i) =>
@@ -57,7 +64,7 @@ SHAPES.solid = (p, { data, floor, opacity, behind }, to) => {
       const dashes = ghost ? `;stroke-dasharray:${paint(kind).dash.join(" ") || "none"}` : "";
       const text = `<path d="${line}" style="fill:${tone};stroke:${smooth ? tone : color(kind)}${dashes}"/>`
         + printed(dots[k] ?? [], q, world, ghost ? color(kind) : "var(--rk-ground,#fff)");
-      pieces.push({ text, depth: mean(q, 2) - behind });
+      pieces.push({ text, depth: mean(q, 2) - behind, face: !ghost && q });
     });
   }
   const dark = `fill:color-mix(in srgb,${color("grid")} 80%,#000)`;

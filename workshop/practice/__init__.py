@@ -24,7 +24,8 @@ from workshop.practice.wording import number_text
 from workshop.practice.wrong import Wrong
 from workshop.script.runtime import Part, register
 
-SCRIPTS = "problems reading calculating asked dealing judging storage box saving page notebook"
+READING, KEEPING = "problems reading calculating asked dealing judging", "storage passed"
+SCRIPTS = f"{READING} {KEEPING} box saving page notebook"
 register(
     Part(
         name="practice",
@@ -32,6 +33,16 @@ register(
         scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
         styles=("practice.css",),
         called_by="rk-exercise",
+        constants=page.constants,
+    )
+)
+register(
+    Part(
+        name="progress",
+        package=__name__,
+        scripts=tuple(f"{name}.js" for name in f"dealing {KEEPING} progress".split()),
+        styles=(),
+        called_by="",  # every page has a menu
         constants=page.constants,
     )
 )

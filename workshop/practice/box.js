@@ -12,14 +12,21 @@ const RUNGS = ["Where should I look?", "Show the first step", "Show the next ste
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
 
-// Lists in a list as a matrix.
+// Lists in a list as a matrix. In a cell letters and indices stand in one span: in mathematics each
+// would have a line of its own.
 const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
-const cells = (row) => row.split(/, (?![^(]*\))/).map((cell) => `<mtd><mtext>${cell}</mtext></mtd>`).join("");
+const cells = (row) => row.split(/, (?![^(]*\))/)
+  .map((cell) => `<mtd><mtext><span>${cell}</span></mtext></mtd>`).join("");
 const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mtable>${
   rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
 }</mtable></math>`);
 
-const paragraphs = (text) => matrices(symbols(text)).split("\n\n")
+// No line ends before a unit, or beside the = of a short formula: as wording.py has it.
+const unbroken = (text) => text
+  .replace(/(\d|\bin) (?=(?:[cm]?m|m?s|rad|N|bits|ticks|turns)\b|°)/g, "$1\u00a0")
+  .replace(/(?<=\S) = (?=\S{1,9}(?:\s|$))/g, "\u00a0=\u00a0");
+
+const paragraphs = (text) => matrices(symbols(unbroken(text))).split("\n\n")
   .map((paragraph) => `<p>${paragraph}</p>`).join("");
 
 const FORMULA = /^(\[[^=]*\]|\S+) = /;
@@ -30,6 +37,9 @@ const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
     if (last === undefined || (FORMULA.test(last) && !FORMULA.test(part))) return [...steps, part];
     return [...steps.slice(0, -1), `${steps.at(-1)}\n\n${part}`];
   }, []) : [];
+
+// All of it, for paper.
+const solutionHtml = (text, shown) => paragraphs(filled(text, shown));
 
 // A matrix can be typed entry by entry, too.
 const gridHtml = ({ shape: [rows, columns] = [] }) => columns ? `<details class="rk-grid">`
@@ -47,7 +57,7 @@ const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
     + `<div class="rk-text">${paragraphs(filled(exercise.text, shown))}</div></div>`
     + `<p class="rk-training" hidden>${TRAINING} <button type="button">Back to my numbers</button></p>`
     + `<form class="rk-form"><label for="${id}-answer">Answer, <span class="rk-asked">`
-    + `${symbols(exercise.asked)}</span></label>`
+    + `${symbols(unbroken(exercise.asked))}</span></label>`
     + `<div class="rk-row"><input id="${id}-answer" type="text" autocomplete="off" autocapitalize="off" `
     + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
     + `<button type="submit">Check</button>`
@@ -218,4 +228,4 @@ class Box {
   }
 }
 
-Object.assign(part, { exerciseHtml, stepsOf });
+Object.assign(part, { exerciseHtml, paragraphs, solutionHtml, stepsOf });

@@ -230,9 +230,15 @@ def off(ask: Ask, x: float, wanted: float, factor: float = 1.0) -> float:
 
 
 def asked(exercise: Exercise) -> str:
-    """What an answer must look like, in words: "2 numbers: v in m/s, ω in rad/s"."""
+    """What an answer must look like, in words: "2 numbers: v in m/s, ω in rad/s".
+
+    A unit that all have stands once, at the end.
+    """
     asks, kind = exercise.asks, "number"
-    names = ", ".join(f"{a.label} in {a.unit}" if a.unit else a.label for a in asks)
+    named = [f"{a.label} in {a.unit}" if a.unit else a.label for a in asks]
+    if len({a.unit for a in asks}) == 1:
+        named[:-1] = [a.label for a in asks[:-1]]
+    names = ", ".join(named)
     if exercise.shape:
         rows, columns = exercise.shape
         return f"a matrix: {rows} rows of {columns} numbers"

@@ -89,6 +89,7 @@ def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple
     """One number: with its unit or without, in degrees too if the degree sign is there."""
     (ask,) = exercise.asks
     asked = f"{symbols(ask.label)} in {ask.unit}" if ask.unit else symbols(ask.label)
+    asked += ", to four decimals" if ask.decimals > 3 else ""
     units = "".join(
         f"<unit><multiplier>{factor!r}</multiplier><unit_name>{unit}</unit_name></unit>"
         for unit, factor in _units(ask).items()

@@ -2,6 +2,7 @@
 
 import ast
 import json
+import re
 from datetime import UTC, datetime
 from functools import cached_property
 from html import escape
@@ -19,7 +20,7 @@ from workshop.practice.bank import (
     exercises,
     mistakes,
 )
-from workshop.practice.wording import highlighted, symbols
+from workshop.practice.wording import highlighted, symbols, unbroken
 from workshop.script.widget import Widget, widget
 
 WIDTH = 42  # of a line of code, for phones
@@ -108,13 +109,9 @@ class Box:
         if answer:
             self._keep(answer, result)
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         plain = f"{self.exercise.title}\n\n{self.text}\n\nAsked: {judging.asked(self.exercise)}"
-        return {
-            **self.widget.data(),
-            "text/plain": plain,
-            page.MIME: {"name": self.exercise.name},
-        }
+        return self.widget.output({"text/plain": plain, page.MIME: {"name": self.exercise.name}})
 
 
 def exercise(name: str, student: str | int | None = None, course: str | None = None) -> Box:
@@ -171,9 +168,9 @@ class ExampleView:
         texts = {
             name: given.shown(given.option(e.example[name])) for name, given in e.given.items()
         }
-        question = symbols(e.filled(e.text, e.example, texts))
+        question = symbols(unbroken(e.filled(e.text, e.example, texts)))
         code = "\n".join(assignments(self.names))
-        return f"**{e.title}** {question}\n\nIn code, in SI units:\n\n```python\n{code}\n```"
+        return f"**{e.title}**\n\n{question}\n\nIn code, in SI units:\n\n```python\n{code}\n```"
 
 
 def names_used(code: str) -> set[str]:
@@ -222,11 +219,25 @@ def shown_in(mistake: Mistake) -> Exercise:
     return next(e for e in exercises().values() if mistake in e.wrong and e.example)
 
 
+def in_rows(answer: str) -> str:
+    """An answer as HTML, with a line for each row of a matrix and each of several answers."""
+    rows = re.split(r"(?<=\],) |(?<=\];) ", answer)
+    return "".join(f"<br>{escape(row)}" for row in rows) if len(rows) > 1 else escape(answer)
+
+
 class MistakeView:
     """A wrong line to judge: what it gives in the exercise's own numbers, the answer folded."""
 
     def __init__(self, mistake: Mistake) -> None:
         self.mistake, self.exercise = mistake, shown_in(mistake)
+
+    @property
+    def title(self) -> str:
+        """The exercise's title; where several mistakes are shown in it, which of them this is."""
+        e = self.exercise
+        alike = [m for m in e.wrong if shown_in(m) is e]
+        number = f"Mistake {alike.index(self.mistake) + 1} of {len(alike)}: "
+        return f"{number if len(alike) > 1 else ''}{e.title}"
 
     @property
     def gives(self) -> str:
@@ -241,16 +252,16 @@ class MistakeView:
         lines = zip(m.wrong.lines, ("Right", "Here"), strict=True) if m.wrong else ()
         formulas = "".join(f"<p>{word}: {highlighted(line)}</p>" for line, word in lines)
         return (
-            f"<p>It gives {escape(self.gives)}.</p><details><summary>What is wrong?</summary>"
-            f"{formulas}<p>Right is {escape(right)}. {symbols(m.why)}</p>"
+            f"<p>It gives {in_rows(self.gives)}.</p><details><summary>What is wrong?</summary>"
+            f"{formulas}<p>Right is {in_rows(right)}.</p><p>{symbols(m.why)}</p>"
             f"<p><em>Where nobody notices.</em> {symbols(m.unnoticed)}</p></details>"
         )
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        title = f"<p><strong>{escape(self.exercise.title)}</strong></p>"
+        title = f"<p><strong>{escape(self.title)}</strong></p>"
         return {
             "text/html": f"{title}<pre>{escape(self.mistake.line)}</pre>{self.answer}",
-            "text/plain": f"{self.exercise.title}\n{self.mistake.line}\nIt gives {self.gives}.",
+            "text/plain": f"{self.title}\n{self.mistake.line}\nIt gives {self.gives}.",
             MISTAKE: {"name": self.mistake.name},
         }
 

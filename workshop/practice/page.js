@@ -3,7 +3,8 @@
 const NAMELESS = "Type your name first: it picks your numbers.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
   + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
-  + "1/3, pi/3, sqrt(3)/2, 30°, or a list: [1, 2].";
+  + "1/3, pi/3, sqrt(3)/2, 30° where rad is asked, a list: [1, 2], or a matrix: [[1, 2], [3, 4]]. "
+  + "Whole turns more or less do not matter in an angle.";
 const NOT_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 const BROKEN = "What this browser kept could not be read; it was laid aside.";
 const NO_ANSWERS = "There are no answers for this course in that file.";
@@ -66,7 +67,7 @@ class Desk {
     press(this.element, ".rk-export", this.save);
     press(this.bar, ".rk-who", () => { this.element.scrollIntoView(); this.field.focus(); });
     this.element.querySelector("[type=file]").addEventListener("change", (event) => this.load(event.target));
-    this.field.value = this.name = memory.get(`${STORE} student`) ?? "";
+    this.field.value = this.name = memory.get(studentKept) ?? "";
     this.field.addEventListener("change", () => this.renew());
     (this.element.closest("article") ?? document.body).append(this.bar);
     const near = new Set(), watch = new IntersectionObserver((seen) => {
@@ -82,26 +83,20 @@ class Desk {
     return foldedName(this.name);
   }
 
-  all() {
-    return parsed(`${STORE} answers ${this.course}`);
-  }
-
   mine() {
-    const all = this.all();
-    const [alike] = Object.keys(all).filter((name) => foldedName(name) === this.student());
-    return all[this.student()] ?? all[alike] ?? {};
+    return answersUnder(this.course, this.name);
   }
 
   // Answers of the present student; undefined: none any more.
   keep(answers) {
-    const all = { ...this.all(), [this.student()]: answers };
-    memory.set(`${STORE} answers ${this.course}`, JSON.stringify(all));
+    const key = answersKept(this.course), all = { ...parsed(key), [this.student()]: answers };
+    memory.set(key, JSON.stringify(all));
     this.tellProgress();
   }
 
   renew() {
     this.name = this.field.value;
-    memory.set(`${STORE} student`, this.name);
+    memory.set(studentKept, this.name);
     this.tellProgress();
     this.boxes.forEach((box) => box.renew());
   }
@@ -111,18 +106,13 @@ class Desk {
   }
 
   tellProgress() {
-    const mine = this.mine(), passed = (name) => mine[name]?.result === "right";
+    const mine = this.mine(), passed = (name) => isPassed(mine, name);
     const here = this.sections.map(({ dataset }) => dataset.exercise), done = here.filter(passed);
     const nameless = done.length && !this.student() ? `. ${NAMELESS}` : "";
     const storage = !memory.kept ? ` ${NOT_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
     this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`);
-    const all = Object.entries(TOPICS).map(([title, [topic, count]]) => {
-      const many = Object.keys(mine).filter((name) =>
-        passed(name) && name.replace(/-\d+$/, "").replaceAll("-", "_") === topic).length;
-      return { title, count, many };
-    });
-    const sum = (key) => all.reduce((total, one) => total + one[key], 0), open = here.find((name) => !passed(name));
-    const course = `${sum("many")} of ${sum("count")} in the course`;
+    const all = progressOf(mine), open = here.find((name) => !passed(name));
+    const course = `${sumOf(all, "many")} of ${sumOf(all, "count")} in the course`;
     this.element.querySelector(".rk-course").textContent =
       `${course}: ${all.map(({ title, many, count }) => `${title} ${many}/${count}`).join(", ")}.`;
     this.bar.querySelector(".rk-who").textContent = this.student()
@@ -131,6 +121,7 @@ class Desk {
     const next = this.bar.querySelector("a");
     next.hidden = !open;
     if (open) next.href = `#${open}`;
+    dispatchEvent(new Event("workshop:kept"));
   }
 
   clear() {

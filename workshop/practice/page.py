@@ -77,6 +77,12 @@ def shown(exercise: Exercise, variant: dealing.Variant, template: str) -> dict[s
     return exercise.placeholders(template, variant.numbers, variant.shown)
 
 
+def _nobody(exercise: Exercise, salt: str, template: str) -> dict[str, str]:
+    """What stands for each placeholder of a text for somebody without a name."""
+    variant = dealing.variants(exercise.name)[dealing.dealt(salt, exercise.name, "")]
+    return shown(exercise, variant, template)
+
+
 def packed(chosen: Iterable[Exercise], solutions: bool = True) -> str:
     """Exercises as the browser unpacks them."""
     data = {exercise.name: contents(exercise, solutions) for exercise in chosen}
@@ -95,8 +101,7 @@ def script(topic: str, solutions: bool = True) -> str:
 def box(name: str, salt: str, solutions: bool = True) -> str:
     """The HTML of an exercise with the numbers of somebody without a name."""
     exercise = dealing.find(name)
-    variant = dealing.variants(name)[dealing.dealt(salt, name, "")]
-    arguments = (question(exercise), shown(exercise, variant, exercise.text), solutions)
+    arguments = (question(exercise), _nobody(exercise, salt, exercise.text), solutions)
     inner = engine.call("workshop.practice.exerciseHtml", *arguments)
     version = hashlib.sha256(script(exercise.topic, solutions).encode()).hexdigest()[:8]
     return (
@@ -104,3 +109,10 @@ def box(name: str, salt: str, solutions: bool = True) -> str:
         f'data-topic="{exercise.topic}" data-version="{version}" '
         f'aria-label="{exercise.title}">{inner}</div>\n'
     )
+
+
+def solution(name: str, salt: str) -> str:
+    """The worked solution of what `box` asks, as HTML."""
+    exercise = dealing.find(name)
+    text = exercise.solution_text
+    return str(engine.call("workshop.practice.solutionHtml", text, _nobody(exercise, salt, text)))

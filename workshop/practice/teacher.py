@@ -119,9 +119,12 @@ p {{ margin: .2rem 0; }} input {{ font: inherit; width: 100%; box-sizing: border
 @media print {{ .screen {{ display: none; }}
   input {{ border: 0; border-bottom: 1px solid; height: 2.4rem; }} }}
 </style></head><body data-course="{course}" data-version="{version}" data-student="{student}">
-<h1>{student}</h1><p>Course: {course}. Each exercise has your own numbers.</p>
-<p class="screen">Answers can be 0.5, 1/3, pi/3, 30°, or a list: [1, 2]. Give four decimals. Nothing
-is checked here: what you type stays in this browser. Save it and hand in the file.</p>
+<h1>{student}</h1><p>Course: {course}. The numbers in this sheet are yours alone. Give four
+decimals. Where rad is asked, degrees with their sign are right too: 30°. Whole turns more or less
+do not matter in an angle.</p>
+<p class="screen">Answers can be 0.5, 1/3, pi/3, 30°, a list: [1, 2], or a matrix:
+[[1, 2], [3, 4]]. Nothing is checked here: what you type stays in this browser. Save it and hand in
+the file.</p>
 {exercises}<p class="screen"><button type="button">Save my answers (CSV)</button></p>
 <script>{script}</script></body></html>
 """

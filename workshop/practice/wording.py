@@ -37,6 +37,13 @@ def highlighted(text: str) -> str:
     return symbols(text).replace("«", "<mark>").replace("»", "</mark>")
 
 
+def unbroken(text: str) -> str:
+    """A text in which no line ends before a unit, or beside the = of a short formula."""
+    units = r"(?:[cm]?m|m?s|rad|N|bits|ticks|turns)\b|°"
+    text = re.sub(rf"(\d|\bin) (?={units})", "\\1\u00a0", text, flags=re.ASCII)
+    return re.sub(r"(?<=\S) = (?=\S{1,9}(?:\s|$))", "\u00a0=\u00a0", text)
+
+
 def paragraphs(text: str) -> str:
     """A text of several paragraphs as HTML."""
-    return "".join(f"<p>{symbols(paragraph)}</p>" for paragraph in text.split("\n\n"))
+    return "".join(f"<p>{symbols(unbroken(part))}</p>" for part in text.split("\n\n"))

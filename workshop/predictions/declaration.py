@@ -208,7 +208,9 @@ def row(value: Value) -> list[float]:
     found = value() if callable(value) else value
     if isinstance(found, sp.Basic | sp.MatrixBase):
         found = np.array(sp.Matrix([found]).evalf().tolist(), dtype=float)
-    return [float(x) for x in np.ravel(found)]
+    numbers = (float(x) for x in np.ravel(found))
+    # cos(π/2) and the like leave no zero but 1e-16, or 1e-136 of many digits
+    return [0.0 if abs(x) < 1e-12 else x for x in numbers]
 
 
 def _refuse_typed(who: str, *values: Value) -> None:

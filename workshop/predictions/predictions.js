@@ -1,8 +1,10 @@
 // A prediction takes a guess, keeps it in this browser, and only then opens its result.
 //
 // data: { kind: "buttons" | "number" | "ghost", right, wrong, … }, made by declaration.py. A guess
-// is the number of an option, or a list of numbers in the units that the reader sees.
+// is the number of an option, or a list of numbers in the units that the reader sees; "shown"
+// where somebody wants to see without guessing.
 
+const SHOWN = "shown";
 const KEY = `${STORE} guesses`;
 const NOT_KEPT = "This browser keeps nothing for this page: your guesses are forgotten when you leave it.";
 const KEPT = "Your guesses stay in this browser; nothing is sent.";
@@ -18,7 +20,8 @@ const formHtml = ({ kind, options, units }) => `<form class="rk-guess">${
     + `<button type="submit">Here</button>`
   : `<label>Your guess <input type="text" autocomplete="off" autocapitalize="off" spellcheck="false">`
     + `${units[0] ? ` ${escaped(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`
-}</form>${plain(options ?? [])}<p class="rk-said" role="status"></p>`;
+}<button type="button" class="rk-skip">Show without guessing</button></form>${plain(options ?? [])}`
+  + `<p class="rk-said" role="status" tabindex="-1"></p>`;
 
 const unitText = (number, unit) => trueMinus(String(Number(number.toPrecision(3))))
   + (/[°%]/.test(unit) || !unit ? unit : ` ${unit}`);
@@ -67,6 +70,10 @@ class Prediction {
     });
     this.buttons = [...element.querySelectorAll(".rk-guess button[value]")];
     this.buttons.forEach((button, k) => button.addEventListener("click", () => this.take(k)));
+    this.one(".rk-skip").addEventListener("click", () => {
+      this.take(SHOWN);
+      this.one(".rk-said").focus(); // the button is gone
+    });
   }
 
   one(selector) {
@@ -107,9 +114,12 @@ class Prediction {
   }
 
   open(guess) {
-    const { data, fold } = this, right = same(data, guess, data.right);
+    const { data, fold } = this, is = inWords(data, data.right);
+    this.show(true, guess);
+    if (guess === SHOWN) return this.say(`Shown: ${is}.`);
+    const right = same(data, guess, data.right);
     const wrong = right ? -1 : data.wrong.findIndex((other) => same(data, guess, other));
-    const is = inWords(data, data.right), your = inWords(data, guess);
+    const your = inWords(data, guess);
     this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` Right is ${is}.`}`
       : `You said: ${your}. Right is ${is}.`);
     if (wrong >= 0) {
@@ -117,7 +127,6 @@ class Prediction {
       why.innerHTML = why.innerHTML.replace(/“[^”]*”\? /, "");
       this.one(".rk-said").append(why);
     }
-    this.show(true, guess);
   }
 
   // The question as it was before.
@@ -142,7 +151,7 @@ class Prediction {
 
   // While the question is open, the ghost is all that can be moved; then, all but the ghost.
   lock(live, answered, guess) {
-    const { controls, handles } = live.figure, { places, then } = this.data;
+    const { controls, handles } = live.figure, { places, then, right } = this.data;
     const ghost = (i) => places.includes(controls[i].key);
     live.element.classList.toggle("rk-asked", !answered);
     controls.forEach((_, i) => live.all(`[data-i="${i}"]`).forEach((hand) => {
@@ -154,7 +163,7 @@ class Prediction {
       }
     });
     live.set(controls.map(({ key, start }, i) => !answered ? start
-      : ghost(i) ? guess[places.indexOf(key)] : then[key] ?? live.state[i]));
+      : ghost(i) ? (guess === SHOWN ? right : guess)[places.indexOf(key)] : then[key] ?? live.state[i]));
   }
 }
 

@@ -26,10 +26,10 @@ class Widget(anywidget.AnyWidget):
     content = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
 
-    def data(self) -> dict[str, Any]:
-        """What an output holds of it, by MIME type."""
-        data, _ = self._repr_mimebundle_() or ({}, {})
-        return dict(data)
+    def output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What an output holds of it and of others, by MIME type; and what Colab must know."""
+        data, metadata = self._repr_mimebundle_() or ({}, {})
+        return {**data, **others}, metadata
 
 
 _sent: dict[str, Runtime] = {}  # by the name of the part

@@ -4,11 +4,11 @@ A cell's formula becomes a numbered equation, a cell's figure its still picture 
 takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
 against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
 `{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
-`{promise}` (what was counted and checked), `{library}` (its functions), `{downloads}` (what
-notebooks need).
+`{promise}` (what was counted and checked), `{library}` (its functions).
 Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
 picks each student's numbers; without one the course's own name), `course_solutions`,
-`course_wheels` and `course_lock` (what a downloaded notebook needs).
+`course_wheels` and `course_lock` (what a downloaded notebook needs), `course_python` (where the
+Python that runs in a page comes from), `course_katex` (what sets the formulas that it gives).
 
 A figure's way: a cell stores its name (`figures/figure.py`); `outputs.py` finds the declaration by
 that name and has it compiled and drawn (`figures/compiling.py`, `script/engine.py`); the page loads
@@ -22,10 +22,10 @@ from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
 
 from workshop.course import course
-from workshop.site import predictions
+from workshop.site import predictions, run
 from workshop.site.checks import FormulaChecks
 from workshop.site.directives import Errata, Library, Notation, Practice
-from workshop.site.files import Downloads, add_assets, write_assets, write_downloads
+from workshop.site.files import add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
 from workshop.symbols.page import mark_formulas, mark_page
@@ -35,6 +35,12 @@ SETTINGS = {  # name → what it is without, what it must be, an example
     "course_name": ("", "a text, in quotes", '"kinematics-2026"'),
     "course_solutions": (True, "true or false, without quotes", "true"),
     "course_wheels": ([], "a list of folders", "[., workshop, book]"),
+    "course_python": (
+        "https://cdn.jsdelivr.net/pyodide/v314.0.6/full/",
+        "an address with a slash at its end, in quotes",
+        '"https://cdn.jsdelivr.net/pyodide/v314.0.6/full/"',
+    ),
+    "course_katex": ("", "the name of a file in the site's `_static`, in quotes", '"katex.min.js"'),
     "course_lock": ("requirements.txt", "the name of a file, in quotes", '"requirements.txt"'),
 }
 
@@ -81,7 +87,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("html-page-context", mark_page)
     app.connect("html-page-context", add_assets)
     predictions.setup(app)
-    app.add_directive("downloads", Downloads)
+    run.setup(app)
     app.connect("env-updated", write_assets)
     app.connect("build-finished", write_downloads)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -3,6 +3,7 @@
 import hashlib
 import json
 from dataclasses import asdict, dataclass
+from itertools import groupby
 from pathlib import Path
 
 from docutils import nodes
@@ -20,10 +21,12 @@ class FormulaChecks(SphinxDirective):
     """How many formulas agree with what; then each, its function, and how closely."""
 
     def run(self) -> list[nodes.Node]:
-        """A formula and a sentence for each; a difference over its tolerance fails the build."""
+        """Under each chapter's title a formula and a sentence for each; a difference over its
+        tolerance fails the build.
+        """
         depend(self.env, "formulas", "checks")
         found = checked(Path(self.env.app.outdir).parent)
-        return self.parse_text_to_nodes("\n\n".join(found.entries))
+        return self.parse_text_to_nodes("\n\n".join(found.entries), allow_section_headings=True)
 
 
 @dataclass(frozen=True)
@@ -55,16 +58,24 @@ def _check_all() -> Checked:
     if wrong:
         apart = "\n".join(map(_disagreement, wrong))
         raise ExtensionError(f"formulas and functions disagree:\n{apart}")
-    entries = [
-        _summary(list(checks.values())),
-        *(_entry(check, results.get(name)) for name, check in checks.items()),
-    ]
+    entries = [_summary(list(checks.values()))]
+    for topic, of_topic in groupby(checks.items(), lambda item: item[0].partition(".")[0]):
+        entries.append(f"## {_title(topic)}")
+        for name, check in of_topic:
+            entry = _entry(check, results.get(name))
+            entries.append(f":::{{container}} rk-check\n{entry}\n:::")
     return Checked(
         entries,
         len(results),
         min(result.samples for result in results.values()),
         max(result.difference for result in results.values()),
     )
+
+
+def _title(topic: str) -> str:
+    """A chapter's title, or the name of what several chapters share."""
+    taught = course().notebook(topic).exists()
+    return course().title(topic) if taught else topic.replace("_", " ").capitalize()
 
 
 def _disagreement(result: equations.Result) -> str:

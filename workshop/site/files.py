@@ -2,13 +2,12 @@
 
 import re
 import shutil
+from html import escape
 from pathlib import Path
 from typing import Any
 
-from docutils import nodes
 from hatchling.builders.wheel import WheelBuilder
 from sphinx.application import Sphinx
-from sphinx.util.docutils import SphinxDirective
 
 from workshop.course import course
 from workshop.figures.compiling import Code, javascript
@@ -22,7 +21,7 @@ FIGURE = re.compile(r'<figure class="rk-figure" id="([^"]+)"')
 
 
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The scripts and the style on pages that have a figure, an exercise …, and only there.
+    """The scripts of a figure, an exercise … on pages that have one, and whose course it is.
 
     What is told a page's scripts comes in a file, too: no script stands in a page.
     """
@@ -37,10 +36,12 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         lines = (f"window.{name} = {javascript(value)};\n" for name, value in told.items())
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
-    if needed := runtime.called_by(body):
-        app.add_css_file("workshop.css")
-        for name in needed:
-            app.add_js_file(f"workshop/{name}.js", loading_method="defer")
+    app.add_css_file("workshop.css")
+    for name in runtime.called_by(body):
+        app.add_js_file(f"workshop/{name}.js", loading_method="defer")
+    name = escape(app.config.course_name or course().name, quote=True)
+    tag = f'<meta name="course" content="{name}" />'
+    context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
 
 
 def write_assets(app: Sphinx, env: Any) -> None:
@@ -62,18 +63,6 @@ def write_static(app: Sphinx, name: str, text: str) -> None:
     file.write_text(text, encoding="utf-8")
 
 
-class Downloads(SphinxDirective):
-    """Links to what a downloaded notebook needs."""
-
-    def run(self) -> list[nodes.Node]:
-        """The wheel and the locked requirements, which stand beside the notebooks."""
-        projects = map(_project, self.config.course_wheels)
-        names = [Path(self.config.course_lock).name, *(wheel_name(project) for project in projects)]
-        root = "../" * self.env.docname.count("/")
-        links = (f'<a href="{root}_sources/{name}" download>{name}</a>' for name in names)
-        return [nodes.raw("", f"<p>{' · '.join(links)}</p>", format="html")]
-
-
 def write_downloads(app: Sphinx, error: Exception | None) -> None:
     """The wheels and the locked requirements, beside the notebooks."""
     if error or app.builder.format != "html":
@@ -89,8 +78,8 @@ def _project(name: str) -> Path:
     return course().folder.parent / name
 
 
-def wheel_name(project: Path) -> str:
+def wheel_name(project: str) -> str:
     """What the wheel of a project will be called."""
-    metadata = WheelBuilder(str(project)).metadata
+    metadata = WheelBuilder(str(_project(project))).metadata
     name = metadata.core.name.replace("-", "_")
     return f"{name}-{metadata.version}-py3-none-any.whl"

@@ -40,7 +40,7 @@ class Chapters(SphinxDirective):
             for chapter in course().chapters
             if course().notebook(chapter).exists() and chapter in pictures
         ]
-        text = f'<div class="site-cards">{"".join(cards)}</div>'
+        text = f'<p class="site-so-far"></p><div class="site-cards">{"".join(cards)}</div>'
         return [nodes.raw("", text, format="html")]
 
     def _card(self, chapter: str, figure: str) -> str:

@@ -5,13 +5,14 @@ from html import escape
 from typing import Any, TypeVar
 
 from docutils import nodes
+from sphinx.addnodes import pending_xref
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
 from workshop.course import course
-from workshop.equations.core import find
+from workshop.equations.core import find, labelled
+from workshop.equations.printing import AGAIN, COMPUTED, name_on_page
 from workshop.equations.printing import MIME as EQUATION
-from workshop.equations.printing import name_on_page
 from workshop.errors import CourseError
 from workshop.figures.figure import MIME as FIGURE
 from workshop.figures.figure import find as find_figure
@@ -29,7 +30,8 @@ T = TypeVar("T")
 WITH = '<p class="rk-with">With the numbers of the figure:</p>'
 NO_SCRIPT = (
     '<p class="rk-noscript">Without JavaScript these exercises can be read, with the numbers of '
-    "somebody without a name; answers cannot be checked.</p>\n"
+    "somebody without a name; answers cannot be checked here. In the notebook of the chapter they "
+    "can: a box to answer in stands below each exercise, once its cell has been run.</p>\n"
 )
 
 
@@ -38,6 +40,7 @@ class Outputs:
 
     mime_priority_overrides = (
         ("html", EQUATION, 1),
+        ("html", AGAIN, 1),
         ("html", FIGURE, 1),
         ("html", practice.MIME, 1),
         ("html", MISTAKE, 1),
@@ -50,6 +53,9 @@ class Outputs:
         if data.mime_type == EQUATION:
             depend(renderer.renderer.sphinx_env, "formulas")
             return _equation(renderer, data)
+        if data.mime_type == AGAIN:
+            depend(renderer.renderer.sphinx_env, "formulas")
+            return [_again(data.content["labels"], renderer.renderer.sphinx_env.docname)]
         if data.mime_type == FIGURE:
             depend(renderer.renderer.sphinx_env, "figures")
             return [_figure(data.content["name"])]
@@ -77,6 +83,18 @@ def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     renderer.renderer.document.note_explicit_target(target)
     followed = data.content.get("figure")
     return [target, node, *(_numbers(name, computed, followed, env) if followed else ())]
+
+
+def _again(labels: list[str], docname: str) -> nodes.container:
+    """Formulas that stand above, each beside the number that leads to it."""
+    box = nodes.container("", classes=["rk-again"])
+    for label in labels:
+        tex = told(labelled, label).latex(label.endswith(COMPUTED))
+        to = {"refdomain": "math", "reftype": "eq", "reftarget": label, "refdoc": docname}
+        number = pending_xref("", nodes.inline(), **to, refexplicit=False, refwarn=True)
+        box += nodes.paragraph("", "", number)
+        box += nodes.math_block(tex, tex, number=None, nowrap=False)
+    return box
 
 
 def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> list[nodes.Element]:
@@ -119,7 +137,7 @@ def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
 def _mistake(name: str) -> nodes.container:
     """A wrong line to judge, what it gives, and the answer folded."""
     shown = mistake(name)
-    title = f'<p class="rk-mistake-title">{escape(shown.exercise.title)}</p>'
+    title = f'<p class="rk-mistake-title">{escape(shown.title)}</p>'
     line = nodes.literal_block(shown.mistake.line, shown.mistake.line, language="python")
     parts = [nodes.raw("", title, format="html"), line, nodes.raw("", shown.answer, format="html")]
     return nodes.container("", *parts, classes=["rk-mistake"], ids=[name])

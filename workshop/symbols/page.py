@@ -82,9 +82,13 @@ def named(found: re.Match[str], symbol: NamedSymbol, chapter: str) -> str:
 
 
 def facts(symbol: NamedSymbol, chapter: str) -> list[str]:
-    """What the note says of a symbol: letter, meaning, unit; and the look of the letter."""
-    kind = look(symbol, chapter)
-    return [symbol_text(symbol), symbol.meaning, symbol.unit, *([kind] if kind else [])]
+    """What the note says of a symbol: letter, meaning, unit; and the look of the letter.
+
+    What a figure alone knows has a word for a letter, which no reader has seen.
+    """
+    kind, letter = look(symbol, chapter), symbol_text(symbol)
+    shown = "" if letter == symbol.name and re.match("[a-z]{3}", letter) else letter
+    return [shown, symbol.meaning, symbol.unit, *([kind] if kind else [])]
 
 
 def rules() -> str:

@@ -1,0 +1,128 @@
+"""What a page waits for before it shows, made little: one style sheet without the rules of the
+theme that no page uses, and scripts that wait for the page.
+"""
+
+import hashlib
+import re
+from pathlib import Path
+
+# in the order in which pages ask for them
+THEME = (
+    "basic.css",
+    "styles/pydata-sphinx-theme.css",
+    "pygments.css",
+    "styles/sphinx-book-theme.css",
+    "katex/katex.min.css",
+    "copybutton.css",
+    "mystnb.*.css",
+)
+OWN = ("workshop.css", "site.css")  # whose classes are put together in scripts: kept whole
+SHEET = "all.css"
+
+LINKS = re.compile(r'(\s*<link [^>]*href="([^"]*)_static/[^"]*\.css[^>]*>)+')
+WAITS_NOT = re.compile(r'<script (?=src="[^"]*_static/(?!start-))')
+NOW = re.compile("<img (?!loading=)")
+COMMENT = re.compile(r'("(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\')|/\*.*?\*/', re.DOTALL)
+ADDRESS = re.compile(r"url\((?![\"']?(?:data:|[./]*/|#))([\"']?)")
+CLASS = re.compile(r"\.(-?[A-Za-z_][\w-]*)")
+WITHIN = re.compile(r":(?:not|is|where|has)\([^()]*(?:\([^()]*\)[^()]*)*\)")
+GROUPS = ("@media", "@supports", "@layer", "@container")
+
+
+def blocks(css):
+    """The rules of a style sheet without comments: what stands before the braces, and in them."""
+    depth = start = 0
+    for found in re.finditer(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|[{}]|;', css):
+        sign = found[0]
+        if sign == "{":
+            if not depth:
+                opened = found.start()
+            depth += 1
+        elif sign == "}":
+            depth -= 1
+            if not depth:
+                yield css[start:opened].strip(), css[opened + 1 : found.start()]
+                start = found.end()
+        elif sign == ";" and not depth:  # an @import or @charset
+            start = found.end()
+
+
+def used_rules(css, names):
+    """The rules that an element with classes among these names may need."""
+    kept = []
+    for head, body in blocks(css):
+        if head.startswith(GROUPS):
+            if inner := used_rules(body, names):
+                kept.append(f"{head}{{{inner}}}")
+        elif head.startswith("@"):
+            kept.append(f"{head}{{{body}}}")
+        else:
+            needed = [each for each in selectors(head) if names.issuperset(classes(each))]
+            if needed:
+                kept.append(f"{','.join(needed)}{{{body.strip()}}}")
+    return "\n".join(kept)
+
+
+def selectors(head):
+    """The selectors of a rule, which commas part outside of brackets."""
+    return re.split(r",\s*(?![^()]*\)|[^\[\]]*\])", head)
+
+
+def classes(selector):
+    """The classes that an element must have, or one around it."""
+    selector = re.sub(r"\[[^\]]*\]", "", selector)
+    while (plain := WITHIN.sub("", selector)) != selector:
+        selector = plain
+    return CLASS.findall(selector)
+
+
+def names_in(pages, scripts):
+    """Every class of the pages, and every word of the scripts, which may set it."""
+    found = {name for page in pages for each in re.findall(r'class="([^"]*)"', page)
+             for name in each.split()}  # fmt: skip
+    return found.union(*(re.findall(r"[\w-]+", script) for script in scripts))
+
+
+def sheet(static, names):
+    """All style sheets as one; addresses in them are from its place."""
+    parts = []
+    for pattern in (*THEME, *OWN):
+        for file in sorted(static.glob(pattern)):
+            css = COMMENT.sub(lambda found: found[1] or "", file.read_text("utf-8"))
+            folder = file.parent.relative_to(static).as_posix()
+            if folder != ".":
+                css = ADDRESS.sub(rf"url(\1{folder}/", css)
+            parts.append(css if pattern in OWN else used_rules(css, names))
+    return "\n".join(parts)
+
+
+def make_light(app, error):
+    """Write the sheet, and have every page ask for it alone."""
+    if error or app.builder.format != "html":
+        return
+    folder, static = Path(app.outdir), Path(app.outdir, "_static")
+    files = [file for file in folder.rglob("*.html") if static not in file.parents]
+    pages = {file: file.read_text("utf-8") for file in files}
+    scripts = [*static.glob("*.js"), *static.glob("scripts/*.js"), *static.glob("workshop/*.js")]
+    texts = [file.read_text("utf-8") for file in scripts if file.name != "search-data.js"]
+    css = sheet(static, names_in(pages.values(), texts))
+    (static / SHEET).write_text(css, "utf-8")
+    version = hashlib.sha256(css.encode()).hexdigest()[:8]
+    for file, text in pages.items():
+        text = NOW.sub('<img loading="lazy" ', text)
+        link = rf'\n  <link rel="stylesheet" href="\g<2>_static/{SHEET}?v={version}" />'
+        file.write_text(WAITS_NOT.sub("<script defer ", one_link(text, link)), "utf-8")
+
+
+def one_link(text, link):
+    """A page with one link to a sheet where the first one was."""
+    first = LINKS.search(text)
+    if not first:
+        return text
+    return text[: first.start()] + first.expand(link) + LINKS.sub("", text[first.end() :])
+
+
+def setup(app):
+    """Called by Sphinx; after all pages and scripts are as they will be."""
+    app.connect("build-finished", make_light, priority=950)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

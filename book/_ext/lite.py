@@ -1,0 +1,179 @@
+"""JupyterLite beside the book: every chapter as a notebook that runs in the browser.
+
+`lite/` in the site has the notebooks, the course's packages, and JupyterLite; Python itself
+(Pyodide) comes from `course_python`. What the course needs stands in the list of packages that
+Pyodide is given, so that `import robokin` just works, and nothing is asked of another registry.
+"""
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+import zipfile
+from importlib.metadata import distribution, version
+from pathlib import Path
+
+import nbformat
+from sphinx.util import logging
+
+from workshop.course import course
+from workshop.site.files import wheel_name
+from workshop.site.run import FOLDER, own_python
+
+logger = logging.getLogger(__name__)
+
+LOCK = Path(__file__).parents[1] / "_vendor" / "pyodide" / "pyodide-lock.json"
+KERNEL = "@jupyterlite/pyodide-kernel-extension:kernel"
+KERNELSPEC = {"name": "python", "display_name": "Python (Pyodide)", "language": "python"}
+# what widgets need and Pyodide has not: taken from what is installed here, name → what it needs
+WIDGETS = {
+    "comm": ("traitlets",),
+    "ipywidgets": ("comm", "ipython", "traitlets"),
+    "psygnal": (),
+    "anywidget": ("ipywidgets", "psygnal", "typing-extensions"),
+}
+COURSE = {  # our packages, by what is imported; the first alone needs little
+    "robokin": ("numpy",),
+    "workshop": ("anywidget", "ipywidgets", "mpmath", "numpy", "sympy"),
+    "book": ("matplotlib", "robokin", "robokin-workshop"),
+}
+
+
+def notebook_name(page):
+    """What a chapter's notebook is called there: the name changes with what it says, so that a
+    new one is seen, and one that a reader has changed stays beside it."""
+    file = course().notebook(page.partition("/")[0])
+    digest = hashlib.sha256(file.read_bytes()).hexdigest()[:6]
+    return f"{file.stem}-{digest}.ipynb"
+
+
+def address(page):
+    """The address of a chapter there, from the site's root."""
+    return f"lite/notebooks/index.html?path={notebook_name(page)}"
+
+
+# --- what JupyterLite is given --------------------------------------------------------------
+
+
+def write_notebooks(folder):
+    """All chapters, for the kernel that there is: another name would open a dialog."""
+    folder.mkdir(parents=True)
+    for chapter in course().chapters:
+        file = course().notebook(chapter)
+        if file.exists():
+            notebook = nbformat.read(file, as_version=4)  # texts whole, not by lines
+            notebook["metadata"]["kernelspec"] = KERNELSPEC
+            text = json.dumps(notebook, ensure_ascii=False)
+            (folder / notebook_name(chapter)).write_text(text, "utf-8")
+
+
+def installed_wheel(name, folder):
+    """A wheel of what is installed here; without compiled parts, which these can do without."""
+    found = distribution(name)
+    file = folder / f"{name}-{found.version}-py3-none-any.whl"
+    inside = [f for f in found.files if f.suffix != ".so" and ".." not in f.parts]
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as wheel:
+        for each in sorted(f for f in inside if "__pycache__" not in f.parts):
+            if each.name not in ("RECORD", "direct_url.json", "INSTALLER", "REQUESTED"):
+                entry = zipfile.ZipInfo(each.as_posix())  # without the time: the same each time
+                wheel.writestr(entry, each.locate().read_bytes(), zipfile.ZIP_DEFLATED)
+    return file
+
+
+def write_packages(app, folder):
+    """The course's wheels and the widgets', and the list of all packages."""
+    folder.mkdir(parents=True)
+    lock = json.loads(LOCK.read_text("utf-8"))
+    place = (own_python() and f"../../_static/{FOLDER}/") or app.config.course_python
+    for entry in lock["packages"].values():
+        entry["file_name"] = place + entry["file_name"]
+    for name, needs in WIDGETS.items():
+        lock["packages"][name] = listed(installed_wheel(name, folder), name, needs)
+    for project, (name, needs) in zip(app.config.course_wheels, COURSE.items(), strict=True):
+        wheel = wheel_name(project)
+        shutil.copy(Path(app.outdir, "_sources", wheel), folder)
+        entry = listed(folder / wheel, name, needs)
+        lock["packages"][entry["name"]] = entry
+    (folder / LOCK.name).write_text(json.dumps(lock), "utf-8")
+
+
+def listed(wheel, imported, needs):
+    """A wheel's entry in the list."""
+    name, number, *_ = wheel.name.split("-")
+    return {
+        "name": name.replace("_", "-"),
+        "version": number,
+        "file_name": wheel.name,
+        "sha256": hashlib.sha256(wheel.read_bytes()).hexdigest(),
+        "package_type": "package",
+        "install_dir": "site",
+        "imports": [imported],
+        "depends": list(needs),
+        "unvendored_tests": False,
+    }
+
+
+def settings(app):
+    """What JupyterLite reads when it starts."""
+    python = f"./../_static/{FOLDER}/" if own_python() else app.config.course_python
+    kernel = {
+        "pyodideUrl": f"{python}pyodide.mjs",
+        "disablePyPIFallback": True,  # a package that is missing may not come from strangers
+        "loadPyodideOptions": {"lockFileURL": "./packages/pyodide-lock.json"},
+    }
+    return {
+        "jupyter-lite-schema-version": 0,
+        "jupyter-config-data": {
+            "appName": app.config.html_title,
+            "contentsStorageName": f"{app.config.course_package}-notebooks",
+            "litePluginSettings": {KERNEL: kernel},
+        },
+    }
+
+
+# --- the build ------------------------------------------------------------------------------
+
+
+def build(app, error):
+    """Put JupyterLite into the site, unless it is there as it would be."""
+    if error or app._warncount or app.builder.name != "html":
+        return
+    folder, target = Path(app.outdir).parent / "lite", Path(app.outdir) / "lite"
+    shutil.rmtree(folder, ignore_errors=True)
+    write_notebooks(folder / "notebooks")
+    write_packages(app, folder / "packages")
+    (folder / "jupyter-lite.json").write_text(json.dumps(settings(app)), "utf-8")
+    mark, digest = target / ".made-of", made_of(folder)
+    if mark.exists() and mark.read_text("utf-8") == digest:
+        return
+    shutil.rmtree(target, ignore_errors=True)
+    run_jupyterlite(folder, target)
+    shutil.copytree(folder / "packages", target / "packages")
+    mark.write_text(digest, "utf-8")
+
+
+def made_of(folder):
+    """Changes with what JupyterLite is given, and with its version."""
+    files = sorted(file for file in folder.rglob("*") if file.is_file())
+    told = [version("jupyterlite-core"), version("jupyterlite-pyodide-kernel")]
+    told += [hashlib.sha256(file.read_bytes()).hexdigest() for file in files]
+    return hashlib.sha256("".join(told).encode()).hexdigest()
+
+
+def run_jupyterlite(folder, target):
+    """Its own command; what it says only if it fails."""
+    logger.info("building JupyterLite …")
+    command = [sys.executable, "-m", "jupyterlite_core.app", "build", "--lite-dir", str(folder)]
+    command += ["--contents", str(folder / "notebooks"), "--output-dir", str(target)]
+    command += ["--apps", "notebooks", "--apps", "tree", "--no-sourcemaps"]
+    command += ["--no-unused-shared-packages", "--force"]
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    if run.returncode:
+        logger.warning("JupyterLite is not built:\n%s", run.stdout + run.stderr)
+
+
+def setup(app):
+    """Called by Sphinx; after the wheels are there."""
+    app.connect("build-finished", build, priority=910)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,76 @@
+"""A picture for each page that a message shows which links to it: the page's first figure.
+
+Only where the site's address is known (`html_baseurl`), because such pictures need whole addresses;
+and, always, the icon for the home screens of phones.
+"""
+
+import re
+from functools import cache
+from pathlib import Path
+
+import matplotlib
+from resvg_py import svg_to_bytes
+
+from workshop.figures.figure import find, plain
+from workshop.site.files import FIGURE
+
+WIDE, HIGH = 1200, 630  # pixels, as networks ask for
+FONTS = Path(matplotlib.get_data_path(), "fonts", "ttf")
+ICON, ICON_SIZE = "icon.png", 180
+
+
+def drawn(svg, width):
+    """A picture as PNG, the same on every machine."""
+    fonts = [str(file) for file in FONTS.glob("DejaVuS*.ttf")]
+    return svg_to_bytes(
+        svg_string=svg,
+        width=width,
+        font_files=fonts,
+        skip_system_fonts=True,
+        sans_serif_family="DejaVu Sans",
+        serif_family="DejaVu Serif",
+    )
+
+
+@cache
+def preview(name):
+    """A figure in the middle of a wide picture."""
+    picture = plain(find(name).picture(HIGH))
+    size = f'width="{WIDE}" height="{HIGH}"'
+    inner = re.sub(r'width="[^"]*" height="[^"]*"', size, picture, count=1)
+    ground = '<rect width="100%" height="100%" fill="#fff"/>'
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{ground}{inner}</svg>'
+    return drawn(svg, WIDE)
+
+
+def add_preview(app, pagename, templatename, context, doctree):
+    """The picture of a page that has a figure, and its address in the page's head."""
+    icon = context["pathto"](f"_static/{ICON}", resource=True)
+    tags = [f'<link rel="apple-touch-icon" href="{icon}" />']
+    found = FIGURE.search(context.get("body", "")) if doctree else None
+    if found and app.config.html_baseurl:
+        name = f"_static/previews/{found[1]}.png"
+        file = Path(app.outdir, name)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(preview(found[1]))
+        tags += [
+            f'<meta property="og:image" content="{app.config.html_baseurl}{name}" />',
+            f'<meta property="og:image:width" content="{WIDE}" />',
+            f'<meta property="og:image:height" content="{HIGH}" />',
+            '<meta name="twitter:card" content="summary_large_image" />',
+        ]
+    context["metatags"] = "\n".join([context.get("metatags", ""), *tags])
+
+
+def write_icon(app, error):
+    """The site's icon for those who cannot show SVG."""
+    if not error and app.builder.format == "html":
+        svg = Path(__file__).parents[1].joinpath("_assets", "favicon.svg").read_text("utf-8")
+        Path(app.outdir, "_static", ICON).write_bytes(drawn(svg, ICON_SIZE))
+
+
+def setup(app):
+    """Called by Sphinx."""
+    app.connect("html-page-context", add_preview, priority=950)
+    app.connect("build-finished", write_icon)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,50 @@
+"""Start the notebooks: `python start.py`. The first time it sets up the folder .venv beside it.
+
+What follows the name goes to JupyterLab: `python start.py --no-browser`.
+"""
+
+import os
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ENVIRONMENT = HERE / ".venv"
+PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+PACKAGES = HERE / "packages"  # what the network would give, if somebody put it there
+READY = ENVIRONMENT / "ready"
+
+
+def set_up():
+    """An environment with the packages of the list, each as its hash says, and the course."""
+    print("Setting up, once: loading 100 MB, which become 500 MB on the disk.", flush=True)
+    venv.create(ENVIRONMENT, clear=True, with_pip=True)
+    pip = [str(PYTHON), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    source = ["--no-index", "--find-links", str(PACKAGES)] if PACKAGES.is_dir() else []
+    wheels = sorted(map(str, HERE.glob("wheels/*.whl")))
+    listed = str(HERE / "requirements-light.txt")
+    subprocess.run([*pip, *source, "--require-hashes", "-r", listed], check=True)
+    subprocess.run([*pip, "--no-index", "--no-deps", *wheels], check=True)
+    READY.touch()
+
+
+def main():
+    if sys.version_info < (3, 11):  # noqa: UP036 - a reader's Python may be any
+        sys.exit(f"Python 3.11 or newer is needed, this is {sys.version.split()[0]}: python.org")
+    if not READY.exists():
+        try:
+            set_up()
+        except subprocess.CalledProcessError as error:
+            sys.exit(f"The set-up failed, see above. Mend that and start again. ({error})")
+    command = [str(PYTHON), "-m", "jupyterlab", *sys.argv[1:]]
+    lab = subprocess.Popen(command, cwd=HERE / "notebooks")
+    while True:
+        try:
+            return lab.wait()
+        except KeyboardInterrupt:  # it has got that, too, and asks whether to stop
+            pass
+
+
+if __name__ == "__main__":
+    sys.exit(main())

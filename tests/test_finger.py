@@ -1,0 +1,143 @@
+"""A finger on the live figures of a phone: what it scrolls, and what it moves.
+
+Every figure of a page in one visit, with real touches.
+"""
+
+import time
+
+import pytest
+from declared import FIGURES
+from test_figures import SHOW, OnPage
+
+from workshop.course import course
+from workshop.figures import Choice, Figure
+from workshop.figures.turning import Turns
+
+pytest_plugins = ["browser"]
+pytestmark = pytest.mark.browser
+pytest.register_assert_rewrite("browser")
+
+from browser import watched_page  # noqa: E402
+
+HOMES = course().homes("figures", Figure)
+FAR = 120  # pixels that a finger goes
+STILL = "() => new Promise((seen) => requestAnimationFrame(() => requestAnimationFrame(seen)))"
+
+
+class Finger:
+    """One finger on a page."""
+
+    def __init__(self, page):
+        self.page, self.session = page, page.context.new_cdp_session(page)
+
+    def send(self, kind, at, *touches):
+        """An event at a time in seconds."""
+        points = [{"x": float(x), "y": float(y)} for x, y in touches]
+        event = {"type": kind, "touchPoints": points, "timestamp": at}
+        self.session.send("Input.dispatchTouchEvent", event)
+
+    def drag(self, x, y, right=0, down=0):
+        """From a place, in five moves; it rests before it is lifted, so that nothing glides."""
+        now = time.time()
+        self.send("touchStart", now, (x, y))
+        for step in range(1, 6):
+            self.send("touchMove", now + step / 50, (x + right * step / 5, y + down * step / 5))
+        self.send("touchEnd", now + 1)
+
+    def scrolled(self):
+        return self.page.evaluate("scrollY")
+
+
+def scrolls(finger, live, x, y):
+    """A swipe up from there scrolls the page, and the figure stays as it is."""
+    before, top = live.state(), finger.scrolled()
+    finger.drag(x, y, down=-FAR)
+    live.page.wait_for_function("(top) => Math.abs(scrollY - top) > 50", arg=top)
+    assert live.state() == before
+
+
+def moves(finger, live, x, y, **way):
+    """A drag from there moves the figure, and the page stays where it is."""
+    before, top = live.state(), finger.scrolled()
+    finger.drag(x, y, **way)
+    live.page.evaluate(STILL)
+    assert live.state() != before
+    assert finger.scrolled() == top
+
+
+def shown(place):
+    """Its box on the screen, in the middle of it and at rest."""
+    place.evaluate(SHOW)
+    return place.bounding_box()
+
+
+def thumb(slider, box):
+    """Where the middle of a slider's thumb is, across."""
+    share = slider.evaluate("({value, min, max}) => (value - min) / (max - min)")
+    return box["x"] + 14 + share * (box["width"] - 28)
+
+
+def touch_sliders(finger, live):
+    """A slider moves by its thumb and sideways; else it lets the page scroll."""
+    for control in live.figure.controls:
+        slider = live.input(control)
+        if isinstance(control, Choice | Turns) or not slider.is_visible():
+            continue
+        box = shown(slider)
+        at, middle = thumb(slider, box), box["x"] + box["width"] / 2
+        toward = 1 if at < middle else -1
+        scrolls(finger, live, middle + toward * box["width"] / 4, box["y"] + box["height"] / 2)
+        box = shown(slider)
+        scrolls(finger, live, at, box["y"] + box["height"] / 2)
+        box = shown(slider)
+        moves(finger, live, at, box["y"] + box["height"] / 2, right=60 * toward, down=-30)
+
+
+def touch_ground(finger, live):
+    """From the ground of a picture a finger scrolls; across, it turns a view in space."""
+    scrolls(finger, live, *free(live))
+    if live.figure.turns:
+        x, y = free(live)
+        moves(finger, live, x, y, right=FAR if x < 195 else -FAR, down=10)
+
+
+def free(live):
+    """A place of the picture that no handle is near to."""
+    shown(live.picture)
+    return live.picture.evaluate("""(svg) => {
+      const box = svg.getBoundingClientRect();
+      for (let x = box.left + 12; x < box.right; x += 12)
+        for (let y = box.bottom - 12; y > box.top; y -= 12)
+          if (y > 150 && !document.elementFromPoint(x, y)?.closest(".rk-handles")) return [x, y];
+    }""")
+
+
+def touch_handles(finger, live):
+    """Each handle can be dragged, and the page does not go with it."""
+    for place in range(live.handles.count()):
+        grip = live.handles.nth(place)
+        if not grip.is_visible():
+            continue
+        live.picture.evaluate(SHOW)
+        box, picture = grip.bounding_box(), live.picture.bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        if not picture["x"] <= x <= picture["x"] + picture["width"]:
+            continue  # it has no place now
+        right = 50 if x < picture["x"] + picture["width"] / 2 else -50
+        down = 40 if y < picture["y"] + picture["height"] / 2 else -40
+        moves(finger, live, x, y, right=right, down=down)
+
+
+@pytest.mark.parametrize("name", ["index", *sorted({f"{c}/{c}" for c in HOMES.values()})])
+def test_a_finger_scrolls_or_moves_but_never_both(name, site, server, chromium):
+    options = {"width": 390, "has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
+    with watched_page(chromium, server, **options) as (page, watch):
+        page.goto(f"{server}{name}.html")
+        page.evaluate("() => document.fonts.ready")
+        finger = Finger(page)
+        ids = page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
+        for live in (OnPage(page, FIGURES[i]).come_alive() for i in ids):
+            touch_sliders(finger, live)
+            touch_handles(finger, live)
+            touch_ground(finger, live)
+        assert not watch.errors + watch.strangers

@@ -1,0 +1,266 @@
+"""Chapters run in a real browser by a real Python: *Run* in the page, and JupyterLite beside it.
+
+Where Python's public address is not reached, `pyodide.py` answers for it with what is to be had;
+what needs more is skipped, and says so.
+"""
+
+import json
+import re
+import time
+
+import pyodide
+import pytest
+from playwright.sync_api import expect
+from support import ROOT
+from test_run import CHAPTERS, PAGE, shown_cells, stored
+
+pytest_plugins = ["browser"]
+pytestmark = [pytest.mark.browser, pytest.mark.anywhere]
+
+from browser import watched_page  # noqa: E402
+
+START = 120_000  # ms: until Python runs, beside eight busy processes
+CHAPTER = 1_200_000  # ms: all cells of the longest
+SOON = 20  # s, in which a reader is told that nothing comes
+NUMBER = re.compile(r"-?\d+\.?\d*(?:e[-+]?\d+)?")
+NEAR = 1e-6  # prints are rounded, but another library's sine differs in the last digit
+NO_NUMPY = "needs {}, which only the public address of Pyodide has"
+
+
+LISTEN = """(bar) => {
+  globalThis.ran = new Promise((end) => bar.addEventListener("workshop:ran", end, { once: true }));
+}"""
+RAN = """async (limit) => {
+  await Promise.race([ran, new Promise((_, fail) => setTimeout(fail, limit, "it runs on"))]);
+}"""
+
+
+class Cells:
+    """The cells of a page that a reader may run."""
+
+    def __init__(self, page):
+        self.page = page
+        self.agreed = False
+
+    def bar(self, k):
+        return self.page.locator(".rk-run").nth(k)
+
+    def code(self, k):
+        return self.page.locator(".cell_input pre code").nth(k)
+
+    def cell(self, k):
+        return self.bar(k).locator("xpath=ancestor::div[starts-with(@class, 'cell ')][1]")
+
+    def output(self, k):
+        """What stands below a cell that has run."""
+        return self.cell(k).locator(".rk-fresh").inner_text().strip()
+
+    def press(self, k):
+        self.bar(k).evaluate(LISTEN)
+        self.bar(k).locator("button").first.click()
+        if not self.agreed:
+            self.bar(k).get_by_text("Load Python", exact=True).click()
+            self.agreed = True
+
+    def finish(self, timeout=START):
+        """Wait until what was pressed has run."""
+        self.page.evaluate(RAN, timeout)
+
+    def write(self, k, source):
+        self.code(k).fill(source)
+
+    def run(self, k, source=None):
+        if source is not None:
+            self.write(k, source)
+        self.press(k)
+        self.finish()
+
+
+@pytest.fixture
+def page(server, chromium):
+    """A page that can reach Python; nothing else is asked of strangers."""
+    with watched_page(chromium, server) as (page, watch):
+        pyodide.answer(page.context)
+        yield page
+        assert not [url for url in watch.strangers if not url.startswith(pyodide.PLACE)]
+
+
+def open_folds(page):
+    page.locator("details").evaluate_all("(all) => all.forEach((each) => { each.open = true; })")
+
+
+@pytest.fixture
+def cells(page, server):
+    """The cells of a chapter, the first of which has been changed and run."""
+    page.goto(f"{server}frames/frames.html")
+    cells = Cells(page)
+    cells.press(0)
+    cells.bar(0).get_by_text("Stop", exact=True).wait_for()
+    cells.press(0)  # stopped while it loads: the code can be changed now
+    cells.finish()
+    began = time.monotonic()
+    cells.run(0, "a = 1\nprint('first')")
+    print(f"first output after {time.monotonic() - began:.1f} s, with everything cached")
+    return cells
+
+
+def test_cells_are_changed_and_run_in_order(cells):
+    """A cell runs after those above it, anew after a change above; Reset brings back what was."""
+    assert cells.output(0) == "first"
+    cells.run(1, "print(a + 1)")
+    assert cells.output(1) == "2"
+    cells.write(0, "a = 5")
+    cells.run(1)
+    assert cells.output(1) == "6"
+    picture = cells.cell(1).locator("img")
+    assert picture.is_hidden()
+    cells.bar(1).get_by_text("Reset").click()
+    assert cells.code(1).inner_text().startswith("platform = ")
+    assert picture.is_visible()
+
+
+def test_an_error_is_told_where_it_is_and_stops_what_is_below(cells):
+    cells.run(0, "a = 1\na / 0")
+    assert cells.output(0).split("\n") == ["Line 2, a / 0", "ZeroDivisionError: division by zero"]
+    cells.run(1, "print(a)")
+    assert "Cell 1, above, stops with an error." in cells.bar(1).inner_text()
+
+
+def test_an_endless_loop_is_stopped_and_python_starts_anew(cells):
+    cells.write(0, "print('on')\nwhile True:\n    pass")
+    cells.press(0)
+    cells.page.locator(".rk-fresh", has_text="on").wait_for()
+    cells.press(0)
+    cells.bar(0).get_by_text("Stopped. Python has forgotten all names").wait_for()
+    cells.run(0, "print('a' in globals())")
+    assert cells.output(0) == "False"
+
+
+def test_what_is_derived_is_shown_as_a_formula(cells):
+    cells.run(0, "import sympy as sp\nsp.sqrt(sp.Symbol('x')) / 2")
+    formula = cells.page.locator(".rk-fresh .katex")
+    assert formula.locator("annotation").text_content() == r"\displaystyle \frac{\sqrt{x}}{2}"
+
+
+def test_a_host_that_never_answers_is_told_soon(server, chromium):
+    with watched_page(chromium, server) as (page, _):
+        page.context.route(f"{pyodide.PLACE}**", lambda route: None)
+        page.goto(server + PAGE)
+        cells = Cells(page)
+        cells.press(0)
+        said = cells.bar(0).get_by_text("The network here may block it.")
+        said.wait_for(timeout=SOON * 1000)
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_a_chapter_gives_in_the_page_what_is_stored(chapter, page, server):
+    if pyodide.missing():
+        pytest.skip(f"{chapter}: {NO_NUMPY.format(', '.join(pyodide.missing()))}")
+    page.goto(f"{server}{chapter}/{chapter}.html")
+    open_folds(page)
+    cells, shown = Cells(page), shown_cells(chapter)
+    last = len(shown) - 1
+    cells.press(last)
+    cells.finish(CHAPTER)
+    assert page.locator(".rk-failed").all_inner_texts() == []
+    for k, cell in enumerate(shown):
+        text, formulas, pictures = stored(cell)
+        fresh = cells.cell(k).locator(".rk-fresh")
+        assert fresh.locator("img").count() == pictures
+        assert fresh.locator(".katex-display").count() == len(formulas)
+        if not formulas:
+            assert_alike(fresh.inner_text(), text)
+
+
+def assert_alike(text, expected):
+    """The same words, and numbers that are the same but for rounding."""
+    assert NUMBER.sub("#", text).split() == NUMBER.sub("#", expected).split()
+    for one, other in zip(NUMBER.findall(text), NUMBER.findall(expected), strict=True):
+        assert abs(float(one) - float(other)) <= NEAR * max(1, abs(float(other)))
+
+
+# --- JupyterLite ----------------------------------------------------------------------------
+
+WIDGETS = """import anywidget, ipywidgets
+class Tiny(anywidget.AnyWidget):
+    _esm = "export default {render: ({el}) => { el.textContent = 'tiny ' + 6 * 7; }}"
+Tiny()"""
+
+
+def write_and_run(page, source):
+    """Change the first code cell of a notebook, and run it."""
+    code = page.locator(".jp-CodeCell .cm-content").first
+    code.click()
+    page.keyboard.press("ControlOrMeta+A")
+    page.keyboard.insert_text(source)
+    page.keyboard.press("Shift+Enter")
+
+
+def test_a_chapter_opens_in_jupyterlite_ready_to_run(page, server):
+    """By the button of its page: no dialog, no cell that installs; widgets live."""
+    page.goto(server + PAGE)
+    page.get_by_label("Run this chapter").click()
+    with page.expect_popup() as opened:
+        page.get_by_role("link", name="In the browser").click()
+    page = opened.value
+    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
+    began = time.monotonic()
+    write_and_run(page, "print(6 * 7)")
+    page.locator(".jp-OutputArea-output", has_text="42").wait_for(timeout=START)
+    print(f"first output after {time.monotonic() - began:.1f} s")
+    assert not page.locator(".jp-Dialog").count()
+    write_and_run(page, WIDGETS)
+    page.get_by_text("tiny 42").wait_for(timeout=START)
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_a_chapter_runs_in_jupyterlite(chapter, page, server):
+    if pyodide.missing():
+        pytest.skip(f"{chapter}: {NO_NUMPY.format(', '.join(pyodide.missing()))}")
+    page.goto(f"{server}lite/notebooks/index.html?path={lite_name(chapter)}")
+    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
+    page.get_by_text("Run", exact=True).click()
+    page.get_by_text("Run All Cells", exact=True).click()
+    waiting = page.locator(".jp-InputPrompt", has_text="[*]")
+    waiting.first.wait_for()
+    expect(waiting).to_have_count(0, timeout=CHAPTER)
+    assert page.locator(".jp-OutputArea-output [data-mime-type*=error]").all_inner_texts() == []
+    assert page.locator(".rk-live").count()
+
+
+def lite_name(chapter):
+    """What a chapter's notebook is called there."""
+    text = (ROOT / "_build/html/lite/api/contents/all.json").read_text("utf-8")
+    names = [entry["name"] for entry in json.loads(text)["content"]]
+    return next(name for name in names if name.startswith(f"{chapter}-"))
+
+
+def test_a_new_release_is_seen_and_a_changed_copy_kept(page, server):
+    """A chapter that says something else has another name there; the reader's copy stays."""
+    old = lite_name("differential_drive")
+    new = "differential_drive-000000.ipynb"
+    page.goto(f"{server}lite/notebooks/index.html?path={old}")
+    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
+    page.locator(".jp-CodeCell .cm-content").first.fill("mine = 1")
+    page.keyboard.press("ControlOrMeta+S")
+    page.locator("body").press("ControlOrMeta+S")
+    page.wait_for_function("() => !document.title.startsWith('*')")
+
+    def renamed(route):
+        reply = route.fetch()
+        route.fulfill(response=reply, body=reply.text().replace(old, new))
+
+    def found(route):
+        route.fulfill(response=route.fetch(url=route.request.url.replace(new, old)))
+
+    page.context.route("**/api/contents/all.json*", renamed)
+    page.context.route(f"**/files/{new}*", found)
+    page.goto(f"{server}lite/notebooks/index.html?path={new}")
+    first = page.locator(".jp-CodeCell .cm-content").first
+    first.wait_for(timeout=START)
+    assert "park_figure" in first.inner_text()
+    page.goto(f"{server}lite/notebooks/index.html?path={old}")
+    page.get_by_text("mine = 1").wait_for(timeout=START)
+    page.goto(f"{server}lite/tree/index.html")
+    for name in (old, new):
+        page.get_by_text(name, exact=True).first.wait_for(timeout=START)

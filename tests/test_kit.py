@@ -1,0 +1,154 @@
+"""The kit, the site as a zip, and the list of packages that students install.
+
+In a fresh environment every notebook of the kit runs: `make test-anywhere`.
+"""
+
+import json
+import re
+import subprocess
+import sys
+from importlib.metadata import requires
+from zipfile import ZipFile
+
+import pytest
+from declared import EXERCISES
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+from support import ROOT, python_of
+
+pytest_plugins = ["browser"]
+pytestmark = pytest.mark.browser
+pytest.register_assert_rewrite("browser")
+
+from browser import listed, watched_page  # noqa: E402
+from test_practice import typed  # noqa: E402
+from test_practice_page import FIRST, answer, sign_in, variant  # noqa: E402
+
+from workshop.practice import judging  # noqa: E402
+
+WHEELS = ("robokin", "robokin-workshop", "robokin-book")
+DEVELOPERS = {"jupyter-book", "sphinx", "mini-racer", "playwright", "pytest", "ruff", "mypy", "uv"}
+INSTALLS = 900  # seconds at most for pip, on a slow line
+RUNS = 300  # seconds at most for a notebook
+
+
+def chapters():
+    """Number and notebook of each chapter, as the table of contents orders them."""
+    names = [ROOT / "book" / f"{name}.ipynb" for name in listed()]
+    return dict(enumerate(file for file in names if file.exists()))
+
+
+@pytest.fixture
+def kit(site, tmp_path):
+    """The kit, unzipped into an empty folder."""
+    ZipFile(site / "robokin-kit.zip").extractall(tmp_path)
+    return tmp_path / "robokin-kit"
+
+
+def test_the_kit_holds_what_a_student_needs(kit, site):
+    files = {file.relative_to(kit).as_posix(): file for file in kit.rglob("*") if file.is_file()}
+    told = {"README.txt", "start.py", "requirements-light.txt"}
+    wheels = {name for name in files if re.fullmatch(r"wheels/robokin\w*-[\d.]+-py3.*\.whl", name)}
+    books = {f"notebooks/{n:02}-{file.name}": file for n, file in chapters().items()}
+    assert set(files) == told | wheels | set(books)
+    assert len(wheels) == len(WHEELS)
+    assert all(files[name].read_bytes() == file.read_bytes() for name, file in books.items())
+    lines = (kit / "README.txt").read_text("utf-8").splitlines()
+    assert all(word in "\n".join(lines) for word in ("Windows", "macOS", "Linux", "start.py"))
+    assert max(map(len, lines)) <= 100
+    for page in ("intro.html", "index.html"):
+        linked = set(re.findall(r'href="([\w-]+\.zip)" download', (site / page).read_text("utf-8")))
+        assert linked == {"robokin-kit.zip", "robokin-site.zip"}
+
+
+def test_a_zip_does_not_know_when_it_was_made(site):
+    for name in ("robokin-kit.zip", "robokin-site.zip"):
+        entries = ZipFile(site / name).infolist()
+        assert {entry.date_time for entry in entries} == {(1980, 1, 1, 0, 0, 0)}
+        assert [e.filename for e in entries] == sorted(e.filename for e in entries)
+
+
+def versions(lock):
+    """Name → versions in a lock; some systems have others."""
+    found = {}
+    for name, version in re.findall(r"^([\w.-]+)==(\S+)", lock.read_text("utf-8"), re.M):
+        found.setdefault(canonicalize_name(name), set()).add(version)
+    return found
+
+
+def test_students_install_what_the_wheels_ask_for_as_it_was_tested():
+    light, full = (versions(ROOT / f"requirements{end}.txt") for end in ("-light", ""))
+    assert {name: full.get(name) for name in light} == light
+    assert not DEVELOPERS & set(light)
+    for wheel in WHEELS:
+        for asked in map(Requirement, requires(wheel)):
+            extra = str(asked.marker or "")
+            if asked.name not in WHEELS and ("draw" in extra or not extra):
+                assert all(
+                    asked.specifier.contains(v) for v in light[canonicalize_name(asked.name)]
+                )
+
+
+def test_an_old_python_is_told(kit):
+    """The first lines of `start.py` are read by any Python 3."""
+    program = (
+        "import runpy, sys; sys.version_info = (3, 9); runpy.run_path('start.py', None, '__main__')"
+    )
+    run = subprocess.run([sys.executable, "-c", program], cwd=kit, capture_output=True, text=True)
+    assert run.returncode == 1
+    assert "Python 3.11 or newer is needed" in run.stderr
+    assert not (kit / ".venv").exists()
+
+
+def test_the_site_works_from_a_stick(site, chromium, tmp_path):
+    """Unzipped: a figure is moved, an exercise answered, something looked for."""
+    ZipFile(site / "robokin-site.zip").extractall(tmp_path)
+    home = (tmp_path / "robokin-site").as_uri() + "/"
+    with watched_page(chromium, home) as (page, watch):
+        page.goto(home + "differential_drive/differential_drive.html")
+        assert not page.locator(".dropdown-run-buttons a[href^='../']").count()
+        figure = page.locator("figure#wheel-speeds")
+        before = figure.locator("dd").all_inner_texts()
+        figure.locator("input[type=range]").first.press("ArrowRight")
+        page.wait_for_function(
+            "([figure, before]) => [...figure.querySelectorAll('dd')]"
+            ".some((shown, k) => shown.innerText !== before[k])",
+            arg=[figure.element_handle(), before],
+        )
+        page.goto(home + "practice.html")
+        sign_in(page, "Ada")
+        right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+        assert answer(page, FIRST, right) == judging.RIGHT
+        page.goto(home + "index.html")
+        page.locator(".search-button__button:visible").first.click()
+        page.keyboard.type("rolling constr")
+        page.locator("dialog .site-results li", has_text="The rolling row").first.wait_for()
+        assert not watch.errors + watch.strangers
+
+
+# --- in fresh environments ------------------------------------------------------------------
+
+
+def run(*command, cwd, **options):
+    """The output of a command, which must succeed."""
+    done = subprocess.run(
+        list(map(str, command)), cwd=cwd, capture_output=True, text=True, **options
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.mark.anywhere
+def test_every_notebook_of_the_kit_runs(kit):
+    """Started as the README says; what JupyterLab is asked here is its version."""
+    assert re.search(
+        r"^4\.", run(sys.executable, "start.py", "--version", cwd=kit, timeout=INSTALLS), re.M
+    )
+    python = python_of(kit / ".venv")
+    books = sorted((kit / "notebooks").glob("*.ipynb"))
+    assert len(books) == len(chapters())
+    for book in books:
+        command = ("-m", "nbconvert", "--to", "notebook", "--execute", "--inplace", book.name)
+        run(python, *command, cwd=book.parent, timeout=RUNS)
+        cells = json.loads(book.read_text("utf-8"))["cells"]
+        assert all(cell["execution_count"] for cell in cells if cell["cell_type"] == "code")

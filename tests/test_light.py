@@ -1,0 +1,89 @@
+"""What a page waits for: one sheet, from which nothing is missing that a page shows."""
+
+import re
+
+import light
+import pytest
+
+pytest_plugins = ["browser"]
+pytest.register_assert_rewrite("browser")
+
+from browser import pages, watched_page  # noqa: E402
+
+SHEET = re.compile(r'<link rel="stylesheet" href="([^"]*)_static/all\.css\?v=\w{8}" />')
+NAMES = {"used", "more"}
+
+
+@pytest.mark.parametrize(
+    ("css", "kept"),
+    [
+        (".used{a:b}.gone{c:d}", ".used{a:b}"),
+        (".gone, .used > p{a:b}", ".used > p{a:b}"),
+        (".used .gone{a:b}", ""),
+        (".used:not(.gone):is(.gone, .more){a:b}", ".used:not(.gone):is(.gone, .more){a:b}"),
+        ('p[title="a,.gone"], .gone{a:"}"}', 'p[title="a,.gone"]{a:"}"}'),
+        ("@media print{.gone{a:b}}", ""),
+        ("@media print{.gone{a:b}.used{c:d}}", "@media print{.used{c:d}}"),
+        ("@font-face{src:url(x)}", "@font-face{src:url(x)}"),
+        ('@import "x.css";p{a:b}', "p{a:b}"),
+    ],
+)
+def test_rules_that_no_page_needs_are_left_out(css, kept):
+    assert light.used_rules(css, NAMES) == kept
+
+
+def test_every_page_asks_for_one_sheet_and_its_scripts_wait(site):
+    for name in pages(site):
+        text = (site / name).read_text("utf-8")
+        assert len(SHEET.findall(text)) == text.count(".css") == 1, name
+        waiting = re.findall(r"<script (?:defer|defer=\"defer\") src", text)
+        assert len(waiting) == text.count("<script") - 1, name  # light or dark is known at once
+
+
+def all_sheets(static):
+    """Links to all sheets as they were."""
+    names = [p for pattern in (*light.THEME, *light.OWN) for p in sorted(static.glob(pattern))]
+    return "".join(
+        rf'<link rel="stylesheet" href="\1_static/{file.relative_to(static).as_posix()}" />'
+        for file in names
+    )
+
+
+# what can be seen of an element: where it is, and all its styles
+SEEN = """() => [...document.querySelectorAll("body *:not(svg *)")].map((element) => {
+  const { x, y, width, height } = element.getBoundingClientRect();
+  const style = getComputedStyle(element), all = [x, y, width, height];
+  for (const name of style) if (!name.startsWith("--")) all.push(style.getPropertyValue(name));
+  const hash = [...all.join()].reduce((sum, sign) => (31 * sum + sign.charCodeAt()) | 0, 7);
+  return `${element.tagName} ${element.className} ${hash}`;
+})"""
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(
+    ("name", "width", "scheme"),
+    [
+        ("euler/euler.html", 1280, "dark"),
+        ("notation.html", 390, "light"),
+        ("search.html", 390, "dark"),
+        ("index.html", 1280, "light"),
+    ],
+)
+def test_a_page_looks_as_with_all_of_the_theme(name, width, scheme, site, server, chromium):
+    links = all_sheets(site / "_static")
+
+    def with_all(route):
+        route.fulfill(body=SHEET.sub(links, (site / name).read_text("utf-8")))
+
+    seen = []
+    for change in (False, True):
+        options = {"width": width, "scheme": scheme, "reduced_motion": "reduce"}
+        with watched_page(chromium, server, **options) as (page, watch):
+            if change:
+                page.route(server + name, with_all)
+            page.goto(server + name, wait_until="networkidle")
+            page.evaluate("() => document.fonts.ready")
+            seen.append(page.evaluate(SEEN))
+            assert (len([u for u in watch.kinds if ".css" in u]) > 1) == change
+            assert not watch.errors
+    assert seen[0] == seen[1]

@@ -1,0 +1,44 @@
+"""JupyterLite beside the book: what it is given. That it runs: `test_in_browser.py`."""
+
+import hashlib
+import json
+import re
+
+import pytest
+from test_run import CHAPTERS, PLACE
+
+pytest_plugins = ["browser"]
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture(scope="module")
+def lite(site):
+    return site / "lite"
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_the_button_of_a_chapter_leads_to_its_notebook(chapter, site, lite):
+    """With the kernel that is there, so that no dialog asks for another."""
+    text = (site / chapter / f"{chapter}.html").read_text("utf-8")
+    (name,) = re.findall(r'"\.\./lite/notebooks/index\.html\?path=([^"]+)"', text)
+    notebook = json.loads((lite / "files" / name).read_text("utf-8"))
+    assert notebook["metadata"]["kernelspec"]["name"] == "python"
+    listed = json.loads((lite / "api" / "contents" / "all.json").read_text("utf-8"))
+    assert name in {entry["name"] for entry in listed["content"]}
+
+
+def test_packages_come_from_the_site_or_from_the_address_of_python(lite):
+    """The course's with their hashes; and nothing that is missing is looked for elsewhere."""
+    lock = json.loads((lite / "packages" / "pyodide-lock.json").read_text("utf-8"))["packages"]
+    own = {name: entry for name, entry in lock.items() if "/" not in entry["file_name"]}
+    assert {"robokin", "robokin-workshop", "robokin-book", "anywidget", "ipywidgets"} <= set(own)
+    for entry in own.values():
+        wheel = (lite / "packages" / entry["file_name"]).read_bytes()
+        assert hashlib.sha256(wheel).hexdigest() == entry["sha256"]
+        assert set(entry["depends"]) <= set(lock)
+    others = [entry["file_name"] for name, entry in lock.items() if name not in own]
+    assert all(name.startswith(PLACE) for name in others)
+    settings = json.loads((lite / "jupyter-lite.json").read_text("utf-8"))["jupyter-config-data"]
+    (kernel,) = (k for n, k in settings["litePluginSettings"].items() if n.endswith(":kernel"))
+    assert kernel["disablePyPIFallback"] is True
+    assert kernel["pyodideUrl"] == f"{PLACE}pyodide.mjs"

@@ -1,0 +1,224 @@
+"""The book as PDF and EPUB, as `make paper` has written them; `make test-paper` does both."""
+
+import posixpath
+import re
+import shutil
+import subprocess
+from collections import Counter
+from html import unescape
+from pathlib import Path
+from types import SimpleNamespace
+from xml.etree import ElementTree
+from zipfile import ZipFile
+
+import pytest
+from declared import EXERCISES
+from docutils import nodes
+from paper.pages import BUILD
+from pypdf import PdfReader
+from support import ROOT
+
+pytest_plugins = ["browser"]
+pytest.register_assert_rewrite("browser")
+
+from browser import SITE, listed  # noqa: E402
+
+paper = pytest.mark.paper
+PDF, EPUB = BUILD / "robokin.pdf", BUILD / "robokin.epub"
+CHECKER = Path("/usr/share/java/epubcheck.jar")  # where Debian's package `epubcheck` puts it
+CONTROLS = ("Link to this setting", "That is my guess", "Where should I look?")
+HEADING = re.compile(r"<h[12]>(.*?)<a class=\"headerlink\"", re.S)
+DRAWN = '<span class="katex-html"'
+NUMBERED = re.compile(rf'{DRAWN}((?:(?!{DRAWN}|<p>).)*?)<span class="eqno">(\(.*?\))', re.S)
+
+
+def plain(html):
+    """The text of HTML in one line."""
+    return " ".join(unescape(re.sub(r"<[^>]+>", "", html)).split())
+
+
+def letters(text):
+    """A text without blanks."""
+    return re.sub(r"[\s\u200b]", "", text)
+
+
+def page_of(name):
+    """What a page of the site says, without menus."""
+    text = (SITE / f"{name}.html").read_text("utf-8")
+    return text[text.index("<article") : text.index("</article>")]
+
+
+def titles():
+    """[(title of a page, [titles of its sections])] as the site has them."""
+    found = [[plain(each) for each in HEADING.findall(page_of(name))] for name in listed()]
+    return [(first, rest) for first, *rest in found]
+
+
+@pytest.fixture(scope="module")
+def pdf():
+    """The PDF, of which the contents are the first pages."""
+    assert PDF.exists(), "run `make paper` first"
+    return PdfReader(PDF)
+
+
+@pytest.fixture(scope="module")
+def texts(pdf):
+    """The text of each page."""
+    return [page.extract_text() for page in pdf.pages]
+
+
+@pytest.fixture(scope="module")
+def book():
+    """The files of the EPUB's book: name → text, or bytes."""
+    assert EPUB.exists(), "run `make paper` first"
+    with ZipFile(EPUB) as file:
+        names = [name for name in file.namelist() if name.startswith("book/")]
+        return {name.removeprefix("book/"): file.read(name) for name in names}
+
+
+def outline(pdf):
+    """[(title, page, [titles below])] of the PDF's outline."""
+    entries = []
+    for entry in pdf.outline:
+        if isinstance(entry, list):
+            entries[-1][2].extend(each.title for each in entry if not isinstance(each, list))
+        else:
+            entries.append((entry.title, pdf.get_destination_page_number(entry), []))
+    return entries
+
+
+# --- the PDF --------------------------------------------------------------------------------
+
+
+@paper
+def test_the_outline_is_the_contents_of_the_site(pdf):
+    assert [(title, below) for title, _, below in outline(pdf)] == titles()
+
+
+@paper
+def test_the_contents_name_the_pages_on_which_titles_stand(pdf, texts):
+    entries = outline(pdf)
+    front = entries[0][1]
+    contents = letters("".join(texts[:front]))
+    for title, page, _ in entries:
+        assert letters(title) in letters(texts[page])
+        assert f"{letters(title)}{pdf.page_labels[page]}" in contents
+    assert pdf.page_labels[front] == "1"
+
+
+@paper
+def test_no_page_is_blank(pdf, texts):
+    """Besides its head and its number, a page has something to read."""
+    heads = {letters(title) for title, _, _ in outline(pdf)} | set(pdf.page_labels)
+    blank = [k + 1 for k, text in enumerate(texts) if {*map(letters, text.split("\n"))} <= heads]
+    assert blank == []
+
+
+@paper
+@pytest.mark.parametrize("name", [name for name in listed() if "/" in name])
+def test_every_formula_of_a_chapter_stands_before_its_number(name, texts):
+    """All its letters; their order is that in which they are drawn."""
+    text = letters("".join(texts))
+    formulas = NUMBERED.findall(page_of(name))
+    assert formulas
+    for html, number in formulas:
+        wanted = Counter(letters(plain(f"<{html}")))
+        reach = 2 * wanted.total() + 20
+        places = [found.start() for found in re.finditer(re.escape(number), text)]
+        before = [Counter(text[max(0, at - reach) : at]) for at in places]
+        assert any(wanted <= window for window in before), (number, wanted)
+
+
+@paper
+def test_figures_have_their_numbers_and_no_controls(texts):
+    text = " ".join(" ".join(texts).split())
+    park = page_of("intro")
+    shown = [plain(each) for each in re.findall(r"<dt>.*?</dd>", park, re.S)]
+    assert shown
+    assert all(letters(each) in letters(text) for each in shown)
+    assert text.count("Solution ") >= len(EXERCISES)
+    assert not [words for words in CONTROLS if words in text]
+
+
+@paper
+def test_links_lead_into_the_pdf_or_to_the_web(pdf):
+    names, inner = pdf.named_destinations, 0
+    for page in pdf.pages:
+        for link in page.get("/Annots", []):
+            link = link.get_object()
+            target = link.get("/Dest") or link["/A"]["/URI"]
+            if "/Dest" in link:
+                inner += 1
+                assert not isinstance(target, str) or target in names or f"/{target}" in names
+            else:
+                assert re.match("https?://(?!book/)", target)
+    assert inner > 200
+
+
+# --- the EPUB -------------------------------------------------------------------------------
+
+
+@paper
+def test_epubcheck_finds_nothing():
+    java = shutil.which("java")
+    assert java, "no Java and no epubcheck: install Debian's package `epubcheck`"
+    assert CHECKER.exists(), "no epubcheck: install Debian's package `epubcheck`"
+    run = subprocess.run([java, "-jar", CHECKER, EPUB], capture_output=True, text=True)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert "0 fatals / 0 errors / 0 warnings" in run.stdout
+
+
+@paper
+def test_links_of_the_epub_lead_somewhere(book):
+    trees = {name: ElementTree.fromstring(t) for name, t in book.items() if name.endswith("xhtml")}
+    ids = {name: {each.get("id") for each in tree.iter()} for name, tree in trees.items()}
+    inner = 0
+    for name, tree in trees.items():
+        for each in tree.iter():
+            address = each.get("href") or each.get("src") or ""
+            if not address or address.startswith(("http://", "https://")):
+                continue
+            file, _, place = address.partition("#")
+            file = posixpath.normpath(file) if file else name
+            assert file in book, (name, address)
+            assert not place or place in ids[file], (name, address)
+            inner += 1
+    assert inner > 300
+
+
+@paper
+@pytest.mark.parametrize("name", listed())
+def test_a_page_of_the_epub(name, book):
+    """It has its title, all formulas of the site as MathML, and nothing that needs a script."""
+    text, site = book[f"{name.rpartition('/')[2]}.xhtml"].decode(), page_of(name)
+    title = plain(HEADING.search(site)[1])
+    assert f"<title>{title}</title>" in unescape(text)
+    assert not re.search(r"<(script|form|input|button|select|output)\b|katex-html|var\(--", text)
+    assert text.count("<math ") >= site.count('class="katex-mathml"')
+
+
+# --- on the site ----------------------------------------------------------------------------
+
+
+@paper
+def test_the_first_page_links_what_was_made(site):
+    """The site was built anew after `make paper`."""
+    for page in ("index", "intro"):
+        for file in (PDF, EPUB):
+            assert f'<a href="{file.name}" download>' in page_of(page)
+            assert (site / file.name).read_bytes() == file.read_bytes()
+
+
+@pytest.mark.parametrize("made", [[], ["robokin.epub"], ["robokin.pdf", "robokin.epub"]])
+def test_only_what_was_made_is_linked(tmp_path, monkeypatch, made):
+    monkeypatch.syspath_prepend(ROOT / "book" / "_ext")
+    import on_paper
+
+    for name in made:
+        (tmp_path / name).write_bytes(b"x" * 250_000)
+    writer = SimpleNamespace(body=[])
+    writer.builder = SimpleNamespace(app=SimpleNamespace(outdir=tmp_path / "html"))
+    with pytest.raises(nodes.SkipNode):
+        on_paper.visit_links(writer, on_paper.Links())
+    assert re.findall(r'<a href="(\S+)" download>\w+, 0\.2 MB', "".join(writer.body)) == made
+    assert bool(writer.body) == bool(made)

@@ -1,0 +1,253 @@
+"""*Run* under a page's cells: what it needs, what it loads and when, and what runs them there.
+
+With a real Python in a browser: `test_in_browser.py` (`make test-anywhere`).
+"""
+
+import ast
+import builtins
+import hashlib
+import itertools
+import json
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+from jupyterlite_pyodide_kernel.constants import PYODIDE_CDN_URL
+from support import ROOT
+
+import book  # noqa: F401 (opens the course)
+from workshop.course import course
+from workshop.errors import CourseError
+from workshop.run.cells import Cells, start
+from workshop.site import SETTINGS, run
+
+pytest_plugins = ["browser"]
+pytest.register_assert_rewrite("browser")
+
+from browser import compressed, watched_page  # noqa: E402
+from pyodide import PLACE, VERSION  # noqa: E402
+
+VENDORED = ROOT / "book" / "_vendor" / "pyodide"
+PAGE = "differential_drive/differential_drive.html"
+SMALL = 1000  # bytes, compressed: what a page may load of this before it is asked for
+CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
+
+
+def shown_cells(chapter):
+    """The code cells of a chapter that its page shows: what can be run there, with outputs."""
+    cells = json.loads(course().notebook(chapter).read_text("utf-8"))["cells"]
+    code = [cell for cell in cells if cell["cell_type"] == "code"]
+    return [cell for cell in code if "remove-input" not in cell["metadata"].get("tags", ())]
+
+
+def names(tree, kind):
+    """The names that code stores or loads."""
+    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    found = {node.id for node in nodes if isinstance(node.ctx, kind)}
+    if kind is ast.Store:
+        for node in ast.walk(tree):
+            if isinstance(node, ast.FunctionDef | ast.ClassDef):
+                found.add(node.name)
+            if isinstance(node, ast.arg):
+                found.add(node.arg)
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                found |= {alias.asname or alias.name.partition(".")[0] for alias in node.names}
+            if isinstance(node, ast.ExceptHandler) and node.name:
+                found.add(node.name)
+    return found
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_the_cells_on_a_page_need_no_cell_that_is_not_there(chapter):
+    """A page runs what it shows; a cell that is not shown may not make a name for one that is."""
+    known = {*dir(builtins), "display"}
+    for cell in shown_cells(chapter):
+        source = "".join(cell["source"])
+        tree = ast.parse(source)
+        known |= names(tree, ast.Store)
+        unknown = names(tree, ast.Load) - known
+        assert not unknown, f"{source}\nuses {unknown}: import or compute it in a shown cell"
+
+
+OWN_PROCESS = "import sys, test_run; test_run.assert_as_stored(sys.argv[1])"
+
+
+@pytest.mark.anywhere
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_the_cells_on_a_page_give_what_is_stored(chapter):
+    """All of them, in order, by what runs them in a page, but in this Python."""
+    command = [sys.executable, "-W", "error", "-c", OWN_PROCESS, chapter]
+    run = subprocess.run(command, cwd=ROOT / "tests", capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+
+
+def assert_as_stored(chapter):
+    """In a process of its own: what gets a Python ready for a page changes it."""
+    said = []
+    cells = start(lambda kind, text: said.append((kind, text)), ["numpy", "sympy", "matplotlib"])
+    for number, cell in enumerate(shown_cells(chapter), 1):
+        said.clear()
+        source = "".join(cell["source"])
+        cells.needs(source)
+        assert cells.run(source, f"cell {number}"), (source, said)
+        assert told(said) == stored(cell), source
+
+
+def told(said):
+    """What a run has said: its text, its formulas, how many pictures."""
+    text = "".join(text for kind, text in said if kind in ("stdout", "stderr", "text/plain"))
+    kinds = [kind for kind, _ in said]
+    tex = [text for kind, text in said if kind == "text/latex"]
+    return text.strip(), tex, kinds.count("image/png")
+
+
+def stored(cell):
+    """The same of the outputs that stand in a notebook."""
+    said = []
+    for output in cell["outputs"]:
+        data = output.get("data", {"stdout": output.get("text")})
+        kind = next(k for k in ("image/png", "text/latex", "text/plain", "stdout") if k in data)
+        said.append((kind, "".join(data[kind])))
+    return told(said)
+
+
+# --- cells ----------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def page():
+    """Cells without a page, and what they say: `page(source)` → [(kind, text)]."""
+    said, numbers = [], itertools.count(1)
+    cells = Cells(lambda kind, text: said.append((kind, text)), frozenset(["numpy", "sympy"]))
+
+    def run(source):
+        said.clear()
+        cells.run(source, f"cell {next(numbers)}")
+        return said
+
+    run.cells = cells
+    return run
+
+
+def test_cells_share_their_names_and_show_their_last_value(page):
+    assert page("a = 6\na * 7") == [("text/plain", "42")]
+    assert page("a;") == []
+    assert page("print(a)\n_") == [("stdout", "6"), ("stdout", "\n"), ("text/plain", "42")]
+    assert page("import numpy as np\n(np.eye(2), 1)") == [
+        ("text/plain", "(array([[1., 0.],\n        [0., 1.]]),\n 1)")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        ("a = 1\na + b", "Line 2, a + b\nNameError: name 'b' is not defined"),
+        ("a = = 1", "Line 1, a = = 1\nSyntaxError: invalid syntax"),
+        ("import nunpy", "Line 1, import nunpy\nModuleNotFoundError: No module named 'nunpy'"),
+        ("raise SystemExit", "Line 1, raise SystemExit\nSystemExit"),
+        (
+            "from robokin import differential_drive\ndifferential_drive.body_twist(1, 1, 0.1, 0)",
+            "Line 2, differential_drive.body_twist(1, 1, 0.1, 0)\n"
+            "RobokinError: wheel_distance must be positive and finite, got 0.0",
+        ),
+    ],
+)
+def test_an_error_is_said_in_words_with_its_line(page, source, words):
+    assert page(source) == [("error", words)]
+    assert page("1 + 1") == [("text/plain", "2")]  # and the page goes on
+
+
+def test_an_import_waits_until_its_name_is_used(page):
+    """So that a first cell that imports all that a chapter needs waits for none of it."""
+    page("import sympy as sp\nfrom robokin import draw\nx = 1")
+    assert "sp" not in page.cells.names
+    page("sp.Integer(4)")
+    assert page.cells.names["sp"].Integer(4) == 4
+
+
+def test_a_function_defined_in_a_cell_can_be_listed(page):
+    page("from workshop.listing import listing\ndef double(x):\n    return 2 * x")
+    assert page("listing(double)") == [("text/plain", "def double(x):\n    return 2 * x")]
+
+
+def test_endless_output_is_cut(page):
+    said = page("for k in range(100_000):\n    print(k)")
+    assert len("".join(text for _, text in said)) < 21_000
+    assert said[-1][1] == "\n… and more, which is not shown\n"
+
+
+# --- the page -------------------------------------------------------------------------------
+
+
+@pytest.mark.browser
+def test_nothing_is_loaded_until_it_is_asked_for(site, server, chromium):
+    """The buttons weigh less than a kilobyte; pressed, they say what would come, and from where."""
+    with watched_page(chromium, server) as (page, watch):
+        page.goto(server + PAGE, wait_until="networkidle")
+        fetched = [url for url in watch.kinds if "/run" in url]
+        (loader,) = (url[len(server) :].partition("?")[0] for url in fetched)
+        assert compressed(site / loader) < SMALL
+        bar = page.locator(".rk-run").first
+        bar.get_by_role("button", name="Run").click()
+        bar.get_by_text("Load Python", exact=True).wait_for()
+        assert "10 MB from cdn.jsdelivr.net" in bar.inner_text()
+        assert "25 MB" in bar.inner_text()
+        bar.get_by_text("Not now").click()
+        assert bar.inner_text().split() == ["Run"]
+        assert not watch.errors + watch.strangers
+
+
+@pytest.mark.browser
+def test_where_the_download_is_blocked_the_page_says_so(server, chromium):
+    with watched_page(chromium, server) as (page, watch):
+        page.context.route(f"{PLACE}**", lambda route: route.abort())
+        page.goto(server + PAGE)
+        bar = page.locator(".rk-run").first
+        for way in ("Load Python", "Run"):  # and again, without being asked
+            if way == "Load Python":
+                bar.get_by_text("Run", exact=True).click()
+            bar.get_by_text(way, exact=True).click()
+            said = bar.get_by_text("Python cannot be loaded from cdn.jsdelivr.net")
+            said.wait_for()
+            assert "The stored results stand" in said.inner_text()
+        assert {url.startswith(PLACE) for url in watch.strangers} == {True}
+
+
+@pytest.mark.browser
+def test_the_policy_names_what_a_page_with_code_may_load(site):
+    """And a page without code may load nothing."""
+    asked = f"script-src 'self' 'wasm-unsafe-eval' {PLACE}; connect-src 'self' {PLACE}\""
+    assert asked in (site / PAGE).read_text("utf-8")
+    assert "cdn.jsdelivr.net" not in (site / "intro.html").read_text("utf-8")
+
+
+def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):
+    """All that is needed of it, or a sentence on what it has not; pages may load nothing else."""
+    release, site = tmp_path / "release", tmp_path / "site"
+    release.mkdir()
+    monkeypatch.setenv("PYODIDE", str(release))
+    with pytest.raises(SystemExit, match=r"has no pyodide\.mjs, .*: it must be the folder"):
+        run.read_setting(None, SimpleNamespace())
+    for name in run.NEEDED:
+        (release / name).write_text(name)
+    packages = json.loads((VENDORED / run.LOCK).read_text("utf-8"))["packages"]
+    (release / run.LOCK).write_text(json.dumps({"packages": packages}))
+    with pytest.raises(CourseError, match=r"has no \S+\.whl: it must be a whole release"):
+        run.copy_python(release, site)
+    for package in packages.values():
+        (release / package["file_name"]).write_text(package["name"])
+    run.copy_python(release, site)
+    copied = {file.name.partition("-")[0] for file in site.glob("*.whl")}
+    assert {"numpy", "pillow", "prompt_toolkit"} <= copied
+    assert "scipy" not in copied
+    assert run.allowed(None, "<div class='cell_input'>") == "; script-src 'self' 'wasm-unsafe-eval'"
+
+
+def test_one_version_of_python_is_named_everywhere():
+    """By the pages, by the list of packages, and by JupyterLite's kernel."""
+    assert SETTINGS["course_python"][0] == PLACE
+    assert f"# Pyodide {VERSION}:" in (VENDORED / "README.md").read_text("utf-8")
+    listed = hashlib.sha256((VENDORED / "pyodide-lock.json").read_bytes()).hexdigest()
+    assert listed in (VENDORED / "README.md").read_text("utf-8")
+    assert f"{PYODIDE_CDN_URL}/" == PLACE

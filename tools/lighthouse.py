@@ -1,0 +1,84 @@
+"""Lighthouse on the built site: its phone profile, the median of three runs, a row a page.
+
+    make lighthouse            the first page, every chapter, and the longest pages
+    make lighthouse T=euler    pages with that in their names
+
+It needs Node 18 or newer, whose `npx` fetches Lighthouse, and Chromium. The site is served as a
+server of the web would do it, compressed.
+"""
+
+import functools
+import gzip
+import io
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+from pathlib import Path
+
+from browser import SITE, Quiet, Server, chromium_path, listed
+
+LIGHTHOUSE = "lighthouse@12.8.2"
+RUNS = 3
+FLAGS = "--headless=new --no-sandbox --disable-gpu"
+SCORES = ("performance", "accessibility", "best-practices", "seo")
+TIMES = {
+    "largest paint": "largest-contentful-paint",
+    "blocked": "total-blocking-time",
+    "shift": "cumulative-layout-shift",
+}
+TEXTS = (".html", ".css", ".js", ".svg", ".json", ".txt")
+
+
+class Compressing(Quiet):
+    """Serves texts compressed."""
+
+    def send_head(self):
+        """The file as it is sent, behind its head."""
+        file = Path(self.translate_path(self.path))
+        if file.suffix not in TEXTS or not file.is_file():
+            return super().send_head()
+        data = gzip.compress(file.read_bytes())
+        self.send_response(200)
+        self.send_header("Content-Type", self.guess_type(str(file)))
+        self.send_header("Content-Encoding", "gzip")
+        self.send_header("Content-Length", str(len(data)))
+        self.end_headers()
+        return io.BytesIO(data)
+
+
+def run(address):
+    """Scores of 100, and times in milliseconds, of one run."""
+    with tempfile.NamedTemporaryFile(suffix=".json") as told:
+        command = ["npx", "--yes", LIGHTHOUSE, address, "--quiet", "--output=json"]
+        command += [f"--output-path={told.name}", f"--chrome-flags={FLAGS}"]
+        environment = {**os.environ, "CHROME_PATH": chromium_path() or ""}
+        subprocess.run(command, check=True, env=environment)
+        report = json.loads(Path(told.name).read_text("utf-8"))
+    found = {name: 100 * report["categories"][name]["score"] for name in SCORES}
+    found |= {name: report["audits"][audit]["numericValue"] for name, audit in TIMES.items()}
+    return found
+
+
+def main():
+    """A row for each page."""
+    part = sys.argv[1] if len(sys.argv) > 1 else ""
+    names = [name for name in listed() if "/" in name or name in ("intro", "practice", "checks")]
+    handler = functools.partial(Compressing, directory=str(SITE))
+    print(f"{'':42}{''.join(f'{name:>16}' for name in (*SCORES, *TIMES))}", flush=True)
+    with Server(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        for name in filter(lambda name: part in name, names):
+            page = "index" if name == "intro" else name
+            runs = [run(f"http://127.0.0.1:{server.server_port}/{page}.html") for _ in range(RUNS)]
+            row = [statistics.median(run[key] for run in runs) for key in runs[0]]
+            shown = [f"{number:.2f}" if number < 2 else f"{number:.0f}" for number in row]
+            print(f"{page:42}{''.join(f'{number:>16}' for number in shown)}", flush=True)
+        server.shutdown()
+
+
+if __name__ == "__main__":
+    main()

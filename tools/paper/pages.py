@@ -1,0 +1,43 @@
+"""The pages of the built site, without what needs a hand or a script."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[1]
+BUILD = ROOT / "_build"
+SITE = BUILD / "html"
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of the book. name: the last part of its address; part: of the contents, or "".
+
+    titles: its headings of the first two levels, [{title, level, id}]; body: XHTML.
+    styles: the style sheets that it links.
+    """
+
+    name: str
+    part: str
+    titles: list
+    styles: list
+    body: str
+
+    @property
+    def title(self):
+        """The title of the page, with its number."""
+        return self.titles[0]["title"]
+
+
+def pages(browser, solutions, **options):
+    """All pages in the order of the contents. solutions, options: of `paper` in pages.js."""
+    tab = browser.new_page()
+    tab.add_script_tag(path=HERE / "pages.js")
+    first = (SITE / "index.html").read_text("utf-8")
+    parts = {"intro.html": ""}
+    for part in tab.evaluate("(html) => contents(html)", first):
+        parts |= dict.fromkeys(part["addresses"], part["caption"])
+    given = [{"address": each, "html": (SITE / each).read_text("utf-8")} for each in parts]
+    made = tab.evaluate("(all) => paper(...all)", [given, solutions, options])
+    tab.close()
+    return [Page(part=part, **page) for part, page in zip(parts.values(), made, strict=True)]

@@ -1,0 +1,119 @@
+"""The book as a PDF: printed by Chromium in two documents, the text and the contents before it.
+
+The contents need the numbers of the text's pages, which are known once it is printed: its outline
+holds them. Where a line of the contents leads is an address until both are joined.
+"""
+
+import logging
+import re
+from html import escape
+from io import BytesIO
+
+from pypdf import PdfReader, PdfWriter
+from pypdf.constants import PageLabelStyle
+from pypdf.generic import ArrayObject, FloatObject, NameObject
+
+from paper.pages import BUILD, HERE, pages
+
+TARGET = BUILD / "robokin.pdf"
+WORK = BUILD / "paper"
+HOME = "https://book/"  # of links of the contents, until they lead into the text
+DOCUMENT = """<!DOCTYPE html>
+<html lang="en" data-theme="light"><head><meta charset="utf-8"/><title>{title}</title>
+{links}
+<style>{style}</style></head>
+<body>
+{body}
+</body></html>
+"""
+FRONT = """<section class="bd-article" id="front"><h1>{title}</h1><p>{claim}</p>
+<p>This is the book on paper: the figures stand as they start. On the site they move.</p>
+<footer>{rights}</footer></section>
+<section class="bd-article" id="contents"><h1>Contents</h1><div>
+{lines}
+</div></section>"""
+# the title of a page runs at its heads: a page of paper has its name
+HEAD = (
+    '#{name} {{ page: {name}; }} @page {name} {{ @top-right {{ content: "{title}"; }} }}\n'
+    "@page {name}:first {{ @top-right {{ content: none; }} }}"
+)
+
+
+def printed(browser, name, **parts):
+    """A document, printed."""
+    WORK.mkdir(parents=True, exist_ok=True)
+    file = WORK / f"{name}.html"
+    file.write_text(DOCUMENT.format(**parts), "utf-8")
+    tab = browser.new_page()
+    tab.goto(file.as_uri())
+    tab.evaluate("() => document.fonts.ready")
+    data = tab.pdf(outline=True, tagged=True, prefer_css_page_size=True)
+    tab.close()
+    return PdfReader(BytesIO(data))
+
+
+def outlined(reader, entries=None, level=1):
+    """(level, title, page from 0, height on it) of the entries of the first two levels."""
+    for entry in reader.outline if entries is None else entries:
+        if isinstance(entry, list):
+            if level < 2:
+                yield from outlined(reader, entry, level + 1)
+        else:
+            yield level, entry.title, reader.get_destination_page_number(entry), entry.top
+
+
+def contents(entries, parts):
+    """The lines of the contents, each with its number of a page."""
+    lines, part = [], ""
+    chapters = iter(parts)
+    for place, (level, title, page, _) in enumerate(entries):
+        if level == 1 and (new := next(chapters)) != part:
+            part = new
+            lines.append(f'<p class="paper-part">{escape(part)}</p>')
+        lines.append(
+            f'<p class="paper-line paper-{level}"><a href="{HOME}{place}"><span>{escape(title)}'
+            f"</span><i></i><span>{page + 1}</span></a></p>"
+        )
+    return "\n".join(lines)
+
+
+def joined(front, text, entries, title):
+    """Contents and text as one, with the contents' links into the text."""
+    logging.getLogger("pypdf").setLevel(logging.ERROR)  # it wonders at objects that it adds
+    writer = PdfWriter(clone_from=text)
+    before = len(front.pages)
+    writer.merge(0, front, import_outline=False)
+    for page in writer.pages[:before]:
+        for link in page.get("/Annots", []):
+            link = link.get_object()
+            place = int(link.pop("/A")["/URI"].removeprefix(HOME))
+            _, _, number, top = entries[place]
+            target = writer.pages[before + number].indirect_reference
+            height = [FloatObject(x) for x in (0, top, 0)]
+            link[NameObject("/Dest")] = ArrayObject([target, NameObject("/XYZ"), *height])
+    writer.set_page_label(0, before - 1, PageLabelStyle.LOWERCASE_ROMAN)
+    writer.set_page_label(before, len(writer.pages) - 1, PageLabelStyle.DECIMAL)
+    writer.add_metadata({"/Title": title})
+    return writer
+
+
+def make(browser, book, folds):
+    """Write the PDF; how many pages it has."""
+    title = book.title
+    options = {"link": "#ID", "folder": "../html/", "mathml": False, "folds": folds}
+    given = pages(browser, book.solutions if folds == "open" else {}, **options)
+    links = max((page.styles for page in given), key=len)
+    links = "\n".join(f'<link rel="stylesheet" href="{escape(each)}"/>' for each in links)
+    own = (HERE / "pdf.css").read_text("utf-8")
+    heads = "\n".join(HEAD.format(name=p.name, title=re.sub(r'["\\]', "", p.title)) for p in given)
+    body = "\n".join(page.body for page in given)
+    text = printed(browser, "text", title=title, links=links, style=own + heads, body=body)
+    entries = list(outlined(text))
+    lines = contents(entries, [page.part for page in given])
+    body = FRONT.format(
+        title=escape(title), claim=escape(book.claim), rights=book.rights, lines=lines
+    )
+    front = printed(browser, "front", title=title, links=links, style=own, body=body)
+    writer = joined(front, text, entries, title)
+    writer.write(TARGET)
+    return len(writer.pages)

@@ -116,7 +116,7 @@ def rules_figure() -> Figure:
             Trail("ghost", (x, y), exact),
             Body(ORIGIN, 0, 0.06, kind="ghost"),
             Body((end[0], end[1]), turned, 0.06),
-            Point("path", (end[0], end[1]), "exact"),
+            Label("path", (0, CIRCLE), "exact arc"),
             Point("old_heading", (old.ends[0], old.ends[1]), "old"),
             Point("new_heading", (new.ends[0], new.ends[1]), "new"),
             Point("middle_heading", (middle.ends[0], middle.ends[1]), "middle"),

@@ -11,7 +11,7 @@ from support import on_circle
 
 from workshop.course import held
 from workshop.equations.core import NamedSymbol, quantity, sign
-from workshop.equations.printing import MIME
+from workshop.equations.printing import AGAIN, MIME, name_on_page
 from workshop.errors import CourseError
 from workshop.figures import Figure, Readout, Slider
 from workshop.script import engine
@@ -254,3 +254,18 @@ def test_wrong_numbers_would_be_found():
     agrees(speed, False, figure, 20)
     with pytest.raises(AssertionError):
         agrees(replace(speed, right=DRIVE.v_R - DRIVE.v_L), False, figure, 20)
+
+
+def test_a_box_of_a_chapters_formulas_holds_all_of_them():
+    chapters = [name for name in course().chapters if lexicon.is_chapter(name)]
+    boxes = {
+        name: data[AGAIN]["labels"]
+        for name in chapters
+        for cell in cells(name)
+        for data in results(cell)
+        if AGAIN in data
+    }
+    assert boxes
+    for name, labels in boxes.items():
+        shown = [name_on_page(each.name, computed) for each, computed in lexicon.shown(name)]
+        assert labels == shown, name

@@ -126,7 +126,7 @@ SPECIALS = {
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("wheel-speeds", {"v_L": 0.1}, "R", "none: straight"),
-    ("tips", {"v_L": 0.0, "v_R": 0.0}, "R", "any: at rest"),
+    ("tips", {"v_L": 0.0, "v_R": 0.0}, "R", "nowhere: at rest"),
 ]
 # numbers that are shown to lose their digits, by the symbols that they come from
 LOST = {"digits": ("x_lost", "y_lost")}

@@ -320,7 +320,7 @@ def infinity_figure() -> Figure:
             Line("ghost", (dot, (-R, 0))),
             AngleArc("ghost", (0, -deep), pi, pi - share, 0.04, label=""),
             Point("body", ORIGIN, "P"),
-            Label("ghost", (deep / 2, -deep / 2), "map"),
+            Label("text", (deep / 2, -deep / 2), "map"),
             Point("ghost", dot),
             Point("icr", (0, -deep), label="∞", edge=False),
             Point("icr", (-R, 0), label="ICR"),

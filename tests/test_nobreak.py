@@ -51,5 +51,5 @@ def test_no_number_leaves_its_unit_and_no_short_formula_is_torn(chromium, server
             assert not page.evaluate(TORN), chapter
             tied += sum("\N{NO-BREAK SPACE}" in text for text in texts)
             short += page.locator("span.math.kept").count()
-    assert tied > 100
+    assert tied > 100  # there are more in the chapters
     assert short > 100

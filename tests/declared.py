@@ -19,14 +19,15 @@ MISTAKES = course().declared("exercises", Mistake)
 COURSE = course().name
 
 
-def each(argument, part, kind, marks=lambda name: []):
-    """Parametrizes a test over all things of a kind; marks: those of a thing, by its name."""
+def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):
+    """Parametrizes a test over the things of a kind; marks: those of a thing, by its name."""
     homes = course().homes(part, kind)
     return pytest.mark.parametrize(
         argument,
         [
             pytest.param(thing, marks=marks(name), id=f"{homes[name]}:{name}")
             for name, thing in course().declared(part, kind).items()
+            if only(thing)
         ],
     )
 

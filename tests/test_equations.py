@@ -220,6 +220,7 @@ def test_a_check_without_the_library_must_name_what_computes(tmp_path, monkeypat
 
 def test_the_page_counts_what_is_compared_with_what(tmp_path, one_point):
     summary, *entries = checked(tmp_path).entries
+    entries = [entry for entry in entries if not entry.startswith("## ")]  # a heading a chapter
     assert len(entries) == len(EQUATIONS)
     assert summary.startswith(f"There are {len(EQUATIONS)} formulas. ")
     assert sum("compared with `robokin." in entry for entry in entries) == sum(

@@ -36,7 +36,7 @@ M26 = Mistake(
 M27 = Mistake(
     "M27",
     says="when in ẏ each link turns only at the rate of its own joint",
-    line="y_dot = l1 * c1 * q1 + l2 * c12 * q2 + l3 * c123 * q3",
+    line="y_dot = l1 * c1 * q1 + l2 * c12 * q2 + l3 * c123 * q3\ntwist = [x_dot, y_dot, phi_dot]",
     why="The derivative of sin(θ_1 + θ_2) is cos(θ_1 + θ_2) times the rate of the whole sum, "
     "θ̇_1 + θ̇_2. A link turns with its own joint and with all joints before it.",
     unnoticed="When only the last joint turns.",
@@ -53,7 +53,8 @@ M28 = Mistake(
     "M28",
     says="with l_2 where l_3 belongs, in the third term of both rows",
     line="x_dot = -l1 * s1 * q1 - l2 * s12 * (q1 + q2) - l2 * s123 * (q1 + q2 + q3)\n"
-    "y_dot = l1 * c1 * q1 + l2 * c12 * (q1 + q2) + l2 * c123 * (q1 + q2 + q3)",
+    "y_dot = l1 * c1 * q1 + l2 * c12 * (q1 + q2) + l2 * c123 * (q1 + q2 + q3)\n"
+    "twist = [x_dot, y_dot, phi_dot]",
     why="The third term is the motion of the third link, so its length is l_3. A line that was "
     "copied and changed keeps the old index.",
     unnoticed="Where both links are equally long, or the hand does not turn. The value of "
@@ -83,7 +84,8 @@ M29 = Mistake(
 M36 = Mistake(
     "M36",
     says="with a plus before the third term of ẋ, l_3 sin(θ_1 + θ_2 + θ_3)",
-    line="x_dot = -l1 * s1 * q1 - l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)",
+    line="x_dot = -l1 * s1 * q1 - l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)\n"
+    "twist = [x_dot, y_dot, phi_dot]",
     why="The derivative of each cosine is minus the sine. One of the three minus signs got lost.",
     unnoticed="Where the hand points along the x axis, either way, or does not turn. The "
     "value of det J does not show it.",
@@ -99,7 +101,8 @@ M37 = Mistake(
     "M37",
     says="when sines and cosines stay as they are in the position and are not differentiated",
     line="x_dot = l1 * c1 * q1 + l2 * c12 * (q1 + q2) + l3 * c123 * (q1 + q2 + q3)\n"
-    "y_dot = l1 * s1 * q1 + l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)",
+    "y_dot = l1 * s1 * q1 + l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)\n"
+    "twist = [x_dot, y_dot, phi_dot]",
     why="A link that turns moves its end at right angles to itself: cos becomes −sin, sin becomes "
     "cos. Without this the hand moves along the links, as if they grew longer. The whole velocity "
     "is off by a quarter turn.",

@@ -53,7 +53,7 @@ class Chapters(SphinxDirective):
         )
 
 
-CARD = 300  # pixels, so that letters are of a size to read
+CARD = 358  # pixels, as on a phone, for which every figure is made
 FILLED = 'preserveAspectRatio="xMidYMid slice"'
 
 

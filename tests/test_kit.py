@@ -108,6 +108,8 @@ def test_the_site_works_from_a_stick(site, chromium, tmp_path):
         page.goto(home + "differential_drive/differential_drive.html")
         assert not page.locator(".dropdown-run-buttons a[href^='../']").count()
         figure = page.locator("figure#wheel-speeds")
+        figure.scroll_into_view_if_needed()
+        page.wait_for_selector("figure#wheel-speeds.rk-live")
         before = figure.locator("dd").all_inner_texts()
         figure.locator("input[type=range]").first.press("ArrowRight")
         page.wait_for_function(

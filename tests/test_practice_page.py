@@ -70,7 +70,13 @@ def variant(exercise, name):
     return dealing.variants(exercise)[dealing.dealt(COURSE, exercise, name)]
 
 
-@pytest.mark.parametrize("topic", practice.topics())
+@pytest.mark.parametrize(
+    "topic",  # what can be answered in all ways: a number, angles, a matrix
+    [
+        pytest.param(topic, marks=[pytest.mark.long] * (topic not in ("bicycle", "frames")))
+        for topic in practice.topics()
+    ],
+)
 def test_every_candidate_is_named_on_the_page(page, topic):
     sign_in(page, "Ada")
     for exercise in EXERCISES.values():

@@ -136,8 +136,9 @@ def test_a_ghost_in_the_right_place_is_right(page):
     assert said(page, "beacon-place").inner_text().startswith("✓")
 
 
-@pytest.mark.parametrize("name", ["beacon-turns", "beacon-far", "beacon-place"])
-def test_it_is_shown_without_a_guess_too(page, name):
+@pytest.mark.parametrize("which", ["turns", "far", "place"])
+def test_it_is_shown_without_a_guess_too(page, which):
+    name = f"beacon-{which}"
     for _ in range(2):  # shown, forgotten, shown again
         skip = page.locator(f"#{name} .rk-skip")
         skip.focus()

@@ -309,7 +309,7 @@ def test_a_named_step_on_the_way_is_taken_from_an_earlier_step():
 
 def test_a_step_can_give_its_result_other_letters():
     c = Step(Line(sp.Symbol("c"), a + b), values=(sp.Symbol("c'"),))
-    assert told(Solution("{c}", c=c)) == "c' = a + b = 3 + (−0.5) = 2.5"
+    assert told(Solution("{c}", c=c)) == "c′ = a + b = 3 + (−0.5) = 2.5"
     pair = Line(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
     p = Step(pair, values=sp.symbols("u v"))
     assert told(Solution("{p}", p=p)) == "u = a + b = 3 + (−0.5) = 2.5\n\nv = a = 3"

@@ -61,8 +61,9 @@ def opened(server, chromium):
     def visit(**options):
         with watched_page(chromium, server, **options) as (page, watch):
             page.goto(f"{server}{PAGE}/{PAGE}.html")
-            page.wait_for_selector(f"{STEP} .rk-live")
             page.locator(f"{STEP} details").evaluate_all(UNFOLD)  # what predictions open
+            page.locator(f"{STEP} .rk-figure").first.scroll_into_view_if_needed()
+            page.wait_for_selector(f"{STEP} .rk-live")
             yield page
             assert not watch.errors + watch.strangers
 

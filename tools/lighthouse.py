@@ -19,7 +19,8 @@ import tempfile
 import threading
 from pathlib import Path
 
-from browser import SITE, Quiet, Server, chromium_path, listed
+import chromium
+from browser import SITE, Quiet, Server, listed
 
 LIGHTHOUSE = "lighthouse@12.8.2"
 RUNS = 3
@@ -55,7 +56,7 @@ def run(address):
     with tempfile.NamedTemporaryFile(suffix=".json") as told:
         command = ["npx", "--yes", LIGHTHOUSE, address, "--quiet", "--output=json"]
         command += [f"--output-path={told.name}", f"--chrome-flags={FLAGS}"]
-        environment = {**os.environ, "CHROME_PATH": chromium_path() or ""}
+        environment = {**os.environ, "CHROME_PATH": chromium.path() or ""}
         subprocess.run(command, check=True, env=environment)
         report = json.loads(Path(told.name).read_text("utf-8"))
     found = {name: 100 * report["categories"][name]["score"] for name in SCORES}

@@ -37,6 +37,8 @@ M2 = Mistake(
     nth=3,
     stands="r = √(p_y² + p_z²), φ_3 = arctan(p_z/p_y)",
     should="r = √(«p_x² +» p_y² + p_z²), φ_3 = «atan2»(p_z, «√(p_x² + p_y²)»)",
+    explained="Here p is measured from the shoulder, and r is the way from there to the wrist: "
+    "the chapter's d.",
 )
 M3 = Mistake(
     "M3",

@@ -16,8 +16,12 @@ rate2 = quantity("rate2", "rad/s", -3, 3, "rate of joint 2", r"\dot\theta_2", "r
 rate3 = quantity("rate3", "rad/s", -3, 3, "rate of joint 3", latex=r"\dot\theta_3")
 x = quantity("x", "m", -2, 2, "place of the hand's point")
 y = quantity("y", "m", -2, 2, "place of the hand's point")
-x_dot = quantity("x_dot", "m/s", -1, 1, "its speed along the world's x axis", latex=r"\dot{x}")
-y_dot = quantity("y_dot", "m/s", -1, 1, "its speed along the world's y axis", latex=r"\dot{y}")
+x_dot = quantity(
+    "x_dot", "m/s", -1, 1, "speed along the world's x (damped: wanted)", latex=r"\dot{x}"
+)
+y_dot = quantity(
+    "y_dot", "m/s", -1, 1, "speed along the world's y (damped: wanted)", latex=r"\dot{y}"
+)
 phi_hand = quantity("phi_hand", "rad", -3.14, 3.14, "where the hand points", latex=r"\varphi")
 phi_dot = quantity("phi_dot", "rad/s", -3, 3, "turning rate of the hand", latex=r"\dot\varphi")
 v_out = quantity(

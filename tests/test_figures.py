@@ -74,7 +74,10 @@ ASKED = {  # figures in which a reader places a guess: what can be moved depends
 
 def typical(only):
     """The typical figures, and in the long run all others, of those that this is asked of."""
-    marks = lambda name: [pytest.mark.long] * (name not in TYPICAL)  # noqa: E731
+
+    def marks(name):
+        return [] if name in TYPICAL else [pytest.mark.long]
+
     return each("figure", "figures", Figure, marks, only)
 
 

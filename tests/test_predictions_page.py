@@ -37,8 +37,15 @@ def said(page, name):
     return page.locator(f"#{name} > .rk-said")
 
 
+def come_alive(page):
+    """Go to the figure, which starts when it is near, and wait until it runs."""
+    page.locator("#beacon-guess").scroll_into_view_if_needed()
+    page.wait_for_function(f"() => {FIGURE}")
+
+
 def place_ghost(page, **places):
     """Put the figure's ghost somewhere."""
+    come_alive(page)
     page.evaluate(
         f"(places) => {FIGURE}.set({FIGURE}.figure.controls.map((c, i) =>"
         f" places[c.key] ?? {FIGURE}.state[i]))",
@@ -48,6 +55,7 @@ def place_ghost(page, **places):
 
 def state(page):
     """What the figure's sliders show, by name."""
+    come_alive(page)
     return page.evaluate(
         f"() => Object.fromEntries({FIGURE}.figure.controls.map((c, i) =>"
         f" [c.key, {FIGURE}.state[i]]))"
@@ -167,6 +175,7 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     page.reload()
     fold(page, "beacon-place").wait_for()
     assert said(page, "beacon-turns").inner_text() == "You said: not at all. Right is to its right."
+    come_alive(page)
     page.wait_for_function(f"() => {FIGURE}.state.includes(-0.4)")
     page.get_by_role("button", name="Forget my guesses").click()
     assert not fold(page, "beacon-turns").is_visible()

@@ -255,8 +255,8 @@ def sizes(numbers):
     return np.where(np.isfinite(magnitudes), np.maximum(1, magnitudes), 1)
 
 
-# 50 digits are slow: a hundred random settings beside the special ones, a thousand in the long run
-each_number = pytest.mark.parametrize("n", [100, pytest.param(N, marks=pytest.mark.long)])
+# 50 digits are slow: thirty random settings beside the special ones, a thousand in the long run
+each_number = pytest.mark.parametrize("n", [30, pytest.param(N, marks=pytest.mark.long)])
 
 
 def keeps_its_digits(figure, expression):
@@ -861,6 +861,22 @@ def visit(chromium, server, page_of):
     return opened
 
 
+CHAPTERS = {  # the figures of each
+    chapter: [
+        FIGURES[name] for name, home in course().homes("figures", Figure).items() if home == chapter
+    ]
+    for chapter in sorted(set(course().homes("figures", Figure).values()))
+}
+each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
+
+
+def one_by_one(chapter, visit, **options):
+    """The figures of a chapter, one after the other, in one visit to its page."""
+    figures = CHAPTERS[chapter]
+    with visit(figures[0], **options) as live:
+        yield from (OnPage(live.page, figure).come_alive() for figure in figures)
+
+
 @in_browser
 @typical_figure
 def test_the_browser_computes_as_the_engine_does(figure, visit):
@@ -977,17 +993,18 @@ def test_twenty_settings_by_mouse_and_keys(figure, visit):
 
 
 @in_browser
-@pytest.mark.parametrize(
-    "figure", [f for f in FIGURES.values() if f.handles], ids=lambda figure: figure.name
-)
-def test_a_handle_taken_at_its_edge_does_not_jump(figure, visit):
-    with visit(figure) as live:
+@each_chapter
+def test_a_handle_taken_at_its_edge_does_not_jump(chapter, visit):
+    for live in one_by_one(chapter, visit):
+        if not live.figure.handles:
+            continue
         start = live.state()
-        x, y = live.spot(len(figure.handles) - 1, live.values())
+        x, y = live.spot(len(live.figure.handles) - 1, live.values())
         live.page.mouse.move(x + 6, y + 6)
         live.page.mouse.down()
         live.page.mouse.move(x + 6, y + 6)
-        assert live.state() == pytest.approx(start, abs=1e-9)
+        live.page.mouse.up()
+        assert live.state() == pytest.approx(start, abs=1e-9), live.figure.name
 
 
 def swipe(page, start, end):
@@ -1495,17 +1512,17 @@ OVERLAPS = """(svg) => {
 
 
 @in_browser
-@each_figure
-def test_on_a_phone_the_texts_are_legible(figure, visit):
-    with visit(figure, width=390) as live:
-        sizes = live.picture.evaluate(TEXT_SIZES)
+@each_chapter
+def test_on_a_phone_the_texts_are_legible(chapter, visit):
+    for live in one_by_one(chapter, visit, width=390):
+        name, sizes = live.figure.name, live.picture.evaluate(TEXT_SIZES)
         # 11 px, less what the browser rounds; there are texts to speak of
-        assert sizes
-        assert min(sizes) >= 11 - 0.05
-        assert live.picture.evaluate(OVERLAPS) == []
+        assert sizes, name
+        assert min(sizes) >= 11 - 0.05, name
+        assert live.picture.evaluate(OVERLAPS) == [], name
         box = live.root.bounding_box()
-        assert box["x"] >= 0
-        assert box["x"] + box["width"] <= 390
+        assert box["x"] >= 0, name
+        assert box["x"] + box["width"] <= 390, name
 
 
 PAINT = """(svg) => [...svg.querySelectorAll("*")].flatMap((element) => {

@@ -31,10 +31,13 @@ each_page = pytest.mark.parametrize("name", PAGES)
 DIFFERENT = ("index.html", "practice.html", "search.html", "bicycle/bicycle.html", "checks.html")
 
 FOUND_BY_AXE = """
-async () => {
+async ([scheme, width]) => {
   // axe reads no MathML: a heading cell with a formula counts as empty
   axe.configure({rules: [{id: "empty-table-header", selector: "th:not([role], :has(math))"}]});
-  return (await axe.run(document, {resultTypes: ["violations"]})).violations.map(
+  // only colours differ in the dark; the inside of a formula is long to look at, and once is enough
+  const where = scheme === "light" && width > 390 ? document : {exclude: [".katex"]};
+  const rules = scheme === "dark" ? {runOnly: ["color-contrast"]} : {};
+  return (await axe.run(where, {resultTypes: ["violations"], ...rules})).violations.map(
       ({id, help, nodes}) => `${id}: ${help}: ${nodes.map((node) => node.target).join(", ")}`);
 }
 """
@@ -94,7 +97,7 @@ def assert_fits_and_is_accessible(page, name):
         page.wait_for_function(AT_REST)
         if scheme == "light":
             page.add_script_tag(path=AXE)
-        assert page.evaluate(FOUND_BY_AXE) == [], scheme
+        assert page.evaluate(FOUND_BY_AXE, [scheme, page.viewport_size["width"]]) == [], scheme
         assert page.evaluate(OVERFLOW) == 0, "pixels too wide"
         assert name in ("search.html", "404.html") or page.evaluate(VISIBLE_SEARCHES) <= 1
 

@@ -8,7 +8,9 @@ from declared import FIGURES, each
 from playwright.sync_api import expect
 from test_figures import (
     SHOW,
+    each_chapter,
     in_browser,
+    one_by_one,
     page_of,  # noqa: F401
     point,
     started,
@@ -22,7 +24,6 @@ from workshop.figures import Clock, Figure
 pytest_plugins = ["browser"]
 
 STEPS = {name: figure for name, figure in FIGURES.items() if figure.size == "step"}
-LABORATORIES = {name: f for name, f in FIGURES.items() if f.size == "laboratory"}
 REBORN = ("differential_drive",)
 
 # --- Sizes ----------------------------------------------------------------------------------
@@ -43,13 +44,12 @@ def test_a_step_has_two_things_to_move_and_three_numbers(name):
 @pytest.mark.parametrize(
     ("width", "most"), [(1280, {"step": 420, "laboratory": 800}), (390, {"step": 560})]
 )
-@pytest.mark.parametrize("name", [*STEPS, *LABORATORIES])
-def test_figures_have_their_size(name, width, most, visit):  # noqa: F811
-    figure = FIGURES[name]
-    with visit(figure, width=width) as live:
+@each_chapter
+def test_figures_have_their_size(chapter, width, most, visit):  # noqa: F811
+    for live in one_by_one(chapter, visit, width=width):
         height = live.root.evaluate(BOX)[1]
-    print(f"{name} at {width}: {height:.0f} px")
-    assert height <= most.get(figure.size, np.inf)
+        print(f"{live.figure.name} at {width}: {height:.0f} px")
+        assert height <= most.get(live.figure.size, np.inf), live.figure.name
 
 
 # --- Goals ----------------------------------------------------------------------------------

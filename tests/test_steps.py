@@ -24,7 +24,7 @@ from workshop.figures import Clock, Figure
 pytest_plugins = ["browser"]
 
 STEPS = {name: figure for name, figure in FIGURES.items() if figure.size == "step"}
-REBORN = ("differential_drive",)
+REBORN = ("differential_drive", "euler")
 
 # --- Sizes ----------------------------------------------------------------------------------
 

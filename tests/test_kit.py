@@ -12,6 +12,7 @@ from zipfile import ZipFile
 
 import pytest
 from declared import EXERCISES
+from kit import site_files
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 from support import ROOT, python_of
@@ -66,6 +67,16 @@ def test_a_zip_does_not_know_when_it_was_made(site):
         entries = ZipFile(site / name).infolist()
         assert {entry.date_time for entry in entries} == {(1980, 1, 1, 0, 0, 0)}
         assert [e.filename for e in entries] == sorted(e.filename for e in entries)
+
+
+def test_the_site_for_a_stick_holds_all_that_its_pages_link_and_no_server_needs(site, tmp_path):
+    held = {name.partition("/")[2] for name in ZipFile(site / "robokin-site.zip").namelist()}
+    linked = re.findall(r'href="([^":#?]+)" download', (site / "index.html").read_text("utf-8"))
+    assert set(linked) - held == {"robokin-site.zip"}  # it cannot hold itself
+    for name in ("robokin.pdf", "a/a.html", "lite/a.html", "_static/python/a.js", ".built"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    assert set(site_files(tmp_path)) == {"robokin.pdf", "a/a.html"}
 
 
 def versions(lock):

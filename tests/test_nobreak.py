@@ -1,17 +1,17 @@
 """What stays on one line: a number with its unit, a short formula."""
 
-import sys
+import re
 
 import pytest
 
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
 
-from browser import ROOT, watched_page  # noqa: E402
+from browser import watched_page  # noqa: E402
 from declared import course  # noqa: E402
 
-sys.path.insert(0, str(ROOT / "book" / "_ext"))
-from nobreak import BETWEEN, kept  # noqa: E402
+from workshop.practice.wording import UNBROKEN, unbroken  # noqa: E402
+from workshop.script import engine as script  # noqa: E402
 
 # texts of the page, but not what is code or made by a script
 TEXTS = """
@@ -34,10 +34,14 @@ CHAPTERS = [name for name in course().chapters if course().notebook(name).exists
         ("10 cm/s, 1.5 rad/s.", "10~cm/s, 1.5~rad/s."),
         ("4 mistakes, 2 motors, 5 steps", "4 mistakes, 2 motors, 5 steps"),
         ("Move 2 m/s² or m s", "Move 2~m/s² or m s"),
+        ("100 MB in m², 5 °/s, 10 %", "100~MB in~m², 5~°/s, 10~%"),
+        ("so a = 3 cm, b = (a longer one)", "so a~=~3~cm, b~=~(a longer one)"),
     ],
 )
 def test_a_number_is_tied_to_its_unit(text, expected):
-    assert kept(text) == expected.replace("~", "\N{NO-BREAK SPACE}")
+    kept = expected.replace("~", "\N{NO-BREAK SPACE}")
+    assert unbroken(text) == kept
+    assert script.call("workshop.practice.paragraphs", text) == f"<p>{kept}</p>"
 
 
 @pytest.mark.browser
@@ -47,7 +51,7 @@ def test_no_number_leaves_its_unit_and_no_short_formula_is_torn(chromium, server
         for chapter in CHAPTERS:
             page.goto(f"{server}{chapter}/{chapter}.html")
             texts = page.evaluate(TEXTS)
-            assert not [text for text in texts if BETWEEN.search(text)], chapter
+            assert not [text for text in texts if re.search(UNBROKEN, text)], chapter
             assert not page.evaluate(TORN), chapter
             tied += sum("\N{NO-BREAK SPACE}" in text for text in texts)
             short += page.locator("span.math.kept").count()

@@ -1,4 +1,7 @@
-"""On a phone all of a formula can be reached."""
+"""On a phone all of a formula can be reached, and all of a line of code be read."""
+
+import json
+import re
 
 import pytest
 
@@ -6,7 +9,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser")
 
-from browser import listed, watched_page  # noqa: E402
+from browser import ROOT, listed, watched_page  # noqa: E402
 
 # formulas whose left end lies left of their box at rest: scrolling cannot bring it back.
 # One pixel for rounding.
@@ -32,3 +35,54 @@ def test_the_left_end_of_every_formula_can_be_reached(chromium, server):
             lost = page.evaluate(LOST)
             assert not lost, f"{name}: {lost}"
     assert seen > 50  # the chapters show more formulas than that
+
+
+# where lines of code wrap: the signs before and after, and how far from the code's left edge the
+# line goes on, in signs
+WRAPPED = """
+() => [...document.querySelectorAll(".cell_input pre")].flatMap((pre) => {
+  const texts = document.createTreeWalker(pre, NodeFilter.SHOW_TEXT), places = [];
+  for (let text; (text = texts.nextNode());) [...text.data].forEach((sign, k) => {
+    const range = new Range();
+    range.setStart(text, k);
+    range.setEnd(text, k + 1);
+    const { left, bottom, width } = range.getBoundingClientRect();
+    if (width || sign === "\\n") places.push({ sign, left, bottom, width });
+  });
+  return places.slice(1).flatMap((place, k) => {
+    const before = places[k], torn = before.sign + place.sign;
+    if (torn.includes("\\n") || place.bottom < before.bottom + 9) return [];
+    return [{ torn, far: (place.left - places[0].left) / places[0].width }];
+  });
+})
+"""
+
+
+def test_a_line_of_code_that_wraps_hangs_and_tears_no_name(chromium, server):
+    seen = 0
+    with watched_page(chromium, server, 390) as (page, _):
+        for name in ("elbow_arm", "wheels", "planar_arm"):
+            page.goto(f"{server}{name}/{name}.html")
+            page.evaluate("() => document.fonts.ready")
+            wrapped = page.evaluate(WRAPPED)
+            seen += len(wrapped)
+            assert not [each for each in wrapped if re.fullmatch(r"\w\w", each["torn"])], name
+            assert {round(each["far"]) for each in wrapped} == {6}, name
+    assert seen > 100  # there are more
+
+
+def test_what_wraps_is_copied_as_it_was_typed(chromium, server):
+    """The longest code of a chapter; the text is taken from the event, before the clipboard."""
+    cells = json.loads((ROOT / "book" / "wheels" / "wheels.ipynb").read_text("utf-8"))["cells"]
+    typed = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+    with watched_page(chromium, server, 390) as (page, _):
+        page.goto(f"{server}wheels/wheels.html")
+        page.evaluate(
+            "() => addEventListener('copy', (event) => { window.copied = event.target.value; })"
+        )
+        cell = page.locator(".cell_input:visible", has_text="fontsize=13").first
+        cell.scroll_into_view_if_needed()
+        cell.locator("button.copybtn").dispatch_event("click")
+        copied = page.wait_for_function("() => window.copied").json_value()
+    assert copied in typed
+    assert max(map(len, copied.splitlines())) > 60  # a line that wraps

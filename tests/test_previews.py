@@ -3,6 +3,7 @@
 from io import BytesIO
 from types import SimpleNamespace
 
+import numpy as np
 import previews
 import pytest
 from PIL import Image
@@ -17,8 +18,13 @@ BODY = '<figure class="rk-figure" id="wheel-speeds" data-size="large">'
 def told(folder, base, body):
     """What a page's head is told."""
     config = SimpleNamespace(html_baseurl=base)
-    context = {"body": body, "pathto": lambda name, resource: f"../{name}"}
-    previews.add_preview(SimpleNamespace(config=config, outdir=folder), "a", "", context, object())
+    context = {
+        "body": body,
+        "title": "Who &amp; <em>what</em>",
+        "pathto": lambda name, resource: f"../{name}",
+    }
+    app = SimpleNamespace(config=config, outdir=folder)
+    previews.add_preview(app, "page", "", context, object())
     return context["metatags"]
 
 
@@ -35,9 +41,19 @@ def test_a_page_with_a_figure_has_its_picture(tmp_path):
     assert colours[255, 255, 255] > 400_000
 
 
-@pytest.mark.parametrize(("base", "body"), [("", BODY), ("https://robots.example/", "<p>")])
-def test_without_an_address_or_a_figure_there_is_none(tmp_path, base, body):
-    assert "og:image" not in told(tmp_path, base, body)
+def test_a_page_without_a_figure_has_its_title_over_another(tmp_path):
+    assert "/_static/previews/page.png" in told(tmp_path, "https://robots.example/", "<p>")
+    picture = Image.open(tmp_path / "_static" / "previews" / "page.png").convert("L")
+    dark = (np.array(picture)[50:120] < 50).any(axis=0)
+    assert picture.size == (1200, 630)
+    assert np.count_nonzero(dark[300:900]) > 200  # black letters, in the middle
+    assert not dark[:200].any()
+    assert not dark[1000:].any()
+    assert (np.array(picture)[150:] < 250).mean() > 0.02  # the figure
+
+
+def test_without_an_address_there_is_none(tmp_path):
+    assert "og:image" not in told(tmp_path, "", BODY)
     assert not list(tmp_path.iterdir())
 
 

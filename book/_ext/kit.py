@@ -1,7 +1,8 @@
 """Two zips in the site: the notebooks with all that they need, and the site itself.
 
 `robokin-kit.zip` holds `book/_kit`, the notebooks numbered as the chapters, the wheels and the list
-of packages. `robokin-site.zip` is for a disk or a stick: every page but what needs a server.
+of packages. `robokin-site.zip` is for a disk or a stick: every page but what needs a server,
+and the book as PDF and EPUB if `make paper` has made them, because the first page links them.
 The same book gives the same bytes.
 """
 

@@ -4,7 +4,10 @@ theme that no page uses, and scripts that wait for the page.
 
 import hashlib
 import re
+from itertools import pairwise
 from pathlib import Path
+
+from tinycss2 import parse_stylesheet, serialize
 
 # in the order in which pages ask for them
 THEME = (
@@ -22,58 +25,48 @@ SHEET = "all.css"
 LINKS = re.compile(r'(\s*<link [^>]*href="([^"]*)_static/[^"]*\.css[^>]*>)+')
 WAITS_NOT = re.compile(r'<script (?=src="[^"]*_static/(?!start-))')
 NOW = re.compile("<img (?!loading=)")
-COMMENT = re.compile(r'("(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\')|/\*.*?\*/', re.DOTALL)
 ADDRESS = re.compile(r"url\((?![\"']?(?:data:|[./]*/|#))([\"']?)")
-CLASS = re.compile(r"\.(-?[A-Za-z_][\w-]*)")
-WITHIN = re.compile(r":(?:not|is|where|has)\([^()]*(?:\([^()]*\)[^()]*)*\)")
-GROUPS = ("@media", "@supports", "@layer", "@container")
-
-
-def blocks(css):
-    """The rules of a style sheet without comments: what stands before the braces, and in them."""
-    depth = start = 0
-    for found in re.finditer(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|[{}]|;', css):
-        sign = found[0]
-        if sign == "{":
-            if not depth:
-                opened = found.start()
-            depth += 1
-        elif sign == "}":
-            depth -= 1
-            if not depth:
-                yield css[start:opened].strip(), css[opened + 1 : found.start()]
-                start = found.end()
-        elif sign == ";" and not depth:  # an @import or @charset
-            start = found.end()
+GROUPS = ("media", "supports", "layer", "container")
 
 
 def used_rules(css, names):
-    """The rules that an element with classes among these names may need."""
+    """The rules that an element with classes among these names may need; without names, all."""
     kept = []
-    for head, body in blocks(css):
-        if head.startswith(GROUPS):
-            if inner := used_rules(body, names):
-                kept.append(f"{head}{{{inner}}}")
-        elif head.startswith("@"):
-            kept.append(f"{head}{{{body}}}")
+    for rule in parse_stylesheet(css, skip_comments=True, skip_whitespace=True):
+        if rule.content is None:  # an @import or @charset
+            continue
+        if at := rule.type == "at-rule":
+            head = f"@{rule.at_keyword}{serialize(rule.prelude).rstrip()}"
         else:
-            needed = [each for each in selectors(head) if names.issuperset(classes(each))]
-            if needed:
-                kept.append(f"{','.join(needed)}{{{body.strip()}}}")
+            needed = [s for s in selectors(rule) if not names or names.issuperset(classes(s))]
+            head = ",".join(map(written, needed))
+        group = at and rule.at_keyword in GROUPS
+        body = used_rules(rule.content, names) if group else written(rule.content)
+        if head and body:
+            kept.append(f"{head}{{{body}}}")
     return "\n".join(kept)
 
 
-def selectors(head):
-    """The selectors of a rule, which commas part outside of brackets."""
-    return re.split(r",\s*(?![^()]*\)|[^\[\]]*\])", head)
+def written(tokens):
+    """A part of a style sheet as text, without comments."""
+    return serialize(token for token in tokens if token.type != "comment").strip()
+
+
+def selectors(rule):
+    """The selectors of a rule, which commas part."""
+    parts = [[]]
+    for token in rule.prelude:
+        if token == ",":
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts
 
 
 def classes(selector):
-    """The classes that an element must have, or one around it."""
-    selector = re.sub(r"\[[^\]]*\]", "", selector)
-    while (plain := WITHIN.sub("", selector)) != selector:
-        selector = plain
-    return CLASS.findall(selector)
+    """The classes that an element must have, or one around it; what stands in brackets is more
+    than that."""
+    return [name.value for dot, name in pairwise(selector) if dot == "." and name.type == "ident"]
 
 
 def names_in(pages, scripts):
@@ -88,11 +81,11 @@ def sheet(static, names):
     parts = []
     for pattern in (*THEME, *OWN):
         for file in sorted(static.glob(pattern)):
-            css = COMMENT.sub(lambda found: found[1] or "", file.read_text("utf-8"))
+            css = file.read_text("utf-8")
             folder = file.parent.relative_to(static).as_posix()
             if folder != ".":
                 css = ADDRESS.sub(rf"url(\1{folder}/", css)
-            parts.append(css if pattern in OWN else used_rules(css, names))
+            parts.append(used_rules(css, () if pattern in OWN else names))
     return "\n".join(parts)
 
 

@@ -1,31 +1,24 @@
-"""A number and its unit stay on one line: the blank between them is one that does not break."""
+"""A number and its unit stay on one line in all running text, as they do in exercises."""
 
 import re
 
 from docutils import nodes
 
-UNIT = r"(?:(?:[cmk]?m|m?s|rad|kg|kB|N|Hz|%|ticks)(?:/s²?|/m|²)?)(?![\w/])"
-BETWEEN = re.compile(rf"(?<=[\d°]) (?={UNIT})")
-BEHIND_FORMULA = re.compile(rf"^ (?={UNIT})")
+from workshop.practice.wording import unbroken
+
 ENDS_IN_NUMBER = re.compile(r"\d\W*$")
 AS_TYPED = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.raw)
 
 
-def kept(text):
-    """The text, its numbers tied to their units."""
-    return BETWEEN.sub("\N{NO-BREAK SPACE}", text)
-
-
 def keep_units(app, doctree, docname):
-    """Tie the numbers of all running text, and of inline formulas such as 10⁻³, to their units."""
+    """The number may be an inline formula such as 10⁻³; its unit is then tied to any digit."""
     for node in list(doctree.findall(nodes.Text)):
         if isinstance(node.parent, AS_TYPED):
             continue
-        text = kept(node)
         place = node.parent.index(node)
         before = node.parent[place - 1] if place else None
-        if isinstance(before, nodes.math) and ENDS_IN_NUMBER.search(before.astext()):
-            text = BEHIND_FORMULA.sub("\N{NO-BREAK SPACE}", text)
+        number = isinstance(before, nodes.math) and ENDS_IN_NUMBER.search(before.astext())
+        text = unbroken(f"0{node}")[1:] if number else unbroken(node)
         if text != node:
             node.parent.replace(node, nodes.Text(text))
 

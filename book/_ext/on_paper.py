@@ -44,8 +44,10 @@ def visit_links(writer, node):
 
 
 def copy_files(app, exception):
-    """Put what is linked into the site."""
+    """Put what is linked into the site, and nothing that was made earlier."""
     if not exception and app.builder.name == "html":
+        for name in FILES:
+            Path(app.outdir, name).unlink(missing_ok=True)
         for file in made(app):
             shutil.copy(file, app.outdir)
 

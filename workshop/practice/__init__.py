@@ -4,7 +4,7 @@ In a notebook: `practice.exercise("differential-drive-1")`. For teachers, on the
 `python -m book --help`, with the course's package for `book`.
 """
 
-from workshop.practice import page
+from workshop.practice import page, wording
 from workshop.practice.bank import (
     Ask,
     Exercise,
@@ -33,7 +33,7 @@ register(
         scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
         styles=("practice.css",),
         called_by="rk-exercise",
-        constants=page.constants,
+        constants=lambda: {**page.constants(), "UNBROKEN": wording.UNBROKEN},
     )
 )
 register(

@@ -21,10 +21,7 @@ const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mtable>${
   rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
 }</mtable></math>`);
 
-// No line ends before a unit, or beside the = of a short formula: as wording.py has it.
-const unbroken = (text) => text
-  .replace(/(\d|\bin) (?=(?:[cm]?m|m?s|rad|N|bits|ticks|turns)\b|°)/g, "$1\u00a0")
-  .replace(/(?<=\S) = (?=\S{1,9}(?:\s|$))/g, "\u00a0=\u00a0");
+const unbroken = (text) => text.replace(new RegExp(UNBROKEN, "g"), "\u00a0");
 
 const paragraphs = (text) => matrices(symbols(unbroken(text))).split("\n\n")
   .map((paragraph) => `<p>${paragraph}</p>`).join("");

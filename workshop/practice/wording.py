@@ -8,6 +8,13 @@ from typing import Any
 
 import numpy as np
 
+# The blanks at which no line ends, for Python and for the script: before a unit that a number or
+# "in" precedes, and beside the = of a short formula.
+UNIT = r"(?:(?:[cmk]?m|m?s|rad|kg|[kMG]B|N|Hz|bits|ticks|turns)(?![A-Za-z_])|[°%])"
+SHORT = r"\S{1,9}(?:\s|$)"
+BEHIND = rf"(?:(?<=[0-9])|(?<=\bin)) (?={UNIT})"
+UNBROKEN = rf"{BEHIND}|(?<=\S) (?== {SHORT})|(?<=\S =) (?={SHORT})"
+
 
 def number_text(value: Any, spec: str) -> str:
     """A number, vector or matrix as text: four decimals, no trailing zeros, a true minus."""
@@ -39,9 +46,7 @@ def highlighted(text: str) -> str:
 
 def unbroken(text: str) -> str:
     """A text in which no line ends before a unit, or beside the = of a short formula."""
-    units = r"(?:[cm]?m|m?s|rad|N|bits|ticks|turns)\b|°"
-    text = re.sub(rf"(\d|\bin) (?={units})", "\\1\u00a0", text, flags=re.ASCII)
-    return re.sub(r"(?<=\S) = (?=\S{1,9}(?:\s|$))", "\u00a0=\u00a0", text)
+    return re.sub(UNBROKEN, "\u00a0", text)
 
 
 def paragraphs(text: str) -> str:

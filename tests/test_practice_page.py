@@ -9,7 +9,10 @@ from html import unescape
 
 import pytest
 from declared import COURSE, EXERCISES, table
+from PIL import Image
+from playwright.sync_api import expect
 
+from book.differential_drive.exercises import M12
 from workshop import practice
 from workshop.practice import dealing, judging
 from workshop.practice.command import main
@@ -444,3 +447,30 @@ def test_a_matrix_can_be_typed_entry_by_entry(page):
     page.reload(wait_until="networkidle")
     first = grid.get_by_label("row 1, column 1")
     assert float(first.input_value()) == pytest.approx(right[0], abs=1e-4)
+
+
+CHAPTER = "differential_drive/differential_drive.html"
+
+
+@pytest.mark.parametrize(
+    ("place", "scheme"), [("practice.html", "light"), (CHAPTER, "dark"), ("from disk", "dark")]
+)
+def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, place, scheme):
+    """In the colours of the page; it is not loaded before."""
+    home = site.as_uri() + "/" if place == "from disk" else server
+    with watched_page(chromium, home, scheme=scheme) as (page, watch):
+        page.goto(home + (place if place.endswith("html") else CHAPTER))
+        sign_in(page, "Ada")
+        wrong = next(c for c in variant(FIRST, "Ada").candidates if c.name == "M12")
+        assert "half the wheel distance" in answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
+        pictures = box(page, FIRST).locator(".rk-ladder img")
+        expect(pictures).to_have_count(0)
+        assert not [url for url in watch.kinds if "M12.svg" in url]
+        answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
+        still = box(page, FIRST).get_by_role("img", name=M12.picture.shows)
+        expect(still).to_have_attribute("src", re.compile(f"/M12.svg#{scheme}$"))
+        still.scroll_into_view_if_needed()
+        page.wait_for_function("(image) => image.naturalWidth > 300", arg=still.element_handle())
+        ground = Image.open(io.BytesIO(still.screenshot())).convert("L").getpixel((12, 12))
+        assert ground < 60 if scheme == "dark" else ground > 240
+        assert not watch.errors + watch.strangers

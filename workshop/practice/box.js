@@ -8,6 +8,7 @@ const TRAINING = "Numbers for training: they are not yours and do not count.";
 const LOADING = "Your numbers are being loaded …";
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
 const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
+const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
 const RUNGS = ["Where should I look?", "Show the first step", "Show the next step", "Show the answer"];
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
@@ -196,11 +197,14 @@ class Box {
   climb(entry = this.entry(), note = "") {
     const { look, outcomes, topic } = this.exercise, opened = this.opened ?? entry.help ?? 0;
     const { steps } = this, last = steps.length;
-    const { why } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
-    const chapter = `${document.documentElement.dataset.content_root ?? ""}${topic}/${topic}.html`;
-    const link = (place, words) => document.documentElement.dataset.content_root === undefined ? ""
-      : ` <a href="${chapter}${place}">${words}</a>`;
+    const { why, picture } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
+    const root = document.documentElement.dataset.content_root; // a notebook has none
+    const link = (place, words) => root === undefined ? ""
+      : ` <a href="${root}${topic}/${topic}.html${place}">${words}</a>`;
+    const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escaped(picture)}" `
+      + `src="${root}_static/practice/${entry.name}.svg#${theme}">`;
     this.one(".rk-ladder").innerHTML = (why ? `<p>${symbols(why)}${link(`#${entry.name}`, "See it in the chapter.")}</p>` : "")
+      + (picture && root !== undefined ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
       + (opened ? `<p>${symbols(look)}${link("", "To the chapter.")}</p>` : "")
       + steps.slice(0, Math.max(0, opened - 1)).map(paragraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");

@@ -337,6 +337,46 @@ def test_answers_are_taken_along(page, chromium, server, tmp_path):
         box(other, "euler-1").get_by_text("Not yet").wait_for()
 
 
+KEPT = "() => JSON.parse(localStorage.getItem('robokin answers robokin')).ada"
+
+
+def test_a_file_that_is_loaded_twice_changes_nothing(page, tmp_path):
+    """No try is added, no help forgotten, and no answer becomes newer than it is."""
+    sign_in(page, "Ada")
+    box(page, FIRST).locator(".rk-help").click()
+    for text in ("0.3", "0.4"):
+        answer(page, FIRST, text)
+    before = page.evaluate(KEPT)
+    assert (before[FIRST]["tries"], before[FIRST]["help"]) == (2, 1)
+    saved(page, tmp_path)
+    for _ in range(2):
+        page.set_input_files("[type=file]", tmp_path / "saved.csv")
+        page.wait_for_function("() => !document.querySelector('[type=file]').value")
+        assert page.evaluate(KEPT) == before
+
+
+def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
+    """Who worked at two computers loses no pass, and not what was typed last."""
+    sign_in(page, "Ada")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    given = {FIRST: (2001, right), "euler-1": (2001, "5; 6; 7"), "bicycle-1": (2999, "2")}
+    for name in given:
+        answer(page, name, "1" if len(EXERCISES[name].asks) == 1 else "[1, 2, 3]")
+    here = page.evaluate(KEPT)
+    head = "kind,course,version,time,student,exercise,answer"
+    rows = [f"answers,robokin,,{y}-01-01T00:00:00.000Z,Ada,{n},{a}" for n, (y, a) in given.items()]
+    (tmp_path / "other.csv").write_text("\n".join([head, *rows]))
+    page.set_input_files("[type=file]", tmp_path / "other.csv")
+    page.get_by_text("1 of 55 checks on this page passed").wait_for()
+    field = {name: box(page, name).locator(".rk-row input") for name in given}
+    expect(field[FIRST]).to_have_value(right)
+    expect(field["euler-1"]).to_have_value("[1, 2, 3]")  # an older wrong one
+    expect(field["bicycle-1"]).to_have_value("2")
+    kept = page.evaluate(KEPT)
+    assert kept["euler-1"] == here["euler-1"]
+    assert kept["bicycle-1"]["time"].startswith("2999")
+
+
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 
 

@@ -142,7 +142,7 @@ class Box {
     return stepsOf(filled(this.exercise.solution, this.variant.shown));
   }
 
-  // What is kept of the present numbers: { answer, result, says, tries, help, … }.
+  // What is kept of the present numbers: { answer, time, result, says, tries, help, … }.
   entry() {
     return (this.training ? this.trained : this.desk.kept()) ?? {};
   }
@@ -153,20 +153,25 @@ class Box {
 
   // What is typed and not checked yet is kept, and saved, too; it takes no pass away.
   keepTyped() {
-    const answer = this.input.value, kept = this.entry();
+    const answer = this.input.value, { unjudged, ...kept } = this.entry();
     if (this.training || !answer || kept.result === "right" || kept.answer === answer) return;
-    this.keep({ ...kept, answer, result: "", says: "" });
+    this.keep({ ...kept, answer, result: "", says: "", time: now() });
   }
 
   check() {
     return this.withExercise(() => {
       const { input, number, variant } = this, { unjudged, ...kept } = this.entry();
       const found = checkAnswer(this.exercise, variant.candidates, input.value);
+      if (unjudged?.answer && found.result !== "right") { // an older one, of no use
+        this.keep(unjudged);
+        return this.restore();
+      }
       this.tell(found);
       if (found.result === "unread") return;
       const passed = kept.result === "right"; // a further try takes nothing away
       const tries = (kept.tries ?? 0) + 1, right = found.result === "right";
-      if (!passed) this.keep({ ...kept, answer: input.value, ...found, variant: number, tries });
+      const time = unjudged ? kept.time : now(); // from a file: when it was given
+      if (!passed) this.keep({ ...kept, answer: input.value, ...found, variant: number, tries, time });
       if (right) this.pass(); else this.climb(passed ? { ...found, tries } : this.entry());
     });
   }

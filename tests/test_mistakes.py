@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from declared import EXERCISES, MISTAKES, each
+from declared import EXERCISES, FIGURES, MISTAKES, course, each
 from sympy import Symbol
 
 from book.differential_drive import formulas
@@ -10,8 +10,10 @@ from book.differential_drive.exercises import M12, M13, M14
 from book.differential_drive.formulas import b, v_L, v_R
 from workshop import practice
 from workshop.errors import CourseError
+from workshop.figures import Choice, Figure
 from workshop.practice import Mistake, Wrong
 from workshop.practice.wrong import marked
+from workshop.site.stills import still
 
 DECLARED = ("M6", "M7", "M8", "M12", "M13", "M14", "M31")
 
@@ -75,3 +77,16 @@ def test_without_a_formula_it_is_told():
     with pytest.raises(CourseError, match="M99 has no wrong formula"):
         Mistake("M99", says="", why="", unnoticed="")
     assert Mistake("M99", "", "", "", wrong=Wrong(formulas.speed, {v_L: Symbol("z")})).line
+
+
+def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter():
+    """And no other mistake's; on a dark page in dark colours."""
+    homes, figures = course().homes("exercises", Mistake), course().homes("figures", Figure)
+    pictures = {name: m.picture for name, m in MISTAKES.items() if m.picture}
+    stills = {name: still(picture) for name, picture in pictures.items()}
+    assert len(set(stills.values())) == len(stills) > 0
+    for name, picture in pictures.items():
+        assert figures[picture.figure] == homes[name]
+        [choice] = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]
+        assert (choice.name, picture.option in choice.options) == ("mistake", True)
+        assert "#dark:target { --rk-ground: #14181f;" in stills[name]

@@ -9,7 +9,10 @@ from html import unescape
 
 import pytest
 from declared import COURSE, EXERCISES, table
+from PIL import Image
+from playwright.sync_api import expect
 
+from book.differential_drive.exercises import M12
 from workshop import practice
 from workshop.practice import dealing, judging
 from workshop.practice.command import main
@@ -334,6 +337,46 @@ def test_answers_are_taken_along(page, chromium, server, tmp_path):
         box(other, "euler-1").get_by_text("Not yet").wait_for()
 
 
+KEPT = "() => JSON.parse(localStorage.getItem('robokin answers robokin')).ada"
+
+
+def test_a_file_that_is_loaded_twice_changes_nothing(page, tmp_path):
+    """No try is added, no help forgotten, and no answer becomes newer than it is."""
+    sign_in(page, "Ada")
+    box(page, FIRST).locator(".rk-help").click()
+    for text in ("0.3", "0.4"):
+        answer(page, FIRST, text)
+    before = page.evaluate(KEPT)
+    assert (before[FIRST]["tries"], before[FIRST]["help"]) == (2, 1)
+    saved(page, tmp_path)
+    for _ in range(2):
+        page.set_input_files("[type=file]", tmp_path / "saved.csv")
+        page.wait_for_function("() => !document.querySelector('[type=file]').value")
+        assert page.evaluate(KEPT) == before
+
+
+def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
+    """Who worked at two computers loses no pass, and not what was typed last."""
+    sign_in(page, "Ada")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    given = {FIRST: (2001, right), "euler-1": (2001, "5; 6; 7"), "bicycle-1": (2999, "2")}
+    for name in given:
+        answer(page, name, "1" if len(EXERCISES[name].asks) == 1 else "[1, 2, 3]")
+    here = page.evaluate(KEPT)
+    head = "kind,course,version,time,student,exercise,answer"
+    rows = [f"answers,robokin,,{y}-01-01T00:00:00.000Z,Ada,{n},{a}" for n, (y, a) in given.items()]
+    (tmp_path / "other.csv").write_text("\n".join([head, *rows]))
+    page.set_input_files("[type=file]", tmp_path / "other.csv")
+    page.get_by_text("1 of 55 checks on this page passed").wait_for()
+    field = {name: box(page, name).locator(".rk-row input") for name in given}
+    expect(field[FIRST]).to_have_value(right)
+    expect(field["euler-1"]).to_have_value("[1, 2, 3]")  # an older wrong one
+    expect(field["bicycle-1"]).to_have_value("2")
+    kept = page.evaluate(KEPT)
+    assert kept["euler-1"] == here["euler-1"]
+    assert kept["bicycle-1"]["time"].startswith("2999")
+
+
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 
 
@@ -444,3 +487,30 @@ def test_a_matrix_can_be_typed_entry_by_entry(page):
     page.reload(wait_until="networkidle")
     first = grid.get_by_label("row 1, column 1")
     assert float(first.input_value()) == pytest.approx(right[0], abs=1e-4)
+
+
+CHAPTER = "differential_drive/differential_drive.html"
+
+
+@pytest.mark.parametrize(
+    ("place", "scheme"), [("practice.html", "light"), (CHAPTER, "dark"), ("from disk", "dark")]
+)
+def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, place, scheme):
+    """In the colours of the page; it is not loaded before."""
+    home = site.as_uri() + "/" if place == "from disk" else server
+    with watched_page(chromium, home, scheme=scheme) as (page, watch):
+        page.goto(home + (place if place.endswith("html") else CHAPTER))
+        sign_in(page, "Ada")
+        wrong = next(c for c in variant(FIRST, "Ada").candidates if c.name == "M12")
+        assert "half the wheel distance" in answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
+        pictures = box(page, FIRST).locator(".rk-ladder img")
+        expect(pictures).to_have_count(0)
+        assert not [url for url in watch.kinds if "M12.svg" in url]
+        answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
+        still = box(page, FIRST).get_by_role("img", name=M12.picture.shows)
+        expect(still).to_have_attribute("src", re.compile(f"/M12.svg#{scheme}$"))
+        still.scroll_into_view_if_needed()
+        page.wait_for_function("(image) => image.naturalWidth > 300", arg=still.element_handle())
+        ground = Image.open(io.BytesIO(still.screenshot())).convert("L").getpixel((12, 12))
+        assert ground < 60 if scheme == "dark" else ground > 240
+        assert not watch.errors + watch.strangers

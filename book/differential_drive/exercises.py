@@ -9,7 +9,18 @@ from book.differential_drive import formulas
 from book.differential_drive.formulas import b
 from book.motion import formulas as planar
 from robokin import differential_drive, motion
-from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, Wrong, angle, steps
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Picture,
+    Solution,
+    Step,
+    Wrong,
+    angle,
+    steps,
+)
 
 RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
 FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
@@ -23,6 +34,11 @@ M12 = Mistake(
     why="The right wheel circles around the left one at the whole distance b, not at the distance "
     "from a wheel to the middle. The angular velocity comes out twice too large.",
     unnoticed="On a straight line, where the angular velocity is zero either way.",
+    picture=Picture(
+        "damage",
+        "first",
+        "The robot on its arc to the left. Its program believes it on an arc of half the radius.",
+    ),
 )
 M13 = Mistake(
     "M13",
@@ -32,6 +48,12 @@ M13 = Mistake(
     why="np.cos and np.sin want radians. 90 radians are 14 turns and a bit, so the robot seems to "
     "drive in a direction that has nothing to do with its heading.",
     unnoticed="With a heading of 0.",
+    picture=Picture(
+        "damage",
+        "third",
+        "The robot on its arc to the left. Its program believes that it set off 27° more to the "
+        "left.",
+    ),
 )
 M14 = Mistake(
     "M14",
@@ -41,6 +63,11 @@ M14 = Mistake(
     why="This matrix takes a velocity from the world to the robot, not from the robot to the "
     "world. It mirrors the direction at the x axis.",
     unnoticed="With a heading of 0 or 180°, where both matrices are the same. Test with 90°.",
+    picture=Picture(
+        "damage",
+        "fourth",
+        "The robot drives up. Its program believes that it drives down.",
+    ),
 )
 M31 = Mistake(
     "M31",
@@ -50,6 +77,11 @@ M31 = Mistake(
     "already; with 2b it is counted twice, and the angular velocity comes out half as "
     "large as it is.",
     unnoticed="On a straight line.",
+    picture=Picture(
+        "damage",
+        "second",
+        "The robot on its arc to the left. Its program believes it on an arc of twice the radius.",
+    ),
 )
 
 

@@ -26,6 +26,7 @@ from workshop.practice import (
     Exercise,
     Line,
     Mistake,
+    Picture,
     Solution,
     Step,
     Wrong,
@@ -56,6 +57,11 @@ M6 = Mistake(
     "left, R_2 R_1, it would be a turn about an axis of the fixed frame A.",
     unnoticed="Where both turns are about the same axis, both are half turns, or one of the angles "
     "is zero.",
+    picture=Picture(
+        "wrong-frames",
+        "first",
+        "A die turned as frame B, and a red one: each axis points where another should.",
+    ),
 )
 M7 = Mistake(
     "M7",
@@ -67,6 +73,11 @@ M7 = Mistake(
     why="Point the thumb of the right hand along the axis: the fingers bend the positive way. "
     "About z it leads from x to y, about y from z to x. These matrices turn the other way.",
     unnoticed="Where every turn is a half turn: its sine is zero.",
+    picture=Picture(
+        "wrong-frames",
+        "second",
+        "A die turned as frame B, and a red one: its x and z axes point backwards.",
+    ),
 )
 M8 = Mistake(
     "M8",
@@ -84,6 +95,11 @@ M8 = Mistake(
     "are rounding errors, and the angles are noise. The turn that is missing stands in the other "
     "entries. Rebuild the matrix from your angles and compare.",
     unnoticed="Where the turn that remains is zero.",
+    picture=Picture(
+        "wrong-frames",
+        "third",
+        "A die turned as frame B, and a red one that lacks a quarter turn about its z axis.",
+    ),
 )
 
 

@@ -36,13 +36,25 @@ RELATIVE = 1e-3  # of a large answer: as much as numbers make that are rounded o
 
 
 @dataclass(frozen=True)
+class Picture:
+    """What a figure of the chapter shows of a mistake, for those who made it twice.
+
+    figure: its name; option: what its choice "mistake" is set to; shows: the picture in words.
+    """
+
+    figure: str
+    option: str
+    shows: str
+
+
+@dataclass(frozen=True)
 class Mistake:
     """A mistake that people make, written once: exercises name it, chapters show it.
 
     name: M1 … M37. says: completes "This is what you get …".
     why: why it is wrong, in one to three sentences. unnoticed: where it happens to be right.
     wrong: the wrong formula, from which what it gives is computed; line: the wrong line, as code,
-    where the formula does not print as one would write it.
+    where the formula does not print as one would write it. picture: what then happens.
     document, place, nth: the source document that has it, where, and which of its errata this
     is, counted from its start; stands, should: what stands there and what should, with what
     changes in « ». explained: why, in the letters of the document, where those of `why` are
@@ -55,6 +67,7 @@ class Mistake:
     unnoticed: str
     line: str = ""
     wrong: Wrong | None = None
+    picture: Picture | None = None
     document: str = ""
     place: str = ""
     nth: int = 0

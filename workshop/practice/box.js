@@ -8,6 +8,7 @@ const TRAINING = "Numbers for training: they are not yours and do not count.";
 const LOADING = "Your numbers are being loaded …";
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
 const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
+const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
 const RUNGS = ["Where should I look?", "Show the first step", "Show the next step", "Show the answer"];
 
 const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
@@ -138,7 +139,7 @@ class Box {
     return stepsOf(filled(this.exercise.solution, this.variant.shown));
   }
 
-  // What is kept of the present numbers: { answer, result, says, tries, help, … }.
+  // What is kept of the present numbers: { answer, time, result, says, tries, help, … }.
   entry() {
     return (this.training ? this.trained : this.desk.kept()) ?? {};
   }
@@ -149,20 +150,25 @@ class Box {
 
   // What is typed and not checked yet is kept, and saved, too; it takes no pass away.
   keepTyped() {
-    const answer = this.input.value, kept = this.entry();
+    const answer = this.input.value, { unjudged, ...kept } = this.entry();
     if (this.training || !answer || kept.result === "right" || kept.answer === answer) return;
-    this.keep({ ...kept, answer, result: "", says: "" });
+    this.keep({ ...kept, answer, result: "", says: "", time: now() });
   }
 
   check() {
     return this.withExercise(() => {
       const { input, number, variant } = this, { unjudged, ...kept } = this.entry();
       const found = checkAnswer(this.exercise, variant.candidates, input.value);
+      if (unjudged?.answer && found.result !== "right") { // an older one, of no use
+        this.keep(unjudged);
+        return this.restore();
+      }
       this.tell(found);
       if (found.result === "unread") return;
       const passed = kept.result === "right"; // a further try takes nothing away
       const tries = (kept.tries ?? 0) + 1, right = found.result === "right";
-      if (!passed) this.keep({ ...kept, answer: input.value, ...found, variant: number, tries });
+      const time = unjudged ? kept.time : now(); // from a file: when it was given
+      if (!passed) this.keep({ ...kept, answer: input.value, ...found, variant: number, tries, time });
       if (right) this.pass(); else this.climb(passed ? { ...found, tries } : this.entry());
     });
   }
@@ -193,11 +199,14 @@ class Box {
   climb(entry = this.entry(), note = "") {
     const { look, outcomes, topic } = this.exercise, opened = this.opened ?? entry.help ?? 0;
     const { steps } = this, last = steps.length;
-    const { why } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
-    const chapter = `${document.documentElement.dataset.content_root ?? ""}${topic}/${topic}.html`;
-    const link = (place, words) => document.documentElement.dataset.content_root === undefined ? ""
-      : ` <a href="${chapter}${place}">${words}</a>`;
+    const { why, picture } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
+    const root = document.documentElement.dataset.content_root; // a notebook has none
+    const link = (place, words) => root === undefined ? ""
+      : ` <a href="${root}${topic}/${topic}.html${place}">${words}</a>`;
+    const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escaped(picture)}" `
+      + `src="${root}_static/practice/${entry.name}.svg#${theme}">`;
     this.one(".rk-ladder").innerHTML = (why ? `<p>${symbols(why)}${link(`#${entry.name}`, "See it in the chapter.")}</p>` : "")
+      + (picture && root !== undefined ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
       + (opened ? `<p>${symbols(look)}${link("", "To the chapter.")}</p>` : "")
       + steps.slice(0, Math.max(0, opened - 1)).map(paragraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");

@@ -54,13 +54,15 @@ class Candidate:
 class Outcome:
     """What meeting a candidate means: right, partly (another unit) or wrong, and what is said.
 
-    factors: for each number asked, its size in the unit of the candidate. why: a mistake is one.
+    factors: for each number asked, its size in the unit of the candidate. why: a mistake is one;
+    picture: in words, what a picture shows of it.
     """
 
     result: str
     says: str
     factors: Row
     why: str = ""
+    picture: str = ""
 
 
 @dataclass(frozen=True)
@@ -84,10 +86,11 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     """Every name that a candidate of this exercise can have, and what it means."""
     ones = (1.0,) * len(exercise.asks)
     found = {"right": Outcome("right", RIGHT, ones)}
-    done = {m.name: (m.says, m.why) for m in exercise.wrong}
-    done |= {f"slip:{words}": (words, "") for words in exercise.also}
-    for name, (words, why) in done.items():
-        found[name] = Outcome("wrong", f"Not yet. This is what you get {words}.", ones, why)
+    done = {m.name: (m.says, m.why, m.picture) for m in exercise.wrong}
+    done |= {f"slip:{words}": (words, "", None) for words in exercise.also}
+    for name, (words, why, picture) in done.items():
+        says, shows = f"Not yet. This is what you get {words}.", picture.shows if picture else ""
+        found[name] = Outcome("wrong", says, ones, why, shows)
     for name, factors in _units(exercise.asks).items():
         asked = " and ".join(dict.fromkeys(a.unit for a in exercise.asks if a.unit in POWERS))
         says = (

@@ -56,7 +56,7 @@ class Desk {
       student: () => this.student(),
       load: async () => (await loadTopic(topic, version))[exercise],
       kept: () => this.mine()[exercise],
-      keep: (entry) => this.keep({ ...this.mine(), [exercise]: { ...entry, time: now() } }),
+      keep: (entry) => this.keep({ ...this.mine(), [exercise]: entry }),
     };
   }
 
@@ -138,16 +138,21 @@ class Desk {
     saveAnswers(this.element.dataset, this.name.trim(), this.mine());
   }
 
-  // Answers of a file that was saved here or elsewhere: each box checks its own again.
+  // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one
+  // counts, as it does when graded, and an older one if it is right; the same one changes nothing.
   async load(input) {
     const rows = answersOf(await input.files[0].text()).filter(({ course }) => foldedName(course) === foldedName(this.course));
     input.value = "";
     if (!rows.length) return this.tell(NO_ANSWERS);
     this.name = this.field.value = rows[0].student;
-    const found = rows.filter(({ student, exercise }) =>
-      foldedName(student) === this.student() && this.mine()[exercise]?.result !== "right");
-    this.keep({ ...this.mine(), ...Object.fromEntries(found.map(({ exercise, answer, time }) =>
-      [exercise, { answer, time, result: "", says: "", unjudged: true }])) });
+    const answers = { ...this.mine() };
+    for (const { student, exercise, answer, time } of rows) {
+      const here = answers[exercise];
+      if (foldedName(student) !== this.student() || here?.result === "right" || here?.answer === answer) continue;
+      const newer = !here?.answer || time > (here.time ?? "");
+      answers[exercise] = { ...here, answer, time, result: "", says: "", unjudged: newer || here };
+    }
+    this.keep(answers);
     this.renew();
   }
 }

@@ -13,8 +13,9 @@ from workshop.course import course
 from workshop.figures.compiling import Code, javascript
 from workshop.figures.figure import figures
 from workshop.practice import page as practice
-from workshop.practice.bank import topics
+from workshop.practice.bank import mistakes, topics
 from workshop.script import runtime
+from workshop.site.stills import still
 from workshop.symbols.page import symbols_told
 
 FIGURE = re.compile(r'<figure class="rk-figure" id="([^"]+)"')
@@ -54,6 +55,9 @@ def write_assets(app: Sphinx, env: Any) -> None:
         write_static(app, f"workshop/{name}.js", runtime.script(name))
     for topic in topics():
         write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
+    for mistake in mistakes().values():
+        if mistake.picture:
+            write_static(app, f"practice/{mistake.name}.svg", still(mistake.picture))
 
 
 def write_static(app: Sphinx, name: str, text: str) -> None:

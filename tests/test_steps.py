@@ -120,6 +120,17 @@ def test_a_wish_that_can_be_had(visit):  # noqa: F811
 
 
 @in_browser
+def test_the_place_at_the_side_is_reached_by_keys(visit):  # noqa: F811
+    """A quarter turn on the spot and 20 cm on; how far the parts are played does not matter."""
+    figure = FIGURES["side"]
+    with visit(figure) as live:
+        live.press(figure.controls[0], *["ArrowRight"] * 12)  # from 30° by 5° each
+        assert reached(live) == [False]
+        live.press(figure.controls[1], *["ArrowRight"] * 10)  # from 10 cm by 1 cm each
+        assert reached(live) == [True]
+
+
+@in_browser
 def test_a_goal_is_not_reached_by_passing_over_it(visit):  # noqa: F811
     """Over the wish that can be had, on to one that cannot; with the handle and with the slider."""
     figure = FIGURES["sideways"]

@@ -80,6 +80,14 @@ def sideways_readouts(ahead, left):
     return np.column_stack([ahead, left])
 
 
+def side_readouts(aim, reach, done):
+    """off."""
+    turned = driven(0 * aim, aim, 1.0)
+    there = motion.arc_step(turned, reach, 0 * aim, 1.0)
+    end = motion.arc_step(there, 0 * aim, -aim, 1.0)
+    return off_and_turned(end, np.array([-0.2, 0.0, UP]))[:, :1]
+
+
 def damage_readouts(rate, heading, t):
     """apart."""
     places = driven(0.075, 0.5 + 0 * rate, t), driven(0.075, rate, t, heading)
@@ -105,6 +113,7 @@ READOUTS = {
     "digits": digits_readouts,
     "steps": steps_readouts,
     "sideways": sideways_readouts,
+    "side": side_readouts,
     "damage": damage_readouts,
     "wheel-speeds": drive_readouts,
 }
@@ -120,6 +129,7 @@ SPECIALS = {
     "digits": [{"power": 8.0}],
     "steps": [{"n": 6}, {"n": 12}],
     "sideways": [{"wish_y": 0.0}, {"wish_x": 0.0}],
+    "side": [{"aim": UP, "reach": 0.2, "done": 3.0}, {"done": 0.5}, {"done": 1.5}, {"done": 2.5}],
     "damage": [{"t": 0.0}, {"mistake": "fourth", "t": 2.0}],
     "wheel-speeds": [*DRIVES, {**STRAIGHT, "t": 12.0}],
     "summary": [],

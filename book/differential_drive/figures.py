@@ -9,6 +9,7 @@ from sympy import (
     Integer,
     Matrix,
     Max,
+    Min,
     Ne,
     Or,
     Piecewise,
@@ -93,6 +94,9 @@ believed_rate = quantity("believed_rate", "rad/s", -2, 2, "angular velocity as a
 believed_heading = quantity("believed_heading", "rad", -99, 99, "heading as a mistake makes it")
 wish_x = quantity("wish_x", "m/s", -0.2, 0.2, "wished speed along the robot's own x axis")
 wish_y = quantity("wish_y", "m/s", -0.2, 0.2, "wished speed to the robot's left")
+aim = quantity("aim", "rad", -3.2, 3.2, "first turn on the spot; the last one is as much back")
+reach = quantity("reach", "m", 0, 0.25, "how far straight on, between the two turns")
+done = quantity("done", "", 0, 3, "how many of the three parts are done")
 s = Symbol("s")
 
 
@@ -105,13 +109,13 @@ def beside(pose: Any, forward: Any, left: Any) -> tuple[Any, Any]:
     return pose[0] + ahead[0], pose[1] + ahead[1]
 
 
-def robot(pose: Any, kind: Any = "body", time: Any = 0) -> tuple[Any, ...]:
-    """Body and wheels; time: how long the wheels have rolled."""
+def robot(pose: Any, kind: Any = "body", time: Any = 0, rolled: Any = ()) -> tuple[Any, ...]:
+    """Body and wheels; time: how long the wheels have rolled, or how far each of them."""
     sides = ((v_L, 1), (v_R, -1))
     size = {"length": 2 * RADIUS, "width": 0.014}
     wheels = [
-        Wheel(speed, beside(pose, 0, side * DISTANCE / 2), pose[2], **size, roll=speed * time)
-        for speed, side in sides
+        Wheel(speed, beside(pose, 0, side * DISTANCE / 2), pose[2], **size, roll=roll)
+        for (speed, side), roll in zip(sides, rolled or (v_L * time, v_R * time), strict=True)
     ]
     return Body((pose[0], pose[1]), pose[2], 0.065, kind), *wheels
 
@@ -621,6 +625,54 @@ def sideways_figure() -> Figure:
     )
 
 
+SIDE = (-0.2, 0, pi / 2)  # 20 cm to the left of the start, and no turn
+
+
+def side_figure() -> Figure:
+    """The place at its side: turn, drive straight on, turn back; two seconds for each."""
+    first, straight, last = (Max(0, Min(1, done - k)) for k in range(3))
+    heading = pi / 2 + aim
+    end = (reach * cos(heading), reach * sin(heading), pi / 2)
+    now = (straight * end[0], straight * end[1], pi / 2 + aim * (first - last))
+    spin = aim * DISTANCE / 2  # by which the right wheel rolls in the first part
+    return Figure(
+        name="side",
+        title="The robot, and a place at its side to which it drives in three parts",
+        view=(-0.36, 0.22, -0.16, 0.26),
+        controls=(
+            Slider(
+                aim,
+                radians(-180),
+                radians(180),
+                start=radians(30),
+                step=radians(5),
+                label="turn on the spot; at last back",
+            ),
+            Slider(reach, 0.0, 0.25, start=0.1, step=0.01, label="between: straight on"),
+            Clock(done, 0.0, 3.0, start=0.0, step=0.02, label="parts done", rate=0.5),
+        ),
+        where=tuple(
+            (speed, Piecewise((turn, done < 1), (reach, done < 2), (-turn, True)) / 2)
+            for speed, turn in ((v_L, -spin), (v_R, spin))
+        ),
+        scene=(
+            Body((SIDE[0], SIDE[1]), SIDE[2], 0.065, kind="target"),
+            Label("target", (SIDE[0], SIDE[1] - 0.085), "park here"),
+            Line("icr", ((-0.4, 0), (0.3, 0))),
+            *robot(START, "ghost"),
+            Line("path", (ORIGIN, (end[0], end[1]))),
+            Body((end[0], end[1]), end[2], 0.065, kind="ghost"),
+            *robot(
+                now, rolled=[reach * straight + turn * (first - last) for turn in (-spin, spin)]
+            ),
+            *arrows(now, middle=False),
+        ),
+        readouts=(Readout("off", "at the end: off the mark", apart(end, SIDE), "m"),),
+        goal=Goal(parked(end, SIDE), "Find the way to the place at its side: within 2 cm."),
+        size="step",
+    )
+
+
 BACK = {x: 0, y: 0, theta: pi / 2, **TWIST, omega: -TWIST[omega], dt: 5}  # to the other side
 BAY = tuple(motion.arc_step.at(BACK).evalf(17))
 
@@ -748,6 +800,7 @@ FIGURES = (
     almost_figure(),
     steps_figure(),
     sideways_figure(),
+    side_figure(),
     drive_figure(),
     damage_figure(),
     recap_figure(),

@@ -183,4 +183,19 @@ PREDICTIONS = (
         "number.",
         hides=("every point is at rest", "`nan`"),
     ),
+    Prediction(
+        "at-its-side",
+        "A place lies 20 cm to the left of the robot. No wheel rolls that way. Can the robot get "
+        "there, with the same heading at the end?",
+        Buttons(
+            ("no, never", "only nearly", "yes, exactly"),
+            right="yes, exactly",
+            assumes={
+                "no, never": "It cannot have that velocity. But it can have others, one by one.",
+                "only nearly": "So it is with a single arc. Several of them add up.",
+            },
+        ),
+        opens="It can, only not straight.",
+        hides=("only not straight", "reaches are not"),
+    ),
 )

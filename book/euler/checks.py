@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from book.euler import formulas
-from book.euler.formulas import TURNS, first, middle, third, turn
+from book.euler.formulas import RATES, TURNS, first, middle, third, turn
 from robokin import euler
 from workshop.equations import Array, Check
 
@@ -43,6 +43,31 @@ def along_axis(angles: ArrayLike) -> Array:
 def angle_of_turn(angles: ArrayLike) -> Array:
     """The angle of the rotation that three turns make."""
     return euler.axis_angle(euler.to_matrix("XYZ", angles))[1]
+
+
+def cosine_of_turn(angles: ArrayLike) -> Array:
+    """Twice the cosine of the angle of the rotation that three turns make."""
+    cosine: Array = 2 * np.cos(angle_of_turn(angles))
+    return cosine
+
+
+def angular_velocity(angles: Array, rates: Array) -> Array:
+    """The matrix of the three turns, differentiated by four of its neighbours, and turned back."""
+    h = 1e-3  # s
+
+    def change(time: float) -> Array:
+        ahead, before = (euler.to_matrix("XYZ", angles + t * rates) for t in (time, -time))
+        return ahead - before
+
+    R_dot = (8 * change(h) - change(2 * h)) / (12 * h)
+    spin = R_dot @ np.swapaxes(euler.to_matrix("XYZ", angles), -1, -2)
+    return np.stack([spin[..., 2, 1], spin[..., 0, 2], spin[..., 1, 0]], axis=-1)
+
+
+def volume_of_axes(angles: Array) -> Array:
+    """The determinant of the axes of the turns, each as the turns before it have left it."""
+    on_the_way = euler.steps("XYZ", angles)
+    return np.linalg.det(np.stack([on_the_way[..., k, :, k] for k in range(3)], axis=-1))
 
 
 def about(along: Array, up: Array, turn: Array) -> Array:
@@ -83,6 +108,22 @@ CHECKS = (
             specials=(STILL, EXERCISE, *LOCK),
         )
         for seq, matrix in {"XYZ": formulas.xyz, "ZYX": formulas.zyx}.items()
+    ),
+    Check(
+        formulas.rates,
+        function=angular_velocity,
+        arguments=(TURNS, RATES),
+        tolerance=2e-11,
+        reason="a fifth derivative, up to 243, times 1e-12/30; and rounding, over 1e-3",
+        specials=(STILL, EXERCISE, *LOCK),
+    ),
+    Check(
+        formulas.determinant,
+        function=volume_of_axes,
+        arguments=(TURNS,),
+        tolerance=2e-15,
+        reason="products of three entries up to 1, and their sum, each rounded",
+        specials=(STILL, EXERCISE, *LOCK),
     ),
     Check(
         formulas.angles_at_once,
@@ -134,6 +175,14 @@ CHECKS = (
         arguments=(TURNS,),
         tolerance=5e-15,
         reason="a few roundings of entries, an angle up to 3.1, and twice its sine",
+        specials=(STILL, EXERCISE, *LOCK),
+    ),
+    Check(
+        formulas.turn_cosine,
+        function=cosine_of_turn,
+        arguments=(TURNS,),
+        tolerance=1e-14,
+        reason="as euler.turn_angle, and twice its cosine",
         specials=(STILL, EXERCISE, *LOCK),
     ),
     Check(

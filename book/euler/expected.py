@@ -90,14 +90,14 @@ def both_readouts(middle, made, azimuth, elevation):
 
 
 def rings_readouts(middle, against, azimuth, elevation):
-    """Volume of the three axes, whole turn."""
+    """Determinant of the three axes, whole turn."""
     zero = 0 * against
     outer = np.stack([zero + 1, zero, zero], axis=-1)
     mid = euler.to_matrix("X", against[:, None])[..., 1]
     inner = euler.to_matrix("XY", np.stack([against, middle], axis=-1))[..., 2]
-    volume = np.abs(np.linalg.det(np.stack([outer, mid, inner], axis=-1)))
+    determinant = np.linalg.det(np.stack([outer, mid, inner], axis=-1))
     whole = euler.axis_angle(euler.to_matrix("XYZ", np.stack([against, middle, -against], -1)))[1]
-    return np.column_stack([volume, whole])
+    return np.column_stack([determinant, whole])
 
 
 def one_turn_readouts(at_once, part, azimuth, elevation):

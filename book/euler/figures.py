@@ -14,7 +14,7 @@ from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.motion.formulas import angle
-from workshop.equations.core import Where, quantity
+from workshop.equations.core import Where, put_in, quantity
 from workshop.figures import (
     VIEW,
     Bracket,
@@ -355,7 +355,8 @@ def rings_figure() -> Figure:
     one, steps_one = named("a", euler.turned_about(X, against))
     two, steps_two = named("b", one * euler.turned_about(Y, middle))
     three, steps_three = named("c", two * euler.turned_about(Z, -against))
-    free = Matrix.hstack(Piecewise((1, cos(middle) > 0), (-1, True)) * X, one[:, 1], two[:, 2])
+    J = put_in(put_in(euler.axes, dict(euler.steps)), {first: against})
+    J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     floor = -1.46
     beside = VIEW.beside(2.75)
     return in_space(
@@ -388,16 +389,16 @@ def rings_figure() -> Figure:
                 three,
             ),
             VIEW.solid(AEROPLANE, three),
-            VIEW.solid((solids.ball("velocity"),), 0.6 * free, beside),
-            Label("velocity", (2.75, -1), "free turns"),
+            VIEW.solid((solids.ball("velocity"),), 0.6 * J, beside),
+            Label(euler.omega, (2.75, -1)),
         ),
         readouts=(
-            Readout("room", "freedom |cos β|: 1 best, 0 locked", Abs(cos(middle)), ""),
+            Readout(euler.det_J, "det J: ±1 best, 0 locked", euler.determinant.right),
             Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad", digits=1),
         ),
         says=(
-            "Middle ring {middle}, outer ring on and inner ring back by {against}. The freedom is "
-            "{room}; the aeroplane is turned by {whole} in all."
+            "Middle ring {middle}, outer ring on and inner ring back by {against}. det J is "
+            "{det_J}; the aeroplane is turned by {whole} in all."
         ),
         where=(*steps_one, *steps_two, *steps_three),
     )

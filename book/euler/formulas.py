@@ -6,7 +6,7 @@ is written in them is checked where three angles, or two for the vector, make th
 
 from typing import Any
 
-from sympy import Add, Matrix, Symbol, atan2, cos, sin, sqrt
+from sympy import Add, MatMul, Matrix, Symbol, atan2, cos, sin, sqrt
 from sympy import pi as half_turn
 
 from workshop.equations.core import Equation, as_written, quantity, sign
@@ -17,7 +17,15 @@ third = quantity("third", "rad", -3.14, 3.14, "third turn of a sequence", r"\gam
 turn = quantity("turn", "rad", -3.14, 3.14, "a turn about one axis", latex=r"\vartheta")
 
 TURNS = (first, middle, third)
-LOOKS = {turn: "icr"}
+RATES = rate_first, rate_middle, rate_third = tuple(
+    quantity(f"rate_{which}", "rad/s", -1, 1, f"rate of the {which} turn", rf"\dot\{name}")
+    for which, name in {"first": "alpha", "middle": "beta", "third": "gamma"}.items()
+)
+omega = sign("omega", "angular velocity: an arrow along the axis", r"\omega", "rad/s")
+J = sign("J", "Jacobian: its columns are the axes of the turns")
+det_J = sign("det_J", "determinant of the Jacobian", r"\det J")
+
+LOOKS = {turn: "icr", omega: "velocity"}
 
 ENTRY = "entry of the rotation matrix: row, column"
 r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
@@ -116,6 +124,30 @@ with as_written():
         where=steps,
     )
 
+    axes = Matrix([[1, 0, s_b], [0, c_a, -s_a * c_b], [0, s_a, c_a * c_b]])  # of XYZ
+
+    rates = Equation(
+        name="euler.rates",
+        left=omega,
+        right=Matrix(
+            [
+                rate_first + s_b * rate_third,
+                c_a * rate_middle - s_a * c_b * rate_third,
+                s_a * rate_middle + c_a * c_b * rate_third,
+            ]
+        ),
+        textbook=MatMul(axes, Matrix(RATES)),
+        source="exercise 2",
+        where=steps,
+    )
+
+    determinant = Equation(
+        name="euler.determinant",
+        left=det_J,
+        right=cb,
+        source="exercise 2",
+    )
+
     angles_at_once = Equation(
         name="euler.angles_at_once",
         left=Matrix(TURNS),
@@ -181,12 +213,22 @@ with as_written():
         where=MADE,
     )
 
+    diagonal = Add(r[0, 0], r[1, 1], r[2, 2], -1)
+
+    turn_cosine = Equation(
+        name="euler.turn_cosine",
+        left=2 * cos(turn),
+        right=diagonal,
+        source="exercise 2",
+        where=MADE,
+    )
+
     turn_angle = Equation(
         name="euler.turn_angle",
         left=turn,
         right=atan2(
             sqrt(Add(*(difference**2 for difference in turn_vector.right))),
-            Add(r[0, 0], r[1, 1], r[2, 2], -1),
+            diagonal,
         ),
         source="exercise 2",
         where=MADE,

@@ -110,6 +110,23 @@ PREDICTIONS = (
         hides=("lie on one line",),
     ),
     Prediction(
+        "near-lock",
+        "The middle ring stands at 89°, one degree from lock. The aeroplane shall turn at 1° a "
+        "second about the direction that is almost lost. How fast must the inner ring turn?",
+        Buttons(
+            ("1° a second", "2° a second", "57° a second"),
+            right="57° a second",
+            assumes={
+                "1° a second": "So it is at $\\beta$ = 0°: there its axis is that direction.",
+                "2° a second": "So it is at $\\beta$ = 60°: there half of its rate counts.",
+            },
+        ),
+        opens="The axis of the inner ring lies almost along that of the outer one. Only the part "
+        "$\\cos\\beta$ of its rate counts, so the ring must race, and the outer ring takes back "
+        "nearly all of it. So does the wrist of a robot near lock. For 1 rad/s about $z_A$:",
+        hides=("must race",),
+    ),
+    Prediction(
         "which-axis",
         "About which axis does one single turn take the die from {A} to {B}?",
         Buttons(

@@ -10,13 +10,14 @@ pytest.register_assert_rewrite("browser")
 from browser import watched_page  # noqa: E402
 from declared import course  # noqa: E402
 
-from workshop.practice.wording import UNBROKEN, unbroken  # noqa: E402
 from workshop.script import engine as script  # noqa: E402
+from workshop.unbroken import UNBROKEN, unbroken  # noqa: E402
 
-# texts of the page, but not what is code or made by a script
+# texts of the page, goals among them, but not what else is code or made by a script
 TEXTS = """
 () => [...document.querySelectorAll(".bd-article :is(p, li, td)")]
-  .filter((each) => !each.closest(".rk-exercise, .rk-mistake, .rk-figure, .rk-prediction"))
+  .filter((each) => each.matches(".rk-goal")
+    || !each.closest(".rk-exercise, .rk-mistake, .rk-figure, .rk-prediction"))
   .flatMap((each) => [...each.childNodes].filter((n) => n.nodeType === 3).map((n) => n.data))
 """
 TORN = """

@@ -19,8 +19,9 @@ from workshop.course import course
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Mistake, dealing, judging, notebook, page
 from workshop.practice.bank import exercises, mistakes
-from workshop.practice.wording import paragraphs, symbols, unbroken
+from workshop.practice.wording import paragraphs, symbols
 from workshop.script import engine as script
+from workshop.unbroken import unbroken
 
 each_exercise = each("exercise", "exercises", Exercise)
 each_mistake = each("mistake", "exercises", Mistake)

@@ -14,6 +14,7 @@ from workshop.figures import declaration as d
 from workshop.figures.javascript import function
 from workshop.figures.solids import Solid
 from workshop.figures.turning import Bracket, Turns
+from workshop.unbroken import unbroken
 
 DEGREE = math.pi / 180
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
@@ -177,7 +178,7 @@ class Compiler:
     def goal(self, goal: d.Goal) -> dict[str, Any]:
         """A goal: its number is 1 when it is reached, else 0."""
         reached = sp.Piecewise((1, goal.condition), (0, True))
-        return {"words": goal.words, "at": self.numbers(reached)[0]}
+        return {"words": unbroken(goal.words), "at": self.numbers(reached)[0]}
 
     def recurrence(self, loop: d.Recurrence) -> dict[str, Any]:
         """A loop: functions for its start, its step and how often."""

@@ -4,7 +4,7 @@ In a notebook: `practice.exercise("differential-drive-1")`. For teachers, on the
 `python -m book --help`, with the course's package for `book`.
 """
 
-from workshop.practice import page, wording
+from workshop.practice import page
 from workshop.practice.bank import (
     Ask,
     Exercise,
@@ -24,6 +24,7 @@ from workshop.practice.solutions import Line, Solution, Step
 from workshop.practice.wording import number_text
 from workshop.practice.wrong import Wrong
 from workshop.script.runtime import Part, register
+from workshop.unbroken import UNBROKEN
 
 READING, KEEPING = "problems reading calculating asked dealing judging", "storage passed"
 SCRIPTS = f"{READING} {KEEPING} box saving page notebook"
@@ -34,7 +35,7 @@ register(
         scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
         styles=("practice.css",),
         called_by="rk-exercise",
-        constants=lambda: {**page.constants(), "UNBROKEN": wording.UNBROKEN},
+        constants=lambda: {**page.constants(), "UNBROKEN": UNBROKEN},
     )
 )
 register(

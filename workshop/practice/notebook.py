@@ -20,8 +20,9 @@ from workshop.practice.bank import (
     exercises,
     mistakes,
 )
-from workshop.practice.wording import highlighted, symbols, unbroken
+from workshop.practice.wording import highlighted, symbols
 from workshop.script.widget import Widget, widget
+from workshop.unbroken import unbroken
 
 WIDTH = 42  # of a line of code, for phones
 MOST = 100  # numbers in an answer

@@ -8,12 +8,7 @@ from typing import Any
 
 import numpy as np
 
-# The blanks at which no line ends, for Python and for the script: before a unit that a number or
-# "in" precedes, and beside the = of a short formula.
-UNIT = r"(?:(?:[cmk]?m|m?s|rad|kg|[kMG]B|N|Hz|bits|ticks|turns)(?![A-Za-z_])|[°%])"
-SHORT = r"\S{1,9}(?:\s|$)"
-BEHIND = rf"(?:(?<=[0-9])|(?<=\bin)) (?={UNIT})"
-UNBROKEN = rf"{BEHIND}|(?<=\S) (?== {SHORT})|(?<=\S =) (?={SHORT})"
+from workshop.unbroken import unbroken
 
 
 def number_text(value: Any, spec: str) -> str:
@@ -42,11 +37,6 @@ def symbols(text: str) -> str:
 def highlighted(text: str) -> str:
     """A text as HTML, with what stands in « » marked."""
     return symbols(text).replace("«", "<mark>").replace("»", "</mark>")
-
-
-def unbroken(text: str) -> str:
-    """A text in which no line ends before a unit, or beside the = of a short formula."""
-    return re.sub(UNBROKEN, "\u00a0", text)
 
 
 def paragraphs(text: str) -> str:

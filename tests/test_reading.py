@@ -14,7 +14,7 @@ from hypothesis import given, settings
 
 import book  # noqa: F401  (opens the course)
 from tests.support import ROOT
-from workshop import practice  # noqa: F401  (brings the reader)
+from workshop import practice
 from workshop.script import engine, runtime
 
 GROUPS = json.loads((ROOT / "tests" / "answers.json").read_text(encoding="utf-8"))
@@ -118,7 +118,13 @@ def test_messages_are_sentences_with_an_example():
         assert message.count("{about}") == (code != "empty"), code
         assert re.search(r"\d", message), code
         assert message.endswith("."), code
-        assert "{1, 2} $&" in message.format(about="{1, 2} $&") or code == "empty"
+        shown = message.format(about="{1, 2} $&", point="", whole="")
+        assert "{1, 2} $&" in shown or code == "empty"
+
+
+def test_both_readings_of_a_comma_are_said():
+    said = practice.exercise("differential-drive-1", "Ada").check("2,191 rad/s").says
+    assert said.startswith("The number “2,191” can be 2.191 or 2191. Type the one")
 
 
 def test_nothing_typed_is_run():

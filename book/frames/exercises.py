@@ -41,10 +41,10 @@ M10 = Mistake(
 )
 M11 = Mistake(
     "M11",
-    says="when a product is inverted factor by factor and the order stays as it was",
+    says="when T_db T_bc is inverted as T_db⁻¹ T_bc⁻¹, in the same order",
     line="T_ce = np.linalg.inv(T_db) @ np.linalg.inv(T_bc) @ T_de",
-    why="You put on socks, then shoes; off come the shoes first. The inverse of a product is the "
-    "product of the inverses in the opposite order.",
+    why="Undo the last step first: who puts on socks, then shoes, takes off the shoes first. So "
+    "the inverse of T_db T_bc is T_bc⁻¹ T_db⁻¹, in the opposite order.",
     unnoticed="Where both poses are pure shifts, or both are turns about the same point.",
 )
 M30 = Mistake(

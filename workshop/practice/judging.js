@@ -119,11 +119,15 @@ const shownValue = (value) => Array.isArray(value)
   ? `[${value.map(shownValue).join(", ")}]`
   : trueMinus(String(Number(value.toPrecision(6))));
 
+// What is wrong with an answer that cannot be read.
+const problemSays = (problem, about) =>
+  said(PROBLEMS[problem], { about, point: about.replace(",", "."), whole: about.replace(",", "") });
+
 // The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing.
 const checkAnswer = (exercise, listed, text) => {
   const unread = (says) => ({ result: "unread", name: "", says });
   const { value, problem, about } = readAsked(text, exercise.asks);
-  if (problem) return unread(said(PROBLEMS[problem], { about }));
+  if (problem) return unread(problemSays(problem, about));
   const rows = rowsOf(exercise, value, listed[0][1].length);
   const unit = exercise.asks.length === 1 ? exercise.asks[0].unit : "";
   const read = `Read as ${shownValue(value)}${unit && ` ${unit}`}.`;
@@ -135,4 +139,4 @@ const checkAnswer = (exercise, listed, text) => {
 const checkAnswers = (exercise, variants, answers) =>
   answers.map(([variant, text]) => checkAnswer(exercise, variants[variant], text));
 
-Object.assign(part, { SAYS, checkAnswer, checkAnswers });
+Object.assign(part, { SAYS, problemSays, checkAnswer, checkAnswers });

@@ -18,6 +18,9 @@ const PROBLEMS = {
   comma:
     "The comma in “{about}” can be read in two ways. Write decimals with a point, for example"
     + " 0.5, and put a space after a comma that separates, for example 1, 2.",
+  decimal:
+    "The number “{about}” can be {point} or {whole}. Type the one that you mean, without the comma."
+    + " In a list, put a comma and a space between numbers, for example 1, 200.",
   slash:
     "The number “{about}” can be a decimal number or a fraction. Write decimals with a point, for"
     + " example 1.3, and a fraction with our digits, for example 1/3.",

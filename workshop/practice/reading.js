@@ -159,7 +159,8 @@ const commas = (level, opener, point) => {
   const decimal = areDecimal(level, places, opener, point);
   for (const i of places) {
     if (doubtful(level[i - 1], level[i + 1], !opener || decimal)) {
-      refuse("thousands", piece(level.slice(i - 1, i + 2)));
+      const point = level[i - 1].text.includes(".") || level[i + 1].text.includes(".");
+      refuse(point || places.includes(i + 2) ? "thousands" : "decimal", piece(level.slice(i - 1, i + 2)));
     }
   }
   return decimal ? joined(level, places) : level;

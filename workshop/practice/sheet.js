@@ -4,7 +4,7 @@ const sheet = document.body.dataset, key = `${sheet.course} ${sheet.version} ${s
 const entries = parsed(key);
 for (const field of document.querySelectorAll("input")) {
   field.value = entries[field.name]?.answer ?? "";
-  field.addEventListener("change", () => {
+  field.addEventListener("input", () => {
     entries[field.name] = { answer: field.value, time: now() };
     memory.set(key, JSON.stringify(entries));
   });

@@ -3,9 +3,12 @@
 const memory = { // a browser may refuse to keep anything: then the page alone remembers
   data: {},
   kept: true, // whether all that was to be kept is
-  get: (key) => { try { return localStorage.getItem(key) ?? memory.data[key]; } catch { return memory.data[key]; } },
+  get: (key) => { try { return localStorage.getItem(key) ?? memory.here(key); } catch { return memory.here(key); } },
+  // a page from disk may find nothing after it is loaded again: so this tab remembers, too
+  here: (key) => history.state?.[key] ?? memory.data[key],
   set: (key, value) => { // whether the browser keeps it
     memory.data[key] = value;
+    try { history.replaceState({ ...history.state, [key]: value }, ""); } catch { /* too often */ }
     try { localStorage.setItem(key, value); } catch { memory.kept = false; }
     return memory.kept;
   },

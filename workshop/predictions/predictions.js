@@ -99,7 +99,7 @@ class Prediction {
     const text = units[0] === "°" ? typed.replace(/(°|deg\w*)\s*$/i, "") : typed;
     const { value, problem, about } = workshop.practice.readAsked(text, [{ unit: units[0] }]);
     if (!problem && typeof value === "number") return this.take([value]);
-    this.say(problem ? workshop.practice.PROBLEMS[problem].replace("{about}", about) : "Type one number.");
+    this.say(problem ? workshop.practice.problemSays(problem, about) : "Type one number.");
   }
 
   take(guess) {

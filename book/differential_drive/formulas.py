@@ -25,6 +25,7 @@ LOOKS = {
     R: "icr",
     theta: "heading",
     theta_m: "middle_heading",
+    u: "middle_heading",
     x_dot: "x_axis",
     y_dot: "y_axis",
     b: "length",

@@ -9,7 +9,7 @@ import html
 import re
 from pathlib import Path
 
-from fontTools.subset import Options, Subsetter
+from fontTools.subset import Subsetter
 from fontTools.ttLib import TTFont
 
 FACE = re.compile(r"@font-face\{[^}]*(?=\})")
@@ -34,10 +34,9 @@ def ranges(signs):
 
 
 def write_small(file, signs):
-    """The font beside it that has these signs only, and no hints for screens of few pixels."""
+    """The font beside it that has these signs only."""
     font = TTFont(file, recalcTimestamp=False)  # the same bytes each time
-    options = Options(hinting=False)
-    subsetter = Subsetter(options)
+    subsetter = Subsetter()
     subsetter.populate(unicodes=signs)
     subsetter.subset(font)
     font.flavor = "woff2"

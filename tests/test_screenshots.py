@@ -4,8 +4,17 @@ import pytest
 
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.screenshots]
+pytest.register_assert_rewrite("browser")
 
 from browser import ROOT, listed, watched_page  # noqa: E402
+
+# all is drawn, as it is where the page is read; no figure waits
+ALL = "* { content-visibility: visible !important; }"
+COME = """() => {
+  const figure = document.querySelector("figure.rk-figure:not(.rk-live):not(details *)");
+  figure?.scrollIntoView();
+  return !figure;
+}"""
 
 FOLDER = ROOT / "_build" / "screenshots"
 
@@ -18,6 +27,9 @@ def test_screenshots_of_a_page(name, width, server, chromium):
     for scheme in ("light", "dark"):
         with watched_page(chromium, server, width, scheme) as (page, _):
             page.goto(f"{server}{name}.html", wait_until="networkidle")
+            page.add_style_tag(content=ALL)
+            page.wait_for_function(COME)
+            page.evaluate("() => scrollTo(0, 0)")
             page.evaluate("() => document.fonts.ready")
             file = f"{name.replace('/', '-')}-{width}-{scheme}.png"
             page.screenshot(path=FOLDER / file, full_page=True)

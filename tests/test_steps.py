@@ -28,6 +28,12 @@ REBORN = ("differential_drive", "euler")
 
 # --- Sizes ----------------------------------------------------------------------------------
 
+TORN = """(figure) => [...figure.querySelectorAll("dd")].filter((told) => {
+  const text = new Range();
+  text.selectNodeContents(told);
+  return /^\\S+ \\S+$/.test(told.textContent)
+    && new Set([...text.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
+}).map((told) => told.textContent)"""
 BOX = "(e) => { const {width, height} = e.getBoundingClientRect(); return [width, height]; }"
 
 
@@ -50,6 +56,7 @@ def test_figures_have_their_size(chapter, width, most, visit):  # noqa: F811
         height = live.root.evaluate(BOX)[1]
         print(f"{live.figure.name} at {width}: {height:.0f} px")
         assert height <= most.get(live.figure.size, np.inf), live.figure.name
+        assert live.root.evaluate(TORN) == []  # a number and its unit are on one line
 
 
 # --- Goals ----------------------------------------------------------------------------------

@@ -211,7 +211,9 @@ def test_what_was_not_checked_is_saved_too(page, tmp_path):
     assert page.inner_text(".rk-progress").startswith("1 of ")
 
 
-def test_the_desk_names_the_course(page):
+def test_the_desk_names_the_course_before_all_chapters(page):
+    order = ".rk-desk, article section h2"
+    assert page.locator(order).first.get_attribute("class") == "rk-desk"
     assert "Course: robokin." in page.inner_text(".rk-desk")
 
 
@@ -266,6 +268,7 @@ def test_a_ladder_from_where_to_look_to_the_answer(page):
     page.reload(wait_until="networkidle")
     assert "radius times angular velocity" in ladder(page, name)
     assert answer(page, name, right.replace("rad/s", "")) == judging.RIGHT
+    assert "circles around the left one" not in ladder(page, name)  # it is no mistake any more
     assert box(page, name).locator(".rk-passed").inner_text() == "passed with help: 1 of 2 steps"
     assert help.inner_text() == "Show the answer"
     help.click()

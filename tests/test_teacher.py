@@ -396,6 +396,27 @@ def test_one_bad_file_does_not_stop_the_others(keyed, capsys):
         assert graded["Ada", "differential-drive-2"] == "1, 2"  # the line after the open quotation
 
 
+@pytest.mark.parametrize(
+    "left", [".DS_Store", "~$answers-Ada.csv", "__MACOSX/._answers-Ada.csv", "Thumbs.db"]
+)
+def test_what_a_system_leaves_in_a_folder_is_passed_over(keyed, capsys, left):
+    """An unpacked archive, a file that is open in a spreadsheet: they hide no real problem."""
+    (keyed / "answers" / left).parent.mkdir(parents=True)
+    (keyed / "answers" / "answers-Ada.csv").write_text(saved("Ada", {ONE: "7"}))
+    (keyed / "answers" / left).write_bytes(b"\0\5\x16\7\xff")
+    assert run("grade", "answers", "--key", "key.csv") == 0
+    assert not capsys.readouterr().err
+
+
+def test_a_class_without_a_mistake_is_told_so(folder):
+    (folder / "roster.csv").write_text("student\nAda\n")
+    assert run("key", "roster.csv", "--only", ONE) == 0
+    right = table("key.csv")[0]["answer"].split(" ")[0]
+    (folder / "answers.csv").write_text(saved("Ada", {ONE: right}))
+    assert run("grade", "answers.csv", "--key", "key.csv") == 0
+    assert "No answer was wrong." in (folder / "grades.html").read_text()
+
+
 def test_a_key_of_an_older_bank_is_regraded_on_its_own_numbers(folder, capsys):
     """A corrected exercise: the students keep their numbers, the answers are the new ones."""
     numbers = json.dumps({"b": 0.123, "v_L": 0.1, "v_R": 0.2})

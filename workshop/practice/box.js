@@ -169,7 +169,8 @@ class Box {
       const tries = (kept.tries ?? 0) + 1, right = found.result === "right";
       const time = unjudged ? kept.time : now(); // from a file: when it was given
       if (!passed) this.keep({ ...kept, answer: input.value, ...found, variant: number, tries, time });
-      if (right) this.pass(); else this.climb(passed ? { ...found, tries } : this.entry());
+      if (right) this.pass();
+      this.climb(passed ? { ...kept, ...found, tries } : this.entry());
     });
   }
 

@@ -47,13 +47,14 @@ th {{ font-weight: normal; }} thead th {{ font-size: .85em; vertical-align: bott
 .bar {{ display: flex; width: 14rem; height: 1rem; margin-top: .25rem; }}
 {colours}
 .signs {{ font: 1rem/1.5 monospace; letter-spacing: .05em; white-space: nowrap; }}
-.line th, th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width: 6rem; }}
+.line th {{ min-width: 10rem; max-width: 20rem; overflow-wrap: anywhere; }}
+th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width: 6rem; }}
 .words {{ min-width: 16rem; }} .exercise {{ min-width: 13rem; }}
 @media print {{ :root {{ color-scheme: light; }} body {{ font-size: 8pt; margin: 0; }}
   i {{ print-color-adjust: exact; -webkit-print-color-adjust: exact; }}
   tr {{ break-inside: avoid; }} thead {{ display: table-header-group; }}
   .signs {{ font-size: 7pt; letter-spacing: 0; }} .bar {{ width: 7rem; height: .7rem; }}
-  .topic {{ max-width: 3rem; font-size: 6pt; }} .line th {{ white-space: normal; }}
+  .topic {{ max-width: 3rem; font-size: 6pt; }} .line th {{ min-width: 0; }}
   div {{ overflow: visible; }} h2 {{ break-after: avoid; }} }}
 </style></head><body>
 <h1>{course}: the class</h1>
@@ -99,13 +100,19 @@ def page(course: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
         exercises="\n".join(
             _exercise(name, asked[name]) for names in topics.values() for name in names
         ),
-        frequent=f"The most frequent {MOST} of {len(counts):,}; as a share of those who answered."
-        if len(counts) > MOST
-        else "As a share of those who answered.",
+        frequent=_frequent(len(counts)),
         mistakes="\n".join(map(_mistake, counts[:MOST])),
         topics="".join(f'<th class="topic">{escape(opened().title(topic))}' for topic in topics),
         lines="\n".join(_student(name, found, topics.values()) for name, found in students.items()),
     )
+
+
+def _frequent(count: int) -> str:
+    """What stands above the mistakes."""
+    if not count:
+        return "No answer was wrong."
+    some = f"The most frequent {MOST} of {count:,}; as" if count > MOST else "As"
+    return f"{some} a share of those who answered."
 
 
 def _bar(parts: Iterable[tuple[str, float]]) -> str:

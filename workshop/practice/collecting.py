@@ -4,6 +4,7 @@ A table says what it is in its column `kind`; older ones and those of a teacher'
 their columns. Of several answers the newest counts, by the time that stands with it.
 """
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -27,6 +28,7 @@ KINDS = (  # columns that only this kind has
     (set(ANSWERS), "answers"),
     ({"student"}, "roster"),
 )
+OF_A_SYSTEM = re.compile(r"\.|~\$|__MACOSX$|(Thumbs\.db|desktop\.ini)$")  # what it leaves behind
 NEVER = datetime.min.replace(tzinfo=UTC)
 
 folded = lru_cache(10_000)(dealing.folded)
@@ -208,6 +210,8 @@ def _inside(path: Path, problems: tables.Problems) -> Iterator[Path]:
         yield path
         return
     for file in sorted(file for file in path.rglob("*") if file.is_file()):
+        if any(map(OF_A_SYSTEM.match, file.relative_to(path).parts)):
+            continue
         if file.suffix.lower() in (".csv", ".tsv", ".txt"):
             yield file
         elif file.suffix.lower() != ".part":

@@ -24,7 +24,7 @@ from sphinx.application import Sphinx
 from workshop.course import course
 from workshop.site import predictions, run
 from workshop.site.checks import FormulaChecks
-from workshop.site.directives import Errata, Library, Notation, Practice
+from workshop.site.directives import Desk, Errata, Library, Notation, Practice
 from workshop.site.files import add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs
@@ -72,6 +72,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Called by Sphinx."""
     app.add_directive("formula-checks", FormulaChecks)
     app.add_directive("notation", Notation)
+    app.add_directive("desk", Desk)
     app.add_directive("practice", Practice)
     app.add_directive("chapters", Chapters)
     app.add_directive("live", Live)

@@ -7,7 +7,7 @@ from workshop.course import course
 from workshop.equations.core import NamedSymbol
 from workshop.practice.bank import Mistake, exercises, mistakes, topics
 from workshop.practice.wording import highlighted, symbols
-from workshop.site.outputs import exercise_box
+from workshop.site.outputs import desk, exercise_box
 from workshop.site.sources import depend
 from workshop.symbols import lexicon
 
@@ -27,6 +27,14 @@ class Practice(SphinxDirective):
         if not names:
             raise self.error(f"no exercises on {topic!r}; there are {', '.join(topics())}")
         return [exercise_box(self.env, name) for name in names]
+
+
+class Desk(SphinxDirective):
+    """Where a student says a name, if that shall stand higher than the first exercise."""
+
+    def run(self) -> list[nodes.Node]:
+        """The desk."""
+        return [nodes.raw("", desk(self.env), format="html")]
 
 
 class Library(SphinxDirective):

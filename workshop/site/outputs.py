@@ -122,16 +122,25 @@ def told(find_it: Callable[[str], T], name: str) -> T:
 
 
 def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
-    """The box of an exercise; before the first on a page, the desk with the student's name."""
+    """The box of an exercise; before the first on a page, the desk."""
     depend(env, "exercises")
-    salt, solutions = env.config.course_name or course().name, env.config.course_solutions
-    html = practice.box(name, salt, solutions)
-    if not env.temp_data.get("practice_desk"):
-        env.temp_data["practice_desk"] = True
-        desk = engine.call("workshop.practice.deskHtml", salt)
-        data = f'data-course="{escape(salt, quote=True)}" data-version="{dealing.version()}"'
-        html = f'{NO_SCRIPT}<div class="rk-desk" {data}>{desk}</div>\n{html}'
-    return nodes.raw("", html, format="html")
+    html = practice.box(name, _salt(env), env.config.course_solutions)
+    return nodes.raw("", desk(env) + html, format="html")
+
+
+def desk(env: BuildEnvironment) -> str:
+    """Where a student says a name, as HTML: once a page."""
+    if env.temp_data.get("practice_desk"):
+        return ""
+    env.temp_data["practice_desk"] = True
+    inner = engine.call("workshop.practice.deskHtml", _salt(env))
+    data = f'data-course="{escape(_salt(env), quote=True)}" data-version="{dealing.version()}"'
+    return f'{NO_SCRIPT}<div class="rk-desk" {data}>{inner}</div>\n'
+
+
+def _salt(env: BuildEnvironment) -> str:
+    """The name of the course, which picks the numbers."""
+    return str(env.config.course_name or course().name)
 
 
 def _mistake(name: str) -> nodes.container:

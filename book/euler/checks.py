@@ -67,7 +67,9 @@ def angular_velocity(angles: Array, rates: Array) -> Array:
 def volume_of_axes(angles: Array) -> Array:
     """The determinant of the axes of the turns, each as the turns before it have left it."""
     on_the_way = euler.steps("XYZ", angles)
-    return np.linalg.det(np.stack([on_the_way[..., k, :, k] for k in range(3)], axis=-1))
+    axes = np.stack([on_the_way[..., k, :, k] for k in range(3)], axis=-1)
+    determinant: Array = np.linalg.det(axes)
+    return determinant
 
 
 def about(along: Array, up: Array, turn: Array) -> Array:

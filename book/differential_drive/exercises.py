@@ -45,7 +45,7 @@ M13 = Mistake(
     says="when degrees are handed to cosine and sine, which want radians",
     wrong=Wrong(planar.to_world, {planar.theta: 180 * planar.theta / pi}),
     line="velocity = [v * np.cos(theta_deg), v * np.sin(theta_deg)]",
-    why="np.cos and np.sin want radians. 90 radians are 14 turns and a bit, so the robot seems to "
+    why="np.cos and np.sin want radians. 60 radians are 9 turns and a half, so the robot seems to "
     "drive in a direction that has nothing to do with its heading.",
     unnoticed="With a heading of 0.",
     picture=Picture(
@@ -163,7 +163,7 @@ differential_drive_1 = Exercise(
         "circle whose radius is the wheel distance:\n\n{omega}",
         omega=Step(formulas.turning_rate),
     ),
-    example={"v_L": 0.05, "v_R": 0.1, "b": 0.1},
+    example={"v_L": 0.12, "v_R": 0.08, "b": 0.1},
 )
 
 differential_drive_2 = Exercise(
@@ -182,7 +182,7 @@ differential_drive_2 = Exercise(
         speed=Step(formulas.speed),
         world=Step(planar.to_world, {planar.v_y: 0}, part=(0, 1)),
     ),
-    example={"v_L": 0.05, "v_R": 0.1, "theta": np.pi / 2},
+    example={"v_L": 0.12, "v_R": 0.08, "theta": np.pi / 3},
 )
 
 differential_drive_3 = Exercise(

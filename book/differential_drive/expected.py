@@ -90,7 +90,8 @@ def side_readouts(aim, reach, done):
 
 def damage_readouts(rate, heading, t):
     """apart."""
-    places = driven(0.075, 0.5 + 0 * rate, t), driven(0.075, rate, t, heading)
+    v, omega = twist_of(0.12, 0.08)
+    places = driven(v, omega + 0 * rate, t, np.pi / 3), driven(v, rate, t, heading)
     return np.hypot(*(places[0] - places[1])[:, :2].T)[:, None]
 
 
@@ -130,7 +131,7 @@ SPECIALS = {
     "steps": [{"n": 6}, {"n": 12}],
     "sideways": [{"wish_y": 0.0}, {"wish_x": 0.0}],
     "side": [{"aim": UP, "reach": 0.2, "done": 3.0}, {"done": 0.5}, {"done": 1.5}, {"done": 2.5}],
-    "damage": [{"t": 0.0}, {"mistake": "fourth", "t": 2.0}],
+    "damage": [{"t": 0.0}, {"mistake": "Down instead of up", "t": 2.0}],
     "wheel-speeds": [*DRIVES, {**STRAIGHT, "t": 12.0}],
     "summary": [],
 }

@@ -27,7 +27,14 @@ from sympy import (
 )
 
 from book.differential_drive import formulas as drive
-from book.differential_drive.exercises import M12, M13, M14, M31
+from book.differential_drive.exercises import (
+    M12,
+    M13,
+    M14,
+    M31,
+    differential_drive_1,
+    differential_drive_2,
+)
 from book.differential_drive.formulas import R, b, r, rate_L, rate_R, v_L, v_R
 from book.motion import formulas as motion
 from book.motion.formulas import (
@@ -727,28 +734,36 @@ def drive_figure() -> Figure:
 
 def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
-    right = {**SPEEDS, b: DISTANCE}
+    speeds = {side: differential_drive_1.example[str(side)] for side in (v_L, v_R)}
+    heading = float(differential_drive_2.example["theta"])
+    right = {**speeds, b: DISTANCE}
     speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
-    wrong = {m: m.formula for m in (M12, M31, M13, M14)}
-    turns = {m: float(wrong[m].at(right)) for m in (M12, M31)}
-    looks = {m: float(wrong[m].puts[theta].subs(theta, pi / 2)) for m in (M13, M14)}
-    options = {
-        nth: (turns.get(m, float(rate)), looks.get(m, radians(90)))
-        for nth, m in zip(("first", "second", "third", "fourth"), wrong, strict=True)
+    wrong = {
+        "It turns too fast": (M12.at(right), heading),
+        "It turns too slowly": (M31.at(right), heading),
+        "It goes astray": (rate, M13.formula.puts[theta].subs(theta, heading)),
+        "Down instead of up": (rate, M14.formula.puts[theta].subs(theta, heading)),
     }
+    options = {name: tuple(map(float, each)) for name, each in wrong.items()}
     true, believed = (
         motion.arc_step.at({x: 0, y: 0, theta: look, v: speed, omega: turn, dt: t})
-        for turn, look in ((rate, pi / 2), (believed_rate, believed_heading))
+        for turn, look in ((rate, heading), (believed_rate, believed_heading))
     )
     return Figure(
         name="damage",
         title="The robot, and where a program with a mistake believes it to be",
         view=(-0.3, 0.3, -0.19, 0.22),
         controls=(
-            Choice("mistake", "mistake", (believed_rate, believed_heading), options, "first"),
+            Choice(
+                "mistake",
+                "mistake",
+                (believed_rate, believed_heading),
+                options,
+                "It turns too fast",
+            ),
             Clock(t, 0.0, 2.0, start=1.5, step=0.05, loops=True, label="time"),
         ),
-        where=tuple(SPEEDS.items()),
+        where=tuple(speeds.items()),
         scene=(
             Curve("path", tuple(true.subs(t, s)[:2]), s, 0, t),
             Curve("approximation", tuple(believed.subs(t, s)[:2]), s, 0, t),

@@ -68,8 +68,8 @@ def volume_of_axes(angles: Array) -> Array:
     """The determinant of the axes of the turns, each as the turns before it have left it."""
     on_the_way = euler.steps("XYZ", angles)
     axes = np.stack([on_the_way[..., k, :, k] for k in range(3)], axis=-1)
-    volume: Array = np.linalg.det(axes)
-    return volume
+    determinant: Array = np.linalg.det(axes)
+    return determinant
 
 
 def about(along: Array, up: Array, turn: Array) -> Array:

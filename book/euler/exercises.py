@@ -309,7 +309,7 @@ euler_2 = Exercise(
         R_2=SECOND,
         R_AB=BOTH,
     ),
-    example={"first": "y", "a": np.pi / 2, "second": "z", "b": -np.pi / 2},
+    example={"first": "y", "a": np.pi / 2, "second": "z", "b": np.pi / 2},
 )
 
 euler_3 = Exercise(
@@ -476,7 +476,7 @@ euler_6 = Exercise(
             ],
         ),
     ),
-    example={"seq": "XYZ", "a": -np.pi / 2, "b": np.pi / 2},
+    example={"seq": "XYZ", "a": np.pi / 2, "b": np.pi / 2},
 )
 
 euler_7 = Exercise(

@@ -113,7 +113,8 @@ def one_turn_readouts(at_once, part, azimuth, elevation):
 def mistakes_readouts(*columns):
     """How far a wrong frame is from frame B."""
     R = np.stack(columns[:9], axis=-1).reshape(-1, 3, 3)
-    return euler.axis_angle(R_AB.T @ R)[1][:, None]
+    right = euler.to_matrix("YZ", [HALF, HALF])
+    return euler.axis_angle(right.T @ R)[1][:, None]
 
 
 READOUTS = {

@@ -487,28 +487,30 @@ def recap_figure() -> Figure:
 
 
 def mistakes_figure() -> Figure:
-    """Frame B, and where three mistakes lead instead."""
-    y_turn = {turn: half_turn / 2}
-    z_turn = {turn: -half_turn / 2}
-    left_handed = (M7.formula.at(y_turn), M7.formula.made_in(euler.turn_z).at(z_turn))
+    """Another frame B, of two quarter turns, and where three mistakes lead instead."""
+    quarter = {turn: half_turn / 2}
+    y_turn, z_turn = euler.turn_y.at(quarter), euler.turn_z.at(quarter)
     wrong = {
-        "first": euler.turn_z.at(z_turn) * euler.turn_y.at(y_turn),
-        "second": left_handed[0] * left_handed[1],
-        "third": euler.turn_y.at(y_turn),  # both angles that are zero or noise taken for zero
+        "A product of two turns": z_turn * y_turn,
+        "Matrices typed by hand": (
+            M7.formula.at(quarter) * M7.formula.made_in(euler.turn_z).at(quarter)
+        ),
+        "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
     }
+    right = (y_turn * z_turn).doit()
     R, options = Matrix(3, 3, WRONG), {n: tuple(map(int, M.doit())) for n, M in wrong.items()}
     return in_space(
         name="wrong-frames",
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
-        controls=(Choice("mistake", "mistake", WRONG, options, start="first"),),
+        controls=(Choice("mistake", "mistake", WRONG, options, start="A product of two turns"),),
         scene=(
-            *die(R_AB, LEFT, ("x_B", "y_B", "z_B")),
+            *die(right, LEFT, ("x_B", "y_B", "z_B")),
             *die(R, RIGHT, kind="error"),
         ),
-        readouts=(Readout("apart", "off by one turn of", angle_of(R_AB.T * R), "rad", digits=0),),
-        says="The frame of the {mistake} mistake is one turn of {apart} from frame B.",
+        readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),
+        says="{mistake}: the wrong frame is one turn of {apart} from frame B.",
     )
 
 

@@ -12,7 +12,7 @@ from workshop.figures.figure import find as find_figure
 from workshop.practice.bank import exercises, mistakes
 from workshop.practice.dealing import VARIANTS
 from workshop.site.checks import checked, power
-from workshop.site.outputs import told
+from workshop.site.outputs import figure_on_page
 from workshop.site.sources import depend
 
 
@@ -23,7 +23,7 @@ class Live(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         depend(self.env, "figures")
-        return [nodes.raw("", told(find_figure, self.arguments[0]).on_page(), format="html")]
+        return [figure_on_page(self.arguments[0])]
 
 
 class Chapters(SphinxDirective):

@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 
 from docutils import nodes
 from sphinx.addnodes import pending_xref
+from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
@@ -58,7 +59,7 @@ class Outputs:
             return [_again(data.content["labels"], renderer.renderer.sphinx_env.docname)]
         if data.mime_type == FIGURE:
             depend(renderer.renderer.sphinx_env, "figures")
-            return [_figure(data.content["name"])]
+            return [figure_on_page(data.content["name"])]
         if data.mime_type == practice.MIME:
             return [exercise_box(renderer.renderer.sphinx_env, data.content["name"])]
         if data.mime_type == MISTAKE:
@@ -108,9 +109,21 @@ def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> l
     return [start, node, nodes.raw("", said, format="html")]
 
 
-def _figure(name: str) -> nodes.raw:
+def figure_on_page(name: str) -> nodes.raw:
     """The still picture with its controls, and the data that brings it to life."""
-    return nodes.raw("", told(find_figure, name).on_page(), format="html")
+    return nodes.raw("", told(find_figure, name).on_page(), format="html", figure=name)
+
+
+def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
+    """A figure's name is its place on the page, which no heading may have."""
+    figures = {node["figure"] for node in doctree.findall(nodes.raw) if "figure" in node}
+    for section in doctree.findall(nodes.section):
+        for name in figures.intersection(section["ids"]):
+            raise ExtensionError(
+                f"{app.env.docname}: the figure {name!r} and the heading “{section[0].astext()}” "
+                "have the same place in the page's address: give the figure another name, or the "
+                "heading other words"
+            )
 
 
 def told(find_it: Callable[[str], T], name: str) -> T:

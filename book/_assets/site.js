@@ -3,9 +3,10 @@
   const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 
-  const mark = (box) => {
+  // All are measured before one is changed: else the page is laid out anew for each.
+  const mark = (boxes) => boxes.map((box) => [box, box.scrollWidth > box.clientWidth]).forEach(([box, wide]) => {
     const told = [];
-    if (box.scrollWidth > box.clientWidth) told.push("scrolls sideways");
+    if (wide) told.push("scrolls sideways");
     if (box.querySelector(".katex [data-symbol]")) told.push("the arrow keys name its symbols");
     if (told.length) {
       box.tabIndex = 0;
@@ -14,11 +15,12 @@
     } else {
       ["tabindex", "role", "aria-label"].forEach((name) => box.removeAttribute(name));
     }
-  };
+  });
 
-  const observer = new ResizeObserver((entries) => entries.forEach(({ target }) => mark(target)));
-  document.querySelectorAll(BOXES).forEach((box) => observer.observe(box));
-  document.fonts?.ready.then(() => document.querySelectorAll(BOXES).forEach(mark));
+  const boxes = [...document.querySelectorAll(BOXES)];
+  const observer = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
+  boxes.forEach((box) => observer.observe(box));
+  document.fonts?.ready.then(() => mark(boxes));
 }
 
 // The menus of a phone: a button closes them, so does a choice in them, and focus goes back.

@@ -36,8 +36,8 @@ M12 = Mistake(
     unnoticed="On a straight line, where the angular velocity is zero either way.",
     picture=Picture(
         "damage",
-        "first",
-        "The robot on its arc to the left. Its program believes it on an arc of half the radius.",
+        "It turns too fast",
+        "The robot on its arc to the right. Its program believes it on an arc of half the radius.",
     ),
 )
 M13 = Mistake(
@@ -50,8 +50,8 @@ M13 = Mistake(
     unnoticed="With a heading of 0.",
     picture=Picture(
         "damage",
-        "third",
-        "The robot on its arc to the left. Its program believes that it set off 27° more to the "
+        "It goes astray",
+        "The robot on its arc to the right. Its program believes that it set off 138° more to the "
         "left.",
     ),
 )
@@ -65,8 +65,8 @@ M14 = Mistake(
     unnoticed="With a heading of 0 or 180°, where both matrices are the same. Test with 90°.",
     picture=Picture(
         "damage",
-        "fourth",
-        "The robot drives up. Its program believes that it drives down.",
+        "Down instead of up",
+        "The robot drives up to the right. Its program believes that it drives down to the right.",
     ),
 )
 M31 = Mistake(
@@ -79,8 +79,8 @@ M31 = Mistake(
     unnoticed="On a straight line.",
     picture=Picture(
         "damage",
-        "second",
-        "The robot on its arc to the left. Its program believes it on an arc of twice the radius.",
+        "It turns too slowly",
+        "The robot on its arc to the right. Its program believes it on an arc of twice the radius.",
     ),
 )
 

@@ -59,8 +59,8 @@ M6 = Mistake(
     "is zero.",
     picture=Picture(
         "wrong-frames",
-        "first",
-        "A die turned as frame B, and a red one: each axis points where another should.",
+        "A product of two turns",
+        "A die turned as frame B, and a red one: none of its axes points where it should.",
     ),
 )
 M7 = Mistake(
@@ -75,7 +75,7 @@ M7 = Mistake(
     unnoticed="Where every turn is a half turn: its sine is zero.",
     picture=Picture(
         "wrong-frames",
-        "second",
+        "Matrices typed by hand",
         "A die turned as frame B, and a red one: its x and z axes point backwards.",
     ),
 )
@@ -97,7 +97,7 @@ M8 = Mistake(
     unnoticed="Where the turn that remains is zero.",
     picture=Picture(
         "wrong-frames",
-        "third",
+        "Angles read back",
         "A die turned as frame B, and a red one that lacks a quarter turn about its z axis.",
     ),
 )

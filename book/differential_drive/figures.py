@@ -752,7 +752,7 @@ def damage_figure() -> Figure:
     return Figure(
         name="damage",
         title="The robot, and where a program with a mistake believes it to be",
-        view=(-0.3, 0.3, -0.19, 0.22),
+        view=(-0.3, 0.3, -0.23, 0.22),
         controls=(
             Choice(
                 "mistake",

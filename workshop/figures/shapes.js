@@ -40,10 +40,11 @@ const meets = ([a, b, c, d]) => ([p, q, r, s]) => a < r && p < c && b < s && q <
 const wide = (text) => [...text.normalize("NFC").replace(/[\u0300-\u036f]/g, "")]
   .reduce((sum, sign) => sum + (/[ .,:()'|lij⁰¹²³⁴-⁹⁻]/.test(sign) ? 5.5 : /[mwMW]|[^\0-~]/.test(sign) ? 13 : 10), 0);
 
+// An index has a thin edge of ground only, because it is painted after its letter, and over it.
 const written = ({ x, y, shape }) => `<text x="${n(x)}" y="${n(y + 5)}" text-anchor="middle"`
   + `${faceOf(shape)} style="fill:${color(shape.kind)};stroke:var(--rk-ground,#fff);`
   + `stroke-width:5px;stroke-linejoin:round;paint-order:stroke;font:italic 15px serif">`
-  + `${symbols(shape.label, '$1<tspan dy="4" font-size="75%" font-style="normal">$2</tspan>')}</text>`;
+  + `${symbols(shape.label, '$1<tspan dx="1" dy="4" font-size="75%" font-style="normal" stroke-width="2">$2</tspan>')}</text>`;
 
 // Each label takes the first place that is inside the picture and free of handles and of the labels
 // before it. → their text, and the boxes that are taken.

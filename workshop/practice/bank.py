@@ -192,7 +192,7 @@ class Exercise:
     no documented mistake, as words that end "This is what you get …"; where it gives what a
     mistake gives, both are said. accept: "one" answer, "any" of the rows of `right`, or "all" its
     rows in any order. when: numbers that may be dealt.
-    example: the numbers of the source document, in SI, where the chapter shows the mistakes.
+    example: numbers in SI that are the same for all, where the chapter shows the mistakes.
     """
 
     name: str

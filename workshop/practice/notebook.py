@@ -148,7 +148,7 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
 
 
 class ExampleView:
-    """The question of an exercise in the numbers of its source, as its mistakes are shown with."""
+    """The question of an exercise in the numbers that its mistakes are shown with."""
 
     def __init__(self, exercise: Exercise) -> None:
         self.exercise = exercise
@@ -162,7 +162,7 @@ class ExampleView:
         return {name: known[name] for name in known if name in used}
 
     def __repr__(self) -> str:
-        return f"{self.exercise.title} ({self.exercise.name}, in the numbers of its source)"
+        return f"{self.exercise.title} ({self.exercise.name}, in the numbers of its example)"
 
     def _repr_markdown_(self) -> str:
         e = self.exercise
@@ -208,7 +208,7 @@ def code_text(value: Any) -> str:
 
 
 def example(name: str) -> ExampleView:
-    """An exercise in the numbers of its source document, before its mistakes."""
+    """An exercise in the numbers of its example, before its mistakes."""
     exercise = dealing.find(name)
     if not exercise.example:
         raise CourseError(f"{name} has no example")
@@ -242,7 +242,7 @@ class MistakeView:
 
     @property
     def gives(self) -> str:
-        """The wrong value in the numbers of the source document."""
+        """The wrong value in the numbers of the example."""
         e = self.exercise
         return e.answer_text(e.example, e.wrong[self.mistake])
 

@@ -12,6 +12,7 @@ from test_figures import (
     page_of,  # noqa: F401
     turned,  # noqa: F401
     typical_figure,
+    typical_moved,
     visit,  # noqa: F401
 )
 
@@ -223,7 +224,7 @@ def test_the_icr_outside_is_told_at_the_edge(visit):  # noqa: F811
 
 
 @in_browser
-@typical_figure
+@typical_moved
 def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):  # noqa: F811
     with visit(figure, width=390) as live:
         last = live.root.locator(".rk-controls :is(input, select, button):not(details *)").last

@@ -40,6 +40,29 @@ def test_every_page_asks_for_one_sheet_and_its_scripts_wait(site):
         assert len(waiting) == text.count("<script") - 1, name  # light or dark is known at once
 
 
+HEIGHTS = "(all) => all.map((each) => Math.round(each.getBoundingClientRect().height))"
+NOW = """(all) => Promise.all(all.map((each) => {
+  each.loading = "eager";
+  return each.decode();
+}))"""
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("width", [1280, 390])
+def test_a_picture_that_comes_late_has_its_place(server, chromium, width):
+    """Else the page jumps under a reader who scrolls."""
+    with watched_page(chromium, server, width) as (page, _):
+        page.route("**/*.png", lambda route: None)  # none comes
+        page.goto(f"{server}odometry/odometry.html", wait_until="domcontentloaded")
+        page.wait_for_function("() => document.styleSheets.length")
+        without = page.locator(".bd-article img").evaluate_all(HEIGHTS)
+        page.unroute("**/*.png")
+        page.reload(wait_until="networkidle")
+        page.locator(".bd-article img").evaluate_all(NOW)
+        assert without == page.locator(".bd-article img").evaluate_all(HEIGHTS)
+        assert min(without) > 100
+
+
 def all_sheets(static):
     """Links to all sheets as they were."""
     names = [p for pattern in (*light.THEME, *light.OWN) for p in sorted(static.glob(pattern))]

@@ -25,6 +25,7 @@ SHEET = "all.css"
 LINKS = re.compile(r'(\s*<link [^>]*href="([^"]*)_static/[^"]*\.css[^>]*>)+')
 WAITS_NOT = re.compile(r'<script (?=src="[^"]*_static/(?!start-))')
 NOW = re.compile("<img (?!loading=)")
+SIZED = re.compile(r'<img (?=[^>]*style="width: (\d+)px; height: (\d+)px;")(?![^>]* width=)')
 ADDRESS = re.compile(r"url\((?![\"']?(?:data:|[./]*/|#))([\"']?)")
 GROUPS = ("media", "supports", "layer", "container")
 
@@ -102,6 +103,7 @@ def make_light(app, error):
     (static / SHEET).write_text(css, "utf-8")
     version = hashlib.sha256(css.encode()).hexdigest()[:8]
     for file, text in pages.items():
+        text = SIZED.sub(r'<img width="\1" height="\2" ', text)  # its place is kept until it comes
         text = NOW.sub('<img loading="lazy" ', text)
         link = rf'\n  <link rel="stylesheet" href="\g<2>_static/{SHEET}?v={version}" />'
         file.write_text(WAITS_NOT.sub("<script defer ", one_link(text, link)), "utf-8")

@@ -124,7 +124,7 @@ class Compiler:
             "start": _tidy(control.start / scale),
             "step": step,
             "digits": max(0, -math.floor(math.log10(step) + 1e-9)),
-            "rate": control.rate,
+            "rate": _tidy(control.rate / scale),
             "loops": isinstance(control, d.Clock) and control.loops,
             "whole": isinstance(control.step, int),
         }

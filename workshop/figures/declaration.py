@@ -52,7 +52,7 @@ class Slider:
 
 @dataclass(frozen=True)
 class Clock(Slider):
-    """A slider that also plays: it runs from low to high at `rate` seconds in a second.
+    """A slider that also plays: it runs from low to high, `rate` of its SI unit in a second.
 
     loops: it plays by itself while the picture is in sight, again and again, for readers who like
     motion; a hand on it stops it.

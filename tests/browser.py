@@ -140,6 +140,9 @@ def chromium():
         yield browser
 
 
+# a script for a page whose browser keeps nothing more
+FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
+
 # --- what a page does -----------------------------------------------------------------------
 
 

@@ -61,6 +61,7 @@ MINUS = "\u2212"
 
 
 each_figure = each("figure", "figures", Figure)
+HOMES = course().homes("figures", Figure)  # figure → its chapter
 
 # What the script does for any figure alike is tried on three that differ (a clock; in space with a
 # choice; loops), and on all of them in the long run.
@@ -104,14 +105,13 @@ WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider
 
 def test_every_figure_has_its_expected_readouts():
     assert FIGURES
-    homes = course().homes("figures", Figure)
     telling = {name for name, figure in FIGURES.items() if figure.readouts}
     for table, named, all_of in (
         (READOUTS, "READOUTS", telling),
         (SPECIALS, "SPECIALS", FIGURES.keys()),
     ):
         missing = [n for n in all_of if n not in table]
-        places = [f"{n}: to {named} in book/{homes[n]}/expected.py" for n in missing]
+        places = [f"{n}: to {named} in book/{HOMES[n]}/expected.py" for n in missing]
         assert not missing, f"add {places}"
         assert table.keys() <= FIGURES.keys()
 
@@ -689,7 +689,7 @@ def test_every_kind_stands_out(kind):
 def kind_of(figure, shape):
     """The name of a shape's look."""
     symbolic = isinstance(shape.kind, sp.Symbol)
-    home = course().homes("figures", Figure)[figure.name]
+    home = HOMES[figure.name]
     return look(shape.kind, home) if symbolic else shape.kind
 
 
@@ -862,10 +862,8 @@ def visit(chromium, server, page_of):
 
 
 CHAPTERS = {  # the figures of each
-    chapter: [
-        FIGURES[name] for name, home in course().homes("figures", Figure).items() if home == chapter
-    ]
-    for chapter in sorted(set(course().homes("figures", Figure).values()))
+    chapter: [FIGURES[name] for name, home in HOMES.items() if home == chapter]
+    for chapter in sorted(set(HOMES.values()))
 }
 each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
 

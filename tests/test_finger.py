@@ -7,10 +7,9 @@ import time
 
 import pytest
 from declared import FIGURES
-from test_figures import SHOW, OnPage
+from test_figures import CHAPTERS, SHOW, OnPage
 
-from workshop.course import course
-from workshop.figures import Choice, Figure
+from workshop.figures import Choice
 from workshop.figures.turning import Turns
 
 pytest_plugins = ["browser"]
@@ -19,7 +18,6 @@ pytest.register_assert_rewrite("browser")
 
 from browser import watched_page  # noqa: E402
 
-HOMES = course().homes("figures", Figure)
 # the two with most kinds of figures, and the first page; all of them in the long run
 TYPICAL = ("index", "differential_drive/differential_drive", "euler/euler")
 FAR = 120  # pixels that a finger goes
@@ -141,7 +139,7 @@ def touch_handles(finger, live):
     "name",
     [
         pytest.param(name, marks=[pytest.mark.long] * (name not in TYPICAL))
-        for name in ("index", *sorted({f"{chapter}/{chapter}" for chapter in HOMES.values()}))
+        for name in ("index", *(f"{chapter}/{chapter}" for chapter in CHAPTERS))
     ],
 )
 def test_a_finger_scrolls_or_moves_but_never_both(name, site, server, chromium):

@@ -23,7 +23,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser")
 
-from browser import watched_page  # noqa: E402
+from browser import FULL, watched_page  # noqa: E402
 from test_practice import DEAL, dealt_in_python, names, typed  # noqa: E402
 
 FIRST = "differential-drive-1"
@@ -378,9 +378,6 @@ def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
     kept = page.evaluate(KEPT)
     assert kept["euler-1"] == here["euler-1"]
     assert kept["bicycle-1"]["time"].startswith("2999")
-
-
-FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 
 
 def test_a_full_browser_is_told_of(chromium, server):

@@ -6,11 +6,10 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser", "test_ninth_chapter")
 
-from browser import serving, watched_page  # noqa: E402
+from browser import FULL, serving, watched_page  # noqa: E402
 from test_ninth_chapter import site, tree  # noqa: E402, F401 (fixtures)
 
 FIGURE = "document.getElementById('beacon-guess').workshop"
-FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 
 
 @pytest.fixture(scope="module")

@@ -44,6 +44,13 @@ async ([scheme, width]) => {
 # colours that still change from light to dark are nobody's fault
 AT_REST = "() => !document.getAnimations().some((each) => each instanceof CSSTransition)"
 OVERFLOW = "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"
+# as it is where the page is read
+ALL = "* { content-visibility: visible !important; }"
+FONTS = "() => document.body.offsetHeight && document.fonts.ready"
+REACHED = """
+() => [...document.querySelectorAll(".bd-article .math-scroll")]
+  .every((box) => box.tabIndex === 0 || box.scrollWidth <= box.clientWidth)
+"""
 VISIBLE_SEARCHES = """
 () => [...document.querySelectorAll("input[type=search], .search-button__button")]
   .filter((element) => element.checkVisibility()).length
@@ -70,15 +77,24 @@ def test_a_page(name, site, server, chromium):
     with watched_page(chromium, server, bypass_csp=True) as (first, watch):
         settled(first, server + name)
         assert_light(name, watch.weight(site), len(watch.kinds))
+        all_drawn(first)
         assert_root_signs_stand(first)
         assert_fits_and_is_accessible(first, name)
         later = first.context.new_page()
         later.set_viewport_size({"width": 390, "height": 844})
         watch_later = Watch(later, server)
         settled(later, server + name)
+        all_drawn(later)
         assert_fits_and_is_accessible(later, name)
     told = [what for w in (watch, watch_later) for what in w.errors + w.strangers]
     assert not told, told
+
+
+def all_drawn(page):
+    """Also what lies far from the window; what then scrolls sideways can be reached with the keys."""
+    page.add_style_tag(content=ALL)
+    page.evaluate(FONTS)
+    page.wait_for_function(REACHED)
 
 
 def assert_light(name, kinds, requests):

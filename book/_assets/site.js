@@ -17,10 +17,15 @@
     }
   });
 
-  const boxes = [...document.querySelectorAll(BOXES)];
+  // A box is measured when it is drawn: what lies far from the window is laid out when it comes near.
+  const boxes = document.querySelectorAll(BOXES);
   const observer = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
-  boxes.forEach((box) => observer.observe(box));
-  document.fonts?.ready.then(() => mark(boxes));
+  const look = () => boxes.forEach((box) => {
+    observer.unobserve(box);
+    observer.observe(box);
+  });
+  look();
+  document.fonts.addEventListener("loadingdone", look);
 }
 
 // The menus of a phone: a button closes them, so does a choice in them, and focus goes back.

@@ -19,9 +19,7 @@ GROUND = "() => getComputedStyle(document.body).backgroundColor.match(/\\d+/g).m
 NEAR = 45  # of 255: the hue is the live figures', some are a little lighter or darker than there
 
 
-def test_a_picture_takes_the_ground_of_a_dark_page_and_the_colours_of_its_figures(
-    server, chromium
-):
+def test_a_picture_takes_the_ground_of_a_dark_page_and_the_colours_of_its_figures(server, chromium):
     with watched_page(chromium, server, scheme="dark") as (page, _):
         page.goto(f"{server}wheels/wheels.html")
         page.wait_for_function("() => document.documentElement.dataset.theme === 'dark'")

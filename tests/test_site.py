@@ -91,7 +91,7 @@ def test_a_page(name, site, server, chromium):
 
 
 def all_drawn(page):
-    """Also what lies far from the window; what then scrolls sideways can be reached with the keys."""
+    """Also what lies far from the window; what then scrolls sideways is reached with the keys."""
     page.add_style_tag(content=ALL)
     page.evaluate(FONTS)
     page.wait_for_function(REACHED)

@@ -1,5 +1,5 @@
 """What a page waits for before it shows, made little: one style sheet without the rules of the
-theme that no page uses, and scripts that wait for the page.
+theme that no page uses, and scripts that wait for the page; what all pages need is one script.
 """
 
 import hashlib
@@ -22,8 +22,23 @@ THEME = (
 OWN = ("workshop.css", "site.css")  # whose classes are put together in scripts: kept whole
 SHEET = "all.css"
 
+# in the order in which pages ask for them
+SCRIPTS = (
+    "documentation_options.js",
+    "doctools.js",
+    "clipboard.min.js",
+    "copybutton.js",
+    "scripts/sphinx-book-theme.js",
+    "site.js",
+    "search.js",
+    "scripts/bootstrap.js",
+    "scripts/pydata-sphinx-theme.js",
+)
+UNUSED = "sphinx_highlight.js"  # the search is our own
+SCRIPT = "all.js"
+
 LINKS = re.compile(r'(\s*<link [^>]*href="([^"]*)_static/[^"]*\.css[^>]*>)+')
-WAITS_NOT = re.compile(r'<script (?=src="[^"]*_static/(?!start-))')
+TAGS = re.compile(r'\s*<script [^>]*?(src="([^"]*)_static/(?!start-)([^"?]+)[^"]*")></script>')
 NOW = re.compile("<img (?!loading=)")
 SIZED = re.compile(r'<img (?=[^>]*style="width: (\d+)px; height: (\d+)px;")(?![^>]* width=)')
 ADDRESS = re.compile(r"url\((?![\"']?(?:data:|[./]*/|#))([\"']?)")
@@ -99,14 +114,25 @@ def make_light(app, error):
     pages = {file: file.read_text("utf-8") for file in files}
     scripts = [*static.glob("*.js"), *static.glob("scripts/*.js"), *static.glob("workshop/*.js")]
     texts = [file.read_text("utf-8") for file in scripts if file.name != "search-data.js"]
-    css = sheet(static, names_in(pages.values(), texts))
-    (static / SHEET).write_text(css, "utf-8")
-    version = hashlib.sha256(css.encode()).hexdigest()[:8]
+    sheet_version = version_of(static / SHEET, sheet(static, names_in(pages.values(), texts)))
+    script_version = version_of(static / SCRIPT, script(static))
+    link = rf'\n  <link rel="stylesheet" href="\g<2>_static/{SHEET}?v={sheet_version}" />'
     for file, text in pages.items():
         text = SIZED.sub(r'<img width="\1" height="\2" ', text)  # its place is kept until it comes
         text = NOW.sub('<img loading="lazy" ', text)
-        link = rf'\n  <link rel="stylesheet" href="\g<2>_static/{SHEET}?v={version}" />'
-        file.write_text(WAITS_NOT.sub("<script defer ", one_link(text, link)), "utf-8")
+        file.write_text(scripts_last(one_link(text, link), script_version), "utf-8")
+
+
+def script(static):
+    """The scripts of all pages as one. Between two stands what would end the first."""
+    files = [static / name for name in SCRIPTS]
+    return "\n;".join(file.read_text("utf-8") for file in files if file.exists())
+
+
+def version_of(file, text):
+    """A few letters that say which version of a file is written here."""
+    file.write_text(text, "utf-8")
+    return hashlib.sha256(text.encode()).hexdigest()[:8]
 
 
 def one_link(text, link):
@@ -115,6 +141,18 @@ def one_link(text, link):
     if not first:
         return text
     return text[: first.start()] + first.expand(link) + LINKS.sub("", text[first.end() :])
+
+
+def scripts_last(text, version):
+    """A page that asks for its scripts at its end, so that its text and its sheet come before them;
+    first for the one that all pages share."""
+    found = TAGS.findall(text)
+    if not found:
+        return text
+    own = [source for source, _, name in found if name not in (*SCRIPTS, UNUSED, SCRIPT)]
+    sources = [f'src="{found[0][1]}_static/{SCRIPT}?v={version}"', *own]
+    tags = "".join(f"  <script defer {source}></script>\n" for source in sources)
+    return TAGS.sub("", text).replace("</body>", f"{tags}</body>")
 
 
 def setup(app):

@@ -1,4 +1,4 @@
-"""The site's own scripts made small, when the book is built: shorter names, no blanks.
+"""The site's scripts made small, when the book is built: shorter names, no blanks.
 
 Terser runs in V8, which comes as the wheel `mini-racer`. A script that it cannot read fails the
 build.
@@ -10,8 +10,9 @@ from pathlib import Path
 from py_mini_racer import MiniRacer
 
 TERSER = Path(__file__).parents[1] / "_vendor" / "terser" / "terser.min.js"
-# the theme's are small already
-OWN = ("site.js", "search.js", "minisearch.js", "workshop/*.js", "run/*.js", "pages/*.js")
+# the theme's others are small already
+OWN = ("site.js", "search.js", "minisearch.js", "doctools.js", "copybutton.js", "workshop/*.js",
+       "run/*.js", "pages/*.js")  # fmt: skip
 BEFORE = "globalThis.sourceMap = {}; globalThis.performance = Date; globalThis.process = {env: {}};"
 
 

@@ -24,6 +24,7 @@ UNUSED = [
     "scripts/fontawesome.js.LICENSE.txt",
     "searchtools.js",  # the search is our own
     "language_data.js",
+    "sphinx_highlight.js",
 ]
 ICON_RULE = re.compile(r"(?<=[{}/])(?:\.fa-[a-z0-9-]+(?:::?before|::?after)?,?)+\{[^{}]*\}")
 FONT_FACE = re.compile(r"@font-face\{[^{}]*\}")

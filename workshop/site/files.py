@@ -38,8 +38,8 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
     app.add_css_file("workshop.css")
-    for name in runtime.called_by(body):
-        app.add_js_file(f"workshop/{name}.js", loading_method="defer")
+    if parts := runtime.called_by(body):
+        app.add_js_file(write_parts(app, parts), loading_method="defer")
     name = escape(app.config.course_name or course().name, quote=True)
     tag = f'<meta name="course" content="{name}" />'
     context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
@@ -51,13 +51,21 @@ def write_assets(app: Sphinx, env: Any) -> None:
         return
     solutions = app.config.course_solutions
     write_static(app, "workshop.css", runtime.stylesheet())
-    for name in runtime.parts():
-        write_static(app, f"workshop/{name}.js", runtime.script(name))
+    for file in Path(app.outdir).glob("_static/workshop/*.js"):  # of pages that stay as they are
+        if set(names := file.stem.split("-")) <= set(runtime.parts()):
+            write_parts(app, names)
     for topic in topics():
         write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
     for mistake in mistakes().values():
         if mistake.picture:
             write_static(app, f"practice/{mistake.name}.svg", still(mistake.picture))
+
+
+def write_parts(app: Sphinx, names: list[str]) -> str:
+    """The scripts of parts as one file, which is called after them."""
+    file = f"workshop/{'-'.join(names)}.js"
+    write_static(app, file, "".join(map(runtime.script, names)))
+    return file
 
 
 def write_static(app: Sphinx, name: str, text: str) -> None:

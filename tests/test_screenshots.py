@@ -16,13 +16,14 @@ COME = """() => {
   return !figure;
 }"""
 
+SLICE = 8000  # pixels; Chromium draws no picture higher than 16,384
 FOLDER = ROOT / "_build" / "screenshots"
 
 
 @pytest.mark.parametrize("width", [1280, 390])
 @pytest.mark.parametrize("name", [*listed(), "search", "genindex"])
 def test_screenshots_of_a_page(name, width, server, chromium):
-    """The whole page, light and dark."""
+    """The whole page, light and dark, a long one in slices."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     for scheme in ("light", "dark"):
         with watched_page(chromium, server, width, scheme) as (page, _):
@@ -31,5 +32,8 @@ def test_screenshots_of_a_page(name, width, server, chromium):
             page.wait_for_function(COME)
             page.evaluate("() => scrollTo(0, 0)")
             page.evaluate("() => document.fonts.ready")
-            file = f"{name.replace('/', '-')}-{width}-{scheme}.png"
-            page.screenshot(path=FOLDER / file, full_page=True)
+            height = page.evaluate("() => document.documentElement.scrollHeight")
+            for number, top in enumerate(range(0, height, SLICE), start=1):
+                part = {"x": 0, "y": top, "width": width, "height": min(SLICE, height - top)}
+                file = f"{name.replace('/', '-')}-{width}-{scheme}-{number}.png"
+                page.screenshot(path=FOLDER / file, full_page=True, clip=part)

@@ -49,7 +49,8 @@ ALL = "* { content-visibility: visible !important; }"
 FONTS = "() => document.body.offsetHeight && document.fonts.ready"
 REACHED = """
 () => [...document.querySelectorAll(".bd-article .math-scroll")]
-  .every((box) => box.tabIndex === 0 || !box.checkVisibility() || box.scrollWidth <= box.clientWidth)
+  .filter((box) => box.checkVisibility() && box.scrollWidth > box.clientWidth)
+  .every((box) => box.tabIndex === 0)
 """
 VISIBLE_SEARCHES = """
 () => [...document.querySelectorAll("input[type=search], .search-button__button")]

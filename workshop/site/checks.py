@@ -26,7 +26,8 @@ class FormulaChecks(SphinxDirective):
         """
         depend(self.env, "formulas", "checks")
         found = checked(Path(self.env.app.outdir).parent)
-        return self.parse_text_to_nodes("\n\n".join(found.entries), allow_section_headings=True)
+        text = "\n\n".join(["## In numbers", *found.entries])  # else the first one came last
+        return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
 @dataclass(frozen=True)

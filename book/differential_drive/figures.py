@@ -1,6 +1,5 @@
 """The live figures of the chapter on the differential drive: one robot all the way."""
 
-from math import radians
 from typing import Any
 
 from sympy import (
@@ -151,8 +150,8 @@ def pulled() -> tuple[Handle, Handle]:
 def wheels_from(left: float, right: float, most: float = 0.15) -> tuple[Slider, Slider]:
     """The two wheel speeds under the hand."""
     return (
-        Slider(v_L, -most, most, start=left, step=0.005, label="left wheel v_L"),
-        Slider(v_R, -most, most, start=right, step=0.005, label="right wheel v_R"),
+        Slider(v_L, -most, most, start=left, step=0.005),
+        Slider(v_R, -most, most, start=right, step=0.005),
     )
 
 
@@ -203,10 +202,7 @@ def park_figure() -> Figure:
         name="park",
         title="A robot seen from above, its two wheels under your hand, and a mark to park on",
         view=(-0.34, 0.2, -0.1, 0.27),
-        controls=(
-            *wheels_from(0.05, 0.05),
-            Clock(t, 0.0, TIME, start=0.0, step=0.05, loops=True, label="time"),
-        ),
+        controls=(*wheels_from(0.05, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
         where=VELOCITY,
         scene=(
             Body((MARK[0], MARK[1]), MARK[2], 0.065, kind="target"),
@@ -247,7 +243,6 @@ def exercise_figure() -> Figure:
             "a short arrow forward, its right wheel an arrow twice as long"
         ),
         view=(-0.2, 0.2, -0.12, 0.18),
-        controls=(),
         where=given,
         scene=(
             Arrow("x_axis", ORIGIN, (0.17, 0), "x"),
@@ -259,7 +254,6 @@ def exercise_figure() -> Figure:
             Length(b, left, right, aside=-0.085, label="b = 10 cm"),
             Length(r, (-0.05, 0), (-0.05, -RADIUS), aside=-0.03, label="r = 3 cm"),
         ),
-        readouts=(),
         size="step",
     )
 
@@ -288,9 +282,9 @@ def tips_figure() -> Figure:
         ),
         handles=pulled(),
         readouts=(
-            Readout(v, "speed v"),
-            Readout(omega, "angular velocity ω"),
-            Readout(R, "turning radius R", words=NO_ICR),
+            Readout(v),
+            Readout(omega),
+            Readout(R, words=NO_ICR),
         ),
         size="step",
     )  # fmt: skip
@@ -306,21 +300,8 @@ def infinity_figure() -> Figure:
         name="infinity",
         title="The robot, its ICR on the axle's line, and a circle on which infinity is a point",
         view=(-0.32, 0.32, -0.18, 0.2),
-        controls=(
-            Slider(
-                share,
-                radians(-90),
-                radians(90),
-                start=radians(40),
-                step=radians(1),
-                label="angle of the line at ∞",
-            ),
-        ),
-        where=(
-            (v_L, 0.07 * (cos(share) - turn)),
-            (v_R, 0.07 * (cos(share) + turn)),
-            *RADIUS_TOO,
-        ),
+        controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the line at ∞"),),
+        where=((v_L, 0.07 * (cos(share) - turn)), (v_R, 0.07 * (cos(share) + turn)), *RADIUS_TOO),
         scene=(
             Line("icr", ((-0.4, 0), (0.4, 0))),
             way("path", -8, 8),
@@ -341,11 +322,7 @@ def infinity_figure() -> Figure:
                 "the ICR on the map", dot, {share: atan2(-POINTER[0], -POINTER[1] - deep / 2) / 2}
             ),
         ),
-        readouts=(
-            Readout(v_L, "left wheel v_L"),
-            Readout(v_R, "right wheel v_R"),
-            Readout(R, "turning radius R", words={"inf": "none: straight"}),
-        ),
+        readouts=(Readout(v_L), Readout(v_R), Readout(R, words={"inf": "none: straight"})),
         size="step",
     )
 
@@ -361,16 +338,7 @@ def world_figure() -> Figure:
         name="world",
         title="The robot's velocity and its parts along the axes of the world",
         view=(-0.14, 0.15, -0.11, 0.12),
-        controls=(
-            Slider(
-                theta,
-                radians(-180),
-                radians(180),
-                start=radians(40),
-                step=radians(1),
-                label="heading θ",
-            ),
-        ),
+        controls=(Slider.degrees(theta, start=40),),
         where=(*SPEEDS.items(), *TWIST.items(), (v_y, 0), *solved(motion.to_world)),
         scene=(
             Line("ghost", ((-0.3, 0), (0.3, 0))),
@@ -412,13 +380,13 @@ def rates_figure() -> Figure:
         title="A robot from above and, beside it, its two wheels from the side as they roll",
         view=(-0.1, 0.38, -0.15, 0.18),
         controls=(
-            Slider(v, 0.0, 0.1, start=0.05, step=0.005, label="speed v"),
-            Slider(omega, -1.0, 1.0, start=0.0, step=0.05, label="angular velocity ω"),
-            Clock(t, 0.0, 1.5, start=0.0, step=0.05, loops=True, label="time"),
+            Slider(v, 0.0, 0.1, start=0.05, step=0.005),
+            Slider(omega, -1.0, 1.0, start=0.0, step=0.05),
+            Clock(t, 0.0, 1.5, loops=True, label="time"),
         ),
         where=((b, DISTANCE), (r, RADIUS), *solved(drive.wheel_speeds, drive.wheel_rates)),
         scene=(*robot(START, time=t), *arrows(START), *rows),
-        readouts=(Readout(rate_L, "left rate φ̇_L"), Readout(rate_R, "right rate φ̇_R")),
+        readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,
         size="step",
     )
@@ -434,7 +402,7 @@ def guess_figure() -> Figure:
         controls=(
             Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="x"),
             Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="y"),
-            Clock(t, 0.0, 2.0, start=0.0, step=0.05, label="time"),
+            Clock(t, 0.0, 2.0, label="time"),
         ),
         where=(*SPEEDS.items(), *VELOCITY),
         scene=(
@@ -447,7 +415,6 @@ def guess_figure() -> Figure:
         handles=(
             Handle("your guess", (guess_x, guess_y), {guess_x: POINTER[0], guess_y: POINTER[1]}),
         ),
-        readouts=(),
         size="step",
     )
 
@@ -463,8 +430,8 @@ def arc_figure() -> Figure:
         title="A step along an arc: the chord from the old place to the new, the middle heading",
         view=(-0.3, 0.2, -0.09, 0.3),
         controls=(
-            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05, label="angular velocity ω"),
-            Slider(dt, 0.5, 3.0, start=2.0, step=0.1, label="time Δt"),
+            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05),
+            Slider(dt, 0.5, 3.0, start=2.0, step=0.1),
         ),
         where=(
             (v, TWIST[v]), (x, 0), (y, 0), (theta, pi / 2), *still.items(),
@@ -530,7 +497,7 @@ def almost_figure() -> Figure:
             Handle("the dot in the graph", dot, {power: -log(graph.x_of(POINTER)) / log(10)}),
         ),
         readouts=(
-            Readout(omega, "angular velocity ω", digits=-2),
+            Readout(omega, digits=-2),
             Readout("error", "error, textbook's form", apart(LOST, exact), "m", digits=-2),
         ),
         grid=False,
@@ -548,10 +515,7 @@ def steps_figure() -> Figure:
     straight = put_in(motion.euler_step.right, {**TWIST, dt: step})
     shapes, readouts, dots = [], [], []
     half = TWIST[omega] * s / 2  # of the turn in a step s
-    for kind, early, words in (
-        ("approximation", 0, "old"),
-        ("middle_heading", 1, "middle"),
-    ):
+    for kind, early, words in (("approximation", 0, "old"), ("middle_heading", 1, "middle")):
         state, end = (
             symbols(f"x_{early} y_{early} theta_{early}"),
             symbols(f"X_{early} Y_{early} T_{early}"),
@@ -647,16 +611,9 @@ def side_figure() -> Figure:
         title="The robot, and a place at its side to which it drives in three parts",
         view=(-0.36, 0.22, -0.16, 0.26),
         controls=(
-            Slider(
-                aim,
-                radians(-180),
-                radians(180),
-                start=radians(30),
-                step=radians(5),
-                label="turn on the spot; at last back",
-            ),
+            Slider.degrees(aim, start=30, step=5, label="turn on the spot; at last back"),
             Slider(reach, 0.0, 0.25, start=0.1, step=0.01, label="between: straight on"),
-            Clock(done, 0.0, 3.0, start=0.0, step=0.02, label="parts done", rate=0.5),
+            Clock(done, 0.0, 3.0, step=0.02, label="parts done", rate=0.5),
         ),
         where=tuple(
             (speed, Piecewise((turn, done < 1), (reach, done < 2), (-turn, True)) / 2)
@@ -694,7 +651,7 @@ def drive_figure() -> Figure:
         view=(-0.42, 0.38, -0.2, 0.28),
         controls=(
             *wheels_from(SPEEDS[v_L], SPEEDS[v_R], most=0.12),
-            Clock(t, 0.0, 12.0, start=2.0, step=0.05, label="time"),
+            Clock(t, 0.0, 12.0, start=2.0, label="time"),
         ),
         where=RADIUS_TOO,
         scene=(
@@ -710,12 +667,12 @@ def drive_figure() -> Figure:
         ),
         handles=pulled(),
         readouts=(
-            Readout(v, "speed v"),
-            Readout(omega, "angular velocity ω"),
-            Readout(R, "turning radius R", words=NO_ICR),
+            Readout(v),
+            Readout(omega),
+            Readout(R, words=NO_ICR),
             Readout("x", "x at this time", now[0], "m"),
             Readout("y", "y at this time", now[1], "m"),
-            Readout("heading", "heading at this time", now[2], "rad", digits=1),
+            Readout("heading", "heading at this time", now[2], "rad"),
         ),
         goal=(
             Goal(And(Abs(v_L) < 0.0005, Abs(v_R) > 0.01), "Turn about the left wheel."),
@@ -761,7 +718,7 @@ def damage_figure() -> Figure:
                 options,
                 "It turns too fast",
             ),
-            Clock(t, 0.0, 2.0, start=1.5, step=0.05, loops=True, label="time"),
+            Clock(t, 0.0, 2.0, start=1.5, loops=True, label="time"),
         ),
         where=tuple(speeds.items()),
         scene=(
@@ -784,7 +741,6 @@ def recap_figure() -> Figure:
         name="summary",
         title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
         view=(-0.26, 0.2, -0.09, 0.22),
-        controls=(),
         where=(*SPEEDS.items(), *RADIUS_TOO),
         scene=(
             Line("icr", ((-R, 0), (0.1, 0))),
@@ -798,7 +754,6 @@ def recap_figure() -> Figure:
             Length(R, ORIGIN, (-R, 0), aside=0.07),
             Point("icr", (-R, 0), label="ICR"),
         ),
-        readouts=(),
         size="step",
     )
 

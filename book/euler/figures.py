@@ -62,16 +62,8 @@ at_once = Symbol("at_once", real=True)  # 1 for one turn about one axis, 0 for t
 def in_space(**parts: Any) -> Figure:
     """A figure without a grid whose view is turned by dragging it."""
     start = parts.pop("seen_from", (pi / 6, pi / 9))
-    controls = (*parts.pop("controls"), *view_sliders(*start))
+    controls = (*parts.pop("controls", ()), *view_sliders(*start))
     return Figure(controls=controls, turns=VIEW.angles, grid=False, **parts)
-
-
-def angle_sliders(labels: Sequence[str], starts: Sequence[float], kinds: Any) -> tuple[Slider, ...]:
-    """The angles of a sequence under the hand."""
-    return tuple(
-        Slider(symbol, -pi, pi, start=start, step=pi / 36, label=label, kind=kind)
-        for symbol, start, label, kind in zip(TURNS, starts, labels, kinds, strict=False)
-    )
 
 
 def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
@@ -203,12 +195,10 @@ def exercise_figure() -> Figure:
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
-        controls=(),
         scene=(
             *die(UNTURNED, LEFT, ("x_A", "y_A", "z_A")),
             *die(R_AB, RIGHT, ("x_B", "y_B", "z_B")),
         ),
-        readouts=(),
         says="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
     )
 
@@ -224,14 +214,9 @@ def columns_figure() -> Figure:
         size="step",
         controls=(
             Choice("axis", "turn about", tuple(about), options, start="z"),
-            Slider(turn, -pi, pi, start=pi / 3, step=pi / 36),
+            Slider.degrees(turn, start=60, step=5),
         ),
-        scene=(
-            *room(),
-            *die(R),
-            Bracket(R, (2.2, 0.1), digits=2),
-        ),
-        readouts=(),
+        scene=(*room(), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
         says="A turn of {turn} about the {axis} axis.",
         where=entries(euler.turned_about(about, turn)),
     )
@@ -251,13 +236,9 @@ def order_figure() -> Figure:
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
-        controls=(
-            Clock(made, 0.0, 2.0, start=0.0, step=0.05, label="quarter turns made", rate=0.5),
-        ),
+        controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
-        readouts=(
-            Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
-        ),
+        readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
         says="{made} turns made of each; the dice are one turn of {apart} apart.",
         where=(*steps_left, *steps_right),
     )
@@ -271,11 +252,12 @@ def target_figure() -> Figure:
         title="A die turned about y, then about its new z axis; the ghost is frame B",
         view=(-2.5, 2.6, -1.6, 1.5),
         size="step",
-        controls=angle_sliders(
-            ("α, about y", "β, about the new z"), (0.0, 0.0), ("y_axis", "z_axis")
+        controls=(
+            Slider.degrees(first, step=5, label="α, about y", kind="y_axis"),
+            Slider.degrees(middle, step=5, label="β, about the new z", kind="z_axis"),
         ),
         scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.beside(1.45))),
-        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad", digits=1),),
+        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
         says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
         goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
         where=entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
@@ -304,13 +286,13 @@ def both_figure() -> Figure:
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
         controls=(
-            Slider(middle, -pi, pi, start=pi / 6, step=pi / 36, kind="y_axis"),
-            Clock(made, 0.0, 3.0, start=0.0, step=0.05, label="turns made", rate=0.75),
+            Slider.degrees(middle, start=30, step=5, kind="y_axis"),
+            Clock(made, 0.0, 3.0, label="turns made", rate=0.75),
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
             Readout("other", "β′ of the right die", wrapped(middle_other), "rad", digits=0),
-            Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
+            Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),
         ),
         says=(
             "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
@@ -366,12 +348,8 @@ def rings_figure() -> Figure:
         size="step",
         seen_from=(-pi / 4, pi / 8),
         controls=(
-            Slider(
-                middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"
-            ),
-            Slider(
-                against, -pi, pi, start=0.0, step=pi / 36, label="outer ring on, inner ring back"
-            ),
+            Slider.degrees(middle, start=30, step=5, label="β, middle ring", kind="y_axis"),
+            Slider.degrees(against, step=5, label="outer ring on, inner ring back"),
         ),
         scene=(
             VIEW.floor(floor, 1.55),
@@ -394,7 +372,7 @@ def rings_figure() -> Figure:
         ),
         readouts=(
             Readout(euler.det_J, "det J: ±1 best, 0 locked", euler.determinant.right),
-            Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad", digits=1),
+            Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad"),
         ),
         says=(
             "Middle ring {middle}, outer ring on and inner ring back by {against}. det J is "
@@ -447,7 +425,7 @@ def one_turn_figure() -> Figure:
         size="step",
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
-            Clock(part, 0.0, 1.0, start=0.0, step=0.01, label="part of the way", rate=0.25),
+            Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
             *die(R, VIEW.beside(-1.3)),
@@ -463,7 +441,7 @@ def one_turn_figure() -> Figure:
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),
-            Readout("left", "still to B", angle_of(R_AB.T * R), "rad", digits=1),
+            Readout("left", "still to B", angle_of(R_AB.T * R), "rad"),
         ),
         says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
         where=entries(whole + (1 - at_once) * two),
@@ -480,7 +458,6 @@ def recap_figure() -> Figure:
         size="step",
         controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
         scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
-        readouts=(),
         says="Turned by {turn} about the slanted axis.",
         where=entries(euler.turned_about(AXIS, turn)),
     )
@@ -505,10 +482,7 @@ def mistakes_figure() -> Figure:
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
         controls=(Choice("mistake", "mistake", WRONG, options, start="A product of two turns"),),
-        scene=(
-            *die(right, LEFT, ("x_B", "y_B", "z_B")),
-            *die(R, RIGHT, kind="error"),
-        ),
+        scene=(*die(right, LEFT, ("x_B", "y_B", "z_B")), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),
         says="{mistake}: the wrong frame is one turn of {apart} from frame B.",
     )
@@ -585,8 +559,10 @@ def sequence_figure() -> Figure:
         size="laboratory",
         controls=(
             sequences(),
-            *angle_sliders(("first α", "middle β", "third γ"), (0.0, 0.0, 0.0), ("", "", "")),
-            Clock(made, 0.0, 3.0, start=3.0, step=0.05, label="turns made", rate=0.75),
+            Slider.degrees(first, step=5, label="first α"),
+            Slider.degrees(middle, step=5, label="middle β"),
+            Slider.degrees(third, step=5, label="third γ"),
+            Clock(made, 0.0, 3.0, start=3.0, label="turns made", rate=0.75),
         ),
         scene=(
             *room(LEFT),
@@ -595,12 +571,12 @@ def sequence_figure() -> Figure:
             *ghost_die(R_AB, VIEW.beside(1.45)),
         ),
         readouts=(
-            Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad", digits=1),
-            Readout("other_middle", "other answer: β′", other_middle, "rad", digits=1),
-            Readout("other_third", "other answer: γ′", wrapped(cardan[2]), "rad", digits=1),
-            Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad", digits=1),
-            Readout("whole", "the whole as one turn", angle_of(end), "rad", digits=1),
-            Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad", digits=1),
+            Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad"),
+            Readout("other_middle", "other answer: β′", other_middle, "rad"),
+            Readout("other_third", "other answer: γ′", wrapped(cardan[2]), "rad"),
+            Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad"),
+            Readout("whole", "the whole as one turn", angle_of(end), "rad"),
+            Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad"),
         ),
         says=(
             "Sequence {sequence} with the angles {first}, {middle}, {third}, {made} turns made. "

@@ -108,7 +108,7 @@ class Compiler:
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
         _refuse_wrong_slider(control)
-        face = self.face(control.symbol, control.label or None)
+        face = self.face(control.symbol, control.label)
         known = control.symbol
         scale = factor(known.unit)
         step = _tidy(control.step / scale)

@@ -1,16 +1,18 @@
 """The words a live figure is declared with.
 
 Controls give symbols their numbers; shapes, readouts and handles are SymPy expressions of these
-symbols. Numbers in a declaration are SI (radians); the reader sees degrees.
+symbols. Numbers in a declaration are SI (radians); the reader sees degrees, and
+`Slider.degrees(…)` is declared in them.
 
 A `kind` is a name of the course's looks, or a quantity: then its look comes from the chapter's
 `LOOKS`, its label is the quantity's letter unless said otherwise, and on the page it belongs to
 that quantity. A slider and a readout follow from their quantity likewise.
 """
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Self
 
 import sympy as sp
 
@@ -28,6 +30,11 @@ def solved(*equations: Equation) -> Where:
     """Named steps that compute the left sides of equations, in order, for `Figure.where`."""
     sides = [(sp.Matrix([e.left]), sp.Matrix([e.right])) for e in equations]
     return [pair for left, right in sides for pair in zip(left, right, strict=True)]
+
+
+def with_letter(symbol: NamedSymbol) -> str:
+    """A quantity's name, if it has one, and its letter: "heading θ"."""
+    return f"{symbol.called} {symbol_text(symbol)}".strip()
 
 
 # Controls: what the reader moves.
@@ -49,6 +56,24 @@ class Slider:
     kind: str = ""
     rate: float = 0.0
 
+    def __post_init__(self) -> None:
+        if not self.label and isinstance(self.symbol, NamedSymbol):
+            object.__setattr__(self, "label", with_letter(self.symbol))
+
+    @classmethod
+    def degrees(
+        cls,
+        symbol: sp.Symbol,
+        low: float = -180,
+        high: float = 180,
+        start: float = 0,
+        step: float = 1,
+        **more: Any,
+    ) -> Self:
+        """The slider of an angle, declared in degrees."""
+        low, high, start, step = map(math.radians, (low, high, start, step))
+        return cls(symbol, low, high, start, step, **more)
+
 
 @dataclass(frozen=True)
 class Clock(Slider):
@@ -58,6 +83,8 @@ class Clock(Slider):
     motion; a hand on it stops it.
     """
 
+    start: float = 0.0
+    step: float = 0.05
     rate: float = 1.0
     loops: bool = False
 
@@ -259,21 +286,24 @@ class Readout:
     """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan".
 
     A quantity as the name gives its letter and unit, and itself as the value. digits: after the
-    point; -2 means two digits and a power of ten.
+    point, 1 of an angle and 3 of all else unless said; -2 means two digits and a power of ten.
     """
 
     name: Any
     label: str = ""
     value: Expr = None
     unit: str = ""
-    digits: int = 3
+    digits: int | None = None
     words: Mapping[str, str] = field(default_factory=dict)
     symbol: NamedSymbol | None = None
 
     def __post_init__(self) -> None:
-        if isinstance(self.name, NamedSymbol):
-            symbol = self.name
+        known: dict[str, Any] = {}
+        if isinstance(symbol := self.name, NamedSymbol):
             value = symbol if self.value is None else self.value
-            told = {"label": self.label or symbol_text(symbol), "unit": symbol.unit, "value": value}
-            for key, known in {**told, "name": str(symbol), "symbol": symbol}.items():
-                object.__setattr__(self, key, known)
+            known = {"name": str(symbol), "symbol": symbol, "unit": symbol.unit, "value": value}
+            known["label"] = self.label or with_letter(symbol)
+        if self.digits is None:
+            known["digits"] = 1 if known.get("unit", self.unit) == "rad" else 3
+        for key, each in known.items():
+            object.__setattr__(self, key, each)

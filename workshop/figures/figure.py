@@ -43,9 +43,9 @@ class Figure:
     name: str
     title: str
     view: tuple[float, float, float, float]
-    controls: tuple[Control, ...]
     scene: tuple[Any, ...]
-    readouts: tuple[Readout, ...]
+    controls: tuple[Control, ...] = ()
+    readouts: tuple[Readout, ...] = ()
     says: str = ""
     handles: tuple[Handle, ...] = ()
     where: Where = ()

@@ -412,9 +412,7 @@ def guess_figure() -> Figure:
             *arrows(START, middle=False),
             Point("target", (guess_x, guess_y), "your guess"),
         ),
-        handles=(
-            Handle("your guess", (guess_x, guess_y), {guess_x: POINTER[0], guess_y: POINTER[1]}),
-        ),
+        handles=(Handle("your guess", (guess_x, guess_y)),),
         size="step",
     )
 
@@ -711,13 +709,7 @@ def damage_figure() -> Figure:
         title="The robot, and where a program with a mistake believes it to be",
         view=(-0.3, 0.3, -0.23, 0.22),
         controls=(
-            Choice(
-                "mistake",
-                "mistake",
-                (believed_rate, believed_heading),
-                options,
-                "It turns too fast",
-            ),
+            Choice("mistake", "mistake", (believed_rate, believed_heading), options),
             Clock(t, 0.0, 2.0, start=1.5, loops=True, label="time"),
         ),
         where=tuple(speeds.items()),

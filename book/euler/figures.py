@@ -481,7 +481,7 @@ def mistakes_figure() -> Figure:
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
-        controls=(Choice("mistake", "mistake", WRONG, options, start="A product of two turns"),),
+        controls=(Choice("mistake", "mistake", WRONG, options),),
         scene=(*die(right, LEFT, ("x_B", "y_B", "z_B")), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),
         says="{mistake}: the wrong frame is one turn of {apart} from frame B.",

@@ -91,25 +91,35 @@ class Clock(Slider):
 
 @dataclass(frozen=True)
 class Choice:
-    """One of several named cases: each option gives every symbol its number."""
+    """One of several named cases: each option gives every symbol its number.
+
+    start: the option chosen at first; the first one, unless said otherwise.
+    """
 
     name: str
     label: str
     symbols: tuple[sp.Symbol, ...]
     options: Mapping[str, tuple[float, ...]]
-    start: str
+    start: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "start", self.start or next(iter(self.options), ""))
 
 
 @dataclass(frozen=True)
 class Handle:
     """A point to drag: where it is, and which slider gets which expression of `POINTER`.
 
-    The expression may use all that the figure knows.
+    The expression may use all that the figure knows. A place that is two sliders needs none: it
+    goes where the pointer is.
     """
 
     label: str
     at: Pair
-    sets: Mapping[sp.Symbol, Expr]
+    sets: Mapping[sp.Symbol, Expr] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "sets", self.sets or dict(zip(self.at, POINTER, strict=True)))
 
 
 # What is computed step by step.

@@ -33,7 +33,6 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
-    view_sliders,
 )
 
 UPPER, SHOULDER = 0.4, 0.1  # m: a2 and d1 of the exercise
@@ -219,7 +218,7 @@ def space_figure() -> Figure:
         name="arm-in-space",
         title="The three-joint arm in space, with its target and the axes of its joints",
         view=(-1.0, 1.0, -0.67, 0.85),
-        controls=(*target_sliders(), AWAY, *view_sliders(-2 * pi / 3, pi / 8)),
+        controls=(*target_sliders(), AWAY),
         scene=(
             *(ring(VIEW.project(shoulder), limit) for limit in (least, most)),
             *VIEW.frame(eye(3), size=0.3, labels=("x", "y", "z")),
@@ -240,8 +239,7 @@ def space_figure() -> Figure:
         readouts=joint_readouts(),
         says=SAYS,
         where=STEPS,
-        turns=VIEW.angles,
-        grid=False,
+        seen_from=(-2 * pi / 3, pi / 8),
     )
 
 

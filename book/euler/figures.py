@@ -29,7 +29,6 @@ from workshop.figures import (
     Turns,
     solids,
     solved,
-    view_sliders,
 )
 
 R_AB = Matrix([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # the exercise
@@ -57,13 +56,6 @@ inner = Matrix(symbols("i_x i_y i_z", real=True))  # of the turn on the right
 fixed = Symbol("fixed", real=True)  # 1 for extrinsic turns
 about = Matrix(symbols("about_x about_y about_z", real=True))
 at_once = Symbol("at_once", real=True)  # 1 for one turn about one axis, 0 for two
-
-
-def in_space(**parts: Any) -> Figure:
-    """A figure without a grid whose view is turned by dragging it."""
-    start = parts.pop("seen_from", (pi / 6, pi / 9))
-    controls = (*parts.pop("controls", ()), *view_sliders(*start))
-    return Figure(controls=controls, turns=VIEW.angles, grid=False, **parts)
 
 
 def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
@@ -157,7 +149,7 @@ def die_figure() -> Figure:
     now, steps_now = named("n", turns.after(last))
     own, away = turns.own, 2 * (1 - turns.part)
     done = Piecewise((0, turns.part >= 1), (nan, True))
-    return in_space(
+    return Figure(
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
         view=(-3.3, 3.3, -3.1, 1.4),
@@ -190,7 +182,7 @@ def die_figure() -> Figure:
 
 def exercise_figure() -> Figure:
     """The two frames of the exercise."""
-    return in_space(
+    return Figure(
         name="two-frames",
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.3, 2.3, -1.6, 1.5),
@@ -207,7 +199,7 @@ def columns_figure() -> Figure:
     """A turn about one of the axes, and the three columns of its matrix."""
     R = euler.r
     options = {name: tuple(map(int, axis)) for name, axis in zip("xyz", (X, Y, Z), strict=True)}
-    return in_space(
+    return Figure(
         name="columns",
         title="A die turned about one axis of the room, and the matrix of the turn",
         view=(-1.5, 3.1, -1.6, 1.5),
@@ -231,7 +223,7 @@ def order_figure() -> Figure:
     right, steps_right = named(
         "q", euler.turned_about(X, quarters[0]) * euler.turned_about(Z, quarters[1])
     )
-    return in_space(
+    return Figure(
         name="order",
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
         view=(-2.3, 2.3, -1.6, 1.5),
@@ -247,7 +239,7 @@ def order_figure() -> Figure:
 def target_figure() -> Figure:
     """The exercise: two angles to bring the die to frame B."""
     R = euler.r
-    return in_space(
+    return Figure(
         name="to-b",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
         view=(-2.5, 2.6, -1.6, 1.5),
@@ -280,7 +272,7 @@ def both_figure() -> Figure:
         dice.append(three)
         where = (*where, *steps_two, *steps_three)
     left, right = dice
-    return in_space(
+    return Figure(
         name="both-answers",
         title="Two dice turned about x, y and z by different angles",
         view=(-2.3, 2.3, -1.6, 1.5),
@@ -341,7 +333,7 @@ def rings_figure() -> Figure:
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     floor = -1.46
     beside = VIEW.beside(2.75)
-    return in_space(
+    return Figure(
         name="gimbal-rings",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
         view=(-2.3, 3.5, -2.25, 1.5),
@@ -418,7 +410,7 @@ def one_turn_figure() -> Figure:
     spoke = AXIS * 2 / 3  # of half a turn
     circles = ((cos(s), sin(s), 0), (0, cos(s), sin(s)), (sin(s), 0, cos(s)))
     here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
-    return in_space(
+    return Figure(
         name="one-turn",
         title="A die on its way to frame B, and its way in the ball of all rotations",
         view=(-2.45, 3.15, -1.7, 1.85),
@@ -451,7 +443,7 @@ def one_turn_figure() -> Figure:
 def recap_figure() -> Figure:
     """All in one: columns, axes of A, the one turn."""
     R = euler.r
-    return in_space(
+    return Figure(
         name="rotation-recap",
         title="A die on its way from frame A to frame B, its matrix, and the axis of the one turn",
         view=(-1.5, 3.1, -1.6, 1.5),
@@ -476,7 +468,7 @@ def mistakes_figure() -> Figure:
     }
     right = (y_turn * z_turn).doit()
     R, options = Matrix(3, 3, WRONG), {n: tuple(map(int, M.doit())) for n, M in wrong.items()}
-    return in_space(
+    return Figure(
         name="wrong-frames",
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.3, 2.3, -1.6, 1.5),
@@ -552,7 +544,7 @@ def sequence_figure() -> Figure:
     far = proper * cosine + (1 - proper) * sine
     cardan, euler_ = euler.other_cardan.right, euler.other_proper.right
     other_middle = proper * euler_[1] + (1 - proper) * wrapped(cardan[1])
-    return in_space(
+    return Figure(
         name="euler-sequence",
         title="A die turned about three axes, one after the other; the ghost is frame B",
         view=(-3.2, 3.2, -1.6, 1.5),

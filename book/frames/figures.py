@@ -39,7 +39,6 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
-    view_sliders,
 )
 
 LINKS = {l_1: 0.3, l_2: 0.4}  # m, as in the exercise
@@ -242,7 +241,6 @@ def above_figure() -> Figure:
             Slider(heading, -pi, pi, start=pi / 2, step=STEP, label="heading of the platform"),
             *joint_sliders(),
             Slider(low, -0.4, 0.4, start=-0.2, step=0.05, label="height of the object"),
-            *view_sliders(azimuth_start=-pi / 3, elevation_start=5 * pi / 36),
         ),
         where=(
             *(*steps_fb, *steps_fe, *steps_bf, *steps_be, *steps_bc, *steps_ce),
@@ -276,8 +274,7 @@ def above_figure() -> Figure:
             "The camera sees the object at x = {x_e}, y = {y_e}, z = {z_e}; "
             "the hand sees it at x = {x}, y = {y}, z = {z}."
         ),
-        turns=VIEW.angles,
-        grid=False,
+        seen_from=(-pi / 3, 5 * pi / 36),
     )
 
 

@@ -33,7 +33,7 @@ from workshop.figures.declaration import (
 )
 from workshop.figures.figure import Figure
 from workshop.figures.graph import Graph
-from workshop.figures.space import VIEW, View, view_sliders
+from workshop.figures.space import VIEW, View
 from workshop.figures.turning import Bracket, Turns
 from workshop.script.runtime import Part, register
 
@@ -78,5 +78,4 @@ __all__ = [
     "View",
     "Wheel",
     "solved",
-    "view_sliders",
 ]

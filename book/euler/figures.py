@@ -26,6 +26,7 @@ from workshop.figures import (
     Label,
     Readout,
     Slider,
+    Steps,
     Turns,
     solids,
     solved,
@@ -56,13 +57,6 @@ inner = Matrix(symbols("i_x i_y i_z", real=True))  # of the turn on the right
 fixed = Symbol("fixed", real=True)  # 1 for extrinsic turns
 about = Matrix(symbols("about_x about_y about_z", real=True))
 at_once = Symbol("at_once", real=True)  # 1 for one turn about one axis, 0 for two
-
-
-def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
-    """A matrix whose entries are symbols, and what they stand for."""
-    rows, cols = matrix.shape
-    entries = symbols(f"{name}:{rows}:{cols}", real=True)
-    return Matrix(rows, cols, entries), tuple(zip(entries, matrix, strict=True))
 
 
 def entries(R: Matrix) -> Where:
@@ -145,8 +139,9 @@ LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
 def die_figure() -> Figure:
     """The opening: a die, twelve buttons, a ghost."""
     turns = Turns()
-    last, steps_last = named("l", turns.last(turns.part))
-    now, steps_now = named("n", turns.after(last))
+    steps = Steps()
+    last = steps.named("l", turns.last(turns.part))
+    now = steps.named("n", turns.after(last))
     own, away = turns.own, 2 * (1 - turns.part)
     done = Piecewise((0, turns.part >= 1), (nan, True))
     return Figure(
@@ -176,7 +171,7 @@ def die_figure() -> Figure:
                 (3, "Do it again, in as few turns as you can."),
             )
         ),
-        where=(*steps_last, *steps_now),
+        where=steps,
     )
 
 
@@ -217,11 +212,12 @@ def columns_figure() -> Figure:
 def order_figure() -> Figure:
     """The same two quarter turns in two orders."""
     quarters = [share(made, k) * half_turn / 2 for k in (0, 1)]
-    left, steps_left = named(
-        "p", euler.turned_about(Z, quarters[0]) * euler.turned_about(X, quarters[1])
-    )
-    right, steps_right = named(
-        "q", euler.turned_about(X, quarters[0]) * euler.turned_about(Z, quarters[1])
+    steps = Steps()
+    left, right = (
+        steps.named(
+            name, euler.turned_about(one, quarters[0]) * euler.turned_about(two, quarters[1])
+        )
+        for name, one, two in (("p", Z, X), ("q", X, Z))
     )
     return Figure(
         name="order",
@@ -232,7 +228,7 @@ def order_figure() -> Figure:
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
         says="{made} turns made of each; the dice are one turn of {apart} apart.",
-        where=(*steps_left, *steps_right),
+        where=steps,
     )
 
 
@@ -261,16 +257,14 @@ def both_figure() -> Figure:
     answers = (TURNS, euler.OTHERS)
     middle_other = euler.OTHERS[1]
     dice: list[Matrix] = []
-    where: Where = ((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan))
+    steps = Steps(((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan)))
     for name, angles in zip("pq", answers, strict=True):
         turned = [
             euler.turned_about(axis, share(made, k) * each)
             for k, (axis, each) in enumerate(zip((X, Y, Z), angles, strict=True))
         ]
-        two, steps_two = named(f"{name}t", turned[0] * turned[1])
-        three, steps_three = named(name, two * turned[2])
-        dice.append(three)
-        where = (*where, *steps_two, *steps_three)
+        two = steps.named(f"{name}t", turned[0] * turned[1])
+        dice.append(steps.named(name, two * turned[2]))
     left, right = dice
     return Figure(
         name="both-answers",
@@ -290,7 +284,7 @@ def both_figure() -> Figure:
             "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
             "{made} turns made, they are {apart} apart."
         ),
-        where=where,
+        where=steps,
     )
 
 
@@ -326,9 +320,10 @@ def pins(kind: str, along: str, far: float, end: float) -> tuple[solids.Part, ..
 
 def rings_figure() -> Figure:
     """A stand, three rings, an aeroplane, and the turns that it can make at this moment."""
-    one, steps_one = named("a", euler.turned_about(X, against))
-    two, steps_two = named("b", one * euler.turned_about(Y, middle))
-    three, steps_three = named("c", two * euler.turned_about(Z, -against))
+    steps = Steps()
+    one = steps.named("a", euler.turned_about(X, against))
+    two = steps.named("b", one * euler.turned_about(Y, middle))
+    three = steps.named("c", two * euler.turned_about(Z, -against))
     J = put_in(put_in(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     floor = -1.46
@@ -370,7 +365,7 @@ def rings_figure() -> Figure:
             "Middle ring {middle}, outer ring on and inner ring back by {against}. det J is "
             "{det_J}; the aeroplane is turned by {whole} in all."
         ),
-        where=(*steps_one, *steps_two, *steps_three),
+        where=steps,
     )
 
 
@@ -507,36 +502,33 @@ def current(three: Sequence[Any]) -> Any:
     return Piecewise((three[0], made <= 1), (three[1], made <= 2), (three[2], True))
 
 
-def factors_of(name: str, angles: Sequence[Any]) -> tuple[list[Matrix], Where]:
+def factors_of(steps: Steps, name: str, angles: Sequence[Any]) -> list[Matrix]:
     """The three factors of a sequence's matrix, from left to right, entry by entry."""
     a, b, c = angles
     places = Matrix([(1 - fixed) * a + fixed * c, b, (1 - fixed) * c + fixed * a])
-    (left, between, right), where = named(f"{name}a", places)
-    found = []
-    axes = (outer, mid, inner)
-    for letter, axis, each in zip("pqr", axes, (left, between, right), strict=True):
-        entries, steps = named(name + letter, euler.turned_about(axis, each))
-        found.append(entries)
-        where = (*where, *steps)
-    return found, where
+    turns = zip("pqr", (outer, mid, inner), steps.named(f"{name}a", places), strict=True)
+    return [
+        steps.named(name + letter, euler.turned_about(axis, each)) for letter, axis, each in turns
+    ]
 
 
 def sequence_figure() -> Figure:
     """Any of the 24 sequences, turn by turn, with its other answer and how near lock is."""
-    angles, steps_angles = named("a", Matrix([share(made, k) * e for k, e in enumerate(TURNS)]))
-    factors, steps_factors = factors_of("l", angles)
-    two, steps_two = named("t", factors[0] * factors[1])
-    now, steps_now = named("n", two * factors[2])
-    whole, steps_whole = factors_of("w", TURNS)
-    first_two, steps_first = named("f", whole[0] * whole[1])
-    end, steps_end = named("e", first_two * whole[2])
+    steps = Steps()
+    angles = steps.named("a", Matrix([share(made, k) * e for k, e in enumerate(TURNS)]))
+    factors = factors_of(steps, "l", angles)
+    two = steps.named("t", factors[0] * factors[1])
+    now = steps.named("n", two * factors[2])
+    whole = factors_of(steps, "w", TURNS)
+    first_two = steps.named("f", whole[0] * whole[1])
+    end = steps.named("e", first_two * whole[2])
 
     axes = (
         (1 - fixed) * outer + fixed * inner,
         (1 - fixed) * factors[0] * mid + fixed * mid,
         (1 - fixed) * two * inner + fixed * outer,
     )
-    u, steps_u = named("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
+    u = steps.named("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
 
     proper = outer.dot(inner)
     cosine, sine = Abs(cos(middle)), Abs(sin(middle))
@@ -584,10 +576,7 @@ def sequence_figure() -> Figure:
                 ("zyx", outer[0] * mid[1] * inner[2] * fixed),
             )
         ),
-        where=(
-            *(*steps_angles, *steps_factors, *steps_two, *steps_now, *steps_whole),
-            *(*steps_first, *steps_end, *steps_u),
-        ),
+        where=steps,
     )
 
 

@@ -37,6 +37,19 @@ def with_letter(symbol: NamedSymbol) -> str:
     return f"{symbol.called} {symbol_text(symbol)}".strip()
 
 
+class Steps(list[tuple[sp.Symbol, Any]]):
+    """Named steps of a computation, in order, for `Figure.where`."""
+
+    def named(self, name: str, value: Any) -> Any:
+        """A number by a name, or a matrix by the names of its entries; what it is, is noted."""
+        if not isinstance(value, sp.MatrixBase):
+            self.append((sp.Symbol(name, real=True), value))
+            return self[-1][0]
+        entries = sp.symbols(f"{name}:{value.rows}:{value.cols}", real=True)
+        self += zip(entries, value, strict=True)
+        return sp.Matrix(*value.shape, entries)
+
+
 # Controls: what the reader moves.
 
 

@@ -60,7 +60,8 @@ class Figure:
 
     def __post_init__(self) -> None:
         if self.turns:
-            controls = (*self.controls, *view_sliders(*self.seen_from))
+            own = (c for c in self.controls if getattr(c, "symbol", None) not in self.turns)
+            controls = (*own, *view_sliders(*self.seen_from))
             object.__setattr__(self, "controls", controls)
         names = [*map(self._key, self.controls), *(readout.name for readout in self.readouts)]
         if len(set(names)) < len(names):

@@ -10,7 +10,7 @@ that quantity. A slider and a readout follow from their quantity likewise.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
@@ -21,7 +21,7 @@ from workshop.equations.text import symbol_text
 
 Expr = Any
 Kind = Any  # a name, or a quantity
-Pair = tuple[Expr, Expr]
+Place = Sequence[Expr]  # x, y; of a pose (x, y, θ) the first two
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
 
@@ -128,7 +128,7 @@ class Handle:
     """
 
     label: str
-    at: Pair
+    at: Place
     sets: Mapping[sp.Symbol, Expr] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -175,7 +175,7 @@ class Point:
     """
 
     kind: Kind
-    at: Pair
+    at: Place
     label: str | None = None
     depth: Expr = None
     edge: bool = True
@@ -186,7 +186,7 @@ class Line:
     """Straight pieces through several points."""
 
     kind: Kind
-    points: tuple[Pair, ...]
+    points: tuple[Place, ...]
     depth: Expr = None
 
 
@@ -195,8 +195,8 @@ class Arrow:
     """From `tail` to `head`."""
 
     kind: Kind
-    tail: Pair
-    head: Pair
+    tail: Place
+    head: Place
     label: str | None = None
     depth: Expr = None
 
@@ -209,7 +209,7 @@ class Wheel:
     """
 
     kind: Kind
-    at: Pair
+    at: Place
     angle: Expr
     length: float
     width: float
@@ -221,7 +221,7 @@ class Disc:
     """A wheel from the side: a round thing whose spokes show how far it has turned."""
 
     kind: Kind
-    at: Pair
+    at: Place
     angle: Expr
     radius: float
     spokes: int = 5
@@ -232,7 +232,7 @@ class Area:
     """A filled piece of the ground, by its corners."""
 
     kind: Kind
-    points: tuple[Pair, ...]
+    points: tuple[Place, ...]
 
 
 @dataclass(frozen=True)
@@ -240,8 +240,8 @@ class Length:
     """A length with its ends marked; aside: how far to the left of start → end it is drawn, m."""
 
     kind: Kind
-    start: Pair
-    end: Pair
+    start: Place
+    end: Place
     label: str | None = None
     aside: float = 0.0
 
@@ -251,7 +251,7 @@ class Label:
     """Words or a number at a place."""
 
     kind: Kind
-    at: Pair
+    at: Place
     label: str | None = None
 
 
@@ -259,7 +259,7 @@ class Label:
 class Body:
     """A round robot from above, with a nose that shows its heading."""
 
-    at: Pair
+    at: Place
     angle: Expr
     radius: float
     kind: Kind = "body"
@@ -270,7 +270,7 @@ class Curve:
     """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too."""
 
     kind: Kind
-    at: Pair
+    at: Place
     parameter: sp.Symbol
     low: Expr
     high: Expr
@@ -283,7 +283,7 @@ class Trail:
     """The points `at` of every state of a recurrence: a line through them, dots on the first 60."""
 
     kind: Kind
-    at: Pair
+    at: Place
     recurrence: Recurrence
     line: bool = True
     dots: bool = True
@@ -294,7 +294,7 @@ class AngleArc:
     """An angle around a point: its arc, and the sector in it."""
 
     kind: Kind
-    at: Pair
+    at: Place
     start: Expr
     end: Expr
     radius: float

@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from workshop.course import course
 from workshop.equations.core import Where
 from workshop.errors import CourseError
-from workshop.figures.compiling import Compiler, Control, javascript, settings
-from workshop.figures.declaration import Choice, Goal, Handle, Pair, Readout
+from workshop.figures.compiling import Compiler, Control, javascript, settings, xy
+from workshop.figures.declaration import Choice, Goal, Handle, Place, Readout
 from workshop.figures.javascript import evaluate
 from workshop.figures.solids import Solid
 from workshop.figures.space import VIEW, view_sliders
@@ -55,7 +55,7 @@ class Figure:
     seen_from: tuple[float, float] = (np.pi / 6, np.pi / 9)
     grid: bool = True
     goal: Goal | tuple[Goal, ...] = ()
-    follow: Pair | tuple[()] = ()
+    follow: Place = ()
     size: str = ""
 
     def __post_init__(self) -> None:
@@ -112,7 +112,7 @@ class Figure:
         goals = (self.goal,) if isinstance(self.goal, Goal) else self.goal
         parts["goals"] = [compiler.goal(goal) for goal in goals]
         if self.follow:
-            parts["follow"] = compiler.numbers(*self.follow)
+            parts["follow"] = compiler.numbers(*xy(self.follow))
         parts["size"] = self.size
         parts["where"] = compiler.steps()
         parts["compute"] = compiler.code()

@@ -18,7 +18,7 @@ import sympy as sp
 
 from workshop.equations.core import quantity
 from workshop.figures import solids
-from workshop.figures.declaration import Arrow, Expr, Line, Pair, Point, Slider
+from workshop.figures.declaration import Arrow, Expr, Line, Place, Point, Slider
 
 Triple = Sequence[Any]
 
@@ -42,7 +42,7 @@ class View:
         """The two angles."""
         return self.azimuth, self.elevation
 
-    def project(self, point: Triple) -> Pair:
+    def project(self, point: Triple) -> Place:
         """Where the picture shows a point: to the right and up, in its unit."""
         x, y, z = point
         away = x * sp.cos(self.azimuth) + y * sp.sin(self.azimuth)

@@ -41,6 +41,7 @@ SEQUENCES = [
 ]
 ORIGIN = (0, 0, 0)
 AXES = ("x_axis", "y_axis", "z_axis")
+OF_A, OF_B = ("x_A", "y_A", "z_A"), ("x_B", "y_B", "z_B")
 X, Y, Z = (UNTURNED[:, axis] for axis in range(3))
 
 made = quantity("made", "", 0, 3, "how many turns of a sequence are made")
@@ -116,21 +117,17 @@ def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     corner = [at[0] - HALF, at[1] - HALF, FLOOR]
     return tuple(
         VIEW.arrow("text", corner, [c + 1.7 * u for c, u in zip(corner, axis, strict=True)], label)
-        for axis, label in zip((X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
+        for axis, label in zip((X, Y, Z), OF_A, strict=True)
     )
 
 
 def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     """What a die turns about, to both sides of it."""
-    return tuple(
-        behind(
-            VIEW.line(
-                "icr",
-                [[at[k] + side * far * direction[k] for k in range(3)] for far in (0.5, 1.45)],
-            )
-        )
-        for side in (-1, 1)
-    )
+    ends = [
+        [a + far * u for a, u in zip(at, direction, strict=True)]
+        for far in (-1.45, -0.5, 0.5, 1.45)
+    ]
+    return behind(VIEW.line("icr", ends[1::-1])), behind(VIEW.line("icr", ends[2:]))
 
 
 LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
@@ -138,11 +135,12 @@ LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
 
 def die_figure() -> Figure:
     """The opening: a die, twelve buttons, a ghost."""
-    turns = Turns()
-    steps = Steps()
+    turns, steps = Turns(), Steps()
     last = steps.named("l", turns.last(turns.part))
     now = steps.named("n", turns.after(last))
     own, away = turns.own, 2 * (1 - turns.part)
+    beside = -2.35 + own * (1.6 + away) - (1 - own) * away  # from its own side
+    tasks = {99: "Bring the die onto its ghost.", 3: "Do it again, in as few turns as you can."}
     done = Piecewise((0, turns.part >= 1), (nan, True))
     return Figure(
         name="die",
@@ -153,12 +151,7 @@ def die_figure() -> Figure:
             *die(now, VIEW.beside(-1.4)),
             *ghost_die(GHOST, VIEW.beside(1.4)),
             Bracket(turns.before, (-0.75 - 1.6 * own, -1.95), "before"),
-            Bracket(
-                turns.last(),
-                (-2.35 + own * (1.6 + away) - (1 - own) * away, -1.95),
-                "the turn",
-                columns=("icr", "icr", "icr"),
-            ),
+            Bracket(turns.last(), (beside, -1.95), "the turn", columns=("icr", "icr", "icr")),
             Label("text", (0.3, -1.95), "="),
             Bracket(now, (1.4 + done, -1.95), "now"),
         ),
@@ -166,10 +159,7 @@ def die_figure() -> Figure:
         says="{count} turns made: {turns}.",
         goal=tuple(
             Goal(And(meets(now, GHOST), turns.part >= 1, turns.count <= most), words)
-            for most, words in (
-                (99, "Bring the die onto its ghost."),
-                (3, "Do it again, in as few turns as you can."),
-            )
+            for most, words in tasks.items()
         ),
         where=steps,
     )
@@ -182,10 +172,7 @@ def exercise_figure() -> Figure:
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
-        scene=(
-            *die(UNTURNED, LEFT, ("x_A", "y_A", "z_A")),
-            *die(R_AB, RIGHT, ("x_B", "y_B", "z_B")),
-        ),
+        scene=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
         says="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
     )
 
@@ -211,12 +198,10 @@ def columns_figure() -> Figure:
 
 def order_figure() -> Figure:
     """The same two quarter turns in two orders."""
-    quarters = [share(made, k) * half_turn / 2 for k in (0, 1)]
+    a, b = (share(made, k) * half_turn / 2 for k in (0, 1))
     steps = Steps()
     left, right = (
-        steps.named(
-            name, euler.turned_about(one, quarters[0]) * euler.turned_about(two, quarters[1])
-        )
+        steps.named(name, euler.turned_about(one, a) * euler.turned_about(two, b))
         for name, one, two in (("p", Z, X), ("q", X, Z))
     )
     return Figure(
@@ -254,18 +239,14 @@ def target_figure() -> Figure:
 
 def both_figure() -> Figure:
     """Both answers of XYZ, turn by turn."""
-    answers = (TURNS, euler.OTHERS)
-    middle_other = euler.OTHERS[1]
-    dice: list[Matrix] = []
     steps = Steps(((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan)))
-    for name, angles in zip("pq", answers, strict=True):
-        turned = [
-            euler.turned_about(axis, share(made, k) * each)
-            for k, (axis, each) in enumerate(zip((X, Y, Z), angles, strict=True))
-        ]
-        two = steps.named(f"{name}t", turned[0] * turned[1])
-        dice.append(steps.named(name, two * turned[2]))
-    left, right = dice
+
+    def turned(name: str, angles: Sequence[Any]) -> Any:
+        a, b, c = (share(made, k) * each for k, each in enumerate(angles))
+        two = steps.named(f"{name}t", euler.turned_about(X, a) * euler.turned_about(Y, b))
+        return steps.named(name, two * euler.turned_about(Z, c))
+
+    left, right = turned("p", TURNS), turned("q", euler.OTHERS)
     return Figure(
         name="both-answers",
         title="Two dice turned about x, y and z by different angles",
@@ -277,7 +258,7 @@ def both_figure() -> Figure:
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
-            Readout("other", "β′ of the right die", wrapped(middle_other), "rad", digits=0),
+            Readout("other", "β′ of the right die", wrapped(euler.OTHERS[1]), "rad", digits=0),
             Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),
         ),
         says=(
@@ -311,11 +292,11 @@ STAND = (
 )
 
 
-def pins(kind: str, along: str, far: float, end: float) -> tuple[solids.Part, ...]:
-    """Two pins on which a ring turns in the one around it."""
-    return tuple(
-        solids.cylinder(kind, (0.06, 0.06), ends, along, n=8) for ends in ((far, end), (-end, -far))
-    )
+def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[solids.Part, ...]:
+    """A ring, flat towards one axis, with two pins along another on which the next one turns."""
+    rim = radius + 0.14
+    pins = (solids.cylinder(kind, (0.06, 0.06), x, along, n=8) for x in ((rim, end), (-end, -rim)))
+    return solids.ring(kind, radius, rim, 0.1, flat), *pins
 
 
 def rings_figure() -> Figure:
@@ -327,7 +308,6 @@ def rings_figure() -> Figure:
     J = put_in(put_in(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     floor = -1.46
-    beside = VIEW.beside(2.75)
     return Figure(
         name="gimbal-rings",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
@@ -341,20 +321,11 @@ def rings_figure() -> Figure:
         scene=(
             VIEW.floor(floor, 1.55),
             VIEW.solid(STAND, UNTURNED, floor=floor),
-            VIEW.solid(
-                (solids.ring("x_axis", 1.16, 1.3, 0.1, "z"), *pins("x_axis", "x", 1.3, 1.46)),
-                one,
-                floor=floor,
-            ),
-            VIEW.solid(
-                (solids.ring("y_axis", 0.94, 1.08, 0.1, "x"), *pins("y_axis", "y", 1.08, 1.16)), two
-            ),
-            VIEW.solid(
-                (solids.ring("z_axis", 0.72, 0.86, 0.1, "y"), *pins("z_axis", "z", 0.86, 0.94)),
-                three,
-            ),
+            VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=floor),
+            VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
+            VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
             VIEW.solid(AEROPLANE, three),
-            VIEW.solid((solids.ball("velocity"),), 0.6 * J, beside),
+            VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.beside(2.75)),
             Label(euler.omega, (2.75, -1)),
         ),
         readouts=(
@@ -388,11 +359,9 @@ def one_turn_figure() -> Figure:
         long = sqrt(vector.dot(vector))
         return vector * 2 * atan2(long, cos(a) * cos(b)) / (long + 1e-300) / half_turn
 
-    a, b = by_two(2 * part)
-    whole = at_once * euler.turned_about(AXIS, part * 2 * half_turn / 3)
-    R = euler.r
+    (a, b), once = by_two(2 * part), part * 2 * half_turn / 3
     two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
-    turned = at_once * part * 2 * half_turn / 3 + (1 - at_once) * (a - b)
+    turned = at_once * once + (1 - at_once) * (a - b)
     middle_of = VIEW.beside(1.35)
 
     def put(vector: Any) -> list[Any]:
@@ -415,11 +384,11 @@ def one_turn_figure() -> Figure:
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
-            *die(R, VIEW.beside(-1.3)),
+            *die(euler.r, VIEW.beside(-1.3)),
             *(way("ghost", circle, 2 * half_turn, 64) for circle in circles),
             *(
                 VIEW.arrow(kind, put(0 * axis), put(1.2 * axis), label)
-                for kind, axis, label in zip(AXES, (X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
+                for kind, axis, label in zip(AXES, (X, Y, Z), OF_A, strict=True)
             ),
             way("icr", s * spoke, 1),
             way("approximation", in_ball(2 * s), 1, 48),
@@ -428,10 +397,10 @@ def one_turn_figure() -> Figure:
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),
-            Readout("left", "still to B", angle_of(R_AB.T * R), "rad"),
+            Readout("left", "still to B", angle_of(R_AB.T * euler.r), "rad"),
         ),
         says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
-        where=entries(whole + (1 - at_once) * two),
+        where=entries(at_once * euler.turned_about(AXIS, once) + (1 - at_once) * two),
     )
 
 
@@ -454,11 +423,10 @@ def mistakes_figure() -> Figure:
     """Another frame B, of two quarter turns, and where three mistakes lead instead."""
     quarter = {turn: half_turn / 2}
     y_turn, z_turn = euler.turn_y.at(quarter), euler.turn_z.at(quarter)
+    by_hand = M7.formula.made_in(euler.turn_z)
     wrong = {
         "A product of two turns": z_turn * y_turn,
-        "Matrices typed by hand": (
-            M7.formula.at(quarter) * M7.formula.made_in(euler.turn_z).at(quarter)
-        ),
+        "Matrices typed by hand": M7.formula.at(quarter) * by_hand.at(quarter),
         "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
     }
     right = (y_turn * z_turn).doit()
@@ -469,7 +437,7 @@ def mistakes_figure() -> Figure:
         view=(-2.3, 2.3, -1.6, 1.5),
         size="step",
         controls=(Choice("mistake", "mistake", WRONG, options),),
-        scene=(*die(right, LEFT, ("x_B", "y_B", "z_B")), *die(R, RIGHT, kind="error")),
+        scene=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),
         says="{mistake}: the wrong frame is one turn of {apart} from frame B.",
     )
@@ -486,15 +454,9 @@ def sequences() -> Choice:
         axes = [int(one == axis) for one in left_to_right.upper() for axis in "XYZ"]
         return (*axes, int(seq.islower()))
 
-    names = [*SEQUENCES, *map(str.lower, SEQUENCES)]
+    options = {name: numbers(name) for name in (*SEQUENCES, *map(str.lower, SEQUENCES))}
     label = "sequence (XYZ: own axes, xyz: fixed axes)"
-    return Choice(
-        "sequence",
-        label,
-        (*outer, *mid, *inner, fixed),
-        {name: numbers(name) for name in names},
-        start="ZXZ",
-    )
+    return Choice("sequence", label, (*outer, *mid, *inner, fixed), options, start="ZXZ")
 
 
 def current(three: Sequence[Any]) -> Any:
@@ -522,14 +484,12 @@ def sequence_figure() -> Figure:
     whole = factors_of(steps, "w", TURNS)
     first_two = steps.named("f", whole[0] * whole[1])
     end = steps.named("e", first_two * whole[2])
-
     axes = (
         (1 - fixed) * outer + fixed * inner,
         (1 - fixed) * factors[0] * mid + fixed * mid,
         (1 - fixed) * two * inner + fixed * outer,
     )
     u = steps.named("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
-
     proper = outer.dot(inner)
     cosine, sine = Abs(cos(middle)), Abs(sin(middle))
     near = proper * sine + (1 - proper) * cosine

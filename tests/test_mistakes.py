@@ -1,5 +1,6 @@
 """A mistake as a wrong formula: its line, its number and its expression come from one place."""
 
+import nbformat
 import numpy as np
 import pytest
 from declared import EXERCISES, FIGURES, MISTAKES, course, each
@@ -90,3 +91,6 @@ def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter():
         [choice] = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]
         assert (choice.name, picture.option in choice.options) == ("mistake", True)
         assert "#dark:target { --rk-ground: #14181f;" in stills[name]
+        sources = [cell.source for cell in nbformat.read(course().notebook(homes[name]), 4).cells]
+        shown = sources.index(f'practice.mistake("{name}")')
+        assert sources[shown - 1] == f"### {picture.option}"  # for the box itself has no title

@@ -234,13 +234,12 @@ class MistakeView:
 
     @property
     def title(self) -> str:
-        """The exercise's title; where several mistakes are shown in it, which of them this is.
-
-        None for one with a picture: it stands under a heading of its own.
+        """What its picture is called, if it has one; else the exercise's title, and where several
+        mistakes are shown in it, which of them this is.
         """
         e = self.exercise
         if self.mistake.picture:
-            return ""
+            return self.mistake.picture.option
         alike = [m for m in e.wrong if shown_in(m) is e]
         number = f"Mistake {alike.index(self.mistake) + 1} of {len(alike)}: "
         return f"{number if len(alike) > 1 else ''}{e.title}"
@@ -264,10 +263,10 @@ class MistakeView:
         )
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        title = f"<p><strong>{escape(self.title)}</strong></p>" if self.title else ""
+        title = f"<p><strong>{escape(self.title)}</strong></p>"
         return {
             "text/html": f"{title}<pre>{escape(self.mistake.line)}</pre>{self.answer}",
-            "text/plain": f"{self.title}\n{self.mistake.line}\nIt gives {self.gives}.".lstrip(),
+            "text/plain": f"{self.title}\n{self.mistake.line}\nIt gives {self.gives}.",
             MISTAKE: {"name": self.mistake.name},
         }
 

@@ -1,6 +1,6 @@
 """Live figures: declared in Python, drawn and moved by one small script, with or without a kernel.
 
-    Figure(name, title, view, controls, scene, readouts, says)
+    Figure(name, title, view, scene, controls, readouts)
 
 shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
 still picture. What it can hold stands in `workshop.figures.declaration`, and for pictures in space

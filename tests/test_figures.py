@@ -322,7 +322,7 @@ def test_curves_in_50_digits(figure, n):
             low, high = exact(figure, n, [shape.low, shape.high]).T.astype(float)
             s = np.random.default_rng(place).uniform(low, high)
             drawn_at = called(figure, f"scene[{place}].point", rows, s[:, None])
-            traced = shape.at if shape.depth is None else (*shape.at, shape.depth)
+            traced = shape.at[:2] if shape.depth is None else (*shape.at, shape.depth)
             at = exact(figure, n, traced, {shape.parameter: s})
             assert (differences(drawn_at, at) / sizes(at)).max() <= ALLOWED
 

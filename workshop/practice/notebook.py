@@ -234,12 +234,13 @@ class MistakeView:
 
     @property
     def title(self) -> str:
-        """What its picture is called, if it has one; else the exercise's title, and where several
-        mistakes are shown in it, which of them this is.
+        """The exercise's title; where several mistakes are shown in it, which of them this is.
+
+        None for one with a picture: it stands under a heading of its own.
         """
         e = self.exercise
         if self.mistake.picture:
-            return self.mistake.picture.option
+            return ""
         alike = [m for m in e.wrong if shown_in(m) is e]
         number = f"Mistake {alike.index(self.mistake) + 1} of {len(alike)}: "
         return f"{number if len(alike) > 1 else ''}{e.title}"
@@ -263,10 +264,10 @@ class MistakeView:
         )
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        title = f"<p><strong>{escape(self.title)}</strong></p>"
+        title = f"<p><strong>{escape(self.title)}</strong></p>" if self.title else ""
         return {
             "text/html": f"{title}<pre>{escape(self.mistake.line)}</pre>{self.answer}",
-            "text/plain": f"{self.title}\n{self.mistake.line}\nIt gives {self.gives}.",
+            "text/plain": f"{self.title}\n{self.mistake.line}\nIt gives {self.gives}.".lstrip(),
             MISTAKE: {"name": self.mistake.name},
         }
 

@@ -9,11 +9,27 @@ from sympy import Max, Piecewise, Symbol, symbols
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import theta, x, y
 from book.odometry import formulas as odometry
-from book.odometry.formulas import D_L, D_R, N_L, N_R, C, D, b_true, dtheta, noise, ratio
+from book.odometry.exercises import M22, M23, M24, M25
+from book.odometry.formulas import (
+    D_L,
+    D_R,
+    N_L,
+    N_R,
+    C,
+    D,
+    b_true,
+    count_before,
+    count_now,
+    counter_span,
+    dtheta,
+    noise,
+    ratio,
+)
 from workshop.equations.core import Equation, as_written, put_in, quantity
 from workshop.figures import (
     POINTER,
     Body,
+    Choice,
     Curve,
     Figure,
     Handle,
@@ -56,14 +72,9 @@ def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
 # --- Four rules -----------------------------------------------------------------------------
 
 
-def one_sample() -> tuple[Any, Any]:
+def one_sample(ticks: Any, travel: Any = odometry.travel) -> tuple[Any, Any]:
     """How far the robot moves and turns in a sample, from the ticks of its wheels."""
-    with as_written():
-        ticks = {
-            N_L: LEFT * (turned / (2 * pi)) / samples,
-            N_R: RIGHT * (turned / (2 * pi)) / samples,
-        }
-    rolled = odometry.travel.at({**ticks, C: TICKS, r: RADIUS})
+    rolled = travel.at({N_L: ticks[0], N_R: ticks[1], C: TICKS, r: RADIUS})
     wheels = {D_L: rolled[0], D_R: rolled[1]}
     return odometry.distance.at(wheels), odometry.turn.at({**wheels, b: BASE})
 
@@ -72,13 +83,14 @@ def rule_loop(rule: Equation, name: str) -> Recurrence:
     """The drive by one rule; its state ends with the largest error so far."""
     state = (x, y, theta, D, dtheta, Symbol("worst"))
     with as_written():
+        ticks = [each * (turned / (2 * pi)) / samples for each in (LEFT, RIGHT)]
         angle = theta + dtheta
         there = arc_to(CIRCLE * angle, angle)
     place = rule.right
     worst = Max(state[-1], apart(place, there), evaluate=False)
     return Recurrence(
         state,
-        start=(0, 0, 0, *one_sample(), 0),
+        start=(0, 0, 0, *one_sample(ticks), 0),
         step=(*place, D, dtheta, worst),
         count=samples,
         most=32,
@@ -353,4 +365,85 @@ def pulled_tip() -> Any:
         return 1 + (POINTER[0] - PLACE - HALF) / LONGER
 
 
-FIGURES = (rules_figure(), ellipse_figure(), square_figure())
+# --- Mistakes -------------------------------------------------------------------------------
+
+EACH = (80, 120)  # ticks of the left and the right wheel in a sample
+SPAN = 2**10  # numbers that a counter of 10 bits can show
+READ = [SPAN - 8.5 * ticks for ticks in EACH]  # at the start: both wrap in sample 9
+MADE = {  # title → mistake
+    "It forgets its heading": M22,
+    "It never looks backward": M23,
+    "It hardly moves": M24,
+    "It leaps back": M25,
+}
+MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+set_off = quantity("set_off", "rad", 0, 1.6, "heading at the start", latex=r"\theta_0")
+
+
+def by_mistake(mistake: Any, wrong: Any, right: Any) -> Any:
+    """The wrong expressions if this mistake is chosen, else the right ones."""
+    chosen = MADE_ONE[[*MADE.values()].index(mistake)] > 0.5
+    with as_written():
+        return [Piecewise((a, chosen), (b, True)) for a, b in zip(wrong, right, strict=True)]
+
+
+def believed_loop() -> Recurrence:
+    """The pose that a program with a mistake makes of the readings of two counters."""
+    counts = symbols("count_L count_R")
+    with as_written():
+        after = [sp.Mod(count + each, SPAN) for count, each in zip(counts, EACH, strict=True)]
+    pairs = [{count_before: c, count_now: n} for c, n in zip(counts, after, strict=True)]
+    right = [odometry.counter_step.at({**pair, counter_span: SPAN}) for pair in pairs]
+    ticks = by_mistake(M25, [M25.at(pair) for pair in pairs], right)
+    sample = by_mistake(M24, one_sample(ticks, M24), one_sample(ticks))
+    known = dict(zip((D, dtheta), sample, strict=True))
+    half_seen = odometry.new_heading.at({**known, theta: M23.at(known), dtheta: 0})
+    pose = by_mistake(M23, half_seen, odometry.exact_arc.at(known))
+    return Recurrence(
+        (x, y, theta, *counts),
+        start=(0, 0, set_off, *READ),
+        step=(*by_mistake(M22, M22.at(known), pose), *after),
+        count=samples,
+        most=16,
+        ends=symbols("x_told y_told t_told left_told right_told"),
+    )
+
+
+def mistakes_figure() -> Figure:
+    """Where the robot is, and where a program with a mistake believes it to be."""
+    loop, (each, turn) = believed_loop(), one_sample(EACH)
+    with as_written():
+        real, part = (arc_to(each * k, turn * k, (0, 0, set_off)) for k in (samples, s))
+    end, told = tuple(real[:2]), loop.ends[:2]
+    options = {name: tuple(float(n == k) for n in range(4)) for k, name in enumerate(MADE)}
+    return Figure(
+        name="wrong-poses",
+        title="A robot, and where a program with a mistake believes it to be",
+        view=(-0.75, 1.1, -0.4, 0.98),
+        controls=(
+            Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
+            Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
+            Slider(
+                set_off, 0, pi / 2, start=2 * pi / 9, step=pi / 36, label="heading at the start"
+            ),
+        ),
+        scene=(
+            Curve("path", tuple(part[:2]), s, 0, samples),
+            Trail("approximation", (x, y), loop),
+            Line("error", (end, told)),
+            Body(end, real[2], 0.09),
+            Body(told, loop.ends[2], 0.09, kind="approximation"),
+        ),
+        readouts=(
+            Readout("apart", "apart", apart(end, told), "m"),
+            Readout("turned", "heading off by", loop.ends[2] - real[2], "rad", digits=0),
+        ),
+        says=(
+            "{mistake}: after {samples} samples the robot is {apart} from where its program "
+            "believes it. The heading is off by {turned}."
+        ),
+        size="step",
+    )
+
+
+FIGURES = (rules_figure(), ellipse_figure(), square_figure(), mistakes_figure())

@@ -5,13 +5,14 @@ from typing import Any
 
 from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols, tan
 
-from book.differential_drive.figures import t
+from book.differential_drive.figures import apart, t
 from book.differential_drive.formulas import r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
-from book.motion.formulas import dt, omega, theta, v, v_y, x, y
+from book.motion.formulas import dt, omega, theta, theta_dot, v, v_y, x, x_dot, y, y_dot
 from book.wheels import formulas as wheels
-from book.wheels.formulas import alpha, l, omni_rates, rolling_row, sliding_row
+from book.wheels.exercises import M19, M20, M21, M34, M35
+from book.wheels.formulas import alpha, beta, l, omni_rates, rolling_row, sliding_row
 from workshop.equations.core import as_written, quantity
 from workshop.equations.functions import null_projector, rank
 from workshop.figures import (
@@ -467,4 +468,69 @@ def pulled(k: int) -> Any:
     return (row[0] * back[0] + row[1] * back[1]) / RADIUS
 
 
-FIGURES = (kinds_figure(), laboratory_figure(), omni_figure())
+# --- Mistakes
+
+WANTED = {x_dot: -0.08, y_dot: 0.12, theta_dot: -0.6}  # in the world, m/s and rad/s
+MADE = {  # title → mistake
+    "It moves to the wrong side": M19,
+    "It turns too slowly": M20,
+    "It turns the other way": M34,
+    "It does not turn": M35,
+    "It sets off in another direction": M21,
+}
+MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+REALLY = symbols("really_v really_vy really_omega")
+
+
+def driven_by(mistake: Any) -> Any:
+    """How the omni robot moves whose program makes a mistake in the rates of its wheels."""
+    to_body = M21.formula.made_in(motion.to_body) if mistake is M21 else motion.to_body
+    wish = to_body.at(WANTED)
+    places = ({l: SIZE, alpha: spoke, beta: 0} for spoke in ANGLES)
+    rows = [rolling_row(*p.values()) if mistake is M21 else mistake.at(p) for p in places]
+    with as_written():
+        speeds = [sum(a * b for a, b in zip(row, wish, strict=True)) for row in rows]
+        rates = [speed / RADIUS for speed in speeds]
+    return wheels.omni_twist.at({l: SIZE, r: RADIUS, **dict(zip(omni_rates, rates, strict=True))})
+
+
+def mistakes_figure() -> Figure:
+    """What the omni robot does, and what its program believes: the rates are set at the start."""
+    twists = [driven_by(mistake).doit() for mistake in MADE.values()]
+    with as_written():
+        really = [
+            sum(chosen * twist[i] for chosen, twist in zip(MADE_ONE, twists, strict=True))
+            for i in range(3)
+        ]
+    wish = motion.to_body.at(WANTED)
+    real, believed = moved(theta, REALLY, t), moved(theta, wish, t)
+    options = {name: tuple(float(n == k) for n in range(5)) for k, name in enumerate(MADE)}
+    return Figure(
+        name="wrong-rates",
+        title="An omni robot, and where its program with a mistake believes it to be",
+        view=(-0.8, 0.8, -0.6, 0.65),
+        controls=(
+            Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
+            Slider(theta, 0, pi, start=pi / 3, step=pi / 36, label="heading at the start"),
+            Clock(t, 0.0, 2.5, start=2.3, step=0.05, loops=True, label="time"),
+        ),
+        where=tuple(zip(REALLY, really, strict=True)),
+        scene=(
+            Curve("path", moved(theta, REALLY, s)[:2], s, 0, t),
+            Curve("approximation", moved(theta, wish, s)[:2], s, 0, t),
+            Line("error", (real[:2], believed[:2])),
+            Body(real[:2], real[2], 0.13),
+            *(omni_wheel(k, real[:2], real[2]) for k in range(3)),
+            Body(believed[:2], believed[2], 0.13, kind="approximation"),
+        ),
+        readouts=(
+            Readout("apart", "apart", apart(real, believed), "m"),
+            Readout("turned", "turned too far by", real[2] - believed[2], "rad", digits=0),
+        ),
+        says="{mistake}: after {t} the robot is {apart} from where its program believes it, "
+        "and has turned {turned} too far.",
+        size="step",
+    )
+
+
+FIGURES = (kinds_figure(), laboratory_figure(), omni_figure(), mistakes_figure())

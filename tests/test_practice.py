@@ -580,7 +580,8 @@ def test_a_mistake_is_shown_with_its_value(mistake):
 
 def test_mistakes_in_one_exercise_are_numbered():
     titles = [practice.mistake(name).title for name, m in mistakes().items() if not m.picture]
-    assert len(set(titles)) == len(titles) and all(titles)
+    assert len(set(titles)) == len(titles)
+    assert all(titles)
     assert practice.mistake("M20").title == "Mistake 2 of 4: The matrix of an omni robot"
     assert practice.mistake("M4").title == "The same place from behind"
 

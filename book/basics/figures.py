@@ -4,7 +4,7 @@ from sympy import Ne, Piecewise, atan, nan
 
 from book.basics import formulas as basics
 from book.basics.formulas import p_x, p_y
-from workshop.figures import POINTER, AngleArc, Arrow, Figure, Handle, Line, Point, Readout, Slider
+from workshop.figures import AngleArc, Arrow, Figure, Handle, Line, Point, Readout, Slider
 
 ORIGIN = (0, 0)
 
@@ -27,15 +27,14 @@ def direction_figure() -> Figure:
             Arrow("path", ORIGIN, (p_x, p_y)),
             Point("target", (p_x, p_y), label="p"),
         ),
-        handles=(Handle("the point", (p_x, p_y), {p_x: POINTER[0], p_y: POINTER[1]}),),
+        handles=(Handle("the point", (p_x, p_y)),),
         readouts=(
-            Readout("right", "atan2 of p_y and p_x", bearing, "rad", digits=1),
+            Readout("right", "atan2 of p_y and p_x", bearing, "rad"),
             Readout(
                 "wrong",
                 "arctan of p_y / p_x",
                 quotient,
                 "rad",
-                digits=1,
                 words={"nan": "no answer: division by zero"},
             ),
         ),

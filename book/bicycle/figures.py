@@ -78,8 +78,8 @@ def ackermann_figure() -> Figure:
         title="A car from above with the bicycle that turns like it, the steering under your hand",
         view=(-6.4, 6.4, -1.3, 5.1),
         controls=(
-            Slider(
-                steering, -80 * DEGREE, 80 * DEGREE, start=30 * DEGREE, step=DEGREE,
+            Slider.degrees(
+                steering, -80, 80, start=30,
                 label="steering φ of the bicycle", kind="velocity",
             ),
             Slider(wheelbase, 1.5, 3.0, start=2.5, step=0.1, label="wheelbase L"),
@@ -153,22 +153,22 @@ def loop_figure() -> Figure:
         view=(-24, 24, -5, 23),
         controls=(
             Slider(n, 1, 40, start=5, step=1, label="number of steps", kind="approximation"),
-            Slider(
-                steering, -60 * DEGREE, 60 * DEGREE, start=30 * DEGREE, step=DEGREE,
+            Slider.degrees(
+                steering, -60, 60, start=30,
                 label="steering φ",
             ),
             Slider(rate_rear, 1, 12, start=8, step=0.5, label="wheel rate Ω"),
-            Slider(
-                y_heading, -float(pi), float(pi), start=0, step=5 * DEGREE,
+            Slider.degrees(
+                y_heading, step=5,
                 label="heading ψ from the y axis, clockwise",
             ),
             Choice("point", "point that is followed", (ahead,),
-                   {"rear axle": (0.0,), "front axle": (1.0,)}, start="rear axle"),
+                   {"rear axle": (0.0,), "front axle": (1.0,)}),
         ),
         scene=(
             Curve("path", exact(s), s, 0, DURATION),
-            Trail("approximation", (state[0], state[1]), loop),
-            Line("approximation", (goal, (end[0], end[1]))),
+            Trail("approximation", state, loop),
+            Line("approximation", (goal, end)),
             Point("path", (0, 0), label="start"),
             Point("target", goal, label="exact"),
         ),
@@ -218,13 +218,13 @@ def lane_figure() -> Figure:
         title="A long car in a turn, and the lane that it needs",
         view=(-14, 14, -4, 13),
         controls=(
-            Slider(
-                steering, -60 * DEGREE, 60 * DEGREE, start=20 * DEGREE, step=DEGREE,
+            Slider.degrees(
+                steering, -60, 60, start=20,
                 label="steering φ", kind="velocity",
             ),
             Slider(wheelbase, 2.0, 10.0, start=LENGTH, step=0.5, label="wheelbase L"),
             Slider(track, 1.0, 2.5, start=TRACK, step=0.1, label="track b"),
-            Clock(t, 0.0, LASTING, start=0.0, step=0.1, label="time, at 3 m/s"),
+            Clock(t, 0.0, LASTING, step=0.1, label="time, at 3 m/s"),
         ),
         where=((R, radius), *zip(pose, drawn, strict=True)),
         scene=(

@@ -77,7 +77,6 @@ ARMS = Choice(
         "facing away, elbow up": (-1, 1),
         "facing away, elbow down": (-1, -1),
     },
-    start="facing the target, elbow up",
 )
 AWAY = replace(ARMS, start="facing away, elbow down")
 
@@ -107,9 +106,9 @@ def joint_readouts() -> tuple[Readout, ...]:
     away = (1 - face) / 2 * half_turn
     turn2 = Piecewise((0, d <= 0), (wrapped(away + face * raised), True))
     return (
-        Readout("theta1", "base θ₁", within(wrapped(beta + away)), "rad", 1, NONE),
-        Readout("theta2", "shoulder θ₂", within(turn2), "rad", 1, NONE),
-        Readout("theta3", "elbow θ₃", within(-face * bend * elbow), "rad", 1, NONE),
+        Readout("theta1", "base θ₁", within(wrapped(beta + away)), "rad", words=NONE),
+        Readout("theta2", "shoulder θ₂", within(turn2), "rad", words=NONE),
+        Readout("theta3", "elbow θ₃", within(-face * bend * elbow), "rad", words=NONE),
         Readout("d", "from shoulder to target", d, "m"),
         Readout("missed", "out of reach by", missed, "m"),
     )
@@ -187,7 +186,7 @@ def two_views_figure() -> Figure:
             Point("target", from_the_side((r, z)), label="p"),
         ),
         handles=(
-            Handle("target, from above", (p_x, p_y), {p_x: POINTER[0], p_y: POINTER[1]}),
+            Handle("target, from above", (p_x, p_y)),
             Handle("height of the target", (SIDE + r, z), {p_z: POINTER[1] + SHOULDER}),
         ),
         readouts=joint_readouts(),

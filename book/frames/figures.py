@@ -138,11 +138,11 @@ def chain_figure() -> Figure:
         controls=(
             Slider(db_x, 0.3, 1.7, start=1.0, step=0.05, label="platform x_db"),
             Slider(db_y, 0.2, 1.2, start=0.5, step=0.05, label="platform y_db"),
-            Slider(db_turn, -AROUND, AROUND, start=pi / 2, step=STEP, label="platform θ_db"),
+            Slider.degrees(db_turn, -175, 175, start=90, step=5, label="platform θ_db"),
             *joint_sliders(),
             Slider(de_x, 0.0, 2.0, start=1.5, step=0.05, label="object x_de"),
             Slider(de_y, 0.0, 1.4, start=1.1, step=0.05, label="object y_de"),
-            Slider(de_turn, -AROUND, AROUND, start=3 * pi / 4, step=STEP, label="object θ_de"),
+            Slider.degrees(de_turn, -175, 175, start=135, step=5, label="object θ_de"),
         ),
         where=(*steps_bc, *steps_be, *steps_dc, *steps_elbow, *steps_ce),
         scene=(
@@ -173,11 +173,11 @@ def chain_figure() -> Figure:
         readouts=(
             Readout("x", "from hand c, x_ce", ce[0], "m"),
             Readout("y", "from hand c, y_ce", ce[1], "m"),
-            Readout("turn", "from hand c, θ_ce", wrapped(ce[2]), "rad", digits=1),
+            Readout("turn", "from hand c, θ_ce", wrapped(ce[2]), "rad"),
             Readout("far", "distance from hand", sqrt(ce[0] ** 2 + ce[1] ** 2), "m"),
             Readout("hand_x", "from platform b, x_bc", bc[0], "m"),
             Readout("hand_y", "from platform b, y_bc", bc[1], "m"),
-            Readout("hand_turn", "from platform b, θ_bc", wrapped(bc[2]), "rad", digits=1),
+            Readout("hand_turn", "from platform b, θ_bc", wrapped(bc[2]), "rad"),
         ),
         says=(
             "The hand sees the object at x = {x}, y = {y}, turned by {turn}, {far} away. "
@@ -236,9 +236,9 @@ def above_figure() -> Figure:
         title="In space: a camera f that looks down on a platform b, its hand c and an object e",
         view=(-0.9, 0.9, -0.5, 1.3),
         controls=(
-            Slider(camera_turn, -pi, pi, start=0.0, step=STEP, label="camera turned by"),
+            Slider.degrees(camera_turn, step=5, label="camera turned by"),
             Slider(high, 1.0, 1.4, start=1.2, step=0.05, label="height of the camera"),
-            Slider(heading, -pi, pi, start=pi / 2, step=STEP, label="heading of the platform"),
+            Slider.degrees(heading, start=90, step=5, label="heading of the platform"),
             *joint_sliders(),
             Slider(low, -0.4, 0.4, start=-0.2, step=0.05, label="height of the object"),
         ),

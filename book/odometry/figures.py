@@ -117,23 +117,23 @@ def rules_figure() -> Figure:
         view=(-0.86, 0.94, -0.15, 0.95),
         controls=(
             Slider(samples, 3, 32, start=8, step=1, label="samples in the drive"),
-            Slider(turned, pi / 6, 2 * pi, start=1.5 * pi, step=pi / 36, label="turned in all"),
+            Slider.degrees(turned, 30, 360, start=270, step=5, label="turned in all"),
         ),
         scene=(
-            Curve("ghost", tuple(arc_to(CIRCLE * s, s)[:2]), s, 0, 2 * pi),
-            Curve("path", tuple(arc_to(CIRCLE * s, s)[:2]), s, 0, turned),
+            Curve("ghost", arc_to(CIRCLE * s, s), s, 0, 2 * pi),
+            Curve("path", arc_to(CIRCLE * s, s), s, 0, turned),
             Trail("old_heading", (x, y), old),
             Trail("new_heading", (x, y), new),
             Trail("middle_heading", (x, y), middle),
             Trail("ghost", (x, y), exact),
             Body(ORIGIN, 0, 0.06, kind="ghost"),
-            Body((end[0], end[1]), turned, 0.06),
+            Body(end, turned, 0.06),
             Label("path", (0, CIRCLE), "exact arc"),
             Point("old_heading", (old.ends[0], old.ends[1]), "old"),
             Point("new_heading", (new.ends[0], new.ends[1]), "new"),
             Point("middle_heading", (middle.ends[0], middle.ends[1]), "middle"),
         ),
-        handles=(Handle("end of the drive", (end[0], end[1]), {turned: centre + ahead}),),
+        handles=(Handle("end of the drive", end, {turned: centre + ahead}),),
         readouts=(
             *worst_readouts((exact, old, new, middle)),
             Readout("old_end", "old, at the end", apart(old.ends, end), "m", digits=4),
@@ -235,25 +235,25 @@ def ellipse_figure() -> Figure:
                 label="wheel error over 1 m",
             ),
             Slider(drive, 0.25, 3, start=2.5, step=0.05, label="distance"),
-            Slider(turned, 0, 2 * pi, start=pi / 3, step=pi / 36, label="turned in all"),
+            Slider.degrees(turned, 0, 360, start=60, step=5, label="turned in all"),
         ),
         scene=(
-            Curve("path", tuple(arc_to(drive * s, turned * s)[:2]), s, 0, 1),
+            Curve("path", arc_to(drive * s, turned * s), s, 0, 1),
             *(ellipse(loop, count) for count, loop in loops.items()),
             *(Trail("ghost", (x, y), loop) for loop in loops.values()),
             Body(ORIGIN, 0, 0.13, kind="ghost"),
-            Body((end[0], end[1]), turned, 0.13),
+            Body(end, turned, 0.13),
         ),
         handles=(
             Handle(
-                "end of the drive", (end[0], end[1]),
+                "end of the drive", end,
                 {drive: chord / sp.sinc(direction), turned: 2 * direction},
             ),
         ),
         readouts=(
             Readout("long_axis", "half the length", long_axis, "m"),
             Readout("short_axis", "half the width", short_axis, "m"),
-            Readout("heading", "heading error", heading, "rad", 1),
+            Readout("heading", "heading error", heading, "rad"),
         ),
         says=(
             "A drive of {drive} that turns by {turned}, with wheels that err by {wheel_error} over "
@@ -423,12 +423,10 @@ def mistakes_figure() -> Figure:
         controls=(
             Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
             Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
-            Slider(
-                set_off, 0, pi / 2, start=2 * pi / 9, step=pi / 36, label="heading at the start"
-            ),
+            Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
         ),
         scene=(
-            Curve("path", tuple(part[:2]), s, 0, samples),
+            Curve("path", part, s, 0, samples),
             Trail("approximation", (x, y), loop),
             Line("error", (end, told)),
             Body(end, real[2], 0.09),

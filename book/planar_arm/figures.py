@@ -151,7 +151,6 @@ def levers_figure() -> Figure:
                     "joint 2": (0.0, 1.0, 0.0),
                     "joint 3": (0.0, 0.0, 1.0),
                 },
-                start="joint 1",
             ),
             Slider(theta2, 0, 2 * pi / 3, start=START[1], step=pi / 36, label="θ_2"),
             Slider(theta3, -17 * pi / 18, pi, start=START[2], step=pi / 36, label="θ_3"),
@@ -344,7 +343,7 @@ def line_figure() -> Figure:
         title="An arm follows a straight line, step by step",
         view=(-0.62, 1.02, -0.22, 0.92),
         controls=(
-            Clock(t, 0.0, DURATION, start=0.0, step=0.05, label="time"),
+            Clock(t, 0.0, DURATION, label="time"),
             Slider(n, 5, 100, start=10, step=1, label="number of steps", kind="approximation"),
             Slider(gain, 0.0, 2.0, start=0.0, step=0.1, label="feedback K"),
             Slider(damping, 0.0, 0.3, start=0.0, step=0.01, label="damping λ"),
@@ -363,12 +362,10 @@ def line_figure() -> Figure:
             Point("icr", (line_x, line_y), label="end"),
             Point("target", (arm.x_d, arm.y_d)),
         ),
-        handles=(
-            Handle("end of the line", (line_x, line_y), {line_x: POINTER[0], line_y: POINTER[1]}),
-        ),
+        handles=(Handle("end of the line", (line_x, line_y)),),
         readouts=(
             Readout("off", "hand off the wanted point", off, "m", digits=4),
-            Readout("turned", "hand turned by", turned, "rad", digits=1),
+            Readout("turned", "hand turned by", turned, "rad"),
             Readout("rates", "size of the joint rates", busy, "rad/s"),
             Readout(
                 "room",
@@ -414,7 +411,7 @@ def elbows_figure() -> Figure:
         controls=(
             Slider(x, -0.9, 0.9, start=0.55, step=0.01, label="hand x"),
             Slider(y, -0.9, 0.9, start=0.5, step=0.01, label="hand y"),
-            Slider(phi_hand, -pi, pi, start=0.0, step=pi / 36, label="hand angle φ"),
+            Slider.degrees(phi_hand, step=5, label="hand angle φ"),
         ),
         where=tuple(steps),
         scene=(
@@ -427,11 +424,11 @@ def elbows_figure() -> Figure:
             Point("body", (arm.x_w, arm.y_w)),
             Point("target", (x, y), label="hand"),
         ),
-        handles=(Handle("hand", (x, y), {x: POINTER[0], y: POINTER[1]}),),
+        handles=(Handle("hand", (x, y)),),
         readouts=(
             Readout("distance", "wrist from the base", arm.d, "m"),
             *(
-                Readout(f"{side}{i + 1}", f"{side}: θ_{i + 1}", angles[k][i], "rad", 1, words=out)
+                Readout(f"{side}{i + 1}", f"{side}: θ_{i + 1}", angles[k][i], "rad", words=out)
                 for k, side in enumerate(("solid", "dashed"))
                 for i in range(3)
             ),
@@ -495,7 +492,7 @@ def mistakes_figure() -> Figure:
             Slider(
                 phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate of the hand"
             ),
-            Clock(t, 0.0, LASTS, start=LASTS, step=0.05, loops=True, label="time"),
+            Clock(t, 0.0, LASTS, start=LASTS, loops=True, label="time"),
         ),
         where=(
             *((symbol, begin + rate * t) for symbol, begin, rate in wanted),
@@ -503,7 +500,7 @@ def mistakes_figure() -> Figure:
             (theta3, arm.inverse.right[2]),
         ),
         scene=(
-            Line("approximation", ((start[0], start[1]), (x, y))),
+            Line("approximation", (start, (x, y))),
             Trail("path", joints(state)[2], loop, dots=False),
             Line("error", (real[2], (x, y))),
             Line("approximation", (BASE, *believed)),

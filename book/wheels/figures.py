@@ -28,6 +28,7 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
+    Steps,
     Wheel,
 )
 
@@ -88,9 +89,8 @@ def kinds_figure() -> Figure:
                 "wheel",
                 CHOSEN,
                 {name: tuple(float(k == n) for n in range(5)) for k, name in enumerate(KINDS)},
-                start="fixed",
             ),
-            Slider(course, -pi, pi, start=pi / 6, step=pi / 36, label="direction of the motion"),
+            Slider.degrees(course, start=30, step=5, label="direction of the motion"),
         ),
         scene=(
             Line("body", (seen(fixed, (0, -0.09)), seen(fixed, (0, 0.09)))),
@@ -192,13 +192,8 @@ def robot_numbers(name: str) -> tuple[float, ...]:
 
 def laboratory_figure() -> Figure:
     """Any wheel moved and turned: which motions are left, and how many of them."""
-    where: list[tuple[Symbol, Any]] = []
-
-    def step(name: str, expression: Any) -> Symbol:
-        symbol = Symbol(name)
-        where.append((symbol, expression))
-        return symbol
-
+    steps = Steps()
+    step = steps.named
     places, axles, rows, fixed_rows = [], [], [], []
     with as_written():
         for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
@@ -219,7 +214,7 @@ def laboratory_figure() -> Figure:
         of_fixed = step("rank_of_fixed", rank(Matrix(fixed_rows)))
         free = null_projector(Matrix(rows))
         P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
-        where += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
+        steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
         twist = [
             step(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
             for i in range(3)
@@ -246,7 +241,6 @@ def laboratory_figure() -> Figure:
                 "robot",
                 tuple(symbol for wheel in NUMBERS for symbol in wheel),
                 {name: robot_numbers(name) for name in ROBOTS},
-                start="car",
             ),
             Choice("wish", "asked to", tuple(WISH), WISHES, start="turn on the spot"),
             Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring Q ahead"),
@@ -256,30 +250,27 @@ def laboratory_figure() -> Figure:
                 "change",
                 WHICH,
                 {"wheel 1": (1.0, 0.0), "wheel 2": (0.0, 1.0)},
-                start="wheel 1",
             ),
             Slider(shift_x, -0.2, 0.2, start=0.0, step=0.05, label="move it ahead"),
             Slider(shift_y, -0.2, 0.2, start=0.0, step=0.05, label="move it to the left"),
-            Slider(shift_angle, -pi / 2, pi / 2, start=0.0, step=pi / 36, label="turn it"),
-            Clock(t, 0.0, 6.0, start=0.0, step=0.05, label="time"),
+            Slider.degrees(shift_angle, -90, 90, step=5, label="turn it"),
+            Clock(t, 0.0, 6.0, label="time"),
         ),
         scene=(
             *(axle_line(k, places[k], axles[k]) for k in range(4)),
-            Curve("ghost", along[:2], s, 0, 6),
-            Curve("path", along[:2], s, 0, t),
+            Curve("ghost", along, s, 0, 6),
+            Curve("path", along, s, 0, t),
             Body(ORIGIN, 0, 0.05, kind="ghost"),
             *(Wheel("ghost", seen(NUMBERS[k][3], places[k]), rolls[k], **WHEEL) for k in range(4)),
             *(shape for k in range(4) for shape in wheel_shapes(k, places[k], rolls[k], end)),
             Body(end[:2], end[2], 0.05),
             *(velocity_of(k, places[k], twist) for k in range(4)),
-            Point("icr", (icr[0], icr[1]), label="ICR"),
+            Point("icr", icr, label="ICR"),
             Point("target", (centre_x, centre_y)),
             *(Point("approximation", seen(WHICH[k], places[k]), label=f"{k + 1}") for k in (0, 1)),
         ),
         handles=(
-            Handle("ring Q, which the steered axles look at", (centre_x, centre_y), {
-                centre_x: POINTER[0], centre_y: POINTER[1],
-            }),
+            Handle("ring Q, which the steered axles look at", (centre_x, centre_y)),
             Handle("the wheel that is changed", (chosen[0] + shift_x, chosen[1] + shift_y), {
                 shift_x: POINTER[0] - chosen[0], shift_y: POINTER[1] - chosen[1],
             }),
@@ -299,7 +290,7 @@ def laboratory_figure() -> Figure:
             "As the wheels stand there are {now} independent ways to move. Asked to {wish}, the "
             "robot moves ahead at {v}, to the left at {v_y} and turns at {omega}."
         ),
-        where=tuple(where),
+        where=steps,
     )  # fmt: skip
 
 
@@ -402,23 +393,23 @@ def omni_figure() -> Figure:
                     zip(omni_rates, (-2.0, 4.0, 1.0), WHEELS, strict=True), start=1
                 )
             ),
-            Slider(theta, -pi, pi, start=pi / 6, step=pi / 36, label="heading at the start"),
-            Clock(t, 0.0, 12.0, start=0.0, step=0.05, label="time"),
+            Slider.degrees(theta, start=30, step=5, label="heading at the start"),
+            Clock(t, 0.0, 12.0, label="time"),
         ),
         scene=(
-            Curve("ghost", along[:2], s, 0, 12),
-            Curve("path", along[:2], s, 0, t),
+            Curve("ghost", along, s, 0, 12),
+            Curve("path", along, s, 0, t),
             Body(ORIGIN, theta, 0.13, kind="ghost"),
             Body(now[:2], now[2], 0.13),
             *(omni_wheel(k, ORIGIN, theta) for k in range(3)),
-            *(omni_wheel(k, now[:2], now[2]) for k in range(3)),
+            *(omni_wheel(k, now, now[2]) for k in range(3)),
             *(
                 Arrow(WHEELS[k], place_of(k), tip_of(k))
                 for k in range(3)
             ),
             *(Point(WHEELS[k], place_of(k), label=f"{k + 1}") for k in range(3)),
-            Arrow("velocity", ORIGIN, (arrow[0], arrow[1])),
-            Point("icr", (icr[0], icr[1]), label="ICR"),
+            Arrow("velocity", ORIGIN, arrow),
+            Point("icr", icr, label="ICR"),
         ),
         handles=tuple(
             Handle(f"tip of the arrow of wheel {k + 1}", tip_of(k), {omni_rates[k]: pulled(k)})
@@ -432,7 +423,7 @@ def omni_figure() -> Figure:
             Readout("y_dot", "along the world's y axis, at this time", world[1], "m/s"),
             Readout("x", "x at this time", now[0], "m"),
             Readout("y", "y at this time", now[1], "m"),
-            Readout("heading", "heading at this time", now[2], "rad", digits=1),
+            Readout("heading", "heading at this time", now[2], "rad"),
         ),
         says=(
             "Wheels at {omni_rate1}, {omni_rate2} and {omni_rate3}: the robot moves ahead at {v}, "
@@ -511,16 +502,16 @@ def mistakes_figure() -> Figure:
         view=(-0.8, 0.8, -0.6, 0.65),
         controls=(
             Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
-            Slider(theta, 0, pi, start=pi / 3, step=pi / 36, label="heading at the start"),
-            Clock(t, 0.0, 2.5, start=2.3, step=0.05, loops=True, label="time"),
+            Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
+            Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),
         where=tuple(zip(REALLY, really, strict=True)),
         scene=(
-            Curve("path", moved(theta, REALLY, s)[:2], s, 0, t),
-            Curve("approximation", moved(theta, wish, s)[:2], s, 0, t),
-            Line("error", (real[:2], believed[:2])),
+            Curve("path", moved(theta, REALLY, s), s, 0, t),
+            Curve("approximation", moved(theta, wish, s), s, 0, t),
+            Line("error", (real, believed)),
             Body(real[:2], real[2], 0.13),
-            *(omni_wheel(k, real[:2], real[2]) for k in range(3)),
+            *(omni_wheel(k, real, real[2]) for k in range(3)),
             Body(believed[:2], believed[2], 0.13, kind="approximation"),
         ),
         readouts=(

@@ -17,6 +17,7 @@ def direction_figure() -> Figure:
         name="direction",
         title="A point, and its direction seen from the origin",
         view=(-1.2, 1.2, -0.8, 0.8),
+        size="laboratory",
         controls=(
             Slider(p_x, -1.0, 1.0, start=-0.6, step=0.05, label="point p_x"),
             Slider(p_y, -0.7, 0.7, start=0.45, step=0.05, label="point p_y"),

@@ -77,6 +77,7 @@ def ackermann_figure() -> Figure:
         name="ackermann-steering",
         title="A car from above with the bicycle that turns like it, the steering under your hand",
         view=(-6.4, 6.4, -1.3, 5.1),
+        size="laboratory",
         controls=(
             Slider.degrees(
                 steering, -80, 80, start=30,
@@ -151,6 +152,7 @@ def loop_figure() -> Figure:
         name="bicycle-steps",
         title="The exact arc of a long car and the same drive in straight steps",
         view=(-24, 24, -5, 23),
+        size="laboratory",
         controls=(
             Slider(n, 1, 40, start=5, step=1, label="number of steps", kind="approximation"),
             Slider.degrees(
@@ -217,6 +219,7 @@ def lane_figure() -> Figure:
         name="swept-lane",
         title="A long car in a turn, and the lane that it needs",
         view=(-14, 14, -4, 13),
+        size="laboratory",
         controls=(
             Slider.degrees(
                 steering, -60, 60, start=20,

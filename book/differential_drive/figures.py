@@ -228,7 +228,6 @@ def park_figure() -> Figure:
             ),
         ),
         goal=Goal(parked(end, MARK), "Park the robot on the mark: within 2 cm and 5°."),
-        size="step",
     )
 
 
@@ -257,7 +256,6 @@ def exercise_figure() -> Figure:
             Length(b, left, right, aside=-0.085, label="b = 10 cm"),
             Length(r, (-0.05, 0), (-0.05, -RADIUS), aside=-0.03, label="r = 3 cm"),
         ),
-        size="step",
     )
 
 
@@ -288,7 +286,6 @@ def tips_figure() -> Figure:
         ),
         handles=pulled(),
         readouts=(Readout(v), Readout(omega), Readout(R, words=NO_ICR)),
-        size="step",
     )
 
 
@@ -322,7 +319,6 @@ def infinity_figure() -> Figure:
             Handle("the ICR on the map", dot, {share: atan2(-POINTER[0], -POINTER[1] - far) / 2}),
         ),
         readouts=(Readout(v_L), Readout(v_R), Readout(R, words={"inf": "none: straight"})),
-        size="step",
     )
 
 
@@ -351,7 +347,6 @@ def world_figure() -> Figure:
         ),
         handles=(Handle("tip of the velocity", end, {theta: atan2(POINTER[1], POINTER[0])}),),
         readouts=(Readout(x_dot), Readout(y_dot)),
-        size="step",
     )
 
 
@@ -379,7 +374,6 @@ def rates_figure() -> Figure:
         scene=(*robot(START, time=t), *arrows(START), *rows),
         readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,
-        size="step",
     )
 
 
@@ -403,7 +397,6 @@ def guess_figure() -> Figure:
             Point("target", (guess_x, guess_y), "your guess"),
         ),
         handles=(Handle("your guess", (guess_x, guess_y)),),
-        size="step",
     )
 
 
@@ -439,7 +432,6 @@ def arc_figure() -> Figure:
         ),
         handles=(Handle("the end", end, {omega: 2 * half / time, dt: time}),),
         readouts=(Readout(x_next), Readout(y_next), Readout(theta_next)),
-        size="step",
     )  # fmt: skip
 
 
@@ -481,7 +473,6 @@ def almost_figure() -> Figure:
             Readout("error", "error, textbook's form", apart(LOST, exact), "m", digits=-2),
         ),
         grid=False,
-        size="step",
     )
 
 
@@ -533,7 +524,6 @@ def steps_figure() -> Figure:
         ),
         readouts=tuple(readouts),
         grid=False,
-        size="step",
     )
 
 
@@ -567,7 +557,6 @@ def sideways_figure() -> Figure:
             Readout("lost", "what it cannot", wish_y, "m/s"),
         ),
         goal=Goal(And(Abs(wish_y) < 0.006, Abs(wish_x) > 0.02), "Wish for something it can do."),
-        size="step",
     )
 
 
@@ -607,7 +596,6 @@ def side_figure() -> Figure:
         ),
         readouts=(Readout("off", "at the end: off the mark", apart(end, SIDE), "m"),),
         goal=Goal(parked(end, SIDE), "Find the way to the place at its side: within 2 cm."),
-        size="step",
     )
 
 
@@ -696,7 +684,6 @@ def damage_figure() -> Figure:
             hull(there, "approximation"),
         ),
         readouts=(Readout("apart", "apart", apart(now, there), "m"),),
-        size="step",
     )
 
 
@@ -720,7 +707,6 @@ def recap_figure() -> Figure:
             Length(R, ORIGIN, (-R, 0), aside=0.07),
             Point("icr", (-R, 0), label="ICR"),
         ),
-        size="step",
     )
 
 

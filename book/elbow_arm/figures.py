@@ -165,6 +165,7 @@ def two_views_figure() -> Figure:
         name="four-arms",
         title="A three-joint arm and its target: left from above, right from the side",
         view=(-0.78, 2.3, -0.77, 0.85),
+        size="laboratory",
         controls=(*target_sliders(), ARMS),
         scene=(
             *(ring((0, 0), cut) for cut in cuts),
@@ -217,6 +218,7 @@ def space_figure() -> Figure:
         name="arm-in-space",
         title="The three-joint arm in space, with its target and the axes of its joints",
         view=(-1.0, 1.0, -0.67, 0.85),
+        size="",
         controls=(*target_sliders(), AWAY),
         scene=(
             *(ring(VIEW.project(shoulder), limit) for limit in (least, most)),

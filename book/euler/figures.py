@@ -146,6 +146,7 @@ def die_figure() -> Figure:
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
         view=(-3.3, 3.3, -3.1, 1.4),
+        size="laboratory",
         controls=(turns,),
         scene=(
             *die(now, VIEW.beside(-1.4)),
@@ -171,7 +172,6 @@ def exercise_figure() -> Figure:
         name="two-frames",
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
         scene=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
         says="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
     )
@@ -185,7 +185,6 @@ def columns_figure() -> Figure:
         name="columns",
         title="A die turned about one axis of the room, and the matrix of the turn",
         view=(-1.5, 3.1, -1.6, 1.5),
-        size="step",
         controls=(
             Choice("axis", "turn about", tuple(about), options, start="z"),
             Slider.degrees(turn, start=60, step=5),
@@ -208,7 +207,6 @@ def order_figure() -> Figure:
         name="order",
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
         controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
@@ -224,7 +222,6 @@ def target_figure() -> Figure:
         name="to-b",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
         view=(-2.5, 2.6, -1.6, 1.5),
-        size="step",
         controls=(
             Slider.degrees(first, step=5, label="α, about y", kind="y_axis"),
             Slider.degrees(middle, step=5, label="β, about the new z", kind="z_axis"),
@@ -251,7 +248,6 @@ def both_figure() -> Figure:
         name="both-answers",
         title="Two dice turned about x, y and z by different angles",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
         controls=(
             Slider.degrees(middle, start=30, step=5, kind="y_axis"),
             Clock(made, 0.0, 3.0, label="turns made", rate=0.75),
@@ -312,7 +308,6 @@ def rings_figure() -> Figure:
         name="gimbal-rings",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
         view=(-2.3, 3.5, -2.25, 1.5),
-        size="step",
         seen_from=(-pi / 4, pi / 8),
         controls=(
             Slider.degrees(middle, start=30, step=5, label="β, middle ring", kind="y_axis"),
@@ -378,7 +373,6 @@ def one_turn_figure() -> Figure:
         name="one-turn",
         title="A die on its way to frame B, and its way in the ball of all rotations",
         view=(-2.45, 3.15, -1.7, 1.85),
-        size="step",
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
@@ -411,7 +405,6 @@ def recap_figure() -> Figure:
         name="rotation-recap",
         title="A die on its way from frame A to frame B, its matrix, and the axis of the one turn",
         view=(-1.5, 3.1, -1.6, 1.5),
-        size="step",
         controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
         scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
         says="Turned by {turn} about the slanted axis.",
@@ -435,7 +428,6 @@ def mistakes_figure() -> Figure:
         name="wrong-frames",
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
         controls=(Choice("mistake", "mistake", WRONG, options),),
         scene=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),

@@ -135,6 +135,7 @@ def chain_figure() -> Figure:
         name="room-plan",
         title="A room from above: a camera's frame d, a platform b with an arm, an object e",
         view=(-0.3, 2.1, -0.3, 1.5),
+        size="",
         controls=(
             Slider(db_x, 0.3, 1.7, start=1.0, step=0.05, label="platform x_db"),
             Slider(db_y, 0.2, 1.2, start=0.5, step=0.05, label="platform y_db"),
@@ -235,6 +236,7 @@ def above_figure() -> Figure:
         name="camera-above",
         title="In space: a camera f that looks down on a platform b, its hand c and an object e",
         view=(-0.9, 0.9, -0.5, 1.3),
+        size="",
         controls=(
             Slider.degrees(camera_turn, step=5, label="camera turned by"),
             Slider(high, 1.0, 1.4, start=1.2, step=0.05, label="height of the camera"),

@@ -115,6 +115,7 @@ def rules_figure() -> Figure:
         name="four-rules",
         title="One drive of a robot, read from its encoders by four rules",
         view=(-0.86, 0.94, -0.15, 0.95),
+        size="laboratory",
         controls=(
             Slider(samples, 3, 32, start=8, step=1, label="samples in the drive"),
             Slider.degrees(turned, 30, 360, start=270, step=5, label="turned in all"),
@@ -229,6 +230,7 @@ def ellipse_figure() -> Figure:
         name="error-ellipse",
         title="A drive and the ellipses that hold 95 of 100 of its ends",
         view=(-0.9, 3.5, -0.7, 2.2),
+        size="laboratory",
         controls=(
             Slider(
                 wheel_error, 0.001, 0.02, start=0.008, step=0.001, kind="uncertainty",
@@ -314,6 +316,7 @@ def square_figure() -> Figure:
         name="square-path",
         title="Square drives to the left and to the right of a robot that believes it is right",
         view=(-1.9, 1.7, -1.3, 1.3),
+        size="laboratory",
         controls=(
             Slider(b_true, 0.19, 0.21, start=0.206, step=0.001, label="true wheel distance"),
             Slider(ratio, 0.98, 1.02, start=1.006, step=0.002, label="right diameter / left"),
@@ -440,7 +443,6 @@ def mistakes_figure() -> Figure:
             "{mistake}: after {samples} samples the robot is {apart} from where its program "
             "believes it. The heading is off by {turned}."
         ),
-        size="step",
     )
 
 

@@ -141,6 +141,7 @@ def levers_figure() -> Figure:
         name="arm-levers",
         title="One joint of an arm turns: its lever, and the velocity of the hand",
         view=(-0.9, 1.3, -0.22, 1.28),
+        size="laboratory",
         controls=(
             Choice(
                 "joint",
@@ -220,6 +221,7 @@ def joints_figure() -> Figure:
         name="arm-joints",
         title="An arm with three links, its joints under your hand",
         view=(-1.28, 1.28, -0.96, 0.96),
+        size="",
         controls=(
             Slider(theta1, -17 * pi / 18, pi, start=START[0], step=pi / 36, label="joint θ_1"),
             Slider(theta2, -17 * pi / 18, pi, start=START[1], step=pi / 90, label="joint θ_2"),
@@ -342,6 +344,7 @@ def line_figure() -> Figure:
         name="arm-line",
         title="An arm follows a straight line, step by step",
         view=(-0.62, 1.02, -0.22, 0.92),
+        size="",
         controls=(
             Clock(t, 0.0, DURATION, label="time"),
             Slider(n, 5, 100, start=10, step=1, label="number of steps", kind="approximation"),
@@ -408,6 +411,7 @@ def elbows_figure() -> Figure:
         name="arm-elbows",
         title="One pose of the hand, two arms that reach it",
         view=(-1.28, 1.28, -0.96, 0.96),
+        size="",
         controls=(
             Slider(x, -0.9, 0.9, start=0.55, step=0.01, label="hand x"),
             Slider(y, -0.9, 0.9, start=0.5, step=0.01, label="hand y"),
@@ -517,7 +521,6 @@ def mistakes_figure() -> Figure:
             "{mistake}: after {t} the hand is {apart} from where its program believes it, and has "
             "turned {turned} too far."
         ),
-        size="step",
     )
 
 

@@ -83,6 +83,7 @@ def kinds_figure() -> Figure:
         name="wheel-kinds",
         title="A wheel from above is moved: what it rolls, and how it gives way",
         view=(-0.36, 0.36, -0.23, 0.23),
+        size="laboratory",
         controls=(
             Choice(
                 "kind",
@@ -235,6 +236,7 @@ def laboratory_figure() -> Figure:
         name="wheel-laboratory",
         title="A robot seen from above, its wheels, their axles and the motion they allow",
         view=(-0.6, 0.8, -0.55, 0.55),
+        size="",
         controls=(
             Choice(
                 "robot",
@@ -386,6 +388,7 @@ def omni_figure() -> Figure:
         name="omni",
         title="A robot on three Swedish wheels seen from above, their rates under your hand",
         view=(-0.5, 1.7, -0.5, 1.0),
+        size="",
         controls=(
             *(
                 Slider(rate, -6.0, 6.0, start=start, step=0.5, label=f"wheel {k}", kind=kind)
@@ -520,7 +523,6 @@ def mistakes_figure() -> Figure:
         ),
         says="{mistake}: after {t} the robot is {apart} from where its program believes it, "
         "and has turned {turned} too far.",
-        size="step",
     )
 
 

@@ -23,7 +23,7 @@ from workshop.figures.turning import Turns
 from workshop.script import engine
 from workshop.script.widget import Widget, widget
 
-SIZES = ("", "step", "laboratory")
+SIZES = ("step", "laboratory", "")
 MIME = "application/vnd.workshop.figure+json"
 
 
@@ -37,7 +37,7 @@ class Figure:
     one, all controls and readouts are told. where: named steps of the computation, in order, that
     all expressions may use. grid: whether the flat ground shows x, y in m. goal: what the reader
     shall reach, or several such. follow: a point that the view moves along with, so that it stays
-    inside. size: "step" or "laboratory", whose sizes on a page are tested, or "".
+    inside. size: "step" or "laboratory", whose sizes on a page are tested, or "" for a larger one.
 
     With shapes of `VIEW` it is a picture in space: the view's sliders are its last controls, and
     dragging its ground turns it. seen_from: azimuth and elevation at first.
@@ -56,7 +56,7 @@ class Figure:
     grid: bool = True
     goal: Goal | tuple[Goal, ...] = ()
     follow: Place = ()
-    size: str = ""
+    size: str = "step"
 
     def __post_init__(self) -> None:
         if self.turns:

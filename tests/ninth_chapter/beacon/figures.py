@@ -18,6 +18,7 @@ def beacon_figure() -> Figure:
         name="beacon",
         title="A robot and a beacon, seen from above",
         view=(-1.2, 1.2, -0.8, 0.8),
+        size="laboratory",
         controls=(
             Slider(b_x, -1.0, 1.0, start=0.6, step=0.05, label="beacon b_x"),
             Slider(b_y, -0.7, 0.7, start=0.4, step=0.05, label="beacon b_y"),
@@ -45,6 +46,7 @@ def guess_figure() -> Figure:
         name="beacon-guess",
         title="A robot, and a ghost of the beacon to place",
         view=seen.view,
+        size="",
         controls=(
             *seen.controls,
             Slider(guess_x, -1.0, 1.0, start=0.3, step=0.05, label="x"),

@@ -492,9 +492,7 @@ def mistakes_figure() -> Figure:
         view=(-0.48, 0.72, -0.24, 0.7),
         controls=(
             Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
-            Slider(
-                phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate of the hand"
-            ),
+            Slider(phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate φ̇"),
             Clock(t, 0.0, LASTS, start=LASTS, step=0.05, loops=True, label="time"),
         ),
         where=(

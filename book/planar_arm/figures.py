@@ -492,10 +492,8 @@ def mistakes_figure() -> Figure:
         title="An arm, and where its program with a mistake believes it to be",
         view=(-0.48, 0.72, -0.24, 0.7),
         controls=(
-            Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
-            Slider(
-                phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate of the hand"
-            ),
+            Choice("mistake", "mistake", MADE_ONE, options),
+            Slider(phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate φ̇"),
             Clock(t, 0.0, LASTS, start=LASTS, loops=True, label="time"),
         ),
         where=(

@@ -328,10 +328,15 @@ def test_nbval_passes_an_untouched_copy(copy):
     assert nbval(copy(lambda notebook: None)).returncode == 0
 
 
-def test_nbval_sees_one_wrong_digit(copy):
+def test_nbval_sees_one_wrong_digit_and_a_changed_formula(copy):
     printed = []
 
     def tamper(notebook):
+        text = json.dumps(notebook)
+        assert "v_{R} + v_{L}" in text
+        notebook.update(
+            nbformat.from_dict(json.loads(text.replace("v_{R} + v_{L}", "v_{R} - v_{L}")))
+        )
         outputs = [output for cell in notebook.cells for output in cell.get("outputs", ())]
         output = next(o for o in outputs if re.search(r"\d", o.get("text", "")))
         output.text = re.sub(
@@ -342,17 +347,7 @@ def test_nbval_sees_one_wrong_digit(copy):
     run = nbval(copy(tamper))
     assert run.returncode == 1
     assert printed[0] in run.stdout
-
-
-def test_nbval_sees_a_changed_formula(copy):
-    def tamper(notebook):
-        text = json.dumps(notebook)
-        assert "v_{R} + v_{L}" in text
-        notebook.update(
-            nbformat.from_dict(json.loads(text.replace("v_{R} + v_{L}", "v_{R} - v_{L}")))
-        )
-
-    assert nbval(copy(tamper)).returncode == 1
+    assert "v_{R} - v_{L}" in run.stdout
 
 
 def test_nbvals_run_sees_changed_pictures_and_stale_numbers_in_the_prose(copy):

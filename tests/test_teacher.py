@@ -408,6 +408,13 @@ def test_what_a_system_leaves_in_a_folder_is_passed_over(keyed, capsys, left):
     assert not capsys.readouterr().err
 
 
+def test_a_hidden_table_is_read_like_any_other(keyed):
+    (keyed / "answers").mkdir()
+    (keyed / "answers" / ".answers-Ada.CSV").write_text(saved("Ada", {ONE: "7"}))
+    assert run("grade", "answers", "--key", "key.csv") == 0
+    assert {(r["student"], r["answer"]) for r in table("grades.csv")} >= {("Ada", "7")}
+
+
 def test_a_class_without_a_mistake_is_told_so(folder):
     (folder / "roster.csv").write_text("student\nAda\n")
     assert run("key", "roster.csv", "--only", ONE) == 0

@@ -28,7 +28,9 @@ KINDS = (  # columns that only this kind has
     (set(ANSWERS), "answers"),
     ({"student"}, "roster"),
 )
-OF_A_SYSTEM = re.compile(r"\.|~\$|__MACOSX$|(Thumbs\.db|desktop\.ini)$")  # what it leaves behind
+OF_A_SYSTEM = re.compile(  # what it leaves behind; a hidden table is an answer like any other
+    r"\._|\.(?!.*\.(csv|tsv|txt)$)|~\$|__MACOSX$|(Thumbs\.db|desktop\.ini)$", re.IGNORECASE
+)
 NEVER = datetime.min.replace(tzinfo=UTC)
 
 folded = lru_cache(10_000)(dealing.folded)

@@ -175,6 +175,9 @@ const areDecimal = (level, places, opener, point) => {
   const kinds = level.map((t) => t.kind), first = level.slice(places[0] - 1, places[0] + 2);
   if (point || places.some((i) => places.includes(i + 2))) return false;
   if (opener === "√") return true;
+  const listed = (i) => kinds[i + 2] === "number" // 0,5 1,5
+    || kinds[i - 2] === "number" && !doubtful(level[i - 2], level[i - 1], true);
+  if (places.some(listed)) refuse("comma", piece(level));
   const spaced = kinds.includes("،")
     || kinds.some((kind, i) => kind === "," && i + 1 < level.length && level[i + 1].gap !== "");
   if (spaced || kinds.includes(";")) {

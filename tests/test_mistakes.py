@@ -73,8 +73,8 @@ def test_what_changed_is_marked(lines, shown):
 
 
 def test_without_a_formula_it_is_told():
-    with pytest.raises(CourseError, match="M1 has no wrong formula: declare it"):
-        MISTAKES["M1"].at({})
+    with pytest.raises(CourseError, match="M98 has no wrong formula: declare it"):
+        Mistake("M98", says="", why="", unnoticed="", line="v = 0").at({})
     with pytest.raises(CourseError, match="M99 has no wrong formula"):
         Mistake("M99", says="", why="", unnoticed="")
     assert Mistake("M99", "", "", "", wrong=Wrong(formulas.speed, {v_L: Symbol("z")})).line

@@ -2,9 +2,26 @@
 
 from typing import Any
 
-from sympy import Abs, Piecewise, Symbol, atan2, cos, nan, pi, sign, sin, sqrt, symbols, tan
+from sympy import (
+    Abs,
+    Matrix,
+    Piecewise,
+    Symbol,
+    atan2,
+    cos,
+    eye,
+    integrate,
+    nan,
+    pi,
+    sign,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
 
 from book.bicycle import formulas as bicycle
+from book.bicycle.exercises import M15, M16, M17, M18, M32, M33
 from book.bicycle.formulas import (
     ahead,
     alpha_L,
@@ -12,17 +29,20 @@ from book.bicycle.formulas import (
     rate_rear,
     steering,
     track,
+    v_F,
     wheelbase,
     y_heading,
 )
 from book.differential_drive.figures import n, t
 from book.differential_drive.formulas import R, r
-from book.frames.figures import point_of
-from book.motion.formulas import dt, theta, v, x, y
-from workshop.equations.core import as_written
+from book.frames.figures import point_of, wrapped
+from book.motion import formulas as motion
+from book.motion.formulas import dt, omega, theta, theta_next, v, x, y
+from workshop.equations.core import as_written, put_in
 from workshop.figures import (
     POINTER,
     AngleArc,
+    Area,
     Arrow,
     Choice,
     Clock,
@@ -261,4 +281,86 @@ def lane_figure() -> Figure:
     )  # fmt: skip
 
 
-FIGURES = (ackermann_figure(), loop_figure(), lane_figure())
+SHORT, WIDE, PACE = 2.5, 2.0, 2.0  # m, m, m/s: the car of the mistakes
+MISTAKES = symbols("mistake:6", real=True)  # 1 for the one that is made, else 0
+
+
+def believed(time: Any) -> dict[str, Any]:
+    """The pose of the rear axle by each mistake, and whether it is made in the front axle's way."""
+    car = {wheelbase: SHORT, v: PACE, v_F: PACE / cos(steering)}
+    steered = (put_in(each, {**car, track: WIDE}) for each in angles)
+    alone = M18.at(dict(zip((alpha_L, alpha_R), steered, strict=True)))
+    rate, front = PACE / SHORT * tan(steering), point_of(START, SHORT, 0)
+    turned = UP + rate * time
+
+    def turning(rate: Any) -> Any:
+        arc = motion.arc_step.at({x: 0, y: 0, theta: UP, v: PACE, omega: rate, dt: time})
+        return (*arc, 0)
+
+    def leading(mistake: Any) -> Any:
+        way = (integrate(u, (theta, UP, turned)) / rate for u in mistake.at(car))
+        there = (a + b for a, b in zip(front, way, strict=True))
+        return (*point_of((*there, turned), -SHORT, 0), turned, 1)
+
+    return {
+        "Off its circle": (*M15.at({R: PACE / rate, theta: UP, theta_next: turned}), turned, 0),
+        "It turns too fast": turning(M16.at(car)),
+        "It follows its nose": leading(M17),
+        "Only along a diagonal": leading(M33),
+        "One wheel for two": turning(PACE / SHORT * tan(alone)),
+        "To the other side": turning(-M32.at({**car, y_heading: 0, dt: 1})),
+    }
+
+
+def car(kind: str, pose: Any, steered: Any) -> tuple[Any, ...]:
+    """A car from above: its outline, and its wheels."""
+    side, end = WIDE / 2, 0.5
+    rim = [(-end, side), (-end, -side), (SHORT + end, -side), (SHORT + end, side), (-end, side)]
+    outline = tuple(point_of(pose, *corner) for corner in rim)
+    wheels = zip((0, 0, SHORT, SHORT), (side, -side) * 2, (0, 0, *steered), strict=True)
+    return (
+        Area(kind, outline),
+        Line(kind, outline),
+        *(Wheel(kind, point_of(pose, a, b), pose[2] + turn, **WHEEL) for a, b, turn in wheels),
+    )
+
+
+def mistakes_figure() -> Figure:
+    """A car in a left turn, and where a program with a mistake believes it to be."""
+    here, there = symbols("x_t y_t theta_t", real=True), symbols("x_b y_b theta_b", real=True)
+    poses = believed(t)
+    true = bicycle.arc_step.at({x: 0, y: 0, theta: UP, v: PACE, wheelbase: SHORT, dt: t})
+    wrong = Matrix([list(pose) for pose in poses.values()]).T * Matrix(MISTAKES)
+    point, ghost = (point_of(pose, SHORT * ahead, 0) for pose in (here, there))
+    ways = (tuple(point_of(pose.subs(t, s)[:3], SHORT * ahead, 0)) for pose in (true, wrong))
+    steered = [put_in(each, {wheelbase: SHORT, track: WIDE}) for each in angles]
+    options = dict(zip(poses, (tuple(map(int, row)) for row in eye(6).tolist()), strict=True))
+    apart = sqrt((ghost[0] - point[0]) ** 2 + (ghost[1] - point[1]) ** 2)
+    return Figure(
+        name="wrong-car",
+        title="A car, and where a program with a mistake believes it to be",
+        view=(-7.9, 5.1, -4.1, 5.7),
+        controls=(
+            Choice("mistake", "mistake", MISTAKES, options, start="Off its circle"),
+            Slider(
+                steering, 35 * DEGREE, 60 * DEGREE, start=55 * DEGREE, step=DEGREE,
+                label="steering φ",
+            ),
+            Clock(t, 0.0, 3.0, start=3.0, step=0.05, loops=True, label="time, at 2 m/s"),
+        ),
+        where=(*zip(here, true, strict=True), *zip((*there, ahead), wrong, strict=True)),
+        scene=(
+            *(Curve(*way, s, 0, t) for way in zip(("path", "approximation"), ways, strict=True)),
+            *car("approximation", there, steered),
+            *car("body", here, steered),
+            Line("error", (point, ghost)),
+        ),
+        readouts=(
+            Readout("apart", "apart", apart, "m", digits=2),
+            Readout("off", "heading off by", wrapped(there[2] - here[2]), "rad", digits=0),
+        ),
+        size="step",
+    )  # fmt: skip
+
+
+FIGURES = (ackermann_figure(), loop_figure(), lane_figure(), mistakes_figure())

@@ -3,9 +3,11 @@
 from math import pi
 from typing import Any
 
-from sympy import Matrix, Symbol, atan2, cos, sin, sqrt, symbols
+from sympy import Matrix, Symbol, atan2, cos, eye, sin, sqrt, symbols, zeros
 
+from book.frames import exercises as bank
 from book.frames import formulas as frames
+from book.frames.exercises import M9, M10, M11, M30
 from book.frames.formulas import (
     alpha,
     bc_turn,
@@ -30,8 +32,10 @@ from workshop.equations.core import Where, as_written, put_in, quantity
 from workshop.figures import (
     POINTER,
     VIEW,
+    Area,
     Arrow,
     Body,
+    Choice,
     Curve,
     Figure,
     Handle,
@@ -280,4 +284,76 @@ def above_figure() -> Figure:
     )
 
 
-FIGURES = (chain_figure(), above_figure())
+MISTAKES = symbols("mistake:4", real=True)  # 1 for the one that is made, else 0
+BOX = 0.09  # m, half a side of the object
+
+
+def matrix(pose: Pose) -> Matrix:
+    """A pose in the plane as a matrix."""
+    return frames.matrix.at(dict(zip(T_db, pose, strict=True)))
+
+
+def believed(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
+    """The object as the hand sees it, T_ce, by each mistake."""
+    turned = {bank.T_db: db, bank.T_bc: bc}
+    given = {T: matrix(pose) for T, pose in {**turned, bank.T_de: de}.items()}
+    given |= {T.inv(): matrix(seen_from(pose, (0, 0, 0))) for T, pose in turned.items()}
+    by_sign = {
+        T.inv(): matrix((*M10.at({bank.p: Matrix(place(pose))}).doit(), -pose[2]))
+        for T, pose in turned.items()
+    }
+    found = {
+        "No inverse": M9.at(given),
+        "Inverses by hand": put_in(bank.FROM_HAND.right, {**given, **by_sign}),
+        "Two inverses": M11.at(given),
+        "One inverse": M30.at(given),
+    }
+    return {name: T_ce.doit() for name, T_ce in found.items()}
+
+
+def box(kind: str, pose: Pose, name: str = "") -> tuple[Any, ...]:
+    """The object from above, and its x axis."""
+    corners = ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+    rim = tuple(point_of(pose, BOX * a, BOX * b) for a, b in corners)
+    return Area(kind, rim), Line(kind, rim), Arrow(kind, place(pose), point_of(pose, AXIS), name)
+
+
+def mistakes_figure() -> Figure:
+    """The room from above, and where a program with a mistake believes the object to be."""
+    db, de, bends = (0.6, 0.5, db_turn), (-0.3, 0.6, -pi / 3), (-pi / 2, 7 * pi / 12, pi / 4)
+    arm = {**LINKS, **dict(zip((alpha, beta, gamma), bends, strict=True))}
+    hand = [float(number) for number in frames.hand_pose.at(arm)]
+    elbow = place(joined(db, frames.hand_pose.at({**arm, l_2: 0})))
+    c, steps_c = named("c", joined(db, hand))
+    ways = believed(db, hand, de)
+    T = sum((one * way for one, way in zip(MISTAKES, ways.values(), strict=True)), zeros(3))
+    ce, steps_ce = named("ce", Matrix([T[0, 2], T[1, 2], atan2(T[1, 0], T[0, 0])]))
+    e, steps_e = named("e", joined(c, ce))
+    options = dict(zip(ways, (tuple(map(int, row)) for row in eye(4).tolist()), strict=True))
+    return Figure(
+        name="wrong-object",
+        title="A platform with an arm, an object, and where a program with a mistake believes it",
+        view=(-0.6, 1.6, -0.2, 1.45),
+        controls=(
+            Choice("mistake", "mistake", MISTAKES, options, start="No inverse"),
+            Slider(db_turn, pi / 3, 5 * pi / 6, start=pi / 2, step=STEP, label="platform θ_db"),
+        ),
+        where=(*steps_c, *steps_ce, *steps_e),
+        scene=(
+            Line("error", (place(de), place(e))),
+            Body(place(db), db_turn, RADIUS),
+            Line("body", (place(db), elbow, place(c))),
+            Point("body", elbow),
+            *(*axes((0, 0, 0), "d"), *axes(db, "b"), *axes(c, "c")),
+            *box("target", de, "x_e"),
+            *box("approximation", e),
+        ),
+        readouts=(
+            Readout("apart", "apart", sqrt((e[0] - de[0]) ** 2 + (e[1] - de[1]) ** 2), "m"),
+            Readout("off", "turned off by", wrapped(e[2] - de[2]), "rad", digits=0),
+        ),
+        size="step",
+    )
+
+
+FIGURES = (chain_figure(), above_figure(), mistakes_figure())

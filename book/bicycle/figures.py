@@ -342,11 +342,11 @@ def mistakes_figure() -> Figure:
         view=(-7.9, 5.1, -4.1, 5.7),
         controls=(
             Choice("mistake", "mistake", MISTAKES, options, start="Off its circle"),
-            Slider(
-                steering, 35 * DEGREE, 60 * DEGREE, start=55 * DEGREE, step=DEGREE,
+            Slider.degrees(
+                steering, 35, 60, start=55,
                 label="steering φ",
             ),
-            Clock(t, 0.0, 3.0, start=3.0, step=0.05, loops=True, label="time, at 2 m/s"),
+            Clock(t, 0.0, 3.0, start=3.0, loops=True, label="time, at 2 m/s"),
         ),
         where=(*zip(here, true, strict=True), *zip((*there, ahead), wrong, strict=True)),
         scene=(
@@ -359,7 +359,6 @@ def mistakes_figure() -> Figure:
             Readout("apart", "apart", apart, "m", digits=2),
             Readout("off", "heading off by", wrapped(there[2] - here[2]), "rad", digits=0),
         ),
-        size="step",
     )  # fmt: skip
 
 

@@ -43,7 +43,7 @@ M1 = Mistake(
     "clockwise.",
     unnoticed="Where p_x = p_y, on the line in the middle between the two axes.",
     picture=Picture(
-        "wrong-arm",
+        "wrong-reach",
         "It points aside",
         "The red arm points aside. Its program believes that it reaches p, like the grey one.",
     ),
@@ -62,7 +62,7 @@ M2 = Mistake(
     "√(p_x² + p_y²) away from the base axis, not |p_y|.",
     unnoticed="Where p_x = 0: there the arm really stands in that plane.",
     picture=Picture(
-        "wrong-arm",
+        "wrong-reach",
         "It falls short",
         "The red arm falls short of p. Its program believes that it reaches p, like the grey one.",
     ),
@@ -83,7 +83,7 @@ M3 = Mistake(
     "a square metre: the units show the mistake.",
     unnoticed="With a forearm of 1 m: there the square and the third power are the same number.",
     picture=Picture(
-        "wrong-arm",
+        "wrong-reach",
         "It reaches too far",
         "The red arm reaches beyond p. Its program believes that it stops at p, like the grey one.",
     ),
@@ -103,7 +103,7 @@ M4 = Mistake(
     unnoticed="Where the wrist is on the base axis, if you look only at the wrist. The elbow is "
     "then on the other side.",
     picture=Picture(
-        "wrong-arm",
+        "wrong-reach",
         "It turns round",
         "The red arm leans away from p. Its program believes that it reaches p, like the grey one.",
     ),
@@ -122,7 +122,7 @@ M5 = Mistake(
     "p_x < 0, arctan gives the direction that faces away from the target.",
     unnoticed="Where p_x > 0.",
     picture=Picture(
-        "wrong-arm",
+        "wrong-reach",
         "It points backwards",
         "The red arm looks away from p. Its program believes that it reaches p, like the grey one.",
     ),

@@ -59,13 +59,13 @@ SETTINGS = [
     {"p_x": 0.7, "p_y": 0.6},
 ]
 
-READOUTS = {"four-arms": readouts, "arm-in-space": readouts, "wrong-arm": mistakes_readouts}
+READOUTS = {"four-arms": readouts, "arm-in-space": readouts, "wrong-reach": mistakes_readouts}
 NOT_NOTICED = [
     {"mistake": "It points aside", "p_x": 0.2},
     {"mistake": "It points backwards", "p_x": 0.3},
     {"mistake": "It falls short", "p_x": 1e-9},  # at 0 the quotient p_y/p_x has no digits
 ]
-SPECIALS = {"four-arms": SETTINGS, "arm-in-space": SETTINGS, "wrong-arm": NOT_NOTICED}
+SPECIALS = {"four-arms": SETTINGS, "arm-in-space": SETTINGS, "wrong-reach": NOT_NOTICED}
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("four-arms", {"p_x": 0.7}, "theta2", "none"),
     ("arm-in-space", {"p_x": 0.0, "p_y": 0.0, "p_z": 0.1}, "theta1", "none"),

@@ -345,7 +345,7 @@ def mistakes_figure() -> Figure:
         return sqrt(sum((a - b) ** 2 for a, b in zip(first, second, strict=True)))
 
     return Figure(
-        name="wrong-arm",
+        name="wrong-reach",
         title="An arm with its wrist at the target, and a red one that a mistake sends elsewhere",
         view=(-0.86, 0.86, -0.45, 0.84),
         controls=(

@@ -336,7 +336,7 @@ def mistakes_figure() -> Figure:
         view=(-0.6, 1.6, -0.2, 1.45),
         controls=(
             Choice("mistake", "mistake", MISTAKES, options, start="No inverse"),
-            Slider(db_turn, pi / 3, 5 * pi / 6, start=pi / 2, step=STEP, label="platform θ_db"),
+            Slider.degrees(db_turn, 60, 150, start=90, step=5, label="platform θ_db"),
         ),
         where=(*steps_c, *steps_ce, *steps_e),
         scene=(
@@ -352,7 +352,6 @@ def mistakes_figure() -> Figure:
             Readout("apart", "apart", sqrt((e[0] - de[0]) ** 2 + (e[1] - de[1]) ** 2), "m"),
             Readout("off", "turned off by", wrapped(e[2] - de[2]), "rad", digits=0),
         ),
-        size="step",
     )
 
 

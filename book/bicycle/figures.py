@@ -58,7 +58,6 @@ from workshop.figures import (
     Wheel,
 )
 
-DEGREE = float(pi) / 180
 UP = pi / 2  # rad, the heading of a car that looks up in the picture
 NO_ICR = {"inf": "none: straight ahead"}
 NO_LANE = {"nan": "no lane: the car turns about a point under itself"}
@@ -234,7 +233,7 @@ def lane_figure() -> Figure:
         for edge in (left_edge, right_edge)
     ]
     with as_written():  # in gentler turns the ICR lies outside the picture
-        near = Piecewise((-wheelbase / tan(steering), Abs(steering) > 10 * DEGREE), (nan, True))
+        near = Piecewise((-wheelbase / tan(steering), Abs(steering) > pi / 18), (nan, True))
     return Figure(
         name="swept-lane",
         title="A long car in a turn, and the lane that it needs",

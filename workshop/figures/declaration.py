@@ -132,7 +132,7 @@ class Handle:
     sets: Mapping[sp.Symbol, Expr] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "sets", self.sets or dict(zip(self.at, POINTER, strict=True)))
+        object.__setattr__(self, "sets", self.sets or dict(zip(self.at, POINTER, strict=False)))
 
 
 # What is computed step by step.

@@ -10,21 +10,7 @@ from itertools import pairwise
 from math import pi
 from typing import Any
 
-from sympy import (
-    Matrix,
-    Max,
-    Min,
-    Or,
-    Piecewise,
-    Symbol,
-    atan2,
-    cos,
-    eye,
-    nan,
-    sin,
-    sqrt,
-    symbols,
-)
+from sympy import Matrix, Max, Min, Or, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt, symbols
 from sympy import pi as half_turn
 
 from book.basics.formulas import p_x, p_y

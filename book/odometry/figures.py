@@ -218,8 +218,7 @@ def ellipse_figure() -> Figure:
     xx, xy, _, yy, _, tt = loops[STEPS].ends[-6:]
     values = {odometry.p_xx: xx, odometry.p_xy: xy, odometry.p_yy: yy}
     axes = put_in(
-        odometry.ellipse_axes.right,
-        {**carried(odometry.ellipse_axes.where, values), **values},
+        odometry.ellipse_axes.right, {**carried(odometry.ellipse_axes.where, values), **values}
     )
     with as_written():
         direction = sp.atan2(POINTER[1], POINTER[0])

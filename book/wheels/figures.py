@@ -140,11 +140,7 @@ ROBOTS = {
         (0.3, -0.12, 0.0, *STEERED),
     ],
     "bicycle": [(0.3, 0.0, 0.0, *STEERED), (0.0, 0.0, 0.0, *FIXED)],
-    "tricycle": [
-        (0.3, 0.0, 0.0, *STEERED),
-        (0.0, 0.12, 0.0, *FIXED),
-        (0.0, -0.12, 0.0, *FIXED),
-    ],
+    "tricycle": [(0.3, 0.0, 0.0, *STEERED), (0.0, 0.12, 0.0, *FIXED), (0.0, -0.12, 0.0, *FIXED)],
     "differential drive, castor": [
         (0.0, 0.12, 0.0, *FIXED),
         (0.0, -0.12, 0.0, *FIXED),

@@ -184,9 +184,7 @@ def test_loop_with_state():
     loop = Recurrence(state, (0, 0, arc.theta), tuple(step), count=200, most=200, ends=end)
     sliders = tuple(Slider(s, -6, 6, 0, 0.1) for s in (arc.theta, arc.v, arc.omega))
     readouts = tuple(Readout(str(s), str(s), s, "m") for s in end)
-    figure = Figure(
-        "loop", "", (-1, 1, -1, 1), sliders, (Trail("path", state[:2], loop),), readouts, ""
-    )
+    figure = Figure("loop", "", (-1, 1, -1, 1), (Trail("path", state, loop),), sliders, readouts)
     points = np.random.default_rng(4).uniform([-3, -1, -6], [3, 1, 6], (N, 3))
     points[:2, 2] = 0.0, 1e-16
     in_script = figure.compute(points)

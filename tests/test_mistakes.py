@@ -1,5 +1,6 @@
 """A mistake as a wrong formula: its line, its number and its expression come from one place."""
 
+import nbformat
 import numpy as np
 import pytest
 from declared import EXERCISES, FIGURES, MISTAKES, course, each
@@ -72,8 +73,8 @@ def test_what_changed_is_marked(lines, shown):
 
 
 def test_without_a_formula_it_is_told():
-    with pytest.raises(CourseError, match="M1 has no wrong formula: declare it"):
-        MISTAKES["M1"].at({})
+    with pytest.raises(CourseError, match="M98 has no wrong formula: declare it"):
+        Mistake("M98", says="", why="", unnoticed="", line="v = 0").at({})
     with pytest.raises(CourseError, match="M99 has no wrong formula"):
         Mistake("M99", says="", why="", unnoticed="")
     assert Mistake("M99", "", "", "", wrong=Wrong(formulas.speed, {v_L: Symbol("z")})).line
@@ -90,3 +91,6 @@ def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter():
         [choice] = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]
         assert (choice.name, picture.option in choice.options) == ("mistake", True)
         assert "#dark:target { --rk-ground: #14181f;" in stills[name]
+        sources = [cell.source for cell in nbformat.read(course().notebook(homes[name]), 4).cells]
+        shown = sources.index(f'practice.mistake("{name}")')
+        assert sources[shown - 1] == f"### {picture.option}"  # for the box itself has no title

@@ -578,13 +578,6 @@ def test_a_mistake_is_shown_with_its_value(mistake):
     assert html.index(escape(mistake.line)) < html.index("It gives")
 
 
-def test_mistakes_in_one_exercise_are_numbered():
-    titles = [practice.mistake(name).title for name in mistakes()]
-    assert len(set(titles)) == len(titles)
-    assert practice.mistake("M20").title == "Mistake 2 of 4: The matrix of an omni robot"
-    assert practice.mistake("M4").title == "The same place from behind"
-
-
 def test_a_matrix_is_given_row_by_row():
     html = practice.mistake("M19").answer
     assert html.count("<br>") == 6  # three rows, wrong and right

@@ -21,7 +21,7 @@ from test_figures import (
 
 from robokin import euler
 from workshop.errors import CourseError
-from workshop.figures import VIEW, Bracket, Readout, Turns, solids, view_sliders
+from workshop.figures import VIEW, Bracket, Readout, Turns, solids
 from workshop.script import engine as script
 
 pytest_plugins = ["browser"]
@@ -192,7 +192,7 @@ def turning(**parts):
     now = TURNS.after(TURNS.last(TURNS.part))
     names = [f"r{k}" for k in range(9)]
     right = {
-        "controls": (TURNS, *view_sliders()),
+        "controls": (TURNS,),
         "readouts": tuple(Readout(n, n, x, "") for n, x in zip(names, now, strict=True)),
         "scene": (Bracket(now, (0, 0), "now"),),
         "says": "{turns}",
@@ -205,8 +205,7 @@ FIGURE = turning()
 
 def rotation(text, made=1.0):
     """The rotation that the figure computes."""
-    row = [*pressed(text, made), 0.5, 0.3]
-    return FIGURE.compute([row])[0, :9].reshape(3, 3)
+    return FIGURE.compute([pressed(text, made)])[0, :9].reshape(3, 3)
 
 
 @given(presses, st.floats(0, 1))
@@ -237,7 +236,7 @@ def test_presses_that_are_none_are_refused(value):
 
 
 def test_a_matrix_stands_in_the_picture_with_its_columns_in_colour():
-    svg = str(script.run(f"workshop.figures.svg({FIGURE.code}, [['Z', 1], 30, 20])"))
+    svg = str(script.run(f"workshop.figures.svg({FIGURE.code}, [['Z', 1]])"))
     found = re.findall(r'style="fill:var\(--rk-(\w)_axis[^"]*font:600 13px[^"]*">([^<]+)<', svg)
     assert found == [(axis, n) for row in (["0", "−1", "0"], ["1", "0", "0"], ["0", "0", "1"])
                      for axis, n in zip("xyz", row, strict=True)]  # fmt: skip

@@ -232,7 +232,7 @@ def written(name, figure):
             "motion.euler_step",
             r"x' &= 0 + (−0.175) \cdot \cos{\left(30° \right)} \cdot 0.5 = −0.076 m",
         ),
-        ("motion.euler_step", r"\theta' &= 0.524 + 1.5 \cdot 0.5 = 1.274\,\mathrm{rad} = 72.972°"),
+        ("motion.euler_step", r"\theta' &= 0.524 + 1.5 \cdot 0.5 = 1.274\,\mathrm{rad} = 73.0°"),
     ],
 )
 def test_signs_and_units_of_the_numbers(name, expected):

@@ -94,7 +94,7 @@ def test_every_face_lights_all_of_them(opened):
             faces(page, where).first.hover(force=True)
             assert all(lit(page, other) for other in FACES), where
             assert not lit(page, "formula", "differential_drive.v_R")
-            assert "speed of the left wheel over the floor: 0.0" in note.inner_text()
+            assert "left wheel: its speed over the floor: 0.0" in note.inner_text()
         page.keyboard.press("Escape")
         assert note.is_hidden()
         assert not lit(page, "formula")

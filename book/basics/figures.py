@@ -4,7 +4,7 @@ from sympy import Ne, Piecewise, atan, nan
 
 from book.basics import formulas as basics
 from book.basics.formulas import p_x, p_y
-from workshop.figures import POINTER, AngleArc, Arrow, Figure, Handle, Line, Point, Readout, Slider
+from workshop.figures import AngleArc, Arrow, Figure, Handle, Line, Point, Readout, Slider
 
 ORIGIN = (0, 0)
 
@@ -17,6 +17,7 @@ def direction_figure() -> Figure:
         name="direction",
         title="A point, and its direction seen from the origin",
         view=(-1.2, 1.2, -0.8, 0.8),
+        size="laboratory",
         controls=(
             Slider(p_x, -1.0, 1.0, start=-0.6, step=0.05, label="point p_x"),
             Slider(p_y, -0.7, 0.7, start=0.45, step=0.05, label="point p_y"),
@@ -27,15 +28,14 @@ def direction_figure() -> Figure:
             Arrow("path", ORIGIN, (p_x, p_y)),
             Point("target", (p_x, p_y), label="p"),
         ),
-        handles=(Handle("the point", (p_x, p_y), {p_x: POINTER[0], p_y: POINTER[1]}),),
+        handles=(Handle("the point", (p_x, p_y)),),
         readouts=(
-            Readout("right", "atan2 of p_y and p_x", bearing, "rad", digits=1),
+            Readout("right", "atan2 of p_y and p_x", bearing, "rad"),
             Readout(
                 "wrong",
                 "arctan of p_y / p_x",
                 quotient,
                 "rad",
-                digits=1,
                 words={"nan": "no answer: division by zero"},
             ),
         ),

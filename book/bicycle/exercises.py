@@ -4,28 +4,63 @@ from functools import cache
 
 import numpy as np
 import sympy as sp
-from sympy import Add, atan, cos, cot, sin
+from sympy import Add, atan, cos, cot, sin, tan
 
 from book.bicycle import formulas
 from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
 from robokin import bicycle, motion
 from workshop.equations import as_written
-from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, one_of, steps
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Picture,
+    Solution,
+    Step,
+    Wrong,
+    angle,
+    one_of,
+    steps,
+)
 
 PHI, L, V_F, PSI = formulas.steering, formulas.wheelbase, formulas.v_F, formulas.y_heading
 DIAMETER, TANGENT, COTANGENT = sp.symbols("d tangent cotangent")
 PSI_DOT, PSI_NEXT = formulas.psi_dot, sp.Symbol("ψ'")
 BY_PHI = {PHI: "phi", L: "L"}  # the letters of the formulas, the exercises' names of the numbers
 
+with as_written():
+    R, THETA, TURNED = drive.R, planar.theta, planar.theta_next
+    ARC = Line(
+        sp.Matrix([planar.x_next, planar.y_next]),
+        sp.Matrix([R * (sin(TURNED) - sin(THETA)), -R * (cos(TURNED) - cos(THETA))]),
+    )
+    TURNING = Line(planar.omega, planar.v / L * tan(PHI))
+    FRONT = Line(
+        sp.Matrix([formulas.x_dot_F, formulas.y_dot_F]),
+        sp.Matrix([V_F * cos(THETA + PHI), V_F * sin(THETA + PHI)]),
+    )
+    ONE_WHEEL = Line(PHI, atan(2 / (cot(formulas.alpha_L) + cot(formulas.alpha_R))))
+    MEAN = (formulas.alpha_L + formulas.alpha_R) / 2
+    TURN = planar.v / L * tan(PHI) * planar.dt
+    CLOCKWISE, GROWING = Line(PSI_NEXT, PSI - TURN), Add(PSI, TURN)
+
 M15 = Mistake(
     "M15",
     says="with the difference of the sines in both rows of the arc, where y needs the cosines",
+    wrong=Wrong(ARC, instead=sp.Matrix([ARC.right[0], -ARC.right[0]])),
     line="end = [R * (np.sin(turned) - np.sin(theta)),\n"
     "       -R * (np.sin(turned) - np.sin(theta)), turned]",
     why="The car moves along x with v cos θ and along y with v sin θ. Summed up over time, the "
     "first gives a difference of sines, the second one of cosines. Only y comes out wrong.",
     unnoticed="Where the heading halfway along the arc is 135° or −45°, and after a full circle.",
+    picture=Picture(
+        "wrong-car",
+        "Off its circle",
+        "The car drives on its circle. Its program believes that the rear axle moves along a "
+        "straight line.",
+    ),
     document="000 Q5",
     place="the position after a step",
     nth=1,
@@ -35,10 +70,16 @@ M15 = Mistake(
 M16 = Mistake(
     "M16",
     says="when the front axle's speed is put where the rear axle's speed belongs",
+    wrong=Wrong(TURNING, {planar.v: V_F}),
     line="omega = v_front * np.tan(phi) / L",
     why="The formula v tan φ/L holds for the speed v of the rear axle. The front axle is faster, "
     "v_F = v/cos φ. For its speed the formula is v_F sin φ/L.",
     unnoticed="Straight ahead. For small steering angles it is hard to see: 1.5 % at 10°.",
+    picture=Picture(
+        "wrong-car",
+        "It turns too fast",
+        "The car drives on its circle. Its program believes it on a smaller one.",
+    ),
     document="004 Ans 1",
     place="the state equations of point O, third line",
     nth=2,
@@ -50,10 +91,17 @@ M16 = Mistake(
 M17 = Mistake(
     "M17",
     says="when the front axle is sent along the heading of the car, not along its steered wheel",
+    wrong=Wrong(FRONT, instead=sp.Matrix([V_F * cos(THETA), V_F * sin(THETA)])),
     line="velocity = [v_front * np.cos(theta), v_front * np.sin(theta)]",
     why="The steered wheel rolls where it points, and that is θ + φ. Only the rear axle moves "
     "along the heading θ.",
     unnoticed="Straight ahead, where the wheel points along the heading.",
+    picture=Picture(
+        "wrong-car",
+        "It follows its nose",
+        "The car drives on its circle. Its program believes that the front axle moves where the "
+        "car looks.",
+    ),
     document="004 Ans 1",
     place="the state equations of point O",
     nth=1,
@@ -67,18 +115,30 @@ M17 = Mistake(
 M18 = Mistake(
     "M18",
     says="when the two steering angles are averaged, where their cotangents must be",
+    wrong=Wrong(ONE_WHEEL, instead=MEAN),
     line="phi = (alpha_L + alpha_R) / 2",
     why="The three axles meet in one point. This makes the distances R − b/2, R and R + b/2 "
     "evenly spaced, and they go with the cotangents of the angles, not with the angles.",
     unnoticed="When both angles are equal. Otherwise the mean is near, but never right.",
+    picture=Picture(
+        "wrong-car",
+        "One wheel for two",
+        "The car drives on its circle. Its program believes it in a turn that is a little tighter.",
+    ),
 )
 M32 = Mistake(
     "M32",
     says="when a heading that is measured from the y axis, clockwise, grows in a left turn",
+    wrong=Wrong(CLOCKWISE, instead=GROWING),
     line="heading = psi + v * np.tan(phi) / L * time",
     why="A heading that is measured clockwise gets smaller when the car turns to the left. It "
     "changes by −ωΔt, not by +ωΔt.",
     unnoticed="On a straight line, where the heading does not change.",
+    picture=Picture(
+        "wrong-car",
+        "To the other side",
+        "The car turns to the left. Its program believes that it turns to the right.",
+    ),
     document="004 Ans 1",
     place="the points of the trajectory",
     nth=4,
@@ -91,10 +151,17 @@ M32 = Mistake(
 M33 = Mistake(
     "M33",
     says="with the same sine for ẋ and for ẏ",
+    wrong=Wrong(FRONT, instead=sp.Matrix([FRONT.right[1], FRONT.right[1]])),
     line="velocity = [v_front * np.sin(theta + phi), v_front * np.sin(theta + phi)]",
     why="One of the two needs the cosine. With the same sine in both, ẋ and ẏ are always equal: "
     "the car could move along one diagonal only.",
     unnoticed="When the motion is along that diagonal, at 45° or at −135° to the x axis.",
+    picture=Picture(
+        "wrong-car",
+        "Only along a diagonal",
+        "The car drives on its circle. Its program believes that the front axle goes up and down "
+        "a diagonal.",
+    ),
     document="004 Ans 1",
     place="the state equations with numbers",
     nth=3,
@@ -133,18 +200,31 @@ def arc_end(theta, v, phi, L, time):
 
 def same_sines(theta, v, phi, L, time):
     """M15: the sines' difference in y too."""
-    x, _, turned = arc_end(theta, v, phi, L, time)
-    return [x, -x, turned]
+    turned = arc_end(theta, v, phi, L, time)[2]
+    R = bicycle.turning_radius(phi, L)
+    return [*M15.formula.gives(R=R, theta=theta, theta_next=turned).ravel(), turned]
+
+
+def too_fast(v, phi, L):
+    """M16: the front axle's speed turns the car."""
+    return M16.formula.gives(v_F=v / np.cos(phi), steering=phi, wheelbase=L)
 
 
 def front_as_rear(theta, v, phi, L, time):
-    """M16: the front axle's speed turns the car."""
-    return motion.arc_step([0, 0, theta], v, rate(v / np.cos(phi), phi, L), time)
+    """M16 in an arc."""
+    return motion.arc_step([0, 0, theta], v, too_fast(v, phi, L), time)
 
 
 def front_on_circle(theta, v, phi, L, time):
     """M16 in the turning rate alone: the radius is the right one."""
-    return motion.arc_step([0, 0, theta], v / np.cos(phi), rate(v / np.cos(phi), phi, L), time)
+    return motion.arc_step([0, 0, theta], v / np.cos(phi), too_fast(v, phi, L), time)
+
+
+def at_front(mistake):
+    """What M17 or M33 makes of the front axle's velocity."""
+    return lambda theta, v, phi: mistake.formula.gives(
+        theta=theta, v_F=v / np.cos(phi), steering=phi
+    )
 
 
 def looped(direction, speed, omega, dt, n, method="start"):
@@ -199,7 +279,7 @@ bicycle_1 = Exercise(
     when=lambda L, phi, v_front: v_front**2 * np.cos(phi) * np.sin(phi) / L < 4,  # m/s² sideways
     asks=(Ask("ω", "rad/s"),),
     right=lambda L, phi, v_front: rate(v_front * np.cos(phi), phi, L),
-    wrong={M16: lambda L, phi, v_front: v_front * np.tan(phi) / L},
+    wrong={M16: lambda L, phi, v_front: too_fast(v_front * np.cos(phi), phi, L)},
     also={
         "with the cosine where the sine belongs": lambda v_front, phi, L: v_front * np.cos(phi) / L,
     },
@@ -228,7 +308,7 @@ bicycle_2 = Exercise(
     given={"alpha_L": steps(18, 42, 1, "°"), "alpha_R": steps(14, 36, 1, "°")},
     asks=(Ask("φ", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
-    wrong={M18: lambda alpha_L, alpha_R: (alpha_L + alpha_R) / 2},
+    wrong={M18: M18.formula.gives},
     when=lambda alpha_L, alpha_R: 0.3 < spread(alpha_L, alpha_R) < 0.9,
     also={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, alpha_R: np.arctan(
@@ -258,10 +338,7 @@ bicycle_3 = Exercise(
     given={"theta": steps(10, 170, 10, "°"), "v": steps(0.5, 5, 0.5, "m/s"), "phi": STEERING},
     asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s")),
     right=lambda theta, v, phi: motion.to_world(theta, bicycle.front_twist(v, phi, 1.0))[:2],
-    wrong={
-        M17: lambda theta, v, phi: np.multiply(v / np.cos(phi), [np.cos(theta), np.sin(theta)]),
-        M33: lambda theta, v, phi: np.full(2, v / np.cos(phi) * np.sin(theta + phi)),
-    },
+    wrong={mistake: at_front(mistake) for mistake in (M17, M33)},
     derive=lambda theta, v, phi: {"v_front": v / np.cos(phi)},
     also={
         "with the speed of the rear axle": lambda theta, v, phi: [
@@ -337,9 +414,11 @@ bicycle_5 = Exercise(
     asks=(angle("ψ"),),
     right=compass,
     wrong={
-        M32: lambda psi, **numbers: 2 * psi - compass(psi, **numbers),
-        M16: lambda psi, phi, **numbers: (
-            psi + (compass(psi, phi=phi, **numbers) - psi) / np.cos(phi)
+        M32: lambda psi, diameter, wheel_rate, L, phi, time: M32.formula.gives(
+            y_heading=psi, v=wheel_rate * diameter / 2, wheelbase=L, steering=phi, dt=time
+        ),
+        M16: lambda psi, diameter, wheel_rate, L, phi, time: (
+            psi - too_fast(wheel_rate * diameter / 2, phi, L) * time
         ),
     },
     when=lambda diameter, wheel_rate, L, phi, time, **_: (
@@ -455,7 +534,7 @@ bicycle_7 = Exercise(
     right=front_looped,
     wrong={
         M16: lambda psi, v, phi, L, dt, n: looped(
-            np.pi / 2 - psi + phi, v / np.cos(phi), rate(v / np.cos(phi), phi, L), dt, n
+            np.pi / 2 - psi + phi, v / np.cos(phi), too_fast(v, phi, L), dt, n
         ),
         M17: lambda psi, v, phi, L, dt, n: looped(
             np.pi / 2 - psi, v / np.cos(phi), rate(v, phi, L), dt, n

@@ -55,6 +55,25 @@ def lane_readouts(phi, wheelbase, track, t):
     return np.column_stack([lane, lane - track, bicycle.corner_cut(phi, wheelbase)])
 
 
+def mistakes_readouts(*columns):
+    """apart, off: of the rear axle, or of the front one where the mistake is made in its way."""
+    *made, phi, t = columns
+    L, b, v = 2.5, 2.0, 2.0
+    start = np.broadcast_to([0, 0, np.pi / 2], (len(t), 3))
+    rate = bicycle.body_twist(v, phi, L)[:, 2]
+    alone = bicycle.body_twist(v, bicycle.ackermann(phi, L, b).mean(axis=-1), L)[:, 2]
+    rates = rate, rate / np.cos(phi), alone, -rate
+    rear, fast, mean, right = (motion.arc_step(start, v, each, t) for each in rates)
+    x, turned = rear[:, 0], rear[:, 2]
+    front = rear + np.column_stack([L * (directions(turned) - [0, 1]), 0 * t])  # from its start
+    straight, diagonal = np.stack([x, -x, turned], axis=-1), front[:, [1, 1, 2]]
+    nose = rear / np.stack([np.cos(phi), np.cos(phi), 1 + 0 * t], axis=-1)
+    ends = straight, fast, nose, diagonal, mean, right
+    pairs = zip(made, ends, (rear, rear, front, front, rear, rear), strict=True)
+    off = sum(one[:, None] * (end - true) for one, end, true in pairs)
+    return np.column_stack([np.hypot(*off[:, :2].T), motion.wrap_angle(off[:, 2])])
+
+
 DEGREE = np.pi / 180
 AHEAD = {"steering": 0.0}
 UNDER = {"steering": 60 * DEGREE, "wheelbase": 2.0, "track": 2.5}  # the ICR under the car
@@ -64,11 +83,13 @@ READOUTS = {
     "ackermann-steering": ackermann_readouts,
     "bicycle-steps": steps_readouts,
     "swept-lane": lane_readouts,
+    "wrong-car": mistakes_readouts,
 }
 SPECIALS = {
     "ackermann-steering": [AHEAD, *TIGHT],
     "bicycle-steps": [AHEAD, {"n": 1}, {"point": "front axle"}],
     "swept-lane": [AHEAD, {**AHEAD, "t": 8.0}, {"t": 8.0}, UNDER],
+    "wrong-car": [{"t": 0.0}, {"mistake": "Only along a diagonal", "t": 1.0}],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("ackermann-steering", AHEAD, "radius", "none: straight ahead"),

@@ -2,9 +2,26 @@
 
 from typing import Any
 
-from sympy import Abs, Piecewise, Symbol, atan2, cos, nan, pi, sign, sin, sqrt, symbols, tan
+from sympy import (
+    Abs,
+    Matrix,
+    Piecewise,
+    Symbol,
+    atan2,
+    cos,
+    eye,
+    integrate,
+    nan,
+    pi,
+    sign,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
 
 from book.bicycle import formulas as bicycle
+from book.bicycle.exercises import M15, M16, M17, M18, M32, M33
 from book.bicycle.formulas import (
     ahead,
     alpha_L,
@@ -12,17 +29,20 @@ from book.bicycle.formulas import (
     rate_rear,
     steering,
     track,
+    v_F,
     wheelbase,
     y_heading,
 )
 from book.differential_drive.figures import n, t
 from book.differential_drive.formulas import R, r
-from book.frames.figures import point_of
-from book.motion.formulas import dt, theta, v, x, y
-from workshop.equations.core import as_written
+from book.frames.figures import point_of, wrapped
+from book.motion import formulas as motion
+from book.motion.formulas import dt, omega, theta, theta_next, v, x, y
+from workshop.equations.core import as_written, put_in
 from workshop.figures import (
     POINTER,
     AngleArc,
+    Area,
     Arrow,
     Choice,
     Clock,
@@ -38,7 +58,6 @@ from workshop.figures import (
     Wheel,
 )
 
-DEGREE = float(pi) / 180
 UP = pi / 2  # rad, the heading of a car that looks up in the picture
 NO_ICR = {"inf": "none: straight ahead"}
 NO_LANE = {"nan": "no lane: the car turns about a point under itself"}
@@ -77,9 +96,10 @@ def ackermann_figure() -> Figure:
         name="ackermann-steering",
         title="A car from above with the bicycle that turns like it, the steering under your hand",
         view=(-6.4, 6.4, -1.3, 5.1),
+        size="laboratory",
         controls=(
-            Slider(
-                steering, -80 * DEGREE, 80 * DEGREE, start=30 * DEGREE, step=DEGREE,
+            Slider.degrees(
+                steering, -80, 80, start=30,
                 label="steering φ of the bicycle", kind="velocity",
             ),
             Slider(wheelbase, 1.5, 3.0, start=2.5, step=0.1, label="wheelbase L"),
@@ -151,24 +171,25 @@ def loop_figure() -> Figure:
         name="bicycle-steps",
         title="The exact arc of a long car and the same drive in straight steps",
         view=(-24, 24, -5, 23),
+        size="laboratory",
         controls=(
             Slider(n, 1, 40, start=5, step=1, label="number of steps", kind="approximation"),
-            Slider(
-                steering, -60 * DEGREE, 60 * DEGREE, start=30 * DEGREE, step=DEGREE,
+            Slider.degrees(
+                steering, -60, 60, start=30,
                 label="steering φ",
             ),
             Slider(rate_rear, 1, 12, start=8, step=0.5, label="wheel rate Ω"),
-            Slider(
-                y_heading, -float(pi), float(pi), start=0, step=5 * DEGREE,
+            Slider.degrees(
+                y_heading, step=5,
                 label="heading ψ from the y axis, clockwise",
             ),
             Choice("point", "point that is followed", (ahead,),
-                   {"rear axle": (0.0,), "front axle": (1.0,)}, start="rear axle"),
+                   {"rear axle": (0.0,), "front axle": (1.0,)}),
         ),
         scene=(
             Curve("path", exact(s), s, 0, DURATION),
-            Trail("approximation", (state[0], state[1]), loop),
-            Line("approximation", (goal, (end[0], end[1]))),
+            Trail("approximation", state, loop),
+            Line("approximation", (goal, end)),
             Point("path", (0, 0), label="start"),
             Point("target", goal, label="exact"),
         ),
@@ -212,19 +233,20 @@ def lane_figure() -> Figure:
         for edge in (left_edge, right_edge)
     ]
     with as_written():  # in gentler turns the ICR lies outside the picture
-        near = Piecewise((-wheelbase / tan(steering), Abs(steering) > 10 * DEGREE), (nan, True))
+        near = Piecewise((-wheelbase / tan(steering), Abs(steering) > pi / 18), (nan, True))
     return Figure(
         name="swept-lane",
         title="A long car in a turn, and the lane that it needs",
         view=(-14, 14, -4, 13),
+        size="laboratory",
         controls=(
-            Slider(
-                steering, -60 * DEGREE, 60 * DEGREE, start=20 * DEGREE, step=DEGREE,
+            Slider.degrees(
+                steering, -60, 60, start=20,
                 label="steering φ", kind="velocity",
             ),
             Slider(wheelbase, 2.0, 10.0, start=LENGTH, step=0.5, label="wheelbase L"),
             Slider(track, 1.0, 2.5, start=TRACK, step=0.1, label="track b"),
-            Clock(t, 0.0, LASTING, start=0.0, step=0.1, label="time, at 3 m/s"),
+            Clock(t, 0.0, LASTING, step=0.1, label="time, at 3 m/s"),
         ),
         where=((R, radius), *zip(pose, drawn, strict=True)),
         scene=(
@@ -258,4 +280,85 @@ def lane_figure() -> Figure:
     )  # fmt: skip
 
 
-FIGURES = (ackermann_figure(), loop_figure(), lane_figure())
+SHORT, WIDE, PACE = 2.5, 2.0, 2.0  # m, m, m/s: the car of the mistakes
+MISTAKES = symbols("mistake:6", real=True)  # 1 for the one that is made, else 0
+
+
+def believed(time: Any) -> dict[str, Any]:
+    """The pose of the rear axle by each mistake, and whether it is made in the front axle's way."""
+    car = {wheelbase: SHORT, v: PACE, v_F: PACE / cos(steering)}
+    steered = (put_in(each, {**car, track: WIDE}) for each in angles)
+    alone = M18.at(dict(zip((alpha_L, alpha_R), steered, strict=True)))
+    rate, front = PACE / SHORT * tan(steering), point_of(START, SHORT, 0)
+    turned = UP + rate * time
+
+    def turning(rate: Any) -> Any:
+        arc = motion.arc_step.at({x: 0, y: 0, theta: UP, v: PACE, omega: rate, dt: time})
+        return (*arc, 0)
+
+    def leading(mistake: Any) -> Any:
+        way = (integrate(u, (theta, UP, turned)) / rate for u in mistake.at(car))
+        there = (a + b for a, b in zip(front, way, strict=True))
+        return (*point_of((*there, turned), -SHORT, 0), turned, 1)
+
+    return {
+        "Off its circle": (*M15.at({R: PACE / rate, theta: UP, theta_next: turned}), turned, 0),
+        "It turns too fast": turning(M16.at(car)),
+        "It follows its nose": leading(M17),
+        "Only along a diagonal": leading(M33),
+        "One wheel for two": turning(PACE / SHORT * tan(alone)),
+        "To the other side": turning(-M32.at({**car, y_heading: 0, dt: 1})),
+    }
+
+
+def car(kind: str, pose: Any, steered: Any) -> tuple[Any, ...]:
+    """A car from above: its outline, and its wheels."""
+    side, end = WIDE / 2, 0.5
+    rim = [(-end, side), (-end, -side), (SHORT + end, -side), (SHORT + end, side), (-end, side)]
+    outline = tuple(point_of(pose, *corner) for corner in rim)
+    wheels = zip((0, 0, SHORT, SHORT), (side, -side) * 2, (0, 0, *steered), strict=True)
+    return (
+        Area(kind, outline),
+        Line(kind, outline),
+        *(Wheel(kind, point_of(pose, a, b), pose[2] + turn, **WHEEL) for a, b, turn in wheels),
+    )
+
+
+def mistakes_figure() -> Figure:
+    """A car in a left turn, and where a program with a mistake believes it to be."""
+    here, there = symbols("x_t y_t theta_t", real=True), symbols("x_b y_b theta_b", real=True)
+    poses = believed(t)
+    true = bicycle.arc_step.at({x: 0, y: 0, theta: UP, v: PACE, wheelbase: SHORT, dt: t})
+    wrong = Matrix([list(pose) for pose in poses.values()]).T * Matrix(MISTAKES)
+    point, ghost = (point_of(pose, SHORT * ahead, 0) for pose in (here, there))
+    ways = (tuple(point_of(pose.subs(t, s)[:3], SHORT * ahead, 0)) for pose in (true, wrong))
+    steered = [put_in(each, {wheelbase: SHORT, track: WIDE}) for each in angles]
+    options = dict(zip(poses, (tuple(map(int, row)) for row in eye(6).tolist()), strict=True))
+    apart = sqrt((ghost[0] - point[0]) ** 2 + (ghost[1] - point[1]) ** 2)
+    return Figure(
+        name="wrong-car",
+        title="A car, and where a program with a mistake believes it to be",
+        view=(-7.9, 5.1, -4.1, 5.7),
+        controls=(
+            Choice("mistake", "mistake", MISTAKES, options, start="Off its circle"),
+            Slider.degrees(
+                steering, 35, 60, start=55,
+                label="steering φ",
+            ),
+            Clock(t, 0.0, 3.0, start=3.0, loops=True, label="time, at 2 m/s"),
+        ),
+        where=(*zip(here, true, strict=True), *zip((*there, ahead), wrong, strict=True)),
+        scene=(
+            *(Curve(*way, s, 0, t) for way in zip(("path", "approximation"), ways, strict=True)),
+            *car("approximation", there, steered),
+            *car("body", here, steered),
+            Line("error", (point, ghost)),
+        ),
+        readouts=(
+            Readout("apart", "apart", apart, "m", digits=2),
+            Readout("off", "heading off by", wrapped(there[2] - here[2]), "rad", digits=0),
+        ),
+    )  # fmt: skip
+
+
+FIGURES = (ackermann_figure(), loop_figure(), lane_figure(), mistakes_figure())

@@ -1,13 +1,10 @@
 """The live figures of the chapter on the differential drive: one robot all the way."""
 
-from math import radians
 from typing import Any
 
 from sympy import (
     Abs,
     And,
-    Integer,
-    Matrix,
     Max,
     Min,
     Ne,
@@ -124,7 +121,17 @@ def robot(pose: Any, kind: Any = "body", time: Any = 0, rolled: Any = ()) -> tup
         Wheel(speed, beside(pose, 0, side * DISTANCE / 2), pose[2], **size, roll=roll)
         for (speed, side), roll in zip(sides, rolled or (v_L * time, v_R * time), strict=True)
     ]
-    return Body((pose[0], pose[1]), pose[2], 0.065, kind), *wheels
+    return hull(pose, kind), *wheels
+
+
+def hull(pose: Any, kind: Any) -> Body:
+    """The body alone."""
+    return Body(pose, pose[2], 0.065, kind)
+
+
+def mark(pose: Any, words: str = "park here") -> tuple[Body, Label]:
+    """Where the robot shall be brought to."""
+    return hull(pose, "target"), Label("target", (pose[0], pose[1] - 0.085), words)
 
 
 def tip(pose: Any, speed: Any, side: int) -> tuple[Any, Any]:
@@ -151,8 +158,8 @@ def pulled() -> tuple[Handle, Handle]:
 def wheels_from(left: float, right: float, most: float = 0.15) -> tuple[Slider, Slider]:
     """The two wheel speeds under the hand."""
     return (
-        Slider(v_L, -most, most, start=left, step=0.005, label="left wheel v_L"),
-        Slider(v_R, -most, most, start=right, step=0.005, label="right wheel v_R"),
+        Slider(v_L, -most, most, start=left, step=0.005),
+        Slider(v_R, -most, most, start=right, step=0.005),
     )
 
 
@@ -203,17 +210,13 @@ def park_figure() -> Figure:
         name="park",
         title="A robot seen from above, its two wheels under your hand, and a mark to park on",
         view=(-0.34, 0.2, -0.1, 0.27),
-        controls=(
-            *wheels_from(0.05, 0.05),
-            Clock(t, 0.0, TIME, start=0.0, step=0.05, loops=True, label="time"),
-        ),
+        controls=(*wheels_from(0.05, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
         where=VELOCITY,
         scene=(
-            Body((MARK[0], MARK[1]), MARK[2], 0.065, kind="target"),
-            Label("target", (MARK[0], MARK[1] - 0.085), "park here"),
-            Curve("ghost", (driven(s)[0], driven(s)[1]), s, 0, TIME),
+            *mark(MARK),
+            Curve("ghost", driven(s), s, 0, TIME),
             *robot(START, "ghost"),
-            Body((end[0], end[1]), end[2], 0.065, kind="ghost"),
+            hull(end, "ghost"),
             *robot(now, time=t),
             *arrows(START, middle=False),
         ),
@@ -221,15 +224,10 @@ def park_figure() -> Figure:
         readouts=(
             Readout("off", "at the end: off the mark", apart(end, MARK), "m"),
             Readout(
-                "turned",
-                "at the end: turned wrongly by",
-                round_turn(end[2] - MARK[2]),
-                "rad",
-                digits=0,
+                "turned", "at the end: turned wrongly by", round_turn(end[2] - MARK[2]), "rad", 0
             ),
         ),
         goal=Goal(parked(end, MARK), "Park the robot on the mark: within 2 cm and 5°."),
-        size="step",
     )
 
 
@@ -247,7 +245,6 @@ def exercise_figure() -> Figure:
             "a short arrow forward, its right wheel an arrow twice as long"
         ),
         view=(-0.2, 0.2, -0.12, 0.18),
-        controls=(),
         where=given,
         scene=(
             Arrow("x_axis", ORIGIN, (0.17, 0), "x"),
@@ -259,17 +256,19 @@ def exercise_figure() -> Figure:
             Length(b, left, right, aside=-0.085, label="b = 10 cm"),
             Length(r, (-0.05, 0), (-0.05, -RADIUS), aside=-0.03, label="r = 3 cm"),
         ),
-        readouts=(),
-        size="step",
     )
+
+
+def on_tips(right: Any, high: Any = 0) -> tuple[Any, Any]:
+    """The point of the line through the tips that is so far to the right of the middle."""
+    return right, high + ARROW * (v + omega * right)
 
 
 def tips_figure() -> Figure:
     """The line through the tips: its middle is v, its slope ω, where it meets the axle the ICR."""
-    slope = v_R - v_L
     low = Piecewise((-DISTANCE / 2, v_L < v_R), (DISTANCE / 2, v_L > v_R), (nan, True))
+    level = Piecewise((0, v_R - v_L > 0), (pi, True))
     moves = Piecewise((0, Or(Ne(v_L, 0), Ne(v_R, 0))), (nan, True))
-    line = [(at, moves + ARROW * (v + omega * at)) for at in (-0.4, 0.2)]
     return Figure(
         name="tips",
         title="The robot's wheel arrows, and the line through their tips down to the axle's line",
@@ -278,121 +277,76 @@ def tips_figure() -> Figure:
         where=RADIUS_TOO,
         scene=(
             Line("icr", ((-0.4, moves), (0.2, moves))),
-            Line("turning", tuple(line)),
+            Line("turning", (on_tips(-0.4, moves), on_tips(0.2, moves))),
             *robot(START),
             *arrows(START),
-            AngleArc(omega, (low, ARROW * (v + omega * low)), Piecewise((0, slope > 0), (pi, True)),
-                     Piecewise((0, slope > 0), (pi, True)) + atan2(ARROW * omega, 1), 0.05),
+            AngleArc(omega, on_tips(low), level, level + atan2(ARROW * omega, 1), 0.05),
             Length(R, ORIGIN, (-R, 0), aside=0.09),
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=pulled(),
-        readouts=(
-            Readout(v, "speed v"),
-            Readout(omega, "angular velocity ω"),
-            Readout(R, "turning radius R", words=NO_ICR),
-        ),
-        size="step",
-    )  # fmt: skip
+        readouts=(Readout(v), Readout(omega), Readout(R, words=NO_ICR)),
+    )
 
 
 def infinity_figure() -> Figure:
     """The ICR goes out to one side and comes back from the other; infinity is a point."""
-    deep = 0.12  # m: of the circle that touches the axle at P
-    dot = (-deep / 2 * sin(2 * share), -deep / 2 - deep / 2 * cos(2 * share))
-    around = (deep / 2 * cos(s), -deep / 2 + deep / 2 * sin(s))
-    turn = DISTANCE / 2 / deep * sin(share)
+    far = 0.06  # m: radius of the circle that touches the axle at P
+    dot = (-far * sin(2 * share), -far - far * cos(2 * share))
+    turn = DISTANCE / (4 * far) * sin(share)
     return Figure(
         name="infinity",
         title="The robot, its ICR on the axle's line, and a circle on which infinity is a point",
         view=(-0.32, 0.32, -0.18, 0.2),
-        controls=(
-            Slider(
-                share,
-                radians(-90),
-                radians(90),
-                start=radians(40),
-                step=radians(1),
-                label="angle of the line at ∞",
-            ),
-        ),
-        where=(
-            (v_L, 0.07 * (cos(share) - turn)),
-            (v_R, 0.07 * (cos(share) + turn)),
-            *RADIUS_TOO,
-        ),
+        controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the line at ∞"),),
+        where=((v_L, 0.07 * (cos(share) - turn)), (v_R, 0.07 * (cos(share) + turn)), *RADIUS_TOO),
         scene=(
             Line("icr", ((-0.4, 0), (0.4, 0))),
             way("path", -8, 8),
-            Curve("ghost", around, s, 0, 2 * pi),
+            Curve("ghost", (far * cos(s), -far + far * sin(s)), s, 0, 2 * pi),
             *robot(START),
             *arrows(START, middle=False),
-            Line("ghost", ((0, -deep), dot)),
+            Line("ghost", ((0, -2 * far), dot)),
             Line("ghost", (dot, (-R, 0))),
-            AngleArc("ghost", (0, -deep), pi, pi - share, 0.04, label=""),
+            AngleArc("ghost", (0, -2 * far), pi, pi - share, 0.04, label=""),
             Point("body", ORIGIN, "P"),
-            Label("text", (deep / 2, -deep / 2), "map"),
+            Label("text", (far, -far), "map"),
             Point("ghost", dot),
-            Point("icr", (0, -deep), label="∞", edge=False),
+            Point("icr", (0, -2 * far), label="∞", edge=False),
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(
-            Handle(
-                "the ICR on the map", dot, {share: atan2(-POINTER[0], -POINTER[1] - deep / 2) / 2}
-            ),
+            Handle("the ICR on the map", dot, {share: atan2(-POINTER[0], -POINTER[1] - far) / 2}),
         ),
-        readouts=(
-            Readout(v_L, "left wheel v_L"),
-            Readout(v_R, "right wheel v_R"),
-            Readout(R, "turning radius R", words={"inf": "none: straight"}),
-        ),
-        size="step",
+        readouts=(Readout(v_L), Readout(v_R), Readout(R, words={"inf": "none: straight"})),
     )
 
 
 def world_figure() -> Figure:
     """One velocity, and its parts along the world's axes."""
-    ends = (ARROW * x_dot, ARROW * y_dot)
-
-    def aside(other: Any) -> Any:  # a letter stands where the other part is not
-        return Piecewise((0.012, other >= 0), (-0.012, True))
-
+    end = (ARROW * x_dot, ARROW * y_dot)
+    # a letter stands where the other part is not
+    left, down = (Piecewise((-0.012, part >= 0), (0.012, True)) for part in (x_dot, y_dot))
     return Figure(
         name="world",
         title="The robot's velocity and its parts along the axes of the world",
         view=(-0.14, 0.15, -0.11, 0.12),
-        controls=(
-            Slider(
-                theta,
-                radians(-180),
-                radians(180),
-                start=radians(40),
-                step=radians(1),
-                label="heading θ",
-            ),
-        ),
+        controls=(Slider.degrees(theta, start=40),),
         where=(*SPEEDS.items(), *TWIST.items(), (v_y, 0), *solved(motion.to_world)),
         scene=(
             Line("ghost", ((-0.3, 0), (0.3, 0))),
             Line("ghost", ((0, -0.3), (0, 0.3))),
             *robot((0, 0, theta)),
             AngleArc(theta, ORIGIN, 0, theta, 0.04),
-            Arrow(x_dot, ORIGIN, (ends[0], 0), ""),
-            Arrow(y_dot, ORIGIN, (0, ends[1]), ""),
-            Label(x_dot, (ends[0] / 2, -aside(y_dot))),
-            Label(y_dot, (-aside(x_dot), ends[1] / 2)),
-            Line("ghost", ((ends[0], 0), ends, (0, ends[1]))),
-            Arrow(v, ORIGIN, ends),
+            Arrow(x_dot, ORIGIN, (end[0], 0), ""),
+            Arrow(y_dot, ORIGIN, (0, end[1]), ""),
+            Label(x_dot, (end[0] / 2, down)),
+            Label(y_dot, (left, end[1] / 2)),
+            Line("ghost", ((end[0], 0), end, (0, end[1]))),
+            Arrow(v, ORIGIN, end),
         ),
-        handles=(
-            Handle(
-                "tip of the velocity",
-                beside((0, 0, theta), ARROW * v, 0),
-                {theta: atan2(POINTER[1], POINTER[0])},
-            ),
-        ),
+        handles=(Handle("tip of the velocity", end, {theta: atan2(POINTER[1], POINTER[0])}),),
         readouts=(Readout(x_dot), Readout(y_dot)),
-        size="step",
     )
 
 
@@ -400,33 +354,31 @@ def rates_figure() -> Figure:
     """A wanted motion, and the two wheels that roll for it, seen from the side."""
     rows = []
     for speed, rate, high in ((v_L, rate_L, 0.02), (v_R, rate_R, -0.1)):
-        far = (0.1 + speed * t, high + RADIUS)
+        far = 0.1 + speed * t
         rows += [
             Line("grid", ((0.07, high), (0.36, high))),
-            Disc(speed, far, pi / 2 - rate * t, RADIUS),
-            Length(speed, (0.1, high), (0.1 + speed * t, high), aside=-0.015, label=""),
-            Label(rate, (0.1 + speed * t, high + 2.9 * RADIUS)),
+            Disc(speed, (far, high + RADIUS), pi / 2 - rate * t, RADIUS),
+            Length(speed, (0.1, high), (far, high), aside=-0.015, label=""),
+            Label(rate, (far, high + 2.9 * RADIUS)),
         ]
     return Figure(
         name="rates",
         title="A robot from above and, beside it, its two wheels from the side as they roll",
         view=(-0.1, 0.38, -0.15, 0.18),
         controls=(
-            Slider(v, 0.0, 0.1, start=0.05, step=0.005, label="speed v"),
-            Slider(omega, -1.0, 1.0, start=0.0, step=0.05, label="angular velocity ω"),
-            Clock(t, 0.0, 1.5, start=0.0, step=0.05, loops=True, label="time"),
+            Slider(v, 0.0, 0.1, start=0.05, step=0.005),
+            Slider(omega, -1.0, 1.0, start=0.0, step=0.05),
+            Clock(t, 0.0, 1.5, loops=True, label="time"),
         ),
         where=((b, DISTANCE), (r, RADIUS), *solved(drive.wheel_speeds, drive.wheel_rates)),
         scene=(*robot(START, time=t), *arrows(START), *rows),
-        readouts=(Readout(rate_L, "left rate φ̇_L"), Readout(rate_R, "right rate φ̇_R")),
+        readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,
-        size="step",
     )
 
 
 def guess_figure() -> Figure:
     """A place to guess: where the robot of the exercise will be."""
-    now = driven(t)
     return Figure(
         name="guess",
         title="The robot of the exercise with its wheel arrows, and your guess of where it will be",
@@ -434,21 +386,17 @@ def guess_figure() -> Figure:
         controls=(
             Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="x"),
             Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="y"),
-            Clock(t, 0.0, 2.0, start=0.0, step=0.05, label="time"),
+            Clock(t, 0.0, 2.0, label="time"),
         ),
         where=(*SPEEDS.items(), *VELOCITY),
         scene=(
             *robot(START, "ghost"),
             way("path", 0, t),
-            *robot(now, time=t),
+            *robot(driven(t), time=t),
             *arrows(START, middle=False),
             Point("target", (guess_x, guess_y), "your guess"),
         ),
-        handles=(
-            Handle("your guess", (guess_x, guess_y), {guess_x: POINTER[0], guess_y: POINTER[1]}),
-        ),
-        readouts=(),
-        size="step",
+        handles=(Handle("your guess", (guess_x, guess_y)),),
     )
 
 
@@ -463,8 +411,8 @@ def arc_figure() -> Figure:
         title="A step along an arc: the chord from the old place to the new, the middle heading",
         view=(-0.3, 0.2, -0.09, 0.3),
         controls=(
-            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05, label="angular velocity ω"),
-            Slider(dt, 0.5, 3.0, start=2.0, step=0.1, label="time Δt"),
+            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05),
+            Slider(dt, 0.5, 3.0, start=2.0, step=0.1),
         ),
         where=(
             (v, TWIST[v]), (x, 0), (y, 0), (theta, pi / 2), *still.items(),
@@ -472,19 +420,18 @@ def arc_figure() -> Figure:
             (R, Piecewise((v / omega, Ne(omega, 0)), (oo, True))),
         ),
         scene=(
-            Area("icr", ((-R, 0), ORIGIN, (x_next, y_next))),
-            Line("icr", (ORIGIN, (-R, 0), (x_next, y_next))),
+            Area("icr", ((-R, 0), ORIGIN, end)),
+            Line("icr", (ORIGIN, (-R, 0), end)),
             *robot(START, "ghost"),
             Line("ghost", (ORIGIN, (0, 0.3))),
             way("path", 0, dt),
             AngleArc(drive.u, ORIGIN, pi / 2, theta_m, 0.09),
-            Arrow("middle_heading", ORIGIN, (x_next, y_next), "c"),
+            Arrow("middle_heading", ORIGIN, end, "c"),
             *robot(end),
             Point("icr", (-R, 0), label="ICR"),
         ),
-        handles=(Handle("the end", (x_next, y_next), {omega: 2 * half / time, dt: time}),),
-        readouts=(Readout(x_next), Readout(y_next), Readout(theta_next, digits=1)),
-        size="step",
+        handles=(Handle("the end", end, {omega: 2 * half / time, dt: time}),),
+        readouts=(Readout(x_next), Readout(y_next), Readout(theta_next)),
     )  # fmt: skip
 
 
@@ -499,10 +446,9 @@ def almost_figure() -> Figure:
     """The textbook's form and the chord, nearer and nearer to a straight line."""
     graph = Graph((0.25, 0.56, 0.02, 0.29), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
     drive_on = {x: 0, y: 0, theta: SLANTED, v: FAST, dt: LONG}
-    exact, textbook = (
-        put_in(form, drive_on) for form in (motion.arc_step.right, motion.arc_step.textbook)
-    )
-    tenth = Integer(10) ** (-s)
+    forms = (motion.arc_step.right, motion.arc_step.textbook)
+    exact, textbook = (put_in(form, drive_on) for form in forms)
+    tenth = 10**-s
     errors = Max(apart(*(put_in(form, {omega: tenth}) for form in (textbook, exact))), LEAST)
     dot = graph.at((omega, Max(apart(LOST, exact), LEAST)))
     return Figure(
@@ -510,31 +456,23 @@ def almost_figure() -> Figure:
         title="Two robots, placed by the textbook's form and by the chord; the error against ω",
         view=(-0.09, 0.6, -0.12, 0.34),
         controls=(Slider(power, 0.0, 16.0, start=6.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
-        where=(
-            (omega, Integer(10) ** (-power)),
-            (v_L, FAST),
-            (v_R, FAST),
-            *zip(LOST, textbook[:2], strict=True),
-        ),
+        where=((omega, 10**-power), (v_L, FAST), (v_R, FAST), *zip(LOST, textbook, strict=False)),
         scene=(
-            Line("path", (ORIGIN, (exact[0], exact[1]))),
+            Line("path", (ORIGIN, exact)),
             *robot((0, 0, SLANTED), "ghost"),
             *robot(exact),
-            Body(LOST, exact[2], 0.065, kind="approximation"),
-            Line("error", (LOST, (exact[0], exact[1]))),
+            hull((*LOST, exact[2]), "approximation"),
+            Line("error", (LOST, exact)),
             *graph.shapes(),
             Curve("approximation", graph.at((tenth, errors)), s, 0, power),
             Point("error", dot),
         ),
-        handles=(
-            Handle("the dot in the graph", dot, {power: -log(graph.x_of(POINTER)) / log(10)}),
-        ),
+        handles=(Handle("the dot in the graph", dot, {power: -log(graph.x_of(POINTER), 10)}),),
         readouts=(
-            Readout(omega, "angular velocity ω", digits=-2),
+            Readout(omega, digits=-2),
             Readout("error", "error, textbook's form", apart(LOST, exact), "m", digits=-2),
         ),
         grid=False,
-        size="step",
     )
 
 
@@ -548,32 +486,26 @@ def steps_figure() -> Figure:
     straight = put_in(motion.euler_step.right, {**TWIST, dt: step})
     shapes, readouts, dots = [], [], []
     half = TWIST[omega] * s / 2  # of the turn in a step s
-    for kind, early, words in (
-        ("approximation", 0, "old"),
-        ("middle_heading", 1, "middle"),
-    ):
+    for kind, early, words in (("approximation", 0, "old"), ("middle_heading", 1, "middle")):
         state, end = (
-            symbols(f"x_{early} y_{early} theta_{early}"),
-            symbols(f"X_{early} Y_{early} T_{early}"),
+            symbols(f"{x}_{early} {y}_{early} {turn}_{early}") for x, y, turn in ("xyt", "XYT")
         )
         turn = early * TWIST[omega] * step / 2
         to_next = put_in(straight, {x: state[0], y: state[1], theta: state[2] + turn})
         loop = Recurrence(state, START, (to_next[0], to_next[1], to_next[2] - turn), n, 60, end)
         # the steps' own chord: longer than the true one, and turned by the old heading
-        lengthened, turned = 1 / sinc(half), (1 - early) * half
-        error = apart(exact, ORIGIN) * sqrt(
-            (lengthened - 1) ** 2 + 4 * lengthened * sin(turned / 2) ** 2
-        )
+        long, turned = 1 / sinc(half), (1 - early) * half
+        error = apart(exact, ORIGIN) * sqrt((long - 1) ** 2 + 4 * long * sin(turned / 2) ** 2)
         shapes += [
-            Trail(kind, (state[0], state[1]), loop),
-            Line("error", ((end[0], end[1]), (exact[0], exact[1]))),
+            Trail(kind, state, loop),
+            Line("error", (end, exact)),
             Curve(kind, graph.at((s, error)), s, step, 3),
             Point(kind, graph.at((step, apart(end, exact))), words),
         ]
         dots.append(graph.at((step, error.subs(s, step))))
-        readouts.append(
-            Readout(f"error_{early}", f"error, {words} heading", apart(end, exact), "m", digits=5)
-        )
+        readouts += [
+            Readout(f"error_{early}", f"error, {words} heading", apart(end, exact), "m", 5)
+        ]
     return Figure(
         name="steps",
         title="A drive along an arc, cut into straight steps, and the error against the step",
@@ -581,7 +513,7 @@ def steps_figure() -> Figure:
         controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
         where=tuple(SPEEDS.items()),
         scene=(
-            Curve("path", tuple(put_in(Matrix(driven(s)[:2]), TWIST)), s, 0, DURATION),
+            Curve("path", put_in(driven(s), TWIST), s, 0, DURATION),
             *robot(START, "ghost"),
             *robot(exact),
             *graph.shapes(),
@@ -592,7 +524,6 @@ def steps_figure() -> Figure:
         ),
         readouts=tuple(readouts),
         grid=False,
-        size="step",
     )
 
 
@@ -601,9 +532,7 @@ def steps_figure() -> Figure:
 
 def sideways_figure() -> Figure:
     """A wished velocity: its part along the axle cannot be had."""
-    pose = (0, 0, pi / 2)
-    wished = beside(pose, ARROW * wish_x, ARROW * wish_y)
-    ahead = beside(pose, ARROW * wish_x, 0)
+    wished, ahead = (-ARROW * wish_y, ARROW * wish_x), (0, ARROW * wish_x)
     return Figure(
         name="sideways",
         title="The robot, a velocity that you wish, and what its wheels can do of it",
@@ -615,7 +544,7 @@ def sideways_figure() -> Figure:
         where=((v, wish_x), (v_L, wish_x), (v_R, wish_x)),
         scene=(
             Line("icr", ((-0.3, 0), (0.3, 0))),
-            *robot(pose),
+            *robot(START),
             Line("error", (ahead, wished)),
             Arrow("approximation", ORIGIN, wished, "wish"),
             Arrow(v, ORIGIN, ahead),
@@ -628,7 +557,6 @@ def sideways_figure() -> Figure:
             Readout("lost", "what it cannot", wish_y, "m/s"),
         ),
         goal=Goal(And(Abs(wish_y) < 0.006, Abs(wish_x) > 0.02), "Wish for something it can do."),
-        size="step",
     )
 
 
@@ -647,36 +575,27 @@ def side_figure() -> Figure:
         title="The robot, and a place at its side to which it drives in three parts",
         view=(-0.36, 0.22, -0.16, 0.26),
         controls=(
-            Slider(
-                aim,
-                radians(-180),
-                radians(180),
-                start=radians(30),
-                step=radians(5),
-                label="turn on the spot; at last back",
-            ),
+            Slider.degrees(aim, start=30, step=5, label="turn on the spot; at last back"),
             Slider(reach, 0.0, 0.25, start=0.1, step=0.01, label="between: straight on"),
-            Clock(done, 0.0, 3.0, start=0.0, step=0.02, label="parts done", rate=0.5),
+            Clock(done, 0.0, 3.0, step=0.02, label="parts done", rate=0.5),
         ),
         where=tuple(
             (speed, Piecewise((turn, done < 1), (reach, done < 2), (-turn, True)) / 2)
             for speed, turn in ((v_L, -spin), (v_R, spin))
         ),
         scene=(
-            Body((SIDE[0], SIDE[1]), SIDE[2], 0.065, kind="target"),
-            Label("target", (SIDE[0], SIDE[1] - 0.085), "park here"),
+            *mark(SIDE),
             Line("icr", ((-0.4, 0), (0.3, 0))),
             *robot(START, "ghost"),
-            Line("path", (ORIGIN, (end[0], end[1]))),
-            Body((end[0], end[1]), end[2], 0.065, kind="ghost"),
+            Line("path", (ORIGIN, end)),
+            hull(end, "ghost"),
             *robot(
-                now, rolled=[reach * straight + turn * (first - last) for turn in (-spin, spin)]
+                now, rolled=[reach * straight + side * (first - last) for side in (-spin, spin)]
             ),
             *arrows(now, middle=False),
         ),
         readouts=(Readout("off", "at the end: off the mark", apart(end, SIDE), "m"),),
         goal=Goal(parked(end, SIDE), "Find the way to the place at its side: within 2 cm."),
-        size="step",
     )
 
 
@@ -694,28 +613,27 @@ def drive_figure() -> Figure:
         view=(-0.42, 0.38, -0.2, 0.28),
         controls=(
             *wheels_from(SPEEDS[v_L], SPEEDS[v_R], most=0.12),
-            Clock(t, 0.0, 12.0, start=2.0, step=0.05, label="time"),
+            Clock(t, 0.0, 12.0, start=2.0, label="time"),
         ),
         where=RADIUS_TOO,
         scene=(
-            Body((BAY[0], BAY[1]), BAY[2], 0.065, kind="target"),
-            Label("target", (BAY[0], BAY[1] - 0.085), "bay"),
+            *mark(BAY, "bay"),
             *tracks(0, t),
             *robot(START, "ghost"),
-            Line("icr", ((now[0], now[1]), (centre[0], centre[1]))),
+            Line("icr", (now, centre)),
             *robot(now, time=t),
             *arrows(now),
             *arrows(START, middle=False, letters=False),
-            Point("icr", (centre[0], centre[1]), label="ICR"),
+            Point("icr", centre, label="ICR"),
         ),
         handles=pulled(),
         readouts=(
-            Readout(v, "speed v"),
-            Readout(omega, "angular velocity ω"),
-            Readout(R, "turning radius R", words=NO_ICR),
+            Readout(v),
+            Readout(omega),
+            Readout(R, words=NO_ICR),
             Readout("x", "x at this time", now[0], "m"),
             Readout("y", "y at this time", now[1], "m"),
-            Readout("heading", "heading at this time", now[2], "rad", digits=1),
+            Readout("heading", "heading at this time", now[2], "rad"),
         ),
         goal=(
             Goal(And(Abs(v_L) < 0.0005, Abs(v_R) > 0.01), "Turn about the left wheel."),
@@ -727,7 +645,7 @@ def drive_figure() -> Figure:
                 parked(now, BAY), "Park in the bay: within 2 cm and 5°, by two speeds and a time."
             ),
         ),
-        follow=(now[0], now[1]),
+        follow=now,
         size="laboratory",
     )
 
@@ -735,9 +653,8 @@ def drive_figure() -> Figure:
 def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
     speeds = {side: differential_drive_1.example[str(side)] for side in (v_L, v_R)}
-    heading = float(differential_drive_2.example["theta"])
-    right = {**speeds, b: DISTANCE}
-    speed, rate = drive.speed.at(right), drive.turning_rate.at(right)
+    heading, right = float(differential_drive_2.example["theta"]), {**speeds, b: DISTANCE}
+    rate = drive.turning_rate.at(right)
     wrong = {
         "It turns too fast": (M12.at(right), heading),
         "It turns too slowly": (M31.at(right), heading),
@@ -745,61 +662,51 @@ def damage_figure() -> Figure:
         "Down instead of up": (rate, M14.formula.puts[theta].subs(theta, heading)),
     }
     options = {name: tuple(map(float, each)) for name, each in wrong.items()}
-    true, believed = (
-        motion.arc_step.at({x: 0, y: 0, theta: look, v: speed, omega: turn, dt: t})
+    seen, believed = (
+        put_in(driven(s, (0, 0, look)), {v: drive.speed.at(right), omega: turn})
         for turn, look in ((rate, heading), (believed_rate, believed_heading))
     )
+    now, there = (put_in(pose, {s: t}) for pose in (seen, believed))
     return Figure(
         name="damage",
         title="The robot, and where a program with a mistake believes it to be",
         view=(-0.3, 0.3, -0.23, 0.22),
         controls=(
-            Choice(
-                "mistake",
-                "mistake",
-                (believed_rate, believed_heading),
-                options,
-                "It turns too fast",
-            ),
-            Clock(t, 0.0, 2.0, start=1.5, step=0.05, loops=True, label="time"),
+            Choice("mistake", "mistake", (believed_rate, believed_heading), options),
+            Clock(t, 0.0, 2.0, start=1.5, loops=True, label="time"),
         ),
         where=tuple(speeds.items()),
         scene=(
-            Curve("path", tuple(true.subs(t, s)[:2]), s, 0, t),
-            Curve("approximation", tuple(believed.subs(t, s)[:2]), s, 0, t),
-            Line("error", ((true[0], true[1]), (believed[0], believed[1]))),
-            *robot(true, time=t),
-            Body((believed[0], believed[1]), believed[2], 0.065, kind="approximation"),
+            Curve("path", seen, s, 0, t),
+            Curve("approximation", believed, s, 0, t),
+            Line("error", (now, there)),
+            *robot(now, time=t),
+            hull(there, "approximation"),
         ),
-        readouts=(Readout("apart", "apart", apart(true, believed), "m"),),
-        size="step",
+        readouts=(Readout("apart", "apart", apart(now, there), "m"),),
     )
 
 
 def recap_figure() -> Figure:
     """All of it at rest: speeds, line through the tips, ICR, arc, chord."""
     end = driven(2.0)
-    line = [(at, ARROW * (v + omega * at)) for at in (-0.25, 0.12)]
     return Figure(
         name="summary",
         title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
         view=(-0.26, 0.2, -0.09, 0.22),
-        controls=(),
         where=(*SPEEDS.items(), *RADIUS_TOO),
         scene=(
             Line("icr", ((-R, 0), (0.1, 0))),
-            Line("turning", tuple(line)),
+            Line("turning", (on_tips(-0.25), on_tips(0.12))),
             *robot(START),
             *arrows(START),
             AngleArc(omega, (-R, 0), 0, atan2(ARROW * omega, 1), 0.06),
             way("path", 0, 2.0),
-            Arrow("middle_heading", ORIGIN, (end[0], end[1]), "c"),
-            Body((end[0], end[1]), end[2], 0.065, kind="ghost"),
+            Arrow("middle_heading", ORIGIN, end, "c"),
+            hull(end, "ghost"),
             Length(R, ORIGIN, (-R, 0), aside=0.07),
             Point("icr", (-R, 0), label="ICR"),
         ),
-        readouts=(),
-        size="step",
     )
 
 

@@ -5,10 +5,14 @@ from sympy import Matrix, Ne, Piecewise, nan, oo
 from book.motion.formulas import omega, theta, theta_m, v, v_y, x_dot, y_dot
 from workshop.equations.core import Equation, as_written, quantity, sign
 
-rate_L = quantity("rate_L", "rad/s", -20, 20, "rate of the left wheel", latex=r"\dot\varphi_L")
-rate_R = quantity("rate_R", "rad/s", -20, 20, "rate of the right wheel", latex=r"\dot\varphi_R")
-v_L = quantity("v_L", "m/s", -1, 1, "speed of the left wheel over the floor")
-v_R = quantity("v_R", "m/s", -1, 1, "speed of the right wheel over the floor")
+rate_L = quantity(
+    "rate_L", "rad/s", -20, 20, "left rate: how fast the left wheel turns", latex=r"\dot\varphi_L"
+)
+rate_R = quantity(
+    "rate_R", "rad/s", -20, 20, "right rate: how fast the right wheel turns", latex=r"\dot\varphi_R"
+)
+v_L = quantity("v_L", "m/s", -1, 1, "left wheel: its speed over the floor")
+v_R = quantity("v_R", "m/s", -1, 1, "right wheel: its speed over the floor")
 r = quantity("r", "m", 0.01, 0.5, "wheel radius")
 b = quantity("b", "m", 0.05, 1, "distance between the wheels, the whole of it")
 R = quantity("R", "m", -10, 10, "turning radius: how far to the left the ICR lies")

@@ -4,21 +4,49 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from sympy import Symbol
+from sympy import Matrix, Symbol, atan, atan2, pi, sqrt
 
+from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from robokin import elbow_arm
 from workshop.equations import as_written
-from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, one_of, steps
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Picture,
+    Solution,
+    Step,
+    Wrong,
+    angle,
+    one_of,
+    steps,
+)
+
+with as_written():
+    BASE_ANGLE = Line(theta1, atan2(p_y, p_x))
+    level = sqrt(p_x**2 + p_y**2)
+    FROM_SHOULDER = Line(
+        Matrix([apart, formulas.phi3]), Matrix([sqrt(p_x**2 + p_y**2 + p_z**2), atan2(p_z, level)])
+    )
+    WITHOUT_X = Matrix([sqrt(p_y**2 + p_z**2), atan(p_z / p_y)])
+    CUBED = formulas.cosine.right.xreplace({a3**2: a3**3})
+    ALIKE = Matrix([theta1 + pi, theta2, theta3])
 
 M1 = Mistake(
     "M1",
     says="with p_x and p_y exchanged in atan2",
-    line="theta1 = np.arctan2(p_x, p_y)",
+    wrong=Wrong(BASE_ANGLE, {p_x: p_y, p_y: p_x}),
     why="atan2 takes y first, then x. Exchanged, the angle is measured from the y axis, and "
     "clockwise.",
     unnoticed="Where p_x = p_y, on the line in the middle between the two axes.",
+    picture=Picture(
+        "wrong-reach",
+        "It points aside",
+        "The red arm points aside. Its program believes that it reaches p, like the grey one.",
+    ),
     document="000 Q1",
     place="step 1, the base angle",
     nth=1,
@@ -28,10 +56,16 @@ M1 = Mistake(
 M2 = Mistake(
     "M2",
     says="when p_x is left out and the arm is taken to stand in the plane of y and z",
+    wrong=Wrong(FROM_SHOULDER, instead=WITHOUT_X),
     line="r = np.sqrt(p_y**2 + p_z**2)\ntheta3 = np.arccos((r**2 - a2**2 - a3**2) / (2 * a2 * a3))",
     why="The arm stands in the vertical plane through the target. In this plane the target is "
     "√(p_x² + p_y²) away from the base axis, not |p_y|.",
     unnoticed="Where p_x = 0: there the arm really stands in that plane.",
+    picture=Picture(
+        "wrong-reach",
+        "It falls short",
+        "The red arm falls short of p. Its program believes that it reaches p, like the grey one.",
+    ),
     document="000 Q1",
     place="step 2, the side view",
     nth=3,
@@ -43,10 +77,16 @@ M2 = Mistake(
 M3 = Mistake(
     "M3",
     says="with the third power of a_3 in cos θ_3, where its square belongs",
+    wrong=Wrong(formulas.cosine, instead=CUBED),
     line="A = (p_x**2 + p_y**2 + p_z**2 - a2**2 - a3**3) / (2 * a2 * a3)\ntheta3 = np.arccos(A)",
     why="The law of cosines has squares of lengths only. A cubic metre cannot be taken away from "
     "a square metre: the units show the mistake.",
     unnoticed="With a forearm of 1 m: there the square and the third power are the same number.",
+    picture=Picture(
+        "wrong-reach",
+        "It reaches too far",
+        "The red arm reaches beyond p. Its program believes that it stops at p, like the grey one.",
+    ),
     document="001 Q1",
     place="cos θ_3",
     nth=1,
@@ -56,11 +96,17 @@ M3 = Mistake(
 M4 = Mistake(
     "M4",
     says="when the base turns by half a turn and θ_2, θ_3 stay as they are",
+    wrong=Wrong(formulas.away, instead=ALIKE),
     line="away = [theta1 + np.pi, theta2, theta3]",
     why="With the base turned round, the arm reaches to the other side. It must lean over "
     "backwards: the shoulder needs π − θ_2 and the elbow −θ_3.",
     unnoticed="Where the wrist is on the base axis, if you look only at the wrist. The elbow is "
     "then on the other side.",
+    picture=Picture(
+        "wrong-reach",
+        "It turns round",
+        "The red arm leans away from p. Its program believes that it reaches p, like the grey one.",
+    ),
     document="000 Q1",
     place="step 1, the second base angle, and the count of four solutions at the end",
     nth=2,
@@ -70,22 +116,32 @@ M4 = Mistake(
 M5 = Mistake(
     "M5",
     says="with arctan in place of atan2, which cannot tell in front from behind",
+    wrong=Wrong(BASE_ANGLE, instead=atan(p_y / p_x)),
     line="theta1 = np.arctan(p_y / p_x)",
     why="The quotient p_y/p_x is the same for a point and for the one opposite to it. With "
     "p_x < 0, arctan gives the direction that faces away from the target.",
     unnoticed="Where p_x > 0.",
+    picture=Picture(
+        "wrong-reach",
+        "It points backwards",
+        "The red arm looks away from p. Its program believes that it reaches p, like the grey one.",
+    ),
 )
 
 
-def bend(distance, elevation, a2, a3, power=2):
-    """Rows [theta2, theta3], elbow up and down, for the wrist so far from the shoulder.
+def bend(A, elevation, a2, a3):
+    """Rows [theta2, theta3], elbow up and down.
 
-    elevation: of the line from shoulder to wrist; power: that of a3, by the law of cosines 2.
+    A: the cosine of the elbow; elevation: of the line from shoulder to wrist.
     """
-    A = (distance**2 - a2**2 - a3**power) / (2 * a2 * a3)
     theta3 = np.array([-1, 1]) * np.arccos(A)
     theta2 = elevation - np.arctan2(a3 * np.sin(theta3), a2 + a3 * np.cos(theta3))
     return np.stack([theta2, theta3], axis=-1)
+
+
+def cosine(distance, a2, a3):
+    """The cosine of the elbow for the wrist so far from the shoulder."""
+    return (distance**2 - a2**2 - a3**2) / (2 * a2 * a3)
 
 
 def length(p_x, p_y, p_z):
@@ -100,18 +156,20 @@ def rise(p_x, p_y, p_z):
 
 def without_x(p_x, p_y, p_z, a2, a3):
     """M2: the arm in the plane of y and z."""
-    return bend(np.hypot(p_y, p_z), np.arctan(p_z / p_y), a2, a3)
+    distance, elevation = M2.formula.gives(p_y=p_y, p_z=p_z).ravel()
+    return bend(cosine(distance, a2, a3), elevation, a2, a3)
 
 
 def without_x_by_atan2(p_x, p_y, p_z, a2, a3):
     """M2 with an elevation beyond 90° where p_y is negative."""
-    bends = bend(np.hypot(p_y, p_z), np.arctan2(p_z, p_y), a2, a3)
+    bends = bend(cosine(np.hypot(p_y, p_z), a2, a3), np.arctan2(p_z, p_y), a2, a3)
     return four(p_x, p_y, p_z, a2, a3, bends=bends)
 
 
 def cubed(p_x, p_y, p_z, a2, a3):
     """M3: the third power of the forearm."""
-    return bend(length(p_x, p_y, p_z), rise(p_x, p_y, p_z), a2, a3, power=3)
+    A = M3.formula.gives(p_x=p_x, p_y=p_y, high=p_z, a2=a2, a3=a3)
+    return bend(A, rise(p_x, p_y, p_z), a2, a3)
 
 
 def bent(distance, a2, a3, power=2):
@@ -148,15 +206,16 @@ def four(p_x, p_y, p_z, a2, a3, theta1=None, bends=None):
 
 def four_alike(**numbers):
     """M4 in all four answers: the second half is the first with the base turned round."""
-    facing = np.array(four(**numbers)[:2])
-    return np.concatenate([facing, facing + np.array([np.pi, 0, 0])])
+    facing = four(**numbers)[:2]
+    joints = (dict(zip(("theta1", "theta2", "theta3"), row, strict=True)) for row in facing)
+    return facing + [M4.formula.gives(**row).ravel() for row in joints]
 
 
 WAYS: dict[Mistake, Callable[..., Any]] = {
-    M1: lambda p_x, p_y, **n: four(p_x, p_y, **n, theta1=np.arctan2(p_x, p_y)),
+    M1: lambda **n: four(**n, theta1=M1.formula.gives(**n)),
     M2: lambda **n: four(**n, bends=without_x(**n)),
     M3: lambda **n: four(**n, bends=cubed(**n)),
-    M5: lambda p_x, p_y, **n: four(p_x, p_y, **n, theta1=np.arctan(p_y / p_x)),
+    M5: lambda **n: four(**n, theta1=M5.formula.gives(**n)),
 }
 
 
@@ -195,10 +254,7 @@ elbow_arm_1 = Exercise(
     given={"p_x": BACK, "p_y": SIDE},
     asks=(angle("θ_1"),),
     right=lambda p_x, p_y: elbow_arm.inverse([p_x, p_y, 0], 0.6, 0.5)[0, 0],
-    wrong={
-        M1: lambda p_x, p_y: np.arctan2(p_x, p_y),
-        M5: lambda p_x, p_y: np.arctan(p_y / p_x),
-    },
+    wrong={M1: M1.formula.gives, M5: M5.formula.gives},
     when=lambda p_x, p_y: np.hypot(p_x, p_y) > 0.15,
     solution=Solution(
         "Seen from above, the arm must point from the base to the target. The direction of a "
@@ -264,7 +320,7 @@ elbow_arm_3 = Exercise(
     | LINKS,
     asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     right=away,
-    wrong={M4: lambda theta1, theta2, theta3, a2, a3: [theta1 + np.pi, theta2, theta3]},
+    wrong={M4: M4.formula.gives},
     when=lambda theta2, theta3, a2, a3, **_: (
         a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3) > 0.1
     ),

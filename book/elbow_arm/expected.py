@@ -19,6 +19,28 @@ def readouts(p_x, p_y, p_z, a3, face, bend, *_view):
     return np.column_stack([chosen, distance, np.linalg.norm(p - best, axis=-1)])
 
 
+def mistakes_readouts(*columns):
+    """d, reach, off: where each mistake sends the wrist can be said without angles."""
+    *made, p_x, _azimuth, _elevation = columns
+    a2, a3, d1, p_y, p_z = 0.3, 0.4, 0.3, 0.2 + 0 * p_x, 0.5 + 0 * p_x
+    level, h = np.hypot(p_x, p_y), p_z - d1
+    cosine = (level**2 + h**2 - a2**2 - a3**3) / (2 * a2 * a3)
+    elbow = -np.arccos(cosine)
+    shoulder = np.arctan2(h, level) - np.arctan2(a3 * np.sin(elbow), a2 + a3 * np.cos(elbow))
+    far = elbow_arm.forward(np.stack([np.arctan2(p_y, p_x), shoulder, elbow], axis=-1), a2, a3, d1)
+    wrists = (
+        np.stack([p_y, p_x, p_z], axis=-1),  # the axes exchanged
+        np.stack([np.abs(p_x), np.where(p_x < 0, -p_y, p_y), p_z], axis=-1),  # always in front
+        np.stack([p_x * p_y / level, p_y * p_y / level, p_z], axis=-1),  # only p_y away
+        far,
+        np.stack([-p_x, -p_y, p_z], axis=-1),  # opposite
+    )
+    wrist = sum(one[:, None] * at for one, at in zip(made, wrists, strict=True))
+    p = np.stack([p_x, p_y, p_z], axis=-1)
+    ways = p - [0, 0, d1], wrist - [0, 0, d1], wrist - p
+    return np.column_stack([np.linalg.norm(way, axis=-1) for way in ways])
+
+
 CHOICES = (
     "facing the target, elbow up",
     "facing the target, elbow down",
@@ -37,8 +59,13 @@ SETTINGS = [
     {"p_x": 0.7, "p_y": 0.6},
 ]
 
-READOUTS = {"four-arms": readouts, "arm-in-space": readouts}
-SPECIALS = {"four-arms": SETTINGS, "arm-in-space": SETTINGS}
+READOUTS = {"four-arms": readouts, "arm-in-space": readouts, "wrong-reach": mistakes_readouts}
+NOT_NOTICED = [
+    {"mistake": "It points aside", "p_x": 0.2},
+    {"mistake": "It points backwards", "p_x": 0.3},
+    {"mistake": "It falls short", "p_x": 1e-9},  # at 0 the quotient p_y/p_x has no digits
+]
+SPECIALS = {"four-arms": SETTINGS, "arm-in-space": SETTINGS, "wrong-reach": NOT_NOTICED}
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("four-arms", {"p_x": 0.7}, "theta2", "none"),
     ("arm-in-space", {"p_x": 0.0, "p_y": 0.0, "p_z": 0.1}, "theta1", "none"),

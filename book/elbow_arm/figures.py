@@ -10,12 +10,13 @@ from itertools import pairwise
 from math import pi
 from typing import Any
 
-from sympy import Max, Min, Or, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt, symbols
+from sympy import Matrix, Max, Min, Or, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt, symbols
 from sympy import pi as half_turn
 
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas as arm
-from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z
+from book.elbow_arm.exercises import M1, M2, M3, M4, M5
+from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
 from book.motion.formulas import angle
 from robokin.elbow_arm import TOLERANCE
@@ -33,7 +34,7 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
-    view_sliders,
+    solids,
 )
 
 UPPER, SHOULDER = 0.4, 0.1  # m: a2 and d1 of the exercise
@@ -78,7 +79,6 @@ ARMS = Choice(
         "facing away, elbow up": (-1, 1),
         "facing away, elbow down": (-1, -1),
     },
-    start="facing the target, elbow up",
 )
 AWAY = replace(ARMS, start="facing away, elbow down")
 
@@ -108,9 +108,9 @@ def joint_readouts() -> tuple[Readout, ...]:
     away = (1 - face) / 2 * half_turn
     turn2 = Piecewise((0, d <= 0), (wrapped(away + face * raised), True))
     return (
-        Readout("theta1", "base θ₁", within(wrapped(beta + away)), "rad", 1, NONE),
-        Readout("theta2", "shoulder θ₂", within(turn2), "rad", 1, NONE),
-        Readout("theta3", "elbow θ₃", within(-face * bend * elbow), "rad", 1, NONE),
+        Readout("theta1", "base θ₁", within(wrapped(beta + away)), "rad", words=NONE),
+        Readout("theta2", "shoulder θ₂", within(turn2), "rad", words=NONE),
+        Readout("theta3", "elbow θ₃", within(-face * bend * elbow), "rad", words=NONE),
         Readout("d", "from shoulder to target", d, "m"),
         Readout("missed", "out of reach by", missed, "m"),
     )
@@ -167,6 +167,7 @@ def two_views_figure() -> Figure:
         name="four-arms",
         title="A three-joint arm and its target: left from above, right from the side",
         view=(-0.78, 2.3, -0.77, 0.85),
+        size="laboratory",
         controls=(*target_sliders(), ARMS),
         scene=(
             *(ring((0, 0), cut) for cut in cuts),
@@ -188,7 +189,7 @@ def two_views_figure() -> Figure:
             Point("target", from_the_side((r, z)), label="p"),
         ),
         handles=(
-            Handle("target, from above", (p_x, p_y), {p_x: POINTER[0], p_y: POINTER[1]}),
+            Handle("target, from above", (p_x, p_y)),
             Handle("height of the target", (SIDE + r, z), {p_z: POINTER[1] + SHOULDER}),
         ),
         readouts=joint_readouts(),
@@ -219,7 +220,8 @@ def space_figure() -> Figure:
         name="arm-in-space",
         title="The three-joint arm in space, with its target and the axes of its joints",
         view=(-1.0, 1.0, -0.67, 0.85),
-        controls=(*target_sliders(), AWAY, *view_sliders(-2 * pi / 3, pi / 8)),
+        size="",
+        controls=(*target_sliders(), AWAY),
         scene=(
             *(ring(VIEW.project(shoulder), limit) for limit in (least, most)),
             *VIEW.frame(eye(3), size=0.3, labels=("x", "y", "z")),
@@ -240,8 +242,7 @@ def space_figure() -> Figure:
         readouts=joint_readouts(),
         says=SAYS,
         where=STEPS,
-        turns=VIEW.angles,
-        grid=False,
+        seen_from=(-2 * pi / 3, pi / 8),
     )
 
 
@@ -260,4 +261,101 @@ def pieces(points: Any) -> list[tuple[Any, Any]]:
     return list(pairwise(points))
 
 
-FIGURES = (two_views_figure(), space_figure())
+MISTAKES = symbols("mistake:5", real=True)  # 1 for the one that is made, else 0
+JOINTS = (theta1, theta2, theta3)
+ARM = {a2: 0.3, a3: 0.4, d1: 0.3}  # m, of the mistakes
+PLACE = {p_y: 0.2, p_z: 0.5}  # m, of the target
+
+
+def bent(base: Any, cosine: Any, elevation: Any) -> Matrix:
+    """The three joint angles, elbow up, from three things that may be wrong."""
+    turn = arm.elbow.right[1].xreplace({arm.A: cosine})
+    there = ARM[a2] + ARM[a3] * cos(turn), ARM[a3] * sin(turn)
+    return Matrix([base, elevation - atan2(there[1], there[0]), turn])
+
+
+def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
+    """The right ones, and those by each mistake."""
+    level = PLACE[p_z] - ARM[d1]
+    given = {**ARM, **PLACE, high: level}
+    base, cosine = arm.base.at(given)[0], arm.cosine.at(given)
+    elevation = atan2(level, arm.side.at(given)[0])
+    right = bent(base, cosine, elevation)
+    short, steep = M2.at({p_y: PLACE[p_y], p_z: level})
+    return right, {
+        "It points aside": bent(M1.at(given), cosine, elevation),
+        "It points backwards": bent(M5.at(given), cosine, elevation),
+        "It falls short": bent(base, arm.cosine.at({**ARM, p_x: short, p_y: 0, high: 0}), steep),
+        "It reaches too far": bent(base, M3.at(given), elevation),
+        "It turns round": M4.at(dict(zip(JOINTS, right, strict=True))),
+    }
+
+
+def link(kind: str, length: float, thick: float) -> list[solids.Part]:
+    """A link along its x axis, with its joint."""
+    bar = solids.box(kind, (length, thick, thick), (length / 2, 0, 0))
+    return [bar, solids.cylinder(kind, (0.05, 0.05), (-0.05, 0.05), n=12)]
+
+
+def solid_arm(kind: str, joints: Any) -> tuple[Any, ...]:
+    """Two links with a gripper, in space, on a column that shows which way the base looks."""
+    one, two, three = joints
+    R, T = (
+        arm.dh_wrist.right.xreplace({theta1: one, theta2: way, theta3: 0}).doit()[:3, :3]
+        for way in (two, two + three)
+    )
+    shoulder = (0, 0, ARM[d1])
+    elbow = [at + ARM[a2] * R[k, 0] for k, at in enumerate(shoulder)]
+    wrist = [at + ARM[a3] * T[k, 0] for k, at in enumerate(elbow)]
+    hand = [solids.box(kind, (0.08, 0.05, 0.015), (ARM[a3], 0, z)) for z in (-0.03, 0.03)]
+    front = (FRONT * cos(one), FRONT * sin(one), 0)
+    return (
+        VIEW.solid(link(kind, ARM[a2], 0.06), R, shoulder, floor=0),
+        VIEW.solid([*link(kind, ARM[a3] - 0.04, 0.045), *hand], T, elbow, floor=0),
+        VIEW.arrow(kind, (0, 0, 0), front),
+    ), wrist
+
+
+def mistakes_figure() -> Figure:
+    """The arm at its target, and in red where a mistake sends it."""
+    right, ways = joint_angles()
+    away = arm.away.at(dict(zip(JOINTS, right, strict=True)))
+    true_arm = right + MISTAKES[4] * (away - right)  # where the red base turns round, it does too
+    wrong = Matrix.hstack(*ways.values()) * Matrix(MISTAKES)
+    here, there = symbols("right:3", real=True), symbols("wrong:3", real=True)
+    (true, _), (false, missed) = solid_arm("body", here), solid_arm("error", there)
+    target = (p_x, PLACE[p_y], PLACE[p_z])
+    options = dict(zip(ways, (tuple(map(int, row)) for row in eye(5).tolist()), strict=True))
+
+    def far(first: Sequence[Any], second: Sequence[Any]) -> Any:
+        return sqrt(sum((a - b) ** 2 for a, b in zip(first, second, strict=True)))
+
+    return Figure(
+        name="wrong-reach",
+        title="An arm with its wrist at the target, and a red one that a mistake sends elsewhere",
+        view=(-0.86, 0.86, -0.45, 0.84),
+        controls=(
+            Choice("mistake", "mistake", MISTAKES, options, start="It points aside"),
+            Slider(p_x, -0.5, 0.5, start=-0.45, step=0.05, label="target p_x"),
+        ),
+        where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),
+        scene=(
+            VIEW.floor(0, 0.7),
+            VIEW.solid([solids.cylinder("body", (0.08, 0.05), (0, 0.27))], eye(3), floor=0),
+            VIEW.arrow("text", (0, 0, 0), (0.7, 0, 0), "x"),
+            VIEW.arrow("text", (0, 0, 0), (0, 0.7, 0), "y"),
+            *true,
+            *false,
+            VIEW.line("error", (missed, target)),
+            on_top(VIEW.point("target", target, "p")),
+        ),
+        readouts=(
+            Readout("d", "shoulder to p", far(target, (0, 0, ARM[d1])), "m"),
+            Readout("reach", "shoulder to wrist", far(missed, (0, 0, ARM[d1])), "m"),
+            Readout("off", "off by", far(missed, target), "m"),
+        ),
+        seen_from=(-5 * pi / 9, pi / 7),
+    )
+
+
+FIGURES = (two_views_figure(), space_figure(), mistakes_figure())

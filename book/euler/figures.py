@@ -26,10 +26,10 @@ from workshop.figures import (
     Label,
     Readout,
     Slider,
+    Steps,
     Turns,
     solids,
     solved,
-    view_sliders,
 )
 
 R_AB = Matrix([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # the exercise
@@ -41,6 +41,7 @@ SEQUENCES = [
 ]
 ORIGIN = (0, 0, 0)
 AXES = ("x_axis", "y_axis", "z_axis")
+OF_A, OF_B = ("x_A", "y_A", "z_A"), ("x_B", "y_B", "z_B")
 X, Y, Z = (UNTURNED[:, axis] for axis in range(3))
 
 made = quantity("made", "", 0, 3, "how many turns of a sequence are made")
@@ -57,28 +58,6 @@ inner = Matrix(symbols("i_x i_y i_z", real=True))  # of the turn on the right
 fixed = Symbol("fixed", real=True)  # 1 for extrinsic turns
 about = Matrix(symbols("about_x about_y about_z", real=True))
 at_once = Symbol("at_once", real=True)  # 1 for one turn about one axis, 0 for two
-
-
-def in_space(**parts: Any) -> Figure:
-    """A figure without a grid whose view is turned by dragging it."""
-    start = parts.pop("seen_from", (pi / 6, pi / 9))
-    controls = (*parts.pop("controls"), *view_sliders(*start))
-    return Figure(controls=controls, turns=VIEW.angles, grid=False, **parts)
-
-
-def angle_sliders(labels: Sequence[str], starts: Sequence[float], kinds: Any) -> tuple[Slider, ...]:
-    """The angles of a sequence under the hand."""
-    return tuple(
-        Slider(symbol, -pi, pi, start=start, step=pi / 36, label=label, kind=kind)
-        for symbol, start, label, kind in zip(TURNS, starts, labels, kinds, strict=False)
-    )
-
-
-def named(name: str, matrix: Matrix) -> tuple[Matrix, Where]:
-    """A matrix whose entries are symbols, and what they stand for."""
-    rows, cols = matrix.shape
-    entries = symbols(f"{name}:{rows}:{cols}", real=True)
-    return Matrix(rows, cols, entries), tuple(zip(entries, matrix, strict=True))
 
 
 def entries(R: Matrix) -> Where:
@@ -138,21 +117,17 @@ def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     corner = [at[0] - HALF, at[1] - HALF, FLOOR]
     return tuple(
         VIEW.arrow("text", corner, [c + 1.7 * u for c, u in zip(corner, axis, strict=True)], label)
-        for axis, label in zip((X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
+        for axis, label in zip((X, Y, Z), OF_A, strict=True)
     )
 
 
 def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     """What a die turns about, to both sides of it."""
-    return tuple(
-        behind(
-            VIEW.line(
-                "icr",
-                [[at[k] + side * far * direction[k] for k in range(3)] for far in (0.5, 1.45)],
-            )
-        )
-        for side in (-1, 1)
-    )
+    ends = [
+        [a + far * u for a, u in zip(at, direction, strict=True)]
+        for far in (-1.45, -0.5, 0.5, 1.45)
+    ]
+    return behind(VIEW.line("icr", ends[1::-1])), behind(VIEW.line("icr", ends[2:]))
 
 
 LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
@@ -160,26 +135,24 @@ LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
 
 def die_figure() -> Figure:
     """The opening: a die, twelve buttons, a ghost."""
-    turns = Turns()
-    last, steps_last = named("l", turns.last(turns.part))
-    now, steps_now = named("n", turns.after(last))
+    turns, steps = Turns(), Steps()
+    last = steps.named("l", turns.last(turns.part))
+    now = steps.named("n", turns.after(last))
     own, away = turns.own, 2 * (1 - turns.part)
+    beside = -2.35 + own * (1.6 + away) - (1 - own) * away  # from its own side
+    tasks = {99: "Bring the die onto its ghost.", 3: "Do it again, in as few turns as you can."}
     done = Piecewise((0, turns.part >= 1), (nan, True))
-    return in_space(
+    return Figure(
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
         view=(-3.3, 3.3, -3.1, 1.4),
+        size="laboratory",
         controls=(turns,),
         scene=(
             *die(now, VIEW.beside(-1.4)),
             *ghost_die(GHOST, VIEW.beside(1.4)),
             Bracket(turns.before, (-0.75 - 1.6 * own, -1.95), "before"),
-            Bracket(
-                turns.last(),
-                (-2.35 + own * (1.6 + away) - (1 - own) * away, -1.95),
-                "the turn",
-                columns=("icr", "icr", "icr"),
-            ),
+            Bracket(turns.last(), (beside, -1.95), "the turn", columns=("icr", "icr", "icr")),
             Label("text", (0.3, -1.95), "="),
             Bracket(now, (1.4 + done, -1.95), "now"),
         ),
@@ -187,28 +160,19 @@ def die_figure() -> Figure:
         says="{count} turns made: {turns}.",
         goal=tuple(
             Goal(And(meets(now, GHOST), turns.part >= 1, turns.count <= most), words)
-            for most, words in (
-                (99, "Bring the die onto its ghost."),
-                (3, "Do it again, in as few turns as you can."),
-            )
+            for most, words in tasks.items()
         ),
-        where=(*steps_last, *steps_now),
+        where=steps,
     )
 
 
 def exercise_figure() -> Figure:
     """The two frames of the exercise."""
-    return in_space(
+    return Figure(
         name="two-frames",
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
-        controls=(),
-        scene=(
-            *die(UNTURNED, LEFT, ("x_A", "y_A", "z_A")),
-            *die(R_AB, RIGHT, ("x_B", "y_B", "z_B")),
-        ),
-        readouts=(),
+        scene=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
         says="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
     )
 
@@ -217,21 +181,15 @@ def columns_figure() -> Figure:
     """A turn about one of the axes, and the three columns of its matrix."""
     R = euler.r
     options = {name: tuple(map(int, axis)) for name, axis in zip("xyz", (X, Y, Z), strict=True)}
-    return in_space(
+    return Figure(
         name="columns",
         title="A die turned about one axis of the room, and the matrix of the turn",
         view=(-1.5, 3.1, -1.6, 1.5),
-        size="step",
         controls=(
             Choice("axis", "turn about", tuple(about), options, start="z"),
-            Slider(turn, -pi, pi, start=pi / 3, step=pi / 36),
+            Slider.degrees(turn, start=60, step=5),
         ),
-        scene=(
-            *room(),
-            *die(R),
-            Bracket(R, (2.2, 0.1), digits=2),
-        ),
-        readouts=(),
+        scene=(*room(), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
         says="A turn of {turn} about the {axis} axis.",
         where=entries(euler.turned_about(about, turn)),
     )
@@ -239,43 +197,37 @@ def columns_figure() -> Figure:
 
 def order_figure() -> Figure:
     """The same two quarter turns in two orders."""
-    quarters = [share(made, k) * half_turn / 2 for k in (0, 1)]
-    left, steps_left = named(
-        "p", euler.turned_about(Z, quarters[0]) * euler.turned_about(X, quarters[1])
+    a, b = (share(made, k) * half_turn / 2 for k in (0, 1))
+    steps = Steps()
+    left, right = (
+        steps.named(name, euler.turned_about(one, a) * euler.turned_about(two, b))
+        for name, one, two in (("p", Z, X), ("q", X, Z))
     )
-    right, steps_right = named(
-        "q", euler.turned_about(X, quarters[0]) * euler.turned_about(Z, quarters[1])
-    )
-    return in_space(
+    return Figure(
         name="order",
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
-        controls=(
-            Clock(made, 0.0, 2.0, start=0.0, step=0.05, label="quarter turns made", rate=0.5),
-        ),
+        controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
-        readouts=(
-            Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
-        ),
+        readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
         says="{made} turns made of each; the dice are one turn of {apart} apart.",
-        where=(*steps_left, *steps_right),
+        where=steps,
     )
 
 
 def target_figure() -> Figure:
     """The exercise: two angles to bring the die to frame B."""
     R = euler.r
-    return in_space(
+    return Figure(
         name="to-b",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
         view=(-2.5, 2.6, -1.6, 1.5),
-        size="step",
-        controls=angle_sliders(
-            ("α, about y", "β, about the new z"), (0.0, 0.0), ("y_axis", "z_axis")
+        controls=(
+            Slider.degrees(first, step=5, label="α, about y", kind="y_axis"),
+            Slider.degrees(middle, step=5, label="β, about the new z", kind="z_axis"),
         ),
         scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.beside(1.45))),
-        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad", digits=1),),
+        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
         says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
         goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
         where=entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
@@ -284,39 +236,32 @@ def target_figure() -> Figure:
 
 def both_figure() -> Figure:
     """Both answers of XYZ, turn by turn."""
-    answers = (TURNS, euler.OTHERS)
-    middle_other = euler.OTHERS[1]
-    dice: list[Matrix] = []
-    where: Where = ((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan))
-    for name, angles in zip("pq", answers, strict=True):
-        turned = [
-            euler.turned_about(axis, share(made, k) * each)
-            for k, (axis, each) in enumerate(zip((X, Y, Z), angles, strict=True))
-        ]
-        two, steps_two = named(f"{name}t", turned[0] * turned[1])
-        three, steps_three = named(name, two * turned[2])
-        dice.append(three)
-        where = (*where, *steps_two, *steps_three)
-    left, right = dice
-    return in_space(
+    steps = Steps(((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan)))
+
+    def turned(name: str, angles: Sequence[Any]) -> Any:
+        a, b, c = (share(made, k) * each for k, each in enumerate(angles))
+        two = steps.named(f"{name}t", euler.turned_about(X, a) * euler.turned_about(Y, b))
+        return steps.named(name, two * euler.turned_about(Z, c))
+
+    left, right = turned("p", TURNS), turned("q", euler.OTHERS)
+    return Figure(
         name="both-answers",
         title="Two dice turned about x, y and z by different angles",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
         controls=(
-            Slider(middle, -pi, pi, start=pi / 6, step=pi / 36, kind="y_axis"),
-            Clock(made, 0.0, 3.0, start=0.0, step=0.05, label="turns made", rate=0.75),
+            Slider.degrees(middle, start=30, step=5, kind="y_axis"),
+            Clock(made, 0.0, 3.0, label="turns made", rate=0.75),
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
-            Readout("other", "β′ of the right die", wrapped(middle_other), "rad", digits=0),
-            Readout("apart", "between the two dice", angle_of(left.T * right), "rad", digits=1),
+            Readout("other", "β′ of the right die", wrapped(euler.OTHERS[1]), "rad", digits=0),
+            Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),
         ),
         says=(
             "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
             "{made} turns made, they are {apart} apart."
         ),
-        where=where,
+        where=steps,
     )
 
 
@@ -343,64 +288,50 @@ STAND = (
 )
 
 
-def pins(kind: str, along: str, far: float, end: float) -> tuple[solids.Part, ...]:
-    """Two pins on which a ring turns in the one around it."""
-    return tuple(
-        solids.cylinder(kind, (0.06, 0.06), ends, along, n=8) for ends in ((far, end), (-end, -far))
-    )
+def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[solids.Part, ...]:
+    """A ring, flat towards one axis, with two pins along another on which the next one turns."""
+    rim = radius + 0.14
+    pins = (solids.cylinder(kind, (0.06, 0.06), x, along, n=8) for x in ((rim, end), (-end, -rim)))
+    return solids.ring(kind, radius, rim, 0.1, flat), *pins
 
 
 def rings_figure() -> Figure:
     """A stand, three rings, an aeroplane, and the turns that it can make at this moment."""
-    one, steps_one = named("a", euler.turned_about(X, against))
-    two, steps_two = named("b", one * euler.turned_about(Y, middle))
-    three, steps_three = named("c", two * euler.turned_about(Z, -against))
+    steps = Steps()
+    one = steps.named("a", euler.turned_about(X, against))
+    two = steps.named("b", one * euler.turned_about(Y, middle))
+    three = steps.named("c", two * euler.turned_about(Z, -against))
     J = put_in(put_in(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     floor = -1.46
-    beside = VIEW.beside(2.75)
-    return in_space(
+    return Figure(
         name="gimbal-rings",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
         view=(-2.3, 3.5, -2.25, 1.5),
-        size="step",
         seen_from=(-pi / 4, pi / 8),
         controls=(
-            Slider(
-                middle, -pi, pi, start=pi / 6, step=pi / 36, label="β, middle ring", kind="y_axis"
-            ),
-            Slider(
-                against, -pi, pi, start=0.0, step=pi / 36, label="outer ring on, inner ring back"
-            ),
+            Slider.degrees(middle, start=30, step=5, label="β, middle ring", kind="y_axis"),
+            Slider.degrees(against, step=5, label="outer ring on, inner ring back"),
         ),
         scene=(
             VIEW.floor(floor, 1.55),
             VIEW.solid(STAND, UNTURNED, floor=floor),
-            VIEW.solid(
-                (solids.ring("x_axis", 1.16, 1.3, 0.1, "z"), *pins("x_axis", "x", 1.3, 1.46)),
-                one,
-                floor=floor,
-            ),
-            VIEW.solid(
-                (solids.ring("y_axis", 0.94, 1.08, 0.1, "x"), *pins("y_axis", "y", 1.08, 1.16)), two
-            ),
-            VIEW.solid(
-                (solids.ring("z_axis", 0.72, 0.86, 0.1, "y"), *pins("z_axis", "z", 0.86, 0.94)),
-                three,
-            ),
+            VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=floor),
+            VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
+            VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
             VIEW.solid(AEROPLANE, three),
-            VIEW.solid((solids.ball("velocity"),), 0.6 * J, beside),
+            VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.beside(2.75)),
             Label(euler.omega, (2.75, -1)),
         ),
         readouts=(
             Readout(euler.det_J, "det J: ±1 best, 0 locked", euler.determinant.right),
-            Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad", digits=1),
+            Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad"),
         ),
         says=(
             "Middle ring {middle}, outer ring on and inner ring back by {against}. det J is "
             "{det_J}; the aeroplane is turned by {whole} in all."
         ),
-        where=(*steps_one, *steps_two, *steps_three),
+        where=steps,
     )
 
 
@@ -423,11 +354,9 @@ def one_turn_figure() -> Figure:
         long = sqrt(vector.dot(vector))
         return vector * 2 * atan2(long, cos(a) * cos(b)) / (long + 1e-300) / half_turn
 
-    a, b = by_two(2 * part)
-    whole = at_once * euler.turned_about(AXIS, part * 2 * half_turn / 3)
-    R = euler.r
+    (a, b), once = by_two(2 * part), part * 2 * half_turn / 3
     two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
-    turned = at_once * part * 2 * half_turn / 3 + (1 - at_once) * (a - b)
+    turned = at_once * once + (1 - at_once) * (a - b)
     middle_of = VIEW.beside(1.35)
 
     def put(vector: Any) -> list[Any]:
@@ -440,21 +369,20 @@ def one_turn_figure() -> Figure:
     spoke = AXIS * 2 / 3  # of half a turn
     circles = ((cos(s), sin(s), 0), (0, cos(s), sin(s)), (sin(s), 0, cos(s)))
     here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
-    return in_space(
+    return Figure(
         name="one-turn",
         title="A die on its way to frame B, and its way in the ball of all rotations",
         view=(-2.45, 3.15, -1.7, 1.85),
-        size="step",
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
-            Clock(part, 0.0, 1.0, start=0.0, step=0.01, label="part of the way", rate=0.25),
+            Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
-            *die(R, VIEW.beside(-1.3)),
+            *die(euler.r, VIEW.beside(-1.3)),
             *(way("ghost", circle, 2 * half_turn, 64) for circle in circles),
             *(
                 VIEW.arrow(kind, put(0 * axis), put(1.2 * axis), label)
-                for kind, axis, label in zip(AXES, (X, Y, Z), ("x_A", "y_A", "z_A"), strict=True)
+                for kind, axis, label in zip(AXES, (X, Y, Z), OF_A, strict=True)
             ),
             way("icr", s * spoke, 1),
             way("approximation", in_ball(2 * s), 1, 48),
@@ -463,24 +391,22 @@ def one_turn_figure() -> Figure:
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),
-            Readout("left", "still to B", angle_of(R_AB.T * R), "rad", digits=1),
+            Readout("left", "still to B", angle_of(R_AB.T * euler.r), "rad"),
         ),
         says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
-        where=entries(whole + (1 - at_once) * two),
+        where=entries(at_once * euler.turned_about(AXIS, once) + (1 - at_once) * two),
     )
 
 
 def recap_figure() -> Figure:
     """All in one: columns, axes of A, the one turn."""
     R = euler.r
-    return in_space(
+    return Figure(
         name="rotation-recap",
         title="A die on its way from frame A to frame B, its matrix, and the axis of the one turn",
         view=(-1.5, 3.1, -1.6, 1.5),
-        size="step",
         controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
         scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
-        readouts=(),
         says="Turned by {turn} about the slanted axis.",
         where=entries(euler.turned_about(AXIS, turn)),
     )
@@ -490,25 +416,20 @@ def mistakes_figure() -> Figure:
     """Another frame B, of two quarter turns, and where three mistakes lead instead."""
     quarter = {turn: half_turn / 2}
     y_turn, z_turn = euler.turn_y.at(quarter), euler.turn_z.at(quarter)
+    by_hand = M7.formula.made_in(euler.turn_z)
     wrong = {
         "A product of two turns": z_turn * y_turn,
-        "Matrices typed by hand": (
-            M7.formula.at(quarter) * M7.formula.made_in(euler.turn_z).at(quarter)
-        ),
+        "Matrices typed by hand": M7.formula.at(quarter) * by_hand.at(quarter),
         "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
     }
     right = (y_turn * z_turn).doit()
     R, options = Matrix(3, 3, WRONG), {n: tuple(map(int, M.doit())) for n, M in wrong.items()}
-    return in_space(
+    return Figure(
         name="wrong-frames",
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.3, 2.3, -1.6, 1.5),
-        size="step",
-        controls=(Choice("mistake", "mistake", WRONG, options, start="A product of two turns"),),
-        scene=(
-            *die(right, LEFT, ("x_B", "y_B", "z_B")),
-            *die(R, RIGHT, kind="error"),
-        ),
+        controls=(Choice("mistake", "mistake", WRONG, options),),
+        scene=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),
         says="{mistake}: the wrong frame is one turn of {apart} from frame B.",
     )
@@ -525,15 +446,9 @@ def sequences() -> Choice:
         axes = [int(one == axis) for one in left_to_right.upper() for axis in "XYZ"]
         return (*axes, int(seq.islower()))
 
-    names = [*SEQUENCES, *map(str.lower, SEQUENCES)]
+    options = {name: numbers(name) for name in (*SEQUENCES, *map(str.lower, SEQUENCES))}
     label = "sequence (XYZ: own axes, xyz: fixed axes)"
-    return Choice(
-        "sequence",
-        label,
-        (*outer, *mid, *inner, fixed),
-        {name: numbers(name) for name in names},
-        start="ZXZ",
-    )
+    return Choice("sequence", label, (*outer, *mid, *inner, fixed), options, start="ZXZ")
 
 
 def current(three: Sequence[Any]) -> Any:
@@ -541,52 +456,49 @@ def current(three: Sequence[Any]) -> Any:
     return Piecewise((three[0], made <= 1), (three[1], made <= 2), (three[2], True))
 
 
-def factors_of(name: str, angles: Sequence[Any]) -> tuple[list[Matrix], Where]:
+def factors_of(steps: Steps, name: str, angles: Sequence[Any]) -> list[Matrix]:
     """The three factors of a sequence's matrix, from left to right, entry by entry."""
     a, b, c = angles
     places = Matrix([(1 - fixed) * a + fixed * c, b, (1 - fixed) * c + fixed * a])
-    (left, between, right), where = named(f"{name}a", places)
-    found = []
-    axes = (outer, mid, inner)
-    for letter, axis, each in zip("pqr", axes, (left, between, right), strict=True):
-        entries, steps = named(name + letter, euler.turned_about(axis, each))
-        found.append(entries)
-        where = (*where, *steps)
-    return found, where
+    turns = zip("pqr", (outer, mid, inner), steps.named(f"{name}a", places), strict=True)
+    return [
+        steps.named(name + letter, euler.turned_about(axis, each)) for letter, axis, each in turns
+    ]
 
 
 def sequence_figure() -> Figure:
     """Any of the 24 sequences, turn by turn, with its other answer and how near lock is."""
-    angles, steps_angles = named("a", Matrix([share(made, k) * e for k, e in enumerate(TURNS)]))
-    factors, steps_factors = factors_of("l", angles)
-    two, steps_two = named("t", factors[0] * factors[1])
-    now, steps_now = named("n", two * factors[2])
-    whole, steps_whole = factors_of("w", TURNS)
-    first_two, steps_first = named("f", whole[0] * whole[1])
-    end, steps_end = named("e", first_two * whole[2])
-
+    steps = Steps()
+    angles = steps.named("a", Matrix([share(made, k) * e for k, e in enumerate(TURNS)]))
+    factors = factors_of(steps, "l", angles)
+    two = steps.named("t", factors[0] * factors[1])
+    now = steps.named("n", two * factors[2])
+    whole = factors_of(steps, "w", TURNS)
+    first_two = steps.named("f", whole[0] * whole[1])
+    end = steps.named("e", first_two * whole[2])
     axes = (
         (1 - fixed) * outer + fixed * inner,
         (1 - fixed) * factors[0] * mid + fixed * mid,
         (1 - fixed) * two * inner + fixed * outer,
     )
-    u, steps_u = named("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
-
+    u = steps.named("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
     proper = outer.dot(inner)
     cosine, sine = Abs(cos(middle)), Abs(sin(middle))
     near = proper * sine + (1 - proper) * cosine
     far = proper * cosine + (1 - proper) * sine
     cardan, euler_ = euler.other_cardan.right, euler.other_proper.right
     other_middle = proper * euler_[1] + (1 - proper) * wrapped(cardan[1])
-    return in_space(
+    return Figure(
         name="euler-sequence",
         title="A die turned about three axes, one after the other; the ghost is frame B",
         view=(-3.2, 3.2, -1.6, 1.5),
         size="laboratory",
         controls=(
             sequences(),
-            *angle_sliders(("first α", "middle β", "third γ"), (0.0, 0.0, 0.0), ("", "", "")),
-            Clock(made, 0.0, 3.0, start=3.0, step=0.05, label="turns made", rate=0.75),
+            Slider.degrees(first, step=5, label="first α"),
+            Slider.degrees(middle, step=5, label="middle β"),
+            Slider.degrees(third, step=5, label="third γ"),
+            Clock(made, 0.0, 3.0, start=3.0, label="turns made", rate=0.75),
         ),
         scene=(
             *room(LEFT),
@@ -595,12 +507,12 @@ def sequence_figure() -> Figure:
             *ghost_die(R_AB, VIEW.beside(1.45)),
         ),
         readouts=(
-            Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad", digits=1),
-            Readout("other_middle", "other answer: β′", other_middle, "rad", digits=1),
-            Readout("other_third", "other answer: γ′", wrapped(cardan[2]), "rad", digits=1),
-            Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad", digits=1),
-            Readout("whole", "the whole as one turn", angle_of(end), "rad", digits=1),
-            Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad", digits=1),
+            Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad"),
+            Readout("other_middle", "other answer: β′", other_middle, "rad"),
+            Readout("other_third", "other answer: γ′", wrapped(cardan[2]), "rad"),
+            Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad"),
+            Readout("whole", "the whole as one turn", angle_of(end), "rad"),
+            Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad"),
         ),
         says=(
             "Sequence {sequence} with the angles {first}, {middle}, {third}, {made} turns made. "
@@ -616,10 +528,7 @@ def sequence_figure() -> Figure:
                 ("zyx", outer[0] * mid[1] * inner[2] * fixed),
             )
         ),
-        where=(
-            *(*steps_angles, *steps_factors, *steps_two, *steps_now, *steps_whole),
-            *(*steps_first, *steps_end, *steps_u),
-        ),
+        where=steps,
     )
 
 

@@ -13,24 +13,40 @@ from workshop.practice import (
     Exercise,
     Line,
     Mistake,
+    Picture,
     Solution,
     Step,
+    Wrong,
     angle,
     one_of,
     steps,
 )
 
+T_db, T_de, T_bc, T_cb, T_bd, T_cd, T_ce = (
+    MatrixSymbol(f"T_{way}", 3, 3) for way in ("db", "de", "bc", "cb", "bd", "cd", "ce")
+)
+R, p, q = MatrixSymbol("R", 2, 2), MatrixSymbol("p", 2, 1), MatrixSymbol("q", 2, 1)
+FROM_HAND = Line(T_ce, T_bc.inv() * T_db.inv() * T_de)
+WAY_BACK = Line(q, -R.T * p)
+
 M9 = Mistake(
     "M9",
     says="when the poses are multiplied as they are given and none is inverted",
+    wrong=Wrong(FROM_HAND, instead=T_db * T_bc * T_de),
     line="T_ce = T_db @ T_bc @ T_de",
     why="c meets d: there the letters break; and the product starts in d, not in c. In "
     "T_ce = T_cb T_bd T_de they meet. So both poses given, T_bc and T_db, must be inverted first.",
     unnoticed="Where T_db T_bc is its own inverse, as a half turn in the plane is.",
+    picture=Picture(
+        "wrong-object",
+        "No inverse",
+        "The object lies on the left. The hand's program believes it further up, and turned.",
+    ),
 )
 M10 = Mistake(
     "M10",
     says="when an inverse is made with −p in place of −Rᵀp",
+    wrong=Wrong(WAY_BACK, instead=-p),
     line="def back(T):\n"
     "    return np.block([[T[:2, :2].T, -T[:2, 2:]], [0, 0, 1]])\n"
     "T_ce = back(T_bc) @ back(T_db) @ T_de",
@@ -38,22 +54,40 @@ M10 = Mistake(
     "the second frame, so the way back must be turned as well: −Rᵀp.",
     unnoticed="Where the frames are only shifted, not turned (R is the identity), or only turned, "
     "not shifted.",
+    picture=Picture(
+        "wrong-object",
+        "Inverses by hand",
+        "The object lies on the left. The hand's program believes it on the right, beyond the "
+        "platform.",
+    ),
 )
 M11 = Mistake(
     "M11",
     says="when T_db T_bc is inverted as T_db⁻¹ T_bc⁻¹, in the same order",
+    wrong=Wrong(FROM_HAND, instead=T_db.inv() * T_bc.inv() * T_de),
     line="T_ce = np.linalg.inv(T_db) @ np.linalg.inv(T_bc) @ T_de",
     why="Undo the last step first: who puts on socks, then shoes, takes off the shoes first. So "
     "the inverse of T_db T_bc is T_bc⁻¹ T_db⁻¹, in the opposite order.",
     unnoticed="Where both poses are pure shifts, or both are turns about the same point.",
+    picture=Picture(
+        "wrong-object",
+        "Two inverses",
+        "The object lies on the left. The hand's program believes it close before the hand.",
+    ),
 )
 M30 = Mistake(
     "M30",
     says="when T_bc is left as it is where its inverse belongs",
+    wrong=Wrong(FROM_HAND, instead=T_bc * T_db.inv() * T_de),
     line="T_ce = T_bc @ np.linalg.inv(T_db) @ T_de",
     why="The product would start in b and end in e, with c and b side by side in the middle: "
     "T_bc T_bd. From c to b leads T_cb, the inverse of T_bc.",
     unnoticed="Where T_bc is its own inverse, as a half turn is.",
+    picture=Picture(
+        "wrong-object",
+        "One inverse",
+        "The object lies on the left. The hand's program believes it at the elbow, and turned.",
+    ),
     document="001 Q3",
     place="the last line",
     nth=1,
@@ -125,6 +159,16 @@ def matrices(formula):
     return lambda **given: formula(**planar(**given))
 
 
+def from_hand(mistake):
+    """What a mistake makes of T_ce, as a formula of the numbers given."""
+    formula = Wrong(FROM_HAND, instead=mistake.at({T_bc.inv(): T_cb, T_db.inv(): T_bd}))
+    return matrices(
+        lambda T_db, T_bc, T_de: formula.gives(
+            T_db=T_db, T_bc=T_bc, T_de=T_de, T_cb=frames.inverse(T_bc), T_bd=frames.inverse(T_db)
+        )
+    )
+
+
 def at_point(formula):
     """A formula of T_bc and a point, as one of the numbers given."""
     return lambda x, y, **arm: formula(hand(**arm), np.array([x, y]))
@@ -192,9 +236,6 @@ HAND = Step(
     {formulas.alpha: "alpha", formulas.beta: "beta", formulas.gamma: "gamma"}
     | {formulas.l_1: UPPER, formulas.l_2: FORE},
     unit=UNITS,
-)
-T_db, T_de, T_bc, T_cb, T_bd, T_cd, T_ce = (
-    MatrixSymbol(f"T_{way}", 3, 3) for way in ("db", "de", "bc", "cb", "bd", "cd", "ce")
 )
 R_fb, P, P_b = MatrixSymbol("R_fb", 3, 3), MatrixSymbol("p", 3, 1), MatrixSymbol("p_b", 3, 1)
 t = Matrix(3, 3, symbols("t_{11} t_{12} t_{13} t_{21} t_{22} t_{23} t_{31} t_{32} t_{33}"))
@@ -358,10 +399,10 @@ frames_5 = Exercise(
         lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_bc), frames.inverse(T_db), T_de)
     ),
     wrong={
-        M9: matrices(lambda T_db, T_bc, T_de: T_db @ T_bc @ T_de),
+        M9: from_hand(M9),
         M10: matrices(lambda T_db, T_bc, T_de: shifted_back(T_bc) @ shifted_back(T_db) @ T_de),
-        M11: matrices(lambda T_db, T_bc, T_de: frames.inverse(T_db) @ frames.inverse(T_bc) @ T_de),
-        M30: matrices(lambda T_db, T_bc, T_de: T_bc @ frames.inverse(T_db) @ T_de),
+        M11: from_hand(M11),
+        M30: from_hand(M30),
     },
     derive=planar,
     also={

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from robokin import euler, frames, planar_arm
+from robokin import euler, frames, motion, planar_arm
 
 LINKS = [0.3, 0.4]  # m
 BASE, THING = [-0.2, -0.3, 0.0], [0.3, 0.3]  # m, platform and object in the room
@@ -49,7 +49,34 @@ def above_readouts(turn, high, heading, alpha, beta, gamma, low, azimuth, elevat
     return np.column_stack([graph.get(*way)[:, :3, 3] for way in ways])
 
 
-READOUTS = {"room-plan": chain_readouts, "camera-above": above_readouts}
+def mistakes_readouts(*columns):
+    """apart, off: where the object is taken to be, and how it lies there."""
+    *made, turn = columns
+    still = np.zeros_like(turn)
+    angles = [still + angle for angle in (-np.pi / 2, 7 * np.pi / 12, np.pi / 4)]
+    T_db = frames.se2(still + 0.6, still + 0.5, turn)
+    T_bc = frames.se2(*wrist(*angles[:2]).T, sum(angles))
+    T_de = frames.se2(-0.3, 0.6, -np.pi / 3)
+    T_bd, T_cb = frames.inverse(T_db), frames.inverse(T_bc)
+    by_sign = [frames.inverse(T) for T in (T_bc, T_db)]
+    for back, T in zip(by_sign, (T_bc, T_db), strict=True):
+        back[:, :2, 2] = -T[:, :2, 2]
+    ways = (
+        T_db @ T_bc @ T_de,
+        by_sign[0] @ by_sign[1] @ T_de,
+        T_bd @ T_cb @ T_de,
+        T_bc @ T_bd @ T_de,
+    )
+    T_ce = sum(one[:, None, None] * way for one, way in zip(made, ways, strict=True))
+    found = pose_of(frames.compose(T_db, T_bc, T_ce)) - [-0.3, 0.6, -np.pi / 3]
+    return np.column_stack([np.hypot(*found[:, :2].T), motion.wrap_angle(found[:, 2])])
+
+
+READOUTS = {
+    "room-plan": chain_readouts,
+    "camera-above": above_readouts,
+    "wrong-object": mistakes_readouts,
+}
 SPECIALS = {
     "room-plan": [
         {"db_turn": 0.0},
@@ -63,5 +90,6 @@ SPECIALS = {
         {"azimuth": 0.0, "elevation": np.pi / 2},
         {"joint_beta": 0.0, "object_low": 0.0},
     ],
+    "wrong-object": [{"db_turn": 2 * np.pi / 3}],  # T_db T_bc is a half turn
 }
 WORDS = []

@@ -3,9 +3,11 @@
 from math import pi
 from typing import Any
 
-from sympy import Matrix, Symbol, atan2, cos, sin, sqrt, symbols
+from sympy import Matrix, Symbol, atan2, cos, eye, sin, sqrt, symbols, zeros
 
+from book.frames import exercises as bank
 from book.frames import formulas as frames
+from book.frames.exercises import M9, M10, M11, M30
 from book.frames.formulas import (
     alpha,
     bc_turn,
@@ -26,12 +28,14 @@ from book.frames.formulas import (
     l_2,
 )
 from book.motion import formulas as motion
-from workshop.equations.core import Where, as_written, put_in, quantity
+from workshop.equations.core import as_written, put_in, quantity
 from workshop.figures import (
     POINTER,
     VIEW,
+    Area,
     Arrow,
     Body,
+    Choice,
     Curve,
     Figure,
     Handle,
@@ -39,12 +43,10 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
-    view_sliders,
+    Steps,
 )
 
 LINKS = {l_1: 0.3, l_2: 0.4}  # m, as in the exercise
-STEP = pi / 36
-AROUND = 175 * pi / 180  # as far as a hand can turn without meeting its other name, −175° + 360°
 RADIUS, AXIS = 0.2, 0.22  # m, of the platform; how long the axes of a frame are drawn
 
 Pose = Any  # [x, y, theta]
@@ -52,12 +54,6 @@ Pose = Any  # [x, y, theta]
 camera_turn = quantity("camera_turn", "rad", -3.14, 3.14, "turn of the camera, seen from above")
 camera_high = quantity("camera_high", "m", 1, 2, "height of the camera above the arm")
 object_low = quantity("object_low", "m", -0.4, 0.4, "height of the object above the arm")
-
-
-def named(name: str, pose: Matrix) -> tuple[Matrix, Where]:
-    """A pose or matrix whose entries are symbols, and what they stand for."""
-    entries = Matrix(*pose.shape, symbols(f"{name}:{len(pose)}", real=True))
-    return entries, tuple(zip(entries, pose, strict=True))
 
 
 def seen_from(first: Pose, second: Pose) -> Matrix:
@@ -77,11 +73,6 @@ def wrapped(value: Any) -> Any:
     return motion.wrap_angle.at({motion.angle: value})
 
 
-def place(pose: Pose) -> tuple[Any, Any]:
-    """The position in a pose."""
-    return pose[0], pose[1]
-
-
 def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
     """A point of a frame, so far along its axes, where the frame's pose is seen from."""
     x, y, turn = pose
@@ -95,8 +86,8 @@ def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
 def axes(pose: Pose, name: str) -> tuple[Arrow, Arrow]:
     """The x and y axis of a frame; its name stands at x."""
     return (
-        Arrow("x_axis", place(pose), point_of(pose, AXIS), label=f"x_{name}"),
-        Arrow("y_axis", place(pose), point_of(pose, 0, AXIS)),
+        Arrow("x_axis", pose, point_of(pose, AXIS), label=f"x_{name}"),
+        Arrow("y_axis", pose, point_of(pose, 0, AXIS)),
     )
 
 
@@ -107,14 +98,11 @@ def direction(pose: Pose) -> Any:
 
 
 def joint_sliders() -> tuple[Slider, ...]:
-    """The arm under the hand."""
-    return tuple(
-        Slider(symbol, -most, most, start=start, step=STEP, label=f"joint angle {name}")
-        for symbol, most, start, name in (
-            (alpha, AROUND, pi / 2, "α"),
-            (beta, 2 * pi / 3, -pi / 2, "β"),
-            (gamma, 2 * pi / 3, -pi / 4, "γ"),
-        )
+    """The arm under the hand; at 180° an angle would meet its other name, −180°."""
+    return (
+        Slider.degrees(alpha, -175, 175, start=90, step=5, label="joint angle α"),
+        Slider.degrees(beta, -120, 120, start=-90, step=5, label="joint angle β"),
+        Slider.degrees(gamma, -120, 120, start=-45, step=5, label="joint angle γ"),
     )
 
 
@@ -123,62 +111,64 @@ T_db, T_de = (db_x, db_y, db_turn), (de_x, de_y, de_turn)
 
 def chain_figure() -> Figure:
     """The room from above: platform, arm and object under the hand, the arrows of the chain."""
+    steps = Steps()
     elbow_here = frames.hand_pose.at({**LINKS, l_2: 0, beta: 0, gamma: 0})
     elbow_now = joined(T_db, elbow_here)
     wrist_now = joined(T_db, frames.hand_pose.at({**LINKS, gamma: 0}))
-    bc, steps_bc = named("bc", frames.hand_pose.at(LINKS))
-    be, steps_be = named("be", seen_from(T_db, T_de))
-    dc, steps_dc = named("dc", joined(T_db, bc))
-    elbow, steps_elbow = named("elbow", elbow_now)
-    ce, steps_ce = named("ce", seen_from(bc, be))
-    chain = ((0, 0), place(T_db)), (place(T_db), place(dc)), ((0, 0), place(T_de))
+    bc = steps.named("bc", frames.hand_pose.at(LINKS))
+    be = steps.named("be", seen_from(T_db, T_de))
+    dc = steps.named("dc", joined(T_db, bc))
+    elbow = steps.named("elbow", elbow_now)
+    ce = steps.named("ce", seen_from(bc, be))
+    chain = ((0, 0), T_db), (T_db, dc), ((0, 0), T_de)
     return Figure(
         name="room-plan",
         title="A room from above: a camera's frame d, a platform b with an arm, an object e",
         view=(-0.3, 2.1, -0.3, 1.5),
+        size="",
         controls=(
             Slider(db_x, 0.3, 1.7, start=1.0, step=0.05, label="platform x_db"),
             Slider(db_y, 0.2, 1.2, start=0.5, step=0.05, label="platform y_db"),
-            Slider(db_turn, -AROUND, AROUND, start=pi / 2, step=STEP, label="platform θ_db"),
+            Slider.degrees(db_turn, -175, 175, start=90, step=5, label="platform θ_db"),
             *joint_sliders(),
             Slider(de_x, 0.0, 2.0, start=1.5, step=0.05, label="object x_de"),
             Slider(de_y, 0.0, 1.4, start=1.1, step=0.05, label="object y_de"),
-            Slider(de_turn, -AROUND, AROUND, start=3 * pi / 4, step=STEP, label="object θ_de"),
+            Slider.degrees(de_turn, -175, 175, start=135, step=5, label="object θ_de"),
         ),
-        where=(*steps_bc, *steps_be, *steps_dc, *steps_elbow, *steps_ce),
+        where=steps,
         scene=(
-            Body(place(T_db), db_turn, RADIUS),
-            Line("body", (place(T_db), place(elbow), place(dc))),
+            Body(T_db, db_turn, RADIUS),
+            Line("body", (T_db, elbow, dc)),
             *(Arrow("path", *ends) for ends in chain),
-            Arrow("icr", place(dc), place(T_de)),
+            Arrow("icr", dc, T_de),
             *(*axes((0, 0, 0), "d"), *axes(T_db, "b"), *axes(dc, "c"), *axes(T_de, "e")),
-            Point("body", place(elbow)),
-            *(Point("text", at) for at in ((0, 0), place(T_db), place(dc))),
-            Point("target", place(T_de)),
+            Point("body", elbow),
+            *(Point("text", at) for at in ((0, 0), T_db, dc)),
+            Point("target", T_de),
         ),
         handles=(
             Handle(
                 "nose of the platform", point_of(T_db, RADIUS), {db_turn: direction((*T_db[:2], 0))}
             ),
-            Handle("platform", place(T_db), {db_x: POINTER[0], db_y: POINTER[1]}),
-            Handle("second joint", place(elbow), {alpha: direction(T_db)}),
+            Handle("platform", T_db),
+            Handle("second joint", elbow, {alpha: direction(T_db)}),
             Handle("tip of the hand's x axis", point_of(dc, AXIS), {gamma: direction(wrist_now)}),
-            Handle("hand", place(dc), {beta: direction(elbow_now)}),
+            Handle("hand", dc, {beta: direction(elbow_now)}),
             Handle(
                 "tip of the object's x axis",
                 point_of(T_de, AXIS),
                 {de_turn: direction((*T_de[:2], 0))},
             ),
-            Handle("object", place(T_de), {de_x: POINTER[0], de_y: POINTER[1]}),
+            Handle("object", T_de),
         ),
         readouts=(
             Readout("x", "from hand c, x_ce", ce[0], "m"),
             Readout("y", "from hand c, y_ce", ce[1], "m"),
-            Readout("turn", "from hand c, θ_ce", wrapped(ce[2]), "rad", digits=1),
+            Readout("turn", "from hand c, θ_ce", wrapped(ce[2]), "rad"),
             Readout("far", "distance from hand", sqrt(ce[0] ** 2 + ce[1] ** 2), "m"),
             Readout("hand_x", "from platform b, x_bc", bc[0], "m"),
             Readout("hand_y", "from platform b, y_bc", bc[1], "m"),
-            Readout("hand_turn", "from platform b, θ_bc", wrapped(bc[2]), "rad", digits=1),
+            Readout("hand_turn", "from platform b, θ_bc", wrapped(bc[2]), "rad"),
         ),
         says=(
             "The hand sees the object at x = {x}, y = {y}, turned by {turn}, {far} away. "
@@ -213,22 +203,23 @@ def axes_in_space(T: Matrix, name: str) -> tuple[Any, ...]:
 
 def above_figure() -> Figure:
     """A camera that looks down on the same room, in space: turn it, and the hand sees no change."""
+    steps = Steps()
     heading, high, low = db_turn, camera_high, object_low
     camera_sees = frames.looking_down.at({motion.theta: -camera_turn, fb_x: 0, fb_y: 0, fb_z: high})
-    p_fb, steps_fb = named("fb", camera_sees * Matrix([*BASE, 0, 1]))
-    p_fe, steps_fe = named("fe", camera_sees * Matrix([*THING, low, 1]))
+    p_fb = steps.named("fb", camera_sees * Matrix([*BASE, 0, 1]))
+    p_fe = steps.named("fe", camera_sees * Matrix([*THING, low, 1]))
     seen = {motion.theta: heading - camera_turn, fb_x: p_fb[0], fb_y: p_fb[1], fb_z: p_fb[2]}
     T_fb = frames.looking_down.at(seen)
     rotation = dict(zip(frames.r, T_fb[:3, :3], strict=True))
-    p_bf, steps_bf = named("bf", put_in(frames.inverse_in_space.right, {**rotation, **seen}))
-    p_be, steps_be = named("be", T_fb[:3, :3].T * Matrix(p_fe[:3]) + p_bf)
-    bc, steps_bc = named("bc", frames.hand_pose.at(LINKS))
-    ce, steps_ce = named("ce", seen_from(bc, (p_be[0], p_be[1], 0)))
+    p_bf = steps.named("bf", put_in(frames.inverse_in_space.right, {**rotation, **seen}))
+    p_be = steps.named("be", T_fb[:3, :3].T * Matrix(p_fe[:3]) + p_bf)
+    bc = steps.named("bc", frames.hand_pose.at(LINKS))
+    ce = steps.named("ce", seen_from(bc, (p_be[0], p_be[1], 0)))
 
     # what is drawn, seen from the room: T_room_f is its own inverse, so camera_sees serves, too
     b = (*BASE, heading)
-    c, steps_c = named("c", joined(b, bc))
-    elbow, steps_elbow = named("k", joined(b, frames.hand_pose.at({**LINKS, l_2: 0})))
+    c = steps.named("c", joined(b, bc))
+    elbow = steps.named("k", joined(b, frames.hand_pose.at({**LINKS, l_2: 0})))
     eye, thing = (0, 0, high), (*THING, low)
     base, hand, middle = (*BASE, 0), (c[0], c[1], 0), (elbow[0], elbow[1], 0)
     rim = (BASE[0] + RADIUS * cos(s), BASE[1] + RADIUS * sin(s), 0)
@@ -236,18 +227,15 @@ def above_figure() -> Figure:
         name="camera-above",
         title="In space: a camera f that looks down on a platform b, its hand c and an object e",
         view=(-0.9, 0.9, -0.5, 1.3),
+        size="",
         controls=(
-            Slider(camera_turn, -pi, pi, start=0.0, step=STEP, label="camera turned by"),
+            Slider.degrees(camera_turn, step=5, label="camera turned by"),
             Slider(high, 1.0, 1.4, start=1.2, step=0.05, label="height of the camera"),
-            Slider(heading, -pi, pi, start=pi / 2, step=STEP, label="heading of the platform"),
+            Slider.degrees(heading, start=90, step=5, label="heading of the platform"),
             *joint_sliders(),
             Slider(low, -0.4, 0.4, start=-0.2, step=0.05, label="height of the object"),
-            *view_sliders(azimuth_start=-pi / 3, elevation_start=5 * pi / 36),
         ),
-        where=(
-            *(*steps_fb, *steps_fe, *steps_bf, *steps_be, *steps_bc, *steps_ce),
-            *(*steps_c, *steps_elbow),
-        ),
+        where=steps,
         scene=(
             VIEW.line("ghost", [thing, (*THING, 0)]),
             Curve("body", VIEW.project(rim), s, 0, 2 * pi, depth=VIEW.depth(rim)),
@@ -276,9 +264,80 @@ def above_figure() -> Figure:
             "The camera sees the object at x = {x_e}, y = {y_e}, z = {z_e}; "
             "the hand sees it at x = {x}, y = {y}, z = {z}."
         ),
-        turns=VIEW.angles,
-        grid=False,
+        seen_from=(-pi / 3, 5 * pi / 36),
     )
 
 
-FIGURES = (chain_figure(), above_figure())
+MISTAKES = symbols("mistake:4", real=True)  # 1 for the one that is made, else 0
+BOX = 0.09  # m, half a side of the object
+
+
+def matrix(pose: Pose) -> Matrix:
+    """A pose in the plane as a matrix."""
+    return frames.matrix.at(dict(zip(T_db, pose, strict=True)))
+
+
+def believed(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
+    """The object as the hand sees it, T_ce, by each mistake."""
+    turned = {bank.T_db: db, bank.T_bc: bc}
+    given = {T: matrix(pose) for T, pose in {**turned, bank.T_de: de}.items()}
+    given |= {T.inv(): matrix(seen_from(pose, (0, 0, 0))) for T, pose in turned.items()}
+    by_sign = {
+        T.inv(): matrix((*M10.at({bank.p: Matrix(pose[:2])}).doit(), -pose[2]))
+        for T, pose in turned.items()
+    }
+    found = {
+        "No inverse": M9.at(given),
+        "Inverses by hand": put_in(bank.FROM_HAND.right, {**given, **by_sign}),
+        "Two inverses": M11.at(given),
+        "One inverse": M30.at(given),
+    }
+    return {name: T_ce.doit() for name, T_ce in found.items()}
+
+
+def box(kind: str, pose: Pose, name: str = "") -> tuple[Any, ...]:
+    """The object from above, and its x axis."""
+    corners = ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+    rim = tuple(point_of(pose, BOX * a, BOX * b) for a, b in corners)
+    return Area(kind, rim), Line(kind, rim), Arrow(kind, pose, point_of(pose, AXIS), name)
+
+
+def mistakes_figure() -> Figure:
+    """The room from above, and where a program with a mistake believes the object to be."""
+    steps = Steps()
+    db, de, bends = (0.6, 0.5, db_turn), (-0.3, 0.6, -pi / 3), (-pi / 2, 7 * pi / 12, pi / 4)
+    arm = {**LINKS, **dict(zip((alpha, beta, gamma), bends, strict=True))}
+    hand = [float(number) for number in frames.hand_pose.at(arm)]
+    elbow = joined(db, frames.hand_pose.at({**arm, l_2: 0}))
+    c = steps.named("c", joined(db, hand))
+    ways = believed(db, hand, de)
+    T = sum((one * way for one, way in zip(MISTAKES, ways.values(), strict=True)), zeros(3))
+    ce = steps.named("ce", Matrix([T[0, 2], T[1, 2], atan2(T[1, 0], T[0, 0])]))
+    e = steps.named("e", joined(c, ce))
+    options = dict(zip(ways, (tuple(map(int, row)) for row in eye(4).tolist()), strict=True))
+    return Figure(
+        name="wrong-object",
+        title="A platform with an arm, an object, and where a program with a mistake believes it",
+        view=(-0.6, 1.6, -0.2, 1.45),
+        controls=(
+            Choice("mistake", "mistake", MISTAKES, options, start="No inverse"),
+            Slider.degrees(db_turn, 60, 150, start=90, step=5, label="platform θ_db"),
+        ),
+        where=steps,
+        scene=(
+            Line("error", (de, e)),
+            Body(db, db_turn, RADIUS),
+            Line("body", (db, elbow, c)),
+            Point("body", elbow),
+            *(*axes((0, 0, 0), "d"), *axes(db, "b"), *axes(c, "c")),
+            *box("target", de, "x_e"),
+            *box("approximation", e),
+        ),
+        readouts=(
+            Readout("apart", "apart", sqrt((e[0] - de[0]) ** 2 + (e[1] - de[1]) ** 2), "m"),
+            Readout("off", "turned off by", wrapped(e[2] - de[2]), "rad", digits=0),
+        ),
+    )
+
+
+FIGURES = (chain_figure(), above_figure(), mistakes_figure())

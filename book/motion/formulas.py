@@ -7,10 +7,10 @@ from workshop.equations.core import Equation, as_written, quantity, sign
 x = quantity("x", "m", -2, 2, "position of the robot in the world")
 y = quantity("y", "m", -2, 2, "position of the robot in the world")
 theta = quantity("theta", "rad", -3.14, 3.14, "heading: from the world's x axis to the robot's")
-v = quantity("v", "m/s", -1, 1, "speed of the robot along its own x axis, forward")
+v = quantity("v", "m/s", -1, 1, "speed: forward, along the robot's own x axis")
 v_y = quantity("v_y", "m/s", -1, 1, "speed of the robot along its own y axis, to the left")
-omega = quantity("omega", "rad/s", -6, 6, "angular velocity, counter-clockwise")
-dt = quantity("dt", "s", 0, 1, "length of a time step", latex=r"\Delta t")
+omega = quantity("omega", "rad/s", -6, 6, "angular velocity: counter-clockwise")
+dt = quantity("dt", "s", 0, 1, "time: how long a step takes", latex=r"\Delta t")
 angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 
 x_dot = quantity("x_dot", "m/s", -1, 1, "speed along the world's x axis", latex=r"\dot{x}")

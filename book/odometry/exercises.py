@@ -3,7 +3,7 @@
 from functools import partial
 
 import numpy as np
-from sympy import Add, Pow, ceiling, pi, sqrt, symbols
+from sympy import Add, Matrix, Pow, atan, atan2, ceiling, cos, pi, sin, sqrt, symbols
 
 from book.differential_drive import formulas as drive
 from book.differential_drive.exercises import M12, M13
@@ -16,8 +16,10 @@ from workshop.practice import (
     Exercise,
     Line,
     Mistake,
+    Picture,
     Solution,
     Step,
+    Wrong,
     angle,
     one_of,
     steps,
@@ -29,15 +31,30 @@ X_OLD, Y_OLD, X_MID, Y_MID = symbols("x_old y_old x_mid y_mid")
 BY_TURN = {planar.x: 0, planar.y: 0, formulas.dtheta: "turn"}  # from the origin
 POSE_UNITS = ("m", "m", "rad")
 
+with as_written():
+    AFTER = planar.theta + formulas.dtheta
+    HEADING = Line(planar.theta_next, atan2(sin(AFTER), cos(AFTER)), "rad")
+    HALF_SEEN = atan(sin(AFTER) / cos(AFTER))
+    FORGETFUL = formulas.one_sample("", formulas.dtheta).right
+    PER_RADIAN = [drive.r * ticks / formulas.C for ticks in (formulas.N_L, formulas.N_R)]
+    DIFFERENCE = formulas.count_now - formulas.count_before
+
 M22 = Mistake(
     "M22",
     says="when the heading so far is forgotten and only the turn of this step is put in",
+    wrong=Wrong(formulas.new_heading, instead=FORGETFUL),
     line="pose = [x + D * np.cos(dtheta), y + D * np.sin(dtheta), theta + dtheta]",
     why="Δθ only says how far the robot turned in this step. The direction in which it drives is "
     "its heading in the world: the heading so far and the turn together. How much of the turn "
     "counts depends on the rule: old, middle or new heading.",
     unnoticed="In the first step from heading 0, with the rule of the new heading. On a straight "
     "line along the x axis with every rule.",
+    picture=Picture(
+        "wrong-poses",
+        "It forgets its heading",
+        "The robot on its arc to the left. Its program believes that it drives straight on, "
+        "nearly along the x axis.",
+    ),
     document="003",
     place="the first formulas for Δx and Δy",
     nth=1,
@@ -50,12 +67,18 @@ M22 = Mistake(
 M23 = Mistake(
     "M23",
     says="when the heading is taken as tan⁻¹(sin/cos), which never looks backward",
+    wrong=Wrong(HEADING, instead=HALF_SEEN),
     line="h = np.arctan(np.sin(theta + dtheta) / np.cos(theta + dtheta))\n"
     "pose = [x + D * np.cos(h), y + D * np.sin(h), h]",
     why="The quotient of sine and cosine is the same for opposite directions, and the inverse "
     "tangent answers with the one between −90° and 90°. Where the cosine is negative, it is off "
     "by half a turn. atan2(sin, cos) looks at both signs.",
     unnoticed="As long as the cosine of the heading is positive, so between −90° and 90°.",
+    picture=Picture(
+        "wrong-poses",
+        "It never looks backward",
+        "The robot on its arc to the left. Its program believes that it turned back halfway.",
+    ),
     document="003",
     place="the third formula, rotation",
     nth=2,
@@ -65,20 +88,34 @@ M23 = Mistake(
 M24 = Mistake(
     "M24",
     says="when the ticks of a whole turn are taken for the ticks of one radian: 2π is lost",
+    wrong=Wrong(formulas.travel, instead=Matrix(PER_RADIAN)),
     line="D = r * N / C",
     why="N/C is a number of turns. In one turn the wheel rolls its circumference, 2πr, not its "
     "radius.",
     unnoticed="As long as the wheel stands still, and in the heading on a straight line, where "
     "both wheels lose the same.",
+    picture=Picture(
+        "wrong-poses",
+        "It hardly moves",
+        "The robot on its arc to the left. Its program believes that it came a sixth of the way "
+        "and hardly turned.",
+    ),
 )
 M25 = Mistake(
     "M25",
     says="when the counter wrapped round and its jump is taken for a huge step the other way",
+    wrong=Wrong(formulas.counter_step, instead=DIFFERENCE),
     line="D = 2 * np.pi * r / C * (after - before)",
     why="A counter of 16 bits shows 0 after 65535, as a clock shows 0:00 after 23:59. "
     "The difference then lacks 65536 ticks: a small step forward looks like a huge step back. "
     "Turning backward past 0 it has 65536 too many. Of the two ways round, take the shorter.",
     unnoticed="As long as the counter does not pass its end: in every short test.",
+    picture=Picture(
+        "wrong-poses",
+        "It leaps back",
+        "The robot on its arc to the left. Its program believes that it leapt back when its "
+        "counters passed their end.",
+    ),
 )
 
 BITS = 16
@@ -91,7 +128,7 @@ def turned(before, after):
 
 def jumped(before, after):
     """The ticks as M25 reads them."""
-    return after - before
+    return M25.formula.gives(count_before=before, count_now=after)
 
 
 def rolled(ticks, C, r):
@@ -101,7 +138,7 @@ def rolled(ticks, C, r):
 
 def rolled_per_radian(ticks, C, r):
     """How far it rolls by M24."""
-    return r * ticks / C
+    return M24.formula.gives(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
 
 
 def one_step(method, theta, D_L, D_R, b, x=0, y=0):
@@ -113,12 +150,12 @@ def one_step(method, theta, D_L, D_R, b, x=0, y=0):
 def heading_forgotten(theta, D_L, D_R, b, x=0, y=0):
     """The pose after one step by M22."""
     D, turn = (D_L + D_R) / 2, (D_R - D_L) / b
-    return [x + D * np.cos(turn), y + D * np.sin(turn), theta + turn]
+    return M22.formula.gives(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
 
 
 def half_seen(heading):
     """A heading as M23 has it: tan⁻¹(sin/cos)."""
-    return np.arctan(np.sin(heading) / np.cos(heading))
+    return M23.formula.gives(theta=heading, dtheta=0)
 
 
 def half_seen_step(theta, D_L, D_R, b, x, y):
@@ -209,7 +246,7 @@ def readings(side=""):
 with as_written():
     FORWARD = Line(formulas.dN, JUMP + formulas.counter_span, "ticks")
     BACKWARD = Line(formulas.dN, JUMP - formulas.counter_span, "ticks")
-    DIFFERENCE = Line(JUMP, formulas.count_now - formulas.count_before, "ticks")
+    JUMPED = Line(JUMP, DIFFERENCE, "ticks")
     SPAN = Line(formulas.counter_span, Pow(2, BITS))
     DISTANCE = Line(drive.b, (formulas.D_R - formulas.D_L) / formulas.dtheta)
     WHOLE_TURNS = Line(formulas.dtheta, 2 * pi * TURNS, "rad")
@@ -285,7 +322,7 @@ odometry_2 = Exercise(
         "A formula with the rest of a division needs no such thought. It gives the same number of "
         "ticks:\n\n{both}",
         answer=("way",),
-        jump=Step(DIFFERENCE, readings()),
+        jump=Step(JUMPED, readings()),
         span=Step(SPAN),
         ticks=Step(around),
         way=Step(formulas.travel, {formulas.N_L: formulas.dN}, part=(0,), values=(formulas.D,)),

@@ -58,10 +58,36 @@ def square_readouts(b_true, ratio):
     return np.column_stack([cw, ccw, *found])
 
 
+def wrong_poses_readouts(*columns):
+    """apart, turned."""
+    return np.array([of_mistake(*row) for row in zip(*columns, strict=True)])
+
+
+def of_mistake(m22, m23, m24, m25, samples, start):
+    """How far the pose that a program believes in is from the real one, and its heading."""
+    ticks = np.tile([80, 120], (int(samples), 1))
+    right = odometry.travel(ticks, TICKS, RADIUS)
+    if m25:
+        ticks[8:9] -= 1024  # the sample in which both counters wrap
+    travel = odometry.travel(ticks, TICKS, RADIUS) / (2 * np.pi if m24 else 1)
+    real, told = np.array([0.0, 0.0, start]), np.array([0.0, 0.0, start])
+    for (left, now), way in zip(right, travel, strict=True):
+        real = motion.arc_step(real, (left + now) / 2, (now - left) / DISTANCE, 1.0)
+        v, turn = way.mean(), (way[1] - way[0]) / DISTANCE
+        if m22 or m23:
+            heading = turn if m22 else np.arctan(np.tan(told[2] + turn))
+            place = motion.arc_step([*told[:2], heading], v, 0.0, 1.0)[:2]
+            told = np.array([*place, told[2] + turn if m22 else heading])
+        else:
+            told = motion.arc_step(told, v, turn, 1.0)
+    return [np.hypot(*(told - real)[:2]), (told - real)[2]]
+
+
 READOUTS = {
     "four-rules": rules_readouts,
     "error-ellipse": ellipse_readouts,
     "square-path": square_readouts,
+    "wrong-poses": wrong_poses_readouts,
 }
 SPECIALS = {
     "four-rules": [{"turned": 2 * np.pi}, {"turned": 2 * np.pi, "samples": 3}, {"samples": 32}],
@@ -72,5 +98,6 @@ SPECIALS = {
         {"turned": 1e-9},
     ],
     "square-path": [{"ratio": 1.0}, {"b_true": 0.2}, {"ratio": 1.0, "b_true": 0.2}],
+    "wrong-poses": [{"mistake": "It leaps back", "samples": n} for n in (8, 9, 16)],
 }
 WORDS = []  # every readout has a number

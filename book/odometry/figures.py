@@ -9,11 +9,27 @@ from sympy import Max, Piecewise, Symbol, symbols
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import theta, x, y
 from book.odometry import formulas as odometry
-from book.odometry.formulas import D_L, D_R, N_L, N_R, C, D, b_true, dtheta, noise, ratio
+from book.odometry.exercises import M22, M23, M24, M25
+from book.odometry.formulas import (
+    D_L,
+    D_R,
+    N_L,
+    N_R,
+    C,
+    D,
+    b_true,
+    count_before,
+    count_now,
+    counter_span,
+    dtheta,
+    noise,
+    ratio,
+)
 from workshop.equations.core import Equation, as_written, put_in, quantity
 from workshop.figures import (
     POINTER,
     Body,
+    Choice,
     Curve,
     Figure,
     Handle,
@@ -56,14 +72,9 @@ def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
 # --- Four rules -----------------------------------------------------------------------------
 
 
-def one_sample() -> tuple[Any, Any]:
+def one_sample(ticks: Any, travel: Any = odometry.travel) -> tuple[Any, Any]:
     """How far the robot moves and turns in a sample, from the ticks of its wheels."""
-    with as_written():
-        ticks = {
-            N_L: LEFT * (turned / (2 * pi)) / samples,
-            N_R: RIGHT * (turned / (2 * pi)) / samples,
-        }
-    rolled = odometry.travel.at({**ticks, C: TICKS, r: RADIUS})
+    rolled = travel.at({N_L: ticks[0], N_R: ticks[1], C: TICKS, r: RADIUS})
     wheels = {D_L: rolled[0], D_R: rolled[1]}
     return odometry.distance.at(wheels), odometry.turn.at({**wheels, b: BASE})
 
@@ -72,13 +83,14 @@ def rule_loop(rule: Equation, name: str) -> Recurrence:
     """The drive by one rule; its state ends with the largest error so far."""
     state = (x, y, theta, D, dtheta, Symbol("worst"))
     with as_written():
+        ticks = [each * (turned / (2 * pi)) / samples for each in (LEFT, RIGHT)]
         angle = theta + dtheta
         there = arc_to(CIRCLE * angle, angle)
     place = rule.right
     worst = Max(state[-1], apart(place, there), evaluate=False)
     return Recurrence(
         state,
-        start=(0, 0, 0, *one_sample(), 0),
+        start=(0, 0, 0, *one_sample(ticks), 0),
         step=(*place, D, dtheta, worst),
         count=samples,
         most=32,
@@ -103,25 +115,26 @@ def rules_figure() -> Figure:
         name="four-rules",
         title="One drive of a robot, read from its encoders by four rules",
         view=(-0.86, 0.94, -0.15, 0.95),
+        size="laboratory",
         controls=(
             Slider(samples, 3, 32, start=8, step=1, label="samples in the drive"),
-            Slider(turned, pi / 6, 2 * pi, start=1.5 * pi, step=pi / 36, label="turned in all"),
+            Slider.degrees(turned, 30, 360, start=270, step=5, label="turned in all"),
         ),
         scene=(
-            Curve("ghost", tuple(arc_to(CIRCLE * s, s)[:2]), s, 0, 2 * pi),
-            Curve("path", tuple(arc_to(CIRCLE * s, s)[:2]), s, 0, turned),
+            Curve("ghost", arc_to(CIRCLE * s, s), s, 0, 2 * pi),
+            Curve("path", arc_to(CIRCLE * s, s), s, 0, turned),
             Trail("old_heading", (x, y), old),
             Trail("new_heading", (x, y), new),
             Trail("middle_heading", (x, y), middle),
             Trail("ghost", (x, y), exact),
             Body(ORIGIN, 0, 0.06, kind="ghost"),
-            Body((end[0], end[1]), turned, 0.06),
+            Body(end, turned, 0.06),
             Label("path", (0, CIRCLE), "exact arc"),
             Point("old_heading", (old.ends[0], old.ends[1]), "old"),
             Point("new_heading", (new.ends[0], new.ends[1]), "new"),
             Point("middle_heading", (middle.ends[0], middle.ends[1]), "middle"),
         ),
-        handles=(Handle("end of the drive", (end[0], end[1]), {turned: centre + ahead}),),
+        handles=(Handle("end of the drive", end, {turned: centre + ahead}),),
         readouts=(
             *worst_readouts((exact, old, new, middle)),
             Readout("old_end", "old, at the end", apart(old.ends, end), "m", digits=4),
@@ -205,8 +218,7 @@ def ellipse_figure() -> Figure:
     xx, xy, _, yy, _, tt = loops[STEPS].ends[-6:]
     values = {odometry.p_xx: xx, odometry.p_xy: xy, odometry.p_yy: yy}
     axes = put_in(
-        odometry.ellipse_axes.right,
-        {**carried(odometry.ellipse_axes.where, values), **values},
+        odometry.ellipse_axes.right, {**carried(odometry.ellipse_axes.where, values), **values}
     )
     with as_written():
         direction = sp.atan2(POINTER[1], POINTER[0])
@@ -217,31 +229,32 @@ def ellipse_figure() -> Figure:
         name="error-ellipse",
         title="A drive and the ellipses that hold 95 of 100 of its ends",
         view=(-0.9, 3.5, -0.7, 2.2),
+        size="laboratory",
         controls=(
             Slider(
                 wheel_error, 0.001, 0.02, start=0.008, step=0.001, kind="uncertainty",
                 label="wheel error over 1 m",
             ),
             Slider(drive, 0.25, 3, start=2.5, step=0.05, label="distance"),
-            Slider(turned, 0, 2 * pi, start=pi / 3, step=pi / 36, label="turned in all"),
+            Slider.degrees(turned, 0, 360, start=60, step=5, label="turned in all"),
         ),
         scene=(
-            Curve("path", tuple(arc_to(drive * s, turned * s)[:2]), s, 0, 1),
+            Curve("path", arc_to(drive * s, turned * s), s, 0, 1),
             *(ellipse(loop, count) for count, loop in loops.items()),
             *(Trail("ghost", (x, y), loop) for loop in loops.values()),
             Body(ORIGIN, 0, 0.13, kind="ghost"),
-            Body((end[0], end[1]), turned, 0.13),
+            Body(end, turned, 0.13),
         ),
         handles=(
             Handle(
-                "end of the drive", (end[0], end[1]),
+                "end of the drive", end,
                 {drive: chord / sp.sinc(direction), turned: 2 * direction},
             ),
         ),
         readouts=(
             Readout("long_axis", "half the length", long_axis, "m"),
             Readout("short_axis", "half the width", short_axis, "m"),
-            Readout("heading", "heading error", heading, "rad", 1),
+            Readout("heading", "heading error", heading, "rad"),
         ),
         says=(
             "A drive of {drive} that turns by {turned}, with wheels that err by {wheel_error} over "
@@ -302,6 +315,7 @@ def square_figure() -> Figure:
         name="square-path",
         title="Square drives to the left and to the right of a robot that believes it is right",
         view=(-1.9, 1.7, -1.3, 1.3),
+        size="laboratory",
         controls=(
             Slider(b_true, 0.19, 0.21, start=0.206, step=0.001, label="true wheel distance"),
             Slider(ratio, 0.98, 1.02, start=1.006, step=0.002, label="right diameter / left"),
@@ -353,4 +367,82 @@ def pulled_tip() -> Any:
         return 1 + (POINTER[0] - PLACE - HALF) / LONGER
 
 
-FIGURES = (rules_figure(), ellipse_figure(), square_figure())
+# --- Mistakes -------------------------------------------------------------------------------
+
+EACH = (80, 120)  # ticks of the left and the right wheel in a sample
+SPAN = 2**10  # numbers that a counter of 10 bits can show
+READ = [SPAN - 8.5 * ticks for ticks in EACH]  # at the start: both wrap in sample 9
+MADE = {  # title → mistake
+    "It forgets its heading": M22,
+    "It never looks backward": M23,
+    "It hardly moves": M24,
+    "It leaps back": M25,
+}
+MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+set_off = quantity("set_off", "rad", 0, 1.6, "heading at the start", latex=r"\theta_0")
+
+
+def by_mistake(mistake: Any, wrong: Any, right: Any) -> Any:
+    """The wrong expressions if this mistake is chosen, else the right ones."""
+    chosen = MADE_ONE[[*MADE.values()].index(mistake)] > 0.5
+    with as_written():
+        return [Piecewise((a, chosen), (b, True)) for a, b in zip(wrong, right, strict=True)]
+
+
+def believed_loop() -> Recurrence:
+    """The pose that a program with a mistake makes of the readings of two counters."""
+    counts = symbols("count_L count_R")
+    with as_written():
+        after = [sp.Mod(count + each, SPAN) for count, each in zip(counts, EACH, strict=True)]
+    pairs = [{count_before: c, count_now: n} for c, n in zip(counts, after, strict=True)]
+    right = [odometry.counter_step.at({**pair, counter_span: SPAN}) for pair in pairs]
+    ticks = by_mistake(M25, [M25.at(pair) for pair in pairs], right)
+    sample = by_mistake(M24, one_sample(ticks, M24), one_sample(ticks))
+    known = dict(zip((D, dtheta), sample, strict=True))
+    half_seen = odometry.new_heading.at({**known, theta: M23.at(known), dtheta: 0})
+    pose = by_mistake(M23, half_seen, odometry.exact_arc.at(known))
+    return Recurrence(
+        (x, y, theta, *counts),
+        start=(0, 0, set_off, *READ),
+        step=(*by_mistake(M22, M22.at(known), pose), *after),
+        count=samples,
+        most=16,
+        ends=symbols("x_told y_told t_told left_told right_told"),
+    )
+
+
+def mistakes_figure() -> Figure:
+    """Where the robot is, and where a program with a mistake believes it to be."""
+    loop, (each, turn) = believed_loop(), one_sample(EACH)
+    with as_written():
+        real, part = (arc_to(each * k, turn * k, (0, 0, set_off)) for k in (samples, s))
+    end, told = tuple(real[:2]), loop.ends[:2]
+    options = {name: tuple(float(n == k) for n in range(4)) for k, name in enumerate(MADE)}
+    return Figure(
+        name="wrong-poses",
+        title="A robot, and where a program with a mistake believes it to be",
+        view=(-0.75, 1.1, -0.4, 0.98),
+        controls=(
+            Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
+            Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
+            Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
+        ),
+        scene=(
+            Curve("path", part, s, 0, samples),
+            Trail("approximation", (x, y), loop),
+            Line("error", (end, told)),
+            Body(end, real[2], 0.09),
+            Body(told, loop.ends[2], 0.09, kind="approximation"),
+        ),
+        readouts=(
+            Readout("apart", "apart", apart(end, told), "m"),
+            Readout("turned", "heading off by", loop.ends[2] - real[2], "rad", digits=0),
+        ),
+        says=(
+            "{mistake}: after {samples} samples the robot is {apart} from where its program "
+            "believes it. The heading is off by {turned}."
+        ),
+    )
+
+
+FIGURES = (rules_figure(), ellipse_figure(), square_figure(), mistakes_figure())

@@ -1,22 +1,60 @@
 """Exercises on the planar arm's velocities, and the mistakes that are made there."""
 
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
-from sympy import Abs, Add, Matrix, Max, Symbol, cos, pi, sin, solve, sqrt, symbols
+from sympy import (
+    Abs,
+    Add,
+    Matrix,
+    MatrixSymbol,
+    Max,
+    Symbol,
+    cos,
+    pi,
+    sin,
+    solve,
+    sqrt,
+    symbols,
+)
 
 from book.planar_arm import formulas
 from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2, x, x_dot, y, y_dot
 from robokin import motion, planar_arm
 from workshop.equations import as_written
-from workshop.practice import Ask, Exercise, Line, Mistake, Solution, Step, angle, one_of, steps
+from workshop.equations.core import put_in
+from workshop.practice import (
+    Ask,
+    Exercise,
+    Line,
+    Mistake,
+    Picture,
+    Solution,
+    Step,
+    Wrong,
+    angle,
+    one_of,
+    steps,
+)
 
 TWIST = (Ask("ẋ", "m/s"), Ask("ẏ", "m/s"), Ask("φ̇", "rad/s"))
 RATES = tuple(Ask(f"θ̇_{i}", "rad/s") for i in (1, 2, 3))
 
+ROWS = dict(zip(formulas.TWIST, formulas.velocity.right, strict=True))
+X_ROW, Y_ROW, TURN_ROW = (Line(left, right) for left, right in ROWS.items())
+BOTH_ROWS = Line(Matrix(formulas.TWIST[:2]), formulas.velocity.right[:2, :])
+RATES_OF, TWIST_OF = (MatrixSymbol(name, 3, 1) for name in (r"\dot\theta", r"\dot{p}"))
+WHOLE_J = MatrixSymbol("J", 3, 3)
+ALONE = {formulas.rate12: rate2, formulas.rate123: rate3}  # each link at its own joint's rate
+COSINES, SINES = ([symbol for symbol, _ in formulas.SHORT[k::2]] for k in (0, 1))
+UNDIFFERENTIATED = dict(
+    zip((*COSINES, *SINES), (*SINES, *(-c for c in COSINES)), strict=True),
+)
+
 M26 = Mistake(
     "M26",
     says="with [0, 0, 1] as the last row of J, as if only the last joint turned the hand",
+    wrong=Wrong(TURN_ROW, {formulas.rate123: rate3}),
     line="twist = [x_dot, y_dot, q3]",
     why="The hand's angle is the sum of all three joint angles: each joint turns all that follows "
     "it. So its rate is the sum of all three rates, and the last row of J is [1, 1, 1]. With "
@@ -24,6 +62,12 @@ M26 = Mistake(
     "l_1 (l_2 sin θ_2 + l_3 sin(θ_2 + θ_3)).",
     unnoticed="Where the first two rates cancel, so that link 2 does not turn. In torques, as long "
     "as no moment acts on the hand.",
+    picture=Picture(
+        "wrong-arm",
+        "Its hand turns wrongly",
+        "The hand is in its place, but points up. Its program believes that it points to the "
+        "right.",
+    ),
     document="004 Ans 2",
     place="the matrices of part 2, last row",
     nth=5,
@@ -36,10 +80,17 @@ M26 = Mistake(
 M27 = Mistake(
     "M27",
     says="when in ẏ each link turns only at the rate of its own joint",
+    wrong=Wrong(Y_ROW, ALONE),
     line="y_dot = l1 * c1 * q1 + l2 * c12 * q2 + l3 * c123 * q3\ntwist = [x_dot, y_dot, phi_dot]",
     why="The derivative of sin(θ_1 + θ_2) is cos(θ_1 + θ_2) times the rate of the whole sum, "
     "θ̇_1 + θ̇_2. A link turns with its own joint and with all joints before it.",
     unnoticed="When only the last joint turns.",
+    picture=Picture(
+        "wrong-arm",
+        "It leaves the line",
+        "The hand sinks below its line. Its program believes that it moves along the line to the "
+        "left.",
+    ),
     document="004 Ans 2",
     place="the first line of ẏ",
     nth=1,
@@ -52,6 +103,7 @@ M27 = Mistake(
 M28 = Mistake(
     "M28",
     says="with l_2 where l_3 belongs, in the third term of both rows",
+    wrong=Wrong(BOTH_ROWS, {formulas.l3: formulas.l2}),
     line="x_dot = -l1 * s1 * q1 - l2 * s12 * (q1 + q2) - l2 * s123 * (q1 + q2 + q3)\n"
     "y_dot = l1 * c1 * q1 + l2 * c12 * (q1 + q2) + l2 * c123 * (q1 + q2 + q3)\n"
     "twist = [x_dot, y_dot, phi_dot]",
@@ -59,6 +111,12 @@ M28 = Mistake(
     "copied and changed keeps the old index.",
     unnoticed="Where both links are equally long, or the hand does not turn. The value of "
     "det J does not show it: l_3 is not in it.",
+    picture=Picture(
+        "wrong-arm",
+        "It goes too far",
+        "The hand goes too far and too high. Its program believes that it moves along the line to "
+        "the left.",
+    ),
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, third column",
     nth=4,
@@ -68,11 +126,18 @@ M28 = Mistake(
 M29 = Mistake(
     "M29",
     says="when the hand's velocity is multiplied by J, not by the inverse of J",
+    wrong=Wrong(Line(RATES_OF, WHOLE_J.I * TWIST_OF), instead=WHOLE_J * TWIST_OF),
     line="rates = J @ twist",
     why="J leads from the joint rates to the hand's velocity. For the way back, multiply both "
     "sides of twist = J @ rates by the inverse of J: rates = inv(J) @ twist. The "
     "units warn: J times the velocity adds metres in a second to radians in a second.",
     unnoticed="When the hand stands still: zero either way.",
+    picture=Picture(
+        "wrong-arm",
+        "It goes the wrong way",
+        "The hand curls away to the right. Its program believes that it moves along the line to "
+        "the left.",
+    ),
     document="004 Ans 2",
     place="the last step",
     nth=6,
@@ -84,11 +149,18 @@ M29 = Mistake(
 M36 = Mistake(
     "M36",
     says="with a plus before the third term of ẋ, l_3 sin(θ_1 + θ_2 + θ_3)",
+    wrong=Wrong(X_ROW, {formulas.s123: -formulas.s123}),
     line="x_dot = -l1 * s1 * q1 - l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)\n"
     "twist = [x_dot, y_dot, phi_dot]",
     why="The derivative of each cosine is minus the sine. One of the three minus signs got lost.",
     unnoticed="Where the hand points along the x axis, either way, or does not turn. The "
     "value of det J does not show it.",
+    picture=Picture(
+        "wrong-arm",
+        "It hardly moves",
+        "The hand stays almost where it is. Its program believes that it moves along the line to "
+        "the left.",
+    ),
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, first row",
     nth=3,
@@ -100,6 +172,7 @@ M36 = Mistake(
 M37 = Mistake(
     "M37",
     says="when sines and cosines stay as they are in the position and are not differentiated",
+    wrong=Wrong(BOTH_ROWS, UNDIFFERENTIATED),
     line="x_dot = l1 * c1 * q1 + l2 * c12 * (q1 + q2) + l3 * c123 * (q1 + q2 + q3)\n"
     "y_dot = l1 * s1 * q1 + l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)\n"
     "twist = [x_dot, y_dot, phi_dot]",
@@ -108,6 +181,12 @@ M37 = Mistake(
     "is off by a quarter turn.",
     unnoticed="Only where the hand's point stands still. Its speed is right, and det J does not "
     "show it.",
+    picture=Picture(
+        "wrong-arm",
+        "It goes off at right angles",
+        "The hand moves straight down. Its program believes that it moves along the line to the "
+        "left.",
+    ),
     document="004 Ans 2",
     place="part 1, the velocities",
     nth=2,
@@ -125,32 +204,33 @@ def arm(l1, l2, l3, theta1, theta2, theta3, **_):
 
 
 OWN_RATES = "in ẋ and in ẏ each link turns only at the rate of its own joint"
+OWN = Wrong(BOTH_ROWS, ALONE)
+
+
+@cache
+def wrong_jacobian(*made):
+    """J in letters, as somebody has it who made mistakes in the hand's velocity."""
+    rows = dict(ROWS)
+    for wrong in made:
+        for left in Matrix([wrong.of.left]):
+            rows[left] = put_in(rows[left], wrong.puts)
+    return Matrix(list(rows.values())).jacobian(formulas.RATES)
 
 
 def jacobian(made, **numbers):
     """J as somebody has it who made a mistake, or several; with None the right one."""
-    made = made if isinstance(made, tuple) else (made,)
-    theta, lengths = arm(**numbers).values()
-    if M28 in made:
-        lengths = lengths[[0, 1, 1]]
-    J = planar_arm.jacobian(theta, lengths)
-    x, y = lengths * np.cos(theta.cumsum()), lengths * np.sin(theta.cumsum())
-    if M26 in made:
-        J[2] = [0, 0, 1]
-    elif M27 in made:
-        J[1] = x
-    elif M36 in made:
-        J[0] += 2 * y[2]
-    elif M37 in made:
-        J[:2] = [J[1], -J[0]]
-    elif OWN_RATES in made:
-        J[:2] = [-y, x]
-    return J
+    if made is None:
+        return planar_arm.jacobian(**arm(**numbers))
+    found = wrong_jacobian(*made) if isinstance(made, tuple) else wrong_jacobian(made)
+    directions = arm(**numbers)["theta"].cumsum()
+    for c, s, turned in zip(COSINES, SINES, directions, strict=True):
+        numbers |= {str(c): np.cos(turned), str(s): np.sin(turned)}
+    return Wrong(formulas.jacobian, instead=found).gives(**numbers)
 
 
 def made_in(formula, *mistakes):
     """The formula as those have it who make a mistake: its first argument."""
-    return {mistake: partial(formula, mistake) for mistake in mistakes}
+    return {mistake: partial(formula, mistake.formula) for mistake in mistakes}
 
 
 def hand_velocity(made, q1, q2=0.0, q3=0.0, **numbers):
@@ -160,10 +240,12 @@ def hand_velocity(made, q1, q2=0.0, q3=0.0, **numbers):
 
 def joint_rates(made, v_x, v_y, omega, **numbers):
     """The joint rates for a twist."""
-    J, twist = jacobian(made, **numbers), [v_x, v_y, omega]
+    twist = [v_x, v_y, omega]
     if made is None:
         return planar_arm.joint_rates(twist=twist, **arm(**numbers))
-    return J @ twist if made is M29 else np.linalg.solve(J, twist)
+    if made is M29.formula:
+        return made.gives(**{"J": jacobian(None, **numbers), str(TWIST_OF): np.array(twist)})
+    return np.linalg.solve(jacobian(made, **numbers), twist)
 
 
 def torques(made, f_x, f_y, m, **numbers):
@@ -304,7 +386,7 @@ planar_arm_1 = Exercise(
     asks=TWIST,
     right=lambda q1, **pose: planar_arm.velocity(rates=[q1, 0, 0], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
-    also={OWN_RATES: partial(hand_velocity, OWN_RATES)},
+    also={OWN_RATES: partial(hand_velocity, OWN)},
     solution=Solution(
         "The whole arm turns about its base like one stiff body. So find first where the hand is. "
         "Each link points where all joint angles up to it add up to:\n\n{hand}\n\n"
@@ -327,9 +409,9 @@ planar_arm_2 = Exercise(
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
     also={
         "with l_2 for l_3 and a plus before its sine, two mistakes in one term": partial(
-            hand_velocity, (M28, M36)
+            hand_velocity, (M28.formula, M36.formula)
         ),
-        OWN_RATES: partial(hand_velocity, OWN_RATES),
+        OWN_RATES: partial(hand_velocity, OWN),
     },
     derive=velocity_parts,
     solution=Solution(

@@ -70,6 +70,29 @@ def elbows_readouts(x, y, phi):
     return np.column_stack([wrist, both.reshape(-1, 6)])
 
 
+def wrong_arm_readouts(*columns):
+    """apart, turned."""
+    m26, m27, m28, m29, m36, m37 = (column > 0.5 for column in columns[:6])
+    phi_dot, t = columns[6:]
+    theta = np.tile(np.radians([15, 90, -20]), (len(t), 1))
+    twist = np.column_stack([np.full_like(t, -0.15), 0 * t, phi_dot])
+    wanted = planar_arm.forward(theta, LINKS) + twist * t[:, None]
+    for _ in range(24):
+        J = planar_arm.jacobian(theta, LINKS)
+        x, y = (LINKS * part(theta.cumsum(axis=1)) for part in (np.cos, np.sin))
+        wrong = J.copy()
+        wrong[m26, 2] = [0, 0, 1]
+        wrong[m27, 1] = x[m27]
+        wrong[m28] = planar_arm.jacobian(theta[m28], LINKS[[0, 1, 1]])
+        wrong[m36, 0] += 2 * y[m36, 2:]
+        wrong[m37, 0], wrong[m37, 1] = J[m37, 1], -J[m37, 0]
+        rates = np.linalg.solve(wrong, twist[:, :, None])
+        rates[m29] = J[m29] @ twist[m29, :, None]
+        theta = theta + rates[:, :, 0] * t[:, None] / 24
+    off = planar_arm.forward(theta, LINKS) - wanted
+    return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
+
+
 AT_END = {"t": DURATION}
 STRETCHED, FOLDED = {"theta2": 0.0}, {"theta2": np.pi}
 OUT = {**AT_END, "line_x": 0.85, "line_y": 0.7, "damping": 0.05}
@@ -81,6 +104,7 @@ READOUTS = {
     "arm-joints": joints_readouts,
     "arm-line": line_readouts,
     "arm-elbows": elbows_readouts,
+    "wrong-arm": wrong_arm_readouts,
 }
 SPECIALS = {
     "arm-levers": [{"joint": "joint 3"}, {"joint": "joint 2", "theta3": np.pi}],
@@ -104,6 +128,7 @@ SPECIALS = {
         {**AT_END, "n": 100},
     ],
     "arm-elbows": [{"x": 0.2, "y": 0.0}, {"x": 0.9, "y": 0.9}, {"phi_hand": np.pi / 2}],
+    "wrong-arm": [{"phi_dot": 0.0}, {"mistake": "It goes too far", "phi_dot": 0.6}],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("arm-joints", STRETCHED, "near", "0: singular"),

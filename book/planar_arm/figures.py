@@ -6,6 +6,8 @@ from typing import Any
 
 from sympy import (
     Abs,
+    Integer,
+    Matrix,
     Max,
     Min,
     Piecewise,
@@ -21,9 +23,20 @@ from sympy import (
     symbols,
 )
 
-from book.differential_drive.figures import n, t
+from book.differential_drive.figures import apart, n, t
 from book.motion import formulas as motion
 from book.planar_arm import formulas as arm
+from book.planar_arm.exercises import (
+    M26,
+    M27,
+    M28,
+    M29,
+    M36,
+    M37,
+    TWIST_OF,
+    WHOLE_J,
+    wrong_jacobian,
+)
 from book.planar_arm.formulas import (
     ANGLES,
     LENGTHS,
@@ -31,6 +44,7 @@ from book.planar_arm.formulas import (
     TWIST,
     damping,
     gain,
+    phi_dot,
     phi_hand,
     theta1,
     theta2,
@@ -39,6 +53,7 @@ from book.planar_arm.formulas import (
     y,
 )
 from workshop.equations.core import Where, as_written, put_in, quantity
+from workshop.equations.functions import solve
 from workshop.figures import (
     POINTER,
     AngleArc,
@@ -126,6 +141,7 @@ def levers_figure() -> Figure:
         name="arm-levers",
         title="One joint of an arm turns: its lever, and the velocity of the hand",
         view=(-0.9, 1.3, -0.22, 1.28),
+        size="laboratory",
         controls=(
             Choice(
                 "joint",
@@ -136,7 +152,6 @@ def levers_figure() -> Figure:
                     "joint 2": (0.0, 1.0, 0.0),
                     "joint 3": (0.0, 0.0, 1.0),
                 },
-                start="joint 1",
             ),
             Slider(theta2, 0, 2 * pi / 3, start=START[1], step=pi / 36, label="θ_2"),
             Slider(theta3, -17 * pi / 18, pi, start=START[2], step=pi / 36, label="θ_3"),
@@ -206,6 +221,7 @@ def joints_figure() -> Figure:
         name="arm-joints",
         title="An arm with three links, its joints under your hand",
         view=(-1.28, 1.28, -0.96, 0.96),
+        size="",
         controls=(
             Slider(theta1, -17 * pi / 18, pi, start=START[0], step=pi / 36, label="joint θ_1"),
             Slider(theta2, -17 * pi / 18, pi, start=START[1], step=pi / 90, label="joint θ_2"),
@@ -328,8 +344,9 @@ def line_figure() -> Figure:
         name="arm-line",
         title="An arm follows a straight line, step by step",
         view=(-0.62, 1.02, -0.22, 0.92),
+        size="",
         controls=(
-            Clock(t, 0.0, DURATION, start=0.0, step=0.05, label="time"),
+            Clock(t, 0.0, DURATION, label="time"),
             Slider(n, 5, 100, start=10, step=1, label="number of steps", kind="approximation"),
             Slider(gain, 0.0, 2.0, start=0.0, step=0.1, label="feedback K"),
             Slider(damping, 0.0, 0.3, start=0.0, step=0.01, label="damping λ"),
@@ -348,12 +365,10 @@ def line_figure() -> Figure:
             Point("icr", (line_x, line_y), label="end"),
             Point("target", (arm.x_d, arm.y_d)),
         ),
-        handles=(
-            Handle("end of the line", (line_x, line_y), {line_x: POINTER[0], line_y: POINTER[1]}),
-        ),
+        handles=(Handle("end of the line", (line_x, line_y)),),
         readouts=(
             Readout("off", "hand off the wanted point", off, "m", digits=4),
-            Readout("turned", "hand turned by", turned, "rad", digits=1),
+            Readout("turned", "hand turned by", turned, "rad"),
             Readout("rates", "size of the joint rates", busy, "rad/s"),
             Readout(
                 "room",
@@ -396,10 +411,11 @@ def elbows_figure() -> Figure:
         name="arm-elbows",
         title="One pose of the hand, two arms that reach it",
         view=(-1.28, 1.28, -0.96, 0.96),
+        size="",
         controls=(
             Slider(x, -0.9, 0.9, start=0.55, step=0.01, label="hand x"),
             Slider(y, -0.9, 0.9, start=0.5, step=0.01, label="hand y"),
-            Slider(phi_hand, -pi, pi, start=0.0, step=pi / 36, label="hand angle φ"),
+            Slider.degrees(phi_hand, step=5, label="hand angle φ"),
         ),
         where=tuple(steps),
         scene=(
@@ -412,11 +428,11 @@ def elbows_figure() -> Figure:
             Point("body", (arm.x_w, arm.y_w)),
             Point("target", (x, y), label="hand"),
         ),
-        handles=(Handle("hand", (x, y), {x: POINTER[0], y: POINTER[1]}),),
+        handles=(Handle("hand", (x, y)),),
         readouts=(
             Readout("distance", "wrist from the base", arm.d, "m"),
             *(
-                Readout(f"{side}{i + 1}", f"{side}: θ_{i + 1}", angles[k][i], "rad", 1, words=out)
+                Readout(f"{side}{i + 1}", f"{side}: θ_{i + 1}", angles[k][i], "rad", words=out)
                 for k, side in enumerate(("solid", "dashed"))
                 for i in range(3)
             ),
@@ -429,4 +445,81 @@ def elbows_figure() -> Figure:
     )
 
 
-FIGURES = (levers_figure(), joints_figure(), line_figure(), elbows_figure())
+# Mistakes
+
+SET_OFF = (pi / 12, pi / 2, -pi / 9)  # rad
+SPEED, LASTS, TIMES = -0.15, 2.0, 24  # m/s along x; s; how often the joint rates are computed
+MADE = {  # title → mistake
+    "Its hand turns wrongly": M26,
+    "It leaves the line": M27,
+    "It goes too far": M28,
+    "It goes the wrong way": M29,
+    "It hardly moves": M36,
+    "It goes off at right angles": M37,
+}
+MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+
+
+def wrong_rates(angles: tuple[Any, Any, Any]) -> Any:
+    """The joint rates at some angles, by the mistake that is chosen."""
+    right, chosen = wrong_jacobian(), dict(zip(MADE.values(), MADE_ONE, strict=True))
+    wrong = {
+        is_one > 0.5: wrong_jacobian(m.formula) for m, is_one in chosen.items() if m is not M29
+    }
+    entries = [
+        Piecewise(*((J[i], one) for one, J in wrong.items() if J[i] != right[i]), (right[i], True))
+        for i in range(9)
+    ]
+    twist = Matrix([SPEED, 0, phi_dot])
+    multiplied = M29.at({WHOLE_J: right, TWIST_OF: twist}).doit()
+    rates = zip(multiplied, solve(Matrix(3, 3, entries), twist), strict=True)
+    both = Matrix([Piecewise((a, chosen[M29] > 0.5), (b, True)) for a, b in rates])
+    return written_out(both, sized(arm.SHORT, of_angles(angles))).xreplace(SIZES)
+
+
+def mistakes_figure() -> Figure:
+    """The hand shall move along x and turn: what the arm does, and what its program believes."""
+    state = symbols("theta1_k theta2_k theta3_k")
+    end = symbols("theta1_n theta2_n theta3_n")
+    step = [a + rate * t / TIMES for a, rate in zip(state, wrong_rates(state), strict=True)]
+    loop = Recurrence(state, SET_OFF, tuple(step), Integer(TIMES), TIMES, end)
+    start = put_in(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(SET_OFF)})
+    wanted = zip(POSE, start, (SPEED, 0, phi_dot), strict=True)
+    real, believed = joints(end), joints(ANGLES)
+    options = {name: tuple(float(n == k) for n in range(6)) for k, name in enumerate(MADE)}
+    return Figure(
+        name="wrong-arm",
+        title="An arm, and where its program with a mistake believes it to be",
+        view=(-0.48, 0.72, -0.24, 0.7),
+        controls=(
+            Choice("mistake", "mistake", MADE_ONE, options),
+            Slider(phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate φ̇"),
+            Clock(t, 0.0, LASTS, start=LASTS, loops=True, label="time"),
+        ),
+        where=(
+            *((symbol, begin + rate * t) for symbol, begin, rate in wanted),
+            *sized(arm.inverse.where),
+            (theta3, arm.inverse.right[2]),
+        ),
+        scene=(
+            Line("approximation", (start, (x, y))),
+            Trail("path", joints(state)[2], loop, dots=False),
+            Line("error", (real[2], (x, y))),
+            Line("approximation", (BASE, *believed)),
+            Line("path", (BASE, *real)),
+            Point("left", BASE),
+            *(Point("body", joint) for joint in real[:2]),
+            Point("target", real[2], label="hand"),
+        ),
+        readouts=(
+            Readout("apart", "hands apart", apart(real[2], (x, y)), "m"),
+            Readout("turned", "hand turned too far by", sum(end) - phi_hand, "rad", digits=0),
+        ),
+        says=(
+            "{mistake}: after {t} the hand is {apart} from where its program believes it, and has "
+            "turned {turned} too far."
+        ),
+    )
+
+
+FIGURES = (levers_figure(), joints_figure(), line_figure(), elbows_figure(), mistakes_figure())

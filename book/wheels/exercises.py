@@ -1,6 +1,8 @@
 """Exercises on the constraints of wheels and on omni robots, and the mistakes made there."""
 # ruff: noqa: E741  (l is the field's own name)
 
+from functools import partial
+
 import numpy as np
 from sympy import Add, Integer, Matrix, Symbol, atan2, cos, pi, sin, symbols
 
@@ -14,8 +16,10 @@ from workshop.practice import (
     Exercise,
     Line,
     Mistake,
+    Picture,
     Solution,
     Step,
+    Wrong,
     angle,
     one_of,
     steps,
@@ -30,14 +34,30 @@ ROW, SPEEDS, RATES, ALPHAS = (
 P_X, P_Y, D_X, D_Y, S, GROUND, SLIP = symbols("p_x p_y d_x d_y s u slip")
 BETA_2, RATE_2, MATRIX = Symbol("β'"), Symbol(r"\dot\varphi'"), Symbol("J_1")
 
+
+def row(alpha=formulas.alpha, beta=formulas.beta):
+    """The rolling row of a wheel, as its formula has it."""
+    return formulas.rolling_row(formulas.l, alpha, beta)
+
+
+with as_written():
+    ROLLS, ASIDE, TURNS = row()
+    ONE_ROW = Line(Matrix(ROW), Matrix([ROLLS, ASIDE, TURNS]), ("", "", "m"))
+
 M19 = Mistake(
     "M19",
     says="with +cos(α + β) in the rolling row, where a minus belongs",
+    wrong=Wrong(ONE_ROW, instead=Matrix([ROLLS, -ASIDE, TURNS])),
     line="J1 = np.transpose([np.sin(alpha), np.cos(alpha), [-l, -l, -l]])",
     why="The wheel rolls towards α + β − 90°. The cosine and the sine of this direction are "
     "sin(α + β) and −cos(α + β). Without the minus, the row belongs to another direction.",
     unnoticed="When the robot does not move sideways, or when cos(α + β) is 0, as for the two "
     "wheels of a differential drive.",
+    picture=Picture(
+        "wrong-rates",
+        "It moves to the wrong side",
+        "The robot drives down to the right. Its program believes that it drives up.",
+    ),
     document="002",
     place="the proof of the rolling constraint, V_2",
     nth=1,
@@ -47,11 +67,18 @@ M19 = Mistake(
 M20 = Mistake(
     "M20",
     says="with the robot's heading θ in the last entry of the rolling row, where β belongs",
+    wrong=Wrong(ONE_ROW, instead=Matrix([ROLLS, ASIDE, TURNS.subs(formulas.beta, planar.theta)])),
     line="turning = [-l * np.cos(theta)] * 3\n"
     "J1 = np.transpose([np.sin(alpha), -np.cos(alpha), turning])",
     why="The row belongs to the robot's own frame. It depends on where the wheel stands on the "
     "robot, not on where the robot looks.",
     unnoticed="With θ = β or θ = −β (here: θ = 0), or when the robot does not turn.",
+    picture=Picture(
+        "wrong-rates",
+        "It turns too slowly",
+        "The robot has turned half as far as it should. Its program believes that it has turned "
+        "the whole way.",
+    ),
     document="002",
     place="the end of the same proof",
     nth=3,
@@ -63,18 +90,30 @@ M20 = Mistake(
 M21 = Mistake(
     "M21",
     says="when the velocity is turned the wrong way between the robot and the world",
+    wrong=Wrong(planar.to_world, {planar.theta: -planar.theta}),
     line="velocity = R @ np.linalg.solve(J1, r * rates)",
     why="Here R(θ) leads from the world to the robot. Back to the world it is R(θ)⁻¹, the "
     "transposed matrix. Other books use R(θ) for the other direction.",
     unnoticed="With a heading of 0 or 180°, and when the robot turns on the spot.",
+    picture=Picture(
+        "wrong-rates",
+        "It sets off in another direction",
+        "The robot drives down to the left. Its program believes that it drives up.",
+    ),
 )
 M34 = Mistake(
     "M34",
     says="with +l cos β in the last entry of the rolling row, where a minus belongs",
+    wrong=Wrong(ONE_ROW, {formulas.l: -formulas.l}),
     line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), [l, l, l]])",
     why="With β = 0 the wheel rolls clockwise around the robot's centre, and a positive θ̇ is "
     "counter-clockwise. So it makes the wheel roll backwards.",
     unnoticed="When the robot does not turn, or with β = ±90°.",
+    picture=Picture(
+        "wrong-rates",
+        "It turns the other way",
+        "The robot turns to the left. Its program believes that it turns to the right.",
+    ),
     document="002",
     place="the proof of the rolling constraint, V_3",
     nth=2,
@@ -84,10 +123,17 @@ M34 = Mistake(
 M35 = Mistake(
     "M35",
     says="with cos α in the last entry of the rolling row, where cos β belongs",
+    wrong=Wrong(ONE_ROW, instead=Matrix([ROLLS, ASIDE, TURNS.subs(formulas.beta, formulas.alpha)])),
     line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), -l * np.cos(alpha)])",
     why="When the robot turns, a wheel whose axle points to the centre rolls with its whole speed, "
     "wherever it stands. With cos α the last column is l times the second one: J_1 is singular.",
     unnoticed="For a wheel with α = ±β, or when the robot does not turn.",
+    picture=Picture(
+        "wrong-rates",
+        "It does not turn",
+        "The robot drives straight on and does not turn. Its program believes that it turns to "
+        "the right.",
+    ),
     document="002",
     place="the matrix J_1",
     nth=4,
@@ -141,17 +187,12 @@ def rows(l, alpha, beta):
     return wheels.rolling([wheels.fixed(l, a, b, 1.0) for a, b in zip(*angles, strict=True)])
 
 
-def last_column(matrix, entries):
-    """Rolling rows with another last column."""
-    return np.column_stack([matrix[:, :2], np.broadcast_to(entries, len(matrix))])
-
-
-ROWS = {  # what each mistake makes of the rolling rows
-    M19: lambda l, alpha, beta, theta: rows(l, alpha, beta) * [1, -1, 1],
-    M20: lambda l, alpha, beta, theta: last_column(rows(l, alpha, beta), -l * np.cos(theta)),
-    M34: lambda l, alpha, beta, theta: rows(l, alpha, beta) * [1, 1, -1],
-    M35: lambda l, alpha, beta, theta: last_column(rows(l, alpha, beta), -l * np.cos(alpha)),
-}
+def wrong_rows(mistake, l, alpha, beta, theta):
+    """What a mistake makes of the rolling rows."""
+    angles = np.atleast_1d(*np.broadcast_arrays(alpha, beta))
+    gives = partial(mistake.formula.gives, wheel_l=l, theta=theta)
+    made = [gives(wheel_alpha=a, wheel_beta=b) for a, b in zip(*angles, strict=True)]
+    return np.squeeze(made, axis=2)
 
 
 def ways(formula, *mistakes, **places):
@@ -165,7 +206,7 @@ def ways(formula, *mistakes, **places):
             told = {name: p(**numbers) if callable(p) else p for name, p in places.items()}
             known = {"theta": 0.0, **numbers, **told}
             place = {name: known[name] for name in ("l", "alpha", "beta", "theta")}
-            return formula(ROWS[mistake](**place), **numbers)
+            return formula(wrong_rows(mistake, **place), **numbers)
 
         return wrong
 
@@ -267,11 +308,6 @@ def four_by(matrix, r, w_1, w_2, w_3, w_4, **_):
     return [*twist, (matrix @ twist - speeds)[0]]
 
 
-def row(alpha=formulas.alpha, beta=formulas.beta):
-    """The rolling row of a wheel, as its formula has it."""
-    return formulas.rolling_row(formulas.l, alpha, beta)
-
-
 def held_by(fixed):
     """How many ways to move the fixed wheels take away."""
     return 3 - wheels.mobility(FIXED[fixed]).delta_m
@@ -288,7 +324,6 @@ def steered_rank(steered, **_):
 
 
 with as_written():
-    ONE_ROW = Line(Matrix(ROW), Matrix(row()), ("", "", "m"))
     ANGLES = Line(
         Matrix(ALPHAS),
         Matrix([formulas.alpha, formulas.alpha + 2 * pi / 3, formulas.alpha + 4 * pi / 3]),
@@ -436,7 +471,7 @@ wheels_3 = Exercise(
     right=rates,
     wrong={
         **ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0),
-        M21: lambda theta, **numbers: rates(theta=-theta, **numbers),
+        M21: M21.formula.through(rates),
     },
     also={
         "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
@@ -468,7 +503,7 @@ wheels_4 = Exercise(
     right=forward,
     wrong={
         **ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0),
-        M21: lambda theta, **numbers: forward(theta=-theta, **numbers),
+        M21: M21.formula.through(forward),
     },
     when=lambda theta, w_1, w_2, w_3, **_: abs(np.cos(theta)) > 0.1 and w_1 + w_2 + w_3 != 0,
     derive=lambda l, r, theta, w_1, w_2, w_3: {

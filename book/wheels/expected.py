@@ -69,6 +69,23 @@ def omni_readouts(rate1, rate2, rate3, theta, t):
     return np.column_stack([twist, world[:, :2], pose])
 
 
+def wrong_rates_readouts(*columns):
+    """apart, turned."""
+    return np.array([of_mistake(*row) for row in zip(*columns, strict=True)])
+
+
+def of_mistake(m19, m20, m34, m35, m21, theta, t):
+    """How far the robot ends from where it is believed, and how much too far it turns."""
+    wish, right = [-0.08, 0.12, -0.6], wheels.rolling(OMNI)
+    minus, turning = 1 - 2 * np.array([0, m19, m34]), right[:, 2]
+    column = turning * np.cos(theta) if m20 else 0.2 * right[:, 1] if m35 else turning
+    wrong = np.column_stack([right[:, :2], column]) * minus
+    seen = motion.to_body(-theta if m21 else theta, wish)
+    twists = np.linalg.solve(right, wrong @ seen), motion.to_body(theta, wish)
+    real, believed = (motion.move([0, 0, theta], twist, t) for twist in twists)
+    return [np.hypot(*(real - believed)[:2]), (real - believed)[2]]
+
+
 CAR, TWO = {"robot": "car"}, {"robot": "two steered wheels, castors"}
 DRIVE = {"robot": "differential drive, castor"}
 RATES = ("omni_rate1", "omni_rate2", "omni_rate3")
@@ -77,6 +94,7 @@ READOUTS = {
     "wheel-kinds": kinds_readouts,
     "wheel-laboratory": laboratory_readouts,
     "omni": omni_readouts,
+    "wrong-rates": wrong_rates_readouts,
 }
 SPECIALS = {
     "wheel-kinds": [{"kind": kind, "course": QUARTER} for kind in ("fixed", "Swedish, 45°")],
@@ -98,5 +116,6 @@ SPECIALS = {
         dict(zip(RATES, rates, strict=True))
         for rates in ([2.0, 2.0, 2.0], [-4.0, 2.0, 2.0], [0.0, 3.0, -3.0], [0.0, 0.0, 0.0])
     ],
+    "wrong-rates": [{"theta": 0.0}, {"mistake": "It turns too slowly", "theta": QUARTER}],
 }
 WORDS = []

@@ -5,13 +5,14 @@ from typing import Any
 
 from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols, tan
 
-from book.differential_drive.figures import t
+from book.differential_drive.figures import apart, t
 from book.differential_drive.formulas import r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
-from book.motion.formulas import dt, omega, theta, v, v_y, x, y
+from book.motion.formulas import dt, omega, theta, theta_dot, v, v_y, x, x_dot, y, y_dot
 from book.wheels import formulas as wheels
-from book.wheels.formulas import alpha, l, omni_rates, rolling_row, sliding_row
+from book.wheels.exercises import M19, M20, M21, M34, M35
+from book.wheels.formulas import alpha, beta, l, omni_rates, rolling_row, sliding_row
 from workshop.equations.core import as_written, quantity
 from workshop.equations.functions import null_projector, rank
 from workshop.figures import (
@@ -27,6 +28,7 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
+    Steps,
     Wheel,
 )
 
@@ -81,15 +83,15 @@ def kinds_figure() -> Figure:
         name="wheel-kinds",
         title="A wheel from above is moved: what it rolls, and how it gives way",
         view=(-0.36, 0.36, -0.23, 0.23),
+        size="laboratory",
         controls=(
             Choice(
                 "kind",
                 "wheel",
                 CHOSEN,
                 {name: tuple(float(k == n) for n in range(5)) for k, name in enumerate(KINDS)},
-                start="fixed",
             ),
-            Slider(course, -pi, pi, start=pi / 6, step=pi / 36, label="direction of the motion"),
+            Slider.degrees(course, start=30, step=5, label="direction of the motion"),
         ),
         scene=(
             Line("body", (seen(fixed, (0, -0.09)), seen(fixed, (0, 0.09)))),
@@ -138,11 +140,7 @@ ROBOTS = {
         (0.3, -0.12, 0.0, *STEERED),
     ],
     "bicycle": [(0.3, 0.0, 0.0, *STEERED), (0.0, 0.0, 0.0, *FIXED)],
-    "tricycle": [
-        (0.3, 0.0, 0.0, *STEERED),
-        (0.0, 0.12, 0.0, *FIXED),
-        (0.0, -0.12, 0.0, *FIXED),
-    ],
+    "tricycle": [(0.3, 0.0, 0.0, *STEERED), (0.0, 0.12, 0.0, *FIXED), (0.0, -0.12, 0.0, *FIXED)],
     "differential drive, castor": [
         (0.0, 0.12, 0.0, *FIXED),
         (0.0, -0.12, 0.0, *FIXED),
@@ -191,13 +189,8 @@ def robot_numbers(name: str) -> tuple[float, ...]:
 
 def laboratory_figure() -> Figure:
     """Any wheel moved and turned: which motions are left, and how many of them."""
-    where: list[tuple[Symbol, Any]] = []
-
-    def step(name: str, expression: Any) -> Symbol:
-        symbol = Symbol(name)
-        where.append((symbol, expression))
-        return symbol
-
+    steps = Steps()
+    step = steps.named
     places, axles, rows, fixed_rows = [], [], [], []
     with as_written():
         for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
@@ -218,7 +211,7 @@ def laboratory_figure() -> Figure:
         of_fixed = step("rank_of_fixed", rank(Matrix(fixed_rows)))
         free = null_projector(Matrix(rows))
         P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
-        where += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
+        steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
         twist = [
             step(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
             for i in range(3)
@@ -239,13 +232,13 @@ def laboratory_figure() -> Figure:
         name="wheel-laboratory",
         title="A robot seen from above, its wheels, their axles and the motion they allow",
         view=(-0.6, 0.8, -0.55, 0.55),
+        size="",
         controls=(
             Choice(
                 "robot",
                 "robot",
                 tuple(symbol for wheel in NUMBERS for symbol in wheel),
                 {name: robot_numbers(name) for name in ROBOTS},
-                start="car",
             ),
             Choice("wish", "asked to", tuple(WISH), WISHES, start="turn on the spot"),
             Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring Q ahead"),
@@ -255,30 +248,27 @@ def laboratory_figure() -> Figure:
                 "change",
                 WHICH,
                 {"wheel 1": (1.0, 0.0), "wheel 2": (0.0, 1.0)},
-                start="wheel 1",
             ),
             Slider(shift_x, -0.2, 0.2, start=0.0, step=0.05, label="move it ahead"),
             Slider(shift_y, -0.2, 0.2, start=0.0, step=0.05, label="move it to the left"),
-            Slider(shift_angle, -pi / 2, pi / 2, start=0.0, step=pi / 36, label="turn it"),
-            Clock(t, 0.0, 6.0, start=0.0, step=0.05, label="time"),
+            Slider.degrees(shift_angle, -90, 90, step=5, label="turn it"),
+            Clock(t, 0.0, 6.0, label="time"),
         ),
         scene=(
             *(axle_line(k, places[k], axles[k]) for k in range(4)),
-            Curve("ghost", along[:2], s, 0, 6),
-            Curve("path", along[:2], s, 0, t),
+            Curve("ghost", along, s, 0, 6),
+            Curve("path", along, s, 0, t),
             Body(ORIGIN, 0, 0.05, kind="ghost"),
             *(Wheel("ghost", seen(NUMBERS[k][3], places[k]), rolls[k], **WHEEL) for k in range(4)),
             *(shape for k in range(4) for shape in wheel_shapes(k, places[k], rolls[k], end)),
             Body(end[:2], end[2], 0.05),
             *(velocity_of(k, places[k], twist) for k in range(4)),
-            Point("icr", (icr[0], icr[1]), label="ICR"),
+            Point("icr", icr, label="ICR"),
             Point("target", (centre_x, centre_y)),
             *(Point("approximation", seen(WHICH[k], places[k]), label=f"{k + 1}") for k in (0, 1)),
         ),
         handles=(
-            Handle("ring Q, which the steered axles look at", (centre_x, centre_y), {
-                centre_x: POINTER[0], centre_y: POINTER[1],
-            }),
+            Handle("ring Q, which the steered axles look at", (centre_x, centre_y)),
             Handle("the wheel that is changed", (chosen[0] + shift_x, chosen[1] + shift_y), {
                 shift_x: POINTER[0] - chosen[0], shift_y: POINTER[1] - chosen[1],
             }),
@@ -298,7 +288,7 @@ def laboratory_figure() -> Figure:
             "As the wheels stand there are {now} independent ways to move. Asked to {wish}, the "
             "robot moves ahead at {v}, to the left at {v_y} and turns at {omega}."
         ),
-        where=tuple(where),
+        where=steps,
     )  # fmt: skip
 
 
@@ -394,6 +384,7 @@ def omni_figure() -> Figure:
         name="omni",
         title="A robot on three Swedish wheels seen from above, their rates under your hand",
         view=(-0.5, 1.7, -0.5, 1.0),
+        size="",
         controls=(
             *(
                 Slider(rate, -6.0, 6.0, start=start, step=0.5, label=f"wheel {k}", kind=kind)
@@ -401,23 +392,23 @@ def omni_figure() -> Figure:
                     zip(omni_rates, (-2.0, 4.0, 1.0), WHEELS, strict=True), start=1
                 )
             ),
-            Slider(theta, -pi, pi, start=pi / 6, step=pi / 36, label="heading at the start"),
-            Clock(t, 0.0, 12.0, start=0.0, step=0.05, label="time"),
+            Slider.degrees(theta, start=30, step=5, label="heading at the start"),
+            Clock(t, 0.0, 12.0, label="time"),
         ),
         scene=(
-            Curve("ghost", along[:2], s, 0, 12),
-            Curve("path", along[:2], s, 0, t),
+            Curve("ghost", along, s, 0, 12),
+            Curve("path", along, s, 0, t),
             Body(ORIGIN, theta, 0.13, kind="ghost"),
             Body(now[:2], now[2], 0.13),
             *(omni_wheel(k, ORIGIN, theta) for k in range(3)),
-            *(omni_wheel(k, now[:2], now[2]) for k in range(3)),
+            *(omni_wheel(k, now, now[2]) for k in range(3)),
             *(
                 Arrow(WHEELS[k], place_of(k), tip_of(k))
                 for k in range(3)
             ),
             *(Point(WHEELS[k], place_of(k), label=f"{k + 1}") for k in range(3)),
-            Arrow("velocity", ORIGIN, (arrow[0], arrow[1])),
-            Point("icr", (icr[0], icr[1]), label="ICR"),
+            Arrow("velocity", ORIGIN, arrow),
+            Point("icr", icr, label="ICR"),
         ),
         handles=tuple(
             Handle(f"tip of the arrow of wheel {k + 1}", tip_of(k), {omni_rates[k]: pulled(k)})
@@ -431,7 +422,7 @@ def omni_figure() -> Figure:
             Readout("y_dot", "along the world's y axis, at this time", world[1], "m/s"),
             Readout("x", "x at this time", now[0], "m"),
             Readout("y", "y at this time", now[1], "m"),
-            Readout("heading", "heading at this time", now[2], "rad", digits=1),
+            Readout("heading", "heading at this time", now[2], "rad"),
         ),
         says=(
             "Wheels at {omni_rate1}, {omni_rate2} and {omni_rate3}: the robot moves ahead at {v}, "
@@ -467,4 +458,68 @@ def pulled(k: int) -> Any:
     return (row[0] * back[0] + row[1] * back[1]) / RADIUS
 
 
-FIGURES = (kinds_figure(), laboratory_figure(), omni_figure())
+# --- Mistakes
+
+WANTED = {x_dot: -0.08, y_dot: 0.12, theta_dot: -0.6}  # in the world, m/s and rad/s
+MADE = {  # title → mistake
+    "It moves to the wrong side": M19,
+    "It turns too slowly": M20,
+    "It turns the other way": M34,
+    "It does not turn": M35,
+    "It sets off in another direction": M21,
+}
+MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+REALLY = symbols("really_v really_vy really_omega")
+
+
+def driven_by(mistake: Any) -> Any:
+    """How the omni robot moves whose program makes a mistake in the rates of its wheels."""
+    to_body = M21.formula.made_in(motion.to_body) if mistake is M21 else motion.to_body
+    wish = to_body.at(WANTED)
+    places = ({l: SIZE, alpha: spoke, beta: 0} for spoke in ANGLES)
+    rows = [rolling_row(*p.values()) if mistake is M21 else mistake.at(p) for p in places]
+    with as_written():
+        speeds = [sum(a * b for a, b in zip(row, wish, strict=True)) for row in rows]
+        rates = [speed / RADIUS for speed in speeds]
+    return wheels.omni_twist.at({l: SIZE, r: RADIUS, **dict(zip(omni_rates, rates, strict=True))})
+
+
+def mistakes_figure() -> Figure:
+    """What the omni robot does, and what its program believes: the rates are set at the start."""
+    twists = [driven_by(mistake).doit() for mistake in MADE.values()]
+    with as_written():
+        really = [
+            sum(chosen * twist[i] for chosen, twist in zip(MADE_ONE, twists, strict=True))
+            for i in range(3)
+        ]
+    wish = motion.to_body.at(WANTED)
+    real, believed = moved(theta, REALLY, t), moved(theta, wish, t)
+    options = {name: tuple(float(n == k) for n in range(5)) for k, name in enumerate(MADE)}
+    return Figure(
+        name="wrong-rates",
+        title="An omni robot, and where its program with a mistake believes it to be",
+        view=(-0.8, 0.8, -0.6, 0.65),
+        controls=(
+            Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
+            Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
+            Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
+        ),
+        where=tuple(zip(REALLY, really, strict=True)),
+        scene=(
+            Curve("path", moved(theta, REALLY, s), s, 0, t),
+            Curve("approximation", moved(theta, wish, s), s, 0, t),
+            Line("error", (real, believed)),
+            Body(real[:2], real[2], 0.13),
+            *(omni_wheel(k, real, real[2]) for k in range(3)),
+            Body(believed[:2], believed[2], 0.13, kind="approximation"),
+        ),
+        readouts=(
+            Readout("apart", "apart", apart(real, believed), "m"),
+            Readout("turned", "turned too far by", real[2] - believed[2], "rad", digits=0),
+        ),
+        says="{mistake}: after {t} the robot is {apart} from where its program believes it, "
+        "and has turned {turned} too far.",
+    )
+
+
+FIGURES = (kinds_figure(), laboratory_figure(), omni_figure(), mistakes_figure())

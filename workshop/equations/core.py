@@ -46,6 +46,12 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
         return math.isnan(self.low)
 
     @property
+    def called(self) -> str:
+        """Its name: what stands before a colon in its meaning."""
+        name, colon, _ = self.meaning.partition(": ")
+        return name if colon else ""
+
+    @property
     def chapter(self) -> str:
         """The chapter that declares it."""
         return self.module.split(".")[-2:][0]

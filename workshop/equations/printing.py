@@ -4,20 +4,31 @@ from collections.abc import Sequence
 from typing import Any
 
 import sympy as sp
+from sympy.printing.latex import LatexPrinter
 
 MIME = "application/vnd.workshop.equation+json"
 AGAIN = "application/vnd.workshop.equations+json"  # those of a chapter once more
 LINES_APART, FRACTIONS_APART = r"\\[4pt]", r"\\[10pt]"  # fractions in two rows would touch
 
 
+class _Printer(LatexPrinter):  # type: ignore[misc]
+    """SymPy's printer, but that atan2 of two sums takes two rows, to fit a phone."""
+
+    def _print_atan2(self, e: Any) -> str:
+        inside = ",".join(map(self._print, e.args))
+        if all(part.is_Add for part in e.args):
+            rows = r", \\ &".join(map(self._print, e.args))
+            inside = rf"\begin{{aligned}} &{rows} \end{{aligned}}"
+        return rf"\operatorname{{atan2}}{{\left({inside} \right)}}"
+
+
 def latex(expression: Any, **settings: Any) -> str:
     """LaTeX of an expression in the order in which it was written."""
-    text: str = sp.latex(expression, order="none", **settings)
+    text: str = _Printer({"order": "none", **settings}).doprint(expression)
     if r"\frac" in text:
         text = text.replace(r"\\", FRACTIONS_APART)
     text = text.replace(r"} \frac", r"} \, \frac")  # two fractions side by side are two
-    text = text.replace("^{T}", r"^{\top}")  # one sign for the transposed in the whole course
-    return text.replace(r"\operatorname{atan}_{2}", r"\operatorname{atan2}")
+    return text.replace("^{T}", r"^{\top}")  # one sign for the transposed in the whole course
 
 
 def both_sides(left: Any, right: Any) -> str:

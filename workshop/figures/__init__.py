@@ -1,6 +1,6 @@
 """Live figures: declared in Python, drawn and moved by one small script, with or without a kernel.
 
-    Figure(name, title, view, controls, scene, readouts, says)
+    Figure(name, title, view, scene, controls, readouts)
 
 shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
 still picture. What it can hold stands in `workshop.figures.declaration`, and for pictures in space
@@ -27,13 +27,14 @@ from workshop.figures.declaration import (
     Readout,
     Recurrence,
     Slider,
+    Steps,
     Trail,
     Wheel,
     solved,
 )
 from workshop.figures.figure import Figure
 from workshop.figures.graph import Graph
-from workshop.figures.space import VIEW, View, view_sliders
+from workshop.figures.space import VIEW, View
 from workshop.figures.turning import Bracket, Turns
 from workshop.script.runtime import Part, register
 
@@ -73,10 +74,10 @@ __all__ = [
     "Readout",
     "Recurrence",
     "Slider",
+    "Steps",
     "Trail",
     "Turns",
     "View",
     "Wheel",
     "solved",
-    "view_sliders",
 ]

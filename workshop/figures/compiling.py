@@ -33,22 +33,27 @@ def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     ]
 
 
+def xy(*places: d.Place) -> list[Any]:
+    """The coordinates of places, one after the other."""
+    return [x for place in places for x in place[:2]]
+
+
 # type → its word in the script, what is computed, what is given as it is
 SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] = {
-    d.Point: ("point", lambda s: s.at, ("edge",)),
-    d.Line: ("line", lambda s: [x for point in s.points for x in point], ()),
-    d.Arrow: ("arrow", lambda s: (*s.tail, *s.head), ()),
-    d.Wheel: ("wheel", lambda s: (*s.at, s.angle, s.roll), ("length", "width")),
-    d.Disc: ("disc", lambda s: (*s.at, s.angle), ("radius", "spokes")),
-    d.Area: ("area", lambda s: [x for point in s.points for x in point], ()),
-    d.Length: ("length", lambda s: (*s.start, *s.end), ("aside",)),
-    d.Label: ("label", lambda s: s.at, ()),
-    d.Body: ("body", lambda s: (*s.at, s.angle), ("radius",)),
-    d.AngleArc: ("angle", lambda s: (*s.at, s.start, s.end), ("radius",)),
+    d.Point: ("point", lambda s: xy(s.at), ("edge",)),
+    d.Line: ("line", lambda s: xy(*s.points), ()),
+    d.Arrow: ("arrow", lambda s: xy(s.tail, s.head), ()),
+    d.Wheel: ("wheel", lambda s: (*xy(s.at), s.angle, s.roll), ("length", "width")),
+    d.Disc: ("disc", lambda s: (*xy(s.at), s.angle), ("radius", "spokes")),
+    d.Area: ("area", lambda s: xy(*s.points), ()),
+    d.Length: ("length", lambda s: xy(s.start, s.end), ("aside",)),
+    d.Label: ("label", lambda s: xy(s.at), ()),
+    d.Body: ("body", lambda s: (*xy(s.at), s.angle), ("radius",)),
+    d.AngleArc: ("angle", lambda s: (*xy(s.at), s.start, s.end), ("radius",)),
     d.Curve: ("curve", lambda s: (s.low, s.high), ()),
     d.Trail: ("trail", lambda s: (), ("line", "dots")),
     Solid: ("solid", lambda s: s.numbers, ("data", "floor", "opacity", "behind")),
-    Bracket: ("bracket", lambda s: (*s.at, *s.matrix), ("columns", "digits")),
+    Bracket: ("bracket", lambda s: (*xy(s.at), *s.matrix), ("columns", "digits")),
 }
 
 
@@ -108,7 +113,7 @@ class Compiler:
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
         _refuse_wrong_slider(control)
-        face = self.face(control.symbol, control.label or None)
+        face = self.face(control.symbol, control.label)
         known = control.symbol
         scale = factor(known.unit)
         step = _tidy(control.step / scale)
@@ -148,11 +153,11 @@ class Compiler:
         for part in found.get("data", ()):
             part["kind"] = self.face(part["kind"])["kind"]
         if isinstance(shape, d.Curve):
-            traced = shape.at if depth is None else (*shape.at, depth)
+            traced = xy(shape.at) if depth is None else [*shape.at, depth]
             point = function({"c": self.known, "s": [shape.parameter]}, traced)
             found |= {"point": Code(point), "samples": shape.samples}
         if isinstance(shape, d.Trail):
-            point = function({"c": self.known, "s": shape.recurrence.state}, shape.at)
+            point = function({"c": self.known, "s": shape.recurrence.state}, xy(shape.at))
             index = self.recurrences.index(shape.recurrence)
             found |= {"recurrence": index, "point": Code(point)}
         return found
@@ -170,7 +175,7 @@ class Compiler:
         code = function({"c": self.known, "p": d.POINTER}, list(handle.sets.values()))
         return {
             "label": handle.label,
-            "at": self.numbers(*handle.at),
+            "at": self.numbers(*xy(handle.at)),
             "sets": self.sliders(handle.sets, f"the handle {handle.label!r}"),
             "to": Code(code),
         }

@@ -1,16 +1,18 @@
 """The words a live figure is declared with.
 
 Controls give symbols their numbers; shapes, readouts and handles are SymPy expressions of these
-symbols. Numbers in a declaration are SI (radians); the reader sees degrees.
+symbols. Numbers in a declaration are SI (radians); the reader sees degrees, and
+`Slider.degrees(…)` is declared in them.
 
 A `kind` is a name of the course's looks, or a quantity: then its look comes from the chapter's
 `LOOKS`, its label is the quantity's letter unless said otherwise, and on the page it belongs to
 that quantity. A slider and a readout follow from their quantity likewise.
 """
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Self
 
 import sympy as sp
 
@@ -19,7 +21,7 @@ from workshop.equations.text import symbol_text
 
 Expr = Any
 Kind = Any  # a name, or a quantity
-Pair = tuple[Expr, Expr]
+Place = Sequence[Expr]  # x, y; of a pose (x, y, θ) the first two
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
 
@@ -28,6 +30,24 @@ def solved(*equations: Equation) -> Where:
     """Named steps that compute the left sides of equations, in order, for `Figure.where`."""
     sides = [(sp.Matrix([e.left]), sp.Matrix([e.right])) for e in equations]
     return [pair for left, right in sides for pair in zip(left, right, strict=True)]
+
+
+def with_letter(symbol: NamedSymbol) -> str:
+    """A quantity's name, if it has one, and its letter: "heading θ"."""
+    return f"{symbol.called} {symbol_text(symbol)}".strip()
+
+
+class Steps(list[tuple[sp.Symbol, Any]]):
+    """Named steps of a computation, in order, for `Figure.where`."""
+
+    def named(self, name: str, value: Any) -> Any:
+        """A number by a name, or a matrix by the names of its entries; what it is, is noted."""
+        if not isinstance(value, sp.MatrixBase):
+            self.append((sp.Symbol(name, real=True), value))
+            return self[-1][0]
+        entries = sp.symbols(f"{name}:{value.rows}:{value.cols}", real=True)
+        self += zip(entries, value, strict=True)
+        return sp.Matrix(*value.shape, entries)
 
 
 # Controls: what the reader moves.
@@ -49,6 +69,24 @@ class Slider:
     kind: str = ""
     rate: float = 0.0
 
+    def __post_init__(self) -> None:
+        if not self.label and isinstance(self.symbol, NamedSymbol):
+            object.__setattr__(self, "label", with_letter(self.symbol))
+
+    @classmethod
+    def degrees(
+        cls,
+        symbol: sp.Symbol,
+        low: float = -180,
+        high: float = 180,
+        start: float = 0,
+        step: float = 1,
+        **more: Any,
+    ) -> Self:
+        """The slider of an angle, declared in degrees."""
+        low, high, start, step = map(math.radians, (low, high, start, step))
+        return cls(symbol, low, high, start, step, **more)
+
 
 @dataclass(frozen=True)
 class Clock(Slider):
@@ -58,31 +96,43 @@ class Clock(Slider):
     motion; a hand on it stops it.
     """
 
+    start: float = 0.0
+    step: float = 0.05
     rate: float = 1.0
     loops: bool = False
 
 
 @dataclass(frozen=True)
 class Choice:
-    """One of several named cases: each option gives every symbol its number."""
+    """One of several named cases: each option gives every symbol its number.
+
+    start: the option chosen at first; the first one, unless said otherwise.
+    """
 
     name: str
     label: str
     symbols: tuple[sp.Symbol, ...]
     options: Mapping[str, tuple[float, ...]]
-    start: str
+    start: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "start", self.start or next(iter(self.options), ""))
 
 
 @dataclass(frozen=True)
 class Handle:
     """A point to drag: where it is, and which slider gets which expression of `POINTER`.
 
-    The expression may use all that the figure knows.
+    The expression may use all that the figure knows. A place that is two sliders needs none: it
+    goes where the pointer is.
     """
 
     label: str
-    at: Pair
-    sets: Mapping[sp.Symbol, Expr]
+    at: Place
+    sets: Mapping[sp.Symbol, Expr] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "sets", self.sets or dict(zip(self.at, POINTER, strict=False)))
 
 
 # What is computed step by step.
@@ -125,7 +175,7 @@ class Point:
     """
 
     kind: Kind
-    at: Pair
+    at: Place
     label: str | None = None
     depth: Expr = None
     edge: bool = True
@@ -136,7 +186,7 @@ class Line:
     """Straight pieces through several points."""
 
     kind: Kind
-    points: tuple[Pair, ...]
+    points: tuple[Place, ...]
     depth: Expr = None
 
 
@@ -145,8 +195,8 @@ class Arrow:
     """From `tail` to `head`."""
 
     kind: Kind
-    tail: Pair
-    head: Pair
+    tail: Place
+    head: Place
     label: str | None = None
     depth: Expr = None
 
@@ -159,7 +209,7 @@ class Wheel:
     """
 
     kind: Kind
-    at: Pair
+    at: Place
     angle: Expr
     length: float
     width: float
@@ -171,7 +221,7 @@ class Disc:
     """A wheel from the side: a round thing whose spokes show how far it has turned."""
 
     kind: Kind
-    at: Pair
+    at: Place
     angle: Expr
     radius: float
     spokes: int = 5
@@ -182,7 +232,7 @@ class Area:
     """A filled piece of the ground, by its corners."""
 
     kind: Kind
-    points: tuple[Pair, ...]
+    points: tuple[Place, ...]
 
 
 @dataclass(frozen=True)
@@ -190,8 +240,8 @@ class Length:
     """A length with its ends marked; aside: how far to the left of start → end it is drawn, m."""
 
     kind: Kind
-    start: Pair
-    end: Pair
+    start: Place
+    end: Place
     label: str | None = None
     aside: float = 0.0
 
@@ -201,7 +251,7 @@ class Label:
     """Words or a number at a place."""
 
     kind: Kind
-    at: Pair
+    at: Place
     label: str | None = None
 
 
@@ -209,7 +259,7 @@ class Label:
 class Body:
     """A round robot from above, with a nose that shows its heading."""
 
-    at: Pair
+    at: Place
     angle: Expr
     radius: float
     kind: Kind = "body"
@@ -220,7 +270,7 @@ class Curve:
     """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too."""
 
     kind: Kind
-    at: Pair
+    at: Place
     parameter: sp.Symbol
     low: Expr
     high: Expr
@@ -233,7 +283,7 @@ class Trail:
     """The points `at` of every state of a recurrence: a line through them, dots on the first 60."""
 
     kind: Kind
-    at: Pair
+    at: Place
     recurrence: Recurrence
     line: bool = True
     dots: bool = True
@@ -244,7 +294,7 @@ class AngleArc:
     """An angle around a point: its arc, and the sector in it."""
 
     kind: Kind
-    at: Pair
+    at: Place
     start: Expr
     end: Expr
     radius: float
@@ -259,21 +309,24 @@ class Readout:
     """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan".
 
     A quantity as the name gives its letter and unit, and itself as the value. digits: after the
-    point; -2 means two digits and a power of ten.
+    point, 1 of an angle and 3 of all else unless said; -2 means two digits and a power of ten.
     """
 
     name: Any
     label: str = ""
     value: Expr = None
     unit: str = ""
-    digits: int = 3
+    digits: int | None = None
     words: Mapping[str, str] = field(default_factory=dict)
     symbol: NamedSymbol | None = None
 
     def __post_init__(self) -> None:
-        if isinstance(self.name, NamedSymbol):
-            symbol = self.name
+        known: dict[str, Any] = {}
+        if isinstance(symbol := self.name, NamedSymbol):
             value = symbol if self.value is None else self.value
-            told = {"label": self.label or symbol_text(symbol), "unit": symbol.unit, "value": value}
-            for key, known in {**told, "name": str(symbol), "symbol": symbol}.items():
-                object.__setattr__(self, key, known)
+            known = {"name": str(symbol), "symbol": symbol, "unit": symbol.unit, "value": value}
+            known["label"] = self.label or with_letter(symbol)
+        if self.digits is None:
+            known["digits"] = 1 if known.get("unit", self.unit) == "rad" else 3
+        for key, each in known.items():
+            object.__setattr__(self, key, each)

@@ -14,14 +14,16 @@ from numpy.typing import ArrayLike, NDArray
 from workshop.course import course
 from workshop.equations.core import Where
 from workshop.errors import CourseError
-from workshop.figures.compiling import Compiler, Control, javascript, settings
-from workshop.figures.declaration import Choice, Goal, Handle, Pair, Readout
+from workshop.figures.compiling import Compiler, Control, javascript, settings, xy
+from workshop.figures.declaration import Choice, Goal, Handle, Place, Readout
 from workshop.figures.javascript import evaluate
+from workshop.figures.solids import Solid
+from workshop.figures.space import VIEW, view_sliders
 from workshop.figures.turning import Turns
 from workshop.script import engine
 from workshop.script.widget import Widget, widget
 
-SIZES = ("", "step", "laboratory")
+SIZES = ("step", "laboratory", "")
 MIME = "application/vnd.workshop.figure+json"
 
 
@@ -33,29 +35,34 @@ class Figure:
     see it. view: the window on the world, (x_low, x_high, y_low, y_high) in metres. says: a
     sentence about the present state, with `{name}` for controls, readouts and named steps; without
     one, all controls and readouts are told. where: named steps of the computation, in order, that
-    all expressions may use. turns: for a picture in space, the
-    azimuth and the elevation (of sliders) that dragging its ground changes. grid: whether the
-    ground shows x, y in m. goal: what the reader shall reach, or several such. follow: a point that
-    the view moves along with, so that it stays inside. size: "step" or "laboratory", whose sizes on
-    a page are tested, or "".
+    all expressions may use. grid: whether the flat ground shows x, y in m. goal: what the reader
+    shall reach, or several such. follow: a point that the view moves along with, so that it stays
+    inside. size: "step" or "laboratory", whose sizes on a page are tested, or "" for a larger one.
+
+    With shapes of `VIEW` it is a picture in space: the view's sliders are its last controls, and
+    dragging its ground turns it. seen_from: azimuth and elevation at first.
     """
 
     name: str
     title: str
     view: tuple[float, float, float, float]
-    controls: tuple[Control, ...]
     scene: tuple[Any, ...]
-    readouts: tuple[Readout, ...]
+    controls: tuple[Control, ...] = ()
+    readouts: tuple[Readout, ...] = ()
     says: str = ""
     handles: tuple[Handle, ...] = ()
     where: Where = ()
-    turns: tuple[sp.Symbol, ...] = ()
+    seen_from: tuple[float, float] = (np.pi / 6, np.pi / 9)
     grid: bool = True
     goal: Goal | tuple[Goal, ...] = ()
-    follow: Pair | tuple[()] = ()
-    size: str = ""
+    follow: Place = ()
+    size: str = "step"
 
     def __post_init__(self) -> None:
+        if self.turns:
+            own = (c for c in self.controls if getattr(c, "symbol", None) not in self.turns)
+            controls = (*own, *view_sliders(*self.seen_from))
+            object.__setattr__(self, "controls", controls)
         names = [*map(self._key, self.controls), *(readout.name for readout in self.readouts)]
         if len(set(names)) < len(names):
             raise CourseError(f"the figure {self.name} has two controls or readouts of one name")
@@ -70,6 +77,12 @@ class Figure:
                 f"the text `says` of {self.name} uses {', '.join(sorted(unknown))}, "
                 f"but there are only {', '.join(names)}"
             )
+
+    @property
+    def turns(self) -> tuple[sp.Symbol, ...]:
+        """Of a picture in space, the angles that dragging its ground changes."""
+        deep = (isinstance(s, Solid) or getattr(s, "depth", None) is not None for s in self.scene)
+        return VIEW.angles if any(deep) else ()
 
     @property
     def settings(self) -> list[sp.Symbol]:
@@ -94,12 +107,12 @@ class Figure:
         }
         if self.turns:
             parts["turns"] = compiler.sliders(self.turns, f"dragging the ground of {self.name}")
-        if not self.grid:
+        if self.turns or not self.grid:
             parts["grid"] = False
         goals = (self.goal,) if isinstance(self.goal, Goal) else self.goal
         parts["goals"] = [compiler.goal(goal) for goal in goals]
         if self.follow:
-            parts["follow"] = compiler.numbers(*self.follow)
+            parts["follow"] = compiler.numbers(*xy(self.follow))
         parts["size"] = self.size
         parts["where"] = compiler.steps()
         parts["compute"] = compiler.code()

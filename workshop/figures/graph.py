@@ -12,7 +12,7 @@ from math import log10
 
 import sympy as sp
 
-from workshop.figures.declaration import Area, Expr, Label, Line, Pair
+from workshop.figures.declaration import Area, Expr, Label, Line, Place
 
 Range = tuple[float, float]
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -31,13 +31,13 @@ class Graph:
     words: tuple[str, str]
     log: bool = True
 
-    def at(self, pair: Pair) -> Pair:
+    def at(self, pair: Place) -> Place:
         """Where the picture shows a point of the graph."""
         (left, right), (low, high) = self.box[:2], self.box[2:]
         across, up = self._share(pair[0], self.x), self._share(pair[1], self.y)
         return left + (right - left) * across, low + (high - low) * up
 
-    def x_of(self, place: Pair) -> Expr:
+    def x_of(self, place: Place) -> Expr:
         """The number on the x axis at a place of the picture."""
         left, right, low, high = *self.box[:2], *map(self._scaled, self.x)
         scaled = low + (high - low) * (place[0] - left) / (right - left)

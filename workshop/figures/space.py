@@ -6,7 +6,7 @@ A view is two angles, so whatever it shows is an ordinary expression of them:
     VIEW.depth((x, y, z))       how near the viewer it is; nearer shapes are painted later
     VIEW.frame(R, at=p)         the three axes of a frame, as arrows
 
-A figure with `view_sliders()` among its controls and `turns=VIEW.angles` is turned by hand, too.
+A figure with such shapes gets the two angles as its last sliders, and is turned by hand, too.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ import sympy as sp
 
 from workshop.equations.core import quantity
 from workshop.figures import solids
-from workshop.figures.declaration import Arrow, Expr, Line, Pair, Point, Slider
+from workshop.figures.declaration import Arrow, Expr, Line, Place, Point, Slider
 
 Triple = Sequence[Any]
 
@@ -39,10 +39,10 @@ class View:
 
     @property
     def angles(self) -> tuple[Expr, Expr]:
-        """The two angles, as `Figure.turns` wants them."""
+        """The two angles."""
         return self.azimuth, self.elevation
 
-    def project(self, point: Triple) -> Pair:
+    def project(self, point: Triple) -> Place:
         """Where the picture shows a point: to the right and up, in its unit."""
         x, y, z = point
         away = x * sp.cos(self.azimuth) + y * sp.sin(self.azimuth)
@@ -95,9 +95,7 @@ class View:
 VIEW = View(azimuth, elevation)
 
 
-def view_sliders(
-    azimuth_start: float = pi / 6, elevation_start: float = pi / 9
-) -> tuple[Slider, ...]:
+def view_sliders(azimuth_start: float, elevation_start: float) -> tuple[Slider, ...]:
     """The two angles of `VIEW` under the hand: all round, and from straight below to above."""
     return (
         Slider(azimuth, -pi, pi, start=azimuth_start, step=pi / 180, label="view: from which side"),

@@ -5,7 +5,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from workshop.figures.declaration import Pair
+from workshop.figures.declaration import Place
 
 BEFORE = sp.Matrix(3, 3, sp.symbols("before:3:3", real=True))
 AXIS = sp.Matrix(sp.symbols("turn_axis:3", real=True))
@@ -57,7 +57,7 @@ class Bracket:
     """A matrix (3, 3) written into the picture, its middle at `at`, its columns in three looks."""
 
     matrix: sp.Matrix
-    at: Pair
+    at: Place
     label: str = ""
     columns: tuple[str, ...] = ("x_axis", "y_axis", "z_axis")
     digits: int = 0

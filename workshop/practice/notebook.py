@@ -227,18 +227,13 @@ def in_rows(answer: str) -> str:
 
 
 class MistakeView:
-    """A wrong line to judge: what it gives in the exercise's own numbers, the answer folded."""
+    """A wrong line to judge: what it gives in the exercise's own numbers, the answer folded.
+
+    The heading above it, in the chapter, is its title.
+    """
 
     def __init__(self, mistake: Mistake) -> None:
         self.mistake, self.exercise = mistake, shown_in(mistake)
-
-    @property
-    def title(self) -> str:
-        """The exercise's title; where several mistakes are shown in it, which of them this is."""
-        e = self.exercise
-        alike = [m for m in e.wrong if shown_in(m) is e]
-        number = f"Mistake {alike.index(self.mistake) + 1} of {len(alike)}: "
-        return f"{number if len(alike) > 1 else ''}{e.title}"
 
     @property
     def gives(self) -> str:
@@ -259,10 +254,9 @@ class MistakeView:
         )
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        title = f"<p><strong>{escape(self.title)}</strong></p>"
         return {
-            "text/html": f"{title}<pre>{escape(self.mistake.line)}</pre>{self.answer}",
-            "text/plain": f"{self.title}\n{self.mistake.line}\nIt gives {self.gives}.",
+            "text/html": f"<pre>{escape(self.mistake.line)}</pre>{self.answer}",
+            "text/plain": f"{self.mistake.line}\nIt gives {self.gives}.",
             MISTAKE: {"name": self.mistake.name},
         }
 

@@ -159,7 +159,6 @@ def _salt(env: BuildEnvironment) -> str:
 def _mistake(name: str) -> nodes.container:
     """A wrong line to judge, what it gives, and the answer folded."""
     shown = mistake(name)
-    title = f'<p class="rk-mistake-title">{escape(shown.title)}</p>'
     line = nodes.literal_block(shown.mistake.line, shown.mistake.line, language="python")
-    parts = [nodes.raw("", title, format="html"), line, nodes.raw("", shown.answer, format="html")]
+    parts = (line, nodes.raw("", shown.answer, format="html"))
     return nodes.container("", *parts, classes=["rk-mistake"], ids=[name])

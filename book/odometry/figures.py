@@ -422,8 +422,9 @@ def mistakes_figure() -> Figure:
         name="wrong-poses",
         title="A robot, and where a program with a mistake believes it to be",
         view=(-0.75, 1.1, -0.4, 0.98),
+        size="laboratory",
         controls=(
-            Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
+            Choice("mistake", "mistake", MADE_ONE, options),
             Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
             Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
         ),

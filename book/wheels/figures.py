@@ -500,7 +500,7 @@ def mistakes_figure() -> Figure:
         title="An omni robot, and where its program with a mistake believes it to be",
         view=(-0.8, 0.8, -0.6, 0.65),
         controls=(
-            Choice("mistake", "mistake", MADE_ONE, options, start=next(iter(MADE))),
+            Choice("mistake", "mistake", MADE_ONE, options),
             Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
             Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),

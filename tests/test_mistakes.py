@@ -4,36 +4,25 @@ import nbformat
 import numpy as np
 import pytest
 from declared import EXERCISES, FIGURES, MISTAKES, course, each
-from sympy import Symbol
 
 from book.differential_drive import formulas
 from book.differential_drive.exercises import M12, M13, M14
 from book.differential_drive.formulas import b, v_L, v_R
 from workshop import practice
-from workshop.errors import CourseError
 from workshop.figures import Choice, Figure
-from workshop.practice import Mistake, Wrong
+from workshop.practice import Mistake
 from workshop.practice.wrong import marked
 from workshop.site.stills import still
-
-DECLARED = ("M6", "M7", "M8", "M12", "M13", "M14", "M31")
-
-
-def test_these_are_declared_as_wrong_formulas():
-    assert {name for name, mistake in MISTAKES.items() if mistake.wrong} >= set(DECLARED)
 
 
 @each("mistake", "exercises", Mistake)
 def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
     html = practice.mistake(mistake.name).answer
-    if mistake.wrong:
-        right, wrong = mistake.wrong.lines
-        plain = [line.replace("«", "").replace("»", "") for line in (right, wrong)]
-        assert plain[0] != plain[1]
-        assert html.index("What is wrong?") < html.index("Right: ") < html.index("Here: ")
-        assert html.count("<mark>") == right.count("«") + wrong.count("«") > 0
-    else:
-        assert "Here: " not in html
+    right, wrong = mistake.wrong.lines
+    plain = [line.replace("«", "").replace("»", "") for line in (right, wrong)]
+    assert plain[0] != plain[1]
+    assert html.index("What is wrong?") < html.index("Right: ") < html.index("Here: ")
+    assert html.count("<mark>") == right.count("«") + wrong.count("«") > 0
 
 
 def test_the_line_of_code_comes_from_the_formula():
@@ -48,9 +37,9 @@ def test_a_figure_gets_the_expression():
 
 
 def test_the_same_is_put_in_for_the_numbers_of_other_formulas():
-    assert M13.formula.put(theta=np.pi, v=2) == {"theta": 180, "v": 2}
-    assert M14.formula.through(lambda theta: [theta])(theta=1) == [-1]
-    other = M12.formula.made_in(formulas.wheel_speeds).gives(v=0, omega=1, b=0.4)
+    assert M13.wrong.put(theta=np.pi, v=2) == {"theta": 180, "v": 2}
+    assert M14.wrong.through(lambda theta: [theta])(theta=1) == [-1]
+    other = M12.wrong.made_in(formulas.wheel_speeds).gives(v=0, omega=1, b=0.4)
     np.testing.assert_allclose(other.ravel(), [-0.1, 0.1], rtol=1e-15)
 
 
@@ -72,20 +61,13 @@ def test_what_changed_is_marked(lines, shown):
     assert marked(*lines) == shown
 
 
-def test_without_a_formula_it_is_told():
-    with pytest.raises(CourseError, match="M98 has no wrong formula: declare it"):
-        Mistake("M98", says="", why="", unnoticed="", line="v = 0").at({})
-    with pytest.raises(CourseError, match="M99 has no wrong formula"):
-        Mistake("M99", says="", why="", unnoticed="")
-    assert Mistake("M99", "", "", "", wrong=Wrong(formulas.speed, {v_L: Symbol("z")})).line
-
-
 def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter():
     """And no other mistake's; on a dark page in dark colours."""
     homes, figures = course().homes("exercises", Mistake), course().homes("figures", Figure)
-    pictures = {name: m.picture for name, m in MISTAKES.items() if m.picture}
+    pictures = {name: mistake.picture for name, mistake in MISTAKES.items()}
+    assert None not in pictures.values()
     stills = {name: still(picture) for name, picture in pictures.items()}
-    assert len(set(stills.values())) == len(stills) > 0
+    assert len(set(stills.values())) == len(MISTAKES)
     for name, picture in pictures.items():
         assert figures[picture.figure] == homes[name]
         [choice] = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]

@@ -202,12 +202,12 @@ def same_sines(theta, v, phi, L, time):
     """M15: the sines' difference in y too."""
     turned = arc_end(theta, v, phi, L, time)[2]
     R = bicycle.turning_radius(phi, L)
-    return [*M15.formula.gives(R=R, theta=theta, theta_next=turned).ravel(), turned]
+    return [*M15.wrong.gives(R=R, theta=theta, theta_next=turned).ravel(), turned]
 
 
 def too_fast(v, phi, L):
     """M16: the front axle's speed turns the car."""
-    return M16.formula.gives(v_F=v / np.cos(phi), steering=phi, wheelbase=L)
+    return M16.wrong.gives(v_F=v / np.cos(phi), steering=phi, wheelbase=L)
 
 
 def front_as_rear(theta, v, phi, L, time):
@@ -222,9 +222,7 @@ def front_on_circle(theta, v, phi, L, time):
 
 def at_front(mistake):
     """What M17 or M33 makes of the front axle's velocity."""
-    return lambda theta, v, phi: mistake.formula.gives(
-        theta=theta, v_F=v / np.cos(phi), steering=phi
-    )
+    return lambda theta, v, phi: mistake.wrong.gives(theta=theta, v_F=v / np.cos(phi), steering=phi)
 
 
 def looped(direction, speed, omega, dt, n, method="start"):
@@ -308,7 +306,7 @@ bicycle_2 = Exercise(
     given={"alpha_L": steps(18, 42, 1, "°"), "alpha_R": steps(14, 36, 1, "°")},
     asks=(Ask("φ", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
-    wrong={M18: M18.formula.gives},
+    wrong={M18: M18.wrong.gives},
     when=lambda alpha_L, alpha_R: 0.3 < spread(alpha_L, alpha_R) < 0.9,
     also={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, alpha_R: np.arctan(
@@ -414,7 +412,7 @@ bicycle_5 = Exercise(
     asks=(angle("ψ"),),
     right=compass,
     wrong={
-        M32: lambda psi, diameter, wheel_rate, L, phi, time: M32.formula.gives(
+        M32: lambda psi, diameter, wheel_rate, L, phi, time: M32.wrong.gives(
             y_heading=psi, v=wheel_rate * diameter / 2, wheelbase=L, steering=phi, dt=time
         ),
         M16: lambda psi, diameter, wheel_rate, L, phi, time: (

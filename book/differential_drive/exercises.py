@@ -97,7 +97,7 @@ def moving(theta, v_L, v_R):
 
 def ways(formula):
     """What M12 and M31 make of a formula: the wheel distance halved and doubled."""
-    return {mistake: mistake.formula.through(formula) for mistake in (M12, M31)}
+    return {mistake: mistake.wrong.through(formula) for mistake in (M12, M31)}
 
 
 def centre(x, y, theta, v_L, v_R, b):
@@ -126,7 +126,7 @@ def straight_end(turned, v_L, v_R, b, time):
 def degrees_end(v_L, v_R, b, time):
     """The end of the arc by M13: its sine and cosine get degrees."""
     v, omega = twist(v_L, v_R, b)
-    turned = M13.formula.put(theta=omega * time)["theta"]
+    turned = M13.wrong.put(theta=omega * time)["theta"]
     return [v / omega * np.sin(turned), v / omega * (1 - np.cos(turned)), omega * time]
 
 
@@ -156,7 +156,7 @@ differential_drive_1 = Exercise(
     given=SPEEDS,
     asks=(OMEGA,),
     right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
-    wrong={M12: M12.formula.gives, M31: M31.formula.gives},
+    wrong={M12: M12.wrong.gives, M31: M31.wrong.gives},
     when=different,
     solution=Solution(
         "Seen from the left wheel, the right one moves at the difference of the two speeds, on a "
@@ -175,7 +175,7 @@ differential_drive_2 = Exercise(
     given={"theta": steps(20, 160, 5, "°"), "v_L": SPEEDS["v_L"], "v_R": SPEEDS["v_R"]},
     asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s")),
     right=moving,
-    wrong={M13: M13.formula.through(moving), M14: M14.formula.through(moving)},
+    wrong={M13: M13.wrong.through(moving), M14: M14.wrong.through(moving)},
     derive=lambda theta, v_L, v_R: {"v": (v_L + v_R) / 2, "theta_deg": np.degrees(theta)},
     solution=Solution(
         "The middle moves at the mean of the two speeds, along the heading:\n\n{speed}\n\n{world}",
@@ -196,7 +196,7 @@ differential_drive_3 = Exercise(
     | SPEEDS,
     asks=(Ask("x", "m"), Ask("y", "m")),
     right=centre,
-    wrong=ways(centre) | {M13: M13.formula.through(centre), M14: M14.formula.through(centre)},
+    wrong=ways(centre) | {M13: M13.wrong.through(centre), M14: M14.wrong.through(centre)},
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
     also={

@@ -156,7 +156,7 @@ def rise(p_x, p_y, p_z):
 
 def without_x(p_x, p_y, p_z, a2, a3):
     """M2: the arm in the plane of y and z."""
-    distance, elevation = M2.formula.gives(p_y=p_y, p_z=p_z).ravel()
+    distance, elevation = M2.wrong.gives(p_y=p_y, p_z=p_z).ravel()
     return bend(cosine(distance, a2, a3), elevation, a2, a3)
 
 
@@ -168,7 +168,7 @@ def without_x_by_atan2(p_x, p_y, p_z, a2, a3):
 
 def cubed(p_x, p_y, p_z, a2, a3):
     """M3: the third power of the forearm."""
-    A = M3.formula.gives(p_x=p_x, p_y=p_y, high=p_z, a2=a2, a3=a3)
+    A = M3.wrong.gives(p_x=p_x, p_y=p_y, high=p_z, a2=a2, a3=a3)
     return bend(A, rise(p_x, p_y, p_z), a2, a3)
 
 
@@ -208,14 +208,14 @@ def four_alike(**numbers):
     """M4 in all four answers: the second half is the first with the base turned round."""
     facing = four(**numbers)[:2]
     joints = (dict(zip(("theta1", "theta2", "theta3"), row, strict=True)) for row in facing)
-    return facing + [M4.formula.gives(**row).ravel() for row in joints]
+    return facing + [M4.wrong.gives(**row).ravel() for row in joints]
 
 
 WAYS: dict[Mistake, Callable[..., Any]] = {
-    M1: lambda **n: four(**n, theta1=M1.formula.gives(**n)),
+    M1: lambda **n: four(**n, theta1=M1.wrong.gives(**n)),
     M2: lambda **n: four(**n, bends=without_x(**n)),
     M3: lambda **n: four(**n, bends=cubed(**n)),
-    M5: lambda **n: four(**n, theta1=M5.formula.gives(**n)),
+    M5: lambda **n: four(**n, theta1=M5.wrong.gives(**n)),
 }
 
 
@@ -254,7 +254,7 @@ elbow_arm_1 = Exercise(
     given={"p_x": BACK, "p_y": SIDE},
     asks=(angle("θ_1"),),
     right=lambda p_x, p_y: elbow_arm.inverse([p_x, p_y, 0], 0.6, 0.5)[0, 0],
-    wrong={M1: M1.formula.gives, M5: M5.formula.gives},
+    wrong={M1: M1.wrong.gives, M5: M5.wrong.gives},
     when=lambda p_x, p_y: np.hypot(p_x, p_y) > 0.15,
     solution=Solution(
         "Seen from above, the arm must point from the base to the target. The direction of a "
@@ -320,7 +320,7 @@ elbow_arm_3 = Exercise(
     | LINKS,
     asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     right=away,
-    wrong={M4: M4.formula.gives},
+    wrong={M4: M4.wrong.gives},
     when=lambda theta2, theta3, a2, a3, **_: (
         a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3) > 0.1
     ),

@@ -120,18 +120,18 @@ def two_turns(first, second, a, b):
 
 def fixed_axes(first, second, a, b):
     """M6 for two turns: both about axes of A."""
-    return M6.formula.gives(R_1=one_turn(first, a), R_2=one_turn(second, b))
+    return M6.wrong.gives(R_1=one_turn(first, a), R_2=one_turn(second, b))
 
 
 def left_handed(first, second, a, b):
     """M7 for two turns."""
-    first, second = (M7.formula.made_in(ABOUT[axis]) for axis in (first, second))
+    first, second = (M7.wrong.made_in(ABOUT[axis]) for axis in (first, second))
     return first.gives(turn=a) @ second.gives(turn=b)
 
 
 def wrong_way(turned):
     """A turn, or several, as M7 takes them."""
-    return M7.formula.put(turn=turned)["turn"]
+    return M7.wrong.put(turn=turned)["turn"]
 
 
 def column(R, arrow):
@@ -158,7 +158,7 @@ def yaw_pitch_roll(yaw, pitch, roll):
 def fixed_yaw_pitch_roll(yaw, pitch, roll):
     """M6: the same turns about the axes of A."""
     turns = (one_turn(axis, angle) for axis, angle in zip("zyx", (yaw, pitch, roll), strict=True))
-    return reduce(lambda R_1, R_2: M6.formula.gives(R_1=R_1, R_2=R_2), turns)
+    return reduce(lambda R_1, R_2: M6.wrong.gives(R_1=R_1, R_2=R_2), turns)
 
 
 def to_zyz(yaw, pitch, roll):
@@ -179,7 +179,7 @@ def locked(seq, a, b):
 def regular(seq, R):
     """M8 for XYZ, YZX or ZXY: the first two angles by the formulas that fail at lock."""
     order = list(map("XYZ".index, seq))
-    return M8.formula.gives(**named(R[np.ix_(order, order)])).ravel()
+    return M8.wrong.gives(**named(R[np.ix_(order, order)])).ravel()
 
 
 ALL = clean(euler.to_matrix("XYZ", np.pi / 2 * np.array(list(product(range(4), repeat=3)))))
@@ -328,9 +328,7 @@ euler_3 = Exercise(
     shape=(3, 3),
     right=lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, turn),
     wrong={
-        M6: lambda R_AB, axis, turn: M6.formula.gives(
-            R_1=one_turn(axis, turn).T, R_2=QUARTERS[R_AB]
-        ),
+        M6: lambda R_AB, axis, turn: M6.wrong.gives(R_1=one_turn(axis, turn).T, R_2=QUARTERS[R_AB]),
         M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, wrong_way(turn)),
     },
     also={

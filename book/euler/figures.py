@@ -416,10 +416,10 @@ def mistakes_figure() -> Figure:
     """Another frame B, of two quarter turns, and where three mistakes lead instead."""
     quarter = {turn: half_turn / 2}
     y_turn, z_turn = euler.turn_y.at(quarter), euler.turn_z.at(quarter)
-    by_hand = M7.formula.made_in(euler.turn_z)
+    by_hand = M7.wrong.made_in(euler.turn_z)
     wrong = {
         "A product of two turns": z_turn * y_turn,
-        "Matrices typed by hand": M7.formula.at(quarter) * by_hand.at(quarter),
+        "Matrices typed by hand": M7.wrong.at(quarter) * by_hand.at(quarter),
         "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
     }
     right = (y_turn * z_turn).doit()

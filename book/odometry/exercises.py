@@ -128,7 +128,7 @@ def turned(before, after):
 
 def jumped(before, after):
     """The ticks as M25 reads them."""
-    return M25.formula.gives(count_before=before, count_now=after)
+    return M25.wrong.gives(count_before=before, count_now=after)
 
 
 def rolled(ticks, C, r):
@@ -138,7 +138,7 @@ def rolled(ticks, C, r):
 
 def rolled_per_radian(ticks, C, r):
     """How far it rolls by M24."""
-    return M24.formula.gives(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
+    return M24.wrong.gives(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
 
 
 def one_step(method, theta, D_L, D_R, b, x=0, y=0):
@@ -150,12 +150,12 @@ def one_step(method, theta, D_L, D_R, b, x=0, y=0):
 def heading_forgotten(theta, D_L, D_R, b, x=0, y=0):
     """The pose after one step by M22."""
     D, turn = (D_L + D_R) / 2, (D_R - D_L) / b
-    return M22.formula.gives(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
+    return M22.wrong.gives(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
 
 
 def half_seen(heading):
     """A heading as M23 has it: tan⁻¹(sin/cos)."""
-    return M23.formula.gives(theta=heading, dtheta=0)
+    return M23.wrong.gives(theta=heading, dtheta=0)
 
 
 def half_seen_step(theta, D_L, D_R, b, x, y):
@@ -172,7 +172,7 @@ def half_seen_heading(theta, D_L, D_R, b, x, y):
 
 def degrees_step(theta, D_L, D_R, b, x, y):
     """The step with the new heading, by M13."""
-    heading, turned = theta + (D_R - D_L) / b, M13.formula.put(theta=theta + (D_R - D_L) / b)
+    heading, turned = theta + (D_R - D_L) / b, M13.wrong.put(theta=theta + (D_R - D_L) / b)
     D, h = (D_L + D_R) / 2, turned["theta"]
     return [x + D * np.cos(h), y + D * np.sin(h), heading]
 
@@ -366,7 +366,7 @@ odometry_3 = Exercise(
         "by the rule of the old heading": lambda **step: one_step("start", **step),
         "by the rule of the middle heading": lambda **step: one_step("midpoint", **step),
         "along the exact arc": lambda **step: one_step("exact", **step),
-        M12.says: M12.formula.through(lambda **step: one_step("end", **step)),
+        M12.says: M12.wrong.through(lambda **step: one_step("end", **step)),
         M13.says: degrees_step,
         "when only the heading that is answered is taken as tan⁻¹(sin/cos)": half_seen_heading,
         "when left and right are exchanged": lambda D_L, D_R, **step: one_step(

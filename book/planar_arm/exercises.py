@@ -230,7 +230,7 @@ def jacobian(made, **numbers):
 
 def made_in(formula, *mistakes):
     """The formula as those have it who make a mistake: its first argument."""
-    return {mistake: partial(formula, mistake.formula) for mistake in mistakes}
+    return {mistake: partial(formula, mistake.wrong) for mistake in mistakes}
 
 
 def hand_velocity(made, q1, q2=0.0, q3=0.0, **numbers):
@@ -243,7 +243,7 @@ def joint_rates(made, v_x, v_y, omega, **numbers):
     twist = [v_x, v_y, omega]
     if made is None:
         return planar_arm.joint_rates(twist=twist, **arm(**numbers))
-    if made is M29.formula:
+    if made is M29.wrong:
         return made.gives(**{"J": jacobian(None, **numbers), str(TWIST_OF): np.array(twist)})
     return np.linalg.solve(jacobian(made, **numbers), twist)
 
@@ -409,7 +409,7 @@ planar_arm_2 = Exercise(
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
     also={
         "with l_2 for l_3 and a plus before its sine, two mistakes in one term": partial(
-            hand_velocity, (M28.formula, M36.formula)
+            hand_velocity, (M28.wrong, M36.wrong)
         ),
         OWN_RATES: partial(hand_velocity, OWN),
     },

@@ -190,7 +190,7 @@ def rows(l, alpha, beta):
 def wrong_rows(mistake, l, alpha, beta, theta):
     """What a mistake makes of the rolling rows."""
     angles = np.atleast_1d(*np.broadcast_arrays(alpha, beta))
-    gives = partial(mistake.formula.gives, wheel_l=l, theta=theta)
+    gives = partial(mistake.wrong.gives, wheel_l=l, theta=theta)
     made = [gives(wheel_alpha=a, wheel_beta=b) for a, b in zip(*angles, strict=True)]
     return np.squeeze(made, axis=2)
 
@@ -471,7 +471,7 @@ wheels_3 = Exercise(
     right=rates,
     wrong={
         **ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0),
-        M21: M21.formula.through(rates),
+        M21: M21.wrong.through(rates),
     },
     also={
         "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
@@ -503,7 +503,7 @@ wheels_4 = Exercise(
     right=forward,
     wrong={
         **ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0),
-        M21: M21.formula.through(forward),
+        M21: M21.wrong.through(forward),
     },
     when=lambda theta, w_1, w_2, w_3, **_: abs(np.cos(theta)) > 0.1 and w_1 + w_2 + w_3 != 0,
     derive=lambda l, r, theta, w_1, w_2, w_3: {

@@ -65,8 +65,8 @@ class Mistake:
     says: str
     why: str
     unnoticed: str
+    wrong: Wrong
     line: str = ""
-    wrong: Wrong | None = None
     picture: Picture | None = None
     document: str = ""
     place: str = ""
@@ -77,18 +77,11 @@ class Mistake:
 
     def __post_init__(self) -> None:
         if not self.line:
-            object.__setattr__(self, "line", self.formula.line)
-
-    @property
-    def formula(self) -> Wrong:
-        """The wrong formula, of a mistake that is declared as one."""
-        if self.wrong is None:
-            raise CourseError(f"{self.name} has no wrong formula: declare it as `wrong=Wrong(…)`")
-        return self.wrong
+            object.__setattr__(self, "line", self.wrong.line)
 
     def at(self, values: Mapping[Any, Any]) -> Any:
         """What the mistake makes, as an expression: for a figure that shows what happens then."""
-        return self.formula.at(values)
+        return self.wrong.at(values)
 
 
 @dataclass(frozen=True)

@@ -245,7 +245,7 @@ class MistakeView:
     def answer(self) -> str:
         """What stands behind the fold, as HTML."""
         m, right = self.mistake, self.exercise.answer_text(self.exercise.example)
-        lines = zip(m.wrong.lines, ("Right", "Here"), strict=True) if m.wrong else ()
+        lines = zip(m.wrong.lines, ("Right", "Here"), strict=True)
         formulas = "".join(f"<p>{word}: {highlighted(line)}</p>" for line, word in lines)
         return (
             f"<p>It gives {in_rows(self.gives)}.</p><details><summary>What is wrong?</summary>"

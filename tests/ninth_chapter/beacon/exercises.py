@@ -4,12 +4,13 @@ import numpy as np
 from book.beacon import formulas
 from book.beacon.functions import range_and_bearing
 
-from workshop.practice import Exercise, Mistake, Solution, Step, angle, steps
+from book.motion.formulas import theta
+from workshop.practice import Exercise, Mistake, Solution, Step, Wrong, angle, steps
 
 M99 = Mistake(
     "M99",
     says="when the robot's own heading is not taken off",
-    line="bearing = np.arctan2(b_y - y, b_x - x)",
+    wrong=Wrong(formulas.direction, {theta: 0}),
     why="This is the direction in the world. The robot sees it from its own heading.",
     unnoticed="With a heading of 0.",
 )
@@ -29,7 +30,7 @@ beacon_1 = Exercise(
     },
     asks=(angle("β"),),
     right=lambda x, y, theta, b_x, b_y: range_and_bearing([x, y, theta], [b_x, b_y])[1],
-    wrong={M99: lambda x, y, theta, b_x, b_y: np.arctan2(b_y - y, b_x - x)},
+    wrong={M99: M99.wrong.gives},
     when=lambda x, y, b_x, b_y, **_: (x, y) != (b_x, b_y),
     solution=Solution(
         "The direction in the world, less the heading:\n\n{bearing}",

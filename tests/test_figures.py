@@ -42,7 +42,7 @@ from workshop.figures import (
     Trail,
     Turns,
 )
-from workshop.figures.compiling import factor
+from workshop.figures.compiling import factor, xy
 from workshop.figures.figure import MIME, find
 from workshop.figures.javascript import evaluate as evaluated
 from workshop.predictions import Ghost, Prediction
@@ -333,7 +333,7 @@ def test_a_handle_sets_what_puts_it_there(figure, n):
     """Where a handle is, its expressions give back the settings that it sets."""
     rows = points(figure, n)
     for place, handle in enumerate(figure.handles):
-        at = exact(figure, n, handle.at).astype(float)
+        at = exact(figure, n, xy(handle.at)).astype(float)
         back = called(figure, f"handles[{place}].to", rows, at)
         columns = [figure.settings.index(symbol) for symbol in handle.sets]
         assert_close(back, rows[:, columns], atol=ALLOWED)
@@ -809,7 +809,7 @@ class OnPage:
         """Where on the screen a handle is at a setting (by name, in SI); the picture in view."""
         self.picture.evaluate(SHOW)
         box, (left, right, low, high) = self.picture.bounding_box(), self.figure.view
-        at = sp.Matrix(self.figure.handles[place].at)
+        at = sp.Matrix(xy(self.figure.handles[place].at))
         given = np.array([point(self.figure, values)], dtype=float)
         x, y = evaluate(at, self.figure.settings, given, self.figure.where)[0].astype(float)
         across, down = (x - left) / (right - left), (high - y) / (high - low)

@@ -5,6 +5,7 @@ With a real Python in a browser: `test_in_browser.py` (`make test-anywhere`).
 
 import ast
 import builtins
+import gzip
 import hashlib
 import itertools
 import json
@@ -20,12 +21,13 @@ import book  # noqa: F401 (opens the course)
 from workshop.course import course
 from workshop.errors import CourseError
 from workshop.run.cells import Cells, start
+from workshop.script import runtime
 from workshop.site import SETTINGS, run
 
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
 
-from browser import compressed, watched_page  # noqa: E402
+from browser import watched_page  # noqa: E402
 from pyodide import PLACE, VERSION  # noqa: E402
 
 VENDORED = ROOT / "book" / "_vendor" / "pyodide"
@@ -181,12 +183,12 @@ def test_endless_output_is_cut(page):
 
 
 @pytest.mark.browser
-def test_nothing_is_loaded_until_it_is_asked_for(site, server, chromium):
+def test_nothing_is_loaded_until_it_is_asked_for(server, chromium):
     """The buttons weigh less than a kilobyte; pressed, they say what would come, and from where."""
     with watched_page(chromium, server) as (page, watch):
         page.goto(server + PAGE, wait_until="networkidle")
         assert not [url for url in watch.kinds if "/run/" in url]
-        assert compressed(site / "_static" / "workshop" / "run.js") < SMALL  # as in its bundles
+        assert len(gzip.compress(runtime.script("run").encode())) < SMALL
         bar = page.locator(".rk-run").first
         bar.get_by_role("button", name="Run").click()
         bar.get_by_text("Load Python", exact=True).wait_for()

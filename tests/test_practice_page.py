@@ -324,6 +324,18 @@ def test_the_bar_says_who_and_how_far(page):
     assert page.inner_text(".rk-progress").startswith("1 of ")
 
 
+def test_the_bar_comes_and_the_end_of_a_chapter_stays(page, server):
+    page.goto(f"{server}bicycle/bicycle.html")
+    bar, height = page.locator(".rk-bar"), "() => document.documentElement.scrollHeight"
+    expect(bar).to_have_attribute("inert", "")
+    expect(bar).to_be_hidden()
+    page.evaluate("() => document.fonts.ready")
+    high = page.evaluate(height)
+    box(page, "bicycle-1").scroll_into_view_if_needed()
+    expect(bar).to_be_visible()
+    assert page.evaluate(height) == high
+
+
 def test_answers_are_taken_along(page, chromium, server, tmp_path):
     """By the file: on another computer they are checked again."""
     sign_in(page, "Ada")

@@ -72,7 +72,7 @@ class Desk {
     (this.element.closest("article") ?? document.body).append(this.bar);
     const near = new Set(), watch = new IntersectionObserver((seen) => {
       seen.forEach(({ target, isIntersecting }) => near[isIntersecting ? "add" : "delete"](target));
-      this.bar.hidden = !near.size;
+      this.bar.inert = !near.size; // unseen, in its place: the end of the page must not jump
     });
     this.boxes.forEach((box) => watch.observe(box.start().element));
     this.tellProgress();

@@ -1,8 +1,8 @@
 """Python for the browser where its public address cannot be reached: that host alone is answered.
 
-Its own files come from the npm package of the same version, pure wheels from the package index; the
-list of packages is given the hashes of these. What is compiled for browsers is to be had nowhere
-else: `missing()` names it, and what needs it is not run there.
+Its own files come from the npm package of the same version, pure wheels from the package index. What
+is compiled for browsers is to be had nowhere else, unless somebody puts it into `BY_HAND`. The list
+of packages is given the hashes of these wheels. `missing()` names the rest; what needs it is not run.
 """
 
 import hashlib
@@ -25,6 +25,7 @@ from workshop.site.run import PACKAGES, with_needs
 VERSION = "314.0.6"
 PLACE = f"https://cdn.jsdelivr.net/pyodide/v{VERSION}/full/"
 CACHE = ROOT / "_build" / f"pyodide-{VERSION}"
+BY_HAND = CACHE.with_name("wheels")  # each with the name that the list of packages gives it
 KINDS = {".mjs": "text/javascript", ".wasm": "application/wasm", ".json": "application/json"}
 
 
@@ -52,7 +53,7 @@ def pure():
 
 def missing():
     """Those that are not to be had, here."""
-    return [] if reached() else sorted(set(packages()) - set(pure()))
+    return [] if reached() else [n for n, p in packages().items() if not wheel(p["file_name"])]
 
 
 @cache
@@ -81,7 +82,8 @@ def fill(folder):
 
 def wheel(file_name):
     """The file of a package: an index may write its name otherwise."""
-    return next((f for f in had().glob("*.whl") if plain(f.name) == plain(file_name)), None)
+    files = (*had().glob("*.whl"), *BY_HAND.glob("*.whl"))
+    return next((f for f in files if plain(f.name) == plain(file_name)), None)
 
 
 def plain(name):

@@ -38,11 +38,16 @@ SMALL = 1000  # bytes, compressed: what a page may load of this before it is ask
 CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
 
 
-def shown_cells(chapter):
-    """The code cells of a chapter that its page shows: what can be run there, with outputs."""
+def code_cells(chapter):
+    """The code cells of a chapter, with outputs."""
     cells = json.loads(course().notebook(chapter).read_text("utf-8"))["cells"]
-    code = [cell for cell in cells if cell["cell_type"] == "code"]
-    return [cell for cell in code if "remove-input" not in cell["metadata"].get("tags", ())]
+    return [cell for cell in cells if cell["cell_type"] == "code"]
+
+
+def shown_cells(chapter):
+    """Those that its page shows: what can be run there."""
+    hidden = "remove-input"
+    return [c for c in code_cells(chapter) if hidden not in c["metadata"].get("tags", ())]
 
 
 def names(tree, kind):

@@ -240,6 +240,7 @@ def assert_alike(text, expected):
 
 # --- JupyterLite ----------------------------------------------------------------------------
 
+WIDGET = "application/vnd.jupyter.widget-view+json"
 WIDGETS = """import anywidget, ipywidgets
 class Tiny(anywidget.AnyWidget):
     _esm = "export default {render: ({el}) => { el.textContent = 'tiny ' + 6 * 7; }}"
@@ -285,7 +286,10 @@ def test_a_chapter_runs_in_jupyterlite(chapter, page, server, monkeypatch):
     waiting.first.wait_for()
     expect(waiting).to_have_count(0, timeout=CHAPTER)
     assert page.locator(".jp-OutputArea-output [data-mime-type*=error]").all_inner_texts() == []
-    assert page.locator(".rk-live").count()
+    widgets = [
+        c for c in code_cells(chapter) if any(WIDGET in o.get("data", ()) for o in c["outputs"])
+    ]
+    expect(page.locator(".rk-live")).to_have_count(len(widgets))
 
 
 def lite_name(chapter):

@@ -240,7 +240,7 @@ def assert_alike(text, expected):
 
 # --- JupyterLite ----------------------------------------------------------------------------
 
-WIDGET = "application/vnd.jupyter.widget-view+json"
+MOVING = [f"application/vnd.workshop.{thing}+json" for thing in ("figure", "exercise")]
 WIDGETS = """import anywidget, ipywidgets
 class Tiny(anywidget.AnyWidget):
     _esm = "export default {render: ({el}) => { el.textContent = 'tiny ' + 6 * 7; }}"
@@ -286,9 +286,8 @@ def test_a_chapter_runs_in_jupyterlite(chapter, page, server, monkeypatch):
     waiting.first.wait_for()
     expect(waiting).to_have_count(0, timeout=CHAPTER)
     assert page.locator(".jp-OutputArea-output [data-mime-type*=error]").all_inner_texts() == []
-    widgets = [
-        c for c in code_cells(chapter) if any(WIDGET in o.get("data", ()) for o in c["outputs"])
-    ]
+    kinds = [kind for c in code_cells(chapter) for o in c["outputs"] for kind in o.get("data", ())]
+    widgets = [kind for kind in kinds if kind in MOVING]
     expect(page.locator(".rk-live")).to_have_count(len(widgets))
 
 

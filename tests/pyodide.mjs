@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 const { python, lock, packages, folders, program, asked } = JSON.parse(readFileSync(0, "utf8"));
 const { loadPyodide } = await import(`${python}/pyodide.mjs`);
 try {
-  const pyodide = await loadPyodide({ lockFileContents: lock });
+  const pyodide = await loadPyodide({ lockFileContents: lock, packageCacheDir: python });
   await pyodide.loadPackage(packages, { messageCallback: () => {} });
   folders.forEach((folder) => pyodide.mountNodeFS(folder, folder));
   pyodide.runPython(readFileSync(program, "utf8"));

@@ -97,8 +97,7 @@ def with_hashes(text, here=False):
         file = wheel(Path(entry["file_name"]).name)
         if file:
             entry["sha256"] = hashlib.sha256(file.read_bytes()).hexdigest()
-        if here:
-            entry["file_name"] = str(file or PLACE + entry["file_name"])
+            entry["file_name"] = str(file) if here else entry["file_name"]
     return json.dumps(lock)
 
 

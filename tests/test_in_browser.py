@@ -247,12 +247,19 @@ class Tiny(anywidget.AnyWidget):
 Tiny()"""
 
 
+def wait_for_notebook(page):
+    """Its cells come before its kernel, and what is run without one is forgotten."""
+    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
+    page.locator(".jp-Toolbar-kernelName", has_text="Python (Pyodide)").wait_for(timeout=START)
+
+
 def write_and_run(page, source):
     """Change the first code cell of a notebook, and run it."""
     code = page.locator(".jp-CodeCell .cm-content").first
     code.click()
     page.keyboard.press("ControlOrMeta+A")
     page.keyboard.insert_text(source)
+    expect(code).to_contain_text(source.partition("\n")[0])
     page.keyboard.press("Shift+Enter")
 
 
@@ -263,8 +270,8 @@ def test_a_chapter_opens_in_jupyterlite_ready_to_run(page, server):
     with page.expect_popup() as opened:
         page.get_by_role("link", name="In the browser").click()
     page = opened.value
-    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
     began = time.monotonic()
+    wait_for_notebook(page)
     write_and_run(page, "print(6 * 7)")
     page.locator(".jp-OutputArea-output", has_text="42").wait_for(timeout=START)
     print(f"first output after {time.monotonic() - began:.1f} s")
@@ -279,7 +286,7 @@ def test_a_chapter_runs_in_jupyterlite(chapter, page, server, monkeypatch):
     if lacking:
         pytest.skip(f"{chapter} needs {', '.join(lacking)}")
     page.goto(f"{server}lite/notebooks/index.html?path={lite_name(chapter)}")
-    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
+    wait_for_notebook(page)
     page.get_by_text("Run", exact=True).click()
     page.get_by_text("Run All Cells", exact=True).click()
     waiting = page.locator(".jp-InputPrompt", has_text="[*]")
@@ -303,7 +310,7 @@ def test_a_new_release_is_seen_and_a_changed_copy_kept(page, server):
     old = lite_name("differential_drive")
     new = "differential_drive-000000.ipynb"
     page.goto(f"{server}lite/notebooks/index.html?path={old}")
-    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=START)
+    wait_for_notebook(page)
     page.locator(".jp-CodeCell .cm-content").first.fill("mine = 1")
     page.keyboard.press("ControlOrMeta+S")
     page.locator("body").press("ControlOrMeta+S")

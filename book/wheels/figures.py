@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols, tan
 
-from book.differential_drive.figures import apart, t
+from book.differential_drive.figures import t
 from book.differential_drive.formulas import r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
@@ -30,6 +30,7 @@ from workshop.figures import (
     Slider,
     Steps,
     Wheel,
+    apart,
 )
 
 ORIGIN = (0, 0)
@@ -494,13 +495,12 @@ def mistakes_figure() -> Figure:
         ]
     wish = motion.to_body.at(WANTED)
     real, believed = moved(theta, REALLY, t), moved(theta, wish, t)
-    options = {name: tuple(float(n == k) for n in range(5)) for k, name in enumerate(MADE)}
     return Figure(
         name="wrong-rates",
         title="An omni robot, and where its program with a mistake believes it to be",
         view=(-0.8, 0.8, -0.6, 0.65),
         controls=(
-            Choice("mistake", "mistake", MADE_ONE, options),
+            Choice.one_of("mistake", MADE_ONE, MADE),
             Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
             Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),

@@ -38,9 +38,7 @@ def test_every_page_asks_for_one_sheet_and_few_scripts_which_wait(site):
         assert len(SHEET.findall(text)) == text.count(".css") == 1, name
         head, _, body = text.partition("</head>")
         assert head.count("<script") == 1, name  # light or dark is known at once
-        waiting = body.count(
-            "<script defer"
-        )  # what all pages share, the page's own, the workshop's
+        waiting = body.count("<script defer")  # all pages', the page's own, the workshop's
         assert 0 < waiting == body.count("<script") <= 3, name
 
 

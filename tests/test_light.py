@@ -65,6 +65,28 @@ def test_a_picture_that_comes_late_has_its_place(server, chromium, width):
         assert min(without) > 100
 
 
+WAIT = """(all) => all.filter(({ firstElementChild }) => {
+  return !firstElementChild.checkVisibility({ contentVisibilityAuto: true });
+}).length"""
+DRAW = ".math-scroll { content-visibility: visible !important; }"
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("width", [1280, 390])
+def test_a_formula_far_below_waits_and_has_its_place(server, chromium, width):
+    """It costs nothing until it comes near, and what follows does not jump when it does."""
+    with watched_page(chromium, server, width, bypass_csp=True) as (page, _):
+        page.goto(f"{server}euler/euler.html")
+        page.evaluate("() => document.fonts.ready")
+        formulas = page.locator(".math-scroll:visible")
+        assert formulas.evaluate_all(WAIT) > 10
+        waiting = formulas.evaluate_all(HEIGHTS)
+        page.add_style_tag(content=DRAW)
+        drawn = formulas.evaluate_all(HEIGHTS)
+        # on a phone a long formula may be broken once more, which only its drawing tells
+        assert sum(drawn) == pytest.approx(sum(waiting), rel=0.05)
+
+
 def all_sheets(static):
     """Links to all sheets as they were."""
     names = [p for pattern in (*light.THEME, *light.OWN) for p in sorted(static.glob(pattern))]

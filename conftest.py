@@ -10,8 +10,12 @@ settings.load_profile("robokin")
 
 
 def pytest_collection_modifyitems(items):
-    """On CI, a machine that others load, a test with a browser has a second try, and is named then:
-    an unsteady test is a defect that is mended, but not by who changed something else."""
+    """What needs the site comes last: one worker builds it while the other does the rest.
+
+    On CI, a machine that others load, a test with a browser has a second try, and is named then:
+    an unsteady test is a defect that is mended, but not by who changed something else.
+    """
+    items.sort(key=lambda item: "site" in getattr(item, "fixturenames", ()))
     if os.environ.get("CI"):
         for item in items:
             if item.get_closest_marker("browser"):

@@ -18,8 +18,8 @@ pytest.register_assert_rewrite("browser")
 
 from browser import watched_page  # noqa: E402
 
-# the two with most kinds of figures, and the first page; all of them in the long run
-TYPICAL = ("index", "differential_drive/differential_drive", "euler/euler")
+# flat and in space, sliders, lists, handles, letters; all pages in the long run
+TYPICAL = ("index", "bicycle/bicycle", "elbow_arm/elbow_arm")
 FAR = 120  # pixels that a finger goes
 STILL = "() => new Promise((seen) => requestAnimationFrame(() => requestAnimationFrame(seen)))"
 

@@ -26,6 +26,9 @@
   });
   look();
   document.fonts.addEventListener("loadingdone", look);
+  document.addEventListener("contentvisibilityautostatechange", ({ target, skipped }) => {
+    if (!skipped && target.matches(BOXES)) mark([target]);
+  }, true);
 }
 
 // The menus of a phone: a button closes them, so does a choice in them, and focus goes back.

@@ -39,6 +39,8 @@ PLAIN = re.compile(r"(?<=x-tex\")>.*?</annotation>", re.DOTALL)
 ALIGNED = re.compile(r"\\begin\{aligned\}((?:(?!\\begin).)*)\\end\{aligned\}", re.DOTALL)
 LINE_END = re.compile(r"\\\\\s*(?:\[\d+pt\])?")
 BIG = r"\displaystyle "
+HEIGHT = re.compile(r'katex-strut" style="height:([\d.]+)em')
+ALONE, LINE, GAP = 1.3, 1.6, 0.7  # em: the least height of a line, of one among others; between
 SHORT = 40  # characters of TeX: such a formula finds room on a line of a phone
 SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
@@ -134,17 +136,29 @@ def to_html(writer, node, tex, display, plain=None):
 
 
 def display_html(writer, node):
-    """A display. Lines below each other are cells of their own: a long one can be broken."""
+    """A display, and its height in em: a page is laid out before what lies far below is drawn.
+
+    Lines below each other are cells of their own: a long one can be broken.
+    """
     lines = lines_of(display_tex(node))
     plain = lines_of(lines_aligned(node.astext().strip()))
     if not lines or len(lines) != len(plain):
-        return to_html(writer, node, display_tex(node), True)
-    cells = (
-        f"<div>{to_html(writer, node, BIG + side, False, copied)}</div>"
+        formula = to_html(writer, node, display_tex(node), True)
+        return formula, height(formula)
+    rows = [
+        "".join(
+            f"<div>{to_html(writer, node, BIG + side, False, copied)}</div>"
+            for side, copied in zip(line, same, strict=True)
+        )
         for line, same in zip(lines, plain, strict=True)
-        for side, copied in zip(line, same, strict=True)
-    )
-    return f'<div class="math-lines">{"".join(cells)}</div>'
+    ]
+    high = sum(max(LINE, height(row)) for row in rows) + GAP * (len(rows) - 1)
+    return f'<div class="math-lines">{"".join(rows)}</div>', high
+
+
+def height(formula):
+    """Of a formula in one line, in em."""
+    return max(ALONE, *map(float, HEIGHT.findall(formula)))
 
 
 # --- what Sphinx calls ----------------------------------------------------------------------
@@ -176,9 +190,9 @@ def keep_punctuation(app, doctree, docname):
 
 def visit_display(writer, node):
     """Write a display: the formula in a box that scrolls, its number beside the box."""
-    formula = display_html(writer, node)
+    formula, high = display_html(writer, node)
     writer.body.append(writer.starttag(node, "div", CLASS="math notranslate nohighlight"))
-    writer.body.append(f'<div class="math-scroll">{formula}</div>')
+    writer.body.append(f'<div class="math-scroll" style="--high:{high:.3g}">{formula}</div>')
     if node["number"]:
         writer.body.append(f'<span class="eqno">({get_node_equation_number(writer, node)})')
         writer.add_permalink_ref(node, "Link to this equation")

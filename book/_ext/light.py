@@ -7,6 +7,7 @@ import re
 from itertools import pairwise
 from pathlib import Path
 
+from theme import UNUSED
 from tinycss2 import parse_stylesheet, serialize
 
 # in the order in which pages ask for them
@@ -34,7 +35,6 @@ SCRIPTS = (
     "scripts/bootstrap.js",
     "scripts/pydata-sphinx-theme.js",
 )
-UNUSED = "sphinx_highlight.js"  # the search is our own
 SCRIPT = "all.js"
 
 LINKS = re.compile(r'(\s*<link [^>]*href="([^"]*)_static/[^"]*\.css[^>]*>)+')
@@ -149,7 +149,7 @@ def scripts_last(text, version):
     found = TAGS.findall(text)
     if not found:
         return text
-    own = [source for source, _, name in found if name not in (*SCRIPTS, UNUSED, SCRIPT)]
+    own = [source for source, _, name in found if name not in (*SCRIPTS, *UNUSED, SCRIPT)]
     sources = [f'src="{found[0][1]}_static/{SCRIPT}?v={version}"', *own]
     tags = "".join(f"  <script defer {source}></script>\n" for source in sources)
     return TAGS.sub("", text).replace("</body>", f"{tags}</body>")

@@ -9,7 +9,6 @@ from sympy import (
     Symbol,
     atan2,
     cos,
-    eye,
     integrate,
     nan,
     pi,
@@ -35,7 +34,7 @@ from book.bicycle.formulas import (
 )
 from book.differential_drive.figures import n, t
 from book.differential_drive.formulas import R, r
-from book.frames.figures import point_of, wrapped
+from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, y
 from workshop.equations.core import as_written, put_in
@@ -56,6 +55,7 @@ from workshop.figures import (
     Slider,
     Trail,
     Wheel,
+    apart,
 )
 
 UP = pi / 2  # rad, the heading of a car that looks up in the picture
@@ -164,7 +164,7 @@ def loop_figure() -> Figure:
         turned = bicycle.euler_step.at({**given, theta: state[2], dt: DURATION / n})[2]
         step = [p + u * DURATION / n for p, u in zip(state, velocity, strict=False)]
         goal = exact(DURATION)
-        apart = sqrt((end[0] - goal[0]) ** 2 + (end[1] - goal[1]) ** 2)
+        error = apart(end, goal)
         pace = speed * sqrt(1 + (ahead * tan(steering)) ** 2) * DURATION / n
     loop = Recurrence(state, (0, 0, heading), (*step, turned), count=n, most=40, ends=end)
     return Figure(
@@ -194,9 +194,9 @@ def loop_figure() -> Figure:
             Point("target", goal, label="exact"),
         ),
         readouts=(
-            Readout("apart", "error at the end", apart, "m"),
+            Readout("apart", "error at the end", error, "m"),
             Readout("pace", "length of a step", pace, "m"),
-            Readout("ratio", "error / length of a step", apart / pace, ""),
+            Readout("ratio", "error / length of a step", error / pace, ""),
             Readout("x", "exact x", goal[0], "m"),
             Readout("y", "exact y", goal[1], "m"),
         ),
@@ -333,14 +333,12 @@ def mistakes_figure() -> Figure:
     point, ghost = (point_of(pose, SHORT * ahead, 0) for pose in (here, there))
     ways = (tuple(point_of(pose.subs(t, s)[:3], SHORT * ahead, 0)) for pose in (true, wrong))
     steered = [put_in(each, {wheelbase: SHORT, track: WIDE}) for each in angles]
-    options = dict(zip(poses, (tuple(map(int, row)) for row in eye(6).tolist()), strict=True))
-    apart = sqrt((ghost[0] - point[0]) ** 2 + (ghost[1] - point[1]) ** 2)
     return Figure(
         name="wrong-car",
         title="A car, and where a program with a mistake believes it to be",
         view=(-7.9, 5.1, -4.1, 5.7),
         controls=(
-            Choice("mistake", "mistake", MISTAKES, options, start="Off its circle"),
+            Choice.one_of("mistake", MISTAKES, poses, start="Off its circle"),
             Slider.degrees(
                 steering, 35, 60, start=55,
                 label="steering φ",
@@ -355,8 +353,8 @@ def mistakes_figure() -> Figure:
             Line("error", (point, ghost)),
         ),
         readouts=(
-            Readout("apart", "apart", apart, "m", digits=2),
-            Readout("off", "heading off by", wrapped(there[2] - here[2]), "rad", digits=0),
+            Readout("apart", "apart", apart(ghost, point), "m", digits=2),
+            Readout("off", "heading off by", motion.wrap(there[2] - here[2]), "rad", digits=0),
         ),
     )  # fmt: skip
 

@@ -25,6 +25,7 @@ from workshop.practice import (
 RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
 FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
 
+ASTRAY = motion.wrap_angle(60 - np.radians(60))  # 60 radians in place of 60 degrees
 V, OMEGA = Ask("v", "m/s"), Ask("ω", "rad/s")
 
 M12 = Mistake(
@@ -51,8 +52,8 @@ M13 = Mistake(
     picture=Picture(
         "damage",
         "It goes astray",
-        "The robot on its arc to the right. Its program believes that it set off 138° more to the "
-        "left.",
+        "The robot on its arc to the right. Its program believes that it set off "
+        f"{np.degrees(ASTRAY):.0f}° more to the left.",
     ),
 )
 M14 = Mistake(

@@ -73,6 +73,7 @@ from workshop.figures import (
     Slider,
     Trail,
     Wheel,
+    apart,
     solved,
 )
 
@@ -178,11 +179,6 @@ def tracks(low: Any, high: Any) -> tuple[Curve, ...]:
     half = DISTANCE / 2
     ways = (("left", half), ("right", -half), ("path", 0))
     return tuple(way(kind, low, high, left=left) for kind, left in ways)
-
-
-def apart(one: Any, other: Any) -> Any:
-    """The distance of two places."""
-    return sqrt((one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2)
 
 
 def round_turn(angle: Any) -> Any:

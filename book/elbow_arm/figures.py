@@ -18,7 +18,6 @@ from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import M1, M2, M3, M4, M5
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
-from book.motion.formulas import angle
 from robokin.elbow_arm import TOLERANCE
 from workshop.equations.core import Where, put_in
 from workshop.figures import (
@@ -93,11 +92,6 @@ def target_sliders() -> tuple[Slider, ...]:
     )
 
 
-def wrapped(value: Any) -> Any:
-    """An angle in (−180°, 180°]."""
-    return motion.wrap_angle.at({angle: value})
-
-
 def within(value: Any) -> Any:
     """A value that there is only within reach."""
     return Piecewise((nan, OUTSIDE), (value, True))
@@ -106,9 +100,9 @@ def within(value: Any) -> Any:
 def joint_readouts() -> tuple[Readout, ...]:
     """The chosen answer, how far the target is from the shoulder and from what can be reached."""
     away = (1 - face) / 2 * half_turn
-    turn2 = Piecewise((0, d <= 0), (wrapped(away + face * raised), True))
+    turn2 = Piecewise((0, d <= 0), (motion.wrap(away + face * raised), True))
     return (
-        Readout("theta1", "base θ₁", within(wrapped(beta + away)), "rad", words=NONE),
+        Readout("theta1", "base θ₁", within(motion.wrap(beta + away)), "rad", words=NONE),
         Readout("theta2", "shoulder θ₂", within(turn2), "rad", words=NONE),
         Readout("theta3", "elbow θ₃", within(-face * bend * elbow), "rad", words=NONE),
         Readout("d", "from shoulder to target", d, "m"),
@@ -178,7 +172,7 @@ def two_views_figure() -> Figure:
             Arrow("text", (SIDE, floor), (SIDE, 0.54), label="z"),
             Arrow("velocity", (0, 0), from_above((FRONT * face, 0))),
             Arrow("velocity", (SIDE, floor), (SIDE + FRONT * face, floor)),
-            AngleArc("left", (0, 0), 0, wrapped(beta + back), 0.12, label="θ₁"),
+            AngleArc("left", (0, 0), 0, motion.wrap(beta + back), 0.12, label="θ₁"),
             AngleArc("left", mid, back, raised, 0.15, label="θ₂"),
             AngleArc(
                 "left", from_the_side(bones(raised)[1]), raised, raised - bend * elbow, 0.1, "θ₃"
@@ -325,7 +319,6 @@ def mistakes_figure() -> Figure:
     here, there = symbols("right:3", real=True), symbols("wrong:3", real=True)
     (true, _), (false, missed) = solid_arm("body", here), solid_arm("error", there)
     target = (p_x, PLACE[p_y], PLACE[p_z])
-    options = dict(zip(ways, (tuple(map(int, row)) for row in eye(5).tolist()), strict=True))
 
     def far(first: Sequence[Any], second: Sequence[Any]) -> Any:
         return sqrt(sum((a - b) ** 2 for a, b in zip(first, second, strict=True)))
@@ -335,7 +328,7 @@ def mistakes_figure() -> Figure:
         title="An arm with its wrist at the target, and a red one that a mistake sends elsewhere",
         view=(-0.86, 0.86, -0.45, 0.84),
         controls=(
-            Choice("mistake", "mistake", MISTAKES, options, start="It points aside"),
+            Choice.one_of("mistake", MISTAKES, ways, start="It points aside"),
             Slider(p_x, -0.5, 0.5, start=-0.45, step=0.05, label="target p_x"),
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),

@@ -13,7 +13,6 @@ from book.euler import formulas as euler
 from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
-from book.motion.formulas import angle
 from workshop.equations.core import Where, put_in, quantity
 from workshop.figures import (
     VIEW,
@@ -180,13 +179,12 @@ def exercise_figure() -> Figure:
 def columns_figure() -> Figure:
     """A turn about one of the axes, and the three columns of its matrix."""
     R = euler.r
-    options = {name: tuple(map(int, axis)) for name, axis in zip("xyz", (X, Y, Z), strict=True)}
     return Figure(
         name="columns",
         title="A die turned about one axis of the room, and the matrix of the turn",
         view=(-1.5, 3.1, -1.6, 1.5),
         controls=(
-            Choice("axis", "turn about", tuple(about), options, start="z"),
+            Choice.one_of("axis", about, "xyz", label="turn about", start="z"),
             Slider.degrees(turn, start=60, step=5),
         ),
         scene=(*room(), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
@@ -254,7 +252,7 @@ def both_figure() -> Figure:
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
-            Readout("other", "β′ of the right die", wrapped(euler.OTHERS[1]), "rad", digits=0),
+            Readout("other", "β′ of the right die", motion.wrap(euler.OTHERS[1]), "rad", digits=0),
             Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),
         ),
         says=(
@@ -263,11 +261,6 @@ def both_figure() -> Figure:
         ),
         where=steps,
     )
-
-
-def wrapped(value: Any) -> Any:
-    """An angle in (−180°, 180°]."""
-    return motion.wrap_angle.at({angle: value})
 
 
 # Rings, one inside the other: an XYZ sequence as a machine.
@@ -487,7 +480,7 @@ def sequence_figure() -> Figure:
     near = proper * sine + (1 - proper) * cosine
     far = proper * cosine + (1 - proper) * sine
     cardan, euler_ = euler.other_cardan.right, euler.other_proper.right
-    other_middle = proper * euler_[1] + (1 - proper) * wrapped(cardan[1])
+    other_middle = proper * euler_[1] + (1 - proper) * motion.wrap(cardan[1])
     return Figure(
         name="euler-sequence",
         title="A die turned about three axes, one after the other; the ghost is frame B",
@@ -507,9 +500,9 @@ def sequence_figure() -> Figure:
             *ghost_die(R_AB, VIEW.beside(1.45)),
         ),
         readouts=(
-            Readout("other_first", "other answer: α′", wrapped(cardan[0]), "rad"),
+            Readout("other_first", "other answer: α′", motion.wrap(cardan[0]), "rad"),
             Readout("other_middle", "other answer: β′", other_middle, "rad"),
-            Readout("other_third", "other answer: γ′", wrapped(cardan[2]), "rad"),
+            Readout("other_third", "other answer: γ′", motion.wrap(cardan[2]), "rad"),
             Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad"),
             Readout("whole", "the whole as one turn", angle_of(end), "rad"),
             Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad"),

@@ -3,7 +3,7 @@
 from math import pi
 from typing import Any
 
-from sympy import Matrix, Symbol, atan2, cos, eye, sin, sqrt, symbols, zeros
+from sympy import Matrix, Symbol, atan2, cos, sin, sqrt, symbols, zeros
 
 from book.frames import exercises as bank
 from book.frames import formulas as frames
@@ -44,6 +44,7 @@ from workshop.figures import (
     Readout,
     Slider,
     Steps,
+    apart,
 )
 
 LINKS = {l_1: 0.3, l_2: 0.4}  # m, as in the exercise
@@ -66,11 +67,6 @@ def joined(first: Pose, second: Pose) -> Matrix:
     """Two poses in a chain."""
     values = dict(zip((db_x, db_y, db_turn, bc_x, bc_y, bc_turn), (*first, *second), strict=True))
     return frames.chained.at(values)
-
-
-def wrapped(value: Any) -> Any:
-    """An angle in (−180°, 180°]."""
-    return motion.wrap_angle.at({motion.angle: value})
 
 
 def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
@@ -164,11 +160,11 @@ def chain_figure() -> Figure:
         readouts=(
             Readout("x", "from hand c, x_ce", ce[0], "m"),
             Readout("y", "from hand c, y_ce", ce[1], "m"),
-            Readout("turn", "from hand c, θ_ce", wrapped(ce[2]), "rad"),
+            Readout("turn", "from hand c, θ_ce", motion.wrap(ce[2]), "rad"),
             Readout("far", "distance from hand", sqrt(ce[0] ** 2 + ce[1] ** 2), "m"),
             Readout("hand_x", "from platform b, x_bc", bc[0], "m"),
             Readout("hand_y", "from platform b, y_bc", bc[1], "m"),
-            Readout("hand_turn", "from platform b, θ_bc", wrapped(bc[2]), "rad"),
+            Readout("hand_turn", "from platform b, θ_bc", motion.wrap(bc[2]), "rad"),
         ),
         says=(
             "The hand sees the object at x = {x}, y = {y}, turned by {turn}, {far} away. "
@@ -314,13 +310,12 @@ def mistakes_figure() -> Figure:
     T = sum((one * way for one, way in zip(MISTAKES, ways.values(), strict=True)), zeros(3))
     ce = steps.named("ce", Matrix([T[0, 2], T[1, 2], atan2(T[1, 0], T[0, 0])]))
     e = steps.named("e", joined(c, ce))
-    options = dict(zip(ways, (tuple(map(int, row)) for row in eye(4).tolist()), strict=True))
     return Figure(
         name="wrong-object",
         title="A platform with an arm, an object, and where a program with a mistake believes it",
         view=(-0.6, 1.6, -0.2, 1.45),
         controls=(
-            Choice("mistake", "mistake", MISTAKES, options, start="No inverse"),
+            Choice.one_of("mistake", MISTAKES, ways, start="No inverse"),
             Slider.degrees(db_turn, 60, 150, start=90, step=5, label="platform θ_db"),
         ),
         where=steps,
@@ -334,8 +329,8 @@ def mistakes_figure() -> Figure:
             *box("approximation", e),
         ),
         readouts=(
-            Readout("apart", "apart", sqrt((e[0] - de[0]) ** 2 + (e[1] - de[1]) ** 2), "m"),
-            Readout("off", "turned off by", wrapped(e[2] - de[2]), "rad", digits=0),
+            Readout("apart", "apart", apart(e, de), "m"),
+            Readout("off", "turned off by", motion.wrap(e[2] - de[2]), "rad", digits=0),
         ),
     )
 

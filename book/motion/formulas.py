@@ -1,5 +1,7 @@
 """Planar motion: world and body frame, centre of rotation, the exact arc."""
 
+from typing import Any
+
 from sympy import MatMul, Matrix, Ne, Piecewise, ceiling, cos, nan, oo, pi, sin, sinc
 
 from workshop.equations.core import Equation, as_written, quantity, sign
@@ -105,3 +107,8 @@ with as_written():
         right=angle - 2 * pi * ceiling((angle - pi) / (2 * pi)),
         source="conventions",
     )
+
+
+def wrap(value: Any) -> Any:
+    """Another angle in (−π, π]."""
+    return wrap_angle.at({angle: value})

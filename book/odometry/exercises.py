@@ -97,8 +97,8 @@ M24 = Mistake(
     picture=Picture(
         "wrong-poses",
         "It hardly moves",
-        "The robot on its arc to the left. Its program believes that it came a sixth of the way "
-        "and hardly turned.",
+        "The robot on its arc to the left. Its program believes that it came about a sixth "
+        "of the way and hardly turned.",
     ),
 )
 M25 = Mistake(

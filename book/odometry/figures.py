@@ -40,6 +40,7 @@ from workshop.figures import (
     Recurrence,
     Slider,
     Trail,
+    apart,
 )
 
 # the robot of the exercise
@@ -55,12 +56,6 @@ wheel_error = quantity(
     "wheel_error", "m", 0.001, 0.02, "standard deviation of a wheel's travel over 1 m"
 )
 s = Symbol("s")
-
-
-def apart(first: Any, second: Any) -> Any:
-    """The distance of two points."""
-    with as_written():
-        return sp.sqrt((first[0] - second[0]) ** 2 + (first[1] - second[1]) ** 2)
 
 
 def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
@@ -417,14 +412,13 @@ def mistakes_figure() -> Figure:
     with as_written():
         real, part = (arc_to(each * k, turn * k, (0, 0, set_off)) for k in (samples, s))
     end, told = tuple(real[:2]), loop.ends[:2]
-    options = {name: tuple(float(n == k) for n in range(4)) for k, name in enumerate(MADE)}
     return Figure(
         name="wrong-poses",
         title="A robot, and where a program with a mistake believes it to be",
         view=(-0.75, 1.1, -0.4, 0.98),
         size="laboratory",
         controls=(
-            Choice("mistake", "mistake", MADE_ONE, options),
+            Choice.one_of("mistake", MADE_ONE, MADE),
             Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
             Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
         ),

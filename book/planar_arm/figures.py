@@ -23,7 +23,7 @@ from sympy import (
     symbols,
 )
 
-from book.differential_drive.figures import apart, n, t
+from book.differential_drive.figures import n, t
 from book.motion import formulas as motion
 from book.planar_arm import formulas as arm
 from book.planar_arm.exercises import (
@@ -69,6 +69,7 @@ from workshop.figures import (
     Recurrence,
     Slider,
     Trail,
+    apart,
 )
 
 LINKS = (0.4, 0.3, 0.2)  # m, as in the exercise
@@ -143,15 +144,8 @@ def levers_figure() -> Figure:
         view=(-0.9, 1.3, -0.22, 1.28),
         size="laboratory",
         controls=(
-            Choice(
-                "joint",
-                "joint that turns",
-                TURNS,
-                {
-                    "joint 1": (1.0, 0.0, 0.0),
-                    "joint 2": (0.0, 1.0, 0.0),
-                    "joint 3": (0.0, 0.0, 1.0),
-                },
+            Choice.one_of(
+                "joint", TURNS, ("joint 1", "joint 2", "joint 3"), label="joint that turns"
             ),
             Slider(theta2, 0, 2 * pi / 3, start=START[1], step=pi / 36, label="θ_2"),
             Slider(theta3, -17 * pi / 18, pi, start=START[2], step=pi / 36, label="θ_3"),
@@ -484,13 +478,12 @@ def mistakes_figure() -> Figure:
     start = put_in(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(SET_OFF)})
     wanted = zip(POSE, start, (SPEED, 0, phi_dot), strict=True)
     real, believed = joints(end), joints(ANGLES)
-    options = {name: tuple(float(n == k) for n in range(6)) for k, name in enumerate(MADE)}
     return Figure(
         name="wrong-arm",
         title="An arm, and where its program with a mistake believes it to be",
         view=(-0.48, 0.72, -0.24, 0.7),
         controls=(
-            Choice("mistake", "mistake", MADE_ONE, options),
+            Choice.one_of("mistake", MADE_ONE, MADE),
             Slider(phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate φ̇"),
             Clock(t, 0.0, LASTS, start=LASTS, loops=True, label="time"),
         ),

@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols, tan
 
-from book.differential_drive.figures import apart, t
+from book.differential_drive.figures import t
 from book.differential_drive.formulas import r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
@@ -30,6 +30,7 @@ from workshop.figures import (
     Slider,
     Steps,
     Wheel,
+    apart,
 )
 
 ORIGIN = (0, 0)
@@ -187,45 +188,61 @@ def robot_numbers(name: str) -> tuple[float, ...]:
     return tuple(float(number) for wheel in chosen for number in wheel)
 
 
+def as_they_stand(steps: Steps) -> tuple[list[Any], list[Any], Any, Any]:
+    """Each wheel's place and axle; the sliding rows of all that have one, and of the fixed."""
+    places, axles, rows, fixed_rows = [], [], [], []
+    for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
+        mine = WHICH[k] if k < 2 else 0
+        at_x = steps.named(f"at_x{k}", px + mine * shift_x)
+        at_y = steps.named(f"at_y{k}", py + mine * shift_y)
+        aimed = atan2(centre_y - at_y, centre_x - at_x)
+        own = steered * aimed + (1 - steered) * (ahead + QUARTER)
+        axle = steps.named(f"axle{k}", own + mine * shift_angle)
+        far = steps.named(f"l{k}", sqrt(at_x**2 + at_y**2))
+        spoke = steps.named(f"alpha{k}", atan2(at_y, at_x))
+        row = sliding_row(far, spoke, steps.named(f"beta{k}", axle - spoke))
+        rows.append([(fixed + steered) * entry for entry in row])
+        fixed_rows.append([fixed * entry for entry in row])
+        places.append((at_x, at_y, far, spoke))
+        axles.append(axle)
+    return places, axles, Matrix(rows), Matrix(fixed_rows)
+
+
+def motion_left(steps: Steps, rows: Any) -> tuple[Any, Any]:
+    """What the rows leave of any twist, as a matrix, and of the twist that is asked for."""
+    free = null_projector(rows)
+    P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
+    steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
+    twist = [
+        steps.named(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
+        for i in range(3)
+    ]
+    return P, twist
+
+
+def degrees_of(steps: Steps, of_fixed: Any) -> tuple[Any, Any]:
+    """Mobility and steerability of the robot, from the rank of its fixed wheels."""
+    count = NUMBERS[0][5] + NUMBERS[1][5] + NUMBERS[2][5] + NUMBERS[3][5]
+    ranks = {wheels.rank_fixed: of_fixed, wheels.rank_steered: count}
+    delta_s = steps.named("delta_s", wheels.STEERABLE.xreplace(ranks))
+    return steps.named("delta_m", 3 - of_fixed - delta_s), delta_s
+
+
 def laboratory_figure() -> Figure:
     """Any wheel moved and turned: which motions are left, and how many of them."""
     steps = Steps()
-    step = steps.named
-    places, axles, rows, fixed_rows = [], [], [], []
     with as_written():
-        for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
-            mine = WHICH[k] if k < 2 else 0
-            at_x = step(f"at_x{k}", px + mine * shift_x)
-            at_y = step(f"at_y{k}", py + mine * shift_y)
-            aimed = atan2(centre_y - at_y, centre_x - at_x)
-            own = steered * aimed + (1 - steered) * (ahead + QUARTER)
-            axle = step(f"axle{k}", own + mine * shift_angle)
-            far = step(f"l{k}", sqrt(at_x**2 + at_y**2))
-            spoke = step(f"alpha{k}", atan2(at_y, at_x))
-            row = sliding_row(far, spoke, step(f"beta{k}", axle - spoke))
-            rows.append([(fixed + steered) * entry for entry in row])
-            fixed_rows.append([fixed * entry for entry in row])
-            places.append((at_x, at_y, far, spoke))
-            axles.append(axle)
-        now = step("rank_now", rank(Matrix(rows)))
-        of_fixed = step("rank_of_fixed", rank(Matrix(fixed_rows)))
-        free = null_projector(Matrix(rows))
-        P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
-        steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
-        twist = [
-            step(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
-            for i in range(3)
-        ]
-        count = NUMBERS[0][5] + NUMBERS[1][5] + NUMBERS[2][5] + NUMBERS[3][5]
-        ranks = {wheels.rank_fixed: of_fixed, wheels.rank_steered: count}
-        delta_s = step("delta_s", wheels.STEERABLE.xreplace(ranks))
-        delta_m = step("delta_m", 3 - of_fixed - delta_s)
+        places, axles, rows, fixed_rows = as_they_stand(steps)
+        now = steps.named("rank_now", rank(rows))
+        of_fixed = steps.named("rank_of_fixed", rank(fixed_rows))
+        P, twist = motion_left(steps, rows)
+        delta_m, delta_s = degrees_of(steps, of_fixed)
         one_motion = (now > 1.5) & (now < 2.5) & (P[2, 2] > 0.2)  # and its centre within 2 m
         icr = [Piecewise((part / P[2, 2], one_motion), (nan, True)) for part in (-P[1, 2], P[0, 2])]
         end, along = moved(0, twist, t), moved(0, twist, s)
-        end = tuple(step(f"end_{name}", part) for name, part in zip("xyt", end, strict=True))
+        end = tuple(steps.named(f"end_{name}", part) for name, part in zip("xyt", end, strict=True))
         rolls = [rolling_direction(k, places[k], axles[k], twist) for k in range(4)]
-        rolls = [step(f"rolls{k}", direction) for k, direction in enumerate(rolls)]
+        rolls = [steps.named(f"rolls{k}", direction) for k, direction in enumerate(rolls)]
         chosen = [sum(WHICH[k] * NUMBERS[k][i] for k in range(2)) for i in range(2)]
 
     return Figure(
@@ -243,12 +260,7 @@ def laboratory_figure() -> Figure:
             Choice("wish", "asked to", tuple(WISH), WISHES, start="turn on the spot"),
             Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring Q ahead"),
             Slider(centre_y, -0.5, 0.5, start=0.4, step=0.05, label="ring Q to the left"),
-            Choice(
-                "which",
-                "change",
-                WHICH,
-                {"wheel 1": (1.0, 0.0), "wheel 2": (0.0, 1.0)},
-            ),
+            Choice.one_of("which", WHICH, ("wheel 1", "wheel 2"), label="change"),
             Slider(shift_x, -0.2, 0.2, start=0.0, step=0.05, label="move it ahead"),
             Slider(shift_y, -0.2, 0.2, start=0.0, step=0.05, label="move it to the left"),
             Slider.degrees(shift_angle, -90, 90, step=5, label="turn it"),
@@ -494,13 +506,12 @@ def mistakes_figure() -> Figure:
         ]
     wish = motion.to_body.at(WANTED)
     real, believed = moved(theta, REALLY, t), moved(theta, wish, t)
-    options = {name: tuple(float(n == k) for n in range(5)) for k, name in enumerate(MADE)}
     return Figure(
         name="wrong-rates",
         title="An omni robot, and where its program with a mistake believes it to be",
         view=(-0.8, 0.8, -0.6, 0.65),
         controls=(
-            Choice("mistake", "mistake", MADE_ONE, options),
+            Choice.one_of("mistake", MADE_ONE, MADE),
             Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
             Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),

@@ -30,6 +30,7 @@ from workshop.figures.declaration import (
     Steps,
     Trail,
     Wheel,
+    apart,
     solved,
 )
 from workshop.figures.figure import Figure
@@ -79,5 +80,6 @@ __all__ = [
     "Turns",
     "View",
     "Wheel",
+    "apart",
     "solved",
 ]

@@ -10,7 +10,7 @@ that quantity. A slider and a readout follow from their quantity likewise.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
@@ -30,6 +30,11 @@ def solved(*equations: Equation) -> Where:
     """Named steps that compute the left sides of equations, in order, for `Figure.where`."""
     sides = [(sp.Matrix([e.left]), sp.Matrix([e.right])) for e in equations]
     return [pair for left, right in sides for pair in zip(left, right, strict=True)]
+
+
+def apart(one: Place, other: Place) -> Expr:
+    """The distance of two places on the ground."""
+    return sp.sqrt((one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2)
 
 
 def with_letter(symbol: NamedSymbol) -> str:
@@ -117,6 +122,23 @@ class Choice:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", self.start or next(iter(self.options), ""))
+
+    @classmethod
+    def one_of(
+        cls,
+        name: str,
+        symbols: Iterable[sp.Symbol],
+        names: Iterable[str],
+        label: str = "",
+        **more: Any,
+    ) -> Self:
+        """Each name gives its own symbol 1 and all others 0."""
+        symbols = tuple(symbols)
+        options = {
+            each: tuple(int(symbol == chosen) for symbol in symbols)
+            for each, chosen in zip(names, symbols, strict=True)
+        }
+        return cls(name, label or name, symbols, options, **more)
 
 
 @dataclass(frozen=True)

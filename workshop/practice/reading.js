@@ -15,7 +15,7 @@
 // 3. Brackets around it, or one more comma of any kind: it separates, `[0,5]`.
 // 4. Otherwise, alone and outside brackets: it is decimal, `0,5`.
 //
-// Refused, because both are likely: `[1,2; 3,4]`, `1,5/2` without brackets, and `1,000`.
+// Refused, because both are likely: `[1,2; 3,4]`, `1,5/2` without brackets, `1,000`, `0,5 1,5`.
 
 const LONGEST = 1000, DEEPEST = 20;
 const PAIRS = new Map([["(", ")"], ["[", "]"], ["{", "}"]]);

@@ -26,7 +26,7 @@ class FormulaChecks(SphinxDirective):
         """
         depend(self.env, "formulas", "checks")
         found = checked(Path(self.env.app.outdir).parent)
-        text = "\n\n".join(["## In numbers", *found.entries])  # else the first one came last
+        text = "\n\n".join(["## In numbers", *found.entries])  # what has no heading comes last
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 

@@ -78,7 +78,7 @@ test-long: $(LIBRARY)/.ready
 	$(PYTEST) worksteal -m long $(if $(T),-k $(T)) tests book
 
 test-anywhere: $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m anywhere tests
+	$(PYTEST) worksteal -m anywhere -rs tests
 
 check: $(READY)
 	$(BIN)/ruff check .

@@ -1,8 +1,8 @@
 """Python for the browser where its public address cannot be reached: that host alone is answered.
 
-Its own files come from the npm package of the same version, pure wheels from the package index; the
-list of packages is given the hashes of these. What is compiled for browsers is to be had nowhere
-else: `missing()` names it, and what needs it is not run there.
+Its own files come from the npm package of the same version, pure wheels from the package index. One
+that is compiled for browsers is to be had only if somebody puts it into `BY_HAND`. The list of
+packages is given the hashes of all these. `missing()` names the rest: what needs it is not run.
 """
 
 import hashlib
@@ -20,11 +20,12 @@ from urllib.request import urlopen
 
 from support import ROOT
 
-from workshop.site.run import PACKAGES, with_needs
+from workshop.site.run import LOCK, PACKAGES, with_needs
 
 VERSION = "314.0.6"
 PLACE = f"https://cdn.jsdelivr.net/pyodide/v{VERSION}/full/"
 CACHE = ROOT / "_build" / f"pyodide-{VERSION}"
+BY_HAND = CACHE.with_name("wheels")  # each with the name that the list of packages gives it
 KINDS = {".mjs": "text/javascript", ".wasm": "application/wasm", ".json": "application/json"}
 
 
@@ -32,17 +33,17 @@ KINDS = {".mjs": "text/javascript", ".wasm": "application/wasm", ".json": "appli
 def reached():
     """Whether the public address answers here."""
     try:
-        with urlopen(f"{PLACE}pyodide-lock.json", timeout=10):
+        with urlopen(PLACE + LOCK, timeout=10):
             return True
     except (URLError, TimeoutError):
         return False
 
 
 @cache
-def packages():
+def packages(names=PACKAGES):
     """The entries of what is wanted and of what that needs."""
-    lock = json.loads((ROOT / "book/_vendor/pyodide/pyodide-lock.json").read_text("utf-8"))
-    return {name: lock["packages"][name] for name in with_needs(lock["packages"], PACKAGES)}
+    lock = json.loads((ROOT / "book/_vendor/pyodide" / LOCK).read_text("utf-8"))
+    return {name: lock["packages"][name] for name in with_needs(lock["packages"], names)}
 
 
 def pure():
@@ -50,9 +51,9 @@ def pure():
     return {n: p for n, p in packages().items() if p["file_name"].endswith("-none-any.whl")}
 
 
-def missing():
+def missing(names=PACKAGES):
     """Those that are not to be had, here."""
-    return [] if reached() else sorted(set(packages()) - set(pure()))
+    return [] if reached() else [n for n, p in packages(names).items() if not wheel(p["file_name"])]
 
 
 @cache
@@ -81,20 +82,22 @@ def fill(folder):
 
 def wheel(file_name):
     """The file of a package: an index may write its name otherwise."""
-    return next((f for f in had().glob("*.whl") if plain(f.name) == plain(file_name)), None)
+    files = (*had().glob("*.whl"), *BY_HAND.glob("*.whl"))
+    return next((f for f in files if plain(f.name) == plain(file_name)), None)
 
 
 def plain(name):
     return re.sub(r"[-_.]+", "-", name.replace("py2.py3", "py3")).lower()
 
 
-def with_hashes(text):
-    """A list of packages with the hashes of the wheels that are to be had."""
+def with_hashes(text, here=False):
+    """A list of packages with the hashes of what is to be had; here: and with where it lies."""
     lock = json.loads(text)
     for entry in lock["packages"].values():
         file = wheel(Path(entry["file_name"]).name)
         if file:
             entry["sha256"] = hashlib.sha256(file.read_bytes()).hexdigest()
+            entry["file_name"] = str(file) if here else entry["file_name"]
     return json.dumps(lock)
 
 
@@ -105,7 +108,7 @@ def answer(context):
         return
     print(f"{PLACE} is not reached: not to be had are {', '.join(missing())}")
     context.route(f"{PLACE}**", lambda route: fulfil(route, Path(route.request.url)))
-    context.route("**/lite/packages/pyodide-lock.json", hashed)
+    context.route(f"**/lite/packages/{LOCK}", hashed)
 
 
 def fulfil(route, address):
@@ -118,7 +121,7 @@ def fulfil(route, address):
         return
     kind = KINDS.get(address.suffix, "application/octet-stream")
     headers = {"content-type": kind, "access-control-allow-origin": "*"}
-    text = with_hashes(file.read_text("utf-8")) if file.name == "pyodide-lock.json" else ""
+    text = with_hashes(file.read_text("utf-8")) if file.name == LOCK else ""
     route.fulfill(body=text or file.read_bytes(), headers=headers)
 
 

@@ -9,6 +9,7 @@ import gzip
 import hashlib
 import itertools
 import json
+import os
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -18,6 +19,7 @@ from jupyterlite_pyodide_kernel.constants import PYODIDE_CDN_URL
 from support import ROOT
 
 import book  # noqa: F401 (opens the course)
+from workshop.course import _open as open_courses
 from workshop.course import course
 from workshop.errors import CourseError
 from workshop.run.cells import Cells, start
@@ -36,11 +38,16 @@ SMALL = 1000  # bytes, compressed: what a page may load of this before it is ask
 CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
 
 
-def shown_cells(chapter):
-    """The code cells of a chapter that its page shows: what can be run there, with outputs."""
+def code_cells(chapter):
+    """The code cells of a chapter, with outputs."""
     cells = json.loads(course().notebook(chapter).read_text("utf-8"))["cells"]
-    code = [cell for cell in cells if cell["cell_type"] == "code"]
-    return [cell for cell in code if "remove-input" not in cell["metadata"].get("tags", ())]
+    return [cell for cell in cells if cell["cell_type"] == "code"]
+
+
+def shown_cells(chapter):
+    """Those that its page shows: what can be run there."""
+    hidden = "remove-input"
+    return [c for c in code_cells(chapter) if hidden not in c["metadata"].get("tags", ())]
 
 
 def names(tree, kind):
@@ -80,15 +87,19 @@ OWN_PROCESS = "import sys, test_run; test_run.assert_as_stored(sys.argv[1])"
 def test_the_cells_on_a_page_give_what_is_stored(chapter):
     """All of them, in order, by what runs them in a page, but in this Python."""
     command = [sys.executable, "-W", "error", "-c", OWN_PROCESS, chapter]
-    run = subprocess.run(command, cwd=ROOT / "tests", capture_output=True, text=True)
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    run = subprocess.run(command, cwd=ROOT / "tests", env=env, capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
 
 
 def assert_as_stored(chapter):
     """In a process of its own: what gets a Python ready for a page changes it."""
-    said = []
+    shown, said = shown_cells(chapter), []
+    for name in [name for name in sys.modules if name.partition(".")[0] == "book"]:
+        del sys.modules[name]  # a page opens the course only if one of its cells does
+    open_courses.clear()
     cells = start(lambda kind, text: said.append((kind, text)), ["numpy", "sympy", "matplotlib"])
-    for number, cell in enumerate(shown_cells(chapter), 1):
+    for number, cell in enumerate(shown, 1):
         said.clear()
         source = "".join(cell["source"])
         cells.needs(source)

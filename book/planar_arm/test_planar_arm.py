@@ -668,7 +668,7 @@ def test_the_round_trip_of_the_inverse_with_50_digits():
 def test_the_command_takes_the_error_back():
     """The chapter's command, carried out by the library: 1 - K dt of an error is left."""
     formula = find("planar_arm.command")
-    command = sympy.lambdify(formula.symbols, list(formula.right))
+    command = sympy.lambdify(formula.symbols, list(formula.right), "numpy")
     gain, dt, wanted = 2.0, 1e-6, np.array([0.5, 0.45, 0.1])
     theta = np.array([0.5, 1.0, -1.5])
     error = wanted - forward(theta, LENGTHS)

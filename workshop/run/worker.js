@@ -40,7 +40,8 @@ const load = async () => {
 
 const formula = (text) => {
   const tex = text.replace(/^\$+|\$+$/g, "").replace(/\\tag\{[^}]*\}/, "");
-  say("text/html", katex.renderToString(tex, { displayMode: true, throwOnError: false }));
+  const shown = katex.renderToString(tex, { displayMode: true, throwOnError: false });
+  say("text/html", `<div class="math"><div class="math-scroll">${shown}</div></div>`);
 };
 
 // What a cell imports and is not here yet, and KaTeX once something could be shown as a formula.

@@ -1,0 +1,54 @@
+"""The library's own tests by the Python of a browser, whose integers have 32 bits.
+
+It runs in Node, which has Chromium's engine.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from importlib.metadata import version
+
+import pyodide
+import pytest
+from support import ROOT
+
+NEEDED = ("pytest", "pluggy", "iniconfig", "packaging", "pygments", "hypothesis")
+NEEDED += ("sortedcontainers", "sympy", "mpmath")
+TESTS = [*sorted(ROOT.glob("book/*/test_*.py")), ROOT / "tests" / "test_bad_input.py"]
+
+
+@pytest.mark.anywhere
+def test_the_library_passes_its_tests_in_the_python_of_a_browser(tmp_path):
+    """The wheel that is under test; an oracle that is not to be had is named in what it prints."""
+    if missing := pyodide.missing(("numpy",)):
+        pytest.skip(f"needs {missing[0]}, which only the public address of Pyodide has")
+    pip = [
+        sys.executable,
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--no-deps",
+        "--target",
+        str(tmp_path),
+    ]
+    pip += ["--only-binary", ":all:", "--python-version", "3.14", "--platform", "any"]
+    pip += ["--platform", "pyemscripten_2026_0_wasm32"]
+    subprocess.run([*pip, *(f"{name}=={version(name)}" for name in NEEDED)], check=True)
+    oracles = [] if pyodide.missing(("scipy",)) else ["scipy"]
+    absent = ["workshop.script.widget", "py_mini_racer", *({"scipy"} - set(oracles))]
+    library = os.environ.get("ROBOKIN_UNDER_TEST", str(ROOT))
+    paths = [library, str(ROOT), str(ROOT / "tests"), str(tmp_path)]
+    settings = {
+        "python": str(pyodide.had()),
+        "lock": pyodide.with_hashes((pyodide.had() / pyodide.LOCK).read_text("utf-8"), here=True),
+        "packages": ["numpy", *oracles],
+        "folders": [str(ROOT), str(tmp_path)],
+        "program": str(ROOT / "tests" / "in_pyodide.py"),
+        "asked": [str(ROOT), paths, absent, [str(file) for file in TESTS]],
+    }
+    command = ["node", str(ROOT / "tests" / "pyodide.mjs")]
+    run = subprocess.run(command, input=json.dumps(settings), capture_output=True, text=True)
+    print(run.stdout[-500:])
+    assert run.returncode == 0, run.stdout + run.stderr

@@ -43,7 +43,7 @@ def test_a_page_fetches_small_fonts_and_a_whole_one_for_a_sign_of_no_page(chromi
         page.goto(f"{server}frames/frames.html", wait_until="networkidle")
         page.evaluate("() => document.fonts.ready")
         fetched = [url for url in watch.kinds if ".woff2" in url]
-        assert len(fetched) > 2
+        assert fetched
         assert all(f"/{fonts.SMALL}KaTeX_" in url for url in fetched)
         with page.expect_request("**/fonts/KaTeX_Math-Italic.woff2"):
             page.evaluate(SHOW, "ζ")

@@ -68,6 +68,7 @@ def test_a_picture_that_comes_late_has_its_place(server, chromium, width):
 WAIT = """(all) => all.filter(({ firstElementChild }) => {
   return !firstElementChild.checkVisibility({ contentVisibilityAuto: true });
 }).length"""
+SHOWN = "[...document.querySelectorAll('.math-scroll')].filter((box) => box.checkVisibility())"
 DRAW = ".math-scroll { content-visibility: visible !important; }"
 
 
@@ -76,6 +77,7 @@ DRAW = ".math-scroll { content-visibility: visible !important; }"
 def test_a_formula_far_below_waits_and_has_its_place(server, chromium, width):
     """It costs nothing until it comes near, and what follows does not jump when it does."""
     with watched_page(chromium, server, width, bypass_csp=True) as (page, _):
+        page.add_init_script("requestIdleCallback = () => {}")  # there is always something to do
         page.goto(f"{server}euler/euler.html")
         page.evaluate("() => document.fonts.ready")
         formulas = page.locator(".math-scroll:visible")
@@ -85,6 +87,16 @@ def test_a_formula_far_below_waits_and_has_its_place(server, chromium, width):
         drawn = formulas.evaluate_all(HEIGHTS)
         # on a phone a long formula may be broken once more, which only its drawing tells
         assert sum(drawn) == pytest.approx(sum(waiting), rel=0.05)
+
+
+@pytest.mark.browser
+def test_all_formulas_are_drawn_and_have_their_fonts_before_one_prints(server, chromium):
+    with watched_page(chromium, server, 390) as (page, watch):
+        page.goto(f"{server}euler/euler.html")
+        page.wait_for_function(f"() => !({WAIT})({SHOWN})")
+        page.evaluate("() => document.fonts.ready")
+        assert any("KaTeX_Size4" in url for url in watch.kinds)  # a matrix far below
+        assert not watch.errors
 
 
 def all_sheets(static):

@@ -29,6 +29,17 @@
   document.addEventListener("contentvisibilityautostatechange", ({ target, skipped }) => {
     if (!skipped && target.matches(BOXES)) mark([target]);
   }, true);
+
+  // Formulas far below are drawn one by one when nothing else is to do: a printer waits for no font.
+  const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
+  const waiting = [...document.querySelectorAll(".math-scroll")];
+  const draw = () => {
+    const box = waiting.shift();
+    if (!box) return;
+    box.style.contentVisibility = "visible";
+    later(draw);
+  };
+  addEventListener("load", () => later(draw));
 }
 
 // The menus of a phone: a button closes them, so does a choice in them, and focus goes back.

@@ -140,6 +140,14 @@ def chromium():
         yield browser
 
 
+DRAW = "(all) => all.forEach((box) => { box.style.contentVisibility = 'visible'; })"
+
+
+def draw_formulas(page):
+    """Now, not when there is time: the page is then as high as it stays."""
+    page.locator(".math-scroll").evaluate_all(DRAW)
+
+
 # a script for a page whose browser keeps nothing more
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 

@@ -140,12 +140,10 @@ def chromium():
         yield browser
 
 
-DRAW = "(all) => all.forEach((box) => { box.style.contentVisibility = 'visible'; })"
-
-
-def draw_formulas(page):
-    """Now, not when there is time: the page is then as high as it stays."""
-    page.locator(".math-scroll").evaluate_all(DRAW)
+def draw_all(page):
+    """Also what lies far from the window, with its fonts, and now: a page is then as it stays."""
+    page.add_style_tag(content="* { content-visibility: visible !important; }")
+    page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
 
 
 # a script for a page whose browser keeps nothing more

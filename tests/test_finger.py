@@ -18,7 +18,7 @@ pytest.register_assert_rewrite("browser")
 
 from browser import watched_page  # noqa: E402
 
-# flat and in space, sliders, lists, handles, letters; all pages in the long run
+# flat and in space, sliders, lists, handles; all pages in the long run
 TYPICAL = ("index", "bicycle/bicycle", "elbow_arm/elbow_arm")
 FAR = 120  # pixels that a finger goes
 STILL = "() => new Promise((seen) => requestAnimationFrame(() => requestAnimationFrame(seen)))"

@@ -23,16 +23,8 @@ def test_the_library_passes_its_tests_in_the_python_of_a_browser(tmp_path):
     """The wheel that is under test; an oracle that is not to be had is named in what it prints."""
     if missing := pyodide.missing(("numpy",)):
         pytest.skip(f"needs {missing[0]}, which only the public address of Pyodide has")
-    pip = [
-        sys.executable,
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--no-deps",
-        "--target",
-        str(tmp_path),
-    ]
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps"]
+    pip += ["--target", str(tmp_path)]
     pip += ["--only-binary", ":all:", "--python-version", "3.14", "--platform", "any"]
     pip += ["--platform", "pyemscripten_2026_0_wasm32"]
     subprocess.run([*pip, *(f"{name}=={version(name)}" for name in NEEDED)], check=True)

@@ -8,7 +8,7 @@ import pytest
 pytest_plugins = ["browser"]
 pytest.register_assert_rewrite("browser")
 
-from browser import pages, watched_page  # noqa: E402
+from browser import draw_all, pages, watched_page  # noqa: E402
 
 SHEET = re.compile(r'<link rel="stylesheet" href="([^"]*)_static/all\.css\?v=\w{8}" />')
 NAMES = {"used", "more"}
@@ -69,7 +69,6 @@ WAIT = """(all) => all.filter(({ firstElementChild }) => {
   return !firstElementChild.checkVisibility({ contentVisibilityAuto: true });
 }).length"""
 SHOWN = "[...document.querySelectorAll('.math-scroll')].filter((box) => box.checkVisibility())"
-DRAW = ".math-scroll { content-visibility: visible !important; }"
 
 
 @pytest.mark.browser
@@ -83,7 +82,7 @@ def test_a_formula_far_below_waits_and_has_its_place(server, chromium, width):
         formulas = page.locator(".math-scroll:visible")
         assert formulas.evaluate_all(WAIT) > 10
         waiting = formulas.evaluate_all(HEIGHTS)
-        page.add_style_tag(content=DRAW)
+        draw_all(page)
         drawn = formulas.evaluate_all(HEIGHTS)
         # on a phone a long formula may be broken once more, which only its drawing tells
         assert sum(drawn) == pytest.approx(sum(waiting), rel=0.05)

@@ -23,7 +23,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser")
 
-from browser import FULL, draw_formulas, watched_page  # noqa: E402
+from browser import FULL, draw_all, watched_page  # noqa: E402
 from test_practice import DEAL, dealt_in_python, names, typed  # noqa: E402
 
 FIRST = "differential-drive-1"
@@ -329,8 +329,7 @@ def test_the_bar_comes_and_the_end_of_a_chapter_stays(page, server):
     bar, height = page.locator(".rk-bar"), "() => document.documentElement.scrollHeight"
     expect(bar).to_have_attribute("inert", "")
     expect(bar).to_be_hidden()
-    draw_formulas(page)
-    page.evaluate("() => document.fonts.ready")
+    draw_all(page)
     high = page.evaluate(height)
     box(page, "bicycle-1").scroll_into_view_if_needed()
     expect(bar).to_be_visible()

@@ -6,10 +6,9 @@ pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.screenshots]
 pytest.register_assert_rewrite("browser")
 
-from browser import ROOT, listed, watched_page  # noqa: E402
+from browser import ROOT, draw_all, listed, watched_page  # noqa: E402
 
-# all is drawn, as it is where the page is read; no figure waits
-ALL = "* { content-visibility: visible !important; }"
+# no figure waits
 COME = """() => {
   const figure = document.querySelector("figure.rk-figure:not(.rk-live):not(details *)");
   figure?.scrollIntoView();
@@ -28,7 +27,7 @@ def test_screenshots_of_a_page(name, width, server, chromium):
     for scheme in ("light", "dark"):
         with watched_page(chromium, server, width, scheme) as (page, _):
             page.goto(f"{server}{name}.html", wait_until="networkidle")
-            page.add_style_tag(content=ALL)
+            draw_all(page)
             page.wait_for_function(COME)
             page.evaluate("() => scrollTo(0, 0)")
             page.evaluate("() => document.fonts.ready")

@@ -19,7 +19,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser")
 
-from browser import ROOT, Watch, build_command, listed, pages, watched_page  # noqa: E402
+from browser import ROOT, Watch, build_command, draw_all, listed, pages, watched_page  # noqa: E402
 
 AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
 LIMIT = 300_000  # bytes, compressed, without pictures
@@ -51,9 +51,6 @@ async (scheme) => {
 # colours that still change from light to dark are nobody's fault
 AT_REST = "() => !document.getAnimations().some((each) => each instanceof CSSTransition)"
 OVERFLOW = "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"
-# as it is where the page is read
-ALL = "* { content-visibility: visible !important; }"
-FONTS = "() => document.body.offsetHeight && document.fonts.ready"
 REACHED = """
 () => [...document.querySelectorAll(".bd-article .math-scroll")]
   .filter((box) => box.checkVisibility() && box.scrollWidth > box.clientWidth)
@@ -100,8 +97,7 @@ def test_a_page(name, site, server, chromium):
 
 def all_drawn(page):
     """Also what lies far from the window; what then scrolls sideways is reached with the keys."""
-    page.add_style_tag(content=ALL)
-    page.evaluate(FONTS)
+    draw_all(page)
     page.wait_for_function(REACHED)
 
 

@@ -8,7 +8,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 pytest.register_assert_rewrite("browser")
 
-from browser import draw_formulas, watched_page  # noqa: E402
+from browser import draw_all, watched_page  # noqa: E402
 
 PAGE, STEP, KEY = "differential_drive", "#one-line-three-answers", "differential_drive.v_L"
 FACES = {  # where a symbol has a face
@@ -103,7 +103,7 @@ def test_every_face_lights_all_of_them(opened):
 def test_a_tap_lights_and_a_tap_elsewhere_clears(opened):
     with opened(width=390, has_touch=True) as page:
         note, height = page.locator(".rk-named"), "() => document.documentElement.scrollHeight"
-        draw_formulas(page)
+        draw_all(page)
         before = page.evaluate(height)
         faces(page, "formula").first.tap()
         assert all(lit(page, where) for where in FACES)

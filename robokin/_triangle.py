@@ -11,13 +11,19 @@ TOLERANCE = 1e-12  # a wrist that rounding put outside the shell, in parts of bo
 def triangle(distance: Array, upper: Array, fore: Array) -> tuple[Array, Array]:
     """From the wrist's distance the angle at the shoulder, and how far the elbow is bent; ≥ 0.
 
-    Law of cosines in half angles: the digits of the distance are kept at full stretch.
+    Law of cosines in half angles. The sides are taken in the order of their lengths, so that no
+    sum is rounded before the difference: the digits of the distance are kept next to full stretch
+    and to the folded arm. At the limits of reach, as rounded, and beyond, it is flat.
+    Source: Kahan, Miscalculating Area and Angles of a Needle-like Triangle.
     """
-    high, difference = upper + fore, upper - fore
-    d = np.minimum(np.maximum(distance, np.abs(difference)), high)
-    a, b, c, e = high - d, high + d, d - difference, d + difference
-    lift = 2 * np.arctan2(np.sqrt(a * c), np.sqrt(b * e))
-    elbow = 2 * np.arctan2(np.sqrt(a * b), np.sqrt(c * e))
+    longer, shorter = np.maximum(upper, fore), np.minimum(upper, fore)
+    middle, least = np.maximum(distance, shorter), np.minimum(distance, shorter)
+    room = np.where(distance >= upper + fore, 0.0, (longer - distance) + shorter)
+    near = np.where(distance <= longer - shorter, 0.0, least - (longer - middle))
+    span, far = (longer + distance) + shorter, distance + (longer - shorter)
+    above, below = np.where(upper >= fore, (near, far), (far, near))
+    lift = 2 * np.arctan2(np.sqrt(room * above), np.sqrt(span * below))
+    elbow = 2 * np.arctan2(np.sqrt(room * span), np.sqrt(near * far))
     return lift, elbow
 
 

@@ -162,7 +162,7 @@ class Watch:
         page.on("console", self.on_console)
         page.on("pageerror", lambda error: self.errors.append(str(error)))
         page.on("request", self.on_request)
-        page.on("requestfailed", lambda request: self.errors.append(f"failed: {request.url}"))
+        page.on("requestfailed", self.on_failure)
         page.on("response", self.on_response)
 
     def on_console(self, message):
@@ -175,6 +175,11 @@ class Watch:
         self.kinds[request.url] = request.resource_type
         if not request.url.startswith((self.home, "data:", "blob:")):
             self.strangers.append(request.url)
+
+    def on_failure(self, request):
+        """Keep a request that failed; what was under way when the page was left is no fault."""
+        if request.failure != "net::ERR_ABORTED":
+            self.errors.append(f"{request.failure}: {request.url}")
 
     def on_response(self, response):
         """Keep an answer that is no success."""

@@ -133,6 +133,12 @@ def test_it_can_be_run_where_the_addresses_lead(site):
     assert "Run this chapter" not in (site / "practice.html").read_text("utf-8")
 
 
+def test_its_text_is_changed_and_its_mistakes_are_told_where_the_address_leads(site):
+    text = (site / "beacon" / "beacon.html").read_text("utf-8")
+    assert f'href="{ADDRESSES["repository_url"]}/edit/main/book/beacon/beacon.ipynb"' in text
+    assert f'href="{ADDRESSES["repository_url"]}/issues/new?title=Mistake%20on%20beacon' in text
+
+
 def test_the_machine_s_tests_hold_it(tree, site):
     """Formulas, figure, exercise, page and notebook: all that is tried of any chapter."""
     options = (

@@ -52,6 +52,33 @@ def saved(student, answers, times=None, course="robokin"):
     return "\ufeff" + engine.call("workshop.practice.answersCsv", head, student, entries)
 
 
+CELLS = [
+    "=1+1",
+    "-v/2",
+    "-0.5",
+    "+3",
+    "'=1",
+    "''-x",
+    "'",
+    "\t0.5",
+    "\r1",
+    'a "1"; 2, 3',
+    "سه",
+    " 1 ",
+]
+
+
+@pytest.mark.parametrize("cell", CELLS)
+def test_a_saved_answer_comes_back_as_it_was(folder, cell):
+    """To the page and to `grade`, also if a spreadsheet might take it for a formula."""
+    text = saved("=Ada", {ONE: cell})
+    (back,) = engine.call("workshop.practice.answersOf", text)
+    assert (back["student"], back["answer"]) == ("=Ada", cell)
+    (folder / "answers.csv").write_text(text, encoding="utf-8", newline="")
+    ((_, row),) = tables.read("answers.csv", ["student", "answer"], tables.Problems())
+    assert (row["student"], row["answer"]) == ("=Ada", cell.strip())
+
+
 def results():
     return {(row["student"], row["exercise"]): row["result"] for row in table("grades.csv")}
 
@@ -140,7 +167,7 @@ def test_what_the_system_refuses_is_told_without_a_traceback(keyed, capsys, monk
 
     monkeypatch.setattr(tables.Path, "replace", full)
     assert run("key", "roster.csv", "--force", *ONLY) == 2
-    assert "key.csv: No space left on device; nothing was done" in capsys.readouterr().err
+    assert "key.csv: No space left on device; not finished" in capsys.readouterr().err
     assert len(table("key.csv")) == 4  # the old one is whole
 
 

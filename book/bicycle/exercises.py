@@ -397,10 +397,10 @@ bicycle_5 = Exercise(
     text="A truck measures "
     + COMPASS
     + "With ψ = 90° it looks along x. Now ψ is {psi}. The rear wheels have a diameter of "
-    "{diameter} and turn at {wheel_rate}. The middle of the rear axle moves at the speed of these "
-    "wheels, their radius times their rate. The wheelbase is {L}, and the steering angle of the "
-    "bicycle model is {phi} (positive: to the left). Speed and steering angle stay constant. What "
-    "is ψ after {time}?",
+    "{diameter} and turn at {wheel_rate} on average. The middle of the rear axle moves at the "
+    "speed of these wheels, their radius times their rate. The wheelbase is {L}, and the steering "
+    "angle of the bicycle model is {phi} (positive: to the left). Speed and steering angle stay "
+    "constant. What is ψ after {time}?",
     given={
         "psi": steps(20, 160, 10, "°"),
         "diameter": steps(70, 110, 5, "cm"),

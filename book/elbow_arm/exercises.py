@@ -60,7 +60,8 @@ M2 = Mistake(
     line="r = np.sqrt(p_y**2 + p_z**2)\ntheta3 = np.arccos((r**2 - a2**2 - a3**2) / (2 * a2 * a3))",
     why="The arm stands in the vertical plane through the target. In this plane the target is "
     "√(p_x² + p_y²) away from the base axis, not |p_y|.",
-    unnoticed="Where p_x = 0: there the arm really stands in that plane.",
+    unnoticed="Where p_x = 0 and p_y > 0: there the arm really stands in that plane, and looks "
+    "along y. With p_y < 0 only d and θ_3 are right.",
     picture=Picture(
         "wrong-reach",
         "It falls short",

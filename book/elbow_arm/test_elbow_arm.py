@@ -4,6 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 from hypothesis import assume, given
+from hypothesis import strategies as st
 from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, on_circle, reals, vectors
 
 from robokin.elbow_arm import (
@@ -523,6 +524,23 @@ def test_the_round_trip_within_1e_6_of_full_stretch_with_50_digits():
     d = np.repeat(high * (1 - 10.0 ** -np.linspace(6, 16, 45)), 3)
     p = d[:, None] * np.tile(np.eye(3), (45, 1))
     assert worst_round_trip(p, np.full(135, 0.5), np.full(135, 0.25)) <= 2e-15
+
+
+@given(links, links, reals(-15.5, -0.1), st.booleans(), st.booleans())
+def test_any_links_keep_the_digits_of_the_distance(a2, a3, power, stretched, up):
+    """Next to both edges of the workspace, with 60 digits; on an axis d is exact."""
+    low, high = reach(a2, a3)
+    d = float(high - 10**power * min(a2, a3) if stretched else low + 10**power * min(a2, a3))
+    assume(low < d < high)
+    p = [0, 0, d] if up else [d, 0, 0]
+    with mpmath.workdps(60):
+        b2, b3, apart = map(mpmath.mpf, (a2, a3, d))
+        bend = mpmath.acos((apart**2 - b2**2 - b3**2) / (2 * b2 * b3))
+        lift = mpmath.acos((b2**2 + apart**2 - b3**2) / (2 * b2 * apart))
+    theta2, theta3 = inverse(p, a2, a3)[1, 1:]
+    assert theta3 == pytest.approx(float(bend), rel=2 * EPS, abs=0)
+    if not up:  # else it is a right angle less, and rounded as that is
+        assert theta2 == pytest.approx(-float(lift), rel=2 * EPS, abs=0)
 
 
 def test_the_angles_against_the_law_of_cosines_with_50_digits():

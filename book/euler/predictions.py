@@ -55,7 +55,8 @@ PREDICTIONS = (
                 "180° apart": "Press *Play* and look at the threes.",
             },
         ),
-        opens="Not alike: a product of matrices depends on the order. Press *Play*.",
+        opens="Not alike: a product of matrices depends on the order. One single turn, "
+        "by 120°, makes them alike; how to find it is told below. Press *Play*.",
         hides=("depends on the order",),
     ),
     Prediction(
@@ -71,7 +72,8 @@ PREDICTIONS = (
         ),
         opens="The first half turn lays the die on its other side, $180° - \\beta$ goes on from "
         "there, the last half turn turns it back. Press *Play*. It is so for every $\\beta$: "
-        "every matrix has two answers; textbooks take the one with a positive $\\cos\\beta$.",
+        "every matrix has at least two answers; textbooks take the one with a positive "
+        "$\\cos\\beta$.",
         hides=("two answers",),
     ),
     Prediction(

@@ -36,7 +36,8 @@ M9 = Mistake(
     line="T_ce = T_db @ T_bc @ T_de",
     why="c meets d: there the letters break; and the product starts in d, not in c. In "
     "T_ce = T_cb T_bd T_de they meet. So both poses given, T_bc and T_db, must be inverted first.",
-    unnoticed="Where T_db T_bc is its own inverse, as a half turn in the plane is.",
+    unnoticed="Where T_db T_bc is its own inverse, as a half turn in the plane is: in the figure "
+    "with a heading of 120°.",
     picture=Picture(
         "wrong-object",
         "No inverse",

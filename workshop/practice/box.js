@@ -235,4 +235,4 @@ class Box {
   }
 }
 
-Object.assign(part, { exerciseHtml, paragraphs, solutionHtml, stepsOf });
+Object.assign(part, { exerciseHtml, paragraphs, solutionHtml });

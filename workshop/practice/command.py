@@ -12,7 +12,7 @@ from workshop.practice.bank import default_salt
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command. 0: all fine; 1: done, but some lines were bad; 2: nothing was done."""
+    """Run a command. 0: all fine; 1: done, but some lines were bad; 2: not finished."""
     for stream in (sys.stdout, sys.stderr):  # a console that knows few letters shows "?"
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
@@ -22,7 +22,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return 2
     except OSError as error:  # a full disk, a folder that may not be written
-        print(f"{error.filename}: {error.strerror}; nothing was done", file=sys.stderr)
+        print(f"{error.filename}: {error.strerror}; not finished", file=sys.stderr)
         return 2
     print(words)
     for problem in problems:

@@ -24,7 +24,9 @@ const inNotebook = async ({ packed, name, course }, { model, el }) => {
   }).start();
   // JupyterLab takes the Enter key, which would send the form
   el.addEventListener("keydown", (event) => {
-    if (event.key === "Enter" && event.target.matches("input")) box.check();
+    if (event.key !== "Enter" || !event.target.matches("input")) return;
+    event.preventDefault(); // elsewhere the form would be sent, too: two tries
+    box.check();
   });
   let before = student();
   const follow = () => {

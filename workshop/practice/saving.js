@@ -2,9 +2,10 @@
 
 const now = () => new Date().toISOString();
 
-// As a spreadsheet may read it: quoted, and no cell that it would take for a formula.
+// As a spreadsheet may read it: quoted, and no cell that it would take for a formula (as tables.py).
+const STARTS_FORMULA = /^'*[=+\-@\t\r]/, GUARDED = /^'(?='*[=+\-@\t\r])/;
 const csvCell = (text) => {
-  const safe = /^[=+\-@\t\r]/.test(text) && !/^[+-]?[\d.]+$/.test(text) ? `'${text}` : text;
+  const safe = STARTS_FORMULA.test(text) && !/^[+-]?[\d.]+$/.test(text) ? `'${text}` : text;
   return /[",;\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 };
 
@@ -19,7 +20,7 @@ const answersCsv = ({ course, version }, student, entries) => [
 const answersOf = (text) => {
   const rows = [[]];
   for (const [, quoted, plain, end] of text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
-    rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(/^'(?=[=+\-@])/, ""));
+    rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(GUARDED, ""));
     if (end !== ",") rows.push([]);
   }
   const [heading, ...lines] = rows;

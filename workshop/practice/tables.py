@@ -16,7 +16,7 @@ Line = tuple[int, str]
 Write = Callable[[Sequence[object]], object]
 
 NUMBER = r"[+-]?[\d.]+"
-FORMULA = r"[=+\-@\t\r]"  # what a spreadsheet takes for the start of a formula
+FORMULA = r"'*[=+\-@\t\r]"  # what a spreadsheet takes for the start of a formula, or was guarded
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 LONG = 1 << 20  # bytes of a line: what is longer is read in pieces, none of which is a row
 LINES = 5  # of a cell in quotation marks: an open one must not swallow other students' rows
@@ -106,7 +106,10 @@ def free(path: Path, force: bool) -> None:
     if path.is_dir():
         raise CourseError(f"{path} is a folder: give the name of a file")
     if path.exists() and not force:
-        raise CourseError(f"{path} is already there: choose another name, or add --force")
+        raise CourseError(
+            f"{path} is already there: choose another name, or overwrite it "
+            "(--force; in Python, force=True)"
+        )
     if not path.parent.is_dir():
         raise CourseError(f"there is no folder {path.parent} to write {path.name} in")
 

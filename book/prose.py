@@ -33,7 +33,7 @@ def reads(figure: str, readout: str, **settings: float | str) -> float:
         if not isinstance(control, Slider):
             raise TypeError(f"{figure}: what {name} shows is made of presses, not of a number")
         row.append(float(value))
-        if isinstance(control, Slider) and not control.low <= row[-1] <= control.high:
+        if not control.low <= row[-1] <= control.high:
             reach = f"from {control.low:.4g} to {control.high:.4g}"
             raise ValueError(f"{figure}: the slider {name} goes {reach}, not to {row[-1]:.4g}")
     if settings:

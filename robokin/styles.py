@@ -1,7 +1,8 @@
 """One colour, line and marker for each kind of thing, in every figure of every chapter.
 
-Used by the course's live figures and by the still ones (`robokin.draw`). A kind never
-differs from another by its colour alone. The colours are told apart by readers who see no red or
+Used by the course's live figures and by the still ones (`robokin.draw`). Kinds that are compared
+(left and right, the axes, the headings of a step) differ by line or marker, too. The colours are
+told apart by readers who see no red or
 no green, and stand out at least 3:1 from a white and from a black page.
 """
 

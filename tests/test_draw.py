@@ -104,9 +104,17 @@ def test_an_unknown_kind_is_refused(ax):
         draw.point(ax, [0, 0], "blue")
 
 
-def test_kinds_differ_by_more_than_colour():
-    looks = [(s.dash, s.marker, s.width) for name, s in KINDS.items() if name in ("left", "right")]
-    assert len(set(looks)) == 2
+@pytest.mark.parametrize(
+    "kinds",
+    [
+        ("left", "right"),
+        ("x_axis", "y_axis", "z_axis"),
+        ("old_heading", "new_heading", "middle_heading"),
+        ("path", "approximation", "error"),
+    ],
+)
+def test_kinds_that_are_compared_differ_by_more_than_colour(kinds):
+    assert len({(KINDS[kind].dash, KINDS[kind].marker) for kind in kinds}) == len(kinds)
 
 
 def test_drawing_warns_of_nothing(ax):

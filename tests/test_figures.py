@@ -125,9 +125,7 @@ def readouts(figure, points):
 # --- Settings, and what a reader sees of them -----------------------------------------------
 
 
-def key(control):
-    """The name of a control in addresses and values."""
-    return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
+key = Figure.key_of
 
 
 LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of presses

@@ -149,6 +149,7 @@ def test_a_finger_scrolls_or_moves_but_never_both(name, site, server, chromium):
         page.evaluate("() => document.fonts.ready")
         finger = Finger(page)
         ids = page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
+        assert ids
         for live in (OnPage(page, FIGURES[i]).come_alive() for i in ids):
             touch_sliders(finger, live)
             touch_handles(finger, live)

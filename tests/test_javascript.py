@@ -14,10 +14,10 @@ import pytest
 import sympy as sp
 from py_mini_racer import MiniRacer
 from scipy.spatial.transform import Rotation
+from support import assert_angles
 
 from book.motion import formulas as arc
 from robokin import elbow_arm, euler, motion, wheels
-from tests.support import assert_angles
 from workshop.equations.checking import differences, evaluate
 from workshop.equations.core import as_written
 from workshop.equations.functions import null_projector, rank, solve

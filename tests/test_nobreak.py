@@ -25,7 +25,7 @@ TORN = """
   .filter((each) => each.offsetWidth && getComputedStyle(each).whiteSpace !== "nowrap")
   .map((each) => each.textContent)
 """
-CHAPTERS = [name for name in course().chapters if course().notebook(name).exists()]
+CHAPTERS = course().taught
 
 
 @pytest.mark.parametrize(

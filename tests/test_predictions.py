@@ -92,19 +92,19 @@ def unfolded(cells, name):
             yield cell
 
 
-REBORN = list(course().modules("predictions"))
+ASKING = list(course().modules("predictions"))
 
 
 def cells_of(chapter):
     return nbformat.read(course().notebook(chapter), as_version=4).cells
 
 
-@pytest.mark.parametrize("chapter", REBORN)
+@pytest.mark.parametrize("chapter", ASKING)
 def test_nothing_gives_an_answer_away(chapter):
     assert not list(given_away(cells_of(chapter), predictions()))
 
 
-@pytest.mark.parametrize("chapter", REBORN)
+@pytest.mark.parametrize("chapter", ASKING)
 def test_each_is_asked_once_in_its_own_chapter(chapter):
     homes = course().homes("predictions", Prediction)
     asked = [name for cell in cells_of(chapter) if (name := asked_in(cell))]

@@ -11,15 +11,15 @@ from typing import Any
 import hypothesis.strategies as st
 import pytest
 from hypothesis import given, settings
+from support import ROOT
 
 import book  # noqa: F401  (opens the course)
-from tests.support import ROOT
 from workshop import practice
 from workshop.script import engine, runtime
 
 GROUPS = json.loads((ROOT / "tests" / "answers.json").read_text(encoding="utf-8"))
 ROWS = [row for rows in GROUPS.values() for row in rows]
-RTOL = 1e-15
+RTOL = 1e-15  # a few roundings of numbers, fractions and roots
 PROBLEMS = engine.run("workshop.practice.PROBLEMS")
 
 many = settings(max_examples=40)  # each makes 100 texts, or 50, from a seed: drawing is slow

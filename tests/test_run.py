@@ -35,7 +35,7 @@ from pyodide import PLACE, VERSION  # noqa: E402
 VENDORED = ROOT / "book" / "_vendor" / "pyodide"
 PAGE = "differential_drive/differential_drive.html"
 SMALL = 1000  # bytes, compressed: what a page may load of this before it is asked for
-CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
+CHAPTERS = course().taught
 
 
 def code_cells(chapter):

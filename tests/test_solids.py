@@ -294,6 +294,34 @@ PLACE = """(figure) => Math.min(...[...figure.querySelectorAll("svg text")]
 
 
 @in_browser
+@pytest.mark.parametrize("meanwhile", ["the view is dragged", "a slider of the view", "reset"])
+def test_a_turn_comes_to_its_end_whatever_else_moves(visit, meanwhile):  # noqa: F811
+    own = {"before": lambda page: page.clock.install(time=0), "reduced_motion": "no-preference"}
+    with visit(DIE, **own) as live:
+        live.page.clock.pause_at(60_000)
+        before = live.state()
+        live.root.locator("[data-press='Z']").click()
+        live.page.clock.run_for(200)
+        assert 0 < live.state()[0][1] < 1
+        if meanwhile == "reset":
+            live.root.locator(".rk-reset").click()
+        elif meanwhile == "a slider of the view":
+            live.root.locator(".rk-view summary").press("Enter")
+            live.press(DIE.controls[-1], "ArrowRight")
+        else:
+            box = live.picture.bounding_box()
+            live.page.mouse.move(box["x"] + 60, box["y"] + 60)
+            live.page.mouse.down()
+            live.page.clock.run_for(200)
+            live.page.mouse.move(box["x"] + 120, box["y"] + 60, steps=3)
+            live.page.mouse.up()
+        live.page.clock.run_for(1000)
+        turned, *view = live.state()
+        assert turned == (["", 1] if meanwhile == "reset" else ["Z", 1])
+        assert (view == before[1:]) == (meanwhile == "reset")
+
+
+@in_browser
 def test_with_reduced_motion_a_turn_is_there_at_once(visit):  # noqa: F811
     with visit(DIE, reduced_motion="reduce") as live:
         live.root.locator("[data-press='X']").click()

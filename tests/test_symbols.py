@@ -20,7 +20,7 @@ from workshop.symbols import lexicon
 from workshop.symbols.lexicon import cells, printed, results, scan, unknown
 from workshop.symbols.numbers import Slots, at_start, rows
 
-CHAPTERS = [chapter for chapter in course().chapters if course().notebook(chapter).exists()]
+CHAPTERS = course().taught
 each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
 
 
@@ -257,10 +257,9 @@ def test_wrong_numbers_would_be_found():
 
 
 def test_a_box_of_a_chapters_formulas_holds_all_of_them():
-    chapters = [name for name in course().chapters if lexicon.is_chapter(name)]
     boxes = {
         name: data[AGAIN]["labels"]
-        for name in chapters
+        for name in CHAPTERS
         for cell in cells(name)
         for data in results(cell)
         if AGAIN in data

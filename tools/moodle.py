@@ -96,14 +96,14 @@ def answered(exercise, variant):
     for candidate in (c for c in variant.candidates if c.name in known):
         given = [f"{x:.6f}" for x in candidate.rows[0]]
         if exercise.accept != "one":
-            given = [moodle._shown(exercise, candidate.rows)]
+            given = [moodle.shown_answer(exercise, candidate.rows)]
         says = moodle.symbols(judging.outcomes(exercise)[candidate.name].says)
         says = unescape(re.sub("<[^>]+>", "", says))
         if exercise.accept != "any" or candidate in firsts(variant):
             yield {"what": candidate.name, "given": given, "says": says}
     if exercise.accept == "one" and len(exercise.asks) == 1:
         right = variant.candidates[0].rows[0][0]
-        for unit, factor in moodle._units(exercise.asks[0]).items():
+        for unit, factor in moodle.units_of(exercise.asks[0]).items():
             given = [f"{right * factor:.6f} {unit}"]
             yield {"what": f"right in {unit}", "given": given, "says": judging.RIGHT}
 

@@ -197,7 +197,8 @@ def run_tests(place: Path, module: str, first: list[str], limit: int) -> int:
     for stream in (1, 2):
         os.dup2(os.open(place / "output", os.O_WRONLY | os.O_CREAT | os.O_TRUNC), stream)
     tests = f"book/{module}/test_{module}.py"
-    options = ["-x", "-q", "-p", "no:cacheprovider", "--tb=no"]
+    options = ["-o", "addopts=--import-mode=importlib", "-x", "-q", "-p", "no:cacheprovider"]
+    options += ["--tb=no"]  # and of the project's options those of a plugin are left out
     options += ["-m", "not long", "-p", "_hypothesis_pytestplugin", "--hypothesis-profile=mutation"]
     options += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # hypothesis is there already
     plugin = FirstFailure(place / "failed")

@@ -62,6 +62,11 @@ class Course:
                 )
         return [f for f in folders if f not in listed] + [f for f in listed if f in folders]
 
+    @cached_property
+    def taught(self) -> list[str]:
+        """The chapters that have a notebook; what chapters share has none."""
+        return [chapter for chapter in self.chapters if self.notebook(chapter).exists()]
+
     def _beside(self, name: str) -> str | None:
         """The text of a file that stands beside the package or, installed, in it."""
         places = (self.folder.parent / name, self.folder / name)

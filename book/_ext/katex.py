@@ -70,7 +70,7 @@ def lines_aligned(tex):
 def lines_of(tex):
     """The two sides of each line of an aligned formula, the sign = with the left one.
 
-    None where a line holds another environment or is no equation.
+    None of them where a line holds another environment or is no equation.
     """
     found = ALIGNED.fullmatch(tex)
     lines = [line.split("&") for line in LINE_END.split(found[1])] if found else []

@@ -59,13 +59,11 @@ def address(page):
 def write_notebooks(folder):
     """All chapters, for the kernel that there is: another name would open a dialog."""
     folder.mkdir(parents=True)
-    for chapter in course().chapters:
-        file = course().notebook(chapter)
-        if file.exists():
-            notebook = nbformat.read(file, as_version=4)  # texts whole, not by lines
-            notebook["metadata"]["kernelspec"] = KERNELSPEC
-            text = json.dumps(notebook, ensure_ascii=False)
-            (folder / notebook_name(chapter)).write_text(text, "utf-8")
+    for chapter in course().taught:
+        notebook = nbformat.read(course().notebook(chapter), as_version=4)  # texts whole
+        notebook["metadata"]["kernelspec"] = KERNELSPEC
+        text = json.dumps(notebook, ensure_ascii=False)
+        (folder / notebook_name(chapter)).write_text(text, "utf-8")
 
 
 def installed_wheel(name, folder):

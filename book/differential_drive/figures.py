@@ -6,7 +6,6 @@ from sympy import (
     Abs,
     And,
     Max,
-    Min,
     Ne,
     Or,
     Piecewise,
@@ -33,6 +32,7 @@ from book.differential_drive.exercises import (
     differential_drive_2,
 )
 from book.differential_drive.formulas import R, b, r, rate_L, rate_R, v_L, v_R
+from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import (
     dt,
@@ -74,6 +74,7 @@ from workshop.figures import (
     Trail,
     Wheel,
     apart,
+    part_done,
     solved,
 )
 
@@ -108,18 +109,12 @@ s = Symbol("s")
 # The robot, and where its parts are.
 
 
-def beside(pose: Any, forward: Any, left: Any) -> tuple[Any, Any]:
-    """A point so far ahead and to the left of a robot at a pose."""
-    ahead = motion.to_world.at({theta: pose[2], v: forward, v_y: left, omega: 0})
-    return pose[0] + ahead[0], pose[1] + ahead[1]
-
-
 def robot(pose: Any, kind: Any = "body", time: Any = 0, rolled: Any = ()) -> tuple[Any, ...]:
     """Body and wheels; time: how long the wheels have rolled, or how far each of them."""
     sides = ((v_L, 1), (v_R, -1))
     size = {"length": 2 * RADIUS, "width": 0.014}
     wheels = [
-        Wheel(speed, beside(pose, 0, side * DISTANCE / 2), pose[2], **size, roll=roll)
+        Wheel(speed, point_of(pose, 0, side * DISTANCE / 2), pose[2], **size, roll=roll)
         for (speed, side), roll in zip(sides, rolled or (v_L * time, v_R * time), strict=True)
     ]
     return hull(pose, kind), *wheels
@@ -137,7 +132,7 @@ def mark(pose: Any, words: str = "park here") -> tuple[Body, Label]:
 
 def tip(pose: Any, speed: Any, side: int) -> tuple[Any, Any]:
     """Where the arrow of the left (1), the middle (0) or the right (-1) ends."""
-    return beside(pose, ARROW * speed, side * DISTANCE / 2)
+    return point_of(pose, ARROW * speed, side * DISTANCE / 2)
 
 
 def arrows(pose: Any, middle: bool = True, letters: bool = True) -> tuple[Arrow, ...]:
@@ -171,7 +166,7 @@ def driven(time: Any, start: Any = START) -> Any:
 
 def way(kind: str, low: Any, high: Any, forward: Any = 0, left: Any = 0) -> Curve:
     """The track of a point of the robot between two times."""
-    return Curve(kind, beside(driven(s), forward, left), s, low, high)
+    return Curve(kind, point_of(driven(s), forward, left), s, low, high)
 
 
 def tracks(low: Any, high: Any) -> tuple[Curve, ...]:
@@ -233,7 +228,7 @@ def park_figure() -> Figure:
 def exercise_figure() -> Figure:
     """The robot of the exercise with all its symbols, at rest."""
     given = ((b, DISTANCE), (r, RADIUS), (theta, pi / 2), *SPEEDS.items())
-    left, right = beside(START, 0, DISTANCE / 2), beside(START, 0, -DISTANCE / 2)
+    left, right = point_of(START, 0, DISTANCE / 2), point_of(START, 0, -DISTANCE / 2)
     return Figure(
         name="exercise",
         title=(
@@ -561,7 +556,7 @@ SIDE = (-0.2, 0, pi / 2)  # 20 cm to the left of the start, and no turn
 
 def side_figure() -> Figure:
     """The place at its side: turn, drive straight on, turn back; two seconds for each."""
-    first, straight, last = (Max(0, Min(1, done - k)) for k in range(3))
+    first, straight, last = (part_done(done, k) for k in range(3))
     heading = pi / 2 + aim
     end = (reach * cos(heading), reach * sin(heading), pi / 2)
     now = (straight * end[0], straight * end[1], pi / 2 + aim * (first - last))

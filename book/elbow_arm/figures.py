@@ -33,6 +33,7 @@ from workshop.figures import (
     Point,
     Readout,
     Slider,
+    nearer,
     solids,
 )
 
@@ -219,35 +220,28 @@ def space_figure() -> Figure:
         scene=(
             *(ring(VIEW.project(shoulder), limit) for limit in (least, most)),
             *VIEW.frame(eye(3), size=0.3, labels=("x", "y", "z")),
-            behind(VIEW.line("ghost", (foot, shade))),
-            behind(VIEW.line("ghost", (shade, target))),
+            nearer(VIEW.line("ghost", (foot, shade)), -0.3),
+            nearer(VIEW.line("ghost", (shade, target)), -0.3),
             VIEW.line("body", (foot, shoulder)),
             VIEW.arrow("velocity", foot, front),
-            *(behind(VIEW.line("ghost", pair)) for pair in pieces(map(in_space, bones(other)))),
+            *(
+                nearer(VIEW.line("ghost", pair), -0.3)
+                for pair in pieces(map(in_space, bones(other)))
+            ),
             *(VIEW.line("path", pair) for pair in pieces((shoulder, joint, wrist))),
             hinge(shoulder, "z₁"),
             hinge(joint, "z₂"),
             VIEW.line("approximation", (target, wrist)),
-            on_top(VIEW.point("body", shoulder)),
-            on_top(VIEW.point("body", joint)),
-            on_top(VIEW.point("approximation", wrist)),
-            on_top(VIEW.point("target", target, label="p")),
+            nearer(VIEW.point("body", shoulder), 0.1),
+            nearer(VIEW.point("body", joint), 0.1),
+            nearer(VIEW.point("approximation", wrist), 0.1),
+            nearer(VIEW.point("target", target, label="p"), 0.1),
         ),
         readouts=joint_readouts(),
         says=SAYS,
         where=STEPS,
         seen_from=(-2 * pi / 3, pi / 8),
     )
-
-
-def on_top(point: Point) -> Point:
-    """A marker a little nearer, so that the lines that meet there do not cover it."""
-    return replace(point, depth=point.depth + 0.1)
-
-
-def behind(line: Line) -> Line:
-    """A line a little further away, so that it cuts no other in two."""
-    return replace(line, depth=line.depth - 0.3)
 
 
 def pieces(points: Any) -> list[tuple[Any, Any]]:
@@ -340,7 +334,7 @@ def mistakes_figure() -> Figure:
             *true,
             *false,
             VIEW.line("error", (missed, target)),
-            on_top(VIEW.point("target", target, "p")),
+            nearer(VIEW.point("target", target, "p"), 0.1),
         ),
         readouts=(
             Readout("d", "shoulder to p", far(target, (0, 0, ARM[d1])), "m"),

@@ -1,12 +1,11 @@
 """The live figures of the chapter on Euler angles: dice, rings and a ball, all solid."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import permutations
 from math import pi
 from typing import Any
 
-from sympy import Abs, And, Matrix, Max, Min, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
+from sympy import Abs, And, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
 from sympy import pi as half_turn
 
 from book.euler import formulas as euler
@@ -27,9 +26,12 @@ from workshop.figures import (
     Slider,
     Steps,
     Turns,
+    nearer,
+    part_done,
     solids,
     solved,
 )
+from workshop.figures.space import AXES, ORIGIN
 
 R_AB = Matrix([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # the exercise
 GHOST = Matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]])  # of the opening: three quarter turns away
@@ -38,8 +40,6 @@ SEQUENCES = [
     *("".join(letters) for letters in permutations("XYZ")),
     *(i + j + i for i, j in permutations("XYZ", 2)),
 ]
-ORIGIN = (0, 0, 0)
-AXES = ("x_axis", "y_axis", "z_axis")
 OF_A, OF_B = ("x_A", "y_A", "z_A"), ("x_B", "y_B", "z_B")
 X, Y, Z = (UNTURNED[:, axis] for axis in range(3))
 
@@ -72,16 +72,6 @@ def angle_of(R: Matrix) -> Any:
 def meets(R: Matrix, target: Matrix) -> Any:
     """Whether two orientations are less than a degree apart."""
     return angle_of(target.T * R) < half_turn / 180
-
-
-def share(turns: Any, k: int) -> Any:
-    """How much of turn k is made, when so many turns are made."""
-    return Max(0, Min(1, turns - k))
-
-
-def behind(shape: Any, far: float = 0.3) -> Any:
-    """A little further away, so that what lies along it is painted over it."""
-    return replace(shape, depth=shape.depth - far)
 
 
 # Dice: 1, 2 and 3 towards x, y and z of the frame that is fixed to them.
@@ -126,7 +116,7 @@ def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
         [a + far * u for a, u in zip(at, direction, strict=True)]
         for far in (-1.45, -0.5, 0.5, 1.45)
     ]
-    return behind(VIEW.line("icr", ends[1::-1])), behind(VIEW.line("icr", ends[2:]))
+    return tuple(nearer(VIEW.line("icr", pair), -0.3) for pair in (ends[1::-1], ends[2:]))
 
 
 LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
@@ -195,7 +185,7 @@ def columns_figure() -> Figure:
 
 def order_figure() -> Figure:
     """The same two quarter turns in two orders."""
-    a, b = (share(made, k) * half_turn / 2 for k in (0, 1))
+    a, b = (part_done(made, k) * half_turn / 2 for k in (0, 1))
     steps = Steps()
     left, right = (
         steps.named(name, euler.turned_about(one, a) * euler.turned_about(two, b))
@@ -237,7 +227,7 @@ def both_figure() -> Figure:
     steps = Steps(((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan)))
 
     def turned(name: str, angles: Sequence[Any]) -> Any:
-        a, b, c = (share(made, k) * each for k, each in enumerate(angles))
+        a, b, c = (part_done(made, k) * each for k, each in enumerate(angles))
         two = steps.named(f"{name}t", euler.turned_about(X, a) * euler.turned_about(Y, b))
         return steps.named(name, two * euler.turned_about(Z, c))
 
@@ -339,7 +329,7 @@ def one_turn_figure() -> Figure:
     """From A to B by one turn and by two, as a die and as ways in the ball of all turns."""
 
     def by_two(turns: Any) -> tuple[Any, Any]:
-        return share(turns, 0) * half_turn / 2, -share(turns, 1) * half_turn / 2
+        return part_done(turns, 0) * half_turn / 2, -part_done(turns, 1) * half_turn / 2
 
     def in_ball(turns: Any) -> Matrix:
         a, b = (each / 2 for each in by_two(turns))
@@ -379,8 +369,8 @@ def one_turn_figure() -> Figure:
             ),
             way("icr", s * spoke, 1),
             way("approximation", in_ball(2 * s), 1, 48),
-            behind(VIEW.point("target", put(spoke), "B"), -9),
-            behind(VIEW.point("body", put(here)), -9),
+            nearer(VIEW.point("target", put(spoke), "B"), 9),
+            nearer(VIEW.point("body", put(here)), 9),
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),
@@ -462,7 +452,7 @@ def factors_of(steps: Steps, name: str, angles: Sequence[Any]) -> list[Matrix]:
 def sequence_figure() -> Figure:
     """Any of the 24 sequences, turn by turn, with its other answer and how near lock is."""
     steps = Steps()
-    angles = steps.named("a", Matrix([share(made, k) * e for k, e in enumerate(TURNS)]))
+    angles = steps.named("a", Matrix([part_done(made, k) * e for k, e in enumerate(TURNS)]))
     factors = factors_of(steps, "l", angles)
     two = steps.named("t", factors[0] * factors[1])
     now = steps.named("n", two * factors[2])

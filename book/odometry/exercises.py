@@ -141,15 +141,19 @@ def rolled_per_radian(ticks, C, r):
     return M24.wrong.gives(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
 
 
+def way_and_turn(D_L, D_R, b):
+    """How far the robot goes, and by how much it turns."""
+    return (D_L + D_R) / 2, (D_R - D_L) / b
+
+
 def one_step(method, theta, D_L, D_R, b, x=0, y=0):
     """The pose after one step by a rule of `motion.path`."""
-    v, turn = (D_L + D_R) / 2, (D_R - D_L) / b
-    return motion.path([x, y, theta], v, turn, 1.0, method)[-1]
+    return motion.path([x, y, theta], *way_and_turn(D_L, D_R, b), 1.0, method)[-1]
 
 
 def heading_forgotten(theta, D_L, D_R, b, x=0, y=0):
     """The pose after one step by M22."""
-    D, turn = (D_L + D_R) / 2, (D_R - D_L) / b
+    D, turn = way_and_turn(D_L, D_R, b)
     return M22.wrong.gives(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
 
 
@@ -160,7 +164,8 @@ def half_seen(heading):
 
 def half_seen_step(theta, D_L, D_R, b, x, y):
     """The step with the new heading, by M23."""
-    D, heading = (D_L + D_R) / 2, half_seen(theta + (D_R - D_L) / b)
+    D, turn = way_and_turn(D_L, D_R, b)
+    heading = half_seen(theta + turn)
     return [x + D * np.cos(heading), y + D * np.sin(heading), heading]
 
 
@@ -172,9 +177,9 @@ def half_seen_heading(theta, D_L, D_R, b, x, y):
 
 def degrees_step(theta, D_L, D_R, b, x, y):
     """The step with the new heading, by M13."""
-    heading, turned = theta + (D_R - D_L) / b, M13.wrong.put(theta=theta + (D_R - D_L) / b)
-    D, h = (D_L + D_R) / 2, turned["theta"]
-    return [x + D * np.cos(h), y + D * np.sin(h), heading]
+    D, turn = way_and_turn(D_L, D_R, b)
+    h = M13.wrong.put(theta=theta + turn)["theta"]
+    return [x + D * np.cos(h), y + D * np.sin(h), theta + turn]
 
 
 def backward(heading):

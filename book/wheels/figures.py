@@ -86,12 +86,7 @@ def kinds_figure() -> Figure:
         view=(-0.36, 0.36, -0.23, 0.23),
         size="laboratory",
         controls=(
-            Choice(
-                "kind",
-                "wheel",
-                CHOSEN,
-                {name: tuple(float(k == n) for n in range(5)) for k, name in enumerate(KINDS)},
-            ),
+            Choice.one_of("kind", CHOSEN, KINDS, "wheel"),
             Slider.degrees(course, start=30, step=5, label="direction of the motion"),
         ),
         scene=(

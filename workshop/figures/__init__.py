@@ -31,11 +31,12 @@ from workshop.figures.declaration import (
     Trail,
     Wheel,
     apart,
+    part_done,
     solved,
 )
 from workshop.figures.figure import Figure
 from workshop.figures.graph import Graph
-from workshop.figures.space import VIEW, View
+from workshop.figures.space import VIEW, nearer
 from workshop.figures.turning import Bracket, Turns
 from workshop.script.runtime import Part, register
 
@@ -78,8 +79,9 @@ __all__ = [
     "Steps",
     "Trail",
     "Turns",
-    "View",
     "Wheel",
     "apart",
+    "nearer",
+    "part_done",
     "solved",
 ]

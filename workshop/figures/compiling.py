@@ -26,6 +26,11 @@ def factor(unit: str) -> float:
     return DEGREE if unit == "rad" else 1.0
 
 
+def shown_unit(unit: str) -> str:
+    """The unit in which a quantity is shown."""
+    return "°" if unit == "rad" else unit
+
+
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
     return [
@@ -122,7 +127,7 @@ class Compiler:
             "key": str(control.symbol),
             **face,
             "kind": self.face(control.kind)["kind"] or face["kind"],
-            "unit": "°" if known.unit == "rad" else known.unit,
+            "unit": shown_unit(known.unit),
             "factor": scale,
             "low": _tidy(control.low / scale),
             "high": _tidy(control.high / scale),
@@ -206,7 +211,7 @@ class Compiler:
         return {
             "key": readout.name,
             **self.face(readout.symbol or "", readout.label),
-            "unit": "°" if readout.unit == "rad" else readout.unit,
+            "unit": shown_unit(readout.unit),
             "factor": 1 / factor(readout.unit),
             "digits": readout.digits,
             "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
@@ -220,7 +225,7 @@ class Compiler:
                 "key": str(symbol),
                 "symbol": symbol.key,
                 "at": start + place,
-                "unit": "°" if symbol.unit == "rad" else symbol.unit,
+                "unit": shown_unit(symbol.unit),
                 "factor": 1 / factor(symbol.unit),
             }
             for place, (symbol, _) in enumerate(self.where)

@@ -37,6 +37,11 @@ def apart(one: Place, other: Place) -> Expr:
     return sp.sqrt((one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2)
 
 
+def part_done(done: Expr, k: int) -> Expr:
+    """How much of part k is done, from 0 to 1, of parts that come one after the other."""
+    return sp.Max(0, sp.Min(1, done - k))
+
+
 def with_letter(symbol: NamedSymbol) -> str:
     """A quantity's name, if it has one, and its letter: "heading θ"."""
     return f"{symbol.called} {symbol_text(symbol)}".strip()

@@ -63,7 +63,7 @@ class Figure:
             own = (c for c in self.controls if getattr(c, "symbol", None) not in self.turns)
             controls = (*own, *view_sliders(*self.seen_from))
             object.__setattr__(self, "controls", controls)
-        names = [*map(self._key, self.controls), *(readout.name for readout in self.readouts)]
+        names = [*map(self.key_of, self.controls), *(readout.name for readout in self.readouts)]
         if len(set(names)) < len(names):
             raise CourseError(f"the figure {self.name} has two controls or readouts of one name")
         if self.size not in SIZES:
@@ -153,16 +153,17 @@ class Figure:
         return widget("figures", self.code, self._start())
 
     def _start(self) -> dict[str, Any]:
-        return {self._key(c): c.start for c in self.controls}
+        return {self.key_of(c): c.start for c in self.controls}
 
     def _list(self) -> str:
         """All controls and readouts, for those who cannot see them."""
-        named = [(c.label or self._key(c), self._key(c)) for c in self.controls]
+        named = [(c.label or self.key_of(c), self.key_of(c)) for c in self.controls]
         named += [(readout.label, readout.name) for readout in self.readouts]
         return ", ".join(f"{label}: {{{name}}}" for label, name in named)
 
     @staticmethod
-    def _key(control: Control) -> str:
+    def key_of(control: Control) -> str:
+        """The name of a control in addresses, links and values."""
         return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
 
     @property
@@ -172,7 +173,7 @@ class Figure:
 
     def move(self, values: Mapping[str, Any]) -> None:
         """Set some controls (SI units; a choice by its option's name)."""
-        known = {self._key(control): control for control in self.controls}
+        known = {self.key_of(control): control for control in self.controls}
         for key, value in values.items():
             if key not in known:
                 raise CourseError(f"no control {key!r}; there are {', '.join(known)}")

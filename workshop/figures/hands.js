@@ -211,10 +211,10 @@ const release = (live, element) => {
 };
 
 // What the system cuts short, as by a call, has not been.
-const letGo = (live, element) => {
+const letGo = (live, element, undone = ({ state }) => state) => {
   element.addEventListener("pointercancel", () => {
     if (live.held?.by !== element) return;
-    live.set(live.held.state);
+    live.set(undone(live.held));
     live.held = null;
   });
   element.addEventListener("lostpointercapture", () => release(live, element));
@@ -230,8 +230,9 @@ const followArrows = (live, handle, grip) => grip.addEventListener("keydown", (e
 
 // ---- the ground: dragging it turns the view, by half a turn across the picture
 
+// What else moves meanwhile goes on.
 const turned = (live, held, event) => {
-  const { figure, picture } = live, next = held.state.slice();
+  const { figure, picture } = live, next = live.state.slice();
   const moved = [held.x - event.clientX, event.clientY - held.y];
   const pixelTurns = 180 / picture.getBoundingClientRect().width;
   figure.turns.forEach((i, k) => {
@@ -261,5 +262,6 @@ const followGround = (live) => {
     held.waits &&= across < UNDECIDED || across < along;
     if (!held.waits) live.set(turned(live, held, event));
   });
-  letGo(live, picture);
+  letGo(live, picture, ({ state }) =>
+    live.state.map((now, i) => (live.figure.turns.includes(i) ? state[i] : now)));
 };

@@ -10,9 +10,9 @@ A figure with such shapes gets the two angles as its last sliders, and is turned
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -28,6 +28,14 @@ elevation = quantity("elevation", "rad", -1.57, 1.57, "where a viewer stands: ab
 AXES = ("x_axis", "y_axis", "z_axis")  # kinds
 ORIGIN = (0, 0, 0)
 IDENTITY = sp.eye(3)
+
+
+Shape = TypeVar("Shape", Line, Point)
+
+
+def nearer(shape: Shape, by: float) -> Shape:
+    """The same shape, painted as if it were so far nearer to the viewer, in m; below 0 behind."""
+    return replace(shape, depth=shape.depth + by)
 
 
 @dataclass(frozen=True)

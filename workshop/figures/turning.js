@@ -49,14 +49,16 @@ const followTurns = (live) => live.all("[data-press]").forEach((button) => {
   button.addEventListener("click", () => {
     const i = Number(button.closest("[data-i]").dataset.i), began = performance.now();
     const text = live.state[i][0] + button.dataset.press;
-    pause(live);
+    cancelAnimationFrame(live.turning);
     if (reducedMotion()) return live.setOne(i, [text, 1]);
     const tick = (now) => {
+      if (live.state[i][0] !== text) return; // set anew meanwhile
       const part = Math.min(1, Math.max(0, now - began) / LONG);
       live.setOne(i, [text, part]);
-      live.tick = part < 1 && requestAnimationFrame(tick);
+      if (part < 1) live.turning = requestAnimationFrame(tick);
     };
-    tick(began);
+    live.setOne(i, [text, 0]);
+    live.turning = requestAnimationFrame(tick);
   });
 });
 

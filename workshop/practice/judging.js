@@ -139,4 +139,4 @@ const checkAnswer = (exercise, listed, text) => {
 const checkAnswers = (exercise, variants, answers) =>
   answers.map(([variant, text]) => checkAnswer(exercise, variants[variant], text));
 
-Object.assign(part, { SAYS, problemSays, checkAnswer, checkAnswers });
+Object.assign(part, { NEAR, SAYS, problemSays, checkAnswer, checkAnswers });

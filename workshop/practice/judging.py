@@ -166,8 +166,9 @@ def _slips(exercise: Exercise, right: Sequence[Candidate]) -> list[Candidate]:
         if len(set(exercise.shape)) == 1 and len(exercise.shape) == 2:
             slips["transposed"] = row.reshape(exercise.shape).T.ravel()
         if len(row) == 1 and units == {"rad"}:
-            slips["half-turn" if exercise.asks[0].circle else "turn"] = row + math.pi
-            if not exercise.asks[0].circle:
+            if exercise.asks[0].circle:
+                slips["half-turn"] = row + math.pi
+            else:
                 slips["turn"] = row + 2 * math.pi
                 found.append(Candidate("slip:turn", (_floats(row - 2 * math.pi),)))
         found += [Candidate(f"slip:{name}", (_floats(value),)) for name, value in slips.items()]
@@ -295,6 +296,17 @@ def listed(exercise: Exercise, possible: Sequence[Candidate]) -> list[tuple[str,
 
 def _rounded(number: float, digits: int) -> float:
     return round(number, digits) + 0.0  # no -0
+
+
+def says(what: str, **words: str) -> str:
+    """A sentence of the page's own judge."""
+    sentence: str = engine.run(f"workshop.practice.SAYS.{what}")
+    return sentence.format(**words)
+
+
+def near() -> float:
+    """How many tolerances off is "very close"."""
+    return float(engine.run("workshop.practice.NEAR"))
 
 
 def check(exercise: Exercise, possible: Sequence[Candidate], typed: str) -> Verdict:

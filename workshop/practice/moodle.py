@@ -17,9 +17,6 @@ from workshop.practice.judging import Candidate, Row
 from workshop.practice.teacher import chosen, progress
 from workshop.practice.wording import number_text, paragraphs, symbols, with_unit
 
-NEAR = 10  # tolerances: so close is probably rounding on the way
-CLOSE = "Not yet, but very close. Keep all digits on the way."
-OTHER = "Not yet, and none of the mistakes known here gives this."
 WRITE = (
     "Write {what} as a decimal number such as 0.5 or 1.2e-3, with the decimal sign of your "
     "Moodle's language and the minus of the keyboard. Fractions, π and roots cannot be read."
@@ -92,7 +89,7 @@ def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple
     asked += ", to four decimals" if ask.decimals > 3 else ""
     units = "".join(
         f"<unit><multiplier>{factor!r}</multiplier><unit_name>{unit}</unit_name></unit>"
-        for unit, factor in _units(ask).items()
+        for unit, factor in units_of(ask).items()
     )
     answers = [
         f'<answer fraction="{100 * right}" format="moodle_auto_format"><text>{value}</text>'
@@ -103,11 +100,11 @@ def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple
     if not units:
         form = "<showunits>3</showunits>"
     words = f"<p>Asked is {asked}. {WRITE.format(what='it')}"
-    words += f" The unit may stand after it: {', '.join(_units(ask))}.</p>" if units else "</p>"
+    words += f" The unit may stand after it: {', '.join(units_of(ask))}.</p>" if units else "</p>"
     return text + words, "\n".join([*answers, f"<units>{units}</units>" if units else "", form])
 
 
-def _units(ask: Ask) -> dict[str, float]:
+def units_of(ask: Ask) -> dict[str, float]:
     """How the unit may be written, and the size of one of the unit asked in it."""
     if not ask.unit:
         return {}
@@ -168,7 +165,7 @@ def _answers(
             ask.allowed(right) * factor,
             f"The right value in {unit}. Asked is {ask.unit}.",
         )
-        for unit, factor in _units(ask).items()
+        for unit, factor in units_of(ask).items()
         if factor != 1
     ]
     told = set[float]()
@@ -177,8 +174,9 @@ def _answers(
             told.add(value)
             alike = [says for x, t, says in wrong if judging.off(ask, value, x) <= tolerance + t]
             yield False, _number(value), tolerance, _said(alike)
-    yield False, _number(right), NEAR * ask.allowed(right), CLOSE
-    yield False, "*", 0, OTHER
+    near = judging.near()
+    yield False, _number(right), near * ask.allowed(right), judging.says("near", digits="")
+    yield False, "*", 0, judging.says("wrong")
 
 
 def _said(alike: Sequence[str]) -> str:
@@ -204,7 +202,7 @@ def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[s
             given.setdefault(name, rows)
     choices: dict[str, list[str]] = {}
     for name, rows in list(given.items())[: CHOICES + 1]:
-        choices.setdefault(_shown(exercise, rows), []).append(meant[name].says)
+        choices.setdefault(shown_answer(exercise, rows), []).append(meant[name].says)
     answers = [
         f'<answer fraction="{100 * (judging.RIGHT in says)}" format="html">'
         f"<text><![CDATA[{shown}]]></text>{_text('feedback', _said(says), 'html')}</answer>"
@@ -216,7 +214,7 @@ def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[s
     return f"{text}<p>{asked}, as [{labels}]?</p>", "\n".join([*answers, form])
 
 
-def _shown(exercise: Exercise, rows: Sequence[Row]) -> str:
+def shown_answer(exercise: Exercise, rows: Sequence[Row]) -> str:
     units = {ask.unit for ask in exercise.asks}
     unit = units.pop() if len(units) == 1 else ""
     return "; ".join(with_unit(number_text(row, ""), unit) for row in rows)

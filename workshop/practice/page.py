@@ -27,9 +27,7 @@ def constants() -> dict[str, Any]:
     """What the script needs of Python: how many variants there are, the name of its store, and how
     many exercises each chapter has."""
     count = Counter(exercise.topic for exercise in exercises().values())
-    chapters = {
-        course().title(t): (t, n) for t, n in count.items() if course().notebook(t).exists()
-    }
+    chapters = {course().title(t): (t, n) for t, n in count.items() if t in course().taught}
     return {"VARIANTS": dealing.VARIANTS, "STORE": course().name, "TOPICS": chapters}
 
 

@@ -14,6 +14,7 @@ import sympy as sp
 
 from workshop.course import course
 from workshop.errors import CourseError, shown
+from workshop.figures.compiling import factor, shown_unit
 from workshop.figures.declaration import Slider
 from workshop.figures.figure import find as find_figure
 from workshop.practice.bank import SI
@@ -131,14 +132,12 @@ class Ghost:
 
     def units(self) -> list[str]:
         """The unit of each slider, as the reader sees it."""
-        return ["°" if u == "rad" else u for u in (s.symbol.unit for s in self.sliders())]
+        return [shown_unit(slider.symbol.unit) for slider in self.sliders()]
 
     def shown(self, value: Value) -> list[float]:
         """Numbers in the units that the reader sees."""
-        return [
-            x * 180 / np.pi if unit == "°" else x
-            for x, unit in zip(row(value), self.units(), strict=True)
-        ]
+        pairs = zip(row(value), self.sliders(), strict=True)
+        return [x / factor(slider.symbol.unit) for x, slider in pairs]
 
     def answer(self) -> str:
         """Where the ghost belongs, in words."""
@@ -157,7 +156,7 @@ class Ghost:
             "labels": [slider.label or str(slider.symbol) for slider in self.sliders()],
             "units": self.units(),
             "then": {
-                str(symbol): float(row(value)[0]) * (180 / np.pi if symbol.unit == "rad" else 1)
+                str(symbol): float(row(value)[0]) / factor(symbol.unit)
                 for symbol, value in self.then.items()
             },
             "right": self.shown(self.right),

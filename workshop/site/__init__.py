@@ -4,7 +4,8 @@ A cell's formula becomes a numbered equation, a cell's figure its still picture 
 takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
 against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
 `{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
-`{promise}` (what was counted and checked), `{library}` (its functions).
+`{promise}` (what was counted and checked), `{library}` (its functions), `{desk}` (the line
+above the exercises, with the student's name).
 Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
 picks each student's numbers; without one the course's own name), `course_solutions`,
 `course_wheels` and `course_lock` (what a downloaded notebook needs), `course_python` (where the

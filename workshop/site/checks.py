@@ -75,7 +75,7 @@ def _check_all() -> Checked:
 
 def _title(topic: str) -> str:
     """A chapter's title, or the name of what several chapters share."""
-    taught = course().notebook(topic).exists()
+    taught = topic in course().taught
     return course().title(topic) if taught else topic.replace("_", " ").capitalize()
 
 

@@ -37,8 +37,8 @@ class Chapters(SphinxDirective):
             pictures.setdefault(chapter, name)
         cards = [
             self._card(chapter, pictures[chapter])
-            for chapter in course().chapters
-            if course().notebook(chapter).exists() and chapter in pictures
+            for chapter in course().taught
+            if chapter in pictures
         ]
         text = f'<p class="site-so-far"></p><div class="site-cards">{"".join(cards)}</div>'
         return [nodes.raw("", text, format="html")]

@@ -31,11 +31,6 @@ TYPED = re.compile(r"\$\$(.*?)\$\$|(?<![\\$])\$([^$]+?)\$", re.DOTALL)
 TOKEN = re.compile(r"\{[^{}]*\}|\\(?:mathrm|operatorname)\s*\{\w+\}|\\[A-Za-z]+|\S")
 
 
-def is_chapter(name: str) -> bool:
-    """Whether it is a chapter with a notebook."""
-    return name in course().chapters and course().notebook(name).exists()
-
-
 @cache
 def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
     """The symbols of a chapter by their pattern in TeX, the longest first."""
@@ -95,10 +90,9 @@ def names(chapter: str) -> set[str]:
 
 def cells(chapter: str) -> list[dict[str, Any]]:
     """The cells of a chapter's notebook; what chapters share has none."""
-    file = course().notebook(chapter)
-    found: list[dict[str, Any]] = (
-        json.loads(file.read_text("utf-8"))["cells"] if file.exists() else []
-    )
+    if chapter not in course().taught:
+        return []
+    found: list[dict[str, Any]] = json.loads(course().notebook(chapter).read_text("utf-8"))["cells"]
     return found
 
 

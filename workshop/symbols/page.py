@@ -23,7 +23,7 @@ AXIS_BEHIND, AXIS_BEFORE = re.compile(r"\s+(axis|axes|direction)\b"), re.compile
 def mark_formulas(app: Sphinx, doctree: nodes.document, docname: str) -> None:
     """Give each formula of a chapter the TeX in which its symbols are marked."""
     chapter = docname.partition("/")[0]
-    if not lexicon.is_chapter(chapter):
+    if chapter not in course().taught:
         return
     for node in doctree.findall(lambda n: isinstance(n, nodes.math | nodes.math_block)):
         if "marked" not in node and not names_an_axis(node):
@@ -44,7 +44,7 @@ def names_an_axis(node: nodes.Element) -> bool:
 def mark_page(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
     """Names in a chapter's code get their symbols, and formulas the numbers of their figures."""
     chapter = page.partition("/")[0]
-    if not doctree or not lexicon.is_chapter(chapter):
+    if not doctree or chapter not in course().taught:
         return
     known = by_name(chapter)
     body = re.sub(
@@ -58,7 +58,7 @@ def mark_page(app: Sphinx, page: str, template: str, context: Any, doctree: Any)
 def symbols_told(page: str, body: str) -> dict[str, list[str]]:
     """What the page says of each symbol in it, by key."""
     chapter = page.partition("/")[0]
-    if not lexicon.is_chapter(chapter):
+    if chapter not in course().taught:
         return {}
     used = {unescape(key) for key in re.findall(r'data-symbol="([^"]+)"', body)}
     return {s.key: facts(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key in used}

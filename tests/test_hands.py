@@ -88,12 +88,23 @@ def test_near_a_special_value_it_is_exactly_that(visit, start, special):  # noqa
 
 
 @in_browser
+def test_what_a_hand_leaves_is_what_is_shown(visit):  # noqa: F811
+    """So that the formula with the figure's numbers is true."""
+    with visit(FIGURES["wheel-speeds"]) as live:
+        start = centre(live, 1)
+        *_, (_, on_the_way, _) = states_on_the_way(live, start, start + np.array([0, 37]), 3)
+        _, right, _ = live.state()
+    assert on_the_way != right == pytest.approx(on_the_way, abs=5e-4)
+    assert right == round(right, 3)
+
+
+@in_browser
 def test_the_thumb_follows_and_keys_go_in_steps(visit):  # noqa: F811
     figure = FIGURES["wheel-speeds"]
     with visit(figure) as live:
         start = centre(live, 1)
-        found = states_on_the_way(live, start, start + np.array([0, 13]), 1)[-1]
-        slider = live.input(figure.controls[1])
+        states_on_the_way(live, start, start + np.array([0, 15]), 1)
+        slider, found = live.input(figure.controls[1]), live.state()
         assert float(slider.input_value()) == pytest.approx(found[1], abs=1e-9)
         assert abs(found[1] / 0.005 - round(found[1] / 0.005)) > 0.01  # between two steps
         live.press(figure.controls[1], "ArrowRight")

@@ -250,7 +250,13 @@ def test_a_ladder_from_where_to_look_to_the_answer(page):
     mine, help = variant(name, "Ada"), box(page, name).locator(".rk-help")
     assert not ladder(page, name)
     help.click()
-    assert "formulas of [φ̇L, φ̇R]" in ladder(page, name)
+    assert "formulas of φ̇L, φ̇R" in ladder(page, name)
+    link = box(page, name).locator(".rk-ladder").get_by_role("link", name="φ̇L, φ̇R")
+    chapter, place = link.get_attribute("href").split("#")
+    assert chapter == "./differential_drive/differential_drive.html"
+    page.goto(page.url.replace("practice.html", f"{chapter}#{place}"))
+    assert page.locator(f"[id='{place}']").count() == 1
+    page.go_back()
     help.click()
     assert "Check an answer first" in ladder(page, name)
     wrong = next(c for c in mine.candidates if c.name == "M12")

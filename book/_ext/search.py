@@ -8,6 +8,7 @@ too.
 
 import html
 import json
+import posixpath
 import re
 import shutil
 from pathlib import Path
@@ -23,7 +24,10 @@ MINISEARCH = BOOK / "_vendor" / "minisearch" / "minisearch.js"
 NAMES = {"sin", "cos", "tan", "cot", "arctan", "det"}
 UNREAD = ["checks"]  # formulas of the chapters once more
 BOX = re.compile(r'<(?:div|section)[^>]* id="([a-z]+(?:-[a-z]+)*-\d+)"[^>]*>(.*)', re.DOTALL)
-STYLE = re.compile(r"<(style|script|svg|button|label)\b.*?</\1>", re.DOTALL)
+# what no reader sees, or nobody looks for
+UNSEEN = re.compile(
+    r"<(style|script|svg|button|label)\b.*?</\1>|<(\w+)[^>]* hidden>.*?</\2>", re.DOTALL
+)
 
 
 def plain(tex):
@@ -36,7 +40,7 @@ def plain(tex):
 
 def plain_words(raw):
     """The text of HTML."""
-    return html.unescape(re.sub(r"<[^>]+>", " ", STYLE.sub(" ", raw)))
+    return html.unescape(re.sub(r"<[^>]+>", " ", UNSEEN.sub(" ", raw)))
 
 
 def within(node):
@@ -52,8 +56,8 @@ def squeezed(parts):
 class Reader:
     """Collects the entries of one page."""
 
-    def __init__(self, page, title):
-        self.page, self.title = page, title
+    def __init__(self, page, titles):
+        self.page, self.title, self.titles = page, titles[page].astext(), titles
         self.entries = []
 
     def add(self, anchor, title, **fields):
@@ -74,6 +78,8 @@ class Reader:
         """Sort a node's words: what a chapter explains stands in italics."""
         if isinstance(node, nodes.section):
             self.section(node, top=False)
+        elif isinstance(node, addnodes.pending_xref) and not node["refexplicit"]:
+            words["text"].append(self.link(node))
         elif isinstance(node, nodes.Text):
             words["text"].append(node.astext())
         elif isinstance(node, nodes.literal_block):
@@ -92,6 +98,17 @@ class Reader:
             words["terms"] += [node.astext()] if isinstance(node, nodes.emphasis) else []
             for child in node.children:
                 self.read(child, words)
+
+    def link(self, node):
+        """What a link without own words says: a page's title, or author and year of a book."""
+        if node["reftype"] == "doc":
+            page = posixpath.normpath(
+                posixpath.join(posixpath.dirname(self.page), node["reftarget"])
+            )
+            return self.titles[page].astext()
+        if node["refdomain"] == "cite":
+            return re.sub(r"([a-z]+)(\d+)", lambda m: f"{m[1].title()} {m[2]}", node.astext())
+        return node.astext()
 
     def raw(self, source, text):
         """An exercise is an entry; a figure says what it shows."""
@@ -113,11 +130,10 @@ class Reader:
     def term(self, item):
         """A term of the glossary."""
         names = [term.astext() for term in item.findall(nodes.term)]
-        self.add(
-            item.next_node(nodes.term)["ids"][0],
-            ", ".join(names),
-            text=squeezed([plain_words(item.next_node(nodes.definition).astext())]),
-        )
+        words = {"terms": [], "text": [], "code": []}
+        self.read(item.next_node(nodes.definition), words)
+        text = squeezed(words["text"])
+        self.add(item.next_node(nodes.term)["ids"][0], ", ".join(names), text=text)
 
 
 def entries(env):
@@ -126,7 +142,7 @@ def entries(env):
     for page in sorted(env.found_docs - set(UNREAD)):
         document = env.get_doctree(page)
         SelectMimeType(document).run()  # of an output that is stored in several forms, one
-        reader = Reader(page, env.titles[page].astext())
+        reader = Reader(page, env.titles)
         reader.section(document.next_node(nodes.section), top=True)
         found += reader.entries
     return found

@@ -3,8 +3,7 @@
 import numpy as np
 
 from book.basics import formulas
-from book.basics.formulas import p_x, p_y
-from book.motion.formulas import theta
+from book.basics.formulas import p_x, p_y, theta
 from robokin import motion
 from workshop.equations import Array, Check
 

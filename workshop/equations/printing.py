@@ -1,5 +1,6 @@
 """How an equation is shown: numbered mathematics in JupyterLab and on the page."""
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -51,6 +52,11 @@ COMPUTED = "-computed"
 def name_on_page(name: str, computed: bool) -> str:
     """What `{eq}` refers to: a formula may stand on a page in both its forms."""
     return name + COMPUTED if computed else name
+
+
+def place_on_page(label: str) -> str:
+    """Where a page has a formula, as links to it say; label: what `{eq}` refers to."""
+    return "equation-" + re.sub("[^a-z0-9]+", "-", label.lower())
 
 
 def _plain(expression: Any) -> str:

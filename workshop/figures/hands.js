@@ -192,7 +192,7 @@ const followPointer = (live, grip) => {
     live.held = { by: taken, k, off, state: live.state, view: live.computed.view };
     live.last = k;
     taken.setPointerCapture(event.pointerId);
-    taken.focus({ preventScroll: true });
+    taken.focus({ preventScroll: true, focusVisible: false });
   });
   // in SVG, `touch-action` alone lets the page scroll away with the finger
   grip.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
@@ -207,7 +207,7 @@ const followPointer = (live, grip) => {
 const release = (live, element) => {
   if (live.held?.by !== element) return;
   live.held = null;
-  live.set(live.state, true);
+  live.set(asShown(live.figure, live.state));
 };
 
 // What the system cuts short, as by a call, has not been.

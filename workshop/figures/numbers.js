@@ -71,6 +71,12 @@ const attracted = (figure, state, i, reach) => {
   return clamp(control, far(best) <= near ? best : state[i]);
 };
 
+// What a hand leaves is what is shown of it, so that a formula with the figure's numbers is true; a
+// special value stays.
+const asShown = (figure, state) => figure.controls.map((control, i) =>
+  control.type !== "slider" || magnets(figure, state, i).includes(state[i]) ? state[i]
+    : clamp(control, Number(state[i].toFixed(control.digits))));
+
 // A slider that goes all the way round has no end: past it, it goes on from the other one.
 const allRound = ({ low, high }, shown) =>
   high - low === 360 ? shown - 360 * Math.floor((shown - low) / 360) : shown;

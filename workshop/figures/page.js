@@ -40,6 +40,9 @@ const followAddress = (live) => {
     live.set(state);
     live.element.scrollIntoView();
   };
+  live.element.querySelector(".rk-reset")?.addEventListener("click", () => {
+    if (fromAddress(live.figure, location.hash)) history.replaceState(null, "", `#${live.figure.name}`);
+  });
   addEventListener("hashchange", follow);
   follow();
 };

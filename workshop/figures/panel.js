@@ -3,7 +3,7 @@
 const controlName = ({ kind, label: words }) => {
   const swatch = kind ? `<svg class="rk-swatch" width="26" height="8" aria-hidden="true">`
     + `<path d="M0 4H26" ${stroke(kind)}/></svg>` : "";
-  const name = symbols(words).replace(/(^| )(Δ?\p{L})$/u, "$1<i>$2</i>"); // a letter at the end
+  const name = symbols(words).replace(/(^|[^\d] )(Δ?\p{L})$/u, "$1<i>$2</i>"); // a letter at the end, no unit
   return `<span class="rk-name">${swatch}${name}</span>`;
 };
 

@@ -30,6 +30,13 @@ const paragraphs = (text) => matrices(symbols(unbroken(text))).split("\n\n")
 const FORMULA = /^(\[[^=]*\]|\S+) = /;
 
 // A solution in steps: each is a text and the formulas that follow it.
+// The chapter, and what its formulas give; each leads to the formula, where the chapter prints it.
+const whereToLook = ({ chapter, formulas }, link) => {
+  const found = formulas.map(([gives, place]) => place ? link(place, symbols(gives)) : symbols(gives));
+  return `Look in the chapter “${symbols(chapter)}”`
+    + `${found.length ? ` for the formulas of ${found.join("; ")}` : ""}.`;
+};
+
 const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
     const last = steps.at(-1)?.split("\n\n").at(-1);
     if (last === undefined || (FORMULA.test(last) && !FORMULA.test(part))) return [...steps, part];
@@ -202,13 +209,13 @@ class Box {
     const { steps } = this, last = steps.length;
     const { why, picture } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
     const root = document.documentElement.dataset.content_root; // a notebook has none
-    const link = (place, words) => root === undefined ? ""
-      : ` <a href="${root}${topic}/${topic}.html${place}">${words}</a>`;
+    const link = (place, words) => `<a href="${root}${topic}/${topic}.html#${place}">${words}</a>`;
+    const see = root === undefined ? "" : ` ${link(entry.name, "See it in the chapter.")}`;
     const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escaped(picture)}" `
       + `src="${root}_static/practice/${entry.name}.svg#${theme}">`;
-    this.one(".rk-ladder").innerHTML = (why ? `<p>${symbols(why)}${link(`#${entry.name}`, "See it in the chapter.")}</p>` : "")
+    this.one(".rk-ladder").innerHTML = (why ? `<p>${symbols(why)}${see}</p>` : "")
       + (picture && root !== undefined ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
-      + (opened ? `<p>${symbols(look)}${link("", "To the chapter.")}</p>` : "")
+      + (opened ? `<p>${whereToLook(look, root === undefined ? (_, words) => words : link)}</p>` : "")
       + steps.slice(0, Math.max(0, opened - 1)).map(paragraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");
     button.hidden = opened > last;

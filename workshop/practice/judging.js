@@ -9,7 +9,7 @@ const SAYS = {
   near: "Not yet, but very close. Keep all digits on the way{digits}.",
   wrong: "Not yet, and none of the mistakes known here gives this.",
   parts: "Already right: {labels}.",
-  shape: "Asked is {asked}. This was read as {read}.",
+  shape: "Asked is {asked}. Write it like {like}. This was read as {read}.",
   other: "There are other right answers too.",
   digits: "Give {decimals} decimals: with fewer the check cannot tell what went wrong.",
   units: "And it is in other units ({unit}).",
@@ -119,6 +119,13 @@ const shownValue = (value) => Array.isArray(value)
   ? `[${value.map(shownValue).join(", ")}]`
   : trueMinus(String(Number(value.toPrecision(6))));
 
+// An answer of the shape that is asked for; of several answers two.
+const like = ({ asks: { length: size }, accept, shape }) => {
+  const row = (k) => Array.from({ length: shape[1] ?? size }, (_, i) => k * (shape[1] ?? size) + i + 1);
+  const rows = Array.from({ length: shape[0] ?? (accept === "all" ? 2 : 1) }, (_, k) => row(k));
+  return shownValue(shape.length || accept === "all" ? (size > 1 ? rows : rows.flat()) : size > 1 ? rows[0] : 0.5);
+};
+
 // What is wrong with an answer that cannot be read.
 const problemSays = (problem, about) =>
   said(PROBLEMS[problem], { about, point: about.replace(",", "."), whole: about.replace(",", "") });
@@ -132,7 +139,7 @@ const checkAnswer = (exercise, listed, text) => {
   const unit = exercise.asks.length === 1 ? exercise.asks[0].unit : "";
   const read = `Read as ${shownValue(value)}${unit && ` ${unit}`}.`;
   if (rows) return { ...judge(exercise, listed, rows, text), read };
-  return unread(said(SAYS.shape, { asked: exercise.asked, read: shownValue(value) }));
+  return unread(said(SAYS.shape, { asked: exercise.asked, like: like(exercise), read: shownValue(value) }));
 };
 
 // The verdicts on many answers, [variant, text] each. variants: what is listed for each.

@@ -15,10 +15,12 @@ from typing import Any
 
 from workshop.course import course
 from workshop.equations.core import Equation
+from workshop.equations.printing import name_on_page, place_on_page
 from workshop.equations.text import formula_text
 from workshop.practice import dealing, judging
 from workshop.practice.bank import Exercise, exercises
 from workshop.script import engine
+from workshop.symbols import lexicon
 
 MIME = "application/vnd.workshop.exercise+json"
 
@@ -50,12 +52,25 @@ def contents(exercise: Exercise, solutions: bool = True) -> dict[str, Any]:
     }
 
 
-def look(exercise: Exercise) -> str:
-    """Where to look who does not know how to begin: the formulas that the solution uses."""
-    used = [s.formula for s in exercise.solution.steps.values() if isinstance(s.formula, Equation)]
-    sides = dict.fromkeys(formula_text(formula.left) for formula in used)
-    formulas = f" for the formulas of {'; '.join(sides)}" if sides else ""
-    return f"Look in the chapter “{course().title(exercise.topic)}”{formulas}."
+def look(exercise: Exercise) -> dict[str, Any]:
+    """Where to look who does not know how to begin: the chapter, and the formulas that the solution
+    uses, each as what it gives and where the chapter prints it."""
+    places = {
+        equation.name: place_on_page(name_on_page(equation.name, computed))
+        for equation, computed in lexicon.shown(exercise.topic)
+    }
+    steps = exercise.solution.steps.values()
+    used = dict.fromkeys(s.formula for s in steps if isinstance(s.formula, Equation))
+    return {
+        "chapter": course().title(exercise.topic),
+        "formulas": [[gives(formula), places.get(formula.name, "")] for formula in used],
+    }
+
+
+def gives(formula: Equation) -> str:
+    """The left side of a formula, without the brackets of a list."""
+    text = formula_text(formula.left)
+    return text.strip("[]") if text.count("[") == 1 else text
 
 
 def question(exercise: Exercise) -> dict[str, Any]:

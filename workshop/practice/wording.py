@@ -29,9 +29,10 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def symbols(text: str) -> str:
-    """A text as HTML, with "v_L", "θ̇_1" and "x_{i+1}" as letters with an index."""
+    """A text as HTML, with "v_L", "θ̇_1", "x_{i+1}" and "θ_1^away" as letters with an index."""
     letter, index = r"([^\W\d_][\u0300-\u036f]*)", "(?:([0-9A-Za-z]+)|{([^}]+)})"
-    return re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2\3</sub>", escape(text))
+    text = re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2\3</sub>", escape(text))
+    return re.sub(r"</sub>\^([0-9A-Za-z]+|[+−-])", r"</sub><sup>\1</sup>", text)
 
 
 def highlighted(text: str) -> str:

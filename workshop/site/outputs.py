@@ -12,7 +12,7 @@ from sphinx.errors import ExtensionError
 
 from workshop.course import course
 from workshop.equations.core import find, labelled
-from workshop.equations.printing import AGAIN, COMPUTED, name_on_page
+from workshop.equations.printing import AGAIN, COMPUTED, name_on_page, place_on_page
 from workshop.equations.printing import MIME as EQUATION
 from workshop.errors import CourseError
 from workshop.figures.figure import MIME as FIGURE
@@ -80,7 +80,7 @@ def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     domain = env.get_domain("math")
     domain.note_equation(env.docname, label, location=(env.docname, data.line))
     node["number"] = domain.get_equation_number_for(label)
-    target = nodes.target("", "", ids=[nodes.make_id(f"equation-{label}")])
+    target = nodes.target("", "", ids=[place_on_page(label)])
     renderer.renderer.document.note_explicit_target(target)
     followed = data.content.get("figure")
     return [target, node, *(_numbers(name, computed, followed, env) if followed else ())]

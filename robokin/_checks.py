@@ -21,15 +21,22 @@ MOST_AXES = 24  # NumPy's own limit is 32 in places, and a result may have more 
 
 
 def numbers(name: str, value: ArrayLike) -> Array:
-    """`value` as an array of floats; strings, objects, complex and ragged lists are refused."""
+    """`value` as an array of floats, NaN where it is masked; strings, objects, complex and ragged
+    lists are refused.
+    """
     try:
+        if isinstance(value, np.ma.MaskedArray):  # what is masked is missing
+            value = np.ma.filled(value.astype(FLOAT), np.nan)
         array = np.asarray(value)
     except Exception as error:  # whatever a ragged list or a strange object does in there
         raise RobokinError(
             f"{name} must be numbers in a regular array, got {shown(value)}"
         ) from error
     if array.dtype.kind not in "iuf":
-        raise RobokinError(f"{name} must be real numbers, got {array.dtype} in {shown(value)}")
+        more = "; float(…) makes one of it" if array.dtype == object else ""
+        raise RobokinError(
+            f"{name} must be real numbers, got {array.dtype} in {shown(value)}{more}"
+        )
     if array.ndim > MOST_AXES:
         raise RobokinError(f"{name} must have at most {MOST_AXES} axes, got {array.ndim}")
     return array if array.dtype is FLOAT else array.astype(FLOAT, copy=False)

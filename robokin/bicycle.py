@@ -125,6 +125,7 @@ def ackermann_error(
     meet nowhere. One straight ahead: +inf (the right one) or −inf (the left one).
     Source: exercise 5; the cotangents' difference is sin(α_L − α_R)/(sin α_L sin α_R).
     """
+    alpha_left, alpha_right = alpha_left + 0.0, alpha_right + 0.0  # no -0.0: 1/-0.0 is -inf
     difference = np.sin(alpha_left - alpha_right) / np.sin(alpha_left) / np.sin(alpha_right)
     straight = (alpha_left == 0) & (alpha_right == 0)
     return np.where(straight, 0.0, difference - track / wheelbase)

@@ -19,7 +19,8 @@ __all__ = ["arc_step", "icr", "move", "path", "to_body", "to_world", "wrap_angle
 def wrap_angle(angle: ArrayLike) -> Array:
     """The same direction as an angle in (-π, π].
 
-    angle: (…) in rad → (…). An angle already there is returned unchanged, digit for digit.
+    angle: (…) in rad → (…). An angle already there is returned unchanged, digit for digit. Of many
+    turns the direction is as uncertain as the angle's own rounding, about 1e-16 of it.
 
     >>> wrap_angle([np.pi, -np.pi, 7.0]).round(6)
     array([3.141593, 3.141593, 0.716815])

@@ -14,7 +14,7 @@ from robokin._paths import METHODS, follow, sinc, sinc_slope
 from robokin._rotations import Square
 
 __all__ = ["covariance", "ellipse", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
-ROUNDING = 1e-12  # of the products of variances, in a determinant that should be 0
+ROUNDING = 1e-12  # of the variances, between numbers that should be the same
 
 
 def _is_size(bits: Array) -> Bools:
@@ -186,12 +186,12 @@ def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
     >>> ellipse([[0.05, 0.03], [0.03, 0.05]])[0].round(6)
     array([0.282843, 0.141421])
     """
-    (xx, xy, *_), (_, yy, *_), *_ = entries(covariance)
-    large = np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
-    det = xx * yy - xy * xy  # rounding can make a line's a little less than 0
-    det = np.where((det < 0) & (det > -ROUNDING * (xx * yy)), 0.0, det)
-    small = np.where(large > 0, np.sqrt(det) / large, large)
-    angle = np.arctan2(2 * xy, xx - yy) / 2
+    (xx, xy, *_), (yx, yy, *_), *_ = entries(covariance)
+    size, det = xx + yy, xx * yy - xy * xy  # rounding can make a line's a little less than 0
+    bad = (xx < 0) | (yy < 0) | (np.abs(xy - yx) > ROUNDING * size) | (det < -ROUNDING * size**2)
+    large = np.sqrt(np.where(bad, np.nan, size / 2 + np.hypot((xx - yy) / 2, xy)))
+    small = np.where(large > 0, np.sqrt(np.maximum(det, 0.0)) / large, large)
+    angle = np.where(bad, np.nan, np.arctan2(2 * xy, xx - yy) / 2)
     c, s = np.cos(angle), np.sin(angle)
     return vector(large, small), matrix([[c, -s], [s, c]])
 

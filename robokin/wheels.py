@@ -73,7 +73,9 @@ class Wheel:
                 f"radius must be positive and l not negative, got {self.radius} and {self.l}"
             )
         if (self.d != 0) != (self.kind == "castor"):
-            raise RobokinError(f"d must be other than 0 for a castor only, got {self.d}")
+            raise RobokinError(
+                f"d must be 0 but for a castor, and other than 0 for one, got {self.d}"
+            )
         if (self.gamma != 0 and self.kind != "swedish") or abs(cos(self.gamma)) < 1e-15:
             raise RobokinError(
                 f"gamma must be 0 but for a swedish wheel, and never ±π/2, got {self.gamma}"

@@ -14,7 +14,9 @@ from arguments import DATA, PARAMETERS, STEPS, TABLE, bind, find, public_functio
 from hypothesis import HealthCheck, given, settings
 
 from robokin._paths import METHODS
+from robokin.bicycle import lane_width
 from robokin.errors import RobokinError
+from robokin.motion import wrap_angle
 
 
 def call(label, **changed):
@@ -136,6 +138,14 @@ def test_lists_tuples_and_arrays_are_the_same_and_stay_as_they_are(label):
     for changed in (arrays, tuples, columns):
         for a, b in zip(results(label, **changed), wanted, strict=True):
             np.testing.assert_array_equal(a, b)
+
+
+def test_what_is_masked_is_missing():
+    """As NaN is: data become NaN there, and a parameter is refused."""
+    masked = np.ma.masked_array([1, 2, 99], mask=[False, False, True])
+    np.testing.assert_array_equal(wrap_angle(masked), [1, 2, np.nan])
+    with pytest.raises(RobokinError, match="track must be positive and finite, got nan at index 2"):
+        lane_width(0.1, 2.0, masked)
 
 
 def totuple(value):

@@ -55,6 +55,17 @@ def test_every_candidate_of_every_variant_is_named(exercise):
         assert verdict.result == wanted
 
 
+@pytest.mark.parametrize("name", ["bicycle-2", "bicycle-4", "bicycle-5"])
+@pytest.mark.parametrize("sign", ["°", ""])
+def test_a_right_angle_in_whole_degrees_is_nobody_s_mistake(name, sign):
+    exercise = EXERCISES[name]
+    right = [np.degrees(variant.candidates[0].rows[0][0]) for variant in dealing.variants(name)]
+    answers = [(k, f"{x:.0f}{sign}") for k, x in enumerate(right) if abs(x) >= 10]
+    assert len(answers) > 40
+    named = {verdict.name for verdict in judged(exercise, answers)}
+    assert named <= {"near", "right", "unit:degrees"}
+
+
 def judged(exercise, answers):
     """The verdicts on answers, each with the number of its variant."""
     variants = [variant.candidates for variant in dealing.variants(exercise.name)]

@@ -188,13 +188,13 @@ def literal(r):
 
 
 def factor(r, depth):
-    """The text of a factor, its value, and whether it is a product without a sign."""
+    """The text of a factor, its value, and whether it must be in parentheses behind a sign."""
     text, value = literal(r)
     kind, blank = r.randrange(8 if depth else 5), r.choice(BLANKS)
     if kind == 1:
         text, value = f"√{blank}{text}", root(value)
     elif kind == 2:
-        text, value = text + blank + r.choice(["°", "º", " deg"]), value * (math.pi / 180)
+        return text + blank + r.choice(["°", "º", " deg"]), value * (math.pi / 180), True
     elif kind == 3:
         count = r.randrange(2, 100)
         return f"{count}{blank}π", count * math.pi, True
@@ -377,6 +377,10 @@ def test_what_can_mean_only_one_thing_is_read(text, asks, value):
         ("ω = 0.1, v = 0.2", TWIST, "equals"),
         ("v = ω = 3", RATE, "equals"),
         ("۱/۳", RATE, "slash"),
+        ("۷۰/۱۸۰", RATE, "slash"),
+        ("۳۴/۱۰۰", RATE, "slash"),
+        ("۷۰/۱۹۱*π", RATE, "slash"),
+        ("π*۷۰/۱۹۱", RATE, "slash"),
         ("2.1.9", RATE, "unknown"),
     ],
 )

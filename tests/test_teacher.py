@@ -79,6 +79,39 @@ def test_a_saved_answer_comes_back_as_it_was(folder, cell):
     assert (row["student"], row["answer"]) == ("=Ada", cell.strip())
 
 
+def test_an_answer_in_several_lines_whose_row_looks_like_a_heading(keyed):
+    """The name of its student holds that of a column."""
+    (keyed / "answers.csv").write_text(f'{HEADING}\nstudent12,{ONE},"[1,\n2,\n3]"\nAda,{ONE},5\n')
+    found = tables.read("answers.csv", HEADING.split(","), problems := tables.Problems())
+    assert [(row["student"], row["answer"]) for _, row in found] == [
+        ("student12", "[1,\n2,\n3]"),
+        ("Ada", "5"),
+    ]
+    assert not problems.lines()
+
+
+def test_the_class_page_never_takes_the_place_of_the_grades(keyed, capsys):
+    for out in ("grades.html", ".", ""):
+        assert run("grade", "key.csv", "--key", "key.csv", "--out", out) == 2
+        assert "give one that ends in .csv" in capsys.readouterr().err
+    assert not (keyed / "grades.html").exists()
+
+
+def test_a_damaged_key_makes_no_sheet_and_says_why(keyed, capsys):
+    key = (keyed / "key.csv").read_text("utf-8")
+    for damaged in (key.replace("{", "{,"), re.sub(r'""\w+"": ', '""none"": ', key)):
+        assert damaged != key
+        (keyed / "damaged.csv").write_text(damaged, "utf-8")
+        assert run("sheet", "damaged.csv", "--force") == 2
+        assert f"numbers of {ONE} that cannot be used" in capsys.readouterr().err
+
+
+def test_a_class_list_is_no_secret(folder, capsys):
+    (folder / "roster.csv").write_text("student\n" + "Ada Lovelace\n" * 9)
+    assert run("key", "roster.csv", "--secret", "roster.csv") == 2
+    assert "must be one word" in capsys.readouterr().err
+
+
 def results():
     return {(row["student"], row["exercise"]): row["result"] for row in table("grades.csv")}
 

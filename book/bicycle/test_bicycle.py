@@ -299,8 +299,9 @@ def test_straight_ahead():
 def test_one_wheel_straight_ahead_drives_straight_ahead(angle):
     assert equivalent_steering(angle, 0.0) == 0
     assert equivalent_steering(-0.0, angle) == 0
-    assert ackermann_error(angle, 0.0, 2.5, 1.5) == np.inf
-    assert ackermann_error(0.0, angle, 2.5, 1.5) == -np.inf
+    for zero in (0.0, -0.0):
+        assert ackermann_error(angle, zero, 2.5, 1.5) == np.inf
+        assert ackermann_error(zero, angle, 2.5, 1.5) == -np.inf
 
 
 @pytest.mark.parametrize("angle", [1e-150, 1e-16, 1e-9, 0.3, 1.0, 1.5, QUARTER, 2.0])

@@ -410,8 +410,20 @@ def test_ellipses_that_are_a_circle_a_line_or_a_point():
         assert axes[0] == pytest.approx(1.0, rel=4 * EPS)
         assert axes[1] <= np.sqrt(2 * EPS)  # a determinant of a rounding
         assert_close(directions[:, 0], np.array([c, s]), atol=8 * EPS)
-    for no_covariance in (np.diag([1, -1]), np.diag([-1, -1]), [[1, 2], [2, 1]]):
-        assert np.isnan(ellipse(no_covariance)[0]).any()
+    refused = np.diag([1, -1]), np.diag([-1, -1]), np.diag([0, -1]), [[1, 2], [2, 1]]
+    for no_covariance in (*refused, [[0.05, 0.03], [0.9, 0.05]]):
+        axes, directions = ellipse(no_covariance)
+        assert np.isnan(axes).all()
+        assert np.isnan(directions).all()
+
+
+def test_a_line_much_longer_than_wide_is_no_error():
+    """The rounding of its determinant is one of the large variance, not of the small one."""
+    for angle in np.geomspace(1e-9, 1e-1, 200):
+        c, s = np.cos(angle), np.sin(angle)
+        axes, _ = ellipse([[c * c, c * s], [c * s, s * s * (1 - 1e-11)]])
+        assert axes[0] == pytest.approx(1.0)
+        assert axes[1] < 1e-5
 
 
 # Errors

@@ -513,9 +513,15 @@ def test_empty_batches_and_broadcasting():
         (lambda: fixed(1, 0, 0, None), "radius must be real numbers"),
         (lambda: fixed(1, 1.5e308, 1.5e308, 1), "alpha [+] beta [+] gamma must be finite"),
         (lambda: swedish(1, 1.5e308, 0, 1, 1.5e308), "alpha [+] beta [+] gamma must be finite"),
-        (lambda: castor(1, 0, 0, 1, 0), "d must be other than 0 for a castor only, got 0.0"),
+        (
+            lambda: castor(1, 0, 0, 1, 0),
+            "other than 0 for one, got 0.0",
+        ),
         (lambda: castor(1, 0, 0, 1, NAN), "d must be finite"),
-        (lambda: Wheel("fixed", 1, 0, 0, 1, d=0.1), "d must be other than 0 for a castor only"),
+        (
+            lambda: Wheel("fixed", 1, 0, 0, 1, d=0.1),
+            "d must be 0 but for a castor",
+        ),
         (
             lambda: swedish(1, 0, 0, 1, QUARTER),
             "gamma must be 0 but for .* and never ±π/2, got 1.57",

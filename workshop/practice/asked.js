@@ -28,9 +28,15 @@ const unitless = (text, asks) => {
   return units.length === 1 || inOrder ? text.replace(after, "") : text;
 };
 
-// ۲/۱۹۱ is 2.191: nobody divides by 191, or by 05, or zero by something. ۱/۳ may be both.
-const unslashed = (text) => text.replace(SLASHED, (all, whole, part) => {
-  if (part.length < 3 && !ZERO.test(whole) && !ZERO.test(part)) refuse("slash", all);
+// ۲/۱۹۱ is 2.191: nobody divides by 191, or by 05, or zero by something. ۱/۳ may be both, and so may
+// ۷۰/۱۸۰, and ۷۰/۱۹۱ beside a factor.
+const DIVISORS = /^(180|360|10+)$/;
+const FACTOR_BEFORE = /[*·×π]\s*$/u, FACTOR_BEHIND = /^\s*[*·×π]/u;
+const digits = (text) => [...text].map((digit) => digit.codePointAt(0) & 15).join("");
+const unslashed = (text) => text.replace(SLASHED, (all, whole, part, at) => {
+  const factor = FACTOR_BEFORE.test(text.slice(0, at)) || FACTOR_BEHIND.test(text.slice(at + all.length));
+  const divides = part.length < 3 || DIVISORS.test(digits(part)) || factor;
+  if (divides && !ZERO.test(whole) && !ZERO.test(part)) refuse("slash", all);
   return `${whole}.${part}`;
 });
 
@@ -39,7 +45,7 @@ const bare = (text, asks) => unslashed(unitless(unnamed(text, asks), asks))
 
 const readAsked = (text, asks) => {
   try {
-    return readAnswer(bare(text, asks));
+    return readAnswer([...text].length > LONGEST ? text : bare(text, asks));
   } catch (refused) {
     return problemOf(refused);
   }

@@ -234,7 +234,7 @@ class Box {
     const kept = this.entry();
     this.opened = null; // besides what was opened before the pass
     this.input.value = kept.answer ?? "";
-    const entries = [readAnswer(this.input.value).value].flat(Infinity);
+    const entries = [readAsked(this.input.value, this.exercise?.asks ?? []).value].flat(Infinity);
     this.element.querySelectorAll("td input").forEach((cell, k) => { cell.value = entries[k] ?? ""; });
     this.pass();
     this.tell(kept);

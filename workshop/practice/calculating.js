@@ -72,6 +72,8 @@ class Item {
         this.i += 1;
         const left = this.number(value), right = this.number(this.factor());
         if (kind === "/" && right === 0) refuse("zero", this.typed());
+        // 45/2° is no 45/(2°)
+        if (kind === "/" && DEGREES.includes(this.tokens[this.i - 1].text)) refuse("parentheses", this.typed());
         value = this.number(kind === "/" ? left / right : left * right);
         divided = kind === "/";
       } else if (this.multiplies()) {

@@ -62,11 +62,22 @@ const roundedRight = ({ decimals, asks }, rows, wanted) =>
   [2, 3].some((digits) => digits < decimals && rows.length === wanted.length && rows.every((row, k) =>
     row.every((x, i) => Math.abs(x - Number(wanted[k][i].toFixed(digits))) < 1e-9)));
 
+// Whether it is a right one in other units, rounded to two digits or three: 31° for 30.53°, also
+// without the sign.
+const roundedInUnits = (factors, rows, wanted) => [factors, factors.map(() => 1)].some((typed) =>
+  [0, 1].some((digits) => rows.length === wanted.length && rows.every((row, k) => row.every((x, i) => {
+    const right = wanted[k][i] * factors[i], off = x * typed[i] - Number(right.toFixed(digits));
+    return Math.abs(right) >= 10 ** (1 - digits) && Math.abs(off) < 1e-9;
+  }))));
+
 const round = (rows, digits) => rows.flat().every((x) => Math.abs(x - Number(x.toFixed(digits))) < 1e-9);
 
-// Whether no number was typed with as many decimals as are asked for and the right one has.
-const coarse = ({ decimals }, rows, text, right) => decimals && !RegExp(`\\p{Nd}{${decimals}}`, "u").test(text)
-  && round(rows, decimals - 1) && !round(right, decimals - 1);
+// Whether no number was typed with as many decimals as are asked for.
+const few = ({ decimals }, text) => decimals && !RegExp(`[^\\p{Nd}\\s-]\\p{Nd}{${decimals}}`, "u").test(text);
+
+// Whether that may be why it is not right.
+const coarse = (exercise, rows, text, right) => few(exercise, text)
+  && round(rows, exercise.decimals - 1) && !round(right, exercise.decimals - 1);
 
 // The verdict on an answer that has the right shape. text: as it was typed.
 const judge = (exercise, listed, rows, text) => {
@@ -80,10 +91,13 @@ const judge = (exercise, listed, rows, text) => {
   const right = listed.filter(([name]) => name === "right").map(([, wanted]) => wanted);
   const near = said(SAYS.near, { digits: decimals ? `, and give ${COUNTS[decimals]} decimals` : "" });
   if (right.some((wanted) => roundedRight(exercise, rows, wanted))) return verdict("wrong", "near", near);
+  const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
+  if (few(exercise, text) && right.some((wanted) =>
+    units.some((unit) => roundedInUnits(outcomes[unit].factors, rows, wanted)))) return verdict("wrong", "near", near);
   if (met.length) return verdict("wrong", met[0], told(met.map((name) => outcomes[name].says)));
   if (right.some((wanted) => meets(exercise, rows, wanted, ones, NEAR))) return verdict("wrong", "near", near);
   const wrong = listed.filter(([name]) => name !== "right");
-  for (const unit of Object.keys(outcomes).filter((name) => name.startsWith("unit:"))) {
+  for (const unit of units) {
     const { factors } = outcomes[unit];
     const [same] = wrong.filter(([, wanted]) =>
       meets(exercise, rows, wanted.map((row) => row.map((x, i) => x * factors[i])), factors));

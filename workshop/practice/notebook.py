@@ -276,6 +276,8 @@ def _typed(answer: Any) -> str:
         raise CourseError(
             f"the answer must be numbers in a regular list, got {shown(answer)}"
         ) from error
+    if np.ma.is_masked(answer):
+        raise CourseError(f"the answer must have all its numbers, some are masked: {shown(answer)}")
     if array.dtype.kind not in "iuf":
         raise CourseError(f"the answer must be real numbers, got {array.dtype} in {shown(answer)}")
     if array.size > MOST:

@@ -19,6 +19,9 @@ NUMBER = r"[+-]?[\d.]+"
 FORMULA = r"'*[=+\-@\t\r]"  # what a spreadsheet takes for the start of a formula, or was guarded
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 LONG = 1 << 20  # bytes of a line: what is longer is read in pieces, none of which is a row
+NOT_CSV = (
+    f"a quotation mark is not closed, or a cell has over {csv.field_size_limit():,} characters"
+)
 LINES = 5  # of a cell in quotation marks: an open one must not swallow other students' rows
 PROBLEMS = ("problem", "file", "line", "student", "exercise", "answer", "comment")
 
@@ -128,7 +131,8 @@ def rows(path: Path, problems: Problems, needed: Sequence[str] = ()) -> Iterator
     for number, text in lines:
         if not text.strip() or text.lower().startswith("sep="):  # a spreadsheet's own remark
             continue
-        if not heading or "student" in text.lower():
+        # a heading is whole in its line; of an answer in several the others would be lost
+        if not heading or ("student" in text.lower() and text.count('"') % 2 == 0):
             mark = max(",;\t", key=text.count)
             names = [name.strip().lower() for name in lines.cells(number, text, mark) or ()]
             if not heading or {"student", "exercise"} <= set(names):
@@ -137,7 +141,7 @@ def rows(path: Path, problems: Problems, needed: Sequence[str] = ()) -> Iterator
                 continue
         cells = lines.cells(number, text, delimiter, len(heading))
         if cells is None:
-            problems.note("lines that are no CSV", path, number, "a quotation mark is not closed")
+            problems.note("lines that are no CSV", path, number, NOT_CSV)
         elif len(cells) != len(heading):
             words = f"{len(cells)} cells, the heading has {len(heading)}"
             problems.note("lines with more or fewer cells than the heading", path, number, words)

@@ -77,6 +77,8 @@ def secret_of(path: str | Path | None, make: bool = False) -> str:
         secret = path.read_text(encoding="utf-8").strip()
     except (OSError, UnicodeDecodeError) as error:
         raise CourseError(f"{path} cannot be read: {error}; `key --secret` makes one") from error
+    if len(secret.split()) > 1:
+        raise CourseError(f"the secret in {path} must be one word: `key --secret` makes one")
     if len(secret) < SECRET:
         raise CourseError(
             f"the secret in {path} has {len(secret)} characters, which can be guessed: "
@@ -143,9 +145,14 @@ def _sheet(student: str, rows: Sequence[tables.Row]) -> str:
 
 @cache
 def _question(name: str, numbers: str) -> str:
-    exercise, drawn = exercises()[name], json.loads(numbers)
-    given = exercise.given.items()
-    shown = {each: how.shown(how.option(drawn[each])) for each, how in given}
+    exercise = exercises()[name]
+    try:
+        drawn = json.loads(numbers)
+        shown = {each: how.shown(how.option(drawn[each])) for each, how in exercise.given.items()}
+    except (ValueError, KeyError, TypeError) as error:
+        raise CourseError(
+            f"the key has numbers of {name} that cannot be used, {numbers}: make it again"
+        ) from error
     return (
         f"<section><h2>{name}: {escape(exercise.title)}</h2>"
         f"{paragraphs(exercise.filled(exercise.text, drawn, shown))}<p><label>Answer, "
@@ -190,8 +197,11 @@ def grade(
     answers: files, or folders in which also the key, rosters and old grades may lie. Beside `out`
     come the students' totals, the class's mistakes, all problems, and a page that shows the class.
     """
-    ends = ("", "-students.csv", "-mistakes.csv", "-problems.csv", ".html")
-    paths = [Path(out).with_name(Path(out).stem + end) if end else Path(out) for end in ends]
+    out = Path(out)
+    if not out.name or out.suffix == ".html":
+        raise CourseError(f"{out} is no name for a table: give one that ends in .csv")
+    ends = ("-students.csv", "-mistakes.csv", "-problems.csv", ".html")
+    paths = [out, *(out.with_name(out.stem + end) for end in ends)]
     for path in paths:
         _refuse_same(path, key)
         tables.free(path, force)

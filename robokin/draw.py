@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, FancyArrowPatch, Rectangle
+from matplotlib.patheffects import withStroke
 from matplotlib.transforms import Affine2D, Transform
 from numpy.typing import NDArray
 
@@ -87,7 +88,7 @@ def frame_in_space(
     for kind, head, label in zip(("x_axis", "y_axis", "z_axis"), heads, labels, strict=True):
         arrow(ax, at, at + head, kind)
         place = at + 1.22 * head
-        ax.annotate(label, place, color=style(kind).light, fontsize=13, ha="center", va="center")
+        _write(ax, label, place, style(kind), ha="center", va="center")
 
 
 def arrow(ax: Axes, tail: Vector, head: Vector, kind: str, label: str = "") -> None:
@@ -167,4 +168,10 @@ def _placed(ax: Axes, pose: Vector) -> Transform:
 
 def _label(ax: Axes, at: Vector, text: str, look: Style) -> None:
     x, y, *_ = at
-    ax.annotate(text, (x, y), (6, 4), textcoords="offset points", color=look.light, fontsize=13)
+    _write(ax, text, (x, y), look, xytext=(6, 4), textcoords="offset points")
+
+
+def _write(ax: Axes, text: str, at: Any, look: Style, **place: Any) -> None:
+    """A text that lines behind it do not strike through."""
+    halo = withStroke(linewidth=3, foreground="white")
+    ax.annotate(text, at, color=look.light, fontsize=13, path_effects=[halo], **place)

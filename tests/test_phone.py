@@ -86,3 +86,19 @@ def test_what_wraps_is_copied_as_it_was_typed(chromium, server):
         copied = page.wait_for_function("() => window.copied").json_value()
     assert copied in typed
     assert max(map(len, copied.splitlines())) > 60  # a line that wraps
+
+
+ALL_DRAWN = """() => [...document.querySelectorAll(".math-scroll")]
+  .every((box) => box.style.contentVisibility === "visible")"""
+FROM_TOP = "(place) => document.getElementById(place).getBoundingClientRect().top"
+
+
+@pytest.mark.parametrize("place", ["wheels-5", "equation-wheels-mobility"])
+def test_a_link_leads_to_its_place_at_once_and_stays_there(place, chromium, server):
+    """Behind it formulas are drawn, which are not quite as high as was reckoned."""
+    with watched_page(chromium, server, 390) as (page, _):
+        page.goto(f"{server}wheels/wheels.html#{place}")
+        head = page.locator(".bd-header-article").bounding_box()["height"]
+        assert head <= page.evaluate(FROM_TOP, place) < head + 20
+        page.wait_for_function(ALL_DRAWN)
+        assert head <= page.evaluate(FROM_TOP, place) < head + 20

@@ -17,7 +17,6 @@ from workshop import practice
 from workshop.practice import dealing, judging
 from workshop.practice.command import main
 from workshop.practice.wording import symbols
-from workshop.script import engine
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -138,7 +137,7 @@ def test_a_further_try_takes_nothing_away(page):
     sign_in(page, "Ada")
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
     assert answer(page, FIRST, right) == judging.RIGHT
-    assert answer(page, FIRST, "12345") == engine.run("workshop.practice.SAYS.wrong")
+    assert answer(page, FIRST, "1.2345") == judging.says("wrong")
     assert page.inner_text(".rk-progress").startswith("1 of ")
     page.reload(wait_until="networkidle")
     assert box(page, FIRST).locator(".rk-row input").input_value() == right

@@ -234,7 +234,8 @@ FULL = """() => {
     .map(({ top, bottom }) => [top + scrollY, bottom + scrollY]);
   const end = article.bottom + scrollY, screens = [];
   for (let top = 0; top < end - 300; top += 900) {
-    screens.push(boxes.some(([a, b]) => a < top + 900 && b > top));
+    const from = Math.min(top, end - 900); // the last screen is a whole one
+    screens.push(boxes.some(([a, b]) => a < from + 900 && b > from));
   }
   return screens;
 }"""

@@ -153,8 +153,7 @@ with as_written():
         is_angle=True,
     )
 
-    # four sums and differences of three sides; the longer link first: no sum is rounded
-    room, span = (a2 - apart) + a3, Add(a2, a3, apart)
+    room, span = Add(a2, a3, -apart), Add(a2, a3, apart)  # four sums and differences of three sides
     near, far = apart - (a2 - a3), apart + (a2 - a3)
     half_angles = Equation(
         name="elbow_arm.half_angles",

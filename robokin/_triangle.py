@@ -21,7 +21,8 @@ def triangle(distance: Array, upper: Array, fore: Array) -> tuple[Array, Array]:
     room = np.where(distance >= upper + fore, 0.0, (longer - distance) + shorter)
     near = np.where(distance <= longer - shorter, 0.0, least - (longer - middle))
     span, far = (longer + distance) + shorter, distance + (longer - shorter)
-    above, below = np.where(upper >= fore, (near, far), (far, near))
+    by_upper = upper >= fore  # the longer one
+    above, below = np.where(by_upper, near, far), np.where(by_upper, far, near)
     lift = 2 * np.arctan2(np.sqrt(room * above), np.sqrt(span * below))
     elbow = 2 * np.arctan2(np.sqrt(room * span), np.sqrt(near * far))
     return lift, elbow

@@ -99,6 +99,18 @@ def test_what_a_hand_leaves_is_what_is_shown(visit):  # noqa: F811
 
 
 @in_browser
+def test_the_ring_of_the_focus_comes_with_the_first_key(visit):  # noqa: F811
+    """After a drag it would only hide the label."""
+    look = "(grip) => getComputedStyle(grip).outlineStyle"
+    with visit(FIGURES["wheel-speeds"]) as live:
+        start = centre(live, 1)
+        states_on_the_way(live, start, start + np.array([0, 37]), 3)
+        assert live.handles.nth(1).evaluate(look) == "none"
+        live.page.keyboard.press("ArrowUp")
+        assert live.handles.nth(1).evaluate(look) == "solid"
+
+
+@in_browser
 def test_the_thumb_follows_and_keys_go_in_steps(visit):  # noqa: F811
     figure = FIGURES["wheel-speeds"]
     with visit(figure) as live:

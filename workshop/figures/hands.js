@@ -192,7 +192,8 @@ const followPointer = (live, grip) => {
     live.held = { by: taken, k, off, state: live.state, view: live.computed.view };
     live.last = k;
     taken.setPointerCapture(event.pointerId);
-    taken.focus({ preventScroll: true, focusVisible: false });
+    taken.classList.add("rk-taken"); // without the ring of the keyboard, which would hide its label
+    taken.focus({ preventScroll: true });
   });
   // in SVG, `touch-action` alone lets the page scroll away with the finger
   grip.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
@@ -201,6 +202,7 @@ const followPointer = (live, grip) => {
     const { k, off } = live.held;
     dragTo(live, live.figure.handles[k], pointer(live, event).map((x, i) => x + off[i]), true);
   });
+  grip.addEventListener("blur", () => grip.classList.remove("rk-taken"));
   letGo(live, grip);
 };
 
@@ -221,6 +223,7 @@ const letGo = (live, element, undone = ({ state }) => state) => {
 };
 
 const followArrows = (live, handle, grip) => grip.addEventListener("keydown", (event) => {
+  grip.classList.remove("rk-taken");
   const move = ARROWS[event.key], { view } = live.figure;
   if (!move) return;
   event.preventDefault();

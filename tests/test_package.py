@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 import venv
 from email import message_from_string
 from pathlib import Path
@@ -90,6 +91,18 @@ def test_the_library_computes_with_numpy_only(wheels, tmp_path):
     assert twist == "0.075 0.0 0.5"
     assert pose == "2.0 0.0 0.0"
     assert file == str(packages / "robokin" / "__init__.py")
+
+
+def test_a_notebook_needs_nothing_of_what_builds_the_site():
+    """Where a notebook runs elsewhere there is no Sphinx."""
+    code = """import sys
+sys.modules.update(docutils=None, sphinx=None, myst_nb=None)
+import book
+from workshop import equations, figures, practice, predictions
+practice.exercise("differential-drive-1").check("1")
+"""
+    run = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
 
 
 def test_these_tests_ran_against_what_was_installed():

@@ -55,6 +55,19 @@ def test_every_candidate_of_every_variant_is_named(exercise):
         assert verdict.result == wanted
 
 
+@each_exercise
+def test_what_an_answer_should_be_written_like_can_be_read(exercise):
+    like = script.call("workshop.practice.like", judging.essence(exercise))
+    (verdict,) = judged(exercise, [(0, like)])
+    if exercise.accept == "all":  # how many there are is asked, too: of several two are shown
+        assert np.shape(json.loads(like.replace("\u00a0", ""))) in ((2,), (2, len(exercise.asks)))
+    else:
+        assert verdict.result != "unread"
+    (told,) = judged(exercise, [(0, "[[[1], [2], [3]]]")])
+    assert told.result == "unread"
+    assert f"Write it like {like}." in told.says
+
+
 @pytest.mark.parametrize("name", ["bicycle-2", "bicycle-4", "bicycle-5"])
 @pytest.mark.parametrize("sign", ["°", ""])
 def test_a_right_angle_in_whole_degrees_is_nobody_s_mistake(name, sign):

@@ -134,10 +134,10 @@ const shownValue = (value) => Array.isArray(value)
   : trueMinus(String(Number(value.toPrecision(6))));
 
 // An answer of the shape that is asked for; of several answers two.
-const like = ({ asks: { length: size }, accept, shape }) => {
-  const row = (k) => Array.from({ length: shape[1] ?? size }, (_, i) => k * (shape[1] ?? size) + i + 1);
-  const rows = Array.from({ length: shape[0] ?? (accept === "all" ? 2 : 1) }, (_, k) => row(k));
-  return shownValue(shape.length || accept === "all" ? (size > 1 ? rows : rows.flat()) : size > 1 ? rows[0] : 0.5);
+const like = ({ asks: { length: size }, accept, shape: [many = accept === "all" ? 2 : 1, wide = size] }) => {
+  const rows = Array.from({ length: many }, (_, k) => Array.from({ length: wide }, (_, i) => k * wide + i + 1));
+  const value = many > 1 && wide > 1 ? rows : rows.flat();
+  return shownValue(value.length > 1 ? value : 0.5).replaceAll(" ", "\u00a0"); // in one line
 };
 
 // What is wrong with an answer that cannot be read.
@@ -160,4 +160,4 @@ const checkAnswer = (exercise, listed, text) => {
 const checkAnswers = (exercise, variants, answers) =>
   answers.map(([variant, text]) => checkAnswer(exercise, variants[variant], text));
 
-Object.assign(part, { NEAR, SAYS, problemSays, checkAnswer, checkAnswers });
+Object.assign(part, { NEAR, SAYS, like, problemSays, checkAnswer, checkAnswers });

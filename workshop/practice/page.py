@@ -14,13 +14,13 @@ from functools import cache
 from typing import Any
 
 from workshop.course import course
+from workshop.equations import printed
 from workshop.equations.core import Equation
 from workshop.equations.printing import name_on_page, place_on_page
 from workshop.equations.text import formula_text
 from workshop.practice import dealing, judging
 from workshop.practice.bank import Exercise, exercises
 from workshop.script import engine
-from workshop.symbols import lexicon
 
 MIME = "application/vnd.workshop.exercise+json"
 
@@ -57,7 +57,7 @@ def look(exercise: Exercise) -> dict[str, Any]:
     uses, each as what it gives and where the chapter prints it."""
     places = {
         equation.name: place_on_page(name_on_page(equation.name, computed))
-        for equation, computed in lexicon.shown(exercise.topic)
+        for equation, computed in printed.shown(exercise.topic)
     }
     steps = exercise.solution.steps.values()
     used = dict.fromkeys(s.formula for s in steps if isinstance(s.formula, Equation))

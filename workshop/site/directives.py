@@ -101,7 +101,7 @@ class Notation(SphinxDirective):
 def notation() -> dict[str, list[str]]:
     """Chapter → its rows. Symbols that mean alike, such as a matrix's entries, share one."""
     tables: dict[str, list[str]] = {}
-    for chapter in filter(lexicon.cells, course().chapters):
+    for chapter in course().taught:
         names, alike = lexicon.names(chapter), dict[tuple[str, ...], list[NamedSymbol]]()
         for symbol in lexicon.printed_symbols(chapter):
             span = "" if symbol.is_sign else f"{symbol.low:.7g} … {symbol.high:.7g}"

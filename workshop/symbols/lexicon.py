@@ -5,14 +5,14 @@ stands for one of them only.
 """
 
 import ast
-import json
 import re
 from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
 from workshop.course import course, held
-from workshop.equations.core import Equation, NamedSymbol, find, free_symbols, look
+from workshop.equations.core import Equation, NamedSymbol, free_symbols, look
+from workshop.equations.printed import cells, results, shown
 from workshop.equations.printing import MIME
 from workshop.errors import CourseError
 
@@ -53,12 +53,6 @@ def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
     return dict(sorted(known.items(), key=lambda item: -len(item[0])))
 
 
-def shown(chapter: str) -> list[tuple[Equation, bool]]:
-    """The equations that a chapter's notebook shows, and whether in the form that is computed."""
-    found = [data[MIME] for cell in cells(chapter) for data in results(cell) if MIME in data]
-    return [(find(data["name"]), data["computed"]) for data in found]
-
-
 def printed(chapter: str) -> list[str]:
     """All TeX that a chapter prints: typed in its text, of its equations, of its code's results."""
     found = [equation.latex(computed) for equation, computed in shown(chapter)]
@@ -86,19 +80,6 @@ def names(chapter: str) -> set[str]:
     return arguments | {
         node.id for node in walked if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
     }
-
-
-def cells(chapter: str) -> list[dict[str, Any]]:
-    """The cells of a chapter's notebook; what chapters share has none."""
-    if chapter not in course().taught:
-        return []
-    found: list[dict[str, Any]] = json.loads(course().notebook(chapter).read_text("utf-8"))["cells"]
-    return found
-
-
-def results(cell: dict[str, Any]) -> list[dict[str, Any]]:
-    """What the outputs of a cell hold, by MIME type."""
-    return [output.get("data", {}) for output in cell.get("outputs", ())]
 
 
 def in_expressions(parts: tuple[Any, ...]) -> list[NamedSymbol]:

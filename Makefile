@@ -135,9 +135,9 @@ bench: .venv-bench/.ready
 mutate: .venv-mutate/.ready
 	.venv-mutate/bin/python tools/mutate.py $(T)
 
-.venv-lowest/.ready: $(READY) tools/lowest-requirements.txt
+.venv-lowest/.ready: $(READY) tools/lowest-requirements.txt $(SOURCES)
 	$(PYTHON) -m venv .venv-lowest
-	$(INSTALL) --resolution lowest-direct "./[draw]" "./workshop[engine]" ./book
+	$(INSTALL) --resolution lowest-direct --refresh --reinstall "./[draw]" "./workshop[engine]" ./book
 	@$(BIN)/uv pip freeze --python $(@D)/bin/python | grep -v "file:" > .venv-lowest/found.txt
 	$(INSTALL) -c .venv-lowest/found.txt -r tools/lowest-requirements.txt
 	@touch $@

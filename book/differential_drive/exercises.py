@@ -48,7 +48,8 @@ M13 = Mistake(
     line="velocity = [v * np.cos(theta_deg), v * np.sin(theta_deg)]",
     why="np.cos and np.sin want radians. 60 radians are 9 turns and a half, so the robot seems to "
     "drive in a direction that has nothing to do with its heading.",
-    unnoticed="With a heading of 0, and by chance at every multiple of 6.395°. Test with 90°.",
+    unnoticed="With a heading of 0, and by chance at every multiple of "
+    f"{360 / (180 / np.pi - 1):.3f}°. Test with 90°.",
     picture=Picture(
         "damage",
         "It goes astray",

@@ -13,6 +13,7 @@ from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
 from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, reals, vectors
 
+from book.prose import reads
 from robokin._rotations import BLOCK
 from robokin.errors import RobokinError
 from robokin.frames import (
@@ -724,3 +725,14 @@ def test_the_path_is_as_short_as_a_shortest_path():
             else:
                 with pytest.raises(RobokinError, match="no path"):
                     graph.get(f"f{a}", f"f{b}")
+
+
+def test_m9_goes_unnoticed_in_the_figure_at_one_heading():
+    # Mistake M9 says that nobody notices it in the figure with a heading of 120°
+    def apart(degrees):
+        heading = {"mistake": "No inverse", "db_turn": np.radians(degrees)}
+        return float(reads("wrong-object", "apart", **heading))
+
+    assert apart(120) < 10 * EPS
+    assert apart(119) > 0.01
+    assert apart(121) > 0.01

@@ -29,7 +29,6 @@ const paragraphs = (text) => matrices(symbols(unbroken(text))).split("\n\n")
 
 const FORMULA = /^(\[[^=]*\]|\S+) = /;
 
-// A solution in steps: each is a text and the formulas that follow it.
 // The chapter, and what its formulas give; each leads to the formula, where the chapter prints it.
 const whereToLook = ({ chapter, formulas }, link) => {
   const found = formulas.map(([gives, place]) => place ? link(place, symbols(gives)) : symbols(gives));
@@ -37,6 +36,7 @@ const whereToLook = ({ chapter, formulas }, link) => {
     + `${found.length ? ` for the formulas of ${found.join("; ")}` : ""}.`;
 };
 
+// A solution in steps: each is a text and the formulas that follow it.
 const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
     const last = steps.at(-1)?.split("\n\n").at(-1);
     if (last === undefined || (FORMULA.test(last) && !FORMULA.test(part))) return [...steps, part];

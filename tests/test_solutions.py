@@ -152,7 +152,7 @@ def negated(e):
 
 def flipped(step, known):
     """The same step with a sign wrong: one for each place."""
-    left, _, unit, full = sides("flipped", step, known)
+    left, _, unit, full = sides(step, known)
     columns = list(full) if isinstance(full, sp.MatrixBase) else [full]
     for place, component in enumerate(columns):
         for wrong in flips(component):

@@ -34,7 +34,18 @@ TORN = """(figure) => [...figure.querySelectorAll("dd")].filter((told) => {
   return /^\\S+ \\S+$/.test(told.textContent)
     && new Set([...text.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
 }).map((told) => told.textContent)"""
-BOX = "(e) => { const {width, height} = e.getBoundingClientRect(); return [width, height]; }"
+TEXT_SIZES = """(svg) => [...svg.querySelectorAll("text, tspan")].map((text) =>
+  parseFloat(getComputedStyle(text).fontSize)
+    * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width)"""
+OVERLAPS = """(svg) => {
+  const texts = [...svg.querySelectorAll("text")];
+  const meet = (first, second) => {
+    const [a, b] = [first, second].map((text) => text.getBoundingClientRect());
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+  };
+  return texts.flatMap((one, i) => texts.slice(i + 1).filter((other) => meet(one, other))
+    .map((other) => `${one.textContent} and ${other.textContent}`));
+}"""
 
 
 @pytest.mark.parametrize("name", STEPS)
@@ -51,12 +62,19 @@ def test_a_step_has_two_things_to_move_and_three_numbers(name):
     ("width", "most"), [(1280, {"step": 420, "laboratory": 800}), (390, {"step": 560})]
 )
 @each_chapter
-def test_figures_have_their_size(chapter, width, most, visit):  # noqa: F811
+def test_figures_have_their_size_and_are_legible(chapter, width, most, visit):  # noqa: F811
     for live in one_by_one(chapter, visit, width=width):
-        height = live.root.evaluate(BOX)[1]
-        print(f"{live.figure.name} at {width}: {height:.0f} px")
-        assert height <= most.get(live.figure.size, np.inf), live.figure.name
-        assert live.root.evaluate(TORN) == []  # a number and its unit are on one line
+        name, box = live.figure.name, live.root.bounding_box()
+        print(f"{name} at {width}: {box['height']:.0f} px")
+        assert box["height"] <= most.get(live.figure.size, np.inf), name
+        assert box["x"] >= 0, name
+        assert box["x"] + box["width"] <= width, name
+        assert live.root.evaluate(TORN) == [], name  # a number and its unit are on one line
+        sizes = live.picture.evaluate(TEXT_SIZES)
+        # 11 px, less what the browser rounds; there are texts to speak of
+        assert sizes, name
+        assert min(sizes) >= 11 - 0.05, name
+        assert live.picture.evaluate(OVERLAPS) == [], name
 
 
 # --- Goals ----------------------------------------------------------------------------------

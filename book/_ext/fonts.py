@@ -6,6 +6,7 @@ show that is changed and run. The small one says by `unicode-range` which signs 
 
 import hashlib
 import html
+import logging
 import re
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from fontTools.subset import Subsetter
 from fontTools.ttLib import TTFont
 
 FACE = re.compile(r"@font-face\{[^}]*(?=\})")
+logging.getLogger("fontTools").setLevel(logging.WARNING)  # it tells of each table it looks at
 SMALL = "pages-"  # how the name of a small font begins
 
 

@@ -1,8 +1,9 @@
 """Every formula against its function: generated points and special points, in 50 digits."""
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from types import FrameType
 from typing import Any
 from zlib import crc32
@@ -78,13 +79,13 @@ def evaluate(
     expression: Any, symbols: Sequence[sp.Symbol], points: Array, where: Where = ()
 ) -> NDArray[np.object_]:
     """An expression or matrix at every point in 50-digit arithmetic: (n, components)."""
-    flat = list(expression) if isinstance(expression, sp.MatrixBase) else [expression]
-    known = list(symbols)
+    flat = tuple(expression) if isinstance(expression, sp.MatrixBase) else (expression,)
+    known = tuple(symbols)
     steps = []
     for symbol, step in where:
-        steps.append(sp.lambdify(known, step, modules=[MPMATH, "mpmath"]))
-        known.append(symbol)
-    function = sp.lambdify(known, flat, modules=[MPMATH, "mpmath"])
+        steps.append(_in_mpmath(known, step))
+        known = (*known, symbol)
+    function = _in_mpmath(known, flat)
     rows = []
     with mpmath.workdps(DIGITS):
         for point in points.tolist():
@@ -100,6 +101,12 @@ def evaluate(
                     "give that case a branch (Piecewise), or narrow the ranges"
                 ) from error
     return np.array(rows, dtype=object).reshape(len(points), len(flat))
+
+
+@lru_cache(maxsize=1024)  # a loop asks for its step many times
+def _in_mpmath(symbols: tuple[sp.Symbol, ...], expression: Any) -> Callable[..., Any]:
+    function: Callable[..., Any] = sp.lambdify(symbols, expression, modules=[MPMATH, "mpmath"])
+    return function
 
 
 def _real(value: Any) -> Any:

@@ -43,6 +43,7 @@ LONGEST = 110  # letters of a formula with numbers in it; a longer one is left o
 
 Unit = str | tuple[str, ...]
 Sides = tuple[Any, Any, tuple[str, ...], Any]
+Lines = tuple[tuple[str, Any], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +93,7 @@ class Solution:
             name, _, part = match[1].partition(".")
             if name not in self.steps or part not in ("", "formula"):
                 return match[0]
-            formulas = fixed_formulas(name, self.steps[name])
+            formulas = fixed_formulas(self.steps[name])
             if part:
                 return "\n\n".join(formulas) or match[0]
             lines = (f"{formula} = {{{name}.{k}}}" for k, formula in enumerate(formulas))
@@ -155,7 +156,7 @@ class Worked:
 
 def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, str]) -> Worked:
     """One step, from what the exercise and the steps before it gave."""
-    left, right, units, full = sides(name, step, known)
+    left, _, units, full = sides(step, known)
     symbols = sorted(free_symbols(full), key=str)
     keys = {s: key if isinstance(key := step.given.get(s), str) else str(s) for s in symbols}
     missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
@@ -172,8 +173,8 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
     put = letters(values, keys, shown)
     results = result.ravel() if is_column(left) else [whole]
     lines = tuple(
-        Told(f"{formula_text(a)} = {formula_text(b)}", in_numbers(b, *put), value, unit)
-        for a, b, value, unit in zip(*components(left, right), results, units, strict=True)
+        Told(formula, in_numbers(right, *put), value, unit)
+        for (formula, right), value, unit in zip(lines_of(step, known), results, units, strict=True)
     )
     names = tuple(str(symbol) for symbol in step.values or flat(left))
     parts = [whole] if len(names) == 1 else result.ravel().tolist()
@@ -202,11 +203,21 @@ def components(left: Any, right: Any) -> tuple[list[Any], list[Any]]:
     return list(left), list(right)
 
 
-def sides(name: str, step: Step, known: Mapping[str, Any]) -> Sides:
+def sides(step: Step, known: Mapping[str, Any]) -> Sides:
     """Left side, right side as printed, unit of each line, and the right side as computed."""
+    return sides_of(step, *formula_and_known(step, known))
+
+
+def lines_of(step: Step, known: Mapping[str, Any]) -> Lines:
+    """Each line in letters, and its right side."""
+    return written(step, *formula_and_known(step, known))
+
+
+def formula_and_known(step: Step, known: Mapping[str, Any]) -> tuple[Any, frozenset[str]]:
+    """A step's formula, and which of the named steps on its way are known already."""
     formula = formula_of(step, known)
     named = {str(symbol) for symbol, _ in getattr(formula, "where", ())}
-    return sides_of(step, formula, frozenset(named & known.keys()))
+    return formula, frozenset(named & known.keys())
 
 
 def formula_of(step: Step, known: Mapping[str, Any]) -> Equation | Line:
@@ -232,6 +243,14 @@ def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
     if step.values and not any(isinstance(name, str) for name in step.values):
         left = sp.Matrix(step.values) if is_column(left) else step.values[0]
     return left, right, units_of(left, step.unit or getattr(formula, "unit", "")), full
+
+
+@lru_cache(maxsize=1024)
+def written(step: Step, formula: Any, known: frozenset[str]) -> Lines:
+    """The lines of a formula in a step: in letters, and the right side of each."""
+    left, right, _, _ = sides_of(step, formula, known)
+    pairs = zip(*components(left, right), strict=True)
+    return tuple((f"{formula_text(a)} = {formula_text(b)}", b) for a, b in pairs)
 
 
 def units_of(left: Any, unit: Unit) -> tuple[str, ...]:
@@ -268,13 +287,11 @@ def picked(side: Any, part: tuple[int, ...]) -> Any:
     return side[part[0]] if len(part) == 1 else sp.Matrix([side[i] for i in part])
 
 
-def fixed_formulas(name: str, step: Step) -> list[str]:
+def fixed_formulas(step: Step) -> list[str]:
     """A step's formulas in letters, where they are the same for all numbers; else none."""
     if not isinstance(step.formula, Equation | Line):
         return []
-    left, right, _, _ = sides(name, step, {})
-    pairs = zip(*components(left, right), strict=True)
-    return [f"{formula_text(a)} = {formula_text(b)}" for a, b in pairs]
+    return [formula for formula, _ in lines_of(step, {})]
 
 
 def flat(left: Any) -> list[Any]:

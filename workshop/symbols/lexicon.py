@@ -50,7 +50,7 @@ def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
                 f"{symbol.latex} stands for two symbols in the chapter {chapter}: {other} "
                 f"({other.place}) and {symbol} ({symbol.place}); give one of them another letter"
             )
-    return dict(sorted(known.items(), key=lambda item: -len(item[0])))
+    return dict(sorted(known.items(), key=lambda item: (-len(item[0]), item[0])))
 
 
 def printed(chapter: str) -> list[str]:

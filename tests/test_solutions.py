@@ -15,7 +15,7 @@ from workshop.equations import Equation, quantity
 from workshop.equations.text import signed
 from workshop.errors import CourseError
 from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
-from workshop.practice.solutions import figures, formula_of, sides, worked
+from workshop.practice.solutions import figures, form, formula_of, worked
 from workshop.practice.wording import number_text
 
 each_exercise = each("exercise", "exercises", Exercise)
@@ -152,7 +152,7 @@ def negated(e):
 
 def flipped(step, known):
     """The same step with a sign wrong: one for each place."""
-    left, _, unit, full = sides(step, known)
+    left, full, _, unit, *_ = form(step, known)
     columns = list(full) if isinstance(full, sp.MatrixBase) else [full]
     for place, component in enumerate(columns):
         for wrong in flips(component):

@@ -40,10 +40,22 @@ from workshop.practice.wording import number_text, with_unit
 
 LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
 
-
 Unit = str | tuple[str, ...]
-Sides = tuple[Any, Any, tuple[str, ...], Any]
-Lines = tuple[tuple[str, Any], ...]
+
+
+class Form(NamedTuple):
+    """A step's formula, made ready once for all numbers.
+
+    left: its left side; full: its right side as computed, by `function` of `symbols`; lines: each
+    as printed, in letters, with its right side; units: one for each line.
+    """
+
+    left: Any
+    full: Any
+    lines: tuple[tuple[str, Any], ...]
+    units: tuple[str, ...]
+    symbols: tuple[sp.Symbol, ...]
+    function: Callable[..., Any]
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,9 +168,8 @@ class Worked:
 
 def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, str]) -> Worked:
     """One step, from what the exercise and the steps before it gave."""
-    left, _, units, full = sides(step, known)
-    symbols = sorted(free_symbols(full), key=str)
-    keys = {s: key if isinstance(key := step.given.get(s), str) else str(s) for s in symbols}
+    ready = form(step, known)
+    keys = {s: key if isinstance(key := step.given.get(s), str) else str(s) for s in ready.symbols}
     missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
     if missing:
         raise CourseError(
@@ -166,17 +177,17 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
             f"{', '.join(known)}: name it in `given`"
         )
     values = {s: known[key] for s, key in keys.items()}
-    result = np.array(compiled(full, tuple(symbols))(*values.values()), dtype=float)
+    result = np.array(ready.function(*values.values()), dtype=float)
     if result.shape[1:] == (1,):
         result = result.ravel()  # a column is a plain vector
     whole = result if result.ndim else float(result)
     put = letters(values, keys, shown)
-    results = result.ravel() if is_column(left) else [whole]
+    results = result.ravel() if is_column(ready.left) else [whole]
     lines = tuple(
         Told(formula, in_numbers(right, *put), value, unit)
-        for (formula, right), value, unit in zip(lines_of(step, known), results, units, strict=True)
+        for (formula, right), value, unit in zip(ready.lines, results, ready.units, strict=True)
     )
-    names = tuple(str(symbol) for symbol in step.values or flat(left))
+    names = tuple(str(symbol) for symbol in step.values or flat(ready.left))
     parts = [whole] if len(names) == 1 else result.ravel().tolist()
     return Worked(lines, dict(zip(names, parts, strict=True)) | {name: whole}, result)
 
@@ -203,21 +214,11 @@ def components(left: Any, right: Any) -> tuple[list[Any], list[Any]]:
     return list(left), list(right)
 
 
-def sides(step: Step, known: Mapping[str, Any]) -> Sides:
-    """Left side, right side as printed, unit of each line, and the right side as computed."""
-    return sides_of(step, *formula_and_known(step, known))
-
-
-def lines_of(step: Step, known: Mapping[str, Any]) -> Lines:
-    """Each line in letters, and its right side."""
-    return written(step, *formula_and_known(step, known))
-
-
-def formula_and_known(step: Step, known: Mapping[str, Any]) -> tuple[Any, frozenset[str]]:
-    """A step's formula, and which of the named steps on its way are known already."""
+def form(step: Step, known: Mapping[str, Any]) -> Form:
+    """A step's formula, from the names of what is known."""
     formula = formula_of(step, known)
     named = {str(symbol) for symbol, _ in getattr(formula, "where", ())}
-    return formula, frozenset(named & known.keys())
+    return form_of(step, formula, frozenset(named & known.keys()))
 
 
 def formula_of(step: Step, known: Mapping[str, Any]) -> Equation | Line:
@@ -228,8 +229,8 @@ def formula_of(step: Step, known: Mapping[str, Any]) -> Equation | Line:
 
 
 @lru_cache(maxsize=1024)  # a formula that a function gives may be another one each time
-def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
-    """The sides of a formula in a step. known: the names of what is known already."""
+def form_of(step: Step, formula: Any, known: frozenset[str]) -> Form:
+    """A formula in a step. known: which of the named steps on its way are known already."""
     left, right = formula.left, sp.sympify(formula.right)
     full = right
     if isinstance(formula, Equation):
@@ -242,15 +243,13 @@ def sides_of(step: Step, formula: Any, known: frozenset[str]) -> Sides:
     right, full = (tidied(put_in(side, other)) for side in (right, full))
     if step.values and not any(isinstance(name, str) for name in step.values):
         left = sp.Matrix(step.values) if is_column(left) else step.values[0]
-    return left, right, units_of(left, step.unit or getattr(formula, "unit", "")), full
-
-
-@lru_cache(maxsize=1024)
-def written(step: Step, formula: Any, known: frozenset[str]) -> Lines:
-    """The lines of a formula in a step: in letters, and the right side of each."""
-    left, right, _, _ = sides_of(step, formula, known)
-    pairs = zip(*components(left, right), strict=True)
-    return tuple((f"{formula_text(a)} = {formula_text(b)}", b) for a, b in pairs)
+    lines = tuple(
+        (f"{formula_text(a)} = {formula_text(b)}", b)
+        for a, b in zip(*components(left, right), strict=True)
+    )
+    units = units_of(left, step.unit or getattr(formula, "unit", ""))
+    symbols = tuple(sorted(free_symbols(full), key=str))
+    return Form(left, full, lines, units, symbols, compiled(full, symbols))
 
 
 def units_of(left: Any, unit: Unit) -> tuple[str, ...]:
@@ -291,7 +290,7 @@ def fixed_formulas(step: Step) -> list[str]:
     """A step's formulas in letters, where they are the same for all numbers; else none."""
     if not isinstance(step.formula, Equation | Line):
         return []
-    return [formula for formula, _ in lines_of(step, {})]
+    return [formula for formula, _ in form(step, {}).lines]
 
 
 def flat(left: Any) -> list[Any]:

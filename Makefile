@@ -12,7 +12,7 @@ BIN := .venv/bin
 INSTALL = $(BIN)/uv pip install --python $(@D)/bin/python
 READY := .venv/.ready
 SITE := _build/html/.built
-BUILD := PYODIDE="$(PYODIDE)" $(BIN)/jupyter-book build book --config _config.yml \
+BUILD := PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --config _config.yml \
 	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') $(wildcard _build/robokin.*)
@@ -37,7 +37,7 @@ $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject
 _build/pyodide: FORCE
 	@mkdir -p _build; echo "$(PYODIDE)" | cmp -s - $@ || echo "$(PYODIDE)" > $@
 
-$(SITE): $(READY) $(SOURCES) _build/pyodide
+$(SITE): $(READY) $(SOURCES) requirements.txt pyproject.toml _build/pyodide
 	$(BUILD)
 	@touch $(SITE)
 

@@ -31,16 +31,14 @@ expect.set_options(timeout=30_000)  # ms, as all other waits; on a busy machine 
 # --- the site -------------------------------------------------------------------------------
 
 
-def build_command():
-    """The command that builds the book."""
-    book = Path(sys.executable).with_name("jupyter-book")
-    settings = ["--config", "_config.yml", "--toc", str(ROOT / "_toc.yml"), "--path-output", "."]
-    return [str(book), "build", "book", *settings, "-W", "-n", "--keep-going"]
+def make_book():
+    """The command that brings the site up to date with this Python, if there is anything to do."""
+    return ["make", "book", f"BIN={Path(sys.executable).parent}", "READY="]
 
 
 def build_site():
     """Bring `_build/html` up to date; what the build says if it fails."""
-    run = subprocess.run(build_command(), cwd=ROOT, capture_output=True, text=True)
+    run = subprocess.run(make_book(), cwd=ROOT, capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 
 

@@ -14,14 +14,12 @@ import urllib.error
 import urllib.request
 
 import pytest
+from browser import listed
 from declared import FIGURES
 from test_figures import UNFOLD
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browsers
-pytest.register_assert_rewrite("browser")
-
-from browser import listed  # noqa: E402
 
 WAIT = 60  # seconds for what takes one or two
 

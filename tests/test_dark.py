@@ -4,15 +4,13 @@ import io
 
 import numpy as np
 import pytest
+from browser import watched_page
 from PIL import Image
 
 from robokin.styles import KINDS
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import watched_page  # noqa: E402
 
 COME = "(img) => { img.loading = 'eager'; return img.decode(); }"
 GROUND = "() => getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)"

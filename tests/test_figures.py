@@ -16,6 +16,7 @@ import nbformat
 import numpy as np
 import pytest
 import sympy as sp
+from browser import pages, watched_page
 from declared import FIGURES, each
 from support import EPS, ROOT, assert_close
 
@@ -50,9 +51,6 @@ from workshop.script import engine as script
 from workshop.script import runtime
 
 pytest_plugins = ["browser"]
-pytest.register_assert_rewrite("browser")
-
-from browser import pages, watched_page  # noqa: E402
 
 N = 1000
 ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-14

@@ -6,6 +6,7 @@ Every figure of a page in one visit, with real touches.
 import time
 
 import pytest
+from browser import watched_page
 from declared import FIGURES
 from test_figures import CHAPTERS, SHOW, OnPage
 
@@ -14,9 +15,7 @@ from workshop.figures.turning import Turns
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
 
-from browser import watched_page  # noqa: E402
 
 # flat and in space, sliders, lists, handles; all pages in the long run
 TYPICAL = ("index", "bicycle/bicycle", "elbow_arm/elbow_arm")

@@ -1,12 +1,11 @@
 """Whoever goes through a page by keyboard sees where they are."""
 
 import pytest
+from browser import watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
 
-from browser import watched_page  # noqa: E402
 
 # what takes the focus and shows no ring, or one that a box round it cuts
 CUT = """() => {

@@ -2,12 +2,11 @@
 
 import fonts
 import pytest
+from browser import draw_all, watched_page
 from fontTools.ttLib import TTFont
 
 pytest_plugins = ["browser"]
-pytest.register_assert_rewrite("browser")
 
-from browser import draw_all, watched_page  # noqa: E402
 
 # a sign as KaTeX sets a letter; zeta stands on no page
 SHOW = """(sign) => {

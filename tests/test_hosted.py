@@ -11,14 +11,12 @@ import venv
 import hosted
 import nbformat
 import pytest
+from browser import serving
 from IPython.core.inputtransformer2 import TransformerManager
 from support import ROOT, python_of
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import serving  # noqa: E402
 
 CHAPTER = "bicycle"
 WAIT = 900  # seconds at most to install, on a slow line

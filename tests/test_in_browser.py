@@ -12,6 +12,7 @@ from types import SimpleNamespace
 
 import pyodide
 import pytest
+from browser import watched_page
 from playwright.sync_api import expect
 from support import ROOT
 from test_run import CHAPTERS, PAGE, code_cells, names, shown_cells, stored
@@ -21,8 +22,6 @@ from workshop.site.run import with_needs
 
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.anywhere]
-
-from browser import watched_page  # noqa: E402
 
 START = 120_000  # ms: until Python runs, beside eight busy processes
 CHAPTER = 1_200_000  # ms: all cells of the longest

@@ -11,21 +11,19 @@ from importlib.metadata import requires
 from zipfile import ZipFile
 
 import pytest
+from browser import listed, watched_page
 from declared import EXERCISES
 from kit import site_files
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 from support import ROOT, python_of
+from test_practice import typed
+from test_practice_page import FIRST, answer, sign_in, variant
+
+from workshop.practice import judging
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import listed, watched_page  # noqa: E402
-from test_practice import typed  # noqa: E402
-from test_practice_page import FIRST, answer, sign_in, variant  # noqa: E402
-
-from workshop.practice import judging  # noqa: E402
 
 WHEELS = ("robokin", "robokin-workshop", "robokin-book")
 DEVELOPERS = {"jupyter-book", "sphinx", "mini-racer", "playwright", "pytest", "ruff", "mypy", "uv"}

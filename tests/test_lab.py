@@ -9,6 +9,7 @@ import time
 from contextlib import contextmanager
 
 import pytest
+from browser import watched_page
 from declared import COURSE, EXERCISES
 from support import ROOT
 
@@ -16,9 +17,6 @@ from workshop.practice.notebook import Box
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import watched_page  # noqa: E402
 
 NOTEBOOK = "differential_drive/differential_drive.ipynb"
 PATIENCE = 90  # seconds at most for the server to start, and for all cells to run

@@ -8,15 +8,13 @@ import json
 
 import numpy as np
 import pytest
+from browser import watched_page
 from declared import FIGURES
 from test_hands import shown
 
 from workshop.script import runtime
 
 pytest_plugins = ["browser"]
-pytest.register_assert_rewrite("browser")
-
-from browser import watched_page  # noqa: E402
 
 FAULTS = """([name, states]) => {
   const live = document.getElementById(name).workshop, found = new Set();

@@ -4,11 +4,9 @@ import re
 
 import light
 import pytest
+from browser import draw_all, pages, watched_page
 
 pytest_plugins = ["browser"]
-pytest.register_assert_rewrite("browser")
-
-from browser import draw_all, pages, watched_page  # noqa: E402
 
 SHEET = re.compile(r'<link rel="stylesheet" href="([^"]*)_static/all\.css\?v=\w{8}" />')
 NAMES = {"used", "more"}

@@ -13,7 +13,7 @@ from html import unescape
 from pathlib import Path
 
 import pytest
-from browser import once
+from browser import make_book, once
 from support import ROOT
 
 BEACON = Path(__file__).parent / "ninth_chapter" / "beacon"
@@ -53,12 +53,7 @@ def built(place):
         assert f'{name}: ""' in settings
         settings = settings.replace(f'{name}: ""', f'{name}: "{address}"')
     config.write_text(settings, "utf-8")
-    book = Path(sys.executable).with_name("jupyter-book")
-    options = ["--config", "_config.yml", "--toc", str(toc), "--path-output", ".", "-W", "-n"]
-    for command in (
-        (sys.executable, "tools/notebooks.py", "beacon"),
-        (book, "build", "book", *options),
-    ):
+    for command in ((sys.executable, "tools/notebooks.py", "beacon"), make_book()):
         done = run(place, *command)
         if done.returncode:
             return done.stdout[-3000:] + done.stderr[-3000:]

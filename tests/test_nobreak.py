@@ -3,15 +3,14 @@
 import re
 
 import pytest
+from browser import watched_page
+from declared import course
+
+from workshop.script import engine as script
+from workshop.unbroken import UNBROKEN, unbroken
 
 pytest_plugins = ["browser"]
-pytest.register_assert_rewrite("browser")
 
-from browser import watched_page  # noqa: E402
-from declared import course  # noqa: E402
-
-from workshop.script import engine as script  # noqa: E402
-from workshop.unbroken import UNBROKEN, unbroken  # noqa: E402
 
 # texts of the page, goals among them, but not what else is code or made by a script
 TEXTS = """

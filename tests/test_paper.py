@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 from zipfile import ZipFile
 
 import pytest
+from browser import SITE, listed
 from declared import EXERCISES
 from docutils import nodes
 from paper.pages import BUILD
@@ -19,9 +20,7 @@ from pypdf import PdfReader
 from support import ROOT
 
 pytest_plugins = ["browser"]
-pytest.register_assert_rewrite("browser")
 
-from browser import SITE, listed  # noqa: E402
 
 paper = pytest.mark.paper
 PDF, EPUB = BUILD / "robokin.pdf", BUILD / "robokin.epub"

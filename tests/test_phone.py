@@ -4,12 +4,11 @@ import json
 import re
 
 import pytest
+from browser import ROOT, listed, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
 
-from browser import ROOT, listed, watched_page  # noqa: E402
 
 # formulas whose left end lies left of their box at rest: scrolling cannot bring it back.
 # One pixel for rounding.

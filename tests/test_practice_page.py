@@ -8,9 +8,11 @@ from datetime import UTC, datetime, timedelta
 from html import unescape
 
 import pytest
+from browser import FULL, draw_all, watched_page
 from declared import COURSE, EXERCISES, table
 from PIL import Image
 from playwright.sync_api import expect
+from test_practice import DEAL, dealt_in_python, names, typed
 
 from book.differential_drive.exercises import M12
 from workshop import practice
@@ -20,10 +22,6 @@ from workshop.practice.wording import symbols
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import FULL, draw_all, watched_page  # noqa: E402
-from test_practice import DEAL, dealt_in_python, names, typed  # noqa: E402
 
 FIRST = "differential-drive-1"
 NAMELESS = "Type your name first: it picks your numbers."

@@ -1,13 +1,11 @@
 """Predictions on a built page, in a real browser: those of the ninth chapter, one of each kind."""
 
 import pytest
+from browser import FULL, serving, watched_page
+from test_ninth_chapter import site, tree  # noqa: F401 (fixtures)
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser", "test_ninth_chapter")
-
-from browser import FULL, serving, watched_page  # noqa: E402
-from test_ninth_chapter import site, tree  # noqa: E402, F401 (fixtures)
 
 FIGURE = "document.getElementById('beacon-guess').workshop"
 

@@ -4,14 +4,12 @@ import re
 from io import BytesIO
 
 import pytest
+from browser import watched_page
 from declared import FIGURES
 from pypdf import PdfReader
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import watched_page  # noqa: E402
 
 A4 = (595, 842)  # points
 PAGE = "bicycle/bicycle"

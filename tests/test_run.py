@@ -15,7 +15,9 @@ import sys
 from types import SimpleNamespace
 
 import pytest
+from browser import watched_page
 from jupyterlite_pyodide_kernel.constants import PYODIDE_CDN_URL
+from pyodide import PLACE, VERSION
 from support import ROOT
 
 import book  # noqa: F401 (opens the course)
@@ -27,10 +29,6 @@ from workshop.script import runtime
 from workshop.site import SETTINGS, run
 
 pytest_plugins = ["browser"]
-pytest.register_assert_rewrite("browser")
-
-from browser import watched_page  # noqa: E402
-from pyodide import PLACE, VERSION  # noqa: E402
 
 VENDORED = ROOT / "book" / "_vendor" / "pyodide"
 PAGE = "differential_drive/differential_drive.html"

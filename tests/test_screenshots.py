@@ -1,12 +1,11 @@
 """Pictures of every page, to look at: `make screenshots`. They are in _build/screenshots."""
 
 import pytest
+from browser import ROOT, draw_all, listed, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.screenshots]
-pytest.register_assert_rewrite("browser")
 
-from browser import ROOT, draw_all, listed, watched_page  # noqa: E402
 
 # no figure waits
 COME = """() => {

@@ -1,12 +1,11 @@
 """The search: what must come first, results while typing, and by keyboard."""
 
 import pytest
+from browser import watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
 
-from browser import watched_page  # noqa: E402
 
 # What a reader types, and the page and section that must come first.
 FIRST = {

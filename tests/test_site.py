@@ -10,6 +10,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from browser import ROOT, Watch, draw_all, listed, pages, watched_page
 
 from workshop.course import Course
 from workshop.site import SETTINGS
@@ -17,9 +18,6 @@ from workshop.site import _open_course as look_at
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import ROOT, Watch, build_command, draw_all, listed, pages, watched_page  # noqa: E402
 
 AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
 LIMIT = 300_000  # bytes, compressed, without pictures
@@ -371,7 +369,9 @@ def test_a_setting_that_cannot_be_meant_ends_the_build_with_a_sentence(tmp_path)
     ignore = shutil.ignore_patterns("*.ipynb", "*.md")
     shutil.copytree(ROOT / "book", tmp_path / "book", ignore=ignore)
     set_to(tmp_path, 'course_solutions: "no"')
-    command = build_command()
+    book = Path(sys.executable).with_name("jupyter-book")
+    toc = str(ROOT / "_toc.yml")
+    command = [book, "build", "book", "--config", "_config.yml", "--toc", toc, "--path-output", "."]
     run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert run.returncode == 1
     assert run.stderr.strip().splitlines() == [

@@ -3,12 +3,10 @@
 from contextlib import contextmanager
 
 import pytest
+from browser import draw_all, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
-pytest.register_assert_rewrite("browser")
-
-from browser import draw_all, watched_page  # noqa: E402
 
 PAGE, STEP, KEY = "differential_drive", "#one-line-three-answers", "differential_drive.v_L"
 FACES = {  # where a symbol has a face

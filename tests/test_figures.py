@@ -695,6 +695,14 @@ def test_labels_are_legible(figure):
             assert readable >= 4.5, shape  # WCAG 1.4.3, for text
 
 
+@each_figure
+def test_an_index_is_written_the_same_way_everywhere(figure):
+    """As in θ_1, which is set like the formula's; the sign ₁ would be another letter."""
+    parts = (*figure.controls, *figure.readouts, *figure.scene)
+    labels = "".join(str(getattr(part, "label", "")) for part in parts)
+    assert not set("₀₁₂₃₄₅₆₇₈₉") & set(labels)
+
+
 # --- The page -------------------------------------------------------------------------------
 
 in_browser = pytest.mark.browser

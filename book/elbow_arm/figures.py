@@ -103,9 +103,9 @@ def joint_readouts() -> tuple[Readout, ...]:
     away = (1 - face) / 2 * half_turn
     turn2 = Piecewise((0, d <= 0), (motion.wrap(away + face * raised), True))
     return (
-        Readout("theta1", "base θ₁", within(motion.wrap(beta + away)), "rad", words=NONE),
-        Readout("theta2", "shoulder θ₂", within(turn2), "rad", words=NONE),
-        Readout("theta3", "elbow θ₃", within(-face * bend * elbow), "rad", words=NONE),
+        Readout("theta1", "base θ_1", within(motion.wrap(beta + away)), "rad", words=NONE),
+        Readout("theta2", "shoulder θ_2", within(turn2), "rad", words=NONE),
+        Readout("theta3", "elbow θ_3", within(-face * bend * elbow), "rad", words=NONE),
         Readout("d", "from shoulder to target", d, "m"),
         Readout("missed", "out of reach by", missed, "m"),
     )
@@ -173,10 +173,10 @@ def two_views_figure() -> Figure:
             Arrow("text", (SIDE, floor), (SIDE, 0.54), label="z"),
             Arrow("velocity", (0, 0), from_above((FRONT * face, 0))),
             Arrow("velocity", (SIDE, floor), (SIDE + FRONT * face, floor)),
-            AngleArc("left", (0, 0), 0, motion.wrap(beta + back), 0.12, label="θ₁"),
-            AngleArc("left", mid, back, raised, 0.15, label="θ₂"),
+            AngleArc("left", (0, 0), 0, motion.wrap(beta + back), 0.12, label="θ_1"),
+            AngleArc("left", mid, back, raised, 0.15, label="θ_2"),
             AngleArc(
-                "left", from_the_side(bones(raised)[1]), raised, raised - bend * elbow, 0.1, "θ₃"
+                "left", from_the_side(bones(raised)[1]), raised, raised - bend * elbow, 0.1, "θ_3"
             ),
             *arms(from_above),
             *arms(from_the_side),
@@ -229,8 +229,8 @@ def space_figure() -> Figure:
                 for pair in pieces(map(in_space, bones(other)))
             ),
             *(VIEW.line("path", pair) for pair in pieces((shoulder, joint, wrist))),
-            hinge(shoulder, "z₁"),
-            hinge(joint, "z₂"),
+            hinge(shoulder, "z_1"),
+            hinge(joint, "z_2"),
             VIEW.line("approximation", (target, wrist)),
             nearer(VIEW.point("body", shoulder), 0.1),
             nearer(VIEW.point("body", joint), 0.1),

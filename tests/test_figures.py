@@ -1123,8 +1123,8 @@ def test_words_instead_of_numbers(visit, name, values, readout, word):
             if key(control) in values:
                 up = round((values[key(control)] - control.low) / control.step)
                 down = round((control.high - values[key(control)]) / control.step)
-                way = ["ArrowRight"] * up if up <= down else ["ArrowLeft"] * down
-                live.press(control, "Home" if up <= down else "End", *way)
+                ways = ["Home", *["ArrowRight"] * up], ["End", *["ArrowLeft"] * down]
+                live.press(control, *min(ways, key=len))
         assert live.readouts()[readout] == word
         assert_told(live)
 

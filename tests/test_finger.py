@@ -16,7 +16,6 @@ from workshop.figures.turning import Turns
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-
 # flat and in space, sliders, lists, handles; all pages in the long run
 TYPICAL = ("index", "bicycle/bicycle", "elbow_arm/elbow_arm")
 FAR = 120  # pixels that a finger goes

@@ -6,7 +6,6 @@ from browser import watched_page
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-
 # what takes the focus and shows no ring, or one that a box round it cuts
 CUT = """() => {
   document.querySelectorAll(".bd-article details").forEach((fold) => { fold.open = true; });

@@ -7,7 +7,6 @@ from fontTools.ttLib import TTFont
 
 pytest_plugins = ["browser"]
 
-
 # a sign as KaTeX sets a letter; zeta stands on no page
 SHOW = """(sign) => {
   document.querySelector(".bd-article .katex .mathnormal").textContent = sign;

@@ -11,7 +11,6 @@ from workshop.unbroken import UNBROKEN, unbroken
 
 pytest_plugins = ["browser"]
 
-
 # texts of the page, goals among them, but not what else is code or made by a script
 TEXTS = """
 () => [...document.querySelectorAll(".bd-article :is(p, li, td)")]

@@ -9,7 +9,6 @@ from browser import ROOT, listed, watched_page
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-
 # formulas whose left end lies left of their box at rest: scrolling cannot bring it back.
 # One pixel for rounding.
 LOST = """

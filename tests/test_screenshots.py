@@ -6,7 +6,6 @@ from browser import ROOT, draw_all, listed, watched_page
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.screenshots]
 
-
 # no figure waits
 COME = """() => {
   const figure = document.querySelector("figure.rk-figure:not(.rk-live):not(details *)");

@@ -6,7 +6,6 @@ from browser import watched_page
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-
 # What a reader types, and the page and section that must come first.
 FIRST = {
     "law of cosines": "elbow_arm/elbow_arm#first-way-three-angles",

@@ -152,7 +152,8 @@ def negated(e):
 
 def flipped(step, known):
     """The same step with a sign wrong: one for each place."""
-    left, full, _, unit, *_ = form(step, known)
+    ready = form(step, known)
+    left, full, unit = ready.left, ready.full, ready.units
     columns = list(full) if isinstance(full, sp.MatrixBase) else [full]
     for place, component in enumerate(columns):
         for wrong in flips(component):

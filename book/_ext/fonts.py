@@ -14,7 +14,6 @@ from fontTools.subset import Subsetter
 from fontTools.ttLib import TTFont
 
 FACE = re.compile(r"@font-face\{[^}]*(?=\})")
-logging.getLogger("fontTools").setLevel(logging.WARNING)  # it tells of each table it looks at
 SMALL = "pages-"  # how the name of a small font begins
 
 
@@ -71,5 +70,7 @@ def make_small(app, error):
 
 def setup(app):
     """Called by Sphinx; before the sheets become one."""
+    # a11y_pygments, which the theme brings, turns all logs on; fontTools tells of each table
+    logging.getLogger("fontTools").setLevel(logging.WARNING)
     app.connect("build-finished", make_small, priority=940)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

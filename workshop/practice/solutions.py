@@ -26,7 +26,7 @@ import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,21 +41,6 @@ from workshop.practice.wording import number_text, with_unit
 LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
 
 Unit = str | tuple[str, ...]
-
-
-class Form(NamedTuple):
-    """A step's formula, made ready once for all numbers.
-
-    left: its left side; full: its right side as computed, by `function` of `symbols`; lines: each
-    as printed, in letters, with its right side; units: one for each line.
-    """
-
-    left: Any
-    full: Any
-    lines: tuple[tuple[str, Any], ...]
-    units: tuple[str, ...]
-    symbols: tuple[sp.Symbol, ...]
-    function: Callable[..., Any]
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,6 +151,30 @@ class Worked:
         return self.lines[int(part)].rest
 
 
+@dataclass(frozen=True, eq=False)
+class Form:
+    """A step's formula, made ready once for all numbers.
+
+    left: its left side; full: its right side as computed; lines: each as printed, in letters, with
+    its right side; units: one for each line.
+    """
+
+    left: Any
+    full: Any
+    lines: tuple[tuple[str, Any], ...]
+    units: tuple[str, ...]
+
+    @cached_property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """What the right side needs."""
+        return tuple(sorted(free_symbols(self.full), key=str))
+
+    @cached_property
+    def function(self) -> Callable[..., Any]:
+        """The right side as a function of `symbols`."""
+        return compiled(self.full, self.symbols)
+
+
 def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, str]) -> Worked:
     """One step, from what the exercise and the steps before it gave."""
     ready = form(step, known)
@@ -248,8 +257,7 @@ def form_of(step: Step, formula: Any, known: frozenset[str]) -> Form:
         for a, b in zip(*components(left, right), strict=True)
     )
     units = units_of(left, step.unit or getattr(formula, "unit", ""))
-    symbols = tuple(sorted(free_symbols(full), key=str))
-    return Form(left, full, lines, units, symbols, compiled(full, symbols))
+    return Form(left, full, lines, units)
 
 
 def units_of(left: Any, unit: Unit) -> tuple[str, ...]:

@@ -4,9 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from robokin._checks import Array, ArrayLike
-
-MANY = 10_000  # from so many numbers on, a pass over all of them takes longer than some calls
+from robokin._checks import MANY, Array, ArrayLike
 
 
 def parts(array: Array) -> Sequence[Array]:

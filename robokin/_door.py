@@ -18,12 +18,23 @@ from typing import Any, ParamSpec, TypeAlias, TypeVar, cast
 
 import numpy as np
 
-from robokin._checks import Array, ArrayLike, Bools, Shape, every, numbers, refuse, shown
+from robokin._checks import (
+    Array,
+    ArrayLike,
+    Bools,
+    Shape,
+    every,
+    is_finite,
+    numbers,
+    refuse,
+    shown,
+)
 from robokin.errors import RobokinError
 
 P = ParamSpec("P")
 T = TypeVar("T")
 Sizes = dict[str, int]  # what the letters in the shapes stand for in one call
+Good: TypeAlias = Callable[[Array], Bools | np.bool_]  # for each number, or once for all
 Check: TypeAlias = Callable[[str, Any, Sizes], Any]  # an argument's name, its value, the sizes
 
 steps = "steps"  # the last axis of data and parameters that belong to the steps of a path
@@ -34,7 +45,7 @@ class Rule:
     """An argument that is an array: the shape of one item, and what is refused."""
 
     core: tuple[int | str, ...] = ()  # a letter: a size that arguments have in common
-    good: Callable[[Array], Bools] | None = None  # of data: what is neither NaN nor infinite
+    good: Good | None = None  # of data: what is neither NaN nor infinite
     ok: Callable[[Array], Bools] | None = None
     allowed: str = ""
     rows_ok: Callable[[str, Array], None] | None = None  # a look at data, bad rows all NaN
@@ -68,7 +79,7 @@ def _rule(core: tuple[int | str, ...], **fields: Any) -> Rule:
     return Rule(tuple(n for n in core if n != steps), per_step=steps in core, **fields)
 
 
-def data(*core: int | str, good: Callable[[Array], Bools] = np.isfinite) -> Rule:
+def data(*core: int | str, good: Good = is_finite) -> Rule:
     """Poses, angles, rates: any numbers, NaN and infinity among them."""
     return _rule(core, good=good)
 
@@ -76,7 +87,7 @@ def data(*core: int | str, good: Callable[[Array], Bools] = np.isfinite) -> Rule
 def whole(*core: int | str) -> Rule:
     """Data in whole numbers: ticks."""
     allowed = "whole numbers (NaN where a reading is missing)"
-    return _rule(core, good=np.isfinite, allowed=allowed, ok=_is_whole)
+    return _rule(core, good=is_finite, allowed=allowed, ok=_is_whole)
 
 
 def _is_whole(array: Array) -> Bools:
@@ -207,7 +218,8 @@ def _spread_nan(given: dict[str, Any], rules: Mapping[str, Rule]) -> Bools | Non
     if all([every(of) for of in good.values()]):
         return None
     axes = {name: tuple(range(-len(rules[name].core), 0)) for name in good}
-    rows: Any = ~reduce(np.logical_and, (of.all(axis=axes[name]) for name, of in good.items()))
+    each = {name: np.broadcast_to(of, given[name].shape) for name, of in good.items()}
+    rows: Any = ~reduce(np.logical_and, (of.all(axis=axes[name]) for name, of in each.items()))
     for name in good:
         given[name] = _blank(given[name], rows, len(axes[name]))
     return cast(Bools, rows)

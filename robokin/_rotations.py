@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from robokin._checks import Array, ArrayLike, Shape, at, first, numbers
+from robokin._checks import Array, ArrayLike, Shape, at, first, is_finite, numbers
 from robokin._door import Rule, Sizes, admit
 from robokin.errors import RobokinError
 
@@ -85,9 +85,9 @@ def _refuse_no_pose(name: str, T: Array) -> None:
 
 
 # what an argument is, for `door`: rotations in space, poses in the plane or in space
-A_ROTATION = Rule((3, 3), good=np.isfinite, rows_ok=refuse_skewed)
-A_POSE = Square((3, 4), good=np.isfinite, rows_ok=_refuse_no_pose)
-A_PLANAR_POSE = Rule((3, 3), good=np.isfinite, rows_ok=_refuse_no_pose)
+A_ROTATION = Rule((3, 3), good=is_finite, rows_ok=refuse_skewed)
+A_POSE = Square((3, 4), good=is_finite, rows_ok=_refuse_no_pose)
+A_PLANAR_POSE = Rule((3, 3), good=is_finite, rows_ok=_refuse_no_pose)
 
 
 def poses(transforms: Mapping[str, ArrayLike]) -> list[Array]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from robokin._angles import from_minus_pi
 from robokin._arrays import entries, matrix, times, vector
-from robokin._checks import Array, ArrayLike, Shape, at, first, shown
+from robokin._checks import Array, ArrayLike, Shape, at, first, is_finite, shown
 from robokin._door import data, door, inside, one, positive, quiet
 from robokin._rotations import (
     A_PLANAR_POSE,
@@ -260,7 +260,7 @@ class FrameGraph:
             )
 
 
-@door(R=Square((2, 3), good=np.isfinite), tol=one(positive()))
+@door(R=Square((2, 3), good=is_finite), tol=one(positive()))
 def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """Refuse what is not a rotation: columns of length 1, at right angles, right-handed.
 

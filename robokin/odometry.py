@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robokin._arrays import entries, matrix, parts, rows, vector
-from robokin._checks import Array, ArrayLike, Bools, refuse
+from robokin._checks import Array, ArrayLike, Bools, is_finite, refuse
 from robokin._door import Rule, data, door, not_negative, one_of, positive, steps, whole
 from robokin._paths import METHODS, follow, sinc, sinc_slope
 from robokin._rotations import Square
@@ -174,7 +174,7 @@ def covariance(
     return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place)
 
 
-@door(covariance=Square((2, 3), good=np.isfinite))
+@door(covariance=Square((2, 3), good=is_finite))
 def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
     """The error ellipse of a position: how uncertain it is, and in which direction.
 

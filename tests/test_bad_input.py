@@ -13,6 +13,7 @@ import pytest
 from arguments import DATA, PARAMETERS, STEPS, TABLE, bind, find, public_functions
 from hypothesis import HealthCheck, given, settings
 
+from robokin._checks import MANY
 from robokin._paths import METHODS
 from robokin.bicycle import lane_width
 from robokin.errors import RobokinError
@@ -368,6 +369,21 @@ def test_a_bad_value_makes_its_own_row_nan_and_touches_no_other(label, key, valu
         for a in results(label, **single):
             assert np.isnan(a[1]).all() if a.dtype == float else not a[1]
             assert np.isfinite(a[[0, 2]]).all()
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+@each("data", "matrix", "ticks", wanted=has_answer)
+def test_a_bad_value_is_found_among_many(label, key, value):
+    # so many are looked at together first, by a sum of squares; that of 1e200 is not finite
+    entry = TABLE[label]
+    clean = batch(entry, MANY + 1)
+    for other in (1e200,) * (entry.args[key].kind == "data") + (1.0,):
+        spoilt = clean[key].astype(float, order="C")
+        spoilt[MANY] = value
+        spoilt[0] *= other
+        for a in results(label, **{**clean, key: spoilt}):
+            assert np.isnan(a[MANY]).all() if a.dtype == float else not a[MANY]
+            assert np.isfinite(a[1:MANY]).all()
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])

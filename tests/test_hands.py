@@ -99,6 +99,20 @@ def test_what_a_hand_leaves_is_what_is_shown(visit):  # noqa: F811
 
 
 @in_browser
+def test_what_keys_leave_is_what_is_shown(visit):  # noqa: F811
+    """And not half a step of the last digit beside it, as 0.07500000000000001."""
+    with visit(FIGURES["wheel-speeds"]) as live:
+        handle = live.handles.nth(1)
+        handle.focus()
+        before = live.state()[1]
+        for _ in range(3):
+            live.page.keyboard.press("ArrowUp")
+            right = live.state()[1]
+            assert before < right == round(right, 3)
+            before = right
+
+
+@in_browser
 def test_the_ring_of_the_focus_comes_with_the_first_key(visit):  # noqa: F811
     """After a drag it would only hide the label."""
     look = "(grip) => getComputedStyle(grip).outlineStyle"

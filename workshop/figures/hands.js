@@ -222,14 +222,19 @@ const letGo = (live, element, undone = ({ state }) => state) => {
   element.addEventListener("lostpointercapture", () => release(live, element));
 };
 
-const followArrows = (live, handle, grip) => grip.addEventListener("keydown", (event) => {
-  grip.classList.remove("rk-taken");
-  const move = ARROWS[event.key], { view } = live.figure;
-  if (!move) return;
-  event.preventDefault();
-  const step = (view[1] - view[0]) / (event.shiftKey ? 20 : 100);
-  dragTo(live, handle, live.place(handle).map((x, i) => x + step * move[i]), false);
-});
+const followArrows = (live, handle, grip) => {
+  grip.addEventListener("keydown", (event) => {
+    grip.classList.remove("rk-taken");
+    const move = ARROWS[event.key], { view } = live.figure;
+    if (!move) return;
+    event.preventDefault();
+    const step = (view[1] - view[0]) / (event.shiftKey ? 20 : 100);
+    dragTo(live, handle, live.place(handle).map((x, i) => x + step * move[i]), false);
+  });
+  grip.addEventListener("keyup", ({ key }) => {
+    if (ARROWS[key]) live.set(asShown(live.figure, live.state));
+  });
+};
 
 // ---- the ground: dragging it turns the view, by half a turn across the picture
 

@@ -9,8 +9,10 @@ import json
 import re
 import statistics
 from contextlib import contextmanager
+from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
+from html import unescape
 
 import nbformat
 import numpy as np
@@ -88,6 +90,7 @@ def own_controls(figure):
 
 typical_figure = typical(lambda figure: True)
 typical_moved = typical(own_controls)
+typical_held = typical(lambda figure: figure.handles)
 typical_linked = typical(lambda figure: figure.size != "step" and own_controls(figure))
 
 
@@ -286,6 +289,15 @@ def test_readouts_against_robokin(figure):
     np.testing.assert_allclose(computed[:, kept], wanted, rtol=ALLOWED, atol=ALLOWED)
     told = [w for readout in figure.readouts for w in readout.words]
     assert {str(x) for x in computed[~np.isfinite(computed)]} == set(told)  # all words are met
+
+
+@pytest.mark.parametrize(("name", "values", "readout", "word"), WORDS)
+def test_a_word_instead_of_a_number(name, values, readout, word):
+    """As the script writes it where the controls stand at a setting."""
+    controls = [replace(c, start=values.get(key(c), c.start)) for c in FIGURES[name].controls]
+    figure = replace(FIGURES[name], controls=tuple(controls))
+    texts = map(unescape, re.findall("<dd>(.*?)</dd>", figure.html()))
+    assert dict(zip([r.name for r in figure.readouts], texts, strict=True))[readout] == word
 
 
 def test_almost_straight():
@@ -992,18 +1004,16 @@ def test_twenty_settings_by_mouse_and_keys(figure, visit):
 
 
 @in_browser
-@each_chapter
-def test_a_handle_taken_at_its_edge_does_not_jump(chapter, visit):
-    for live in one_by_one(chapter, visit):
-        if not live.figure.handles:
-            continue
+@typical_held
+def test_a_handle_taken_at_its_edge_does_not_jump(figure, visit):
+    with visit(figure) as live:
         start = live.state()
-        x, y = live.spot(len(live.figure.handles) - 1, live.values())
+        x, y = live.spot(len(figure.handles) - 1, live.values())
         live.page.mouse.move(x + 6, y + 6)
         live.page.mouse.down()
         live.page.mouse.move(x + 6, y + 6)
         live.page.mouse.up()
-        assert live.state() == pytest.approx(start, abs=1e-9), live.figure.name
+        assert live.state() == pytest.approx(start, abs=1e-9)
 
 
 def swipe(page, start, end):
@@ -1114,9 +1124,12 @@ def test_a_finger_across_turns_and_up_scrolls(turned):
 
 
 @in_browser
-@pytest.mark.parametrize(("name", "values", "readout", "word"), WORDS)
-def test_words_instead_of_numbers(visit, name, values, readout, word):
-    """Reached by keys, from the nearer end of the slider step by step."""
+@pytest.mark.parametrize(
+    ("name", "values", "readout", "word"),
+    [pytest.param(*row, marks=[pytest.mark.long] * (row[0] not in TYPICAL)) for row in WORDS],
+)
+def test_keys_reach_a_word_instead_of_a_number(visit, name, values, readout, word):
+    """From the nearer end of the slider step by step."""
     figure = FIGURES[name]
     with visit(figure) as live:
         for control in figure.controls:

@@ -324,54 +324,61 @@ def copy(tmp_path):
     return write
 
 
-def test_nbval_sees_one_wrong_digit_and_a_changed_formula(copy):
+def test_nbval_sees_a_wrong_digit_a_changed_formula_or_picture_and_stale_prose(copy):
+    """In one run: most of its time is the kernel's start."""
     printed = []
 
     def tamper(notebook):
-        text = json.dumps(notebook)
-        assert "v_{R} + v_{L}" in text
-        notebook.update(
-            nbformat.from_dict(json.loads(text.replace("v_{R} + v_{L}", "v_{R} - v_{L}")))
-        )
-        outputs = [output for cell in notebook.cells for output in cell.get("outputs", ())]
-        output = next(o for o in outputs if re.search(r"\d", o.get("text", "")))
-        output.text = re.sub(
-            r"\d", lambda digit: str((int(digit[0]) + 1) % 10), output.text, count=1
-        )
-        printed.append(output.text.strip())
-
-    run = nbval(copy(tamper))
-    assert run.returncode == 1
-    assert printed[0] in run.stdout
-    assert "v_{R} - v_{L}" in run.stdout
-
-
-def test_nbvals_run_sees_changed_pictures_and_stale_numbers_in_the_prose(copy):
-    def tamper(notebook):
-        cells = [c for c in nbformat.read(FRAMES, as_version=4).cells if c.cell_type == "code"]
-        drawn = next(k for k, cell in enumerate(cells) if "image/png" in str(cell.outputs))
-        data = next(o.data for o in cells[drawn].outputs if "image/png" in o.data)
-        picture = Image.open(io.BytesIO(base64.b64decode(data["image/png"])))
-        picture.paste(0, (0, 0, *picture.size))
-        file = io.BytesIO()
-        picture.save(file, "PNG")
-        data["image/png"] = base64.b64encode(file.getvalue()).decode()
-        notebook.cells = [
-            *cells[: drawn + 1],
+        notebook.update(changed_formula(notebook))
+        printed.append(one_digit_wrong(notebook))
+        notebook.cells += [
+            *painted_over(FRAMES),
             prose_cell("So 3.1 cm/s.", ["So {np.pi:.1f} cm/s"]),
             prose_cell("So 3.2 cm/s.", ["So {np.pi:.1f} cm/s"]),
-            prose_cell("So 3.1 cm/s.", ["So {V:.1f} cm/s"]),
+            prose_cell("So 3.1 cm/s.", ["So {v_none:.1f} cm/s"]),
             prose_cell("So 3.1 km/s.", ["So {np.pi:.1f} cm/s"]),
         ]
 
     run = nbval(copy(tamper))
     assert run.returncode == 1
+    assert printed[0] in run.stdout
+    assert "v_{R} - v_{L}" in run.stdout
     assert "the stored output differs in image/png" in run.stdout
     stale = set(re.findall(r"cell \d+: numbers in the text are stale", run.stdout))
     assert len(stale) == 1  # a CI's pytest says it again in its summary
     assert "fresh:  So 3.1 cm/s." in run.stdout
-    assert "V cannot be computed: NameError" in run.stdout
+    assert "v_none cannot be computed: NameError" in run.stdout
     assert "the computed phrase 'So {np.pi:.1f} cm/s' stands in the text 0" in run.stdout
+
+
+def changed_formula(notebook):
+    """With a minus in place of a plus, wherever a formula is stored."""
+    text = json.dumps(notebook)
+    assert "v_{R} + v_{L}" in text
+    return nbformat.from_dict(json.loads(text.replace("v_{R} + v_{L}", "v_{R} - v_{L}")))
+
+
+def one_digit_wrong(notebook):
+    """The first number that a cell printed, raised by one in its first digit; what then stands."""
+    outputs = [output for cell in notebook.cells for output in cell.get("outputs", ())]
+    output = next(o for o in outputs if re.search(r"\d", o.get("text", "")))
+    output.text = re.sub(r"\d", lambda digit: str((int(digit[0]) + 1) % 10), output.text, count=1)
+    return output.text.strip()
+
+
+def painted_over(path):
+    """The cells of a notebook as far as its first drawn picture, and that one black."""
+    cells = [c for c in nbformat.read(path, as_version=4).cells if c.cell_type == "code"]
+    drawn = next(k for k, cell in enumerate(cells) if "image/png" in str(cell.outputs))
+    data = next(o.data for o in cells[drawn].outputs if "image/png" in o.data)
+    picture = Image.open(io.BytesIO(base64.b64decode(data["image/png"])))
+    picture.paste(0, (0, 0, *picture.size))
+    file = io.BytesIO()
+    picture.save(file, "PNG")
+    data["image/png"] = base64.b64encode(file.getvalue()).decode()
+    for cell in cells:
+        cell.id = f"{path.stem}-{cell.id}"  # as others stand before them
+    return cells[: drawn + 1]
 
 
 def test_a_stripped_copy_fails(copy):

@@ -194,11 +194,18 @@ def test_a_goal_is_not_reached_at_the_start(figure):
 # --- Motion ---------------------------------------------------------------------------------
 
 LOOPING = [f for f in FIGURES.values() if any(getattr(c, "loops", False) for c in f.controls)]
+each_loop = pytest.mark.parametrize(  # two of them, and all in the long run
+    "figure",
+    [
+        pytest.param(f, id=f.name, marks=[pytest.mark.long] * (f.name not in ("park", "wrong-car")))
+        for f in LOOPING
+    ],
+)
 TIME = "([name, i]) => document.getElementById(name).workshop.state[i]"
 
 
 @in_browser
-@pytest.mark.parametrize("figure", LOOPING, ids=lambda figure: figure.name)
+@each_loop
 def test_motion_loops_in_sight_and_rests_out_of_it(figure, visit):  # noqa: F811
     place = next(i for i, c in enumerate(figure.controls) if getattr(c, "loops", False))
     clock, at = figure.controls[place], [figure.name, place]
@@ -223,7 +230,7 @@ def test_motion_loops_in_sight_and_rests_out_of_it(figure, visit):  # noqa: F811
 
 
 @in_browser
-@pytest.mark.parametrize("figure", LOOPING, ids=lambda figure: figure.name)
+@each_loop
 def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, visit):  # noqa: F811
     with visit(figure) as live:
         live.picture.scroll_into_view_if_needed()

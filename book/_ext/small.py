@@ -22,7 +22,7 @@ def minify(scripts):
     try:
         engine.eval(f"{BEFORE} 0")
         engine.eval(f"{TERSER.read_text('utf-8')}; 0")
-        small = "(script) => Terser.minify_sync(script, {compress: {passes: 2}}).code"
+        small = "(script) => Terser.minify_sync(script).code"
         return [engine.eval(f"({small})({json.dumps(script)})") for script in scripts]
     finally:
         engine.close()

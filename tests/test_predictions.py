@@ -20,7 +20,7 @@ from workshop.script import engine
 from workshop.site.predictions import TAG
 
 ASK = re.compile(r'predictions\.ask\("([\w-]+)"\)')
-BARE = re.compile(r"\*\*\s*(Predict|Guess first)", re.IGNORECASE)
+BARE = re.compile(r"\*\*\s*(Predict|Guess)\b")
 PLAIN = re.compile(r"[*_$`]|<[^>]+>|\\[a-z]+")  # what is no word of the text
 
 
@@ -93,6 +93,10 @@ def unfolded(cells, name):
 
 
 ASKING = list(course().modules("predictions"))
+
+
+def test_every_chapter_asks():
+    assert {*ASKING} == {*course().taught}
 
 
 def cells_of(chapter):

@@ -1,4 +1,4 @@
-"""The chapters' words: the field's nouns, explained and used; questions come before answers."""
+"""The chapters' words: the field's nouns, explained and used; nothing is claimed in vain."""
 
 import re
 
@@ -67,13 +67,7 @@ SHORT = {  # what it is called from then on
     "sliding constraint": "sliding row",
 }
 PLURALS = {"degree of freedom": "degrees of freedom", "singularity": "singularities"}
-# the other chapters declare their predictions: test_predictions.py
-TYPED = [chapter for chapter in course().taught if not course().module(chapter, "predictions")]
 NUMBERS = ("none", "one", "two", "three", "four", "five", "six")
-PREDICTION = re.compile(r"\b(?:Predict|Guess)\b")
-FOLD = re.compile(r"(.*?)(?:<details>(.*?)</details>|\Z)", re.DOTALL)
-FOLDED = {"hide-output", "hide-cell"}  # hide-cell where the code tells the answer
-DRAWN = re.compile(r"figures\.\w+_figure\(\)")
 
 
 def cells(chapter):
@@ -96,77 +90,8 @@ def test_a_noun_is_explained_once_then_used(chapter, noun):
     assert re.search(used, text[explained[0].end() :], re.IGNORECASE), f"{noun} is not used"
 
 
-def steps(cells):
-    """What a reader meets, in order: (kind, text): prose, a fold, or an output, hidden or not."""
-    for cell in cells:
-        if cell.cell_type == "code":
-            folded = DRAWN.search(cell.source) or FOLDED & set(cell.metadata.get("tags", []))
-            yield "hidden" if folded else "open", "".join(map(output_text, cell.outputs))
-            continue
-        for outside, inside in FOLD.findall(cell.source):
-            yield from (("prose", part) for part in re.split(r"\n{2,}", outside.strip()) if part)
-            if inside:
-                yield "fold", inside
-
-
-def output_text(output):
-    """What an output says in words and numbers; a formula or an exercise says nothing here."""
-    shown = output.get("data", {})
-    if any("workshop" in kind for kind in shown):
-        return ""
-    return output.get("text", "") + shown.get("text/plain", "")
-
-
-def numbers(text):
-    """The numbers that could give an answer away: of two digits or more."""
-    return {n for n in re.findall(r"\d+(?:\.\d+)?", text) if len(n) > 1} - {"90", "180", "360"}
-
-
-def given_away(cells):
-    """Predictions without a fold, after an open output, or with its numbers in their section."""
-    met = list(steps(cells))
-    headings = [k for k, (_, text) in enumerate(met) if text.startswith("#")] + [len(met)]
-    for k, (kind, question) in enumerate(met):
-        if kind != "prose" or not PREDICTION.search(question):
-            continue
-        begin = max((h for h in headings if h < k), default=0)
-        end = min(h for h in headings if h > k)
-        fold = next((j for j in range(k + 1, end) if met[j][0] == "fold"), None)
-        if fold is None or any(kind == "open" for kind, _ in met[k + 1 : fold]):
-            yield question
-            continue
-        told = numbers(met[fold][1]) - numbers(question)
-        around = [text for kind, text in met[begin:end] if kind in ("prose", "open")]
-        if any(told & numbers(text) for text in around):
-            yield question
-
-
 def test_no_chapter_is_left_out():
     assert {*NOUNS, "basics"} == set(course().taught)
-
-
-@pytest.mark.parametrize("chapter", TYPED)
-def test_predictions_do_not_meet_their_answer(chapter):
-    assert PREDICTION.search(prose(chapter))
-    assert not list(given_away(cells(chapter)))
-
-
-def test_an_open_answer_is_seen():
-    def text(source):
-        return nbformat.v4.new_markdown_cell(source)
-
-    def shown(number, *tags):
-        output = nbformat.v4.new_output("stream", text=number)
-        return nbformat.v4.new_code_cell("x", metadata={"tags": list(tags)}, outputs=[output])
-
-    ask, fold = text("## Why\n\n**Predict** this."), text("<details>\n\nIt is 42.\n\n</details>")
-    assert not list(given_away([ask, shown("42", "hide-output"), fold]))
-    assert not list(given_away([ask, fold, shown("7"), text("## Next\n\nIt was 42.")]))
-    assert list(given_away([ask, shown("7"), fold]))
-    assert list(given_away([ask, fold, text("So it is 42.")]))
-    assert list(given_away([text("We shall find 42.\n\n**Guess** it."), fold]))
-    assert list(given_away([ask, shown("42"), text("It is 42.")]))
-    assert list(given_away([ask, text("## Next"), fold]))
 
 
 @pytest.mark.parametrize("chapter", NOUNS)

@@ -1,0 +1,124 @@
+"""What a reader of the chapter on the bicycle model is asked before it is told."""
+
+import numpy as np
+from sympy import atan
+
+from book.bicycle import formulas
+from book.bicycle.figures import DURATION, LENGTH, RADIUS, TRACK
+from book.bicycle.formulas import track, wheelbase
+from book.differential_drive.formulas import R
+from robokin import bicycle
+from workshop.predictions import Buttons, Number, Prediction
+
+WHEELS = np.radians([37.57, 27.76])  # the exercise's front wheels, left and right
+CAR = {wheelbase: 2.5, track: TRACK}  # m
+LONG = {wheelbase: LENGTH, track: TRACK}
+
+
+def beside_the_mean() -> str:
+    """Where the bicycle's angle lies."""
+    less = WHEELS.mean() - bicycle.equivalent_steering(*WHEELS)
+    return "a little less" if less > 1e-9 else "a little more" if less < -1e-9 else "the mean"
+
+
+def error(n: int) -> float:
+    """How far the long car's drive is off in n straight steps, m."""
+    drive = 8.0 * RADIUS, np.radians(30), LENGTH, np.full(n, DURATION / n)
+    exact, steps = (bicycle.path([0, 0, 0], *drive, method=m)[-1] for m in ("exact", "start"))
+    return float(np.hypot(*(exact - steps)[:2]))
+
+
+def halved() -> str:
+    """How much of that error is left with twice the steps."""
+    left = {"all of it": 1, "a half": 1 / 2, "a quarter": 1 / 4}
+    return min(left, key=lambda answer: abs(left[answer] - error(20) / error(10)))
+
+
+PREDICTIONS = (
+    Prediction(
+        "which-mean",
+        f"The mean of the two angles is {np.degrees(WHEELS.mean()):.2f}°. Is $\\varphi$ the mean, "
+        "a little more, or a little less?",
+        Buttons(
+            ("the mean", "a little more", "a little less"),
+            right=beside_the_mean,
+            assumes={
+                "the mean": "The bicycle's wheel stands half-way between the two, but its angle "
+                "is not half-way: a tangent lies between place and angle.",
+                "a little more": "That leans to the inner wheel, which is turned more. It is the "
+                "other way round.",
+            },
+        ),
+        opens=f"It is {np.degrees(bicycle.equivalent_steering(*WHEELS)):.2f}°. And why do the two "
+        "wheels differ? The inner wheel is nearer to the point that the car turns about, so it "
+        "is turned more.",
+        hides=("32.01°", "nearer to the point"),
+    ),
+    Prediction(
+        "turned-alike",
+        "Now both front wheels are turned by the *same* 30°. Where is the point that the car "
+        "turns about?",
+        Buttons(
+            ("where one wheel of 30° puts it", "without end far away", "nowhere"),
+            right="nowhere",
+            assumes={
+                "where one wheel of 30° puts it": "So it is for a bicycle. The two wheels of the "
+                "car stand in two places.",
+                "without end far away": "So it is straight ahead: then all axles are parallel.",
+            },
+        ),
+        opens="The axles of the two wheels are parallel and never meet. Their cotangents differ "
+        f"by 0, which is {TRACK / CAR[wheelbase]:.1f} less than $b$ over $L$, and the tyres rub.",
+        hides=("never meet", "tyres rub"),
+    ),
+    Prediction(
+        "how-far",
+        "The more the car steers, the nearer comes the ICR. At which $\\varphi$ does it reach the "
+        "inner rear wheel?",
+        Number(
+            "φ",
+            "°",
+            right=formulas.steepest_steering.at(CAR),
+            assumes={
+                "That brings it to P, in the middle of the axle.": lambda: np.arctan2(np.inf, 1),
+                "That takes the whole track: from one rear wheel to the other.": atan(
+                    wheelbase / track
+                ).subs(CAR),
+            },
+            near=0.02,
+        ),
+        opens="There $|R|$ is $b/2$, and the inner front wheel stands at 90°.",
+        hides=("73.3",),
+    ),
+    Prediction(
+        "twice-the-steps",
+        "The loop takes twice as many steps. How much of its error is left?",
+        Buttons(
+            ("all of it", "a half", "a quarter"),
+            right=halved,
+            assumes={
+                "all of it": "Each step is as wrong as it is long, and has half the length now.",
+                "a quarter": "That is right for a single step. But there are twice as "
+                "many of them.",
+            },
+        ),
+        opens="The error is proportional to the step (*order* 1).",
+        hides=("proportional to the step",),
+    ),
+    Prediction(
+        "how-wide",
+        "Our vehicle is 1.5 m wide. How wide is its lane at a steering of 30°?",
+        Number(
+            "w",
+            "m",
+            right=formulas.lane.at({**LONG, R: bicycle.turning_radius(np.pi / 6, LENGTH)}),
+            assumes={
+                "That is the car alone: so it is straight ahead.": track.subs(LONG),
+            },
+            near=0.1,
+        ),
+        opens="More than twice the car. Steer to 30° and look. Each dot draws the line of its "
+        "colour: rear axle, centre, front axle. The lane's edges are blue and orange.",
+        hides=("twice the car",),
+    ),
+)

@@ -1,0 +1,137 @@
+"""What a reader of the chapter on the elbow arm is asked before it is told."""
+
+import numpy as np
+from mpmath import acos, mpf, workdps
+from sympy import pi
+
+from book.elbow_arm.figures import SHOULDER, UPPER
+from robokin import elbow_arm
+from workshop.predictions import Buttons, Number, Prediction
+
+FOREARM = 0.3  # m
+TARGET = (-0.18, 0.24, 0.50)  # m, of the exercise
+LINKS = UPPER, FOREARM, SHOULDER
+
+
+def answers(target: tuple[float, float, float]) -> np.ndarray:
+    """The four answers for a target: (4, 3), in rad."""
+    return elbow_arm.inverse(target, *LINKS)
+
+
+def bend() -> float:
+    """How far the elbow is from straight at the target of the exercise, rad."""
+    return float(np.abs(answers(TARGET)[:, 2]).max())
+
+
+def turned_round() -> str:
+    """What becomes of the elbow's angle when the base faces away and the elbow stays in place."""
+    facing, away = answers(TARGET)[[0, 2], 2]
+    return min(
+        ("no change", facing),
+        ("the other sign", -facing),
+        ("180° less it", np.pi - facing),
+        key=lambda option: abs(option[1] - away),
+    )[0]
+
+
+def digits() -> str:
+    """How many digits the arccosine of the elbow's cosine has, 1e-15 m short of full stretch."""
+    d, upper, forearm = 0.75 - 1e-15, 0.5, 0.25
+    squares, twice = upper**2 + forearm**2, 2 * upper * forearm
+    with workdps(50):
+        exact = acos((mpf(d) ** 2 - squares) / twice)
+        wrong = float(abs(np.arccos((d**2 - squares) / twice) / exact - 1))
+    return f"{-np.log10(wrong):.0f}"
+
+
+def different() -> str:
+    """How many different answers a stretched arm has."""
+    stretched = answers((UPPER + FOREARM, 0, SHOULDER))
+    return ("one", "two", "three", "four")[len(np.unique(stretched.round(9), axis=0)) - 1]
+
+
+PREDICTIONS = (
+    Prediction(
+        "how-bent",
+        "By how many degrees must the elbow bend away from straight?",
+        Number(
+            "the bend",
+            "°",
+            right=bend,
+            assumes={
+                "That folds the forearm back onto the upper link.": pi,
+                "Then the arm reaches too far: both links add up to 70 cm.": lambda: bend() / 2,
+            },
+            near=0.15,
+        ),
+        opens="There are four ways to do it.",
+        hides=("four ways",),
+    ),
+    Prediction(
+        "faces-away",
+        "The base faces away, and the elbow stays at the same place in the room. What becomes of "
+        "$\\theta_3$?",
+        Buttons(
+            ("no change", "the other sign", "180° less it"),
+            right=turned_round,
+            assumes={
+                "no change": "The bend is as large as before. But seen from behind, it is on the "
+                "other side.",
+                "180° less it": "That becomes of $\\theta_2$: the upper link leans over backwards.",
+            },
+        ),
+        opens="The arm leans over backwards, as far from the horizontal as before: $\\theta_2$ "
+        "becomes 180° less $\\theta_2$. The elbow bends to the other side: $\\theta_3$ changes its "
+        'sign. The turned arm sees everything mirrored: "elbow up" has a *negative* $\\theta_3$ '
+        "if the arm faces the target, a *positive* one if it faces away.",
+        hides=("mirrored", "changes its sign"),
+    ),
+    Prediction(
+        "how-many-digits",
+        "An arm of 50 cm and 25 cm is stretched but for $10^{-15}$ m. The arccosine gives its "
+        "elbow angle: how many of the 16 digits are right? (These lengths are exact in binary; "
+        "only the formula can be to blame.)",
+        Buttons(
+            ("16", "8", "2"),
+            right=digits,
+            assumes={
+                "16": "The arccosine itself is as good as that. But the number that it is given "
+                "has been rounded.",
+                "8": "So many decimals are right. But the angle is small: its first digit is the "
+                "seventh decimal.",
+            },
+        ),
+        opens="An angle near zero hides in the last digits of its cosine:",
+        hides=("two digits", "last digits of its cosine"),
+    ),
+    Prediction(
+        "answers-when-stretched",
+        "The arm is stretched. How many different answers are left?",
+        Buttons(
+            ("one", "two", "four"),
+            right=different,
+            assumes={
+                "one": "The base can still face the target or face away.",
+                "four": "The library gives four rows. Compare them.",
+            },
+        ),
+        opens="Up and down melt into one. It is the same for a folded arm.",
+        hides=("melt into one",),
+    ),
+    Prediction(
+        "answers-on-the-axis",
+        "The target lies on the base axis, right above the shoulder. How many answers are there?",
+        Buttons(
+            ("two", "four", "endlessly many"),
+            right="endlessly many",
+            assumes={
+                "two": "Elbow up and down are two. But which way must the base look?",
+                "four": "So many it has beside the axis, where only one turn of the base leads "
+                "to the target, and one away from it.",
+            },
+        ),
+        opens="Every $\\theta_1$ is right. The library takes 0 (and 180° for away). The line to "
+        "the wrist is upright, so no elbow is *above* it; the rows keep their order.",
+        hides=("every $\\theta_1$",),
+    ),
+)

@@ -1,0 +1,152 @@
+"""What a reader of the chapter on frame chains is asked before it is told."""
+
+import numpy as np
+
+from robokin import euler, frames
+from robokin.errors import RobokinError
+from workshop.predictions import Buttons, Prediction
+
+T_DB = frames.se2(1.0, 0.5, np.pi / 2)  # of the exercise
+T_DE = frames.se2(1.5, 1.1, 3 * np.pi / 4)
+T_BC = frames.se2(0.4, 0.3, -np.pi / 4)
+T_CE = frames.compose(frames.inverse(T_BC), frames.inverse(T_DB), T_DE)
+DOWN = np.array([[0, -1, 0], [-1, 0, 0], [0, 0, -1]])  # the platform's turn, from a camera above
+
+
+def where() -> str:
+    """Where the object lies for the hand."""
+    x, y = T_CE[:2, 2]
+    return f"{'in front' if x > 0 else 'behind'}, on the {'left' if y > 0 else 'right'}"
+
+
+def turned() -> float:
+    """By how many degrees the object is turned, seen from the hand."""
+    return float(np.degrees(np.arctan2(T_CE[1, 0], T_CE[0, 0])))
+
+
+def seen(by: np.ndarray) -> np.ndarray:
+    """The object as the hand sees it, told by a camera that is moved."""
+    moved: np.ndarray = frames.compose(
+        frames.inverse(T_BC), frames.inverse(frames.compose(by, T_DB)), frames.compose(by, T_DE)
+    )
+    return moved
+
+
+def changed() -> str:
+    """Which of the hand's numbers change when the camera is turned."""
+    same = np.isclose(seen(frames.se2(0, 0, 1.0)), T_CE, atol=1e-12)
+    return "none" if same.all() else "the turn" if same[:2, 2].all() else "all three"
+
+
+def refused() -> str:
+    """Which of four more things the graph refuses."""
+    graph = frames.FrameGraph()
+    for a, b, T_ab in (("d", "b", T_DB), ("d", "e", T_DE), ("b", "c", T_BC)):
+        graph.add(a, b, T_ab)
+    news = (
+        ("c", "e", frames.compose(T_CE, frames.se2(0.01, 0, 0))),
+        ("f", "b", frames.se3(DOWN, [-0.2, 0.3, 1.2])),
+        ("g", "h", frames.se2(1, 0, 0)),
+        ("c", "b", frames.inverse(T_BC)),
+    )
+    found = []
+    for number, (a, b, T_ab) in enumerate(news, start=1):
+        try:
+            graph.add(a, b, T_ab)
+        except RobokinError:
+            found.append(str(number))
+    return " and ".join(found)
+
+
+def left_over() -> str:
+    """What the loop does not close by: the camera tilted by 2°, the rest of the loop as it is."""
+    tilt = frames.se3(euler.to_matrix("X", [np.radians(2)]), [0, 0, 0])
+    loop = frames.inverse(tilt)  # all else drops out
+    shift, angle = np.linalg.norm(loop[:3, 3]), np.degrees(euler.axis_angle(loop[:3, :3])[1])
+    return f"a turn by {angle:.0f}°" if shift < 1e-9 < angle else "a shift by 5 cm"
+
+
+PREDICTIONS = (
+    Prediction(
+        "from-the-hand",
+        "Stand in the hand c and look along its red x axis. Where is the object?",
+        Buttons(
+            ("in front, on the left", "in front, on the right", "behind, on the right"),
+            right=where,
+            assumes={
+                "in front, on the left": "The red axis points up and to the right. The object is "
+                "below its line.",
+                "behind, on the right": "So it is if you look along the links of the arm.",
+            },
+        ),
+        opens=f"And it is turned to the left by {turned():.0f}°, seen from you.",
+        hides=("turned to the left",),
+    ),
+    Prediction(
+        "of-a-plan",
+        "The determinant of the 3×3 turn is 1. What is that of its 2×2 part?",
+        Buttons(
+            ("1", "0", "−1"),
+            right=lambda: f"{np.linalg.det(DOWN[:2, :2]):.0f}".replace("-", "−"),
+            assumes={
+                "1": "So it is for a camera that looks up. For this one x and y run the other way "
+                "round.",
+                "0": "Then x and y would lie on one line.",
+            },
+        ),
+        opens="In space it is a rotation. In the plane it is a mirror, like writing on a glass "
+        "door seen from behind. So a camera that looks down belongs to space only.",
+        hides=("glass door",),
+    ),
+    Prediction(
+        "a-turned-camera",
+        "The camera turns about the vertical. Which of the three numbers change that tell the hand "
+        "where the object is, and how it is turned?",
+        Buttons(
+            ("all three", "the turn", "none"),
+            right=changed,
+            assumes={
+                "all three": "So do those that the camera tells, of the platform and the object.",
+                "the turn": "The camera sees the platform turned, too, and by as much.",
+            },
+        ),
+        opens="How the camera hangs does not matter to the hand. Try it; dragging the ground turns "
+        "your view.",
+        hides=("does not matter to the hand",),
+    ),
+    Prediction(
+        "four-more",
+        "We tell the graph four more things: (1) $T_{ce}$, but 1 cm off; (2) $T_{fb}$, the pose in "
+        "space; (3) $T_{gh}$ of two frames that nobody knows; (4) the inverse of $T_{bc}$. Which "
+        "does it refuse?",
+        Buttons(
+            ("1", "1 and 2", "1, 2 and 3", "all"),
+            right=refused,
+            assumes={
+                "1": "A pose in space does not fit to poses in the plane.",
+                "1, 2 and 3": "What nobody knows contradicts nothing.",
+                "all": "The last one says what is known already, the other way round.",
+            },
+        ),
+        opens="The first is 1 cm off what follows from the three poses known. The second mixes "
+        "plane and space. The fourth agrees with $T_{bc}$: accepted. So is the third, as an "
+        "island.",
+        hides=("as an island",),
+    ),
+    Prediction(
+        "round-the-loop",
+        "What is left over at the end?",
+        Buttons(
+            ("nothing", "a shift by 5 cm", "a turn by 2°"),
+            right=left_over,
+            assumes={
+                "nothing": "So it is when all poses are right.",
+                "a shift by 5 cm": "So far does the object seem to move. But you came back to f, "
+                "where the error sits.",
+            },
+        ),
+        opens="The loop does not close. Seen from f, nothing is shifted, and what is left is "
+        "exactly the error, turned back: 2° about the negative x axis.",
+        hides=("does not close",),
+    ),
+)

@@ -72,7 +72,7 @@ def test_a_button_opens_what_belongs_to_it(page):
     assert fold(page, "beacon-turns").is_visible()
     assert page.get_by_text("So a turn of the robot is").is_visible()
     words = said(page, "beacon-turns").inner_text()
-    assert words.startswith("You said: to its left. Right is to its right.")
+    assert words.startswith("You said: to its left. Right: to its right.")
     assert "as the beacon sees it" in words  # what this guess assumes
     assert said(page, "beacon-turns").get_attribute("role") == "status"
     assert page.evaluate("() => document.activeElement.textContent") == "to its left"
@@ -86,9 +86,9 @@ def test_a_button_opens_what_belongs_to_it(page):
     [
         ("5", "✓ You said: 5 m."),
         ("10/2", "✓ You said: 5 m."),
-        ("5.1", "✓ You said: 5.1 m. Right is 5 m."),  # near enough
-        ("7", "You said: 7 m. Right is 5 m.\n\nIt goes along the walls."),
-        ("9", "You said: 9 m. Right is 5 m."),
+        ("5.1", "✓ You said: 5.1 m. Right: 5 m."),  # near enough
+        ("7", "You said: 7 m. Right: 5 m.\n\nIt goes along the walls."),
+        ("9", "You said: 9 m. Right: 5 m."),
     ],
 )
 def test_a_number_is_read_as_answers_are(page, typed, words):
@@ -171,7 +171,7 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     fold(page, "beacon-place").wait_for()
     page.reload()
     fold(page, "beacon-place").wait_for()
-    assert said(page, "beacon-turns").inner_text() == "You said: not at all. Right is to its right."
+    assert said(page, "beacon-turns").inner_text() == "You said: not at all. Right: to its right."
     come_alive(page)
     page.wait_for_function(f"() => {FIGURE}.state.includes(-0.4)")
     page.get_by_role("button", name="Forget my guesses").click()

@@ -123,7 +123,7 @@ PREDICTIONS = (
             ("1", "1 and 2", "1, 2 and 3", "all"),
             right=refused,
             assumes={
-                "1": "A pose in space does not fit to poses in the plane.",
+                "1": "A pose in space and poses in the plane do not mix.",
                 "1, 2 and 3": "What nobody knows contradicts nothing.",
                 "all": "The last one says what is known already, the other way round.",
             },

@@ -12,7 +12,8 @@ NOISE = 0.008**2  # m, of a wheel, for each metre
 
 def circle(method: str) -> float:
     """How far from the start eight samples of the exercise end, by a rule, m."""
-    end = odometry.path(*([each] * 8 for each in TICKS), *ROBOT, method=method)[-1]
+    left, right = ([each] * 8 for each in TICKS)
+    end = odometry.path(left, right, *ROBOT, method=method)[-1]
     return float(np.hypot(*end[:2]))
 
 

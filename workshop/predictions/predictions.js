@@ -120,8 +120,8 @@ class Prediction {
     const right = same(data, guess, data.right);
     const wrong = right ? -1 : data.wrong.findIndex((other) => same(data, guess, other));
     const your = inWords(data, guess);
-    this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` Right is ${is}.`}`
-      : `You said: ${your}. Right is ${is}.`);
+    this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` Right: ${is}.`}`
+      : `You said: ${your}. Right: ${is}.`);
     if (wrong >= 0) {
       const why = fold.querySelectorAll(".rk-assumes")[wrong].cloneNode(true);
       why.innerHTML = why.innerHTML.replace(/“[^”]*”\? /, "");

@@ -11,7 +11,7 @@ FIRST = {
     "law of cosines": "elbow_arm/elbow_arm#first-way-three-angles",
     "atan2": "elbow_arm/elbow_arm#second-way-a-cosine-the-rest-with-atan2",
     "M1": "elbow_arm/elbow_arm#M1",
-    "workspace": "glossary#term-workspace",
+    "workspace": "elbow_arm/elbow_arm#where-it-fails",
     "gimbal lock": "euler/euler",
     "M8": "euler/euler#M8",
     "euler-3": "euler/euler#euler-3",

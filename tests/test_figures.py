@@ -105,10 +105,10 @@ WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider
 
 def test_every_figure_has_its_expected_readouts():
     assert FIGURES
-    telling = {name for name, figure in FIGURES.items() if figure.readouts}
+    telling = [name for name, figure in FIGURES.items() if figure.readouts]
     for table, named, all_of in (
         (READOUTS, "READOUTS", telling),
-        (SPECIALS, "SPECIALS", FIGURES.keys()),
+        (SPECIALS, "SPECIALS", list(FIGURES)),
     ):
         missing = [n for n in all_of if n not in table]
         places = [f"{n}: to {named} in book/{HOMES[n]}/expected.py" for n in missing]

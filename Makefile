@@ -17,6 +17,7 @@ BUILD := PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --config _config.
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') $(wildcard _build/robokin.*)
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
+unexport PYTHONDONTWRITEBYTECODE  # or each of many processes compiles SymPy and all else again
 
 .PHONY: book paper test-paper serve lab hosted test test-long test-anywhere test-browsers measure \
 	lighthouse links screenshots check notebooks lock bench mutate lowest clean FORCE

@@ -48,12 +48,16 @@ async (looks) => {
       ({id, help, nodes}) => `${id}: ${help}: ${nodes.map((node) => node.target).join(", ")}`);
 }
 """
-# half of a page are the parts of its formulas, drawn alike and hidden from screen readers: beyond
-# twenty a letter stands for each that has no colours of its own
+# two thirds of a page are the parts of its formulas: MathML, which axe does not read, and what is
+# drawn, all alike and hidden from screen readers. Beyond twenty a letter stands for each drawn one
+# that has no colours of its own, and the MathML is empty
 IN_LETTERS = """
-() => [...document.querySelectorAll(".katex-html")].slice(20)
-  .filter((formula) => !formula.querySelector("[style*=color]"))
-  .forEach((formula) => formula.replaceChildren("x"))
+() => {
+  const beyond = (selector) => [...document.querySelectorAll(selector)].slice(20);
+  beyond("math").forEach((formula) => formula.replaceChildren());
+  beyond(".katex-html").filter((formula) => !formula.querySelector("[style*=color]"))
+    .forEach((formula) => formula.replaceChildren("x"));
+}
 """
 AT_ONCE = "*, ::before, ::after { transition: none !important; }"  # from light to dark
 OVERFLOW = "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"

@@ -4,6 +4,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from math import inf, isfinite
 from types import FrameType
 from typing import Any
 from zlib import crc32
@@ -112,7 +113,7 @@ def _in_mpmath(symbols: tuple[sp.Symbol, ...], expression: Any) -> Callable[...,
 def _real(value: Any) -> Any:
     if isinstance(value, mpmath.mpc):
         raise CourseError(f"an equation is not real in its range: {value}")
-    return mpmath.mpf(value)
+    return value if isinstance(value, mpmath.mpf) else mpmath.mpf(value)
 
 
 def answer(check: Check, points: Array) -> Array:
@@ -163,17 +164,17 @@ def _argument(argument: Any, columns: dict[sp.Symbol, Array], n: int) -> Array:
 
 def differences(computed: Array, exact: NDArray[np.object_], is_angle: bool = False) -> Array:
     """How far apart, element by element; infinite where infinities or NaN do not match."""
-    apart = [_apart(float(c), e, is_angle) for c, e in zip(computed.flat, exact.flat, strict=True)]
-    return np.array(apart).reshape(computed.shape)
+    pairs = zip(computed.ravel().tolist(), exact.flat, strict=True)
+    with mpmath.workdps(DIGITS):
+        return np.array([_apart(c, e, is_angle) for c, e in pairs]).reshape(computed.shape)
 
 
 def _apart(computed: float, exact: Any, is_angle: bool) -> float:
-    if not (np.isfinite(computed) and mpmath.isfinite(exact)):
+    if not (isfinite(computed) and mpmath.isfinite(exact)):
         same = str(computed) == str(float(exact))
-        return 0.0 if same else np.inf
-    with mpmath.workdps(DIGITS):
-        difference = abs(mpmath.mpf(computed) - exact)
-        if is_angle:
-            turns = mpmath.nint(difference / (2 * mpmath.pi))
-            difference = abs(difference - 2 * mpmath.pi * turns)
-        return float(difference)
+        return 0.0 if same else inf
+    difference = abs(computed - exact)
+    if is_angle:
+        turns = mpmath.nint(difference / (2 * mpmath.pi))
+        difference = abs(difference - 2 * mpmath.pi * turns)
+    return float(difference)

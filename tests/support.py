@@ -1,10 +1,11 @@
-"""What several tests share: strategies for inputs, and angles compared on the circle."""
+"""What several tests share: strategies for inputs, and numbers compared, angles on the circle."""
 
 import os
 from pathlib import Path
 
 import hypothesis.strategies as st
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 ROOT = Path(__file__).resolve().parents[1]
 EPS = np.finfo(float).eps  # 2.2e-16: one rounding of a number near 1
@@ -28,9 +29,19 @@ def vectors(size, low, high):
 angles = reals(-2 * np.pi, 2 * np.pi)
 poses = st.tuples(reals(-10, 10), reals(-10, 10), angles).map(np.array)
 twists = vectors(3, -3, 3).map(np.array)
+rotations = (
+    vectors(4, -1, 1)
+    .filter(lambda q: np.linalg.norm(q) > 0.1)
+    .map(lambda q: Rotation.from_quat(q).as_matrix())
+)
 
 # near-singular values on purpose: the point itself and its neighbours
 NEAR_ZERO = [sign * 10.0**-k for k in range(3, 17) for sign in (1, -1)]
+
+
+def floats(matrix):
+    """A matrix of mpmath as an array."""
+    return np.array(matrix.tolist(), dtype=float)
 
 
 def on_circle(difference):

@@ -10,7 +10,18 @@ import pytest
 import sympy
 from hypothesis import given
 from scipy.spatial.transform import Rotation
-from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, on_circle, reals, vectors
+from support import (
+    EPS,
+    NEAR_ZERO,
+    angles,
+    assert_angles,
+    assert_close,
+    floats,
+    on_circle,
+    reals,
+    rotations,
+    vectors,
+)
 
 from robokin.errors import RobokinError
 from robokin.euler import about, axis_angle, from_matrix, is_locked, solutions, steps, to_matrix
@@ -26,11 +37,6 @@ ALL = EXTRINSIC + [seq.upper() for seq in EXTRINSIC]
 SHORT = sorted({seq[:n] for seq in ALL for n in (1, 2)})
 
 seqs = st.sampled_from(ALL)
-rotations = (
-    vectors(4, -1, 1)
-    .filter(lambda q: np.linalg.norm(q) > 0.1)
-    .map(lambda q: Rotation.from_quat(q).as_matrix())
-)
 round_angles = st.integers(-4, 4).map(lambda n: n * np.pi / 2)
 turns = st.lists(st.one_of(angles, round_angles), min_size=3, max_size=3)
 
@@ -263,10 +269,6 @@ def exact(seq, turns):
         }[axis.lower()]
         R = R * mpmath.matrix(one) if seq.isupper() else mpmath.matrix(one) * R
     return R
-
-
-def floats(M):
-    return np.array(M.tolist(), dtype=float)
 
 
 def lock(seq, n=0):

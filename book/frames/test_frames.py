@@ -11,7 +11,17 @@ import scipy.linalg
 from hypothesis import given
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
-from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, reals, vectors
+from support import (
+    EPS,
+    NEAR_ZERO,
+    angles,
+    assert_angles,
+    assert_close,
+    floats,
+    reals,
+    rotations,
+    vectors,
+)
 
 from book.prose import reads
 from robokin._rotations import BLOCK
@@ -35,11 +45,6 @@ mpmath.mp.dps = 50
 ATOL = 1e-13
 
 positions = vectors(3, -10, 10)
-rotations = (
-    vectors(4, -1, 1)
-    .filter(lambda q: np.linalg.norm(q) > 0.1)
-    .map(lambda q: Rotation.from_quat(q).as_matrix())
-)
 planar = st.builds(se2, reals(-10, 10), reals(-10, 10), angles)
 spatial = st.builds(se3, rotations, positions)
 pairs = st.one_of(st.tuples(planar, planar), st.tuples(spatial, spatial))
@@ -636,10 +641,6 @@ def test_a_graph_refuses_and_stays_as_it_was(call, message):
 
 def mp(T):
     return mpmath.matrix(np.asarray(T).tolist())
-
-
-def floats(M):
-    return np.array(M.tolist(), dtype=float)
 
 
 @pytest.mark.parametrize("random_pose", [random_se2, random_se3])

@@ -14,8 +14,7 @@ const fixed = (number, digits) => {
 
 const shownNumber = (readout, value) => {
   if (String(value) in readout.words) return readout.words[String(value)];
-  const number = fixed(value * readout.factor, readout.digits);
-  return readout.unit === "°" ? number + "°" : readout.unit ? `${number} ${readout.unit}` : number;
+  return withUnit(fixed(value * readout.factor, readout.digits), readout.unit);
 };
 
 const shownControl = (control, shown) => control.type === "choice" ? control.options[shown].label
@@ -27,9 +26,8 @@ const told = (figure, state, { c, values }) => {
   const short = (x) => trueMinus(String(Math.abs(x) < 1e-12 ? 0 : Number(x.toPrecision(3)))); // rounding
   return [
     ...figure.steps.map((step) => {
-      const text = short(c[step.at] * step.factor);
-      return { ...step, value: c[step.at],
-        text: step.unit === "°" ? `${text}°` : `${text} ${step.unit}`.trim() };
+      const text = withUnit(short(c[step.at] * step.factor), step.unit);
+      return { ...step, value: c[step.at], text };
     }),
     ...figure.controls.map((control, i) =>
       ({ ...control, value: state[i] * control.factor, text: shownControl(control, state[i]) })),

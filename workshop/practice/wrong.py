@@ -44,24 +44,26 @@ class Wrong:
             return self.instead
         return plain_signs(put_in(self.of.right, self.puts))
 
+    @cached_property
+    def _whole(self) -> Callable[[Mapping[str, Any]], Any]:
+        return by_name(self.right)
+
+    @cached_property
+    def _parts(self) -> dict[str, Callable[[Mapping[str, Any]], Any]]:
+        return {str(symbol): by_name(sp.sympify(value)) for symbol, value in self.puts.items()}
+
     def at(self, values: Mapping[sp.Symbol, Any]) -> Any:
         """The wrong right side with expressions put in for its symbols."""
         return put_in(self.right, values)
 
     def gives(self, **numbers: Any) -> Any:
         """The wrong number, vector or matrix. numbers: by the names of the symbols."""
-        symbols = tuple(sorted(free_symbols(self.right), key=str))
-        return compiled(self.right, symbols)(*(numbers[str(symbol)] for symbol in symbols))
+        return self._whole(numbers)
 
     def put(self, **numbers: Any) -> dict[str, Any]:
         """Numbers as somebody takes them who makes the mistake, under the same names."""
-        found = dict(numbers)
-        for symbol, value in self.puts.items():
-            if str(symbol) in numbers:
-                symbols = tuple(sorted(free_symbols(value), key=str))
-                known = [numbers[str(each)] for each in symbols]
-                found[str(symbol)] = compiled(sp.sympify(value), symbols)(*known)
-        return found
+        put = {name: value(numbers) for name, value in self._parts.items() if name in numbers}
+        return numbers | put
 
     def through(self, formula: Callable[..., Any]) -> Callable[..., Any]:
         """What another formula gives where the same is put in for its numbers."""
@@ -85,6 +87,13 @@ class Wrong:
         left = formula_text(self.of.left)
         right, wrong = (f"{left} = {formula_text(side)}" for side in (self.of.right, self.right))
         return marked(right, wrong)
+
+
+def by_name(expression: Any) -> Callable[[Mapping[str, Any]], Any]:
+    """An expression as a function of numbers by the names of its symbols."""
+    symbols = tuple(sorted(free_symbols(expression), key=str))
+    function, names = compiled(expression, symbols), [str(symbol) for symbol in symbols]
+    return lambda numbers: function(*(numbers[name] for name in names))
 
 
 def plain_signs(e: Any) -> Any:

@@ -23,12 +23,11 @@ const formHtml = ({ kind, options, units }) => `<form class="rk-guess">${
 }<button type="button" class="rk-skip">Show without guessing</button></form>${plain(options ?? [])}`
   + `<p class="rk-said" role="status" tabindex="-1"></p>`;
 
-const unitText = (number, unit) => trueMinus(String(Number(number.toPrecision(3))))
-  + (/[°%]/.test(unit) || !unit ? unit : ` ${unit}`);
+const rounded = (number) => trueMinus(String(Number(number.toPrecision(3))));
 
 // A guess in words.
 const inWords = ({ kind, options, labels, units }, guess) => kind === "buttons" ? options[guess]
-  : guess.map((x, i) => `${labels[i]} ${unitText(x, units[i])}`.trim()).join(", ");
+  : guess.map((x, i) => `${labels[i]} ${withUnit(rounded(x), units[i])}`.trim()).join(", ");
 
 // Whether a guess is what somebody else says; the direction of a ghost goes round.
 const same = ({ kind, near, units }, guess, other) => kind === "buttons" ? guess === other

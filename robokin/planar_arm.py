@@ -11,6 +11,7 @@ import numpy as np
 from robokin._arrays import matrix, parts, rows, running_sums, vector
 from robokin._checks import Array, ArrayLike, Bools, at, first
 from robokin._door import data, door, inside, not_negative, one_of, positive
+from robokin._triangle import TOLERANCE as TOLERANCE
 from robokin._triangle import out_of_reach, triangle
 from robokin.errors import SingularError
 from robokin.motion import wrap_angle

@@ -26,7 +26,7 @@ RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
 FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
 
 ASTRAY = motion.wrap_angle(60 - np.radians(60))  # 60 radians in place of 60 degrees
-V, OMEGA = Ask("v", "m/s"), Ask("ω", "rad/s")
+OMEGA = Ask("ω", "rad/s")
 
 M12 = Mistake(
     "M12",

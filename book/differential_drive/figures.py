@@ -622,9 +622,9 @@ def drive_figure() -> Figure:
             Readout(v),
             Readout(omega),
             Readout(R, words=NO_ICR),
-            Readout("x", "x at this time", now[0], "m"),
-            Readout("y", "y at this time", now[1], "m"),
-            Readout("heading", "heading at this time", now[2], "rad"),
+            Readout("x", "now at x", now[0], "m"),
+            Readout("y", "now at y", now[1], "m"),
+            Readout("heading", "heading now", now[2], "rad"),
         ),
         goal=(
             Goal(And(Abs(v_L) < 0.0005, Abs(v_R) > 0.01), "Turn about the left wheel."),

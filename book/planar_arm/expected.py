@@ -63,11 +63,12 @@ def line_readouts(t, steps, gain, damping, line_x, line_y):
 
 
 def elbows_readouts(x, y, phi):
-    """distance, then the joint angles of both arms."""
+    """distance, the joint angles of both arms, missed."""
     pose = np.column_stack([x, y, phi])
     both = planar_arm.inverse(pose, LINKS, unreachable="nan")
     wrist = np.hypot(x - LINKS[2] * np.cos(phi), y - LINKS[2] * np.sin(phi))
-    return np.column_stack([wrist, both.reshape(-1, 6)])
+    missed = np.maximum(0, np.maximum(wrist - LINKS[0] - LINKS[1], LINKS[0] - LINKS[1] - wrist))
+    return np.column_stack([wrist, both.reshape(-1, 6), missed])
 
 
 def wrong_arm_readouts(*columns):
@@ -127,7 +128,13 @@ SPECIALS = {
         {**AT_END, "n": 5},
         {**AT_END, "n": 100},
     ],
-    "arm-elbows": [{"x": 0.2, "y": 0.0}, {"x": 0.9, "y": 0.9}, {"phi_hand": np.pi / 2}],
+    "arm-elbows": [
+        {"x": 0.2, "y": 0.0},  # the wrist at the base
+        {"x": 0.301, "y": 0.0},  # nearly folded, and nearly stretched: closer a double's rounding
+        {"x": 0.899, "y": 0.0},  # of d decides
+        {"x": 0.9, "y": 0.9},
+        {"phi_hand": np.pi / 2},
+    ],
     "wrong-arm": [{"phi_dot": 0.0}, {"mistake": "It goes too far", "phi_dot": 0.6}],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
@@ -137,4 +144,5 @@ WORDS = [  # figure, slider → what it shows, readout → its word
     ("arm-joints", {"theta2": np.radians(4)}, "near", "below 0.1: nearly singular"),
     ("arm-line", {"line_x": 0.85, "line_y": 0.6}, "room", "out of reach"),
     ("arm-elbows", {"x": 0.9, "y": 0.9}, "solid1", "out of reach"),
+    ("arm-elbows", {"x": 0.2, "y": 0.0}, "dashed3", "out of reach"),
 ]

@@ -10,6 +10,7 @@ from sympy import (
     Matrix,
     Max,
     Min,
+    Or,
     Piecewise,
     Symbol,
     atan2,
@@ -52,6 +53,7 @@ from book.planar_arm.formulas import (
     x,
     y,
 )
+from robokin.planar_arm import TOLERANCE
 from workshop.equations.core import Where, as_written, put_in, quantity
 from workshop.equations.functions import solve
 from workshop.figures import (
@@ -384,22 +386,25 @@ def line_figure() -> Figure:
 
 
 def elbows_figure() -> Figure:
-    """The hand under the hand: the two arms that bring it there."""
+    """The hand under the hand: the two arms that bring it there, or as near as they can."""
     turn = motion.wrap_angle
     place = sized(arm.inverse.where)[:3]
     (_, bend), (_, shoulder) = sized(arm.inverse.where)[3:]
-    l1, l2, _ = LINKS
+    least, most = put_in(Matrix([arm.l1 - arm.l2, arm.l1 + arm.l2]), SIZES)
+    done, missed = symbols("done missed")  # how far the wrist comes, and what then is missing
+    outside = Or(arm.d > most * (1 + TOLERANCE), arm.d < least - most * TOLERANCE)
     with as_written():
-        reached = (arm.d <= l1 + l2) & (arm.d >= l1 - l2)
+        clamped, short = Max(least, Min(arm.d, most)), Max(0, arm.d - most, least - arm.d)
     named = symbols("theta2_left theta1_left theta3_left theta2_right theta1_right theta3_right")
-    steps, arms, angles = list(place), [], []
+    steps, arms, angles = [*place, (done, clamped), (missed, short)], [], []
     for side, (a2, a1, a3) in ((1, named[:3]), (-1, named[3:])):
-        with as_written():
-            steps.append((a2, Piecewise((side * bend, reached), (nan, True))))
+        steps.append((a2, side * put_in(bend, {arm.d: done})))
         steps.append((a1, put_in(shoulder, {theta2: a2})))
         steps.append((a3, put_in(arm.inverse.right[2], {theta1: a1, theta2: a2})))
         arms.append(joints((a1, a2, a3)))
-        angles.append([turn.at({motion.angle: a}) for a in (a1, a2, a3)])
+        angles.append(
+            [Piecewise((nan, outside), (turn.at({motion.angle: a}), True)) for a in (a1, a2, a3)]
+        )
     out = {"nan": "out of reach"}
     return Figure(
         name="arm-elbows",
@@ -413,13 +418,14 @@ def elbows_figure() -> Figure:
         ),
         where=tuple(steps),
         scene=(
-            Curve("ghost", ((l1 + l2) * cos(s), (l1 + l2) * sin(s)), s, 0, 2 * pi),
-            Curve("ghost", ((l1 - l2) * cos(s), (l1 - l2) * sin(s)), s, 0, 2 * pi),
+            Curve("ghost", (most * cos(s), most * sin(s)), s, 0, 2 * pi),
+            Curve("ghost", (least * cos(s), least * sin(s)), s, 0, 2 * pi),
+            Line("approximation", (arms[0][2], (x, y))),
             Line("left", (BASE, *arms[0])),
             Line("right", (BASE, *arms[1])),
             Point("left", arms[0][0]),
             Point("right", arms[1][0]),
-            Point("body", (arm.x_w, arm.y_w)),
+            Point("body", arms[0][1]),
             Point("target", (x, y), label="hand"),
         ),
         handles=(Handle("hand", (x, y)),),
@@ -430,11 +436,12 @@ def elbows_figure() -> Figure:
                 for k, side in enumerate(("solid", "dashed"))
                 for i in range(3)
             ),
+            Readout("missed", "out of reach by", missed, "m"),
         ),
         says=(
             "The hand at x = {x}, y = {y}, angle {phi_hand}; its wrist is {distance} from the "
-            "base. One arm: joints at {solid1}, {solid2}, {solid3}; the other: {dashed1}, "
-            "{dashed2}, {dashed3}."
+            "base, out of reach by {missed}. One arm: joints at {solid1}, {solid2}, {solid3}; the "
+            "other: {dashed1}, {dashed2}, {dashed3}."
         ),
     )
 

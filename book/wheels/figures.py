@@ -427,9 +427,9 @@ def omni_figure() -> Figure:
             Readout("turning", "turning rate ω", turn, "rad/s"),
             Readout("x_dot", "along the world's x axis, at this time", world[0], "m/s"),
             Readout("y_dot", "along the world's y axis, at this time", world[1], "m/s"),
-            Readout("x", "x at this time", now[0], "m"),
-            Readout("y", "y at this time", now[1], "m"),
-            Readout("heading", "heading at this time", now[2], "rad"),
+            Readout("x", "now at x", now[0], "m"),
+            Readout("y", "now at y", now[1], "m"),
+            Readout("heading", "heading now", now[2], "rad"),
         ),
         says=(
             "Wheels at {omni_rate1}, {omni_rate2} and {omni_rate3}: the robot moves ahead at {v}, "

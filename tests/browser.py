@@ -138,6 +138,12 @@ def chromium():
         yield browser
 
 
+def settled(page, address):
+    """Open a page; its scripts have then run, and the fonts of what is near have come."""
+    page.goto(address)
+    page.evaluate("() => document.fonts.ready")
+
+
 def draw_all(page):
     """Also what lies far from the window, with its fonts, and now: a page is then as it stays."""
     page.add_style_tag(content="* { content-visibility: visible !important; }")

@@ -18,7 +18,7 @@ import nbformat
 import numpy as np
 import pytest
 import sympy as sp
-from browser import pages, watched_page
+from browser import pages, settled, watched_page
 from declared import FIGURES, each
 from support import EPS, ROOT, assert_close
 
@@ -1366,7 +1366,7 @@ def test_a_broken_figure_stays_still_and_alone(figure, server, chromium, page_of
             "**/_static/pages/*.js*",
             lambda route: route.fulfill(body=broken(figure, route.fetch().text())),
         )
-        page.goto(server + page_of[figure.name], wait_until="networkidle")
+        page.goto(server + page_of[figure.name])
         dead = OnPage(page, figure)
         dead.unfold()
         dead.root.scroll_into_view_if_needed()
@@ -1406,8 +1406,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
 
     with watched_page(chromium, server, width) as (page, watch):
         page.route("**/workshop/*.js*", held)
-        page.goto(server + page_of[figure.name], wait_until="networkidle")
-        page.evaluate("() => document.fonts.ready")
+        settled(page, server + page_of[figure.name])
         live = OnPage(page, figure)
         live.unfold()
         live.picture.evaluate(SHOW)

@@ -1,6 +1,6 @@
 """A finger on the live figures of a phone: what it scrolls, and what it moves.
 
-Every figure of a page in one visit, with real touches.
+With real touches: on the typical figures, and on every figure of every page in the long run.
 """
 
 import time
@@ -8,7 +8,7 @@ import time
 import pytest
 from browser import watched_page
 from declared import FIGURES
-from test_figures import CHAPTERS, SHOW, OnPage
+from test_figures import CHAPTERS, HOMES, SHOW, TYPICAL, OnPage
 
 from workshop.figures import Choice
 from workshop.figures.turning import Turns
@@ -16,8 +16,6 @@ from workshop.figures.turning import Turns
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-# flat and in space, sliders, lists, handles; all pages in the long run
-TYPICAL = ("index", "bicycle/bicycle", "elbow_arm/elbow_arm")
 FAR = 120  # pixels that a finger goes
 STILL = "() => new Promise((seen) => requestAnimationFrame(() => requestAnimationFrame(seen)))"
 
@@ -134,19 +132,22 @@ def touch_handles(finger, live):
 
 
 @pytest.mark.parametrize(
-    "name",
+    ("name", "figures"),
     [
-        pytest.param(name, marks=[pytest.mark.long] * (name not in TYPICAL))
-        for name in ("index", *(f"{chapter}/{chapter}" for chapter in CHAPTERS))
+        *((f"{HOMES[figure]}/{HOMES[figure]}", f"#{figure}") for figure in TYPICAL),
+        *(
+            pytest.param(name, ".rk-figure", marks=pytest.mark.long)
+            for name in ("index", *(f"{chapter}/{chapter}" for chapter in CHAPTERS))
+        ),
     ],
 )
-def test_a_finger_scrolls_or_moves_but_never_both(name, site, server, chromium):
+def test_a_finger_scrolls_or_moves_but_never_both(name, figures, site, server, chromium):
     options = {"width": 390, "has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
     with watched_page(chromium, server, **options) as (page, watch):
         page.goto(f"{server}{name}.html")
         page.evaluate("() => document.fonts.ready")
         finger = Finger(page)
-        ids = page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
+        ids = page.locator(figures).evaluate_all("(all) => all.map(({id}) => id)")
         assert ids
         for live in (OnPage(page, FIGURES[i]).come_alive() for i in ids):
             touch_sliders(finger, live)

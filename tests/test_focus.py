@@ -1,7 +1,7 @@
 """Whoever goes through a page by keyboard sees where they are."""
 
 import pytest
-from browser import watched_page
+from browser import settled, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -33,6 +33,6 @@ CUT = """() => {
 @pytest.mark.parametrize("name", ["index", "practice", "elbow_arm/elbow_arm"])
 def test_the_ring_of_what_has_the_focus_is_whole(name, width, server, chromium):
     with watched_page(chromium, server, width, reduced_motion="reduce") as (page, _):
-        page.goto(f"{server}{name}.html", wait_until="networkidle")
+        settled(page, f"{server}{name}.html")
         page.keyboard.press("Tab")  # from now on the browser shows rings
         assert page.evaluate(CUT) == []

@@ -38,7 +38,7 @@ def test_a_small_font_has_the_signs_of_the_whole_one(site):
 @pytest.mark.browser
 def test_a_page_fetches_small_fonts_and_a_whole_one_for_a_sign_of_no_page(chromium, server):
     with watched_page(chromium, server) as (page, watch):
-        page.goto(f"{server}frames/frames.html", wait_until="networkidle")
+        page.goto(f"{server}frames/frames.html")
         draw_all(page)
         fetched = [url for url in watch.kinds if ".woff2" in url]
         assert len(fetched) > 2

@@ -4,7 +4,7 @@ import re
 
 import light
 import pytest
-from browser import draw_all, pages, watched_page
+from browser import draw_all, pages, settled, watched_page
 
 pytest_plugins = ["browser"]
 
@@ -57,7 +57,7 @@ def test_a_picture_that_comes_late_has_its_place(server, chromium, width):
         page.wait_for_function("() => document.styleSheets.length")
         without = page.locator(".bd-article img").evaluate_all(HEIGHTS)
         page.unroute("**/*.png")
-        page.reload(wait_until="networkidle")
+        page.reload()
         page.locator(".bd-article img").evaluate_all(NOW)
         assert without == page.locator(".bd-article img").evaluate_all(HEIGHTS)
         assert min(without) > 100
@@ -137,8 +137,7 @@ def test_a_page_looks_as_with_all_of_the_theme(name, width, scheme, site, server
         with watched_page(chromium, server, **options) as (page, watch):
             if change:
                 page.route(server + name, with_all)
-            page.goto(server + name, wait_until="networkidle")
-            page.evaluate("() => document.fonts.ready")
+            settled(page, server + name)
             seen.append(page.evaluate(SEEN))
             assert (len([u for u in watch.kinds if ".css" in u]) > 1) == change
             assert not watch.errors

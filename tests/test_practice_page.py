@@ -31,9 +31,15 @@ NAMELESS = "Type your name first: it picks your numbers."
 def page(chromium, server):
     """The practice page on a first visit; it must stay quiet and at home."""
     with watched_page(chromium, server) as (page, watch):
-        page.goto(server + "practice.html", wait_until="networkidle")
+        page.goto(server + "practice.html")
         yield page
         assert not watch.errors + watch.strangers
+
+
+def again(page):
+    """Load the page anew, and wait for the numbers of all its exercises."""
+    page.reload()
+    expect(page.locator(".rk-exercise:not([data-variant])")).to_have_count(0)
 
 
 def sign_in(page, name):
@@ -117,7 +123,7 @@ def test_progress_is_kept_and_cleared(page):
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
     assert answer(page, FIRST, right) == judging.RIGHT
     assert page.inner_text(".rk-progress").startswith("1 of ")
-    page.reload(wait_until="networkidle")
+    again(page)
     assert page.input_value("#rk-student") == "Ada"
     assert box(page, FIRST).locator(".rk-row input").input_value() == right
     assert page.inner_text(".rk-progress").startswith("1 of ")
@@ -137,7 +143,7 @@ def test_a_further_try_takes_nothing_away(page):
     assert answer(page, FIRST, right) == judging.RIGHT
     assert answer(page, FIRST, "1.2345") == judging.says("wrong")
     assert page.inner_text(".rk-progress").startswith("1 of ")
-    page.reload(wait_until="networkidle")
+    again(page)
     assert box(page, FIRST).locator(".rk-row input").input_value() == right
 
 
@@ -203,7 +209,7 @@ def test_what_was_not_checked_is_saved_too(page, tmp_path):
     box(page, "euler-2").locator(".rk-row input").fill("7")
     wanted = {FIRST: right, "differential-drive-2": "1, 2"}
     assert saved(page, tmp_path) == wanted
-    page.reload(wait_until="networkidle")
+    again(page)
     assert saved(page, tmp_path) == wanted
     assert page.inner_text(".rk-progress").startswith("1 of ")
 
@@ -268,7 +274,7 @@ def test_a_ladder_from_where_to_look_to_the_answer(page):
     right = EXERCISES[name].answer_text(mine.numbers)
     assert "radius times angular velocity" in ladder(page, name)
     assert f"{mine.candidates[0].rows[0][0]:.3f}" not in ladder(page, name)
-    page.reload(wait_until="networkidle")
+    again(page)
     assert "radius times angular velocity" in ladder(page, name)
     assert answer(page, name, right.replace("rad/s", "")) == judging.RIGHT
     assert "circles around the left one" not in ladder(page, name)  # it is no mistake any more
@@ -277,7 +283,7 @@ def test_a_ladder_from_where_to_look_to_the_answer(page):
     help.click()
     assert f"{mine.candidates[0].rows[0][0]:.3f}" in ladder(page, name)
     assert help.is_hidden()
-    page.reload(wait_until="networkidle")
+    again(page)
     assert box(page, name).locator(".rk-passed").inner_text() == "passed with help: 1 of 2 steps"
 
 
@@ -291,7 +297,7 @@ def test_numbers_that_do_not_come_are_told_and_asked_for_again(chromium, server)
     numbers = "**/_static/practice/differential_drive.js*"
     with watched_page(chromium, server) as (page, _):
         page.route(numbers, lambda route: route.abort())
-        page.goto(server + "practice.html", wait_until="networkidle")
+        page.goto(server + "practice.html")
         page.fill("#rk-student", "Ada")
         page.keyboard.press("Tab")
         first = box(page, FIRST)
@@ -347,7 +353,7 @@ def test_answers_are_taken_along(page, chromium, server, tmp_path):
     answer(page, "euler-1", "1, 2, 3")
     saved(page, tmp_path)
     with watched_page(chromium, server) as (other, _):
-        other.goto(server + "practice.html", wait_until="networkidle")
+        other.goto(server + "practice.html")
         other.set_input_files("[type=file]", tmp_path / "saved.csv")
         other.get_by_text("1 of 55 checks on this page passed").wait_for()
         assert other.input_value("#rk-student") == "Ada"
@@ -398,7 +404,7 @@ def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
 def test_a_full_browser_is_told_of(chromium, server):
     with watched_page(chromium, server) as (page, watch):
         page.add_init_script(FULL)
-        page.goto(server + "practice.html", wait_until="networkidle")
+        page.goto(server + "practice.html")
         sign_in(page, "Ada")
         right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
         assert answer(page, FIRST, right) == judging.RIGHT
@@ -414,7 +420,7 @@ def test_broken_memory_is_laid_aside(chromium, server):
             "localStorage.getItem('robokin answers robokin unreadable') ?? "
             "localStorage.setItem('robokin answers robokin', '{oh')"
         )
-        page.goto(server + "practice.html", wait_until="networkidle")
+        page.goto(server + "practice.html")
         assert "laid aside" in page.inner_text(".rk-progress")
         right = typed(variant(FIRST, "").candidates[0].rows, EXERCISES[FIRST])
         assert answer(page, FIRST, right) == judging.RIGHT
@@ -495,7 +501,7 @@ def test_a_matrix_can_be_typed_entry_by_entry(page):
         grid.get_by_label(f"row {k // 3 + 1}, column {k % 3 + 1}").fill(f"{entry:.4f}")
     grid.get_by_label("row 3, column 3").press("Enter")
     box(page, "euler-2").get_by_text(judging.RIGHT, exact=True).wait_for()
-    page.reload(wait_until="networkidle")
+    again(page)
     first = grid.get_by_label("row 1, column 1")
     assert float(first.input_value()) == pytest.approx(right[0], abs=1e-4)
 

@@ -19,7 +19,7 @@ PAGE = "bicycle/bicycle"
 def printed(server, chromium):
     """What is folded in a chapter, and the pages that its print gives, from a dark screen."""
     with watched_page(chromium, server, scheme="dark", reduced_motion="reduce") as (page, _):
-        page.goto(f"{server}{PAGE}.html", wait_until="networkidle")
+        page.goto(f"{server}{PAGE}.html")
         longest = page.evaluate(LONGEST)
         reader = PdfReader(BytesIO(page.pdf(format="A4", prefer_css_page_size=True)))
         yield longest, reader.pages, [sheet.extract_text() for sheet in reader.pages]

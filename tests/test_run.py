@@ -15,7 +15,7 @@ import sys
 from types import SimpleNamespace
 
 import pytest
-from browser import watched_page
+from browser import settled, watched_page
 from jupyterlite_pyodide_kernel.constants import PYODIDE_CDN_URL
 from pyodide import PLACE, VERSION
 from support import ROOT
@@ -195,7 +195,7 @@ def test_endless_output_is_cut(page):
 def test_nothing_is_loaded_until_it_is_asked_for(server, chromium):
     """The buttons weigh less than a kilobyte; pressed, they say what would come, and from where."""
     with watched_page(chromium, server) as (page, watch):
-        page.goto(server + PAGE, wait_until="networkidle")
+        settled(page, server + PAGE)
         assert not [url for url in watch.kinds if "/run/" in url]
         assert len(gzip.compress(runtime.script("run").encode())) < SMALL
         bar = page.locator(".rk-run").first

@@ -24,7 +24,7 @@ def test_screenshots_of_a_page(name, width, server, chromium):
     FOLDER.mkdir(parents=True, exist_ok=True)
     for scheme in ("light", "dark"):
         with watched_page(chromium, server, width, scheme) as (page, _):
-            page.goto(f"{server}{name}.html", wait_until="networkidle")
+            page.goto(f"{server}{name}.html")
             draw_all(page)
             page.wait_for_function(COME)
             page.evaluate("() => scrollTo(0, 0)")

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from browser import ROOT, Watch, draw_all, listed, pages, watched_page
+from browser import ROOT, Watch, draw_all, listed, pages, settled, watched_page
 
 from workshop.course import Course
 from workshop.site import SETTINGS
@@ -50,13 +50,17 @@ async (looks) => {
 """
 # two thirds of a page are the parts of its formulas: MathML, which axe does not read, and what is
 # drawn, all alike and hidden from screen readers. Beyond twenty a letter stands for each drawn one
-# that has no colours of its own, and the MathML is empty
+# that has no colours of its own, and the MathML is empty. Most of the rest are words of code: those
+# beyond the first twenty of a colour become plain
 IN_LETTERS = """
 () => {
   const beyond = (selector) => [...document.querySelectorAll(selector)].slice(20);
   beyond("math").forEach((formula) => formula.replaceChildren());
   beyond(".katex-html").filter((formula) => !formula.querySelector("[style*=color]"))
     .forEach((formula) => formula.replaceChildren("x"));
+  const spans = [...document.querySelectorAll("pre span[class]")];
+  for (const colour of new Set(spans.map((span) => span.className)))
+    beyond(`pre span[class="${colour}"]`).forEach((word) => word.replaceWith(...word.childNodes));
 }
 """
 AT_ONCE = "*, ::before, ::after { transition: none !important; }"  # from light to dark
@@ -72,12 +76,6 @@ VISIBLE_SEARCHES = """
 """
 
 
-def settled(page, address, until="networkidle"):
-    """Open a page and wait until it is quiet, or only loaded, and has its fonts."""
-    page.goto(address, wait_until=until)
-    page.evaluate("() => document.fonts.ready")
-
-
 def test_these_are_all_pages(site):
     assert sorted(PAGES) == pages(site)
 
@@ -91,8 +89,8 @@ def test_a_page(name, site, server, chromium):
     """
     with watched_page(chromium, server, bypass_csp=True) as (first, watch):
         settled(first, server + name)
-        assert_light(name, watch.weight(site), len(watch.kinds))
         all_drawn(first)
+        assert_light(name, watch.weight(site), len(watch.kinds))
         assert_root_signs_stand(first)
         assert_fits(first, name)
         assert found_by_axe(first, "all") == []
@@ -176,6 +174,7 @@ def test_a_page_from_disk(name, site, chromium):
     home = site.as_uri() + "/"
     with watched_page(chromium, home) as (page, watch):
         settled(page, home + name)
+        draw_all(page)
         assert not watch.errors + watch.strangers
 
 

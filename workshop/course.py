@@ -10,7 +10,7 @@ a module holds under a name, also in a tuple or a dictionary, is declared. The p
 import json
 import re
 from collections.abc import Iterator, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -91,8 +91,7 @@ class Course:
 
     def title(self, chapter: str) -> str:
         """The first heading of a chapter's notebook."""
-        text = "".join(json.loads(self.notebook(chapter).read_text("utf-8"))["cells"][0]["source"])
-        return text.splitlines()[0].removeprefix("# ")
+        return _heading(self.notebook(chapter))
 
     def question(self, chapter: str) -> str:
         """What a chapter answers: the docstring of its package."""
@@ -150,6 +149,13 @@ def held(module: ModuleType, kind: type[T]) -> Iterator[T]:
         inside = value.values() if isinstance(value, dict) else value
         several = isinstance(value, tuple | list | dict)
         yield from (x for x in (inside if several else (value,)) if isinstance(x, kind))
+
+
+@cache
+def _heading(notebook: Path) -> str:
+    """The first heading of a notebook; its questions in Moodle all name it."""
+    text = "".join(json.loads(notebook.read_text("utf-8"))["cells"][0]["source"])
+    return text.splitlines()[0].removeprefix("# ")
 
 
 _open: list[Course] = []

@@ -27,9 +27,9 @@ FEW = 3  # at least
 
 def write(out: str | Path, only: Sequence[str] = (), secret: str = "", force: bool = False) -> None:
     """Write the questions. secret: with other numbers than the page's."""
-    mark = f"{default_salt()} {dealing.version()}{' secret' if secret else ''}"
-    top = "$course$/top/" + mark.replace("/", "//")
     with tables.whole(out, force) as file:
+        mark = f"{default_salt()} {dealing.version()}{' secret' if secret else ''}"
+        top = "$course$/top/" + mark.replace("/", "//")
         file.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
         for exercise in progress(chosen(only), "exercises"):
             category = _text("category", f"{top}/{exercise.topic}/{exercise.name}")

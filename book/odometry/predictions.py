@@ -84,7 +84,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "wraps-round",
-        "The counter shows 65,530, then 4. How many ticks lie between?",
+        "The counter shows 65,530 and, a few milliseconds later, 4. How many ticks has the wheel "
+        "turned?",
         Buttons(
             ("10", "−65,526", "it can be any number"),
             right=lambda: f"{odometry.unwrap_counter([65530, 4], bits=16)[0]:.0f}",
@@ -99,7 +100,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "twice-as-far",
-        "The robot drives straight on, twice as far. How many times as long is the ellipse then?",
+        "The robot drives straight on, twice as far. How many times as long is the ellipse then, "
+        "measured across the drive?",
         Buttons(
             ("1.4 times", "2 times", "2.8 times"),
             right=lambda: f"{longer():.1f} times",

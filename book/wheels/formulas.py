@@ -43,8 +43,6 @@ omni_rates = [
 
 contact_x = sign("v_cx", "velocity of the contact point, ahead", "v_{cx}", "m/s")
 contact_y = sign("v_cy", "velocity of the contact point, to the left", "v_{cy}", "m/s")
-c_x = sign("c_x", "a wheel's contact point, ahead", unit="m")
-c_y = sign("c_y", "a wheel's contact point, to the left", unit="m")
 across = sign("v_axle", "velocity of a wheel along its axle", r"v_\mathrm{axle}", "m/s")
 beta_dot = sign("beta_dot", "rate at which a castor swivels", r"\dot{\beta}", "rad/s")
 beta_s = sign("beta_s", "the angles β of the steered wheels", r"\beta_s", "rad")

@@ -6,7 +6,6 @@ from robokin import wheels
 from workshop.predictions import Buttons, Prediction
 
 SPOKE, RADIUS = 0.20, 0.05  # m, of the exercise's robot
-RATES, HEADING = (-2.0, 4.0, 1.0), np.pi / 6  # of its wheels, rad/s, and in the world, rad
 LENGTH, HALF = 0.5, 0.2  # m, of the car of the table: from axle to axle, and half between wheels
 
 
@@ -15,13 +14,6 @@ def alike() -> str:
     x, y, turn = wheels.forward(wheels.omni_robot(SPOKE, RADIUS), [1.0, 1.0, 1.0])
     moves = np.hypot(x, y) > 1e-9
     return "it drives" if moves else "it turns on the spot" if abs(turn) > 1e-9 else "it stands"
-
-
-def exercise() -> np.ndarray:
-    """How the robot of the exercise moves in the world."""
-    robot = wheels.omni_robot(SPOKE, RADIUS)
-    motion: np.ndarray = wheels.forward(robot, RATES, theta=HEADING)
-    return motion
 
 
 def independent(degrees: float) -> int:
@@ -66,10 +58,7 @@ PREDICTIONS = (
                 "it drives": "The three spokes are alike, so no direction is better than another.",
             },
         ),
-        opens="It turns *clockwise*. With the rates above it moves, at this moment, along the "
-        f"world's $y$ axis at {100 * exercise()[1]:.0f} cm/s, "
-        f"{np.degrees(np.pi / 2 - HEADING):.0f}° to the left of where it looks, while it turns "
-        "clockwise. So its path bends.",
+        opens="It turns *clockwise*: a positive rate rolls each wheel to the right of its spoke.",
         hides=("clockwise",),
     ),
     Prediction(
@@ -80,8 +69,8 @@ PREDICTIONS = (
             right=lost,
             assumes={
                 "30° and −30°": "Then each wheel still has a lever, and the three are independent.",
-                "45° and −45°": "Half of each push goes outward, half goes round: the robot can "
-                "still be turned.",
+                "45° and −45°": "As much of each push goes round as goes outward or inward: the "
+                "robot can still be turned.",
             },
         ),
         opens="At ±90° every wheel rolls straight away from the centre or towards it. The third "

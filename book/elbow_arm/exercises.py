@@ -57,7 +57,7 @@ M2 = Mistake(
     "M2",
     says="when p_x is left out and the arm is taken to stand in the plane of y and z",
     wrong=Wrong(FROM_SHOULDER, instead=WITHOUT_X),
-    line="r = np.sqrt(p_y**2 + p_z**2)\ntheta3 = np.arccos((r**2 - a2**2 - a3**2) / (2 * a2 * a3))",
+    line="d = np.sqrt(p_y**2 + p_z**2)\ntheta3 = np.arccos((d**2 - a2**2 - a3**2) / (2 * a2 * a3))",
     why="The arm stands in the vertical plane through the target. In this plane the target is "
     "√(p_x² + p_y²) away from the base axis, not |p_y|.",
     unnoticed="Where p_x = 0 and p_y > 0: there the arm really stands in that plane, and looks "

@@ -23,13 +23,18 @@ def bend() -> float:
     return float(np.abs(answers(TARGET)[:, 2]).max())
 
 
+def reach(bent: float) -> float:
+    """How far from the shoulder the wrist is when the elbow is bent by so much, m."""
+    return float(np.hypot(UPPER + FOREARM * np.cos(bent), FOREARM * np.sin(bent)))
+
+
 def turned_round() -> str:
     """What becomes of the elbow's angle when the base faces away and the elbow stays in place."""
     facing, away = answers(TARGET)[[0, 2], 2]
     return min(
         ("no change", facing),
         ("the other sign", -facing),
-        ("180° less it", np.pi - facing),
+        ("180° minus it", np.pi - facing),
         key=lambda option: abs(option[1] - away),
     )[0]
 
@@ -60,7 +65,9 @@ PREDICTIONS = (
             right=bend,
             assumes={
                 "That folds the forearm back onto the upper link.": pi,
-                "Then the arm reaches too far: both links add up to 70 cm.": lambda: bend() / 2,
+                "Then the arm reaches too far: the wrist would be "
+                f"{100 * reach(bend() / 2):.0f} cm from the shoulder, and the target is "
+                f"{100 * reach(bend()):.0f} cm away.": lambda: bend() / 2,
             },
             near=0.15,
         ),
@@ -72,23 +79,24 @@ PREDICTIONS = (
         "The base faces away, and the elbow stays at the same place in the room. What becomes of "
         "$\\theta_3$?",
         Buttons(
-            ("no change", "the other sign", "180° less it"),
+            ("no change", "the other sign", "180° minus it"),
             right=turned_round,
             assumes={
                 "no change": "The bend is as large as before. But seen from behind, it is on the "
                 "other side.",
-                "180° less it": "That becomes of $\\theta_2$: the upper link leans over backwards.",
+                "180° minus it": "That is what becomes of $\\theta_2$: the upper link leans over "
+                "backwards.",
             },
         ),
         opens="The arm leans over backwards, as far from the horizontal as before: $\\theta_2$ "
-        "becomes 180° less $\\theta_2$. The elbow bends to the other side: $\\theta_3$ changes its "
-        'sign. The turned arm sees everything mirrored: "elbow up" has a *negative* $\\theta_3$ '
-        "if the arm faces the target, a *positive* one if it faces away.",
+        "becomes 180° minus $\\theta_2$. The elbow bends to the other side: $\\theta_3$ changes "
+        'its sign. The turned arm sees everything mirrored: "elbow up" has a *negative* '
+        "$\\theta_3$ if the arm faces the target, a *positive* one if it faces away.",
         hides=("mirrored", "changes its sign"),
     ),
     Prediction(
         "how-many-digits",
-        "An arm of 50 cm and 25 cm is stretched but for $10^{-15}$ m. The arccosine gives its "
+        "An arm of 50 cm and 25 cm is $10^{-15}$ m short of full stretch. The arccosine gives its "
         "elbow angle: how many of the 16 digits are right? (These lengths are exact in binary; "
         "only the formula can be to blame.)",
         Buttons(
@@ -122,8 +130,8 @@ PREDICTIONS = (
         "answers-on-the-axis",
         "The target lies on the base axis, right above the shoulder. How many answers are there?",
         Buttons(
-            ("two", "four", "endlessly many"),
-            right="endlessly many",
+            ("two", "four", "infinitely many"),
+            right="infinitely many",
             assumes={
                 "two": "Elbow up and down are two. But which way must the base look?",
                 "four": "So many it has beside the axis, where only one turn of the base leads "

@@ -73,7 +73,8 @@ M11 = Mistake(
     picture=Picture(
         "wrong-object",
         "Two inverses",
-        "The object lies on the left. The hand's program believes it close before the hand.",
+        "The object lies on the left. The hand's program believes it only half as far from the "
+        "hand.",
     ),
 )
 M30 = Mistake(
@@ -219,7 +220,7 @@ ARM_STANDS = (
     "The arm on a platform b has links of 30 cm and 40 cm; its first joint is at the origin of b. "
     "The joint angles are α = {alpha}, β = {beta}, γ = {gamma}, counter-clockwise positive, each "
     "counted from the link before (α from the platform's x axis). The hand frame c lies at the end "
-    "of the second link, turned by γ against this link."
+    "of the second link, turned by γ from this link."
 )
 ARM_FOUND = (
     "The hand as the platform sees it, link by link; each angle adds to those before:\n\n{hand}\n\n"
@@ -342,7 +343,7 @@ frames_3 = Exercise(
         "From b to e the way leads over d, so the pose of b must be seen from the other end. "
         "From the platform to the object leads the difference of the two positions, along the "
         "camera's axes; the transposed rotation turns it to the axes of the platform. The object "
-        "is turned against the platform by the difference of the two angles.\n\n{seen}\n\n"
+        "is turned relative to the platform by the difference of the two angles.\n\n{seen}\n\n"
         "With the angle between −π and π, that is {right}.",
         seen=Step(formulas.object_seen, PLATFORM_IS | OBJECT_IS, unit=UNITS),
     ),
@@ -419,7 +420,7 @@ frames_5 = Exercise(
     },
     solution=Solution(
         ARM_FOUND + "The three poses that are known, as matrices:\n\n{T_bc}\n\n{T_db}\n\n{T_de}\n\n"
-        "From c to e the way leads over b and d, so that equal letters meet. The first two steps "
+        "From c to e the way leads via b and d, so that equal letters meet. The first two steps "
         "of it are known from the other end: turned back by the transposed rotation, at the way "
         "back, measured along the axes of c and of b.\n\n{T_cb}\n\n{T_bd}\n\n{T_ce}",
         hand=HAND,

@@ -76,7 +76,8 @@ PREDICTIONS = (
             assumes={
                 "in front, on the left": "The red axis points up and to the right. The object is "
                 "below its line.",
-                "behind, on the right": "So it is if you look along the links of the arm.",
+                "behind, on the right": "So it is if you look along the first link, from the "
+                "platform to the elbow. Look along the hand's own red axis.",
             },
         ),
         opens=f"And it is turned to the left by {turned():.0f}°, seen from you.",
@@ -100,8 +101,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "a-turned-camera",
-        "The camera turns about the vertical. Which of the three numbers change that tell the hand "
-        "where the object is, and how it is turned?",
+        "The hand sees the object at x and y, turned by an angle. The camera turns about the "
+        "vertical. Which of these three numbers change?",
         Buttons(
             ("all three", "the turn", "none"),
             right=changed,
@@ -110,8 +111,8 @@ PREDICTIONS = (
                 "the turn": "The camera sees the platform turned, too, and by as much.",
             },
         ),
-        opens="How the camera hangs does not matter to the hand. Try it; dragging the ground turns "
-        "your view.",
+        opens="How the camera hangs does not matter to the hand. Try it; drag beside the frames to "
+        "turn your view.",
         hides=("does not matter to the hand",),
     ),
     Prediction(

@@ -150,6 +150,16 @@ def draw_all(page):
     page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
 
 
+ALL_DRAWN = """() => [...document.querySelectorAll(".math-scroll")]
+  .every((box) => box.style.contentVisibility === "visible")"""
+
+
+def wait_until_drawn(page):
+    """A page draws its far formulas by itself, one by one, when nothing else is to do."""
+    page.wait_for_function(ALL_DRAWN)
+    page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
+
+
 # a script for a page whose browser keeps nothing more
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 

@@ -18,7 +18,7 @@ import nbformat
 import numpy as np
 import pytest
 import sympy as sp
-from browser import pages, settled, watched_page
+from browser import pages, settled, wait_until_drawn, watched_page
 from declared import FIGURES, each
 from support import EPS, ROOT, assert_close
 
@@ -1409,6 +1409,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
         settled(page, server + page_of[figure.name])
         live = OnPage(page, figure)
         live.unfold()
+        wait_until_drawn(page)
         live.picture.evaluate(SHOW)
         below = live.root.evaluate(BELOW)
         page.evaluate(SHIFTS)

@@ -4,7 +4,7 @@ import re
 
 import light
 import pytest
-from browser import draw_all, pages, settled, watched_page
+from browser import draw_all, pages, settled, wait_until_drawn, watched_page
 
 pytest_plugins = ["browser"]
 
@@ -138,6 +138,7 @@ def test_a_page_looks_as_with_all_of_the_theme(name, width, scheme, site, server
             if change:
                 page.route(server + name, with_all)
             settled(page, server + name)
+            wait_until_drawn(page)
             seen.append(page.evaluate(SEEN))
             assert (len([u for u in watch.kinds if ".css" in u]) > 1) == change
             assert not watch.errors

@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from browser import ROOT, listed, watched_page
+from browser import ROOT, listed, wait_until_drawn, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -86,8 +86,6 @@ def test_what_wraps_is_copied_as_it_was_typed(chromium, server):
     assert max(map(len, copied.splitlines())) > 60  # a line that wraps
 
 
-ALL_DRAWN = """() => [...document.querySelectorAll(".math-scroll")]
-  .every((box) => box.style.contentVisibility === "visible")"""
 FROM_TOP = "(place) => document.getElementById(place).getBoundingClientRect().top"
 
 
@@ -98,5 +96,5 @@ def test_a_link_leads_to_its_place_at_once_and_stays_there(place, chromium, serv
         page.goto(f"{server}wheels/wheels.html#{place}")
         head = page.locator(".bd-header-article").bounding_box()["height"]
         assert head <= page.evaluate(FROM_TOP, place) < head + 20
-        page.wait_for_function(ALL_DRAWN)
+        wait_until_drawn(page)
         assert head <= page.evaluate(FROM_TOP, place) < head + 20

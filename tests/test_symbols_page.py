@@ -1,14 +1,21 @@
 """One symbol, one thing, on a page: touch a face of it, and all in the step light up."""
 
+import re
 from contextlib import contextmanager
+from html import unescape
 
 import pytest
-from browser import draw_all, watched_page
+from browser import draw_all, pages, watched_page
+from declared import FIGURES
+
+from workshop.script import engine
+from workshop.symbols.numbers import at_start
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
 PAGE, STEP, KEY = "differential_drive", "#one-line-three-answers", "differential_drive.v_L"
+SLOT = re.compile(r'<span ([^>]*data-of="[^>]*)>([^<]*)<')
 FACES = {  # where a symbol has a face
     "sentence": "p span.math .katex",
     "formula": "div.math .katex",
@@ -129,6 +136,18 @@ def test_the_arrow_keys_name_the_symbols_of_a_formula(opened):
         assert page.locator(".rk-named").inner_text() == told[2]
         page.keyboard.press("Tab")
         assert page.locator(".rk-named").is_hidden()
+
+
+def test_a_formula_has_the_numbers_of_its_figure_before_any_script_runs(site):
+    """What is built, and printed, is what the script writes when the figure comes alive."""
+    seen = 0
+    for name in pages(site):
+        for face, text in SLOT.findall((site / name).read_text("utf-8")):
+            flags = dict(re.findall(r'data-(\w+)="([^"]+)"', face))
+            number = at_start(FIGURES[flags["of"]])[flags["symbol"]]
+            assert unescape(text) == engine.call("workshop.symbols.slotText", number, flags)
+            seen += 1
+    assert seen > 20
 
 
 def test_the_numbers_of_a_formula_follow_the_hand(opened):

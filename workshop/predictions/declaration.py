@@ -148,15 +148,16 @@ class Ghost:
         )
 
     def data(self) -> dict[str, Any]:
-        """What the script must know."""
+        """What the script must know; sliders as numbers of the figure's controls."""
+        order = [getattr(control, "symbol", None) for control in self.controls()]
         return {
             "kind": "ghost",
             "figure": self.figure,
-            "places": [str(symbol) for symbol in self.places],
+            "places": [order.index(slider.symbol) for slider in self.sliders()],
             "labels": [slider.label or str(slider.symbol) for slider in self.sliders()],
             "units": self.units(),
             "then": {
-                str(symbol): float(row(value)[0]) / factor(symbol.unit)
+                order.index(symbol): float(row(value)[0]) / factor(symbol.unit)
                 for symbol, value in self.then.items()
             },
             "right": self.shown(self.right),

@@ -90,10 +90,7 @@ class Prediction {
   guess() {
     if (this.answered) return;
     const { kind, places, units } = this.data;
-    if (kind === "ghost") {
-      return this.withFigure(({ figure, state }) =>
-        this.take(places.map((key) => state[figure.controls.findIndex((c) => c.key === key)])));
-    }
+    if (kind === "ghost") return this.withFigure(({ state }) => this.take(places.map((i) => state[i])));
     const typed = this.one("input").value;
     const text = units[0] === "°" ? typed.replace(/(°|deg\w*)\s*$/i, "") : typed;
     const { value, problem, about } = workshop.practice.readAsked(text, [{ unit: units[0] }]);
@@ -145,24 +142,34 @@ class Prediction {
       button.setAttribute("aria-disabled", answered);
       button.classList.toggle("rk-right", answered && k === data.right);
     });
-    if (data.kind === "ghost") this.withFigure((live) => this.lock(live, answered, guess));
+    if (data.kind !== "ghost") return;
+    this.offer(answered);
+    this.withFigure((live) => this.lock(live, answered, guess));
   }
 
   // While the question is open, the ghost is all that can be moved; then, all but the ghost.
+  movable(i) {
+    return this.data.places.includes(Number(i)) !== this.answered;
+  }
+
+  // The sliders at once, not when the figure comes alive: what stands below it does not jump.
+  offer(answered) {
+    const figure = document.getElementById(this.data.figure);
+    figure?.classList.toggle("rk-asked", !answered);
+    figure?.querySelectorAll("[data-i]").forEach((hand) => {
+      hand.closest(".rk-control").hidden = !this.movable(hand.dataset.i);
+    });
+  }
+
   lock(live, answered, guess) {
     const { controls, handles } = live.figure, { places, then, right } = this.data;
-    const ghost = (i) => places.includes(controls[i].key);
-    live.element.classList.toggle("rk-asked", !answered);
-    controls.forEach((_, i) => live.all(`[data-i="${i}"]`).forEach((hand) => {
-      hand.closest(".rk-control").hidden = ghost(i) === answered;
-    }));
     handles.forEach(({ sets }, k) => {
       for (const grip of [live.handles[k], live.handles[k].nextSibling]) {
-        grip.style.display = sets.every(ghost) === answered ? "none" : "";
+        grip.style.display = sets.every((i) => this.movable(i)) ? "" : "none";
       }
     });
-    live.set(controls.map(({ key, start }, i) => !answered ? start
-      : ghost(i) ? (guess === SHOWN ? right : guess)[places.indexOf(key)] : then[key] ?? live.state[i]));
+    live.set(controls.map(({ start }, i) => !answered ? start
+      : places.includes(i) ? (guess === SHOWN ? right : guess)[places.indexOf(i)] : then[i] ?? live.state[i]));
   }
 }
 

@@ -27,7 +27,9 @@ AT_START = """((figure, {numbers, startState, settings, compute}) => numbers(
   figure, startState(figure), compute(figure, settings(figure, startState(figure)))
 ))"""
 # what KaTeX makes of a slot: its attributes, and what stands in it
-SLOT = re.compile(r'(<span class="enclosing"([^>]* data-of="([^"]+)"[^>]*)>)<span.*?</span></span>')
+SLOT = re.compile(
+    r'(<span class="enclosing[^"]*"([^>]* data-of="([^"]+)"[^>]*)>)<span.*?</span></span>'
+)
 
 
 def at_start(figure: Figure) -> Numbers:

@@ -18,8 +18,8 @@ def triangle(distance: Array, upper: Array, fore: Array) -> tuple[Array, Array]:
     """
     longer, shorter = np.maximum(upper, fore), np.minimum(upper, fore)
     middle, least = np.maximum(distance, shorter), np.minimum(distance, shorter)
-    room = np.where(distance >= upper + fore, 0.0, (longer - distance) + shorter)
-    near = np.where(distance <= longer - shorter, 0.0, least - (longer - middle))
+    room = ((longer - distance) + shorter) * (distance < upper + fore)
+    near = (least - (longer - middle)) * (distance > longer - shorter)
     span, far = (longer + distance) + shorter, distance + (longer - shorter)
     by_upper = upper >= fore  # the longer one
     above, below = np.where(by_upper, near, far), np.where(by_upper, far, near)

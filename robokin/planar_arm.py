@@ -124,11 +124,10 @@ def joint_rates(
         rates = _damped(theta, twist, lengths, square, det, rates)
     else:
         rates /= det[..., None]
-    bad = np.broadcast_to((np.abs(s2) <= SINGULAR) & (square == 0), rates.shape[:-1])
+    bad = (np.abs(s2) <= SINGULAR) & (square == 0)
     if singular == "raise":
         _refuse_singular(s2, bad)
-    rates[bad] = np.nan
-    return rates
+    return np.where(bad[..., None], np.nan, rates)
 
 
 @door(lengths=positive(3), pose=data(3), unreachable=one_of("raise", "nan"))

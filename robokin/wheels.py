@@ -335,7 +335,7 @@ def _slips(wheels: Sequence[Wheel], twist: Array, slid: Array, slipping: str) ->
     held = _layout(wheels, HELD)
     v_x, v_y, omega = parts(np.abs(twist)[..., None, :])
     slips = np.abs(slid) > SLIP * (v_x + v_y + held.l * omega)
-    if slipping == "raise" and slips.any():
+    if slipping == "raise" and np.count_nonzero(slips):
         *batch, row = index = first(slips)
         wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
         raise UnreachableError(

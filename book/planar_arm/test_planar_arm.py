@@ -342,7 +342,7 @@ def test_one_singular_item_does_not_spoil_its_batch():
     with pytest.raises(SingularError, match=r"theta at index 0, 1 is singular.* is 1\.22e-16"):
         joint_rates(theta[[[0, 2]]], twist, LENGTHS)
     # the pose and the damping may have fewer dimensions than the twists
-    with pytest.raises(SingularError, match="theta at index 0, 0 is"):
+    with pytest.raises(SingularError, match="theta is singular"):
         joint_rates(theta[1], np.ones((2, 4, 3)), LENGTHS)
     nothing = joint_rates(theta[1], np.ones((2, 4, 3)), LENGTHS, singular="nan")
     assert np.all(np.isnan(nothing))

@@ -107,8 +107,9 @@ measure: $(LIBRARY)/.ready
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)
 
+# With their extras: pip takes a pin without them for none, as soon as there is a newer version.
 LOCKED = $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
-	--custom-compile-command "make lock" $(LOCK) --no-emit-package robokin \
+	--no-strip-extras --custom-compile-command "make lock" $(LOCK) --no-emit-package robokin \
 	--no-emit-package robokin-workshop --no-emit-package robokin-book
 
 lock: $(READY)

@@ -7,7 +7,7 @@ import json
 import re
 import subprocess
 import sys
-from importlib.metadata import requires
+from importlib.metadata import distributions, requires
 from zipfile import ZipFile
 
 import pytest
@@ -80,9 +80,15 @@ def test_the_site_for_a_stick_holds_all_that_its_pages_link_and_no_server_needs(
 def versions(lock):
     """Name → versions in a lock; some systems have others."""
     found = {}
-    for name, version in re.findall(r"^([\w.-]+)==(\S+)", lock.read_text("utf-8"), re.M):
-        found.setdefault(canonicalize_name(name), set()).add(version)
+    for pin in pins(lock):
+        found.setdefault(canonicalize_name(pin.name), set()).add(str(pin.specifier).strip("="))
     return found
+
+
+def pins(lock):
+    """What stands in a lock, a line each."""
+    text = lock.read_text("utf-8")
+    return [Requirement(line) for line in re.findall(r"^[\w.-].*?==[^ \\]+", text, re.M)]
 
 
 def test_students_install_what_the_wheels_ask_for_as_it_was_tested():
@@ -96,6 +102,21 @@ def test_students_install_what_the_wheels_ask_for_as_it_was_tested():
                 assert all(
                     asked.specifier.contains(v) for v in light[canonicalize_name(asked.name)]
                 )
+
+
+@pytest.mark.parametrize("lock", ["requirements.txt", "requirements-light.txt"])
+def test_a_pin_has_the_extras_that_others_ask_for(lock):
+    """Without them pip refuses a lock with hashes once there is a newer version."""
+    extras = {canonicalize_name(pin.name): pin.extras for pin in pins(ROOT / lock)}
+    wanted = [
+        asked
+        for package in distributions()
+        if canonicalize_name(package.name) in extras
+        for asked in map(Requirement, package.requires or ())
+        if asked.extras and (not asked.marker or asked.marker.evaluate({"extra": ""}))
+    ]
+    assert wanted
+    assert not [str(a) for a in wanted if a.extras - extras[canonicalize_name(a.name)]]
 
 
 def test_an_old_python_is_told(kit):

@@ -326,8 +326,7 @@ def test_a_new_release_is_seen_and_a_changed_copy_kept(page, server):
     page.context.route(f"**/files/{new}*", found)
     page.goto(f"{server}lite/notebooks/index.html?path={new}")
     first = page.locator(".jp-CodeCell .cm-content").first
-    first.wait_for(timeout=START)
-    assert "park_figure" in first.inner_text()
+    first.filter(has_text="park_figure").wait_for(timeout=START)
     page.goto(f"{server}lite/notebooks/index.html?path={old}")
     page.get_by_text("mine = 1").wait_for(timeout=START)
     page.goto(f"{server}lite/tree/index.html")

@@ -21,16 +21,7 @@ from pytransform3d.trajectories import concat_many_to_many, transforms_from_expo
 from scipy.spatial.transform import RigidTransform, Rotation
 from spatialmath.base import rpy2r, tr2rpy, trexp2
 
-from robokin import (
-    bicycle,
-    differential_drive,
-    elbow_arm,
-    euler,
-    frames,
-    motion,
-    odometry,
-    planar_arm,
-)
+import robokin
 
 A2, A3, D1 = 0.4, 0.3, 0.1  # the elbow arm
 LINKS = (0.4, 0.3, 0.1)  # the planar arm
@@ -113,8 +104,7 @@ PIN_PLANAR = pin_arm([(TURN, x, 0) for x in (0, *LINKS[:2])], LINKS[2])
 PIN_PLANE = pin.Model()
 PIN_PLANE.addJoint(0, pin.JointModelPlanar(), pin.SE3.Identity(), "plane")
 ET = rtb.ET
-RTB_RAISE = ET.Ry(flip=True)
-RTB_ELBOW = rtb.ETS([ET.tz(D1), ET.Rz(), RTB_RAISE, ET.tx(A2), ET.Ry(flip=True), ET.tx(A3)])
+RTB_ELBOW = rtb.ETS([ET.tz(D1), ET.Rz(), ET.Ry(flip=True), ET.tx(A2), ET.Ry(flip=True), ET.tx(A3)])
 RTB_PLANAR = rtb.ETS([et for length in LINKS for et in (ET.Rz(), ET.tx(length))])
 RTB_DRIVE = rtb.DiffSteer(W=DISTANCE)
 
@@ -145,7 +135,7 @@ def pin_path(moves):
     return path(origin, moves, lambda place, move: pin.integrate(PIN_PLANE, place, move))
 
 
-# Elbow arm
+# The computations
 
 
 def elbow_inverse(n):
@@ -154,12 +144,12 @@ def elbow_inverse(n):
     r = distance * np.cos(elevation)  # clear of the base axis, of full stretch and of the fold
     height = D1 + distance * np.sin(elevation)
     p = np.stack([r * np.cos(azimuth), r * np.sin(azimuth), height], axis=-1)
-    targets = frames.se3(np.eye(3), p)
+    targets = robokin.frames.se3(np.eye(3), p)
     only_position = np.array([1.0, 1.0, 1.0, 0.0, 0.0, 0.0])
     options = {"mask": only_position, "joint_limits": False, "k": 0.1, "tol": 1e-14}
     solve = RTB_ELBOW.ik_LM
     calls = {
-        "robokin": lambda: elbow_arm.inverse(p, A2, A3, D1),
+        "robokin": lambda: robokin.elbow_arm.inverse(p, A2, A3, D1),
         "roboticstoolbox*": lambda: each(lambda T: solve(T, **options).q, targets, (n, 3)),
     }
     return Row(calls, one_of_the_branches, tolerance=1e-4)
@@ -168,21 +158,19 @@ def elbow_inverse(n):
 def elbow_forward(n):
     theta = np.random.default_rng(3).uniform(-3, 3, (n, 3))
     calls = {
-        "robokin": lambda: elbow_arm.forward(theta, A2, A3, D1),
+        "robokin": lambda: robokin.elbow_arm.forward(theta, A2, A3, D1),
         "roboticstoolbox": lambda: RTB_ELBOW.eval(theta)[..., :3, 3],
         "pin*": lambda: pin_positions(PIN_ELBOW, theta),
     }
     return Row(calls, largest)
 
 
-# Euler angles: yaw, pitch and roll, which every peer knows
-
-
 def angles_to_matrix(n):
+    """Yaw, pitch and roll: every peer knows this sequence."""
     angles = np.random.default_rng(4).uniform(-1.5, 1.5, (n, 3))
     reverse = angles[:, ::-1].copy()
     calls = {
-        "robokin": lambda: euler.to_matrix("ZYX", angles),
+        "robokin": lambda: robokin.euler.to_matrix("ZYX", angles),
         "scipy": lambda: Rotation.from_euler("ZYX", angles).as_matrix(),
         "pytransform3d": lambda: active_matrices_from_intrinsic_euler_angles(2, 1, 0, angles),
         "spatialmath*": lambda: each(rpy2r, reverse, (n, 3, 3)),
@@ -192,10 +180,10 @@ def angles_to_matrix(n):
 
 
 def matrix_to_angles(n):
-    R = euler.to_matrix("ZYX", np.random.default_rng(5).uniform(-1.5, 1.5, (n, 3)))
+    R = robokin.euler.to_matrix("ZYX", np.random.default_rng(5).uniform(-1.5, 1.5, (n, 3)))
     pytransform3d = lambda matrix: euler_from_matrix(matrix, 2, 1, 0, False)  # noqa: E731
     calls = {
-        "robokin": lambda: euler.from_matrix("ZYX", R),
+        "robokin": lambda: robokin.euler.from_matrix("ZYX", R),
         "scipy": lambda: Rotation.from_matrix(R).as_euler("ZYX"),
         "scipy-unchecked": lambda: Rotation.from_matrix(R, assume_valid=True).as_euler("ZYX"),
         "pytransform3d*": lambda: each(pytransform3d, R, (n, 3)),
@@ -205,37 +193,25 @@ def matrix_to_angles(n):
     return Row(calls, on_the_circle, tolerance=1e-11)
 
 
-# Frames
-
-
 def chain(n):
     rng = np.random.default_rng(6)
-    rotations = euler.to_matrix("ZYX", rng.uniform(-1.5, 1.5, (3, n, 3)))
-    A, B, C = frames.se3(rotations, rng.uniform(-1, 1, (3, n, 3)))
+    rotations = robokin.euler.to_matrix("ZYX", rng.uniform(-1.5, 1.5, (3, n, 3)))
+    transforms = A, B, C = robokin.frames.se3(rotations, rng.uniform(-1, 1, (3, n, 3)))
+    triples = list(zip(A, B, C, strict=True))
 
-    def scipy():
-        a, b, c = (RigidTransform.from_matrix(T) for T in (A, B, C))
-        return (a * b * c).as_matrix()
+    def product(convert, matrices):
+        a, b, c = map(convert, matrices)
+        return a * b * c
 
-    def in_spatialmath():
-        a, b, c = (spatialmath.SE3(list(T), check=False) for T in (A, B, C))
-        return (a * b * c).data
-
-    def in_pin(transforms):
-        a, b, c = map(pin.SE3, transforms)
-        return (a * b * c).homogeneous
-
+    to_spatialmath = partial(spatialmath.SE3, check=False)
     calls = {
-        "robokin": lambda: frames.compose(A, B, C),
-        "scipy": scipy,
+        "robokin": lambda: robokin.frames.compose(A, B, C),
+        "scipy": lambda: product(RigidTransform.from_matrix, transforms).as_matrix(),
         "pytransform3d": lambda: concat_many_to_many(C, concat_many_to_many(B, A)),
-        "spatialmath*": in_spatialmath,
-        "pin*": lambda: each(in_pin, zip(A, B, C, strict=True), A.shape),
+        "spatialmath*": lambda: product(to_spatialmath, map(list, transforms)).data,
+        "pin*": lambda: each(lambda three: product(pin.SE3, three).homogeneous, triples, A.shape),
     }
     return Row(calls, largest)
-
-
-# Driving
 
 
 def drive(n):
@@ -243,7 +219,7 @@ def drive(n):
     speeds = RADIUS * np.stack([left, right], axis=-1)
     deriv = lambda u: RTB_DRIVE.deriv((0.0, 0.0, 0.0), u, limits=False)  # noqa: E731
     calls = {
-        "robokin": lambda: differential_drive.body_twist(left, right, RADIUS, DISTANCE),
+        "robokin": lambda: robokin.differential_drive.body_twist(left, right, RADIUS, DISTANCE),
         "roboticstoolbox*": lambda: each(deriv, speeds, (n, 3)),
     }
     return Row(calls, largest)
@@ -255,13 +231,13 @@ def arc(n):
     zero = np.zeros(n)
     moves = np.stack([v, zero, omega], axis=-1)
     screws = np.stack([zero, zero, omega, v, zero, zero], axis=-1)
-    starts, plane = with_direction(start), frames.se2(*start.T)
-    T = np.tile(np.eye(4), (n, 1, 1))
-    T[:, :2, :2], T[:, :2, 3] = plane[:, :2, :2], plane[:, :2, 2]
+    starts, plane = with_direction(start), robokin.frames.se2(*start.T)
+    turned = robokin.euler.about([0, 0, 1], start[:, 2])
+    T = robokin.frames.se3(turned, np.stack([start[:, 0], start[:, 1], zero], axis=-1))
     transforms = RigidTransform.from_matrix(T)
     pairs = list(zip(starts, moves, strict=True))
     calls = {
-        "robokin": lambda: motion.arc_step(start, v, omega, 1.0),
+        "robokin": lambda: robokin.motion.arc_step(start, v, omega, 1.0),
         "scipy": lambda: transforms * RigidTransform.from_exp_coords(screws),
         "pytransform3d": lambda: concat_many_to_many(
             transforms_from_exponential_coordinates(screws), T
@@ -272,19 +248,23 @@ def arc(n):
     return Row(calls, poses, tolerance=1e-11)
 
 
+def path_row(ours, method, moves, steps, step):
+    """Exact arcs beside Pinocchio's, steps with the old heading beside the robotics toolbox's."""
+    if method == "exact":
+        peers = {"pin*": lambda: pin_path(moves)}
+    else:
+        peers = {"roboticstoolbox*": lambda: path(np.zeros(3), steps, step)}
+    return Row({"robokin": ours, **peers}, poses, tolerance=1e-8)
+
+
 def bicycle_path(n, method):
     rng = np.random.default_rng(9)
     v, phi = rng.uniform(0, 2, n), rng.uniform(-0.5, 0.5, n)
     controls = np.stack([v, phi], axis=-1)
     moves = DT * np.stack([v, 0 * v, v * np.tan(phi) / WHEELBASE], axis=-1)
     speed = rtb.Bicycle(L=WHEELBASE).deriv
-    step = lambda x, u: x + DT * speed(x, u, limits=False)  # noqa: E731
-    calls = {"robokin": lambda: bicycle.path([0, 0, 0], v, phi, WHEELBASE, DT, method)}
-    if method == "exact":
-        calls["pin*"] = lambda: pin_path(moves)
-    else:
-        calls["roboticstoolbox*"] = lambda: path(np.zeros(3), controls, step)
-    return Row(calls, poses, tolerance=1e-8)
+    ours = partial(robokin.bicycle.path, [0, 0, 0], v, phi, WHEELBASE, DT, method)
+    return path_row(ours, method, moves, controls, lambda x, u: x + DT * speed(x, u, limits=False))
 
 
 def odometry_path(n, method):
@@ -293,22 +273,14 @@ def odometry_path(n, method):
     length, turn = 0.5 * per_tick * (right + left), per_tick / DISTANCE * (right - left)
     moves = np.stack([length, 0 * length, turn], axis=-1)
     steps = list(zip(length, turn, strict=True))
-    parameters = (TICKS, RADIUS, DISTANCE)
-    calls = {"robokin": lambda: odometry.path(left, right, *parameters, method=method)}
-    if method == "exact":
-        calls["pin*"] = lambda: pin_path(moves)
-    else:
-        calls["roboticstoolbox*"] = lambda: path(np.zeros(3), steps, RTB_DRIVE.f)
-    return Row(calls, poses, tolerance=1e-8)
-
-
-# Planar arm
+    ours = partial(robokin.odometry.path, left, right, TICKS, RADIUS, DISTANCE, method=method)
+    return path_row(ours, method, moves, steps, RTB_DRIVE.f)
 
 
 def planar_forward(n):
     theta = np.random.default_rng(11).uniform(-3, 3, (n, 3))
     calls = {
-        "robokin": lambda: planar_arm.forward(theta, LINKS),
+        "robokin": lambda: robokin.planar_arm.forward(theta, LINKS),
         "roboticstoolbox": lambda: RTB_PLANAR.eval(theta)[..., :2, 3],
         "pin*": lambda: pin_positions(PIN_PLANAR, theta)[:, :2],
     }
@@ -318,7 +290,7 @@ def planar_forward(n):
 def jacobian(n):
     theta = np.random.default_rng(12).uniform(-3, 3, (n, 3))
     calls = {
-        "robokin": lambda: planar_arm.jacobian(theta, LINKS),
+        "robokin": lambda: robokin.planar_arm.jacobian(theta, LINKS),
         "roboticstoolbox*": lambda: rtb_jacobians(theta),
         "pin*": lambda: pin_jacobians(theta),
     }
@@ -334,7 +306,7 @@ def joint_rates(n):
         return np.linalg.solve(jacobians[:, [0, 1, 5]], twist[..., None])[..., 0]
 
     calls = {
-        "robokin": lambda: planar_arm.joint_rates(theta, twist, LINKS),
+        "robokin": lambda: robokin.planar_arm.joint_rates(theta, twist, LINKS),
         "roboticstoolbox*": lambda: solved(rtb_jacobians(theta)),
         "pin*": lambda: solved(pin_jacobians(theta)),
     }

@@ -6,6 +6,7 @@ os.environ |= dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM
 
 from collections import defaultdict
 from importlib.metadata import version
+from importlib.util import find_spec
 
 import pytest
 
@@ -16,7 +17,8 @@ TIMES = pytest.StashKey[tuple]()
 
 
 def pytest_report_header():
-    return ", ".join(f"{peer} {version(peer)}" for peer in PEERS)
+    peers = ", ".join(f"{peer} {version(peer)}" for peer in PEERS)
+    return [f"robokin: {find_spec('robokin').origin}", f"peers: {peers}"]
 
 
 def pytest_benchmark_group_stats(config, benchmarks):

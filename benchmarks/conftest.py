@@ -36,8 +36,8 @@ def pytest_terminal_summary(terminalreporter, config):
     lines = []
     for (computation, items), times in now.items():
         if ours := times.get("robokin"):
-            before = saved[computation, items].get("robokin")
-            single = now[computation, 1].get("robokin") if items > 1 else None
+            before = saved.get((computation, items), {}).get("robokin")
+            single = items > 1 and now.get((computation, 1), {}).get("robokin")
             peers = sorted((seconds, peer) for peer, seconds in times.items() if peer != "robokin")
             columns = [
                 f"{ours * 1e6:,.1f}",

@@ -39,19 +39,16 @@ M1 = Mistake(
     "M1",
     says="with p_x and p_y exchanged in atan2",
     wrong=Wrong(BASE_ANGLE, {p_x: p_y, p_y: p_x}),
-    why="atan2 takes y first, then x. Exchanged, the angle is measured from the y axis, and "
-    "clockwise.",
+    why="NumPy's arctan2 takes y first, then x. Exchanged, the angle is measured from the y axis, "
+    "and clockwise. In spreadsheets and in some books (Spong, Hutchinson and Vidyasagar) atan2 "
+    "takes x first. There atan2(p_x, p_y) is right.",
     unnoticed="Where p_x = p_y, on the line in the middle between the two axes.",
     picture=Picture(
         "wrong-reach",
-        "It points aside",
-        "The red arm points aside. Its program believes that it reaches p, like the grey one.",
+        "It aims at a mirror image",
+        "The red arm reaches the mirror image of p, with x and y exchanged. Its program believes "
+        "that it reaches p, like the grey one.",
     ),
-    document="000 Q1",
-    place="step 1, the base angle",
-    nth=1,
-    stands="θ_1 = atan2(p_x, p_y)",
-    should="θ_1 = atan2(«p_y», «p_x»)",
 )
 M2 = Mistake(
     "M2",
@@ -64,12 +61,13 @@ M2 = Mistake(
     "along y. With p_y < 0 only d and θ_3 are right.",
     picture=Picture(
         "wrong-reach",
-        "It falls short",
-        "The red arm falls short of p. Its program believes that it reaches p, like the grey one.",
+        "Its reach never changes",
+        "Wherever p is along x, the red arm reaches equally far. Its program believes that it "
+        "reaches p, like the grey one.",
     ),
     document="000 Q1",
     place="step 2, the side view",
-    nth=3,
+    nth=2,
     stands="r = √(p_y² + p_z²), φ_3 = arctan(p_z/p_y)",
     should="r = √(«p_x² +» p_y² + p_z²), φ_3 = «atan2»(p_z, «√(p_x² + p_y²)»)",
     explained="Here p is measured from the shoulder, and r is the way from there to the wrist: "
@@ -110,7 +108,7 @@ M4 = Mistake(
     ),
     document="000 Q1",
     place="step 1, the second base angle, and the count of four solutions at the end",
-    nth=2,
+    nth=1,
     stands="θ_1 + π together with the same θ_2 and θ_3",
     should="θ_1 + π together with «π − θ_2» and «−θ_3»",
 )
@@ -124,8 +122,9 @@ M5 = Mistake(
     unnoticed="Where p_x > 0.",
     picture=Picture(
         "wrong-reach",
-        "It points backwards",
-        "The red arm looks away from p. Its program believes that it reaches p, like the grey one.",
+        "It never looks behind",
+        "The red arm looks to the front, even for a p that lies behind the base. Its program "
+        "believes that it reaches p, like the grey one.",
     ),
 )
 

@@ -19,8 +19,8 @@ def readouts(p_x, p_y, p_z, a3, face, bend, *_view):
     return np.column_stack([chosen, distance, np.linalg.norm(p - best, axis=-1)])
 
 
-def mistakes_readouts(*columns):
-    """d, reach, off: where each mistake sends the wrist can be said without angles."""
+def target_and_wrist(*columns):
+    """The target, and where each mistake sends the wrist, which can be said without angles."""
     *made, p_x, _azimuth, _elevation = columns
     a2, a3, d1, p_y, p_z = 0.3, 0.4, 0.3, 0.2 + 0 * p_x, 0.5 + 0 * p_x
     level, h = np.hypot(p_x, p_y), p_z - d1
@@ -36,9 +36,38 @@ def mistakes_readouts(*columns):
         np.stack([-p_x, -p_y, p_z], axis=-1),  # opposite
     )
     wrist = sum(one[:, None] * at for one, at in zip(made, wrists, strict=True))
-    p = np.stack([p_x, p_y, p_z], axis=-1)
-    ways = p - [0, 0, d1], wrist - [0, 0, d1], wrist - p
+    return np.stack([p_x, p_y, p_z], axis=-1), wrist
+
+
+def mistakes_readouts(*columns):
+    """d, reach, off."""
+    p, wrist = target_and_wrist(*columns)
+    ways = p - [0, 0, 0.3], wrist - [0, 0, 0.3], wrist - p
     return np.column_stack([np.linalg.norm(way, axis=-1) for way in ways])
+
+
+def mirrored(*columns):
+    """In the line between the x and the y axis."""
+    p, wrist = target_and_wrist(*columns)
+    return np.linalg.norm(wrist - p[:, [1, 0, 2]], axis=1) < 1e-9
+
+
+def never_behind(*columns):
+    return target_and_wrist(*columns)[1][:, 0] > -1e-9
+
+
+def same_reach(*columns):
+    return np.ptp(mistakes_readouts(*columns)[:, 1]) < 1e-9
+
+
+def too_far(*columns):
+    distance, reach, _ = mistakes_readouts(*columns).T
+    return reach > distance + 0.01
+
+
+def opposite(*columns):
+    p, wrist = target_and_wrist(*columns)
+    return np.linalg.norm(wrist[:, :2] + p[:, :2], axis=1) < 1e-9
 
 
 CHOICES = (
@@ -61,11 +90,23 @@ SETTINGS = [
 
 READOUTS = {"four-arms": readouts, "arm-in-space": readouts, "wrong-reach": mistakes_readouts}
 NOT_NOTICED = [
-    {"mistake": "It points aside", "p_x": 0.2},
-    {"mistake": "It points backwards", "p_x": 0.3},
-    {"mistake": "It falls short", "p_x": 1e-9},  # at 0 the quotient p_y/p_x has no digits
+    {"mistake": "It aims at a mirror image", "p_x": 0.2},
+    {"mistake": "It never looks behind", "p_x": 0.3},
+    {
+        "mistake": "Its reach never changes",
+        "p_x": 1e-9,
+    },  # at 0 the quotient p_y/p_x has no digits
 ]
 SPECIALS = {"four-arms": SETTINGS, "arm-in-space": SETTINGS, "wrong-reach": NOT_NOTICED}
+TITLES = {
+    "wrong-reach": {
+        "It aims at a mirror image": mirrored,
+        "It never looks behind": never_behind,
+        "Its reach never changes": same_reach,
+        "It reaches too far": too_far,
+        "It turns round": opposite,
+    }
+}
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("four-arms", {"p_x": 0.7}, "theta2", "none"),
     ("arm-in-space", {"p_x": 0.0, "p_y": 0.0, "p_z": 0.1}, "theta1", "none"),

@@ -271,9 +271,11 @@ def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
     right = bent(base, cosine, elevation)
     short, steep = M2.at({p_y: PLACE[p_y], p_z: level})
     return right, {
-        "It points aside": bent(M1.at(given), cosine, elevation),
-        "It points backwards": bent(M5.at(given), cosine, elevation),
-        "It falls short": bent(base, arm.cosine.at({**ARM, p_x: short, p_y: 0, high: 0}), steep),
+        "It aims at a mirror image": bent(M1.at(given), cosine, elevation),
+        "It never looks behind": bent(M5.at(given), cosine, elevation),
+        "Its reach never changes": bent(
+            base, arm.cosine.at({**ARM, p_x: short, p_y: 0, high: 0}), steep
+        ),
         "It reaches too far": bent(base, M3.at(given), elevation),
         "It turns round": M4.at(dict(zip(JOINTS, right, strict=True))),
     }
@@ -322,7 +324,7 @@ def mistakes_figure() -> Figure:
         title="An arm with its wrist at the target, and a red one that a mistake sends elsewhere",
         view=(-0.86, 0.86, -0.45, 0.84),
         controls=(
-            Choice.one_of("mistake", MISTAKES, ways, start="It points aside"),
+            Choice.one_of("mistake", MISTAKES, ways, start="It aims at a mirror image"),
             Slider(p_x, -0.5, 0.5, start=-0.45, step=0.05, label="target p_x"),
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),

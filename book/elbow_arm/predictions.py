@@ -50,9 +50,14 @@ def digits() -> str:
 
 
 def different() -> str:
-    """How many different answers a stretched arm has."""
-    stretched = answers((UPPER + FOREARM, 0, SHOULDER))
-    return ("one", "two", "three", "four")[len(np.unique(stretched.round(9), axis=0)) - 1]
+    """How many different answers a stretched arm has, and a folded one, beside the base axis."""
+    reaches = UPPER + FOREARM, UPPER - FOREARM
+    numbers = set()
+    for reach in reaches:
+        on_circle = np.exp(1j * answers((reach, 0, SHOULDER)))  # 180° is -180°
+        numbers.add(len(np.unique(on_circle.round(9), axis=0)))
+    (number,) = numbers  # the same for both, as the prediction says
+    return ("one", "two", "three", "four")[number - 1]
 
 
 PREDICTIONS = (
@@ -114,7 +119,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "answers-when-stretched",
-        "The arm is stretched. How many different answers are left?",
+        "The arm is stretched, but not straight up or down. How many different answers are left?",
         Buttons(
             ("one", "two", "four"),
             right=different,
@@ -123,7 +128,8 @@ PREDICTIONS = (
                 "four": "The library gives four rows. Compare them.",
             },
         ),
-        opens="Up and down melt into one. It is the same for a folded arm.",
+        opens="Up and down melt into one. It is the same for a folded arm, if its links differ in "
+        "length and it does not point straight up or down.",
         hides=("melt into one",),
     ),
     Prediction(

@@ -55,8 +55,9 @@ def lane_readouts(phi, wheelbase, track, t):
     return np.column_stack([lane, lane - track, bicycle.corner_cut(phi, wheelbase)])
 
 
-def mistakes_readouts(*columns):
-    """apart, off: of the rear axle, or of the front one where the mistake is made in its way."""
+def moved(*columns):
+    """How an axle has moved, and how its program believes: the rear one, or where the mistake is
+    made in its way the front one."""
     *made, phi, t = columns
     L, b, v = 2.5, 2.0, 2.0
     start = np.broadcast_to([0, 0, np.pi / 2], (len(t), 3))
@@ -70,8 +71,43 @@ def mistakes_readouts(*columns):
     nose = rear / np.stack([np.cos(phi), np.cos(phi), 1 + 0 * t], axis=-1)
     ends = straight, fast, nose, diagonal, mean, right
     pairs = zip(made, ends, (rear, rear, front, front, rear, rear), strict=True)
-    off = sum(one[:, None] * (end - true) for one, end, true in pairs)
+    chosen = [(one[:, None] * true, one[:, None] * end) for one, end, true in pairs]
+    return [sum(each) for each in zip(*chosen, strict=True)]
+
+
+def mistakes_readouts(*columns):
+    """apart, off."""
+    real, believed = moved(*columns)
+    off = believed - real
     return np.column_stack([np.hypot(*off[:, :2].T), motion.wrap_angle(off[:, 2])])
+
+
+def goes_straight(*columns):
+    way = moved(*columns)[1]
+    return np.abs(way[:, 0] + way[:, 1]) < 1e-9
+
+
+def turns_too_fast(*columns):
+    """To the left, as the car turns."""
+    real, believed = moved(*columns)
+    return believed[:, 2] > real[:, 2] + 0.01
+
+
+def follows_its_nose(*columns):
+    """On an arc that begins along the heading at the start, so the chord has the middle heading."""
+    way = moved(*columns)[1]
+    along = directions((np.pi / 2 + way[:, 2]) / 2)
+    return np.abs(way[:, 0] * along[:, 1] - way[:, 1] * along[:, 0]) < 1e-9
+
+
+def only_diagonal(*columns):
+    way = moved(*columns)[1]
+    return np.abs(way[:, 0] - way[:, 1]) < 1e-9
+
+
+def other_side(*columns):
+    real, believed = moved(*columns)
+    return real[:, 0] * believed[:, 0] < 0
 
 
 DEGREE = np.pi / 180
@@ -90,6 +126,16 @@ SPECIALS = {
     "bicycle-steps": [AHEAD, {"n": 1}, {"point": "front axle"}],
     "swept-lane": [AHEAD, {**AHEAD, "t": 8.0}, {"t": 8.0}, UNDER],
     "wrong-car": [{"t": 0.0}, {"mistake": "Only along a diagonal", "t": 1.0}],
+}
+TITLES = {
+    "wrong-car": {
+        "Off its circle": goes_straight,
+        "It turns too fast": turns_too_fast,
+        "It follows its nose": follows_its_nose,
+        "Only along a diagonal": only_diagonal,
+        "One wheel for two": None,
+        "To the other side": other_side,
+    }
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("ackermann-steering", AHEAD, "radius", "none: straight ahead"),

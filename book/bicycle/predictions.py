@@ -28,10 +28,23 @@ def error(n: int) -> float:
     return float(np.hypot(*(exact - steps)[:2]))
 
 
-def halved() -> str:
-    """How much of that error is left with twice the steps."""
-    left = {"all of it": 1, "a half": 1 / 2, "a quarter": 1 / 4}
-    return min(left, key=lambda answer: abs(left[answer] - error(20) / error(10)))
+def one_step(seconds: float) -> float:
+    """How far a single straight step of the long car ends from the exact place, m."""
+    drive = 8.0 * RADIUS, np.radians(30), LENGTH, np.array([seconds])
+    exact, straight = (bicycle.path([0, 0, 0], *drive, method=m)[-1] for m in ("exact", "start"))
+    return float(np.hypot(*(exact - straight)[:2]))
+
+
+def left(ratio: float) -> str:
+    """How much of an error is left, in words."""
+    words = {"all of it": 1, "a half": 1 / 2, "a quarter": 1 / 4}
+    return min(words, key=lambda answer: abs(words[answer] - ratio))
+
+
+def centre_if_alike(angle: float) -> str:
+    """Where the car turns without sliding, if both front wheels are turned by the same angle."""
+    off = bicycle.ackermann_error(angle, angle, CAR[wheelbase], CAR[track])
+    return "nowhere" if abs(off) > 1e-9 else "where one wheel of 30° puts it"
 
 
 PREDICTIONS = (
@@ -56,11 +69,11 @@ PREDICTIONS = (
     ),
     Prediction(
         "turned-alike",
-        "Now both front wheels are turned by the *same* 30°. Where is the point that the car "
-        "turns about?",
+        "Now both front wheels are turned by the *same* 30°. Where is the point about which the "
+        "car can turn *without sliding*?",
         Buttons(
             ("where one wheel of 30° puts it", "without end far away", "nowhere"),
-            right="nowhere",
+            right=lambda: centre_if_alike(np.radians(30)),
             assumes={
                 "where one wheel of 30° puts it": "So it is for a bicycle. The two wheels of the "
                 "car stand in two places.",
@@ -68,8 +81,9 @@ PREDICTIONS = (
             },
         ),
         opens="The axles of the two wheels are parallel and never meet. Their cotangents differ "
-        f"by 0, which is {TRACK / CAR[wheelbase]:.1f} less than $b$ over $L$, and the tyres rub.",
-        hides=("never meet", "tyres rub"),
+        f"by 0, which is {TRACK / CAR[wheelbase]:.1f} less than $b$ over $L$. A car that is driven "
+        "like this still turns about some point, but its tyres slide.",
+        hides=("never meet", "tyres slide"),
     ),
     Prediction(
         "how-far",
@@ -95,9 +109,10 @@ PREDICTIONS = (
         "The loop takes twice as many steps. How much of its error is left?",
         Buttons(
             ("all of it", "a half", "a quarter"),
-            right=halved,
+            right=lambda: left(error(20) / error(10)),
             assumes={
-                "all of it": "Each step is as wrong as it is long, and has half the length now.",
+                "all of it": "So it would be if a step of half the length had half the error. It "
+                f"has {left(one_step(0.5) / one_step(1.0))} of it.",
                 "a quarter": "That is right for a single step. But there are twice as "
                 "many of them.",
             },

@@ -192,7 +192,8 @@ PREDICTIONS = (
             right="yes, exactly",
             assumes={
                 "no, never": "It cannot have that velocity. But it can have others, one by one.",
-                "only nearly": "So it is with a single arc. Several of them add up.",
+                "only nearly": "A single arc even ends there exactly: half a circle of 10 cm. But "
+                "then the robot looks backwards. Several motions add up to both.",
             },
         ),
         opens="It can, only not straight.",

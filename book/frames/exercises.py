@@ -41,7 +41,8 @@ M9 = Mistake(
     picture=Picture(
         "wrong-object",
         "No inverse",
-        "The object lies on the left. The hand's program believes it further up, and turned.",
+        "The object lies on the left. With the platform at 90° the hand's program believes it "
+        "further up, and turned.",
     ),
 )
 M10 = Mistake(
@@ -58,8 +59,7 @@ M10 = Mistake(
     picture=Picture(
         "wrong-object",
         "Inverses by hand",
-        "The object lies on the left. The hand's program believes it on the right, beyond the "
-        "platform.",
+        "The object lies on the left. The hand's program believes it on the right of the platform.",
     ),
 )
 M11 = Mistake(
@@ -73,8 +73,7 @@ M11 = Mistake(
     picture=Picture(
         "wrong-object",
         "Two inverses",
-        "The object lies on the left. The hand's program believes it only half as far from the "
-        "hand.",
+        "The object lies on the left. The hand's program believes it nearer to the hand.",
     ),
 )
 M30 = Mistake(
@@ -88,7 +87,7 @@ M30 = Mistake(
     picture=Picture(
         "wrong-object",
         "One inverse",
-        "The object lies on the left. The hand's program believes it at the elbow, and turned.",
+        "The object lies on the left. The hand's program believes it below the hand, and turned.",
     ),
     document="001 Q3",
     place="the last line",

@@ -92,4 +92,7 @@ SPECIALS = {
     ],
     "wrong-object": [{"db_turn": 2 * np.pi / 3}],  # T_db T_bc is a half turn
 }
+# each names the step that is wrong, and claims nothing of the picture
+NAMES = "No inverse", "Inverses by hand", "Two inverses", "One inverse"
+TITLES = {"wrong-object": dict.fromkeys(NAMES)}
 WORDS = []

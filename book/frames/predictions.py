@@ -90,14 +90,16 @@ PREDICTIONS = (
             ("1", "0", "−1"),
             right=lambda: f"{np.linalg.det(DOWN[:2, :2]):.0f}".replace("-", "−"),
             assumes={
-                "1": "So it is for a camera that looks up. For this one x and y run the other way "
-                "round.",
+                "1": "So it is for a camera that looks up. For this one the turn from x to y is "
+                "clockwise, seen from above; for the platform it is counter-clockwise.",
                 "0": "Then x and y would lie on one line.",
             },
         ),
-        opens="In space it is a rotation. In the plane it is a mirror, like writing on a glass "
-        "door seen from behind. So a camera that looks down belongs to space only.",
-        hides=("glass door",),
+        opens="In space it is a rotation, but its 2×2 part is none: the platform's z axis points "
+        "up, the camera's down. The camera's picture is right all the same, because in a picture "
+        "y points down. Only a graph of its numbers with y *up* is a mirror image. Turn y round, "
+        "or let the z axes of the bodies point down, too: then a plan of SE(2) will do again.",
+        hides=("a mirror image", "of the bodies"),
     ),
     Prediction(
         "a-turned-camera",

@@ -13,6 +13,7 @@ from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
 from html import unescape
+from itertools import product
 
 import nbformat
 import numpy as np
@@ -101,6 +102,9 @@ READOUTS = {name: by for table in TABLES for name, by in table.READOUTS.items()}
 SPECIALS = {name: special for table in TABLES for name, special in table.SPECIALS.items()}
 LOST = {name: lost for table in TABLES for name, lost in getattr(table, "LOST", {}).items()}
 WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider shows them
+TITLES = {
+    figure: titles for table in TABLES for figure, titles in getattr(table, "TITLES", {}).items()
+}
 
 
 def test_every_figure_has_its_expected_readouts():
@@ -298,6 +302,51 @@ def test_a_word_instead_of_a_number(name, values, readout, word):
     figure = replace(FIGURES[name], controls=tuple(controls))
     texts = map(unescape, re.findall("<dd>(.*?)</dd>", figure.html()))
     assert dict(zip([r.name for r in figure.readouts], texts, strict=True))[readout] == word
+
+
+# --- The titles of mistakes, beside a slider -------------------------------------------------
+
+
+def every_setting(figure, title):
+    """All settings with this title that a reader's sliders have; of a clock its middle."""
+    parts = []
+    for control in figure.controls:
+        if isinstance(control, Choice):
+            parts.append([control.options[title]])
+        elif isinstance(control, Clock):
+            parts.append([((control.low + control.high) / 2,)])
+        elif control.symbol in figure.turns:
+            parts.append([(control.start,)])
+        else:
+            count = round((control.high - control.low) / control.step)
+            parts.append([(x,) for x in np.linspace(control.low, control.high, count + 1)])
+    return np.array([sum(row, ()) for row in product(*parts)], dtype=float)
+
+
+def mistakes_beside_a_slider():
+    """The figures of mistakes that a reader can set otherwise: name → titles."""
+    found = {}
+    for name, figure in FIGURES.items():
+        choices = [c for c in figure.controls if isinstance(c, Choice) and c.name == "mistake"]
+        sliders = [c for c in own_controls(figure) if not isinstance(c, (Choice, Clock))]
+        if choices and sliders:
+            found[name] = set(choices[0].options)
+    return found
+
+
+def test_every_title_beside_a_slider_says_when_it_is_true():
+    assert {name: set(titles) for name, titles in TITLES.items()} == mistakes_beside_a_slider()
+
+
+@pytest.mark.parametrize(
+    ("name", "title"),
+    [(name, title) for name, titles in TITLES.items() for title, true in titles.items() if true],
+)
+def test_a_title_is_true_at_every_setting(name, title):
+    """None, if it claims nothing that the picture shows."""
+    rows = every_setting(FIGURES[name], title)
+    true = np.broadcast_to(TITLES[name][title](*rows.T), len(rows))
+    assert true.all(), rows[~true]
 
 
 def test_almost_straight():

@@ -77,7 +77,8 @@ M23 = Mistake(
     picture=Picture(
         "wrong-poses",
         "It never looks backward",
-        "The robot on its arc to the left. Its program believes that it turned back halfway.",
+        "The robot on its arc to the left. Its program believes that it turns back where its "
+        "heading passes 90°.",
     ),
     document="003",
     place="the third formula, rotation",
@@ -112,9 +113,9 @@ M25 = Mistake(
     unnoticed="As long as the counter does not pass its end: in every short test.",
     picture=Picture(
         "wrong-poses",
-        "It leaps back",
-        "The robot on its arc to the left. Its program believes that it leapt back when its "
-        "counters passed their end.",
+        "It leaps back in sample 9",
+        "The robot on its arc to the left. Its program believes that it leaps back when its "
+        "counters pass their end.",
     ),
 )
 

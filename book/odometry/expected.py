@@ -60,11 +60,18 @@ def square_readouts(b_true, ratio):
 
 def wrong_poses_readouts(*columns):
     """apart, turned."""
-    return np.array([of_mistake(*row) for row in zip(*columns, strict=True)])
+    real, told = wrong_poses(*columns)
+    off = told - real
+    return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
+
+
+def wrong_poses(*columns):
+    """Where the robot is, and where its program believes it to be: (n, 3) each."""
+    return np.array([of_mistake(*row) for row in zip(*columns, strict=True)]).swapaxes(0, 1)
 
 
 def of_mistake(m22, m23, m24, m25, samples, start):
-    """How far the pose that a program believes in is from the real one, and its heading."""
+    """Both poses."""
     ticks = np.tile([80, 120], (int(samples), 1))
     right = odometry.travel(ticks, TICKS, RADIUS)
     if m25:
@@ -80,8 +87,33 @@ def of_mistake(m22, m23, m24, m25, samples, start):
             told = np.array([*place, told[2] + turn if m22 else heading])
         else:
             told = motion.arc_step(told, v, turn, 1.0)
-    return [np.hypot(*(told - real)[:2]), (told - real)[2]]
+    return [real, told]
 
+
+def forgets_heading(*columns):
+    """From every heading at the start it believes in the same places."""
+    told, from_zero = (
+        wrong_poses(*columns[:5], start)[1] for start in (columns[5], 0 * columns[5])
+    )
+    return np.hypot(*(told - from_zero)[:, :2].T) < 1e-9
+
+
+def never_backward(*columns):
+    return np.abs(wrong_poses(*columns)[1][:, 2]) <= np.pi / 2
+
+
+def hardly_moves(*columns):
+    """Less than a fifth of the way."""
+    way = columns[4] * odometry.travel([80, 120], TICKS, RADIUS).mean()
+    return np.hypot(*wrong_poses(*columns)[1][:, :2].T) < way / 5
+
+
+def leaps_in_sample_9(*columns):
+    apart = wrong_poses_readouts(*columns)[:, 0]
+    return np.where(columns[4] < 9, apart < 1e-9, apart > 0.3)
+
+
+LEAP = "It leaps back in sample 9"
 
 READOUTS = {
     "four-rules": rules_readouts,
@@ -98,6 +130,14 @@ SPECIALS = {
         {"turned": 1e-9},
     ],
     "square-path": [{"ratio": 1.0}, {"b_true": 0.2}, {"ratio": 1.0, "b_true": 0.2}],
-    "wrong-poses": [{"mistake": "It leaps back", "samples": n} for n in (8, 9, 16)],
+    "wrong-poses": [{"mistake": LEAP, "samples": n} for n in (8, 9, 16)],
+}
+TITLES = {
+    "wrong-poses": {
+        "It forgets its heading": forgets_heading,
+        "It never looks backward": never_backward,
+        "It hardly moves": hardly_moves,
+        LEAP: leaps_in_sample_9,
+    }
 }
 WORDS = []  # every readout has a number

@@ -371,7 +371,7 @@ MADE = {  # title → mistake
     "It forgets its heading": M22,
     "It never looks backward": M23,
     "It hardly moves": M24,
-    "It leaps back": M25,
+    "It leaps back in sample 9": M25,
 }
 MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
 set_off = quantity("set_off", "rad", 0, 1.6, "heading at the start", latex=r"\theta_0")

@@ -64,9 +64,8 @@ M26 = Mistake(
     "as no moment acts on the hand.",
     picture=Picture(
         "wrong-arm",
-        "Its hand turns wrongly",
-        "The hand is in its place, but points up. Its program believes that it points to the "
-        "right.",
+        "In its place, but turned",
+        "The hand is in its place, but turned too far to the left.",
     ),
     document="004 Ans 2",
     place="the matrices of part 2, last row",
@@ -113,9 +112,9 @@ M28 = Mistake(
     "det J does not show it: l_3 is not in it.",
     picture=Picture(
         "wrong-arm",
-        "It goes too far",
-        "The hand goes too far and too high. Its program believes that it moves along the line to "
-        "the left.",
+        "Too far if clockwise",
+        "If the hand turns clockwise, it goes too far. Its program believes that it moves along "
+        "the line to the left.",
     ),
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, third column",
@@ -134,8 +133,8 @@ M29 = Mistake(
     unnoticed="When the hand stands still: zero either way.",
     picture=Picture(
         "wrong-arm",
-        "It goes the wrong way",
-        "The hand curls away to the right. Its program believes that it moves along the line to "
+        "It stays behind",
+        "The hand stays behind, on the right. Its program believes that it moves along the line to "
         "the left.",
     ),
     document="004 Ans 2",
@@ -157,9 +156,9 @@ M36 = Mistake(
     "value of det J does not show it.",
     picture=Picture(
         "wrong-arm",
-        "It hardly moves",
-        "The hand stays almost where it is. Its program believes that it moves along the line to "
-        "the left.",
+        "Too short if clockwise",
+        "If the hand turns clockwise, it falls short. Its program believes that it moves along "
+        "the line to the left.",
     ),
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, first row",

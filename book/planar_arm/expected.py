@@ -56,10 +56,12 @@ def line_readouts(t, steps, gain, damping, line_x, line_y):
     line = np.column_stack([line_x, line_y, 0 * line_x])
     theta, wanted, rates = followed(t, steps, gain, damping, line)
     hand = planar_arm.forward(theta, LINKS)
-    room = LINKS[0] + LINKS[1] - np.hypot(line_x - LINKS[2], line_y)
+    distance = np.hypot(line_x - LINKS[2], line_y)
+    room = np.minimum(LINKS[0] + LINKS[1] - distance, distance - abs(LINKS[0] - LINKS[1]))
+    reached = ~np.isnan(planar_arm.inverse(line, LINKS, unreachable="nan")[:, 0, 0])
     off = np.hypot(*(hand - wanted)[:, :2].T)
     speed = np.linalg.norm(rates, axis=1)
-    return np.column_stack([off, hand[:, 2], speed, np.where(room < 0, np.nan, room)])
+    return np.column_stack([off, hand[:, 2], speed, np.where(reached, room, np.nan)])
 
 
 def elbows_readouts(x, y, phi):
@@ -71,13 +73,13 @@ def elbows_readouts(x, y, phi):
     return np.column_stack([wrist, both.reshape(-1, 6), missed])
 
 
-def wrong_arm_readouts(*columns):
-    """apart, turned."""
+def wrong_arm(*columns):
+    """How the hand has moved from the start, and how its program believes: (n, 3) each."""
     m26, m27, m28, m29, m36, m37 = (column > 0.5 for column in columns[:6])
     phi_dot, t = columns[6:]
     theta = np.tile(np.radians([15, 90, -20]), (len(t), 1))
     twist = np.column_stack([np.full_like(t, -0.15), 0 * t, phi_dot])
-    wanted = planar_arm.forward(theta, LINKS) + twist * t[:, None]
+    start = planar_arm.forward(theta, LINKS)
     for _ in range(24):
         J = planar_arm.jacobian(theta, LINKS)
         x, y = (LINKS * part(theta.cumsum(axis=1)) for part in (np.cos, np.sin))
@@ -90,14 +92,58 @@ def wrong_arm_readouts(*columns):
         rates = np.linalg.solve(wrong, twist[:, :, None])
         rates[m29] = J[m29] @ twist[m29, :, None]
         theta = theta + rates[:, :, 0] * t[:, None] / 24
-    off = planar_arm.forward(theta, LINKS) - wanted
+    return planar_arm.forward(theta, LINKS) - start, twist * t[:, None]
+
+
+def wrong_arm_readouts(*columns):
+    """apart, turned."""
+    real, believed = wrong_arm(*columns)
+    off = believed - real
     return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
+
+
+def stays_but_turns(*columns):
+    """In its place, but turned."""
+    apart, turned = wrong_arm_readouts(*columns).T
+    return (apart < 0.01) & (turned < np.radians(-2))
+
+
+def leaves_the_line(*columns):
+    """At the end of the drive."""
+    real, believed = wrong_arm(*columns[:7], 0 * columns[7] + 2)
+    return np.abs(real - believed)[:, 1] > 0.05
+
+
+def too_far_clockwise(*columns):
+    """It moves to the left, so too far is too small an x."""
+    real, believed = wrong_arm(*columns)
+    return (columns[6] > -1e-9) | (real[:, 0] < believed[:, 0] - 0.005)
+
+
+def too_short_clockwise(*columns):
+    """It moves to the left, so too short is too large an x."""
+    real, believed = wrong_arm(*columns)
+    return (columns[6] > -1e-9) | (real[:, 0] > believed[:, 0] + 0.005)
+
+
+def stays_behind(*columns):
+    """It should move to the left."""
+    real, believed = wrong_arm(*columns)
+    return real[:, 0] > believed[:, 0] + 0.05
+
+
+def goes_across(*columns):
+    """At right angles to where it should go."""
+    real, believed = wrong_arm(*columns)
+    along = np.sum(real[:, :2] * believed[:, :2], axis=1)
+    return np.abs(along) < 0.05 * np.sum(believed[:, :2] ** 2, axis=1)
 
 
 AT_END = {"t": DURATION}
 STRETCHED, FOLDED = {"theta2": 0.0}, {"theta2": np.pi}
 OUT = {**AT_END, "line_x": 0.85, "line_y": 0.7, "damping": 0.05}
 BACK = {**AT_END, "line_x": -0.4, "line_y": 0.0, "damping": 0.05}
+IN_THE_HOLE = {"line_x": 0.2, "line_y": 0.0}
 CLOSED_LOOP = {**AT_END, "gain": 2.0, "n": 30, "damping": 0.05}
 
 READOUTS = {
@@ -118,6 +164,8 @@ SPECIALS = {
         {"theta2": np.radians(-2)},
     ],
     "arm-line": [
+        IN_THE_HOLE,
+        {**IN_THE_HOLE, **AT_END, "damping": 0.05},
         OUT,
         BACK,
         {**OUT, **CLOSED_LOOP},
@@ -135,7 +183,17 @@ SPECIALS = {
         {"x": 0.9, "y": 0.9},
         {"phi_hand": np.pi / 2},
     ],
-    "wrong-arm": [{"phi_dot": 0.0}, {"mistake": "It goes too far", "phi_dot": 0.6}],
+    "wrong-arm": [{"phi_dot": 0.0}, {"mistake": "It stays behind", "phi_dot": 0.6}],
+}
+TITLES = {
+    "wrong-arm": {
+        "In its place, but turned": stays_but_turns,
+        "It leaves the line": leaves_the_line,
+        "Too far if clockwise": too_far_clockwise,
+        "It stays behind": stays_behind,
+        "Too short if clockwise": too_short_clockwise,
+        "It goes off at right angles": goes_across,
+    }
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("arm-joints", STRETCHED, "near", "0: singular"),
@@ -143,6 +201,7 @@ WORDS = [  # figure, slider → what it shows, readout → its word
     ("arm-joints", FOLDED, "near", "0: singular"),
     ("arm-joints", {"theta2": np.radians(4)}, "near", "below 0.1: nearly singular"),
     ("arm-line", {"line_x": 0.85, "line_y": 0.6}, "room", "out of reach"),
+    ("arm-line", IN_THE_HOLE, "room", "out of reach"),
     ("arm-elbows", {"x": 0.9, "y": 0.9}, "solid1", "out of reach"),
     ("arm-elbows", {"x": 0.2, "y": 0.0}, "dashed3", "out of reach"),
 ]

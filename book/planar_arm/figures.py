@@ -335,7 +335,8 @@ def line_figure() -> Figure:
         turned = put_in(arm.forward.right[2], of_angles(last))
         busy = sqrt(sum(rate**2 for rate in end[4:]))
         reach = sqrt((line_x - l3) ** 2 + line_y**2)
-        room = Piecewise((l1 + l2 - reach, reach <= l1 + l2), (nan, True))
+        room = Min(l1 + l2 - reach, reach - Abs(l1 - l2))  # from both edges of the workspace
+        room = Piecewise((room, room >= 0), (nan, True))
     return Figure(
         name="arm-line",
         title="An arm follows a straight line, step by step",
@@ -351,7 +352,10 @@ def line_figure() -> Figure:
         ),
         where=tuple(at_step(t * n / DURATION, last)[:2]),
         scene=(
-            Curve("ghost", (l3 + (l1 + l2) * cos(s), (l1 + l2) * sin(s)), s, 0, 2 * pi),
+            *(
+                Curve("ghost", (l3 + edge * cos(s), edge * sin(s)), s, 0, 2 * pi)
+                for edge in (l1 + l2, Abs(l1 - l2))
+            ),
             Line("icr", (begin, (line_x, line_y))),
             Line("path", (BASE, elbow, wrist, hand)),
             Trail("approximation", now, loop, dots=False),
@@ -368,7 +372,7 @@ def line_figure() -> Figure:
             Readout("rates", "size of the joint rates", busy, "rad/s"),
             Readout(
                 "room",
-                "end of the line inside the reach by",
+                "end inside the workspace by",
                 room,
                 "m",
                 words={"nan": "out of reach"},
@@ -377,7 +381,7 @@ def line_figure() -> Figure:
         says=(
             "After {t} of 4 s, in steps of which {n} make the line, with feedback {gain} and "
             "damping {damping}, the hand is {off} off the wanted point and turned by {turned}; "
-            "the joint rates are {rates}. End of the line inside the reach by: {room}."
+            "the joint rates are {rates}. End of the line inside the workspace by: {room}."
         ),
     )
 
@@ -451,11 +455,11 @@ def elbows_figure() -> Figure:
 SET_OFF = (pi / 12, pi / 2, -pi / 9)  # rad
 SPEED, LASTS, TIMES = -0.15, 2.0, 24  # m/s along x; s; how often the joint rates are computed
 MADE = {  # title → mistake
-    "Its hand turns wrongly": M26,
+    "In its place, but turned": M26,
     "It leaves the line": M27,
-    "It goes too far": M28,
-    "It goes the wrong way": M29,
-    "It hardly moves": M36,
+    "Too far if clockwise": M28,
+    "It stays behind": M29,
+    "Too short if clockwise": M36,
     "It goes off at right angles": M37,
 }
 MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
@@ -511,11 +515,11 @@ def mistakes_figure() -> Figure:
         ),
         readouts=(
             Readout("apart", "hands apart", apart(real[2], (x, y)), "m"),
-            Readout("turned", "hand turned too far by", sum(end) - phi_hand, "rad", digits=0),
+            Readout("turned", "hand's heading off by", phi_hand - sum(end), "rad", digits=0),
         ),
         says=(
-            "{mistake}: after {t} the hand is {apart} from where its program believes it, and has "
-            "turned {turned} too far."
+            "{mistake}: after {t} the hand is {apart} from where its program believes it. Its "
+            "heading is off by {turned}."
         ),
     )
 

@@ -67,7 +67,9 @@ whole_J = sign("J", "the Jacobian")
 det_J = sign("det_J", "determinant of the Jacobian", r"\det J")
 identity = sign("I", "the identity matrix")
 theta_dot = sign("theta_dot", "the joint rates, a column", r"\dot\theta", code="rates")
-p_dot = sign("p_dot", "the wanted twist of the hand", r"\dot{p}", code="wanted")
+p_dot = sign(
+    "p_dot", "the wanted velocity of the hand and its turning rate", r"\dot{p}", code="wanted"
+)
 u = sign("u", "joint rate along a single direction", unit="rad/s")
 sigma = sign("sigma", "by what the arm multiplies a rate in a single direction", r"\sigma")
 v = sign("v", "velocity that is wanted in a single direction", unit="m/s")

@@ -56,7 +56,8 @@ M19 = Mistake(
     picture=Picture(
         "wrong-rates",
         "It moves to the wrong side",
-        "The robot drives down to the right. Its program believes that it drives up.",
+        "The robot moves to one side of its heading. Its program believes that it moves to the "
+        "other side.",
     ),
     document="002",
     place="the proof of the rolling constraint, V_2",
@@ -75,9 +76,8 @@ M20 = Mistake(
     unnoticed="With θ = β or θ = −β (here: θ = 0), or when the robot does not turn.",
     picture=Picture(
         "wrong-rates",
-        "It turns too slowly",
-        "The robot has turned half as far as it should. Its program believes that it has turned "
-        "the whole way.",
+        "Its turning rate varies",
+        "The robot has turned by another angle than its program believes.",
     ),
     document="002",
     place="the end of the same proof",
@@ -97,8 +97,8 @@ M21 = Mistake(
     unnoticed="With a heading of 0 or 180°, and when the robot turns on the spot.",
     picture=Picture(
         "wrong-rates",
-        "It sets off in another direction",
-        "The robot drives down to the left. Its program believes that it drives up.",
+        "Its direction varies",
+        "The robot drives in another direction than its program believes.",
     ),
 )
 M34 = Mistake(

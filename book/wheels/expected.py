@@ -71,23 +71,59 @@ def omni_readouts(rate1, rate2, rate3, theta, t):
 
 def wrong_rates_readouts(*columns):
     """apart, turned."""
-    return np.array([of_mistake(*row) for row in zip(*columns, strict=True)])
+    real, believed = wrong_rates(*columns)
+    off = believed - real
+    return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
+
+
+def wrong_rates(*columns):
+    """Where the robot is, and where its program believes it to be: (n, 3) each."""
+    return np.array([of_mistake(*row) for row in zip(*columns, strict=True)]).swapaxes(0, 1)
 
 
 def of_mistake(m19, m20, m34, m35, m21, theta, t):
-    """How far the robot ends from where it is believed, and how much too far it turns."""
+    """Both poses, of a robot that starts at the origin."""
     wish, right = [-0.08, 0.12, -0.6], wheels.rolling(OMNI)
     minus, turning = 1 - 2 * np.array([0, m19, m34]), right[:, 2]
     column = turning * np.cos(theta) if m20 else 0.2 * right[:, 1] if m35 else turning
     wrong = np.column_stack([right[:, :2], column]) * minus
     seen = motion.to_body(-theta if m21 else theta, wish)
     twists = np.linalg.solve(right, wrong @ seen), motion.to_body(theta, wish)
-    real, believed = (motion.move([0, 0, theta], twist, t) for twist in twists)
-    return [np.hypot(*(real - believed)[:2]), (real - believed)[2]]
+    return [motion.move([0, 0, theta], twist, t) for twist in twists]
+
+
+def turns(*columns):
+    """By how much the robot turns, and by how much its program believes."""
+    return [pose[:, 2] - columns[5] for pose in wrong_rates(*columns)]
+
+
+def directions(*columns):
+    """In which direction it sets off, and in which its program believes: unit vectors, (n, 2)."""
+    soon = [pose[:, :2] for pose in wrong_rates(*columns[:6], 0 * columns[6] + 1e-6)]
+    return [way / np.linalg.norm(way, axis=1, keepdims=True) for way in soon]
+
+
+def other_side(*columns):
+    """Of the line along which the robot looks."""
+    across = np.column_stack([-np.sin(columns[5]), np.cos(columns[5])])
+    real, believed = (np.sum(way * across, axis=1) for way in directions(*columns))
+    return real * believed < 0
+
+
+def depends_on_heading(numbers):
+    """The first ones, where the second ones do not."""
+    real, believed = (np.ptp(each, axis=0).max() for each in numbers)
+    return real > 0.5 and believed < 1e-5
+
+
+def other_turn(*columns):
+    real, believed = turns(*columns)
+    return real * believed < 0
 
 
 CAR, TWO = {"robot": "car"}, {"robot": "two steered wheels, castors"}
 DRIVE = {"robot": "differential drive, castor"}
+TURNING = "Its turning rate varies"
 RATES = ("omni_rate1", "omni_rate2", "omni_rate3")
 
 READOUTS = {
@@ -116,6 +152,15 @@ SPECIALS = {
         dict(zip(RATES, rates, strict=True))
         for rates in ([2.0, 2.0, 2.0], [-4.0, 2.0, 2.0], [0.0, 3.0, -3.0], [0.0, 0.0, 0.0])
     ],
-    "wrong-rates": [{"theta": 0.0}, {"mistake": "It turns too slowly", "theta": QUARTER}],
+    "wrong-rates": [{"theta": 0.0}, {"mistake": TURNING, "theta": QUARTER}],
+}
+TITLES = {
+    "wrong-rates": {
+        "It moves to the wrong side": other_side,
+        TURNING: lambda *columns: depends_on_heading(turns(*columns)),
+        "It turns the other way": other_turn,
+        "It does not turn": lambda *columns: np.abs(turns(*columns)[0]) < 1e-9,
+        "Its direction varies": lambda *columns: depends_on_heading(directions(*columns)),
+    }
 }
 WORDS = []

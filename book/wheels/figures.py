@@ -470,10 +470,10 @@ def pulled(k: int) -> Any:
 WANTED = {x_dot: -0.08, y_dot: 0.12, theta_dot: -0.6}  # in the world, m/s and rad/s
 MADE = {  # title → mistake
     "It moves to the wrong side": M19,
-    "It turns too slowly": M20,
+    "Its turning rate varies": M20,
     "It turns the other way": M34,
     "It does not turn": M35,
-    "It sets off in another direction": M21,
+    "Its direction varies": M21,
 }
 MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
 REALLY = symbols("really_v really_vy really_omega")
@@ -521,10 +521,10 @@ def mistakes_figure() -> Figure:
         ),
         readouts=(
             Readout("apart", "apart", apart(real, believed), "m"),
-            Readout("turned", "turned too far by", real[2] - believed[2], "rad", digits=0),
+            Readout("turned", "heading off by", believed[2] - real[2], "rad", digits=0),
         ),
-        says="{mistake}: after {t} the robot is {apart} from where its program believes it, "
-        "and has turned {turned} too far.",
+        says="{mistake}: after {t} the robot is {apart} from where its program believes it. "
+        "The heading is off by {turned}.",
     )
 
 

@@ -80,7 +80,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "both-by-20",
-        "Both front wheels are turned by 20°. In how many ways can the car move?",
+        "Both front wheels are turned by 20°. In how many ways can the car move without sliding?",
         Buttons(
             ("none", "one", "two"),
             right=lambda: ways(20),

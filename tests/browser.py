@@ -7,7 +7,6 @@ the module): `site` (folder), `server` (address) and `chromium` (Playwright's br
 import functools
 import gzip
 import os
-import re
 import subprocess
 import sys
 import threading
@@ -19,8 +18,11 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
+import yaml
 from chromium import started
 from playwright.sync_api import expect
+
+from workshop.course import files
 
 ROOT = Path(__file__).resolve().parents[1]
 SITE = ROOT / "_build" / "html"
@@ -67,7 +69,7 @@ def wait_for(file):
 
 def listed():
     """The documents that the table of contents names, the first page first."""
-    return re.findall(r"^(?:root| *- file): (\S+)$", (ROOT / "_toc.yml").read_text("utf-8"), re.M)
+    return list(files(yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))))
 
 
 def pages(site):

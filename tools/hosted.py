@@ -55,7 +55,7 @@ def copy_all(address, folder):
 
 
 def main():
-    url = course().setting("repository_url").removesuffix(".git").rstrip("/")
+    url = course().settings["html_theme_options"]["repository_url"].removesuffix(".git").rstrip("/")
     if not url:
         print("no copies: repository_url in _config.yml is empty")
         return 0

@@ -8,7 +8,6 @@ a module holds under a name, also in a tuple or a dictionary, is declared. The p
 """
 
 import json
-import re
 from collections.abc import Iterator, Mapping
 from functools import cache, cached_property
 from importlib import import_module
@@ -17,6 +16,8 @@ from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any, TypeVar
+
+import yaml
 
 from workshop.errors import CourseError
 from workshop.looks import Look
@@ -67,23 +68,25 @@ class Course:
         """The chapters that have a notebook; what chapters share has none."""
         return [chapter for chapter in self.chapters if self.notebook(chapter).exists()]
 
-    def _beside(self, name: str) -> str | None:
-        """The text of a file that stands beside the package or, installed, in it."""
+    def _beside(self, name: str) -> dict[str, Any]:
+        """A YAML file that stands beside the package or, installed, in it; {} if there is none."""
         places = (self.folder.parent / name, self.folder / name)
-        return next((p.read_text(encoding="utf-8") for p in places if p.exists()), None)
+        texts = (place.read_text(encoding="utf-8") for place in places if place.exists())
+        return yaml.safe_load(next(texts, "")) or {}
 
     def _listed(self) -> list[str]:
         """The chapters of `_toc.yml`."""
-        text = self._beside("_toc.yml")
-        if text is None:
+        contents = self._beside("_toc.yml")
+        if not contents:
             raise CourseError(f"there is no _toc.yml beside {self.folder} or in it")
-        return re.findall(r"^\s*- file: (\w+)/\1\s*$", text, re.MULTILINE)
+        folders = [file.split("/") for file in files(contents)]
+        return [names[0] for names in folders if len(names) == 2 and names[0] == names[1]]
 
-    def setting(self, name: str) -> str:
-        """A text that `_config.yml` sets; "" where there is none."""
-        lines = re.findall(rf"^ +{name}:(.*)$", self._beside("_config.yml") or "", re.MULTILINE)
-        found = [re.match(r"""\s*(?:"(.*?)"|'(.*?)'|([^#]*))""", line) for line in lines[-1:]]
-        return next((match[match.lastindex or 0].strip() for match in found if match), "")
+    @cached_property
+    def settings(self) -> dict[str, Any]:
+        """What `_config.yml` sets for Sphinx."""
+        found: dict[str, Any] = self._beside("_config.yml").get("sphinx", {}).get("config", {})
+        return found
 
     def notebook(self, chapter: str) -> Path:
         """A chapter's notebook; what chapters share has none."""
@@ -141,6 +144,17 @@ class Course:
                         )
             self._declared[part, kind] = found
         return self._declared[part, kind]
+
+
+def files(contents: Any) -> Iterator[str]:
+    """The documents that a table of contents names, in order."""
+    if isinstance(contents, list):
+        for entry in contents:
+            yield from files(entry)
+    elif isinstance(contents, dict):
+        yield from (contents[key] for key in ("root", "file") if key in contents)
+        for key in ("parts", "chapters", "sections"):
+            yield from files(contents.get(key))
 
 
 def held(module: ModuleType, kind: type[T]) -> Iterator[T]:

@@ -35,7 +35,7 @@ WIDGETS = {
 }
 COURSE = {  # our packages, by what is imported; the first alone needs little
     "robokin": ("numpy",),
-    "workshop": ("anywidget", "ipywidgets", "mpmath", "numpy", "sympy"),
+    "workshop": ("anywidget", "ipywidgets", "mpmath", "numpy", "pyyaml", "sympy"),
     "book": ("matplotlib", "robokin", "robokin-workshop"),
 }
 

@@ -298,4 +298,4 @@ def topics() -> list[str]:
 
 def default_salt() -> str:
     """The name that the site's settings give the course, or its own."""
-    return course().setting("course_name") or course().name
+    return str(course().settings.get("course_name") or course().name)

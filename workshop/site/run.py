@@ -21,7 +21,10 @@ from workshop.site.files import wheel_name, write_static
 NEEDED = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
 LOCK = "pyodide-lock.json"
 # what chapters and JupyterLite's kernel load, with what that needs
-PACKAGES = ("numpy", "sympy", "matplotlib", "ipython", "jedi", "micropip", "typing-extensions")
+PACKAGES = (
+    *("numpy", "pyyaml", "sympy", "matplotlib"),
+    *("ipython", "jedi", "micropip", "typing-extensions"),
+)
 FOLDER = "python"  # in `_static`, if the site has Python itself
 
 

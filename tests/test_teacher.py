@@ -347,7 +347,10 @@ def test_key_roster_and_old_grades_are_no_answers(keyed, capsys):
     (keyed / "answers-Ada.csv").write_text(saved("Ada", {ONE: "7"}))
     assert run("grade", ".", "--key", "key.csv") == 1
     told = capsys.readouterr()
-    assert "tables that are no answers, left out: 1\n  roster.csv: roster" in told.err
+    assert (
+        "tables that are no answers, left out: 1\n  roster.csv: columns student, 2 lines"
+        in told.err
+    )
     assert set(results().values()) == {"wrong", "missing"}
     for old in ("grades.csv", "key.csv"):
         (keyed / f"old-{old}").write_bytes((keyed / old).read_bytes())
@@ -356,12 +359,9 @@ def test_key_roster_and_old_grades_are_no_answers(keyed, capsys):
     assert run("grade", ".", "--key", "key.csv", "--out", "second.csv") == 1
     told = capsys.readouterr().err
     assert "tables that are no answers, left out: 7" in told
-    kinds = {row["file"]: row["comment"].partition(",")[0] for row in table("second-problems.csv")}
-    assert kinds["old-grades.csv"] == kinds["grades.csv"] == "grades"
-    assert kinds["old-key.csv"] == "key"
-    assert kinds["grades-mistakes.csv"] == "mistakes"
-    assert kinds["grades-problems.csv"] == "problems"
-    assert kinds["grades-students.csv"] == "students' totals"
+    told_of = {row["file"]: row["comment"] for row in table("second-problems.csv")}
+    assert told_of["old-key.csv"].startswith("columns kind, course, version, student, exercise")
+    assert told_of.keys() >= {f"grades-{n}.csv" for n in ("mistakes", "problems", "students")}
     assert "unpack archives" in told
     assert (keyed / "second.csv").read_bytes() == (keyed / "grades.csv").read_bytes()
 
@@ -442,7 +442,7 @@ def test_one_bad_file_does_not_stop_the_others(keyed, capsys):
     (keyed / "answers" / "empty.csv").write_text("")
     (keyed / "answers" / "sheet.xlsx").write_bytes(b"PK")
     (keyed / "answers" / "odd.csv").write_bytes(b"\xff" * 3_000_000 + b"\n\0")
-    open_quote = f'{HEADING}\nAda,{ONE},"0.5\nAda,differential-drive-2,"1, 2"'
+    open_quote = f'{HEADING}\nAda,{ONE},"0.5\nAda,{ONE},"1, 2"\nAda,differential-drive-2,"1, 2"'
     (keyed / "answers" / "open.csv").write_text(open_quote)
     for force in ((), ("--force",)):  # a second time, with the first grades beside the answers
         out = keyed / "answers" / "grades.csv"
@@ -451,9 +451,10 @@ def test_one_bad_file_does_not_stop_the_others(keyed, capsys):
         assert "empty.csv" in told.err
         assert "sheet.xlsx: .xlsx: unpack archives, save spreadsheets as CSV" in told.err
         assert "open.csv, line 2: a quotation mark is not closed" in told.err
+        assert "read on after line 3" in told.err
         graded = {(r["student"], r["exercise"]): r["answer"] for r in table(out)}
         assert graded["Bob", ONE] == "7"
-        assert graded["Ada", "differential-drive-2"] == "1, 2"  # the line after the open quotation
+        assert graded["Ada", "differential-drive-2"] == "1, 2"
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """What students handed in, out of files and folders in which everything may lie.
 
-A table says what it is in its column `kind`; older ones and those of a teacher's own are known by
-their columns. Of several answers the newest counts, by the time that stands with it.
+A table is known by its columns. Of several answers the newest counts, by the time that stands
+with it.
 """
 
 import re
@@ -19,15 +19,7 @@ from workshop.practice.bank import exercises
 Person = tuple[str, str]  # a student, as names are compared, and an exercise
 
 ANSWERS = ("student", "exercise", "answer")
-KINDS = (  # columns that only this kind has
-    ({"numbers"}, "key"),
-    ({"problem"}, "problems"),
-    ({"result"}, "grades"),
-    ({"missing"}, "students' totals"),
-    ({"mistake", "students"}, "mistakes"),
-    (set(ANSWERS), "answers"),
-    ({"student"}, "roster"),
-)
+OURS = {"numbers", "problem", "result"}  # columns of a key, of problems and of grades
 OF_A_SYSTEM = re.compile(  # what it leaves behind; a hidden table is an answer like any other
     r"\._|\.(?!.*\.(csv|tsv|txt)$)|~\$|__MACOSX$|(Thumbs\.db|desktop\.ini)$", re.IGNORECASE
 )
@@ -109,15 +101,14 @@ class Collected:
         others, before = Counter[str](), self.problems.counts.total()
         try:
             for line, row in tables.rows(path, self.problems):
-                kind = row.get("kind") or _kind(tuple(row))
-                if kind == "answers" and row.keys() >= set(ANSWERS):
+                if row.keys() >= set(ANSWERS) and not row.keys() & OURS:
                     self._take(path, line, row)
                 else:
-                    others[f"{kind or 'of no kind known here'}, columns {', '.join(row)}"] += 1
+                    others[", ".join(row)] += 1
         except CourseError as error:
             self.problems.note("files that cannot be read", path, comment=str(error))
-        for kind, count in others.items():
-            words = f"{kind}, {count:,} lines"
+        for columns, count in others.items():
+            words = f"columns {columns}, {count:,} lines"
             self.problems.note("tables that are no answers, left out", path, comment=words)
         if path not in self.files and self.problems.counts.total() == before:
             self.problems.note("files without an answer", path)
@@ -181,12 +172,6 @@ class Collected:
 
 def _listed(names: set[str]) -> str:
     return ", ".join(map(repr, sorted(names)))
-
-
-@lru_cache
-def _kind(columns: tuple[str, ...]) -> str:
-    """What a table with these columns is; "" if it is none of ours."""
-    return next((name for own, name in KINDS if own <= set(columns)), "")
 
 
 def collect(

@@ -1,28 +1,26 @@
 """Tables as CSV: written so that a spreadsheet shows them as they are, read whatever wrote them."""
 
 import csv
-import io
 import re
-from collections import Counter, deque
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 from typing import TextIO
 
 from workshop.errors import CourseError
 
 Row = dict[str, str]
-Line = tuple[int, str]
 Write = Callable[[Sequence[object]], object]
 
 NUMBER = r"[+-]?[\d.]+"
-FORMULA = r"'*[=+\-@\t\r]"  # what a spreadsheet takes for the start of a formula, or was guarded
+FORMULA = r"'*[=+\-@\t\r\n]"  # what a spreadsheet takes for the start of a formula, or was guarded
 UTF_16 = (b"\xff\xfe", b"\xfe\xff")
-LONG = 1 << 20  # bytes of a line: what is longer is read in pieces, none of which is a row
+UNDECODED = re.compile("[\udc80-\udcff]")
 NOT_CSV = (
     f"a quotation mark is not closed, or a cell has over {csv.field_size_limit():,} characters"
 )
-LINES = 5  # of a cell in quotation marks: an open one must not swallow other students' rows
 PROBLEMS = ("problem", "file", "line", "student", "exercise", "answer", "comment")
 
 
@@ -127,25 +125,37 @@ def rows(path: Path, problems: Problems, needed: Sequence[str] = ()) -> Iterator
 
     Bad lines are noted, not fatal. Where tables were joined, a heading may stand anywhere.
     """
-    lines, heading, delimiter = _Lines(path, problems), list[str](), ","
-    for number, text in lines:
-        if not text.strip() or text.lower().startswith("sep="):  # a spreadsheet's own remark
+    lines, first = _lines(path), list[str]()
+    for text in lines:
+        first.append(text)
+        if text.strip():
+            break
+    reader = csv.reader(
+        chain(first, lines), delimiter=max(",;\t", key="".join(first).count), strict=True
+    )
+    heading = list[str]()
+    while True:
+        number = reader.line_num + 1
+        try:
+            cells = next(reader)
+        except StopIteration:
+            break
+        except csv.Error:
+            words = f"{NOT_CSV}; read on after line {reader.line_num}"
+            problems.note("lines that are no CSV", path, number, words)
             continue
-        # a heading is whole in its line; of an answer in several the others would be lost
-        if not heading or ("student" in text.lower() and text.count('"') % 2 == 0):
-            mark = max(",;\t", key=text.count)
-            names = [name.strip().lower() for name in lines.cells(number, text, mark) or ()]
-            if not heading or {"student", "exercise"} <= set(names):
-                heading, delimiter = names, mark
-                _require(path, needed, heading)
-                continue
-        cells = lines.cells(number, text, delimiter, len(heading))
-        if cells is None:
-            problems.note("lines that are no CSV", path, number, NOT_CSV)
+        names = [cell.strip().lower() for cell in cells]
+        if not any(names):
+            continue
+        if not heading or {"student", "exercise"} <= set(names):
+            heading = names
+            _require(path, needed, heading)
+        elif any(map(UNDECODED.search, cells)):
+            problems.note("lines not in UTF-8: save the file as CSV UTF-8", path, number)
         elif len(cells) != len(heading):
             words = f"{len(cells)} cells, the heading has {len(heading)}"
             problems.note("lines with more or fewer cells than the heading", path, number, words)
-        elif any(map(str.strip, cells)):
+        else:
             values = (unguarded(cell).strip() for cell in cells)
             yield number, dict(zip(heading, values, strict=True))
     if not heading:
@@ -161,67 +171,15 @@ def _require(path: Path, needed: Sequence[str], heading: Sequence[str]) -> None:
         )
 
 
-class _Lines:
-    """The lines of a file with their numbers; a row may take several of them."""
-
-    def __init__(self, path: Path, problems: Problems) -> None:
-        self._lines = _decoded(path, problems)
-        self._waiting = deque[Line]()
-
-    def __iter__(self) -> Iterator[Line]:
-        return self
-
-    def __next__(self) -> Line:
-        return self._waiting.popleft() if self._waiting else next(self._lines)
-
-    def cells(
-        self, number: int, text: str, delimiter: str, width: int | None = None
-    ) -> list[str] | None:
-        """The cells of the row that starts in this line; None if it is no CSV.
-
-        What was read ahead for a quotation mark that is never closed is given back.
-        """
-        taken = [(number, text)]
-        while len(taken) < LINES and sum(line.count('"') for _, line in taken) % 2:
-            try:
-                taken.append(next(self))
-            except StopIteration:
-                break
-        reader = csv.reader((line for _, line in taken), delimiter=delimiter, strict=True)
-        try:
-            cells, used = next(reader, []), reader.line_num
-        except csv.Error:
-            cells, used = None, 1
-        if used > 1 and width not in (None, len(cells or ())):
-            cells, used = None, 1
-        self._waiting.extendleft(reversed(taken[used:]))
-        return cells
-
-
-def _decoded(path: Path, problems: Problems) -> Iterator[Line]:
-    """The lines as text. One that is not UTF-8 is noted and left out."""
+def _lines(path: Path) -> Iterator[str]:
+    """The lines as text; what is not UTF-8 is kept as surrogates."""
     try:
         with path.open("rb") as file:
-            if file.read(2) in UTF_16:
-                file.seek(0)
-                text = io.TextIOWrapper(file, "utf-16", errors="replace", newline="")
-                yield from enumerate(text, start=1)
-                return
-            file.seek(0)
-            pieces = iter(lambda: file.readline(LONG), b"")
-            lines = (line for piece in pieces for line in piece.splitlines(keepends=True))
-            blank = True
-            for number, line in enumerate(lines, start=1):
-                try:
-                    text_of_line = line.decode("utf-8")
-                except UnicodeDecodeError:
-                    problems.note("lines not in UTF-8: save the file as CSV UTF-8", path, number)
-                    if not blank:
-                        continue
-                    # a heading with an odd letter still names the other columns
-                    text_of_line = line.decode("latin-1")
-                text_of_line = text_of_line.replace("\0", "").replace("\ufeff", "")
-                blank = blank and not text_of_line.strip()
-                yield number, text_of_line
+            encoding = "utf-16" if file.read(2) in UTF_16 else "utf-8"
+        errors = "replace" if encoding == "utf-16" else "surrogateescape"
+        with path.open(encoding=encoding, errors=errors) as text:
+            for line in text:
+                remark = line.lower().startswith("sep=")  # a spreadsheet's own
+                yield "\n" if remark else line.replace("\0", "").replace("\ufeff", "")
     except OSError as error:
         raise CourseError(f"{path} cannot be read: {error.strerror}") from error

@@ -30,7 +30,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     names = dict.fromkeys(FIGURE.findall(body))
     told = {
         "workshopFigures": [Code(figures()[name].code) for name in names],
-        "workshopSymbols": symbols_told(page, body),
+        "workshopSymbols": symbols_told(page),
     }
     if any(told.values()):
         file = f"pages/{page.replace('/', '-')}.js"

@@ -1,7 +1,7 @@
 """One symbol, one thing: the faces of a symbol on a page light up together, and a note names it.
 
-`lexicon` finds a chapter's symbols in TeX, `page` marks them in its formulas and its code. Figures
-mark their own.
+`lexicon` finds a chapter's symbols in TeX, `page` marks them in its formulas, the script in its
+code. Figures mark their own.
 """
 
 from workshop.script.runtime import Part, register

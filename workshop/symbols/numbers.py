@@ -5,10 +5,10 @@ gets parentheses where its sign would meet another one. Angles are in degrees, a
 them, but where they meet other quantities: there they are in radians.
 """
 
-import re
 from collections.abc import Callable, Mapping
 from functools import cache
 from html import escape
+from html.parser import HTMLParser
 from typing import Any
 
 import sympy as sp
@@ -26,10 +26,6 @@ Numbers = Mapping[str, Mapping[str, Any]]
 AT_START = """((figure, {numbers, startState, settings, compute}) => numbers(
   figure, startState(figure), compute(figure, settings(figure, startState(figure)))
 ))"""
-# what KaTeX makes of a slot: its attributes, and what stands in it
-SLOT = re.compile(
-    r'(<span class="enclosing[^"]*"([^>]* data-of="([^"]+)"[^>]*)>)<span.*?</span></span>'
-)
 
 
 def at_start(figure: Figure) -> Numbers:
@@ -159,11 +155,48 @@ def in_degrees(e: Any) -> bool:
 
 def fill(html: str, find: Callable[[str], Figure]) -> str:
     """Write into the slots of a page what their figures show before they are touched."""
-    start = cache(lambda name: at_start(find(name)))
+    page = _Page(cache(lambda name: at_start(find(name))))
+    page.feed(html)
+    page.close()
+    return "".join(page.text)
 
-    def filled(slot: re.Match[str]) -> str:
-        flags = dict(re.findall(r'data-(\w+)="([^"]+)"', slot[2]))
-        text = engine.call("workshop.symbols.slotText", start(slot[3])[flags["symbol"]], flags)
-        return f"{slot[1]}{escape(str(text))}</span>"
 
-    return SLOT.sub(filled, html)
+class _Page(HTMLParser):
+    """A page, piece by piece as it was, but for what stands in a slot."""
+
+    def __init__(self, numbers: Callable[[str], Numbers]) -> None:
+        super().__init__(convert_charrefs=False)
+        self.numbers, self.text, self.depth = numbers, list[str](), 0  # depth: in a slot
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._write(self.get_starttag_text() or "")
+        flags = {name.removeprefix("data-"): value or "" for name, value in attrs}
+        if not self.depth and "of" in flags:
+            number = self.numbers(flags["of"])[flags["symbol"]]
+            self._write(escape(engine.call("workshop.symbols.slotText", number, flags)))
+            self.depth = 1
+        elif self.depth:
+            self.depth += 1
+
+    def handle_endtag(self, tag: str) -> None:
+        self.depth -= bool(self.depth)
+        self._write(f"</{tag}>")
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._write(self.get_starttag_text() or "")
+
+    def handle_data(self, data: str) -> None:
+        self._write(data)
+
+    def handle_entityref(self, name: str) -> None:
+        self._write(f"&{name};")
+
+    def handle_charref(self, name: str) -> None:
+        self._write(f"&#{name};")
+
+    def handle_comment(self, data: str) -> None:
+        self._write(f"<!--{data}-->")
+
+    def _write(self, piece: str) -> None:
+        if not self.depth:
+            self.text.append(piece)

@@ -1,8 +1,7 @@
-"""What the site does to a chapter's page: formulas and code carry the keys of their symbols."""
+"""What the site does to a chapter's page: its formulas carry the keys of their symbols."""
 
 import re
 from functools import cache
-from html import escape, unescape
 from typing import Any
 
 from docutils import nodes
@@ -41,27 +40,18 @@ def names_an_axis(node: nodes.Element) -> bool:
     return bool(AXIS_BEHIND.match(behind) or AXIS_BEFORE.search(before))
 
 
-def mark_page(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """Names in a chapter's code get their symbols, and formulas the numbers of their figures."""
-    chapter = page.partition("/")[0]
-    if not doctree or chapter not in course().taught:
-        return
-    known = by_name(chapter)
-    body = re.sub(
-        r'<span class="n">(\w+)</span>',
-        lambda found: named(found, known[found[1]], chapter) if found[1] in known else found[0],
-        context["body"],
-    )
-    context["body"] = fill(body, find)
+def fill_slots(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
+    """The formulas of a chapter's page get the numbers of their figures."""
+    if doctree and page.partition("/")[0] in course().taught:
+        context["body"] = fill(context["body"], find)
 
 
-def symbols_told(page: str, body: str) -> dict[str, list[str]]:
-    """What the page says of each symbol in it, by key."""
+def symbols_told(page: str) -> dict[str, list[str]]:
+    """What a chapter's page says of its symbols, by key."""
     chapter = page.partition("/")[0]
     if chapter not in course().taught:
         return {}
-    used = {unescape(key) for key in re.findall(r'data-symbol="([^"]+)"', body)}
-    return {s.key: facts(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key in used}
+    return {symbol.key: facts(symbol, chapter) for symbol in lexicon.symbols_of(chapter).values()}
 
 
 @cache
@@ -74,21 +64,15 @@ def by_name(chapter: str) -> dict[str, NamedSymbol]:
     return {name: alike[0] for name, alike in found.items() if name in names and len(alike) == 1}
 
 
-def named(found: re.Match[str], symbol: NamedSymbol, chapter: str) -> str:
-    """A name in highlighted code, with its symbol."""
-    kind = look(symbol, chapter)
-    shown = f' data-look="{kind}"' if kind else ""
-    return f'<span class="n" data-symbol="{escape(symbol.key)}"{shown}>{found[1]}</span>'
-
-
 def facts(symbol: NamedSymbol, chapter: str) -> list[str]:
-    """What the note says of a symbol: letter, meaning, unit; and the look of the letter.
+    """What the script knows of a symbol: letter, meaning, unit, look, name in highlighted code.
 
     What a figure alone knows has a word for a letter, which no reader has seen.
     """
-    kind, letter = look(symbol, chapter), symbol_text(symbol)
+    letter, names = symbol_text(symbol), by_name(chapter)
     shown = "" if letter == symbol.name and re.match("[a-z]{3}", letter) else letter
-    return [shown, symbol.meaning, symbol.unit, *([kind] if kind else [])]
+    code = symbol.code if names.get(symbol.code) == symbol else ""
+    return [shown, symbol.meaning, symbol.unit, look(symbol, chapter), code]
 
 
 def rules() -> str:

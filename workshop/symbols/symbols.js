@@ -20,8 +20,17 @@ const fillSlots = ({ name, numbers }) => {
   }
 };
 
+// The names in the code that stand for a symbol.
+const markNames = () => {
+  const known = new Map(Object.entries(workshopSymbols).map(([symbol, [, , , look, code]]) =>
+    [code, look ? { symbol, look } : { symbol }]));
+  for (const name of document.querySelectorAll(".highlight .n")) {
+    Object.assign(name.dataset, known.get(name.textContent));
+  }
+};
+
 const write = () => {
-  const [letter, meaning, unit, kind = ""] = workshopSymbols[lit.key], number = numberOf(lit);
+  const [letter, meaning, unit, kind] = workshopSymbols[lit.key], number = numberOf(lit);
   note.innerHTML = `<b data-look="${kind}">${symbols(letter)}</b> ${symbols(meaning)}`
     + (number ? `: <span>${escaped(number)}</span>` : unit ? ` (${escaped(unit)})` : "");
 };
@@ -60,6 +69,7 @@ const light = (face, by) => {
 
 const onPage = () => {
   if (!globalThis.workshopSymbols) return;
+  markNames();
   document.body.insertAdjacentHTML("beforeend", `<div class="rk-named" role="status" hidden></div>`);
   note = document.body.lastElementChild;
   rule = document.head.appendChild(document.createElement("style"));

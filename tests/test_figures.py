@@ -491,42 +491,6 @@ def test_a_trail_is_a_line_with_dots():
     assert len(re.findall(r"M[\d.]+ [\d.]+L[^\"]*L[^\"]*L", drawn)) == 1
 
 
-CASES = Choice("which", "which", (a,), {"small": (0.1,), "large": (0.9,)}, start="small")
-COUNT = Slider(a, 1, 5, start=2, step=1)
-
-
-@pytest.mark.parametrize(
-    ("control", "values", "message"),
-    [
-        (None, {"x": 1.1}, "x must be a number from 0.0 to 1.0, got 1.1"),
-        (None, {"x": np.nan}, "x must be a number from 0.0 to 1.0, got nan"),
-        (None, {"x": "far"}, "x must be a number from 0.0 to 1.0, got 'far'"),
-        (None, {"b": 1}, "no control 'b'; there are x"),
-        (CASES, {"which": "huge"}, "which must be one of small, large, got 'huge'"),
-        (COUNT, {"x": 2.5}, "x must be a whole number from 1 to 5, got 2.5"),
-    ],
-)
-def test_a_move_outside_is_refused(control, values, message):
-    figure = declared() if control is None else declared(controls=(control,), says="")
-    before = figure.values
-    with pytest.raises(CourseError, match=message):
-        figure.move(values)
-    assert figure.values == before
-
-
-@each_figure
-def test_values_are_read_and_set_from_python(figure):
-    assert figure.values == {key(c): c.start for c in figure.controls}
-    for first in figure.controls[:1]:
-        move_and_back(figure, first)
-
-
-def move_and_back(figure, first):
-    figure.move({key(first): ends(first)[0]})
-    assert figure.values[key(first)] == ends(first)[0]
-    figure.move({key(first): first.start})
-
-
 # --- Pictures in space ----------------------------------------------------------------------
 
 turn = sp.Symbol("turn")

@@ -24,8 +24,8 @@ SCREENSHOTS = ROOT / "_build" / "screenshots"
 
 # at the end of the notebook: one more figure, so that Python can be asked about it
 FIGURE = "mine = figures.drive_figure()\nmine"
-ASK = "mine.values['v_L']"
-TURN_BACK = "mine.move({'v_R': -mine.values['v_R']})"
+ASK = "mine.widget.state['v_L']"
+TURN_BACK = "mine.widget.state = {**mine.widget.state, 'v_R': -mine.widget.state['v_R']}"
 
 # before it an exercise, so that Python can be asked what was answered
 EXERCISE = 'box = practice.exercise("differential-drive-1", student="Ada")\nbox'

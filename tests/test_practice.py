@@ -516,7 +516,6 @@ def test_a_box_has_the_student_s_numbers(nobody):
     assert repr(box.check(box.variant.candidates[0].rows[0][0])) == judging.RIGHT
     practice.student(" Ada ")
     assert practice.exercise("differential-drive-1").variant is box.variant
-    assert box.another().variant is not box.variant
 
 
 def test_a_mistake_is_named(nobody):
@@ -537,7 +536,6 @@ def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
     box = practice.exercise("differential-drive-1", student="=Ada, 1")
     box.check("nonsense")
     box.check("-1/3")
-    box.another().check("5")
     path = practice.export(tmp_path / "answers.csv")
     [row] = table(path)
     wanted = {"student": "=Ada, 1", "exercise": "differential-drive-1", "answer": "-1/3"}

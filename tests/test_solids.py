@@ -226,15 +226,6 @@ def test_whole_turns_are_whole_numbers():
     assert pressed("X-y", 0.5)[9:] == [0, -1, 0, 0, 0.5, 2]
 
 
-@pytest.mark.parametrize("value", ["xw", "--x", "x-", 3, None])
-def test_presses_that_are_none_are_refused(value):
-    figure = turning()
-    with pytest.raises(CourseError, match="turns must be letters as in 'Zx-Y', got"):
-        figure.move({"turns": value})
-    figure.move({"turns": "Zx-Y"})
-    assert figure.values["turns"] == "Zx-Y"
-
-
 def test_a_matrix_stands_in_the_picture_with_its_columns_in_colour():
     svg = str(script.run(f"workshop.figures.svg({FIGURE.code}, [['Z', 1]])"))
     found = re.findall(r'style="fill:var\(--rk-(\w)_axis[^"]*font:600 13px[^"]*">([^<]+)<', svg)

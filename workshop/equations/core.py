@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from workshop.course import course, held
+from workshop.course import course
 from workshop.equations.printing import AGAIN, COMPUTED, both_sides, mimebundle
 from workshop.errors import CourseError
 
@@ -110,19 +110,6 @@ def _named(
     caller = sys._getframe(2)
     symbol.module, symbol.line = caller.f_globals["__name__"], caller.f_lineno
     return symbol
-
-
-def quantities(parts: Sequence[str] = ("formulas", "figures")) -> list[NamedSymbol]:
-    """All quantities that the course declares, each once, in the course's order."""
-    modules = [module for part in parts for module in course().modules(part).values()]
-    found: dict[NamedSymbol, NamedSymbol] = {}
-    for symbol in (s for module in modules for s in held(module, NamedSymbol)):
-        if found.setdefault(symbol, symbol) is not symbol:
-            raise CourseError(
-                f"{symbol} is declared twice: {found[symbol].place}, and line {symbol.line}; "
-                "choose another name for one of the two"
-            )
-    return list(found)
 
 
 def look(symbol: NamedSymbol, chapter: str = "") -> str:

@@ -1,7 +1,6 @@
 """A live figure: its declaration, its compiled form, and how a notebook shows it."""
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
@@ -149,11 +148,8 @@ class Figure:
 
     @cached_property
     def widget(self) -> Widget:
-        """What a notebook shows; its state are the settings."""
-        return widget("figures", self.code, self._start())
-
-    def _start(self) -> dict[str, Any]:
-        return {self.key_of(c): c.start for c in self.controls}
+        """What a notebook shows; its state are the settings in SI units, by name."""
+        return widget("figures", self.code, {self.key_of(c): c.start for c in self.controls})
 
     def _list(self) -> str:
         """All controls and readouts, for those who cannot see them."""
@@ -165,20 +161,6 @@ class Figure:
     def key_of(control: Control) -> str:
         """The name of a control in addresses, links and values."""
         return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
-
-    @property
-    def values(self) -> dict[str, Any]:
-        """The present settings in SI units, by name."""
-        return dict(self.widget.state)
-
-    def move(self, values: Mapping[str, Any]) -> None:
-        """Set some controls (SI units; a choice by its option's name)."""
-        known = {self.key_of(control): control for control in self.controls}
-        for key, value in values.items():
-            if key not in known:
-                raise CourseError(f"no control {key!r}; there are {', '.join(known)}")
-            _refuse_outside(key, value, known[key])
-        self.widget.state = {**self.widget.state, **values}
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """The widget; its name, by which a page finds it; for all others a still picture."""
@@ -224,19 +206,3 @@ def find(name: str) -> Figure:
             f"figures.py; there are {', '.join(figures())}"
         )
     return figures()[name]
-
-
-def _refuse_outside(key: str, value: Any, control: Control) -> None:
-    if isinstance(control, Turns):
-        if not (isinstance(value, str) and re.fullmatch("(-?[xyzXYZ])*", value)):
-            raise CourseError(f"{key} must be letters as in 'Zx-Y', got {value!r}")
-        return
-    if isinstance(control, Choice):
-        if value not in control.options:
-            raise CourseError(f"{key} must be one of {', '.join(control.options)}, got {value!r}")
-        return
-    whole = isinstance(control.step, int)
-    fits = isinstance(value, int if whole else int | float)
-    if not (fits and control.low <= value <= control.high):
-        allowed = f"a {'whole ' * whole}number from {control.low} to {control.high}"
-        raise CourseError(f"{key} must be {allowed}, got {value!r}")

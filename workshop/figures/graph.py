@@ -22,14 +22,13 @@ RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 class Graph:
     """A graph in a box of the picture, (x_low, x_high, y_low, y_high) in metres.
 
-    x, y: the ranges that it shows; words: along the two axes; log: both axes by powers of ten.
+    x, y: the ranges that it shows, by powers of ten; words: along the two axes.
     """
 
     box: tuple[float, float, float, float]
     x: Range
     y: Range
     words: tuple[str, str]
-    log: bool = True
 
     def at(self, pair: Place) -> Place:
         """Where the picture shows a point of the graph."""
@@ -39,9 +38,8 @@ class Graph:
 
     def x_of(self, place: Place) -> Expr:
         """The number on the x axis at a place of the picture."""
-        left, right, low, high = *self.box[:2], *map(self._scaled, self.x)
-        scaled = low + (high - low) * (place[0] - left) / (right - left)
-        return sp.Integer(10) ** scaled if self.log else scaled
+        left, right, low, high = *self.box[:2], *map(_power, self.x)
+        return sp.Integer(10) ** (low + (high - low) * (place[0] - left) / (right - left))
 
     def shapes(self) -> tuple[Area | Line | Label, ...]:
         """The frame, the numbers and the words."""
@@ -56,7 +54,7 @@ class Graph:
         y_ticks = (  # but the lowest, which would meet the first below the axis
             (left - 1.8 * beside, self.at((self.x[0], y))[1], y) for y in self._ticks(self.y)[1:]
         )
-        numbers = (Label("text", (p, q), self._told(x)) for p, q, x in (*x_ticks, *y_ticks))
+        numbers = (Label("text", (p, q), _told(x)) for p, q, x in (*x_ticks, *y_ticks))
         return (
             Area("grid", corners),
             Line("text", ((left, high), (left, low), (right, low))),
@@ -64,20 +62,20 @@ class Graph:
             *along,
         )
 
-    def _scaled(self, number: Expr) -> Expr:
-        return sp.log(number) / sp.log(10) if self.log else number
-
     def _share(self, number: Expr, ends: Range) -> Expr:
-        low, high = map(self._scaled, ends)
-        return (self._scaled(number) - low) / (high - low)
+        low, high = map(_power, ends)
+        return (_power(number) - low) / (high - low)
 
     def _ticks(self, ends: Range) -> Sequence[float]:
-        """The ends of an axis; by powers of ten every power, or some where there are many."""
-        if not self.log:
-            return ends
+        """Every power of ten on an axis, or some where there are many."""
         low, high = (round(log10(end)) for end in ends)
         return [10.0**power for power in range(low, high + 1, 1 + (high - low) // 4)]
 
-    def _told(self, number: float) -> str:
-        raised = str(round(log10(number))).translate(RAISED) if self.log else ""
-        return f"10{raised}" if self.log else f"{number:g}".replace("-", "\u2212")
+
+def _power(number: Expr) -> Expr:
+    """The power of ten that a number is."""
+    return sp.log(number) / sp.log(10)
+
+
+def _told(number: float) -> str:
+    return "10" + str(round(log10(number))).translate(RAISED)

@@ -14,7 +14,7 @@ from workshop.course import course
 from workshop.practice import dealing, judging, tables
 from workshop.practice.bank import Ask, Exercise, default_salt
 from workshop.practice.judging import Candidate, Row
-from workshop.practice.teacher import chosen, progress
+from workshop.practice.teacher import chosen
 from workshop.practice.wording import number_text, paragraphs, symbols, with_unit
 
 WRITE = (
@@ -31,7 +31,7 @@ def write(out: str | Path, only: Sequence[str] = (), secret: str = "", force: bo
         mark = f"{default_salt()} {dealing.version()}{' secret' if secret else ''}"
         top = "$course$/top/" + mark.replace("/", "//")
         file.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
-        for exercise in progress(chosen(only), "exercises"):
+        for exercise in chosen(only):
             category = _text("category", f"{top}/{exercise.topic}/{exercise.name}")
             file.write(f'<question type="category">{category}</question>\n')
             for number, variant in enumerate(dealing.variants(exercise.name, secret)):

@@ -49,15 +49,14 @@ def _name(what: str, value: Any) -> str:
 class Box:
     """An exercise with somebody's numbers. Shown in a notebook, it is a box to answer in."""
 
-    def __init__(self, exercise: Exercise, name: str, course: str, training: int = 0) -> None:
+    def __init__(self, exercise: Exercise, name: str, course: str) -> None:
         self.exercise, self.student, self.course = exercise, name, course
-        self.training = training
 
     @property
     def variant(self) -> dealing.Variant:
         """The numbers that the student has."""
-        number = dealing.dealt(self.course, self.exercise.name, self.student) + self.training
-        return dealing.variants(self.exercise.name)[number % dealing.VARIANTS]
+        number = dealing.dealt(self.course, self.exercise.name, self.student)
+        return dealing.variants(self.exercise.name)[number]
 
     @property
     def text(self) -> str:
@@ -80,7 +79,7 @@ class Box:
             except CourseError as error:
                 return judging.Verdict("unread", "", f"{error}.")
         verdict = judging.check(self.exercise, self.variant.candidates, answer)
-        if verdict.result != "unread" and not self.training:
+        if verdict.result != "unread":
             self._keep(answer, verdict.result)
         return verdict
 
@@ -90,10 +89,6 @@ class Box:
         if result == "right" or _answers.get(key, ("", "", "", ""))[1] != "right":
             now = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
             _answers[key] = answer, result, now, self.student
-
-    def another(self) -> "Box":
-        """Further numbers, for training; answers to them are not kept."""
-        return Box(self.exercise, self.student, self.course, self.training + 1)
 
     @cached_property
     def widget(self) -> Widget:

@@ -8,13 +8,11 @@ import json
 import re
 import secrets
 import sys
-import time
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from html import escape
 from pathlib import Path
-from typing import TypeVar
 
 from workshop.errors import CourseError
 from workshop.practice import class_page, dealing, judging, tables
@@ -22,8 +20,6 @@ from workshop.practice.bank import Exercise, exercises, mistakes
 from workshop.practice.class_page import RESULTS, Count, Graded
 from workshop.practice.collecting import Collected, Keys, collect, folded, read_key
 from workshop.practice.wording import paragraphs, symbols
-
-T = TypeVar("T")
 
 KEY = ("kind", "course", "version", "student", "exercise", "variant", "numbers", "answer")
 GRADES = ("student", "exercise", "answer", "result", "mistake", "comment")
@@ -49,7 +45,7 @@ def key(
     salt = course + secret
     course += ", secret" if secret else ""  # answers to the page's numbers are none to these
     with tables.writing(out, KEY, force) as write:
-        for student in progress(students, "students"):
+        for student in students:
             for e in chosen(only):
                 number = dealing.dealt(salt, e.name, student)
                 number %= len(dealing.variants(e.name, secret))
@@ -99,8 +95,8 @@ def sheets(key: str | Path, out: str | Path, force: bool = False) -> list[str]:
     folder.mkdir(parents=True, exist_ok=True)
     for student in students:
         tables.free(folder / _file_name(student), force)
-    for student in progress(list(students), "students"):
-        page = _sheet(student, students[student])
+    for student, rows in students.items():
+        page = _sheet(student, rows)
         (folder / _file_name(student)).write_text(page, encoding="utf-8")
     return problems.lines()
 
@@ -232,7 +228,7 @@ def _graded(keys: Keys, collected: Collected, problems: tables.Problems) -> list
     for line, row in keys.rows.values():
         rows.setdefault(row["exercise"], []).append((line, row))
     found: dict[tuple[str, str], Graded] = {}
-    for name, same in progress(list(rows.items()), "exercises"):
+    for name, same in rows.items():
         variants = _variants(name, same, keys, problems)
         known = [row for _, row in same if row["numbers"] in variants]
         answered = [row for row in known if _person(row) in typed]
@@ -323,16 +319,3 @@ def chosen(only: Sequence[str]) -> list[Exercise]:
     """The exercises with these names; all if none is named."""
     named = [dealing.find(name) for name in dict.fromkeys(only)]
     return named or list(exercises().values())
-
-
-def progress(items: Sequence[T], what: str) -> Iterator[T]:
-    """The items one by one, with a line on the screen that says how far it is."""
-    shown, told = sys.stderr.isatty(), 0.0
-    for number, item in enumerate(items, start=1):
-        yield item
-        if shown and (time.monotonic() - told > 0.1 or number == len(items)):
-            told = time.monotonic()
-            done = "█" * (30 * number // len(items))
-            print(f"\r{done:30} {number:,} of {len(items):,} {what}", end="", file=sys.stderr)
-    if shown:
-        print(file=sys.stderr)

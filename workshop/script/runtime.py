@@ -7,7 +7,6 @@ and `inNotebook(content, view)` shows the content of a widget.
 """
 
 import json
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -59,7 +58,7 @@ def code(name: str) -> str:
         for key, value in part.constants().items()
     ]
     sources = [("workshop.script", "text.js"), *((part.package, script) for script in part.scripts)]
-    scripts = [_light(_text(*source)) for source in sources]
+    scripts = [_text(*source) for source in sources]
     return "\n".join(['((part) => {\n"use strict";', *constants, *scripts, "return part;\n})({})"])
 
 
@@ -108,9 +107,3 @@ def _part(name: str) -> Part:
 
 def _text(package: str, name: str) -> str:
     return files(package).joinpath(name).read_text(encoding="utf-8")
-
-
-def _light(script: str) -> str:
-    """A script without what only its readers need: comments, blank lines, indentation."""
-    lines = re.sub(r"^\s*(//.*\n)?", "", script, flags=re.MULTILINE)
-    return re.sub(r" +// .*$", "", lines, flags=re.MULTILINE)  # no text holds this

@@ -15,12 +15,10 @@ PACKAGES = ("robokin", "workshop", "book")
 
 
 class Import(NamedTuple):
-    """That a module imports another, whether at its top, and whether a comment says why not."""
+    """That a module imports another."""
 
     by: str
     of: str
-    at_top: bool
-    reason: bool
     line: int
 
 
@@ -37,21 +35,18 @@ MODULES = {
 
 def imports_of(name, source):
     """All imports of a module; `from package import module` is one of the module."""
-    lines = source.splitlines()
     found = []
 
-    def look(node, at_top):
+    def look(node):
         for child in ast.iter_child_nodes(node):
             if isinstance(child, ast.If) and "TYPE_CHECKING" in ast.unparse(child.test):
                 continue
             if isinstance(child, ast.Import | ast.ImportFrom):
-                near = lines[max(child.lineno - 2, 0)], lines[child.end_lineno - 1]
-                reason = near[0].strip().startswith("#") or "  # " in near[1]
                 targets = dict.fromkeys(target(child, alias.name) for alias in child.names)
-                found.extend(Import(name, of, at_top, reason, child.lineno) for of in targets)
-            look(child, at_top and not isinstance(child, ast.FunctionDef | ast.Lambda))
+                found.extend(Import(name, of, child.lineno) for of in targets)
+            look(child)
 
-    look(ast.parse(source), True)
+    look(ast.parse(source))
     return found
 
 
@@ -114,12 +109,6 @@ def test_formulas_are_declared_without_the_library():
     assert not told(i for i in checks if not i.by.endswith(".checks"))
 
 
-def test_an_import_inside_a_function_says_why():
-    """In a comment on its line or the line above: a heavy or optional package, for example."""
-    inside = [each for each in IMPORTS if not each.at_top and not each.reason]
-    assert not told(inside)
-
-
 def test_no_two_modules_need_each_other():
     graph = {name: [] for name in MODULES}
     for each in IMPORTS:
@@ -140,18 +129,17 @@ from workshop.equations.core import quantity
 if TYPE_CHECKING:
     from book.motion import formulas
 def f():
-    # so that the page builds without matplotlib
     import matplotlib.pyplot
     from book import motion
     class A:
-        from book.motion.formulas import x  # because
+        from book.motion.formulas import x
 """
-    assert [each[1:4] for each in imports_of("m", source)] == [
-        ("numpy", True, False),
-        ("robokin.motion", True, False),
-        ("robokin.errors", True, False),
-        ("workshop.equations.core", True, False),
-        ("matplotlib.pyplot", False, True),
-        ("book.motion", False, False),
-        ("book.motion.formulas", False, True),
+    assert [each.of for each in imports_of("m", source)] == [
+        "numpy",
+        "robokin.motion",
+        "robokin.errors",
+        "workshop.equations.core",
+        "matplotlib.pyplot",
+        "book.motion",
+        "book.motion.formulas",
     ]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from robokin import differential_drive, motion
+from robokin import differential_drive, motion, wheels
 
 DISTANCE, RADIUS = 0.1, 0.03  # m
 UP = np.pi / 2  # the heading at the start
@@ -76,8 +76,10 @@ def steps_readouts(count):
 
 
 def sideways_readouts(ahead, left):
-    """v, lost."""
-    return np.column_stack([ahead, left])
+    """v, lost: along and across a wheel that neither slips nor slides."""
+    wheel = [wheels.fixed(DISTANCE / 2, np.pi / 2, 0.0, RADIUS)]
+    wish = np.stack([ahead, left, 0 * ahead])
+    return np.vstack([wheels.rolling(wheel) @ wish, wheels.sliding(wheel) @ wish]).T
 
 
 def side_readouts(aim, reach, done):

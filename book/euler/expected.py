@@ -56,16 +56,6 @@ def from_lock(seq, R):
     return np.arctan2(rest, np.abs(row[:, last]))
 
 
-def turns_readouts(*columns):
-    """How many turns are made."""
-    return columns[14][:, None]
-
-
-def no_readouts(*columns):
-    """A figure without numbers beside it."""
-    return np.empty((len(columns[0]), 0))
-
-
 def order_readouts(made, azimuth, elevation):
     """The one turn between the same turns in two orders."""
     angles = HALF * np.clip(np.stack([made, made - 1], axis=-1), 0, 1)
@@ -118,16 +108,12 @@ def mistakes_readouts(*columns):
 
 
 READOUTS = {
-    "die": turns_readouts,
-    "two-frames": no_readouts,
-    "columns": no_readouts,
     "order": order_readouts,
     "to-b": target_readouts,
     "both-answers": both_readouts,
     "gimbal-rings": rings_readouts,
     "one-turn": one_turn_readouts,
     "euler-sequence": sequence_readouts,
-    "rotation-recap": no_readouts,
     "wrong-frames": mistakes_readouts,
 }
 LOCKED = {"middle": HALF}

@@ -25,8 +25,7 @@ def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
     assert html.count("<mark>") == right.count("«") + wrong.count("«") > 0
 
 
-def test_the_line_of_code_comes_from_the_formula():
-    assert M12.line == "omega = (v_R - v_L) / (b / 2)"
+def test_what_changed_is_marked_in_letters():
     assert M12.wrong.lines == ("ω = (v_R − v_L)/«b»", "ω = (v_R − v_L)/«(b/2)»")
 
 

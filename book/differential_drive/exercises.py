@@ -32,6 +32,7 @@ M12 = Mistake(
     "M12",
     says="with half the wheel distance in place of the whole",
     wrong=Wrong(formulas.turning_rate, {b: b / 2}),
+    line="omega = (v_R - v_L) / (b / 2)",
     why="The right wheel circles around the left one at the whole distance b, not at the distance "
     "from a wheel to the middle. The angular velocity comes out twice too large.",
     unnoticed="On a straight line, where the angular velocity is zero either way.",
@@ -75,6 +76,7 @@ M31 = Mistake(
     "M31",
     says="when the wheel distance is counted twice",
     wrong=Wrong(formulas.turning_rate, {b: 2 * b}),
+    line="omega = (v_R - v_L) / (2 * b)",
     why="Some books divide by 2d, where d is half the wheel distance. Here b is the whole distance "
     "already; with 2b it is counted twice, and the angular velocity comes out half as "
     "large as it is.",

@@ -39,6 +39,7 @@ M1 = Mistake(
     "M1",
     says="with p_x and p_y exchanged in atan2",
     wrong=Wrong(BASE_ANGLE, {p_x: p_y, p_y: p_x}),
+    line="theta1 = np.arctan2(p_x, p_y)",
     why="NumPy's arctan2 takes y first, then x. Exchanged, the angle is measured from the y axis, "
     "and clockwise. In spreadsheets and in some books (Spong, Hutchinson and Vidyasagar) atan2 "
     "takes x first. There atan2(p_x, p_y) is right.",

@@ -6,13 +6,22 @@ from typing import Any
 
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
+from sympy.printing.printer import Printer
+from sympy.printing.str import StrPrinter
 
 MIME = "application/vnd.workshop.equation+json"
 AGAIN = "application/vnd.workshop.equations+json"  # those of a chapter once more
 LINES_APART, FRACTIONS_APART = r"\\[4pt]", r"\\[10pt]"  # fractions in two rows would touch
 
 
-class _Printer(LatexPrinter):  # type: ignore[misc]
+class AsWritten(Printer):  # type: ignore[misc]
+    """The base of our printers: all parts stand in the order in which they were written."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__({"order": "none", **settings})
+
+
+class _Latex(AsWritten, LatexPrinter):  # type: ignore[misc]
     """SymPy's printer, but that atan2 of two sums takes two rows, to fit a phone."""
 
     def _print_atan2(self, e: Any) -> str:
@@ -25,7 +34,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
 
 def latex(expression: Any, **settings: Any) -> str:
     """LaTeX of an expression in the order in which it was written."""
-    text: str = _Printer({"order": "none", **settings}).doprint(expression)
+    text: str = _Latex(**settings).doprint(expression)
     if r"\frac" in text:
         text = text.replace(r"\\", FRACTIONS_APART)
     text = text.replace(r"} \frac", r"} \, \frac")  # two fractions side by side are two
@@ -59,9 +68,13 @@ def place_on_page(label: str) -> str:
     return "equation-" + re.sub("[^a-z0-9]+", "-", label.lower())
 
 
+class _Plain(AsWritten, StrPrinter):  # type: ignore[misc]
+    """SymPy's printer of a line that Python reads."""
+
+
 def _plain(expression: Any) -> str:
     listed = list(expression) if isinstance(expression, sp.MatrixBase) else expression
-    return str(sp.sstr(listed, order="none")).replace("- 1*", "- ")
+    return str(_Plain().doprint(listed)).replace("- 1*", "- ")
 
 
 def mimebundle(

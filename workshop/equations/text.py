@@ -6,10 +6,11 @@ practice). The order is the declared one.
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import sympy as sp
 
+from workshop.equations.printing import AsWritten
 from workshop.errors import CourseError
 
 SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text holds together
@@ -63,15 +64,19 @@ def bracketed(bound: Bound, least: int) -> str:
     return text if binding >= least else f"({text})"
 
 
-class Writer:
-    """Writes expressions. letters: what stands for a symbol; in_degrees: the same inside sin, cos.
+class Text(AsWritten):
+    """Writes expressions in one line. letters: what stands for a symbol; in_degrees: the same
+    inside a function of an angle, where it knows all symbols.
 
-    Inside a function of an angle `in_degrees` is used where it knows all symbols.
+    What is printed of a part is its text and how tightly it holds together.
     """
+
+    _default_settings: ClassVar = {"order": None}
 
     def __init__(
         self, letters: Callable[[sp.Symbol], str], in_degrees: Mapping[sp.Symbol, str] | None = None
     ) -> None:
+        super().__init__()
         self.letters, self.in_degrees = letters, in_degrees or {}
 
     def text(self, expression: Any) -> str:
@@ -80,49 +85,46 @@ class Writer:
 
     def bound(self, e: Any) -> Bound:
         """The text and how tightly it holds together."""
-        if isinstance(e, sp.MatrixBase):
-            return self._matrix(e), ATOM
-        if isinstance(e, sp.MatMul):
-            sign, rest = signed(e)
-            factors = rest.args if isinstance(rest, sp.MatMul) else (rest,)
-            text = " ".join(bracketed(self.bound(factor), PRODUCT) for factor in factors)
-            return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
-        if isinstance(e, sp.Transpose | sp.Inverse):
-            raised = "ᵀ" if isinstance(e, sp.Transpose) else "⁻¹"
-            return bracketed(self.bound(e.arg), ATOM) + raised, POWER
-        e = sp.sympify(e)
-        if isinstance(e, sp.Symbol | sp.MatrixSymbol):
-            text = self.letters(e)
-            return text, SIGNED if text.startswith("−") else ATOM
-        if e.is_Number or e.is_NumberSymbol or e in (sp.nan, sp.oo):
-            return self._number(e)
-        if isinstance(e, sp.Add):
-            return self._sum(e), SUM
-        if isinstance(e, sp.Mul):
-            return self._product(e)
-        if isinstance(e, sp.Pow):
-            return self._power(e)
-        if isinstance(e, sp.Piecewise):
-            return self.bound(e.args[0][0])  # the ordinary case stands first
-        if isinstance(e, sp.Abs):
-            return f"|{self.text(e.args[0])}|", ATOM
-        return self._function(e), POWER
+        found: Bound = self._print(sp.sympify(e))
+        return found
 
-    def _number(self, e: Any) -> Bound:
-        if e == sp.pi:
-            return "π", ATOM
-        if isinstance(e, sp.Rational) and not e.is_Integer:
-            return f"{'−' if e < 0 else ''}{abs(e.p)}/{e.q}", PRODUCT if e > 0 else SIGNED
+    def _print_Symbol(self, e: Any) -> Bound:
+        text = self.letters(e)
+        return text, SIGNED if text.startswith("−") else ATOM
+
+    _print_MatrixSymbol = _print_Symbol
+
+    def _print_NumberSymbol(self, e: Any) -> Bound:
+        return "π" if e == sp.pi else str(e), ATOM
+
+    def _print_Number(self, e: Any) -> Bound:
         text = f"{float(e):.6g}" if isinstance(e, sp.Float) else str(e)
         return text.replace("-", "−"), SIGNED if text.startswith("-") else ATOM
 
-    def _matrix(self, e: Any) -> str:
-        if e.cols == 1:
-            return "[" + ", ".join(map(self.text, e)) + "]"
-        rows = (", ".join(map(self.text, e.row(i))) for i in range(e.rows))
-        return "[" + ", ".join(f"[{row}]" for row in rows) + "]"
+    def _print_Rational(self, e: Any) -> Bound:
+        if e.is_Integer:
+            return self._print_Number(e)
+        return f"{'−' if e < 0 else ''}{abs(e.p)}/{e.q}", PRODUCT if e > 0 else SIGNED
 
-    def _sum(self, e: Any) -> str:
+    def _print_MatrixBase(self, e: Any) -> Bound:
+        if e.cols == 1:
+            return "[" + ", ".join(map(self.text, e)) + "]", ATOM
+        rows = (", ".join(map(self.text, e.row(i))) for i in range(e.rows))
+        return "[" + ", ".join(f"[{row}]" for row in rows) + "]", ATOM
+
+    def _print_MatMul(self, e: Any) -> Bound:
+        sign, rest = signed(e)
+        factors = rest.args if isinstance(rest, sp.MatMul) else (rest,)
+        text = " ".join(bracketed(self.bound(factor), PRODUCT) for factor in factors)
+        return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
+
+    def _print_Transpose(self, e: Any) -> Bound:
+        return bracketed(self.bound(e.arg), ATOM) + "ᵀ", POWER
+
+    def _print_Inverse(self, e: Any) -> Bound:
+        return bracketed(self.bound(e.arg), ATOM) + "⁻¹", POWER
+
+    def _print_Add(self, e: Any) -> Bound:
         text = ""
         for place, part in enumerate(e.args):
             sign, rest = signed(part)
@@ -131,9 +133,15 @@ class Writer:
                 text += f" {'−' if sign < 0 else '+'} {shown}"
             else:
                 text = f"−{shown}" if sign < 0 else shown
-        return text
+        return text, SUM
 
-    def _product(self, e: Any) -> Bound:
+    def _print_Piecewise(self, e: Any) -> Bound:
+        return self.bound(e.args[0][0])  # the ordinary case stands first
+
+    def _print_Abs(self, e: Any) -> Bound:
+        return f"|{self.text(e.args[0])}|", ATOM
+
+    def _print_Mul(self, e: Any) -> Bound:
         sign, rest = signed(e)
         above, below = fraction(rest)
         alone = PRODUCT if sign < 0 else SIGNED if below else SUM
@@ -158,30 +166,31 @@ class Writer:
             last = place == len(factors) - 1
             shown = bracketed(self.bound(factor), least)
             if is_call(factor) and (closed or not last):
-                shown = self._function(factor, closed=True)
+                shown, _ = self._print_Basic(factor, closed=True)
             if place:
                 text += joint(text, shown)
             text += shown
         return text
 
-    def _power(self, e: Any) -> Bound:
+    def _print_Pow(self, e: Any) -> Bound:
         base, exponent = e.base, e.exp
         if exponent == sp.Rational(1, 2):
             return "√" + bracketed(self.bound(base), ATOM), POWER
         if exponent.is_Number and exponent < 0:
-            return self._product(sp.Mul(sp.S.One, e, evaluate=False))
+            return self._print_Mul(sp.Mul(sp.S.One, e, evaluate=False))
         raised = RAISED.get(exponent) or f"^{bracketed(self.bound(exponent), ATOM)}"
         return bracketed(self.bound(base), ATOM) + raised, POWER
 
-    def _function(self, e: Any, closed: bool = False) -> str:
+    def _print_Basic(self, e: Any, closed: bool = False) -> Bound:
+        """A function of something."""
         name = NAMES.get(e.func.__name__, e.func.__name__)
         inside = self
         if name in TURNS and e.free_symbols and e.free_symbols <= set(self.in_degrees):
-            inside = Writer(self.in_degrees.__getitem__)
+            inside = Text(self.in_degrees.__getitem__)
         arguments = [inside.bound(argument) for argument in e.args]
         if len(arguments) == 1 and arguments[0][1] == ATOM and not closed and name != "ceiling":
-            return f"{name} {arguments[0][0]}"
-        return f"{name}({', '.join(text for text, _ in arguments)})"
+            return f"{name} {arguments[0][0]}", POWER
+        return f"{name}({', '.join(text for text, _ in arguments)})", POWER
 
 
 def is_call(e: Any) -> bool:
@@ -238,11 +247,11 @@ def joint(left: str, right: str) -> str:
 
 def formula_text(expression: Any) -> str:
     """An expression in letters."""
-    return Writer(symbol_text).text(expression)
+    return Text(symbol_text).text(expression)
 
 
 def numbers_text(
     expression: Any, numbers: Mapping[sp.Symbol, str], in_degrees: Mapping[sp.Symbol, str]
 ) -> str:
     """An expression with numbers, given as text, in place of its symbols."""
-    return Writer(numbers.__getitem__, in_degrees).text(expression)
+    return Text(numbers.__getitem__, in_degrees).text(expression)

@@ -11,17 +11,18 @@ from sympy.printing.jscode import JavascriptCodePrinter
 
 from workshop.equations.core import Where, as_written
 from workshop.equations.functions import MPMATH
+from workshop.equations.printing import AsWritten
 from workshop.errors import CourseError
 from workshop.script import engine
 
 RUNTIME_FUNCTIONS = tuple(MPMATH)  # each has its JavaScript in functions.js
 
 
-class _Printer(JavascriptCodePrinter):  # type: ignore[misc]
-    """SymPy's printer, in the order written, with named symbols and the runtime's functions."""
+class _JavaScript(AsWritten, JavascriptCodePrinter):  # type: ignore[misc]
+    """SymPy's printer, with named symbols and the runtime's functions."""
 
     def __init__(self, names: Mapping[sp.Symbol, str]) -> None:
-        super().__init__({"order": "none", "precision": 17})
+        super().__init__(precision=17)
         self.names = names
 
     def _print_Symbol(self, expr: sp.Symbol) -> str:
@@ -77,7 +78,7 @@ def function(
         for name, symbols in arguments.items()
         for i, symbol in enumerate(symbols)
     }
-    printer = _Printer(names)
+    printer = _JavaScript(names)
     lines = []
     for place, (symbol, expression) in enumerate(where):
         lines.append(f"const w{place} = {_one_line(printer, expression)};")
@@ -93,7 +94,7 @@ def function(
     return f"(f, {', '.join(arguments)}) => {{ {' '.join(lines)} return [{results}]; }}"
 
 
-def _one_line(printer: _Printer, expression: Any) -> str:
+def _one_line(printer: _JavaScript, expression: Any) -> str:
     return " ".join(printer.doprint(expression).split())
 
 

@@ -53,8 +53,8 @@ class Mistake:
 
     name: M1 … M37. says: completes "This is what you get …".
     why: why it is wrong, in one to three sentences. unnoticed: where it happens to be right.
-    wrong: the wrong formula, from which what it gives is computed; line: the wrong line, as code,
-    where the formula does not print as one would write it. picture: what then happens.
+    wrong: the wrong formula, from which what it gives is computed; line: the wrong line, as code.
+    picture: what then happens.
     document, place, nth: the source document that has it, where, and which of its errata this
     is, counted from its start; stands, should: what stands there and what should, with what
     changes in « ». explained: why, in the letters of the document, where those of `why` are
@@ -66,7 +66,7 @@ class Mistake:
     why: str
     unnoticed: str
     wrong: Wrong
-    line: str = ""
+    line: str
     picture: Picture | None = None
     document: str = ""
     place: str = ""
@@ -74,10 +74,6 @@ class Mistake:
     stands: str = ""
     should: str = ""
     explained: str = ""
-
-    def __post_init__(self) -> None:
-        if not self.line:
-            object.__setattr__(self, "line", self.wrong.line)
 
     def at(self, values: Mapping[Any, Any]) -> Any:
         """What the mistake makes, as an expression: for a figure that shows what happens then."""

@@ -2,7 +2,7 @@
 
     Wrong(formulas.turning_rate, {b: b / 2})
 
-From it come the printed line with what changed marked, the wrong number that the bank knows, and
+From it come the two formulas with what changed marked, the wrong number that the bank knows, and
 an expression for a figure that shows what the robot then does.
 """
 
@@ -22,7 +22,6 @@ from workshop.practice.solutions import compiled
 
 TOKEN = re.compile(r"\w[\w\u0300-\u036f]*|\s+|.")  # of a formula in one line of text
 SHORT = 2  # so many signs between two changes are no rest for the eye
-CODE = {"sin": "np.sin", "cos": "np.cos", "sqrt": "np.sqrt", "atan2": "np.arctan2", "pi": "np.pi"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,14 +71,6 @@ class Wrong:
     def made_in(self, other: Any) -> "Wrong":
         """The same mistake in another formula."""
         return Wrong(other, self.puts)
-
-    @property
-    def line(self) -> str:
-        """The wrong formula as a line of code."""
-        code = str(sp.sstr(self.right, order="none"))
-        code = re.sub(r"\(\(([^()]*)\)\)", r"(\1)", code)
-        code = re.sub(r"(?<!\*)[*/](?!\*)", r" \g<0> ", code)
-        return f"{self.of.left} = " + re.sub(r"\w+", lambda name: CODE.get(name[0], name[0]), code)
 
     @property
     def lines(self) -> tuple[str, str]:

@@ -20,14 +20,8 @@ const foldedName = (name) => [...name]
 const numberSet = (course, name) => String(fnv1a([foldedName(course), foldedName(name)].join("\n")) % 10000)
   .padStart(4, "0");
 
-const utf8 = (text) => [...text].flatMap((sign) => {
-  const code = sign.codePointAt(0);
-  if (code < 0x80) return [code];
-  const tail = (shift) => 0x80 | code >> shift & 0x3f;
-  if (code < 0x800) return [0xc0 | code >> 6, tail(0)];
-  if (code < 0x10000) return [0xe0 | code >> 12, tail(6), tail(0)];
-  return [0xf0 | code >> 18, tail(12), tail(6), tail(0)];
-});
+const utf8 = (text) => [...encodeURIComponent(text).matchAll(/%(..)|(.)/g)]
+  .map(([, hex, sign]) => (hex ? parseInt(hex, 16) : sign.charCodeAt(0)));
 
 const fnv1a = (text) => utf8(text)
   .reduce((value, byte) => Math.imul(value ^ byte, 0x01000193), 0x811c9dc5) >>> 0;

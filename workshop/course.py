@@ -126,6 +126,16 @@ class Course:
         """All things of a kind that the modules of one name hold, by their `name`."""
         return {name: thing for name, (_, thing) in self._found(part, kind).items()}
 
+    def find(self, part: str, kind: type[T], name: object) -> T:
+        """The thing of a kind and a name."""
+        known = self.declared(part, kind)
+        if not isinstance(name, str) or name not in known:
+            raise CourseError(
+                f"there is no {kind.__name__.lower()} {name!r}; there are {', '.join(known)}, "
+                f"declared in the chapters' {part}.py"
+            )
+        return known[name]
+
     def homes(self, part: str, kind: type) -> dict[str, str]:
         """The chapter of each of these things, by name."""
         return {name: chapter for name, (chapter, _) in self._found(part, kind).items()}

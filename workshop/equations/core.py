@@ -264,10 +264,7 @@ def declared() -> dict[str, Equation]:
 
 def find(name: str) -> Equation:
     """The equation of that name."""
-    if name not in declared():
-        known = ", ".join(sorted(declared()))
-        raise CourseError(f"there is no equation {name!r}; there are {known}")
-    return declared()[name]
+    return course().find("formulas", Equation, name)
 
 
 def show(name: str, computed: bool = False, figure: str = "") -> Shown:

@@ -26,7 +26,8 @@ GREEK = {
     for code, name in enumerate(names.split(), start)
 }
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
-GREEK |= {"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ", "det": "det", "top": "ᵀ"}
+GREEK |= {"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ"}
+WORDS = GREEK | {"det": "det", "top": "ᵀ"}
 ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304"}
 NAMES = {
     "asin": "arcsin",
@@ -45,7 +46,7 @@ def symbol_text(symbol: sp.Symbol) -> str:
     latex: str = sp.latex(symbol)
     text = re.sub(r"\\operatorname\s*\{(\w+)\}(?=[\w\\])", r"\1 ", latex)
     text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{((?:\\?\w)+)\}", r"\1", text)
-    text = re.sub(r"\\([A-Za-z]+)", lambda m: GREEK.get(m[1], m[0]), text)
+    text = re.sub(r"\\([A-Za-z]+)", lambda m: WORDS.get(m[1], m[0]), text)
     text = re.sub(
         r"\\(dot|ddot|hat|bar)\s*(?:\{\s*(\w)\s*\}|(\w))",
         lambda m: (m[2] or m[3]) + ACCENTS[m[1]],

@@ -200,9 +200,4 @@ def figures() -> dict[str, Figure]:
 
 def find(name: str) -> Figure:
     """The figure of that name: a page shows what a chapter declares, a cell holds only its name."""
-    if name not in figures():
-        raise CourseError(
-            f"no chapter declares the figure {name!r}: add it to FIGURES in the chapter's "
-            f"figures.py; there are {', '.join(figures())}"
-        )
-    return figures()[name]
+    return course().find("figures", Figure, name)

@@ -6,7 +6,6 @@ invisible characters, with the Persian letters for yeh and kaf (keyboards have t
 digits, trimmed, each run of spaces one: who writes the own name otherwise is the same student.
 """
 
-import difflib
 import hashlib
 import json
 import random
@@ -20,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from workshop.course import course
 from workshop.errors import CourseError
 from workshop.practice.bank import Exercise, exercises
 from workshop.practice.judging import Candidate, candidates, clash
@@ -120,13 +120,7 @@ def _drawn(exercise: Exercise, draw: random.Random) -> tuple[dict[str, Any], dic
 
 def find(name: str) -> Exercise:
     """The exercise of that name."""
-    if not isinstance(name, str) or name not in exercises():
-        near = difflib.get_close_matches(str(name), exercises())
-        known = (
-            f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(exercises())}"
-        )
-        raise CourseError(f"there is no exercise {name!r}; {known}")
-    return exercises()[name]
+    return course().find("exercises", Exercise, name)
 
 
 @cache

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from workshop.course import course
 from workshop.errors import CourseError, shown
 from workshop.practice import dealing, judging, page, tables
 from workshop.practice.bank import (
@@ -18,7 +19,6 @@ from workshop.practice.bank import (
     Mistake,
     default_salt,
     exercises,
-    mistakes,
 )
 from workshop.practice.wording import highlighted, symbols
 from workshop.script.widget import Widget, widget
@@ -258,9 +258,7 @@ class MistakeView:
 
 def mistake(name: str) -> MistakeView:
     """A mistake of the bank, as the chapters show it: "find the mistake"."""
-    if not isinstance(name, str) or name not in mistakes():
-        raise CourseError(f"there is no mistake {name!r}; there are {', '.join(mistakes())}")
-    return MistakeView(mistakes()[name])
+    return MistakeView(course().find("exercises", Mistake, name))
 
 
 def _typed(answer: Any) -> str:

@@ -232,9 +232,4 @@ def predictions() -> dict[str, Prediction]:
 
 def find(name: str) -> Prediction:
     """The prediction of that name."""
-    if name not in predictions():
-        raise CourseError(
-            f"no chapter declares the prediction {name!r}: add it to PREDICTIONS in the chapter's "
-            f"predictions.py; there are {', '.join(predictions())}"
-        )
-    return predictions()[name]
+    return course().find("predictions", Prediction, name)

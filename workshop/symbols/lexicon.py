@@ -14,15 +14,13 @@ from workshop.course import course, held
 from workshop.equations.core import Equation, NamedSymbol, free_symbols, look
 from workshop.equations.printed import cells, results, shown
 from workshop.equations.printing import MIME
+from workshop.equations.text import GREEK
 from workshop.errors import CourseError
 
-GREEK = "alpha|beta|gamma|delta|epsilon|varepsilon|zeta|eta|theta|vartheta|iota|kappa|lambda|mu|nu"
-GREEK += "|xi|rho|sigma|tau|upsilon|phi|varphi|chi|psi|omega|ell"
-GREEK += "|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Upsilon|Phi|Psi|Omega"
 ACCENT = r"\\(?:dot|ddot|hat|bar|tilde|vec)(?![A-Za-z])\s*"
 WORD = r"\\(?:mathrm|text|operatorname|begin|end|mathsf)\s*\{[^{}]*\}"
 GROUP = r"\{(?:[^{}]|\{[^{}]*\})*\}"
-LETTER = rf"(?:\\(?:{GREEK})(?![A-Za-z])|[A-Za-z])"
+LETTER = rf"(?:\\(?:{'|'.join(GREEK)})(?![A-Za-z])|[A-Za-z])"
 INDEX = rf"_\s*(?:{GROUP}|{WORD}|\\[A-Za-z]+|[^\s{{}}\\])"
 # a letter with its accent, index and primes; without one, what is no letter
 ATOM = rf"(?P<letter>(?:{ACCENT}(?:{GROUP}|{LETTER})|{LETTER})(?:\s*{INDEX})?(?:\s*'+)?)"

@@ -119,29 +119,21 @@ def round_(n: int, radius: float, height: float) -> list[Corner]:
     return [(radius * cos(a), radius * sin(a), height) for a in angles]
 
 
-def cylinder(
-    kind: Kind,
-    radii: Spot,
-    ends: Spot,
-    along: str = "z",
-    at: Corner = (0, 0, 0),
-    n: int = 16,
-) -> Part:
+def cylinder(kind: Kind, radii: Spot, ends: Spot, along: str = "z", n: int = 16) -> Part:
     """A cylinder, or with two different radii a piece of a cone, from one end to the other."""
     low, high = (round_(n, r, end) for r, end in zip(radii, ends, strict=True))
-    return between(kind, low, high, along, at)
+    return between(kind, low, high, along)
 
 
-def plate(
-    kind: Kind, outline: Sequence[Spot], thick: float, along: str = "z", at: Corner = (0, 0, 0)
-) -> Part:
+def plate(kind: Kind, outline: Sequence[Spot], thick: float, along: str = "z") -> Part:
     """A flat piece with any convex outline, counter-clockwise."""
     low, high = ([(*corner, end) for corner in outline] for end in (-thick / 2, thick / 2))
-    return between(kind, low, high, along, at)
+    return between(kind, low, high, along)
 
 
-def ring(kind: Kind, inner: float, outer: float, width: float, along: str, n: int = 24) -> Part:
+def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Part:
     """A flat ring about an axis."""
+    n = 24
     rims = [(inner, -width / 2), (outer, -width / 2), (outer, width / 2), (inner, width / 2)]
     corners = [placed(corner, along, (0, 0, 0)) for rim in rims for corner in round_(n, *rim)]
     faces = [
@@ -152,10 +144,11 @@ def ring(kind: Kind, inner: float, outer: float, width: float, along: str, n: in
     return Part(kind, tuple(corners), tuple(faces), smooth=True)
 
 
-def ball(kind: Kind, radius: float = 1.0, n: int = 16, rows: int = 8) -> Part:
-    """A ball of faces between circles of latitude."""
+def ball(kind: Kind) -> Part:
+    """A ball of radius 1 m, of faces between circles of latitude."""
+    n, rows = 16, 8
     heights = [(cos(pi * k / rows), sin(pi * k / rows)) for k in range(rows + 1)]
-    corners = [c for z, r in heights for c in round_(n, radius * r, radius * z)]
+    corners = [c for z, r in heights for c in round_(n, r, z)]
     faces = [
         (n * row + k, n * (row + 1) + k, n * (row + 1) + (k + 1) % n, n * row + (k + 1) % n)
         for row in range(rows)
@@ -164,8 +157,9 @@ def ball(kind: Kind, radius: float = 1.0, n: int = 16, rows: int = 8) -> Part:
     return Part(kind, tuple(corners), tuple(faces), smooth=True)
 
 
-def tiles(height: float, half: float, n: int = 4) -> Part:
-    """A square of n × n tiles that look up."""
+def tiles(height: float, half: float) -> Part:
+    """A square of 4 × 4 tiles that look up."""
+    n = 4
     ends = [half * (2 * k / n - 1) for k in range(n + 1)]
     corners = tuple((x, y, height) for y in ends for x in ends)
     faces = tuple(

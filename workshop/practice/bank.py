@@ -163,9 +163,9 @@ def whole(label: str) -> Ask:
     return Ask(label, tolerance=1e-9, reason="a whole number, exactly")
 
 
-def matrix(name: str, rows: int, columns: int, unit: str = "") -> tuple[Ask, ...]:
+def matrix(name: str, rows: int, columns: int) -> tuple[Ask, ...]:
     """The entries of a matrix, row by row."""
-    return tuple(Ask(f"{name}[{i}, {j}]", unit) for i in range(rows) for j in range(columns))
+    return tuple(Ask(f"{name}[{i}, {j}]") for i in range(rows) for j in range(columns))
 
 
 @dataclass(frozen=True, eq=False)

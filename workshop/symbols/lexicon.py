@@ -85,9 +85,9 @@ def in_expressions(parts: tuple[Any, ...]) -> list[NamedSymbol]:
     return [s for s in free_symbols(parts) if isinstance(s, NamedSymbol)]
 
 
-def pattern(latex: str, argument: bool = False) -> str:
+def pattern(latex: str) -> str:
     r"""The regular expression of a letter: `v_L` and `v_{L}`, `\dot x` and `\dot{x}` are alike."""
-    parts, after = [], argument
+    parts, after = list[str](), False
     for token in TOKEN.findall(latex):
         inner = TOKEN.findall(token[1:-1]) if token.startswith("{") else [token]
         if len(inner) == 1:

@@ -20,7 +20,7 @@ from workshop.errors import CourseError
 ACCENT = r"\\(?:dot|ddot|hat|bar|tilde|vec)(?![A-Za-z])\s*"
 WORD = r"\\(?:mathrm|text|operatorname|begin|end|mathsf)\s*\{[^{}]*\}"
 GROUP = r"\{(?:[^{}]|\{[^{}]*\})*\}"
-LETTER = rf"(?:\\(?:{'|'.join(GREEK)})(?![A-Za-z])|[A-Za-z])"
+LETTER = rf"(?:\\(?!pi(?![A-Za-z]))(?:{'|'.join(GREEK)})(?![A-Za-z])|[A-Za-z])"  # π is a number
 INDEX = rf"_\s*(?:{GROUP}|{WORD}|\\[A-Za-z]+|[^\s{{}}\\])"
 # a letter with its accent, index and primes; without one, what is no letter
 ATOM = rf"(?P<letter>(?:{ACCENT}(?:{GROUP}|{LETTER})|{LETTER})(?:\s*{INDEX})?(?:\s*'+)?)"

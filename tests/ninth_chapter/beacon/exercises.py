@@ -11,6 +11,7 @@ M99 = Mistake(
     "M99",
     says="when the robot's own heading is not taken off",
     wrong=Wrong(formulas.direction, {theta: 0}),
+    line="bearing = np.arctan2(b_y - y, b_x - x)",
     why="This is the direction in the world. The robot sees it from its own heading.",
     unnoticed="With a heading of 0.",
 )

@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from robokin._checks import Array
+from robokin._arrays import Array
 
 
 def from_minus_pi(angle: Array) -> Array:
-    """An angle in (-3π, π] brought into (-π, π]."""
+    """Bring an angle in (-3π, π] into (-π, π]."""
     up: Array = angle + 2 * np.pi * (angle <= -np.pi)
     return up
 
 
 def opposite(angle: Array) -> Array:
-    """The opposite direction of an angle in (-2π, 2π), in (-π, π]."""
+    """Return the opposite direction of an angle in (-2π, 2π), in (-π, π]."""
     return from_minus_pi(angle - np.copysign(np.pi, angle))

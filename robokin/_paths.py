@@ -2,15 +2,17 @@
 
 import numpy as np
 
-from robokin._checks import Array, ArrayLike, every
+from robokin._arrays import Array, ArrayLike
+from robokin._validation import STEPS, Check, data, finite, one_of
 
-METHODS = ("exact", "midpoint", "start", "end")
+METHOD = one_of("exact", "midpoint", "start", "end")
+PATH: dict[str, Check] = {"pose": data(3), "dt": finite(STEPS), "method": METHOD}
 
 
 def follow(
     pose: Array, length: ArrayLike, turn: ArrayLike, method: str, turned: Array | None = None
 ) -> Array:
-    """The poses (…, N+1, 3) from the first one on.
+    """Return the poses (…, N+1, 3) from the first one on.
 
     pose: (…, 3); length, turn: of each step, (…, N) together; turned: (…, N) since the start,
     where it is known better than by summing the turns.
@@ -21,33 +23,33 @@ def follow(
     out[..., 0, :] = pose
     out[..., 1:, 2] = pose[..., 2:] + (turn.cumsum(-1) if turned is None else turned)
     if method == "exact":
-        length = length * sinc(0.5 * turn)
+        length = length * sinc(turn / 2)
     if method == "start":
         heading = out[..., :-1, 2]
     elif method == "end":
         heading = out[..., 1:, 2]
     else:
-        heading = out[..., :-1, 2] + 0.5 * turn
+        heading = out[..., :-1, 2] + turn / 2
     out[..., 1:, 0] = pose[..., :1] + (length * np.cos(heading)).cumsum(-1)
     out[..., 1:, 1] = pose[..., 1:2] + (length * np.sin(heading)).cumsum(-1)
     return out
 
 
 def sinc(x: ArrayLike) -> Array:
-    """sin(x)/x, 1 at 0: an even function, and 1e-300 is lost in every |x| that is not next to 0."""
+    """Return sin(x)/x, 1 at 0: it is even, and 1e-300 is lost in every |x| not next to 0."""
     x = np.abs(x) + 1e-300
     return np.sin(x) / x
 
 
 def sinc_slope(x: Array) -> Array:
-    """The derivative of sin(x)/x; near 0, where the plain formula loses digits, by its series."""
-    small, x2 = np.abs(x) < 0.1, x * x
-    slope = -x / 3 * (1 - x2 / 10 * (1 - x2 / 28 * (1 - x2 / 54)))
-    return slope if every(small) else np.where(small, slope, (np.cos(x) - sinc(x)) / x)
+    """Return the derivative of sin(x)/x; near 0 by its series, which keeps the digits there."""
+    x2 = x * x
+    series = -x / 3 * (1 - x2 / 10 * (1 - x2 / 28 * (1 - x2 / 54)))
+    return np.where(np.abs(x) < 0.1, series, (np.cos(x) - sinc(x)) / x)
 
 
 def cos_sin_of_sum(theta: Array, half: Array) -> tuple[Array, Array]:
-    """Cosine and sine of theta + half; what rounding took from the sum is turned in afterwards."""
+    """Return cosine and sine of theta + half; what rounding took from the sum is turned in."""
     heading = theta + half
     rest = theta - heading + half
     c, s = np.cos(heading), np.sin(heading)

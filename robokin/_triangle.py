@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from robokin._checks import Array, Bools, at, first
-from robokin.errors import UnreachableError
+from robokin._arrays import Array, Bools, first
+from robokin.errors import UnreachableError, at_index
 
 TOLERANCE = 1e-12  # a wrist that rounding put outside the shell, in parts of both links together
 
 
 def triangle(distance: Array, upper: Array, fore: Array) -> tuple[Array, Array]:
-    """From the wrist's distance the angle at the shoulder, and how far the elbow is bent; ≥ 0.
+    """Return the angle at the shoulder, and how far the elbow is bent; both ≥ 0.
 
     Law of cosines in half angles. The sides are taken in the order of their lengths, so that no
     sum is rounded before the difference: the digits of the distance are kept next to full stretch
@@ -28,15 +28,21 @@ def triangle(distance: Array, upper: Array, fore: Array) -> tuple[Array, Array]:
     return lift, elbow
 
 
-def out_of_reach(name: str, distance: Array, upper: Array, fore: Array, unreachable: str) -> Bools:
-    """Where the wrist would be outside the shell; with "raise" the first one is refused."""
+def out_of_reach(
+    name: str, target: Array, distance: Array, upper: Array, fore: Array, unreachable: str
+) -> Bools:
+    """Return where the wrist would be outside the shell; with "raise" refuse the first target.
+
+    A target that is not finite is not refused: it gives NaN.
+    """
     low, high = np.abs(upper - fore), upper + fore
-    bad = (distance > high * (1 + TOLERANCE)) | (distance < low - high * TOLERANCE)
-    if unreachable == "raise" and np.count_nonzero(bad):
-        index = first(bad)
+    bad: Bools = (distance > high * (1 + TOLERANCE)) | (distance < low - high * TOLERANCE)
+    refused = bad & np.isfinite(target).all(axis=-1)
+    if unreachable == "raise" and refused.any():
+        index = first(refused)
         d, low, high = (np.broadcast_to(a, bad.shape)[index] for a in (distance, low, high))
         raise UnreachableError(
-            f"{name}{at(index)} is out of reach by {max(low - d, d - high):.6g} m: the wrist would "
-            f"be {d:.6g} m from the shoulder, allowed {low:.6g} to {high:.6g} m"
+            f"{name}{at_index(index)} is out of reach by {max(low - d, d - high):.6g} m: the wrist "
+            f"would be {d:.6g} m from the shoulder, allowed {low:.6g} to {high:.6g} m"
         )
     return bad

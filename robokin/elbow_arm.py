@@ -3,17 +3,16 @@
 Joint angles `[theta1, theta2, theta3]` and points `[x, y, z]`, seen from the base, stand on the
 last axis; leading batch dimensions broadcast. The shoulder is d1 above the base, the upper link
 is a2 long, the forearm a3; at zero the arm lies stretched along x, positive theta2 and theta3
-raise it. Exercise 1; Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.3.
+raise it. Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.3.
 """
 
 import numpy as np
 
 from robokin._angles import from_minus_pi, opposite
-from robokin._arrays import matrix, parts, vector
-from robokin._checks import Array, ArrayLike, Bools
-from robokin._door import data, door, finite, one_of, positive
+from robokin._arrays import Array, ArrayLike, Bools, matrix, parts, vector
 from robokin._triangle import TOLERANCE as TOLERANCE
 from robokin._triangle import out_of_reach, triangle
+from robokin._validation import data, finite, one_of, positive, validated
 
 __all__ = [
     "forward",
@@ -24,13 +23,15 @@ __all__ = [
     "reach",
 ]
 
+LINKS = {"a2": positive(), "a3": positive(), "d1": finite()}
 
-@door(theta=data(3), a2=positive(), a3=positive(), d1=finite())
+
+@validated(theta=data(3), **LINKS)
 def forward(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
-    """The wrist's position from the joint angles.
+    """Return the wrist's position from the joint angles.
 
     theta: (…, 3) in rad; a2, a3: (…) in m, positive; d1: (…) in m, any finite number
-    → (…, 3) in m. Source: exercise 1, r = a2 cos θ2 + a3 cos(θ2+θ3).
+    → (…, 3) in m. The radius from the base axis is r = a2 cos θ2 + a3 cos(θ2+θ3).
 
     >>> forward([0, np.pi / 2, -np.pi / 2], a2=0.4, a3=0.3, d1=0.1).round(6)
     array([0.3, 0. , 0.5])
@@ -41,9 +42,9 @@ def forward(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0)
     return vector(r * np.cos(theta1), r * np.sin(theta1), h + d1)
 
 
-@door(theta=data(3), a2=positive(), a3=positive(), d1=finite())
+@validated(theta=data(3), **LINKS)
 def joint_positions(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
-    """Where base, shoulder, elbow and wrist are, in this order: the arm as it is drawn.
+    """Return where base, shoulder, elbow and wrist are, in this order: the arm as it is drawn.
 
     theta: (…, 3) in rad; a2, a3, d1: (…) in m → (…, 4, 3) in m, a row for each point.
     """
@@ -54,15 +55,11 @@ def joint_positions(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLik
     return matrix([[0, 0, 0], [0, 0, d1], [r2 * c, r2 * s, z2], [r3 * c, r3 * s, z3]])
 
 
-@door(p=data(3), a2=positive(), a3=positive(), d1=finite(), unreachable=one_of("raise", "nan"))
+@validated(p=data(3), **LINKS, unreachable=one_of("raise", "nan"))
 def inverse(
-    p: ArrayLike,
-    a2: ArrayLike,
-    a3: ArrayLike,
-    d1: ArrayLike = 0.0,
-    unreachable: str = "raise",
+    p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0, unreachable: str = "raise"
 ) -> Array:
-    """All four ways to bring the wrist to a point.
+    """Return all four ways to bring the wrist to a point.
 
     p: (…, 3) in m; a2, a3: (…) in m, positive; d1: (…) in m → (…, 4, 3) in rad. The rows:
     facing the target, elbow up (theta3 ≤ 0); facing it, elbow down (theta3 ≥ 0); facing away,
@@ -72,8 +69,8 @@ def inverse(
     With a2 = a3 and p at the shoulder theta2 is free too: 0.
     Outside the shell of `reach` (by more than 1e-12 of a2 + a3) there is no answer:
     `UnreachableError`, or NaN with unreachable="nan".
-    Source: exercise 1; the law of cosines in half angles, which keep the digits of the distance
-    from the shoulder at full stretch.
+    Source: Spong et al., section 3.3, with the law of cosines in half angles, which keep the
+    digits of the distance from the shoulder at full stretch.
 
     >>> inverse([0.3, 0, 0.4], a2=0.4, a3=0.3)[0].round(6)
     array([ 0.      ,  1.570796, -1.570796])
@@ -81,7 +78,7 @@ def inverse(
     x, y, z = parts(p)
     h, r_squared = z - d1, x * x + y * y
     d = np.sqrt(r_squared + h * h)
-    outside = out_of_reach("p", d, a2, a3, unreachable)
+    outside = out_of_reach("p", p, d, a2, a3, unreachable)
     lift, elbow = triangle(d, a2, a3)
     rise = np.arctan2(h, np.sqrt(r_squared))
     up, down = rise + lift, rise - lift
@@ -100,18 +97,18 @@ def inverse(
     return out
 
 
-@door(a2=positive(), a3=positive())
+@validated(a2=positive(), a3=positive())
 def reach(a2: ArrayLike, a3: ArrayLike) -> tuple[Array, Array]:
-    """The smallest and the largest distance from shoulder to wrist: folded and stretched.
+    """Return the smallest and largest distance from shoulder to wrist: folded and stretched.
 
     a2, a3: (…) in m, positive → minimum `|a2 - a3|` (…) and maximum a2 + a3 (…) in m.
     """
     return np.abs(a2 - a3), a2 + a3
 
 
-@door(p=data(3), a2=positive(), a3=positive(), d1=finite())
+@validated(p=data(3), **LINKS)
 def nearest_reachable(p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
-    """The point within reach that is nearest to p: p itself, or p moved along its ray.
+    """Return the point within reach that is nearest to p: p itself, or p moved along its ray.
 
     p: (…, 3) in m; a2, a3: (…) in m, positive; d1: (…) in m → (…, 3) in m. The ray starts at
     the shoulder; where p is the shoulder itself all directions are as near, and x is taken.
@@ -129,9 +126,9 @@ def nearest_reachable(p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike 
     return np.where(within, p, shoulder + ray / length * np.clip(d, low, high))
 
 
-@door(p=data(3), tol=positive())
+@validated(p=data(3), tol=positive())
 def on_base_axis(p: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
-    """Whether a point lies on the base axis (x = y = 0), where theta1 is free.
+    """Return whether a point lies on the base axis (x = y = 0), where theta1 is free.
 
     p: (…, 3) in m; tol: (…) distance from the axis in m, positive → (…) bool; False for NaN.
     """

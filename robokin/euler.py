@@ -8,7 +8,8 @@ One formula serves all sequences. Call the first axis i, the middle one j, the o
 and take the rows and columns of the matrix in this order. Then a Cardan sequence (third axis k)
 looks like R_x(a) R_y(b) R_z(c), a proper Euler sequence (third axis i) like R_x(a) R_y(b) R_x(c);
 if i, j, k is left-handed, with all angles negated. An extrinsic sequence is the transpose of the
-intrinsic one with all angles negated. Exercise 2; Siciliano et al., Robotics, section 2.4.
+intrinsic one with all angles negated. Siciliano, Sciavicco, Villani & Oriolo, Robotics: Modelling,
+Planning and Control, sections 2.4 to 2.6; Lynch & Park, Modern Robotics, appendix B.
 """
 
 from itertools import product
@@ -18,11 +19,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from robokin._angles import from_minus_pi, opposite
-from robokin._arrays import entries, matrix, parts, vector
-from robokin._checks import Array, ArrayLike, Bools, every, shown
-from robokin._door import Sizes, data, door, inside, positive
+from robokin._arrays import Array, ArrayLike, Bools, entries, matrix, parts, vector
 from robokin._rotations import A_ROTATION
-from robokin.errors import RobokinError
+from robokin._validation import Sizes, data, positive, validated
+from robokin.errors import RobokinError, describe
 
 __all__ = ["about", "axis_angle", "from_matrix", "is_locked", "solutions", "steps", "to_matrix"]
 
@@ -40,7 +40,7 @@ class _Axes(NamedTuple):
 
 
 def _axes(letters: str, intrinsic: bool) -> _Axes:
-    """A sequence's axes; one shorter than three letters is continued as a Cardan sequence."""
+    """Return a sequence's axes; a short one is continued as a Cardan sequence."""
     axes = ["xyz".index(letter) for letter in letters]
     i = axes[0]
     j = axes[1] if len(axes) > 1 else (i + 1) % 3
@@ -55,29 +55,29 @@ SEQUENCES |= {word.upper(): _axes(word, True) for word in LETTERS}
 
 
 def _sequence(name: str, seq: Any, sizes: Sizes) -> str:
-    """For the door: 1 to 3 letters, of which each has its angle."""
+    """Validate a sequence: 1 to 3 letters, each of which has its angle."""
     if not isinstance(seq, str) or seq not in SEQUENCES:
         raise RobokinError(
             f"{name} must be 1 to 3 letters, all of XYZ (intrinsic) or all of xyz (extrinsic), no "
-            f"axis twice in a row; got {shown(seq)}"
+            f"axis twice in a row; got {describe(seq)}"
         )
     sizes["k"] = len(seq)
     return seq
 
 
 def _three_letters(name: str, seq: Any, sizes: Sizes) -> str:
-    """For the door: three letters."""
+    """Validate a sequence of three letters."""
     if len(_sequence(name, seq, sizes)) != 3:
-        raise RobokinError(f"{name} must have three letters here, got {shown(seq)}")
+        raise RobokinError(f"{name} must have three letters here, got {describe(seq)}")
     return str(seq)
 
 
-@door(seq=_sequence, angles=data("k"))
+@validated(seq=_sequence, angles=data("k"))
 def to_matrix(seq: str, angles: ArrayLike) -> Array:
-    """The rotation that a sequence of turns makes.
+    """Return the rotation that a sequence of turns makes.
 
     seq: 1–3 letters; angles: (…, k) in rad, one for each letter → (…, 3, 3).
-    Source: exercise 2, R_AB = R_y(π/2) R_z(−π/2).
+    Source: Siciliano et al., section 2.4, for all sequences.
 
     >>> to_matrix("YZ", [np.pi / 2, -np.pi / 2]).round(6) + 0.0
     array([[ 0.,  0.,  1.],
@@ -96,15 +96,16 @@ def to_matrix(seq: str, angles: ArrayLike) -> Array:
     return matrix([[M[(m, n) if intrinsic else (n, m)] for n in range(3)] for m in range(3)])
 
 
-@door(seq=_three_letters, R=A_ROTATION)
+@validated(seq=_three_letters, R=A_ROTATION)
 def from_matrix(seq: str, R: ArrayLike) -> Array:
-    """The angles of a sequence that make a rotation; of the two answers the one in SciPy's range.
+    """Return the angles of a sequence that make a rotation, in SciPy's range.
 
     seq: three letters; R: (…, 3, 3) → (…, 3) in rad, the first and third in [−π, π], the middle
     one in [−π/2, π/2] (Cardan) or [0, π] (proper Euler). At gimbal lock, where only the sum or the
     difference of the first and third is determined, the third is 0. The third angle is computed
     first and its turn taken out of R; the others come from what is left, so no digits are lost
-    near lock. A matrix that is not a rotation is refused. Source: exercise 2.
+    near lock. A matrix that is not a rotation is refused.
+    Source: Siciliano et al., section 2.4, for all sequences.
 
     >>> from_matrix("ZYX", [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]).round(6)
     array([-1.570796,  0.      , -1.570796])
@@ -113,8 +114,7 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
     M = entries(R if intrinsic else R.swapaxes(-1, -2))
     w, u, h = _third(M, seq)
     free = h > LOCK
-    if not every(free):
-        w, u, h = w * free, u * free + ~free, h * free
+    w, u, h = w * free, u * free + ~free, h * free
     turn, mixed = (-sign * w, k) if proper else (sign * w, i)
     sine = sign * (u * M[k][j] + turn * M[k][mixed])
     cosine = u * M[j][j] + turn * M[j][mixed]
@@ -123,9 +123,9 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
     return vector(np.arctan2(sine + 0.0, cosine), np.arctan2(*middle), np.arctan2(w + 0.0, u))
 
 
-@door(seq=_three_letters, R=A_ROTATION)
+@validated(seq=_three_letters, R=A_ROTATION)
 def solutions(seq: str, R: ArrayLike) -> Array:
-    """Both answers of a sequence: `from_matrix`, and the one with the first axis turned round.
+    """Return both answers of a sequence: `from_matrix`, and that with the first axis turned round.
 
     seq: three letters; R: (…, 3, 3) → (…, 2, 3) in rad. The second is [a ± π, π − b, c ± π]
     (Cardan) or [a ± π, −b, c ± π] (proper Euler), wrapped to (−π, π]. At gimbal lock they are two
@@ -135,14 +135,14 @@ def solutions(seq: str, R: ArrayLike) -> Array:
     array([[-1.570796,  0.      , -1.570796],
            [ 1.570796,  3.141593,  1.570796]])
     """
-    a, b, c = parts(inside(from_matrix)(seq, R))
+    a, b, c = parts(from_matrix(seq, R))
     middle = from_minus_pi(-b) if SEQUENCES[seq].proper else opposite(-b)
     return matrix([[a, b, c], [opposite(a), middle, opposite(c)]])
 
 
-@door(seq=_three_letters, R=A_ROTATION, tol=positive())
+@validated(seq=_three_letters, R=A_ROTATION, tol=positive())
 def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
-    """Whether a rotation is at gimbal lock for a sequence, or near it as a person sees it.
+    """Return whether a rotation is at gimbal lock for a sequence, or near it to the eye.
 
     seq: three letters; R: (…, 3, 3); tol: (…), the largest sine (proper Euler) or cosine (Cardan)
     of the middle angle that counts as lock → (…) bool; False where R is NaN.
@@ -156,22 +156,22 @@ def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
     return h <= tol
 
 
-@door(seq=_sequence, angles=data("k"))
+@validated(seq=_sequence, angles=data("k"))
 def steps(seq: str, angles: ArrayLike) -> Array:
-    """The orientations on the way: none of the turns made, the first, the first two, all.
+    """Return the orientations on the way: no turn made, the first, the first two, all.
 
     seq: 1–3 letters; angles: (…, k) in rad → (…, k+1, 3, 3); the last one is `to_matrix`.
     """
     k = len(seq)
-    return inside(to_matrix)(seq, angles[..., None, :] * MADE[: k + 1, :k])
+    return to_matrix(seq, angles[..., None, :] * MADE[: k + 1, :k])
 
 
-@door(axis=data(3), angle=data())
+@validated(axis=data(3), angle=data())
 def about(axis: ArrayLike, angle: ArrayLike) -> Array:
-    """The rotation about an axis by an angle: the inverse of `axis_angle`.
+    """Return the rotation about an axis by an angle: the inverse of `axis_angle`.
 
     axis: (…, 3) of any length but 0 (NaN there); angle: (…) in rad → (…, 3, 3).
-    Source: Rodrigues' formula, cos ϑ I + (1 − cos ϑ) n nᵀ + sin ϑ [n]×.
+    Source: Siciliano et al., section 2.5 (Rodrigues), cos ϑ I + (1 − cos ϑ) n nᵀ + sin ϑ [n]×.
 
     >>> about([1, 1, 1], 2 * np.pi / 3).round(6) + 0.0
     array([[0., 0., 1.],
@@ -190,9 +190,9 @@ def about(axis: ArrayLike, angle: ArrayLike) -> Array:
     )
 
 
-@door(R=A_ROTATION)
+@validated(R=A_ROTATION)
 def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
-    """The one axis and angle that make the same rotation.
+    """Return the one axis and angle that make the same rotation.
 
     R: (…, 3, 3) → axis (…, 3), of length 1, and angle (…) in [0, π] rad. No rotation: the axis is
     z. A half turn (to within 1e-15): of the two opposite axes the one whose first non-zero
@@ -214,7 +214,7 @@ def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
 
 
 def _quaternion(R: Array) -> Array:
-    """w, x, y, z, not yet of length 1: the row of 4 q qᵀ with the largest diagonal entry."""
+    """Return w, x, y, z, not yet of length 1: the row of 4 q qᵀ with the largest diagonal."""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = entries(R)
     wx, wy, wz, ww = zy - yz, xz - zx, yx - xy, 1.0 + xx + yy + zz
     xy, yz, zx = xy + yx, yz + zy, zx + xz
@@ -225,7 +225,7 @@ def _quaternion(R: Array) -> Array:
 
 
 def _third(M: list[list[Array]], seq: str) -> tuple[Array, Array, Array]:
-    """The third angle's sine and cosine, both times h; h ≥ 0, the sine or cosine of the middle."""
+    """Return sine and cosine of the third angle, times h ≥ 0, the middle one's sine or cosine."""
     i, j, k, proper, sign, _ = SEQUENCES[seq]
     w, u = (M[i][j], sign * M[i][k]) if proper else (-sign * M[i][j], M[i][i])
     return w, u, np.sqrt(w * w + u * u)

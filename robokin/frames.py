@@ -2,32 +2,27 @@
 
 `T_ab` is the pose of frame b seen from frame a: `p_a = transform(T_ab, p_b)` and
 `T_ac = compose(T_ab, T_bc)`. In the plane a pose is a 3×3 matrix, SE(2), in space a 4×4 matrix,
-SE(3); the functions tell them apart by shape. Exercise 3; Lynch & Park, Modern Robotics,
-chapter 3.
+SE(3); the functions tell them apart by shape. Lynch & Park, Modern Robotics, chapter 3.
 """
 
 from collections import deque
+from functools import reduce
 from itertools import pairwise
 
 import numpy as np
 
 from robokin._angles import from_minus_pi
-from robokin._arrays import entries, matrix, times, vector
-from robokin._checks import Array, ArrayLike, Shape, at, first, is_finite, shown
-from robokin._door import data, door, inside, one, positive, quiet
+from robokin._arrays import Array, ArrayLike, Shape, entries, first, matrix, times, vector
 from robokin._rotations import (
     A_PLANAR_POSE,
     A_POSE,
     A_ROTATION,
     TOLERANCE,
     Square,
-    parts_of,
-    pose_of,
-    poses,
-    product,
-    refuse_skewed,
+    judged,
 )
-from robokin.errors import RobokinError
+from robokin._validation import data, positive, quiet, refuse, validate, validated
+from robokin.errors import RobokinError, at_index, describe
 
 __all__ = [
     "FrameGraph",
@@ -41,10 +36,12 @@ __all__ = [
     "transform",
 ]
 
+FAR = 1e-3  # positions are compared by the metre, from 1 km on by the kilometre
 
-@door(x=data(), y=data(), theta=data())
+
+@validated(x=data(), y=data(), theta=data())
 def se2(x: ArrayLike, y: ArrayLike, theta: ArrayLike) -> Array:
-    """The matrix of a pose in the plane.
+    """Return the matrix of a pose in the plane.
 
     x, y: (…) in m; theta: (…) in rad → (…, 3, 3).
 
@@ -57,19 +54,19 @@ def se2(x: ArrayLike, y: ArrayLike, theta: ArrayLike) -> Array:
     return matrix([[c, -s, x], [s, c, y], [0, 0, 1]])
 
 
-@door(rotation=A_ROTATION, position=data(3))
+@validated(rotation=A_ROTATION, position=data(3))
 def se3(rotation: ArrayLike, position: ArrayLike) -> Array:
-    """The matrix of a pose in space.
+    """Return the matrix of a pose in space.
 
     rotation: (…, 3, 3); position: (…, 3) in m → (…, 4, 4). What is not a rotation is refused, as
     in `check_rotation`.
     """
-    return pose_of(rotation, position)
+    return _pose_of(rotation, position)
 
 
-@door(T=A_PLANAR_POSE)
+@validated(T=A_PLANAR_POSE)
 def pose(T: ArrayLike) -> Array:
-    """Place and heading of a matrix in the plane: the inverse of `se2`.
+    """Return place and heading of a matrix in the plane: the inverse of `se2`.
 
     T: (…, 3, 3) → (…, 3) `[x, y, theta]` in m, m, rad, theta in (-π, π]. A matrix that is not a
     pose is refused.
@@ -81,13 +78,13 @@ def pose(T: ArrayLike) -> Array:
     return vector(x, y, from_minus_pi(np.arctan2(s + 0.0, c)))
 
 
-@door(theta=data(), d=data(), a=data(), alpha=data())
+@validated(theta=data(), d=data(), a=data(), alpha=data())
 def dh(theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike) -> Array:
-    """The pose of a joint's frame seen from the one before, by Denavit and Hartenberg's numbers.
+    """Return a joint's frame seen from the one before, by Denavit and Hartenberg's numbers.
 
     A turn theta about z and a shift d along it, then a shift a along the new x and a turn alpha
     about it. theta, alpha: (…) in rad; d, a: (…) in m → (…, 4, 4).
-    Source: exercise 1; Spong, Hutchinson & Vidyasagar, section 3.2.
+    Source: Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.2.
 
     >>> dh(0.0, 0.1, 0.4, np.pi / 2).round(6)
     array([[ 1. ,  0. ,  0. ,  0.4],
@@ -106,31 +103,31 @@ def dh(theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike) -> Array:
     )
 
 
-@door(T=A_POSE)
+@validated(T=A_POSE)
 def inverse(T: ArrayLike) -> Array:
-    """The same pose seen from the other end: T_ba from T_ab.
+    """Return the same pose seen from the other end: T_ba from T_ab.
 
     T: (…, 3, 3) or (…, 4, 4), lengths in m → the same shape. A matrix that is not a pose (its
     rotation skewed or a mirror, another last row) is refused.
-    Source: exercise 3, the closed form [Rᵀ, −Rᵀp; 0, 1].
+    Source: Lynch & Park, section 3.3.1, the closed form [Rᵀ, −Rᵀp; 0, 1].
 
     >>> inverse(se2(1.0, 2.0, np.pi / 2)).round(6)
     array([[ 0.,  1., -2.],
            [-1.,  0.,  1.],
            [ 0.,  0.,  1.]])
     """
-    R, p = parts_of(T)
+    R, p = _parts_of(T)
     R_back = R.swapaxes(-1, -2)
-    return pose_of(R_back, -times(R_back, p))
+    return _pose_of(R_back, -times(R_back, p))
 
 
 @quiet
 def compose(*transforms: ArrayLike) -> Array:
-    """The pose at the end of a chain: T_ad = compose(T_ab, T_bc, T_cd).
+    """Return the pose at the end of a chain: T_ad = compose(T_ab, T_bc, T_cd).
 
     transforms: one or more, all (…, 3, 3) or all (…, 4, 4), lengths in m → the same; leading
     dimensions broadcast. What is not a pose is refused, and so is SE(2) mixed with SE(3).
-    Source: exercise 3, T_ce = T_bc⁻¹ T_db⁻¹ T_de.
+    Source: Lynch & Park, section 3.3.1.
 
     >>> T_db, T_bc, T_de = se2(1, 0, 0), se2(0, 2, np.pi / 2), se2(1, 5, np.pi / 2)
     >>> compose(inverse(T_bc), inverse(T_db), T_de).round(6)
@@ -140,12 +137,15 @@ def compose(*transforms: ArrayLike) -> Array:
     """
     if not transforms:
         raise RobokinError("compose needs at least one transform, got none")
-    return product(poses({f"transforms[{n}]": T for n, T in enumerate(transforms)}))
+    chain = {f"transforms[{n}]": T for n, T in enumerate(transforms)}
+    validate(chain, dict.fromkeys(chain, A_POSE))
+    first_pose, *others = chain.values()
+    return reduce(np.matmul, others, first_pose.copy())
 
 
-@door(T=A_POSE, points=data("n"))
+@validated(T=A_POSE, points=data("n"))
 def transform(T: ArrayLike, points: ArrayLike) -> Array:
-    """Points of frame b as seen from frame a: p_a from T_ab and p_b.
+    """Return points of frame b as seen from frame a: p_a from T_ab and p_b.
 
     T: (…, 3, 3) with points (…, 2), or (…, 4, 4) with points (…, 3), all in m → (…, 2) or
     (…, 3). Leading dimensions broadcast: one T and many points, or one of each.
@@ -154,15 +154,15 @@ def transform(T: ArrayLike, points: ArrayLike) -> Array:
     array([[1., 2.],
            [1., 3.]])
     """
-    R, p = parts_of(T)
+    R, p = _parts_of(T)
     return times(R, points) + p
 
 
 class FrameGraph:
     """Frames and the poses known between them; any other follows along a path of known ones.
 
-    Poses are all SE(2) or all SE(3), single or in batches that broadcast. Source: exercise 3,
-    the general case: from the camera's T_db and T_de and the arm's T_bc to T_ce.
+    Poses are all SE(2) or all SE(3), single or in batches that broadcast. Below, a camera d sees
+    the base b of an arm and a workpiece e, the arm knows its hand c: where is e seen from c?
 
     >>> graph = FrameGraph()
     >>> graph.add("d", "b", se2(1, 0, 0))
@@ -182,21 +182,25 @@ class FrameGraph:
 
     @property
     def frames(self) -> list[str]:
-        """The names of the frames, in the order in which they came."""
+        """Return the names of the frames, in the order in which they came."""
         return list(self._known)
 
     @quiet
     def add(self, a: str, b: str, T_ab: ArrayLike) -> None:
         """Make known the pose of b seen from a, and with it that of a seen from b.
 
-        T_ab: (…, 3, 3) or (…, 4, 4), lengths in m. It must agree with what is known between the
-        two already, directly or along a path, to 1e-6 (of its largest entry, where that is over
-        1); then the direct way becomes known too.
+        T_ab: (…, 3, 3) or (…, 4, 4), lengths in m, no NaN. It must agree with what is known
+        between the two already, directly or along a path: its rotation to 1e-6, its position to
+        1e-6 m (or 1e-9 of its largest coordinate, where that is over 1 km). Then the direct way
+        becomes known too.
         """
         if not (isinstance(a, str) and isinstance(b, str) and a and b and a != b):
-            raise RobokinError(f"a pair needs two different names, got {shown(a)} and {shown(b)}")
+            raise RobokinError(
+                f"a pair needs two different names (strings), got {describe(a)} and {describe(b)}"
+            )
         name = f"T_{a}{b}"
-        (T,) = poses({name: T_ab})
+        T = A_POSE(name, T_ab, {})
+        refuse(name, T, np.isfinite(T), "finite")
         try:
             shape = np.broadcast_shapes(self._shape, T.shape)
         except ValueError as error:
@@ -210,22 +214,22 @@ class FrameGraph:
             self._refuse_contradiction(name, T, way)
         self._shape = shape
         self._known.setdefault(a, {}).setdefault(b, T.copy())
-        self._known.setdefault(b, {}).setdefault(a, inside(inverse)(T))
+        self._known.setdefault(b, {}).setdefault(a, inverse(T))
 
     @quiet
     def get(self, a: str, b: str) -> Array:
-        """The pose of b seen from a, T_ab: the product of the poses along `path(a, b)`."""
+        """Return the pose of b seen from a, T_ab: the product of the poses along `path(a, b)`."""
         return self._along(self.path(a, b))
 
     def path(self, a: str, b: str) -> list[str]:
-        """The frames on the shortest known way from a to b, both included.
+        """Return the frames on the shortest known way from a to b, both included.
 
         Unknown frames, or no way between them, are refused.
         """
         for frame in (a, b):
             if not isinstance(frame, str) or frame not in self._known:
                 known = ", ".join(self.frames) or "none yet"
-                raise RobokinError(f"unknown frame {shown(frame)}; known frames: {known}")
+                raise RobokinError(f"unknown frame {describe(frame)}; known frames: {known}")
         ways = self._ways(a)
         if b not in ways:
             raise RobokinError(
@@ -235,7 +239,7 @@ class FrameGraph:
         return ways[b]
 
     def _ways(self, a: str) -> dict[str, list[str]]:
-        """For every frame connected with a, itself included, the shortest way to it."""
+        """Return for every frame connected with a, itself included, the shortest way to it."""
         ways, queue = {a: [a]}, deque([a])
         while queue:
             here = queue.popleft()
@@ -247,21 +251,22 @@ class FrameGraph:
 
     def _along(self, path: list[str]) -> Array:
         chain = [self._known[here][there] for here, there in pairwise(path)]
-        return product(chain or [np.eye(self._shape[-1])])
+        return reduce(np.matmul, chain, np.eye(self._shape[-1]))
 
     def _refuse_contradiction(self, name: str, T: Array, path: list[str]) -> None:
-        off = np.abs(T - self._along(path)).max(axis=(-2, -1))
-        off = off / np.abs(T).max(axis=(-2, -1))  # 1 or more: the last row ends in 1
+        off = np.abs(T - self._along(path))
+        off[..., :-1, -1] /= np.maximum(1.0, FAR * np.abs(T[..., :-1, -1]).max(axis=-1))[..., None]
+        off = off.max(axis=(-2, -1))
         if (off > TOLERANCE).any():
             index = first(off > TOLERANCE)
             raise RobokinError(
                 f"{name} contradicts what is known along {' → '.join(path)}: off by "
-                f"{off[index]:.3g}{at(index)}, allowed {TOLERANCE:.3g}"
+                f"{off[index]:.3g}{at_index(index)}, allowed {TOLERANCE:.3g}"
             )
 
 
-@door(R=Square((2, 3), good=is_finite), tol=one(positive()))
-def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
+@validated(R=Square((2, 3)), tol=positive())
+def check_rotation(R: ArrayLike, tol: ArrayLike = TOLERANCE) -> None:
     """Refuse what is not a rotation: columns of length 1, at right angles, right-handed.
 
     R: (…, 3, 3), or (…, 2, 2) in the plane. With x, y, z the columns, tol is the largest allowed
@@ -272,4 +277,17 @@ def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
 
     >>> check_rotation([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
     """
-    refuse_skewed("R", R, R.shape[-1], tol)
+    judged("R", R, R.shape[-1], tol)
+
+
+def _parts_of(T: Array) -> tuple[Array, Array]:
+    """Return rotation and position of a pose."""
+    return T[..., :-1, :-1], T[..., :-1, -1]
+
+
+def _pose_of(R: Array, p: Array) -> Array:
+    """Return the pose of a rotation and a position."""
+    n = p.shape[-1]
+    out = np.zeros((*np.broadcast_shapes(R.shape[:-2], p.shape[:-1]), n + 1, n + 1))
+    out[..., :n, :n], out[..., :n, n], out[..., n, n] = R, p + 0.0, 1.0  # + 0.0: no -0.0
+    return out

@@ -1,19 +1,23 @@
 """Odometry: where a robot with two driven wheels is, from its wheel encoders.
 
 Wheels in the order left, right. Ticks are whole numbers, forward positive; a missing reading is
-NaN. Exercise 7; Siegwart, Nourbakhsh & Scaramuzza, section 5.2.4.
+NaN. Siegwart, Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots, section 5.2.4;
+Lynch & Park, Modern Robotics, section 13.4.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robokin._arrays import entries, matrix, parts, rows, vector
-from robokin._checks import Array, ArrayLike, Bools, is_finite, refuse
-from robokin._door import Rule, data, door, not_negative, one_of, positive, steps, whole
-from robokin._paths import METHODS, follow, sinc, sinc_slope
+from robokin._arrays import Array, ArrayLike, Bools, entries, matrix, parts, vector
+from robokin._paths import METHOD, follow, sinc, sinc_slope
 from robokin._rotations import Square
+from robokin._validation import STEPS, Rule, data, not_negative, positive, refuse, validated, whole
 
 __all__ = ["covariance", "ellipse", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
+
+TICKS = {"ticks_left": whole(STEPS), "ticks_right": whole(STEPS)}
+WHEEL = {"ticks_per_turn": positive(), "wheel_radius": positive()}
+ROBOT = {**WHEEL, "wheel_distance": positive()}
 ROUNDING = 1e-12  # of the variances, between numbers that should be the same
 
 
@@ -23,16 +27,16 @@ def _is_size(bits: Array) -> Bools:
 
 
 def _per_tick(ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
-    """How far a wheel rolls in a tick, m."""
+    """Return how far a wheel rolls in a tick, m."""
     return 2 * np.pi * wheel_radius / ticks_per_turn
 
 
-@door(ticks=whole(), ticks_per_turn=positive(), wheel_radius=positive())
+@validated(ticks=whole(), **WHEEL)
 def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
-    """How far a wheel has rolled.
+    """Return how far a wheel has rolled.
 
     ticks: (…) whole numbers; ticks_per_turn (a gear can make it a fraction): (…) positive;
-    wheel_radius: (…) in m, positive → (…) in m. Source: exercise 7, D = 2π r N/C.
+    wheel_radius: (…) in m, positive → (…) in m. One turn of C ticks is 2π r: D = 2π r N/C.
 
     >>> round(float(travel(500, ticks_per_turn=1000, wheel_radius=0.05)), 6)
     0.15708
@@ -40,9 +44,9 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     return _per_tick(ticks_per_turn, wheel_radius) * ticks
 
 
-@door(bits=Rule(ok=_is_size, allowed="1, 2, … or 52"), counts=whole(steps))
+@validated(bits=Rule(ok=_is_size, allowed="1, 2, … or 52"), counts=whole(STEPS))
 def unwrap_counter(counts: ArrayLike, bits: ArrayLike) -> Array:
-    """The ticks between the readings of a counter that wraps round after 2**bits.
+    """Return the ticks between the readings of a counter that wraps round after 2**bits.
 
     counts: (…, N) whole numbers, signed or unsigned; bits: (…) from 1 to 52, one for each counter
     → (…, N-1), the shorter way round, from -2**(bits-1) to 2**(bits-1) - 1. A count that such a
@@ -51,21 +55,13 @@ def unwrap_counter(counts: ArrayLike, bits: ArrayLike) -> Array:
     >>> unwrap_counter([65530, 4, 65533], bits=16)
     array([10., -7.])
     """
-    span = 2.0**bits
+    span = 2.0 ** bits[..., None]
     outside = (counts < -span / 2) | (counts >= span)
-    refuse("counts", counts, ~outside, "from -2**(bits-1) to 2**bits - 1")
+    refuse("counts", counts, ~(outside & np.isfinite(counts)), "from -2**(bits-1) to 2**bits - 1")
     return (np.diff(counts) + span / 2) % span - span / 2
 
 
-@door(
-    ticks_left=whole(steps),
-    ticks_right=whole(steps),
-    ticks_per_turn=positive(),
-    wheel_radius=positive(),
-    wheel_distance=positive(),
-    pose=data(3),
-    method=one_of(*METHODS),
-)
+@validated(**TICKS, **ROBOT, pose=data(3), method=METHOD)
 def path(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -75,34 +71,27 @@ def path(
     pose: ArrayLike = (0, 0, 0),
     method: str = "exact",
 ) -> Array:
-    """All poses along a drive of N encoder steps, the first included; rules as in `motion.path`.
+    """Return all poses along a drive of N encoder steps; methods as in `motion.path`.
 
     ticks_left, ticks_right: broadcast to (…, N); ticks_per_turn, wheel_radius, wheel_distance:
     (…), one for each path, lengths in m, positive; pose: (…, 3) at the start → (…, N+1, 3). The
     heading comes from the whole number of ticks so far, so its error does not grow with N.
     A missing reading makes the path NaN from its step on.
-    Source: exercise 7, Δθ = (D_R − D_L)/b.
+    Source: Siegwart et al., section 5.2.4, Δθ = (D_R − D_L)/b.
 
     >>> path([0, 9], [9, 9], ticks_per_turn=36, wheel_radius=0.1, wheel_distance=0.2).round(3)
     array([[0.   , 0.   , 0.   ],
            [0.071, 0.029, 0.785],
            [0.182, 0.14 , 0.785]])
     """
-    per_tick = _per_tick(ticks_per_turn, wheel_radius)
+    per_tick = _per_tick(ticks_per_turn, wheel_radius)[..., None]
     length = per_tick * (ticks_right + ticks_left) / 2
-    angle, difference = per_tick / wheel_distance, ticks_right - ticks_left
+    angle, difference = per_tick / wheel_distance[..., None], ticks_right - ticks_left
     turned = angle * difference.cumsum(axis=-1)
     return follow(pose, length, angle * difference, method, turned)
 
 
-@door(
-    ticks_left=whole(),
-    ticks_right=whole(),
-    dt=positive(),
-    ticks_per_turn=positive(),
-    wheel_radius=positive(),
-    wheel_distance=positive(),
-)
+@validated(ticks_left=whole(), ticks_right=whole(), dt=positive(), **ROBOT)
 def velocity(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -111,11 +100,12 @@ def velocity(
     wheel_radius: ArrayLike,
     wheel_distance: ArrayLike,
 ) -> tuple[Array, Array]:
-    """Mean speed and turning rate of the robot over a time step.
+    """Return the mean speed and turning rate of the robot over a time step.
 
     ticks_left, ticks_right: (…) in the step; dt: (…) in s, positive; ticks_per_turn,
     wheel_radius, wheel_distance: (…) positive → v (…) in m/s and omega (…) in rad/s.
-    Source: exercise 7, V = (D_R + D_L)/(2Δt), ω = (D_R − D_L)/(bΔt).
+    Source: Siegwart et al., section 5.2.4, divided by Δt: v = (D_R + D_L)/(2Δt),
+    ω = (D_R − D_L)/(bΔt).
 
     >>> v, omega = velocity(100, 200, 0.1, ticks_per_turn=400, wheel_radius=0.1, wheel_distance=0.2)
     >>> round(float(v), 3), round(float(omega), 3)
@@ -128,16 +118,7 @@ def velocity(
     return v, omega
 
 
-@door(
-    ticks_left=whole(steps),
-    ticks_right=whole(steps),
-    ticks_per_turn=positive(),
-    wheel_radius=positive(),
-    wheel_distance=positive(),
-    noise=not_negative(),
-    pose=data(3),
-    start=data(3, 3),
-)
+@validated(**TICKS, **ROBOT, noise=not_negative(), pose=data(3), start=data(3, 3))
 def covariance(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -148,16 +129,20 @@ def covariance(
     pose: ArrayLike = (0, 0, 0),
     start: ArrayLike | None = None,
 ) -> Array:
-    """How uncertain each pose of `path` is: the covariance of its x, y and theta, to first order.
+    """Return how uncertain each pose of `path` is: covariances of x, y, theta, to first order.
 
     noise: (…) the variance of a wheel's travel for each metre travelled, in m, not negative;
     start: (…, 3, 3) covariance of the first pose, zero if not given; the others as in `path`
     → (…, N+1, 3, 3). Each wheel errs by itself in each step. A missing reading makes it NaN from
     its step on.
-    Source: Siegwart et al., Σ' = F_p Σ F_pᵀ + F_Δ Q F_Δᵀ, along exact arcs. F_p of many steps is
-    that of one from the first to the last place, so the steps can be summed in one frame.
+    Source: Siegwart et al., section 5.2.4, Σ' = F_p Σ F_pᵀ + F_Δ Q F_Δᵀ, along exact arcs. F_p of
+    many steps is that of one from the first to the last place, so the steps are summed in one
+    frame.
     """
-    per_tick = _per_tick(ticks_per_turn, wheel_radius)
+    per_tick, wheel_distance = (
+        _per_tick(ticks_per_turn, wheel_radius)[..., None],
+        wheel_distance[..., None],
+    )
     length = per_tick * (ticks_right + ticks_left) / 2
     half = per_tick / wheel_distance * (ticks_right - ticks_left) / 2
     heading = pose[..., 2:] + 2 * half.cumsum(axis=-1) - half  # in the middle of each step
@@ -168,15 +153,15 @@ def covariance(
     across = ahead * length * (sinc_slope(half) + 1j * chord) / 2 - 1j * place  # at the origin
     turn = np.array([-1.0, 1.0]) / wheel_distance[..., None]
     moved = along[..., None] + across[..., None] * turn
-    errors = rows(moved.real, moved.imag, turn)
+    errors = vector(moved.real, moved.imag, turn).swapaxes(-1, -2)
     rolled = per_tick[..., None] * np.abs(vector(ticks_left, ticks_right))
-    errors = errors * np.sqrt(noise[..., None] * rolled)[..., None, :]
+    errors = errors * np.sqrt(noise[..., None, None] * rolled)[..., None, :]
     return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place)
 
 
-@door(covariance=Square((2, 3), good=is_finite))
+@validated(covariance=Square((2, 3)))
 def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
-    """The error ellipse of a position: how uncertain it is, and in which direction.
+    """Return the error ellipse of a position: how uncertain it is, and in which direction.
 
     covariance: (…, 3, 3) as from `covariance`, or (…, 2, 2) of x and y in m² → half-axes (…, 2) in
     m, the standard deviations along the axes, the larger first, and the axes' directions as
@@ -196,11 +181,11 @@ def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
     return vector(large, small), matrix([[c, -s], [s, c]])
 
 
-@door(ends_cw=data("n", 2), ends_ccw=data("m", 2), side=positive(), wheel_distance=positive())
+@validated(ends_cw=data("n", 2), ends_ccw=data("m", 2), side=positive(), wheel_distance=positive())
 def umbmark(
     ends_cw: ArrayLike, ends_ccw: ArrayLike, side: ArrayLike, wheel_distance: ArrayLike
 ) -> tuple[Array, Array]:
-    """Calibration by square runs both ways: the wheel distance, and how unequal the wheels are.
+    """Return a calibration by square runs both ways: wheel distance, and ratio of the wheels.
 
     ends_cw, ends_ccw: (…, n, 2) in m, where the robot really ended runs that by its odometry end
     where they start, at the origin: first along x, then three right turns more and three sides
@@ -208,8 +193,9 @@ def umbmark(
     used so far: (…) in m, positive → corrected wheel distance (…) in m and diameter of the right
     wheel by that of the left (…). Right to first order in the errors, so run it again with the
     corrected values.
-    Source: Borenstein & Feng 1996, their x and y formulas averaged: the robot turns too little
-    by alpha at each corner and to the left by beta on each side.
+    Source: Borenstein & Feng (1996), Measurement and Correction of Systematic Odometry Errors in
+    Mobile Robots, their x and y formulas averaged: the robot turns too little by alpha at each
+    corner and to the left by beta on each side.
     """
     (x_cw, y_cw), (x_ccw, y_ccw) = (parts(ends.mean(axis=-2)) for ends in (ends_cw, ends_ccw))
     alpha = (y_ccw - x_ccw - x_cw - y_cw) / (8 * side)
@@ -220,14 +206,14 @@ def umbmark(
 
 
 def _summed(steps: Array, start: Array | None) -> Array:
-    """Covariances (…, N+1, 3, 3) from that of the first pose and what each step adds."""
+    """Return covariances (…, N+1, 3, 3) from that of the first pose and what each step adds."""
     total = np.zeros((*steps.shape[:-3], steps.shape[-3] + 1, 3, 3))
     np.cumsum(steps, axis=-3, out=total[..., 1:, :, :])
     return total if start is None else total + start[..., None, :, :]
 
 
 def _carried(total: Array, place: NDArray[np.complex128]) -> Array:
-    """Covariances at the origin, taken from there to the first place, 0, and to those given."""
+    """Take covariances at the origin from there to the first place, 0, and to those given."""
     lever = np.zeros((*place.shape[:-1], place.shape[-1] + 1, 3))
     lever[..., 1:, 0], lever[..., 1:, 1] = -place.imag, place.real
     half_row = total[..., 2:, :] + 0.5 * total[..., 2:, 2:] * lever[..., None, :]

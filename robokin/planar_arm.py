@@ -2,18 +2,18 @@
 
 Joint angles `[theta1, …, thetan]` and link lengths stand on the last axis; leading batch
 dimensions broadcast. The pose is `[x, y, phi]` with phi the sum of the angles, the twist
-`[x_dot, y_dot, phi_dot]`, both in the world frame. Exercise 8; Lynch & Park, Modern Robotics,
-chapter 5; Siciliano, Sciavicco, Villani & Oriolo, Robotics, chapter 3.
+`[x_dot, y_dot, phi_dot]`, both in the world frame. Lynch & Park, Modern Robotics, chapters 4 and
+5; Siciliano, Sciavicco, Villani & Oriolo, Robotics: Modelling, Planning and Control, chapters 2
+and 3.
 """
 
 import numpy as np
 
-from robokin._arrays import matrix, parts, rows, running_sums, vector
-from robokin._checks import Array, ArrayLike, Bools, at, first
-from robokin._door import data, door, inside, not_negative, one_of, positive
+from robokin._arrays import Array, ArrayLike, Bools, first, matrix, parts, vector
 from robokin._triangle import TOLERANCE as TOLERANCE
 from robokin._triangle import out_of_reach, triangle
-from robokin.errors import SingularError
+from robokin._validation import data, not_negative, one_of, positive, validated
+from robokin.errors import SingularError, at_index
 from robokin.motion import wrap_angle
 
 __all__ = [
@@ -27,69 +27,65 @@ __all__ = [
     "velocity",
 ]
 
+LINKS = {"lengths": positive("n"), "theta": data("n")}
+THREE_LINKS = {"lengths": positive(3), "theta": data(3)}
 SINGULAR = 1e-14  # a sine of theta2 so small is rounding: sin(np.pi) is 1.2e-16
 
 
-@door(lengths=positive("n"), theta=data("n"))
+@validated(**LINKS)
 def forward(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """The pose of the hand from the joint angles.
+    """Return the pose of the hand from the joint angles.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, 3) `[x, y, phi]` in m, m, rad;
-    phi is not wrapped. Source: exercise 8, x = l1 c1 + l2 c12 + l3 c123.
+    phi is not wrapped. Source: Lynch & Park, chapter 4, x = l1 c1 + l2 c12 + l3 c123.
 
     >>> forward([np.pi / 2, -np.pi / 2, 0], lengths=[0.4, 0.3, 0.1]).round(6)
     array([0.4, 0.4, 0. ])
     """
-    heading = running_sums(theta)
+    heading = theta.cumsum(axis=-1)
     x, y = np.vecdot(lengths, np.cos(heading)), np.vecdot(lengths, np.sin(heading))
     return vector(x, y, heading[..., -1])
 
 
-@door(lengths=positive("n"), theta=data("n"))
+@validated(**LINKS)
 def joint_positions(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """Where the base, the joints and the hand are, in this order: the arm as it is drawn.
+    """Return where base, joints and hand are, in this order: the arm as it is drawn.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, n+1, 2) in m, a row for each point.
     """
-    heading = running_sums(theta)
+    heading = theta.cumsum(axis=-1)
     links = vector(lengths * np.cos(heading), lengths * np.sin(heading))
     out = np.zeros((*links.shape[:-2], links.shape[-2] + 1, 2))
     np.cumsum(links, axis=-2, out=out[..., 1:, :])
     return out
 
 
-@door(lengths=positive("n"), theta=data("n"))
+@validated(**LINKS)
 def jacobian(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """The matrix J that takes joint rates to the hand's twist.
+    """Return the matrix J that takes joint rates to the hand's twist.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, 3, n); rows x_dot, y_dot in m,
     phi_dot: ones. Column j is the hand's motion when joint j alone turns with 1 rad/s.
-    For three links det J = l1 l2 sin θ2. Source: exercise 8.
+    For three links det J = l1 l2 sin θ2. Source: Siciliano et al., section 3.2.1.
     """
     x, y = _levers(theta, lengths)
-    return rows(-y, x, 1)
+    return vector(-y, x, 1).swapaxes(-1, -2)
 
 
-@door(lengths=positive("n"), theta=data("n"), rates=data("n"))
+@validated(**LINKS, rates=data("n"))
 def velocity(theta: ArrayLike, rates: ArrayLike, lengths: ArrayLike) -> Array:
-    """The hand's twist from the joint rates: J times the rates.
+    """Return the hand's twist from the joint rates: J times the rates.
 
     theta: (…, n) in rad; rates: (…, n) in rad/s; lengths: (…, n) in m, positive
     → (…, 3) `[x_dot, y_dot, phi_dot]`. Each link turns with the sum of the rates up to it.
     """
-    heading, omega = running_sums(theta), running_sums(rates)
+    heading, omega = theta.cumsum(axis=-1), rates.cumsum(axis=-1)
     x_dot = -np.vecdot(lengths * np.sin(heading), omega)
     y_dot = np.vecdot(lengths * np.cos(heading), omega)
     return vector(x_dot, y_dot, omega[..., -1])
 
 
-@door(
-    lengths=positive(3),
-    theta=data(3),
-    twist=data(3),
-    damping=not_negative(),
-    singular=one_of("raise", "nan"),
-)
+@validated(**THREE_LINKS, twist=data(3), damping=not_negative(), singular=one_of("raise", "nan"))
 def joint_rates(
     theta: ArrayLike,
     twist: ArrayLike,
@@ -97,14 +93,14 @@ def joint_rates(
     damping: ArrayLike = 0.0,
     singular: str = "raise",
 ) -> Array:
-    """The joint rates that give a wanted twist, three links: J⁻¹ times the twist.
+    """Return the joint rates for a wanted twist, three links: J⁻¹ times the twist.
 
     theta: (…, 3) in rad; twist: (…, 3) `[x_dot, y_dot, phi_dot]`; lengths: (…, 3) in m, positive;
     damping: (…) λ, not negative → (…, 3) in rad/s. Solved by hand and divided by sin θ2 itself,
     so that no digits are lost near the singular points, stretched (θ2 = 0) or folded (θ2 = π).
     There, where `|sin θ2| ≤ 1e-14`, the answer is `SingularError`, or NaN with singular="nan".
     With λ > 0 (damped least squares, Jᵀ (J Jᵀ + λ² I)⁻¹ times the twist) every pose has an
-    answer, with bounded rates. Source: exercise 8; Siciliano et al., section 3.5.2.
+    answer, with bounded rates. Source: Siciliano et al., section 3.5.2.
 
     >>> joint_rates([0, np.pi / 2, 0], [0, 0.1, 0], lengths=[0.4, 0.3, 0.1]).round(6)
     array([ 0.25, -0.25,  0.  ])
@@ -120,26 +116,26 @@ def joint_rates(
     det, square = l1 * l2 * s2, damping * damping
     rate1, rate12 = l2 * along2, -l1 * along1  # of links 1 and 2 in the world, times det
     rates = vector(rate1, rate12 - rate1, det * phi_dot - rate12)
-    if square.ndim or square > 0:
+    if (square > 0).any():
         rates = _damped(theta, twist, lengths, square, det, rates)
     else:
-        rates /= det[..., None]
+        rates = rates / det[..., None]
     bad = (np.abs(s2) <= SINGULAR) & (square == 0)
     if singular == "raise":
         _refuse_singular(s2, bad)
     return np.where(bad[..., None], np.nan, rates)
 
 
-@door(lengths=positive(3), pose=data(3), unreachable=one_of("raise", "nan"))
+@validated(lengths=positive(3), pose=data(3), unreachable=one_of("raise", "nan"))
 def inverse(pose: ArrayLike, lengths: ArrayLike, unreachable: str = "raise") -> Array:
-    """Both ways for three links to bring the hand to a pose.
+    """Return both ways for three links to bring the hand to a pose.
 
     pose: (…, 3) `[x, y, phi]` in m, m, rad; lengths: (…, 3) in m, positive → (…, 2, 3) in rad,
     all in (-π, π]: theta2 ≥ 0 in the first row, -theta2 in the second. Stretched or folded the
     two are one. Where l1 = l2 and the wrist is at the base, theta1 is free: 0.
     Where the wrist, l3 behind the hand, is nearer than `|l1 - l2|` or farther than l1 + l2 (by
     more than 1e-12 of l1 + l2) there is no answer: `UnreachableError`, or NaN with
-    unreachable="nan".
+    unreachable="nan". Source: Siciliano et al., section 2.12.1.
 
     >>> inverse([0.4, 0.4, 0], lengths=[0.4, 0.3, 0.1])[1].round(6)
     array([ 1.570796, -1.570796,  0.      ])
@@ -148,29 +144,29 @@ def inverse(pose: ArrayLike, lengths: ArrayLike, unreachable: str = "raise") -> 
     x, y, phi = parts(pose)
     x_w, y_w = x - l3 * np.cos(phi), y - l3 * np.sin(phi)  # the wrist
     d = np.sqrt(x_w * x_w + y_w * y_w)
-    outside = out_of_reach("pose", d, l1, l2, unreachable)
+    outside = out_of_reach("pose", pose, d, l1, l2, unreachable)
     lift, theta2 = triangle(d, l1, l2)
     low, high = np.arctan2(y_w, x_w) - lift, np.arctan2(y_w, x_w) + lift
     both = matrix([[low, theta2, phi - low - theta2], [high, -theta2, phi - high + theta2]])
     both[outside] = np.nan
-    return inside(wrap_angle)(both)
+    return wrap_angle(both)
 
 
-@door(lengths=positive("n"), theta=data("n"))
+@validated(**LINKS)
 def manipulability(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """How far from singular the arm is for moving the hand's point: √det(J Jᵀ), rows x, y of J.
+    """Return how far from singular the arm is for moving the hand: √det(J Jᵀ), rows x, y of J.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → (…) in m², 0 where all links lie on
     one line. It is the product of the half-axes of `ellipse`, for two links `l1 l2 |sin θ2|`.
-    Source: Yoshikawa; Siciliano et al., section 3.9.
+    Source: Yoshikawa (1985); Siciliano et al., section 3.9.
     """
     x, y = _position_rows(theta, lengths)
     return _area(x, y)
 
 
-@door(lengths=positive("n"), theta=data("n"))
+@validated(**LINKS)
 def ellipse(theta: ArrayLike, lengths: ArrayLike) -> tuple[Array, Array]:
-    """The manipulability ellipse: the hand's velocities for joint rates of length 1 in all.
+    """Return the manipulability ellipse: the hand's velocities for joint rates of length 1.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → half-axes (…, 2) in m (for 1 rad/s),
     the larger first, and their directions in the world as columns (…, 2, 2), the second a
@@ -189,29 +185,26 @@ def ellipse(theta: ArrayLike, lengths: ArrayLike) -> tuple[Array, Array]:
 
 
 def _levers(theta: Array, lengths: Array) -> tuple[Array, Array]:
-    """From each joint to the hand: x (…, n) and y (…, n)."""
-    heading = running_sums(theta)
+    """Return x (…, n) and y (…, n) from each joint to the hand."""
+    heading = theta.cumsum(axis=-1)
     x, y = lengths * np.cos(heading), lengths * np.sin(heading)
-    for i in reversed(range(x.shape[-1] - 1)):
-        x[..., i] += x[..., i + 1]
-        y[..., i] += y[..., i + 1]
-    return x, y
+    return x[..., ::-1].cumsum(axis=-1)[..., ::-1], y[..., ::-1].cumsum(axis=-1)[..., ::-1]
 
 
 def _refuse_singular(s2: Array, bad: Bools) -> None:
-    if np.count_nonzero(bad):
+    if bad.any():
         index = first(bad)
         sine = np.broadcast_to(np.abs(s2), bad.shape)[index]
         raise SingularError(
-            f"theta{at(index)} is singular: |sin(theta2)| is {sine:.3g}, must be above {SINGULAR}; "
-            "damping > 0 gives an answer there"
+            f"theta{at_index(index)} is singular: |sin(theta2)| is {sine:.3g}, must be above "
+            f"{SINGULAR}; damping > 0 gives an answer there"
         )
 
 
 def _damped(
     theta: Array, twist: Array, lengths: Array, square: Array, det: Array, undamped: Array
 ) -> Array:
-    """Jᵀ (J Jᵀ + λ² I)⁻¹ times the twist, by Cramer's rule in powers of λ² (`square`).
+    """Return Jᵀ (J Jᵀ + λ² I)⁻¹ times the twist, by Cramer's rule in powers of λ² (`square`).
 
     With G = J Jᵀ the determinant is λ⁶ + λ⁴ tr G + λ² (principal minors of G) + det² J. The
     terms without λ come from the caller, times det, so that a small λ does no harm.
@@ -232,7 +225,7 @@ def _damped(
 
 
 def _position_rows(theta: Array, lengths: Array) -> tuple[Array, Array]:
-    """The rows x_dot and y_dot of J, (…, n), with link 1 laid along x.
+    """Return the rows x_dot and y_dot of J, (…, n), with link 1 laid along x.
 
     In that frame all x_dot are small near a singular pose and keep their digits.
     """
@@ -243,7 +236,7 @@ def _position_rows(theta: Array, lengths: Array) -> tuple[Array, Array]:
 
 
 def _area(x: Array, y: Array) -> Array:
-    """√det of the products of two rows: one's length times the other's part across it."""
+    """Return √det of the products of two rows: one's length times the other's part across."""
     yy = np.vecdot(y, y)
     across = x - y * (np.vecdot(x, y) / yy)[..., None]
     area: Array = np.sqrt(yy * np.vecdot(across, across))

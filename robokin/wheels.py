@@ -2,7 +2,8 @@
 
 A wheel stands at the distance l and the angle alpha from the robot's centre; beta turns from that
 spoke to the wheel's axle (beta = 0: the axle points along the spoke and the wheel rolls towards
-alpha + beta - 90°). Exercise 6; Siegwart, Nourbakhsh & Scaramuzza, chapter 3.
+alpha + beta - 90°). Siegwart, Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots,
+sections 3.2 and 3.3; Campion, Bastin & D'Andréa-Novel (1996).
 """
 # ruff: noqa: E741  (l is the field's own name)
 
@@ -14,10 +15,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from robokin._arrays import parts, times, vector
-from robokin._checks import Array, ArrayLike, Bools, at, first, shown
-from robokin._door import Sizes, data, door, finite, inside, one, one_of
-from robokin.errors import RobokinError, SingularError, UnreachableError
+from robokin._arrays import Array, ArrayLike, Bools, first, parts, times, vector
+from robokin._validation import (
+    Check,
+    Sizes,
+    data,
+    finite,
+    not_negative,
+    one_of,
+    positive,
+    validate,
+    validated,
+)
+from robokin.errors import RobokinError, SingularError, UnreachableError, at_index, describe
 from robokin.motion import to_body, to_world
 
 __all__ = [
@@ -41,8 +51,9 @@ __all__ = [
 HELD = ("fixed", "steered")  # kinds with a row in `sliding`
 DRIVEN = (*HELD, "castor", "swedish")  # kinds with a row in `rolling`
 KINDS = (*DRIVEN, "spherical")
+NUMBERS: dict[str, Check] = {"l": not_negative(), "radius": positive()}
+NUMBERS |= dict.fromkeys(("alpha", "beta", "d", "gamma"), finite())
 DEPENDENT = 1e-12  # rows nearer than this to depending on each other do
-A_KIND, A_NUMBER = one_of(*KINDS), one(finite())
 SLIP = 1e-9  # sideways speed that is called slip, relative to the speeds that make it up
 
 
@@ -63,15 +74,15 @@ class Wheel:
     gamma: float = 0.0
 
     def __post_init__(self) -> None:
-        A_KIND("kind", self.kind, {})
-        for name in ("l", "alpha", "beta", "radius", "d", "gamma"):
-            object.__setattr__(self, name, A_NUMBER(name, getattr(self, name), {}))
+        one_of(*KINDS)("kind", self.kind, {})
+        numbers = {name: getattr(self, name) for name in NUMBERS}
+        validate(numbers, NUMBERS)
+        for name, number in numbers.items():
+            if number.ndim:
+                raise RobokinError(f"{name} must be one number, got {describe(number)}")
+            object.__setattr__(self, name, float(number))
         if not isfinite(self.alpha + self.beta + self.gamma):
             raise RobokinError("alpha + beta + gamma must be finite, got inf")
-        if self.radius <= 0 or self.l < 0:
-            raise RobokinError(
-                f"radius must be positive and l not negative, got {self.radius} and {self.l}"
-            )
         if (self.d != 0) != (self.kind == "castor"):
             raise RobokinError(
                 f"d must be 0 but for a castor, and other than 0 for one, got {self.d}"
@@ -91,29 +102,32 @@ class Mobility(NamedTuple):
 
 
 def _wheels(name: str, wheels: Any, sizes: Sizes) -> tuple[Wheel, ...]:
-    """For the door: a list of wheels; how many are driven and how many are steered."""
+    """Validate a list of wheels; count the driven and the steered ones."""
     if not isinstance(wheels, (list, tuple)):
-        raise RobokinError(f"{name} must be a list of Wheel, got {shown(wheels)}")
+        raise RobokinError(f"{name} must be a list of Wheel, got {describe(wheels)}")
     for index, wheel in enumerate(wheels):
         if not isinstance(wheel, Wheel):
-            raise RobokinError(f"{name} must be Wheel, got {shown(wheel)}{at((index,))}")
+            raise RobokinError(f"{name} must be Wheel, got {describe(wheel)}{at_index((index,))}")
     sizes["k"] = sum(wheel.kind in DRIVEN for wheel in wheels)
     sizes["s"] = sum(wheel.kind == "steered" for wheel in wheels)
     return tuple(wheels)
 
 
+ROBOT: dict[str, Check] = {"wheels": _wheels, "steering": data("s")}
+
+
 def fixed(l: float, alpha: float, beta: float, radius: float) -> Wheel:
-    """A wheel whose axle is fixed to the robot: rolls, and must not slide along its axle."""
+    """Make a wheel with an axle fixed to the robot: it rolls, and must not slide along it."""
     return Wheel("fixed", l, alpha, beta, radius)
 
 
 def steered(l: float, alpha: float, beta: float, radius: float) -> Wheel:
-    """A wheel that turns about the vertical through its contact point; beta is its angle now."""
+    """Make a wheel that turns about the vertical through its contact point; beta: its angle now."""
     return Wheel("steered", l, alpha, beta, radius)
 
 
 def castor(l: float, alpha: float, beta: float, radius: float, d: float) -> Wheel:
-    """A wheel that trails freely about a pivot at (l, alpha), d from it: it hinders no motion.
+    """Make a wheel that trails freely about a pivot at (l, alpha), d from it; it hinders nothing.
 
     beta is its angle now; the functions take it as it stands, and do not let it trail.
     """
@@ -121,19 +135,19 @@ def castor(l: float, alpha: float, beta: float, radius: float, d: float) -> Whee
 
 
 def swedish(l: float, alpha: float, beta: float, radius: float, gamma: float) -> Wheel:
-    """A wheel with free rollers on its rim (Mecanum), their axes gamma from where it rolls."""
+    """Make a wheel with free rollers on its rim (Mecanum), their axes gamma from where it rolls."""
     return Wheel("swedish", l, alpha, beta, radius, gamma=gamma)
 
 
 def spherical(l: float, alpha: float, radius: float) -> Wheel:
-    """A ball that rolls in any direction: it demands nothing."""
+    """Make a ball that rolls in any direction: it demands nothing."""
     return Wheel("spherical", l, alpha, 0.0, radius)
 
 
 def omni_robot(
     l: float, radius: float, angles: ArrayLike = (0, 2 * np.pi / 3, 4 * np.pi / 3)
 ) -> list[Wheel]:
-    """A robot on Swedish wheels with rollers across, beta = gamma = 0, at the given angles (n,).
+    """Make a robot of Swedish wheels with rollers across, beta = gamma = 0, at the angles (n,).
 
     >>> rolling(omni_robot(0.2, 0.05)).round(3)
     array([[ 0.   , -1.   , -0.2  ],
@@ -146,61 +160,62 @@ def omni_robot(
     return [swedish(l, angle, 0.0, radius, 0.0) for angle in array]
 
 
-@door(wheels=_wheels, steering=data("s"))
+@validated(**ROBOT)
 def rolling(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
-    """J1: the speed at which each wheel must roll is its row times the robot's twist.
+    """Return J1: the speed at which each wheel must roll is its row times the robot's twist.
 
     steering: (…, s) in rad, in place of the steered wheels' beta → (…, k, 3), a row for each
     wheel but the spherical ones, in the body frame.
-    Source: exercise 6, [sin(α+β+γ), −cos(α+β+γ), −l cos(β+γ)] R(θ) ξ̇_I − r φ̇ cos γ = 0.
+    Source: Siegwart et al., section 3.2.3,
+    [sin(α+β+γ), −cos(α+β+γ), −l cos(β+γ)] R(θ) ξ̇_I − r φ̇ cos γ = 0.
     """
     w = _layout(wheels, DRIVEN)
     beta = _turned(w, steering) + w.gamma
     return vector(np.sin(w.alpha + beta), -np.cos(w.alpha + beta), -w.l * np.cos(beta))
 
 
-@door(wheels=_wheels)
+@validated(wheels=_wheels)
 def rolling_rates(wheels: Sequence[Wheel]) -> Array:
-    """J2 = diag(r cos γ): from the wheels' rates to the speeds in the rows of J1 → (k, k)."""
+    """Return J2 = diag(r cos γ): from wheel rates to the speeds in the rows of J1 → (k, k)."""
     return np.diag(_layout(wheels, DRIVEN).per_radian)
 
 
-@door(wheels=_wheels, steering=data("s"))
+@validated(**ROBOT)
 def sliding(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
-    """C1: the speed at which each wheel slides along its axle is its row times the robot's twist.
+    """Return C1: the speed of each wheel along its axle is its row times the robot's twist.
 
     steering: as in `rolling` → (…, m, 3), a row for each fixed and each steered wheel.
-    Source: exercise 6, [cos(α+β), sin(α+β), l sin β] R(θ) ξ̇_I = 0.
+    Source: Siegwart et al., section 3.2.3, [cos(α+β), sin(α+β), l sin β] R(θ) ξ̇_I = 0.
     """
     w = _layout(wheels, HELD)
     beta = _turned(w, steering)
     return vector(np.cos(w.alpha + beta), np.sin(w.alpha + beta), w.l * np.sin(beta))
 
 
-@door(wheels=_wheels, rates=data("k"), steering=data("s"), theta=data())
+@validated(**ROBOT, rates=data("k"), theta=data())
 def forward(
     wheels: Sequence[Wheel],
     rates: ArrayLike,
     steering: ArrayLike | None = None,
     theta: ArrayLike = 0.0,
 ) -> Array:
-    """The robot's velocity in the world from the rates of its wheels.
+    """Return the robot's velocity in the world from the rates of its wheels.
 
     rates: (…, k) in rad/s, for each wheel but the spherical ones; steering: as in `rolling`;
     theta: heading (…) in rad → (…, 3). Least squares over the rolling and the sliding rows
     together; what they cannot agree on is `slip`. SingularError where the wheels do not determine
     the motion, at any steering.
-    Source: exercise 6, ξ̇_I = R(θ)⁻¹ J1⁻¹ J2 φ̇.
+    Source: Siegwart et al., section 3.2.5, ξ̇_I = R(θ)⁻¹ J1⁻¹ J2 φ̇.
 
     >>> forward(omni_robot(0.2, 0.05), [1, 1, 1]).round(6) + 0.0
     array([ 0.  ,  0.  , -0.25])
     """
-    return inside(to_world)(theta, _body_twist(wheels, rates, steering))
+    return to_world(theta, _body_twist(wheels, rates, steering))
 
 
-@door(wheels=_wheels, rates=data("k"), steering=data("s"))
+@validated(**ROBOT, rates=data("k"))
 def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None = None) -> Array:
-    """How far the wheels are from agreeing: what `forward` leaves over in each row.
+    """Return how far the wheels are from agreeing: what `forward` leaves over in each row.
 
     rates, steering: as in `forward` → (…, k + m) in m/s: how much faster each wheel is moved than
     it drives, in the direction that it drives (for a Swedish wheel: along the axis of the roller on
@@ -208,18 +223,12 @@ def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None =
     its axle, in the order of `sliding`.
     """
     twist = _body_twist(wheels, rates, steering)
-    rolled = times(inside(rolling)(wheels, steering), twist)
-    slid = times(inside(sliding)(wheels, steering), twist)
+    rolled = times(rolling(wheels, steering), twist)
+    slid = times(sliding(wheels, steering), twist)
     return np.concatenate([rolled - rates * _layout(wheels, DRIVEN).per_radian, slid], axis=-1)
 
 
-@door(
-    wheels=_wheels,
-    twist=data(3),
-    steering=data("s"),
-    theta=data(),
-    slipping=one_of("raise", "nan"),
-)
+@validated(**ROBOT, twist=data(3), theta=data(), slipping=one_of("raise", "nan"))
 def inverse(
     wheels: Sequence[Wheel],
     twist: ArrayLike,
@@ -227,7 +236,7 @@ def inverse(
     theta: ArrayLike = 0.0,
     slipping: str = "raise",
 ) -> Array:
-    """The rates at which the wheels roll when the robot moves as wanted.
+    """Return the rates at which the wheels roll when the robot moves as wanted.
 
     twist: (…, 3) in the world; steering: as in `rolling`; theta: heading (…) in rad → (…, k) in
     rad/s, for each wheel but the spherical ones. Where a fixed or steered wheel would slip along
@@ -236,19 +245,19 @@ def inverse(
     >>> inverse(omni_robot(0.2, 0.05), [0, 0, -0.25])
     array([1., 1., 1.])
     """
-    body = inside(to_body)(theta, twist)
-    slid = times(inside(sliding)(wheels, steering), body)
-    rates = times(inside(rolling)(wheels, steering), body) / _layout(wheels, DRIVEN).per_radian
+    body = to_body(theta, twist)
+    slid = times(sliding(wheels, steering), body)
+    rates = times(rolling(wheels, steering), body) / _layout(wheels, DRIVEN).per_radian
     slips = _slips(wheels, body, slid, slipping)
     return np.where(slips[..., None], np.nan, rates)
 
 
-@door(wheels=_wheels)
+@validated(wheels=_wheels)
 def mobility(wheels: Sequence[Wheel]) -> Mobility:
-    """In how many ways the robot can move at once, be steered, and both together.
+    """Return in how many ways the robot can move at once, be steered, and both together.
 
     The steered wheels are taken to be turned together, so that a centre of rotation exists.
-    Source: exercise 6, δ_m = 3 − rank C1 and δ_s = rank C1s; Siegwart et al., section 3.4.
+    Source: Siegwart et al., section 3.3, δ_m = 3 − rank C1 and δ_s = rank C1s.
 
     >>> mobility([fixed(0.1, np.pi / 2, 0, 0.03), fixed(0.1, -np.pi / 2, np.pi, 0.03)])
     Mobility(delta_m=2, delta_s=0, delta_M=2)
@@ -257,8 +266,8 @@ def mobility(wheels: Sequence[Wheel]) -> Mobility:
     held = tuple(w for w in wheels if w.kind == "fixed")
     turned = tuple(w for w in wheels if w.kind == "steered")
     generic = np.array([2.4 * (i + 1) for i in range(len(turned))])  # golden angles: no two in line
-    rank_fixed = np.linalg.matrix_rank(inside(sliding)(held) / units, tol=DEPENDENT)
-    rank_steered = np.linalg.matrix_rank(inside(sliding)(turned, generic) / units, tol=DEPENDENT)
+    rank_fixed = np.linalg.matrix_rank(sliding(held) / units, tol=DEPENDENT)
+    rank_steered = np.linalg.matrix_rank(sliding(turned, generic) / units, tol=DEPENDENT)
     delta_s = max(0, min(int(rank_steered), 2 - int(rank_fixed)))
     delta_m = 3 - int(rank_fixed) - delta_s
     return Mobility(delta_m, delta_s, delta_m + delta_s)
@@ -285,7 +294,7 @@ def _layout(wheels: Sequence[Wheel], kinds: tuple[str, ...]) -> _Layout:
 
 
 def _turned(w: _Layout, steering: Array | None) -> Array:
-    """beta of the wheels, (…, n), the steered ones turned."""
+    """Return beta of the wheels, (…, n), the steered ones turned."""
     if steering is None:
         return w.beta
     beta = np.empty((*steering.shape[:-1], len(w.beta)))
@@ -295,7 +304,7 @@ def _turned(w: _Layout, steering: Array | None) -> Array:
 
 
 def _body_twist(wheels: Sequence[Wheel], rates: Array, steering: Array | None) -> Array:
-    """`forward` in the body frame.
+    """Return `forward` in the body frame.
 
     A steered wheel's two rows are those at beta = 0 turned by beta. So one inverse, that at
     beta = 0, serves every steering; each wheel's speed is split over its two rows instead.
@@ -314,9 +323,9 @@ def _body_twist(wheels: Sequence[Wheel], rates: Array, steering: Array | None) -
 
 @lru_cache
 def _left_inverse(wheels: Sequence[Wheel]) -> Array:
-    """From the speeds in the rolling and sliding rows at beta = 0 to the twist: (3, k + m)."""
+    """Return the matrix (3, k + m) from the speeds of all rows at beta = 0 to the twist."""
     ahead = np.zeros(len(_layout(wheels, ("steered",)).l))
-    matrix = np.concatenate([inside(rows)(wheels, ahead) for rows in (rolling, sliding)])
+    matrix = np.concatenate([rows(wheels, ahead) for rows in (rolling, sliding)])
     units = _units(wheels)
     u, s, vt = np.linalg.svd(matrix / units, full_matrices=False)
     rank = np.count_nonzero(s > DEPENDENT * s.max(initial=0.0))
@@ -326,20 +335,20 @@ def _left_inverse(wheels: Sequence[Wheel]) -> Array:
 
 
 def _units(wheels: Sequence[Wheel]) -> Array:
-    """What to divide a row by, so that its third entry compares with the others: the largest l."""
+    """Return what to divide a row by: the largest l makes its third entry comparable."""
     return np.array([1.0, 1.0, max((w.l for w in wheels), default=0.0) or 1.0])
 
 
 def _slips(wheels: Sequence[Wheel], twist: Array, slid: Array, slipping: str) -> Bools:
-    """Where a wheel would slip along its axle, (…); with "raise" the first one is refused."""
+    """Return where a wheel would slip along its axle, (…); with "raise" refuse the first one."""
     held = _layout(wheels, HELD)
     v_x, v_y, omega = parts(np.abs(twist)[..., None, :])
     slips = np.abs(slid) > SLIP * (v_x + v_y + held.l * omega)
-    if slipping == "raise" and np.count_nonzero(slips):
+    if slipping == "raise" and slips.any():
         *batch, row = index = first(slips)
         wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
         raise UnreachableError(
             f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at "
-            f"{abs(slid[index]):.3g} m/s{at(tuple(batch))}"
+            f"{abs(slid[index]):.3g} m/s{at_index(tuple(batch))}"
         )
     return np.asarray(slips.any(axis=-1))

@@ -13,8 +13,8 @@ import pytest
 from arguments import DATA, PARAMETERS, STEPS, TABLE, bind, find, public_functions
 from hypothesis import HealthCheck, given, settings
 
-from robokin._checks import MANY
-from robokin._paths import METHODS
+MANY = 10_000
+METHODS = ("exact", "midpoint", "start", "end")
 from robokin.bicycle import lane_width
 from robokin.errors import RobokinError
 from robokin.motion import wrap_angle

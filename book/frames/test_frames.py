@@ -24,7 +24,8 @@ from support import (
 )
 
 from book.prose import reads
-from robokin._rotations import BLOCK
+
+BLOCK = 4000
 from robokin.errors import RobokinError
 from robokin.frames import (
     FrameGraph,

@@ -420,7 +420,7 @@ def test_round_headings(quarter):
         ),
         (lambda: arc_step(np.zeros((2, 3)), 1, 1, [1, 1, 1]), r"pose \(2,\), dt \(3,\)"),
         (lambda: path([0, 0, 0], [1, 2], [1, 2, 3], 1), r"v \(2,\), omega \(3,\)"),
-        (lambda: path(np.zeros((2, 3)), np.ones((3, 4)), 1, 1), r"pose \(2, 1\), v \(3, 4\)"),
+        (lambda: path(np.zeros((2, 3)), np.ones((3, 4)), 1, 1), r"v \(3,\), pose \(2,\)"),
     ],
 )
 def test_bad_input_is_named(call, message):

@@ -1,4 +1,4 @@
-"""Arrays and their parts: (…, 3) taken apart into x, y, theta, and put together again."""
+"""Arrays taken apart into x, y, theta and put together again; angles brought into (-π, π]."""
 
 from collections.abc import Sequence
 from typing import Any, TypeAlias
@@ -39,10 +39,19 @@ def matrix(rows: Sequence[Sequence[ArrayLike]]) -> Array:
 
 def times(matrix: Array, vector: Array) -> Array:
     """Return (…, m, n) times (…, n): (…, m)."""
-    product: Array = np.vecdot(matrix, vector[..., None, :])
-    return product
+    return np.vecdot(matrix, vector[..., None, :])
 
 
 def first(bad: Bools) -> Shape:
     """Return the index of the first bad element."""
     return tuple(map(int, np.argwhere(bad)[0]))
+
+
+def wrap(angle: Array) -> Array:
+    """Bring an angle in (-3π, π] into (-π, π]."""
+    return angle + 2 * np.pi * (angle <= -np.pi)
+
+
+def opposite(angle: Array) -> Array:
+    """Return the opposite direction of an angle in (-2π, 2π), in (-π, π]."""
+    return wrap(angle - np.copysign(np.pi, angle))

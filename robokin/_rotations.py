@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from robokin._arrays import Array, ArrayLike, Bools, Shape, entries, first
+from robokin._arrays import Array, ArrayLike, Shape, entries, first
 from robokin._validation import Rule, Sizes
 from robokin.errors import RobokinError, at_index
 
@@ -46,11 +46,11 @@ def judged(name: str, matrices: Array, n: int, tol: ArrayLike = TOLERANCE) -> Ar
     A matrix with a NaN or infinite entry is not judged: it comes back with NaN in all entries.
     """
     errors = np.abs(_errors(matrices, n))
-    good: Bools = (errors <= tol).all(axis=0)
+    good = np.all(errors <= tol, axis=0)
     if good.all() and np.isfinite(matrices).all():
         return matrices
-    known: Bools = np.isfinite(matrices).all(axis=(-2, -1))
-    bad: Bools = known & ~good
+    known = np.all(np.isfinite(matrices), axis=(-2, -1))
+    bad = known & ~good
     if bad.any():
         index = first(bad)
         limit = np.broadcast_to(tol, good.shape)[index]

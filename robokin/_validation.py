@@ -9,7 +9,7 @@ warnings are silent. *Parameters* (`positive`, `finite`, …) with an impossible
 """
 
 import inspect
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import wraps
 from itertools import combinations
@@ -55,9 +55,8 @@ class Rule:
         core = [sizes.get(n, n) for n in self.core]
         pairs = zip(core, last, strict=False)
         if len(last) < len(core) or any(m != n and (isinstance(n, int) or m < 1) for n, m in pairs):
-            letters = "".join(f", {n} at least 1" for n in core if isinstance(n, str))
-            wanted = ", ".join(["…", *map(str, core)])
-            raise RobokinError(f"{name} must have shape ({wanted}){letters}, got {shape}")
+            wanted = ", ".join(["…", *(f"{n}" if isinstance(n, int) else f"{n} ≥ 1" for n in core)])
+            raise RobokinError(f"{name} must have shape ({wanted}), got {shape}")
         sizes.update(zip(self.core, last, strict=True))
 
 
@@ -104,7 +103,7 @@ def validated(**rules: Check) -> Callable[[F], F]:
     def decorate(function: F) -> F:
         parameters = inspect.signature(function).parameters
         defaults = {n: p.default for n, p in parameters.items() if p.default is not p.empty}
-        optional = [name for name, default in defaults.items() if default is None]
+        required = [name for name in parameters if defaults.get(name, ...) is not None]
 
         @wraps(function)
         @quiet
@@ -113,7 +112,7 @@ def validated(**rules: Check) -> Callable[[F], F]:
             given = defaults | passed  # Signature.bind takes longer than most of the formulas
             if len(passed) < len(args) + len(kwargs) or given.keys() != parameters.keys():
                 return function(*args, **kwargs)  # raises Python's own error
-            validate(given, rules, optional)
+            validate(given, {n: rules[n] for n in rules if given[n] is not None or n in required})
             result = function(**given)
             return result[()] if isinstance(result, np.ndarray) else result
 
@@ -122,26 +121,22 @@ def validated(**rules: Check) -> Callable[[F], F]:
     return decorate
 
 
-def validate(
-    given: dict[str, Any], rules: Mapping[str, Check], optional: Collection[str] = ()
-) -> None:
+def validate(given: dict[str, Any], rules: Mapping[str, Check]) -> None:
     """Put arrays that broadcast in place of the arguments, or refuse one of them."""
     sizes: Sizes = {}
     batches: dict[Shape, str] = {}  # each batch shape, and the first argument that has it
     lengths: dict[Shape, str] = {}  # likewise the numbers of steps
     for name, rule in rules.items():
-        if given[name] is not None or name not in optional:
-            array = given[name] = rule(name, given[name], sizes)
-            if isinstance(rule, Rule):
-                axes = array.ndim - len(rule.core)
-                batches.setdefault(array.shape[:axes], name)
-                if rule.core == (STEPS,):
-                    lengths.setdefault(array.shape[axes:], name)
+        array = given[name] = rule(name, given[name], sizes)
+        if isinstance(rule, Rule):
+            axes = array.ndim - len(rule.core)
+            batches.setdefault(array.shape[:axes], name)
+            if rule.core == (STEPS,):
+                lengths.setdefault(array.shape[axes:], name)
     for shapes in batches, lengths:
         for s, t in combinations(shapes, 2):
             if any(m != n and 1 not in (m, n) for m, n in zip(s[::-1], t[::-1], strict=False)):
-                got = f"{shapes[s]} {s}, {shapes[t]} {t}"
-                raise RobokinError(f"the batch shapes do not broadcast together: {got}")
+                raise RobokinError(f"shapes do not broadcast: {shapes[s]} {s}, {shapes[t]} {t}")
 
 
 def real_numbers(name: str, value: Any) -> Array:
@@ -149,8 +144,7 @@ def real_numbers(name: str, value: Any) -> Array:
     try:
         masked, array = has_mask(value), np.asarray(value)
     except Exception as error:  # whatever a ragged list or a strange object does in there
-        message = f"{name} must be numbers in a regular array, got {describe(value)}"
-        raise RobokinError(message) from error
+        raise RobokinError(f"{name} must be a regular array, got {describe(value)}") from error
     if masked:
         raise RobokinError(f"{name} must not be masked; .filled(np.nan) makes masked values NaN")
     if array.dtype.kind not in "iuf":

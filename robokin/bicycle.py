@@ -92,8 +92,7 @@ def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     >>> round(float(corner_cut(np.radians(30), wheelbase=7.0)), 3)
     1.876
     """
-    cut: Array = wheelbase * np.abs(np.sin(phi)) / (1 + np.abs(np.cos(phi)))
-    return cut
+    return wheelbase * np.abs(np.sin(phi)) / (1 + np.abs(np.cos(phi)))
 
 
 @validated(phi=data(), wheelbase=positive(), track=positive())
@@ -110,8 +109,7 @@ def lane_width(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     """
     outer = np.abs(wheelbase / np.tan(phi)) + track / 2
     reach = np.hypot(outer, wheelbase)
-    width: Array = np.minimum(outer, track) + wheelbase * (wheelbase / (reach + outer))
-    return width
+    return np.minimum(outer, track) + wheelbase * (wheelbase / (reach + outer))
 
 
 @validated(alpha_left=data(), alpha_right=data(), wheelbase=positive(), track=positive())

@@ -8,8 +8,7 @@ raise it. Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.
 
 import numpy as np
 
-from robokin._angles import from_minus_pi, opposite
-from robokin._arrays import Array, ArrayLike, Bools, matrix, parts, vector
+from robokin._arrays import Array, ArrayLike, Bools, matrix, opposite, parts, vector, wrap
 from robokin._triangle import TOLERANCE as TOLERANCE
 from robokin._triangle import out_of_reach, triangle
 from robokin._validation import data, finite, one_of, positive, validated
@@ -82,12 +81,12 @@ def inverse(
     lift, elbow = triangle(d, a2, a3)
     rise = np.arctan2(h, np.sqrt(r_squared))
     up, down = rise + lift, rise - lift
-    facing = from_minus_pi(np.arctan2(y + 0.0, x + 0.0))  # + 0.0 turns -0.0 into 0.0
+    facing = wrap(np.arctan2(y + 0.0, x + 0.0))  # + 0.0 turns -0.0 into 0.0
     away = opposite(facing)  # the same arm seen from behind: π - theta2 and -theta3
     out = matrix(
         [
             [facing, up - 2 * np.pi * (up > np.pi), -elbow],
-            [facing, from_minus_pi(down), elbow],
+            [facing, wrap(down), elbow],
             [away, opposite(-up), elbow],
             [away, opposite(-down), -elbow],
         ]

@@ -12,14 +12,12 @@ intrinsic one with all angles negated. Siciliano, Sciavicco, Villani & Oriolo, R
 Planning and Control, sections 2.4 to 2.6; Lynch & Park, Modern Robotics, appendix B.
 """
 
-from itertools import product
-from operator import ne
+from itertools import pairwise, product
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from robokin._angles import from_minus_pi, opposite
-from robokin._arrays import Array, ArrayLike, Bools, entries, matrix, parts, vector
+from robokin._arrays import Array, ArrayLike, Bools, entries, matrix, opposite, parts, vector, wrap
 from robokin._rotations import A_ROTATION
 from robokin._validation import Sizes, data, positive, validated
 from robokin.errors import RobokinError, describe
@@ -49,7 +47,9 @@ def _axes(letters: str, intrinsic: bool) -> _Axes:
 
 
 LETTERS = ["".join(word) for n in (1, 2, 3) for word in product("xyz", repeat=n)]
-LETTERS = [word for word in LETTERS if all(map(ne, word, word[1:]))]  # no axis twice in a row
+LETTERS = [
+    word for word in LETTERS if all(a != b for a, b in pairwise(word))
+]  # no axis twice in a row
 SEQUENCES = {word: _axes(word, False) for word in LETTERS}
 SEQUENCES |= {word.upper(): _axes(word, True) for word in LETTERS}
 
@@ -136,7 +136,7 @@ def solutions(seq: str, R: ArrayLike) -> Array:
            [ 1.570796,  3.141593,  1.570796]])
     """
     a, b, c = parts(from_matrix(seq, R))
-    middle = from_minus_pi(-b) if SEQUENCES[seq].proper else opposite(-b)
+    middle = wrap(-b) if SEQUENCES[seq].proper else opposite(-b)
     return matrix([[a, b, c], [opposite(a), middle, opposite(c)]])
 
 
@@ -220,8 +220,7 @@ def _quaternion(R: Array) -> Array:
     xy, yz, zx = xy + yx, yz + zy, zx + xz
     xx, yy, zz = 1.0 + xx - yy - zz, 1.0 - xx + yy - zz, 1.0 - xx - yy + zz
     Q = [[ww, wx, wy, wz], [wx, xx, xy, zx], [wy, xy, yy, yz], [wz, zx, yz, zz]]
-    q: Array = np.choose(np.argmax([ww, xx, yy, zz], axis=0), np.array(Q))
-    return q
+    return np.choose(np.argmax([ww, xx, yy, zz], axis=0), np.array(Q))
 
 
 def _third(M: list[list[Array]], seq: str) -> tuple[Array, Array, Array]:

@@ -5,22 +5,13 @@
 SE(3); the functions tell them apart by shape. Lynch & Park, Modern Robotics, chapter 3.
 """
 
-from collections import deque
 from functools import reduce
 from itertools import pairwise
 
 import numpy as np
 
-from robokin._angles import from_minus_pi
-from robokin._arrays import Array, ArrayLike, Shape, entries, first, matrix, times, vector
-from robokin._rotations import (
-    A_PLANAR_POSE,
-    A_POSE,
-    A_ROTATION,
-    TOLERANCE,
-    Square,
-    judged,
-)
+from robokin._arrays import Array, ArrayLike, Shape, entries, first, matrix, times, vector, wrap
+from robokin._rotations import A_PLANAR_POSE, A_POSE, A_ROTATION, TOLERANCE, Square, judged
 from robokin._validation import data, positive, quiet, refuse, validate, validated
 from robokin.errors import RobokinError, at_index, describe
 
@@ -75,7 +66,7 @@ def pose(T: ArrayLike) -> Array:
     array([1. , 2. , 0.5])
     """
     (c, _, x), (s, _, y), _ = entries(T)
-    return vector(x, y, from_minus_pi(np.arctan2(s + 0.0, c)))
+    return vector(x, y, wrap(np.arctan2(s + 0.0, c)))
 
 
 @validated(theta=data(), d=data(), a=data(), alpha=data())
@@ -240,9 +231,8 @@ class FrameGraph:
 
     def _ways(self, a: str) -> dict[str, list[str]]:
         """Return for every frame connected with a, itself included, the shortest way to it."""
-        ways, queue = {a: [a]}, deque([a])
-        while queue:
-            here = queue.popleft()
+        ways, queue = {a: [a]}, [a]
+        for here in queue:  # which grows meanwhile
             for there in self._known[here]:
                 if there not in ways:
                     ways[there] = [*ways[here], there]

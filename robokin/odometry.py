@@ -6,9 +6,8 @@ Lynch & Park, Modern Robotics, section 13.4.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from robokin._arrays import Array, ArrayLike, Bools, entries, matrix, parts, vector
+from robokin._arrays import Array, ArrayLike, entries, matrix, parts, vector
 from robokin._paths import METHOD, follow, sinc, sinc_slope
 from robokin._rotations import Square
 from robokin._validation import STEPS, Rule, data, not_negative, positive, refuse, validated, whole
@@ -18,12 +17,8 @@ __all__ = ["covariance", "ellipse", "path", "travel", "umbmark", "unwrap_counter
 TICKS = {"ticks_left": whole(STEPS), "ticks_right": whole(STEPS)}
 WHEEL = {"ticks_per_turn": positive(), "wheel_radius": positive()}
 ROBOT = {**WHEEL, "wheel_distance": positive()}
+BITS = Rule((), lambda n: (n == np.rint(n)) & (n >= 1) & (n <= 52), "1, 2, … or 52")
 ROUNDING = 1e-12  # of the variances, between numbers that should be the same
-
-
-def _is_size(bits: Array) -> Bools:
-    fits: Bools = (bits == np.rint(bits)) & (bits >= 1) & (bits <= 52)
-    return fits
 
 
 def _per_tick(ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
@@ -44,7 +39,7 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     return _per_tick(ticks_per_turn, wheel_radius) * ticks
 
 
-@validated(bits=Rule(ok=_is_size, allowed="1, 2, … or 52"), counts=whole(STEPS))
+@validated(bits=BITS, counts=whole(STEPS))
 def unwrap_counter(counts: ArrayLike, bits: ArrayLike) -> Array:
     """Return the ticks between the readings of a counter that wraps round after 2**bits.
 
@@ -156,7 +151,7 @@ def covariance(
     errors = vector(moved.real, moved.imag, turn).swapaxes(-1, -2)
     rolled = per_tick[..., None] * np.abs(vector(ticks_left, ticks_right))
     errors = errors * np.sqrt(noise[..., None, None] * rolled)[..., None, :]
-    return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place)
+    return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place.real, place.imag)
 
 
 @validated(covariance=Square((2, 3)))
@@ -212,10 +207,10 @@ def _summed(steps: Array, start: Array | None) -> Array:
     return total if start is None else total + start[..., None, :, :]
 
 
-def _carried(total: Array, place: NDArray[np.complex128]) -> Array:
-    """Take covariances at the origin from there to the first place, 0, and to those given."""
-    lever = np.zeros((*place.shape[:-1], place.shape[-1] + 1, 3))
-    lever[..., 1:, 0], lever[..., 1:, 1] = -place.imag, place.real
+def _carried(total: Array, x: Array, y: Array) -> Array:
+    """Take covariances at the origin from there to the first place, (0, 0), and to (x, y)."""
+    lever = np.zeros((*x.shape[:-1], x.shape[-1] + 1, 3))
+    lever[..., 1:, 0], lever[..., 1:, 1] = -y, x
     half_row = total[..., 2:, :] + 0.5 * total[..., 2:, 2:] * lever[..., None, :]
     carried = lever[..., None] * half_row
     return total + (carried + carried.swapaxes(-1, -2))

@@ -9,7 +9,7 @@ and 3.
 
 import numpy as np
 
-from robokin._arrays import Array, ArrayLike, Bools, first, matrix, parts, vector
+from robokin._arrays import Array, ArrayLike, first, matrix, parts, vector
 from robokin._triangle import TOLERANCE as TOLERANCE
 from robokin._triangle import out_of_reach, triangle
 from robokin._validation import data, not_negative, one_of, positive, validated
@@ -121,8 +121,13 @@ def joint_rates(
     else:
         rates = rates / det[..., None]
     bad = (np.abs(s2) <= SINGULAR) & (square == 0)
-    if singular == "raise":
-        _refuse_singular(s2, bad)
+    if singular == "raise" and bad.any():
+        index = first(bad)
+        sine = np.broadcast_to(np.abs(s2), bad.shape)[index]
+        raise SingularError(
+            f"theta{at_index(index)} is singular: |sin(theta2)| is {sine:.3g}, must be above "
+            f"{SINGULAR}; damping > 0 gives an answer there"
+        )
     return np.where(bad[..., None], np.nan, rates)
 
 
@@ -191,16 +196,6 @@ def _levers(theta: Array, lengths: Array) -> tuple[Array, Array]:
     return x[..., ::-1].cumsum(axis=-1)[..., ::-1], y[..., ::-1].cumsum(axis=-1)[..., ::-1]
 
 
-def _refuse_singular(s2: Array, bad: Bools) -> None:
-    if bad.any():
-        index = first(bad)
-        sine = np.broadcast_to(np.abs(s2), bad.shape)[index]
-        raise SingularError(
-            f"theta{at_index(index)} is singular: |sin(theta2)| is {sine:.3g}, must be above "
-            f"{SINGULAR}; damping > 0 gives an answer there"
-        )
-
-
 def _damped(
     theta: Array, twist: Array, lengths: Array, square: Array, det: Array, undamped: Array
 ) -> Array:
@@ -220,8 +215,7 @@ def _damped(
     b = (square + xx + 3) * v_y - xy * v_x - yz * omega
     c = (square + xx + yy) * omega - xz * v_x - yz * v_y
     above = x * b[..., None] - y * a[..., None] + c[..., None]
-    rates: Array = (square[..., None] * above + det[..., None] * undamped) / below[..., None]
-    return rates
+    return (square[..., None] * above + det[..., None] * undamped) / below[..., None]
 
 
 def _position_rows(theta: Array, lengths: Array) -> tuple[Array, Array]:
@@ -239,5 +233,4 @@ def _area(x: Array, y: Array) -> Array:
     """Return √det of the products of two rows: one's length times the other's part across."""
     yy = np.vecdot(y, y)
     across = x - y * (np.vecdot(x, y) / yy)[..., None]
-    area: Array = np.sqrt(yy * np.vecdot(across, across))
-    return area
+    return np.sqrt(yy * np.vecdot(across, across))

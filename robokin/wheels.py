@@ -16,17 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike, Bools, first, parts, times, vector
-from robokin._validation import (
-    Check,
-    Sizes,
-    data,
-    finite,
-    not_negative,
-    one_of,
-    positive,
-    validate,
-    validated,
-)
+from robokin._validation import data, finite, not_negative, one_of, positive, validate, validated
 from robokin.errors import RobokinError, SingularError, UnreachableError, at_index, describe
 from robokin.motion import to_body, to_world
 
@@ -51,8 +41,9 @@ __all__ = [
 HELD = ("fixed", "steered")  # kinds with a row in `sliding`
 DRIVEN = (*HELD, "castor", "swedish")  # kinds with a row in `rolling`
 KINDS = (*DRIVEN, "spherical")
-NUMBERS: dict[str, Check] = {"l": not_negative(), "radius": positive()}
+NUMBERS = {"l": not_negative(), "radius": positive()}
 NUMBERS |= dict.fromkeys(("alpha", "beta", "d", "gamma"), finite())
+SLIPPING = one_of("raise", "nan")
 DEPENDENT = 1e-12  # rows nearer than this to depending on each other do
 SLIP = 1e-9  # sideways speed that is called slip, relative to the speeds that make it up
 
@@ -84,13 +75,10 @@ class Wheel:
         if not isfinite(self.alpha + self.beta + self.gamma):
             raise RobokinError("alpha + beta + gamma must be finite, got inf")
         if (self.d != 0) != (self.kind == "castor"):
-            raise RobokinError(
-                f"d must be 0 but for a castor, and other than 0 for one, got {self.d}"
-            )
+            raise RobokinError(f"d must not be 0 for a castor, and 0 for the others, got {self.d}")
         if (self.gamma != 0 and self.kind != "swedish") or abs(cos(self.gamma)) < 1e-15:
-            raise RobokinError(
-                f"gamma must be 0 but for a swedish wheel, and never ±π/2, got {self.gamma}"
-            )
+            message = "gamma must be 0 but for a swedish wheel, and never ±π/2, got"
+            raise RobokinError(f"{message} {self.gamma}")
 
 
 class Mobility(NamedTuple):
@@ -101,7 +89,7 @@ class Mobility(NamedTuple):
     delta_M: int
 
 
-def _wheels(name: str, wheels: Any, sizes: Sizes) -> tuple[Wheel, ...]:
+def _wheels(name: str, wheels: Any, sizes: dict[Any, int]) -> tuple[Wheel, ...]:
     """Validate a list of wheels; count the driven and the steered ones."""
     if not isinstance(wheels, (list, tuple)):
         raise RobokinError(f"{name} must be a list of Wheel, got {describe(wheels)}")
@@ -111,9 +99,6 @@ def _wheels(name: str, wheels: Any, sizes: Sizes) -> tuple[Wheel, ...]:
     sizes["k"] = sum(wheel.kind in DRIVEN for wheel in wheels)
     sizes["s"] = sum(wheel.kind == "steered" for wheel in wheels)
     return tuple(wheels)
-
-
-ROBOT: dict[str, Check] = {"wheels": _wheels, "steering": data("s")}
 
 
 def fixed(l: float, alpha: float, beta: float, radius: float) -> Wheel:
@@ -160,7 +145,7 @@ def omni_robot(
     return [swedish(l, angle, 0.0, radius, 0.0) for angle in array]
 
 
-@validated(**ROBOT)
+@validated(wheels=_wheels, steering=data("s"))
 def rolling(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
     """Return J1: the speed at which each wheel must roll is its row times the robot's twist.
 
@@ -180,7 +165,7 @@ def rolling_rates(wheels: Sequence[Wheel]) -> Array:
     return np.diag(_layout(wheels, DRIVEN).per_radian)
 
 
-@validated(**ROBOT)
+@validated(wheels=_wheels, steering=data("s"))
 def sliding(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
     """Return C1: the speed of each wheel along its axle is its row times the robot's twist.
 
@@ -192,7 +177,7 @@ def sliding(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array
     return vector(np.cos(w.alpha + beta), np.sin(w.alpha + beta), w.l * np.sin(beta))
 
 
-@validated(**ROBOT, rates=data("k"), theta=data())
+@validated(wheels=_wheels, rates=data("k"), steering=data("s"), theta=data())
 def forward(
     wheels: Sequence[Wheel],
     rates: ArrayLike,
@@ -213,7 +198,7 @@ def forward(
     return to_world(theta, _body_twist(wheels, rates, steering))
 
 
-@validated(**ROBOT, rates=data("k"))
+@validated(wheels=_wheels, rates=data("k"), steering=data("s"))
 def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None = None) -> Array:
     """Return how far the wheels are from agreeing: what `forward` leaves over in each row.
 
@@ -228,7 +213,7 @@ def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None =
     return np.concatenate([rolled - rates * _layout(wheels, DRIVEN).per_radian, slid], axis=-1)
 
 
-@validated(**ROBOT, twist=data(3), theta=data(), slipping=one_of("raise", "nan"))
+@validated(wheels=_wheels, twist=data(3), steering=data("s"), theta=data(), slipping=SLIPPING)
 def inverse(
     wheels: Sequence[Wheel],
     twist: ArrayLike,
@@ -297,8 +282,7 @@ def _turned(w: _Layout, steering: Array | None) -> Array:
     """Return beta of the wheels, (…, n), the steered ones turned."""
     if steering is None:
         return w.beta
-    beta = np.empty((*steering.shape[:-1], len(w.beta)))
-    beta[...] = w.beta
+    beta = np.broadcast_to(w.beta, (*steering.shape[:-1], len(w.beta))).copy()
     beta[..., w.steered] = steering
     return beta
 

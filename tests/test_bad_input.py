@@ -13,11 +13,12 @@ import pytest
 from arguments import DATA, PARAMETERS, STEPS, TABLE, bind, find, public_functions
 from hypothesis import HealthCheck, given, settings
 
-MANY = 10_000
-METHODS = ("exact", "midpoint", "start", "end")
 from robokin.bicycle import lane_width
 from robokin.errors import RobokinError
 from robokin.motion import wrap_angle
+
+MANY = 10_000
+METHODS = ("exact", "midpoint", "start", "end")
 
 
 def call(label, **changed):

@@ -174,11 +174,11 @@ def test_straight_ahead_and_straight_back_the_radius_is_plus_infinity(rate):
         (lambda: wheel_rates(1, {}, 0.1, 0.1), r"omega must be real numbers, got object in \{\}"),
         (
             lambda: body_twist([1, 2], [1, 2, 3], 0.1, 0.1),
-            r"do not broadcast together: rate_left \(2,\), rate_right \(3,\)",
+            r"do not broadcast: rate_left \(2,\), rate_right \(3,\)",
         ),
         (
             lambda: wheel_rates([1, 2], 1, [0.1, 0.1, 0.1], 0.1),
-            r"do not broadcast together: v \(2,\), wheel_radius \(3,\)$",
+            r"do not broadcast: v \(2,\), wheel_radius \(3,\)$",
         ),
         (lambda: wheel_rates(1, [1, 2], 0.1, [1, 2, 3]), r"omega \(2,\), wheel_distance \(3,\)"),
         (lambda: body_twist([1, 2], 1, 0.1, [1, 2, 3]), r"rate_left \(2,\), wheel_distance \(3,\)"),

@@ -24,8 +24,6 @@ from support import (
 )
 
 from book.prose import reads
-
-BLOCK = 4000
 from robokin.errors import RobokinError
 from robokin.frames import (
     FrameGraph,
@@ -39,6 +37,7 @@ from robokin.frames import (
     transform,
 )
 
+BLOCK = 4000
 mpmath.mp.dps = 50
 
 # Positions reach 10 m in each coordinate; an entry of a product sums three terms of that size,

@@ -515,7 +515,7 @@ def test_empty_batches_and_broadcasting():
         (lambda: swedish(1, 1.5e308, 0, 1, 1.5e308), "alpha [+] beta [+] gamma must be finite"),
         (
             lambda: castor(1, 0, 0, 1, 0),
-            "other than 0 for one, got 0.0",
+            "d must not be 0 for a castor, .* got 0.0",
         ),
         (lambda: castor(1, 0, 0, 1, NAN), "d must be finite"),
         (
@@ -546,7 +546,7 @@ def test_empty_batches_and_broadcasting():
         (lambda: forward(OMNI, [1, 2, "3"]), "rates must be real numbers"),
         (lambda: forward(OMNI, [1, 2, 3], theta="x"), "theta must be real numbers"),
         (lambda: forward(OMNI, np.ones((2, 3)), theta=[1, 2, 3]), r"rates \(2,\), theta \(3,\)"),
-        (lambda: slip(CAR, np.ones((2, 4)), np.ones((3, 2))), r"steering \(3,\), rates \(2,\)"),
+        (lambda: slip(CAR, np.ones((2, 4)), np.ones((3, 2))), r"rates \(2,\), steering \(3,\)"),
         (lambda: slip(CAR, [1, 2]), r"rates must have shape \(…, 4\)"),
         (lambda: inverse(CAR, [1, 2]), r"twist must have shape \(…, 3\), got \(2,\)"),
         (lambda: inverse(CAR, [1, 0, 0], slipping="ok"), "slipping must be one of raise, nan"),

@@ -142,7 +142,8 @@ def validate(given: dict[str, Any], rules: Mapping[str, Check]) -> None:
 def real_numbers(name: str, value: Any) -> Array:
     """Return an array of floats; refuse masked arrays, strings, objects, complex, ragged lists."""
     try:
-        masked, array = has_mask(value), np.asarray(value)
+        masked = has_mask(value)
+        array = np.asarray(0.0 if masked else value)
     except Exception as error:  # whatever a ragged list or a strange object does in there
         raise RobokinError(f"{name} must be a regular array, got {describe(value)}") from error
     if masked:

@@ -47,9 +47,7 @@ def _axes(letters: str, intrinsic: bool) -> _Axes:
 
 
 LETTERS = ["".join(word) for n in (1, 2, 3) for word in product("xyz", repeat=n)]
-LETTERS = [
-    word for word in LETTERS if all(a != b for a, b in pairwise(word))
-]  # no axis twice in a row
+LETTERS = [w for w in LETTERS if all(a != b for a, b in pairwise(w))]  # no axis twice in a row
 SEQUENCES = {word: _axes(word, False) for word in LETTERS}
 SEQUENCES |= {word.upper(): _axes(word, True) for word in LETTERS}
 

@@ -52,7 +52,10 @@ def se3(rotation: ArrayLike, position: ArrayLike) -> Array:
     rotation: (…, 3, 3); position: (…, 3) in m → (…, 4, 4). What is not a rotation is refused, as
     in `check_rotation`.
     """
-    return _pose_of(rotation, position)
+    batch = np.broadcast_shapes(rotation.shape[:-2], position.shape[:-1])
+    T = np.zeros((*batch, 4, 4))
+    T[..., :3, :3], T[..., :3, 3], T[..., 3, 3] = rotation, position + 0.0, 1.0  # no -0.0
+    return T
 
 
 @validated(T=A_PLANAR_POSE)
@@ -109,7 +112,9 @@ def inverse(T: ArrayLike) -> Array:
     """
     R, p = _parts_of(T)
     R_back = R.swapaxes(-1, -2)
-    return _pose_of(R_back, -times(R_back, p))
+    T_back = T.copy()
+    T_back[..., :-1, :-1], T_back[..., :-1, -1] = R_back, 0.0 - times(R_back, p)
+    return T_back
 
 
 @quiet
@@ -273,11 +278,3 @@ def check_rotation(R: ArrayLike, tol: ArrayLike = TOLERANCE) -> None:
 def _parts_of(T: Array) -> tuple[Array, Array]:
     """Return rotation and position of a pose."""
     return T[..., :-1, :-1], T[..., :-1, -1]
-
-
-def _pose_of(R: Array, p: Array) -> Array:
-    """Return the pose of a rotation and a position."""
-    n = p.shape[-1]
-    out = np.zeros((*np.broadcast_shapes(R.shape[:-2], p.shape[:-1]), n + 1, n + 1))
-    out[..., :n, :n], out[..., :n, n], out[..., n, n] = R, p + 0.0, 1.0  # + 0.0: no -0.0
-    return out

@@ -168,7 +168,8 @@ def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
     """
     (xx, xy, *_), (yx, yy, *_), *_ = entries(covariance)
     size, det = xx + yy, xx * yy - xy * xy  # rounding can make a line's a little less than 0
-    bad = (xx < 0) | (yy < 0) | (np.abs(xy - yx) > ROUNDING * size) | (det < -ROUNDING * size**2)
+    sure = (xx >= 0) & (yy >= 0) & (np.abs(xy - yx) <= ROUNDING * size)
+    bad = ~(sure & (det >= -ROUNDING * size**2))
     large = np.sqrt(np.where(bad, np.nan, size / 2 + np.hypot((xx - yy) / 2, xy)))
     small = np.where(large > 0, np.sqrt(np.maximum(det, 0.0)) / large, large)
     angle = np.where(bad, np.nan, np.arctan2(2 * xy, xx - yy) / 2)

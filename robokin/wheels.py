@@ -327,9 +327,9 @@ def _slips(wheels: Sequence[Wheel], twist: Array, slid: Array, slipping: str) ->
     """Return where a wheel would slip along its axle, (…); with "raise" refuse the first one."""
     held = _layout(wheels, HELD)
     v_x, v_y, omega = parts(np.abs(twist)[..., None, :])
-    slips = np.abs(slid) > SLIP * (v_x + v_y + held.l * omega)
-    if slipping == "raise" and slips.any():
-        *batch, row = index = first(slips)
+    slips = ~(np.abs(slid) <= SLIP * (v_x + v_y + held.l * omega))
+    if slipping == "raise" and (slips & ~np.isnan(slid)).any():
+        *batch, row = index = first(slips & ~np.isnan(slid))
         wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
         raise UnreachableError(
             f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at "

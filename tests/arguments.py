@@ -29,7 +29,7 @@ class Arg:
 
 
 def data(value, core=None):
-    """Poses, angles, rates …: NaN and infinity make their own row NaN."""
+    """Poses, angles, rates …: NaN and infinity go into what depends on them."""
     return Arg("data", value, np.shape(value) if core is None else core)
 
 
@@ -101,6 +101,7 @@ class Row:
     args: dict
     batches: bool = True  # do the parameters broadcast with the data?
     nan_beside: bool = False  # does a NaN step spoil the results on both sides of it only?
+    limit_at_infinity: tuple = ()  # arguments whose infinity has finite results: arctan(inf)
 
     @property
     def good(self):
@@ -110,8 +111,8 @@ class Row:
         return [key for key, arg in self.args.items() if arg.kind in kinds]
 
 
-def row(results, batches=True, nan_beside=False, **args):
-    return Row(results, args, batches, nan_beside)
+def row(results, batches=True, nan_beside=False, limit_at_infinity=(), **args):
+    return Row(results, args, batches, nan_beside, limit_at_infinity)
 
 
 # The table
@@ -153,7 +154,9 @@ TABLE = {
         dt=number([0.1, 0.2, 0.1, 0.3], (4,)),
         method=METHOD,
     ),
-    "motion.icr": row([(2,)], pose=data(POSE), v=data(0.5), omega=data(0.2)),
+    "motion.icr": row(
+        [(2,)], limit_at_infinity=("omega",), pose=data(POSE), v=data(0.5), omega=data(0.2)
+    ),
     "frames.se2": row([(3, 3)], x=data(1.0), y=data(2.0), theta=data(0.3)),
     "frames.se3": row([(4, 4)], rotation=matrix(TURNED), position=data(POINT)),
     "frames.pose": row([(3,)], T=matrix(SE2)),
@@ -237,7 +240,7 @@ TABLE = {
         [()], ticks=ticks(5), ticks_per_turn=length(1000), wheel_radius=length(0.03)
     ),
     "odometry.unwrap_counter": row(
-        [(4,)], counts=tick_steps([250, 3, 7, 255, 1]), bits=bits(8), nan_beside=True
+        [(4,)], counts=tick_steps([250, 3, 7, 254, 1]), bits=bits(8), nan_beside=True
     ),
     "odometry.path": row([(5, 3)], **TICKS, **ENCODER, pose=data(POSE), method=METHOD),
     "odometry.velocity": row(
@@ -251,9 +254,12 @@ TABLE = {
         pose=data(POSE),
         start=data([[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.2]]),
     ),
-    "odometry.ellipse": row([(2,), (2, 2)], covariance=data([[0.5, 0.3], [0.3, 0.4]])),
+    "odometry.ellipse": row(
+        [(2,), (2, 2)], limit_at_infinity=("covariance",), covariance=data([[0.5, 0.3], [0.3, 0.4]])
+    ),
     "odometry.umbmark": row(
         [(), ()],
+        limit_at_infinity=("ends_cw", "ends_ccw"),
         ends_cw=data([[0.1, 0.2], [0.2, 0.1], [0.1, 0.3]]),
         ends_ccw=data([[0.1, -0.2], [0.2, 0.1]]),
         side=length(4.0),

@@ -602,7 +602,7 @@ def test_a_short_sequence_is_refused_where_three_angles_are_asked_for(function, 
         ("R", "R must be real numbers"),
         (1j * np.eye(3), "R must be real numbers"),
         (None, "R must be real numbers"),
-        ([[1, 2], [3]], "R must be numbers in a regular array"),
+        ([[1, 2], [3]], "R must be a regular array"),
     ],
 )
 def test_what_is_not_a_rotation_is_refused(function, R, message):
@@ -619,7 +619,7 @@ def test_what_is_not_a_rotation_is_refused(function, R, message):
         ("X", 1.0, r"angles must have shape \(…, 1\), got \(\)"),
         ("XY", ["a", "b"], "angles must be real numbers"),
         ("XY", [1j, 0], "angles must be real numbers"),
-        ("XY", [[1], [1, 2]], "angles must be numbers in a regular array"),
+        ("XY", [[1], [1, 2]], "angles must be a regular array"),
     ],
 )
 def test_bad_angles_are_refused(function, seq, turns, message):

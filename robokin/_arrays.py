@@ -28,7 +28,8 @@ def vector(*numbers: ArrayLike) -> Array:
     out = np.empty((*np.broadcast(*numbers).shape, len(numbers)))
     for i, number in enumerate(numbers):
         out[..., i] = number
-    return out + 0.0
+    out += 0.0
+    return out
 
 
 def matrix(rows: Sequence[Sequence[ArrayLike]]) -> Array:

@@ -261,7 +261,7 @@ class FrameGraph:
 
 
 @validated(R=Square((2, 3)), tol=positive())
-def check_rotation(R: ArrayLike, tol: ArrayLike = TOLERANCE) -> None:
+def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """Refuse what is not a rotation: columns of length 1, at right angles, right-handed.
 
     R: (…, 3, 3), or (…, 2, 2) in the plane. With x, y, z the columns, tol is the largest allowed
@@ -272,6 +272,8 @@ def check_rotation(R: ArrayLike, tol: ArrayLike = TOLERANCE) -> None:
 
     >>> check_rotation([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
     """
+    if np.ndim(tol):
+        raise RobokinError(f"tol must be one number, got {describe(tol)}")
     judged("R", R, R.shape[-1], tol)
 
 

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike, Bools, first, parts, times, vector
-from robokin._validation import data, finite, not_negative, one_of, positive, validate, validated
+from robokin._validation import data, finite, not_negative, one_of, positive, validated
 from robokin.errors import RobokinError, SingularError, UnreachableError, at_index, describe
 from robokin.motion import to_body, to_world
 
@@ -66,9 +66,8 @@ class Wheel:
 
     def __post_init__(self) -> None:
         one_of(*KINDS)("kind", self.kind, {})
-        numbers = {name: getattr(self, name) for name in NUMBERS}
-        validate(numbers, NUMBERS)
-        for name, number in numbers.items():
+        for name, rule in NUMBERS.items():
+            number = rule(name, getattr(self, name), {})
             if number.ndim:
                 raise RobokinError(f"{name} must be one number, got {describe(number)}")
             object.__setattr__(self, name, float(number))
@@ -77,8 +76,7 @@ class Wheel:
         if (self.d != 0) != (self.kind == "castor"):
             raise RobokinError(f"d must not be 0 for a castor, and 0 for the others, got {self.d}")
         if (self.gamma != 0 and self.kind != "swedish") or abs(cos(self.gamma)) < 1e-15:
-            message = "gamma must be 0 but for a swedish wheel, and never ±π/2, got"
-            raise RobokinError(f"{message} {self.gamma}")
+            raise RobokinError(f"gamma must be 0, of a swedish wheel not ±π/2, got {self.gamma}")
 
 
 class Mobility(NamedTuple):

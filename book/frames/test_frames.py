@@ -517,7 +517,7 @@ def test_rotations_are_compared_wherever_they_are(far):
     graph.add("map", "car", se2(far, 0, 0))
     graph.add("car", "lidar", se2(0, 0, 0))
     graph.add("map", "lidar", se2(far, 0, 0.9e-6))
-    for theta in (1.1e-6, np.pi / 4):
+    for theta in (2e-6, np.pi / 4):
         with pytest.raises(RobokinError, match="contradicts"):
             graph.add("map", "lidar", se2(far, 0, theta))
 
@@ -593,7 +593,7 @@ def test_a_graph_refuses_unknown_poses():
         (lambda: check_rotation(np.eye(4)), r"R must have .* or \(…, 3, 3\), got \(4, 4\)"),
         (lambda: check_rotation(np.eye(3), tol=0), "tol must be positive and finite, got 0"),
         (lambda: check_rotation(np.eye(3), tol=np.nan), "tol must be positive and finite"),
-        (lambda: check_rotation(np.eye(3), tol=[1, -1]), "tol must be .* got -1.0 at index 1"),
+        (lambda: check_rotation(np.eye(3), tol=[1e-6]), "tol must be one number, got array"),
         (lambda: check_rotation(np.diag([1, 1, -1])), r"R is not a rotation \(a mirror"),
         (lambda: check_rotation(np.diag([1.0, -1.0])), r"R is not a rotation \(a mirror.* by 2 "),
         (lambda: check_rotation(np.diag([1.0, 1.5])), "R is not a rotation: off by 0.5 "),

@@ -53,6 +53,4 @@ def cos_sin_of_sum(theta: Array, half: Array) -> tuple[Array, Array]:
     heading = theta + half
     rest = theta - heading + half
     c, s = np.cos(heading), np.sin(heading)
-    c -= rest * s
-    s += rest * c
-    return c, s
+    return c - rest * s, s + rest * c

@@ -9,7 +9,6 @@ raise it. Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike, Bools, matrix, opposite, parts, vector, wrap
-from robokin._triangle import TOLERANCE as TOLERANCE
 from robokin._triangle import out_of_reach, triangle
 from robokin._validation import data, finite, one_of, positive, validated
 

@@ -12,6 +12,7 @@ intrinsic one with all angles negated. Siciliano, Sciavicco, Villani & Oriolo, R
 Planning and Control, sections 2.4 to 2.6; Lynch & Park, Modern Robotics, appendix B.
 """
 
+from inspect import unwrap
 from itertools import pairwise, product
 from typing import Any, NamedTuple
 
@@ -48,8 +49,7 @@ def _axes(letters: str, intrinsic: bool) -> _Axes:
 
 LETTERS = ["".join(word) for n in (1, 2, 3) for word in product("xyz", repeat=n)]
 LETTERS = [w for w in LETTERS if all(a != b for a, b in pairwise(w))]  # no axis twice in a row
-SEQUENCES = {word: _axes(word, False) for word in LETTERS}
-SEQUENCES |= {word.upper(): _axes(word, True) for word in LETTERS}
+SEQUENCES = {s: _axes(w, s.isupper()) for w in LETTERS for s in (w, w.upper())}
 
 
 def _sequence(name: str, seq: Any, sizes: Sizes) -> str:
@@ -133,7 +133,7 @@ def solutions(seq: str, R: ArrayLike) -> Array:
     array([[-1.570796,  0.      , -1.570796],
            [ 1.570796,  3.141593,  1.570796]])
     """
-    a, b, c = parts(from_matrix(seq, R))
+    a, b, c = parts(unwrap(from_matrix)(seq, R))  # R is validated
     middle = wrap(-b) if SEQUENCES[seq].proper else opposite(-b)
     return matrix([[a, b, c], [opposite(a), middle, opposite(c)]])
 
@@ -150,8 +150,7 @@ def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
     ['XYZ']
     """
     M = entries(R if SEQUENCES[seq].intrinsic else R.swapaxes(-1, -2))
-    _, _, h = _third(M, seq)
-    return h <= tol
+    return _third(M, seq)[2] <= tol
 
 
 @validated(seq=_sequence, angles=data("k"))
@@ -160,8 +159,7 @@ def steps(seq: str, angles: ArrayLike) -> Array:
 
     seq: 1–3 letters; angles: (…, k) in rad → (…, k+1, 3, 3); the last one is `to_matrix`.
     """
-    k = len(seq)
-    return to_matrix(seq, angles[..., None, :] * MADE[: k + 1, :k])
+    return to_matrix(seq, angles[..., None, :] * MADE[: len(seq) + 1, : len(seq)])
 
 
 @validated(axis=data(3), angle=data())

@@ -134,10 +134,8 @@ def covariance(
     many steps is that of one from the first to the last place, so the steps are summed in one
     frame.
     """
-    per_tick, wheel_distance = (
-        _per_tick(ticks_per_turn, wheel_radius)[..., None],
-        wheel_distance[..., None],
-    )
+    per_tick = _per_tick(ticks_per_turn, wheel_radius)[..., None]
+    wheel_distance = wheel_distance[..., None]
     length = per_tick * (ticks_right + ticks_left) / 2
     half = per_tick / wheel_distance * (ticks_right - ticks_left) / 2
     heading = pose[..., 2:] + 2 * half.cumsum(axis=-1) - half  # in the middle of each step

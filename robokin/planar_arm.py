@@ -10,7 +10,6 @@ and 3.
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike, first, matrix, parts, vector
-from robokin._triangle import TOLERANCE as TOLERANCE
 from robokin._triangle import out_of_reach, triangle
 from robokin._validation import data, not_negative, one_of, positive, validated
 from robokin.errors import SingularError, at_index

@@ -294,8 +294,7 @@ def _body_twist(wheels: Sequence[Wheel], rates: Array, steering: Array | None) -
     driven, held = _layout(wheels, DRIVEN), _layout(wheels, HELD)
     k, m = len(driven.l), len(held.l)
     steering = _layout(wheels, ("steered",)).beta if steering is None else steering
-    batch = np.broadcast_shapes(rates.shape[:-1], steering.shape[:-1])
-    speeds = np.zeros((*batch, k + m))
+    speeds = np.zeros((*np.broadcast_shapes(rates.shape[:-1], steering.shape[:-1]), k + m))
     along, across = speeds[..., :k], speeds[..., k:]
     along[...] = rates * driven.per_radian
     across[..., held.steered] = along[..., driven.steered] * np.sin(steering)
@@ -325,12 +324,12 @@ def _slips(wheels: Sequence[Wheel], twist: Array, slid: Array, slipping: str) ->
     """Return where a wheel would slip along its axle, (…); with "raise" refuse the first one."""
     held = _layout(wheels, HELD)
     v_x, v_y, omega = parts(np.abs(twist)[..., None, :])
-    slips = ~(np.abs(slid) <= SLIP * (v_x + v_y + held.l * omega))
-    if slipping == "raise" and (slips & ~np.isnan(slid)).any():
-        *batch, row = index = first(slips & ~np.isnan(slid))
+    slips = np.abs(slid) > SLIP * (v_x + v_y + held.l * omega)
+    if slipping == "raise" and slips.any():
+        *batch, row = index = first(slips)
         wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
         raise UnreachableError(
             f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at "
             f"{abs(slid[index]):.3g} m/s{at_index(tuple(batch))}"
         )
-    return np.asarray(slips.any(axis=-1))
+    return np.asarray((slips | np.isnan(slid)).any(axis=-1))

@@ -53,7 +53,7 @@ from book.planar_arm.formulas import (
     x,
     y,
 )
-from robokin.planar_arm import TOLERANCE
+from robokin._triangle import TOLERANCE
 from workshop.equations.core import Where, as_written, put_in, quantity
 from workshop.equations.functions import solve
 from workshop.figures import (

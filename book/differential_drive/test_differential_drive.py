@@ -169,7 +169,7 @@ def test_straight_ahead_and_straight_back_the_radius_is_plus_infinity(rate):
         (lambda: body_twist("1", 2, 0.1, 0.1), "rate_left must be real numbers, got <U1 in '1'"),
         (lambda: body_twist(1, 2j, 0.1, 0.1), "rate_right must be real numbers, got complex128"),
         (lambda: body_twist(1, 2, None, 0.1), "wheel_radius must be real numbers, got object"),
-        (lambda: body_twist(1, 2, 0.1, [[1], [1, 2]]), "wheel_distance must be numbers in a reg"),
+        (lambda: body_twist(1, 2, 0.1, [[1], [1, 2]]), "wheel_distance must be a reg"),
         (lambda: wheel_rates([True], 2, 0.1, 0.1), r"v must be real numbers, got bool in \[True\]"),
         (lambda: wheel_rates(1, {}, 0.1, 0.1), r"omega must be real numbers, got object in \{\}"),
         (

@@ -520,7 +520,7 @@ def test_empty_batches_and_broadcasting():
         (lambda: castor(1, 0, 0, 1, NAN), "d must be finite"),
         (
             lambda: Wheel("fixed", 1, 0, 0, 1, d=0.1),
-            "d must be 0 but for a castor",
+            "d must not be 0 for a castor, and 0 for",
         ),
         (
             lambda: swedish(1, 0, 0, 1, QUARTER),

@@ -94,8 +94,8 @@ def _wheels(name: str, wheels: Any, sizes: dict[Any, int]) -> tuple[Wheel, ...]:
     for index, wheel in enumerate(wheels):
         if not isinstance(wheel, Wheel):
             raise RobokinError(f"{name} must be Wheel, got {describe(wheel)}{at_index((index,))}")
-    sizes["k"] = sum(wheel.kind in DRIVEN for wheel in wheels)
-    sizes["s"] = sum(wheel.kind == "steered" for wheel in wheels)
+    sizes["k"] = len(wheels) - [wheel.kind for wheel in wheels].count("spherical")
+    sizes["s"] = [wheel.kind for wheel in wheels].count("steered")
     return tuple(wheels)
 
 

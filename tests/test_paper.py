@@ -1,30 +1,28 @@
-"""The book as PDF and EPUB, as `make paper` has written them; `make test-paper` does both."""
+"""The book as PDF and EPUB, as `make paper` has written them; `make test-slow` does both."""
 
 import posixpath
 import re
-import shutil
 import subprocess
 from collections import Counter
 from html import unescape
-from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree
 from zipfile import ZipFile
 
+import on_paper
 import pytest
 from browser import SITE, listed
 from declared import EXERCISES
 from docutils import nodes
 from paper.pages import BUILD
 from pypdf import PdfReader
-from support import ROOT
+from support import find_command
 
 pytest_plugins = ["browser"]
 
 
-paper = pytest.mark.paper
 PDF, EPUB = BUILD / "robokin.pdf", BUILD / "robokin.epub"
-CHECKER = Path("/usr/share/java/epubcheck.jar")  # where Debian's package `epubcheck` puts it
+WITHOUT_ANSWERS = BUILD / "robokin-without-answers.pdf"
 CONTROLS = ("Link to this setting", "That is my guess", "Where should I look?")
 HEADING = re.compile(r"<h[12]>(.*?)<a class=\"headerlink\"", re.S)
 DRAWN = '<span class="katex-html"'
@@ -55,7 +53,7 @@ def titles():
 
 @pytest.fixture(scope="module")
 def pdf():
-    """The PDF, of which the contents are the first pages."""
+    """The PDF with answers, of which the contents are the first pages."""
     assert PDF.exists(), "run `make paper` first"
     return PdfReader(PDF)
 
@@ -89,12 +87,12 @@ def outline(pdf):
 # --- the PDF --------------------------------------------------------------------------------
 
 
-@paper
+@pytest.mark.slow
 def test_the_outline_is_the_contents_of_the_site(pdf):
     assert [(title, below) for title, _, below in outline(pdf)] == titles()
 
 
-@paper
+@pytest.mark.slow
 def test_the_contents_name_the_pages_on_which_titles_stand(pdf, texts):
     entries = outline(pdf)
     front = entries[0][1]
@@ -105,7 +103,7 @@ def test_the_contents_name_the_pages_on_which_titles_stand(pdf, texts):
     assert pdf.page_labels[front] == "1"
 
 
-@paper
+@pytest.mark.slow
 def test_no_page_is_blank(pdf, texts):
     """Besides its head and its number, a page has something to read."""
     heads = {letters(title) for title, _, _ in outline(pdf)} | set(pdf.page_labels)
@@ -113,7 +111,7 @@ def test_no_page_is_blank(pdf, texts):
     assert blank == []
 
 
-@paper
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in listed() if "/" in name])
 def test_every_formula_of_a_chapter_stands_before_its_number(name, texts):
     """All its letters; their order is that in which they are drawn."""
@@ -128,7 +126,7 @@ def test_every_formula_of_a_chapter_stands_before_its_number(name, texts):
         assert any(wanted <= window for window in before), (number, wanted)
 
 
-@paper
+@pytest.mark.slow
 def test_figures_have_their_numbers_and_no_controls(texts):
     text = " ".join(" ".join(texts).split())
     park = page_of("intro")
@@ -139,7 +137,7 @@ def test_figures_have_their_numbers_and_no_controls(texts):
     assert not [words for words in CONTROLS if words in text]
 
 
-@paper
+@pytest.mark.slow
 def test_links_lead_into_the_pdf_or_to_the_web(pdf):
     names, inner = pdf.named_destinations, 0
     for page in pdf.pages:
@@ -154,20 +152,28 @@ def test_links_lead_into_the_pdf_or_to_the_web(pdf):
     assert inner > 200
 
 
+@pytest.mark.slow
+def test_the_other_pdf_leaves_the_answers_out(pdf, texts):
+    without = PdfReader(WITHOUT_ANSWERS)
+    assert [(title, below) for title, _, below in outline(without)] == titles()
+    assert len(without.pages) < len(pdf.pages)
+    folded = ("Solution ", "This is what you get")
+    other = [page.extract_text() for page in without.pages]
+    assert not [words for words in folded if words in " ".join(other)]
+
+
 # --- the EPUB -------------------------------------------------------------------------------
 
 
-@paper
+@pytest.mark.slow
 def test_epubcheck_finds_nothing():
-    java = shutil.which("java")
-    assert java, "no Java and no epubcheck: install Debian's package `epubcheck`"
-    assert CHECKER.exists(), "no epubcheck: install Debian's package `epubcheck`"
-    run = subprocess.run([java, "-jar", CHECKER, EPUB], capture_output=True, text=True)
+    command = find_command("epubcheck", "epubcheck")
+    run = subprocess.run(["java", "-jar", command, EPUB], capture_output=True, text=True)
     assert run.returncode == 0, run.stdout + run.stderr
     assert "0 fatals / 0 errors / 0 warnings" in run.stdout
 
 
-@paper
+@pytest.mark.slow
 def test_links_of_the_epub_lead_somewhere(book):
     trees = {name: ElementTree.fromstring(t) for name, t in book.items() if name.endswith("xhtml")}
     ids = {name: {each.get("id") for each in tree.iter()} for name, tree in trees.items()}
@@ -185,7 +191,7 @@ def test_links_of_the_epub_lead_somewhere(book):
     assert inner > 300
 
 
-@paper
+@pytest.mark.slow
 @pytest.mark.parametrize("name", listed())
 def test_a_page_of_the_epub(name, book):
     """It has its title, all formulas of the site as MathML, and nothing that needs a script."""
@@ -199,25 +205,22 @@ def test_a_page_of_the_epub(name, book):
 # --- on the site ----------------------------------------------------------------------------
 
 
-@paper
+@pytest.mark.slow
 def test_the_first_page_links_what_was_made(site):
     """The site was built anew after `make paper`."""
     for page in ("index", "intro"):
-        for file in (PDF, EPUB):
+        for file in (PDF, WITHOUT_ANSWERS, EPUB):
             assert f'<a href="{file.name}" download>' in page_of(page)
             assert (site / file.name).read_bytes() == file.read_bytes()
 
 
-@pytest.mark.parametrize("made", [[], ["robokin.epub"], ["robokin.pdf", "robokin.epub"]])
-def test_only_what_was_made_is_linked(tmp_path, monkeypatch, made):
-    monkeypatch.syspath_prepend(ROOT / "book" / "_ext")
-    import on_paper
-
+@pytest.mark.parametrize("made", [[], ["robokin.epub"], [*on_paper.FILES]])
+def test_only_what_was_made_is_linked(tmp_path, made):
     for name in made:
         (tmp_path / name).write_bytes(b"x" * 250_000)
     writer = SimpleNamespace(body=[])
     writer.builder = SimpleNamespace(app=SimpleNamespace(outdir=tmp_path / "html"))
     with pytest.raises(nodes.SkipNode):
         on_paper.visit_links(writer, on_paper.Links())
-    assert re.findall(r'<a href="(\S+)" download>\w+, 0\.2 MB', "".join(writer.body)) == made
+    assert re.findall(r'<a href="(\S+)" download>[\w ]+, 0\.2 MB', "".join(writer.body)) == made
     assert bool(writer.body) == bool(made)

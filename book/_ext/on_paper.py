@@ -10,7 +10,11 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-FILES = {"robokin.pdf": "PDF", "robokin.epub": "EPUB"}
+FILES = {
+    "robokin.pdf": "PDF",
+    "robokin-without-answers.pdf": "PDF without answers",
+    "robokin.epub": "EPUB",
+}
 
 
 class Links(nodes.General, nodes.Element):

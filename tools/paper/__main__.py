@@ -1,12 +1,9 @@
-"""Write the book as PDF and EPUB, from the built site (`make paper`).
+"""Write the book as an EPUB and two PDFs, from the built site (`make paper`).
 
-    python -m paper               what is folded lies open in the PDF
-    python -m paper --folds gone  it is left out: answers, solutions, long code
-
-A reader of the EPUB can open folds, so they stay.
+What the site folds (answers, solutions, long code) lies open in one PDF and is left out of the
+other. A reader of the EPUB can open folds, so they stay.
 """
 
-import argparse
 import time
 from dataclasses import dataclass
 
@@ -48,17 +45,17 @@ def described():
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--folds", choices=["open", "gone"], default="open")
-    folds = parser.parse_args().folds
     what = described()
     with chromium.started() as browser:
-        for make, file in ((epub.make, epub.TARGET), (pdf.make, pdf.TARGET)):
-            began = time.monotonic()
-            count = make(browser, what, folds)
+        for make, name in (
+            (epub.make, "robokin.epub"),
+            (pdf.with_answers, "robokin.pdf"),
+            (pdf.without_answers, "robokin-without-answers.pdf"),
+        ):
+            file, began = BUILD / name, time.monotonic()
+            count = make(browser, what, file)
             megabytes, seconds = file.stat().st_size / 1e6, time.monotonic() - began
-            name = file.relative_to(BUILD.parent)
-            print(f"{name}: {count} pages, {megabytes:.1f} MB, {seconds:.0f} s", flush=True)
+            print(f"_build/{name}: {count} pages, {megabytes:.1f} MB, {seconds:.0f} s", flush=True)
 
 
 if __name__ == "__main__":

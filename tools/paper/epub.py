@@ -9,10 +9,9 @@ from datetime import UTC, datetime
 from html import escape, unescape
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile
 
-from paper.pages import BUILD, HERE, SITE, pages
+from paper.pages import HERE, SITE, pages
 from workshop.figures.figure import plain
 
-TARGET = BUILD / "robokin.epub"
 KINDS = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg"}
 IMAGE = re.compile(r'<img [^>]*?src="([^"]+)"')
 LIGHT = re.compile(r'^html\[data-theme="light"\] (\.highlight .*)$', re.M)
@@ -122,21 +121,21 @@ def style():
     return "\n".join([(HERE / "epub.css").read_text("utf-8"), *colours])
 
 
-def make(browser, book, _):
-    """Write the EPUB; how many pages it has."""
+def make(browser, book, file):
+    """Write the EPUB and return how many pages it has."""
     options = {"link": "PAGE.xhtml#ID", "folder": "", "mathml": True, "folds": "kept"}
     given = pages(browser, book.solutions, **options)
     pictures = sorted({name for page in given for name in IMAGE.findall(page.body)})
-    with ZipFile(TARGET, "w", ZIP_DEFLATED) as file:
-        file.writestr("mimetype", "application/epub+zip", ZIP_STORED)  # first, as it is
-        file.writestr("META-INF/container.xml", CONTAINER)
-        file.writestr("book/package.opf", package(book, given, pictures))
-        file.writestr("book/nav.xhtml", DOCUMENT.format(title="Contents", body=contents(given)))
-        file.writestr("book/style.css", style())
-        file.writestr("book/cover.png", cover(browser, book))
+    with ZipFile(file, "w", ZIP_DEFLATED) as archive:
+        archive.writestr("mimetype", "application/epub+zip", ZIP_STORED)  # first, as it is
+        archive.writestr("META-INF/container.xml", CONTAINER)
+        archive.writestr("book/package.opf", package(book, given, pictures))
+        archive.writestr("book/nav.xhtml", DOCUMENT.format(title="Contents", body=contents(given)))
+        archive.writestr("book/style.css", style())
+        archive.writestr("book/cover.png", cover(browser, book))
         for page in given:
             text = DOCUMENT.format(title=escape(page.title), body=plain(page.body))
-            file.writestr(f"book/{page.name}.xhtml", text)
+            archive.writestr(f"book/{page.name}.xhtml", text)
         for name in pictures:
-            file.write(SITE / name, f"book/{name}")
+            archive.write(SITE / name, f"book/{name}")
     return len(given)

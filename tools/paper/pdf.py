@@ -15,7 +15,6 @@ from pypdf.generic import ArrayObject, FloatObject, NameObject
 
 from paper.pages import BUILD, HERE, pages
 
-TARGET = BUILD / "robokin.pdf"
 WORK = BUILD / "paper"
 HOME = "https://book/"  # of links of the contents, until they lead into the text
 DOCUMENT = """<!DOCTYPE html>
@@ -97,11 +96,21 @@ def joined(front, text, entries, title):
     return writer
 
 
-def make(browser, book, folds):
-    """Write the PDF; how many pages it has."""
+def with_answers(browser, book, file):
+    """Write the PDF in which folds are open, solutions too; return how many pages it has."""
+    return write(browser, book, file, book.solutions, "open")
+
+
+def without_answers(browser, book, file):
+    """Write the PDF without what is folded; return how many pages it has."""
+    return write(browser, book, file, {}, "gone")
+
+
+def write(browser, book, file, solutions, folds):
+    """Write a PDF and return how many pages it has."""
     title = book.title
     options = {"link": "#ID", "folder": "../html/", "mathml": False, "folds": folds}
-    given = pages(browser, book.solutions if folds == "open" else {}, **options)
+    given = pages(browser, solutions, **options)
     links = max((page.styles for page in given), key=len)
     links = "\n".join(f'<link rel="stylesheet" href="{escape(each)}"/>' for each in links)
     own = (HERE / "pdf.css").read_text("utf-8")
@@ -115,5 +124,5 @@ def make(browser, book, folds):
     )
     front = printed(browser, "front", title=title, links=links, style=own, body=body)
     writer = joined(front, text, entries, title)
-    writer.write(TARGET)
+    writer.write(file)
     return len(writer.pages)

@@ -117,28 +117,6 @@ def prose_after(
             yield number, each
 
 
-def alike(before: str, after: str) -> bool:
-    """Whether two notebooks agree, pictures compared with a tolerance."""
-    return _without_pictures(before) == _without_pictures(after) and all(
-        near(a, b) for a, b in zip(_pictures(before), _pictures(after), strict=True)
-    )
-
-
-def _outputs(text: str) -> list[nbformat.NotebookNode]:
-    cells = nbformat.reads(text, as_version=4).cells
-    return [output for cell in cells for output in cell.get("outputs", [])]
-
-
-def _pictures(text: str) -> list[str]:
-    return [o.data["image/png"] for o in _outputs(text) if "image/png" in o.get("data", {})]
-
-
-def _without_pictures(text: str) -> str:
-    for picture in _pictures(text):
-        text = text.replace(picture.replace("\n", "\\n"), "")
-    return text
-
-
 def near(a: str, b: str) -> bool:
     """Whether two pictures (base64) differ by no more than fonts do from machine to machine."""
     first, second = (

@@ -1,4 +1,4 @@
-"""Copies of the notebooks for places that have no environment of the course: Colab and Kaggle.
+"""Copies of the notebooks for Colab, which has no environment of the course.
 
     python tools/hosted.py       into _build/hosted, from the site that `make book` has built
 
@@ -20,11 +20,10 @@ ROOT = Path(__file__).parents[1]
 BUILT = ROOT / "_build" / "html" / "_sources"
 HOSTED = ROOT / "_build" / "hosted"
 CELL = """\
-# On Colab and Kaggle this installs the course; elsewhere it does nothing.
-import os
+# On Colab this installs the course; elsewhere it does nothing.
 import sys
 
-if "google.colab" in sys.modules or "KAGGLE_KERNEL_RUN_TYPE" in os.environ:
+if "google.colab" in sys.modules:
     %pip install --quiet {wheels}"""
 
 

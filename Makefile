@@ -1,8 +1,8 @@
 # make book    set everything up and build the site        make test          all tests
 # make serve   look at the site                            make test T=motion   one topic
-# make lab     open the notebooks in JupyterLab            make test-long      longer sweeps
+# make lab     open the notebooks in JupyterLab            make test-slow     what takes long
 # make paper   the book as PDF and EPUB; make book after it links them
-# make notebooks, make check, make lock, make clean: see CONTRIBUTING.md
+# make notebooks, check, lock, bench, test-install, clean: see CONTRIBUTING.md
 
 PYTHON ?= python3
 T ?=
@@ -12,15 +12,13 @@ BIN := .venv/bin
 INSTALL = $(BIN)/uv pip install --python $(@D)/bin/python
 READY := .venv/.ready
 SITE := _build/html/.built
-BUILD := PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --config _config.yml \
-	--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
-	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') $(wildcard _build/robokin.*)
+	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') \
+	$(wildcard _build/robokin*.pdf _build/robokin.epub)
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 unexport PYTHONDONTWRITEBYTECODE  # or each of many processes compiles SymPy and all else again
 
-.PHONY: book paper test-paper serve lab hosted test test-long test-anywhere test-browsers measure \
-	lighthouse links screenshots check notebooks lock bench mutate lowest clean FORCE
+.PHONY: book serve lab paper test test-slow test-install check notebooks lock bench clean FORCE
 .DEFAULT_GOAL := book
 
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
@@ -39,7 +37,8 @@ _build/pyodide: FORCE
 	@mkdir -p _build; echo "$(PYODIDE)" | cmp -s - $@ || echo "$(PYODIDE)" > $@
 
 $(SITE): $(READY) $(SOURCES) requirements.txt pyproject.toml _build/pyodide
-	$(BUILD)
+	PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --config _config.yml \
+		--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
 	@touch $(SITE)
 
 book: $(SITE)
@@ -49,16 +48,11 @@ serve: $(SITE)
 	@echo "http://127.0.0.1:8000 - stop with Ctrl-C"
 	$(BIN)/python -m http.server -b 127.0.0.1 -d _build/html 8000
 
-hosted: $(SITE)
-	$(BIN)/python tools/hosted.py
-
 lab: $(READY)
 	$(BIN)/jupyter lab book
 
-FOLDS := open
-
 paper: $(SITE)
-	PYTHONPATH=tools $(BIN)/python -m paper --folds $(FOLDS)
+	PYTHONPATH=tools $(BIN)/python -m paper
 
 # The library's tests run once, against the wheel that a user installs.
 LIBRARY := _build/library
@@ -75,34 +69,19 @@ test: check $(LIBRARY)/.ready
 	$(PYTEST) worksteal $(if $(T),-k $(T)) tests book
 	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
 
-test-long: $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m long $(if $(T),-k $(T)) tests book
+test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)
+	$(PYTEST) worksteal -m slow -rs $(if $(T),-k $(T)) tests book
 
-test-anywhere: $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m anywhere -rs tests
+test-install: $(LIBRARY)/.ready .venv-lowest/.ready
+	$(PYTEST) worksteal -m install -rs $(if $(T),-k $(T)) tests
+	.venv-lowest/bin/pytest -n 2 $(if $(T),-k $(T)) book
+	$(if $(NOTEBOOKS),.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(NOTEBOOKS))
 
 check: $(READY)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/codespell
-
-test-browsers: $(LIBRARY)/.ready
-	$(UNDER_TEST) $(BIN)/pytest -m browsers tests/test_browsers.py
-
-screenshots: $(LIBRARY)/.ready
-	$(PYTEST) worksteal -m screenshots tests/test_screenshots.py
-
-test-paper: paper
-	$(BIN)/pytest -m paper tests/test_paper.py
-links: $(READY)
-	$(BUILD) --builder linkcheck
-
-lighthouse: $(SITE)
-	PYTHONPATH=tests $(BIN)/python tools/lighthouse.py $(T)
-
-measure: $(LIBRARY)/.ready
-	$(UNDER_TEST) $(BIN)/pytest -q -s -m measure tests
 
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)
@@ -116,37 +95,24 @@ lock: $(READY)
 	$(LOCKED) requirements.in -o requirements.txt
 	$(LOCKED) -c requirements.txt requirements-light.in -o requirements-light.txt
 
-# With environments of their own: the peers that robokin is timed against, the mutation tool, and
-# the lowest versions that the wheels say they work with (and the newest of what tests need).
+# Two environments of their own, from the dependency groups in pyproject.toml: the peers that
+# robokin is timed against, and the lowest versions that the wheels say they work with.
 
-.venv-bench/.ready: $(READY) benchmarks/requirements.txt
+.venv-bench/.ready: $(READY)
 	$(PYTHON) -m venv .venv-bench
-	$(INSTALL) -r benchmarks/requirements.txt
+	$(INSTALL) --group bench
 	$(INSTALL) --no-deps -e .
 	@touch $@
 
 bench: .venv-bench/.ready
-	.venv-bench/bin/python benchmarks/run.py
+	.venv-bench/bin/pytest benchmarks
 
-.venv-mutate/.ready: $(READY) tools/mutation-requirements.txt
-	$(PYTHON) -m venv .venv-mutate
-	$(INSTALL) --require-hashes -r requirements.txt
-	$(INSTALL) --no-deps -r tools/mutation-requirements.txt
-	@touch $@
-
-mutate: .venv-mutate/.ready
-	.venv-mutate/bin/python tools/mutate.py $(T)
-
-.venv-lowest/.ready: $(READY) tools/lowest-requirements.txt $(SOURCES)
+.venv-lowest/.ready: $(READY) $(SOURCES)
 	$(PYTHON) -m venv .venv-lowest
 	$(INSTALL) --resolution lowest-direct --refresh --reinstall "./[draw]" "./workshop[engine]" ./book
 	@$(BIN)/uv pip freeze --python $(@D)/bin/python | grep -v "file:" > .venv-lowest/found.txt
-	$(INSTALL) -c .venv-lowest/found.txt -r tools/lowest-requirements.txt
+	$(INSTALL) -c .venv-lowest/found.txt --group lowest
 	@touch $@
-
-lowest: .venv-lowest/.ready
-	.venv-lowest/bin/pytest -n 2 book
-	.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(wildcard book/*/*.ipynb)
 
 clean:
 	rm -rf _build .venv .venv-*

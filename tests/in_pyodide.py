@@ -52,4 +52,4 @@ def run(root, paths, absent, tests):
     assert robokin.__file__.startswith(paths[0])
     assert numpy.dtype(int).itemsize == 4, "integers have 32 bits in this Python"
     quiet = ["-q", "-rs", "-p", "no:cacheprovider", "--import-mode=importlib", "--tb=short"]
-    return int(pytest.main(["-o", "addopts=", "-m", "not long", *quiet, *tests]))
+    return int(pytest.main(["-o", "addopts=", "-m", "not slow", *quiet, *tests]))

@@ -1,10 +1,12 @@
 """What several tests share: strategies for inputs, and numbers compared, angles on the circle."""
 
 import os
+import shutil
 from pathlib import Path
 
 import hypothesis.strategies as st
 import numpy as np
+import pytest
 from scipy.spatial.transform import Rotation
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -14,6 +16,16 @@ EPS = np.finfo(float).eps  # 2.2e-16: one rounding of a number near 1
 def python_of(environment):
     """The interpreter of a virtual environment."""
     return environment / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+
+
+def find_command(package, *names):
+    """Return the path of a command; skip the test that lacks it, and fail it where `CI` is set."""
+    if path := next(filter(None, map(shutil.which, names)), None):
+        return path
+    missing = f"no {' or '.join(names)}: install Debian's package `{package}`"
+    if os.environ.get("CI"):
+        pytest.fail(missing)
+    pytest.skip(missing)
 
 
 def reals(low, high):

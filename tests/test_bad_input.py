@@ -599,7 +599,7 @@ def test_junk_finds_nothing_but_robokin_errors(label):
 
 
 @quiet
-@pytest.mark.long
+@pytest.mark.slow
 def test_a_million_cases_of_junk_find_nothing_but_robokin_errors(capsys):
     total = 0
     for label, entry in TABLE.items():

@@ -1,12 +1,11 @@
-"""Firefox and WebKitGTK over every page, with one drag a figure: `make test-browsers`.
+"""Firefox and WebKitGTK over every page, with one drag a figure.
 
 Debian and Ubuntu have them in the packages `firefox-esr` and `webkit2gtk-driver`. Firefox is driven
 by Marionette, its own protocol, and so needs no driver; WebKitGTK by WebDriver, and on a machine
-without a screen with `xvfb-run make test-browsers`.
+without a screen with `xvfb-run make test-slow`.
 """
 
 import json
-import shutil
 import socket
 import subprocess
 import time
@@ -16,10 +15,11 @@ import urllib.request
 import pytest
 from browser import listed
 from declared import FIGURES
+from support import find_command
 from test_figures import UNFOLD
 
 pytest_plugins = ["browser"]
-pytestmark = pytest.mark.browsers
+pytestmark = pytest.mark.slow
 
 WAIT = 60  # seconds for what takes one or two
 
@@ -69,6 +69,7 @@ class Firefox(Browser):
     """By Marionette: messages of JSON behind their lengths."""
 
     names = ("firefox-esr", "firefox")
+    package = "firefox-esr"
 
     def __init__(self, command, folder):
         port = free_port()
@@ -114,6 +115,7 @@ class WebKit(Browser):
     """By WebDriver: a request for each command."""
 
     names = ("WebKitWebDriver",)
+    package = "webkit2gtk-driver"
 
     def __init__(self, command, folder):
         port = free_port()
@@ -148,9 +150,7 @@ class WebKit(Browser):
 
 @pytest.fixture(scope="module", params=[Firefox, WebKit])
 def browser(request, tmp_path_factory):
-    names = request.param.names
-    command = next(filter(None, map(shutil.which, names)), None)
-    assert command, f"none of {', '.join(names)} is on the path"
+    command = find_command(request.param.package, *request.param.names)
     opened = request.param(command, tmp_path_factory.mktemp("profile"))
     yield opened
     opened.close()

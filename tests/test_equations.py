@@ -55,7 +55,7 @@ def known(name):
 # It checks
 
 
-@pytest.mark.parametrize("samples", [100, pytest.param(SAMPLES, marks=pytest.mark.long)])
+@pytest.mark.parametrize("samples", [100, pytest.param(SAMPLES, marks=pytest.mark.slow)])
 @each_check
 def test_a_formula_agrees_with_what_it_is_compared_with(check, samples):
     """At a hundred points; where the site is built, at a thousand."""
@@ -116,7 +116,7 @@ SAME = {
 }
 
 
-@pytest.mark.parametrize("most", [5, pytest.param(None, marks=pytest.mark.long)])
+@pytest.mark.parametrize("most", [5, pytest.param(None, marks=pytest.mark.slow)])
 @each_check
 def test_a_wrong_sign_is_noticed(check, most, monkeypatch):
     """Every formula with a sign turned, or a sine for a cosine, at the special points and 20."""

@@ -77,7 +77,7 @@ def typical(only):
     """The typical figures, and in the long run all others, of those that this is asked of."""
 
     def marks(name):
-        return [] if name in TYPICAL else [pytest.mark.long]
+        return [] if name in TYPICAL else [pytest.mark.slow]
 
     return each("figure", "figures", Figure, marks, only)
 
@@ -264,7 +264,7 @@ def sizes(numbers):
 
 
 # 50 digits are slow: thirty random settings beside the special ones, a thousand in the long run
-each_number = pytest.mark.parametrize("n", [30, pytest.param(N, marks=pytest.mark.long)])
+each_number = pytest.mark.parametrize("n", [30, pytest.param(N, marks=pytest.mark.slow)])
 
 
 def keeps_its_digits(figure, expression):
@@ -1145,7 +1145,7 @@ def test_a_finger_across_turns_and_up_scrolls(turned):
 @in_browser
 @pytest.mark.parametrize(
     ("name", "values", "readout", "word"),
-    [pytest.param(*row, marks=[pytest.mark.long] * (row[0] not in TYPICAL)) for row in WORDS],
+    [pytest.param(*row, marks=[pytest.mark.slow] * (row[0] not in TYPICAL)) for row in WORDS],
 )
 def test_keys_reach_a_word_instead_of_a_number(visit, name, values, readout, word):
     """From the nearer end of the slider step by step."""
@@ -1196,7 +1196,7 @@ def test_figures_do_not_disturb_each_other(figure, visit):
 each_clock = pytest.mark.parametrize(
     ("figure", "clock"),
     [
-        pytest.param(f, c, marks=[pytest.mark.long] * (f.name not in TYPICAL), id=f.name)
+        pytest.param(f, c, marks=[pytest.mark.slow] * (f.name not in TYPICAL), id=f.name)
         for f in FIGURES.values()
         for c in f.controls
         if isinstance(c, Clock) and not c.loops and f.name not in ASKED
@@ -1461,10 +1461,10 @@ ANSWERS = """([name, i, count]) => {
 
 
 @in_browser
-@pytest.mark.measure
+@pytest.mark.slow
 @each_figure
 def test_how_long_an_answer_takes(figure, visit):
-    """The median of 200 answers to the slowest slider; told, not held to a time: `make measure`.
+    """The median of 200 answers to the slowest slider; printed, not held to a time.
 
     Below 16 ms a figure follows the hand at 60 pictures a second.
     """

@@ -136,7 +136,7 @@ def touch_handles(finger, live):
     [
         *((f"{HOMES[figure]}/{HOMES[figure]}", f"#{figure}") for figure in TYPICAL),
         *(
-            pytest.param(name, ".rk-figure", marks=pytest.mark.long)
+            pytest.param(name, ".rk-figure", marks=pytest.mark.slow)
             for name in ("index", *(f"{chapter}/{chapter}" for chapter in CHAPTERS))
         ),
     ],

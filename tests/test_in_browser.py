@@ -21,7 +21,7 @@ from workshop.run import cells as in_page
 from workshop.site.run import with_needs
 
 pytest_plugins = ["browser"]
-pytestmark = [pytest.mark.browser, pytest.mark.anywhere]
+pytestmark = [pytest.mark.browser, pytest.mark.install]
 
 START = 120_000  # ms: until Python runs, beside eight busy processes
 CHAPTER = 1_200_000  # ms: all cells of the longest

@@ -18,7 +18,7 @@ NEEDED += ("sortedcontainers", "sympy", "mpmath")
 TESTS = [*sorted(ROOT.glob("book/*/test_*.py")), ROOT / "tests" / "test_bad_input.py"]
 
 
-@pytest.mark.anywhere
+@pytest.mark.install
 def test_the_library_passes_its_tests_in_the_python_of_a_browser(tmp_path):
     """The wheel that is under test; an oracle that is not to be had is named in what it prints."""
     if missing := pyodide.missing(("numpy",)):

@@ -1,6 +1,6 @@
 """The kit, the site as a zip, and the list of packages that students install.
 
-In a fresh environment every notebook of the kit runs: `make test-anywhere`.
+In a fresh environment every notebook of the kit runs: `make test-install`.
 """
 
 import json
@@ -170,7 +170,7 @@ def run(*command, cwd, **options):
     return done.stdout
 
 
-@pytest.mark.anywhere
+@pytest.mark.install
 def test_every_notebook_of_the_kit_runs(kit):
     """Started as the README says; what JupyterLab is asked here is its version."""
     assert re.search(

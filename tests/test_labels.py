@@ -39,7 +39,7 @@ FAULTS = """([name, states]) => {
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("count", [50, pytest.param(200, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [50, pytest.param(200, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("width", [1280, 390])
 def test_no_text_lies_on_another_or_outside(chromium, width, count):
     random = np.random.default_rng(11)

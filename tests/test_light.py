@@ -119,10 +119,10 @@ SEEN = """() => [...document.querySelectorAll("body *:not(svg *)")].map((element
 @pytest.mark.parametrize(
     ("name", "width", "scheme"),
     [
-        pytest.param("euler/euler.html", 1280, "dark", marks=pytest.mark.long),
-        pytest.param("notation.html", 390, "light", marks=pytest.mark.long),
+        pytest.param("euler/euler.html", 1280, "dark", marks=pytest.mark.slow),
+        pytest.param("notation.html", 390, "light", marks=pytest.mark.slow),
         ("search.html", 390, "dark"),
-        pytest.param("index.html", 1280, "light", marks=pytest.mark.long),
+        pytest.param("index.html", 1280, "light", marks=pytest.mark.slow),
     ],
 )
 def test_a_page_looks_as_with_all_of_the_theme(name, width, scheme, site, server, chromium):

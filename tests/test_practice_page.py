@@ -79,7 +79,7 @@ def variant(exercise, name):
 @pytest.mark.parametrize(
     "topic",  # what can be answered in all ways: a number, angles, a matrix
     [
-        pytest.param(topic, marks=[pytest.mark.long] * (topic not in ("bicycle", "frames")))
+        pytest.param(topic, marks=[pytest.mark.slow] * (topic not in ("bicycle", "frames")))
         for topic in practice.topics()
     ],
 )

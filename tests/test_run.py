@@ -1,6 +1,6 @@
 """*Run* under a page's cells: what it needs, what it loads and when, and what runs them there.
 
-With a real Python in a browser: `test_in_browser.py` (`make test-anywhere`).
+With a real Python in a browser: `test_in_browser.py` (`make test-install`).
 """
 
 import ast
@@ -80,7 +80,7 @@ def test_the_cells_on_a_page_need_no_cell_that_is_not_there(chapter):
 OWN_PROCESS = "import sys, test_run; test_run.assert_as_stored(sys.argv[1])"
 
 
-@pytest.mark.anywhere
+@pytest.mark.install
 @pytest.mark.parametrize("chapter", CHAPTERS)
 def test_the_cells_on_a_page_give_what_is_stored(chapter):
     """All of them, in order, by what runs them in a page, but in this Python."""

@@ -1,10 +1,10 @@
-"""Pictures of every page, to look at: `make screenshots`. They are in _build/screenshots."""
+"""Pictures of every page, to look at, in _build/screenshots; CONTRIBUTING.md has the command."""
 
 import pytest
 from browser import ROOT, draw_all, listed, watched_page
 
 pytest_plugins = ["browser"]
-pytestmark = [pytest.mark.browser, pytest.mark.screenshots]
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
 # no figure waits
 COME = """() => {

@@ -31,7 +31,7 @@ KINDS = ("index", "practice", "search", "bicycle/bicycle", "notation")
 each_kind = pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=[pytest.mark.long] * (name.removesuffix(".html") not in KINDS))
+        pytest.param(name, marks=[pytest.mark.slow] * (name.removesuffix(".html") not in KINDS))
         for name in PAGES
         if name != "404.html"
     ],

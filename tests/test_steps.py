@@ -207,10 +207,10 @@ def test_a_goal_is_not_reached_at_the_start(figure):
 # --- Motion ---------------------------------------------------------------------------------
 
 LOOPING = [f for f in FIGURES.values() if any(getattr(c, "loops", False) for c in f.controls)]
-each_loop = pytest.mark.parametrize(  # two of them, and all in the long run
+each_loop = pytest.mark.parametrize(  # two of them; all in `make test-slow`
     "figure",
     [
-        pytest.param(f, id=f.name, marks=[pytest.mark.long] * (f.name not in ("park", "wrong-car")))
+        pytest.param(f, id=f.name, marks=[pytest.mark.slow] * (f.name not in ("park", "wrong-car")))
         for f in LOOPING
     ],
 )

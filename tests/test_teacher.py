@@ -244,7 +244,7 @@ def test_a_secret_deals_numbers_that_are_on_no_page(keyed):
     assert table("other.csv") != table("exam.csv")
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_a_secret_finds_numbers_for_every_exercise(folder):
     """Whatever it draws: no mistake ends in an error, no exercise is left with a handful."""
     for secret in map(str, range(10**15, 10**15 + 5)):
@@ -629,7 +629,7 @@ def test_a_class_of_500(folder, capsys):
     assert "<script" not in page
 
 
-@pytest.mark.long
+@pytest.mark.slow
 def test_a_hundred_megabytes_are_graded_in_three_hundred(folder):
     (folder / "roster.csv").write_text("student\n" + "\n".join(f"s{k}" for k in range(500)))
     assert run("key", "roster.csv") == 0

@@ -1,8 +1,10 @@
 """Python for the browser where its public address cannot be reached: that host alone is answered.
 
 Its own files come from the npm package of the same version, pure wheels from the package index. One
-that is compiled for browsers is to be had only if somebody puts it into `BY_HAND`. The list of
-packages is given the hashes of all these. `missing()` names the rest: what needs it is not run.
+that is compiled for browsers (NumPy, Matplotlib, SciPy) is to be had only if somebody puts it into
+`BY_HAND`, with its name in `book/_vendor/pyodide/pyodide-lock.json`; another version will do, if
+Pyodide built it for the same `pyemscripten_…`. The list of packages is given the hashes of all
+these. `missing()` names the rest: what needs it is not run, and that is said.
 """
 
 import hashlib

@@ -2,7 +2,7 @@
 
 A course is a package with a folder for each chapter; `_toc.yml` gives the order. What belongs to a
 chapter stands in modules of fixed names (`formulas`, `checks`, `figures`, `exercises`, …): whatever
-a module holds under a name, also in a tuple or a dictionary, is declared. The package opens itself:
+a module holds under a name, also in a tuple or a dictionary, is declared. A package opens itself::
 
     open_course(__name__, name="kinematics", looks=KINDS, library="robokin")
 """

@@ -3,6 +3,11 @@
 `lite/` in the site has the notebooks, the course's packages, and JupyterLite; Python itself
 (Pyodide) comes from `course_python`. What the course needs stands in the list of packages that
 Pyodide is given, so that `import robokin` just works, and nothing is asked of another registry.
+
+A notebook's name there ends with a few letters of its digest: so a new release is seen, and a copy
+that a student has changed stays beside it. Three things name one version of Pyodide, and a test
+compares them: `course_python` (`workshop/site/__init__.py`), `book/_vendor/pyodide` and
+`jupyterlite-pyodide-kernel`.
 """
 
 import hashlib

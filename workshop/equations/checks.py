@@ -26,16 +26,33 @@ from workshop.errors import CourseError
 
 @dataclass(frozen=True, eq=False)
 class Check:
-    """How one formula is held to the library.
+    """How one formula is held to the library, in the tuple `CHECKS` of a chapter's `checks.py`.
 
-    function, arguments, component: `function(*arguments)[..., component]` must agree with the
-    right side; arguments are expressions, or tuples of them, stacked on the last axis.
-    compared_with: what computes, in words, where that is not the library.
-    checked_by: for a formula that no function computes, the test that holds it, instead.
-    tolerance, reason: the largest difference allowed, absolute in the unit of the left side; why.
-    specials: settings that are always checked too; what they leave out is drawn from the range.
-    ranges: where points are drawn from, for symbols whose own range is too wide.
-    whole: symbols that are whole numbers only.
+    For example::
+
+        Check(
+            formulas.speed,
+            function=twist_of_speeds, component=0, arguments=(v_L, v_R, r, b),
+            tolerance=1e-15, reason="four roundings of numbers up to 1",
+            specials=(STRAIGHT, ON_THE_SPOT, STILL),
+        )
+
+    A test turns signs and swaps sines in every formula: a check that does not notice fails.
+
+    Args:
+        equation: the formula.
+        reason: why the tolerance is what it is.
+        tolerance: the largest difference allowed, absolute in the unit of the left side.
+        function, arguments, component: `function(*arguments)[..., component]` must agree with the
+            right side. Arguments are expressions, or tuples of them, stacked on the last axis; all
+            symbols of the formula are in them. The function is the library's, or a few lines beside
+            the check that put its arguments and answers in order; the page of checks prints the
+            first line of their docstring.
+        compared_with: what computes, in words, where that is not the library.
+        checked_by: for a formula that no function computes, the test that holds it, instead.
+        specials: settings that are always checked too; what they leave out is drawn.
+        ranges: where points are drawn from, for symbols whose own range is too wide.
+        whole: symbols that are whole numbers only.
     """
 
     equation: Equation

@@ -87,9 +87,19 @@ def quantity(
     latex: str = "",
     code: str = "",
 ) -> NamedSymbol:
-    """Declare a symbol: its name, unit, the range it is tested in, what it means.
+    """Declare a symbol, which belongs to the chapter that declares it.
 
-    code: its name in the code of the chapter's notebook, where that is another one.
+    A chapter gives one letter to one symbol, and declares every letter that it prints: so it stands
+    on the page of notation, and its letters, sliders, readouts and names in code light up together.
+    `LOOKS = {v_L: "left"}` in `formulas.py` gives a quantity the look of a kind of thing.
+
+    Args:
+        name: as SymPy's; Greek letters are spelled.
+        unit: SI.
+        low, high: the range that points are drawn from, to hold its formulas to the library.
+        meaning: in a few words; a name may stand first, before a colon: "heading: …".
+        latex: how it prints, where SymPy's own way will not do.
+        code: its name in the code of the chapter's notebook, where that is another one.
     """
     return _named(name, unit, (low, high), meaning, latex, code)
 
@@ -161,16 +171,22 @@ def refuse_namesakes(symbols: Iterable[sp.Symbol], who: str) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Equation:
-    """One formula of the course.
+    """One formula of the course, in a chapter's `formulas.py`; a `Check` holds it to the library.
 
-    name: `chapter.what`, with the chapter that declares it.
-    left, right: the two sides, scalar or column; the right one in the form that keeps its digits.
-    source: where it comes from.
-    textbook: the right side as books print it, where that reads better; proved equal, only shown.
-    where: named steps that the right side is written in, each a symbol and what it stands for.
-    is_angle: its values are angles, and one turn more is the same angle.
+    It is written inside `with as_written():`, so that SymPy keeps the form that is typed::
 
-    How it is held to the library is no part of it: `Check` says that.
+        speed = Equation("differential_drive.speed", left=v, right=(v_R + v_L) / 2, source="…")
+
+    A singular case gets its own branch, by SymPy's `Piecewise`.
+
+    Args:
+        name: `chapter.what`, with the chapter that declares it.
+        left, right: the two sides, scalar or column; the right one in the form that keeps digits.
+        source: where it comes from.
+        textbook: the right side as books print it, where that reads better; a test proves the two
+            equal, and this one is shown.
+        where: named steps that the right side is written in, each a symbol and what it stands for.
+        is_angle: its values are angles, and one turn more is the same angle.
     """
 
     name: str
@@ -268,9 +284,17 @@ def find(name: str) -> Equation:
 
 
 def show(name: str, computed: bool = False, figure: str = "") -> Shown:
-    """Show an equation by its name; `computed=True` shows the form that the code uses.
+    """Show an equation, in a cell of its own that is tagged `remove-input`.
 
-    figure: the name of a live figure whose numbers then stand below the formula on the page.
+    The text refers to it with ``{eq}`differential_drive.speed```. A formula typed by hand is
+    refused by a test, except in cells tagged `definition`, `derivation` or `mistake`.
+
+    Args:
+        name: of the equation.
+        computed: in the form that the code uses, where a textbook's form is shown otherwise.
+        figure: a live figure whose numbers then stand below the formula and follow the hand. Each
+            symbol of the formula needs a slider, a readout or a named step in it, its left side a
+            readout.
     """
     return Shown(find(name), computed, figure)
 

@@ -2,10 +2,6 @@
 
 Each has three faces: 50-digit arithmetic here, JavaScript in `workshop/figures/functions.js`,
 and a NumPy oracle in `tests/test_javascript.py` that both are held to.
-
-    rank(C)             the rank of a matrix (0 … 3 columns' worth)
-    null_projector(C)   the orthogonal projector onto the motions x with C x = 0
-    solve(A, b)         the solution of A x = b, NaN where A is singular
 """
 
 from collections.abc import Callable
@@ -21,18 +17,18 @@ RANK_TOLERANCE = 1e-9  # relative to the largest singular value: a reader's idea
 
 
 def rank(matrix: sp.Matrix) -> sp.Expr:
-    """The rank of a matrix as an expression."""
+    """The rank of a matrix as an expression (0 … 3 columns' worth)."""
     return _call("rank", *_flat(matrix))
 
 
 def null_projector(matrix: sp.Matrix) -> sp.Matrix:
-    """The projector onto the null space: unique, unlike a basis, so it can be compared."""
+    """The orthogonal projector onto the null space: unique and so comparable, unlike a basis."""
     n = matrix.cols
     return _matrix("null_projector", (n, n), _flat(matrix))
 
 
 def solve(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix:
-    """x with `matrix` x = `right`, for a square matrix."""
+    """x with `matrix` x = `right`, for a square matrix; NaN where that is singular."""
     return _matrix("solve", (matrix.rows, 1), [*_flat(matrix), *right])
 
 

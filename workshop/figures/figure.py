@@ -28,18 +28,43 @@ MIME = "application/vnd.workshop.figure+json"
 
 @dataclass(frozen=True, eq=False)
 class Figure:
-    """A picture that answers to its controls.
+    """A picture that answers to its controls, in a chapter's `figures.py`.
 
-    name: its address on the page, letters and dashes. title: what it shows, for those who cannot
-    see it. view: the window on the world, (x_low, x_high, y_low, y_high) in metres. says: a
-    sentence about the present state, with `{name}` for controls, readouts and named steps; without
-    one, all controls and readouts are told. where: named steps of the computation, in order, that
-    all expressions may use. grid: whether the flat ground shows x, y in m. goal: what the reader
-    shall reach, or several such. follow: a point that the view moves along with, so that it stays
-    inside. size: "step" or "laboratory", whose sizes on a page are tested, or "" for a larger one.
+    A function of the chapter makes it, and `FIGURES` names it; a cell of its own, tagged
+    `remove-input`, shows it. `READOUTS` and `SPECIALS` in `expected.py` say what its readouts must
+    be, computed by the library: a test tries it at a thousand settings. For example::
 
-    With shapes of `VIEW` it is a picture in space: the view's sliders are its last controls, and
-    dragging its ground turns it. seen_from: azimuth and elevation at first.
+        def world_figure() -> Figure:
+            end = (ARROW * x_dot, ARROW * y_dot)
+            return Figure(
+                name="world",
+                title="The robot's velocity and its parts along the axes of the world",
+                view=(-0.14, 0.15, -0.11, 0.12),
+                controls=(Slider.degrees(theta, start=40),),
+                where=(*TWIST.items(), (v_y, 0), *solved(motion.to_world)),
+                scene=(*robot((0, 0, theta)), Arrow(v, ORIGIN, end)),
+                handles=(Handle("tip", end, {theta: atan2(POINTER[1], POINTER[0])}),),
+                readouts=(Readout(x_dot), Readout(y_dot)),
+            )
+
+    Expressions are taken from equations. A step figure has two things to move and three numbers at
+    most, and about 20 lines; what several figures draw is a function of the chapter.
+
+    Args:
+        name: its address on the page, letters and dashes.
+        title: what it shows, for those who cannot see it.
+        view: the window on the world, (x_low, x_high, y_low, y_high) in metres.
+        scene: shapes, as painted.
+        controls, readouts, handles: what is moved, told and dragged.
+        says: a sentence about the present state, with `{name}` for controls, readouts and named
+            steps; without one, all controls and readouts are told.
+        where: named steps of the computation, in order, that all expressions may use.
+        seen_from: azimuth and elevation at first, of a picture with shapes of `VIEW`: the view's
+            sliders are then its last controls, and dragging its ground turns it.
+        grid: whether the flat ground shows x, y in m.
+        goal: what the reader shall reach, or several such.
+        follow: a point that the view moves along with, so that it stays inside.
+        size: "step" or "laboratory", whose sizes on a page are tested, or "" for a larger one.
     """
 
     name: str

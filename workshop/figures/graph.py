@@ -1,9 +1,11 @@
 """A small graph inside a flat picture: where it shows two numbers is an expression of them.
 
-graph = Graph((0.1, 0.3, 0.0, 0.15), x=(1, 100), y=(1e-6, 1), words=("n", "error"))
-graph.at((n, error))      a pair for shapes and handles
-graph.shapes()            frame, numbers and words
-graph.x_of(POINTER)       the number on the x axis at a place of the picture
+For example::
+
+    graph = Graph((0.1, 0.3, 0.0, 0.15), x=(1, 100), y=(1e-6, 1), words=("n", "error"))
+    graph.at((n, error))      # a pair for shapes and handles
+    graph.shapes()            # frame, numbers and words
+    graph.x_of(POINTER)       # the number on the x axis at a place of the picture
 """
 
 from collections.abc import Sequence

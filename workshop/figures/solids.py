@@ -1,8 +1,9 @@
 """Solids: what a picture in space is built of, turned, shaded and sorted by the script.
 
 A `Part` is data: corners in metres and the faces between them. A `Solid` is a body of parts at a
-pose; only the pose's twelve numbers are computed with the figure's symbols. Faces that look away
-are not drawn, the others from far to near. So parts are convex, or so thin that it does not show.
+pose, `VIEW.solid(parts, R, at)`; only the pose's twelve numbers are computed with the figure's
+symbols, so the entries of R get names: `R = steps.named("r", …)`. Faces that look away are not
+drawn, the others from far to near. So parts are convex, or so thin that it does not show.
 """
 
 from collections.abc import Mapping, Sequence

@@ -1,12 +1,9 @@
 """Pictures in space: points as seen from far away, by a viewer who can walk round.
 
-A view is two angles, so whatever it shows is an ordinary expression of them:
-
-    VIEW.project((x, y, z))     where the picture shows a point
-    VIEW.depth((x, y, z))       how near the viewer it is; nearer shapes are painted later
-    VIEW.frame(R, at=p)         the three axes of a frame, as arrows
-
-A figure with such shapes gets the two angles as its last sliders, and is turned by hand, too.
+`VIEW` is two angles, so whatever it shows is an ordinary expression of them. A figure with such
+shapes gets the two angles as its last sliders, and is turned by hand, too. Nearer shapes are
+painted later: those with a depth change places among themselves, and a `Curve` whose depth runs
+along it is sorted piece by piece.
 """
 
 from collections.abc import Sequence

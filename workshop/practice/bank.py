@@ -3,6 +3,12 @@
 An exercise has a text with numbers left open, how these are drawn, the right answer, and the
 mistakes that can be made in it, each as the formula that someone who makes it would use. Inside a
 formula all numbers are SI; the reader sees the units that suit the text.
+
+64 variants are drawn by a fixed seed. One in which two answers of `right` and `wrong` would be too
+close to tell apart is not dealt. `tests/test_practice.py` holds every answer of every variant to
+its verdict, in Python and in the script of the page; `tests/test_solutions.py` goes on with every
+number as a solution prints it. Answers are read and judged by the scripts of the page everywhere;
+the table `tests/answers.json` says what must be read.
 """
 
 import math
@@ -39,7 +45,10 @@ RELATIVE = 1e-3  # of a large answer: as much as numbers make that are rounded o
 class Picture:
     """What a figure of the chapter shows of a mistake, for those who made it twice.
 
-    figure: its name; option: what its choice "mistake" is set to; shows: the picture in words.
+    Args:
+        figure: its name.
+        option: what its choice "mistake" is set to.
+        shows: the picture in words.
     """
 
     figure: str
@@ -51,14 +60,22 @@ class Picture:
 class Mistake:
     """A mistake that people make, written once: exercises name it, chapters show it.
 
-    name: M1 … M37. says: completes "This is what you get …".
-    why: why it is wrong, in one to three sentences. unnoticed: where it happens to be right.
-    wrong: the wrong formula, from which what it gives is computed; line: the wrong line, as code.
-    picture: what then happens.
-    document, place, nth: the source document that has it, where, and which of its errata this
-    is, counted from its start; stands, should: what stands there and what should, with what
-    changes in « ». explained: why, in the letters of the document, where those of `why` are
-    others. All are empty for a mistake that is only likely.
+    It is a formula with something replaced. Its line of code, the two formulas with what changed
+    marked, its number (`M12.wrong.gives`, or `M12.wrong.through(f)` in another formula) and a
+    figure's ghost (`M12.at({…})`) come from there. A chapter shows it by `practice.mistake("M12")`.
+
+    Args:
+        name: M1, M2, …
+        says: completes "This is what you get …".
+        why: why it is wrong, in one to three sentences.
+        unnoticed: where it happens to be right.
+        wrong: the wrong formula.
+        line: the wrong line, as code.
+        picture: what then happens.
+        document, place, nth: the source document that has it, where, and which of its errata this
+            is, counted from its start; empty, as what follows, for one that is only likely.
+        stands, should: what stands there and what should, with what changes in « ».
+        explained: why, in the letters of the document, where those of `why` are others.
     """
 
     name: str
@@ -119,10 +136,17 @@ def one_of(*options: Any, unit: str = "") -> Given:
 
 @dataclass(frozen=True)
 class Ask:
-    """One number that is asked for. circle: an angle, compared up to whole turns.
+    """One number that is asked for.
 
-    tolerance: how far off an answer may be, in the unit; whole numbers have 0. A tolerance of its
-    own needs a reason; without one it is the unit's, and a part of the answer where that is more.
+    How far off an answer may be follows from its unit, and is a thousandth of a large one; the
+    words on decimals follow from that.
+
+    Args:
+        label: its letter or name.
+        unit: as typed.
+        circle: whether it is an angle, compared up to whole turns.
+        tolerance, reason: how far off an answer may be instead, in the unit, and why.
+        relative: the same as a part of the answer.
     """
 
     label: str
@@ -170,18 +194,44 @@ def matrix(name: str, rows: int, columns: int) -> tuple[Ask, ...]:
 
 @dataclass(frozen=True, eq=False)
 class Exercise:
-    """One exercise with numbers left open.
+    """One exercise with numbers left open, in a chapter's `exercises.py`.
 
-    name: stem of the topic and a number, "differential-drive-1". level: 1 one step, 2 several,
-    3 hard. text, solution: Markdown-free text with `{placeholders}`: numbers of `given`, what
-    `derive` adds, and `{right}`; `{x:deg}` shows degrees, `{x:.2f}` a format; "v_L" becomes a
-    symbol; an empty line starts a paragraph. given: name → how it is drawn. asks: the numbers
-    asked for, in order. right: function of the numbers → the answer, shape (n,) or `shape`.
-    wrong: mistake → function → the answer of somebody who makes it. also: the same for what is
-    no documented mistake, as words that end "This is what you get …"; where it gives what a
-    mistake gives, both are said. accept: "one" answer, "any" of the rows of `right`, or "all" its
-    rows in any order. when: numbers that may be dealt.
-    example: numbers in SI that are the same for all, where the chapter shows the mistakes.
+    It appears by itself on the page of all exercises and in the teacher's tables. A chapter shows
+    it by `practice.exercise("bicycle-1")`, and the numbers of its example by `practice.example`, in
+    cells tagged `remove-input`. For example::
+
+        Exercise(
+            "differential-drive-1",
+            level=1,
+            title="How fast does it turn?",
+            text="The wheels of a robot are {b} apart. The left wheel moves at {v_L}, …",
+            given={"b": steps(20, 60, 5, "cm"), "v_L": steps(0.1, 0.8, 0.05, "m/s"), …},
+            asks=(Ask("ω", "rad/s"),),
+            right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
+            wrong={M12: M12.wrong.gives},
+            also={"with …": …},
+            solution=Solution("Seen from the left wheel, …:{omega}", omega=Step(turning_rate)),
+        )
+
+    Args:
+        name: stem of the topic and a number.
+        level: 1 one step, 2 several, 3 hard.
+        title: of its box.
+        text: Markdown-free text with `{placeholders}`: numbers of `given`, what `derive` adds, and
+            `{right}`; `{x:deg}` shows degrees, `{x:.2f}` a format; "v_L" becomes a symbol; an empty
+            line starts a paragraph.
+        given: name → how it is drawn.
+        asks: the numbers asked for, in order.
+        right: function of the numbers → the answer, shape (n,) or `shape`.
+        wrong: mistake → function → the answer of somebody who makes it; `{}` if there is none.
+        solution: the way there, with such placeholders.
+        also: as `wrong` for what is no documented mistake, as words that end "This is what you get
+            …"; where it gives what a mistake gives, both are said.
+        shape: of a matrix that is asked for.
+        accept: "one" answer, "any" of the rows of `right`, or "all" its rows in any order.
+        derive: function of the numbers → others, for the text.
+        when: function of the numbers → whether they may be dealt.
+        example: numbers in SI that are the same for all, where the chapter shows the mistakes.
     """
 
     name: str

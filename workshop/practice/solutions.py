@@ -1,8 +1,9 @@
 """Worked solutions: declared formulas, with the exercise's numbers put in, and their results.
 
-A solution is a text with a placeholder for each step. A step is a formula of the course, or a line
-of its own where the course has none. The numbers of the exercise are found by the names of the
-formula's symbols; what a step gives is known to the steps after it by the names of its left side.
+A solution is a text with a placeholder for each step. Nobody types a formula, a number or a result
+into it. A step is a formula of the course, or a line of its own where the course has none. The
+numbers of the exercise are found by the names of the formula's symbols; what a step gives is known
+to the steps after it by the names of its left side::
 
     Solution(
         "The right wheel circles around the left one at the whole distance:\\n\\n{omega}",
@@ -12,8 +13,8 @@ formula's symbols; what a step gives is known to the steps after it by the names
 `{omega}` becomes "ω = (v_R − v_L)/b = (0.3 − 0.1)/0.4 = 0.5 rad/s", a column a line for each
 component; `{omega.value}` is the result alone, `{omega.value:deg}` in degrees, `{omega.formula}`
 the formula alone. What the last step gives, or those that `answer` names, is the answer: a test
-holds it to the library's. Where a row of the answer comes from several steps, `answer` holds them
-together, as a tuple of its own.
+holds it to the library's in all variants, and turns a sign in each step. Where a row of the answer
+comes from several steps, `answer` holds them together, as a tuple of its own.
 
 A whole matrix is a `MatrixSymbol`, known by its name as a number is. A step that gives one can
 name its entries instead, in `values`, row by row.
@@ -45,9 +46,11 @@ Unit = str | tuple[str, ...]
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """A formula that belongs to one solution only: its two sides, and the unit of its result.
+    """A formula that belongs to one solution only.
 
-    unit: one for each line where they differ; without it, those of the symbols on the left.
+    Args:
+        left, right: its two sides.
+        unit: of the result, one for each line where they differ; else those of the left symbols.
     """
 
     left: Any
@@ -57,14 +60,19 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """One formula of a solution. formula: an Equation, a Line, or a function from the numbers.
+    """One formula of a solution.
 
-    given: what to put in for symbols that the exercise does not know by their own names: the name
-    of a number, an expression of other symbols, or a number. values: names of what it gives, where
-    those of its left side will not do; symbols are its left side then. textbook: whether the
-    textbook's form is shown and used. part: which of several components are shown and given.
-    check: for what does not lead to the answer but is said beside it, a function from the numbers
-    that must give the same.
+    Args:
+        formula: an Equation, a Line, or a function from the numbers.
+        given: what to put in for symbols that the exercise does not know by their own names: the
+            name of a number, an expression of other symbols, or a number.
+        values: names of what it gives, where those of its left side will not do; symbols are its
+            left side then.
+        unit: of the result, where it is not that of the left side.
+        textbook: whether the textbook's form is shown and used.
+        part: which of several components are shown and given.
+        check: for what does not lead to the answer but is said beside it, a function from the
+            numbers that must give the same.
     """
 
     formula: Equation | Line | Callable[..., Equation | Line]

@@ -1,4 +1,4 @@
-"""A mistake as a formula: the right one with something in it replaced.
+"""A mistake as a formula: the right one with something in it replaced::
 
     Wrong(formulas.turning_rate, {b: b / 2})
 
@@ -28,8 +28,10 @@ SHORT = 2  # so many signs between two changes are no rest for the eye
 class Wrong:
     """A formula as somebody writes it who makes a mistake.
 
-    of: the right one, an Equation or a Line. puts: what stands in its right side for which symbol;
-    instead: another right side altogether.
+    Args:
+        of: the right one, an Equation or a Line.
+        puts: what stands in its right side for which symbol.
+        instead: another right side altogether.
     """
 
     of: Any

@@ -25,9 +25,12 @@ Value = Any  # an expression, a matrix or tuple of them, or a function of no arg
 
 @dataclass(frozen=True)
 class Buttons:
-    """Two to four options. right: one of them, or a function that finds it.
+    """Two to four options.
 
-    assumes: option → what somebody assumes who chooses it, in a sentence.
+    Args:
+        options: the words on the buttons.
+        right: one of them, or a function that finds it.
+        assumes: option → what somebody assumes who chooses it, in a sentence.
     """
 
     options: tuple[str, ...]
@@ -59,9 +62,13 @@ class Buttons:
 
 @dataclass(frozen=True)
 class Number:
-    """A number to type. near: how far off still counts as right, as a part of the right one.
+    """A number to type, read as answers of exercises are.
 
-    assumes: what somebody assumes, in a sentence → the number that this gives.
+    Args:
+        label, unit: of the box.
+        right: the right one.
+        assumes: what somebody assumes, in a sentence → the number that this gives.
+        near: how far off still counts as right, as a part of the right one.
     """
 
     label: str
@@ -99,10 +106,14 @@ class Number:
 class Ghost:
     """A ghost to place in a live figure, which stands in the cell before.
 
-    places: those sliders of the figure that place the ghost; while the question is open, they and
-    their handles are all that can be moved. then: what the figure shows after the answer.
-    right: where the ghost belongs, a number for each slider. near: how far off still counts as
-    right, in what the sliders show. assumes: as for a number.
+    Args:
+        figure: its name.
+        places: those sliders of the figure that place the ghost; while the question is open, they
+            and their handles are all that can be moved.
+        then: what the figure shows after the answer.
+        right: where the ghost belongs, a number for each slider.
+        near: how far off still counts as right, in what the sliders show.
+        assumes: as for a number.
     """
 
     figure: str
@@ -168,11 +179,31 @@ class Ghost:
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """A question that takes an answer. name: its address on the page, letters and dashes.
+    """A question that takes an answer, in the tuple `PREDICTIONS` of a chapter's `predictions.py`.
 
-    question, opens: Markdown with formulas; `opens` says the result in a sentence or two.
-    hides: words that give the answer away, besides the answer itself; they stand nowhere above it
-    in the chapter, and below it only in what it opens.
+    A cell `predictions.ask("faster-right")`, tagged `remove-input`, shows it. The cells right after
+    it, code or Markdown, that are tagged `after-faster-right` are folded and open with it.
+    For example::
+
+        Prediction(
+            "faster-right",
+            "The right wheel moves at 0.10 m/s, the left one at 0.05 m/s. How fast does it turn?",
+            Number(
+                "ω", "rad/s",
+                right=formulas.turning_rate.at(SPEEDS),
+                assumes={"This takes half the distance for the whole.": M12.at(SPEEDS)},
+            ),
+            opens="The difference of the speeds over the whole distance: $(v_R - v_L)/b$.",
+            hides=("over the whole distance",),
+        )
+
+    Args:
+        name: its address on the page, letters and dashes.
+        question: Markdown with formulas.
+        answers: Buttons, a Number or a Ghost.
+        opens: the result in a sentence or two, Markdown with formulas.
+        hides: words that give the answer away, besides the answer itself; a test holds that they
+            stand nowhere above it in the chapter, and below it only in what it opens.
     """
 
     name: str

@@ -3,6 +3,14 @@
 Until it is pressed a page has `loader.js` alone, which puts the buttons there. Then come `cells.js`
 (cells that can be changed, run and put back), `worker.js` (loads Python, off the page's thread) and
 `cells.py` (runs a cell in it). `workshop.site.run` puts these files into the site.
+
+A page runs the cells that it shows: a test refuses a name that only a cell with `remove-input`
+makes. Another runs them all and compares with what is stored.
+
+The worker is ours because what there is brings a page more than it asks for: thebe is kept at an
+old Pyodide and brings parts of JupyterLab; the kernel of JupyterLite speaks Jupyter's protocol and
+so needs these parts too, and IPython, 14 wheels before the first line runs. Ours is 7 kB, shows
+outputs in the page's own style, and imports what a cell names only then.
 """
 
 import hashlib

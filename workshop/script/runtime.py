@@ -18,11 +18,16 @@ from workshop.errors import CourseError
 
 @dataclass(frozen=True)
 class Part:
-    """What a package adds to the script. name: of its object in JavaScript.
+    """What a package adds to the script: `register(Part(…))` in its `__init__.py`.
 
-    scripts, styles: files of the package, in order. constants: what Python tells the script, by
-    name; rules: what it tells the style sheet. Both are asked once a course is open.
-    called_by: what stands in the text of a page that needs it; needs: parts that come before it.
+    Args:
+        name: of its object in JavaScript.
+        package: where the files are.
+        scripts, styles: files of the package, in order.
+        called_by: what stands in the text of a page that needs it.
+        needs: parts that come before it.
+        constants: what Python tells the script, by name; asked once a course is open.
+        rules: what it tells the style sheet, likewise.
     """
 
     name: str

@@ -73,9 +73,9 @@ test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)
 	$(PYTEST) worksteal -m slow -rs $(if $(T),-k $(T)) tests book
 
 test-install: $(LIBRARY)/.ready .venv-lowest/.ready
-	$(PYTEST) worksteal -m install -rs $(if $(T),-k $(T)) tests
-	.venv-lowest/bin/pytest -n 2 $(if $(T),-k $(T)) book
-	$(if $(NOTEBOOKS),.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(NOTEBOOKS))
+	$(PYTEST) worksteal -m install -rs tests
+	.venv-lowest/bin/pytest -n 2 book
+	.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(wildcard book/*/*.ipynb)
 
 check: $(READY)
 	$(BIN)/ruff check .

@@ -28,15 +28,6 @@ from workshop.errors import CourseError
 class Check:
     """How one formula is held to the library, in the tuple `CHECKS` of a chapter's `checks.py`.
 
-    For example::
-
-        Check(
-            formulas.speed,
-            function=twist_of_speeds, component=0, arguments=(v_L, v_R, r, b),
-            tolerance=1e-15, reason="four roundings of numbers up to 1",
-            specials=(STRAIGHT, ON_THE_SPOT, STILL),
-        )
-
     A test turns signs and swaps sines in every formula: a check that does not notice fails.
 
     Args:

@@ -173,11 +173,8 @@ def refuse_namesakes(symbols: Iterable[sp.Symbol], who: str) -> None:
 class Equation:
     """One formula of the course, in a chapter's `formulas.py`; a `Check` holds it to the library.
 
-    It is written inside `with as_written():`, so that SymPy keeps the form that is typed::
-
-        speed = Equation("differential_drive.speed", left=v, right=(v_R + v_L) / 2, source="…")
-
-    A singular case gets its own branch, by SymPy's `Piecewise`.
+    It is written inside `with as_written():`, so that SymPy keeps the form that is typed. A
+    singular case gets its own branch, by SymPy's `Piecewise`.
 
     Args:
         name: `chapter.what`, with the chapter that declares it.

@@ -32,20 +32,7 @@ class Figure:
 
     A function of the chapter makes it, and `FIGURES` names it; a cell of its own, tagged
     `remove-input`, shows it. `READOUTS` and `SPECIALS` in `expected.py` say what its readouts must
-    be, computed by the library: a test tries it at a thousand settings. For example::
-
-        def world_figure() -> Figure:
-            end = (ARROW * x_dot, ARROW * y_dot)
-            return Figure(
-                name="world",
-                title="The robot's velocity and its parts along the axes of the world",
-                view=(-0.14, 0.15, -0.11, 0.12),
-                controls=(Slider.degrees(theta, start=40),),
-                where=(*TWIST.items(), (v_y, 0), *solved(motion.to_world)),
-                scene=(*robot((0, 0, theta)), Arrow(v, ORIGIN, end)),
-                handles=(Handle("tip", end, {theta: atan2(POINTER[1], POINTER[0])}),),
-                readouts=(Readout(x_dot), Readout(y_dot)),
-            )
+    be, computed by the library: a test tries it at a thousand settings.
 
     Expressions are taken from equations. A step figure has two things to move and three numbers at
     most, and about 20 lines; what several figures draw is a function of the chapter.

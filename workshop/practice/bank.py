@@ -198,20 +198,7 @@ class Exercise:
 
     It appears by itself on the page of all exercises and in the teacher's tables. A chapter shows
     it by `practice.exercise("bicycle-1")`, and the numbers of its example by `practice.example`, in
-    cells tagged `remove-input`. For example::
-
-        Exercise(
-            "differential-drive-1",
-            level=1,
-            title="How fast does it turn?",
-            text="The wheels of a robot are {b} apart. The left wheel moves at {v_L}, …",
-            given={"b": steps(20, 60, 5, "cm"), "v_L": steps(0.1, 0.8, 0.05, "m/s"), …},
-            asks=(Ask("ω", "rad/s"),),
-            right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
-            wrong={M12: M12.wrong.gives},
-            also={"with …": …},
-            solution=Solution("Seen from the left wheel, …:{omega}", omega=Step(turning_rate)),
-        )
+    cells tagged `remove-input`.
 
     Args:
         name: stem of the topic and a number.

@@ -183,20 +183,6 @@ class Prediction:
 
     A cell `predictions.ask("faster-right")`, tagged `remove-input`, shows it. The cells right after
     it, code or Markdown, that are tagged `after-faster-right` are folded and open with it.
-    For example::
-
-        Prediction(
-            "faster-right",
-            "The right wheel moves at 0.10 m/s, the left one at 0.05 m/s. How fast does it turn?",
-            Number(
-                "ω", "rad/s",
-                right=formulas.turning_rate.at(SPEEDS),
-                assumes={"This takes half the distance for the whole.": M12.at(SPEEDS)},
-            ),
-            opens="The difference of the speeds over the whole distance: $(v_R - v_L)/b$.",
-            hides=("over the whole distance",),
-        )
-
     Args:
         name: its address on the page, letters and dashes.
         question: Markdown with formulas.

@@ -183,6 +183,7 @@ class Prediction:
 
     A cell `predictions.ask("faster-right")`, tagged `remove-input`, shows it. The cells right after
     it, code or Markdown, that are tagged `after-faster-right` are folded and open with it.
+
     Args:
         name: its address on the page, letters and dashes.
         question: Markdown with formulas.

@@ -175,7 +175,8 @@ def cubed(p_x, p_y, p_z, a2, a3):
 
 def bent(distance, a2, a3, power=2):
     """Whether the elbow is clearly bent, by the law of cosines with this power of a3."""
-    return abs(distance**2 - a2**2 - a3**power) < 0.9 * 2 * a2 * a3
+    limit = 0.9 * 2 * a2 * a3 - 1e-9  # less: at the limit itself the last bits would decide
+    return abs(distance**2 - a2**2 - a3**power) < limit
 
 
 def possible(p_x, p_y, p_z, a2, a3, d1=0):

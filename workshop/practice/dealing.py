@@ -8,6 +8,7 @@ digits, trimmed, each run of spaces one: who writes the own name otherwise is th
 
 import hashlib
 import json
+import math
 import random
 import re
 import unicodedata
@@ -21,7 +22,7 @@ import numpy as np
 
 from workshop.course import course
 from workshop.errors import CourseError
-from workshop.practice.bank import Exercise, exercises
+from workshop.practice.bank import Ask, Exercise, exercises
 from workshop.practice.judging import Candidate, candidates, clash
 
 VARIANTS = 64
@@ -132,12 +133,31 @@ def version() -> str:
 
 
 def _contents(exercise: Exercise) -> list[Any]:
-    """All that a student can see of an exercise, or be judged by."""
+    """All that a student can see of an exercise, or be judged by.
+
+    Answers in other units, and slips, follow from the right ones.
+    """
     asks = [(ask.label, ask.unit, ask.tolerance, ask.relative) for ask in exercise.asks]
+    own = {"right", *(mistake.name for mistake in exercise.wrong)}
+    own |= {f"slip:{words}" for words in exercise.also}
     answers = [
-        (c.name, [f"{x:.8g}" for row in c.rows for x in row])
+        (
+            c.name,
+            [_digits(ask, x) for row in c.rows for ask, x in zip(exercise.asks, row, strict=True)],
+        )
         for variant in variants(exercise.name)
         for c in variant.candidates
+        if c.name in own
     ]
     shown = [list(variant.shown.values()) for variant in variants(exercise.name)]
     return [exercise.text, exercise.solution_text, asks, shown, answers]
+
+
+def _digits(ask: Ask, value: float) -> list[str]:
+    """A computed number as text that does not depend on its last bits.
+
+    Six digits of it times √2: answers often lie where digits end, and so on a rounding border,
+    but then √2 times them does not. An angle is told by its cosine and sine, which have no jump.
+    """
+    parts = (math.cos(value), math.sin(value)) if ask.circle else (value,)
+    return [f"{math.sqrt(2) * part:.6g}" if abs(part) > 1e-9 else "0" for part in parts]

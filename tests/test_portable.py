@@ -1,0 +1,129 @@
+"""What is stored does not depend on the last bits of a float: no output, no exercise.
+
+Each notebook runs twice with results that are moved in their last bits (`last_bits.py`), the second
+time all the other way, and must print what is stored.
+"""
+
+import os
+import subprocess
+import sys
+from functools import partial
+
+import nbformat
+import notebooks
+import pytest
+from nbformat.v4 import new_code_cell, new_notebook
+from support import ROOT
+
+import book  # noqa: F401 - opens the course
+from workshop.practice import dealing
+
+pytestmark = pytest.mark.long
+NOTEBOOKS = sorted((ROOT / "book").glob("*/*.ipynb"))
+DIRECTIONS = (1, -1)
+NO_TEXT = {"data", "execution_count", "image/png", "metadata", "traceback"}
+
+
+@pytest.fixture
+def perturbed(tmp_path, monkeypatch):
+    """A function that runs a notebook with its last bits moved, past cells that fail."""
+    startup = tmp_path / "profile_default" / "startup" / "move.py"
+    startup.parent.mkdir(parents=True)
+    monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
+    monkeypatch.setenv("PYTHONPATH", str(ROOT / "tests"), prepend=os.pathsep)
+    client = partial(notebooks.NotebookClient, allow_errors=True)
+    monkeypatch.setattr(notebooks, "NotebookClient", client)
+
+    def run(path, direction):
+        startup.write_text(f"import last_bits\nlast_bits.move({direction})\ndel last_bits\n")
+        return nbformat.reads(notebooks.written(path), as_version=4)
+
+    return run
+
+
+def texts(cell):
+    """The lines of a cell's prose, or of its outputs."""
+    if cell.cell_type == "markdown":
+        return cell.source.splitlines()
+    parts = [{**output, **output.get("data", {})} for output in cell.get("outputs", [])]
+    values = [str(part[name]) for part in parts for name in sorted(part.keys() - NO_TEXT)]
+    return [line for value in values for line in value.splitlines()]
+
+
+def differences(name, stored, fresh):
+    """Where two notebooks differ: cell, line, and the words in it that do."""
+    for number, cells in enumerate(zip(stored.cells, fresh.cells, strict=True)):
+        old, new = map(texts, cells)
+        for line, (before, after) in enumerate(zip(old, new, strict=False), start=1):
+            words = [(a, b) for a, b in zip(before.split(), after.split(), strict=False) if a != b]
+            if before != after:
+                yield f"{name}, cell {number}, line {line}: {words}\n{before}\n{after}"
+        if len(old) != len(new):
+            yield f"{name}, cell {number}: {len(new)} lines, {len(old)} are stored\n{new[-1]}"
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_outputs_do_not_depend_on_last_bits(path, perturbed):
+    stored = nbformat.read(path, as_version=4)
+    found = [d for way in DIRECTIONS for d in differences(path.stem, stored, perturbed(path, way))]
+    assert not found, "\n".join(found)
+
+
+MECANUM = """
+import numpy as np
+from robokin import euler, motion, wheels
+places = [(0.2, 0.15), (0.2, -0.15), (-0.2, 0.15), (-0.2, -0.15)]
+turns = np.radians([-45, 45, 45, -45])
+robot = [wheels.swedish(np.hypot(x, y), np.arctan2(y, x), -np.arctan2(y, x), 0.05, gamma)
+         for (x, y), gamma in zip(places, turns)]
+""".strip()
+NEAR_LOCK = """
+S = euler.to_matrix("XYZ", [0.2, 0.3, 0.4])
+R = S @ (S.T @ euler.to_matrix("XYZ", [0.4, np.pi / 2 - 1e-3, 0.5]))
+print(f"{np.abs(euler.to_matrix('XYZ', euler.from_matrix('XYZ', R)) - R).max():.0e}")
+""".strip()
+DEPENDS = {
+    "rounding border": "print(wheels.forward(robot, (2, 1, 1, 1)).round(3))",
+    "rounding error": NEAR_LOCK,
+    "planted border": "print(f'{np.hypot(0.0015, 0.002):.3f}')",
+    "negative zero": "c, s = np.cos(0.5), np.sin(0.5)\n"
+    "print((np.array([[c, s], [s, -c]]) @ [s, -c]).round(3))",
+    "half turn": "a, b = 2.0, np.pi - 2\nsine = np.sin(a) * np.cos(b) + np.cos(a) * np.sin(b)\n"
+    "print(np.degrees(np.arctan2(sine, -1)).round())",
+    "all digits": "print(np.sin(0.5))",
+}
+STAYS = {
+    "exact": "print(0.1 + 0.2, np.sin(0), np.cos(0), np.hypot(3, 4), np.array([[0.5]]) @ [3])",
+    "rounded": "print(np.sin([0.5, -0.5]).round(6), f'{np.degrees(np.arccos(-0.5)):.2f}')",
+    "typed half turn": "print(np.degrees(np.arctan2(0.0, -1)).round(6))",
+}
+
+
+def test_a_number_that_depends_on_them_is_named(tmp_path, perturbed):
+    cells = [new_code_cell(source) for source in (MECANUM, *DEPENDS.values(), *STAYS.values())]
+    path = tmp_path / "basics.ipynb"
+    nbformat.write(new_notebook(cells=cells), path)
+    with pytest.MonkeyPatch.context() as plain:
+        plain.setenv("IPYTHONDIR", str(tmp_path / "empty"))
+        stored = nbformat.reads(notebooks.written(path), as_version=4)
+    found = [d for way in DIRECTIONS for d in differences("one", stored, perturbed(path, way))]
+    for number, name in enumerate(DEPENDS, start=1):
+        assert any(d.startswith(f"one, cell {number}, line ") for d in found), (name, found)
+    after = range(1 + len(DEPENDS), len(cells))
+    assert not [d for d in found if any(d.startswith(f"one, cell {k}") for k in after)], found
+    assert not [d for d in found if d.startswith("one, cell 0")], found
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_the_bank_has_one_version(direction):
+    code = f"import last_bits; last_bits.move({direction}); import book; "
+    code += "from workshop.practice import dealing; print(dealing.version())"
+    path = os.pathsep.join(filter(None, [str(ROOT / "tests"), os.environ.get("PYTHONPATH")]))
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert run.stdout.strip() == dealing.version()

@@ -18,7 +18,7 @@ from support import ROOT
 import book  # noqa: F401 - opens the course
 from workshop.practice import dealing
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.slow
 NOTEBOOKS = sorted((ROOT / "book").glob("*/*.ipynb"))
 DIRECTIONS = (1, -1)
 NO_TEXT = {"data", "execution_count", "image/png", "metadata", "traceback"}

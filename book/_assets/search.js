@@ -19,7 +19,7 @@
     document.head.append(script);
   });
 
-  const start = () => (loading ??= load("minisearch.js").then(() => load("search-data.js")));
+  const start = () => (loading ??= load("minisearch/minisearch.js").then(() => load("search-data.js")));
 
   globalThis.siteSearch = {
     found(entries) {

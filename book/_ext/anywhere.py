@@ -5,72 +5,46 @@ Each place is a link. What an address is needed for is absent without it: `repos
 """
 
 import html
-import re
-from urllib.parse import quote, urlencode
+from urllib.parse import quote, urlencode, urlsplit
 
 from lite import address
 
-GITHUB = re.compile(r"https://github\.com/([\w.-]+)/([\w.-]+?)(?:\.git)?/?")
 COPIES = "hosted"  # the branch with the notebooks that install the course: tools/hosted.py
 
 
 def places(app, page):
-    """Name → (address, what it says) of each place where the notebook of a page can be run."""
-    theme, hub = app.config.html_theme_options, app.config.site_hub
+    """Return name → (address, what it says) of each place where the notebook of a page runs."""
+    theme, hub = app.config.html_theme_options, app.config.site_hub.rstrip("/")
     url, branch = theme.get("repository_url", ""), theme.get("repository_branch") or "main"
-    return {**in_browser(page), **on_hub(url, branch, hub, page), **on_github(url, branch, page)}
-
-
-def in_browser(page):
-    """JupyterLite, which stands beside the book."""
-    return {"In the browser": ("../" * page.count("/") + address(page), "Nothing to install")}
-
-
-def on_github(url, branch, page):
-    """Places that take a notebook from GitHub. Colab and Kaggle have no environment of the
-    course: there a copy is opened, with a first cell that installs it."""
-    found = GITHUB.fullmatch(url)
-    if not found:
-        return {}
-    owner, name = found.groups()
-    notebook = quote(f"lab/tree/book/{page}.ipynb", safe="")
-    copy = f"{owner}/{name}/blob/{COPIES}/{page.rpartition('/')[2]}.ipynb"
-    binder = f"https://mybinder.org/v2/gh/{owner}/{name}/{quote(branch, safe='')}"
-    return {
-        "Binder": (f"{binder}?urlpath={notebook}", "Free, no account; starts in minutes"),
-        "Colab": (f"https://colab.research.google.com/github/{copy}", "With a Google account"),
-        "Kaggle": (
-            f"https://kaggle.com/kernels/welcome?src=https://github.com/{copy}",
-            "With a Kaggle account; switch Internet on there",
-        ),
-        "Codespaces": (
-            f"https://codespaces.new/{owner}/{name}/tree/{branch}?quickstart=1",
-            "An editor with a GitHub account",
-        ),
-    }
-
-
-def on_hub(url, branch, hub, page):
-    """A JupyterHub with nbgitpuller: it fetches the newest notebooks and keeps a reader's edits."""
-    if not url or not hub:
-        return {}
-    name = url.rstrip("/").removesuffix(".git").rpartition("/")[2]
-    asked = {"repo": url, "branch": branch, "urlpath": f"lab/tree/{name}/book/{page}.ipynb"}
-    address = f"{hub.rstrip('/')}/hub/user-redirect/git-pull?{urlencode(asked)}"
-    return {"JupyterHub": (address, "Your university's JupyterHub")}
+    repository = urlsplit(url.rstrip("/").removesuffix(".git"))
+    name, notebook = repository.path.rpartition("/")[2], f"book/{page}.ipynb"
+    found = {"In the browser": ("../" * page.count("/") + address(page), "Nothing to install")}
+    if url and hub:  # nbgitpuller fetches the newest notebooks and keeps a reader's edits
+        query = urlencode({"repo": url, "branch": branch, "urlpath": f"lab/tree/{name}/{notebook}"})
+        words = "Your university's JupyterHub"
+        found["JupyterHub"] = (f"{hub}/hub/user-redirect/git-pull?{query}", words)
+    if repository.netloc == "github.com":
+        path, place = repository.path.strip("/"), quote(f"lab/tree/{notebook}", safe="")
+        # Colab has no environment of the course: there a copy is opened that installs it
+        copy = f"{path}/blob/{COPIES}/{page.rpartition('/')[2]}.ipynb"
+        binder = f"https://mybinder.org/v2/gh/{path}/{quote(branch, safe='')}?urlpath={place}"
+        colab = f"https://colab.research.google.com/github/{copy}"
+        codespaces = f"https://codespaces.new/{path}/tree/{branch}?quickstart=1"
+        found["Binder"] = (binder, "Free, no account; starts in minutes")
+        found["Colab"] = (colab, "With a Google account")
+        found["Codespaces"] = (codespaces, "An editor with a GitHub account")
+    return found
 
 
 def add_menu(app, page, template, context, doctree):
-    """The menu of a chapter, if there is a place to run it."""
-    found = places(app, page) if context.get("page_source_suffix") == ".ipynb" else {}
-    if not found:
-        return
-    links = [
-        {"type": "link", "text": name, "url": html.escape(url), "tooltip": says}
-        for name, (url, says) in found.items()
-    ]
-    menu = {"type": "group", "tooltip": "Run this chapter", "icon": "fas fa-play"}
-    context["header_buttons"].insert(0, menu | {"buttons": links, "label": "run-buttons"})
+    """Put the menu on the page of a chapter."""
+    if context.get("page_source_suffix") == ".ipynb":
+        links = [
+            {"type": "link", "text": name, "url": html.escape(url), "tooltip": says}
+            for name, (url, says) in places(app, page).items()
+        ]
+        menu = {"type": "group", "tooltip": "Run this chapter", "icon": "fas fa-play"}
+        context["header_buttons"].insert(0, menu | {"buttons": links, "label": "run-buttons"})
 
 
 def setup(app):

@@ -1,16 +1,13 @@
 """Mathematics becomes HTML and MathML while the book is built; the page needs no script for it.
 
 KaTeX runs in V8, which comes as the wheel `mini-racer`. TeX that KaTeX cannot read is a warning
-with document and line, and warnings are errors in this book. Only pages that show mathematics
-link KaTeX's style sheet.
+with document and line, and warnings are errors in this book.
 """
 
 import atexit
 import functools
-import hashlib
 import html
 import re
-import shutil
 from pathlib import Path
 
 from docutils import nodes
@@ -201,36 +198,10 @@ def visit_display(writer, node):
     raise nodes.SkipNode
 
 
-def link_styles(app, pagename, templatename, context, doctree):
-    """Link KaTeX's style sheet where mathematics is shown; a title's is shown in every menu."""
-    in_titles = any(next(title.findall(nodes.math), None) for title in app.env.titles.values())
-    if in_titles or 'class="katex' in context.get("body", ""):
-        app.add_css_file("katex/katex.min.css", priority=300)
-
-
-def copy_styles(app):
-    """Ship the style sheet and the fonts, and KaTeX for those who ask for it."""
-    if app.builder.format != "html":
-        return
-    target = Path(app.outdir) / "_static" / "katex"
-    shutil.copytree(VENDOR / "fonts", target / "fonts", dirs_exist_ok=True)
-    shutil.copy(VENDOR / "katex.min.css", target)
-    shutil.copy(VENDOR / "katex.min.js", target)  # only for cells that are run in the page
-    shutil.copy(VENDOR / "LICENSE", target)
-
-
-def sources_digest():
-    """Changes when the renderer changes, so that stored pages are written again."""
-    files = [Path(__file__), VENDOR / "katex.min.js", VENDOR / "katex.min.css"]
-    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
-
-
 def setup(app):
     """Register the renderer `katex`."""
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_display, None))
     app.add_config_value("katex_macros", {}, "html", dict)
-    app.add_config_value("katex_sources", sources_digest(), "html", str)
-    app.connect("builder-inited", copy_styles)
+    app.add_css_file("katex/katex.min.css", priority=300)
     app.connect("doctree-resolved", keep_punctuation)
-    app.connect("html-page-context", link_styles)
     return {"parallel_read_safe": True, "parallel_write_safe": False}

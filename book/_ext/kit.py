@@ -13,7 +13,7 @@ from workshop.site.files import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
 # JupyterLite and Python in the page need a server; names with a dot are the build's own
-LEFT_OUT = ("lite/", "_static/python/", ".")
+LEFT_OUT = ("lite/", "_static/python/", "robokin-site.zip", ".")
 
 
 def write_zip(target, files):
@@ -62,7 +62,6 @@ def write(app, error):
         return
     folder = Path(app.outdir)
     write_zip(folder / "robokin-kit.zip", kit_files(app))
-    (folder / "robokin-site.zip").unlink(missing_ok=True)
     write_zip(folder / "robokin-site.zip", site_files(folder))
 
 

@@ -16,7 +16,7 @@ import shutil
 import subprocess
 import sys
 import zipfile
-from importlib.metadata import distribution, version
+from importlib.metadata import distribution
 from pathlib import Path
 
 import nbformat
@@ -139,7 +139,7 @@ def settings(app):
 
 
 def build(app, error):
-    """Put JupyterLite into the site, unless it is there as it would be."""
+    """Put JupyterLite into the site."""
     if error or app._warncount or app.builder.name != "html":
         return
     folder, target = Path(app.outdir).parent / "lite", Path(app.outdir) / "lite"
@@ -147,21 +147,9 @@ def build(app, error):
     write_notebooks(folder / "notebooks")
     write_packages(app, folder / "packages")
     (folder / "jupyter-lite.json").write_text(json.dumps(settings(app)), "utf-8")
-    mark, digest = target / ".made-of", made_of(folder)
-    if mark.exists() and mark.read_text("utf-8") == digest:
-        return
     shutil.rmtree(target, ignore_errors=True)
     run_jupyterlite(folder, target)
     shutil.copytree(folder / "packages", target / "packages")
-    mark.write_text(digest, "utf-8")
-
-
-def made_of(folder):
-    """Changes with what JupyterLite is given, and with its version."""
-    files = sorted(file for file in folder.rglob("*") if file.is_file())
-    told = [version("jupyterlite-core"), version("jupyterlite-pyodide-kernel")]
-    told += [hashlib.sha256(file.read_bytes()).hexdigest() for file in files]
-    return hashlib.sha256("".join(told).encode()).hexdigest()
 
 
 def run_jupyterlite(folder, target):

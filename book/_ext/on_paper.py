@@ -17,50 +17,40 @@ FILES = {
 }
 
 
-class Links(nodes.General, nodes.Element):
-    """Where the links stand: which there are is known when the page is written."""
-
-
 class Paper(SphinxDirective):
-    """A line with links to the whole book."""
+    """A line with links to the whole book; the page is read again when that changes."""
 
     def run(self):
-        """The place of the line."""
-        return [Links()]
-
-
-def made(app):
-    """The files that there are."""
-    files = (Path(app.outdir).parent / name for name in FILES)
-    return [file for file in files if file.is_file()]
-
-
-def visit_links(writer, node):
-    """The line, if there is anything to link."""
-    links = " · ".join(
-        f'<a href="{file.name}" download>{FILES[file.name]}, {file.stat().st_size / 1e6:.1f} MB</a>'
-        for file in made(writer.builder.app)
-    )
-    if links:
-        words = "The whole book to print, or for an e-reader"
-        writer.body.append(f'<p class="site-paper">{words}: {links}</p>\n')
-    raise nodes.SkipNode
-
-
-def copy_files(app, exception):
-    """Put what is linked into the site, and nothing that was made earlier."""
-    if not exception and app.builder.name == "html":
+        """Link what there is; a file that is not there is looked for in each build."""
+        folder = Path(self.env.app.outdir).parent
         for name in FILES:
-            Path(app.outdir, name).unlink(missing_ok=True)
-        for file in made(app):
-            shutil.copy(file, app.outdir)
+            self.env.note_dependency(str(folder / name))
+        return [nodes.raw("", line(folder), format="html")]
+
+
+def line(folder):
+    """Return the line, or nothing where there is nothing to link."""
+    links = " · ".join(
+        f'<a href="{name}" download>{kind}, {(folder / name).stat().st_size / 1e6:.1f} MB</a>'
+        for name, kind in FILES.items()
+        if (folder / name).is_file()
+    )
+    words = "The whole book to print, or for an e-reader"
+    return f'<p class="site-paper">{words}: {links}</p>\n' if links else ""
+
+
+def copy_files(app, error):
+    """Put what is linked into the site, and nothing that was made earlier."""
+    if not error and app.builder.name == "html":
+        for name in FILES:
+            file, target = Path(app.outdir).parent / name, Path(app.outdir, name)
+            target.unlink(missing_ok=True)
+            if file.is_file():
+                shutil.copy(file, target)
 
 
 def setup(app):
-    """Pages are written again when the files change."""
-    app.add_node(Links, html=(visit_links, None))
+    """Called by Sphinx."""
     app.add_directive("paper", Paper)
-    changed = [[file.name, file.stat().st_mtime] for file in made(app)]
-    app.add_config_value("paper_made", changed, "html", list)
     app.connect("build-finished", copy_files)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

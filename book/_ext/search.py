@@ -6,28 +6,22 @@ Nothing is asked of a server: `search.js` loads the data when a reader starts to
 too.
 """
 
-import html
 import json
 import posixpath
 import re
-import shutil
 from pathlib import Path
 
+from bs4 import BeautifulSoup
 from docutils import nodes
 from myst_nb.sphinx_ import SelectMimeType
 from sphinx import addnodes
 
 from workshop.equations.text import GREEK
 
-BOOK = Path(__file__).parents[1]
-MINISEARCH = BOOK / "_vendor" / "minisearch" / "minisearch.js"
 NAMES = {"sin", "cos", "tan", "cot", "arctan", "det"}
 UNREAD = ["checks"]  # formulas of the chapters once more
-BOX = re.compile(r'<(?:div|section)[^>]* id="([a-z]+(?:-[a-z]+)*-\d+)"[^>]*>(.*)', re.DOTALL)
 # what no reader sees, or nobody looks for
-UNSEEN = re.compile(
-    r"<(style|script|svg|button|label)\b.*?</\1>|<(\w+)[^>]* hidden>.*?</\2>", re.DOTALL
-)
+UNSEEN = "style, script, svg, button, label, [hidden]"
 
 
 def plain(tex):
@@ -39,13 +33,11 @@ def plain(tex):
 
 
 def plain_words(raw):
-    """The text of HTML."""
-    return html.unescape(re.sub(r"<[^>]+>", " ", UNSEEN.sub(" ", raw)))
-
-
-def within(node):
-    """All words of a mistake: HTML and code."""
-    return " ".join(plain_words(part.astext()) for part in node.children)
+    """The text of HTML, which is parsed already or not yet."""
+    soup = BeautifulSoup(raw, "html.parser") if isinstance(raw, str) else raw
+    for unseen in soup.select(UNSEEN):
+        unseen.decompose()
+    return soup.get_text(" ")
 
 
 def squeezed(parts):
@@ -93,7 +85,8 @@ class Reader:
         elif isinstance(node, nodes.definition_list_item) and node.next_node(nodes.term)["ids"]:
             self.term(node)
         elif isinstance(node, nodes.container) and "rk-mistake" in node["classes"]:
-            self.add(node["ids"][0], f"Mistake {node['ids'][0]}", text=squeezed([within(node)]))
+            words_of = [plain_words(part.astext()) for part in node.children]  # HTML and code
+            self.add(node["ids"][0], f"Mistake {node['ids'][0]}", text=squeezed(words_of))
         elif not isinstance(node, nodes.Invisible):
             words["terms"] += [node.astext()] if isinstance(node, nodes.emphasis) else []
             for child in node.children:
@@ -112,12 +105,16 @@ class Reader:
 
     def raw(self, source, text):
         """An exercise is an entry; a figure says what it shows."""
-        if box := BOX.search(source):
-            self.add(box[1], f"Exercise {box[1]}", text=squeezed([plain_words(box[2])]))
-        elif figure := re.search(r'role="(?:img|group)"[^>]* aria-label="([^"]+)"', source):
-            text.append(html.unescape(figure[1]))
-        elif "<figure" not in source:
-            text.append(plain_words(source))
+        soup = BeautifulSoup(source, "html.parser")
+        exercise, figure = soup.select_one(".rk-exercise[id]"), soup.find("figure")
+        if exercise:
+            name = exercise["id"]
+            self.add(name, f"Exercise {name}", text=squeezed([plain_words(exercise)]))
+        elif figure:
+            shown = figure.select_one("[role=img][aria-label], [role=group][aria-label]")
+            text.append(shown["aria-label"] if shown else "")
+        else:
+            text.append(plain_words(soup))
 
     def function(self, desc):
         """A function, or a class, of the library."""
@@ -149,13 +146,12 @@ def entries(env):
 
 
 def write(app, error):
-    """The data and the engine, beside `search.js`."""
+    """The data, beside `search.js`."""
     if error or app.builder.format != "html":
         return
-    static = Path(app.outdir) / "_static"
     data = json.dumps(entries(app.env), ensure_ascii=False, separators=(",", ":"))
-    (static / "search-data.js").write_text(f"siteSearch.found({data});\n", "utf-8")
-    shutil.copy(MINISEARCH, static)
+    file = Path(app.outdir, "_static", "search-data.js")
+    file.write_text(f"siteSearch.found({data});\n", "utf-8")
 
 
 def replace_own(app):

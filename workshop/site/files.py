@@ -1,11 +1,11 @@
 """Files beside the pages: the script and its style, the exercises, what a notebook needs."""
 
-import re
 import shutil
 from html import escape
 from pathlib import Path
 from typing import Any
 
+from docutils import nodes
 from hatchling.builders.wheel import WheelBuilder
 from sphinx.application import Sphinx
 
@@ -18,16 +18,12 @@ from workshop.script import runtime
 from workshop.site.stills import still
 from workshop.symbols.page import symbols_told
 
-FIGURE = re.compile(r'<figure class="rk-figure" id="([^"]+)"')
-
 
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The scripts of a figure, an exercise … on pages that have one, and whose course it is.
-
-    What is told a page's scripts comes in a file, too: no script stands in a page.
-    """
+    """The scripts of a figure, an exercise … on pages that have one, and whose course it is."""
     body = context.get("body", "") if doctree else ""
-    names = dict.fromkeys(FIGURE.findall(body))
+    raws = doctree.findall(nodes.raw) if doctree else ()
+    names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
     told = {
         "workshopFigures": [Code(figures()[name].code) for name in names],
         "workshopSymbols": symbols_told(page),

@@ -6,12 +6,12 @@ instead, an unpacked release, which is copied into the site: then nothing is ask
 
 import json
 import os
-import re
 import shutil
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from packaging.utils import canonicalize_name
 from sphinx.application import Sphinx
 
 from workshop import run
@@ -32,15 +32,6 @@ def own_python() -> Path | None:
     """The folder with Pyodide that the build is given, if it is."""
     name = os.environ.get("PYODIDE")
     return Path(name).resolve() if name else None
-
-
-def allowed(app: Sphinx, body: str) -> str:
-    """What the policy of a page must allow besides the site's own files, for *Run*."""
-    if "cell_input" not in body:
-        return ""
-    place = "" if own_python() else f" {app.config.course_python}"
-    connect = f"; connect-src 'self'{place}" if place else ""
-    return f"; script-src 'self' 'wasm-unsafe-eval'{place}{connect}"
 
 
 def read_setting(app: Sphinx, config: Any) -> None:
@@ -88,7 +79,7 @@ def with_needs(packages: Mapping[str, Any], names: Iterable[str]) -> list[str]:
     """The names, and those of all that these packages need."""
     found, wanted = set[str](), list(names)
     while wanted:
-        name = re.sub("[-_.]+", "-", wanted.pop()).lower()
+        name = canonicalize_name(wanted.pop())
         if name not in found:
             found.add(name)
             wanted += packages[name]["depends"]

@@ -1,14 +1,22 @@
 """Still pictures of mistakes: a figure of the chapter, set to what the mistake makes of it."""
 
-import re
 from dataclasses import replace
+
+from tinycss2 import parse_stylesheet, serialize
 
 from workshop.figures.declaration import Choice
 from workshop.figures.figure import find
 from workshop.practice.bank import Picture
 from workshop.script import runtime
 
-DARK = re.compile(r'html\[data-theme="dark"\][^{}]*\{((?:\s*--[\w-]+:[^;{}]+;)+)')
+DARK = 'html[data-theme="dark"]'
+
+
+def dark_colours() -> str:
+    """Return the custom properties that the style of figures has on a dark page."""
+    rules = parse_stylesheet(runtime.rules("figures"), skip_comments=True, skip_whitespace=True)
+    dark = (serialize(r.content).strip() for r in rules if serialize(r.prelude).startswith(DARK))
+    return " ".join(text for text in dark if text.startswith("--"))
 
 
 def still(picture: Picture) -> str:
@@ -20,6 +28,6 @@ def still(picture: Picture) -> str:
         else control
         for control in figure.controls
     )
-    colours = "".join(DARK.findall(runtime.rules("figures")))
-    head = rf'<svg id="dark"\1><style>#dark:target {{{colours}}}</style>'
-    return re.sub("<svg([^>]*)>", head, replace(figure, controls=controls).picture(), count=1)
+    tag, _, content = replace(figure, controls=controls).picture().partition(">")
+    style = f"<style>#dark:target {{{dark_colours()}}}</style>"
+    return tag.replace("<svg", '<svg id="dark"', 1) + f">{style}{content}"

@@ -49,7 +49,7 @@ def test_no_text_lies_on_another_or_outside(chromium, width, count):
         page.emulate_media(reduced_motion="reduce")
         page.set_content(f"<style>{style}</style>{body}")
         alive = [f"workshop.figures.bringToPage({figure.code});" for figure in FIGURES.values()]
-        page.add_script_tag(content="\n".join([runtime.page(), *alive]))
+        page.add_script_tag(content="\n".join([*map(runtime.script, runtime.parts()), *alive]))
         found = {}
         for name, figure in FIGURES.items():
             states = [shown(figure, random) for _ in range(count)]

@@ -36,9 +36,9 @@ class Still:
     def __init__(self, part: str, content: str, state: dict[str, Any]) -> None:
         self.state = state
 
-    def data(self) -> dict[str, Any]:
-        """Nothing that a notebook would know."""
-        return {}
+    def output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What an output holds: all but the widget."""
+        return others, {}
 
     def observe(self, handler: Callable[..., None], names: str) -> None:
         """Nobody moves it."""
@@ -183,7 +183,8 @@ def _data(value: Any) -> dict[str, str]:
     """What a value can be shown as, by MIME type."""
     bundle = getattr(value, "_repr_mimebundle_", None)
     if bundle and not isinstance(value, type):
-        return {"text/plain": repr(value), **bundle()}
+        found = bundle()
+        return {"text/plain": repr(value), **(found[0] if isinstance(found, tuple) else found)}
     data = {"text/plain": _plain(value)}
     for kind, method in METHODS.items():
         if not isinstance(value, type) and hasattr(value, method):

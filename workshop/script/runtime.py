@@ -85,11 +85,6 @@ def script(name: str) -> str:
     return f"globalThis.workshop ??= {{}};\n{part} = {code(name)};\n{part}.onPage();\n"
 
 
-def page() -> str:
-    """The scripts of all parts."""
-    return "".join(map(script, parts()))
-
-
 def stylesheet() -> str:
     """The style sheet of a page."""
     return "".join([_theme(), *map(_own_rules, parts())])

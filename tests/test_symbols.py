@@ -18,7 +18,7 @@ from workshop.script import engine
 from workshop.site.directives import notation
 from workshop.symbols import lexicon
 from workshop.symbols.lexicon import cells, printed, results, scan, unknown
-from workshop.symbols.numbers import Slots, at_start, rows
+from workshop.symbols.numbers import Slots, rows
 
 CHAPTERS = course().taught
 each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
@@ -132,7 +132,7 @@ def numbers_of(figure, count):
 
 def slots(tex):
     """The keys of the slots in TeX, each with its flags."""
-    found = re.findall(r"\\htmlData\{([^}]*)\}\{0\}", tex)
+    found = re.findall(r"\\htmlData\{([^}]*)\}\{\\mathrm\{", tex)
     return [dict(pair.split("=") for pair in face.split(",")) for face in found]
 
 
@@ -211,16 +211,9 @@ def small_figure(**changes):
 
 def written(name, figure):
     """The formula with its starting numbers, as TeX without marks."""
-    numbers = at_start(figure)
-
-    def text(slot):
-        flags = dict(pair.split("=") for pair in slot[1].split(","))
-        if slot[2] != "0":
-            return slot[2]
-        return engine.call("workshop.symbols.slotText", numbers[flags["symbol"]], flags)
-
     tex = Slots(EQUATIONS[name], figure, "differential_drive").tex(False)
-    return re.sub(r"\{\\htmlData\{([^{}]*)\}\{((?:[^{}]|\{[^{}]*\})*)\}\}", text, tex)
+    tex = re.sub(r"\{\\htmlData\{[^{}]*\}\{((?:[^{}]|\{[^{}]*\})*)\}\}", r"\1", tex)
+    return re.sub(r"\\mathrm\{([^{}]*[\d°][^{}]*)\}", r"\1", tex).replace("~", " ")
 
 
 @pytest.mark.parametrize(

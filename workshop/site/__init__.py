@@ -29,7 +29,7 @@ from workshop.site.directives import Desk, Errata, Library, Notation, Practice
 from workshop.site.files import add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs, refuse_names_of_headings
-from workshop.symbols.page import fill_slots, mark_formulas
+from workshop.symbols.page import mark_formulas
 
 SETTINGS = {  # name → what it is without, what it must be, an example
     "course_package": ("", "the name of a package, in quotes", '"book"'),
@@ -87,7 +87,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("config-inited", _open_course)
     app.connect("doctree-read", refuse_names_of_headings)
     app.connect("doctree-resolved", mark_formulas)
-    app.connect("html-page-context", fill_slots)
     app.connect("html-page-context", add_assets)
     predictions.setup(app)
     run.setup(app)

@@ -1,14 +1,12 @@
 """A formula with the numbers of a figure, from its expression: v = (0.10 + 0.05)/2 = 0.075 m/s.
 
-Every number is a slot, which the script fills again whenever the figure is drawn. A negative number
+Every number is a slot, which the script writes anew whenever the figure is drawn. A negative number
 gets parentheses where its sign would meet another one. Angles are in degrees, as the figure shows
 them, but where they meet other quantities: there they are in radians.
 """
 
-from collections.abc import Callable, Mapping
-from functools import cache
+from collections.abc import Mapping
 from html import escape
-from html.parser import HTMLParser
 from typing import Any
 
 import sympy as sp
@@ -100,9 +98,12 @@ class Slots:
             )
 
     def _slot(self, symbol: NamedSymbol, **flags: bool) -> str:
-        marks = "".join(f",{flag}=1" for flag, is_set in flags.items() if is_set)
-        face = lexicon.face(symbol, self.chapter)
-        return rf"{{\htmlData{{{face},of={self.figure.name}{marks}}}{{0}}}}"
+        flags = {flag: is_set for flag, is_set in flags.items() if is_set}
+        text = engine.call("workshop.symbols.slotText", self.numbers[symbol.key], flags)
+        marks = "".join(f",{flag}=1" for flag in flags)
+        face = f"{lexicon.face(symbol, self.chapter)},of={self.figure.name}{marks}"
+        upright = text.replace("%", r"\%").replace(" ", "~")
+        return rf"{{\htmlData{{{face}}}{{\mathrm{{{upright}}}}}}}"
 
     def _filled(self, e: Any, degrees: bool, guarded: bool = False) -> Any:
         """The expression with slots in place of symbols; guarded: a minus needs parentheses."""
@@ -151,52 +152,3 @@ def in_degrees(e: Any) -> bool:
     )
     units = [getattr(symbol, "unit", "") for symbol in plain.free_symbols]
     return set(units) <= {"rad"} and bool(units or plain.has(sp.pi))
-
-
-def fill(html: str, find: Callable[[str], Figure]) -> str:
-    """Write into the slots of a page what their figures show before they are touched."""
-    page = _Page(cache(lambda name: at_start(find(name))))
-    page.feed(html)
-    page.close()
-    return "".join(page.text)
-
-
-class _Page(HTMLParser):
-    """A page, piece by piece as it was, but for what stands in a slot."""
-
-    def __init__(self, numbers: Callable[[str], Numbers]) -> None:
-        super().__init__(convert_charrefs=False)
-        self.numbers, self.text, self.depth = numbers, list[str](), 0  # depth: in a slot
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self._write(self.get_starttag_text() or "")
-        flags = {name.removeprefix("data-"): value or "" for name, value in attrs}
-        if not self.depth and "of" in flags:
-            number = self.numbers(flags["of"])[flags["symbol"]]
-            self._write(escape(engine.call("workshop.symbols.slotText", number, flags)))
-            self.depth = 1
-        elif self.depth:
-            self.depth += 1
-
-    def handle_endtag(self, tag: str) -> None:
-        self.depth -= bool(self.depth)
-        self._write(f"</{tag}>")
-
-    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self._write(self.get_starttag_text() or "")
-
-    def handle_data(self, data: str) -> None:
-        self._write(data)
-
-    def handle_entityref(self, name: str) -> None:
-        self._write(f"&{name};")
-
-    def handle_charref(self, name: str) -> None:
-        self._write(f"&#{name};")
-
-    def handle_comment(self, data: str) -> None:
-        self._write(f"<!--{data}-->")
-
-    def _write(self, piece: str) -> None:
-        if not self.depth:
-            self.text.append(piece)

@@ -2,7 +2,6 @@
 
 import re
 from functools import cache
-from typing import Any
 
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -10,9 +9,7 @@ from sphinx.application import Sphinx
 from workshop.course import course
 from workshop.equations.core import NamedSymbol, look
 from workshop.equations.text import symbol_text
-from workshop.figures.figure import find
 from workshop.symbols import lexicon
-from workshop.symbols.numbers import fill
 
 # "the x axis", "looks along y": the letter names an axis, not a number
 AXIS = re.compile(r"[+-]?[xyz]")
@@ -38,12 +35,6 @@ def names_an_axis(node: nodes.Element) -> bool:
     before = siblings[place - 1].astext() if place else ""
     behind = node.get("after", "") + "".join(n.astext() for n in siblings[place + 1 : place + 2])
     return bool(AXIS_BEHIND.match(behind) or AXIS_BEFORE.search(before))
-
-
-def fill_slots(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The formulas of a chapter's page get the numbers of their figures."""
-    if doctree and page.partition("/")[0] in course().taught:
-        context["body"] = fill(context["body"], find)
 
 
 def symbols_told(page: str) -> dict[str, list[str]]:

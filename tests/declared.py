@@ -3,6 +3,8 @@
 So `pytest -k bicycle` runs what is said of the bicycle's formulas, figures and exercises.
 """
 
+from pathlib import Path
+
 import pytest
 
 import book  # noqa: F401  (opens the course)
@@ -34,4 +36,4 @@ def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):
 
 def table(path):
     """The rows of a table."""
-    return [row for _, row in tables.read(path, (), tables.Problems())]
+    return [row for _, row in tables.rows(Path(path), tables.Problems())]

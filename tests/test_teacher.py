@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections import Counter
 from functools import cache
+from pathlib import Path
 
 import pytest
 from declared import EXERCISES, table
@@ -75,14 +76,15 @@ def test_a_saved_answer_comes_back_as_it_was(folder, cell):
     (back,) = engine.call("workshop.practice.answersOf", text)
     assert (back["student"], back["answer"]) == ("=Ada", cell)
     (folder / "answers.csv").write_text(text, encoding="utf-8", newline="")
-    ((_, row),) = tables.read("answers.csv", ["student", "answer"], tables.Problems())
+    ((_, row),) = tables.rows(Path("answers.csv"), tables.Problems(), ["student", "answer"])
     assert (row["student"], row["answer"]) == ("=Ada", cell.strip())
 
 
 def test_an_answer_in_several_lines_whose_row_looks_like_a_heading(keyed):
     """The name of its student holds that of a column."""
     (keyed / "answers.csv").write_text(f'{HEADING}\nstudent12,{ONE},"[1,\n2,\n3]"\nAda,{ONE},5\n')
-    found = tables.read("answers.csv", HEADING.split(","), problems := tables.Problems())
+    problems = tables.Problems()
+    found = list(tables.rows(Path("answers.csv"), problems, HEADING.split(",")))
     assert [(row["student"], row["answer"]) for _, row in found] == [
         ("student12", "[1,\n2,\n3]"),
         ("Ada", "5"),
@@ -299,10 +301,10 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
     (folder / "roster.csv").write_bytes("student\nAda\nAda \n\nBob\n\xff\xfe\n".encode("latin-1"))
     assert run("key", "roster.csv", *ONLY) == 1
     assert capsys.readouterr().err.splitlines() == [
-        "lines not in UTF-8: save the file as CSV UTF-8: 1",
-        "  roster.csv, line 6",
         "students named twice: 1",
         "  roster.csv, line 3: Ada is in line 2 already",
+        "lines not in UTF-8: save the file as CSV UTF-8: 1",
+        "  roster.csv, line 6",
     ]
     lines = [
         "student;exercise;answer;course;time",

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar
 
 import sympy as sp
+from sympy.printing.pretty.pretty_symbology import greek_unicode
 
 from workshop.equations.printing import AsWritten
 from workshop.errors import CourseError
@@ -16,17 +17,7 @@ from workshop.errors import CourseError
 SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text holds together
 Bound = tuple[str, int]
 
-GREEK = {
-    name: chr(code)
-    for names, start in (
-        ("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu", 0x3B1),
-        ("nu xi omicron pi rho", 0x3BD),
-        ("sigma tau upsilon phi chi psi omega", 0x3C3),
-    )
-    for code, name in enumerate(names.split(), start)
-}
-GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
-GREEK |= {"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ"}
+GREEK = {**greek_unicode, "varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ"}
 WORDS = GREEK | {"det": "det", "top": "ᵀ"}
 ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304"}
 NAMES = {

@@ -9,7 +9,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 from sympy.printing.jscode import JavascriptCodePrinter
 
-from workshop.equations.core import Where, as_written
+from workshop.equations.core import Where, as_written, told
 from workshop.equations.functions import MPMATH
 from workshop.equations.printing import AsWritten
 from workshop.errors import CourseError
@@ -27,8 +27,10 @@ class _JavaScript(AsWritten, JavascriptCodePrinter):  # type: ignore[misc]
 
     def _print_Symbol(self, expr: sp.Symbol) -> str:
         if expr not in self.names:
-            known = ", ".join(map(str, self.names))
-            raise CourseError(f"an expression uses {expr}, but may use only {known}")
+            raise CourseError(
+                f"an expression uses {told([expr], self.names)}, but may use only "
+                f"{told(self.names, [expr])}"
+            )
         return self.names[expr]
 
     def _print_Function(self, expr: sp.Expr) -> str:

@@ -46,7 +46,7 @@ def read_key(path: str | Path, problems: tables.Problems) -> Keys:
     path = Path(path)
     needed = ("course", "version", "student", "exercise", "numbers")
     rows: dict[Person, tuple[int, tables.Row]] = {}
-    for line, row in tables.read(path, needed, problems):
+    for line, row in tables.rows(path, problems, needed):
         person = folded(row["student"]), row["exercise"]
         if row["exercise"] not in exercises():
             words = f"there is no exercise {row['exercise']!r}"

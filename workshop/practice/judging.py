@@ -265,16 +265,7 @@ def essence(exercise: Exercise) -> dict[str, Any]:
     """What the judge must know of an exercise, whatever its numbers."""
     return {
         "asked": asked(exercise),
-        "asks": [
-            {
-                "label": a.label,
-                "unit": a.unit,
-                "circle": a.circle,
-                "tolerance": a.tolerance,
-                "relative": a.relative,
-            }
-            for a in exercise.asks
-        ],
+        "asks": [vars(ask) for ask in exercise.asks],
         "decimals": max(a.decimals for a in exercise.asks),
         "shape": exercise.shape,
         "accept": exercise.accept,

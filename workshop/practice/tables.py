@@ -115,14 +115,10 @@ def free(path: Path, force: bool) -> None:
         raise CourseError(f"there is no folder {path.parent} to write {path.name} in")
 
 
-def read(path: str | Path, needed: Sequence[str], problems: Problems) -> list[tuple[int, Row]]:
-    """A whole table that has at least these columns."""
-    return list(rows(Path(path), problems, needed))
-
-
 def rows(path: Path, problems: Problems, needed: Sequence[str] = ()) -> Iterator[tuple[int, Row]]:
     """The rows with their line numbers, one by one: comma, semicolon or tab, UTF-8 or UTF-16.
 
+    needed: columns that the table must have.
     Bad lines are noted, not fatal. Where tables were joined, a heading may stand anywhere.
     """
     lines, first = _lines(path), list[str]()

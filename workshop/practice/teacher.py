@@ -301,7 +301,7 @@ def _summary(
 def _students(roster: str | Path, problems: tables.Problems) -> list[str]:
     """The names of a roster as they are written; empty and repeated ones are noted."""
     path, names = Path(roster), dict[str, tuple[int, str]]()
-    for line, row in tables.read(path, ("student",), problems):
+    for line, row in tables.rows(path, problems, ("student",)):
         alike = folded(row["student"])
         if not alike:
             problems.note("lines without a student's name", path, line)

@@ -1,12 +1,11 @@
 """Every formula of a course, once: printed in the chapters, checked here, drawn from."""
 
-from workshop.equations.checking import Array, Result, check
+from workshop.equations.checking import Array, check
 from workshop.equations.checks import Check
 from workshop.equations.core import (
     Equation,
     again,
     as_written,
-    declared,
     find,
     look,
     quantity,
@@ -18,11 +17,9 @@ __all__ = [
     "Array",
     "Check",
     "Equation",
-    "Result",
     "again",
     "as_written",
     "check",
-    "declared",
     "find",
     "look",
     "quantity",

@@ -295,8 +295,12 @@ class Exercise:
     def answer_text(
         self, numbers: Mapping[str, Any], formula: Callable[..., ArrayLike] | None = None
     ) -> str:
-        """The right answer, or a formula's, as typed, with its unit where all have the same."""
-        rows = self.answers(formula or self.right, numbers)
+        """The right answer, or a formula's, as typed."""
+        return self.rows_text(self.answers(formula or self.right, numbers))
+
+    def rows_text(self, rows: ArrayLike) -> str:
+        """Answers as typed, with their unit where all have the same."""
+        rows = np.asarray(rows)
         shaped = [row.reshape(self.shape) if self.shape else row for row in rows]
         units = {ask.unit for ask in self.asks}
         unit = units.pop() if len(units) == 1 else ""

@@ -45,16 +45,12 @@ class Variant:
     candidates: tuple[Candidate, ...]
 
 
-def tidy(name: str) -> str:
-    """A name as it is shown: without what is not seen, and with single spaces."""
-    whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole))
-    return re.sub(SPACES, " ", seen).strip(" ")
-
-
 def folded(name: str) -> str:
     """A student's name as it is hashed."""
-    return unicodedata.normalize("NFC", tidy(name).translate(ALIKE).lower())
+    whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole))
+    tidy = re.sub(SPACES, " ", seen).strip(" ")
+    return unicodedata.normalize("NFC", tidy.translate(ALIKE).lower())
 
 
 def fnv1a(text: str) -> int:

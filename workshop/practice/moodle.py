@@ -15,7 +15,7 @@ from workshop.practice import dealing, judging, tables
 from workshop.practice.bank import Ask, Exercise, default_salt
 from workshop.practice.judging import Candidate, Row
 from workshop.practice.teacher import chosen
-from workshop.practice.wording import number_text, paragraphs, symbols, with_unit
+from workshop.practice.wording import paragraphs, symbols
 
 WRITE = (
     "Write {what} as a decimal number such as 0.5 or 1.2e-3, with the decimal sign of your "
@@ -202,7 +202,7 @@ def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[s
             given.setdefault(name, rows)
     choices: dict[str, list[str]] = {}
     for name, rows in list(given.items())[: CHOICES + 1]:
-        choices.setdefault(shown_answer(exercise, rows), []).append(meant[name].says)
+        choices.setdefault(exercise.rows_text(rows), []).append(meant[name].says)
     answers = [
         f'<answer fraction="{100 * (judging.RIGHT in says)}" format="html">'
         f"<text><![CDATA[{shown}]]></text>{_text('feedback', _said(says), 'html')}</answer>"
@@ -212,9 +212,3 @@ def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[s
     labels = ", ".join(symbols(ask.label) for ask in exercise.asks)
     form = "<single>true</single><shuffleanswers>true</shuffleanswers>"
     return f"{text}<p>{asked}, as [{labels}]?</p>", "\n".join([*answers, form])
-
-
-def shown_answer(exercise: Exercise, rows: Sequence[Row]) -> str:
-    units = {ask.unit for ask in exercise.asks}
-    unit = units.pop() if len(units) == 1 else ""
-    return "; ".join(with_unit(number_text(row, ""), unit) for row in rows)

@@ -46,24 +46,21 @@ class Wrong:
         return plain_signs(put_in(self.of.right, self.puts))
 
     @cached_property
-    def _whole(self) -> Callable[[Mapping[str, Any]], Any]:
+    def gives(self) -> Callable[..., Any]:
+        """The wrong number, vector or matrix, from numbers by the names of the symbols."""
         return by_name(self.right)
 
     @cached_property
-    def _parts(self) -> dict[str, Callable[[Mapping[str, Any]], Any]]:
+    def _parts(self) -> dict[str, Callable[..., Any]]:
         return {str(symbol): by_name(sp.sympify(value)) for symbol, value in self.puts.items()}
 
     def at(self, values: Mapping[sp.Symbol, Any]) -> Any:
         """The wrong right side with expressions put in for its symbols."""
         return put_in(self.right, values)
 
-    def gives(self, **numbers: Any) -> Any:
-        """The wrong number, vector or matrix. numbers: by the names of the symbols."""
-        return self._whole(numbers)
-
     def put(self, **numbers: Any) -> dict[str, Any]:
         """Numbers as somebody takes them who makes the mistake, under the same names."""
-        put = {name: value(numbers) for name, value in self._parts.items() if name in numbers}
+        put = {name: value(**numbers) for name, value in self._parts.items() if name in numbers}
         return numbers | put
 
     def through(self, formula: Callable[..., Any]) -> Callable[..., Any]:
@@ -82,11 +79,11 @@ class Wrong:
         return marked(right, wrong)
 
 
-def by_name(expression: Any) -> Callable[[Mapping[str, Any]], Any]:
+def by_name(expression: Any) -> Callable[..., Any]:
     """An expression as a function of numbers by the names of its symbols."""
     symbols = tuple(sorted(free_symbols(expression), key=str))
     function, names = compiled(expression, symbols), [str(symbol) for symbol in symbols]
-    return lambda numbers: function(*(numbers[name] for name in names))
+    return lambda **numbers: function(*(numbers[name] for name in names))
 
 
 def plain_signs(e: Any) -> Any:

@@ -67,9 +67,12 @@ def code(name: str) -> str:
     return "\n".join(['((part) => {\n"use strict";', *constants, *scripts, "return part;\n})({})"])
 
 
-def rules(name: str) -> str:
-    """The style sheet of a part: the colours that all share, and its own rules."""
-    return _theme() + _own_rules(name)
+def rules(*names: str) -> str:
+    """The style sheet of parts: the colours that all share, and their own rules."""
+    texts = [_text("workshop.script", "theme.css")]
+    for part in map(_part, names):
+        texts += [*(_text(part.package, sheet) for sheet in part.styles), part.rules()]
+    return "".join(texts)
 
 
 def called_by(text: str) -> list[str]:
@@ -87,16 +90,7 @@ def script(name: str) -> str:
 
 def stylesheet() -> str:
     """The style sheet of a page."""
-    return "".join([_theme(), *map(_own_rules, parts())])
-
-
-def _theme() -> str:
-    return _text("workshop.script", "theme.css")
-
-
-def _own_rules(name: str) -> str:
-    part = _part(name)
-    return "".join([*(_text(part.package, sheet) for sheet in part.styles), part.rules()])
+    return rules(*parts())
 
 
 def _part(name: str) -> Part:

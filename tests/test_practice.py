@@ -179,7 +179,7 @@ def test_a_mistake_is_used_and_its_line_makes_it(mistake):
 def test_a_mistake_runs_as_printed(mistake):
     """The numbers and the line, copied from the page, give what the page says they give."""
     view = practice.mistake(mistake.name)
-    page_text = practice.example(view.exercise.name)._repr_markdown_()
+    page_text = practice.example(view.exercise.name).data["text/markdown"]
     given = re.search("```python\n(.*)\n```", page_text, re.DOTALL)[1]
     assert max(map(len, given.splitlines())) <= 80
     numbers = {}

@@ -15,7 +15,7 @@ from workshop.errors import CourseError
 from workshop.figures import figure
 from workshop.predictions import Buttons, Ghost, Number, Prediction
 from workshop.predictions.declaration import predictions
-from workshop.predictions.notebook import MIME, Asked
+from workshop.predictions.notebook import MIME, asked, opened
 from workshop.script import engine
 from workshop.site.predictions import TAG
 
@@ -39,7 +39,7 @@ def shown_by(cell, known):
     """What a reader has seen of a cell when the next one is read; predictions are open then."""
     if asked_in(cell) in known:
         prediction = known[asked_in(cell)]
-        return f"{prediction.question} {Asked(prediction).opened}"
+        return f"{prediction.question} {opened(prediction)}"
     texts = [cell.source]
     for output in cell.get("outputs", []):
         data = output.get("data", {})
@@ -194,7 +194,7 @@ def test_what_does_not_is_left(cells):
 
 
 def test_in_a_notebook_the_answer_is_folded():
-    data = Asked(RATE)._repr_mimebundle_()
+    data = asked(RATE)._repr_mimebundle_()
     question, _, fold = data["text/markdown"].partition("<details>")
     assert "0.5 rad/s" in fold
     assert "0.5" not in question + data["text/plain"]

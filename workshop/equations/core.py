@@ -220,40 +220,15 @@ class Equation:
         """Left side = right side."""
         return both_sides(self.left, self.printed(computed))
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        return mimebundle(self.name, False, self.left, self.printed())
-
 
 @dataclass(frozen=True)
-class Shown:
-    """An equation as the value of a notebook cell; `computed`: in the form that the code uses.
+class Output:
+    """What a notebook cell shows, by MIME type."""
 
-    figure: whose numbers stand below it on the page.
-    """
+    data: Mapping[str, Any]
 
-    equation: Equation
-    computed: bool
-    figure: str
-
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        shown = self.equation
-        right = shown.printed(self.computed)
-        return mimebundle(shown.name, self.computed, shown.left, right, self.figure)
-
-
-@dataclass(frozen=True)
-class Again:
-    """Equations of a chapter, together once more, as the value of a notebook cell."""
-
-    labels: tuple[str, ...]
-
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        shown = [labelled(label).latex(label.endswith(COMPUTED)) for label in self.labels]
-        return {
-            AGAIN: {"labels": self.labels},
-            "text/latex": "\n\n".join(f"$$ {formula} $$" for formula in shown),
-            "text/plain": "Again: " + ", ".join(self.labels),
-        }
+    def _repr_mimebundle_(self, **_: Any) -> Mapping[str, Any]:
+        return self.data
 
 
 def free_symbols(part: Any) -> set[sp.Symbol]:
@@ -280,7 +255,7 @@ def find(name: str) -> Equation:
     return course().find("formulas", Equation, name)
 
 
-def show(name: str, computed: bool = False, figure: str = "") -> Shown:
+def show(name: str, computed: bool = False, figure: str = "") -> Output:
     """Show an equation, in a cell of its own that is tagged `remove-input`.
 
     The text refers to it with ``{eq}`differential_drive.speed```. A formula typed by hand is
@@ -293,12 +268,21 @@ def show(name: str, computed: bool = False, figure: str = "") -> Shown:
             symbol of the formula needs a slider, a readout or a named step in it, its left side a
             readout.
     """
-    return Shown(find(name), computed, figure)
+    equation = find(name)
+    right = equation.printed(computed)
+    return Output(mimebundle(name, computed, equation.left, right, figure))
 
 
-def again(*labels: str) -> Again:
+def again(*labels: str) -> Output:
     """Show equations of the chapter once more, in a box; "…-computed": as the code uses it."""
-    return Again(labels)
+    shown = [labelled(label).latex(label.endswith(COMPUTED)) for label in labels]
+    return Output(
+        {
+            AGAIN: {"labels": labels},
+            "text/latex": "\n\n".join(f"$$ {formula} $$" for formula in shown),
+            "text/plain": "Again: " + ", ".join(labels),
+        }
+    )
 
 
 def labelled(label: str) -> Equation:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from workshop.course import course
+from workshop.equations.core import Output
 from workshop.errors import CourseError, shown
 from workshop.practice import dealing, judging, page, tables
 from workshop.practice.bank import (
@@ -142,33 +143,6 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
     return tables.write(path, COLUMNS, rows, force)
 
 
-class ExampleView:
-    """The question of an exercise in the numbers that its mistakes are shown with."""
-
-    def __init__(self, exercise: Exercise) -> None:
-        self.exercise = exercise
-
-    @property
-    def names(self) -> dict[str, Any]:
-        """The numbers that the wrong lines use, by their names in code."""
-        e = self.exercise
-        used = set().union(*(names_used(m.line) for m in e.wrong if shown_in(m) is e))
-        known = {**e.example, **e.derive(**e.example)}
-        return {name: known[name] for name in known if name in used}
-
-    def __repr__(self) -> str:
-        return f"{self.exercise.title} ({self.exercise.name}, in the numbers of its example)"
-
-    def _repr_markdown_(self) -> str:
-        e = self.exercise
-        texts = {
-            name: given.shown(given.option(e.example[name])) for name, given in e.given.items()
-        }
-        question = symbols(unbroken(e.filled(e.text, e.example, texts)))
-        code = "\n".join(assignments(self.names))
-        return f"**{e.title}**\n\n{question}\n\nIn code, in SI units:\n\n```python\n{code}\n```"
-
-
 def names_used(code: str) -> set[str]:
     """The names that code takes a value of before it gives them one."""
     used, made = set[str](), set[str]()
@@ -202,12 +176,23 @@ def code_text(value: Any) -> str:
     return f"np.array([\n{rows}])"
 
 
-def example(name: str) -> ExampleView:
-    """An exercise in the numbers of its example, before its mistakes."""
-    exercise = dealing.find(name)
-    if not exercise.example:
+def example(name: str) -> Output:
+    """The question of an exercise in the numbers that its mistakes are shown with."""
+    e = dealing.find(name)
+    if not e.example:
         raise CourseError(f"{name} has no example")
-    return ExampleView(exercise)
+    texts = {name: given.shown(given.option(e.example[name])) for name, given in e.given.items()}
+    question = symbols(unbroken(e.filled(e.text, e.example, texts)))
+    used = set().union(*(names_used(m.line) for m in e.wrong if shown_in(m) is e))
+    known = {**e.example, **e.derive(**e.example)}
+    code = "\n".join(assignments({name: known[name] for name in known if name in used}))
+    return Output(
+        {
+            "text/markdown": f"**{e.title}**\n\n{question}\n\nIn code, in SI units:\n\n"
+            f"```python\n{code}\n```",
+            "text/plain": f"{e.title} ({e.name}, in the numbers of its example)",
+        }
+    )
 
 
 def shown_in(mistake: Mistake) -> Exercise:

@@ -20,7 +20,6 @@ from typing import Any, TypeVar
 import yaml
 
 from workshop.errors import CourseError
-from workshop.looks import Look
 
 __all__ = ["Course", "course", "open_course"]
 
@@ -30,11 +29,13 @@ T = TypeVar("T")
 class Course:
     """A course. name: the salt of its exercises' numbers, too. looks: its kinds of things.
 
-    Among the looks are those of `grid` and `text`, which every picture has.
+    A look has `light` and `dark` (its colour on a light and on a dark page), `dash` (lengths of
+    line and gap), `width` and `marker` (dot, ring, cross, square or diamond). Among the looks are
+    those of `grid` and `text`, which every picture has.
     library: the package whose functions the chapters use; a chapter may have `functions`, too.
     """
 
-    def __init__(self, package: str, name: str, looks: Mapping[str, Look], library: str) -> None:
+    def __init__(self, package: str, name: str, looks: Mapping[str, Any], library: str) -> None:
         self.package, self.name, self.library = package, name, library
         self.looks = looks
         self._declared: dict[tuple[str, type], dict[str, tuple[str, Any]]] = {}
@@ -185,7 +186,7 @@ def _heading(notebook: Path) -> str:
 _open: list[Course] = []
 
 
-def open_course(package: str, name: str, looks: Mapping[str, Look], library: str) -> None:
+def open_course(package: str, name: str, looks: Mapping[str, Any], library: str) -> None:
     """Make a course the one that is shown, checked and dealt from."""
     _open[:] = [Course(package, name, looks, library)]
 

@@ -1,6 +1,6 @@
 """Every formula of a course, once: printed in the chapters, checked here, drawn from."""
 
-from workshop.equations.checking import Array, check
+from workshop.equations.checking import Array, Result, check
 from workshop.equations.checks import Check
 from workshop.equations.core import (
     Equation,
@@ -17,6 +17,7 @@ __all__ = [
     "Array",
     "Check",
     "Equation",
+    "Result",
     "again",
     "as_written",
     "check",

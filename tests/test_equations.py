@@ -407,8 +407,9 @@ def test_two_symbols_of_one_name_are_told_apart():
 def test_a_figure_tells_its_slider_from_a_namesake():
     x, other = known("x"), quantity("x", "m", 0, 1, "another one")
     figure = Compiler([Slider(x, 0, 1, 0, 0.1)], [], (), "")
-    with pytest.raises(CourseError, match=r"uses x \(tests.*, line \d+\), .* are x \(book"):
-        figure.numbers(2 * other)
+    figure.numbers(2 * other)
+    with pytest.raises(CourseError, match=r"uses x \(tests.*, line \d+\), .* only x \(book"):
+        figure.code()
     with pytest.raises(CourseError, match=r"handle sets x \(.*, line \d+\), which is no slider"):
         figure.sliders([other], "the handle")
 

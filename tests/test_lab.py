@@ -157,7 +157,7 @@ def test_figures_and_exercises_in_the_notebook(tmp_path, chromium):
         assert float(run_again(asked).partition(":")[2]) == 0.12
         run_again(turned)
         shows(figure, "speed v", "0.110 m/s")
-        run_again(shown)  # a new figure, which needs no second script
+        run_again(shown)
         shows(figure, "speed v", "0.075 m/s")
         SCREENSHOTS.mkdir(parents=True, exist_ok=True)
         box, answers = cells.nth(-5).locator(".rk-exercise.rk-live"), cells.nth(-4)

@@ -42,9 +42,6 @@ SHORT = 40  # characters of TeX: such a formula finds room on a line of a phone
 SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
 
-# --- TeX ------------------------------------------------------------------------------------
-
-
 def breaks_lines(tex):
     r"""Whether a `\\` stands outside every environment and brace."""
     depth = 0
@@ -87,9 +84,6 @@ def display_tex(node):
     if r"\begin{matrix}" in tex and not node["number"]:  # SymPy's own; its fractions in full size
         tex = tex.replace(r"\frac", r"\dfrac")
     return NUMBERED.sub(r"\\\1{\2*}", tex) if node.get("nowrap") else lines_aligned(tex)
-
-
-# --- the engine -----------------------------------------------------------------------------
 
 
 @functools.cache
@@ -156,9 +150,6 @@ def display_html(writer, node):
 def height(formula):
     """Of a formula in one line, in em."""
     return max(ALONE, *map(float, HEIGHT.findall(formula)))
-
-
-# --- what Sphinx calls ----------------------------------------------------------------------
 
 
 def visit_inline(writer, node):

@@ -58,9 +58,6 @@ def address(page):
     return f"lite/notebooks/index.html?path={notebook_name(page)}"
 
 
-# --- what JupyterLite is given --------------------------------------------------------------
-
-
 def write_notebooks(folder):
     """All chapters, for the kernel that there is: another name would open a dialog."""
     folder.mkdir(parents=True)
@@ -133,9 +130,6 @@ def settings(app):
             "litePluginSettings": {KERNEL: kernel},
         },
     }
-
-
-# --- the build ------------------------------------------------------------------------------
 
 
 def build(app, error):

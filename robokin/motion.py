@@ -1,7 +1,7 @@
 """Planar motion: frames of a moving robot, the exact arc, paths and the centre of rotation.
 
-A pose is `[x, y, theta]`, a planar velocity (twist) `[v_x, v_y, omega]`, in the robot's own frame
-where no other is named, both on the last axis; leading batch dimensions broadcast. Siegwart,
+A pose is `[x, y, theta]`, a twist the robot's velocity in its own frame, `[v_x, v_y, omega]`, both
+on the last axis; leading batch dimensions broadcast. Siegwart,
 Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots, chapter 3; Lynch & Park, Modern
 Robotics, chapters 3 and 13.
 """
@@ -31,9 +31,10 @@ def wrap_angle(angle: ArrayLike) -> Array:
 
 @validated(theta=data(), twist=data(3))
 def to_world(theta: ArrayLike, twist: ArrayLike) -> Array:
-    """Return a body twist as seen from the world: its direction turned by the heading.
+    """Return the robot's velocity along the world's axes: its twist turned by the heading.
 
-    theta: heading (…) in rad; twist: (…, 3) `[v_x, v_y, omega]` in m/s, m/s, rad/s → (…, 3).
+    theta: heading (…) in rad; twist: (…, 3) `[v_x, v_y, omega]` in m/s, m/s, rad/s
+    → (…, 3) `[x_dot, y_dot, omega]`, the velocity of the robot's own reference point.
     Source: Siegwart et al., section 3.2.1, ξ̇_R = R(θ) ξ̇_I, solved for ξ̇_I.
 
     >>> to_world(np.pi / 2, [0.075, 0, 0.5]).round(6)
@@ -46,9 +47,10 @@ def to_world(theta: ArrayLike, twist: ArrayLike) -> Array:
 
 @validated(theta=data(), twist=data(3))
 def to_body(theta: ArrayLike, twist: ArrayLike) -> Array:
-    """Return a world twist as seen from the robot: the inverse of `to_world`.
+    """Return the robot's twist from its velocity in the world: the inverse of `to_world`.
 
-    theta: heading (…) in rad; twist: (…, 3) `[x_dot, y_dot, omega]` → (…, 3).
+    theta: heading (…) in rad; twist: here the velocity along the world's axes, (…, 3)
+    `[x_dot, y_dot, omega]` in m/s, m/s, rad/s → (…, 3) `[v_x, v_y, omega]`.
     Source: Siegwart et al., section 3.2.1, ξ̇_R = R(θ) ξ̇_I.
     """
     x_dot, y_dot, omega = parts(twist)

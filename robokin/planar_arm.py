@@ -1,10 +1,10 @@
 """The planar arm: links in a chain, each joint turning all that follows; velocities and limits.
 
 Joint angles `[theta1, …, thetan]` and link lengths stand on the last axis; leading batch
-dimensions broadcast. The pose is `[x, y, phi]` with phi the sum of the angles, the twist
-`[x_dot, y_dot, phi_dot]`, both in the world frame. Lynch & Park, Modern Robotics, chapters 4 and
-5; Siciliano, Sciavicco, Villani & Oriolo, Robotics: Modelling, Planning and Control, chapters 2
-and 3.
+dimensions broadcast. The pose is `[x, y, phi]` with phi the sum of the angles. The hand's
+velocity along the world's axes is `[x_dot, y_dot, phi_dot]`; arguments call it `twist`.
+Lynch & Park, Modern Robotics, chapters 4 and 5; Siciliano, Sciavicco, Villani & Oriolo, Robotics:
+Modelling, Planning and Control, chapters 2 and 3.
 """
 
 import numpy as np
@@ -61,7 +61,7 @@ def joint_positions(theta: ArrayLike, lengths: ArrayLike) -> Array:
 
 @validated(**LINKS)
 def jacobian(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """Return the matrix J that takes joint rates to the hand's twist.
+    """Return the matrix J that takes joint rates to the hand's velocity.
 
     theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, 3, n); rows x_dot, y_dot in m,
     phi_dot: ones. Column j is the hand's motion when joint j alone turns with 1 rad/s.
@@ -73,7 +73,7 @@ def jacobian(theta: ArrayLike, lengths: ArrayLike) -> Array:
 
 @validated(**LINKS, rates=data("n"))
 def velocity(theta: ArrayLike, rates: ArrayLike, lengths: ArrayLike) -> Array:
-    """Return the hand's twist from the joint rates: J times the rates.
+    """Return the hand's velocity from the joint rates: J times the rates.
 
     theta: (…, n) in rad; rates: (…, n) in rad/s; lengths: (…, n) in m, positive
     → (…, 3) `[x_dot, y_dot, phi_dot]`. Each link turns with the sum of the rates up to it.
@@ -92,7 +92,7 @@ def joint_rates(
     damping: ArrayLike = 0.0,
     singular: str = "raise",
 ) -> Array:
-    """Return the joint rates for a wanted twist, three links: J⁻¹ times the twist.
+    """Return the joint rates for a wanted velocity of the hand, three links: J⁻¹ times it.
 
     theta: (…, 3) in rad; twist: (…, 3) `[x_dot, y_dot, phi_dot]`; lengths: (…, 3) in m, positive;
     damping: (…) λ, not negative → (…, 3) in rad/s. Solved by hand and divided by sin θ2 itself,

@@ -221,9 +221,10 @@ def inverse(
 ) -> Array:
     """Return the rates at which the wheels roll when the robot moves as wanted.
 
-    twist: (…, 3) in the world; steering: as in `rolling`; theta: heading (…) in rad → (…, k) in
-    rad/s, for each wheel but the spherical ones. Where a fixed or steered wheel would slip along
-    its axle there is no answer: slipping "raise" (UnreachableError) or "nan".
+    twist: here the velocity along the world's axes, (…, 3); steering: as in `rolling`; theta:
+    heading (…) in rad → (…, k) in rad/s, for each wheel but the spherical ones. Where a
+    fixed or steered wheel would slip along its axle there is no
+    answer: slipping "raise" (UnreachableError) or "nan".
 
     >>> inverse(omni_robot(0.2, 0.05), [0, 0, -0.25])
     array([1., 1., 1.])

@@ -1,7 +1,7 @@
 """Lighthouse on the built site: its phone profile, the median of three runs, a row a page.
 
-    make lighthouse            the first page, every chapter, and the longest pages
-    make lighthouse T=euler    pages with that in their names
+    PYTHONPATH=tests .venv/bin/python tools/lighthouse.py          every chapter, the longest pages
+    PYTHONPATH=tests .venv/bin/python tools/lighthouse.py euler    pages with that in their names
 
 It needs Node 18 or newer, whose `npx` fetches Lighthouse, and Chromium. The site is served as any
 host of the web would do it at least: HTTP/1.1, whose connections stay open, and texts compressed.

@@ -5,7 +5,7 @@
   const STATIC = new URL("_static/", new URL(ROOT, location.href));
   // how much a word counts: in a title, where a chapter explains it, in prose, in code
   const FIELDS = { title: 9, terms: 9, text: 1.2, code: 0.15 };
-  const PAGES = { glossary: 0.6, api: 0.3, notation: 0.4, practice: 0.4, errata: 0.7 };
+  const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.7 };
   const SHOWN = { dialog: 8, page: 30 };
   let index = null, loading = null;
 

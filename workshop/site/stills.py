@@ -29,5 +29,5 @@ def still(picture: Picture) -> str:
         for control in figure.controls
     )
     tag, _, content = replace(figure, controls=controls).picture().partition(">")
-    style = f"<style>#dark:target {{{dark_colours()}}}</style>"
+    style = f"<style>#dark:target {{ {dark_colours()} }}</style>"
     return tag.replace("<svg", '<svg id="dark"', 1) + f">{style}{content}"

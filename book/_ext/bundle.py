@@ -7,6 +7,7 @@ import re
 from functools import cache
 from html.parser import HTMLParser
 from itertools import pairwise
+from operator import attrgetter
 from pathlib import Path
 
 from tinycss2 import parse_stylesheet, serialize
@@ -16,13 +17,14 @@ SHEET, SCRIPT = "all.css", "all.js"
 FIRST_SHEETS = ("_static/basic.css", "_static/styles/pydata-sphinx-theme.css")
 LAST_SCRIPTS = ("_static/scripts/bootstrap.js", "_static/scripts/pydata-sphinx-theme.js")
 OF_A_PAGE = ("_static/pages/", "_static/workshop/")
+PRIORITY = attrgetter("priority")  # the order in which Sphinx lists them, later than this
 GROUPS = ("media", "supports", "layer", "container")
 
 
 def link_bundles(app, pagename, templatename, context, doctree):
     """Have the page ask for the bundles, and for the scripts that it alone has."""
-    sheets = {sheet.filename: sheet for sheet in context["css_files"]}
-    scripts = {script.filename: script for script in context["script_files"] if script.filename}
+    files = (sorted(context[kind], key=PRIORITY) for kind in ("css_files", "script_files"))
+    sheets, scripts = ({file.filename: file for file in each if file.filename} for each in files)
     sheet, script = sheets.pop(f"_static/{SHEET}"), scripts.pop(f"_static/{SCRIPT}")
     scripts.pop("_static/sphinx_highlight.js", None)  # of Sphinx's own search
     own = [name for name in scripts if name.startswith(OF_A_PAGE)]

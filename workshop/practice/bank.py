@@ -60,9 +60,9 @@ class Picture:
 class Mistake:
     """A mistake that people make, written once: exercises name it, chapters show it.
 
-    It is a formula with something replaced. Its line of code, the two formulas with what changed
-    marked, its number (`M12.wrong.gives`, or `M12.wrong.through(f)` in another formula) and a
-    figure's ghost (`M12.at({…})`) come from there. A chapter shows it by `practice.mistake("M12")`.
+    It is a formula with something replaced. The two formulas with what changed marked, its number
+    (`M12.wrong.gives`, or `M12.wrong.through(f)` in another formula) and a figure's ghost
+    (`M12.at({…})`) come from there. A chapter shows it by `practice.mistake("M12")`.
 
     Args:
         name: M1, M2, …
@@ -70,7 +70,7 @@ class Mistake:
         why: why it is wrong, in one to three sentences.
         unnoticed: where it happens to be right.
         wrong: the wrong formula.
-        line: the wrong line, as code.
+        line: the wrong line, as code; a test runs it and compares it with the wrong formula.
         picture: what then happens.
         document, place, nth: the source document that has it, where, and which of its errata this
             is, counted from its start; empty, as what follows, for one that is only likely.

@@ -71,10 +71,17 @@ def test_the_site_for_a_stick_holds_all_that_its_pages_link_and_no_server_needs(
     held = {name.partition("/")[2] for name in ZipFile(site / "robokin-site.zip").namelist()}
     linked = re.findall(r'href="([^":#?]+)" download', (site / "index.html").read_text("utf-8"))
     assert set(linked) - held == {"robokin-site.zip"}  # it cannot hold itself
-    for name in ("robokin.pdf", "a/a.html", "lite/a.html", "_static/python/a.js", ".built"):
+    kept = {"robokin.pdf", "a/a.html", ".nojekyll"}
+    for name in (*kept, "lite/a.html", "_static/python/a.js", ".built"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
-    assert set(site_files(tmp_path)) == {"robokin.pdf", "a/a.html"}
+    assert set(site_files(tmp_path)) == kept
+
+
+def test_github_pages_is_told_to_serve_folders_that_begin_with_an_underscore(site):
+    """From a branch, too, where the site or what its zip holds was copied to."""
+    assert (site / ".nojekyll").is_file()
+    assert "robokin-site/.nojekyll" in ZipFile(site / "robokin-site.zip").namelist()
 
 
 def versions(lock):

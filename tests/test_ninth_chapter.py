@@ -13,17 +13,15 @@ from html import unescape
 from pathlib import Path
 
 import pytest
+import yaml
 from browser import make_book, once
 from support import ROOT
 
 BEACON = Path(__file__).parent / "ninth_chapter" / "beacon"
 NOT_SOURCE = (".*", "_build", "__pycache__")
 ADDRESS = "https://example.org/course/"
-ADDRESSES = {
-    "html_baseurl": ADDRESS,
-    "repository_url": "https://github.com/someone/course",
-    "site_hub": "https://hub.example.org",
-}
+REPOSITORY = "https://github.com/someone/course"
+ADDRESSES = {" url": REPOSITORY, " baseurl": ADDRESS, " site_hub": "https://hub.example.org"}
 LINE = "      - file: planar_arm/planar_arm\n"
 
 
@@ -128,8 +126,11 @@ def test_it_can_be_run_where_the_addresses_lead(site):
 
 def test_its_text_is_changed_and_its_mistakes_are_told_where_the_address_leads(site):
     text = (site / "beacon" / "beacon.html").read_text("utf-8")
-    assert f'href="{ADDRESSES["repository_url"]}/edit/main/book/beacon/beacon.ipynb"' in text
-    assert f'href="{ADDRESSES["repository_url"]}/issues/new?title=Mistake%20on%20beacon' in text
+    assert f'href="{REPOSITORY}/edit/main/book/beacon/beacon.ipynb"' in text
+    told = "template=mistake.yml&page=beacon/beacon&title=Mistake%20on%20beacon/beacon"
+    assert f'href="{REPOSITORY}/issues/new?{told}"' in unescape(text)
+    form = yaml.safe_load((ROOT / ".github/ISSUE_TEMPLATE/mistake.yml").read_text("utf-8"))
+    assert "page" in [field.get("id") for field in form["body"]]
 
 
 def test_the_machine_s_tests_hold_it(tree, site):

@@ -12,9 +12,7 @@ import sys
 from pathlib import Path
 
 import nbformat
-
-import book  # noqa: F401 - opens the course
-from workshop.course import course
+import yaml
 
 ROOT = Path(__file__).parents[1]
 BUILT = ROOT / "_build" / "html" / "_sources"
@@ -54,9 +52,10 @@ def copy_all(address, folder):
 
 
 def main():
-    url = course().settings["html_theme_options"]["repository_url"].removesuffix(".git").rstrip("/")
+    settings = yaml.safe_load((ROOT / "_config.yml").read_text("utf-8"))
+    url = settings["repository"]["url"].removesuffix(".git").rstrip("/")
     if not url:
-        print("no copies: repository_url in _config.yml is empty")
+        print("no copies: the repository's url in _config.yml is empty")
         return 0
     copy_all(f"{url}/raw/hosted", HOSTED)
     print(f"the copies are in {HOSTED}: put them on the branch `hosted`")

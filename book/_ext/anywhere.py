@@ -1,6 +1,6 @@
 """Where a chapter can be run: a menu *Run* in the bar of its page.
 
-Each place is a link. What an address is needed for is absent without it: `repository_url` in
+Each place is a link. What an address is needed for is absent without it: the repository's `url` in
 `_config.yml` says where the course's files are public, `site_hub` the address of a JupyterHub.
 """
 

@@ -53,7 +53,8 @@ def kit_files(app):
 def site_files(folder):
     """All of the site that works without a server."""
     names = ((file.relative_to(folder).as_posix(), file) for file in folder.rglob("*"))
-    return {name: f for name, f in names if f.is_file() and not name.startswith(LEFT_OUT)}
+    kept = ((name, f) for name, f in names if name == ".nojekyll" or not name.startswith(LEFT_OUT))
+    return {name: file for name, file in kept if file.is_file()}
 
 
 def write(app, error):

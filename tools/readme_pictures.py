@@ -1,0 +1,26 @@
+"""The picture of README.md: a figure as it stands before anybody moves it, light and dark.
+
+python tools/readme_pictures.py       into .github, after a change of the figure
+"""
+
+from pathlib import Path
+
+import book  # noqa: F401 - opens the course
+from workshop.figures.figure import find
+from workshop.site.stills import dark_colours
+
+FIGURE = "summary"
+WIDTH = 736  # pixels, as wide as a page shows it
+FOLDER = Path(__file__).parents[1] / ".github"
+
+
+def pictures():
+    """Return file name → SVG."""
+    light = find(FIGURE).picture(WIDTH)
+    dark = light.replace(">", f"><style>:root {{ {dark_colours()} }}</style>", 1)
+    return {"figure-light.svg": f"{light}\n", "figure-dark.svg": f"{dark}\n"}
+
+
+if __name__ == "__main__":
+    for name, svg in pictures().items():
+        (FOLDER / name).write_text(svg, "utf-8")

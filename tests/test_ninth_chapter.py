@@ -108,6 +108,11 @@ def test_it_stands_in_the_list_for_search_engines(site):
     assert all(same in (site / name).read_text("utf-8") for name in ("index.html", "intro.html"))
 
 
+def test_a_page_that_is_not_there_has_links_from_the_site_s_own_address(site):
+    """A server shows it at any address."""
+    assert f'<base href="{ADDRESS}" />' in (site / "404.html").read_text("utf-8")
+
+
 def test_it_can_be_run_where_the_addresses_lead(site):
     text = unescape((site / "beacon" / "beacon.html").read_text("utf-8"))
     menu = re.findall(r'href="(https?://[^"]+)" target="_blank"\s+class="[^"]*dropdown-item', text)

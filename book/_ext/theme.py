@@ -18,8 +18,8 @@ UNUSED = (
 )
 
 
-def add_description(app, pagename, templatename, context, doctree):
-    """Give the page a description: its own, its first paragraph, or the book's."""
+def describe(app, pagename, templatename, context, doctree):
+    """Give the page a description (its own, its first paragraph, or the book's) and addresses."""
     paragraphs = (
         paragraph.astext()
         for paragraph in (doctree.findall(nodes.paragraph) if doctree else ())
@@ -28,8 +28,9 @@ def add_description(app, pagename, templatename, context, doctree):
     own = app.env.metadata.get(pagename, {}).get("description")
     text = own or next(paragraphs, app.config.site_description)
     context["description"] = textwrap.shorten(text, DESCRIPTION_LENGTH, placeholder=" …")
+    address = context["site_address"] = app.config.html_baseurl.rstrip("/") + "/"
     if pagename == app.config.root_doc and app.config.html_baseurl:
-        context["pageurl"] = app.config.html_baseurl  # it is `index.html`, too
+        context["pageurl"] = address  # it is `index.html`, too
 
 
 def mend_names(app, pagename, templatename, context, doctree):
@@ -86,7 +87,7 @@ def setup(app):
     app.add_css_file("site.css", priority=900)
     app.add_js_file("site.js", loading_method="defer")
     app.add_node(nodes.image, override=True, html=(visit_image, None))
-    app.connect("html-page-context", add_description, priority=900)
+    app.connect("html-page-context", describe, priority=900)
     app.connect("html-page-context", mend_names, priority=900)
     app.connect("build-finished", drop_unused)
     app.connect("build-finished", copy_first_page, priority=900)

@@ -23,6 +23,7 @@ METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"},
 }
+PLUMBING = {"remove-input", "hide-input", "hide-cell"}  # code that no student would type
 COLOURS = 24  # of a picture: more cannot be told apart by eye
 PICTURE_TOLERANCE = 0.01  # mean difference of a pixel, of 1: fonts are drawn a little differently
 
@@ -32,13 +33,23 @@ def normal(notebook: nbformat.NotebookNode) -> str:
     notebook.metadata = nbformat.from_dict(METADATA)
     for number, cell in enumerate(notebook.cells):
         cell.id = f"cell-{number:02d}"
-        if any(tag.startswith("after-") for tag in cell.metadata.get("tags", [])):
-            # JupyterLab folds it, as the page does until its prediction is answered
-            cell.metadata["jupyter"] = {"source_hidden": True, "outputs_hidden": True}
+        cell.metadata.pop("jupyter", None)
+        if folded := folded_parts(cell):
+            cell.metadata["jupyter"] = folded
         for output in cell.get("outputs", []):
             tidy(output)
     nbformat.validate(notebook)
     return str(nbformat.writes(notebook, indent=1)) + "\n"
+
+
+def folded_parts(cell: nbformat.NotebookNode) -> dict[str, bool]:
+    """Return what JupyterLab folds of a cell: what a page folds or does not show."""
+    tags = set(cell.metadata.get("tags", []))
+    if any(tag.startswith("after-") for tag in tags):  # until its prediction is answered
+        return {"source_hidden": True, "outputs_hidden": True}
+    if tags & PLUMBING:
+        return {"source_hidden": True}
+    return {}
 
 
 def tidy(output: nbformat.NotebookNode) -> None:

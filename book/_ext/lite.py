@@ -20,6 +20,7 @@ from importlib.metadata import distribution
 from pathlib import Path
 
 import nbformat
+from docutils import nodes
 from sphinx.util import logging
 
 from workshop.course import course
@@ -158,7 +159,23 @@ def run_jupyterlite(folder, target):
         logger.warning("JupyterLite is not built:\n%s", run.stdout + run.stderr)
 
 
+def is_interactive(node):
+    """Return whether a node is a cell with widgets."""
+    return isinstance(node, nodes.container) and "tag_interact" in node["classes"]
+
+
+def add_link(app, doctree, page):
+    """Say below a cell with widgets (tagged `interact`) where it moves."""
+    for cell in list(doctree.findall(is_interactive)):
+        link = nodes.reference("", "in the browser", refuri="../" + address(page))
+        words = nodes.Text("This cell moves in JupyterLab, and ")
+        cell.parent.insert(
+            cell.parent.index(cell) + 1, nodes.paragraph("", "", words, link, nodes.Text(" too."))
+        )
+
+
 def setup(app):
     """Called by Sphinx; after the wheels are there."""
+    app.connect("doctree-resolved", add_link)
     app.connect("build-finished", build, priority=910)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

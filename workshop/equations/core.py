@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from workshop.course import course
-from workshop.equations.printing import AGAIN, COMPUTED, both_sides, mimebundle
+from workshop.equations.printing import AGAIN, COMPUTED, both_sides, mimebundle, name_on_page
 from workshop.errors import CourseError
 
 # Named steps on the way to a result, in order: each may use those before it.
@@ -255,6 +255,9 @@ def find(name: str) -> Equation:
     return course().find("formulas", Equation, name)
 
 
+_shown: dict[str, None] = {}  # what this notebook has shown, in order: `again` shows it all
+
+
 def show(name: str, computed: bool = False, figure: str = "") -> Output:
     """Show an equation, in a cell of its own that is tagged `remove-input`.
 
@@ -270,16 +273,18 @@ def show(name: str, computed: bool = False, figure: str = "") -> Output:
     """
     equation = find(name)
     right = equation.printed(computed)
+    _shown.setdefault(name_on_page(name, computed))
     return Output(mimebundle(name, computed, equation.left, right, figure))
 
 
-def again(*labels: str) -> Output:
-    """Show equations of the chapter once more, in a box; "…-computed": as the code uses it."""
-    shown = [labelled(label).latex(label.endswith(COMPUTED)) for label in labels]
+def again() -> Output:
+    """Show once more, in a box, all equations that the notebook has shown so far."""
+    labels = tuple(_shown)
+    formulas = [labelled(label).latex(label.endswith(COMPUTED)) for label in labels]
     return Output(
         {
             AGAIN: {"labels": labels},
-            "text/latex": "\n\n".join(f"$$ {formula} $$" for formula in shown),
+            "text/latex": "\n\n".join(f"$$ {formula} $$" for formula in formulas),
             "text/plain": "Again: " + ", ".join(labels),
         }
     )

@@ -18,6 +18,7 @@ const stored = (value) => {
 class Cell {
   constructor(bar, k) {
     Object.assign(this, { bar, k, input: bar.parentElement, ran: null, fresh: null });
+    this.mayFail = this.input.closest(".tag_raises-exception") !== null; // no other cell needs it
     [this.button, this.status] = [bar.firstChild, bar.lastChild];
     const box = this.input.querySelector("pre"); // the theme says whether it can have the focus
     this.code = document.createElement("code");
@@ -162,7 +163,7 @@ const run = async (k) => {
     if (!worker) start();
     await ready;
     for (const each of cells.slice(0, k + 1)) {
-      if (each !== cell && each.ran === each.text) continue;
+      if (each !== cell && (each.ran === each.text || each.mayFail)) continue;
       cell.say(each === cell ? "Running …" : `Running cell ${each.k + 1}, above, first …`);
       const ended = await one(each);
       cell.say(ended || each === cell ? "" : `Cell ${each.k + 1}, above, stops with an error.`);

@@ -1,8 +1,9 @@
-// Run under each cell with code; what it does comes when it is first pressed.
+// Run under each cell with code; what it does comes when it is first pressed. A cell with widgets
+// (tagged `interact`) needs a notebook.
 
 const onPage = () => {
   const home = document.currentScript.src;
-  const bars = [...document.querySelectorAll(".cell_input")].map((input) => {
+  const bars = [...document.querySelectorAll(".cell:not(.tag_interact) > .cell_input")].map((input) => {
     input.insertAdjacentHTML("beforeend",
       `<div class="rk-run"><button type="button">Run</button><p role="status"></p></div>`);
     return input.lastElementChild;

@@ -1,7 +1,8 @@
 """A ninth chapter is one folder and one line of `_toc.yml`; nothing else is touched.
 
-The folder `ninth_chapter/beacon` is put into a copy of the tree, which also gets a public address.
-There the site is built and the machine's own tests are run.
+The folder `ninth_chapter/beacon` is put into a copy of the tree, which also gets a public address;
+so is a tenth chapter, as `python -m book new` writes it. There the site is built and the machine's
+own tests are run.
 """
 
 import os
@@ -22,6 +23,7 @@ NOT_SOURCE = (".*", "_build", "__pycache__")
 ADDRESS = "https://example.org/course/"
 REPOSITORY = "https://github.com/someone/course"
 ADDRESSES = {" url": REPOSITORY, " baseurl": ADDRESS, " site_hub": "https://hub.example.org"}
+NEW = ("beacon", "gear_train")
 LINE = "      - file: planar_arm/planar_arm\n"
 
 
@@ -44,14 +46,17 @@ def built(place):
     toc = place / "_toc.yml"
     text = toc.read_text("utf-8")
     assert LINE in text
-    toc.write_text(text.replace(LINE, f"{LINE}      - file: beacon/beacon\n"), "utf-8")
+    lines = "".join(f"      - file: {name}/{name}\n" for name in NEW)
+    toc.write_text(text.replace(LINE, LINE + lines), "utf-8")
     config = place / "_config.yml"
     settings = config.read_text("utf-8")
     for name, address in ADDRESSES.items():
         assert f'{name}: ""' in settings
         settings = settings.replace(f'{name}: ""', f'{name}: "{address}"')
     config.write_text(settings, "utf-8")
-    for command in ((sys.executable, "tools/notebooks.py", "beacon"), make_book()):
+    new = (sys.executable, "-m", "book", "new", "gear_train")
+    notebooks = [(sys.executable, "tools/notebooks.py", name) for name in NEW]
+    for command in (new, *notebooks, make_book()):
         done = run(place, *command)
         if done.returncode:
             return done.stdout[-3000:] + done.stderr[-3000:]
@@ -145,14 +150,15 @@ def test_the_machine_s_tests_hold_it(tree, site):
         "-p",
         "no:cacheprovider",
         "-k",
-        "beacon",
+        " or ".join(NEW),
     )
     own = f"--ignore=tests/{Path(__file__).name}"
     tests = python(tree, "-P", "-m", "pytest", *options, own, "tests", "book")
     assert tests.returncode == 0, tests.stdout[-4000:]
     passed = int(re.search(r"(\d+) passed", tests.stdout)[1])
-    assert passed >= 40  # a chapter of two formulas, one figure and one exercise
-    notebook = python(tree, "-P", "-m", "pytest", "--nbval", "-q", "book/beacon/beacon.ipynb")
+    assert passed >= 80  # two chapters with one or two formulas, a figure and an exercise
+    paths = [f"book/{name}/{name}.ipynb" for name in NEW]
+    notebook = python(tree, "-P", "-m", "pytest", "--nbval", "-q", *paths)
     assert notebook.returncode == 0, notebook.stdout[-3000:]
 
 

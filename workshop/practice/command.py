@@ -1,10 +1,11 @@
-"""The teacher's commands: key, sheet, check, grade, moodle."""
+"""The teacher's commands: key, sheet, check, grade, moodle. The author's: new."""
 
 import argparse
 import io
 import sys
 from collections.abc import Sequence
 
+from workshop import new_chapter
 from workshop.course import course
 from workshop.errors import CourseError
 from workshop.practice import moodle, teacher
@@ -33,6 +34,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(options: argparse.Namespace) -> tuple[list[str], str]:
     """Do what is asked. Gives back problems, and what to print."""
     written = f"written: {options.out}" if "out" in options else ""
+    if options.command == "new":
+        return [], new_chapter.write(options.name)
     if options.command == "grade":
         return teacher.grade(options.answers, options.key, options.out, options.force)
     if options.command == "check":
@@ -58,6 +61,8 @@ def _parser() -> argparse.ArgumentParser:
             made.add_argument("--force", action="store_true", help="overwrite what is there")
         return made
 
+    new = command("new", "the skeleton of a new chapter")
+    new.add_argument("name", help="of its folder, such as gear_train")
     key = command("key", "everyone's numbers and right answers", "key.csv")
     key.add_argument("roster", help="CSV with a column student")
     words = "the course's name, which takes part in picking the numbers; default: that of the site"

@@ -19,7 +19,7 @@ FIRST = {
     "camera": "frames/frames#a-camera-that-looks-down",
     "M12": "differential_drive/differential_drive#M12",
     "ICR": "glossary#term-ICR-instantaneous-centre-of-rotation",
-    "lane": "bicycle/bicycle#a-glance-further-the-lane",
+    "lane": "bicycle/bicycle#the-lane",
     "Ackermann": "wheels/wheels#a-car-s-front-wheels",
     "rolling constraint": "wheels/wheels#the-rolling-row",
     "manoeuvrability": "wheels/wheels#how-many-ways-to-move",

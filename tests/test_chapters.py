@@ -1,0 +1,232 @@
+"""The chapters' notebooks: one skeleton, code that a student could have typed, cells to try."""
+
+import ast
+import itertools
+import re
+import time
+
+import nbformat
+import pytest
+from jupyter_client.manager import start_new_kernel
+from stored import PLUMBING
+
+import book  # noqa: F401 (opens the course)
+from workshop.course import course
+
+# in this order; between the first two come the steps, "1 …", "2 …"
+BEFORE = ["The exercise"]
+AFTER = [
+    *("As a function", "Where it fails", "Laboratory", "Your own figure", "Your own function"),
+    *("Exercises", "Find the mistake", "Recap", "A glance further"),
+]
+OPTIONAL = {"As a function", "Where it fails", "Find the mistake", "A glance further"}
+FRAMEWORK = {"workshop", "book", "figures", "equations", "predictions", "practice", "listing"}
+CHECK = re.compile(r"^practice\.\w+\.check", re.M)  # that a student calls, too
+LONGEST = 25  # visible lines of code in a section
+LONGEST_FIGURE = 15  # lines of the function that draws it
+PATIENCE = 60  # seconds at most for a cell to run
+# chapters that do not have this form yet: a name is taken out with the chapter's change
+WAITING = {"basics", "elbow_arm", "euler", "frames", "wheels", "odometry", "planar_arm"}
+TAUGHT = [chapter for chapter in course().taught if chapter not in WAITING]
+CHAPTERS = [chapter for chapter in TAUGHT if course().module(chapter, "exercises")]
+
+
+class Section(list):
+    """The cells of a notebook below a heading of the second level."""
+
+    def __init__(self, title):
+        super().__init__()
+        self.title = title
+
+
+def sections(chapter):
+    """The sections of a chapter; the first is its opening, without a title."""
+    found = [Section("")]
+    for cell in nbformat.read(course().notebook(chapter), as_version=4).cells:
+        if cell.cell_type == "markdown":
+            found += [Section(title) for title in re.findall(r"^## (.*)", cell.source, re.M)]
+        found[-1].append(cell)
+    return found
+
+
+def section(chapter, title):
+    """The section of that title."""
+    return next(each for each in sections(chapter) if each.title == title)
+
+
+def tags(cell):
+    return set(cell.metadata.get("tags", []))
+
+
+def code(cells):
+    return [cell for cell in cells if cell.cell_type == "code"]
+
+
+def visible(cells):
+    """The code cells whose code is seen in JupyterLab."""
+    return [cell for cell in code(cells) if not PLUMBING & tags(cell)]
+
+
+def imports(chapter):
+    """The first visible cell."""
+    return visible(itertools.chain(*sections(chapter)))[0]
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_sections_follow_the_skeleton(chapter):
+    titles = [each.title for each in sections(chapter)][1:]
+    steps = [title for title in titles if title not in BEFORE + AFTER]
+    numbers = [title.partition(" ")[0] for title in steps]
+    assert numbers == [str(n) for n in range(1, len(steps) + 1)], "number the steps"
+    left_out = OPTIONAL - set(titles)
+    assert titles == BEFORE + steps + [title for title in AFTER if title not in left_out]
+
+
+@pytest.mark.parametrize("chapter", TAUGHT)
+def test_the_first_visible_cell_imports_and_nothing_else(chapter):
+    for statement in ast.parse(imports(chapter).source).body:
+        assert isinstance(statement, ast.Import | ast.ImportFrom)
+
+
+@pytest.mark.parametrize("chapter", TAUGHT)
+def test_visible_code_is_the_students_own(chapter):
+    for cell in visible(itertools.chain(*sections(chapter))):
+        own = CHECK.sub("check", cell.source)
+        used = names(ast.parse(own)) & FRAMEWORK
+        assert not used, f"{used}: tag it `remove-input`, or write it without: {cell.source}"
+
+
+def names(tree):
+    """All names that code uses or imports, modules part by part."""
+    found = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and not node.module.endswith(".functions"):
+            found |= {node.module.partition(".")[0]}
+        if isinstance(node, ast.Import):
+            found |= {alias.name.partition(".")[0] for alias in node.names}
+    return found
+
+
+@pytest.mark.parametrize("chapter", TAUGHT)
+def test_a_section_has_few_visible_lines(chapter):
+    for each in sections(chapter):
+        lines = sum(len(cell.source.splitlines()) for cell in visible(each))
+        assert lines <= LONGEST, f"{lines} lines in *{each.title}*"
+
+
+@pytest.mark.parametrize("chapter", TAUGHT)
+def test_plumbing_is_short(chapter):
+    """VS Code cannot fold it."""
+    for cell in code(itertools.chain(*sections(chapter))):
+        if "remove-input" in tags(cell):
+            statements = ast.parse(cell.source).body
+            assert len([s for s in statements if not isinstance(s, ast.ImportFrom)]) <= 1
+
+
+# --- cells to try: Your own figure, Your own function ---------------------------------------------
+
+
+class Kernel:
+    """A kernel as JupyterLab has one: it runs cells, and moves their sliders."""
+
+    def __init__(self):
+        self.manager, self.client = start_new_kernel()
+
+    def stop(self):
+        self.client.stop_channels()
+        self.manager.shutdown_kernel(now=True)
+
+    def run(self, source):
+        """The messages that a cell sends while it runs."""
+        return self._until_idle(self.client.execute(source))
+
+    def move(self, slider, value):
+        """The messages that come when a slider is moved."""
+        data = {"method": "update", "state": {"value": value}, "buffer_paths": []}
+        content = {"comm_id": slider, "data": data}
+        message = self.client.session.msg("comm_msg", content)
+        self.client.shell_channel.send(message)
+        return self._until_idle(message["header"]["msg_id"])
+
+    def _until_idle(self, asked):
+        end, found = time.monotonic() + PATIENCE, []
+        while True:
+            message = self.client.get_iopub_msg(timeout=max(0, end - time.monotonic()))
+            if message["parent_header"].get("msg_id") != asked:
+                continue
+            found.append((message["msg_type"], message["content"]))
+            if found[-1] == ("status", {"execution_state": "idle"}):
+                return found
+
+
+@pytest.fixture
+def kernel():
+    running = Kernel()
+    yield running
+    running.stop()
+
+
+def errors(messages):
+    return [content["evalue"] for kind, content in messages if kind == "error"]
+
+
+def pictures(messages):
+    """The pictures that are shown, also inside a widget."""
+    shown = [content["data"] for kind, content in messages if kind == "display_data"]
+    for kind, content in messages:
+        if kind == "comm_msg":
+            outputs = content["data"].get("state", {}).get("outputs", ())
+            shown += [output.get("data", {}) for output in outputs]
+    return [data["image/png"] for data in shown if "image/png" in data]
+
+
+def sliders(messages):
+    """The sliders that appear: their names, values and ends."""
+    for kind, content in messages:
+        state = content.get("data", {}).get("state", {}) if kind == "comm_open" else {}
+        if state.get("_model_name") in ("IntSliderModel", "FloatSliderModel"):
+            yield content["comm_id"], state
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_own_figure_moves_in_a_kernel(chapter, kernel):
+    assert not errors(kernel.run(imports(chapter).source))
+    *drawing, interactive = visible(section(chapter, "Your own figure"))
+    assert {"interact", "skip-execution", "nbval-skip"} <= tags(interactive)
+    (function,) = (
+        part
+        for cell in drawing
+        for part in ast.parse(cell.source).body
+        if isinstance(part, ast.FunctionDef)
+    )
+    assert function.end_lineno - function.lineno < LONGEST_FIGURE
+    still = [kernel.run(cell.source) for cell in drawing]
+    assert not any(map(errors, still))
+    assert any(map(pictures, still)), "its picture stands on the page"
+    started = kernel.run(interactive.source)
+    assert not errors(started)
+    slider, state = next(sliders(started))
+    ends = state["min"], state["max"]
+    for value in ends:
+        moved = kernel.move(slider, value)
+        assert not errors(moved)
+        if value != state["value"]:
+            assert pictures(moved), f"nothing is drawn at {state['description']} = {value}"
+    assert pictures(kernel.move(slider, ends[0])) != pictures(kernel.move(slider, ends[1]))
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_own_function_is_compared(chapter, kernel):
+    assert not errors(kernel.run(imports(chapter).source))
+    function, comparison, solution = code(section(chapter, "Your own function"))
+    assert {"skip-execution", "nbval-skip"} <= tags(function)
+    assert {"skip-execution", "nbval-skip", "raises-exception"} <= tags(comparison)
+    assert "hide-cell" in tags(solution)
+    (definition,) = ast.parse(function.source).body
+    assert ast.get_docstring(definition)
+    assert ast.unparse(definition.body[-1]) == "..."
+    assert not errors(kernel.run(function.source))
+    assert errors(kernel.run(comparison.source)), "an empty function passes"
+    assert not errors(kernel.run(solution.source))
+    kernel.run(f"{definition.name} = solution")
+    assert not errors(kernel.run(comparison.source))

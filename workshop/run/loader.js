@@ -1,5 +1,4 @@
-// Run under each cell with code; what it does comes when it is first pressed. A cell with widgets
-// (tagged `interact`) needs a notebook.
+// Run under each cell; what it does comes when it is first pressed.
 
 const onPage = () => {
   const home = document.currentScript.src;

@@ -26,7 +26,7 @@ FIRST = {
     "mecanum": "glossary#term-Swedish-wheel-Mecanum-wheel-omni-wheel",
     "dead reckoning": "odometry/odometry#the-exercise",
     "covariance": "glossary#term-covariance",
-    "null space": "planar_arm/planar_arm#glance-further",
+    "null space": "planar_arm/planar_arm#a-glance-further",
     "manipulability": "planar_arm/planar_arm#how-near-is-it",
     "planar-arm-3": "planar_arm/planar_arm#planar-arm-3",
     "degree of freedom": "glossary#term-degree-of-freedom",

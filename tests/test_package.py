@@ -45,7 +45,7 @@ def sources(package, suffixes, left_out=()):
     ("package", "suffixes", "left_out"),
     [
         ("robokin", [".py"], []),
-        ("workshop", [".py", ".js", ".css"], []),
+        ("workshop", [".py", ".js", ".css", ".txt"], []),
         ("book", [".py", ".ipynb"], ["book/_*/*", "test_*.py", "expected.py"]),
     ],
 )

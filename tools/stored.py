@@ -72,6 +72,8 @@ def light(png: bytes) -> tuple[bytes, tuple[int, int]]:
     picture = Image.open(io.BytesIO(png))
     if picture.mode == "P":
         return png, picture.size  # is light already
+    width, height = picture.size
+    picture = picture.crop((0, 0, width // 2 * 2, height // 2 * 2))  # half of it is whole pixels
     pixels = np.asarray(picture.convert("RGB")).reshape(-1, 3)
     colours, which, count = np.unique(pixels, axis=0, return_inverse=True, return_counts=True)
     squares = colours.astype(np.int64)

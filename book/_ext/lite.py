@@ -55,8 +55,8 @@ def notebook_name(page):
 
 
 def address(page):
-    """The address of a chapter there, from the site's root."""
-    return f"lite/notebooks/index.html?path={notebook_name(page)}"
+    """Return the address of a chapter there, from its page."""
+    return "../" * page.count("/") + f"lite/notebooks/index.html?path={notebook_name(page)}"
 
 
 def write_notebooks(folder):
@@ -166,8 +166,10 @@ def is_interactive(node):
 
 def add_link(app, doctree, page):
     """Say below a cell with widgets (tagged `interact`) where it moves."""
+    if app.builder.name != "html":  # on paper nothing moves
+        return
     for cell in list(doctree.findall(is_interactive)):
-        link = nodes.reference("", "in the browser", refuri="../" + address(page))
+        link = nodes.reference("", "in the browser", refuri=address(page))
         words = nodes.Text("This cell moves in JupyterLab, and ")
         cell.parent.insert(
             cell.parent.index(cell) + 1, nodes.paragraph("", "", words, link, nodes.Text(" too."))

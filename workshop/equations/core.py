@@ -277,9 +277,12 @@ def show(name: str, computed: bool = False, figure: str = "") -> Output:
     return Output(mimebundle(name, computed, equation.left, right, figure))
 
 
-def again() -> Output:
-    """Show once more, in a box, all equations that the notebook has shown so far."""
-    labels = tuple(_shown)
+def again(*below: str) -> Output:
+    """Show once more, in a box, all equations that the notebook has shown.
+
+    below: names of those that it shows further below; "…-computed" as the code uses it.
+    """
+    labels = (*_shown, *below)
     formulas = [labelled(label).latex(label.endswith(COMPUTED)) for label in labels]
     return Output(
         {

@@ -25,9 +25,7 @@ CHECK = re.compile(r"^practice\.\w+\.check", re.M)  # that a student calls, too
 LONGEST = 25  # visible lines of code in a section
 LONGEST_FIGURE = 15  # lines of the function that draws it
 PATIENCE = 60  # seconds at most for a cell to run
-# chapters that do not have this form yet: a name is taken out with the chapter's change
-WAITING = {"wheels"}
-TAUGHT = [chapter for chapter in course().taught if chapter not in WAITING]
+TAUGHT = course().taught
 CHAPTERS = [chapter for chapter in TAUGHT if course().module(chapter, "exercises")]
 
 

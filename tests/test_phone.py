@@ -78,7 +78,7 @@ def test_what_wraps_is_copied_as_it_was_typed(chromium, server):
         page.evaluate(
             "() => addEventListener('copy', (event) => { window.copied = event.target.value; })"
         )
-        cell = page.locator(".cell_input:visible", has_text="fontsize=13").first
+        cell = page.locator(".cell_input:visible", has_text="backgroundcolor").first
         cell.scroll_into_view_if_needed()
         cell.locator("button.copybtn").dispatch_event("click")
         copied = page.wait_for_function("() => window.copied").json_value()

@@ -9,44 +9,61 @@ T ?=
 PYODIDE ?=
 
 BIN := .venv/bin
-INSTALL = $(BIN)/uv pip install --python $(@D)/bin/python
+# uv asks the index that pip is set to, if there is one
+INDEX = UV_DEFAULT_INDEX="$${UV_DEFAULT_INDEX:-$$($(BIN)/python -m pip config list | \
+	sed -n "s/.*\.index-url='\(.*\)'/\1/p" | head -n 1)}"
+INSTALL = $(INDEX) $(BIN)/uv pip install --python $(@D)/bin/python
 READY := .venv/.ready
 SITE := _build/html/.built
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') \
 	$(wildcard _build/robokin*.pdf _build/robokin.epub)
 NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
+
+# what other projects have set would change what is installed here, and what runs
+unexport PIP_PREFIX PIP_REQUIRE_HASHES PIP_TARGET PIP_USER UV_NO_BUILD UV_REQUIRE_HASHES
+unexport MPLBACKEND PYTHONHOME PYTHONOPTIMIZE PYTHONPATH PYTHONWARNINGS SOURCE_DATE_EPOCH
 unexport PYTHONDONTWRITEBYTECODE  # or each of many processes compiles SymPy and all else again
+export PYTHONUTF8 = 1
 
 .PHONY: book serve lab paper test test-slow test-install check notebooks lock bench clean FORCE
 .DEFAULT_GOAL := book
 
+# .venv/.ready holds the folder and the Python: set up again after a move, for a copy, for another
+STAMP := -I -c 'import os, sys; print(os.getcwd(), sys.base_prefix, *sys.version_info[:2])'
+ASKED := $(if $(filter file,$(origin PYTHON)),$(BIN)/python,$(PYTHON))
+ifneq ($(shell cat .venv/.ready 2>/dev/null),$(shell $(ASKED) $(STAMP) 2>/dev/null))
+$(READY): FORCE
+endif
+
 $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
-		echo "Python 3.11 or newer is needed, $(PYTHON) is older: make PYTHON=python3.12"; exit 1; }
+		echo "$(PYTHON) is not there, or older than Python 3.11: make PYTHON=python3.12"; exit 1; }
 	@echo "Setting up .venv, once; most of the time is downloading"
-	$(PYTHON) -m venv .venv
+	$(PYTHON) -m venv --clear .venv
 	@awk '/^[a-z]/ {on = /^uv==/} on' requirements.txt > .venv/uv.txt  # as locked, with its hashes
 	$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r .venv/uv.txt
 	$(INSTALL) --require-hashes -r requirements.txt
 	$(INSTALL) --no-deps --no-build-isolation -e . -e workshop -e book
-	@touch $(READY)
+	@$(BIN)/python $(STAMP) > $(READY)
 
 # which Python the pages load, if not from its public address; changes with it
 _build/pyodide: FORCE
 	@mkdir -p _build; echo "$(PYODIDE)" | cmp -s - $@ || echo "$(PYODIDE)" > $@
 
 $(SITE): $(READY) $(SOURCES) requirements.txt pyproject.toml _build/pyodide
-	PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --config _config.yml \
-		--toc "$(CURDIR)/_toc.yml" --path-output . -W -n --keep-going
+	PYTHONPATH="$$PWD" PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --config _config.yml \
+		--toc "$$PWD/_toc.yml" --path-output . -W -n --keep-going || { \
+		echo "Not built, see above. If data are truncated or too short there: make clean"; exit 1; }
 	@touch $(SITE)
 
 book: $(SITE)
 	@echo "The site is built: open _build/html/index.html, or run: make serve"
 
 serve: $(SITE)
-	@echo "http://127.0.0.1:8000 - stop with Ctrl-C"
-	$(BIN)/python -m http.server -b 127.0.0.1 -d _build/html 8000
+	@echo "Stop with Ctrl-C"
+	@serve="$(BIN)/python -u -m http.server -b 127.0.0.1 -d _build/html"; \
+		$$serve 8000 2>/dev/null || $$serve 0  # 8000 is taken: any other port
 
 lab: $(READY)
 	$(BIN)/jupyter lab book
@@ -56,7 +73,7 @@ paper: $(SITE)
 
 # The library's tests run once, against the wheel that a user installs.
 LIBRARY := _build/library
-UNDER_TEST := PYTHONPATH="$(CURDIR)/$(LIBRARY)" ROBOKIN_UNDER_TEST="$(CURDIR)/$(LIBRARY)"
+UNDER_TEST := PYTHONPATH="$$PWD/$(LIBRARY)" ROBOKIN_UNDER_TEST="$$PWD/$(LIBRARY)"
 PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --dist
 
 $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
@@ -99,7 +116,7 @@ lock: $(READY)
 # robokin is timed against, and the lowest versions that the wheels say they work with.
 
 .venv-bench/.ready: $(READY)
-	$(PYTHON) -m venv .venv-bench
+	$(PYTHON) -m venv --clear .venv-bench
 	$(INSTALL) --group bench
 	$(INSTALL) --no-deps -e .
 	@touch $@
@@ -108,11 +125,12 @@ bench: .venv-bench/.ready
 	.venv-bench/bin/pytest benchmarks
 
 .venv-lowest/.ready: $(READY) $(SOURCES)
-	$(PYTHON) -m venv .venv-lowest
+	$(PYTHON) -m venv --clear .venv-lowest
 	$(INSTALL) --resolution lowest-direct --refresh --reinstall "./[draw]" "./workshop[engine]" ./book
 	@$(BIN)/uv pip freeze --python $(@D)/bin/python | grep -v "file:" > .venv-lowest/found.txt
 	$(INSTALL) -c .venv-lowest/found.txt --group lowest
 	@touch $@
 
 clean:
-	rm -rf _build .venv .venv-*
+	rm -rf _build .venv .venv-* .*_cache
+	find . -name __pycache__ -prune -exec rm -rf {} +

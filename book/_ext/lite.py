@@ -12,6 +12,7 @@ compares them: `course_python` (`workshop/site/__init__.py`), `book/_vendor/pyod
 
 import hashlib
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -30,6 +31,7 @@ from workshop.site.run import FOLDER, own_python
 logger = logging.getLogger(__name__)
 
 LOCK = Path(__file__).parents[1] / "_vendor" / "pyodide" / "pyodide-lock.json"
+DATE = 1767225600  # of all its files, 1 January 2026, whenever the site is built
 KERNEL = "@jupyterlite/pyodide-kernel-extension:kernel"
 KERNELSPEC = {"name": "python", "display_name": "Python (Pyodide)", "language": "python"}
 # what widgets need and Pyodide has not: taken from what is installed here, name → what it needs
@@ -154,7 +156,8 @@ def run_jupyterlite(folder, target):
     command += ["--contents", str(folder / "notebooks"), "--output-dir", str(target)]
     command += ["--apps", "notebooks", "--apps", "tree", "--no-sourcemaps"]
     command += ["--no-unused-shared-packages", "--force"]
-    run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    env = {**os.environ, "SOURCE_DATE_EPOCH": str(DATE)}
+    run = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True)
     if run.returncode:
         logger.warning("JupyterLite is not built:\n%s", run.stdout + run.stderr)
 

@@ -1,13 +1,11 @@
 """Defects of the pinned theme and its helpers, each mended in one place; see the README."""
 
-import hashlib
 import shutil
 import textwrap
 from pathlib import Path
 
 from docutils import nodes
 
-BOOK = Path(__file__).parents[1]
 DESCRIPTION_LENGTH = 160  # what search engines show
 # what the theme puts into the site and no page of it uses: 5.7 MB
 UNUSED = (
@@ -73,17 +71,9 @@ def forget_failed_build(app, error):
         Path(app.doctreedir, "environment.pickle").unlink(missing_ok=True)
 
 
-def sources_digest():
-    """Return what changes with an asset, a template or an extension: pages are then made anew."""
-    folders = (BOOK / f"_{name}" for name in ("assets", "ext", "templates", "vendor"))
-    files = sorted(file for each in folders for file in each.rglob("*.*") if file.is_file())
-    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
-
-
 def setup(app):
     """Register what is mended."""
     app.add_config_value("site_description", "", "html", str)
-    app.add_config_value("site_sources", sources_digest(), "html", str)
     app.add_css_file("site.css", priority=900)
     app.add_js_file("site.js", loading_method="defer")
     app.add_node(nodes.image, override=True, html=(visit_image, None))

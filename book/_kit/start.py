@@ -14,25 +14,33 @@ ENVIRONMENT = HERE / ".venv"
 PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 PACKAGES = HERE / "packages"  # what the network would give, if somebody put it there
 READY = ENVIRONMENT / "ready"
+MADE_BY = f"{sys.base_prefix} {sys.version_info[0]}.{sys.version_info[1]}"  # set up by this Python
+# what other projects have set would change what is installed here, and what runs
+OTHERS = """PIP_PREFIX PIP_REQUIRE_HASHES PIP_TARGET PIP_USER
+    MPLBACKEND PYTHONHOME PYTHONOPTIMIZE PYTHONPATH PYTHONWARNINGS""".split()
 
 
 def set_up():
     """An environment with the packages of the list, each as its hash says, and the course."""
     print("Setting up, once: loading 100 MB, which become 500 MB on the disk.", flush=True)
-    venv.create(ENVIRONMENT, clear=True, with_pip=True)
+    venv.create(ENVIRONMENT, clear=True, with_pip=True, symlinks=os.name != "nt")
     pip = [str(PYTHON), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     source = ["--no-index", "--find-links", str(PACKAGES)] if PACKAGES.is_dir() else []
     wheels = sorted(map(str, HERE.glob("wheels/*.whl")))
     listed = str(HERE / "requirements-light.txt")
     subprocess.run([*pip, *source, "--require-hashes", "-r", listed], check=True)
     subprocess.run([*pip, "--no-index", "--no-deps", *wheels], check=True)
-    READY.touch()
+    READY.write_text(MADE_BY, "utf-8")
 
 
 def main():
     if sys.version_info < (3, 11):  # noqa: UP036 - a reader's Python may be any
         sys.exit(f"Python 3.11 or newer is needed, this is {sys.version.split()[0]}: python.org")
-    if not READY.exists():
+    if os.pathsep in str(HERE):
+        sys.exit(f"No environment can stand in a folder with {os.pathsep!r} in its path: {HERE}")
+    for name in OTHERS:
+        os.environ.pop(name, None)
+    if not READY.exists() or READY.read_text("utf-8") != MADE_BY:
         try:
             set_up()
         except subprocess.CalledProcessError as error:

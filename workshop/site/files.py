@@ -47,9 +47,6 @@ def write_assets(app: Sphinx, env: Any) -> None:
         return
     solutions = app.config.course_solutions
     write_static(app, "workshop.css", runtime.stylesheet())
-    for file in Path(app.outdir).glob("_static/workshop/*.js"):  # of pages that stay as they are
-        if set(names := file.stem.split("-")) <= set(runtime.parts()):
-            write_parts(app, names)
     for topic in topics():
         write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
     for mistake in mistakes().values():

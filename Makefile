@@ -30,7 +30,7 @@ export PYTHONUTF8 = 1
 .DEFAULT_GOAL := book
 
 # .venv/.ready holds the folder and the Python: set up again after a move, for a copy, for another
-STAMP := -I -c 'import os, sys; print(os.getcwd(), sys.base_prefix, *sys.version_info[:2])'
+STAMP := -IS -c 'import os, sys; print(os.getcwd(), sys.base_prefix, *sys.version_info[:2])'
 ASKED := $(if $(filter file,$(origin PYTHON)),$(BIN)/python,$(PYTHON))
 ifneq ($(shell cat .venv/.ready 2>/dev/null),$(shell $(ASKED) $(STAMP) 2>/dev/null))
 $(READY): FORCE
@@ -43,7 +43,8 @@ $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject
 	$(PYTHON) -m venv --clear .venv
 	@awk '/^[a-z]/ {on = /^uv==/} on' requirements.txt > .venv/uv.txt  # as locked, with its hashes
 	$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r .venv/uv.txt
-	$(INSTALL) --require-hashes -r requirements.txt
+	$(INSTALL) --require-hashes -r requirements.txt || { \
+		test -w "$$HOME" || echo "$$HOME cannot be written to: make HOME=/tmp"; exit 1; }
 	$(INSTALL) --no-deps --no-build-isolation -e . -e workshop -e book
 	@$(BIN)/python $(STAMP) > $(READY)
 

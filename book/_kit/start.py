@@ -16,8 +16,8 @@ PACKAGES = HERE / "packages"  # what the network would give, if somebody put it 
 READY = ENVIRONMENT / "ready"
 MADE_BY = f"{sys.base_prefix} {sys.version_info[0]}.{sys.version_info[1]}"  # set up by this Python
 # what other projects have set would change what is installed here, and what runs
-OTHERS = """PIP_PREFIX PIP_REQUIRE_HASHES PIP_TARGET PIP_USER
-    MPLBACKEND PYTHONHOME PYTHONOPTIMIZE PYTHONPATH PYTHONWARNINGS""".split()
+OTHERS = ("PIP_PREFIX", "PIP_REQUIRE_HASHES", "PIP_TARGET", "PIP_USER", "MPLBACKEND")
+OTHERS += ("PYTHONHOME", "PYTHONOPTIMIZE", "PYTHONPATH", "PYTHONWARNINGS")
 
 
 def set_up():

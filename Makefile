@@ -24,7 +24,7 @@ NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 unexport PIP_PREFIX PIP_REQUIRE_HASHES PIP_TARGET PIP_USER UV_NO_BUILD UV_REQUIRE_HASHES
 unexport MPLBACKEND PYTHONHOME PYTHONOPTIMIZE PYTHONPATH PYTHONWARNINGS SOURCE_DATE_EPOCH
 unexport PYTHONDONTWRITEBYTECODE  # or each of many processes compiles SymPy and all else again
-export PYTHONUTF8 = 1
+export LC_ALL = C.UTF-8
 
 .PHONY: book serve lab paper test test-slow test-install check notebooks lock bench clean FORCE
 .DEFAULT_GOAL := book

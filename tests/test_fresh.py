@@ -1,0 +1,65 @@
+"""A build writes into an empty folder, and alone: what has left the book has left the site."""
+
+import fcntl
+import shutil
+import subprocess
+import sys
+
+import pytest
+from fresh import BUSY
+from support import ROOT
+
+CONF = f"""
+import sys
+sys.path.insert(0, {str(ROOT / "book" / "_ext")!r})
+extensions = ["fresh"]
+master_doc = "index"
+"""
+
+
+@pytest.fixture
+def build(tmp_path):
+    """A function that builds a site of two pages."""
+    (tmp_path / "conf.py").write_text(CONF, "utf-8")
+    (tmp_path / "index.rst").write_text("A\n=\n\n.. toctree::\n   :glob:\n\n   b*\n", "utf-8")
+    (tmp_path / "b.rst").write_text("B\n=\n", "utf-8")
+    command = [sys.executable, "-m", "sphinx", "-q", "-d", "read", ".", "html"]
+    return lambda: subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+
+
+def test_a_page_that_is_removed_leaves_the_site(build, tmp_path):
+    assert build().returncode == 0
+    assert (tmp_path / "html" / "b.html").exists()
+    (tmp_path / "b.rst").rename(tmp_path / "b2.rst")
+    assert build().returncode == 0
+    found = {file.stem for file in (tmp_path / "html").rglob("b*.*")}
+    assert "b2" in found
+    assert "b" not in found
+
+
+def test_an_incremental_build_gives_the_same_bytes(build, tmp_path):
+    (tmp_path / "b2.rst").write_text("C\n=\n", "utf-8")
+    build()
+    (tmp_path / "b2.rst").unlink()
+    build()
+    incremental = files(tmp_path / "html")
+    for name in ("read", "html"):
+        shutil.rmtree(tmp_path / name)
+    build()
+    assert incremental == files(tmp_path / "html")
+
+
+def files(folder):
+    """All files below a folder, as bytes."""
+    found = (file for file in folder.rglob("*") if file.is_file())
+    return {file.relative_to(folder): file.read_bytes() for file in found}
+
+
+def test_two_builds_at_once_end_with_a_sentence(build, tmp_path):
+    build()
+    with (tmp_path / "read" / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        run = build()
+    assert run.returncode
+    assert run.stderr.strip() == BUSY
+    assert build().returncode == 0

@@ -24,7 +24,9 @@ def build(tmp_path):
     (tmp_path / "index.rst").write_text("A\n=\n\n.. toctree::\n   :glob:\n\n   b*\n", "utf-8")
     (tmp_path / "b.rst").write_text("B\n=\n", "utf-8")
     command = [sys.executable, "-m", "sphinx", "-q", "-d", "read", ".", "html"]
-    return lambda: subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    return lambda: subprocess.run(
+        command, cwd=tmp_path, stdin=subprocess.DEVNULL, capture_output=True, text=True
+    )
 
 
 def test_a_page_that_is_removed_leaves_the_site(build, tmp_path):

@@ -1,27 +1,28 @@
-"""Predictions on a built page, in a real browser: those of the ninth chapter, one of each kind."""
+"""Predictions on a built page, in a real browser: three of one chapter, one of each kind."""
 
 import pytest
-from browser import FULL, serving, watched_page
-from test_ninth_chapter import site, tree  # noqa: F401 (fixtures)
+from browser import FULL, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-FIGURE = "document.getElementById('beacon-guess').workshop"
-
-
-@pytest.fixture(scope="module")
-def home(site):  # noqa: F811 (the fixture)
-    with serving(site) as address:
-        yield address + "beacon/beacon.html"
+BUTTONS, NUMBER, GHOST = "where-to", "how-fast", "where-after"
+FIGURE = "document.getElementById('guess').workshop"
+INSIDE = "leaves at the left and comes back at the right"  # in what the buttons open
+THERE = (-0.069, 0.126)  # where P is after 2 s
 
 
 @pytest.fixture
-def page(chromium, home):
+def home(server):
+    return server + "differential_drive/differential_drive.html"
+
+
+@pytest.fixture
+def page(chromium, server, home):
     """The chapter on a first visit; it must stay quiet and at home."""
-    with watched_page(chromium, home.rpartition("beacon/")[0]) as (page, watch):
+    with watched_page(chromium, server) as (page, watch):
         page.goto(home)
-        page.locator("#beacon-place .rk-skip").wait_for()
+        page.locator(f"#{GHOST} .rk-skip").wait_for()
         yield page
         assert not watch.errors + watch.strangers
 
@@ -36,7 +37,7 @@ def said(page, name):
 
 def come_alive(page):
     """Go to the figure, which starts when it is near, and wait until it runs."""
-    page.locator("#beacon-guess").scroll_into_view_if_needed()
+    page.locator("#guess").scroll_into_view_if_needed()
     page.wait_for_function(f"() => {FIGURE}")
 
 
@@ -60,61 +61,62 @@ def state(page):
 
 
 def test_nothing_is_open_before_a_guess(page):
-    for name in ("beacon-turns", "beacon-far", "beacon-place"):
+    for name in (BUTTONS, NUMBER, GHOST):
         assert not fold(page, name).is_visible()
-    assert page.get_by_text("So a turn of the robot is").is_hidden()  # a Markdown cell with the tag
-    assert page.get_by_text("array([0.5").is_hidden()  # a code cell with the tag
+    assert page.get_by_text(INSIDE).is_hidden()  # a Markdown cell with the tag
+    assert page.get_by_text("right 0.051 m/s").is_hidden()  # a code cell with the tag
 
 
 def test_a_button_opens_what_belongs_to_it(page):
-    page.get_by_role("button", name="to its left").focus()
+    page.get_by_role("button", name="to the right wheel").focus()
     page.keyboard.press("Enter")
-    assert fold(page, "beacon-turns").is_visible()
-    assert page.get_by_text("So a turn of the robot is").is_visible()
-    words = said(page, "beacon-turns").inner_text()
-    assert words.startswith("You said: to its left. Right: to its right.")
-    assert "as the beacon sees it" in words  # what this guess assumes
-    assert said(page, "beacon-turns").get_attribute("role") == "status"
-    assert page.evaluate("() => document.activeElement.textContent") == "to its left"
-    pressed = page.locator("#beacon-turns [aria-pressed='true']")
-    assert pressed.inner_text() == "to its left"
-    assert not fold(page, "beacon-far").is_visible()
+    assert fold(page, BUTTONS).is_visible()
+    assert page.get_by_text(INSIDE).is_visible()
+    words = said(page, BUTTONS).inner_text()
+    assert words.startswith("You said: to the right wheel. Right: to the left, without end.")
+    assert "this wheel moves" in words  # what this guess assumes
+    assert said(page, BUTTONS).get_attribute("role") == "status"
+    assert page.evaluate("() => document.activeElement.textContent") == "to the right wheel"
+    pressed = page.locator(f"#{BUTTONS} [aria-pressed='true']")
+    assert pressed.inner_text() == "to the right wheel"
+    assert not fold(page, NUMBER).is_visible()
 
 
-@pytest.mark.parametrize(
-    ("typed", "words"),
-    [
-        ("5", "✓ You said: 5 m."),
-        ("10/2", "✓ You said: 5 m."),
-        ("5.1", "✓ You said: 5.1 m. Right: 5 m."),  # near enough
-        ("7", "You said: 7 m. Right: 5 m.\n\nIt goes along the walls."),
-        ("9", "You said: 9 m. Right: 5 m."),
-    ],
-)
-def test_a_number_is_read_as_answers_are(page, typed, words):
-    page.fill("#beacon-far input", typed)
-    page.press("#beacon-far input", "Enter")
-    fold(page, "beacon-far").wait_for()
-    assert said(page, "beacon-far").inner_text() == words
+TYPED = {
+    "7.5": "✓ You said: 7.5 cm/s.",
+    "15/2": "✓ You said: 7.5 cm/s.",
+    "7.6": "✓ You said: 7.6 cm/s. Right: 7.5 cm/s.",  # near enough
+    "5": "You said: 5 cm/s. Right: 7.5 cm/s.\n\nThat is the difference: the robot turns by it.",
+    "9": "You said: 9 cm/s. Right: 7.5 cm/s.",
+}
+
+
+def test_a_number_is_read_as_answers_are(page):
+    for typed, words in TYPED.items():
+        page.fill(f"#{NUMBER} input", typed)
+        page.press(f"#{NUMBER} input", "Enter")
+        fold(page, NUMBER).wait_for()
+        assert said(page, NUMBER).inner_text() == words
+        page.get_by_role("button", name="Forget my guesses").click()
 
 
 def test_what_cannot_be_read_opens_nothing(page):
     for typed, words in (("", "Nothing is typed yet"), ("[1, 2]", "Type one number")):
-        page.fill("#beacon-far input", typed)
-        page.press("#beacon-far input", "Enter")
-        assert words in said(page, "beacon-far").inner_text()
-        assert not fold(page, "beacon-far").is_visible()
+        page.fill(f"#{NUMBER} input", typed)
+        page.press(f"#{NUMBER} input", "Enter")
+        assert words in said(page, NUMBER).inner_text()
+        assert not fold(page, NUMBER).is_visible()
 
 
 def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
-    figure = page.locator("#beacon-guess")
+    figure = page.locator("#guess")
+    come_alive(page)
     labels = (
-        "() => [...document.querySelectorAll('#beacon-guess .rk-control')]"
+        "() => [...document.querySelectorAll('#guess .rk-control')]"
         ".filter((c) => c.checkVisibility()).map((c) => c.querySelector('.rk-name').textContent)"
     )
-    page.wait_for_function("() => document.querySelector('#beacon-guess.rk-asked')")
+    page.wait_for_function("() => document.querySelector('#guess.rk-asked')")
     assert page.evaluate(labels) == ["x", "y"]
-    assert figure.locator(".rk-readouts").is_hidden()
     grip = figure.locator("circle[aria-label^='your guess']")
     grip.hover()
     box = grip.bounding_box()
@@ -122,64 +124,67 @@ def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
     page.mouse.move(box["x"] + box["width"] / 2 - 40, box["y"], steps=3)
     page.mouse.up()
     put = state(page)
-    assert put["guess_x"] < 0.3  # where it was
+    assert put["guess_x"] < 0.1  # where it was
     page.get_by_role("button", name="Here", exact=True).click()
-    fold(page, "beacon-place").wait_for()
+    fold(page, GHOST).wait_for()
     then = state(page)
     assert {key: then[key] for key in ("guess_x", "guess_y")} == {
         key: put[key] for key in ("guess_x", "guess_y")
     }
-    assert (then["b_x"], then["b_y"], round(then["theta"])) == (0, 0.5, 30)  # shown beside it
-    assert page.evaluate(labels) == ["beacon bx", "beacon by", "heading"]
-    assert figure.locator(".rk-readouts").is_visible()
+    assert then["t"] == 2  # shown beside it
+    assert page.evaluate(labels) == ["time"]
 
 
 def test_a_ghost_in_the_right_place_is_right(page):
-    place_ghost(page, guess_x=0.02, guess_y=0.5)
+    place_ghost(page, guess_x=THERE[0] + 0.01, guess_y=THERE[1])
     page.get_by_role("button", name="Here", exact=True).click()
-    fold(page, "beacon-place").wait_for()
-    assert said(page, "beacon-place").inner_text().startswith("✓")
+    fold(page, GHOST).wait_for()
+    assert said(page, GHOST).inner_text().startswith("✓")
 
 
-@pytest.mark.parametrize("which", ["turns", "far", "place"])
-def test_it_is_shown_without_a_guess_too(page, which):
-    name = f"beacon-{which}"
+def test_it_is_shown_without_a_guess_too(page):
     for _ in range(2):  # shown, forgotten, shown again
-        skip = page.locator(f"#{name} .rk-skip")
-        skip.focus()
-        page.keyboard.press("Enter")
-        assert fold(page, name).is_visible()
-        assert skip.is_hidden()
-        assert said(page, name).inner_text().startswith("Shown: ")
-        assert page.evaluate("document.activeElement.className") == "rk-said"
+        for name in (BUTTONS, NUMBER, GHOST):
+            skip = page.locator(f"#{name} .rk-skip")
+            skip.focus()
+            page.keyboard.press("Enter")
+            assert fold(page, name).is_visible()
+            assert skip.is_hidden()
+            assert said(page, name).inner_text().startswith("Shown: ")
+            assert page.evaluate("document.activeElement.className") == "rk-said"
         page.reload()
-        fold(page, name).wait_for()
+        fold(page, GHOST).wait_for()
+        assert all(fold(page, name).is_visible() for name in (BUTTONS, NUMBER, GHOST))
         page.get_by_role("button", name="Forget my guesses").click()
-        assert not fold(page, name).is_visible()
+        assert not any(fold(page, name).is_visible() for name in (BUTTONS, NUMBER, GHOST))
 
 
 def test_a_ghost_that_is_shown_stands_where_it_belongs(page):
-    page.locator("#beacon-place .rk-skip").click()
-    put = state(page)
-    assert (put["guess_x"], put["guess_y"]) == pytest.approx((0, 0.5), abs=0.05)
+    page.locator(f"#{GHOST} .rk-skip").click()
+    come_alive(page)
+    page.wait_for_function(f"() => Math.abs({FIGURE}.state[0] - {THERE[0]}) < 0.005")
+    assert state(page)["guess_y"] == pytest.approx(THERE[1], abs=0.005)
 
 
 def test_guesses_are_kept_until_they_are_forgotten(page):
-    page.get_by_role("button", name="not at all").click()
-    place_ghost(page, guess_x=-0.4, guess_y=0.1)
+    page.get_by_role("button", name="to P", exact=True).click()
+    place_ghost(page, guess_x=-0.2, guess_y=0.1)
     page.get_by_role("button", name="Here", exact=True).click()
-    fold(page, "beacon-place").wait_for()
+    fold(page, GHOST).wait_for()
     page.reload()
-    fold(page, "beacon-place").wait_for()
-    assert said(page, "beacon-turns").inner_text() == "You said: not at all. Right: to its right."
+    fold(page, GHOST).wait_for()
+    assert said(page, BUTTONS).inner_text() == (
+        "You said: to P. Right: to the left, without end.\n\n"
+        "P is where it lies when the wheels run against each other."
+    )
     come_alive(page)
-    page.wait_for_function(f"() => {FIGURE}.state.includes(-0.4)")
+    page.wait_for_function(f"() => {FIGURE}.state.includes(-0.2)")
     page.get_by_role("button", name="Forget my guesses").click()
-    assert not fold(page, "beacon-turns").is_visible()
-    assert not fold(page, "beacon-place").is_visible()
+    assert not fold(page, BUTTONS).is_visible()
+    assert not fold(page, GHOST).is_visible()
     page.reload()
-    page.locator("#beacon-place .rk-skip").wait_for()
-    assert not fold(page, "beacon-turns").is_visible()
+    page.locator(f"#{GHOST} .rk-skip").wait_for()
+    assert not fold(page, BUTTONS).is_visible()
     assert page.evaluate("() => document.cookie") == ""
 
 
@@ -187,9 +192,9 @@ def test_a_browser_that_keeps_nothing_is_told_of(chromium, home):
     with watched_page(chromium, home) as (page, watch):
         page.add_init_script(FULL)
         page.goto(home)
-        page.get_by_role("button", name="not at all").click()
+        page.get_by_role("button", name="to P", exact=True).click()
         assert "keeps nothing" in page.locator(".rk-forget").inner_text()
-        assert fold(page, "beacon-turns").is_visible()
+        assert fold(page, BUTTONS).is_visible()
         assert not watch.errors
 
 
@@ -197,31 +202,31 @@ def test_broken_memory_does_no_harm(chromium, home):
     with watched_page(chromium, home) as (page, watch):
         page.add_init_script("localStorage.setItem('robokin guesses', '{broken')")
         page.goto(home)
-        page.get_by_role("button", name="not at all").click()
-        assert fold(page, "beacon-turns").is_visible()
+        page.get_by_role("button", name="to P", exact=True).click()
+        assert fold(page, BUTTONS).is_visible()
         assert not watch.errors
 
 
 def test_without_a_script_it_is_a_question_with_a_fold(chromium, home):
     with watched_page(chromium, home, java_script_enabled=False) as (page, _):
         page.goto(home)
-        box = page.locator("#beacon-turns")
+        box = page.locator(f"#{BUTTONS}")
         assert box.get_by_role("button").count() == 0
-        assert "to its right" in box.locator(".rk-plain").inner_text()
-        assert page.get_by_text("So a turn of the robot is").is_hidden()
+        assert "without end" in box.locator(".rk-plain").inner_text()
+        assert page.get_by_text(INSIDE).is_hidden()
         box.locator("summary").first.click()
-        assert page.get_by_text("So a turn of the robot is").is_visible()
-        assert "as the beacon sees it" in box.inner_text()
+        assert page.get_by_text(INSIDE).is_visible()
+        assert "this wheel moves" in box.inner_text()
 
 
 def test_a_link_into_a_fold_opens_it(page):
-    inside = fold(page, "beacon-turns").locator("[id^='equation']")
+    inside = fold(page, BUTTONS).locator("[id^='equation']")
     page.goto(f"{page.url}#{inside.first.get_attribute('id')}")
-    fold(page, "beacon-turns").wait_for()
+    fold(page, BUTTONS).wait_for()
 
 
 def test_in_print_the_fold_stands_where_the_buttons_were(page):
     page.emulate_media(media="print")
-    assert page.locator("#beacon-turns button").first.is_hidden()
-    assert page.locator("#beacon-turns .rk-plain").is_visible()
-    assert fold(page, "beacon-turns").is_visible()
+    assert page.locator(f"#{BUTTONS} button").first.is_hidden()
+    assert page.locator(f"#{BUTTONS} .rk-plain").is_visible()
+    assert fold(page, BUTTONS).is_visible()

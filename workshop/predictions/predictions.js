@@ -134,7 +134,7 @@ class Prediction {
 
   show(answered, guess) {
     const { data, buttons, fold } = this;
-    this.answered = answered;
+    Object.assign(this, { answered, taken: guess });
     this.element.classList.toggle("rk-answered", answered);
     fold.open = answered;
     buttons.forEach((button, k) => {
@@ -144,7 +144,7 @@ class Prediction {
     });
     if (data.kind !== "ghost") return;
     this.offer(answered);
-    this.withFigure((live) => this.lock(live, answered, guess));
+    this.withFigure((live) => this.lock(live));
   }
 
   // While the question is open, the ghost is all that can be moved; then, all but the ghost.
@@ -161,15 +161,16 @@ class Prediction {
     });
   }
 
-  lock(live, answered, guess) {
-    const { controls, handles } = live.figure, { places, then, right } = this.data;
+  // As the question is by then: it may have been answered while the figure came alive.
+  lock(live) {
+    const { answered, taken } = this, { controls, handles } = live.figure, { places, then, right } = this.data;
     handles.forEach(({ sets }, k) => {
       for (const grip of [live.handles[k], live.handles[k].nextSibling]) {
         grip.style.display = sets.every((i) => this.movable(i)) ? "" : "none";
       }
     });
     live.set(controls.map(({ start }, i) => !answered ? start
-      : places.includes(i) ? (guess === SHOWN ? right : guess)[places.indexOf(i)] : then[i] ?? live.state[i]));
+      : places.includes(i) ? (taken === SHOWN ? right : taken)[places.indexOf(i)] : then[i] ?? live.state[i]));
   }
 }
 

@@ -1,8 +1,8 @@
 """A ninth chapter is one folder and one line of `_toc.yml`; nothing else is touched.
 
 The folder `ninth_chapter/beacon` is put into a copy of the tree, which also gets a public address;
-so is a tenth chapter, as `python -m book new` writes it. There the site is built and the machine's
-own tests are run.
+so is a tenth chapter, as `python -m book new` writes it. In the long run the site is built there and
+the tests of all chapters are run.
 """
 
 import os
@@ -39,8 +39,17 @@ def python(tree, *arguments):
     return run(tree, sys.executable, *arguments)
 
 
-def built(place):
-    """Make a copy of the tree with the ninth chapter, and its site; gives back what failed."""
+def failure(tree, commands):
+    """What the first command that fails says, or ""."""
+    for command in commands:
+        done = run(tree, *command)
+        if done.returncode:
+            return done.stdout[-3000:] + done.stderr[-3000:]
+    return ""
+
+
+def copied(place):
+    """Copy the tree and add two chapters; what failed."""
     shutil.copytree(ROOT, place, ignore=shutil.ignore_patterns(*NOT_SOURCE))
     shutil.copytree(BEACON, place / "book" / "beacon")
     toc = place / "_toc.yml"
@@ -54,32 +63,61 @@ def built(place):
         assert f'{name}: ""' in settings
         settings = settings.replace(f'{name}: ""', f'{name}: "{address}"')
     config.write_text(settings, "utf-8")
-    new = (sys.executable, "-m", "book", "new", "gear_train")
+    return failure(place, [(sys.executable, "-m", "book", "new", "gear_train")])
+
+
+def built(tree):
+    """Store the outputs of both notebooks and build the site; what failed."""
     notebooks = [(sys.executable, "tools/notebooks.py", name) for name in NEW]
-    for command in (new, *notebooks, make_book()):
-        done = run(place, *command)
-        if done.returncode:
-            return done.stdout[-3000:] + done.stderr[-3000:]
-    return ""
+    return failure(tree, [*notebooks, make_book()])
 
 
 @pytest.fixture(scope="module")
-def tree(tmp_path_factory):
-    """The copy, made by the first worker that comes."""
+def shared(tmp_path_factory):
+    """A folder that all workers share."""
     base = tmp_path_factory.getbasetemp()
-    shared = base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
+    return base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
+
+
+@pytest.fixture(scope="module")
+def tree(shared):
+    """The copy, made by the first worker that comes."""
     place = shared / "ninth" / "course"
-    complaint = once(shared, "ninth", lambda: built(place))
+    complaint = once(shared, "ninth", lambda: copied(place))
     assert not complaint, complaint
     return place
 
 
 @pytest.fixture(scope="module")
-def site(tree):
-    """The site of the copy."""
+def site(tree, shared):
+    """The site of the copy, built by the first worker that comes."""
+    complaint = once(shared, "ninth_site", lambda: built(tree))
+    assert not complaint, complaint
     return tree / "_build" / "html"
 
 
+DECLARED_RIGHT = f"""
+import book
+from workshop.course import course
+from workshop.equations import Check, check
+from workshop.figures import Figure
+from workshop.practice import Exercise, dealing
+for new in {NEW}:
+    def own(part, kind):
+        return [each for name, each in course().declared(part, kind).items()
+                if course().homes(part, kind)[name] == new]
+    assert all(result.agrees for result in check(own("checks", Check), samples=20))
+    assert [figure.code for figure in own("figures", Figure)]
+    assert all(dealing.variants(exercise.name) for exercise in own("exercises", Exercise))
+"""
+
+
+def test_both_are_declared_right(tree):
+    done = python(tree, "-c", DECLARED_RIGHT)
+    assert done.returncode == 0, done.stderr[-3000:]
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("page", "holds"),
     [
@@ -97,12 +135,14 @@ def test_it_stands_on_every_page(site, page, holds):
         assert part in text
 
 
+@pytest.mark.slow
 def test_it_comes_in_the_order_of_the_table_of_contents(site):
     text = (site / "intro.html").read_text("utf-8")
     chapters = re.findall(r'href="(\w+)/\1\.html"', text)
     assert chapters.index("planar_arm") < chapters.index("beacon")
 
 
+@pytest.mark.slow
 def test_it_stands_in_the_list_for_search_engines(site):
     page = f"{ADDRESS}beacon/beacon.html"
     assert f"<loc>{page}</loc>" in (site / "sitemap.xml").read_text("utf-8")
@@ -113,11 +153,13 @@ def test_it_stands_in_the_list_for_search_engines(site):
     assert all(same in (site / name).read_text("utf-8") for name in ("index.html", "intro.html"))
 
 
+@pytest.mark.slow
 def test_a_page_that_is_not_there_has_links_from_the_site_s_own_address(site):
     """A server shows it at any address."""
     assert f'<base href="{ADDRESS}" />' in (site / "404.html").read_text("utf-8")
 
 
+@pytest.mark.slow
 def test_it_can_be_run_where_the_addresses_lead(site):
     text = unescape((site / "beacon" / "beacon.html").read_text("utf-8"))
     menu = re.findall(r'href="(https?://[^"]+)" target="_blank"\s+class="[^"]*dropdown-item', text)
@@ -134,6 +176,7 @@ def test_it_can_be_run_where_the_addresses_lead(site):
     assert "Run this chapter" not in (site / "practice.html").read_text("utf-8")
 
 
+@pytest.mark.slow
 def test_its_text_is_changed_and_its_mistakes_are_told_where_the_address_leads(site):
     text = (site / "beacon" / "beacon.html").read_text("utf-8")
     assert f'href="{REPOSITORY}/edit/main/book/beacon/beacon.ipynb"' in text
@@ -143,6 +186,7 @@ def test_its_text_is_changed_and_its_mistakes_are_told_where_the_address_leads(s
     assert "page" in [field.get("id") for field in form["body"]]
 
 
+@pytest.mark.slow
 def test_the_machine_s_tests_hold_it(tree, site):
     """Formulas, figure, exercise, page and notebook: all that is tried of any chapter."""
     options = (

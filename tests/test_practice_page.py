@@ -76,24 +76,30 @@ def variant(exercise, name):
     return dealing.variants(exercise)[dealing.dealt(COURSE, exercise, name)]
 
 
-@pytest.mark.parametrize(
-    "topic",  # what can be answered in all ways: a number, angles, a matrix
-    [
-        pytest.param(topic, marks=[pytest.mark.slow] * (topic not in ("bicycle", "frames")))
-        for topic in practice.topics()
-    ],
-)
+def assert_every_candidate_is_named(page, exercise):
+    mine = variant(exercise.name, "Ada")
+    number = dealing.dealt(COURSE, exercise.name, "Ada")
+    page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
+    for candidate in mine.candidates:
+        text = typed(candidate.rows, exercise)
+        says = judging.check(exercise, mine.candidates, text).says
+        assert answer(page, exercise.name, text) == printed(says)
+
+
+def test_every_candidate_of_each_kind_of_answer_is_named_on_the_page(page):
+    sign_in(page, "Ada")
+    kinds = {(e.shape, len(e.asks) > 1, e.accept): e for e in EXERCISES.values()}
+    for exercise in kinds.values():
+        assert_every_candidate_is_named(page, exercise)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("topic", practice.topics())
 def test_every_candidate_is_named_on_the_page(page, topic):
     sign_in(page, "Ada")
     for exercise in EXERCISES.values():
         if exercise.topic == topic:
-            mine = variant(exercise.name, "Ada")
-            number = dealing.dealt(COURSE, exercise.name, "Ada")
-            page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
-            for candidate in mine.candidates:
-                text = typed(candidate.rows, exercise)
-                says = judging.check(exercise, mine.candidates, text).says
-                assert answer(page, exercise.name, text) == printed(says)
+            assert_every_candidate_is_named(page, exercise)
 
 
 def test_the_browser_deals_as_python_does(page):

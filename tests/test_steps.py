@@ -3,16 +3,13 @@
 import re
 
 import nbformat
-import numpy as np
 import pytest
 import sympy as sp
 from declared import FIGURES, each
 from playwright.sync_api import expect
 from test_figures import (
     SHOW,
-    each_chapter,
     in_browser,
-    one_by_one,
     page_of,  # noqa: F401
     point,
     started,
@@ -41,25 +38,6 @@ IN_STEPS = list(filter(opens_with_a_figure, course().taught))  # the chapters th
 
 # --- Sizes ----------------------------------------------------------------------------------
 
-TORN = """(figure) => [...figure.querySelectorAll("dd")].filter((told) => {
-  const text = new Range();
-  text.selectNodeContents(told);
-  return /^\\S+ \\S+$/.test(told.textContent)
-    && new Set([...text.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
-}).map((told) => told.textContent)"""
-TEXT_SIZES = """(svg) => [...svg.querySelectorAll("text, tspan")].map((text) =>
-  parseFloat(getComputedStyle(text).fontSize)
-    * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width)"""
-OVERLAPS = """(svg) => {
-  const texts = [...svg.querySelectorAll("text")];
-  const meet = (first, second) => {
-    const [a, b] = [first, second].map((text) => text.getBoundingClientRect());
-    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-  };
-  return texts.flatMap((one, i) => texts.slice(i + 1).filter((other) => meet(one, other))
-    .map((other) => `${one.textContent} and ${other.textContent}`));
-}"""
-
 
 @pytest.mark.parametrize("name", STEPS)
 def test_a_step_has_two_things_to_move_and_three_numbers(name):
@@ -68,26 +46,6 @@ def test_a_step_has_two_things_to_move_and_three_numbers(name):
     moved = [c for c in figure.controls if not isinstance(c, Clock) and c not in view]
     assert len(moved) <= 2
     assert len(figure.readouts) <= 3
-
-
-@in_browser
-@pytest.mark.parametrize(
-    ("width", "most"), [(1280, {"step": 420, "laboratory": 800}), (390, {"step": 560})]
-)
-@each_chapter
-def test_figures_have_their_size_and_are_legible(chapter, width, most, visit):  # noqa: F811
-    for live in one_by_one(chapter, visit, width=width):
-        name, box = live.figure.name, live.root.bounding_box()
-        print(f"{name} at {width}: {box['height']:.0f} px")
-        assert box["height"] <= most.get(live.figure.size, np.inf), name
-        assert box["x"] >= 0, name
-        assert box["x"] + box["width"] <= width, name
-        assert live.root.evaluate(TORN) == [], name  # a number and its unit are on one line
-        sizes = live.picture.evaluate(TEXT_SIZES)
-        # 11 px, less what the browser rounds; there are texts to speak of
-        assert sizes, name
-        assert min(sizes) >= 11 - 0.05, name
-        assert live.picture.evaluate(OVERLAPS) == [], name
 
 
 # --- Goals ----------------------------------------------------------------------------------
@@ -263,34 +221,6 @@ def test_the_view_follows_the_robot(visit):  # noqa: F811
 
 
 # --- The page -------------------------------------------------------------------------------
-
-FULL = """() => {
-  const article = document.querySelector(".bd-article").getBoundingClientRect();
-  const kinds = ".rk-figure, .rk-prediction, [data-slot], .math, .rk-exercise, .rk-mistake, svg";
-  const boxes = [...document.querySelectorAll(`.bd-article :is(${kinds})`)]
-    .map((e) => e.getBoundingClientRect()).filter(({ height }) => height > 0)
-    .map(({ top, bottom }) => [top + scrollY, bottom + scrollY]);
-  const end = article.bottom + scrollY, screens = [];
-  for (let top = 0; top < end - 300; top += 900) {
-    const from = Math.min(top, end - 900); // the last screen is a whole one
-    screens.push(boxes.some(([a, b]) => a < from + 900 && b > from));
-  }
-  return screens;
-}"""
-
-
-@in_browser
-@pytest.mark.parametrize("chapter", IN_STEPS)
-def test_every_screen_has_something_to_see_or_do(chapter, server, chromium):
-    page = chromium.new_page(viewport={"width": 1280, "height": 900}, reduced_motion="reduce")
-    page.goto(f"{server}{chapter}/{chapter}.html")
-    page.wait_for_selector(".rk-live")
-    screens = page.evaluate(FULL)
-    page.close()
-    print(f"{chapter}: {sum(screens)} of {len(screens)} screens have something to see or do")
-    assert screens
-    assert all(screens)
-
 
 WORDS = 1500
 

@@ -3,7 +3,7 @@
 import bundle
 import pytest
 from browser import draw_all, pages, settled, wait_until_drawn, watched_page
-from bs4 import BeautifulSoup
+from bs4 import BeautifulSoup, SoupStrainer
 
 pytest_plugins = ["browser"]
 
@@ -31,7 +31,8 @@ def test_rules_that_no_page_needs_are_left_out(css, kept):
 @pytest.mark.browser
 def test_every_page_asks_for_one_sheet_and_few_scripts_which_wait(site):
     for name in pages(site):
-        soup = BeautifulSoup((site / name).read_text("utf-8"), "html.parser")
+        text = (site / name).read_text("utf-8")
+        soup = BeautifulSoup(text, "html.parser", parse_only=SoupStrainer(["link", "script"]))
         (sheet,) = soup.select("link[rel=stylesheet]")
         assert "_static/all.css?v=" in sheet["href"], name
         scripts = soup.select("script[src]")  # all pages', the page's own, the workshop's

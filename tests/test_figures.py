@@ -8,7 +8,7 @@ settings.
 import json
 import re
 import statistics
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal
 from functools import cache
@@ -875,22 +875,56 @@ class OnPage:
         return self.picture.locator("[role=img]").get_attribute("aria-label")
 
 
+# a figure and its page as they were at first
+AS_AT_FIRST = """() => {
+  for (const { workshop } of document.querySelectorAll(".rk-figure.rk-live")) {
+    workshop.element.querySelector(".rk-reset")?.click();
+    workshop.last = null;
+    workshop.settled();
+  }
+  history.replaceState(null, "", location.pathname);
+  document.activeElement.blur();
+  scrollTo({ top: 0, behavior: "instant" });
+}"""
+
+
 @pytest.fixture(scope="session")
 def visit(chromium, server, page_of):
-    """Opens the page of a figure; afterwards the console must be empty."""
+    """Opens the page of a figure; afterwards the console must be empty.
+
+    A page that nothing asks to be fresh is opened once, and as at first for each test.
+    """
+    kept = {}
+
+    def load(page, address, before):
+        before(page)
+        page.goto(address)
+        page.evaluate("() => document.fonts.ready")  # else the page still moves
+        page.add_style_tag(content="html { scroll-behavior: auto !important; }")
 
     @contextmanager
-    def opened(figure, address="", before=lambda page: None, **options):
-        options.setdefault("reduced_motion", "reduce")  # what plays by itself is tried by itself
-        with watched_page(chromium, server, **options) as (page, watch):
-            before(page)
-            page.goto(server + page_of[figure.name] + address)
-            page.evaluate("() => document.fonts.ready")  # else the page still moves
-            page.add_style_tag(content="html { scroll-behavior: auto !important; }")
+    def opened(figure, address="", before=None, fresh=False, reduced_motion="reduce", **options):
+        home = server + page_of[figure.name]
+        fresh = fresh or address or before or reduced_motion != "reduce"
+        key = (home, *options.items())
+        with ExitStack() as stack:
+            if fresh or key not in kept:
+                way = watched_page(chromium, server, reduced_motion=reduced_motion, **options)
+                page, watch = stack.enter_context(way)
+                load(page, home + address, before or (lambda page: None))
+            else:
+                page, watch, others = kept.pop(key)
+                stack.push(others)
+                page.mouse.move(0, 0)
+                page.evaluate(AS_AT_FIRST)
             yield OnPage(page, figure).come_alive()
             assert not watch.errors + watch.strangers
+            if not fresh:
+                kept[key] = page, watch, stack.pop_all()  # a test that fails closes its page
 
-    return opened
+    yield opened
+    for *_, stack in kept.values():
+        stack.close()
 
 
 CHAPTERS = sorted(set(HOMES.values()))
@@ -1473,7 +1507,7 @@ def test_how_long_an_answer_takes(figure, visit):
 @typical_moved
 def test_the_text_alternative_follows(figure, visit):
     """The picture's label and the sentence that is read aloud, after a key press."""
-    with visit(figure) as live:
+    with visit(figure, fresh=True) as live:
         before = live.alternative()
         assert before.startswith(figure.title)
         assert live.root.locator(".rk-says").text_content() == ""  # silent until touched

@@ -16,7 +16,7 @@ from support import ROOT
 from workshop.practice.notebook import Box
 
 pytest_plugins = ["browser"]
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.slow]  # test_widget.py is its quick part
 
 NOTEBOOK = "differential_drive/differential_drive.ipynb"
 PATIENCE = 90  # seconds at most for the server to start, and for all cells to run

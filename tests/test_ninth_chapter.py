@@ -1,8 +1,8 @@
 """A ninth chapter is one folder and one line of `_toc.yml`; nothing else is touched.
 
-The folder `ninth_chapter/beacon` is put into a copy of the tree, which also gets a public address;
-so is a tenth chapter, as `python -m book new` writes it. In the long run the site is built there and
-the tests of all chapters are run.
+The folder `ninth_chapter/beacon` is put into a copy of the tree, which gets a public address, too;
+so is a tenth chapter, as `python -m book new` writes it. In the long run the site is built there,
+and the tests of all chapters are run.
 """
 
 import os

@@ -15,3 +15,8 @@ SPECIALS = {
     "direction": [{"p_x": 0.0}, {"p_y": 0.0}, {"p_x": 0.0, "p_y": -0.7}, {"p_x": -1.0, "p_y": 0.0}]
 }
 WORDS = [("direction", {"p_x": 0.0}, "wrong", "no answer: division by zero")]
+PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "behind-and-left": "−45°",
+    "sine-of-90": "about 0.89",
+    "turned-by-30": "(0.87, 0.50)",
+}

@@ -142,3 +142,59 @@ WORDS = [  # figure, slider → what it shows, readout → its word
     ("swept-lane", UNDER, "lane", "no lane: the car turns about a point under itself"),
     ("swept-lane", UNDER, "more", "no lane"),
 ]
+FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
+    "bicycle-1": (
+        {"L": 1, "phi": 15, "v_front": 3},
+        {"M16": 0.8038, "cosine where the sine": 2.8978},
+    ),
+    "bicycle-2": ({"alpha_L": 37, "alpha_R": 28}, {"M18": 0.5672, "mean of the tangents": 0.5712}),
+    "bicycle-3": (
+        {"theta": 130, "v": 3.5, "phi": 40},
+        {
+            "M17": [-2.9368, 3.5],
+            "M33": [0.7934, 0.7934],
+            "speed of the rear axle": [-3.4468, 0.6078],
+            "as the car sees it": [3.5, 2.9368],
+        },
+    ),
+    "bicycle-4": ({"alpha_L": 35, "phi": 30}, {"M18": 0.4363, "mean of the tangents": 0.4266}),
+    "bicycle-5": (
+        {"psi": 60, "diameter": 75, "wheel_rate": 5.5, "L": 5, "phi": 25, "time": 4.5},
+        {
+            "M32": 1.9128,
+            "M16": 0.0921,
+            "diameter where the radius": -0.684,
+            "φ where tan φ": 0.2373,
+        },
+    ),
+    "bicycle-6": (
+        {"L": 2.5, "theta": -60, "time": 2, "v": 2, "phi": -25},
+        {
+            "M15": [0.5861, -0.5861, -1.7933],
+            "M16": [0.4345, -3.8636, -1.8704],
+            "M33": [-3.8637, -3.8637, -1.7933],
+            "φ where tan φ": [0.6806, -3.8597, -1.7453],
+            "on the circle of the right R": [0.4794, -4.2631, -1.8704],
+            "heading at the start": [3.6391, -1.4242, -0.7461],
+            "only then turns": [2, -3.4641, -1.7933],
+        },
+    ),
+    "bicycle-7": (
+        {"psi": 130, "L": 2.5, "v": 1.5, "phi": 35, "n": 3, "dt": 0.4},
+        {
+            "M16": [2.1516, 0.2548],
+            "M17": [1.878, -1.1006],
+            "M32": [2.1062, -0.5497],
+            "M33": [2.1697, 2.1697],
+            "real place of O": [2.1447, 0.3567],
+            "first changes ψ": [2.1097, 0.5361],
+        },
+    ),
+}
+PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "which-mean": "a little less",
+    "turned-alike": "nowhere",
+    "how-far": ("73.3°", "90°", "59°"),
+    "twice-the-steps": "a half",
+    "how-wide": ("3.28 m", "1.5 m"),
+}

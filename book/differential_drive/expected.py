@@ -143,3 +143,101 @@ WORDS = [  # figure, slider → what it shows, readout → its word
 ]
 # numbers that are shown to lose their digits, by the symbols that they come from
 LOST = {"digits": ("x_lost", "y_lost")}
+FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
+    "differential-drive-1": ({"b": 60, "v_L": 0.8, "v_R": 0.75}, {"M12": -0.1667, "M31": -0.0417}),
+    "differential-drive-2": (
+        {"theta": 90, "v_L": 0.55, "v_R": 0.3},
+        {"M13": [-0.1904, 0.3799], "M14": [0, -0.425]},
+    ),
+    "differential-drive-3": (
+        {"x": 4, "y": 2, "theta": 160, "b": 45, "v_L": 0.7, "v_R": 0.2},
+        {
+            "M12": [4.0693, 2.1903],
+            "M31": [4.277, 2.7612],
+            "M13": [4.0889, 2.3951],
+            "M14": [3.8615, 2.3806],
+            "as the robot sees": [0, -0.405],
+            "own place is not added": [0.1385, 0.3806],
+            "to the wrong side": [3.8615, 1.6194],
+            "ahead of the robot": [4.3806, 1.8615],
+        },
+    ),
+    "differential-drive-4": (
+        {"r": 4, "b": 40, "radius": 0.8, "time": 20},
+        {
+            "M12": [5.4978, 7.0686],
+            "M31": [3.1416, 9.4248],
+            "division by r is missing": [0.1885, 0.3142],
+        },
+    ),
+    "differential-drive-5": (
+        {"b": 20, "v_L": 0.7, "v_R": 0.2, "time": 1},
+        {
+            "M12": [-0.0863, -0.0645, -5],
+            "M31": [0.3416, -0.2465, -1.25],
+            "degrees are handed": [-0.1721, -0.1273, -2.5],
+            "exchanged": [0.1077, 0.3242, 2.5],
+            "straight on and only then": [0.45, 0, -2.5],
+            "turns first": [-0.3605, -0.2693, -2.5],
+            "middle heading": [0.1419, -0.427, -2.5],
+        },
+    ),
+    "differential-drive-6": (
+        {"worn": 2.5, "b": 40, "distance": 3},
+        {
+            "M12": [2.8936, 0.549],
+            "M31": [2.9582, 0.1388],
+            "to the wrong side": [2.9452, -0.2769],
+            "mean of both wheels": [2.9625, 0],
+        },
+    ),
+}
+PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "how-fast": ("7.5 cm/s", "15 cm/s", "5 cm/s"),
+    "where-to": "to the left, without end",
+    "turned-view": "0.5 rad/s",
+    "wheel-rate": ("3.33 rad/s", "1.67 rad/s", "0.003 rad/s"),
+    "where-after": ("x −0.069 m, y 0.126 m", "0 m, 0.15 m", "0.069 m, 0.126 m"),
+    "ever-straighter": "it gets worse",
+    "twice-as-many": "half as far",
+    "at-rest": "nowhere: no answer",
+    "at-its-side": "yes, exactly",
+}
+GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
+    "park": [  # 0.09 m/s and 0.6 rad/s for 3 s, within 0.02 m and 5° (0.0873)
+        (
+            [{"v_L": 0.0614, "v_R": 0.1186}, {"v_L": 0.066, "v_R": 0.126}],
+            [{"v_L": 0.0616, "v_R": 0.1184}, {"v_L": 0.0685, "v_R": 0.1285}],
+        )
+    ],
+    "sideways": [
+        (
+            [{"wish_y": 0.005}, {"wish_y": -0.005}, {"wish_y": 0.0, "wish_x": -0.021}],
+            [{"wish_y": 0.007}, {"wish_y": -0.007}, {"wish_y": 0.0, "wish_x": 0.019}],
+        )
+    ],
+    "side": [
+        (
+            [{"aim": UP, "reach": reach} for reach in (0.181, 0.219)],
+            [{"aim": UP, "reach": reach} for reach in (0.179, 0.221)],
+        )
+    ],
+    "wheel-speeds": [
+        (
+            [{"v_L": 0.0, "v_R": -0.011}, {"v_L": 0.0004, "v_R": 0.05}],
+            [{"v_L": 0.0, "v_R": 0.009}, {"v_L": 0.0006, "v_R": 0.05}, {"v_L": 0.05, "v_R": 0.0}],
+        ),
+        (
+            [{"v_L": 0.03, "v_R": 0.0915}, {"v_L": 0.03, "v_R": -0.0885}],
+            [
+                {"v_L": 0.03, "v_R": 0.0925},
+                {"v_L": 0.009, "v_R": 0.027},
+                {"v_L": 0.09, "v_R": 0.03},
+            ],
+        ),
+        (  # 0.075 m/s and -0.5 rad/s for 5 s
+            [{"v_L": 0.1, "v_R": 0.05, "t": 5.17}, {"v_L": 0.1052, "v_R": 0.0552, "t": 5.0}],
+            [{"v_L": 0.1, "v_R": 0.05, "t": 5.18}, {"v_L": 0.1054, "v_R": 0.0554, "t": 5.0}],
+        ),
+    ],
+}

@@ -143,3 +143,92 @@ SPECIALS = {
     "wrong-frames": [],
 }
 WORDS = []
+FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
+    "euler-1": (
+        {"a": 60, "first": "y", "b": -45, "second": "x", "arrow": "z"},
+        {
+            "M6": [0.866, 0.3536, 0.3536],
+            "M7": [-0.6124, -0.7071, 0.3536],
+            "a row of the matrix": [-0.866, -0.3536, 0.3536],
+        },
+    ),
+    "euler-2": (
+        {"a": 90, "first": "x", "b": 60, "second": "z"},
+        {
+            "M6": [[0.5, 0, 0.866], [0.866, 0, -0.5], [0, 1, 0]],
+            "M7": [[0.5, 0.866, 0], [0, 0, 1], [0.866, -0.5, 0]],
+        },
+    ),
+    "euler-3": (
+        {"R_AB": "[[0, −1, 0], [0, 0, 1], [−1, 0, 0]]", "axis": "x", "turn": -90},
+        {
+            "M6": [[0, 0, 1], [0, 1, 0], [-1, 0, 0]],
+            "M7": [[0, -1, 0], [-1, 0, 0], [0, 0, -1]],
+            "R_1 itself": [[0, -1, 0], [-1, 0, 0], [0, 0, -1]],
+        },
+    ),
+    "euler-4": (
+        {"a": 90, "first": "y", "b": 120, "second": "z"},
+        {"M6": [-0.6547, 0.378, 0.6547, 2.4189], "M7": [0.6547, -0.378, -0.6547, 2.4189]},
+    ),
+    "euler-5": (
+        {"yaw": -90, "pitch": 60, "roll": -45},
+        {
+            "M6": [[-1.5708, 0.7854, 1.0472], [1.5708, 2.3562, 4.1888]],
+            "M7": [[1.5708, -1.0472, 0.7854], [-1.5708, -2.0944, -2.3562]],
+            "rows and columns": [[1.5708, -0.7854, -1.0472], [4.7124, 3.927, 2.0944]],
+        },
+    ),
+    "euler-6": ({"seq": "YZX", "a": -60, "b": -90}, {"M7": [1.0472, 1.5708], "M8": [0, -1.5708]}),
+    "euler-7": (
+        {"yaw": 150, "pitch": 45, "roll": -45},
+        {
+            "M6": [0.6155, 1.0472, 1.6627],
+            "M7": [1.4789, 1.0472, 2.5261],
+            "in both sequences": [1.6627, 1.0472, 0.6155],
+            "way back": [-2.5261, 1.0472, -0.4317],
+        },
+    ),
+}
+PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "how-many-turns": "two",
+    "first-column": "(0, 0, −1)",
+    "two-orders": "120° apart",
+    "other-answer": "alike",
+    "how-many-orders": ("12", "6", "27", "24"),
+    "ring-against-ring": "nothing",
+    "near-lock": "57° a second",
+    "which-axis": "through two corners",
+}
+
+
+def near_b(sequence, degrees=0.0):
+    """The setting of a sequence that reaches frame B, the first angle off by some degrees."""
+    first, *others = np.radians([TO_B[sequence][0] + degrees, *TO_B[sequence][1:]])
+    return {
+        "sequence": sequence,
+        "first": first,
+        **dict(zip(("middle", "third"), others, strict=True)),
+    }
+
+
+TO_B = {"ZXZ": (90, 90, 180), "ZYX": (-90, 0, -90), "zyx": (-90, 90, 0)}  # degrees
+GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
+    "die": [
+        ([{"turns": "XYX"}, {"turns": "Z-ZXYX"}], [{"turns": "XY"}, {"turns": "XYXX"}]),
+        ([{"turns": "XYX"}, {"turns": "-YZ-X"}], [{"turns": "XY"}, {"turns": "Z-ZXYX"}]),
+    ],
+    "to-b": [
+        (
+            [{"first": np.radians(first), "middle": -HALF} for first in (89.1, 90.9)],
+            [{"first": np.radians(first), "middle": -HALF} for first in (88.9, 91.1)],
+        )
+    ],
+    "euler-sequence": [
+        (
+            [near_b(own, 0.9), near_b(own, -0.9)],
+            [near_b(own, 1.1), near_b(own, -1.1), *(near_b(seq) for seq in TO_B if seq != own)],
+        )
+        for own in TO_B
+    ],
+}

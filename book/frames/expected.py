@@ -96,3 +96,85 @@ SPECIALS = {
 NAMES = "No inverse", "Inverses by hand", "Two inverses", "One inverse"
 TITLES = {"wrong-object": dict.fromkeys(NAMES)}
 WORDS = []
+FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
+    "frames-1": (
+        {"x_b": 1.2, "y_b": -1, "theta_b": -110},
+        {"M10": [-1.2, 1, 1.9199], "nothing is turned back": [1.2, -1, -1.9199]},
+    ),
+    "frames-2": (
+        {"alpha": 50, "beta": -30, "gamma": -30, "x": 0.8, "y": 0.7},
+        {"M10": [0.0976, 0.4617], "M30": [1.4781, 0.9171]},
+    ),
+    "frames-3": (
+        {"x_b": 1.2, "y_b": -1, "theta_b": -70, "x_e": -1.2, "y_e": -1.8, "theta_e": 60},
+        {
+            "M9": [-0.9019, -0.488, -0.1745],
+            "M10": [0.081, -0.7433, 2.2689],
+            "along the camera's axes": [-2.4, -0.8, 2.2689],
+            "as the object sees": [1.8928, -1.6785, -2.2689],
+        },
+    ),
+    "frames-4": (
+        {"x_b": -1.8, "y_b": 0.2, "theta_b": -10, "x": 0.6, "y": 0.5, "theta": -90},
+        {
+            "M9": [-1.1223, 0.5882, -1.7453],
+            "M10": [-0.4, 1.3, 1.7453],
+            "−p in place of −Rᵀp": [1.1223, -0.5882, 1.7453],
+            "M11": [2.404, -0.3885, 1.7453],
+            "M30": [0.7156, -1.3074, -1.3963],
+        },
+    ),
+    "frames-5": (
+        {
+            "alpha": 0,
+            "beta": 30,
+            "gamma": -20,
+            "x_b": -1.6,
+            "y_b": -1.2,
+            "theta_b": 60,
+            "x_e": 1.2,
+            "y_e": 0.2,
+            "theta_e": 110,
+        },
+        {
+            "M9": [[-1, 0, -1.2275], [0, -1, 0.6558], [0, 0, 1]],
+            "M10": [[0.766, -0.6428, 1.736], [0.6428, 0.766, -0.3553], [0, 0, 1]],
+            "M11": [[0.766, -0.6428, 2.0286], [0.6428, 0.766, -1.3058], [0, 0, 1]],
+            "M30": [[0.5, -0.866, 3.5187], [0.866, 0.5, -1.045], [0, 0, 1]],
+            "inverse of the product": [
+                [0.766, -0.6428, 2.0484],
+                [0.6428, 0.766, -0.519],
+                [0, 0, 1],
+            ],
+            "as the platform sees it": [
+                [0.6428, -0.766, 2.6124],
+                [0.766, 0.6428, -1.7249],
+                [0, 0, 1],
+            ],
+            "as the object sees it": [[0.766, 0.6428, 0.2108], [-0.6428, 0.766, 2.7433], [0, 0, 1]],
+        },
+    ),
+    "frames-6": (
+        {"height": 2.7, "x_b": 2, "y_b": -1.8, "heading": 10, "x_e": -0.6, "y_e": 0.2, "z_e": 1.7},
+        {
+            "M9": [1.3744, -1.8928, 1],
+            "M10": [-2.6256, 1.7072, -4.4],
+            "along the camera's axes": [-2.6, 2, -1],
+        },
+    ),
+    "frames-7": (
+        {"alpha": -10, "beta": 40, "gamma": 40, "x_e": -1.6, "y_e": 0.6, "theta_e": 150},
+        {
+            "M10": [-0.9702, 0.4072, 1.3963],
+            "M30": [-2.2298, 0.7928, -2.4435],
+            "as the platform sees": [0.3288, -1.532, -1.3963],
+        },
+    ),
+}
+PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "from-the-hand": "in front, on the right",
+    "of-a-plan": "−1",
+    "a-turned-camera": "none",
+    "four-more": "1 and 2",
+    "round-the-loop": "a turn by 2°",
+}

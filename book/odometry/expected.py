@@ -141,3 +141,68 @@ TITLES = {
     }
 }
 WORDS = []  # every readout has a number
+FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
+    "odometry-1": (
+        {"C": 512, "r": 7.5, "N": 450},
+        {"M24": 0.0659, "diameter where": 0.8283, "ticks a turn are exchanged": 0.5362},
+    ),
+    "odometry-2": (
+        {"before": 65240, "after": 625, "C": 512, "r": 3},
+        {"M24": 0.054, "M25": -23.7884},
+    ),
+    "odometry-3": (
+        {"x": 3.5, "y": 1.5, "theta": 110, "D_L": 5, "D_R": 32.5, "b": 55},
+        {
+            "M22": [3.6645, 1.5899, 2.4199],
+            "M23": [3.6407, 1.3761, -0.7217],
+            "old heading": [3.4359, 1.6762, 2.4199],
+            "rule of the middle": [3.3943, 1.6548, 2.4199],
+            "exact arc": [3.3954, 1.6532, 2.4199],
+            "half the wheel distance": [3.3171, 1.5412, 2.9199],
+            "degrees are handed": [3.6714, 1.5761, 2.4199],
+            "only the heading": [3.3593, 1.6239, -0.7217],
+            "left and right": [3.5282, 1.6854, 1.4199],
+        },
+    ),
+    "odometry-4": (
+        {"r": 2, "C": 500, "n": 5, "N_R": 13500},
+        {"M24": 0.0344, "one full turn": 1.08, "one wheel only": 0.108},
+    ),
+    "odometry-5": (
+        {"r": 5.5, "b": 40, "period": 20, "limit": 2},
+        {"M24": 197, "rounded down": 1237},
+    ),
+    "odometry-6": ({"D": 40, "turn": 55, "theta": 40}, {"M22": 0.0868, "middle heading": 0.0152}),
+    "odometry-7": (
+        {
+            "theta": 140,
+            "r": 6,
+            "b": 35,
+            "C": 512,
+            "left_before": 65250,
+            "left_after": 140,
+            "right_before": 2000,
+            "right_after": 2700,
+        },
+        {
+            "M22": [0.3476, 0.2259, 3.0199],
+            "M23": [-0.375, 0.1629, -0.1217],
+            "M24": [-0.0524, 0.04, 2.5352],
+            "M25": [0.0309, -0.0207, 140.8909],
+            "old heading": [-0.3176, 0.2665, 3.0199],
+            "new heading": [-0.4115, 0.0503, 3.0199],
+            "middle heading": [-0.3802, 0.1652, 3.0199],
+            "starts with heading 0": [0.392, 0.1162, 3.0199],
+            "at the start is forgotten": [0.392, 0.1162, 0.5764],
+        },
+    ),
+}
+PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "how-much-turned": "45°",
+    "straight-on": "that of ρ",
+    "whole-circle": "at the start",
+    "wraps-round": "10",
+    "twice-as-far": "2.8 times",
+    "two-errors": "swinging sides",
+    "a-slip": "about 6",
+}

@@ -229,6 +229,12 @@ FORGOTTEN = {
         "test_figures.test_every_figure_has_its_expected_readouts()",
         r"add \[.*'beacon: to READOUTS in book/beacon/expected.py'",
     ),
+    "what a mistake gives": (
+        lambda tree: (tree / "book/beacon/expected.py").unlink(),
+        "import sys; sys.path += ['tests', 'tools']; import test_feedback as t; "
+        "t.test_each_mistake_in_an_exercise_is_told(t.EXERCISES['beacon-1'])",
+        r'add to FEEDBACK\["beacon-1"\] in book/beacon/expected.py .*M99',
+    ),
 }
 
 

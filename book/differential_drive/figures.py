@@ -181,9 +181,13 @@ def round_turn(angle: Any) -> Any:
     return Abs(atan2(sin(angle), cos(angle)))
 
 
+OFF, TURNED = 2, 5  # cm, degrees: how far from a mark the robot still counts as parked
+TIMES = 3  # the laboratory's right track, by the left one
+
+
 def parked(end: Any, mark: Any) -> Any:
-    """Within 2 cm and 5 degrees of the mark."""
-    return And(apart(end, mark) < 0.02, round_turn(end[2] - mark[2]) < 5 * pi / 180)
+    """Whether the robot ends on the mark."""
+    return And(apart(end, mark) < OFF / 100, round_turn(end[2] - mark[2]) < TURNED * pi / 180)
 
 
 # Opening.
@@ -218,7 +222,7 @@ def park_figure() -> Figure:
                 "turned", "at the end: turned wrongly by", round_turn(end[2] - MARK[2]), "rad", 0
             ),
         ),
-        goal=Goal(parked(end, MARK), "Park the robot on the mark: within 2 cm and 5°."),
+        goal=Goal(parked(end, MARK), f"Park the robot on the mark: within {OFF} cm and {TURNED}°."),
     )
 
 
@@ -586,7 +590,7 @@ def side_figure() -> Figure:
             *arrows(now, middle=False),
         ),
         readouts=(Readout("off", "at the end: off the mark", apart(end, SIDE), "m"),),
-        goal=Goal(parked(end, SIDE), "Find the way to the place at its side: within 2 cm."),
+        goal=Goal(parked(end, SIDE), f"Find the way to the place at its side: within {OFF} cm."),
     )
 
 
@@ -629,11 +633,12 @@ def drive_figure() -> Figure:
         goal=(
             Goal(And(Abs(v_L) < 0.0005, Abs(v_R) > 0.01), "Turn about the left wheel."),
             Goal(
-                And(Abs(Abs(v_R) - 3 * Abs(v_L)) < 0.002, Abs(v_L) > 0.01),
-                "Leave two tracks around one centre, the right one three times as long.",
+                And(Abs(Abs(v_R) - TIMES * Abs(v_L)) < 0.002, Abs(v_L) > 0.01),
+                f"Leave two tracks around one centre, the right one {TIMES} times as long.",
             ),
             Goal(
-                parked(now, BAY), "Park in the bay: within 2 cm and 5°, by two speeds and a time."
+                parked(now, BAY),
+                f"Park in the bay: within {OFF} cm and {TURNED}°, by two speeds and a time.",
             ),
         ),
         follow=now,

@@ -16,3 +16,11 @@ READOUTS = {"beacon": beacon_readouts, "beacon-guess": beacon_readouts}
 BEACON = [{"b_x": 0.0}, {"b_y": 0.0, "b_x": -1.0}]
 SPECIALS = {"beacon": BEACON, "beacon-guess": BEACON}
 WORDS = []
+FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
+    "beacon-1": ({"x": 0, "y": 0, "theta": 30, "b_x": 1, "b_y": 1}, {"M99": 0.7854}),
+}
+PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "beacon-turns": "to its right",
+    "beacon-far": ("5 m", "7 m"),
+    "beacon-place": ("x 0 m, y 0.5 m", "0.5 m, 0 m"),
+}

@@ -168,7 +168,7 @@ THRESHOLDS = {
     "rate": (RATE, 0.2123, 0.2123, 9e-4, judging.RIGHT),
     "angle": (ANGLE, 3.1, 3.1, 9e-4, judging.RIGHT),
     "angle beyond a turn": (ANGLE, 3.1, 3.1 - 4 * np.pi, 9e-4, judging.RIGHT),
-    "whole number": (whole("n"), 7, 7, 1e-9, judging.RIGHT),
+    "whole number": (whole("n"), 5000, 5000, 1e-9, judging.RIGHT),
     "four decimals": (FINE, 0.0321, 0.0321, 6e-5, judging.RIGHT),
     "close": (METRES, 0.2123, 0.2123, 6e-3, CLOSE),
     "close by a thousandth": (METRES, 50.123, 50.123, 0.50123, CLOSE),
@@ -186,8 +186,11 @@ THRESHOLDS = {
     "degrees/m": (TWISTED, 0.2123, 0.2123 * DEGREE, 9e-4 * DEGREE, "(degrees)"),
     "degrees/mm": (TWISTED, 2, 2e-3 * DEGREE, 2e-6 * DEGREE, "(mm and degrees)"),
     "cm, degrees": (
-        *((METRES, ANGLE), (0.2123, 1.1), (21.23, 1.1 * DEGREE)),
-        *((0.06, 9e-4 * DEGREE), "(cm and degrees)"),
+        (METRES, ANGLE),
+        (0.2123, 1.1),
+        (21.23, 1.1 * DEGREE),
+        (0.06, 9e-4 * DEGREE),
+        "(cm and degrees)",
     ),
     "sign": (METRES, 0.2123, -0.2123, 6e-4, "the size is right, the sign is not"),
     "twice": (METRES, 0.2123, 0.4246, 6e-4, "twice the right"),
@@ -217,6 +220,7 @@ def test_a_threshold_holds_from_both_sides(asks, right, about, allowed, words):
 
 SQUARE = asking(*matrix("R", 2, 2), right=[[0.1, 0.2], [0.3, 0.4]], shape=(2, 2))
 EITHER = asking(METRES, right=[[0.2], [0.3]], accept="any")
+TWO = asking(METRES, RATE, right=[0.2, 0.5])
 
 
 def wrongly(right, asks=METRES, **also):
@@ -230,15 +234,12 @@ ORDER = {
     "transposed": (SQUARE, "[[0.1, 0.3], [0.2, 0.4]]", "rows and columns", NONE),
     "any of two": (EITHER, "0.3", "other right answers", "Not yet"),
     "a slip of two": (EITHER, "-0.3", "the sign is not", NONE),
-    "a mistake before a usual slip": (
-        *(wrongly(0.2, turned_round=-0.2), "-0.2"),
-        *("you get turned round", "the sign"),
-    ),
+    "a mistake before a slip": (wrongly(0.2, by_a=-0.2), "-0.2", "you get by a", "the sign"),
     "both of one number": (wrongly(0.2, by_a=0.4, by_b=0.4), "0.4", "get by a, or by b", "twice"),
     "a mistake before close": (wrongly(0.2, by_a=0.2031), "0.2031", "you get by a", CLOSE),
-    "rounded before a mistake": (wrongly(0.2168, by_a=0.22), "0.22", CLOSE, "by a"),
-    "three of four decimals": (wrongly(0.21234, FINE, by_a=0.212), "0.212", CLOSE, "by a"),
-    "two of four decimals": (wrongly(0.21234, FINE, by_a=0.21), "0.21", CLOSE, "by a"),
+    "rounded before a mistake": (wrongly(0.2168, by_a=0.22), "0.220", CLOSE, "by a"),
+    "three of four decimals": (wrongly(0.21234, FINE, by_a=0.212), "0.2120", CLOSE, "by a"),
+    "two of four decimals": (wrongly(0.21234, FINE, by_a=0.21), "0.2100", CLOSE, "by a"),
     "one decimal is no rounding": (wrongly(0.21234, FINE, by_a=0.2), "0.2", "by a", CLOSE),
     "other digits are none": (wrongly(0.21234, FINE, by_a=0.213), "0.213", "by a", CLOSE),
     "two digits in cm": (wrongly(0.1046), "10", CLOSE, NONE),
@@ -254,10 +255,7 @@ ORDER = {
     "enough decimals": (wrongly(0.2123), "0.900", NONE, "Give three decimals"),
     "a round answer": (wrongly(0.2), "0.9", NONE, "Give three decimals"),
     "four are asked": (wrongly(0.21234, FINE), "0.9", "Give four decimals", CLOSE),
-    "the other two": (
-        asking(METRES, RATE, right=[0.2, 0.5]),
-        *("[0.5, 0.2]", NONE, "in the wrong order"),
-    ),
+    "of two units": (TWO, "[0.5, 0.2]", NONE, "in the wrong order"),
 }
 
 

@@ -251,7 +251,7 @@ ORDER = {
     "their number": (wrongly(30.53 / DEGREE, ANGLE), "31", CLOSE, NONE),
     "a mistake in other units": (wrongly(0.2, by_a=0.47), "47", "by a. And it is in other", NONE),
     "not near it in other units": (wrongly(0.2, by_a=0.47), "47.07", NONE, "by a"),
-    "few decimals": (wrongly(0.2123), "0.9", "Give three decimals", CLOSE),
+    "few decimals": (wrongly(0.2123), "0.95", "Give three decimals", CLOSE),
     "enough decimals": (wrongly(0.2123), "0.900", NONE, "Give three decimals"),
     "a round answer": (wrongly(0.2), "0.9", NONE, "Give three decimals"),
     "four are asked": (wrongly(0.21234, FINE), "0.9", "Give four decimals", CLOSE),

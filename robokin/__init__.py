@@ -4,29 +4,27 @@ One module a topic, named as its chapter. `import robokin` needs NumPy only; sti
 (`robokin.draw`) need matplotlib.
 """
 
-from robokin import (
-    bicycle,
-    differential_drive,
-    elbow_arm,
-    errors,
-    euler,
-    frames,
-    motion,
-    odometry,
-    planar_arm,
-    wheels,
-)
+from importlib import import_module
+from pkgutil import iter_modules
+from types import ModuleType
 
-__all__ = [
-    "bicycle",
-    "differential_drive",
-    "elbow_arm",
-    "errors",
-    "euler",
-    "frames",
-    "motion",
-    "odometry",
-    "planar_arm",
-    "wheels",
-]
 __version__ = "0.1.0"
+_DRAWING = ("draw", "styles")
+
+# the modules are what the folder holds; those that draw are imported by their names
+__all__ = [
+    module.name
+    for module in iter_modules(__path__)
+    if not module.name.startswith("_") and module.name not in _DRAWING
+]
+
+
+def __getattr__(name: str) -> ModuleType:
+    """Import a module when it is first used."""
+    if name in __all__:
+        return import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -3,60 +3,82 @@
 import doctest
 import importlib
 import inspect
+import os
 import re
+import shutil
 import subprocess
 import sys
 
 import pytest
 import signatures
+from arguments import DATA, TABLE, bind
+from support import ROOT
 
 import robokin
 
 MODULES = robokin.__all__
-STORED = signatures.STORED.read_text(encoding="utf-8").splitlines()
-FUNCTIONS = [line.partition("(")[0] for line in STORED if line.endswith(")")]
-# they take single numbers and wheels, and return wheels or whole numbers
-WITHOUT_ARRAYS = ("fixed", "steered", "castor", "swedish", "spherical", "omni_robot", "mobility")
 
 
 def load(module):
     return importlib.import_module(f"robokin.{module}")
 
 
-def find(label):
-    module, name = label.split(".")
-    return getattr(load(module), name)
-
-
-def test_the_public_names_and_their_arguments_are_the_stored_ones():
+@pytest.mark.parametrize("module", MODULES)
+def test_the_public_names_and_their_arguments_are_the_stored_ones(module):
     """What chapters and other people's code rely on: a change here is a change for them."""
-    assert signatures.signatures() == STORED, (
-        "if this change of the public names is meant, store it: "
+    now = set(signatures.signatures(module))
+    lines = signatures.STORED.read_text(encoding="utf-8").splitlines()
+    before = {line for line in lines if line.startswith(f"{module}.")}
+    assert now == before, (
+        f"new: {sorted(now - before)}; gone: {sorted(before - now)}. If this is meant, store it: "
         ".venv/bin/python tests/signatures.py"
     )
+
+
+def test_no_module_is_gone():
+    lines = signatures.STORED.read_text(encoding="utf-8").splitlines()
+    gone = {line.partition(".")[0] for line in lines} - set(MODULES)
+    assert not gone, f"{gone}: if this is meant, store it: .venv/bin/python tests/signatures.py"
 
 
 @pytest.mark.parametrize("module", MODULES)
 def test_the_public_names_of_a_module_are_its_own(module):
     namespace = load(module)
-    for name in namespace.__all__:  # defined here, not passed on from elsewhere
-        assert getattr(namespace, name).__module__ == f"robokin.{module}"
+    where = f"robokin/{module}.py"
+    assert hasattr(namespace, "__all__"), f"{where} has no __all__: list its public names there"
+    for name in namespace.__all__:
+        home = getattr(namespace, name).__module__
+        assert home == f"robokin.{module}", (
+            f"{name} in __all__ of {where} comes from {home}: name it there only"
+        )
 
 
-@pytest.mark.parametrize("label", FUNCTIONS)
+@pytest.mark.parametrize("module", MODULES)
+def test_a_module_has_tests_of_its_own(module):
+    name = f"test_{module}.py"
+    found = any(file for folder in ("book", "tests") for file in (ROOT / folder).rglob(name))
+    assert found or module == "errors", f"robokin.{module} has no tests: write book/{module}/{name}"
+
+
+@pytest.mark.parametrize("label", [label for label, row in TABLE.items() if not row.on])
 def test_a_docstring_says_what_goes_in_and_comes_out(label):
-    text = inspect.getdoc(find(label))
-    assert text.split("\n\n")[0].endswith(".")  # begins with a sentence
-    if label.removeprefix("wheels.") not in WITHOUT_ARRAYS:
-        assert re.search(r"\(…|\(k, k\)", text), "no shapes"
-        assert label == "frames.check_rotation" or "→" in text, "no result"
+    function, row = bind(label)[0], TABLE[label]
+    text = inspect.getdoc(function) or ""
+    first = text.split("\n\n")[0]
+    assert first.endswith("."), f"begin the docstring of {label} with a sentence, not {first!r}"
+    if row.results or row.having(*DATA):
+        shapes = re.search(r"\(…|\(k, k\)", text)
+        assert shapes, f"the docstring of {label} gives no shapes, as `(…, 3)`"
+    if row.results:
+        assert "→" in text, f"the docstring of {label} gives no result, as `→ (…, 3)`"
 
 
 @pytest.mark.parametrize("module", MODULES)
 def test_the_examples_in_the_docstrings(module):
     outcome = doctest.testmod(load(module))
-    assert outcome.failed == 0
-    assert outcome.attempted > 0 or module == "errors"
+    assert outcome.failed == 0, "see what it printed"
+    examples = outcome.attempted > 0 or module == "errors"
+    assert examples, f"no docstring of robokin/{module}.py has an example that runs (`>>> …`)"
 
 
 def test_every_error_is_one_family():
@@ -77,14 +99,43 @@ def test_importing_the_package_loads_numpy_alone():
         "IPython",
         "traitlets",
     ]
-    code = f"import sys, robokin; print([name for name in {heavy} if name in sys.modules])"
+    code = f"import sys; from robokin import *; print([m for m in {heavy} if m in sys.modules])"
     run = subprocess.run(
         [sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=True
     )
     assert run.stdout.strip() == "[]"
 
 
-def test_importing_the_package_imports_its_modules():
-    code = "import robokin; print([hasattr(robokin, name) for name in robokin.__all__])"
+def test_importing_the_package_gives_its_modules():
+    """Each is imported when it is first used; no other name is a module."""
+    code = (
+        "import robokin; print(all(getattr(robokin, m).__all__ for m in robokin.__all__), "
+        "{*robokin.__all__} < {*dir(robokin)}, hasattr(robokin, 'nothing'))"
+    )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert run.stdout.strip() == str([True] * len(robokin.__all__))
+    assert run.stdout.split() == ["True", "True", "False"]
+
+
+NEW = """
+__all__ = ["ratio"]
+
+def ratio(teeth_in, teeth_out):
+    return teeth_out / teeth_in
+"""
+
+
+def test_a_new_module_is_found_and_what_it_lacks_is_named(tmp_path):
+    """One file in the folder, and nothing else: each sentence says where to write what."""
+    shutil.copytree(ROOT / "robokin", tmp_path / "robokin")
+    (tmp_path / "robokin" / "gear_train.py").write_text(NEW, "utf-8")
+    command = [sys.executable, "-P", "-m", "pytest", "-q", "-p", "no:cacheprovider"]
+    command += ["-k", "gear_train", "tests/test_api.py", "tests/test_bad_input.py"]
+    env = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    told = subprocess.run(command, cwd=ROOT, env=env, capture_output=True, text=True).stdout
+    for sentence in (
+        'add "ratio": row(…) to ROWS of tests/arguments/gear_train.py',
+        "new: ['gear_train.ratio(teeth_in, teeth_out)']; gone: []. If this is meant, store it: ",
+        "no docstring of robokin/gear_train.py has an example that runs",
+        "robokin.gear_train has no tests: write book/gear_train/test_gear_train.py",
+    ):
+        assert sentence in told, told

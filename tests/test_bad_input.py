@@ -1,20 +1,32 @@
-"""Bad input: what each public function does with it, for every row of `arguments.py`."""
+"""Bad input: what each public function does with it, for every row in `arguments/`."""
 
 import inspect
 import itertools
 import random
 from fractions import Fraction
 from functools import reduce
+from pkgutil import iter_modules
 
+import arguments
 import hypothesis.extra.numpy as hnp
 import hypothesis.strategies as st
 import numpy as np
 import pytest
-from arguments import DATA, PARAMETERS, STEPS, TABLE, bind, find, public_functions
+from arguments import (
+    DATA,
+    MODULES,
+    PARAMETERS,
+    STEPS,
+    TABLE,
+    bind,
+    public_functions,
+    rows,
+)
 from hypothesis import HealthCheck, given, settings
 
 from robokin.bicycle import lane_width
 from robokin.errors import RobokinError
+from robokin.frames import compose
 from robokin.motion import wrap_angle
 
 METHODS = ("exact", "midpoint", "start", "end")
@@ -62,17 +74,14 @@ def each_row(wanted=lambda entry: True):
     return pytest.mark.parametrize("label", labels)
 
 
-# compose numbers its transforms, a graph names poses and frames by the names of the frames
-CALLED_OTHERWISE = ("first", "second", "T_ab", "a", "b")
-
-
 def assert_refused(label, key=None, **changed):
     """A RobokinError with a short message that names the argument."""
     with pytest.raises(RobokinError) as error:
         call(label, **changed)
     message = str(error.value)
     assert 10 < len(message) < 400
-    if key is not None and key not in CALLED_OTHERWISE:
+    # transforms without names are numbered; a graph names poses and frames by the frames
+    if key is not None and not TABLE[label].positional and not TABLE[label].on:
         assert key in message
     return message
 
@@ -84,8 +93,19 @@ def has_answer(entry):
 # What works
 
 
-def test_no_function_is_left_out():
-    assert {label.split()[0] for label in TABLE} == set(public_functions())
+@pytest.mark.parametrize("module", MODULES)
+def test_each_function_has_a_row(module):
+    place = f"ROWS of tests/arguments/{module}.py"
+    functions, named = set(public_functions(module)), {name.split()[0] for name in rows(module)}
+    missing = [f'"{name}": row(…)' for name in sorted(functions - named)]
+    assert not missing, f"add {', '.join(missing)} to {place}; the files beside it are examples"
+    gone = sorted(named - functions)
+    assert not gone, f"robokin.{module} has no {', '.join(gone)} (any more): take it out of {place}"
+
+
+def test_each_file_of_rows_has_its_module():
+    gone = {module.name for module in iter_modules(arguments.__path__)} - set(MODULES)
+    assert not gone, f"tests/arguments has files for what robokin has not: remove {sorted(gone)}"
 
 
 @each_row(lambda entry: entry.results)
@@ -284,7 +304,7 @@ def test_what_is_not_numbers_is_refused(label, key):
 
 @each_argument()
 def test_none_is_refused_but_where_it_is_the_default(label, key):
-    parameters = inspect.signature(find(label)).parameters
+    parameters = inspect.signature(bind(label)[0]).parameters
     if key not in parameters or parameters[key].default is not None:
         assert_refused(label, key, **{key: None})
 
@@ -306,7 +326,7 @@ def test_an_unknown_or_impossible_frame_is_refused(label, key):
 
 def test_a_chain_of_no_frames_is_refused():
     with pytest.raises(RobokinError, match="at least one"):
-        find("frames.compose")()
+        compose()
 
 
 @each("wheels")

@@ -41,15 +41,15 @@ each_check = each("check", "checks", Check)
 SPEED, ARC = EQUATIONS["differential_drive.speed"], EQUATIONS["motion.arc_step"]
 
 
-def quantities():
-    """All symbols that formulas and figures declare, in the course's order."""
-    modules = [m for part in ("formulas", "figures") for m in course().modules(part).values()]
+def quantities(chapter):
+    """The symbols that a chapter's formulas and figures declare, or take from others."""
+    modules = filter(None, (course().module(chapter, part) for part in ("formulas", "figures")))
     return [symbol for module in modules for symbol in held(module, NamedSymbol)]
 
 
 def known(name):
-    """A quantity by its name."""
-    return next(symbol for symbol in quantities() if str(symbol) == name)
+    """A quantity of planar motion by its name."""
+    return next(symbol for symbol in quantities("motion") if str(symbol) == name)
 
 
 # It checks
@@ -76,7 +76,13 @@ def holding_test(check):
     return getattr(module, name)
 
 
-def test_every_formula_has_a_check():
+@each_equation
+def test_a_formula_has_a_check(equation):
+    chapter = equation.name.partition(".")[0]
+    assert equation.name in CHECKS, f"add a Check of {equation.name} to book/{chapter}/checks.py"
+
+
+def test_the_checks_come_in_the_order_of_the_formulas():
     assert list(declared_checks()) == list(EQUATIONS)
     results = equations.check(samples=1)
     assert [r.check.name for r in results] == [
@@ -327,16 +333,24 @@ def test_a_tolerance_is_small(check):
     assert check.tolerance < 1e-9
 
 
-def test_quantities_are_described():
-    for symbol in quantities():
-        assert symbol.meaning, symbol
-        assert symbol.is_sign or symbol.low < symbol.high, symbol
+each_chapter = pytest.mark.parametrize("chapter", course().chapters)
 
 
-def test_a_module_declares_a_symbol_once():
+@each_chapter
+def test_quantities_are_described(chapter):
+    for symbol in quantities(chapter):
+        assert symbol.meaning, f"{symbol.place}: say what {symbol} is, as `meaning`"
+        assert symbol.is_sign or symbol.low < symbol.high, (
+            f"{symbol.place}: {symbol} ranges from {symbol.low} to {symbol.high}: turn them round"
+        )
+
+
+@each_chapter
+def test_a_module_declares_a_symbol_once(chapter):
     found = {}
-    for symbol in quantities():
-        assert found.setdefault(symbol, symbol) is symbol, f"{symbol.place}: another {symbol}"
+    for symbol in quantities(chapter):
+        first = found.setdefault(symbol, symbol)
+        assert first is symbol, f"{symbol} is declared twice: {first.place} and {symbol.place}"
 
 
 def test_declaring_half_is_refused():

@@ -1,5 +1,7 @@
 """A mistake as a wrong formula: its line, its number and its expression come from one place."""
 
+from functools import cache
+
 import nbformat
 import numpy as np
 import pytest
@@ -12,7 +14,7 @@ from workshop import practice
 from workshop.figures import Choice, Figure
 from workshop.practice import Mistake
 from workshop.practice.wrong import marked
-from workshop.site.stills import still
+from workshop.site import stills
 
 
 @each("mistake", "exercises", Mistake)
@@ -60,18 +62,41 @@ def test_what_changed_is_marked(lines, shown):
     assert marked(*lines) == shown
 
 
-def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter():
+still = cache(stills.still)
+
+
+@each("mistake", "exercises", Mistake)
+def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
     """And no other mistake's; on a dark page in dark colours."""
-    homes, figures = course().homes("exercises", Mistake), course().homes("figures", Figure)
-    pictures = {name: mistake.picture for name, mistake in MISTAKES.items()}
-    assert None not in pictures.values()
-    stills = {name: still(picture) for name, picture in pictures.items()}
-    assert len(set(stills.values())) == len(MISTAKES)
-    for name, picture in pictures.items():
-        assert figures[picture.figure] == homes[name]
-        [choice] = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]
-        assert (choice.name, picture.option in choice.options) == ("mistake", True)
-        assert "#dark:target { --rk-ground: #14181f;" in stills[name]
-        sources = [cell.source for cell in nbformat.read(course().notebook(homes[name]), 4).cells]
-        shown = sources.index(f'practice.mistake("{name}")')
-        assert sources[shown - 1] == f"### {picture.option}"  # for the box itself has no title
+    name, picture = mistake.name, mistake.picture
+    home, figures = course().homes("exercises", Mistake)[name], course().homes("figures", Figure)
+    assert picture, (
+        f"{name} has no picture: declare a figure with a Choice named mistake in book/{home}/"
+        f"figures.py, and picture=Picture(its name, an option of that, words) in exercises.py"
+    )
+    assert figures.get(picture.figure) == home, (
+        f"{name} is shown by {picture.figure}: take a figure that book/{home}/figures.py declares"
+    )
+    choices = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]
+    options = {option for c in choices if c.name == "mistake" for option in c.options}
+    assert len(choices) == 1, f"{picture.figure} needs one Choice, named mistake: {choices}"
+    assert picture.option in options, (
+        f"{name}: {picture.figure} has no option {picture.option!r} of its Choice mistake, only "
+        f"{sorted(options)}"
+    )
+    others = [m for m in MISTAKES.values() if m is not mistake and m.picture]
+    alike = [m.name for m in others if still(m.picture) == still(picture)]
+    assert not alike, f"{name} looks as {alike}: give their options other numbers"
+    assert "#dark:target { --rk-ground: #14181f;" in still(picture)
+
+
+@each("mistake", "exercises", Mistake)
+def test_a_mistake_is_shown_in_its_chapter_under_its_title(mistake):
+    """For the box itself has none."""
+    home = course().homes("exercises", Mistake)[mistake.name]
+    sources = [cell.source for cell in nbformat.read(course().notebook(home), 4).cells]
+    cell = f'practice.mistake("{mistake.name}")'
+    assert cell in sources, f"add a cell `{cell}` to {home}.ipynb"
+    assert mistake.picture, f"{mistake.name} has no picture, whose option is its title"
+    title, above = f"### {mistake.picture.option}", sources[sources.index(cell) - 1]
+    assert above == title, f"above `{cell}` in {home}.ipynb: {title}, not {above!r}"

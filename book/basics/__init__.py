@@ -1,1 +1,3 @@
 """Three tools in five minutes: directions, turns, arrays"""
+
+TERMS = ()

@@ -1,1 +1,3 @@
 """Two wheels, two speeds: how does the robot move?"""
+
+TERMS = ("angular velocity", "instantaneous centre of rotation|ICR", "twist", "nonholonomic")

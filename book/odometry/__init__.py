@@ -1,1 +1,9 @@
 """Where is the robot, if it only counts turns of its wheels?"""
+
+TERMS = (
+    "encoder",
+    "dead reckoning",
+    "covariance matrix|covariance",
+    "random error",
+    "systematic error",
+)

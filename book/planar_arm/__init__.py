@@ -1,1 +1,11 @@
 """How fast must the joints turn for the hand to follow a line?"""
+
+TERMS = (
+    "Jacobian",
+    "singularity|singularities",
+    "manipulability",
+    "workspace",
+    "damped least squares|damp",
+    "resolved-rate control",
+    "null space",
+)

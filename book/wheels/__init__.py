@@ -1,1 +1,9 @@
 """What does each wheel allow, what does it forbid?"""
+
+TERMS = (
+    "rolling constraint|rolling row",
+    "sliding constraint|sliding row",
+    "degree of mobility",
+    "degree of steerability|steerability",
+    "degree of manoeuvrability",
+)

@@ -24,6 +24,7 @@ DRIVE = BOOK / "differential_drive" / "differential_drive.ipynb"
 FRAMES = BOOK / "frames" / "frames.ipynb"
 PAGES = sorted(BOOK.glob("*.md"))
 MARKS = {"definition", "derivation", "mistake"}
+LARGEST = 25_000  # bytes of a picture
 
 # display mathematics, or inline mathematics with an equals sign: a formula
 FORMULA = re.compile(r"\$\$|\\begin\{|```\{math\}|\$[^$\n]*(?<![<>!])=[^$\n]*\$")
@@ -54,7 +55,7 @@ def test_every_cell_has_run_in_order_without_error(path):
         elif cell.cell_type == "code":
             numbers.append(cell.execution_count)
             assert not [o for o in cell.outputs if o.output_type == "error"], cell.source
-    assert numbers == list(range(1, len(numbers) + 1))
+    assert numbers == list(range(1, len(numbers) + 1)), f"run: make notebooks T={path.stem}"
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -69,8 +70,12 @@ def test_pictures_have_a_text_alternative(path):
     for cell in cells(path):
         for output in cell.get("outputs", []):
             if "image/png" in output.get("data", {}):
-                assert cell.metadata["mystnb"]["image"]["alt"], cell.source
-                assert output.metadata["image/png"]["width"] > 0
+                image = cell.metadata.get("mystnb", {}).get("image", {})
+                assert image.get("alt"), (
+                    'say in the cell\'s metadata what is seen, as {"mystnb": {"image": {"alt": '
+                    f'"…"}}}}: {cell.source}'
+                )
+                assert output.metadata["image/png"]["width"] > 0, "run `make notebooks`"
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -78,21 +83,30 @@ def test_cells_are_short(path):
     for cell in cells(path):
         if cell.cell_type == "code":
             lines = cell.source.splitlines()
-            assert len(lines) <= 15, cell.source
-            longest = max(map(len, lines))
-            assert longest <= 80, f"{longest} characters do not fit the page: {cell.source}"
+            assert len(lines) <= 15, (
+                f"{len(lines)} lines, at most 15: split the cell, or move what it needs to the "
+                f"chapter's modules: {cell.source}"
+            )
+            longest = max(map(len, lines), default=0)
+            assert longest <= 80, (
+                f"a line of {longest} characters, at most 80 fit the page: break it: {cell.source}"
+            )
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_formulas_come_from_the_equations(path):
     for cell in cells(path):
         if cell.cell_type == "markdown" and not MARKS & set(cell.metadata.get("tags", [])):
-            assert not FORMULA.search(cell.source), f"typed by hand: {cell.source}"
+            assert not FORMULA.search(cell.source), (
+                "a formula typed by hand: show one of formulas.py (`equations.show`), or tag the "
+                f"cell with one of {sorted(MARKS)}: {cell.source}"
+            )
 
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
 def test_pages_hold_no_formula_typed_by_hand(path):
-    assert not FORMULA.search(path.read_text(encoding="utf-8"))
+    found = FORMULA.search(path.read_text(encoding="utf-8"))
+    assert not found, f"{path.name} has a formula typed by hand: {found[0] if found else ''}"
 
 
 @pytest.mark.parametrize(
@@ -173,16 +187,19 @@ def test_an_expression_that_fails_is_named(tmp_path):
 # Pictures
 
 
-def test_pictures_are_light():
-    for path in NOTEBOOKS:
-        for cell in cells(path):
-            for output in cell.get("outputs", []):
-                if "image/png" in output.get("data", {}):
-                    png = base64.b64decode(output.data["image/png"])
-                    picture = Image.open(io.BytesIO(png))
-                    assert picture.mode == "P"
-                    assert len(picture.getcolors()) <= stored.COLOURS
-                    assert len(png) < 25_000
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_pictures_are_light(path):
+    for cell in cells(path):
+        for output in cell.get("outputs", []):
+            if "image/png" in output.get("data", {}):
+                png = base64.b64decode(output.data["image/png"])
+                picture = Image.open(io.BytesIO(png))
+                again = f"run `make notebooks T={path.stem}` for the picture of: {cell.source}"
+                assert picture.mode == "P", again
+                assert len(picture.getcolors()) <= stored.COLOURS, again
+                assert len(png) < LARGEST, (
+                    f"{len(png)} bytes, at most {LARGEST}: draw less, or smaller: {cell.source}"
+                )
 
 
 def test_a_light_picture_keeps_its_main_colours():

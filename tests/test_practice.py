@@ -202,12 +202,14 @@ def test_a_mistake_says_all_it_must(mistake):
     assert max(map(len, mistake.line.splitlines())) <= 80
 
 
-def test_errata_have_an_order():
-    places = [(m.document, m.nth) for m in mistakes().values() if m.document]
-    assert len(set(places)) == len(places)
-    for document in {document for document, _ in places}:
-        mine = sorted(nth for name, nth in places if name == document)
-        assert mine == list(range(1, len(mine) + 1))
+@pytest.mark.parametrize("chapter", practice.topics())
+def test_errata_have_an_order(chapter):
+    homes = course().homes("exercises", Mistake)
+    for document in {m.document for m in mistakes().values() if homes[m.name] == chapter} - {""}:
+        order = {m.name: m.nth for m in mistakes().values() if m.document == document}
+        assert sorted(order.values()) == [*range(1, len(order) + 1)], (
+            f"number the errata of {document} from 1 on, as `nth`: {order}"
+        )
 
 
 # --- The page does the same -----------------------------------------------------------------
@@ -282,13 +284,14 @@ def test_the_hash_is_fnv1a():
     assert dealing.fnv1a("foobar") == 0xBF9CF968
 
 
-def test_variants_are_dealt_evenly():
+@each_exercise
+def test_variants_are_dealt_evenly(exercise):
     """Numbered students: all variants, none twice as often as it should but by chance."""
-    for exercise in EXERCISES:
-        dealt = dealt_in_python("course", exercise, [f"{k}" for k in range(10_000, 16_400)])
-        counts = np.bincount(dealt, minlength=dealing.VARIANTS)
-        # 100 each on average; chi-squared with 63 degrees of freedom is above 140 once in 1e7
-        assert ((counts - 100) ** 2 / 100).sum() < 140
+    dealt = dealt_in_python("course", exercise.name, [f"{k}" for k in range(10_000, 16_400)])
+    counts = np.bincount(dealt, minlength=dealing.VARIANTS)
+    # 100 each on average; chi-squared with 63 degrees of freedom is above 140 once in 1e7
+    uneven = ((counts - 100) ** 2 / 100).sum()
+    assert uneven < 140, f"uneven by {uneven:.0f}, at most 140; another name is dealt otherwise"
 
 
 def test_another_course_deals_other_variants():
@@ -342,12 +345,15 @@ def test_two_decimals_are_told_of_first(answer, name, words):
     assert {v.name for v in verdicts if f"{v.name}".startswith("M")} <= {"M12", "M31"}
 
 
-def test_right_answers_of_two_decimals_are_never_called_a_mistake():
-    for exercise in EXERCISES.values():
-        if len(exercise.asks) == 1 and exercise.accept == "one":
-            rights = [v.candidates[0].rows for v in dealing.variants(exercise.name)]
-            answers = [(k, typed(np.round(rows, 2), exercise)) for k, rows in enumerate(rights)]
-            assert {v.name for v in judged(exercise, answers)} <= {"right", "near"}
+@each("exercise", "exercises", Exercise, only=lambda e: len(e.asks) == 1 and e.accept == "one")
+def test_right_answers_of_two_decimals_are_never_called_a_mistake(exercise):
+    rights = [v.candidates[0].rows for v in dealing.variants(exercise.name)]
+    answers = [(k, typed(np.round(rows, 2), exercise)) for k, rows in enumerate(rights)]
+    named = {v.name for v in judged(exercise, answers)} - {"right", "near"}
+    assert not named, (
+        f"{exercise.name}: the right answer with two decimals is called {named}: take other "
+        "numbers, in which that mistake is further off"
+    )
 
 
 @pytest.mark.parametrize(
@@ -458,12 +464,18 @@ def test_page_and_grade_agree_also_at_the_edge(exercise):
     assert [judging.Verdict(**verdict) for verdict in found] == judged(exercise, answers)
 
 
-def test_the_data_of_a_topic_are_light_and_not_in_clear():
-    for topic in practice.topics():
-        text = page.script(topic)
-        assert len(text) < 125_000  # bytes; loaded only once a student's name is known
-        assert "right" not in text
-        assert len(page.script(topic, solutions=False)) < len(text)
+MOST = 125_000  # bytes of a chapter's exercises; loaded only once a student's name is known
+
+
+@pytest.mark.parametrize("topic", practice.topics())
+def test_the_data_of_a_topic_are_light_and_not_in_clear(topic):
+    text = page.script(topic)
+    assert len(text) < MOST, (
+        f"the exercises of {topic} have {len(text)} bytes, at most {MOST}: shorten solutions and "
+        "texts, or ask for fewer numbers"
+    )
+    assert "right" not in text
+    assert len(page.script(topic, solutions=False)) < len(text)
 
 
 # --- In a notebook --------------------------------------------------------------------------

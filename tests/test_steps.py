@@ -23,8 +23,6 @@ from workshop.figures.figure import MIME
 
 pytest_plugins = ["browser"]
 
-STEPS = {name: figure for name, figure in FIGURES.items() if figure.size == "step"}
-
 
 def opens_with_a_figure(chapter):
     """Whether there is something to move before the first section."""
@@ -39,13 +37,14 @@ IN_STEPS = list(filter(opens_with_a_figure, course().taught))  # the chapters th
 # --- Sizes ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", STEPS)
-def test_a_step_has_two_things_to_move_and_three_numbers(name):
-    figure = STEPS[name]
+@each("figure", "figures", Figure, only=lambda figure: figure.size == "step")
+def test_a_step_has_two_things_to_move_and_three_numbers(figure):
     view = [c for c in figure.controls if getattr(c, "symbol", None) in figure.turns]
     moved = [c for c in figure.controls if not isinstance(c, Clock) and c not in view]
-    assert len(moved) <= 2
-    assert len(figure.readouts) <= 3
+    instead = "take some away, or make its size another than step"
+    assert len(moved) <= 2, f"{figure.name} has {len(moved)} controls, at most 2: {instead}"
+    told = len(figure.readouts)
+    assert told <= 3, f"{figure.name} has {told} readouts, at most 3: {instead}"
 
 
 # --- Goals ----------------------------------------------------------------------------------
@@ -159,7 +158,8 @@ def test_a_goal_is_not_reached_at_the_start(figure):
     places = [
         figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True))) for goal in goals
     ]
-    assert not figure.compute([point(figure, {})])[0, places].any()
+    start = figure.compute([point(figure, {})])[0, places]
+    assert not start.any(), f"{figure.name}: start its controls elsewhere, or set another goal"
 
 
 # --- Motion ---------------------------------------------------------------------------------
@@ -237,4 +237,7 @@ def test_a_chapter_has_few_words(chapter):
     ]
     count = len(" ".join(text).split())
     print(f"{chapter}: {count} words")
-    assert count <= WORDS
+    assert count <= WORDS, (
+        f"{count} words of prose, at most {WORDS} in a chapter that opens with a figure: shorten "
+        f"{chapter}.ipynb, or fold what a guess opens (tag after-…)"
+    )

@@ -29,6 +29,7 @@ from workshop.site.directives import Desk, Errata, Library, Notation, Practice
 from workshop.site.files import add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs, refuse_names_of_headings
+from workshop.site.sources import list_files
 from workshop.symbols.page import mark_formulas
 
 SETTINGS = {  # name → what it is without, what it must be, an example
@@ -85,6 +86,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
         app.add_config_value(name, default, "env", (type(default), str))
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
+    app.connect("builder-inited", list_files)
     app.connect("doctree-read", refuse_names_of_headings)
     app.connect("doctree-resolved", mark_formulas)
     app.connect("html-page-context", add_assets)

@@ -1,13 +1,21 @@
 """A build writes into an empty folder, and alone: what has left the book has left the site."""
 
 import fcntl
+import pickle
 import shutil
 import subprocess
 import sys
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from declared import course
 from fresh import BUSY
 from support import ROOT
+
+from workshop.site import sources
+
+pytest_plugins = ["browser"]
 
 CONF = f"""
 import sys
@@ -49,6 +57,27 @@ def test_an_incremental_build_gives_the_same_bytes(build, tmp_path):
         shutil.rmtree(tmp_path / name)
     build()
     assert incremental == files(tmp_path / "html")
+
+
+def test_a_chapter_more_changes_the_list_of_files_and_nothing_else_does(tmp_path, monkeypatch):
+    """On which every page depends that tells of chapters."""
+    app, file = SimpleNamespace(doctreedir=tmp_path), tmp_path / sources.LIST
+    sources.list_files(app)
+    before = file.stat().st_mtime_ns
+    sources.list_files(app)
+    assert file.stat().st_mtime_ns == before
+    monkeypatch.setitem(vars(course()), "taught", [*course().taught, "beacon"])
+    sources.list_files(app)
+    assert file.stat().st_mtime_ns > before
+
+
+@pytest.mark.parametrize("page", ["intro", "practice", "errata", "notation", "checks", "api"])
+def test_a_page_that_tells_of_chapters_is_read_again_when_there_is_another(site, page):
+    doctrees = site.parent / ".doctrees"
+    environment = pickle.loads((doctrees / "environment.pickle").read_bytes())
+    names = {Path(name).name for name in environment.dependencies[page]}
+    assert sources.LIST in names, f"{page} is made without `depend` of workshop/site/sources.py"
+    assert (doctrees / sources.LIST).exists()
 
 
 def files(folder):

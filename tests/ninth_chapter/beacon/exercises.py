@@ -5,7 +5,7 @@ from book.beacon import formulas
 from book.beacon.functions import range_and_bearing
 
 from book.motion.formulas import theta
-from workshop.practice import Exercise, Mistake, Solution, Step, Wrong, angle, steps
+from workshop.practice import Exercise, Mistake, Picture, Solution, Step, Wrong, angle, steps
 
 M99 = Mistake(
     "M99",
@@ -14,6 +14,11 @@ M99 = Mistake(
     line="bearing = np.arctan2(b_y - y, b_x - x)",
     why="This is the direction in the world. The robot sees it from its own heading.",
     unnoticed="With a heading of 0.",
+    picture=Picture(
+        "wrong-beacon",
+        "It forgets how it stands",
+        "A robot that looks past the beacon, by as much as it has turned.",
+    ),
 )
 
 beacon_1 = Exercise(

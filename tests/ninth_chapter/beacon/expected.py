@@ -12,9 +12,20 @@ def beacon_readouts(b_x, b_y, theta, *guess):
     return np.column_stack([seen[:, 0], seen[:, 1] - theta])
 
 
-READOUTS = {"beacon": beacon_readouts, "beacon-guess": beacon_readouts}
+def mistake_readouts(believed, theta):
+    """How far beside the beacon it looks."""
+    still = np.zeros_like(theta)
+    seen = range_and_bearing(np.column_stack([still, still, still]), [0.6, 0.4])
+    return (believed - (seen[:, 1] - theta))[:, None]
+
+
+READOUTS = {
+    "beacon": beacon_readouts,
+    "beacon-guess": beacon_readouts,
+    "wrong-beacon": mistake_readouts,
+}
 BEACON = [{"b_x": 0.0}, {"b_y": 0.0, "b_x": -1.0}]
-SPECIALS = {"beacon": BEACON, "beacon-guess": BEACON}
+SPECIALS = {"beacon": BEACON, "beacon-guess": BEACON, "wrong-beacon": [{"theta": 0.0}]}
 WORDS = []
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "beacon-1": ({"x": 0, "y": 0, "theta": 30, "b_x": 1, "b_y": 1}, {"M99": 0.7854}),

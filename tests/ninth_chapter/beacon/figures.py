@@ -1,13 +1,16 @@
 """The live figure of the chapter on the beacon."""
 
 from book.beacon import formulas
+from book.beacon.exercises import M99
 from book.beacon.formulas import b_x, b_y
+from sympy import cos, sin
 
 from book.motion.formulas import theta, x, y
 from workshop.equations import quantity
-from workshop.figures import Arrow, Body, Figure, Handle, Line, Point, Readout, Slider
+from workshop.figures import Arrow, Body, Choice, Figure, Handle, Line, Point, Readout, Slider
 
 guess_x = quantity("guess_x", "m", -1, 1, "where the reader puts the beacon, along x")
+believed = quantity("believed", "rad", -3.14, 3.14, "the bearing that a program computes")
 guess_y = quantity("guess_y", "m", -0.7, 0.7, "where the reader puts the beacon, along y")
 
 
@@ -59,4 +62,29 @@ def guess_figure() -> Figure:
     )
 
 
-FIGURES = (beacon_figure(), guess_figure())
+def mistake_figure() -> Figure:
+    """The robot, and where it looks for the beacon when its program has the mistake."""
+    place = {x: 0, y: 0, b_x: 0.6, b_y: 0.4}
+    right, wrong = formulas.direction.at(place), M99.at(place)
+    looks = theta + believed
+    return Figure(
+        name="wrong-beacon",
+        title="A robot and a beacon, and in red where a mistake makes it look",
+        view=(-1.2, 1.2, -0.8, 0.8),
+        controls=(
+            Choice(
+                "mistake", "mistake", (believed,), {"It forgets how it stands": (float(wrong),)}
+            ),
+            Slider.degrees(theta, start=40, step=5, label="heading"),
+        ),
+        scene=(
+            Body((0, 0), theta, 0.1),
+            Line("error", ((0, 0), (0.7 * cos(looks), 0.7 * sin(looks)))),
+            Point("target", (0.6, 0.4), label="beacon"),
+        ),
+        readouts=(Readout("apart", "looks beside it by", believed - right, "rad"),),
+        says="The robot looks {apart} beside the beacon.",
+    )
+
+
+FIGURES = (beacon_figure(), guess_figure(), mistake_figure())

@@ -2,9 +2,8 @@
 
 import numpy as np
 
+from book.bicycle.figures import DURATION, LENGTH, RADIUS
 from robokin import bicycle, motion
-
-LENGTH, RADIUS, DURATION = 7.0, 0.25, 10.0  # m, m, s: the long car, and its drive in steps
 
 
 def ackermann_readouts(phi, wheelbase, track):

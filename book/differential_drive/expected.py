@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from book.differential_drive.figures import DISTANCE, RADIUS
 from robokin import differential_drive, motion, wheels
 
-DISTANCE, RADIUS = 0.1, 0.03  # m
 UP = np.pi / 2  # the heading at the start
 
 

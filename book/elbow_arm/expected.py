@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from book.elbow_arm.figures import ARM, PLACE, SHOULDER, UPPER
 from robokin import elbow_arm
 
-UPPER, SHOULDER = 0.4, 0.1  # m: a2 and d1
 ROWS = {(1, 1): 0, (1, -1): 1, (-1, 1): 2, (-1, -1): 3}  # of the answers of `inverse`
 
 
@@ -22,7 +22,7 @@ def readouts(p_x, p_y, p_z, a3, face, bend, *_view):
 def target_and_wrist(*columns):
     """The target, and where each mistake sends the wrist, which can be said without angles."""
     *made, p_x, _azimuth, _elevation = columns
-    a2, a3, d1, p_y, p_z = 0.3, 0.4, 0.3, 0.2 + 0 * p_x, 0.5 + 0 * p_x
+    (a2, a3, d1), (p_y, p_z) = ARM.values(), (at + 0 * p_x for at in PLACE.values())
     level, h = np.hypot(p_x, p_y), p_z - d1
     cosine = (level**2 + h**2 - a2**2 - a3**3) / (2 * a2 * a3)
     elbow = -np.arccos(cosine)

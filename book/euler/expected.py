@@ -2,9 +2,10 @@
 
 import numpy as np
 
+from book.euler import figures
 from robokin import euler, motion
 
-R_AB = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
+R_AB = np.array(figures.R_AB, dtype=float)
 HALF = np.pi / 2
 
 

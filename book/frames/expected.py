@@ -2,10 +2,11 @@
 
 import numpy as np
 
+from book.frames import figures
+from book.frames.figures import THING
 from robokin import euler, frames, motion, planar_arm
 
-LINKS = [0.3, 0.4]  # m
-BASE, THING = [-0.2, -0.3, 0.0], [0.3, 0.3]  # m, platform and object in the room
+LINKS, BASE = list(figures.LINKS.values()), [*figures.BASE, 0.0]
 DOWN = np.diag([1.0, -1.0, -1.0])
 
 

@@ -2,12 +2,11 @@
 
 import numpy as np
 
+from book.odometry.figures import BASE, CIRCLE, LEFT, RADIUS, RIGHT, TICKS
 from robokin import motion, odometry
 
-TICKS, RADIUS, DISTANCE = 512, 0.05, 0.2  # ticks a turn, wheel radius, wheel distance [m]
-LEFT, RIGHT, CIRCLE = 3072, 5120, 0.4  # ticks on a whole circle, and its radius [m]
 FINER = 2.0**40  # the figures count parts of ticks: ticks of a finer encoder
-ROBOT = TICKS * FINER, RADIUS, DISTANCE
+ROBOT = TICKS * FINER, RADIUS, BASE
 A_METRE = TICKS * FINER / (2 * np.pi * RADIUS)  # ticks
 
 
@@ -29,7 +28,7 @@ def rules_readouts(count, turned):
 
 def ellipse_readouts(wheel_error, drive, turned):
     """Half the length and the width of the 95 % ellipse, standard deviation of the heading."""
-    half = DISTANCE * turned / 2
+    half = BASE * turned / 2
     left, right = (np.rint((drive + s * half) / 6 * A_METRE) for s in (-1, 1))
     ticks = [np.repeat(wheel[:, None], 6, axis=1) for wheel in (left, right)]
     last = odometry.covariance(*ticks, *ROBOT, wheel_error**2)[:, -1]
@@ -42,7 +41,7 @@ def square_end(b_true, ratio, turns):
     """Where a square run really ends: four sides of 1 m in one piece each, four corners."""
     right = 2 * ratio / (1 + ratio)
     left = 2 - right
-    corner = turns * np.pi / 4 * DISTANCE
+    corner = turns * np.pi / 4 * BASE
     pose = np.zeros((len(ratio), 3))
     for told_left, told_right in [(1.0, 1.0), (-corner, corner)] * 4:
         v = (left * told_left + right * told_right) / 2
@@ -54,7 +53,7 @@ def square_end(b_true, ratio, turns):
 def square_readouts(b_true, ratio):
     """Ends of the clockwise and of the counter-clockwise run, and what the calibration finds."""
     cw, ccw = (square_end(b_true, ratio, turns) for turns in (-1, 1))
-    found = odometry.umbmark(cw[:, None], ccw[:, None], 1.0, DISTANCE)
+    found = odometry.umbmark(cw[:, None], ccw[:, None], 1.0, BASE)
     return np.column_stack([cw, ccw, *found])
 
 
@@ -79,8 +78,8 @@ def of_mistake(m22, m23, m24, m25, samples, start):
     travel = odometry.travel(ticks, TICKS, RADIUS) / (2 * np.pi if m24 else 1)
     real, told = np.array([0.0, 0.0, start]), np.array([0.0, 0.0, start])
     for (left, now), way in zip(right, travel, strict=True):
-        real = motion.arc_step(real, (left + now) / 2, (now - left) / DISTANCE, 1.0)
-        v, turn = way.mean(), (way[1] - way[0]) / DISTANCE
+        real = motion.arc_step(real, (left + now) / 2, (now - left) / BASE, 1.0)
+        v, turn = way.mean(), (way[1] - way[0]) / BASE
         if m22 or m23:
             heading = turn if m22 else np.arctan(np.tan(told[2] + turn))
             place = motion.arc_step([*told[:2], heading], v, 0.0, 1.0)[:2]

@@ -2,12 +2,11 @@
 
 import numpy as np
 
+from book.planar_arm import figures
+from book.planar_arm.figures import DURATION, SPEED_OUT
 from robokin import planar_arm
 
-LINKS = np.array([0.4, 0.3, 0.2])  # m
-START = np.radians([30, 60, -90])
-DURATION = 4.0  # s
-SPEED_OUT = 0.1  # m/s
+LINKS, START = np.array(figures.LINKS), np.array(figures.START, dtype=float)
 
 
 def levers_readouts(turns1, turns2, turns3, theta2, theta3):

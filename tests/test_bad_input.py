@@ -79,10 +79,13 @@ def assert_refused(label, key=None, **changed):
     with pytest.raises(RobokinError) as error:
         call(label, **changed)
     message = str(error.value)
-    assert 10 < len(message) < 400
+    assert 10 < len(message) < 400, (
+        f"a message of {len(message)} characters, allowed 11 to 399: say what was got, what is "
+        f"allowed and what to do: {message}"
+    )
     # transforms without names are numbered; a graph names poses and frames by the frames
     if key is not None and not TABLE[label].positional and not TABLE[label].on:
-        assert key in message
+        assert key in message, f"the message does not name the argument {key}: {message}"
     return message
 
 
@@ -604,7 +607,7 @@ def throw_junk(label, examples):
                 longest = max(longest, len(str(error)))
 
     catch()
-    assert longest < 1000  # a message, not a page
+    assert longest < 1000, f"a message of {longest} characters, allowed 999: cut what was got"
     return count
 
 

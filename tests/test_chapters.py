@@ -56,6 +56,11 @@ def tags(cell):
     return set(cell.metadata.get("tags", []))
 
 
+def assert_tagged(cell, *wanted):
+    missing = sorted({*wanted} - tags(cell))
+    assert not missing, f"tag this cell {missing}, too: {cell.source}"
+
+
 def code(cells):
     return [cell for cell in cells if cell.cell_type == "code"]
 
@@ -75,15 +80,19 @@ def test_sections_follow_the_skeleton(chapter):
     titles = [each.title for each in sections(chapter)][1:]
     steps = [title for title in titles if title not in BEFORE + AFTER]
     numbers = [title.partition(" ")[0] for title in steps]
-    assert numbers == [str(n) for n in range(1, len(steps) + 1)], "number the steps"
+    counted = [str(n) for n in range(1, len(steps) + 1)]
+    assert numbers == counted, f"number the steps, `## 1 …`, `## 2 …`: {steps}"
     left_out = OPTIONAL - set(titles)
-    assert titles == BEFORE + steps + [title for title in AFTER if title not in left_out]
+    wanted = BEFORE + steps + [title for title in AFTER if title not in left_out]
+    assert titles == wanted, f"{chapter}.ipynb has the sections {titles}; it needs {wanted}"
 
 
 @pytest.mark.parametrize("chapter", TAUGHT)
 def test_the_first_visible_cell_imports_and_nothing_else(chapter):
     for statement in ast.parse(imports(chapter).source).body:
-        assert isinstance(statement, ast.Import | ast.ImportFrom)
+        assert isinstance(statement, ast.Import | ast.ImportFrom), (
+            f"move to a later cell of {chapter}.ipynb: {ast.unparse(statement)}"
+        )
 
 
 @pytest.mark.parametrize("chapter", TAUGHT)
@@ -109,7 +118,10 @@ def names(tree):
 def test_a_section_has_few_visible_lines(chapter):
     for each in sections(chapter):
         lines = sum(len(cell.source.splitlines()) for cell in visible(each))
-        assert lines <= LONGEST, f"{lines} lines in *{each.title}*"
+        assert lines <= LONGEST, (
+            f"{lines} lines of visible code in *{each.title}*, at most {LONGEST}: shorten them, or "
+            "tag cells `hide-input`"
+        )
 
 
 @pytest.mark.parametrize("chapter", TAUGHT)
@@ -118,7 +130,11 @@ def test_plumbing_is_short(chapter):
     for cell in code(itertools.chain(*sections(chapter))):
         if "remove-input" in tags(cell):
             statements = ast.parse(cell.source).body
-            assert len([s for s in statements if not isinstance(s, ast.ImportFrom)]) <= 1
+            several = [ast.unparse(s) for s in statements if not isinstance(s, ast.ImportFrom)]
+            assert len(several) <= 1, (
+                f"a cell tagged `remove-input` has {len(several)} statements, at most 1 beside "
+                f"imports: split it: {several}"
+            )
 
 
 # --- cells to try: Your own figure, Your own function ---------------------------------------------
@@ -190,14 +206,17 @@ def sliders(messages):
 def test_own_figure_moves_in_a_kernel(chapter, kernel):
     assert not errors(kernel.run(imports(chapter).source))
     *drawing, interactive = visible(section(chapter, "Your own figure"))
-    assert {"interact", "skip-execution", "nbval-skip"} <= tags(interactive)
+    assert_tagged(interactive, "interact", "skip-execution", "nbval-skip")
     (function,) = (
         part
         for cell in drawing
         for part in ast.parse(cell.source).body
         if isinstance(part, ast.FunctionDef)
     )
-    assert function.end_lineno - function.lineno < LONGEST_FIGURE
+    lines = function.end_lineno - function.lineno + 1
+    assert lines <= LONGEST_FIGURE, (
+        f"`{function.name}` has {lines} lines, at most {LONGEST_FIGURE}: draw less"
+    )
     still = [kernel.run(cell.source) for cell in drawing]
     assert not any(map(errors, still))
     assert any(map(pictures, still)), "its picture stands on the page"
@@ -211,19 +230,19 @@ def test_own_figure_moves_in_a_kernel(chapter, kernel):
         assert not errors(moved)
         shown[value] = pictures(moved)
         assert shown[value], f"nothing is drawn at {state['description']} = {value}"
-    assert shown[low] != shown[middle]
+    assert shown[low] != shown[middle], f"the picture is the same at {low} and at {middle}"
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
 def test_own_function_is_compared(chapter, kernel):
     assert not errors(kernel.run(imports(chapter).source))
     function, comparison, solution = code(section(chapter, "Your own function"))
-    assert {"skip-execution", "nbval-skip"} <= tags(function)
-    assert {"skip-execution", "nbval-skip", "raises-exception"} <= tags(comparison)
-    assert "hide-cell" in tags(solution)
+    assert_tagged(function, "skip-execution", "nbval-skip")
+    assert_tagged(comparison, "skip-execution", "nbval-skip", "raises-exception")
+    assert_tagged(solution, "hide-cell")
     (definition,) = ast.parse(function.source).body
-    assert ast.get_docstring(definition)
-    assert ast.unparse(definition.body[-1]) == "..."
+    assert ast.get_docstring(definition), f"say in a docstring what `{definition.name}` returns"
+    assert ast.unparse(definition.body[-1]) == "...", "end the function with `...`, to be replaced"
     assert not errors(kernel.run(function.source))
     assert errors(kernel.run(comparison.source)), "an empty function passes"
     assert not errors(kernel.run(solution.source))

@@ -64,7 +64,10 @@ def test_a_formula_agrees_with_what_it_is_compared_with(check, samples):
         return
     result = check_one(check, samples)
     assert result.samples == len(check.specials) + samples
-    assert result.agrees, f"apart by {result.difference:.2g} at {result.worst}"
+    assert result.agrees, (
+        f"{check.name} and its function are {result.difference:.2g} apart, allowed "
+        f"{check.tolerance:.2g}, at {result.worst}"
+    )
 
 
 def holding_test(check):
@@ -127,13 +130,16 @@ SAME = {
 def test_a_wrong_sign_is_noticed(check, most, monkeypatch):
     """Every formula with a sign turned, or a sine for a cosine, at the special points and 20."""
     changed = mutants(check.equation, most)
-    assert changed
+    assert changed, f"{check.name} has no sign and no sine to turn"
     unnoticed = [
         what
         for what, mutant in changed
         if what not in SAME and not notices(check, mutant, monkeypatch)
     ]
-    assert not unnoticed
+    assert not unnoticed, (
+        f"the check of {check.name} does not notice {unnoticed}: give it `specials` or `ranges` "
+        "where that matters"
+    )
 
 
 def notices(check, mutant, monkeypatch):
@@ -323,14 +329,19 @@ def test_an_unknown_name_is_refused():
 @each_equation
 def test_declaration(equation):
     module, _, _ = equation.name.partition(".")
-    assert module in course().chapters, "an equation is named after its chapter"
-    assert equation.source
+    assert module in course().chapters, (
+        f"name {equation.name} after its chapter's folder, as in bicycle.speed: {module} is none"
+    )
+    assert equation.source, f"say where {equation.name} comes from, as `source`"
 
 
 @each_check
 def test_a_tolerance_is_small(check):
     assert (check.tolerance > 0) == bool(check.function)
-    assert check.tolerance < 1e-9
+    assert check.tolerance < 1e-9, (
+        f"{check.name} has the tolerance {check.tolerance:.1g}, allowed below 1e-9: roundings are "
+        "some 1e-15, more is a mistake or another formula"
+    )
 
 
 each_chapter = pytest.mark.parametrize("chapter", course().chapters)

@@ -36,9 +36,13 @@ def users(mistake):
 def test_every_candidate_of_every_variant_is_named(exercise):
     dealt = dealing.variants(exercise.name)
     assert len(dealt) == dealing.VARIANTS
-    assert len({tuple(variant.shown.values()) for variant in dealt}) == dealing.VARIANTS
+    different = len({tuple(variant.shown.values()) for variant in dealt})
+    assert different == dealing.VARIANTS, (
+        f"{different} different sets of numbers, {dealing.VARIANTS} needed: more options in `given`"
+    )
     for variant in dealt:
-        assert {m.name for m in exercise.wrong} <= {c.name for c in variant.candidates}
+        lost = {m.name for m in exercise.wrong} - {c.name for c in variant.candidates}
+        assert not lost, f"with {variant.shown} nobody can make {lost}"
     answers = [
         (number, candidate)
         for number, variant in enumerate(dealt)
@@ -181,7 +185,11 @@ def test_a_mistake_runs_as_printed(mistake):
     view = practice.mistake(mistake.name)
     page_text = practice.example(view.exercise.name).data["text/markdown"]
     given = re.search("```python\n(.*)\n```", page_text, re.DOTALL)[1]
-    assert max(map(len, given.splitlines())) <= 80
+    longest = max(map(len, given.splitlines()))
+    assert longest <= 80, (
+        f"the example of {view.exercise.name} prints {longest} characters in a line, at most 80: "
+        "give it shorter numbers"
+    )
     numbers = {}
     exec(given, {"np": np}, numbers)
     found = last_made(mistake.line, numbers)
@@ -192,14 +200,22 @@ def test_a_mistake_runs_as_printed(mistake):
 
 @each_mistake
 def test_a_mistake_says_all_it_must(mistake):
-    assert mistake.unnoticed
-    assert mistake.why
-    assert not mistake.says.endswith(".")  # it ends a sentence that has one
+    assert mistake.unnoticed, f"say where {mistake.name} happens to be right, as `unnoticed`"
+    assert mistake.why, f"say why {mistake.name} is wrong, as `why`"
+    assert not mistake.says.endswith("."), f"`says` of {mistake.name}: without the stop at its end"
     told = mistake.document, mistake.place, mistake.nth, mistake.stands, mistake.should
-    assert all(told) or not any((*told, mistake.explained))
+    assert all(told) or not any((*told, mistake.explained)), (
+        f"{mistake.name} stands in a document, and needs all of `document`, `place`, `nth`, "
+        f"`stands` and `should`, or in none: {told}"
+    )
     # an erratum marks what changes, and marks nothing that stands there already
-    assert bool(mistake.document) == ("«" in mistake.should)
-    assert max(map(len, mistake.line.splitlines())) <= 80
+    assert bool(mistake.document) == ("«" in mistake.should), (
+        f"mark in `should` of {mistake.name} what changes, in « »"
+    )
+    longest = max(map(len, mistake.line.splitlines()))
+    assert longest <= 80, (
+        f"`line` of {mistake.name} has {longest} characters in a line, at most 80: break it"
+    )
 
 
 @pytest.mark.parametrize("chapter", practice.topics())

@@ -106,14 +106,16 @@ def cells_of(chapter):
 
 @pytest.mark.parametrize("chapter", ASKING)
 def test_nothing_gives_an_answer_away(chapter):
-    assert not list(given_away(cells_of(chapter), predictions()))
+    found = list(given_away(cells_of(chapter), predictions()))
+    assert not found, f"fold it into its question (tag {TAG}NAME), or say it below: {found}"
 
 
 @pytest.mark.parametrize("chapter", ASKING)
 def test_each_is_asked_once_in_its_own_chapter(chapter):
     homes = course().homes("predictions", Prediction)
-    asked = [name for cell in cells_of(chapter) if (name := asked_in(cell))]
-    assert sorted(asked) == sorted(name for name, home in homes.items() if home == chapter)
+    asked = sorted(name for cell in cells_of(chapter) if (name := asked_in(cell)))
+    declared = sorted(name for name, home in homes.items() if home == chapter)
+    assert asked == declared, f"{chapter}.ipynb asks {asked}; predictions.py declares {declared}"
 
 
 @each("prediction", "predictions", Prediction)
@@ -126,7 +128,10 @@ def test_it_says_what_would_give_it_away(prediction):
 def test_a_usual_wrong_guess_is_not_right(prediction):
     data = prediction.answers.data()
     same = "(d) => d.wrong.map((w) => workshop.predictions.same(d, w, d.right))"
-    assert not any(engine.call(f"({same})", data))
+    right = engine.call(f"({same})", data)
+    assert not any(right), (
+        f"{prediction.name}: of the guesses in `assumes` these are right: {right}"
+    )
 
 
 @each("prediction", "predictions", Prediction)
@@ -136,7 +141,11 @@ def test_a_ghost_stands_in_the_figure_before(prediction):
         cells = cells_of(chapter)
         place = next(i for i, cell in enumerate(cells) if asked_in(cell) == prediction.name)
         outputs = [o.data for o in cells[place - 1].outputs if figure.MIME in o.get("data", {})]
-        assert [o[figure.MIME]["name"] for o in outputs] == [prediction.answers.figure]
+        shown = [o[figure.MIME]["name"] for o in outputs]
+        assert shown == [prediction.answers.figure], (
+            f"show {prediction.answers.figure} in the cell before predictions.ask("
+            f'"{prediction.name}"), which shows {shown}'
+        )
 
 
 # --- the checks themselves -------------------------------------------------------------------

@@ -56,7 +56,9 @@ def leads_to_the_answer(exercise, solution, variant):
 @each_exercise
 def test_a_solution_leads_to_the_library_s_answer(exercise):
     for variant in dealing.variants(exercise.name):
-        assert leads_to_the_answer(exercise, exercise.solution, variant), variant.shown
+        assert leads_to_the_answer(exercise, exercise.solution, variant), (
+            f"the solution of {exercise.name} ends elsewhere than `right`, with {variant.shown}"
+        )
 
 
 def as_printed(value):
@@ -84,13 +86,18 @@ def test_reckoning_with_the_printed_numbers_is_right(exercise):
     dealt = dealing.variants(exercise.name)
     answers = [(k, typed(reckoned(exercise, v), exercise)) for k, v in enumerate(dealt)]
     verdicts = judging.check_all(exercise, [v.candidates for v in dealt], answers)
-    assert {verdict.result for verdict in verdicts} == {"right"}
+    off = [v.shown for v, verdict in zip(dealt, verdicts, strict=True) if verdict.result != "right"]
+    assert not off, (
+        f"who goes on with the printed numbers of {exercise.name} is further off than its "
+        f"tolerance: print fewer steps, or allow more in its Ask; with {off[:3]}"
+    )
 
 
 @each_exercise
 def test_what_is_said_beside_the_way_is_right(exercise):
     for variant in dealing.variants(exercise.name):
-        assert not wrong_beside(exercise, exercise.solution, variant), variant.shown
+        wrong = wrong_beside(exercise, exercise.solution, variant)
+        assert not wrong, f"the steps {wrong} do not give what their `check` says: {variant.shown}"
 
 
 def wrong_beside(exercise, solution, variant):
@@ -244,15 +251,16 @@ def only_turns(exercise, other, name, variant):
 def test_no_formula_or_number_is_typed_in_a_solution(exercise):
     """An equals sign followed by what is no placeholder, or a number with a decimal point."""
     text = exercise.solution.text
-    assert not re.search(r"=\s*[^\s{]", text), text
-    assert not re.search(r"\d\.\d", text), text
+    typed_in = re.findall(r"=\s*[^\s{]+|\d+\.\d+", text)
+    assert not typed_in, f"{typed_in} is typed: put a step's `{{name}}` there, in: {text}"
 
 
 @each_exercise
 def test_every_step_is_shown(exercise):
     text = exercise.solution.text
     for name in exercise.solution.steps:
-        assert re.search(rf"{{{name}[.}}]", text), f"the step {name} is not in the text"
+        shown = re.search(rf"{{{name}[.}}]", text)
+        assert shown, f"put {{{name}}} into the text of the solution of {exercise.name}: {text}"
 
 
 # The language itself

@@ -55,7 +55,8 @@ def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
     for equation, computed in lexicon.shown(chapter):
         parts = (equation.left, equation.printed(computed))
         symbols = {s.key for s in lexicon.in_expressions(parts)}
-        assert symbols <= set(keys(chapter, equation.latex(computed)))
+        missing = symbols - set(keys(chapter, equation.latex(computed)))
+        assert not missing, f"{equation.name} prints no {missing}: give it another `latex`"
 
 
 @each_chapter

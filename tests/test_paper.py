@@ -131,7 +131,8 @@ def test_figures_have_their_numbers_and_no_controls(texts):
     shown = [plain(each) for each in re.findall(r"<dt>.*?</dd>", park, re.S)]
     assert shown
     assert all(letters(each) in letters(text) for each in shown)
-    assert text.count("Solution ") >= len(EXERCISES)
+    solutions = text.count("Solution ")
+    assert solutions >= len(EXERCISES), f"{solutions} solutions, at least {len(EXERCISES)}"
     assert not [words for words in CONTROLS if words in text]
 
 
@@ -147,14 +148,15 @@ def test_links_lead_into_the_pdf_or_to_the_web(pdf):
                 assert not isinstance(target, str) or target in names or f"/{target}" in names
             else:
                 assert re.match("https?://(?!book/)", target)
-    assert inner > 200
+    assert inner > 200, f"{inner} links lead into the PDF, at least 201: links were lost"
 
 
 @pytest.mark.slow
 def test_the_other_pdf_leaves_the_answers_out(pdf, texts):
     without = PdfReader(WITHOUT_ANSWERS)
     assert [(title, below) for title, _, below in outline(without)] == titles()
-    assert len(without.pages) < len(pdf.pages)
+    pages = len(without.pages), len(pdf.pages)
+    assert pages[0] < pages[1], f"{pages[0]} pages without answers, {pages[1]} with them"
     assert not [page for page in without.pages if "Solution " in page.extract_text()]
 
 
@@ -184,7 +186,7 @@ def test_links_of_the_epub_lead_somewhere(book):
             assert file in book, (name, address)
             assert not place or place in ids[file], (name, address)
             inner += 1
-    assert inner > 300
+    assert inner > 300, f"{inner} links lead into the EPUB, at least 301: links were lost"
 
 
 @pytest.mark.slow
@@ -195,7 +197,8 @@ def test_a_page_of_the_epub(name, book):
     title = plain(HEADING.search(site)[1])
     assert f"<title>{title}</title>" in unescape(text)
     assert not re.search(r"<(script|form|input|button|select|output)\b|katex-html|var\(--", text)
-    assert text.count("<math ") >= site.count('class="katex-mathml"')
+    formulas = text.count("<math "), site.count('class="katex-mathml"')
+    assert formulas[0] >= formulas[1], f"{formulas[0]} formulas; the page has {formulas[1]}"
 
 
 # --- on the site ----------------------------------------------------------------------------

@@ -17,6 +17,7 @@ import sympy as sp
 from workshop.course import course
 from workshop.equations.printing import AGAIN, COMPUTED, both_sides, mimebundle, name_on_page
 from workshop.errors import CourseError
+from workshop.units import refuse_other_than_si
 
 # Named steps on the way to a result, in order: each may use those before it.
 Where = Sequence[tuple[sp.Symbol, Any]]
@@ -95,7 +96,7 @@ def quantity(
 
     Args:
         name: as SymPy's; Greek letters are spelled.
-        unit: SI.
+        unit: SI, from the table in `workshop/units.py`.
         low, high: the range that points are drawn from, to hold its formulas to the library.
         meaning: in a few words; a name may stand first, before a colon: "heading: …".
         latex: how it prints, where SymPy's own way will not do.
@@ -112,6 +113,7 @@ def sign(name: str, meaning: str, latex: str = "", unit: str = "", code: str = "
 def _named(
     name: str, unit: str, span: tuple[float, float], meaning: str, latex: str, code: str
 ) -> NamedSymbol:
+    refuse_other_than_si(unit, f"the symbol {name}")
     symbol: NamedSymbol = NamedSymbol.__xnew__(
         NamedSymbol, name, real=True
     )  # not SymPy's own of that name

@@ -15,20 +15,20 @@ from workshop.figures.javascript import function
 from workshop.figures.solids import Solid
 from workshop.figures.turning import Bracket, Turns
 from workshop.unbroken import unbroken
+from workshop.units import in_figures
 
-DEGREE = math.pi / 180
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
 Control = d.Slider | d.Choice | Turns
 
 
 def factor(unit: str) -> float:
-    """What one shown unit is in SI: angles are shown in degrees, all else as it is."""
-    return DEGREE if unit == "rad" else 1.0
+    """What one shown unit is in SI."""
+    return in_figures(unit).factor
 
 
 def shown_unit(unit: str) -> str:
     """The unit in which a quantity is shown."""
-    return "°" if unit == "rad" else unit
+    return in_figures(unit).name
 
 
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:

@@ -20,6 +20,7 @@ import sympy as sp
 
 from workshop.equations.core import Equation, NamedSymbol, Where
 from workshop.equations.text import symbol_text
+from workshop.units import refuse_other_than_si
 
 Expr = Any
 Kind = Any  # a name, or a quantity
@@ -359,3 +360,4 @@ class Readout:
             known["digits"] = 1 if known.get("unit", self.unit) == "rad" else 3
         for key, each in known.items():
             object.__setattr__(self, key, each)
+        refuse_other_than_si(self.unit, f"the readout {self.name}")

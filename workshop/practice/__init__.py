@@ -25,6 +25,7 @@ from workshop.practice.wording import number_text
 from workshop.practice.wrong import Wrong
 from workshop.script.runtime import Part, register
 from workshop.unbroken import UNBROKEN
+from workshop.units import typed_units
 
 READING, KEEPING = "problems reading calculating asked dealing judging", "storage passed"
 SCRIPTS = f"{READING} {KEEPING} box saving page notebook"
@@ -35,7 +36,7 @@ register(
         scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
         styles=("practice.css",),
         called_by="rk-exercise",
-        constants=lambda: {**page.constants(), "UNBROKEN": UNBROKEN},
+        constants=lambda: {**page.constants(), "UNBROKEN": UNBROKEN, **typed_units()},
     )
 )
 register(

@@ -1,5 +1,6 @@
-// An answer typed with more than was asked: a name before the number, its unit after it, decimals
-// behind a slash. Here it becomes the bare number, where it can only mean one thing.
+// An answer typed with more than was asked: a name before the number, a unit after it, decimals
+// behind a slash. Here it becomes the bare number in the unit that is asked for, where it can only
+// mean one thing.
 
 const NAMED = /(\p{L}[\p{L}\p{M}\p{Nd}_']*)\s*[=≈≃≅≡]\s*/gu;
 const NATIVE = "[\u0660-\u0669\u06f0-\u06f9]"; // digits beside which a slash is a decimal sign
@@ -15,17 +16,47 @@ const unnamed = (text, asks) => {
   return meant ? text.replace(NAMED, "") : text;
 };
 
-// Units that stand after the numbers, in the order in which they are asked for; and those of a list
-// that all have the same one.
-const unitless = (text, asks) => {
-  const units = [...new Set(asks.map(({ unit }) => unit).filter(Boolean))];
-  if (!units.length) return text;
-  const known = units.map((unit) => unit.replace(/[.*+?^${}()|[\]\\/]/g, "\\$&"))
-    .sort((a, b) => b.length - a.length).join("|");
-  const after = RegExp(`(?<=[\\p{Nd}.)\\]πi\\s])\\s*(${known})(?![\\p{L}\\p{Nd}/*^²³])`, "gu");
-  const found = [...text.matchAll(after)].map(([, unit]) => unit);
-  const inOrder = found.every((unit, i) => unit === asks[i]?.unit) && found.length === asks.length;
-  return units.length === 1 || inOrder ? text.replace(after, "") : text;
+const SIZES = UNITS.map((row) => row.map((unit) => ({ ...unit, typed: RegExp(`^(?:${unit.pattern})$`, "iu") })));
+// A unit behind a number or a bracket that is not the start of an unknown one, such as m/s³.
+const WRITTEN = RegExp(`(?<=[\\p{Nd}.)\\]π½¼¾⅓⅔i\\s])\\s*(${
+  UNITS.flat().map(({ pattern }) => pattern).filter(Boolean).join("|")
+})(?!\\p{Nd}|[^\\S\\n]*[\\p{L}/^²³*·])`, "giu");
+const LAST = RegExp(`${WRITTEN.source}[\\s.)\\]}]*$`, "iu");
+const CALCULATED = /[*·×/π+]|pi/i;
+const SUM = /[^\s,;([{e]\s*(?:\+|[-−–]\s)|[\p{Nd})][-−–]/iu;
+
+const sizeOf = ({ unit = "" }) => SIZES.find((row) => row.some(({ name }) => name === unit));
+const unitOf = ({ unit = "" }) => SIZES.flat().find(({ name }) => name === unit);
+const isDegree = (name) => DEGREES.includes(name.toLowerCase());
+const inUnit = (x, from, to) => from === to ? x : x * from.times / from.by * to.by / to.times;
+
+// All that may be typed, for a sentence; a sign that few keyboards have in two ways.
+const unitsFor = (asks) => [...new Set(asks.map(sizeOf))].map((row) => [...new Set(row.flatMap(({ name }) =>
+  [name, name.replace("°", "deg").replace("²", "^2").replace("·", "*")]))].filter(Boolean).join(", ")).join("; ");
+
+// The units of a text, and the text without them. Degrees of an angle stay: 90° + 0.5 rad is a sum.
+const takeUnits = (text, asks) => {
+  const units = [], written = [...text.matchAll(WRITTEN)].map(([, name]) => name);
+  const known = asks.some(({ unit }) => unit === "rad") || CALCULATED.test(text);
+  if (known && written.every(isDegree)) return { units, rest: text };
+  const rest = text.replace(WRITTEN, (all, name) => {
+    const ask = asks[units.length % asks.length], stays = ask.unit === "rad" && isDegree(name);
+    units.push(stays ? unitOf(ask) : sizeOf(ask).find(({ typed }) => typed.test(name)) ?? refuse("unit", name));
+    return stays ? all : "";
+  });
+  return { units, rest };
+};
+
+// What was read, in the units that are asked for: those typed stand behind each number, or once.
+const converted = (value, units, text, asks) => {
+  const wanted = asks.map(unitOf), alike = wanted.every((unit) => unit === wanted[0]);
+  if (!units.length || (alike && units.every((unit) => unit === wanted[0]))) return value; // in a sum, too
+  const count = [value].flat(Infinity).length, once = alike && units.length === 1 && LAST.test(text);
+  if (SUM.test(text) || (!once && units.length !== count)) refuse("units", text);
+  let i = 0;
+  const each = (part) => Array.isArray(part) ? part.map(each)
+    : inUnit(part, units[once ? 0 : i], wanted[i++ % wanted.length]);
+  return each(value);
 };
 
 // ۲/۱۹۱ is 2.191: nobody divides by 191, or by 05, or zero by something. ۱/۳ may be both, and so may
@@ -40,12 +71,14 @@ const unslashed = (text) => text.replace(SLASHED, (all, whole, part, at) => {
   return `${whole}.${part}`;
 });
 
-const bare = (text, asks) => unslashed(unitless(unnamed(text, asks), asks))
+const bare = (text) => unslashed(text)
   .replace(/(\p{Nd}[.٫]\p{Nd}+)\.(?=\s*$)/u, "$1"); // a full stop
 
 const readAsked = (text, asks) => {
   try {
-    return readAnswer([...text].length > LONGEST ? text : bare(text, asks));
+    if (!asks.length || [...text].length > LONGEST) return readAnswer(text);
+    const named = unnamed(text, asks), { units, rest } = takeUnits(named, asks), found = readAnswer(bare(rest));
+    return found.problem ? found : { ...found, value: converted(found.value, units, named, asks) };
   } catch (refused) {
     return problemOf(refused);
   }

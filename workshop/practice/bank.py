@@ -22,22 +22,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workshop.course import course
-from workshop.errors import CourseError
+from workshop.errors import CourseError, shown
 from workshop.practice.solutions import Solution
 from workshop.practice.wording import number_text, with_unit
 from workshop.practice.wrong import Wrong
+from workshop.units import UNITS, refuse_other_than_si, refuse_unknown
 
 Answers = NDArray[np.float64]
 
-SI: dict[str, tuple[float, float]] = {  # shown units: times, divided by; all others are SI
-    **{"cm": (1, 100), "mm": (1, 1000), "cm/s": (1, 100), "ms": (1, 1000), "%": (1, 100)},
-    **{"°": (math.pi, 180), "°/s": (math.pi, 180), "turns/s": (2 * math.pi, 1)},
-}
-TOLERANCES = {  # unit → tolerance, reason
-    "rad": (9e-4, "three decimals in radians or one in degrees are enough: half of 0.1° is 8.7e-4"),
-    "m": (6e-4, "three decimals are enough: half a millimetre and a little"),
-    "": (6e-4, "three decimals are enough"),
-}
 RELATIVE = 1e-3  # of a large answer: as much as numbers make that are rounded on the way
 
 
@@ -104,17 +96,18 @@ class Given:
     options: tuple[Any, ...]
     unit: str = ""
 
+    def __post_init__(self) -> None:
+        refuse_unknown(self.unit, f"the number drawn from {shown(self.options)}")
+
     def value(self, option: Any) -> Any:
         """The SI number that formulas get; what is no number stays as it is."""
-        if not isinstance(option, int | float):
-            return option
-        times, by = SI.get(self.unit, (1, 1))
-        return option * times / by
+        return UNITS[self.unit].to_si(option) if isinstance(option, int | float) else option
 
     def option(self, value: Any) -> Any:
         """The number as the reader sees it, from its SI number."""
-        times, by = SI.get(self.unit, (1, 1))
-        return float(f"{value * by / times:.9g}") if isinstance(value, int | float) else value
+        if not isinstance(value, int | float):
+            return value
+        return float(f"{UNITS[self.unit].from_si(value):.9g}")
 
     def shown(self, option: Any) -> str:
         """As the reader sees it: "30 cm", "−45°"."""
@@ -143,7 +136,7 @@ class Ask:
 
     Args:
         label: its letter or name.
-        unit: as typed.
+        unit: SI; an answer that is typed with another unit of this size is converted.
         circle: whether it is an angle, compared up to whole turns.
         tolerance, reason: how far off an answer may be instead, in the unit, and why.
         relative: the same as a part of the answer.
@@ -157,13 +150,13 @@ class Ask:
     relative: float = 0.0
 
     def __post_init__(self) -> None:
+        refuse_other_than_si(self.unit, f"the answer {self.label}")
         if (self.tolerance < 0) == bool(self.reason):
             raise CourseError(f"{self.label}: a tolerance and its reason come together")
         if self.tolerance < 0:
-            unit = self.unit.split("/")[0]
-            tolerance, reason = TOLERANCES.get(unit, TOLERANCES[""])
-            object.__setattr__(self, "tolerance", tolerance)
-            object.__setattr__(self, "reason", reason)
+            unit = UNITS[self.unit]
+            object.__setattr__(self, "tolerance", unit.tolerance)
+            object.__setattr__(self, "reason", unit.reason)
             object.__setattr__(self, "relative", 0.0 if self.circle else RELATIVE)
 
     def allowed(self, value: float, factor: float = 1.0) -> float:

@@ -141,14 +141,14 @@ const like = ({ asks: { length: size }, accept, shape: [many = accept === "all" 
 };
 
 // What is wrong with an answer that cannot be read.
-const problemSays = (problem, about) =>
-  said(PROBLEMS[problem], { about, point: about.replace(",", "."), whole: about.replace(",", "") });
+const problemSays = ({ problem, about }, asks) => said(PROBLEMS[problem],
+  { about, point: about.replace(",", "."), whole: about.replace(",", ""), units: unitsFor(asks) });
 
 // The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing.
 const checkAnswer = (exercise, listed, text) => {
   const unread = (says) => ({ result: "unread", name: "", says });
-  const { value, problem, about } = readAsked(text, exercise.asks);
-  if (problem) return unread(problemSays(problem, about));
+  const found = readAsked(text, exercise.asks), { value } = found;
+  if (found.problem) return unread(problemSays(found, exercise.asks));
   const rows = rowsOf(exercise, value, listed[0][1].length);
   const unit = exercise.asks.length === 1 ? exercise.asks[0].unit : "";
   const read = `Read as ${shownValue(value)}${unit && ` ${unit}`}.`;

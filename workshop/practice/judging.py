@@ -18,15 +18,10 @@ from numpy.typing import ArrayLike
 
 from workshop.practice.bank import Ask, Exercise
 from workshop.script import engine
+from workshop.units import ROWS, TABLE
 
 Row = tuple[float, ...]
 
-LENGTHS = {"cm": 100.0, "mm": 1000.0}
-ANGLES = {"degrees": 180 / math.pi, "turns": 0.5 / math.pi}
-POWERS = {  # how a unit is made of lengths and angles; the others have no other size here
-    **{"m": (1, 0), "m/s": (1, 0), "m²": (2, 0), "1/m": (-1, 0)},
-    **{"rad": (0, 1), "rad/s": (0, 1), "rad/m": (-1, 1)},
-}
 RIGHT = "This check passed."
 SLIPS = {
     "sign": "Not yet: the size is right, the sign is not.",
@@ -92,7 +87,7 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
         says, shows = f"Not yet. This is what you get {words}.", picture.shows if picture else ""
         found[name] = Outcome("wrong", says, ones, why, shows)
     for name, factors in _units(exercise.asks).items():
-        asked = " and ".join(dict.fromkeys(a.unit for a in exercise.asks if a.unit in POWERS))
+        asked = " and ".join(dict.fromkeys(a.unit for a in exercise.asks if _slips_of(a.unit)))
         says = (
             f"The right value, but in other units ({name}). Asked is {asked}: please type it again."
         )
@@ -103,17 +98,25 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
 
 
 def _units(asks: Sequence[Ask]) -> dict[str, Row]:
-    """The other units that an answer may be in: name → factor of each number asked."""
-    powers = [POWERS.get(ask.unit, (0, 0)) for ask in asks]
-    lengths = {"": 1.0, **LENGTHS} if any(p[0] for p in powers) else {"": 1.0}
-    angles = {"": 1.0, **ANGLES} if any(p[1] for p in powers) else {"": 1.0}
+    """The other units that an answer may be in: name → factor of each number asked.
+
+    All lengths are in the same one, and all angles.
+    """
+    slips = [_slips_of(ask.unit) for ask in asks]
+    ordered = [_slips_of(row[0].name) for row in TABLE]
+    kinds = dict.fromkeys(("", *each) for each in ordered if each in slips)
     return {
-        " and ".join(filter(None, (length, turned))): tuple(
-            lengths[length] ** p[0] * angles[turned] ** p[1] for p in powers
+        " and ".join(filter(None, names)): tuple(
+            math.prod(factors.get(name, 1.0) for name in names) for factors in slips
         )
-        for length, turned in product(lengths, angles)
-        if length or turned
+        for names in product(*kinds)
+        if any(names)
     }
+
+
+def _slips_of(unit: str) -> Mapping[str, float]:
+    """The other units that are meant where this one is asked: name → factor of the number."""
+    return {other.slip: other.from_si(1.0) for other in ROWS[unit] if other.slip}
 
 
 def candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidate, ...]:

@@ -16,6 +16,7 @@ from workshop.practice.bank import Ask, Exercise, default_salt
 from workshop.practice.judging import Candidate, Row
 from workshop.practice.teacher import chosen
 from workshop.practice.wording import paragraphs, symbols
+from workshop.units import ROWS
 
 WRITE = (
     "Write {what} as a decimal number such as 0.5 or 1.2e-3, with the decimal sign of your "
@@ -106,16 +107,7 @@ def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple
 
 def units_of(ask: Ask) -> dict[str, float]:
     """How the unit may be written, and the size of one of the unit asked in it."""
-    if not ask.unit:
-        return {}
-    length, angle = judging.POWERS.get(ask.unit, (0, 0))
-    found = {ask.unit: 1.0}
-    if angle:
-        found[ask.unit.replace("rad", "°")] = judging.ANGLES["degrees"] ** angle
-    if length and not angle:
-        for unit, factor in judging.LENGTHS.items():
-            found[ask.unit.replace("m", unit)] = factor**length
-    return found
+    return {unit.name: unit.from_si(1.0) for unit in ROWS[ask.unit]} if ask.unit else {}
 
 
 def _fields(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:

@@ -38,8 +38,11 @@ const PROBLEMS = {
     "The function “{about}” cannot be read. Calculate it and type the result, for example 0.5"
     + " for sin(30°).",
   unit:
-    "The unit “{about}” cannot be read. Type the number without its unit, for example 0.5; the"
-    + " unit is given beside the box.",
+    "The unit “{about}” cannot be read here. Type the number alone, for example 0.5, or with a unit"
+    + " that fits: {units}.",
+  units:
+    "It is not clear which number in “{about}” has which unit. Put a unit after each number, for"
+    + " example 1 m, 2 m, or after none. Of a sum, type the result.",
   equals: "The part “{about}” is not needed. Type only the number, for example 0.5 for v = 0.5.",
   list:
     "The calculation “{about}” has a list in it, which cannot be read. Calculate each number,"

@@ -26,7 +26,6 @@ const PI = ["pi", "π"];
 const FRACTIONS = new Map([["½", 1 / 2], ["¼", 1 / 4], ["¾", 3 / 4], ["⅓", 1 / 3], ["⅔", 2 / 3]]);
 const NOT_FINITE = new Map(
   [["nan", "nan"], ["inf", "infinity"], ["infinity", "infinity"], ["∞", "infinity"]]);
-const DEGREES = ["°", "deg", "degree", "degrees"];
 const WRAPPERS = ["array", "asarray", "matrix", "float", "int", "float64", "float32", "int64",
   "int32"];
 const FUNCTIONS = ["sin", "cos", "tan", "cot", "asin", "acos", "atan", "arcsin", "arccos",
@@ -49,7 +48,6 @@ const PLAIN = new Map([
   ["،", "、"],
   [";", "؛\uff1b"],
   ["=", "≈≃≅≡\uff1d"],
-  ["°", "º˚"],
   ["^", "\uff3e"],
   ...[..."()[]{}"].map((bracket) => [bracket, shift(bracket, 0xfee0)]),
   ...[..."0123456789"].map((d) => [d, shift(d, 0x630) + shift(d, 0x6c0) + shift(d, 0xfee0)]),

@@ -38,6 +38,7 @@ from workshop.equations.core import Equation, free_symbols, put_in
 from workshop.equations.text import formula_text, numbers_text
 from workshop.errors import CourseError
 from workshop.practice.wording import number_text, with_unit
+from workshop.units import refuse_other_than_si
 
 LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
 
@@ -56,6 +57,9 @@ class Line:
     left: Any
     right: Any
     unit: Unit = ""
+
+    def __post_init__(self) -> None:
+        refuse_wrong_units(self.unit, f"the line with {self.left}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +86,16 @@ class Step:
     textbook: bool = False
     part: tuple[int, ...] = ()
     check: Callable[..., Any] | None = None
+
+    def __post_init__(self) -> None:
+        of = getattr(self.formula, "name", "a solution")
+        refuse_wrong_units(self.unit, f"the step of {of}")
+
+
+def refuse_wrong_units(unit: Unit, who: str) -> None:
+    """Refuse a result in another unit than formulas compute it in."""
+    for each in (unit,) if isinstance(unit, str) else unit:
+        refuse_other_than_si(each, who)
 
 
 class Solution:

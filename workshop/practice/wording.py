@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from workshop.unbroken import unbroken
+from workshop.units import UNITS
 
 
 def number_text(value: Any, spec: str) -> str:
@@ -25,7 +26,7 @@ def number_text(value: Any, spec: str) -> str:
 
 def with_unit(text: str, unit: str) -> str:
     """ "30 cm", but "45°"."""
-    return text + unit if unit in ("°", "%") else f"{text} {unit}".rstrip()
+    return text + unit if UNITS[unit].joined else f"{text} {unit}".rstrip()
 
 
 def symbols(text: str) -> str:

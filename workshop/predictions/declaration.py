@@ -17,8 +17,8 @@ from workshop.errors import CourseError, shown
 from workshop.figures.compiling import factor, shown_unit
 from workshop.figures.declaration import Slider
 from workshop.figures.figure import find as find_figure
-from workshop.practice.bank import SI
 from workshop.practice.wording import number_text, with_unit
+from workshop.units import UNITS, refuse_unknown
 
 Value = Any  # an expression, a matrix or tuple of them, or a function of no arguments
 
@@ -78,12 +78,12 @@ class Number:
     near: float = 0.05
 
     def __post_init__(self) -> None:
+        refuse_unknown(self.unit, f"the guess of {self.label}")
         _refuse_typed(self.label, self.right, *self.assumes.values())
 
     def shown(self, value: Value) -> float:
         """A number in the unit that the reader sees."""
-        times, by = SI.get(self.unit, (1, 1))
-        return float(row(value)[0]) * by / times
+        return UNITS[self.unit].from_si(row(value)[0])
 
     def answer(self) -> str:
         """The right number with its unit."""

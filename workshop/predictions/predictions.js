@@ -91,11 +91,10 @@ class Prediction {
     if (this.answered) return;
     const { kind, places, units } = this.data;
     if (kind === "ghost") return this.withFigure(({ state }) => this.take(places.map((i) => state[i])));
-    const typed = this.one("input").value;
-    const text = units[0] === "°" ? typed.replace(/(°|deg\w*)\s*$/i, "") : typed;
-    const { value, problem, about } = workshop.practice.readAsked(text, [{ unit: units[0] }]);
-    if (!problem && typeof value === "number") return this.take([value]);
-    this.say(problem ? workshop.practice.problemSays(problem, about) : "Type one number.");
+    const asks = [{ unit: units[0] }], { readAsked, problemSays } = workshop.practice;
+    const found = readAsked(this.one("input").value, asks);
+    if (typeof found.value === "number") return this.take([found.value]);
+    this.say(found.problem ? problemSays(found, asks) : "Type one number.");
   }
 
   take(guess) {

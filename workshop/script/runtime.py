@@ -14,6 +14,7 @@ from importlib.resources import files
 from typing import Any
 
 from workshop.errors import CourseError
+from workshop.units import UNITS
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,7 @@ class Part:
 
 
 COMPACT = (",", ":")  # of JSON, without blanks
+JOINED = [name for name, unit in UNITS.items() if unit.joined]  # for `text.js`
 _parts: dict[str, Part] = {}
 
 
@@ -60,7 +62,7 @@ def code(name: str) -> str:
     part = _part(name)
     constants = [
         f"const {key} = {json.dumps(value, ensure_ascii=False, separators=COMPACT)};"
-        for key, value in part.constants().items()
+        for key, value in {"JOINED": JOINED, **part.constants()}.items()
     ]
     sources = [("workshop.script", "text.js"), *((part.package, script) for script in part.scripts)]
     scripts = [_text(*source) for source in sources]

@@ -6,7 +6,7 @@ const escaped = (text) => String(text).replace(/[&<>"]/g, (sign) =>
 const trueMinus = (text) => text.replace("-", "\u2212");
 
 // A number's text and its unit: 30°, 2 m.
-const withUnit = (text, unit) => unit === "°" || !unit ? text + unit : `${text} ${unit}`;
+const withUnit = (text, unit) => !unit || JOINED.includes(unit) ? text + unit : `${text} ${unit}`;
 
 // A text as HTML. In it "v_L" and "θ̇_1" are symbols: a letter, which may have marks, with its index,
 // and above it what "θ_1^away" has.

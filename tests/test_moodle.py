@@ -128,7 +128,8 @@ def test_an_angle_may_be_off_by_a_turn_and_be_in_degrees(questions):
     assert judged(field, 1e6) == (False, judging.says("wrong"))
     units = first.find("units")
     found = {u.find("unit_name").text: float(u.find("multiplier").text) for u in units}
-    assert found == {"rad": 1, "°": pytest.approx(180 / np.pi)}
+    turns = pytest.approx(1 / (2 * np.pi))
+    assert found == {"rad": 1, "°": pytest.approx(180 / np.pi), "turns": turns}
 
 
 @each("exercise", "exercises", Exercise, only=lambda exercise: exercise.accept != "one")

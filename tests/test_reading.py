@@ -77,7 +77,7 @@ def read(texts):
 def test_the_table_has_every_problem_and_no_duplicates():
     assert len({text for text, _ in ROWS}) == len(ROWS)
     refused = {result["problem"] for _, result in ROWS if isinstance(result, dict)}
-    assert refused == set(PROBLEMS) - {"slash"}  # which is for what is asked, below
+    assert refused == set(PROBLEMS) - {"slash", "units"}  # of what is asked, below
 
 
 @pytest.mark.parametrize("group", GROUPS)
@@ -115,7 +115,7 @@ def test_a_problem_names_the_piece_as_it_was_typed():
 def test_a_message_names_what_it_is_about():
     for code, message in PROBLEMS.items():
         assert message.count("{about}") == (code != "empty"), code
-        shown = message.format(about="{1, 2} $&", point="", whole="")
+        shown = message.format(about="{1, 2} $&", point="", whole="", units="")
         assert "{1, 2} $&" in shown or code == "empty"
 
 
@@ -335,6 +335,8 @@ def test_texts_that_shrink(texts):
 RATE = [("ω", "rad/s")]
 TWIST = [("v", "m/s"), ("ω", "rad/s")]
 POINT = [("x", "m"), ("y", "m")]
+WIDTH = [("w", "m")]
+POSE = [*POINT, ("θ", "rad")]
 
 
 @pytest.mark.parametrize(
@@ -352,6 +354,26 @@ POINT = [("x", "m"), ("y", "m")]
         ("v = 0.1, ω = 0.2", TWIST, [0.1, 0.2]),
         ("x=1 m, y=2 m", POINT, [1, 2]),
         ("[1, 2] m", POINT, [1, 2]),
+        ("1 m + 2 m", WIDTH, 3),
+        ("1 mm, 2 m", POINT, [0.001, 2]),
+        ("[1 m -200 cm]", POINT, [1, -2]),
+        ("[[100, 200], [300, 400]] cm", POINT, [[1, 2], [3, 4]]),
+        ("1 m, 2 cm; 3 m, 4 cm", POINT, [[1, 0.02], [3, 0.04]]),
+        ("v = 18 km/h, ω = 180 °/s", TWIST, [5, math.pi]),
+        ("1 m, 200 cm, 30°", POSE, [1, 2, math.pi / 6]),
+        ("1, 2, 30°", POSE, [1, 2, math.pi / 6]),
+        ("90° + 0.5 rad", [("θ", "rad")], math.pi / 2 + 0.5),
+        ("0,5 cm", WIDTH, 0.005),
+        ("0,5 cm, 1,5 cm", POINT, [0.005, 0.015]),
+        ("1/2 cm", WIDTH, 0.005),
+        ("½ cm", WIDTH, 0.005),
+        ("2e-3 km", WIDTH, 2),
+        ("۱٫۵ cm", WIDTH, 0.015),
+        ("0.51/s", RATE, 0.51),
+        ("0.5 1/s", RATE, 0.5),
+        ("0.5*60°", WIDTH, math.pi / 6),
+        ("30 deg", [("", "°")], 30),
+        ("0.5 rad", [("", "°")], 90 / math.pi),
         ("۲/۱۹۱", RATE, 2.191),
         ("۰/۵", RATE, 0.5),
         ("۲/۰۵، ۱٫۵", POINT, [2.05, 1.5]),
@@ -370,7 +392,13 @@ def test_what_can_mean_only_one_thing_is_read(text, asks, value):
         ("0.5 rad", RATE, "unit"),
         ("3 m", [("w", "m²")], "unit"),
         ("0.2 rad/s, 0.1 m/s", TWIST, "unit"),  # in the order of the question, or of the units?
-        ("1 mm, 2 m", POINT, "unit"),
+        ("50 cm, 1", POINT, "units"),
+        ("1 m, 2 m, 0.5", POSE, "units"),
+        ("1 m + 2 cm", WIDTH, "units"),
+        ("2 - 3 cm", WIDTH, "units"),
+        ("2-3 cm", WIDTH, "units"),
+        ("1 m + 2 cm, 3", POINT, "units"),
+        ("30°, 1 m", POINT, "unit"),
         ("ω = 0.1, v = 0.2", TWIST, "equals"),
         ("v = ω = 3", RATE, "equals"),
         ("۱/۳", RATE, "slash"),

@@ -68,14 +68,13 @@ class Unit:
     @property
     def pattern(self) -> str:
         """The regular expression of all that may be typed for it."""
-        return "|".join(
-            "".join(
-                BETWEEN.get(part) or (part if part in self.words else f"(?:{UNITS[part].pattern})")
-                for part in re.split(f"([{''.join(BETWEEN)}])", word)
-                if part
-            )
-            for word in self.words
-        )
+        others = UNITS.keys() - self.words
+
+        def piece(part: str) -> str:
+            return BETWEEN.get(part) or (f"(?:{UNITS[part].pattern})" if part in others else part)
+
+        parts = (filter(None, re.split(f"([{''.join(BETWEEN)}])", word)) for word in self.words)
+        return "|".join("".join(map(piece, each)) for each in parts)
 
 
 TABLE = (  # a row for each size, first the unit that formulas compute in

@@ -94,7 +94,7 @@ class Step:
 
 def refuse_wrong_units(unit: Unit, who: str) -> None:
     """Refuse a result in another unit than formulas compute it in."""
-    for each in (unit,) if isinstance(unit, str) else unit:
+    for each in unit if isinstance(unit, tuple) else (unit,):
         refuse_other_than_si(each, who)
 
 

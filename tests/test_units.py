@@ -49,10 +49,11 @@ def size(name):
 
 def ways(unit):
     """All that may be typed for a unit."""
+    known = {unit.name: unit.words for unit in UNITS.values()}
     for word in unit.words:
         pieces = filter(None, re.split("([/· ²1])", word))
         typed = (
-            BETWEEN.get(piece) or ([piece] if piece in unit.words else UNITS[piece].words)
+            BETWEEN.get(piece) or ([piece] if piece in unit.words else known.get(piece, [piece]))
             for piece in pieces
         )
         yield from map("".join, itertools.product(*typed))
@@ -82,7 +83,10 @@ def check(typed, unit, right):
 def test_each_unit_has_one_row_and_the_size_that_its_name_says():
     assert len(UNITS) == sum(map(len, TABLE))
     for unit in UNITS.values():
-        assert np.isclose(unit.factor, size(unit.name), rtol=1e-15), unit
+        assert np.isclose(unit.factor, size(unit.name), rtol=1e-15), (
+            f"{unit.name} is {unit.factor} of its SI unit in the table, but {size(unit.name)} by "
+            "the words in its name: correct it, or put a new word into SIZES here"
+        )
     assert {unit.factor for unit in SI} == {1}
 
 
@@ -205,12 +209,12 @@ def test_a_speed_is_graded_in_the_unit_that_is_typed(typed, result):
     verdict = check(typed, "m/s", 5)
     assert verdict.result == result, verdict
     if result == "unread":
-        assert verdict.says.endswith("a unit that fits: m/s, cm/s, mm/s, km/h.")
+        assert "a unit that fits: m/s, cm/s, mm/s, km/h" in verdict.says
 
 
 def test_signs_that_few_keyboards_have_are_named_in_two_ways():
-    assert check("5 furlong", "rad", 5).says.endswith(": rad, °, deg, turns.")
-    assert check("5 furlong", "m²", 5).says.endswith(": m², m^2, cm², cm^2, mm², mm^2.")
+    assert ": rad, °, deg, turns" in check("5 furlong", "rad", 5).says
+    assert ": m², m^2, cm², cm^2, mm², mm^2" in check("5 furlong", "m²", 5).says
 
 
 # Printing

@@ -7,8 +7,7 @@ from workshop.units import UNITS
 # For Python and for the script: before a unit that a number or "in" precedes, and beside the = of a
 # short formula. What a unit starts with, as m of m/s, will do.
 STARTS = sorted({re.split("[/·² ]", name)[0] for name in UNITS} - {"", "1"})
-WORDS, SIGNS = ([s for s in STARTS if s.isalpha() == kind] for kind in (True, False))
-UNIT = rf"(?:(?:{'|'.join(WORDS)})(?![A-Za-z_])|[{''.join(SIGNS)}])"
+UNIT = rf"(?:{'|'.join(STARTS)})(?![A-Za-z_])"
 SHORT = r"\S{1,9}(?:\s|$)"
 BEHIND = rf"(?:(?<=[0-9])|(?<=\bin)) (?={UNIT})"
 UNBROKEN = rf"{BEHIND}|(?<=\S) (?== {SHORT})|(?<=\S =) (?={SHORT})"

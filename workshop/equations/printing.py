@@ -20,6 +20,11 @@ class AsWritten(Printer):  # type: ignore[misc]
     def __init__(self, **settings: Any) -> None:
         super().__init__({"order": "none", **settings})
 
+    def _as_ordered_terms(self, expr: Any, order: str | None = None) -> list[Any]:
+        """The terms of a sum: three of a + b + c, which Python takes for (a + b) + c."""
+        first, *rest = expr.args
+        return [*self._as_ordered_terms(first), *rest] if first.is_Add else list(expr.args)
+
 
 class _Latex(AsWritten, LatexPrinter):  # type: ignore[misc]
     """SymPy's printer, but that atan2 of two sums takes two rows, to fit a phone."""

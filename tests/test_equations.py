@@ -120,7 +120,7 @@ def test_a_wrong_special_point_is_found():
 
 # What is no mistake at all, although a sign has changed; half turns are proved to be none.
 SAME = {
-    "component 0: counter_span/2 of -count_before + count_now + counter_span/2 negated": "half a "
+    "component 0: counter_span/2 of counter_span/2 + (-count_before + count_now) negated": "half a "
     "span more and half a span less are a whole span apart, which the remainder does not see"
 }
 
@@ -290,6 +290,15 @@ def _sinc(x):
 def test_prints_in_the_order_written():
     assert latex(SPEED.right) == r"\frac{v_{R} + v_{L}}{2}"
     assert latex(EQUATIONS["differential_drive.turning_rate"].right) == r"\frac{v_{R} - v_{L}}{b}"
+
+
+def test_a_sum_has_the_parentheses_that_are_typed():
+    a, b, c = sp.symbols("a b c")
+    with as_written():
+        assert latex(c - a + b) == "c - a + b"
+        assert latex(c + (a - b)) == r"c + \left(a - b\right)"
+        assert "[c[2] - c[0] + c[1]]" in function({"c": (a, b, c)}, [c - a + b])
+        assert "[c[2] + (c[0] - c[1])]" in function({"c": (a, b, c)}, [c + (a - b)])
 
 
 def test_sympy_shows_the_same_symbols():

@@ -42,7 +42,7 @@ def off(exercise, row, other):
         judging.off(ask, x, y) / max(1.0, abs(y))
         for ask, x, y in zip(exercise.asks, row, other, strict=True)
     ]
-    return max(apart)
+    return np.max(apart)  # NaN if one is, which `max` may leave out
 
 
 def leads_to_the_answer(exercise, solution, variant):

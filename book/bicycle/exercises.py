@@ -44,7 +44,7 @@ with as_written():
     ONE_WHEEL = Line(PHI, atan(2 / (cot(formulas.alpha_L) + cot(formulas.alpha_R))))
     MEAN = (formulas.alpha_L + formulas.alpha_R) / 2
     TURN = planar.v / L * tan(PHI) * planar.dt
-    CLOCKWISE, GROWING = Line(PSI_NEXT, PSI - TURN), Add(PSI, TURN)
+    CLOCKWISE, GROWING = Line(PSI_NEXT, PSI - TURN), PSI + TURN
 
 M15 = Mistake(
     "M15",
@@ -240,7 +240,7 @@ def loop(n):
     """The loop's n steps: the angle of each from the y axis, and the sum of their ways."""
     angles = sp.symbols(f"delta_1:{n + 1}")
     with as_written():
-        directions = [Add(PSI, k * PSI_DOT * planar.dt, -PHI) for k in range(n)]
+        directions = [PSI + k * PSI_DOT * planar.dt - PHI for k in range(n)]
         ends = [V_F * planar.dt * Add(*map(part, angles)) for part in (sin, cos)]
     return (
         Line(sp.Matrix(angles), sp.Matrix(directions), "rad"),

@@ -1,6 +1,6 @@
 """The three-joint elbow arm: from joint angles to the wrist, and the ways back."""
 
-from sympy import Abs, Add, Matrix, Max, Min, acos, atan2, cos, pi, sin, sqrt
+from sympy import Abs, Matrix, Max, Min, acos, atan2, cos, pi, sin, sqrt
 
 from book.basics.formulas import p_x, p_y
 from workshop.equations.core import Equation, as_written, quantity, sign
@@ -72,7 +72,7 @@ with as_written():
             [
                 (a2 * cos(theta2) + a3 * cos(raised)) * cos(theta1),
                 (a2 * cos(theta2) + a3 * cos(raised)) * sin(theta1),
-                Add(d1, a2 * sin(theta2), a3 * sin(raised)),
+                d1 + a2 * sin(theta2) + a3 * sin(raised),
             ]
         ),
         source="exercise 1",
@@ -96,8 +96,8 @@ with as_written():
 
     square = out**2 + high**2
     TRIANGLE = (
-        (phi1, acos(Add(a2**2, apart**2, -(a3**2)) / (2 * a2 * apart))),
-        (phi2, acos(Add(a2**2, a3**2, -(apart**2)) / (2 * a2 * a3))),
+        (phi1, acos((a2**2 + apart**2 - a3**2) / (2 * a2 * apart))),
+        (phi2, acos((a2**2 + a3**2 - apart**2) / (2 * a2 * a3))),
         (phi3, atan2(high, out)),
     )
     triangle = Equation(
@@ -126,7 +126,7 @@ with as_written():
     cosine = Equation(
         name="elbow_arm.cosine",
         left=A,
-        right=Add(p_x**2, p_y**2, high**2, -(a2**2), -(a3**2)) / (2 * a2 * a3),
+        right=(p_x**2 + p_y**2 + high**2 - a2**2 - a3**2) / (2 * a2 * a3),
         source="exercise 1 (seed 001)",
     )
 
@@ -153,7 +153,7 @@ with as_written():
         is_angle=True,
     )
 
-    room, span = Add(a2, a3, -apart), Add(a2, a3, apart)  # four sums and differences of three sides
+    room, span = a2 + a3 - apart, a2 + a3 + apart  # four sums and differences of three sides
     near, far = apart - (a2 - a3), apart + (a2 - a3)
     half_angles = Equation(
         name="elbow_arm.half_angles",

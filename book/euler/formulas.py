@@ -213,7 +213,7 @@ with as_written():
         where=MADE,
     )
 
-    diagonal = Add(r[0, 0], r[1, 1], r[2, 2], -1)
+    diagonal = r[0, 0] + r[1, 1] + r[2, 2] - 1
 
     turn_cosine = Equation(
         name="euler.turn_cosine",

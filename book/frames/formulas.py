@@ -1,6 +1,6 @@
 """Frames: a pose as a matrix, its inverse, poses in a chain, a camera that looks down."""
 
-from sympy import Abs, Add, MatMul, Matrix, cos, sin
+from sympy import Abs, MatMul, Matrix, cos, sin
 
 from book.motion.formulas import theta
 from workshop.equations.core import Equation, as_written, quantity, sign
@@ -84,7 +84,7 @@ with as_written():
             [
                 l_1 * cos(alpha) + l_2 * cos(alpha + beta),
                 l_1 * sin(alpha) + l_2 * sin(alpha + beta),
-                Add(alpha, beta, gamma),
+                alpha + beta + gamma,
             ]
         ),
         source="exercise 3",
@@ -142,8 +142,8 @@ with as_written():
         left=sought("dc"),
         right=Matrix(
             [
-                Add(db_x, bc_x * cos(db_turn), -bc_y * sin(db_turn)),
-                Add(db_y, bc_x * sin(db_turn), bc_y * cos(db_turn)),
+                db_x + bc_x * cos(db_turn) - bc_y * sin(db_turn),
+                db_y + bc_x * sin(db_turn) + bc_y * cos(db_turn),
                 db_turn + bc_turn,
             ]
         ),

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from sympy import Abs, Add, Matrix, Mod, Mul, Piecewise, Symbol, cos, pi, sin, sinc, sqrt, symbols
+from sympy import Abs, Matrix, Mod, Piecewise, Symbol, cos, pi, sin, sinc, sqrt, symbols
 
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, x_next, y, y_next
@@ -131,7 +131,7 @@ with as_written():
     counter_step = Equation(
         name="odometry.counter_step",
         left=dN,
-        right=Mod(Add(count_now, -count_before, counter_span / 2), counter_span) - counter_span / 2,
+        right=Mod(count_now - count_before + counter_span / 2, counter_span) - counter_span / 2,
         source="exercise 7",
     )
 
@@ -170,20 +170,12 @@ with as_written():
         left=Matrix(p_next),
         right=Matrix(
             [
-                Add(
-                    p_xx, Mul(-2, y_step, p_xt), y_step**2 * p_tt,
-                    q_L * x_by_L**2, q_R * x_by_R**2,
-                ),
-                Add(
-                    p_xy, x_step * p_xt, Mul(-1, y_step, p_yt), Mul(-1, x_step, y_step, p_tt),
-                    q_L * x_by_L * y_by_L, q_R * x_by_R * y_by_R,
-                ),
-                Add(p_xt, Mul(-1, y_step, p_tt), (q_R * x_by_R - q_L * x_by_L) / b),
-                Add(
-                    p_yy, 2 * x_step * p_yt, x_step**2 * p_tt,
-                    q_L * y_by_L**2, q_R * y_by_R**2,
-                ),
-                Add(p_yt, x_step * p_tt, (q_R * y_by_R - q_L * y_by_L) / b),
+                p_xx - 2 * y_step * p_xt + y_step**2 * p_tt + q_L * x_by_L**2 + q_R * x_by_R**2,
+                p_xy + x_step * p_xt - y_step * p_yt - x_step * y_step * p_tt
+                + q_L * x_by_L * y_by_L + q_R * x_by_R * y_by_R,
+                p_xt - y_step * p_tt + (q_R * x_by_R - q_L * x_by_L) / b,
+                p_yy + 2 * x_step * p_yt + x_step**2 * p_tt + q_L * y_by_L**2 + q_R * y_by_R**2,
+                p_yt + x_step * p_tt + (q_R * y_by_R - q_L * y_by_L) / b,
                 p_tt + (q_L + q_R) / b**2,
             ]
         ),
@@ -213,8 +205,8 @@ with as_written():
         left=Matrix([short_turn, side_swing]),
         right=Matrix(
             [
-                Add(y_ccw, -x_ccw, -x_cw, -y_cw) / (8 * side),
-                Add(x_ccw, -y_ccw, -x_cw, -y_cw) / (8 * side),
+                (y_ccw - x_ccw - x_cw - y_cw) / (8 * side),
+                (x_ccw - y_ccw - x_cw - y_cw) / (8 * side),
             ]
         ),
         source="Borenstein & Feng 1996",

@@ -5,7 +5,6 @@ from functools import cache, partial
 import numpy as np
 from sympy import (
     Abs,
-    Add,
     Matrix,
     MatrixSymbol,
     Max,
@@ -333,7 +332,7 @@ with as_written():
     LEVER = Matrix([-(y * rate1), x * rate1, rate1])
     ROOT = sqrt(formulas.G_xx * formulas.G_yy - formulas.G_xy**2)
     # a joint's column of J, times what the hand gives out
-    WORK = [Add(f_x * J[0, k], f_y * J[1, k], m * J[2, k]) for k in range(3)]
+    WORK = [f_x * J[0, k] + f_y * J[1, k] + m * J[2, k] for k in range(3)]
 
 
 def column(steps):

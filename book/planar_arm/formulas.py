@@ -79,7 +79,7 @@ arrow = [
 
 
 with as_written():
-    sum12, sum123 = theta1 + theta2, Add(theta1, theta2, theta3)
+    sum12, sum123 = theta1 + theta2, theta1 + theta2 + theta3
     SHORT = (
         (c1, cos(theta1)),
         (s1, sin(theta1)),
@@ -90,9 +90,9 @@ with as_written():
     )
     BENDS = ((s2, sin(theta2)), (s3, sin(theta3)), (s23, sin(theta2 + theta3)))
 
-    ahead = Add(l1 * c1, l2 * c12, l3 * c123)  # three terms, without brackets
-    above = Add(l1 * s1, l2 * s12, l3 * s123)
-    rate12, rate123 = rate1 + rate2, Add(rate1, rate2, rate3)
+    ahead = l1 * c1 + l2 * c12 + l3 * c123
+    above = l1 * s1 + l2 * s12 + l3 * s123
+    rate12, rate123 = rate1 + rate2, rate1 + rate2 + rate3
 
     forward = Equation(
         name="planar_arm.forward",
@@ -107,8 +107,8 @@ with as_written():
         left=Matrix(TWIST),
         right=Matrix(
             [
-                Add(-(l1 * s1 * rate1), -(l2 * s12 * rate12), -(l3 * s123 * rate123)),
-                Add(l1 * c1 * rate1, l2 * c12 * rate12, l3 * c123 * rate123),
+                -(l1 * s1 * rate1) - l2 * s12 * rate12 - l3 * s123 * rate123,
+                l1 * c1 * rate1 + l2 * c12 * rate12 + l3 * c123 * rate123,
                 rate123,
             ]
         ),
@@ -121,7 +121,7 @@ with as_written():
         left=whole_J,
         right=Matrix(
             [
-                [Add(-(l1 * s1), -(l2 * s12), -(l3 * s123)), -l2 * s12 - l3 * s123, -l3 * s123],
+                [-(l1 * s1) - l2 * s12 - l3 * s123, -l2 * s12 - l3 * s123, -l3 * s123],
                 [ahead, l2 * c12 + l3 * c123, l3 * c123],
                 [1, 1, 1],
             ]
@@ -137,12 +137,12 @@ with as_written():
         source="exercise 8",
     )
 
-    along2 = Add(x_dot * c12, y_dot * s12, l3 * phi_dot * s3)
-    along1 = Add(x_dot * c1, y_dot * s1, l3 * phi_dot * s23)
+    along2 = x_dot * c12 + y_dot * s12 + l3 * phi_dot * s3
+    along1 = x_dot * c1 + y_dot * s1 + l3 * phi_dot * s23
     rates = (
         along2 / (l1 * s2),
         -rate1 - along1 / (l2 * s2),
-        Add(phi_dot, -rate1, -rate2),
+        phi_dot - rate1 - rate2,
     )
 
     joint_rates = Equation(
@@ -153,7 +153,7 @@ with as_written():
         source="exercise 8",
     )
 
-    distance = sqrt(Add(l1**2, l2**2, 2 * l1 * l2 * cos(theta2)))  # of the wrist from the base
+    distance = sqrt(l1**2 + l2**2 + 2 * l1 * l2 * cos(theta2))  # of the wrist from the base
     elbow_speed = -(v_out * distance / (l1 * l2 * sin(theta2)))
 
     elbow_rate = Equation(
@@ -168,11 +168,9 @@ with as_written():
         name="planar_arm.manipulability",
         left=w,
         right=sqrt(
-            Add(
-                (l1 * l2 * s2 + l1 * l3 * s23) ** 2,
-                (l1 * l3 * s23 + l2 * l3 * s3) ** 2,
-                (l2 * l3 * s3) ** 2,
-            )
+            (l1 * l2 * s2 + l1 * l3 * s23) ** 2
+            + (l1 * l3 * s23 + l2 * l3 * s3) ** 2
+            + (l2 * l3 * s3) ** 2
         ),
         where=BENDS,
         source="exercise 8; Siciliano et al., section 3.9",
@@ -184,7 +182,7 @@ with as_written():
         (G_xy, Add(*(a * b for a, b in zip(J[0, :], J[1, :], strict=True)))),
     )
     POSITION_ROWS = (*SHORT, *zip(J[:2, :], jacobian.right[:2, :], strict=True), *GRAM)
-    longest = sqrt(Add(G_xx, G_yy, sqrt((G_xx - G_yy) ** 2 + 4 * G_xy**2)) / 2)
+    longest = sqrt((G_xx + G_yy + sqrt((G_xx - G_yy) ** 2 + 4 * G_xy**2)) / 2)
 
     ellipse = Equation(
         name="planar_arm.ellipse",
@@ -206,7 +204,7 @@ with as_written():
     damped = Equation(
         name="planar_arm.damped",
         left=Symbol(r"\left(J^{\top} J + \lambda^{2} I\right) \dot{\theta}"),
-        right=Matrix([Add(x_dot * J[0, j], y_dot * J[1, j], phi_dot * J[2, j]) for j in range(3)]),
+        right=Matrix([x_dot * J[0, j] + y_dot * J[1, j] + phi_dot * J[2, j] for j in range(3)]),
         where=(*SHORT, *zip(J, jacobian.right, strict=True)),
         source="exercise 8; Siciliano et al., section 3.5.2",
     )
@@ -230,14 +228,12 @@ with as_written():
         source="exercise 8",
     )
 
-    ELBOW = 2 * atan2(
-        sqrt(Add(l1, l2, -d) * Add(l1, l2, d)), sqrt(Add(d, -l1, l2) * Add(d, l1, -l2))
-    )
+    ELBOW = 2 * atan2(sqrt((l1 + l2 - d) * (l1 + l2 + d)), sqrt((d - l1 + l2) * (d + l1 - l2)))
     SHOULDER = atan2(y_w, x_w) - atan2(l2 * sin(theta2), l1 + l2 * cos(theta2))
     inverse = Equation(
         name="planar_arm.inverse",
         left=Matrix([theta2, theta1, theta3]),
-        right=Matrix([ELBOW, SHOULDER, Add(phi_hand, -theta1, -theta2)]),
+        right=Matrix([ELBOW, SHOULDER, phi_hand - theta1 - theta2]),
         where=(
             (x_w, wrist.right[0]),
             (y_w, wrist.right[1]),

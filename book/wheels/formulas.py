@@ -3,7 +3,7 @@
 
 from typing import Any
 
-from sympy import Add, MatMul, Matrix, Max, Min, Rational, cos, sin, sqrt
+from sympy import MatMul, Matrix, Max, Min, Rational, cos, sin, sqrt
 
 from book.differential_drive.formulas import r
 from book.motion.formulas import (
@@ -94,7 +94,7 @@ J1_inverse = Matrix(
 )
 
 with as_written():
-    SUM = Add(alpha, beta, gamma)
+    SUM = alpha + beta + gamma
     STEERABLE = Max(0, Min(rank_steered, 2 - rank_fixed))
 
     contact = Equation(
@@ -123,7 +123,7 @@ with as_written():
     castor = Equation(
         name="wheels.castor",
         left=-d * beta_dot,
-        right=Add(v * cos(alpha + beta), v_y * sin(alpha + beta), omega * (d + l * sin(beta))),
+        right=v * cos(alpha + beta) + v_y * sin(alpha + beta) + omega * (d + l * sin(beta)),
         source="exercise 6",
     )
 
@@ -184,7 +184,7 @@ with as_written():
     mobility = Equation(
         name="wheels.mobility",
         left=Matrix([delta_s, delta_m, delta_M]),
-        right=Matrix([STEERABLE, Add(3, -rank_fixed, -delta_s), delta_m + delta_s]),
-        where=((delta_s, STEERABLE), (delta_m, Add(3, -rank_fixed, -delta_s))),
+        right=Matrix([STEERABLE, 3 - rank_fixed - delta_s, delta_m + delta_s]),
+        where=((delta_s, STEERABLE), (delta_m, 3 - rank_fixed - delta_s)),
         source="exercise 6",
     )

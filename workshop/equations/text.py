@@ -118,7 +118,7 @@ class Text(AsWritten):
 
     def _print_Add(self, e: Any) -> Bound:
         text = ""
-        for place, part in enumerate(self._as_ordered_terms(e)):
+        for place, part in enumerate(e.args):
             sign, rest = signed(part)
             shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SUM)
             if place:

@@ -134,7 +134,7 @@ def shifted_back(T):
     n = len(T) - 1
     out = np.eye(n + 1)
     out[:n, :n] = T[:n, :n].T
-    out[:n, n] = -T[:n, n]
+    out[:n, n] = M10.wrong.gives(p=T[:n, n])
     return out
 
 

@@ -223,7 +223,8 @@ def test_own_figure_moves_in_a_kernel(chapter, kernel):
     started = kernel.run(interactive.source)
     assert not errors(started)
     slider, state = next(sliders(started))
-    low, middle = state["min"], (state["min"] + state["max"]) // 2  # the ends may look alike
+    low, high = state["min"], state["max"]
+    middle = type(low)((low + high) / 2)  # the ends may look alike
     shown = {state["value"]: pictures(started)}
     for value in {low, middle} - set(shown):
         moved = kernel.move(slider, value)

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from workshop.course import course
-from workshop.equations.core import Equation, find
+from workshop.equations.core import Equation, declared
 from workshop.equations.printing import MIME
 
 
@@ -22,6 +22,10 @@ def results(cell: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def shown(chapter: str) -> list[tuple[Equation, bool]]:
-    """The equations that a chapter's notebook shows, and whether in the form that is computed."""
+    """The equations that a chapter's notebook shows, and whether in the form that is computed.
+
+    Without those that have lost their name since it ran: it must run again to say so.
+    """
     found = [data[MIME] for cell in cells(chapter) for data in results(cell) if MIME in data]
-    return [(find(data["name"]), data["computed"]) for data in found]
+    known = declared()
+    return [(known[data["name"]], data["computed"]) for data in found if data["name"] in known]

@@ -18,7 +18,6 @@ SITE := _build/html/.built
 SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') \
 	$(wildcard _build/robokin*.pdf _build/robokin.epub)
-NOTEBOOKS = $(wildcard book/*/*$(T)*.ipynb)
 
 # what other projects have set would change what is installed here, and what runs
 unexport PIP_PREFIX PIP_REQUIRE_HASHES PIP_TARGET PIP_USER UV_NO_BUILD UV_REQUIRE_HASHES
@@ -75,7 +74,9 @@ paper: $(SITE)
 # The library's tests run once, against the wheel that a user installs.
 LIBRARY := _build/library
 UNDER_TEST := PYTHONPATH="$$PWD/$(LIBRARY)" ROBOKIN_UNDER_TEST="$$PWD/$(LIBRARY)"
-PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --dist
+PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --durations=10 --dist
+# as conftest.py groups and orders them
+GROUPED := loadgroup --no-loadscope-reorder --nbval
 
 $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@rm -rf $(LIBRARY)
@@ -84,16 +85,14 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) worksteal $(if $(T),-k $(T)) tests book
-	$(if $(NOTEBOOKS),$(PYTEST) loadfile --nbval $(NOTEBOOKS))
+	$(PYTEST) $(GROUPED) $(if $(T),-k $(T)) tests book
 
 test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)
 	$(PYTEST) worksteal -m slow -rs $(if $(T),-k $(T)) tests book
 
 test-install: $(LIBRARY)/.ready .venv-lowest/.ready
 	$(PYTEST) worksteal -m install -rs tests
-	.venv-lowest/bin/pytest -n 2 book
-	.venv-lowest/bin/pytest -n 2 --dist loadfile --nbval $(wildcard book/*/*.ipynb)
+	.venv-lowest/bin/pytest -n 2 --dist $(GROUPED) book
 
 check: $(READY)
 	$(BIN)/ruff check .

@@ -173,11 +173,19 @@ class Kernel:
                 return found
 
 
-@pytest.fixture
-def kernel():
+@pytest.fixture(scope="module")
+def running():
+    """One kernel for all chapters; to start one takes longer than most cells."""
     running = Kernel()
     yield running
     running.stop()
+
+
+@pytest.fixture
+def kernel(running):
+    """The kernel, without the names of the test before."""
+    assert not errors(running.run("%reset -f"))
+    return running
 
 
 def errors(messages):

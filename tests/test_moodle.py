@@ -19,7 +19,15 @@ UNESCAPED = r"(?<!\\)~"  # between the answers of a field
 TOLD = 0.95  # of the mistakes, at least
 
 
-each_exercise = each("exercise", "exercises", Exercise)
+# one exercise of each kind of question; the slow suite takes all
+FIRSTS = {(e.accept, len(e.asks) > 1, bool(e.shape)): n for n, e in reversed(EXERCISES.items())}
+
+
+def marks(name):
+    return [] if name in FIRSTS.values() else [pytest.mark.slow]
+
+
+each_exercise = each("exercise", "exercises", Exercise, marks)
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +102,7 @@ def test_an_exercise_is_asked_in_all_variants(exercise, questions):
         assert ("decimal number" in text) == (kind != "multichoice")
 
 
-@each("exercise", "exercises", Exercise, only=lambda exercise: exercise.accept == "one")
+@each("exercise", "exercises", Exercise, marks, lambda exercise: exercise.accept == "one")
 def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, questions):
     """As Moodle judges, field by field: in one field at least the mistake is named."""
     named, made, meant = 0, 0, judging.outcomes(exercise)

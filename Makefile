@@ -75,8 +75,8 @@ paper: $(SITE)
 LIBRARY := _build/library
 UNDER_TEST := PYTHONPATH="$$PWD/$(LIBRARY)" ROBOKIN_UNDER_TEST="$$PWD/$(LIBRARY)"
 PYTEST := $(UNDER_TEST) $(BIN)/pytest -n 2 --durations=10 --dist
-# as conftest.py groups and orders them
-GROUPED := loadgroup --no-loadscope-reorder --nbval
+# a worker takes a whole file, as a notebook needs it, in the order of conftest.py
+FILES := loadfile --no-loadscope-reorder --nbval
 
 $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@rm -rf $(LIBRARY)
@@ -85,14 +85,14 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: check $(LIBRARY)/.ready
-	$(PYTEST) $(GROUPED) $(if $(T),-k $(T)) tests book
+	$(PYTEST) $(FILES) $(if $(T),-k $(T)) tests book
 
 test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)
 	$(PYTEST) worksteal -m slow -rs $(if $(T),-k $(T)) tests book
 
 test-install: $(LIBRARY)/.ready .venv-lowest/.ready
 	$(PYTEST) worksteal -m install -rs tests
-	.venv-lowest/bin/pytest -n 2 --dist $(GROUPED) book
+	.venv-lowest/bin/pytest -n 2 --dist $(FILES) book
 
 check: $(READY)
 	$(BIN)/ruff check .

@@ -10,30 +10,22 @@ settings.load_profile("robokin")
 pytest.register_assert_rewrite("browser", "test_ninth_chapter")  # what tests import from others
 
 
-@pytest.hookimpl(tryfirst=True)  # before the workers of xdist look at the groups
 def pytest_collection_modifyitems(items):
-    """The order of the tests, and which stay together in one worker.
-
-    A file's tests do, with what they share, as a notebook's cells with their kernel; those with a
-    browser go one by one to the next free worker. Two workers build two sites at once: what has a
-    tree of its own comes first, then what needs the course's site, and last what fills every gap.
+    """Two workers take file by file: first what has a tree and builds a site of its own, while the
+    other builds the course's, then what needs that, and last the many that fill the gaps.
 
     On CI, a machine that others load, a test with a browser has a second try, and is named then:
     an unsteady test is a defect that is mended, but not by who changed something else.
     """
-    items.sort(key=turn)
-    for item in items:
-        if not item.get_closest_marker("browser"):
-            item.add_marker(pytest.mark.xdist_group(item.path.name))
-        elif os.environ.get("CI"):
-            item.add_marker(pytest.mark.flaky(reruns=1))
+    items.sort(key=lambda item: turn(getattr(item, "fixturenames", ())))
+    if os.environ.get("CI"):
+        for item in items:
+            if item.get_closest_marker("browser"):
+                item.add_marker(pytest.mark.flaky(reruns=1))
 
 
-def turn(item):
-    """When a test comes: first with its own tree, then with the site; last with a browser."""
-    fixtures = getattr(item, "fixturenames", ())
-    if item.get_closest_marker("browser"):
-        return 3
+def turn(fixtures):
+    """Where a test with these fixtures comes: first, in the middle or last."""
     return 0 if "tree" in fixtures else 1 if "site" in fixtures else 2
 
 

@@ -84,7 +84,7 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 		--target $(LIBRARY) .
 	@touch $@
 
-test: check $(LIBRARY)/.ready
+test: $(if $(T),,check) $(LIBRARY)/.ready
 	$(PYTEST) $(FILES) $(if $(T),-k $(T)) tests book
 
 test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)

@@ -184,7 +184,6 @@ THRESHOLDS = {
     "turns": (ANGLE, 1.1, 1.1 / (2 * np.pi), 9e-4 / (2 * np.pi), "(turns)"),
     "degrees/s": (RATE, 0.2123, 0.2123 * DEGREE, 9e-4 * DEGREE, "(degrees)"),
     "degrees/m": (TWISTED, 0.2123, 0.2123 * DEGREE, 9e-4 * DEGREE, "(degrees)"),
-    "degrees/mm": (TWISTED, 2, 2e-3 * DEGREE, 2e-6 * DEGREE, "(mm and degrees)"),
     "cm, degrees": (
         (METRES, ANGLE),
         (0.2123, 1.1),

@@ -42,7 +42,7 @@ class Part:
 
 
 COMPACT = (",", ":")  # of JSON, without blanks
-JOINED = [name for name, unit in UNITS.items() if unit.joined]  # for `text.js`
+JOINED = "".join(name for name, unit in UNITS.items() if unit.joined)  # signs, for `text.js`
 _parts: dict[str, Part] = {}
 
 

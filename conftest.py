@@ -11,22 +11,30 @@ pytest.register_assert_rewrite("browser", "test_ninth_chapter")  # what tests im
 
 
 def pytest_collection_modifyitems(items):
-    """Two workers take file by file: first what has a tree and builds a site of its own, while the
-    other builds the course's, then what needs that, and last the many that fill the gaps.
+    """Two workers take file by file: one file that builds the site, meanwhile the notebooks, which
+    do not need it, then what does, and last the many short ones that fill the gaps.
 
     On CI, a machine that others load, a test with a browser has a second try, and is named then:
     an unsteady test is a defect that is mended, but not by who changed something else.
     """
-    items.sort(key=lambda item: turn(getattr(item, "fixturenames", ())))
+    builds = next((item.path for item in items if needs_site(item)), None)
+    items.sort(key=lambda item: turn(item, builds))
     if os.environ.get("CI"):
         for item in items:
             if item.get_closest_marker("browser"):
                 item.add_marker(pytest.mark.flaky(reruns=1))
 
 
-def turn(fixtures):
-    """Where a test with these fixtures comes: first, in the middle or last."""
-    return 0 if "tree" in fixtures else 1 if "site" in fixtures else 2
+def needs_site(item):
+    """Whether a test needs the built site."""
+    return "site" in getattr(item, "fixturenames", ())
+
+
+def turn(item, builds):
+    """When a test comes; builds: the file that comes first."""
+    if item.path == builds:
+        return 0
+    return 1 if item.path.suffix == ".ipynb" else 2 if needs_site(item) else 3
 
 
 @pytest.hookimpl(wrapper=True)

@@ -19,6 +19,10 @@ FIGURES = course().declared("figures", Figure)
 EXERCISES = course().declared("exercises", Exercise)
 MISTAKES = course().declared("exercises", Mistake)
 COURSE = course().name
+# the first exercise of each kind of answer: one number or more, a matrix, several answers
+OF_EACH_KIND = list(
+    {(e.shape, len(e.asks) > 1, e.accept): name for name, e in reversed(EXERCISES.items())}.values()
+)
 
 
 def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):

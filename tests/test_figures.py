@@ -896,12 +896,6 @@ def visit(chromium, server, page_of):
     """
     kept = {}
 
-    def load(page, address, before):
-        before(page)
-        page.goto(address)
-        page.evaluate("() => document.fonts.ready")  # else the page still moves
-        page.add_style_tag(content="html { scroll-behavior: auto !important; }")
-
     @contextmanager
     def opened(figure, address="", before=None, fresh=False, reduced_motion="reduce", **options):
         home = server + page_of[figure.name]
@@ -911,7 +905,10 @@ def visit(chromium, server, page_of):
             if fresh or key not in kept:
                 way = watched_page(chromium, server, reduced_motion=reduced_motion, **options)
                 page, watch = stack.enter_context(way)
-                load(page, home + address, before or (lambda page: None))
+                if before:
+                    before(page)
+                settled(page, home + address)  # else the page still moves
+                page.add_style_tag(content="html { scroll-behavior: auto !important; }")
             else:
                 page, watch, others = kept.pop(key)
                 stack.push(others)

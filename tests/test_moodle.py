@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from declared import EXERCISES, each
+from declared import EXERCISES, OF_EACH_KIND, each
 from test_teacher import folder, run  # noqa: F401
 
 from workshop.practice import Exercise, dealing, judging, moodle
@@ -19,12 +19,9 @@ UNESCAPED = r"(?<!\\)~"  # between the answers of a field
 TOLD = 0.95  # of the mistakes, at least
 
 
-# one exercise of each kind of question; the slow suite takes all
-FIRSTS = {(e.accept, len(e.asks) > 1, bool(e.shape)): n for n, e in reversed(EXERCISES.items())}
-
-
 def marks(name):
-    return [] if name in FIRSTS.values() else [pytest.mark.slow]
+    """One exercise of each kind always, all in the slow suite."""
+    return [] if name in OF_EACH_KIND else [pytest.mark.slow]
 
 
 each_exercise = each("exercise", "exercises", Exercise, marks)

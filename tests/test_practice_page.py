@@ -9,7 +9,7 @@ from html import unescape
 
 import pytest
 from browser import FULL, draw_all, watched_page
-from declared import COURSE, EXERCISES, table
+from declared import COURSE, EXERCISES, OF_EACH_KIND, table
 from PIL import Image
 from playwright.sync_api import expect
 from test_practice import DEAL, dealt_in_python, names, typed
@@ -88,9 +88,8 @@ def assert_every_candidate_is_named(page, exercise):
 
 def test_every_candidate_of_each_kind_of_answer_is_named_on_the_page(page):
     sign_in(page, "Ada")
-    kinds = {(e.shape, len(e.asks) > 1, e.accept): e for e in EXERCISES.values()}
-    for exercise in kinds.values():
-        assert_every_candidate_is_named(page, exercise)
+    for name in OF_EACH_KIND:
+        assert_every_candidate_is_named(page, EXERCISES[name])
 
 
 @pytest.mark.slow

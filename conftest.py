@@ -10,6 +10,7 @@ settings.load_profile("robokin")
 pytest.register_assert_rewrite("browser", "test_ninth_chapter")  # what tests import from others
 
 
+@pytest.hookimpl(trylast=True)  # of the tests that are left to run
 def pytest_collection_modifyitems(items):
     """Two workers take file by file: one file that builds the site, meanwhile the notebooks, which
     do not need it, then what does, and last the many short ones that fill the gaps.

@@ -76,7 +76,8 @@ async ({ phone, screens, heights, sizes }) => {
   const comeAlive = async (figure) => {
     const svg = figure.querySelector(".rk-picture svg");
     svg.scrollIntoView({ block: "center", behavior: "instant" });
-    const fits = () => svg.clientWidth >= 240 && svg.clientWidth === svg.parentElement.clientWidth;
+    const fits = () => svg.clientWidth >= 240 && svg.clientWidth === svg.parentElement.clientWidth
+      && Math.abs(svg.viewBox.baseVal.width - svg.clientWidth) < 1; // drawn anew, not only shrunk
     const end = performance.now() + 30_000;
     while (!figure.workshop || !fits()) {
       if (performance.now() > end) throw new Error(`${figure.id} does not come alive`);

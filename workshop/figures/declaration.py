@@ -4,11 +4,11 @@ Controls give symbols their numbers; shapes, readouts and handles are SymPy expr
 symbols. Numbers in a declaration are SI (radians); the reader sees degrees, and
 `Slider.degrees(…)` is declared in them.
 
-A `kind` is a name of the course's looks, or a quantity: then its look comes from the chapter's
-`LOOKS`, its label is the quantity's letter unless said otherwise, and on the page it belongs to
-that quantity. A slider and a readout follow from their quantity likewise: it brings its look,
-letter, unit and, where its meaning starts with one and a colon ("heading: …"), its name. A pose
-(x, y, θ) may stand for a place. Looks are per kind of thing, never per figure.
+A `kind` is a name of the course's looks (`looks` of `open_course`), or a quantity: then its
+look comes from the chapter's `LOOKS`, its label is the quantity's letter unless said otherwise, and
+on the page it belongs to that quantity. A slider and a readout follow from their quantity likewise:
+it brings its look, letter, unit and, where its meaning starts with one and a colon ("heading: …"),
+its name. A pose (x, y, θ) may stand for a place. Looks are per kind of thing, never per figure.
 """
 
 import math
@@ -185,7 +185,14 @@ class Recurrence:
 
 @dataclass(frozen=True)
 class Goal:
-    """What the reader shall reach: a condition of the figure's numbers, and the task in words."""
+    """What the reader shall reach, for `Figure.goal`: marked once a hand rests where it holds.
+
+    Args:
+        condition: of SymPy, in all that the figure knows, with room for a slider's step and a
+            finger: `And(apart(here, MARK) < 0.02, Abs(theta) < pi / 36)`.
+        words: the task and that room, in the reader's units: "Park on the mark: within 2 cm and
+            5°."
+    """
 
     condition: Any
     words: str

@@ -31,8 +31,15 @@ class Figure:
     """A picture that answers to its controls, in a chapter's `figures.py`.
 
     A function of the chapter makes it, and `FIGURES` names it; a cell of its own, tagged
-    `remove-input`, shows it. `READOUTS` and `SPECIALS` in `expected.py` say what its readouts must
-    be, computed by the library: a test tries it at a thousand settings.
+    `remove-input`, shows it. A test tries it at a thousand settings against the tables in the
+    chapter's `expected.py`, by its name:
+
+    - `READOUTS`: a function from its settings, an array each in the order of its controls, to what
+      the library says that its readouts are, one a column
+    - `SPECIALS`: settings that are always tried too, a list that may be empty
+    - `WORDS`, a list: (figure, slider → what it shows, readout, the word that stands there)
+    - `TITLES`, of a choice "mistake" beside sliders: title → function from all settings to whether
+      what it says is true, or None if it says nothing of the picture
 
     Expressions are taken from equations. A step figure has two things to move and three numbers at
     most, and about 20 lines; what several figures draw is a function of the chapter.
@@ -49,9 +56,11 @@ class Figure:
         seen_from: azimuth and elevation at first, of a picture with shapes of `VIEW`: the view's
             sliders are then its last controls, and dragging its ground turns it.
         grid: whether the flat ground shows x, y in m.
-        goal: what the reader shall reach, or several such.
+        goal: what the reader shall reach, a Goal or several; none is reached at the start.
         follow: a point that the view moves along with, so that it stays inside.
-        size: "step" or "laboratory", whose sizes on a page are tested, or "" for a larger one.
+        size: "step" or "laboratory", or "" for a larger one. With all that stands beside the
+            picture, a step is at most 420 pixels high on a laptop and 560 on a phone, a laboratory
+            800 on a laptop. Too high: make `view` flatter, or move and tell less.
     """
 
     name: str

@@ -1,14 +1,15 @@
 """The skeleton of a new chapter: `python -m book new NAME`.
 
 The files here are a small chapter that works, to be replaced piece by piece: one formula, function,
-figure and exercise. In them NAME is the chapter's name, SLUG the same with hyphens, and `book` the
-course's package.
+prediction, exercise and mistake, and figures. In them NAME is the chapter's name, SLUG the same
+with hyphens, MISTAKE the next free number of a mistake, and `book` the course's package.
 """
 
 from importlib.resources import files
 
 from workshop.course import course
 from workshop.errors import CourseError
+from workshop.practice import mistakes
 
 
 def write(name: str) -> str:
@@ -18,12 +19,13 @@ def write(name: str) -> str:
     folder = course().folder / name
     if folder.exists():
         raise CourseError(f"{folder} exists: choose another name, or remove it")
+    mistake = f"M{max((int(known.lstrip('M')) for known in mistakes()), default=0) + 1}"
     folder.mkdir()
     for template in files(__name__).iterdir():
         if template.name.endswith(".txt"):
             file = folder / template.name.removesuffix(".txt").replace("NAME", name)
             text = template.read_text(encoding="utf-8").replace("NAME", name)
-            text = text.replace("SLUG", name.replace("_", "-"))
+            text = text.replace("SLUG", name.replace("_", "-")).replace("MISTAKE", mistake)
             file.write_text(text.replace("book.", f"{course().package}."), encoding="utf-8")
     return (
         f"written: {folder}\n"

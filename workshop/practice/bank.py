@@ -39,7 +39,7 @@ class Picture:
 
     Args:
         figure: its name.
-        option: what its choice "mistake" is set to.
+        option: what its choice "mistake" is set to; the heading above `practice.mistake`, too.
         shows: the picture in words.
     """
 
@@ -57,13 +57,18 @@ class Mistake:
     (`M12.at({…})`) come from there. A chapter shows it by `practice.mistake("M12")`.
 
     Args:
-        name: M1, M2, …
+        name: M1, M2, … through the whole course in the order in which they were found; a new one
+            gets the next free number, and none changes: students' results hold them.
         says: completes "This is what you get …".
         why: why it is wrong, in one to three sentences.
         unnoticed: where it happens to be right.
         wrong: the wrong formula.
-        line: the wrong line, as code; a test runs it and compares it with the wrong formula.
-        picture: what then happens.
+        line: the wrong line as a student types it, with the names of the numbers that
+            `practice.example` gives; several make up the whole answer. It is typed, as SymPy's
+            NumPy printer knows no such names and no arrays: a test runs it in the numbers of the
+            first exercise with an `example`, and what its last new name holds must be the answer
+            that this exercise has for the mistake in `wrong`.
+        picture: what then happens. Every mistake of the course has one.
         document, place, nth: the source document that has it, where, and which of its errata this
             is, counted from its start; empty, as what follows, for one that is only likely.
         stands, should: what stands there and what should, with what changes in « ».
@@ -208,7 +213,8 @@ class Exercise:
         also: as `wrong` for what is no documented mistake, as words that end "This is what you get
             …"; where it gives what a mistake gives, both are said.
         shape: of a matrix that is asked for.
-        accept: "one" answer, "any" of the rows of `right`, or "all" its rows in any order.
+        accept: which rows of `right` must be typed: "one", its only row; "any" one of them, where
+            several answers are right; or "all" of them, in any order.
         derive: function of the numbers → others, for the text.
         when: function of the numbers → whether they may be dealt.
         example: numbers in SI that are the same for all, where the chapter shows the mistakes.

@@ -68,15 +68,16 @@ class Step:
 
     Args:
         formula: an Equation, a Line, or a function from the numbers.
-        given: what to put in for symbols that the exercise does not know by their own names: the
-            name of a number, an expression of other symbols, or a number.
-        values: names of what it gives, where those of its left side will not do; symbols are its
-            left side then.
-        unit: of the result, where it is not that of the left side.
+        given: what to put in for symbols that the exercise does not know by their own names, as
+            `{v_F: "v"}`: the name of a number, an expression of other symbols, or a number.
+        values: names of what it gives, where those of its left side will not do, one for each
+            component; symbols are its left side then.
+        unit: of the result, where it is not that of the left side; one for each line where they
+            differ.
         textbook: whether the textbook's form is shown and used.
-        part: which of several components are shown and given.
+        part: places of the components that are shown and given, the first is 0; all, if empty.
         check: for what does not lead to the answer but is said beside it, a function from the
-            numbers that must give the same.
+            exercise's numbers, by name, that must give the same.
     """
 
     formula: Equation | Line | Callable[..., Equation | Line]

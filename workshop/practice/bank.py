@@ -176,7 +176,7 @@ class Ask:
 
 
 def angle(label: str) -> Ask:
-    """An angle, right up to whole turns."""
+    """An angle, right up to whole turns, as all that an exercise asks in rad."""
     return Ask(label, "rad", circle=True)
 
 

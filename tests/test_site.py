@@ -29,7 +29,7 @@ PICTURES = ("image", "media")
 GENERATED = ("404", "index", "genindex", "py-modindex", "search")
 PAGES = [f"{name}.html" for name in (*listed(), *GENERATED)]
 each_page = pytest.mark.parametrize("name", PAGES)
-# what pages load, and how narrow ones are coloured, is of as many kinds; all in the long run
+# what pages load, and how they look in the dark, is of as many kinds; all in the long run
 KINDS = ("index", "practice", "search", "bicycle/bicycle", "notation")
 each_kind = pytest.mark.parametrize(
     "name",
@@ -51,14 +51,13 @@ async (looks) => {
 }
 """
 # two thirds of a page are the parts of its formulas: MathML, which axe does not read, and what is
-# drawn, all alike and hidden from screen readers. Beyond twenty a letter stands for each drawn one
-# that has no colours of its own, and the MathML is empty. Most of the rest are words of code: those
-# beyond the first twenty of a colour become plain
+# drawn, all alike and hidden from screen readers. Beyond twenty a letter stands for each without
+# colours of its own. Most of the rest are words of code: those beyond the first twenty of a colour
+# become plain
 IN_LETTERS = """
 () => {
   const beyond = (selector) => [...document.querySelectorAll(selector)].slice(20);
-  beyond("math").forEach((formula) => formula.replaceChildren());
-  beyond(".katex-html").filter((formula) => !formula.querySelector("[style*=color]"))
+  beyond(".katex").filter((formula) => !formula.querySelector(".katex-html [style*=color]"))
     .forEach((formula) => formula.replaceChildren("x"));
   const spans = [...document.querySelectorAll("pre span[class]")];
   for (const colour of new Set(spans.map((span) => span.className)))
@@ -69,7 +68,7 @@ AT_ONCE = "*, ::before, ::after { transition: none !important; }"  # from light 
 LAYOUT = (Path(__file__).parent / "layout.js").read_text("utf-8")
 OVERFLOW = "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"
 REACHED = """
-() => [...document.querySelectorAll(".bd-article .math-scroll")]
+() => [...document.querySelectorAll(".bd-article :is(.math-scroll, pre)")]
   .filter((box) => box.checkVisibility() && box.scrollWidth > box.clientWidth)
   .every((box) => box.tabIndex === 0)
 """
@@ -83,18 +82,35 @@ def test_these_are_all_pages(site):
 def test_a_page(name, site, server, chromium):
     """A first visit on a laptop, whose window then becomes as narrow as a phone.
 
-    Nothing in the console, nothing asked of strangers, light, no axe violation, no fault of layout.
+    Nothing in the console, nothing asked of strangers, light, no fault of layout, no axe violation.
     """
     with watched_page(chromium, server, reduced_motion="reduce") as (page, watch):
         settled(page, server + name)
         all_drawn(page)
         assert_light(name, watch.weight(site), len(watch.kinds))
-        assert found_by_axe(page, "all") == []
         assert faults(page, name, phone=False) == {}
-        page.set_viewport_size({"width": 390, "height": 844})
-        page.wait_for_function(REACHED)
+        narrow(page)
         assert faults(page, name, phone=True) == {}
+        assert found_by_axe(page, "all") == []
         assert not watch.errors + watch.strangers
+
+
+@each_kind
+def test_what_axe_finds_on_a_laptop_and_in_the_dark(name, server, chromium):
+    with watched_page(chromium, server) as (page, watch):
+        settled(page, server + name)
+        all_drawn(page)
+        in_dark(page)
+        assert found_by_axe(page, "all") == []
+        narrow(page)
+        assert found_by_axe(page, "colours") == []
+        assert not watch.errors + watch.strangers
+
+
+def narrow(page):
+    """Make the window as narrow as a phone's."""
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.wait_for_function(REACHED)
 
 
 def faults(page, name, phone):
@@ -164,19 +180,6 @@ def found_by_axe(page, looks):
         page.evaluate(IN_LETTERS)
         page.add_script_tag(path=AXE)
     return page.evaluate(FOUND_BY_AXE, looks)
-
-
-@each_kind
-@pytest.mark.parametrize("width", [1280, 390])
-def test_what_axe_finds_in_the_dark_and_on_a_phone(name, width, server, chromium):
-    with watched_page(chromium, server, width) as (page, watch):
-        settled(page, server + name)
-        all_drawn(page)
-        if width == 390:
-            assert found_by_axe(page, "all") == []
-        in_dark(page)
-        assert found_by_axe(page, "colours") == [], "dark"
-        assert not watch.errors + watch.strangers
 
 
 @each_kind

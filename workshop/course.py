@@ -8,6 +8,7 @@ a module holds under a name, also in a tuple or a dictionary, is declared. A pac
 """
 
 import json
+import sys
 from collections.abc import Iterator, Mapping
 from functools import cache, cached_property
 from importlib import import_module
@@ -15,7 +16,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from pkgutil import iter_modules
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import yaml
 
@@ -128,14 +129,20 @@ class Course:
         return {name: thing for name, (_, thing) in self._found(part, kind).items()}
 
     def find(self, part: str, kind: type[T], name: object) -> T:
-        """The thing of a kind and a name."""
-        known = self.declared(part, kind)
-        if not isinstance(name, str) or name not in known:
-            raise CourseError(
-                f"there is no {kind.__name__.lower()} {name!r}; there are {', '.join(known)}, "
-                f"declared in the chapters' {part}.py"
-            )
-        return known[name]
+        """Return the thing of a kind and a name, and import no more chapters than it takes."""
+        for chapter in sorted(self.chapters, key=self._is_new):
+            module = self.module(chapter, part)
+            thing: Any
+            for thing in held(module, kind) if module else ():
+                if thing.name == name:
+                    return cast(T, thing)
+        raise CourseError(
+            f"there is no {kind.__name__.lower()} {name!r}; there are "
+            f"{', '.join(self.declared(part, kind))}, declared in the chapters' {part}.py"
+        )
+
+    def _is_new(self, chapter: str) -> bool:
+        return f"{self.package}.{chapter}" not in sys.modules
 
     def homes(self, part: str, kind: type) -> dict[str, str]:
         """The chapter of each of these things, by name."""

@@ -133,12 +133,16 @@ class Solution:
 
 
 class Told(NamedTuple):
-    """One line of a step: its formula in letters, with numbers, and the result with its unit."""
+    """One line of a step: its formula in letters, and the result with its unit.
+
+    right, put: its right side, and the numbers that are put into it, once it is shown.
+    """
 
     formula: str
-    numbers: str
     value: Any
     unit: str
+    right: Any = ""
+    put: tuple[dict[sp.Symbol, str], dict[sp.Symbol, str]] = ({}, {})
 
     def shown(self, spec: str = "") -> str:
         """The result."""
@@ -148,8 +152,9 @@ class Told(NamedTuple):
     @property
     def rest(self) -> str:
         """What stands behind the formula: the numbers, unless they are too long, and the result."""
-        known = self.numbers in ("", figures(self.value))
-        return self.shown() if known else f"{self.numbers} = {self.shown()}"
+        numbers = in_numbers(self.right, *self.put)
+        known = numbers in ("", figures(self.value))
+        return self.shown() if known else f"{numbers} = {self.shown()}"
 
 
 @dataclass(frozen=True)
@@ -170,7 +175,7 @@ class Worked:
             values = [line.value for line in self.lines]
             units = {line.unit for line in self.lines}
             unit = units.pop() if len(units) == 1 else ""
-            return Told("", "", values if len(values) > 1 else values[0], unit).shown(spec)
+            return Told("", values if len(values) > 1 else values[0], unit).shown(spec)
         return self.lines[int(part)].rest
 
 
@@ -201,7 +206,7 @@ class Form:
 def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, str]) -> Worked:
     """One step, from what the exercise and the steps before it gave."""
     ready = form(step, known)
-    keys = {s: key if isinstance(key := step.given.get(s), str) else str(s) for s in ready.symbols}
+    keys = {s: key if isinstance(key := step.given.get(s), str) else s.name for s in ready.symbols}
     missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
     if missing:
         raise CourseError(
@@ -216,7 +221,7 @@ def worked(name: str, step: Step, known: Mapping[str, Any], shown: Mapping[str, 
     put = letters(values, keys, shown)
     results = result.ravel() if is_column(ready.left) else [whole]
     lines = tuple(
-        Told(formula, in_numbers(right, *put), value, unit)
+        Told(formula, value, unit, right, put)
         for (formula, right), value, unit in zip(ready.lines, results, ready.units, strict=True)
     )
     names = tuple(str(symbol) for symbol in step.values or flat(ready.left))

@@ -265,8 +265,8 @@ def sizes(numbers):
     return np.where(np.isfinite(magnitudes), np.maximum(1, magnitudes), 1)
 
 
-# 50 digits are slow: thirty random settings beside the special ones, a thousand in the long run
-each_number = pytest.mark.parametrize("n", [30, pytest.param(N, marks=pytest.mark.slow)])
+# 50 digits are slow: ten random settings beside the special ones, a thousand in the long run
+each_number = pytest.mark.parametrize("n", [10, pytest.param(N, marks=pytest.mark.slow)])
 
 
 def keeps_its_digits(figure, expression):

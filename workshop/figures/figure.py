@@ -153,10 +153,25 @@ class Figure:
         compute = "((figure) => (f, c) => workshop.figures.compute(figure, c).values)"
         return evaluate(f"{compute}({self.code})", points)
 
-    def picture(self, width: int | None = None) -> str:
-        """The still picture (SVG) of the starting state; width in pixels, else as on a page."""
-        given = "" if width is None else f", undefined, {width}"
-        return str(engine.run(f"workshop.figures.svg({self.code}{given})"))
+    def picture(self, width: int | None = None, **chosen: str) -> str:
+        """Return the still picture (SVG) of the start, but with some choices made otherwise.
+
+        Args:
+            width: in pixels, else as on a page.
+            chosen: the option of a choice, by its name.
+        """
+        places = {
+            place: list(control.options).index(chosen[control.name])
+            for place, control in enumerate(self.controls)
+            if isinstance(control, Choice) and control.name in chosen
+        }
+        return str(
+            engine.run(
+                f"((figure) => workshop.figures.svg(figure, Object.assign("
+                f"workshop.figures.startState(figure), {places}), {width or 'undefined'}))"
+                f"({self.code})"
+            )
+        )
 
     def html(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""

@@ -1,5 +1,6 @@
 """Which files a page is made of, so that it is read again when one of them changes."""
 
+from functools import cache
 from pathlib import Path
 
 from sphinx.application import Sphinx
@@ -20,6 +21,7 @@ def depend(env: BuildEnvironment, *parts: str) -> None:
         env.note_dependency(str(path))
 
 
+@cache  # every figure and formula of a page asks
 def sources(*parts: str) -> list[Path]:
     """The files that what is shown depends on: modules of these names, and all below them."""
     modules = [path for part in parts for path in course().folder.glob(f"*/{part}.py")]

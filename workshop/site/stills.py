@@ -1,10 +1,7 @@
 """Still pictures of mistakes: a figure of the chapter, set to what the mistake makes of it."""
 
-from dataclasses import replace
-
 from tinycss2 import parse_stylesheet, serialize
 
-from workshop.figures.declaration import Choice
 from workshop.figures.figure import find
 from workshop.practice.bank import Picture
 from workshop.script import runtime
@@ -21,13 +18,7 @@ def dark_colours() -> str:
 
 def still(picture: Picture) -> str:
     """The picture as an SVG file of its own; its address ends in #dark for a dark page."""
-    figure = find(picture.figure)
-    controls = tuple(
-        replace(control, start=picture.option)
-        if isinstance(control, Choice) and control.name == "mistake"
-        else control
-        for control in figure.controls
-    )
-    tag, _, content = replace(figure, controls=controls).picture().partition(">")
+    svg = find(picture.figure).picture(mistake=picture.option)
+    tag, _, content = svg.partition(">")
     style = f"<style>#dark:target {{ {dark_colours()} }}</style>"
     return tag.replace("<svg", '<svg id="dark"', 1) + f">{style}{content}"

@@ -12,12 +12,11 @@ from hypothesis import strategies as st
 from support import EPS, assert_close
 from test_figures import (
     in_browser,
-    page_of,  # noqa: F401
     painted,
     pressed,
     space,
-    visit,  # noqa: F401
 )
+from test_hands import alone  # noqa: F401
 
 from robokin import euler
 from workshop.errors import CourseError
@@ -245,8 +244,8 @@ def press(live, *which):
 
 
 @in_browser
-def test_buttons_turn_the_die_and_the_goal_is_reached(visit):  # noqa: F811
-    with visit(DIE) as live:
+def test_buttons_turn_the_die_and_the_goal_is_reached(alone):  # noqa: F811
+    with alone(DIE) as live:
         goals = live.root.locator(".rk-goal")
         press(live, "Z", "X", "Y", "-Y", "X")
         assert live.state()[0] == ["ZXY-YX", 1]
@@ -260,10 +259,10 @@ def test_buttons_turn_the_die_and_the_goal_is_reached(visit):  # noqa: F811
 
 
 @in_browser
-def test_a_turn_slides_in_from_its_own_side(visit):  # noqa: F811
+def test_a_turn_slides_in_from_its_own_side(alone):  # noqa: F811
     """From the right about own axes, from the left about the room's; then it stands beside."""
     own = {"before": lambda page: page.clock.install(time=0), "reduced_motion": "no-preference"}
-    with visit(DIE, **own) as live:
+    with alone(DIE, **own) as live:
         live.page.clock.pause_at(60_000)
         ways = {}
         for one in ("Z", "z"):
@@ -286,9 +285,9 @@ PLACE = """(figure) => Math.min(...[...figure.querySelectorAll("svg text")]
 
 @in_browser
 @pytest.mark.parametrize("meanwhile", ["the view is dragged", "a slider of the view", "reset"])
-def test_a_turn_comes_to_its_end_whatever_else_moves(visit, meanwhile):  # noqa: F811
+def test_a_turn_comes_to_its_end_whatever_else_moves(alone, meanwhile):  # noqa: F811
     own = {"before": lambda page: page.clock.install(time=0), "reduced_motion": "no-preference"}
-    with visit(DIE, **own) as live:
+    with alone(DIE, **own) as live:
         live.page.clock.pause_at(60_000)
         before = live.state()
         live.root.locator("[data-press='Z']").click()
@@ -313,26 +312,33 @@ def test_a_turn_comes_to_its_end_whatever_else_moves(visit, meanwhile):  # noqa:
 
 
 @in_browser
-def test_with_reduced_motion_a_turn_is_there_at_once(visit):  # noqa: F811
-    with visit(DIE, reduced_motion="reduce") as live:
+def test_with_reduced_motion_a_turn_is_there_at_once(alone):  # noqa: F811
+    with alone(DIE, reduced_motion="reduce") as live:
         live.root.locator("[data-press='X']").click()
         assert live.state()[0] == ["X", 1]
 
 
+FOLLOW = """(hash) => new Promise((followed) => {
+  addEventListener("hashchange", followed, { once: true });
+  location.hash = hash;
+})"""
+
+
 @in_browser
-def test_a_link_keeps_the_presses_and_drops_junk(visit):  # noqa: F811
-    with visit(DIE) as live:
+def test_a_link_keeps_the_presses_and_drops_junk(alone):  # noqa: F811
+    with alone(DIE) as live:
         press(live, "Z", "-x")
         live.root.locator(".rk-link").click()
         address = live.page.evaluate("location.hash")
-    for found, text in (("Z-x", "Z-x"), ("Zwx", ""), ("Z-x<script>", "")):
-        with visit(DIE, address.replace("Z-x", found)) as live:
+        for found, text in (("Z-x", "Z-x"), ("Zwx", ""), ("Z-x<script>", "")):
+            live.root.locator(".rk-reset").click()
+            live.page.evaluate(FOLLOW, address.replace("Z-x", found))
             assert live.state()[0] == [text, 1]
 
 
 @in_browser
-def test_the_view_is_turned_by_keys_once_its_fold_is_open(visit):  # noqa: F811
-    with visit(DIE) as live:
+def test_the_view_is_turned_by_keys_once_its_fold_is_open(alone):  # noqa: F811
+    with alone(DIE) as live:
         before = live.state()
         assert not live.input(DIE.controls[-1]).is_visible()
         live.root.locator(".rk-view summary").press("Enter")

@@ -10,12 +10,14 @@ from playwright.sync_api import expect
 from test_figures import (
     SHOW,
     in_browser,
-    page_of,  # noqa: F401
     point,
     started,
-    visit,  # noqa: F401
 )
-from test_hands import centre, put
+from test_hands import (
+    alone,  # noqa: F401
+    centre,
+    put,
+)
 
 from workshop.course import course
 from workshop.figures import Clock, Figure
@@ -72,8 +74,8 @@ def drag(live, place, wished):
 
 @in_browser
 @pytest.mark.parametrize("width", [1280, 390])
-def test_the_robot_is_parked_by_two_drags(visit, width):  # noqa: F811
-    with visit(FIGURES["park"], width=width) as live:
+def test_the_robot_is_parked_by_two_drags(alone, width):  # noqa: F811
+    with alone(FIGURES["park"], width=width) as live:
         goal = live.root.locator(".rk-goal output")
         assert reached(live) == [False]
         assert goal.text_content() == ""
@@ -90,11 +92,11 @@ def test_the_robot_is_parked_by_two_drags(visit, width):  # noqa: F811
 
 
 @in_browser
-def test_the_tasks_of_the_laboratory_are_done_by_keys(visit):  # noqa: F811
+def test_the_tasks_of_the_laboratory_are_done_by_keys(alone):  # noqa: F811
     """On the steps of the sliders, as they are for those who use no mouse."""
     figure = FIGURES["wheel-speeds"]
     left, right, time = figure.controls
-    with visit(figure) as live:
+    with alone(figure) as live:
         assert reached(live) == [False] * 3
         live.press(left, *["ArrowLeft"] * 10)  # from 0.05 to 0
         assert reached(live) == [True, False, False]
@@ -108,17 +110,17 @@ def test_the_tasks_of_the_laboratory_are_done_by_keys(visit):  # noqa: F811
 
 
 @in_browser
-def test_a_wish_that_can_be_had(visit):  # noqa: F811
-    with visit(FIGURES["sideways"]) as live:
+def test_a_wish_that_can_be_had(alone):  # noqa: F811
+    with alone(FIGURES["sideways"]) as live:
         drag(live, 0, [0.08, 0.0])
         assert reached(live) == [True]
 
 
 @in_browser
-def test_the_place_at_the_side_is_reached_by_keys(visit):  # noqa: F811
+def test_the_place_at_the_side_is_reached_by_keys(alone):  # noqa: F811
     """A quarter turn on the spot and 20 cm on; how far the parts are played does not matter."""
     figure = FIGURES["side"]
-    with visit(figure) as live:
+    with alone(figure) as live:
         live.press(figure.controls[0], *["ArrowRight"] * 12)  # from 30° by 5° each
         assert reached(live) == [False]
         live.press(figure.controls[1], *["ArrowRight"] * 10)  # from 10 cm by 1 cm each
@@ -126,10 +128,10 @@ def test_the_place_at_the_side_is_reached_by_keys(visit):  # noqa: F811
 
 
 @in_browser
-def test_a_goal_is_not_reached_by_passing_over_it(visit):  # noqa: F811
+def test_a_goal_is_not_reached_by_passing_over_it(alone):  # noqa: F811
     """Over the wish that can be had, on to one that cannot; with the handle and with the slider."""
     figure = FIGURES["sideways"]
-    with visit(figure) as live:
+    with alone(figure) as live:
         drag(live, 0, [0.08, -0.1])
         assert reached(live) == [False]
         slider = live.input(figure.controls[1])
@@ -164,26 +166,27 @@ def test_a_goal_is_not_reached_at_the_start(figure):
 
 # --- Motion ---------------------------------------------------------------------------------
 
-LOOPING = [f for f in FIGURES.values() if any(getattr(c, "loops", False) for c in f.controls)]
-each_loop = pytest.mark.parametrize(  # two of them; all in `make test-slow`
+LOOPING = ("park", "wrong-car")  # the others in `make test-slow`
+each_loop = each(
     "figure",
-    [
-        pytest.param(f, id=f.name, marks=[pytest.mark.slow] * (f.name not in ("park", "wrong-car")))
-        for f in LOOPING
-    ],
+    "figures",
+    Figure,
+    lambda name: [] if name in LOOPING else [pytest.mark.slow],
+    lambda figure: any(getattr(c, "loops", False) for c in figure.controls),
 )
 TIME = "([name, i]) => document.getElementById(name).workshop.state[i]"
 
 
 @in_browser
 @each_loop
-def test_motion_loops_in_sight_and_rests_out_of_it(figure, visit):  # noqa: F811
+def test_motion_loops_in_sight_and_rests_out_of_it(figure, alone):  # noqa: F811
     place = next(i for i, c in enumerate(figure.controls) if getattr(c, "loops", False))
     clock, at = figure.controls[place], [figure.name, place]
-    with visit(figure, reduced_motion="no-preference") as live:
+    with alone(figure, reduced_motion="no-preference") as live:
         live.picture.scroll_into_view_if_needed()
         live.page.wait_for_function(f"(at) => ({TIME})(at) > {clock.low + 0.2}", arg=at)
         highest = 0.9 * clock.high
+        live.root.evaluate("({workshop}, [i, t]) => workshop.setOne(i, t)", [place, highest])
         live.page.wait_for_function(f"(at) => ({TIME})(at) > {highest}", arg=at)
         live.page.wait_for_function(f"(at) => ({TIME})(at) < {highest}", arg=at)  # and again
         live.press(figure.controls[0], "End")  # another hand does not stop it …
@@ -202,17 +205,17 @@ def test_motion_loops_in_sight_and_rests_out_of_it(figure, visit):  # noqa: F811
 
 @in_browser
 @each_loop
-def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, visit):  # noqa: F811
-    with visit(figure) as live:
+def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, alone):  # noqa: F811
+    with alone(figure) as live:
         live.picture.scroll_into_view_if_needed()
         assert live.root.locator(".rk-play").text_content() == "Play"
         assert live.state() == started(figure)
 
 
 @in_browser
-def test_the_view_follows_the_robot(visit):  # noqa: F811
+def test_the_view_follows_the_robot(alone):  # noqa: F811
     """Straight on at the highest speed for 12 s: 1.8 m, and still in the picture."""
-    with visit(FIGURES["wheel-speeds"]) as live:
+    with alone(FIGURES["wheel-speeds"]) as live:
         put(live, [0.15, 0.15, 12.0])
         box = live.picture.bounding_box()
         wheel = live.picture.locator('[data-symbol="differential_drive.v_L"] rect').last

@@ -2,7 +2,7 @@
 
 import bundle
 import pytest
-from browser import draw_all, pages, settled, wait_until_drawn, watched_page
+from browser import draw_all, listed, pages, settled, wait_until_drawn, watched_page
 from bs4 import BeautifulSoup, SoupStrainer
 
 pytest_plugins = ["browser"]
@@ -28,16 +28,26 @@ def test_rules_that_no_page_needs_are_left_out(css, kept):
     assert bundle.used_rules(css, {"used", "more", "fa-x"}) == kept
 
 
+each_page = pytest.mark.parametrize("name", [*listed(), "what is not in the table of contents"])
+
+
+def named(name, site):
+    """The page of a document; all pages that are none's for another name."""
+    own = [f"{document}.html" for document in listed()]
+    return [f"{name}.html"] if name in listed() else sorted({*pages(site)} - {*own})
+
+
 @pytest.mark.browser
-def test_every_page_asks_for_one_sheet_and_few_scripts_which_wait(site):
-    for name in pages(site):
-        text = (site / name).read_text("utf-8")
+@each_page
+def test_every_page_asks_for_one_sheet_and_few_scripts_which_wait(name, site):
+    for page in named(name, site):
+        text = (site / page).read_text("utf-8")
         soup = BeautifulSoup(text, "html.parser", parse_only=SoupStrainer(["link", "script"]))
         (sheet,) = soup.select("link[rel=stylesheet]")
-        assert "_static/all.css?v=" in sheet["href"], name
+        assert "_static/all.css?v=" in sheet["href"], page
         scripts = soup.select("script[src]")  # all pages', the page's own, the workshop's
-        assert 0 < len(scripts) <= 3, name
-        assert all(script.has_attr("defer") for script in scripts), name
+        assert 0 < len(scripts) <= 3, page
+        assert all(script.has_attr("defer") for script in scripts), page
 
 
 HEIGHTS = "(all) => all.map((each) => Math.round(each.getBoundingClientRect().height))"

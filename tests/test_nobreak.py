@@ -12,13 +12,12 @@ from workshop.unbroken import UNBROKEN, unbroken
 pytest_plugins = ["browser"]
 
 # texts of the page, goals among them, but not what else is code or made by a script
-TEXTS = """
-() => [...document.querySelectorAll(".bd-article :is(p, li, td)")]
+TEXTS = """(html) => [...new DOMParser().parseFromString(html, "text/html")
+  .querySelectorAll(".bd-article :is(p, li, td)")]
   .filter((each) => each.matches(".rk-goal")
     || !each.closest(".rk-exercise, .rk-mistake, .rk-figure, .rk-prediction"))
   .flatMap((each) => [...each.childNodes].filter((n) => n.nodeType === 3).map((n) => n.data))
 """
-CHAPTERS = course().taught
 
 
 @pytest.mark.parametrize(
@@ -38,13 +37,17 @@ def test_a_number_is_tied_to_its_unit(text, expected):
     assert script.call("workshop.practice.paragraphs", text) == f"<p>{kept}</p>"
 
 
+@pytest.fixture(scope="module")
+def page(chromium):
+    """An empty page, which takes others apart."""
+    with watched_page(chromium, "about:blank") as (page, _):
+        yield page
+
+
 @pytest.mark.browser
-def test_no_number_leaves_its_unit(chromium, server):
-    tied = 0
-    with watched_page(chromium, server, 390) as (page, _):
-        for chapter in CHAPTERS:
-            page.goto(f"{server}{chapter}/{chapter}.html")
-            texts = page.evaluate(TEXTS)
-            assert not [text for text in texts if re.search(UNBROKEN, text)], chapter
-            tied += sum("\N{NO-BREAK SPACE}" in text for text in texts)
-    assert tied > 100  # there are more in the chapters
+@pytest.mark.parametrize("chapter", course().taught)
+def test_no_number_leaves_its_unit(chapter, site, page):
+    texts = page.evaluate(TEXTS, (site / chapter / f"{chapter}.html").read_text("utf-8"))
+    assert not [text for text in texts if re.search(UNBROKEN, text)]
+    tied = sum("\N{NO-BREAK SPACE}" in text for text in texts)
+    assert tied > 20 or chapter != "elbow_arm"  # there are more in it

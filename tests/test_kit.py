@@ -142,11 +142,11 @@ def test_the_site_works_from_a_stick(site, chromium, tmp_path):
     ZipFile(site / "robokin-site.zip").extractall(tmp_path)
     home = (tmp_path / "robokin-site").as_uri() + "/"
     with watched_page(chromium, home) as (page, watch):
-        page.goto(home + "differential_drive/differential_drive.html")
+        page.goto(home + "basics/basics.html")
         assert not page.locator(".dropdown-run-buttons a[href^='../']").count()
-        figure = page.locator("figure#wheel-speeds")
+        figure = page.locator("figure.rk-figure").first
         figure.scroll_into_view_if_needed()
-        page.wait_for_selector("figure#wheel-speeds.rk-live")
+        page.locator("figure.rk-live").first.wait_for()
         before = figure.locator("dd").all_inner_texts()
         figure.locator("input[type=range]").first.press("ArrowRight")
         page.wait_for_function(

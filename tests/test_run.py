@@ -31,7 +31,7 @@ from workshop.site import SETTINGS, run
 pytest_plugins = ["browser"]
 
 VENDORED = ROOT / "book" / "_vendor" / "pyodide"
-PAGE = "differential_drive/differential_drive.html"
+PAGE = "basics/basics.html"
 SMALL = 1000  # bytes, compressed: what a page may load of this before it is asked for
 CHAPTERS = course().taught
 
@@ -211,39 +211,43 @@ def test_nothing_is_loaded_until_it_is_asked_for(server, chromium):
         assert not watch.errors + watch.strangers
 
 
-@pytest.mark.browser
-def test_where_the_download_is_blocked_the_page_says_so(server, chromium):
+@pytest.fixture(scope="module")
+def blocked(server, chromium):
+    """A page that asked for its Python, and does not get it."""
     with watched_page(chromium, server) as (page, watch):
-        page.context.route(f"{PLACE}**", lambda route: route.abort())
-        page.goto(server + PAGE)
-        bar = page.locator(".rk-run").first
-        for way in ("Load Python", "Run"):  # and again, without being asked
-            if way == "Load Python":
-                bar.get_by_text("Run", exact=True).click()
-            bar.get_by_text(way, exact=True).click()
-            said = bar.get_by_text("Python cannot be loaded from cdn.jsdelivr.net")
-            said.wait_for()
-            assert "The stored results stand" in said.inner_text()
-        assert {url.startswith(PLACE) for url in watch.strangers} == {True}
-
-
-@pytest.mark.browser
-def test_a_slash_is_typed_into_a_cell_and_ctrl_k_opens_the_search(server, chromium):
-    """Sphinx takes "/" for its search, and spares form fields only."""
-    with watched_page(chromium, server) as (page, _):
         page.context.route(f"{PLACE}**", lambda route: route.abort())
         page.goto(server + PAGE)
         bar = page.locator(".rk-run").first
         bar.get_by_text("Run", exact=True).click()
         bar.get_by_text("Load Python", exact=True).click()
-        code = page.locator(".cell_input code[contenteditable]").first
-        code.click()
-        page.keyboard.press("ControlOrMeta+a")
-        page.keyboard.type("print(7/2)  # 7 // 2 is 3")
-        assert code.inner_text().strip() == "print(7/2)  # 7 // 2 is 3"
-        page.keyboard.press("Control+k")
-        page.keyboard.type("m/s")
-        assert page.locator("#pst-search-dialog input").input_value() == "m/s"
+        yield page, watch
+
+
+@pytest.mark.browser
+def test_where_the_download_is_blocked_the_page_says_so(blocked):
+    page, watch = blocked
+    bar = page.locator(".rk-run").first
+    for again in (False, True):  # without being asked
+        if again:
+            bar.get_by_text("Run", exact=True).click()
+        said = bar.get_by_text("Python cannot be loaded from cdn.jsdelivr.net")
+        said.wait_for()
+        assert "The stored results stand" in said.inner_text()
+    assert {url.startswith(PLACE) for url in watch.strangers} == {True}
+
+
+@pytest.mark.browser
+def test_a_slash_is_typed_into_a_cell_and_ctrl_k_opens_the_search(blocked):
+    """Sphinx takes "/" for its search, and spares form fields only."""
+    page, _ = blocked
+    code = page.locator(".cell_input code[contenteditable]").first
+    code.click()
+    page.keyboard.press("ControlOrMeta+a")
+    page.keyboard.type("print(7/2)  # 7 // 2 is 3")
+    assert code.inner_text().strip() == "print(7/2)  # 7 // 2 is 3"
+    page.keyboard.press("Control+k")
+    page.keyboard.type("m/s")
+    assert page.locator("#pst-search-dialog input").input_value() == "m/s"
 
 
 def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):

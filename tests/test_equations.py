@@ -244,7 +244,8 @@ def test_the_page_counts_what_is_compared_with_what(tmp_path, one_point):
     entries = [entry for entry in entries if not entry.startswith("## ")]  # a heading a chapter
     assert len(entries) == len(EQUATIONS)
     assert summary.startswith(f"There are {len(EQUATIONS)} formulas. ")
-    assert sum("compared with `robokin." in entry for entry in entries) == sum(
+    function = re.compile(rf"compared with `({course().library}|{course().package})\.")
+    assert sum(bool(function.search(entry)) for entry in entries) == sum(
         map(int, re.findall(r"(\d+) (?:are compared )?with", summary))
     )
 

@@ -241,6 +241,9 @@ def points_and_last_states(figure, n):
     for loop in loops(figure):
         known = [*figure.settings, *loop.state]
         counts = evaluate(loop.count, figure.settings, rows)[:, 0]
+        assert max(counts) <= loop.most, (
+            f"a recurrence of {figure.name} counts to {max(counts)}, and its `most` is {loop.most}"
+        )
         state = evaluate(sp.Matrix(loop.start), figure.settings, rows)
         for k in range(loop.most):
             on = counts > k
@@ -410,6 +413,9 @@ a = motion_formulas.x  # some quantity in m
 loose = sp.Symbol("loose")
 
 
+LOOP = Recurrence((sp.Symbol("k"),), (0,), (loose,), 3, 3, (sp.Symbol("last"),))
+
+
 def declared(**parts):
     """A small figure that is right, but for `parts`."""
     right = {
@@ -456,11 +462,22 @@ def test_the_small_figure_is_right():
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
         ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
+        ({"where": (LOOP,)}, "`where` of small has a Recurrence: give it to a Trail"),
+        (
+            {"where": ((loose, a / 2),), "scene": (Trail("path", (a, 0), LOOP),)},
+            "in the figure small, in a recurrence, which comes before `where`, .* uses loose",
+        ),
     ],
 )
 def test_a_wrong_declaration_is_refused(parts, message):
     with pytest.raises(CourseError, match=message):
         _ = declared(**parts).code
+
+
+@pytest.mark.parametrize("part", ["start", "step", "ends"])
+def test_a_recurrence_has_as_many_of_each(part):
+    with pytest.raises(CourseError, match=rf"state \(k,\) and as `{part}` \(.*must be as many"):
+        replace(LOOP, **{part: (a, a)})
 
 
 def told_numbers(figure):

@@ -186,12 +186,15 @@ class Compiler:
     def recurrence(self, loop: d.Recurrence) -> dict[str, Any]:
         """A loop: functions for its start, its step and how often."""
         given = {"c": self.settings}
-        return {
-            "start": Code(function(given, loop.start)),
-            "step": Code(function({**given, "s": loop.state}, loop.step)),
-            "count": Code(function(given, [loop.count])),
-            "most": loop.most,
-        }
+        try:
+            return {
+                "start": Code(function(given, loop.start)),
+                "step": Code(function({**given, "s": loop.state}, loop.step)),
+                "count": Code(function(given, [loop.count])),
+                "most": loop.most,
+            }
+        except CourseError as error:
+            raise CourseError(f"in a recurrence, which comes before `where`, {error}") from error
 
     def readout(self, readout: d.Readout) -> dict[str, Any]:
         """A readout: its number comes at its own place in the list of values."""

@@ -20,6 +20,7 @@ import sympy as sp
 
 from workshop.equations.core import Equation, NamedSymbol, Where
 from workshop.equations.text import symbol_text
+from workshop.errors import CourseError, shown
 from workshop.units import refuse_other_than_si
 
 Expr = Any
@@ -170,9 +171,21 @@ class Handle:
 
 @dataclass(frozen=True)
 class Recurrence:
-    """A loop with state: starts as `start`, becomes `step` (of `state`), `count` times.
+    """A loop with state, which a figure knows by the `Trail` that draws it.
 
-    `ends`: symbols that carry the last state into all other expressions. `most` bounds the count.
+    Ten steps of a robot that brakes from v_0 with 0.5 m/s²::
+
+        v, x, v_end, x_end = symbols("v x v_end x_end")
+        loop = Recurrence((v, x), (v_0, 0), (v - 0.5 * dt, x + v * dt), 10, 10, (v_end, x_end))
+        Trail("travelled", (x, 0), loop)
+
+    Args:
+        state: a symbol for each number of the state.
+        start: the state at first, of what the controls set.
+        step: the next state, of the state and what the controls set, not of steps in `where`.
+        count: how often, a whole number, of what the controls set.
+        most: the largest count.
+        ends: a symbol for each number of the last state, for all other expressions.
     """
 
     state: tuple[sp.Symbol, ...]
@@ -181,6 +194,14 @@ class Recurrence:
     count: Expr
     most: int
     ends: tuple[sp.Symbol, ...]
+
+    def __post_init__(self) -> None:
+        for part in ("start", "step", "ends"):
+            if len(getattr(self, part)) != len(self.state):
+                raise CourseError(
+                    f"a recurrence has the state {shown(self.state)} and as `{part}` "
+                    f"{shown(getattr(self, part))}: there must be as many"
+                )
 
 
 @dataclass(frozen=True)

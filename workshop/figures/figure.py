@@ -14,7 +14,7 @@ from workshop.course import course
 from workshop.equations.core import Where
 from workshop.errors import CourseError
 from workshop.figures.compiling import Compiler, Control, javascript, settings, xy
-from workshop.figures.declaration import Choice, Goal, Handle, Place, Readout
+from workshop.figures.declaration import Choice, Goal, Handle, Place, Readout, Recurrence
 from workshop.figures.javascript import evaluate
 from workshop.figures.solids import Solid
 from workshop.figures.space import VIEW, view_sliders
@@ -52,7 +52,8 @@ class Figure:
         controls, readouts, handles: what is moved, told and dragged.
         says: a sentence about the present state, with `{name}` for controls, readouts and named
             steps; without one, all controls and readouts are told.
-        where: named steps of the computation, in order, that all expressions may use.
+        where: named steps of the computation, in order, that all expressions but those of a
+            Recurrence may use.
         seen_from: azimuth and elevation at first, of a picture with shapes of `VIEW`: the view's
             sliders are then its last controls, and dragging its ground turns it.
         grid: whether the flat ground shows x, y in m.
@@ -90,6 +91,11 @@ class Figure:
             raise CourseError(
                 f"the size of {self.name} is {self.size!r}; there are {', '.join(map(repr, SIZES))}"
             )
+        if any(isinstance(step, Recurrence) for step in self.where):
+            raise CourseError(
+                f"`where` of {self.name} has a Recurrence: give it to a Trail of the scene, which "
+                "draws its states; the figure finds it there"
+            )
         names += [str(symbol) for symbol, _ in self.where]
         unknown = set(re.findall(r"{(\w+)}", self.says)) - set(names)
         if unknown:
@@ -111,6 +117,12 @@ class Figure:
 
     @cached_property
     def _compiled(self) -> tuple[str, list[Any]]:
+        try:
+            return self._compile()
+        except CourseError as error:
+            raise CourseError(f"in the figure {self.name}, {error}") from error
+
+    def _compile(self) -> tuple[str, list[Any]]:
         chapter = course().homes("figures", Figure).get(self.name, "")
         compiler = Compiler(self.controls, self.scene, self.where, chapter)
         parts: dict[str, Any] = {

@@ -17,10 +17,10 @@ def write(name: str) -> str:
     if not (name.isidentifier() and name.islower()):
         raise CourseError(f"{name!r} cannot name a module: use a-z, 0-9 and _, as in gear_train")
     folder = course().folder / name
-    if folder.exists():
+    if any(path.name != "__pycache__" for path in folder.glob("*")):
         raise CourseError(f"{folder} exists: choose another name, or remove it")
     mistake = f"M{max((int(known.lstrip('M')) for known in mistakes()), default=0) + 1}"
-    folder.mkdir()
+    folder.mkdir(exist_ok=True)
     for template in files(__name__).iterdir():
         if template.name.endswith(".txt"):
             file = folder / template.name.removesuffix(".txt").replace("NAME", name)

@@ -95,7 +95,7 @@ def _summary(checks: list[Check]) -> str:
     directly = sum(not c.between for c in computed)
     return (
         f"There are {len(checks)} formulas. {directly} are compared with a function of the library "
-        f"as it is, {len(computed) - directly} with functions of the library by way of a few lines "
+        f"or a chapter as it is, {len(computed) - directly} with functions by way of a few lines "
         "that put arguments and answers in order (in italics: how). Compared with something else, "
         f"which is named: {', '.join(other) or 'none'}. Held by a test of its own, because no "
         f"function computes it: {', '.join(tested) or 'none'}."

@@ -74,19 +74,19 @@ def light(png: bytes) -> tuple[bytes, tuple[int, int]]:
         return png, picture.size  # is light already
     width, height = picture.size
     picture = picture.crop((0, 0, width // 2 * 2, height // 2 * 2))  # half of it is whole pixels
-    pixels = np.asarray(picture.convert("RGB")).reshape(-1, 3)
-    colours, which, count = np.unique(pixels, axis=0, return_inverse=True, return_counts=True)
-    squares = colours.astype(np.int64)
+    pixels = np.asarray(picture.convert("RGB")).reshape(-1, 3) @ [1 << 16, 1 << 8, 1]
+    packed, which, count = np.unique(pixels, return_inverse=True, return_counts=True)
+    colours = np.stack([packed >> 16, packed >> 8 & 255, packed & 255], axis=-1)
     chosen = [int(count.argmax())]
-    apart = ((squares - squares[chosen[0]]) ** 2).sum(axis=1)
+    apart = ((colours - colours[chosen[0]]) ** 2).sum(axis=1)
     nearest = np.zeros(len(colours), dtype=np.uint8)
     while len(chosen) < min(COLOURS, len(colours)):
         chosen.append(int((apart * count).argmax()))
-        new = ((squares - squares[chosen[-1]]) ** 2).sum(axis=1)
+        new = ((colours - colours[chosen[-1]]) ** 2).sum(axis=1)
         nearest[new < apart] = len(chosen) - 1
         apart = np.minimum(apart, new)
     few = Image.fromarray(nearest[which.reshape(picture.size[::-1])], "P")
-    few.putpalette(colours[chosen].tobytes())
+    few.putpalette(colours[chosen].astype(np.uint8).tobytes())
     file = io.BytesIO()
     few.save(file, "PNG", optimize=True)
     return file.getvalue(), picture.size

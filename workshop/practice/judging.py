@@ -202,10 +202,10 @@ def apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
     """Whether no answer can meet both."""
     meant = outcomes(exercise)
     first, second = meant[one.name].factors, meant[other.name].factors
-    return not (
-        _meet(exercise.asks, one.rows, other.rows, first, second)
-        or _meet(exercise.asks, other.rows, one.rows, second, first)
-    )
+    if _meet(exercise.asks, one.rows, other.rows, first, second):
+        return False
+    mutual = first == second and len(one.rows) == 1
+    return mutual or not _meet(exercise.asks, other.rows, one.rows, second, first)
 
 
 def _meet(

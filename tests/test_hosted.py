@@ -18,6 +18,7 @@ from support import ROOT, python_of
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
+NOTEBOOKS = sorted((ROOT / "book").glob("*/*.ipynb"))
 CHAPTER = "bicycle"
 WAIT = 900  # seconds at most to install, on a slow line
 MANAGER = "https://example.org/manager.js"
@@ -39,15 +40,25 @@ def first_cell(folder):
     return json.loads((folder / f"{CHAPTER}.ipynb").read_text("utf-8"))["cells"][0]
 
 
-def test_a_copy_is_the_notebook_with_one_cell_more(site, tmp_path):
-    hosted.copy_all("https://example.org/raw/hosted", tmp_path)
-    for file in sorted((ROOT / "book").glob("*/*.ipynb")):
-        copy = json.loads((tmp_path / file.name).read_text("utf-8"))
-        own = json.loads(file.read_text("utf-8"))
-        assert copy["cells"][1:] == own["cells"]
-        assert {**copy, "cells": []} == {**own, "cells": []}
-    asked = "".join(first_cell(tmp_path)["source"])
-    for wheel in tmp_path.glob("*.whl"):
+@pytest.fixture(scope="module")
+def copies(site, tmp_path_factory):
+    """The folder with the copies of all notebooks."""
+    folder = tmp_path_factory.mktemp("hosted")
+    hosted.copy_all("https://example.org/raw/hosted", folder)
+    return folder
+
+
+@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
+def test_a_copy_is_the_notebook_with_one_cell_more(file, copies):
+    copy = json.loads((copies / file.name).read_text("utf-8"))
+    own = json.loads(file.read_text("utf-8"))
+    assert copy["cells"][1:] == own["cells"]
+    assert {**copy, "cells": []} == {**own, "cells": []}
+
+
+def test_the_first_cell_asks_for_the_wheels_beside_it(copies):
+    asked = "".join(first_cell(copies)["source"])
+    for wheel in copies.glob("*.whl"):
         assert f"@ https://example.org/raw/hosted/{wheel.name}" in asked
 
 

@@ -63,6 +63,7 @@ def alone(chromium):
             page.goto(HOME)
             yield OnPage(page, figure).come_alive()
             assert not watch.errors
+            page.goto("about:blank")  # else it plays on, and takes time from other tests
             if not before:
                 kept[key] = page, watch, stack.pop_all()  # a test that fails closes its page
 

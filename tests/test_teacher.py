@@ -1,6 +1,7 @@
 """For the teacher: keys, sheets, grades, and folders in which everything lies."""
 
 import csv
+import io
 import json
 import random
 import re
@@ -61,6 +62,7 @@ CELLS = [
     "'=1",
     "''-x",
     "'",
+    "@sum",
     "\t0.5",
     "\r1",
     'a "1"; 2, 3',
@@ -71,8 +73,10 @@ CELLS = [
 
 @pytest.mark.parametrize("cell", CELLS)
 def test_a_saved_answer_comes_back_as_it_was(folder, cell):
-    """To the page and to `grade`, also if a spreadsheet might take it for a formula."""
+    """To the page and to `grade`; in the file it is nothing that a spreadsheet would run."""
     text = saved("=Ada", {ONE: cell})
+    *_, (*_, in_file) = csv.reader(io.StringIO(text, newline=""))
+    assert in_file[0] not in "=+-@\t\r" or in_file in ("-0.5", "+3")
     (back,) = engine.call("workshop.practice.answersOf", text)
     assert (back["student"], back["answer"]) == ("=Ada", cell)
     (folder / "answers.csv").write_text(text, encoding="utf-8", newline="")

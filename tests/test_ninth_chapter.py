@@ -12,11 +12,15 @@ import subprocess
 import sys
 from html import unescape
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import yaml
+from anywhere import places
 from browser import make_book, once
 from support import ROOT
+
+import book  # noqa: F401  (opens the course)
 
 BEACON = Path(__file__).parent / "ninth_chapter" / "beacon"
 NOT_SOURCE = (".*", "_build", "__pycache__")
@@ -159,20 +163,32 @@ def test_a_page_that_is_not_there_has_links_from_the_site_s_own_address(site):
     assert f'<base href="{ADDRESS}" />' in (site / "404.html").read_text("utf-8")
 
 
-@pytest.mark.slow
-def test_it_can_be_run_where_the_addresses_lead(site):
-    text = unescape((site / "beacon" / "beacon.html").read_text("utf-8"))
-    menu = re.findall(r'href="(https?://[^"]+)" target="_blank"\s+class="[^"]*dropdown-item', text)
-    copy = "github.com/someone/course/blob/hosted/beacon.ipynb"
+def run_at(chapter):
+    """The addresses at which a chapter can be run, but that in the browser."""
+    copy = f"github.com/someone/course/blob/hosted/{chapter}.ipynb"
     asked = "repo=https%3A%2F%2Fgithub.com%2Fsomeone%2Fcourse&branch=main"
-    place = "lab%2Ftree%2Fbook%2Fbeacon%2Fbeacon.ipynb"
-    assert menu == [
+    place = f"lab%2Ftree%2Fbook%2F{chapter}%2F{chapter}.ipynb"
+    return [
         "https://hub.example.org/hub/user-redirect/git-pull?"
         f"{asked}&urlpath={place.replace('book', 'course%2Fbook')}",
         f"https://mybinder.org/v2/gh/someone/course/main?urlpath={place}",
         f"https://colab.research.google.com/{copy.replace('.com', '', 1)}",
         "https://codespaces.new/someone/course/tree/main?quickstart=1",
     ]
+
+
+def test_a_chapter_can_be_run_where_the_addresses_lead():
+    theme, hub = {"repository_url": REPOSITORY}, ADDRESSES[" site_hub"]
+    app = SimpleNamespace(config=SimpleNamespace(html_theme_options=theme, site_hub=hub))
+    _, *others = places(app, "bicycle/bicycle").values()
+    assert [url for url, _ in others] == run_at("bicycle")
+
+
+@pytest.mark.slow
+def test_it_can_be_run_where_the_addresses_lead(site):
+    text = unescape((site / "beacon" / "beacon.html").read_text("utf-8"))
+    menu = re.findall(r'href="(https?://[^"]+)" target="_blank"\s+class="[^"]*dropdown-item', text)
+    assert menu == run_at("beacon")
     assert "Run this chapter" not in (site / "practice.html").read_text("utf-8")
 
 

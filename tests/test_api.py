@@ -2,16 +2,13 @@
 
 import doctest
 import importlib
-import inspect
 import os
-import re
 import shutil
 import subprocess
 import sys
 
 import pytest
 import signatures
-from arguments import DATA, TABLE, bind
 from support import ROOT
 
 import robokin
@@ -58,19 +55,6 @@ def test_a_module_has_tests_of_its_own(module):
     name = f"test_{module}.py"
     found = any(file for folder in ("book", "tests") for file in (ROOT / folder).rglob(name))
     assert found or module == "errors", f"robokin.{module} has no tests: write book/{module}/{name}"
-
-
-@pytest.mark.parametrize("label", [label for label, row in TABLE.items() if not row.on])
-def test_a_docstring_says_what_goes_in_and_comes_out(label):
-    function, row = bind(label)[0], TABLE[label]
-    text = inspect.getdoc(function) or ""
-    first = text.split("\n\n")[0]
-    assert first.endswith("."), f"begin the docstring of {label} with a sentence, not {first!r}"
-    if row.results or row.having(*DATA):
-        shapes = re.search(r"\(…|\(k, k\)", text)
-        assert shapes, f"the docstring of {label} gives no shapes, as `(…, 3)`"
-    if row.results:
-        assert "→" in text, f"the docstring of {label} gives no result, as `→ (…, 3)`"
 
 
 @pytest.mark.parametrize("module", MODULES)

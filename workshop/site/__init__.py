@@ -25,7 +25,15 @@ from sphinx.application import Sphinx
 from workshop.course import course
 from workshop.site import predictions, run
 from workshop.site.checks import FormulaChecks
-from workshop.site.directives import Desk, Errata, Library, Notation, Practice
+from workshop.site.directives import (
+    Desk,
+    Errata,
+    Library,
+    Notation,
+    Practice,
+    keep_quotes,
+    skip_fields,
+)
 from workshop.site.files import add_assets, write_assets, write_downloads
 from workshop.site.first import Chapters, Live, Promise
 from workshop.site.outputs import Outputs, refuse_names_of_headings
@@ -87,6 +95,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
     app.connect("builder-inited", list_files)
+    app.connect("autodoc-skip-member", skip_fields)
+    app.connect("object-description-transform", keep_quotes)
     app.connect("doctree-read", refuse_names_of_headings)
     app.connect("doctree-resolved", mark_formulas)
     app.connect("html-page-context", add_assets)

@@ -1,7 +1,16 @@
 """Robot kinematics for a course: free functions on NumPy arrays, SI units, radians.
 
 One module a topic, named as its chapter. `import robokin` needs NumPy only; still pictures
-(`robokin.draw`) need matplotlib.
+(`robokin.draw`) need matplotlib. All functions have in common:
+
+- An argument that is `array_like` may be a number, a list or an array. In a shape, `...` stands for
+  any leading batch dimensions: all arguments broadcast, and without a batch the result has none.
+- Parameters (names, lengths, radii) and all shapes are checked: a wrong one raises a
+  `RobokinError`. Lengths, radii and tolerances must be positive. Docstrings list what is raised
+  beyond that.
+- NaN and infinity in the data (poses, angles, rates, points, ticks) go through the arithmetic into
+  the results that depend on them.
+- Wheels stand in the order left, right.
 """
 
 from importlib import import_module

@@ -7,15 +7,15 @@ __all__ = ["RobokinError", "SingularError", "UnreachableError"]
 
 
 class RobokinError(ValueError):
-    """An argument that cannot be worked with: says what was got and what is allowed."""
+    """Error in an argument: the message says what was got and what is allowed."""
 
 
 class UnreachableError(RobokinError):
-    """A target that the robot cannot reach: says which, and by how much."""
+    """Error for a target that the robot cannot reach: the message says which, and by how much."""
 
 
 class SingularError(RobokinError):
-    """A pose or a set of wheels at which the question has no single answer: says which."""
+    """Error for a pose or a set of wheels with no single answer: the message says which."""
 
 
 def at_index(index: tuple[int, ...]) -> str:

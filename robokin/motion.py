@@ -1,9 +1,10 @@
 """Planar motion: frames of a moving robot, the exact arc, paths and the centre of rotation.
 
-A pose is `[x, y, theta]`, a twist the robot's velocity in its own frame, `[v_x, v_y, omega]`, both
-on the last axis; leading batch dimensions broadcast. Siegwart,
-Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots, chapter 3; Lynch & Park, Modern
-Robotics, chapters 3 and 13.
+A pose is `[x, y, theta]`, a twist the robot's velocity in its own frame, `[v_x, v_y, omega]`.
+Headings that add up along a path are not wrapped.
+
+Siegwart, Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots, chapter 3; Lynch &
+Park, Modern Robotics, chapters 3 and 13.
 """
 
 import numpy as np
@@ -17,11 +18,23 @@ __all__ = ["arc_step", "icr", "move", "path", "to_body", "to_world", "wrap_angle
 
 @validated(angle=data())
 def wrap_angle(angle: ArrayLike) -> Array:
-    """Return the same direction as an angle in (-π, π].
+    """Wrap an angle to (-π, π].
 
-    angle: (…) in rad → (…). An angle already there is returned unchanged, digit for digit. Of many
-    turns the direction is as uncertain as the angle's own rounding, about 1e-16 of it.
+    An angle already there is returned unchanged, digit for digit. After many turns the direction is
+    as uncertain as the rounding of the angle itself, about 1e-16 of it.
 
+    Parameters
+    ----------
+    angle : array_like, shape (...)
+        Angle in rad.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        The same direction in rad.
+
+    Examples
+    --------
     >>> wrap_angle([np.pi, -np.pi, 7.0]).round(6)
     array([3.141593, 3.141593, 0.716815])
     """
@@ -31,12 +44,26 @@ def wrap_angle(angle: ArrayLike) -> Array:
 
 @validated(theta=data(), twist=data(3))
 def to_world(theta: ArrayLike, twist: ArrayLike) -> Array:
-    """Return the robot's velocity along the world's axes: its twist turned by the heading.
+    """Turn a twist by the heading: the robot's velocity along the world's axes.
 
-    theta: heading (…) in rad; twist: (…, 3) `[v_x, v_y, omega]` in m/s, m/s, rad/s
-    → (…, 3) `[x_dot, y_dot, omega]`, the velocity of the robot's own reference point.
-    Source: Siegwart et al., section 3.2.1, ξ̇_R = R(θ) ξ̇_I, solved for ξ̇_I.
+    Parameters
+    ----------
+    theta : array_like, shape (...)
+        Heading in rad.
+    twist : array_like, shape (..., 3)
+        `[v_x, v_y, omega]` in m/s and rad/s.
 
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[x_dot, y_dot, omega]` in m/s and rad/s, the velocity of the robot's own reference point.
+
+    References
+    ----------
+    Siegwart et al., section 3.2.1, ξ̇_R = R(θ) ξ̇_I, solved for ξ̇_I.
+
+    Examples
+    --------
     >>> to_world(np.pi / 2, [0.075, 0, 0.5]).round(6)
     array([0.   , 0.075, 0.5  ])
     """
@@ -47,11 +74,23 @@ def to_world(theta: ArrayLike, twist: ArrayLike) -> Array:
 
 @validated(theta=data(), twist=data(3))
 def to_body(theta: ArrayLike, twist: ArrayLike) -> Array:
-    """Return the robot's twist from its velocity in the world: the inverse of `to_world`.
+    """Turn a velocity along the world's axes into the robot's twist: the inverse of `to_world`.
 
-    theta: heading (…) in rad; twist: here the velocity along the world's axes, (…, 3)
-    `[x_dot, y_dot, omega]` in m/s, m/s, rad/s → (…, 3) `[v_x, v_y, omega]`.
-    Source: Siegwart et al., section 3.2.1, ξ̇_R = R(θ) ξ̇_I.
+    Parameters
+    ----------
+    theta : array_like, shape (...)
+        Heading in rad.
+    twist : array_like, shape (..., 3)
+        `[x_dot, y_dot, omega]` along the world's axes, in m/s and rad/s.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[v_x, v_y, omega]` in m/s and rad/s.
+
+    References
+    ----------
+    Siegwart et al., section 3.2.1, ξ̇_R = R(θ) ξ̇_I.
     """
     x_dot, y_dot, omega = parts(twist)
     c, s = np.cos(theta), np.sin(theta)
@@ -62,11 +101,31 @@ def to_body(theta: ArrayLike, twist: ArrayLike) -> Array:
 def arc_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike) -> Array:
     """Return the pose after an exact arc: constant speed and turning rate for the time dt.
 
-    pose: (…, 3); v: (…) in m/s; omega: (…) in rad/s; dt: (…) in s, any finite number → (…, 3).
-    The chord of the arc, v·dt·sinc(omega·dt/2), is laid along the middle heading; so a straight
-    line (omega = 0) needs no case of its own and no digits are lost near it.
-    Source: Lynch & Park, section 13.4, x' = x + v/ω (sin(θ + ω dt) − sin θ), rewritten.
+    The chord of the arc, v·dt·sinc(omega·dt/2), is laid along the middle heading, so a straight
+    line (omega = 0) is no special case and no digits are lost near it.
 
+    Parameters
+    ----------
+    pose : array_like, shape (..., 3)
+        `[x, y, theta]` in m and rad.
+    v : array_like, shape (...)
+        Speed in m/s.
+    omega : array_like, shape (...)
+        Turning rate in rad/s.
+    dt : array_like, shape (...)
+        Time in s, any finite number.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[x, y, theta]` in m and rad.
+
+    References
+    ----------
+    Lynch & Park, section 13.4, x' = x + v/ω (sin(θ + ω dt) − sin θ), rewritten.
+
+    Examples
+    --------
     >>> arc_step([0, 0, 0], v=1.0, omega=0.0, dt=2.0)
     array([2., 0., 0.])
     """
@@ -79,11 +138,27 @@ def arc_step(pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike) -> 
 
 @validated(pose=data(3), twist=data(3), dt=finite())
 def move(pose: ArrayLike, twist: ArrayLike, dt: ArrayLike) -> Array:
-    """Return the pose after moving for dt with a constant body twist, sideways speed included.
+    """Return the pose after moving with a constant twist for the time dt.
 
-    pose: (…, 3); twist: (…, 3) in the body frame; dt: (…) in s → (…, 3). This is the
-    exponential map of SE(2); with v_y = 0 it is `arc_step`.
-    Source: Lynch & Park, section 3.3.3, in the plane.
+    This is the exponential map of SE(2); with v_y = 0 it is `arc_step`.
+
+    Parameters
+    ----------
+    pose : array_like, shape (..., 3)
+        `[x, y, theta]` in m and rad.
+    twist : array_like, shape (..., 3)
+        `[v_x, v_y, omega]` in m/s and rad/s.
+    dt : array_like, shape (...)
+        Time in s, any finite number.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[x, y, theta]` in m and rad.
+
+    References
+    ----------
+    Lynch & Park, section 3.3.3, in the plane.
     """
     x, y, theta = parts(pose)
     v_x, v_y, omega = parts(twist)
@@ -99,10 +174,22 @@ def path(
 ) -> Array:
     """Return all poses along a drive of N steps, the first included.
 
-    pose: (…, 3) at the start; v, omega, dt: broadcast to (…, N) → (…, N+1, 3). Every step goes
-    straight in one direction: the exact arc's chord ("exact"), or the step's full length along
-    its middle ("midpoint"), its old ("start") or its new heading ("end"). A NaN goes
-    into all places from its step on.
+    A NaN goes into all places from its step on.
+
+    Parameters
+    ----------
+    pose : array_like, shape (..., 3)
+        `[x, y, theta]` at the start, in m and rad.
+    v, omega, dt : array_like, shape (..., N)
+        Speed in m/s, turning rate in rad/s and time in s of each step, or one for all steps.
+    method : {"exact", "midpoint", "start", "end"}, default "exact"
+        How each step goes straight: along the exact arc's chord, or for the step's full length
+        along its middle, old or new heading.
+
+    Returns
+    -------
+    ndarray, shape (..., N+1, 3)
+        `[x, y, theta]` in m and rad.
     """
     return follow(pose, v * dt, omega * dt, method)
 
@@ -111,11 +198,29 @@ def path(
 def icr(pose: ArrayLike, v: ArrayLike, omega: ArrayLike) -> Array:
     """Return the instantaneous centre of rotation (ICR): the point of the plane at rest.
 
-    pose: (…, 3); v: (…) in m/s; omega: (…) in rad/s → (…, 2). It lies v/omega to the left of the
-    robot. On a straight line there is none: both coordinates are +inf; standing still every
-    point is one: NaN.
-    Source: Siegwart et al., section 3.3.1; ICR = [x − R sin θ, y + R cos θ] with R = v/ω.
+    It lies v/omega to the left of the robot.
 
+    Parameters
+    ----------
+    pose : array_like, shape (..., 3)
+        `[x, y, theta]` in m and rad.
+    v : array_like, shape (...)
+        Speed in m/s.
+    omega : array_like, shape (...)
+        Turning rate in rad/s.
+
+    Returns
+    -------
+    ndarray, shape (..., 2)
+        `[x, y]` in m: +inf on a straight line, which has no ICR; NaN standing still, where every
+        point is one.
+
+    References
+    ----------
+    Siegwart et al., section 3.3.1, ICR = [x − R sin θ, y + R cos θ] with R = v/ω.
+
+    Examples
+    --------
     >>> icr([0, 0, 0], v=0.075, omega=0.5)
     array([0.  , 0.15])
     """

@@ -1,8 +1,8 @@
 """Frames: poses as matrices, chains of them, and a graph that knows the way between any two.
 
-`T_ab` is the pose of frame b seen from frame a: `p_a = transform(T_ab, p_b)` and
-`T_ac = compose(T_ab, T_bc)`. In the plane a pose is a 3×3 matrix, SE(2), in space a 4×4 matrix,
-SE(3); the functions tell them apart by shape. Lynch & Park, Modern Robotics, chapter 3.
+`T_ab` is the pose of frame b seen from frame a: `p_a = transform(T_ab, p_b)` and `T_ac =
+compose(T_ab, T_bc)`. In the plane a pose is a 3×3 matrix, SE(2), in space a 4×4 matrix, SE(3), with
+lengths in m; the functions tell them apart by shape. Lynch & Park, Modern Robotics, chapter 3.
 """
 
 from functools import reduce
@@ -34,8 +34,20 @@ FAR = 1e-3  # positions are compared by the metre, from 1 km on by the kilometre
 def se2(x: ArrayLike, y: ArrayLike, theta: ArrayLike) -> Array:
     """Return the matrix of a pose in the plane.
 
-    x, y: (…) in m; theta: (…) in rad → (…, 3, 3).
+    Parameters
+    ----------
+    x, y : array_like, shape (...)
+        Position in m.
+    theta : array_like, shape (...)
+        Heading in rad.
 
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Pose in SE(2).
+
+    Examples
+    --------
     >>> se2(1.0, 2.0, 0.0)
     array([[1., 0., 1.],
            [0., 1., 2.],
@@ -49,8 +61,22 @@ def se2(x: ArrayLike, y: ArrayLike, theta: ArrayLike) -> Array:
 def se3(rotation: ArrayLike, position: ArrayLike) -> Array:
     """Return the matrix of a pose in space.
 
-    rotation: (…, 3, 3); position: (…, 3) in m → (…, 4, 4). What is not a rotation is refused, as
-    in `check_rotation`.
+    Parameters
+    ----------
+    rotation : array_like, shape (..., 3, 3)
+        Rotation matrix.
+    position : array_like, shape (..., 3)
+        Position in m.
+
+    Returns
+    -------
+    ndarray, shape (..., 4, 4)
+        Pose in SE(3).
+
+    Raises
+    ------
+    RobokinError
+        If `rotation` is not a rotation, see `check_rotation`.
     """
     batch = np.broadcast_shapes(rotation.shape[:-2], position.shape[:-1])
     T = np.zeros((*batch, 4, 4))
@@ -60,11 +86,25 @@ def se3(rotation: ArrayLike, position: ArrayLike) -> Array:
 
 @validated(T=A_PLANAR_POSE)
 def pose(T: ArrayLike) -> Array:
-    """Return place and heading of a matrix in the plane: the inverse of `se2`.
+    """Return position and heading of a pose in the plane: the inverse of `se2`.
 
-    T: (…, 3, 3) → (…, 3) `[x, y, theta]` in m, m, rad, theta in (-π, π]. A matrix that is not a
-    pose is refused.
+    Parameters
+    ----------
+    T : array_like, shape (..., 3, 3)
+        Pose in SE(2).
 
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[x, y, theta]` in m and rad, theta in (-π, π].
+
+    Raises
+    ------
+    RobokinError
+        If `T` is not a pose.
+
+    Examples
+    --------
     >>> pose(se2(1.0, 2.0, 0.5))
     array([1. , 2. , 0.5])
     """
@@ -74,12 +114,31 @@ def pose(T: ArrayLike) -> Array:
 
 @validated(theta=data(), d=data(), a=data(), alpha=data())
 def dh(theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike) -> Array:
-    """Return a joint's frame seen from the one before, by Denavit and Hartenberg's numbers.
+    """Return a joint's frame seen from the one before, from its Denavit–Hartenberg parameters.
 
-    A turn theta about z and a shift d along it, then a shift a along the new x and a turn alpha
-    about it. theta, alpha: (…) in rad; d, a: (…) in m → (…, 4, 4).
-    Source: Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.2.
+    The frame is turned by theta about z and shifted by d along it, then shifted by a along the new
+    x and turned by alpha about it.
 
+    Parameters
+    ----------
+    theta : array_like, shape (...)
+        Joint angle in rad.
+    d, a : array_like, shape (...)
+        Link offset and link length in m, of any sign.
+    alpha : array_like, shape (...)
+        Link twist in rad.
+
+    Returns
+    -------
+    ndarray, shape (..., 4, 4)
+        Pose in SE(3).
+
+    References
+    ----------
+    Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.2.
+
+    Examples
+    --------
     >>> dh(0.0, 0.1, 0.4, np.pi / 2).round(6)
     array([[ 1. ,  0. ,  0. ,  0.4],
            [ 0. ,  0. , -1. ,  0. ],
@@ -101,10 +160,27 @@ def dh(theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike) -> Array:
 def inverse(T: ArrayLike) -> Array:
     """Return the same pose seen from the other end: T_ba from T_ab.
 
-    T: (…, 3, 3) or (…, 4, 4), lengths in m → the same shape. A matrix that is not a pose (its
-    rotation skewed or a mirror, another last row) is refused.
-    Source: Lynch & Park, section 3.3.1, the closed form [Rᵀ, −Rᵀp; 0, 1].
+    Parameters
+    ----------
+    T : array_like, shape (..., 3, 3) or (..., 4, 4)
+        Pose in SE(2) or SE(3).
 
+    Returns
+    -------
+    ndarray, shape (..., 3, 3) or (..., 4, 4)
+        Pose T_ba.
+
+    Raises
+    ------
+    RobokinError
+        If `T` is not a pose: its rotation is skewed or a mirror, or its last row is not 0, …, 0, 1.
+
+    References
+    ----------
+    Lynch & Park, section 3.3.1, the closed form [Rᵀ, −Rᵀp; 0, 1].
+
+    Examples
+    --------
     >>> inverse(se2(1.0, 2.0, np.pi / 2)).round(6)
     array([[ 0.,  1., -2.],
            [-1.,  0.,  1.],
@@ -121,10 +197,27 @@ def inverse(T: ArrayLike) -> Array:
 def compose(*transforms: ArrayLike) -> Array:
     """Return the pose at the end of a chain: T_ad = compose(T_ab, T_bc, T_cd).
 
-    transforms: one or more, all (…, 3, 3) or all (…, 4, 4), lengths in m → the same; leading
-    dimensions broadcast. What is not a pose is refused, and so is SE(2) mixed with SE(3).
-    Source: Lynch & Park, section 3.3.1.
+    Parameters
+    ----------
+    *transforms : array_like, shape (..., 3, 3) or (..., 4, 4)
+        One or more poses, all in SE(2) or all in SE(3).
 
+    Returns
+    -------
+    ndarray, shape (..., 3, 3) or (..., 4, 4)
+        Pose of the last frame seen from the first.
+
+    Raises
+    ------
+    RobokinError
+        If there is no transform, one is not a pose, or SE(2) is mixed with SE(3).
+
+    References
+    ----------
+    Lynch & Park, section 3.3.1.
+
+    Examples
+    --------
     >>> T_db, T_bc, T_de = se2(1, 0, 0), se2(0, 2, np.pi / 2), se2(1, 5, np.pi / 2)
     >>> compose(inverse(T_bc), inverse(T_db), T_de).round(6)
     array([[1., 0., 3.],
@@ -143,9 +236,25 @@ def compose(*transforms: ArrayLike) -> Array:
 def transform(T: ArrayLike, points: ArrayLike) -> Array:
     """Return points of frame b as seen from frame a: p_a from T_ab and p_b.
 
-    T: (…, 3, 3) with points (…, 2), or (…, 4, 4) with points (…, 3), all in m → (…, 2) or
-    (…, 3). Leading dimensions broadcast: one T and many points, or one of each.
+    Parameters
+    ----------
+    T : array_like, shape (..., 3, 3) or (..., 4, 4)
+        Pose in SE(2) or SE(3): one for many points, or one for each.
+    points : array_like, shape (..., 2) or (..., 3)
+        Points in m, with two coordinates in the plane and three in space.
 
+    Returns
+    -------
+    ndarray, shape (..., 2) or (..., 3)
+        Points in m.
+
+    Raises
+    ------
+    RobokinError
+        If `T` is not a pose.
+
+    Examples
+    --------
     >>> transform(se2(1.0, 2.0, np.pi / 2), [[0.0, 0.0], [1.0, 0.0]]).round(6)
     array([[1., 2.],
            [1., 3.]])
@@ -157,8 +266,12 @@ def transform(T: ArrayLike, points: ArrayLike) -> Array:
 class FrameGraph:
     """Frames and the poses known between them; any other follows along a path of known ones.
 
-    Poses are all SE(2) or all SE(3), single or in batches that broadcast. Below, a camera d sees
-    the base b of an arm and a workpiece e, the arm knows its hand c: where is e seen from c?
+    Poses are all SE(2) or all SE(3), single or in batches that broadcast.
+
+    Examples
+    --------
+    A camera d sees the base b of an arm and a workpiece e; the arm knows its hand c. Where is e,
+    seen from c?
 
     >>> graph = FrameGraph()
     >>> graph.add("d", "b", se2(1, 0, 0))
@@ -178,17 +291,30 @@ class FrameGraph:
 
     @property
     def frames(self) -> list[str]:
-        """Return the names of the frames, in the order in which they came."""
+        """Names of the frames, in the order in which they came."""
         return list(self._known)
 
     @quiet
     def add(self, a: str, b: str, T_ab: ArrayLike) -> None:
         """Make known the pose of b seen from a, and with it that of a seen from b.
 
-        T_ab: (…, 3, 3) or (…, 4, 4), lengths in m, no NaN. It must agree with what is known
-        between the two already, directly or along a path: its rotation to 1e-6, its position to
-        1e-6 m (or 1e-9 of its largest coordinate, where that is over 1 km). Then the direct way
-        becomes known too.
+        Where a path between the two is known already, the new pose must agree with it, and the
+        direct way becomes known too.
+
+        Parameters
+        ----------
+        a, b : str
+            Names of two different frames.
+        T_ab : array_like, shape (..., 3, 3) or (..., 4, 4)
+            Pose in SE(2) or SE(3), without NaN.
+
+        Raises
+        ------
+        RobokinError
+            If the names are not two different strings; if `T_ab` is not a pose, is not finite, does
+            not broadcast with the known poses, or contradicts what is known: its rotation by more
+            than 1e-6, its position by more than 1e-6 m (1e-9 of its largest coordinate, where that
+            is over 1 km).
         """
         if not (isinstance(a, str) and isinstance(b, str) and a and b and a != b):
             raise RobokinError(
@@ -214,13 +340,42 @@ class FrameGraph:
 
     @quiet
     def get(self, a: str, b: str) -> Array:
-        """Return the pose of b seen from a, T_ab: the product of the poses along `path(a, b)`."""
+        """Return the pose of b seen from a: the product of the poses along `path(a, b)`.
+
+        Parameters
+        ----------
+        a, b : str
+            Names of known frames.
+
+        Returns
+        -------
+        ndarray, shape (..., 3, 3) or (..., 4, 4)
+            Pose T_ab.
+
+        Raises
+        ------
+        RobokinError
+            If a frame is unknown, or no path leads from a to b.
+        """
         return self._along(self.path(a, b))
 
     def path(self, a: str, b: str) -> list[str]:
         """Return the frames on the shortest known way from a to b, both included.
 
-        Unknown frames, or no way between them, are refused.
+        Parameters
+        ----------
+        a, b : str
+            Names of known frames.
+
+        Returns
+        -------
+        list of str
+            Names of the frames.
+
+        Raises
+        ------
+        RobokinError
+            If a frame is unknown, or no path leads from a to b.
         """
         for frame in (a, b):
             if not isinstance(frame, str) or frame not in self._known:
@@ -262,14 +417,26 @@ class FrameGraph:
 
 @validated(R=Square((2, 3)), tol=positive())
 def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
-    """Refuse what is not a rotation: columns of length 1, at right angles, right-handed.
+    """Raise if a matrix is not a rotation: columns of length 1, at right angles, right-handed.
 
-    R: (…, 3, 3), or (…, 2, 2) in the plane. With x, y, z the columns, tol is the largest allowed
-    error of x·x = 1, y·y = 1, x·y = 0 and of each entry of z = x × y (in the plane, of y being x
-    turned left). The error says which matrix, how far off, and whether it is a mirror
-    (determinant −1). A matrix with NaN or infinity is not judged: wherever a rotation is taken
-    in, it gives NaN.
+    A matrix with NaN or infinity is not judged: wherever a rotation is taken in, it gives NaN.
 
+    Parameters
+    ----------
+    R : array_like, shape (..., 3, 3) or (..., 2, 2)
+        Matrix in space or in the plane.
+    tol : float, default 1e-6
+        Largest allowed error of x·x = 1, y·y = 1, x·y = 0 and of each entry of z = x × y, with x,
+        y, z the columns (in the plane, of y being x turned left).
+
+    Raises
+    ------
+    RobokinError
+        If a matrix is not a rotation. The message says which one, how far off it is, and whether it
+        is a mirror (determinant −1).
+
+    Examples
+    --------
     >>> check_rotation([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
     """
     if np.ndim(tol):

@@ -1,13 +1,13 @@
 """Euler angles: a rotation as turns about the axes, all 24 sequences; and its axis and angle.
 
-`seq` is written as in SciPy: 1–3 letters, upper case for intrinsic turns (each about an axis of
-the frame as turned so far), lower case for extrinsic ones (about an axis of the fixed frame):
-`"XYZ"` with angles a, b, c is R_x(a) R_y(b) R_z(c), `"xyz"` is R_z(c) R_y(b) R_x(a).
+`seq` is written as in SciPy: 1–3 letters, upper case for intrinsic turns (each about an axis of the
+frame as turned so far), lower case for extrinsic ones (about an axis of the fixed frame): `"XYZ"`
+with angles a, b, c is R_x(a) R_y(b) R_z(c), `"xyz"` is R_z(c) R_y(b) R_x(a).
 
-One formula serves all sequences. Call the first axis i, the middle one j, the one left over k,
-and take the rows and columns of the matrix in this order. Then a Cardan sequence (third axis k)
-looks like R_x(a) R_y(b) R_z(c), a proper Euler sequence (third axis i) like R_x(a) R_y(b) R_x(c);
-if i, j, k is left-handed, with all angles negated. An extrinsic sequence is the transpose of the
+One formula serves all sequences. Call the first axis i, the middle one j, the one left over k, and
+take the rows and columns of the matrix in this order. Then a Cardan sequence (third axis k) looks
+like R_x(a) R_y(b) R_z(c), a proper Euler sequence (third axis i) like R_x(a) R_y(b) R_x(c); if i,
+j, k is left-handed, with all angles negated. An extrinsic sequence is the transpose of the
 intrinsic one with all angles negated. Siciliano, Sciavicco, Villani & Oriolo, Robotics: Modelling,
 Planning and Control, sections 2.4 to 2.6; Lynch & Park, Modern Robotics, appendix B.
 """
@@ -74,9 +74,24 @@ def _three_letters(name: str, seq: Any, sizes: Sizes) -> str:
 def to_matrix(seq: str, angles: ArrayLike) -> Array:
     """Return the rotation that a sequence of turns makes.
 
-    seq: 1–3 letters; angles: (…, k) in rad, one for each letter → (…, 3, 3).
-    Source: Siciliano et al., section 2.4, for all sequences.
+    Parameters
+    ----------
+    seq : str
+        1–3 letters.
+    angles : array_like, shape (..., k)
+        Angles in rad, one for each letter.
 
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Rotation matrix.
+
+    References
+    ----------
+    Siciliano et al., section 2.4, for all sequences.
+
+    Examples
+    --------
     >>> to_matrix("YZ", [np.pi / 2, -np.pi / 2]).round(6) + 0.0
     array([[ 0.,  0.,  1.],
            [-1.,  0.,  0.],
@@ -98,13 +113,34 @@ def to_matrix(seq: str, angles: ArrayLike) -> Array:
 def from_matrix(seq: str, R: ArrayLike) -> Array:
     """Return the angles of a sequence that make a rotation, in SciPy's range.
 
-    seq: three letters; R: (…, 3, 3) → (…, 3) in rad, the first and third in [−π, π], the middle
-    one in [−π/2, π/2] (Cardan) or [0, π] (proper Euler). At gimbal lock, where only the sum or the
-    difference of the first and third is determined, the third is 0. The third angle is computed
-    first and its turn taken out of R; the others come from what is left, so no digits are lost
-    near lock. A matrix that is not a rotation is refused.
-    Source: Siciliano et al., section 2.4, for all sequences.
+    At gimbal lock only the sum or the difference of the first and third angle is determined; the
+    third is then 0. The third angle is computed first and its turn taken out of R; the others come
+    from what is left, so no digits are lost near lock.
 
+    Parameters
+    ----------
+    seq : str
+        Three letters.
+    R : array_like, shape (..., 3, 3)
+        Rotation matrix.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Angles in rad, the first and third in [−π, π], the middle one in [−π/2, π/2] (Cardan) or [0,
+        π] (proper Euler).
+
+    Raises
+    ------
+    RobokinError
+        If `R` is not a rotation.
+
+    References
+    ----------
+    Siciliano et al., section 2.4, for all sequences.
+
+    Examples
+    --------
     >>> from_matrix("ZYX", [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]).round(6)
     array([-1.570796,  0.      , -1.570796])
     """
@@ -125,10 +161,28 @@ def from_matrix(seq: str, R: ArrayLike) -> Array:
 def solutions(seq: str, R: ArrayLike) -> Array:
     """Return both answers of a sequence: `from_matrix`, and that with the first axis turned round.
 
-    seq: three letters; R: (…, 3, 3) → (…, 2, 3) in rad. The second is [a ± π, π − b, c ± π]
-    (Cardan) or [a ± π, −b, c ± π] (proper Euler), wrapped to (−π, π]. At gimbal lock they are two
-    of infinitely many.
+    The second is [a ± π, π − b, c ± π] (Cardan) or [a ± π, −b, c ± π] (proper Euler), wrapped to
+    (−π, π]. At gimbal lock they are two of infinitely many.
 
+    Parameters
+    ----------
+    seq : str
+        Three letters.
+    R : array_like, shape (..., 3, 3)
+        Rotation matrix.
+
+    Returns
+    -------
+    ndarray, shape (..., 2, 3)
+        Angles in rad, a row for each answer.
+
+    Raises
+    ------
+    RobokinError
+        If `R` is not a rotation.
+
+    Examples
+    --------
     >>> solutions("ZYX", [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]).round(6)
     array([[-1.570796,  0.      , -1.570796],
            [ 1.570796,  3.141593,  1.570796]])
@@ -142,9 +196,27 @@ def solutions(seq: str, R: ArrayLike) -> Array:
 def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
     """Return whether a rotation is at gimbal lock for a sequence, or near it to the eye.
 
-    seq: three letters; R: (…, 3, 3); tol: (…), the largest sine (proper Euler) or cosine (Cardan)
-    of the middle angle that counts as lock → (…) bool; False where R is NaN.
+    Parameters
+    ----------
+    seq : str
+        Three letters.
+    R : array_like, shape (..., 3, 3)
+        Rotation matrix.
+    tol : array_like, shape (...), default 1e-9
+        Largest sine (proper Euler) or cosine (Cardan) of the middle angle that counts as lock.
 
+    Returns
+    -------
+    ndarray of bool, shape (...)
+        Whether it is locked; False where `R` is NaN.
+
+    Raises
+    ------
+    RobokinError
+        If `R` is not a rotation.
+
+    Examples
+    --------
     >>> R_ab = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
     >>> [seq for seq in ("XYZ", "ZYX", "ZXZ") if is_locked(seq, R_ab)]
     ['XYZ']
@@ -157,7 +229,17 @@ def is_locked(seq: str, R: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
 def steps(seq: str, angles: ArrayLike) -> Array:
     """Return the orientations on the way: no turn made, the first, the first two, all.
 
-    seq: 1–3 letters; angles: (…, k) in rad → (…, k+1, 3, 3); the last one is `to_matrix`.
+    Parameters
+    ----------
+    seq : str
+        1–3 letters.
+    angles : array_like, shape (..., k)
+        Angles in rad, one for each letter.
+
+    Returns
+    -------
+    ndarray, shape (..., k+1, 3, 3)
+        Rotation matrices, the last one that of `to_matrix`.
     """
     return to_matrix(seq, angles[..., None, :] * MADE[: len(seq) + 1, : len(seq)])
 
@@ -166,9 +248,24 @@ def steps(seq: str, angles: ArrayLike) -> Array:
 def about(axis: ArrayLike, angle: ArrayLike) -> Array:
     """Return the rotation about an axis by an angle: the inverse of `axis_angle`.
 
-    axis: (…, 3) of any length but 0 (NaN there); angle: (…) in rad → (…, 3, 3).
-    Source: Siciliano et al., section 2.5 (Rodrigues), cos ϑ I + (1 − cos ϑ) n nᵀ + sin ϑ [n]×.
+    Parameters
+    ----------
+    axis : array_like, shape (..., 3)
+        Axis of any length but 0.
+    angle : array_like, shape (...)
+        Angle in rad.
 
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Rotation matrix; NaN for an axis of length 0.
+
+    References
+    ----------
+    Siciliano et al., section 2.5 (Rodrigues), cos ϑ I + (1 − cos ϑ) n nᵀ + sin ϑ [n]×.
+
+    Examples
+    --------
     >>> about([1, 1, 1], 2 * np.pi / 3).round(6) + 0.0
     array([[0., 0., 1.],
            [1., 0., 0.],
@@ -190,11 +287,32 @@ def about(axis: ArrayLike, angle: ArrayLike) -> Array:
 def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
     """Return the one axis and angle that make the same rotation.
 
-    R: (…, 3, 3) → axis (…, 3), of length 1, and angle (…) in [0, π] rad. No rotation: the axis is
-    z. A half turn (to within 1e-15): of the two opposite axes the one whose first non-zero
-    component is positive. All digits are kept near both. A matrix that is not a rotation is
-    refused. Source: the unit quaternion, from the largest of its components; Shepperd (1978).
+    All digits are kept near no rotation and near a half turn.
 
+    Parameters
+    ----------
+    R : array_like, shape (..., 3, 3)
+        Rotation matrix.
+
+    Returns
+    -------
+    axis : ndarray, shape (..., 3)
+        Axis of length 1: z where there is no rotation. Of the two opposite axes of a half turn (to
+        within 1e-15) it is the one whose first non-zero component is positive.
+    angle : ndarray, shape (...)
+        Angle in [0, π] rad.
+
+    Raises
+    ------
+    RobokinError
+        If `R` is not a rotation.
+
+    References
+    ----------
+    The unit quaternion, from the largest of its components: Shepperd (1978).
+
+    Examples
+    --------
     >>> axis, angle = axis_angle([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
     >>> (axis * np.sqrt(3)).round(6), (np.degrees(angle)).round(6)
     (array([-1.,  1., -1.]), np.float64(120.0))

@@ -1,9 +1,9 @@
 """The three-joint elbow arm: a base that turns, a shoulder and an elbow in one vertical plane.
 
-Joint angles `[theta1, theta2, theta3]` and points `[x, y, z]`, seen from the base, stand on the
-last axis; leading batch dimensions broadcast. The shoulder is d1 above the base, the upper link
-is a2 long, the forearm a3; at zero the arm lies stretched along x, positive theta2 and theta3
-raise it. Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.3.
+Joint angles are `[theta1, theta2, theta3]`, points `[x, y, z]` as seen from the base. The shoulder
+is d1 above the base, the upper link is a2 long, the forearm a3; at zero the arm lies stretched
+along x, positive theta2 and theta3 raise it. Spong, Hutchinson & Vidyasagar, Robot Modeling and
+Control, section 3.3.
 """
 
 import numpy as np
@@ -28,9 +28,24 @@ LINKS = {"a2": positive(), "a3": positive(), "d1": finite()}
 def forward(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
     """Return the wrist's position from the joint angles.
 
-    theta: (…, 3) in rad; a2, a3: (…) in m, positive; d1: (…) in m, any finite number
-    → (…, 3) in m. The radius from the base axis is r = a2 cos θ2 + a3 cos(θ2+θ3).
+    Its distance from the base axis is r = a2 cos θ2 + a3 cos(θ2 + θ3).
 
+    Parameters
+    ----------
+    theta : array_like, shape (..., 3)
+        Joint angles in rad.
+    a2, a3 : array_like, shape (...)
+        Lengths of the links in m.
+    d1 : array_like, shape (...), default 0.0
+        Height of the shoulder in m, any finite number.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Wrist in m.
+
+    Examples
+    --------
     >>> forward([0, np.pi / 2, -np.pi / 2], a2=0.4, a3=0.3, d1=0.1).round(6)
     array([0.3, 0. , 0.5])
     """
@@ -42,9 +57,21 @@ def forward(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0)
 
 @validated(theta=data(3), **LINKS)
 def joint_positions(theta: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
-    """Return where base, shoulder, elbow and wrist are, in this order: the arm as it is drawn.
+    """Return where base, shoulder, elbow and wrist are: the arm as it is drawn.
 
-    theta: (…, 3) in rad; a2, a3, d1: (…) in m → (…, 4, 3) in m, a row for each point.
+    Parameters
+    ----------
+    theta : array_like, shape (..., 3)
+        Joint angles in rad.
+    a2, a3 : array_like, shape (...)
+        Lengths of the links in m.
+    d1 : array_like, shape (...), default 0.0
+        Height of the shoulder in m, any finite number.
+
+    Returns
+    -------
+    ndarray, shape (..., 4, 3)
+        Points in m, in this order.
     """
     theta1, theta2, theta3 = parts(theta)
     c, s = np.cos(theta1), np.sin(theta1)
@@ -59,17 +86,40 @@ def inverse(
 ) -> Array:
     """Return all four ways to bring the wrist to a point.
 
-    p: (…, 3) in m; a2, a3: (…) in m, positive; d1: (…) in m → (…, 4, 3) in rad. The rows:
-    facing the target, elbow up (theta3 ≤ 0); facing it, elbow down (theta3 ≥ 0); facing away,
-    elbow up (theta3 ≥ 0); facing away, elbow down (theta3 ≤ 0). Up is the elbow above the line
-    from shoulder to wrist. theta1 and theta2 are in (-π, π], theta3 in [-π, π].
-    Stretched or folded, up and down are one. On the base axis theta1 is free: 0 facing, π away.
-    With a2 = a3 and p at the shoulder theta2 is free too: 0.
-    Outside the shell of `reach` (by more than 1e-12 of a2 + a3) there is no answer:
-    `UnreachableError`, or NaN with unreachable="nan".
-    Source: Spong et al., section 3.3, with the law of cosines in half angles, which keep the
-    digits of the distance from the shoulder at full stretch.
+    Stretched or folded, elbow up and elbow down are one. On the base axis theta1 is free: 0 facing,
+    π away. With a2 = a3 and p at the shoulder theta2 is free too: 0. The law of cosines is used in
+    half angles, which keep the digits of the distance from the shoulder at full stretch.
 
+    Parameters
+    ----------
+    p : array_like, shape (..., 3)
+        Wrist in m.
+    a2, a3 : array_like, shape (...)
+        Lengths of the links in m.
+    d1 : array_like, shape (...), default 0.0
+        Height of the shoulder in m, any finite number.
+    unreachable : {"raise", "nan"}, default "raise"
+        Whether a point out of reach raises or gives NaN.
+
+    Returns
+    -------
+    ndarray, shape (..., 4, 3)
+        Joint angles in rad, theta1 and theta2 in (-π, π], theta3 in [-π, π]. The rows: facing the
+        target, elbow up (theta3 ≤ 0); facing it, elbow down (theta3 ≥ 0); facing away, elbow up
+        (theta3 ≥ 0); facing away, elbow down (theta3 ≤ 0). Up is above the line from shoulder to
+        wrist.
+
+    Raises
+    ------
+    UnreachableError
+        If p is outside the shell of `reach` by more than 1e-12 of a2 + a3.
+
+    References
+    ----------
+    Spong et al., section 3.3.
+
+    Examples
+    --------
     >>> inverse([0.3, 0, 0.4], a2=0.4, a3=0.3)[0].round(6)
     array([ 0.      ,  1.570796, -1.570796])
     """
@@ -99,7 +149,17 @@ def inverse(
 def reach(a2: ArrayLike, a3: ArrayLike) -> tuple[Array, Array]:
     """Return the smallest and largest distance from shoulder to wrist: folded and stretched.
 
-    a2, a3: (…) in m, positive → minimum `|a2 - a3|` (…) and maximum a2 + a3 (…) in m.
+    Parameters
+    ----------
+    a2, a3 : array_like, shape (...)
+        Lengths of the links in m.
+
+    Returns
+    -------
+    minimum : ndarray, shape (...)
+        `|a2 - a3|` in m.
+    maximum : ndarray, shape (...)
+        a2 + a3 in m.
     """
     return np.abs(a2 - a3), a2 + a3
 
@@ -108,9 +168,25 @@ def reach(a2: ArrayLike, a3: ArrayLike) -> tuple[Array, Array]:
 def nearest_reachable(p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike = 0.0) -> Array:
     """Return the point within reach that is nearest to p: p itself, or p moved along its ray.
 
-    p: (…, 3) in m; a2, a3: (…) in m, positive; d1: (…) in m → (…, 3) in m. The ray starts at
-    the shoulder; where p is the shoulder itself all directions are as near, and x is taken.
+    The ray starts at the shoulder. Where p is the shoulder itself, all directions are as near, and
+    x is taken.
 
+    Parameters
+    ----------
+    p : array_like, shape (..., 3)
+        Point in m.
+    a2, a3 : array_like, shape (...)
+        Lengths of the links in m.
+    d1 : array_like, shape (...), default 0.0
+        Height of the shoulder in m, any finite number.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Point in m.
+
+    Examples
+    --------
     >>> nearest_reachable([3, 0, 4], a2=0.4, a3=0.1).round(6)
     array([0.3, 0. , 0.4])
     """
@@ -128,7 +204,17 @@ def nearest_reachable(p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike 
 def on_base_axis(p: ArrayLike, tol: ArrayLike = 1e-9) -> Bools:
     """Return whether a point lies on the base axis (x = y = 0), where theta1 is free.
 
-    p: (…, 3) in m; tol: (…) distance from the axis in m, positive → (…) bool; False for NaN.
+    Parameters
+    ----------
+    p : array_like, shape (..., 3)
+        Point in m.
+    tol : array_like, shape (...), default 1e-9
+        Largest distance from the axis in m.
+
+    Returns
+    -------
+    ndarray of bool, shape (...)
+        Whether it lies there; False for NaN.
     """
     x, y, _ = parts(p)
     return np.hypot(x, y) <= tol

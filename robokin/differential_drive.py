@@ -1,7 +1,7 @@
 """Differential drive: two wheels on one axle, each with its own rate.
 
-Wheels in the order left, right. Siegwart, Nourbakhsh & Scaramuzza, Introduction to Autonomous
-Mobile Robots, chapter 3; Lynch & Park, Modern Robotics, section 13.3.
+The wheel distance is the whole distance between the wheels. Siegwart, Nourbakhsh & Scaramuzza,
+Introduction to Autonomous Mobile Robots, chapter 3; Lynch & Park, Modern Robotics, section 13.3.
 """
 
 import numpy as np
@@ -18,12 +18,26 @@ SIZES = {"wheel_radius": positive(), "wheel_distance": positive()}
 def body_twist(
     rate_left: ArrayLike, rate_right: ArrayLike, wheel_radius: ArrayLike, wheel_distance: ArrayLike
 ) -> Array:
-    """Return the robot's velocity in its own frame from its two wheel rates.
+    """Return the robot's twist from its two wheel rates.
 
-    rate_left, rate_right: (…) in rad/s; wheel_radius, wheel_distance: (…) in m, positive
-    → (…, 3) `[v, 0, omega]` in m/s, m/s, rad/s. The wheel distance is the whole distance between
-    the wheels. Source: Siegwart et al., section 3.2.2, v = (v_R + v_L)/2, ω = (v_R − v_L)/b.
+    Parameters
+    ----------
+    rate_left, rate_right : array_like, shape (...)
+        Wheel rates in rad/s.
+    wheel_radius, wheel_distance : array_like, shape (...)
+        Sizes in m.
 
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[v, 0, omega]` in m/s and rad/s.
+
+    References
+    ----------
+    Siegwart et al., section 3.2.2, v = (v_R + v_L)/2, ω = (v_R − v_L)/b.
+
+    Examples
+    --------
     >>> body_twist(5 / 3, 10 / 3, wheel_radius=0.03, wheel_distance=0.1).round(6)
     array([0.075, 0.   , 0.5  ])
     """
@@ -34,12 +48,24 @@ def body_twist(
 
 @validated(rate_left=data(), rate_right=data(), wheel_distance=positive())
 def turning_radius(rate_left: ArrayLike, rate_right: ArrayLike, wheel_distance: ArrayLike) -> Array:
-    """Return how far to the left of the robot the centre of its turn lies; to the right: negative.
+    """Return how far to the left of the robot the centre of its turn lies.
 
-    rate_left, rate_right: (…) in rad/s, or the wheels' speeds in m/s; wheel_distance: (…) in m,
-    positive → (…) in m, +inf straight ahead, NaN standing still.
-    Source: R = v/ω, b/2 (v_R + v_L)/(v_R − v_L).
+    By R = v/ω it is b/2 (v_R + v_L)/(v_R − v_L).
 
+    Parameters
+    ----------
+    rate_left, rate_right : array_like, shape (...)
+        Wheel rates in rad/s, or the wheels' speeds in m/s.
+    wheel_distance : array_like, shape (...)
+        Distance between the wheels in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Radius in m, negative to the right; +inf straight ahead, NaN standing still.
+
+    Examples
+    --------
     >>> round(float(turning_radius(5 / 3, 10 / 3, wheel_distance=0.1)), 6)
     0.15
     """
@@ -51,11 +77,28 @@ def turning_radius(rate_left: ArrayLike, rate_right: ArrayLike, wheel_distance: 
 def wheel_rates(
     v: ArrayLike, omega: ArrayLike, wheel_radius: ArrayLike, wheel_distance: ArrayLike
 ) -> Array:
-    """Return the two wheel rates for a wanted speed and turning rate: `body_twist` inverted.
+    """Return the two wheel rates for a wanted speed and turning rate: the inverse of `body_twist`.
 
-    v: (…) in m/s; omega: (…) in rad/s; wheel_radius, wheel_distance: (…) in m, positive
-    → (…, 2) `[left, right]` in rad/s. Source: Lynch & Park, section 13.3.1, ω_R = (v + ωb/2)/r.
+    Parameters
+    ----------
+    v : array_like, shape (...)
+        Speed in m/s.
+    omega : array_like, shape (...)
+        Turning rate in rad/s.
+    wheel_radius, wheel_distance : array_like, shape (...)
+        Sizes in m.
 
+    Returns
+    -------
+    ndarray, shape (..., 2)
+        `[left, right]` in rad/s.
+
+    References
+    ----------
+    Lynch & Park, section 13.3.1, ω_R = (v + ωb/2)/r.
+
+    Examples
+    --------
     >>> wheel_rates(0.075, 0.5, wheel_radius=0.03, wheel_distance=0.1).round(6)
     array([1.666667, 3.333333])
     """

@@ -1,9 +1,10 @@
 """Bicycle model of a car: one front wheel in place of the two steered ones.
 
-Reference point: the middle of the rear axle; rear drive, no slip. Positive steering turns left;
-wheels in the order left, right. A steering angle stands for the line of its axle, so angles that
-are solved for lie in (-π/2, π/2]. Siegwart, Nourbakhsh & Scaramuzza, Introduction to Autonomous
-Mobile Robots, chapter 3; Lynch & Park, Modern Robotics, section 13.3.1.
+Reference point: the middle of the rear axle; rear drive, no slip. Positive steering turns left. A
+steering angle stands for the line of its axle, so angles that are solved for lie in (-π/2, π/2].
+The wheelbase L is the distance of the axles, the track b that of the front wheels. Siegwart,
+Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots, chapter 3; Lynch & Park, Modern
+Robotics, section 13.3.1.
 """
 
 import numpy as np
@@ -42,12 +43,23 @@ def _axle_angle(y: Array, x: Array) -> Array:
 
 @validated(alpha_left=data(), alpha_right=data())
 def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
-    """Return the steering angle of the bicycle that turns like the car: its axle meets theirs.
+    """Return the steering angle of the bicycle that turns like the car.
 
-    alpha_left, alpha_right: (…) in rad → (…) in (-π/2, π/2]. One wheel straight ahead, or both:
-    0. Equal and opposite: π/2, the axles meet in the middle of the rear axle.
     All axles meet in one point: cot φ = (cot α_L + cot α_R)/2, multiplied by sin α_L sin α_R.
 
+    Parameters
+    ----------
+    alpha_left, alpha_right : array_like, shape (...)
+        Steering angles of the front wheels in rad.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Steering angle in (-π/2, π/2] rad. It is 0 if one wheel, or both, are straight ahead, and
+        π/2 if they are equal and opposite: their axles meet in the middle of the rear axle.
+
+    Examples
+    --------
     >>> round(float(equivalent_steering(np.radians(35), np.radians(29))), 6)
     0.55411
     """
@@ -59,11 +71,23 @@ def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
 def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     """Return the two front wheels' steering angles for the bicycle's turn without slip.
 
-    phi: (…) in rad; wheelbase, track (the distance of the front wheels): (…) in m, positive
-    → (…, 2) `[left, right]` in (-π/2, π/2]. Where the turn is tighter than half the track, the
-    inner wheel has turned past 90°, and its angle comes round with the other sign.
-    All axles meet in one point: tan α_L = L/(R − b/2), tan α_R = L/(R + b/2) with the track b.
+    All axles meet in one point: tan α_L = L/(R − b/2), tan α_R = L/(R + b/2).
 
+    Parameters
+    ----------
+    phi : array_like, shape (...)
+        Steering angle in rad.
+    wheelbase, track : array_like, shape (...)
+        Sizes in m.
+
+    Returns
+    -------
+    ndarray, shape (..., 2)
+        `[left, right]` in (-π/2, π/2] rad. Where the turn is tighter than half the track, the inner
+        wheel has turned past 90°, and its angle comes round with the other sign.
+
+    Examples
+    --------
     >>> np.degrees(ackermann(np.radians(30), wheelbase=2.5, track=1.5)).round(3)
     array([34.927, 26.202])
     """
@@ -74,10 +98,23 @@ def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
 
 @validated(phi=data(), wheelbase=positive())
 def turning_radius(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
-    """Return how far to the left of the rear axle's middle the car turns about; right: negative.
+    """Return how far to the left of the rear axle's middle the centre of the turn lies.
 
-    phi: (…) in rad; wheelbase: (…) in m, positive → (…) in m, +inf straight ahead.
-    Source: Lynch & Park, section 13.3.1, tan φ = L/R.
+    Parameters
+    ----------
+    phi : array_like, shape (...)
+        Steering angle in rad.
+    wheelbase : array_like, shape (...)
+        Distance of the axles in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Radius in m, negative to the right; +inf straight ahead.
+
+    References
+    ----------
+    Lynch & Park, section 13.3.1, tan φ = L/R.
     """
     return wheelbase / (np.tan(phi) + 0.0)  # + 0.0 makes a zero positive
 
@@ -86,9 +123,22 @@ def turning_radius(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
 def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """Return how far inside the front axle's circle the rear axle runs: the radii's difference.
 
-    phi: (…) in rad; wheelbase: (…) in m, positive → (…) in m; 0 straight ahead, the whole
-    wheelbase at phi = ±π/2. By Pythagoras `√(R² + L²) − |R|`, which is `L tan(|φ|/2)`.
+    By Pythagoras it is `√(R² + L²) − |R|`, which is `L tan(|φ|/2)`.
 
+    Parameters
+    ----------
+    phi : array_like, shape (...)
+        Steering angle in rad.
+    wheelbase : array_like, shape (...)
+        Distance of the axles in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Difference in m: 0 straight ahead, the whole wheelbase at phi = ±π/2.
+
+    Examples
+    --------
     >>> round(float(corner_cut(np.radians(30), wheelbase=7.0)), 3)
     1.876
     """
@@ -99,11 +149,24 @@ def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
 def lane_width(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     """Return the width of the lane that the wheels need, inner rear to outer front wheel's circle.
 
-    phi: (…) in rad; wheelbase, track: (…) in m, positive → (…) in m; the track straight ahead.
-    Where the turn is tighter than half the track, its centre lies under the car: there is no lane
-    but a disc, and this is its radius.
-    By Pythagoras `√((|R| + b/2)² + L²) − (|R| − b/2)`, with no difference of large radii.
+    By Pythagoras it is `√((|R| + b/2)² + L²) − (|R| − b/2)`, here with no difference of large
+    radii. Where the turn is tighter than half the track, its centre lies under the car: there is no
+    lane but a disc, and this is its radius.
 
+    Parameters
+    ----------
+    phi : array_like, shape (...)
+        Steering angle in rad.
+    wheelbase, track : array_like, shape (...)
+        Sizes in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Width in m; straight ahead the track.
+
+    Examples
+    --------
     >>> round(float(lane_width(np.radians(30), wheelbase=7.0, track=1.5)), 2)
     3.28
     """
@@ -118,10 +181,20 @@ def ackermann_error(
 ) -> Array:
     """Return how far two steering angles are from a turn without slip: 0 where the axles meet.
 
-    alpha_left, alpha_right: (…) in rad; wheelbase, track: (…) in m, positive
-    → (…) cot α_R − cot α_L − track/wheelbase. Both straight ahead: 0, the axles are parallel and
-    meet nowhere. One straight ahead: +inf (the right one) or −inf (the left one).
-    The cotangents' difference is sin(α_L − α_R)/(sin α_L sin α_R).
+    It is cot α_R − cot α_L − b/L; the cotangents' difference is sin(α_L − α_R)/(sin α_L sin α_R).
+
+    Parameters
+    ----------
+    alpha_left, alpha_right : array_like, shape (...)
+        Steering angles of the front wheels in rad.
+    wheelbase, track : array_like, shape (...)
+        Sizes in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Error, without unit: 0 if both are straight ahead (parallel axles meet nowhere), +inf if
+        only the right one is, −inf if only the left one is.
     """
     alpha_left, alpha_right = alpha_left + 0.0, alpha_right + 0.0  # no -0.0: 1/-0.0 is -inf
     difference = np.sin(alpha_left - alpha_right) / np.sin(alpha_left) / np.sin(alpha_right)
@@ -131,12 +204,28 @@ def ackermann_error(
 
 @validated(v=data(), phi=data(), wheelbase=positive())
 def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
-    """Return the car's velocity in its own frame, at the middle of the rear axle.
+    """Return the car's twist at the middle of the rear axle.
 
-    v: speed of the rear axle (…) in m/s; phi: (…) in rad; wheelbase: (…) in m, positive
-    → (…, 3) `[v, 0, omega]`. At phi = ±π/2 a driven rear axle cannot roll: NaN.
-    Source: Lynch & Park, section 13.3.1, θ̇ = (v/L) tan φ.
+    Parameters
+    ----------
+    v : array_like, shape (...)
+        Speed of the rear axle in m/s.
+    phi : array_like, shape (...)
+        Steering angle in rad.
+    wheelbase : array_like, shape (...)
+        Distance of the axles in m.
 
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[v, 0, omega]` in m/s and rad/s; NaN at phi = ±π/2, where a driven rear axle cannot roll.
+
+    References
+    ----------
+    Lynch & Park, section 13.3.1, θ̇ = (v/L) tan φ.
+
+    Examples
+    --------
     >>> body_twist(2.0, np.pi / 4, wheelbase=2.5).round(6)
     array([2. , 0. , 0.8])
     """
@@ -146,10 +235,23 @@ def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
 
 @validated(v=data(), phi=data(), wheelbase=positive())
 def front_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
-    """Return the velocity of the front axle's middle in the body frame: v/cos φ, direction φ.
+    """Return the twist at the middle of the front axle: v/cos φ in the direction φ.
 
-    v, phi, wheelbase: as in `body_twist` → (…, 3) `[v, v tan φ, omega]`; NaN at phi = ±π/2.
     It is the rear axle's velocity plus omega times the wheelbase, sideways.
+
+    Parameters
+    ----------
+    v : array_like, shape (...)
+        Speed of the rear axle in m/s.
+    phi : array_like, shape (...)
+        Steering angle in rad.
+    wheelbase : array_like, shape (...)
+        Distance of the axles in m.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[v, v tan φ, omega]` in m/s and rad/s; NaN at phi = ±π/2.
     """
     v, slope = _rolling(v, phi)
     return vector(v, v * slope, v * slope / wheelbase)
@@ -164,11 +266,30 @@ def path(
     dt: ArrayLike,
     method: str = "exact",
 ) -> Array:
-    """Return all poses along a drive of N steps, the first included; methods as in `motion.path`.
+    """Return all poses along a drive of N steps, the first included.
 
-    pose: (…, 3) at the start; v, phi, dt: broadcast to (…, N); wheelbase: (…), one for each path
-    → (…, N+1, 3). A NaN, or phi = ±π/2, makes the path NaN from its step on.
+    A NaN, or phi = ±π/2, makes the path NaN from its step on.
 
+    Parameters
+    ----------
+    pose : array_like, shape (..., 3)
+        `[x, y, theta]` at the start, in m and rad.
+    v, phi : array_like, shape (..., N)
+        Speed in m/s and steering angle in rad of each step, or one for all steps.
+    wheelbase : array_like, shape (...)
+        Distance of the axles in m, one for each path.
+    dt : array_like, shape (..., N)
+        Time of each step in s, or one for all steps.
+    method : {"exact", "midpoint", "start", "end"}, default "exact"
+        As in `motion.path`.
+
+    Returns
+    -------
+    ndarray, shape (..., N+1, 3)
+        `[x, y, theta]` in m and rad.
+
+    Examples
+    --------
     >>> path([0, 0, 0], v=1.0, phi=[0.0, np.arctan(2.5)], wheelbase=2.5, dt=np.pi / 2).round(3)
     array([[0.   , 0.   , 0.   ],
            [1.571, 0.   , 0.   ],

@@ -2,8 +2,10 @@
 
 A wheel stands at the distance l and the angle alpha from the robot's centre; beta turns from that
 spoke to the wheel's axle (beta = 0: the axle points along the spoke and the wheel rolls towards
-alpha + beta - 90°). Siegwart, Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots,
-sections 3.2 and 3.3; Campion, Bastin & D'Andréa-Novel (1996).
+alpha + beta - 90°). Below, k counts the wheels but the spherical ones, s the steered wheels, m the
+fixed and the steered ones, each in the order of the list. Siegwart, Nourbakhsh & Scaramuzza,
+Introduction to Autonomous Mobile Robots, sections 3.2 and 3.3; Campion, Bastin & D'Andréa-Novel
+(1996).
 """
 # ruff: noqa: E741  (l is the field's own name)
 
@@ -52,8 +54,20 @@ SLIP = 1e-9  # sideways speed that is called slip, relative to the speeds that m
 class Wheel:
     """One wheel: its kind, place, axle and radius; made by `fixed`, `steered`, … `spherical`.
 
-    l and radius in m, l not negative; alpha, beta and gamma in rad; d in m, of a castor: from its
-    pivot to its contact point, along the positive rolling direction (a trailing castor has d < 0).
+    Parameters
+    ----------
+    kind : {"fixed", "steered", "castor", "swedish", "spherical"}
+        Kind of wheel, named as the function that makes it.
+    l : float
+        Distance from the robot's centre in m, zero or more.
+    alpha, beta : float
+        Angle of the spoke, and from there to the axle, in rad.
+    radius : float
+        Radius in m.
+    d : float, default 0.0
+        Of a castor, see `castor`; 0 for the others.
+    gamma : float, default 0.0
+        Of a Swedish wheel, see `swedish`; 0 for the others.
     """
 
     kind: str
@@ -80,7 +94,17 @@ class Wheel:
 
 
 class Mobility(NamedTuple):
-    """Degrees of mobility, of steerability, and their sum: of manoeuvrability."""
+    """Degrees of mobility, of steerability, and their sum: of manoeuvrability.
+
+    Attributes
+    ----------
+    delta_m : int
+        Degree of mobility.
+    delta_s : int
+        Degree of steerability.
+    delta_M : int
+        Degree of manoeuvrability.
+    """
 
     delta_m: int
     delta_s: int
@@ -100,38 +124,135 @@ def _wheels(name: str, wheels: Any, sizes: dict[Any, int]) -> tuple[Wheel, ...]:
 
 
 def fixed(l: float, alpha: float, beta: float, radius: float) -> Wheel:
-    """Make a wheel with an axle fixed to the robot: it rolls, and must not slide along it."""
+    """Make a wheel with an axle fixed to the robot: it rolls, and must not slide along it.
+
+    Parameters
+    ----------
+    l : float
+        Distance from the robot's centre in m.
+    alpha, beta : float
+        Angle of the spoke, and from there to the axle, in rad.
+    radius : float
+        Radius in m.
+
+    Returns
+    -------
+    Wheel
+        Fixed wheel.
+    """
     return Wheel("fixed", l, alpha, beta, radius)
 
 
 def steered(l: float, alpha: float, beta: float, radius: float) -> Wheel:
-    """Make a wheel that turns about the vertical through its contact point; beta: its angle now."""
+    """Make a wheel that turns about the vertical through its contact point.
+
+    Parameters
+    ----------
+    l : float
+        Distance from the robot's centre in m.
+    alpha : float
+        Angle of the spoke in rad.
+    beta : float
+        Angle from there to the axle now, in rad.
+    radius : float
+        Radius in m.
+
+    Returns
+    -------
+    Wheel
+        Steered wheel.
+    """
     return Wheel("steered", l, alpha, beta, radius)
 
 
 def castor(l: float, alpha: float, beta: float, radius: float, d: float) -> Wheel:
-    """Make a wheel that trails freely about a pivot at (l, alpha), d from it; it hinders nothing.
+    """Make a wheel that trails freely about a pivot at (l, alpha): it hinders nothing.
 
-    beta is its angle now; the functions take it as it stands, and do not let it trail.
+    Parameters
+    ----------
+    l : float
+        Distance of the pivot from the robot's centre in m.
+    alpha : float
+        Angle of the spoke in rad.
+    beta : float
+        Angle from there to the axle now, in rad; it is taken as it stands and does not trail.
+    radius : float
+        Radius in m.
+    d : float
+        From the pivot to the contact point along the positive rolling direction, in m, not 0;
+        negative for a trailing castor.
+
+    Returns
+    -------
+    Wheel
+        Castor wheel.
     """
     return Wheel("castor", l, alpha, beta, radius, d=d)
 
 
 def swedish(l: float, alpha: float, beta: float, radius: float, gamma: float) -> Wheel:
-    """Make a wheel with free rollers on its rim (Mecanum), their axes gamma from where it rolls."""
+    """Make a wheel with free rollers on its rim (Mecanum).
+
+    Parameters
+    ----------
+    l : float
+        Distance from the robot's centre in m.
+    alpha, beta : float
+        Angle of the spoke, and from there to the axle, in rad.
+    radius : float
+        Radius in m.
+    gamma : float
+        Angle from where it rolls to the axes of its rollers, in rad, not ±π/2.
+
+    Returns
+    -------
+    Wheel
+        Swedish wheel.
+    """
     return Wheel("swedish", l, alpha, beta, radius, gamma=gamma)
 
 
 def spherical(l: float, alpha: float, radius: float) -> Wheel:
-    """Make a ball that rolls in any direction: it demands nothing."""
+    """Make a ball that rolls in any direction: it demands nothing.
+
+    Parameters
+    ----------
+    l : float
+        Distance from the robot's centre in m.
+    alpha : float
+        Angle of the spoke in rad.
+    radius : float
+        Radius in m.
+
+    Returns
+    -------
+    Wheel
+        Spherical wheel.
+    """
     return Wheel("spherical", l, alpha, 0.0, radius)
 
 
 def omni_robot(
     l: float, radius: float, angles: ArrayLike = (0, 2 * np.pi / 3, 4 * np.pi / 3)
 ) -> list[Wheel]:
-    """Make a robot of Swedish wheels with rollers across, beta = gamma = 0, at the angles (n,).
+    """Make a robot of Swedish wheels with rollers across: beta = gamma = 0.
 
+    Parameters
+    ----------
+    l : float
+        Distance of the wheels from the robot's centre in m.
+    radius : float
+        Radius in m.
+    angles : array_like, shape (n,), default (0, 2π/3, 4π/3)
+        Angles of the spokes in rad.
+
+    Returns
+    -------
+    list of Wheel
+        The n wheels.
+
+    Examples
+    --------
     >>> rolling(omni_robot(0.2, 0.05)).round(3)
     array([[ 0.   , -1.   , -0.2  ],
            [ 0.866,  0.5  , -0.2  ],
@@ -147,10 +268,22 @@ def omni_robot(
 def rolling(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
     """Return J1: the speed at which each wheel must roll is its row times the robot's twist.
 
-    steering: (…, s) in rad, in place of the steered wheels' beta → (…, k, 3), a row for each
-    wheel but the spherical ones, in the body frame.
-    Source: Siegwart et al., section 3.2.3,
-    [sin(α+β+γ), −cos(α+β+γ), −l cos(β+γ)] R(θ) ξ̇_I − r φ̇ cos γ = 0.
+    Parameters
+    ----------
+    wheels : list of Wheel
+        Wheels of the robot.
+    steering : array_like, shape (..., s), optional
+        Angles in rad in place of the steered wheels' beta.
+
+    Returns
+    -------
+    ndarray, shape (..., k, 3)
+        Rows in the body frame, without unit and in m.
+
+    References
+    ----------
+    Siegwart et al., section 3.2.3, [sin(α+β+γ), −cos(α+β+γ), −l cos(β+γ)] R(θ) ξ̇_I − r φ̇ cos γ =
+    0.
     """
     w = _layout(wheels, DRIVEN)
     beta = _turned(w, steering) + w.gamma
@@ -159,7 +292,18 @@ def rolling(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array
 
 @validated(wheels=_wheels)
 def rolling_rates(wheels: Sequence[Wheel]) -> Array:
-    """Return J2 = diag(r cos γ): from wheel rates to the speeds in the rows of J1 → (k, k)."""
+    """Return J2 = diag(r cos γ), from wheel rates to the speeds in the rows of J1.
+
+    Parameters
+    ----------
+    wheels : list of Wheel
+        Wheels of the robot.
+
+    Returns
+    -------
+    ndarray, shape (k, k)
+        Diagonal matrix in m.
+    """
     return np.diag(_layout(wheels, DRIVEN).per_radian)
 
 
@@ -167,8 +311,21 @@ def rolling_rates(wheels: Sequence[Wheel]) -> Array:
 def sliding(wheels: Sequence[Wheel], steering: ArrayLike | None = None) -> Array:
     """Return C1: the speed of each wheel along its axle is its row times the robot's twist.
 
-    steering: as in `rolling` → (…, m, 3), a row for each fixed and each steered wheel.
-    Source: Siegwart et al., section 3.2.3, [cos(α+β), sin(α+β), l sin β] R(θ) ξ̇_I = 0.
+    Parameters
+    ----------
+    wheels : list of Wheel
+        Wheels of the robot.
+    steering : array_like, shape (..., s), optional
+        Angles in rad in place of the steered wheels' beta.
+
+    Returns
+    -------
+    ndarray, shape (..., m, 3)
+        Rows in the body frame, without unit and in m.
+
+    References
+    ----------
+    Siegwart et al., section 3.2.3, [cos(α+β), sin(α+β), l sin β] R(θ) ξ̇_I = 0.
     """
     w = _layout(wheels, HELD)
     beta = _turned(w, steering)
@@ -184,12 +341,36 @@ def forward(
 ) -> Array:
     """Return the robot's velocity in the world from the rates of its wheels.
 
-    rates: (…, k) in rad/s, for each wheel but the spherical ones; steering: as in `rolling`;
-    theta: heading (…) in rad → (…, 3). Least squares over the rolling and the sliding rows
-    together; what they cannot agree on is `slip`. SingularError where the wheels do not determine
-    the motion, at any steering.
-    Source: Siegwart et al., section 3.2.5, ξ̇_I = R(θ)⁻¹ J1⁻¹ J2 φ̇.
+    It is that of least squares over the rolling and the sliding rows together; what they cannot
+    agree on is `slip`.
 
+    Parameters
+    ----------
+    wheels : list of Wheel
+        Wheels of the robot.
+    rates : array_like, shape (..., k)
+        Wheel rates in rad/s.
+    steering : array_like, shape (..., s), optional
+        Angles in rad in place of the steered wheels' beta.
+    theta : array_like, shape (...), default 0.0
+        Heading in rad.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[x_dot, y_dot, omega]` in m/s and rad/s.
+
+    Raises
+    ------
+    SingularError
+        If the wheels do not determine the motion, at any steering.
+
+    References
+    ----------
+    Siegwart et al., section 3.2.5, ξ̇_I = R(θ)⁻¹ J1⁻¹ J2 φ̇.
+
+    Examples
+    --------
     >>> forward(omni_robot(0.2, 0.05), [1, 1, 1]).round(6) + 0.0
     array([ 0.  ,  0.  , -0.25])
     """
@@ -200,10 +381,27 @@ def forward(
 def slip(wheels: Sequence[Wheel], rates: ArrayLike, steering: ArrayLike | None = None) -> Array:
     """Return how far the wheels are from agreeing: what `forward` leaves over in each row.
 
-    rates, steering: as in `forward` → (…, k + m) in m/s: how much faster each wheel is moved than
-    it drives, in the direction that it drives (for a Swedish wheel: along the axis of the roller on
-    the ground), in the order of `rolling`; then how fast each fixed and steered wheel slides along
-    its axle, in the order of `sliding`.
+    Parameters
+    ----------
+    wheels : list of Wheel
+        Wheels of the robot.
+    rates : array_like, shape (..., k)
+        Wheel rates in rad/s.
+    steering : array_like, shape (..., s), optional
+        Angles in rad in place of the steered wheels' beta.
+
+    Returns
+    -------
+    ndarray, shape (..., k+m)
+        Speeds in m/s: how much faster each wheel is moved than it drives, in the direction that it
+        drives (for a Swedish wheel: along the axis of the roller on the ground), in the order of
+        `rolling`; then how fast each fixed and steered wheel slides along its axle, in the order of
+        `sliding`.
+
+    Raises
+    ------
+    SingularError
+        If the wheels do not determine the motion, at any steering.
     """
     twist = _body_twist(wheels, rates, steering)
     rolled = times(rolling(wheels, steering), twist)
@@ -221,11 +419,31 @@ def inverse(
 ) -> Array:
     """Return the rates at which the wheels roll when the robot moves as wanted.
 
-    twist: here the velocity along the world's axes, (…, 3); steering: as in `rolling`; theta:
-    heading (…) in rad → (…, k) in rad/s, for each wheel but the spherical ones. Where a
-    fixed or steered wheel would slip along its axle there is no
-    answer: slipping "raise" (UnreachableError) or "nan".
+    Parameters
+    ----------
+    wheels : list of Wheel
+        Wheels of the robot.
+    twist : array_like, shape (..., 3)
+        `[x_dot, y_dot, omega]` along the world's axes, in m/s and rad/s.
+    steering : array_like, shape (..., s), optional
+        Angles in rad in place of the steered wheels' beta.
+    theta : array_like, shape (...), default 0.0
+        Heading in rad.
+    slipping : {"raise", "nan"}, default "raise"
+        Whether a wheel that would slip raises or gives NaN.
 
+    Returns
+    -------
+    ndarray, shape (..., k)
+        Wheel rates in rad/s.
+
+    Raises
+    ------
+    UnreachableError
+        If a fixed or steered wheel would slip along its axle.
+
+    Examples
+    --------
     >>> inverse(omni_robot(0.2, 0.05), [0, 0, -0.25])
     array([1., 1., 1.])
     """
@@ -241,8 +459,23 @@ def mobility(wheels: Sequence[Wheel]) -> Mobility:
     """Return in how many ways the robot can move at once, be steered, and both together.
 
     The steered wheels are taken to be turned together, so that a centre of rotation exists.
-    Source: Siegwart et al., section 3.3, δ_m = 3 − rank C1 and δ_s = rank C1s.
 
+    Parameters
+    ----------
+    wheels : list of Wheel
+        Wheels of the robot.
+
+    Returns
+    -------
+    Mobility
+        The three degrees.
+
+    References
+    ----------
+    Siegwart et al., section 3.3, δ_m = 3 − rank C1 and δ_s = rank C1s.
+
+    Examples
+    --------
     >>> mobility([fixed(0.1, np.pi / 2, 0, 0.03), fixed(0.1, -np.pi / 2, np.pi, 0.03)])
     Mobility(delta_m=2, delta_s=0, delta_M=2)
     """

@@ -1,8 +1,8 @@
 """Odometry: where a robot with two driven wheels is, from its wheel encoders.
 
-Wheels in the order left, right. Ticks are whole numbers, forward positive; a missing reading is
-NaN. Siegwart, Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots, section 5.2.4;
-Lynch & Park, Modern Robotics, section 13.4.
+Ticks are whole numbers, forward positive; a missing reading is NaN. Siegwart, Nourbakhsh &
+Scaramuzza, Introduction to Autonomous Mobile Robots, section 5.2.4; Lynch & Park, Modern Robotics,
+section 13.4.
 """
 
 import numpy as np
@@ -30,9 +30,24 @@ def _per_tick(ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
 def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
     """Return how far a wheel has rolled.
 
-    ticks: (…) whole numbers; ticks_per_turn (a gear can make it a fraction): (…) positive;
-    wheel_radius: (…) in m, positive → (…) in m. One turn of C ticks is 2π r: D = 2π r N/C.
+    One turn of C ticks is 2π r: D = 2π r N/C.
 
+    Parameters
+    ----------
+    ticks : array_like, shape (...)
+        Ticks N.
+    ticks_per_turn : array_like, shape (...)
+        Ticks C of one turn; a gear can make it a fraction.
+    wheel_radius : array_like, shape (...)
+        Radius r in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Travel D in m.
+
+    Examples
+    --------
     >>> round(float(travel(500, ticks_per_turn=1000, wheel_radius=0.05)), 6)
     0.15708
     """
@@ -41,12 +56,29 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
 
 @validated(bits=BITS, counts=whole(STEPS))
 def unwrap_counter(counts: ArrayLike, bits: ArrayLike) -> Array:
-    """Return the ticks between the readings of a counter that wraps round after 2**bits.
+    """Return the ticks between the readings of a counter that wraps round after `2**bits`.
 
-    counts: (…, N) whole numbers, signed or unsigned; bits: (…) from 1 to 52, one for each counter
-    → (…, N-1), the shorter way round, from -2**(bits-1) to 2**(bits-1) - 1. A count that such a
-    counter cannot show is refused; a NaN makes the steps on both its sides NaN.
+    The shorter way round is taken. A NaN makes the steps on both its sides NaN.
 
+    Parameters
+    ----------
+    counts : array_like, shape (..., N)
+        Whole numbers, signed or unsigned.
+    bits : array_like, shape (...)
+        Size of each counter, from 1 to 52.
+
+    Returns
+    -------
+    ndarray, shape (..., N-1)
+        Ticks from `-2**(bits-1)` to `2**(bits-1) - 1`.
+
+    Raises
+    ------
+    RobokinError
+        If a count is outside `-2**(bits-1)` to `2**bits - 1`: such a counter cannot show it.
+
+    Examples
+    --------
     >>> unwrap_counter([65530, 4, 65533], bits=16)
     array([10., -7.])
     """
@@ -66,14 +98,35 @@ def path(
     pose: ArrayLike = (0, 0, 0),
     method: str = "exact",
 ) -> Array:
-    """Return all poses along a drive of N encoder steps; methods as in `motion.path`.
+    """Return all poses along a drive of N encoder steps, the first included.
 
-    ticks_left, ticks_right: broadcast to (…, N); ticks_per_turn, wheel_radius, wheel_distance:
-    (…), one for each path, lengths in m, positive; pose: (…, 3) at the start → (…, N+1, 3). The
-    heading comes from the whole number of ticks so far, so its error does not grow with N.
-    A missing reading makes the path NaN from its step on.
-    Source: Siegwart et al., section 5.2.4, Δθ = (D_R − D_L)/b.
+    The heading comes from the whole number of ticks so far, so its error does not grow with N. A
+    missing reading makes the path NaN from its step on.
 
+    Parameters
+    ----------
+    ticks_left, ticks_right : array_like, shape (..., N)
+        Ticks of each step.
+    ticks_per_turn : array_like, shape (...)
+        Ticks of one turn of a wheel.
+    wheel_radius, wheel_distance : array_like, shape (...)
+        Sizes in m.
+    pose : array_like, shape (..., 3), default (0, 0, 0)
+        `[x, y, theta]` at the start, in m and rad.
+    method : {"exact", "midpoint", "start", "end"}, default "exact"
+        As in `motion.path`.
+
+    Returns
+    -------
+    ndarray, shape (..., N+1, 3)
+        `[x, y, theta]` in m and rad.
+
+    References
+    ----------
+    Siegwart et al., section 5.2.4, Δθ = (D_R − D_L)/b.
+
+    Examples
+    --------
     >>> path([0, 9], [9, 9], ticks_per_turn=36, wheel_radius=0.1, wheel_distance=0.2).round(3)
     array([[0.   , 0.   , 0.   ],
            [0.071, 0.029, 0.785],
@@ -97,11 +150,30 @@ def velocity(
 ) -> tuple[Array, Array]:
     """Return the mean speed and turning rate of the robot over a time step.
 
-    ticks_left, ticks_right: (…) in the step; dt: (…) in s, positive; ticks_per_turn,
-    wheel_radius, wheel_distance: (…) positive → v (…) in m/s and omega (…) in rad/s.
-    Source: Siegwart et al., section 5.2.4, divided by Δt: v = (D_R + D_L)/(2Δt),
-    ω = (D_R − D_L)/(bΔt).
+    Parameters
+    ----------
+    ticks_left, ticks_right : array_like, shape (...)
+        Ticks of the step.
+    dt : array_like, shape (...)
+        Time in s, positive.
+    ticks_per_turn : array_like, shape (...)
+        Ticks of one turn of a wheel.
+    wheel_radius, wheel_distance : array_like, shape (...)
+        Sizes in m.
 
+    Returns
+    -------
+    v : ndarray, shape (...)
+        Speed in m/s.
+    omega : ndarray, shape (...)
+        Turning rate in rad/s.
+
+    References
+    ----------
+    Siegwart et al., section 5.2.4, divided by Δt: v = (D_R + D_L)/(2Δt), ω = (D_R − D_L)/(bΔt).
+
+    Examples
+    --------
     >>> v, omega = velocity(100, 200, 0.1, ticks_per_turn=400, wheel_radius=0.1, wheel_distance=0.2)
     >>> round(float(v), 3), round(float(omega), 3)
     (2.356, 7.854)
@@ -126,13 +198,33 @@ def covariance(
 ) -> Array:
     """Return how uncertain each pose of `path` is: covariances of x, y, theta, to first order.
 
-    noise: (…) the variance of a wheel's travel for each metre travelled, in m, not negative;
-    start: (…, 3, 3) covariance of the first pose, zero if not given; the others as in `path`
-    → (…, N+1, 3, 3). Each wheel errs by itself in each step. A missing reading makes it NaN from
-    its step on.
-    Source: Siegwart et al., section 5.2.4, Σ' = F_p Σ F_pᵀ + F_Δ Q F_Δᵀ, along exact arcs. F_p of
-    many steps is that of one from the first to the last place, so the steps are summed in one
-    frame.
+    Each wheel errs by itself in each step. F_p of many steps is that of one from the first to the
+    last place, so the steps are summed in one frame. A missing reading makes it NaN from its step
+    on.
+
+    Parameters
+    ----------
+    ticks_left, ticks_right : array_like, shape (..., N)
+        Ticks of each step.
+    ticks_per_turn : array_like, shape (...)
+        Ticks of one turn of a wheel.
+    wheel_radius, wheel_distance : array_like, shape (...)
+        Sizes in m.
+    noise : array_like, shape (...)
+        Variance of a wheel's travel for each metre travelled, in m, not negative.
+    pose : array_like, shape (..., 3), default (0, 0, 0)
+        `[x, y, theta]` at the start, in m and rad.
+    start : array_like, shape (..., 3, 3), optional
+        Covariance of the first pose in m², m rad and rad²; zero if not given.
+
+    Returns
+    -------
+    ndarray, shape (..., N+1, 3, 3)
+        Covariances in m², m rad and rad².
+
+    References
+    ----------
+    Siegwart et al., section 5.2.4, Σ' = F_p Σ F_pᵀ + F_Δ Q F_Δᵀ, along exact arcs.
     """
     per_tick = _per_tick(ticks_per_turn, wheel_radius)[..., None]
     wheel_distance = wheel_distance[..., None]
@@ -156,11 +248,22 @@ def covariance(
 def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
     """Return the error ellipse of a position: how uncertain it is, and in which direction.
 
-    covariance: (…, 3, 3) as from `covariance`, or (…, 2, 2) of x and y in m² → half-axes (…, 2) in
-    m, the standard deviations along the axes, the larger first, and the axes' directions as
-    columns (…, 2, 2), the second a quarter turn from the first. NaN for what is no covariance.
-    Source: the eigenvalues and -vectors of a symmetric 2 × 2 matrix.
+    It comes from the eigenvalues and -vectors of a symmetric 2 × 2 matrix.
 
+    Parameters
+    ----------
+    covariance : array_like, shape (..., 3, 3) or (..., 2, 2)
+        Covariance of a pose, as from `covariance`, or of x and y, in m².
+
+    Returns
+    -------
+    half_axes : ndarray, shape (..., 2)
+        Standard deviations along the axes in m, the larger first; NaN for what is no covariance.
+    directions : ndarray, shape (..., 2, 2)
+        Directions of the axes as columns, the second a quarter turn from the first.
+
+    Examples
+    --------
     >>> ellipse([[0.05, 0.03], [0.03, 0.05]])[0].round(6)
     array([0.282843, 0.141421])
     """
@@ -181,15 +284,31 @@ def umbmark(
 ) -> tuple[Array, Array]:
     """Return a calibration by square runs both ways: wheel distance, and ratio of the wheels.
 
-    ends_cw, ends_ccw: (…, n, 2) in m, where the robot really ended runs that by its odometry end
-    where they start, at the origin: first along x, then three right turns more and three sides
-    (clockwise), or left turns; the numbers of runs may differ. side of the square, wheel_distance
-    used so far: (…) in m, positive → corrected wheel distance (…) in m and diameter of the right
-    wheel by that of the left (…). Right to first order in the errors, so run it again with the
-    corrected values.
-    Source: Borenstein & Feng (1996), Measurement and Correction of Systematic Odometry Errors in
-    Mobile Robots, their x and y formulas averaged: the robot turns too little by alpha at each
-    corner and to the left by beta on each side.
+    Each run starts at the origin along x, makes three more sides after right turns (clockwise) or
+    left turns, and by its odometry ends where it started. The result is right to first order in the
+    errors, so run it again with the corrected values.
+
+    Parameters
+    ----------
+    ends_cw, ends_ccw : array_like, shape (..., n, 2)
+        Where the robot really ended, in m; the numbers of runs may differ.
+    side : array_like, shape (...)
+        Side of the square in m.
+    wheel_distance : array_like, shape (...)
+        Distance between the wheels used so far, in m.
+
+    Returns
+    -------
+    wheel_distance : ndarray, shape (...)
+        Corrected distance between the wheels in m.
+    ratio : ndarray, shape (...)
+        Diameter of the right wheel divided by that of the left.
+
+    References
+    ----------
+    Borenstein & Feng (1996), Measurement and Correction of Systematic Odometry Errors in Mobile
+    Robots, their x and y formulas averaged: the robot turns too little by alpha at each corner and
+    to the left by beta on each side.
     """
     (x_cw, y_cw), (x_ccw, y_ccw) = (parts(ends.mean(axis=-2)) for ends in (ends_cw, ends_ccw))
     alpha = (y_ccw - x_ccw - x_cw - y_cw) / (8 * side)

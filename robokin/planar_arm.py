@@ -1,10 +1,9 @@
 """The planar arm: links in a chain, each joint turning all that follows; velocities and limits.
 
-Joint angles `[theta1, …, thetan]` and link lengths stand on the last axis; leading batch
-dimensions broadcast. The pose is `[x, y, phi]` with phi the sum of the angles. The hand's
-velocity along the world's axes is `[x_dot, y_dot, phi_dot]`; arguments call it `twist`.
-Lynch & Park, Modern Robotics, chapters 4 and 5; Siciliano, Sciavicco, Villani & Oriolo, Robotics:
-Modelling, Planning and Control, chapters 2 and 3.
+Joint angles are `[theta1, …, thetan]`, n as many as link lengths. The pose is `[x, y, phi]` with
+phi the sum of the angles. The hand's velocity along the world's axes is `[x_dot, y_dot, phi_dot]`;
+arguments call it `twist`. Lynch & Park, Modern Robotics, chapters 4 and 5; Siciliano, Sciavicco,
+Villani & Oriolo, Robotics: Modelling, Planning and Control, chapters 2 and 3.
 """
 
 import numpy as np
@@ -35,9 +34,24 @@ SINGULAR = 1e-14  # a sine of theta2 so small is rounding: sin(np.pi) is 1.2e-16
 def forward(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """Return the pose of the hand from the joint angles.
 
-    theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, 3) `[x, y, phi]` in m, m, rad;
-    phi is not wrapped. Source: Lynch & Park, chapter 4, x = l1 c1 + l2 c12 + l3 c123.
+    Parameters
+    ----------
+    theta : array_like, shape (..., n)
+        Joint angles in rad.
+    lengths : array_like, shape (..., n)
+        Lengths of the links in m.
 
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[x, y, phi]` in m and rad; phi is not wrapped.
+
+    References
+    ----------
+    Lynch & Park, chapter 4, x = l1 c1 + l2 c12 + l3 c123.
+
+    Examples
+    --------
     >>> forward([np.pi / 2, -np.pi / 2, 0], lengths=[0.4, 0.3, 0.1]).round(6)
     array([0.4, 0.4, 0. ])
     """
@@ -48,9 +62,19 @@ def forward(theta: ArrayLike, lengths: ArrayLike) -> Array:
 
 @validated(**LINKS)
 def joint_positions(theta: ArrayLike, lengths: ArrayLike) -> Array:
-    """Return where base, joints and hand are, in this order: the arm as it is drawn.
+    """Return where base, joints and hand are: the arm as it is drawn.
 
-    theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, n+1, 2) in m, a row for each point.
+    Parameters
+    ----------
+    theta : array_like, shape (..., n)
+        Joint angles in rad.
+    lengths : array_like, shape (..., n)
+        Lengths of the links in m.
+
+    Returns
+    -------
+    ndarray, shape (..., n+1, 2)
+        Points in m, in this order.
     """
     heading = theta.cumsum(axis=-1)
     links = vector(lengths * np.cos(heading), lengths * np.sin(heading))
@@ -63,9 +87,24 @@ def joint_positions(theta: ArrayLike, lengths: ArrayLike) -> Array:
 def jacobian(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """Return the matrix J that takes joint rates to the hand's velocity.
 
-    theta: (…, n) in rad; lengths: (…, n) in m, positive → (…, 3, n); rows x_dot, y_dot in m,
-    phi_dot: ones. Column j is the hand's motion when joint j alone turns with 1 rad/s.
-    For three links det J = l1 l2 sin θ2. Source: Siciliano et al., section 3.2.1.
+    Column j is the hand's motion when joint j alone turns with 1 rad/s. For three links det J = l1
+    l2 sin θ2.
+
+    Parameters
+    ----------
+    theta : array_like, shape (..., n)
+        Joint angles in rad.
+    lengths : array_like, shape (..., n)
+        Lengths of the links in m.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, n)
+        Rows for x_dot and y_dot in m, for phi_dot ones.
+
+    References
+    ----------
+    Siciliano et al., section 3.2.1.
     """
     x, y = _levers(theta, lengths)
     return vector(-y, x, 1).swapaxes(-1, -2)
@@ -75,8 +114,21 @@ def jacobian(theta: ArrayLike, lengths: ArrayLike) -> Array:
 def velocity(theta: ArrayLike, rates: ArrayLike, lengths: ArrayLike) -> Array:
     """Return the hand's velocity from the joint rates: J times the rates.
 
-    theta: (…, n) in rad; rates: (…, n) in rad/s; lengths: (…, n) in m, positive
-    → (…, 3) `[x_dot, y_dot, phi_dot]`. Each link turns with the sum of the rates up to it.
+    Each link turns with the sum of the rates up to it.
+
+    Parameters
+    ----------
+    theta : array_like, shape (..., n)
+        Joint angles in rad.
+    rates : array_like, shape (..., n)
+        Joint rates in rad/s.
+    lengths : array_like, shape (..., n)
+        Lengths of the links in m.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        `[x_dot, y_dot, phi_dot]` in m/s and rad/s.
     """
     heading, omega = theta.cumsum(axis=-1), rates.cumsum(axis=-1)
     x_dot = -np.vecdot(lengths * np.sin(heading), omega)
@@ -94,13 +146,39 @@ def joint_rates(
 ) -> Array:
     """Return the joint rates for a wanted velocity of the hand, three links: J⁻¹ times it.
 
-    theta: (…, 3) in rad; twist: (…, 3) `[x_dot, y_dot, phi_dot]`; lengths: (…, 3) in m, positive;
-    damping: (…) λ, not negative → (…, 3) in rad/s. Solved by hand and divided by sin θ2 itself,
-    so that no digits are lost near the singular points, stretched (θ2 = 0) or folded (θ2 = π).
-    There, where `|sin θ2| ≤ 1e-14`, the answer is `SingularError`, or NaN with singular="nan".
-    With λ > 0 (damped least squares, Jᵀ (J Jᵀ + λ² I)⁻¹ times the twist) every pose has an
-    answer, with bounded rates. Source: Siciliano et al., section 3.5.2.
+    Solved by hand and divided by sin θ2 itself, so that no digits are lost near the singular
+    points, stretched (θ2 = 0) or folded (θ2 = π). With λ > 0 (damped least squares, Jᵀ (J Jᵀ + λ²
+    I)⁻¹ times the twist) every pose has an answer, with bounded rates.
 
+    Parameters
+    ----------
+    theta : array_like, shape (..., 3)
+        Joint angles in rad.
+    twist : array_like, shape (..., 3)
+        `[x_dot, y_dot, phi_dot]` in m/s and rad/s.
+    lengths : array_like, shape (..., 3)
+        Lengths of the links in m.
+    damping : array_like, shape (...), default 0.0
+        λ, not negative.
+    singular : {"raise", "nan"}, default "raise"
+        Whether a singular point without damping raises or gives NaN.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Joint rates in rad/s.
+
+    Raises
+    ------
+    SingularError
+        If `|sin θ2| ≤ 1e-14` and λ = 0.
+
+    References
+    ----------
+    Siciliano et al., section 3.5.2.
+
+    Examples
+    --------
     >>> joint_rates([0, np.pi / 2, 0], [0, 0.1, 0], lengths=[0.4, 0.3, 0.1]).round(6)
     array([ 0.25, -0.25,  0.  ])
     """
@@ -134,13 +212,33 @@ def joint_rates(
 def inverse(pose: ArrayLike, lengths: ArrayLike, unreachable: str = "raise") -> Array:
     """Return both ways for three links to bring the hand to a pose.
 
-    pose: (…, 3) `[x, y, phi]` in m, m, rad; lengths: (…, 3) in m, positive → (…, 2, 3) in rad,
-    all in (-π, π]: theta2 ≥ 0 in the first row, -theta2 in the second. Stretched or folded the
-    two are one. Where l1 = l2 and the wrist is at the base, theta1 is free: 0.
-    Where the wrist, l3 behind the hand, is nearer than `|l1 - l2|` or farther than l1 + l2 (by
-    more than 1e-12 of l1 + l2) there is no answer: `UnreachableError`, or NaN with
-    unreachable="nan". Source: Siciliano et al., section 2.12.1.
+    Parameters
+    ----------
+    pose : array_like, shape (..., 3)
+        `[x, y, phi]` in m and rad.
+    lengths : array_like, shape (..., 3)
+        Lengths of the links in m.
+    unreachable : {"raise", "nan"}, default "raise"
+        Whether a pose out of reach raises or gives NaN.
 
+    Returns
+    -------
+    ndarray, shape (..., 2, 3)
+        Joint angles in (-π, π] rad: theta2 ≥ 0 in the first row, -theta2 in the second. Stretched
+        or folded the two are one. Where l1 = l2 and the wrist is at the base, theta1 is free: 0.
+
+    Raises
+    ------
+    UnreachableError
+        If the wrist, l3 behind the hand, is nearer than `|l1 - l2|` or farther than l1 + l2, by
+        more than 1e-12 of l1 + l2.
+
+    References
+    ----------
+    Siciliano et al., section 2.12.1.
+
+    Examples
+    --------
     >>> inverse([0.4, 0.4, 0], lengths=[0.4, 0.3, 0.1])[1].round(6)
     array([ 1.570796, -1.570796,  0.      ])
     """
@@ -160,9 +258,23 @@ def inverse(pose: ArrayLike, lengths: ArrayLike, unreachable: str = "raise") -> 
 def manipulability(theta: ArrayLike, lengths: ArrayLike) -> Array:
     """Return how far from singular the arm is for moving the hand: √det(J Jᵀ), rows x, y of J.
 
-    theta: (…, n) in rad; lengths: (…, n) in m, positive → (…) in m², 0 where all links lie on
-    one line. It is the product of the half-axes of `ellipse`, for two links `l1 l2 |sin θ2|`.
-    Source: Yoshikawa (1985); Siciliano et al., section 3.9.
+    It is the product of the half-axes of `ellipse`, for two links `l1 l2 |sin θ2|`.
+
+    Parameters
+    ----------
+    theta : array_like, shape (..., n)
+        Joint angles in rad.
+    lengths : array_like, shape (..., n)
+        Lengths of the links in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Manipulability in m², 0 where all links lie on one line.
+
+    References
+    ----------
+    Yoshikawa (1985); Siciliano et al., section 3.9.
     """
     x, y = _position_rows(theta, lengths)
     return _area(x, y)
@@ -172,11 +284,29 @@ def manipulability(theta: ArrayLike, lengths: ArrayLike) -> Array:
 def ellipse(theta: ArrayLike, lengths: ArrayLike) -> tuple[Array, Array]:
     """Return the manipulability ellipse: the hand's velocities for joint rates of length 1.
 
-    theta: (…, n) in rad; lengths: (…, n) in m, positive → half-axes (…, 2) in m (for 1 rad/s),
-    the larger first, and their directions in the world as columns (…, 2, 2), the second a
-    quarter turn from the first. They are the singular values and left vectors of the position
-    rows of J (each direction up to its sign). Source: Siciliano et al., section 3.9.
+    The half-axes and directions are the singular values and left vectors of the position rows of J.
 
+    Parameters
+    ----------
+    theta : array_like, shape (..., n)
+        Joint angles in rad.
+    lengths : array_like, shape (..., n)
+        Lengths of the links in m.
+
+    Returns
+    -------
+    half_axes : ndarray, shape (..., 2)
+        Half-axes in m (for 1 rad/s), the larger first.
+    directions : ndarray, shape (..., 2, 2)
+        Their directions in the world as columns, each up to its sign, the second a quarter turn
+        from the first.
+
+    References
+    ----------
+    Siciliano et al., section 3.9.
+
+    Examples
+    --------
     >>> ellipse([0, np.pi / 2], lengths=[0.4, 0.4])[0].round(6)
     array([0.647214, 0.247214])
     """

@@ -1,8 +1,14 @@
 """Still figures of robots with matplotlib, in the colours of `robokin.styles`; computes nothing.
 
-ax = axes(x=(-0.2, 0.2), y=(-0.1, 0.3))
-robot(ax, pose=[0, 0, 1.57], wheel_distance=0.1, wheel_radius=0.03)
-arrow(ax, tail=[0, 0], head=[0, 0.1], kind="velocity", label="$v$")
+`kind` is one of `styles.KINDS`, which gives colour, line and marker; a function that is given
+another raises a `RobokinError`. `ax` is what `axes` or `space` returns. Points and poses have no
+batch dimensions.
+
+Examples
+--------
+>>> ax = axes(x=(-0.2, 0.2), y=(-0.1, 0.3))
+>>> robot(ax, pose=[0, 0, 1.57], wheel_distance=0.1, wheel_radius=0.03)
+>>> arrow(ax, tail=[0, 0], head=[0, 0.1], kind="velocity", label="$v$")
 """
 
 from collections.abc import Sequence
@@ -39,16 +45,26 @@ MARKERS = {"dot": "o", "ring": "o", "cross": "x", "square": "s", "diamond": "D"}
 
 
 def style(kind: str) -> Style:
-    """The look of a kind of thing."""
+    """Return the style of a kind."""
     if kind not in KINDS:
         raise RobokinError(f"kind must be one of {', '.join(KINDS)}, got {kind!r}")
     return KINDS[kind]
 
 
 def axes(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
-    """Empty axes in metres, one unit as long upwards as sideways.
+    """Make empty axes in metres, one unit as long upwards as sideways.
 
-    x, y: lowest and highest value shown, m; width: of the picture, inches.
+    Parameters
+    ----------
+    x, y : sequence of float, shape (2,)
+        Lowest and highest value shown, in m.
+    width : float, default 5.0
+        Width of the picture in inches.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        Axes of a new figure.
     """
     height = width * (y[1] - y[0]) / (x[1] - x[0])
     _, ax = plt.subplots(figsize=(width, height), dpi=200, layout="constrained")
@@ -62,16 +78,39 @@ def axes(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
 
 
 def space(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
-    """Empty axes for a picture in space: as `axes`, but nothing is written along them."""
+    """Make empty axes for a picture in space: as `axes`, but nothing is written along them.
+
+    Parameters
+    ----------
+    x, y : sequence of float, shape (2,)
+        Lowest and highest value shown, in m.
+    width : float, default 5.0
+        Width of the picture in inches.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        Axes of a new figure.
+    """
     ax = axes(x, y, width)
     ax.axis("off")
     return ax
 
 
 def seen(points: Sequence[Vector] | NDArray[np.float64], view: Vector = VIEW) -> Any:
-    """Where a picture shows points in space, (…, 3) → (…, 2): to the right and up.
+    """Return where a picture shows points in space.
 
-    view: the azimuth and elevation of a viewer far away, rad.
+    Parameters
+    ----------
+    points : array_like, shape (..., 3)
+        Points in m.
+    view : array_like, shape (2,), default (π/6, π/9)
+        Azimuth and elevation of a viewer far away, in rad.
+
+    Returns
+    -------
+    ndarray, shape (..., 2)
+        Points in the picture, to the right and up, in m.
     """
     (ca, ce), (sa, se) = np.cos(view), np.sin(view)
     return np.asarray(points) @ np.array([[-sa, -se * ca], [ca, -se * sa], [0.0, ce]])
@@ -80,9 +119,20 @@ def seen(points: Sequence[Vector] | NDArray[np.float64], view: Vector = VIEW) ->
 def frame_in_space(
     ax: Axes, R: Any, at: Vector = (0, 0), labels: Sequence[str] = "xyz", view: Vector = VIEW
 ) -> None:
-    """The x, y and z axes of a frame, of length 1: the columns of R (3, 3).
+    """Draw the x, y and z axes of a frame, of length 1: the columns of R.
 
-    at: where in the picture its origin is; labels: at the axes' ends.
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    R : array_like, shape (3, 3)
+        Rotation matrix.
+    at : array_like, shape (2,), default (0, 0)
+        Where in the picture its origin is.
+    labels : sequence of str, default "xyz"
+        Labels at the axes' ends.
+    view : array_like, shape (2,), default (π/6, π/9)
+        As in `seen`.
     """
     heads = seen(np.asarray(R).T, view)
     for kind, head, label in zip(("x_axis", "y_axis", "z_axis"), heads, labels, strict=True):
@@ -92,7 +142,19 @@ def frame_in_space(
 
 
 def arrow(ax: Axes, tail: Vector, head: Vector, kind: str, label: str = "") -> None:
-    """An arrow from tail to head, (2,) in m each, with a label at its head."""
+    """Draw an arrow with a label at its head.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    tail, head : array_like, shape (2,)
+        Ends in m.
+    kind : str
+        Kind of the arrow.
+    label : str, default ""
+        Text.
+    """
     look = style(kind)
     shape: Any = {"arrowstyle": "-|>", "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
     ends = (tail[0], tail[1]), (head[0], head[1])
@@ -102,7 +164,19 @@ def arrow(ax: Axes, tail: Vector, head: Vector, kind: str, label: str = "") -> N
 
 
 def point(ax: Axes, at: Vector, kind: str, label: str = "") -> None:
-    """A marker at a point, (2,) in m."""
+    """Draw a marker at a point.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    at : array_like, shape (2,)
+        Point in m.
+    kind : str
+        Kind of the point.
+    label : str, default ""
+        Text.
+    """
     look = style(kind)
     face = "none" if look.marker == "ring" else look.light
     x, y = at
@@ -113,7 +187,19 @@ def point(ax: Axes, at: Vector, kind: str, label: str = "") -> None:
 def path(
     ax: Axes, points: Sequence[Vector] | NDArray[np.float64], kind: str = "path", label: str = ""
 ) -> None:
-    """A line through points (n, 2 or more): x and y are the first two columns."""
+    """Draw a line through points.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    points : array_like, shape (n, 2) or more columns
+        Points in m: x and y are the first two columns.
+    kind : str, default "path"
+        Kind of the line.
+    label : str, default ""
+        Text for a legend.
+    """
     look = style(kind)
     dash: Any = (0, look.dash) if look.dash else "-"
     columns = np.asarray(points).T
@@ -121,7 +207,19 @@ def path(
 
 
 def frame(ax: Axes, pose: Vector, size: float, name: str = "") -> None:
-    """The x and y axes of a frame at a pose `[x, y, theta]`."""
+    """Draw the x and y axes of a frame.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    pose : array_like, shape (3,)
+        `[x, y, theta]` in m and rad.
+    size : float
+        Length of the axes in m.
+    name : str, default ""
+        Text.
+    """
     place = _placed(ax, pose)
     for kind, x, y in (("x_axis", size, 0), ("y_axis", 0, size)):
         ax.add_patch(
@@ -136,7 +234,19 @@ def frame(ax: Axes, pose: Vector, size: float, name: str = "") -> None:
 def robot(
     ax: Axes, pose: Vector, wheel_distance: float, wheel_radius: float, kind: str = "body"
 ) -> None:
-    """A differential-drive robot from above: body, nose, left and right wheel; sizes in m."""
+    """Draw a differential-drive robot from above: body, nose, left and right wheel.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    pose : array_like, shape (3,)
+        `[x, y, theta]` in m and rad.
+    wheel_distance, wheel_radius : float
+        Sizes in m.
+    kind : str, default "body"
+        Kind of the body.
+    """
     place, look = _placed(ax, pose), style(kind)
     body: Any = {"edgecolor": look.light, "facecolor": look.light + "18", "linewidth": 1.5}
     ax.add_patch(Circle((0, 0), 0.65 * wheel_distance, transform=place, **body))
@@ -153,7 +263,19 @@ def robot(
 
 
 def wheel(ax: Axes, pose: Vector, wheel_radius: float, kind: str = "body") -> None:
-    """A wheel from above that rolls along its pose's heading; its radius in m."""
+    """Draw a wheel from above that rolls along its pose's heading.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Where to draw.
+    pose : array_like, shape (3,)
+        `[x, y, theta]` in m and rad.
+    wheel_radius : float
+        Radius in m.
+    kind : str, default "body"
+        Kind of the wheel.
+    """
     look, width = style(kind), 0.6 * wheel_radius
     paint: Any = {"edgecolor": look.light, "facecolor": look.light + "66", "linewidth": 1.5}
     corner, size = (-wheel_radius, -width / 2), (2 * wheel_radius, width)

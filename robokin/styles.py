@@ -13,7 +13,19 @@ __all__ = ["KINDS", "Style"]
 
 @dataclass(frozen=True)
 class Style:
-    """Colour on a light and on a dark page, dashes (lengths of line and gap), width, marker."""
+    """Colour on a light and on a dark page, dashes, width, marker.
+
+    Parameters
+    ----------
+    light, dark : str
+        Colours, as `#0072b2`.
+    dash : tuple of int, optional
+        Lengths of line and gap.
+    width : float, default 2.0
+        Width of the line.
+    marker : {"dot", "ring", "cross", "square", "diamond"}, default "dot"
+        Marker of a point.
+    """
 
     light: str
     dark: str

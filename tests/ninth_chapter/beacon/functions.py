@@ -9,11 +9,22 @@ __all__ = ["range_and_bearing"]
 
 
 def range_and_bearing(pose: ArrayLike, beacon: ArrayLike) -> NDArray[np.float64]:
-    """The distance of a beacon, and its direction as the robot sees it.
+    """Return how far a beacon is, and in which direction the robot sees it.
 
-    pose: (…, 3) `[x, y, theta]`; beacon: (…, 2) in m → (…, 2): distance in m, bearing in
-    (-π, π] rad, 0 straight ahead.
+    Parameters
+    ----------
+    pose : array_like, shape (..., 3)
+        `[x, y, theta]` in m and rad.
+    beacon : array_like, shape (..., 2)
+        `[x, y]` in m.
 
+    Returns
+    -------
+    ndarray, shape (..., 2)
+        Distance in m and bearing in (-π, π] rad, 0 straight ahead.
+
+    Examples
+    --------
     >>> range_and_bearing([0, 0, np.pi / 2], [0, 2]).round(6)
     array([2., 0.])
     """

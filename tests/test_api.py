@@ -2,13 +2,17 @@
 
 import doctest
 import importlib
+import inspect
 import os
+import re
 import shutil
 import subprocess
 import sys
+from operator import attrgetter
 
 import pytest
 import signatures
+from arguments import public_functions
 from support import ROOT
 
 import robokin
@@ -55,6 +59,42 @@ def test_a_module_has_tests_of_its_own(module):
     name = f"test_{module}.py"
     found = any(file for folder in ("book", "tests") for file in (ROOT / folder).rglob(name))
     assert found or module == "errors", f"robokin.{module} has no tests: write book/{module}/{name}"
+
+
+SECTIONS = ["Parameters", "Returns", "Raises", "References", "Examples"]
+FUNCTIONS = [f"{module}.{n}" for module in [*MODULES, "draw"] for n in public_functions(module)]
+
+
+@pytest.mark.parametrize("label", FUNCTIONS)
+def test_a_docstring_says_what_goes_in_and_comes_out(label):
+    module, _, name = label.partition(".")
+    function = attrgetter(name)(load(module))
+    first, *rest = re.split(r"\n\n(\w+)\n-+\n", inspect.getdoc(function) or "")
+    sections = dict(zip(rest[::2], rest[1::2], strict=True))
+    assert re.match(r".+\.(\n\n|$)", first), f"begin the docstring of {label} with one line"
+    assert list(sections) == [section for section in SECTIONS if section in sections], (
+        f"the docstring of {label} has sections {list(sections)}: write them as in {SECTIONS}"
+    )
+
+    signature = inspect.signature(function)
+    names = re.findall(r"^(\S.*) : ", sections.get("Parameters", ""), re.MULTILINE)
+    documented = [each.strip("*") for each in ", ".join(names).split(", ")]
+    arguments = [each for each in signature.parameters if each != "self"]
+    assert documented == arguments, (
+        f"Parameters in the docstring of {label} names {documented}, it takes {arguments}"
+    )
+    bare = re.search(r"array_like(?!, shape \()", sections["Parameters"])
+    assert not bare, f"an array_like in the docstring of {label} has no shape, as `shape (..., 3)`"
+
+    given = str(signature.return_annotation)
+    shapes = re.findall(r"^\S.*shape \(", sections.get("Returns", ""), re.MULTILINE)
+    assert len(shapes) >= given.count("ndarray"), (
+        f"Returns in the docstring of {label} names {len(shapes)} shapes, as `ndarray, shape "
+        f"(..., 3)`: it needs one for each array of {given}"
+    )
+    assert ("Returns" in sections) == (signature.return_annotation is not None), (
+        f"Returns in the docstring of {label} must say what it returns, if it returns anything"
+    )
 
 
 @pytest.mark.parametrize("module", MODULES)
@@ -122,6 +162,7 @@ def test_a_new_module_is_found_and_what_it_lacks_is_named(tmp_path):
     for sentence in (
         'add "ratio": row(…) to ROWS of tests/arguments/gear_train.py',
         "new: ['gear_train.ratio(teeth_in, teeth_out)']; gone: []. If this is meant, store it: ",
+        "begin the docstring of gear_train.ratio with one line",
         "no docstring of robokin/gear_train.py has an example that runs",
         "robokin.gear_train has no tests: write book/gear_train/test_gear_train.py",
     ):

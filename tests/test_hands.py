@@ -13,10 +13,11 @@ from test_figures import (
     SHOW,
     OnPage,
     in_browser,
+    own_controls,
     page_of,  # noqa: F401
     turned,  # noqa: F401
+    typical,
     typical_figure,
-    typical_moved,
     visit,  # noqa: F401
 )
 
@@ -323,7 +324,7 @@ def test_the_icr_outside_is_told_at_the_edge(visit):  # noqa: F811
 
 
 @in_browser
-@typical_moved
+@typical(own_controls, ["wheel-laboratory"])  # with more sliders than a phone has room for
 def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):  # noqa: F811
     with visit(figure, width=390) as live:
         last = live.root.locator(".rk-controls :is(input, select, button):not(details *)").last

@@ -284,6 +284,14 @@ def test_the_engine_deals_the_same():
     assert found == dealt_in_python("2026 Herbst", "euler-1", people)
 
 
+def test_a_release_deals_as_the_last_one_did():
+    """Or who is half-way through the course gets other numbers."""
+    dealt = dealt_in_python("robokin", "euler-1", ["", "Ada", "سارا محمدی", "李雷"])
+    assert dealt == [11, 43, 44, 15]
+    shown = dealing.variants("euler-1")[43].shown
+    assert list(shown.values()) == ["90°", "y", "−30°", "z", "z"]
+
+
 def test_names_that_look_alike_are_the_same():
     assert dealing.folded("  Ada \u00a0 Lovelace\n") == "ada lovelace"
     assert dealing.folded("Jose\u0301") == dealing.folded("José")

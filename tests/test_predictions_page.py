@@ -208,6 +208,8 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     place_ghost(page, guess_x=-0.2, guess_y=0.1)
     page.get_by_role("button", name="Here", exact=True).click()
     fold(page, GHOST).wait_for()
+    kept = page.evaluate("() => JSON.parse(localStorage.getItem('robokin guesses'))")
+    assert kept == {BUTTONS: 0, GHOST: [-0.2, 0.1]}  # as in earlier releases: who comes back has it
     page.reload()
     fold(page, GHOST).wait_for()
     assert said(page, BUTTONS).inner_text() == (

@@ -1,6 +1,7 @@
 """Every page of the built site, in a real browser."""
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -8,6 +9,7 @@ import sys
 from html import unescape
 from pathlib import Path
 from types import SimpleNamespace
+from urllib.parse import unquote
 
 import pytest
 from browser import ROOT, draw_all, listed, pages, settled, watched_page
@@ -360,6 +362,20 @@ def test_icons_are_drawn(site):
         for classes in re.findall(r'class="([^"]*)"', (site / name).read_text("utf-8")):
             used |= {name for name in classes.split() if name.startswith("fa-")}
         assert used <= drawn, f"{name} uses {used - drawn}"
+
+
+def test_links_lead_to_a_page_and_a_place_on_it(site):
+    """Those that are made as HTML, too, which Sphinx does not follow."""
+    texts = {site / name: (site / name).read_text("utf-8") for name in pages(site)}
+    places = {page: set(re.findall(r'\bid="([^"]+)"', text)) for page, text in texts.items()}
+    dead = []
+    for page, text in texts.items():
+        for link in set(re.findall(r'(?:href|src)="([^":]+)"', unescape(text))):
+            path, _, place = unquote(link).partition("#")
+            file = Path(os.path.normpath(page.parent / path.partition("?")[0])) if path else page
+            if not file.exists() or (place and place not in places.get(file, {place})):
+                dead.append(f"{page.relative_to(site)}: {link}")
+    assert not dead
 
 
 BAD_TEX = "# Bad\n\nFine: $a^2$.\n\nBad: $\\frac{1}{$ here.\n\n$$\n\\unknown\n$$\n"

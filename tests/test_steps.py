@@ -133,6 +133,7 @@ def test_a_goal_is_not_reached_by_passing_over_it(alone):  # noqa: F811
     figure = FIGURES["sideways"]
     with alone(figure) as live:
         drag(live, 0, [0.08, -0.1])
+        assert live.state() == pytest.approx([0.08, -0.1], abs=2e-3)  # to a pixel
         assert reached(live) == [False]
         slider = live.input(figure.controls[1])
         slider.evaluate(SHOW)

@@ -15,7 +15,7 @@ INDEX = UV_DEFAULT_INDEX="$${UV_DEFAULT_INDEX:-$$($(BIN)/python -m pip config li
 INSTALL = $(INDEX) $(BIN)/uv pip install --python $(@D)/bin/python
 READY := .venv/.ready
 SITE := _build/html/.built
-SOURCES := _config.yml _toc.yml $(shell find book robokin workshop -type f \
+SOURCES := _config.yml _toc.yml $(shell find book robokin courseware -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') \
 	$(wildcard _build/robokin*.pdf _build/robokin.epub)
 
@@ -35,7 +35,7 @@ ifneq ($(shell cat .venv/.ready 2>/dev/null),$(shell $(ASKED) $(STAMP) 2>/dev/nu
 $(READY): FORCE
 endif
 
-$(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject.toml
+$(READY): requirements.txt pyproject.toml courseware/pyproject.toml book/pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 		echo "$(PYTHON) is not there, or older than Python 3.11: make PYTHON=python3.12"; exit 1; }
 	@echo "Setting up .venv, once; most of the time is downloading"
@@ -44,7 +44,7 @@ $(READY): requirements.txt pyproject.toml workshop/pyproject.toml book/pyproject
 	$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r .venv/uv.txt
 	$(INSTALL) --require-hashes -r requirements.txt || { \
 		test -w "$$HOME" || echo "$$HOME cannot be written to: make HOME=/tmp"; exit 1; }
-	$(INSTALL) --no-deps --no-build-isolation -e . -e workshop -e book
+	$(INSTALL) --no-deps --no-build-isolation -e . -e courseware -e book
 	@$(BIN)/python $(STAMP) > $(READY)
 
 # which Python the pages load, if not from its public address; changes with it
@@ -106,7 +106,7 @@ notebooks: $(READY)
 # With their extras: pip takes a pin without them for none, as soon as there is a newer version.
 LOCKED = $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-annotate \
 	--no-strip-extras --custom-compile-command "make lock" $(LOCK) --no-emit-package robokin \
-	--no-emit-package robokin-workshop --no-emit-package robokin-book
+	--no-emit-package robokin-courseware --no-emit-package robokin-book
 
 lock: $(READY)
 	$(LOCKED) requirements.in -o requirements.txt
@@ -126,7 +126,7 @@ bench: .venv-bench/.ready
 
 .venv-lowest/.ready: $(READY) $(SOURCES)
 	$(PYTHON) -m venv --clear .venv-lowest
-	$(INSTALL) --resolution lowest-direct --refresh --reinstall "./[draw]" "./workshop[engine]" ./book
+	$(INSTALL) --resolution lowest-direct --refresh --reinstall "./[draw]" "./courseware[engine]" ./book
 	@$(BIN)/uv pip freeze --python $(@D)/bin/python | grep -v "file:" > .venv-lowest/found.txt
 	$(INSTALL) -c .venv-lowest/found.txt --group lowest
 	@touch $@

@@ -1,7 +1,7 @@
 """A course on robot kinematics: a folder for each chapter, with all that belongs to it."""
 
+from courseware.course import open_course
 from robokin.styles import KINDS
-from workshop.course import open_course
 
 open_course(__name__, name="robokin", looks=KINDS, library="robokin")
 __version__ = "0.1.0"

@@ -2,6 +2,6 @@
 
 import sys
 
-from workshop.practice.command import main
+from courseware.practice.command import main
 
 sys.exit(main())

@@ -5,8 +5,8 @@ A chapter may add to it in a `prose` module of its own.
 
 from typing import Any
 
-from workshop.course import course
-from workshop.figures import Choice, Figure, Slider
+from courseware.course import course
+from courseware.figures import Choice, Figure, Slider
 
 __all__ = ["digit_and_power", "names", "reads"]
 

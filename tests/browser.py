@@ -22,7 +22,7 @@ import yaml
 from chromium import started
 from playwright.sync_api import expect
 
-from workshop.course import files
+from courseware.course import files
 
 ROOT = Path(__file__).resolve().parents[1]
 SITE = ROOT / "_build" / "html"

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 import book  # noqa: F401  (opens the course)
-from workshop.course import course
-from workshop.equations import Check, Equation
-from workshop.figures import Figure
-from workshop.practice import Exercise, Mistake, tables
+from courseware.course import course
+from courseware.equations import Check, Equation
+from courseware.figures import Figure
+from courseware.practice import Exercise, Mistake, tables
 
 EQUATIONS = course().declared("formulas", Equation)
 CHECKS = course().declared("checks", Check)

@@ -79,11 +79,11 @@ async ({ phone, screens, heights, sizes }) => {
     const fits = () => svg.clientWidth >= 240 && svg.clientWidth === svg.parentElement.clientWidth
       && Math.abs(svg.viewBox.baseVal.width - svg.clientWidth) < 1; // drawn anew, not only shrunk
     const end = performance.now() + 30_000;
-    while (!figure.workshop || !fits()) {
+    while (!figure.courseware || !fits()) {
       if (performance.now() > end) throw new Error(`${figure.id} does not come alive`);
       await frame();
     }
-    figure.workshop.settled();
+    figure.courseware.settled();
   };
 
   const tornNumbers = (figure) => all("dd", figure).filter((told) => {

@@ -22,7 +22,7 @@ from urllib.request import urlopen
 
 from support import ROOT
 
-from workshop.site.run import LOCK, PACKAGES, with_needs
+from courseware.site.run import LOCK, PACKAGES, with_needs
 
 VERSION = "314.0.6"
 PLACE = f"https://cdn.jsdelivr.net/pyodide/v{VERSION}/full/"

@@ -161,9 +161,9 @@ WEIGHT = """() =>
 SHOWN = """(name) => {
   const figure = document.getElementById(name);
   figure.scrollIntoView({block: "center", behavior: "instant"});
-  return Boolean(figure.workshop) && document.fonts.status === "loaded";
+  return Boolean(figure.courseware) && document.fonts.status === "loaded";
 }"""
-STATE = "(name) => JSON.stringify(document.getElementById(name).workshop.state)"
+STATE = "(name) => JSON.stringify(document.getElementById(name).courseware.state)"
 # the middle of a handle, a slider's thumb, a button or a ground that can be taken; and where to
 GRIP = """(name) => {
   const root = document.getElementById(name), inside = (all) => root.querySelectorAll(all);

@@ -49,7 +49,7 @@ def test_every_page_asks_for_one_sheet_and_few_scripts_which_wait(name, site):
         soup = BeautifulSoup("</script>".join(tags), "html.parser")
         (sheet,) = soup.select("link[rel=stylesheet]")
         assert "_static/all.css?v=" in sheet["href"], page
-        scripts = soup.select("script[src]")  # all pages', the page's own, the workshop's
+        scripts = soup.select("script[src]")  # all pages', the page's own, the courseware's
         assert 0 < len(scripts) <= 3, page
         assert all(script.has_attr("defer") for script in scripts), page
 
@@ -119,7 +119,7 @@ SHEETS = (  # in the order of the bundle
     "katex/katex.min.css",
     "copybutton.css",
     "mystnb.*.css",
-    "workshop.css",
+    "courseware.css",
     "site.css",
 )
 

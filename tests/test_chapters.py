@@ -11,7 +11,7 @@ from jupyter_client.manager import start_new_kernel
 from stored import PLUMBING
 
 import book  # noqa: F401 (opens the course)
-from workshop.course import course
+from courseware.course import course
 
 # in this order; between the first two come the steps, "1 …", "2 …"
 BEFORE = ["The exercise"]
@@ -20,7 +20,7 @@ AFTER = [
     *("Exercises", "Find the mistake", "Recap", "A glance further"),
 ]
 OPTIONAL = {"As a function", "Where it fails", "Find the mistake", "A glance further"}
-FRAMEWORK = {"workshop", "book", "figures", "equations", "predictions", "practice", "listing"}
+FRAMEWORK = {"courseware", "book", "figures", "equations", "predictions", "practice", "listing"}
 CHECK = re.compile(r"^practice\.\w+\.check", re.M)  # that a student calls, too
 LONGEST = 25  # visible lines of code in a section
 LONGEST_FIGURE = 15  # lines of the function that draws it

@@ -9,10 +9,10 @@ import pytest
 from matplotlib.colors import to_hex
 from matplotlib.patches import Circle, FancyArrowPatch, Rectangle
 
+from courseware.figures.space import VIEW, azimuth, elevation
 from robokin import draw, euler
 from robokin.errors import RobokinError
 from robokin.styles import KINDS
-from workshop.figures.space import VIEW, azimuth, elevation
 
 mpl.use("agg")
 

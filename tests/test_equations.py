@@ -15,10 +15,9 @@ from declared import CHECKS, EQUATIONS, each
 from mutants import mutants
 from support import ROOT
 
-from robokin import motion
-from workshop import equations
-from workshop.course import course, held
-from workshop.equations.checking import (
+from courseware import equations
+from courseware.course import course, held
+from courseware.equations.checking import (
     SAMPLES,
     answer,
     check_one,
@@ -27,14 +26,15 @@ from workshop.equations.checking import (
     library_functions,
     sample,
 )
-from workshop.equations.checks import Check, declared_checks
-from workshop.equations.core import Equation, NamedSymbol, as_written, quantity
-from workshop.equations.printing import MIME, latex
-from workshop.errors import CourseError
-from workshop.figures.compiling import Compiler
-from workshop.figures.declaration import Slider
-from workshop.figures.javascript import function
-from workshop.site.checks import checked
+from courseware.equations.checks import Check, declared_checks
+from courseware.equations.core import Equation, NamedSymbol, as_written, quantity
+from courseware.equations.printing import MIME, latex
+from courseware.errors import CourseError
+from courseware.figures.compiling import Compiler
+from courseware.figures.declaration import Slider
+from courseware.figures.javascript import function
+from courseware.site.checks import checked
+from robokin import motion
 
 each_equation = each("equation", "formulas", Equation)
 each_check = each("check", "checks", Check)
@@ -168,7 +168,7 @@ def whole_turns(equation, mutant):
 def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
     right = CHECKS["differential_drive.speed"]
     wrong = replace(right, equation=replace(SPEED, right=SPEED.right * 2))
-    monkeypatch.setattr("workshop.equations.checking.declared_checks", lambda: {"wrong": wrong})
+    monkeypatch.setattr("courseware.equations.checking.declared_checks", lambda: {"wrong": wrong})
     with pytest.raises(Exception, match=r"disagree:\ndiff.*speed by .*, allowed 1e-15, at b = "):
         checked(tmp_path)
 
@@ -176,7 +176,7 @@ def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
 @pytest.fixture
 def one_point(monkeypatch):
     """A page that is made at the special points and one more: as before, and quickly."""
-    monkeypatch.setattr("workshop.equations.check", partial(equations.check, samples=1))
+    monkeypatch.setattr("courseware.equations.check", partial(equations.check, samples=1))
 
 
 def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch, one_point):
@@ -184,7 +184,7 @@ def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch,
     (kept,) = tmp_path.glob("*.json")
     assert json.loads(kept.read_text(encoding="utf-8"))["entries"] == first.entries
     assert first.formulas == len([c for c in CHECKS.values() if c.function])
-    monkeypatch.setattr("workshop.equations.check", lambda: pytest.fail("checked again"))
+    monkeypatch.setattr("courseware.equations.check", lambda: pytest.fail("checked again"))
     assert checked(tmp_path) == first
     kept.rename(tmp_path / "formula-checks-of-other-sources.json")
     with pytest.raises(pytest.fail.Exception, match="checked again"):
@@ -231,7 +231,7 @@ def test_the_functions_are_those_that_are_called_not_those_that_these_call():
 
 def test_a_check_without_the_library_must_name_what_computes(tmp_path, monkeypatch):
     silent = replace(CHECKS["basics.direction"], compared_with="")
-    for module in ("workshop.site.checks", "workshop.equations.checking"):
+    for module in ("courseware.site.checks", "courseware.equations.checking"):
         monkeypatch.setattr(f"{module}.declared_checks", lambda: {silent.name: silent})
     with pytest.raises(
         Exception, match=r"basics.direction calls no function of robokin: say in its"

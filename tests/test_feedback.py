@@ -14,13 +14,13 @@ import sympy as sp
 from declared import EXERCISES, FIGURES, MISTAKES, each
 from test_figures import point
 
-from workshop.course import course
-from workshop.figures import Figure
-from workshop.practice import Ask, Exercise, Solution, angle, judging, matrix, whole
-from workshop.practice.judging import Candidate
-from workshop.predictions import Buttons, Number, Prediction
-from workshop.predictions.declaration import predictions
-from workshop.script import engine
+from courseware.course import course
+from courseware.figures import Figure
+from courseware.practice import Ask, Exercise, Solution, angle, judging, matrix, whole
+from courseware.practice.judging import Candidate
+from courseware.predictions import Buttons, Number, Prediction
+from courseware.predictions.declaration import predictions
+from courseware.script import engine
 
 
 def expected(table):
@@ -83,7 +83,7 @@ def test_a_prediction_comes_out_as_expected(prediction):
 
 def same(data, guess, other):
     """Whether a guess counts as another one on the page."""
-    return engine.call("workshop.predictions.same", data, guess, other)
+    return engine.call("courseware.predictions.same", data, guess, other)
 
 
 @pytest.mark.parametrize(

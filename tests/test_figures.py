@@ -24,13 +24,11 @@ from declared import FIGURES, each
 from support import EPS, ROOT, assert_close
 
 from book.motion import formulas as motion_formulas
-from robokin import euler
-from robokin.styles import KINDS
-from workshop.course import course
-from workshop.equations import look
-from workshop.equations.checking import differences, evaluate
-from workshop.errors import CourseError
-from workshop.figures import (
+from courseware.course import course
+from courseware.equations import look
+from courseware.equations.checking import differences, evaluate
+from courseware.errors import CourseError
+from courseware.figures import (
     POINTER,
     VIEW,
     Arrow,
@@ -46,12 +44,14 @@ from workshop.figures import (
     Trail,
     Turns,
 )
-from workshop.figures.compiling import factor, xy
-from workshop.figures.figure import MIME, find
-from workshop.figures.javascript import evaluate as evaluated
-from workshop.predictions import Ghost, Prediction
-from workshop.script import engine as script
-from workshop.script import runtime
+from courseware.figures.compiling import factor, xy
+from courseware.figures.figure import MIME, find
+from courseware.figures.javascript import evaluate as evaluated
+from courseware.predictions import Ghost, Prediction
+from courseware.script import engine as script
+from courseware.script import runtime
+from robokin import euler
+from robokin.styles import KINDS
 
 pytest_plugins = ["browser"]
 
@@ -147,7 +147,7 @@ LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of pre
 @cache
 def pressed(presses, made=1.0):
     """The numbers that presses give their symbols, as the script computes them."""
-    return script.run(f"workshop.figures.turnNumbers({json.dumps([presses, made])})")
+    return script.run(f"courseware.figures.turnNumbers({json.dumps([presses, made])})")
 
 
 def drawn(control, random, size):
@@ -374,7 +374,7 @@ def test_almost_straight():
 def called(figure, function, rows, extra):
     """A function of the compiled figure, at settings and one more array of numbers each."""
     code = f"""((figure) => (f, given) => {{
-      const c = workshop.figures.compute(figure, given.slice(0, {rows.shape[1]})).c;
+      const c = courseware.figures.compute(figure, given.slice(0, {rows.shape[1]})).c;
       return figure.{function}(f, c, given.slice({rows.shape[1]}));
     }})({figure.code})"""
     return evaluated(code, np.hstack([rows, extra]))
@@ -483,8 +483,8 @@ def test_a_recurrence_has_as_many_of_each(part):
 def told_numbers(figure):
     """Every number of the start that has a symbol, as a page tells it."""
     return script.run(
-        f"((figure, state) => workshop.figures.numbers(figure, state, workshop.figures.compute("
-        f"figure, workshop.figures.settings(figure, state))))({figure.code}, {started(figure)})"
+        f"((figure, state) => courseware.figures.numbers(figure, state, courseware.figures.compute("
+        f"figure, courseware.figures.settings(figure, state))))({figure.code}, {started(figure)})"
     )
 
 
@@ -542,7 +542,7 @@ def space(**parts):
 def painted(figure, **shown):
     """The picture at a setting, in the units shown; its pieces in order of painting."""
     state = [shown.get(key(c), c.start) for c in figure.controls]
-    text = script.run(f"workshop.figures.svg({figure.code}, {json.dumps(state)})")
+    text = script.run(f"courseware.figures.svg({figure.code}, {json.dumps(state)})")
     kinds = re.findall(r"--rk-(\w+),", re.sub(r"<text.*?</text>", "", text))
     return [kind for kind in kinds if kind != "ground"]
 
@@ -794,7 +794,7 @@ FITS = """(name) => {
   const svg = document.getElementById(name).querySelector(".rk-picture svg");
   return svg.clientWidth >= 240 && svg.clientWidth === svg.parentElement.clientWidth;
 }"""
-MADE = "(name) => document.getElementById(name).workshop.state[0][1] === 1"
+MADE = "(name) => document.getElementById(name).courseware.state[0][1] === 1"
 OPENED = "(input) => { const fold = input.closest('details'); if (fold) fold.open = true; }"
 
 
@@ -821,7 +821,9 @@ class OnPage:
 
     def state(self):
         """What the controls stand at, in the units they show; drawn to the end first."""
-        return self.root.evaluate("({workshop}) => { workshop.settled(); return workshop.state; }")
+        return self.root.evaluate(
+            "({courseware}) => { courseware.settled(); return courseware.state; }"
+        )
 
     def point(self):
         """The same as a row of numbers in SI, computed here as the page must compute it."""
@@ -894,10 +896,10 @@ class OnPage:
 
 # a figure and its page as they were at first
 AS_AT_FIRST = """() => {
-  for (const { workshop } of document.querySelectorAll(".rk-figure.rk-live")) {
-    workshop.element.querySelector(".rk-reset")?.click();
-    workshop.last = null;
-    workshop.settled();
+  for (const { courseware } of document.querySelectorAll(".rk-figure.rk-live")) {
+    courseware.element.querySelector(".rk-reset")?.click();
+    courseware.last = null;
+    courseware.settled();
   }
   history.replaceState(null, "", location.pathname);
   document.activeElement.blur();
@@ -951,8 +953,8 @@ def test_the_browser_computes_as_the_engine_does(figure, visit):
     with visit(figure) as live:
         found = live.page.evaluate(
             """([name, rows]) => {
-              const figure = workshopFigures.find((figure) => figure.name === name);
-              return rows.map((row) => workshop.figures.compute(figure, row).values);
+              const figure = coursewareFigures.find((figure) => figure.name === name);
+              return rows.map((row) => courseware.figures.compute(figure, row).values);
             }""",
             [figure.name, rows.tolist()],
         )
@@ -1099,7 +1101,7 @@ def turned(chromium):
             page.set_content(
                 f"<style>{runtime.stylesheet()}</style>{body}<p style='height: 3000px'>"
             )
-            start = f"workshop.figures.bringToPage({figure.code});"
+            start = f"courseware.figures.bringToPage({figure.code});"
             page.add_script_tag(content="".join([*map(runtime.script, runtime.parts()), start]))
             yield OnPage(page, figure).come_alive()
             assert not watch.errors
@@ -1288,7 +1290,7 @@ def test_scrubbing_takes_over_from_playing(figure, clock, visit):
     with visit(figure, reduced_motion="no-preference") as live:
         live.root.locator(".rk-play").click()
         live.page.wait_for_function(
-            "([name, i, low]) => document.getElementById(name).workshop.state[i] > low",
+            "([name, i, low]) => document.getElementById(name).courseware.state[i] > low",
             arg=[figure.name, figure.controls.index(clock), clock.low],
         )
         live.press(clock, "End", "ArrowLeft")
@@ -1342,7 +1344,7 @@ def test_a_link_brings_the_setting_back(figure, visit):
 
 def started(figure):
     """The state in which a figure starts."""
-    return script.run(f"workshop.figures.startState({figure.code})")
+    return script.run(f"courseware.figures.startState({figure.code})")
 
 
 JUNK = ["1e99", "-1e99", "NaN", "Infinity", "", "<script>alert(1)</script>", "%", "2.5", "null"]
@@ -1410,7 +1412,7 @@ def test_without_javascript_the_picture_is_there_and_why_it_stands_still(
 
 def broken(figure, told):
     """What a page's figures are told, but one's computation throws."""
-    found = f'workshopFigures.find(({{ name }}) => name === "{figure.name}")'
+    found = f'coursewareFigures.find(({{ name }}) => name === "{figure.name}")'
     return f'{told}\n{found}.compute = () => {{ throw new Error("on purpose"); }};'
 
 
@@ -1454,7 +1456,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
     figure, server, chromium, page_of, width
 ):
     """The script comes late: the page is complete and the reader looks at the still picture."""
-    start = "workshop.figures.onPage()"
+    start = "courseware.figures.onPage()"
 
     def held(route):
         response = route.fetch()
@@ -1462,7 +1464,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
         route.fulfill(response=response, body=response.text().replace(start, "0"))
 
     with watched_page(chromium, server, width) as (page, watch):
-        page.route("**/workshop/*.js*", held)
+        page.route("**/courseware/*.js*", held)
         settled(page, server + page_of[figure.name])
         live = OnPage(page, figure)
         live.unfold()
@@ -1490,7 +1492,7 @@ ANSWERS = """([name, i, count]) => {
     const before = performance.now();
     slider.value = Number(min) + (k * 0.618 % 1) * (max - min);
     slider.dispatchEvent(new Event("input", {bubbles: true}));
-    element.workshop.settled();  // draws now, not with the next picture of the screen
+    element.courseware.settled();  // draws now, not with the next picture of the screen
     element.getBoundingClientRect();  // and lays out
     times.push(performance.now() - before);
   }

@@ -10,8 +10,8 @@ from browser import watched_page
 from declared import FIGURES
 from test_figures import CHAPTERS, HOMES, SHOW, TYPICAL, OnPage
 
-from workshop.figures import Choice
-from workshop.figures.turning import Turns
+from courseware.figures import Choice
+from courseware.figures.turning import Turns
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser

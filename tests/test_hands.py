@@ -21,9 +21,9 @@ from test_figures import (
     visit,  # noqa: F401
 )
 
-from workshop.figures import Choice
-from workshop.figures.turning import Turns
-from workshop.script import runtime
+from courseware.figures import Choice
+from courseware.figures.turning import Turns
+from courseware.script import runtime
 
 pytest_plugins = ["browser"]
 
@@ -54,7 +54,7 @@ def alone(chromium):
                 page, watch, others = kept.pop(key)
                 stack.push(others)
             scripts = "".join([*map(runtime.script, runtime.parts())])
-            start = f"workshop.figures.bringToPage({figure.code});"
+            start = f"courseware.figures.bringToPage({figure.code});"
             body = f"{figure.on_page()}<p style='height: 3000px'><script>{scripts}{start}</script>"
             html = f"<!doctype html><meta charset='utf-8'><style>{style}</style>{body}"
             page.unroute_all()
@@ -86,15 +86,15 @@ def centre(live, place):
 
 def put(live, state):
     """The figure in a state, drawn."""
-    live.root.evaluate("({workshop}, state) => workshop.set(state)", state)
+    live.root.evaluate("({courseware}, state) => courseware.set(state)", state)
     return live.state()
 
 
 SEEN = """(root) => {
-  const seen = [], { workshop } = root, stop = new AbortController();
+  const seen = [], { courseware } = root, stop = new AbortController();
   root.ownerDocument.addEventListener("pointermove", () => {
-    workshop.settled();
-    seen.push(workshop.state);
+    courseware.settled();
+    seen.push(courseware.state);
   }, stop);
   root.seen = () => { stop.abort(); return seen; };
 }"""
@@ -201,10 +201,10 @@ def test_the_thumb_follows_and_keys_go_in_steps(alone):
 
 # --- Handles --------------------------------------------------------------------------------
 
-MEASURED = """({workshop}, states) => states.map((state) => {
-  workshop.set(state);
-  workshop.settled();
-  return [...workshop.picture.querySelectorAll(".rk-handles ellipse")].map((ring) => {
+MEASURED = """({courseware}, states) => states.map((state) => {
+  courseware.set(state);
+  courseware.settled();
+  return [...courseware.picture.querySelectorAll(".rk-handles ellipse")].map((ring) => {
     const box = ring.getBoundingClientRect(), style = getComputedStyle(ring);
     const target = ring.previousSibling.getBoundingClientRect();
     return {

@@ -17,8 +17,8 @@ from playwright.sync_api import expect
 from support import ROOT
 from test_run import CHAPTERS, PAGE, code_cells, names, shown_cells, stored
 
-from workshop.run import cells as in_page
-from workshop.site.run import with_needs
+from courseware.run import cells as in_page
+from courseware.site.run import with_needs
 
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.install]
@@ -32,7 +32,8 @@ LOST = re.compile(r"\de-\d+")  # a digit and a power: how much was lost in round
 
 
 LISTEN = """(bar) => {
-  globalThis.ran = new Promise((end) => bar.addEventListener("workshop:ran", end, { once: true }));
+  const once = { once: true };
+  globalThis.ran = new Promise((end) => bar.addEventListener("courseware:ran", end, once));
 }"""
 RAN = """async (limit) => {
   await Promise.race([ran, new Promise((_, fail) => setTimeout(fail, limit, "it runs on"))]);
@@ -197,7 +198,7 @@ def what_can_run(shown, monkeypatch):
     """What is left of the cells that need what is not to be had, by number; and what that is."""
     packages, missing = pyodide.packages(), set(pyodide.missing())
     provided = {each: name for name in packages for each in packages[name]["imports"]}
-    fresh = SimpleNamespace(modules={"workshop.script.widget"}, path=[str(ROOT)])
+    fresh = SimpleNamespace(modules={"courseware.script.widget"}, path=[str(ROOT)])
     monkeypatch.setattr(in_page, "sys", fresh)  # a Python that has imported nothing yet
     cells = in_page.Cells(print, frozenset(provided))
     imports, unmade, kept, lacking = "", set(), {}, set()
@@ -241,7 +242,7 @@ def assert_alike(text, expected):
 
 # --- JupyterLite ----------------------------------------------------------------------------
 
-MOVING = [f"application/vnd.workshop.{thing}+json" for thing in ("figure", "exercise")]
+MOVING = [f"application/vnd.courseware.{thing}+json" for thing in ("figure", "exercise")]
 WIDGETS = """import anywidget, ipywidgets
 class Tiny(anywidget.AnyWidget):
     _esm = "export default {render: ({el}) => { el.textContent = 'tiny ' + 6 * 7; }}"

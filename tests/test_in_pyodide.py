@@ -29,7 +29,7 @@ def test_the_library_passes_its_tests_in_the_python_of_a_browser(tmp_path):
     pip += ["--platform", "pyemscripten_2026_0_wasm32"]
     subprocess.run([*pip, *(f"{name}=={version(name)}" for name in NEEDED)], check=True)
     oracles = [] if pyodide.missing(("scipy",)) else ["scipy"]
-    absent = ["workshop.script.widget", "py_mini_racer", *({"scipy"} - set(oracles))]
+    absent = ["courseware.script.widget", "py_mini_racer", *({"scipy"} - set(oracles))]
     library = os.environ.get("ROBOKIN_UNDER_TEST", str(ROOT))
     paths = [library, str(ROOT), str(ROOT / "tests"), str(tmp_path)]
     settings = {

@@ -17,15 +17,15 @@ from scipy.spatial.transform import Rotation
 from support import assert_angles
 
 from book.motion import formulas as arc
+from courseware.equations.checking import differences, evaluate
+from courseware.equations.core import as_written
+from courseware.equations.functions import null_projector, rank, solve
+from courseware.errors import CourseError
+from courseware.figures import Figure, Readout, Recurrence, Slider, Trail
+from courseware.figures.javascript import evaluate as evaluated
+from courseware.figures.javascript import function
+from courseware.script import engine, runtime
 from robokin import elbow_arm, euler, motion, wheels
-from workshop.equations.checking import differences, evaluate
-from workshop.equations.core import as_written
-from workshop.equations.functions import null_projector, rank, solve
-from workshop.errors import CourseError
-from workshop.figures import Figure, Readout, Recurrence, Slider, Trail
-from workshop.figures.javascript import evaluate as evaluated
-from workshop.figures.javascript import function
-from workshop.script import engine, runtime
 
 N = 1000
 ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-15
@@ -305,8 +305,8 @@ def test_python_in_a_browser_asks_the_browser(another):
         another.setitem(sys.modules, "pyodide", SimpleNamespace())
         another.setitem(sys.modules, "pyodide.code", SimpleNamespace(run_js=browser.eval))
         assert engine.available()
-        assert engine.run("workshop.practice.readAnswer('1/4').value") == 0.25
-        assert browser.eval("Object.keys(workshop).length") == len(runtime.parts())
+        assert engine.run("courseware.practice.readAnswer('1/4').value") == 0.25
+        assert browser.eval("Object.keys(courseware).length") == len(runtime.parts())
 
 
 def test_without_an_engine_it_is_said_what_to_install(another):

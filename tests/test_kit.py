@@ -20,12 +20,12 @@ from support import ROOT, python_of
 from test_practice import typed
 from test_practice_page import FIRST, answer, sign_in, variant
 
-from workshop.practice import judging
+from courseware.practice import judging
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-WHEELS = ("robokin", "robokin-workshop", "robokin-book")
+WHEELS = ("robokin", "robokin-courseware", "robokin-book")
 DEVELOPERS = {"jupyter-book", "sphinx", "mini-racer", "playwright", "pytest", "ruff", "mypy", "uv"}
 INSTALLS = 900  # seconds at most for pip, on a slow line
 RUNS = 300  # seconds at most for a notebook

@@ -13,7 +13,7 @@ from browser import watched_page
 from declared import COURSE, EXERCISES
 from support import ROOT
 
-from workshop.practice.notebook import Box
+from courseware.practice.notebook import Box
 
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.slow]  # test_widget.py is its quick part

@@ -12,13 +12,13 @@ from browser import watched_page
 from declared import FIGURES, each
 from test_hands import shown
 
-from workshop.figures import Figure
-from workshop.script import runtime
+from courseware.figures import Figure
+from courseware.script import runtime
 
 pytest_plugins = ["browser"]
 
 FAULTS = """([name, states]) => {
-  const live = document.getElementById(name).workshop, found = new Set();
+  const live = document.getElementById(name).courseware, found = new Set();
   for (const state of states) {
     live.set(state);
     live.settled();
@@ -47,7 +47,7 @@ def alive(request, chromium):
     with watched_page(chromium, "about:blank", request.param) as (page, watch):
         page.emulate_media(reduced_motion="reduce")
         page.set_content(f"<style>{style}</style>{body}")
-        scripts = [f"workshop.figures.bringToPage({figure.code});" for figure in FIGURES.values()]
+        scripts = [f"courseware.figures.bringToPage({figure.code});" for figure in FIGURES.values()]
         page.add_script_tag(content="\n".join([*map(runtime.script, runtime.parts()), *scripts]))
         yield page, watch
 

@@ -33,7 +33,7 @@ def test_packages_come_from_the_site_or_from_the_address_of_python(lite):
     """The course's with their hashes; and nothing that is missing is looked for elsewhere."""
     lock = json.loads((lite / "packages" / "pyodide-lock.json").read_text("utf-8"))["packages"]
     own = {name: entry for name, entry in lock.items() if "/" not in entry["file_name"]}
-    assert {"robokin", "robokin-workshop", "robokin-book", "anywidget", "ipywidgets"} <= set(own)
+    assert {"robokin", "robokin-courseware", "robokin-book", "anywidget", "ipywidgets"} <= set(own)
     for entry in own.values():
         wheel = lite / "packages" / entry["file_name"]
         assert hashlib.sha256(wheel.read_bytes()).hexdigest() == entry["sha256"]

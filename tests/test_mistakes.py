@@ -10,11 +10,11 @@ from declared import EXERCISES, FIGURES, MISTAKES, course, each
 from book.differential_drive import formulas
 from book.differential_drive.exercises import M12, M13, M14
 from book.differential_drive.formulas import b, v_L, v_R
-from workshop import practice
-from workshop.figures import Choice, Figure
-from workshop.practice import Mistake
-from workshop.practice.wrong import marked
-from workshop.site import stills
+from courseware import practice
+from courseware.figures import Choice, Figure
+from courseware.practice import Mistake
+from courseware.practice.wrong import marked
+from courseware.site import stills
 
 
 @each("mistake", "exercises", Mistake)

@@ -10,7 +10,7 @@ import pytest
 from declared import EXERCISES, OF_EACH_KIND, each
 from test_teacher import folder, run  # noqa: F401
 
-from workshop.practice import Exercise, dealing, judging, moodle
+from courseware.practice import Exercise, dealing, judging, moodle
 
 FIELD = re.compile(r"\{1:NUMERICAL:((?:\\.|[^}])*)\}")
 NUMBER = r"-?\d+\.?\d*(?:e[-+]?\d+)?"

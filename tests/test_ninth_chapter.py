@@ -102,10 +102,10 @@ def site(tree, shared):
 
 DECLARED_RIGHT = f"""
 import book
-from workshop.course import course
-from workshop.equations import Check, check
-from workshop.figures import Figure
-from workshop.practice import Exercise, dealing
+from courseware.course import course
+from courseware.equations import Check, check
+from courseware.figures import Figure
+from courseware.practice import Exercise, dealing
 for new in {NEW}:
     def own(part, kind):
         return [each for name, each in course().declared(part, kind).items()
@@ -223,7 +223,7 @@ def test_the_machine_s_tests_hold_it(tree, site):
     assert notebook.returncode == 0, notebook.stdout[-3000:]
 
 
-COLLECT = "import book; from workshop import equations, practice, course; "
+COLLECT = "import book; from courseware import equations, practice, course; "
 FORGOTTEN = {
     "the line of the table of contents": (
         lambda tree: (tree / "_toc.yml").write_text((ROOT / "_toc.yml").read_text("utf-8")),

@@ -6,8 +6,8 @@ import pytest
 from browser import watched_page
 from declared import course
 
-from workshop.script import engine as script
-from workshop.unbroken import UNBROKEN, unbroken
+from courseware.script import engine as script
+from courseware.unbroken import UNBROKEN, unbroken
 
 pytest_plugins = ["browser"]
 
@@ -34,7 +34,7 @@ TEXTS = """(html) => [...new DOMParser().parseFromString(html, "text/html")
 def test_a_number_is_tied_to_its_unit(text, expected):
     kept = expected.replace("~", "\N{NO-BREAK SPACE}")
     assert unbroken(text) == kept
-    assert script.call("workshop.practice.paragraphs", text) == f"<p>{kept}</p>"
+    assert script.call("courseware.practice.paragraphs", text) == f"<p>{kept}</p>"
 
 
 @pytest.fixture(scope="module")

@@ -131,7 +131,7 @@ def prose_cell(text, computed=()):
 
 
 def test_the_first_page_names_the_python_that_is_needed():
-    settings = tomllib.loads((ROOT / "workshop" / "pyproject.toml").read_text("utf-8"))
+    settings = tomllib.loads((ROOT / "courseware" / "pyproject.toml").read_text("utf-8"))
     python = settings["project"]["requires-python"].removeprefix(">=")
     assert f"Python {python} or newer" in (BOOK / "intro.md").read_text("utf-8")
 

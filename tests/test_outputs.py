@@ -7,7 +7,7 @@ from declared import FIGURES
 from docutils.core import publish_doctree
 from sphinx.errors import ExtensionError
 
-from workshop.site.outputs import figure_on_page, refuse_names_of_headings
+from courseware.site.outputs import figure_on_page, refuse_names_of_headings
 
 CHAPTER = SimpleNamespace(env=SimpleNamespace(docname="chapter"))
 

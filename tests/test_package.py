@@ -20,7 +20,7 @@ print(*(differential_drive.body_twist(5 / 3, 10 / 3, 0.03, 0.1) + 0.0).round(6))
 print(*motion.arc_step([0, 0, 0], 1.0, 0.0, 2.0))
 print(robokin.__file__)
 """
-PROJECTS = {"robokin": ROOT, "workshop": ROOT / "workshop", "book": ROOT / "book"}
+PROJECTS = {"robokin": ROOT, "courseware": ROOT / "courseware", "book": ROOT / "book"}
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +45,7 @@ def sources(package, suffixes, left_out=()):
     ("package", "suffixes", "left_out"),
     [
         ("robokin", [".py"], []),
-        ("workshop", [".py", ".js", ".css", ".txt"], []),
+        ("courseware", [".py", ".js", ".css", ".txt"], []),
         ("book", [".py", ".ipynb"], ["book/_*/*", "test_*.py", "expected.py"]),
     ],
 )
@@ -98,7 +98,7 @@ def test_a_notebook_needs_nothing_of_what_builds_the_site():
     code = """import sys
 sys.modules.update(docutils=None, sphinx=None, myst_nb=None)
 import book
-from workshop import equations, figures, practice, predictions
+from courseware import equations, figures, practice, predictions
 practice.exercise("differential-drive-1").check("1")
 """
     run = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)

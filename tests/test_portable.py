@@ -16,7 +16,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 from support import ROOT
 
 import book  # noqa: F401 - opens the course
-from workshop.practice import dealing
+from courseware.practice import dealing
 
 pytestmark = pytest.mark.slow
 NOTEBOOKS = sorted((ROOT / "book").glob("*/*.ipynb"))
@@ -117,7 +117,7 @@ def test_a_number_that_depends_on_them_is_named(tmp_path, perturbed):
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_the_bank_has_one_version(direction):
     code = f"import last_bits; last_bits.move({direction}); import book; "
-    code += "from workshop.practice import dealing; print(dealing.version())"
+    code += "from courseware.practice import dealing; print(dealing.version())"
     path = os.pathsep.join(filter(None, [str(ROOT / "tests"), os.environ.get("PYTHONPATH")]))
     run = subprocess.run(
         [sys.executable, "-c", code],

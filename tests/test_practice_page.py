@@ -15,10 +15,10 @@ from playwright.sync_api import expect
 from test_practice import DEAL, dealt_in_python, names, typed
 
 from book.differential_drive.exercises import M12
-from workshop import practice
-from workshop.practice import dealing, judging
-from workshop.practice.command import main
-from workshop.practice.wording import symbols
+from courseware import practice
+from courseware.practice import dealing, judging
+from courseware.practice.command import main
+from courseware.practice.wording import symbols
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -33,7 +33,7 @@ FORGOTTEN = """() => {
   const name = document.getElementById("rk-student");
   localStorage.clear();
   history.replaceState(null, "");
-  workshop.practice.memory.data = {};
+  courseware.practice.memory.data = {};
   name.value = "";
   name.dispatchEvent(new Event("change"));
   document.activeElement.blur();

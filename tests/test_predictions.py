@@ -11,13 +11,13 @@ from sympy import Float, Symbol
 
 from book.differential_drive import formulas
 from book.differential_drive.formulas import b, v_L, v_R
-from workshop.errors import CourseError
-from workshop.figures import figure
-from workshop.predictions import Buttons, Ghost, Number, Prediction
-from workshop.predictions.declaration import predictions
-from workshop.predictions.notebook import MIME, asked, opened
-from workshop.script import engine
-from workshop.site.predictions import TAG
+from courseware.errors import CourseError
+from courseware.figures import figure
+from courseware.predictions import Buttons, Ghost, Number, Prediction
+from courseware.predictions.declaration import predictions
+from courseware.predictions.notebook import MIME, asked, opened
+from courseware.script import engine
+from courseware.site.predictions import TAG
 
 ASK = re.compile(r'predictions\.ask\("([\w-]+)"\)')
 BARE = re.compile(r"\*\*\s*(Predict|Guess)\b")
@@ -127,7 +127,7 @@ def test_it_says_what_would_give_it_away(prediction):
 @each("prediction", "predictions", Prediction)
 def test_a_usual_wrong_guess_is_not_right(prediction):
     data = prediction.answers.data()
-    same = "(d) => d.wrong.map((w) => workshop.predictions.same(d, w, d.right))"
+    same = "(d) => d.wrong.map((w) => courseware.predictions.same(d, w, d.right))"
     right = engine.call(f"({same})", data)
     assert not any(right), (
         f"{prediction.name}: of the guesses in `assumes` these are right: {right}"

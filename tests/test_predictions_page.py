@@ -9,7 +9,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
 BUTTONS, NUMBER, GHOST = "where-to", "how-fast", "where-after"
-FIGURE = "document.getElementById('guess').workshop"
+FIGURE = "document.getElementById('guess').courseware"
 INSIDE = "leaves at the left and comes back at the right"  # in what the buttons open
 THERE = (-0.069, 0.126)  # where P is after 2 s
 

@@ -14,13 +14,13 @@ from hypothesis import given, settings
 from support import ROOT
 
 import book  # noqa: F401  (opens the course)
-from workshop import practice
-from workshop.script import engine, runtime
+from courseware import practice
+from courseware.script import engine, runtime
 
 GROUPS = json.loads((ROOT / "tests" / "answers.json").read_text(encoding="utf-8"))
 ROWS = [row for rows in GROUPS.values() for row in rows]
 RTOL = 1e-15  # a few roundings of numbers, fractions and roots
-PROBLEMS = engine.run("workshop.practice.PROBLEMS")
+PROBLEMS = engine.run("courseware.practice.PROBLEMS")
 
 many = settings(max_examples=40)  # each makes 100 texts, or 50, from a seed: drawing is slow
 seeds = st.integers(0, 2**32)
@@ -59,7 +59,7 @@ def assert_value(found, expected, text):
 
 def read(texts):
     """The readings of texts, in one call, after the checks that hold for every text."""
-    found = engine.call("((texts) => texts.map(workshop.practice.readAnswer))", texts)
+    found = engine.call("((texts) => texts.map(courseware.practice.readAnswer))", texts)
     readings = [Reading(floats(one["value"]), one["problem"], one["about"]) for one in found]
     for text, reading in zip(texts, readings, strict=True):
         assert (reading.value is None) == (reading.problem in PROBLEMS), text
@@ -416,4 +416,4 @@ def test_what_can_mean_two_things_is_not(text, asks, problem):
 def asked(text, asks):
     """What is read where numbers of these labels and units are asked."""
     named = [{"label": label, "unit": unit} for label, unit in asks]
-    return engine.call("workshop.practice.readAsked", text, named)
+    return engine.call("courseware.practice.readAsked", text, named)

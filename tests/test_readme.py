@@ -34,7 +34,7 @@ def test_what_is_run_or_named_is_there(name):
     targets = set(re.findall(r"^([a-z-]+):", makefile, re.M))
     run = set(re.findall(r"^ *make ([a-z-]+)|`(?:\w+ )?make ([a-z-]+)", text, re.M))
     gone = {a or b for a, b in run} - targets
-    files = re.findall(r"(?<![\w./-])(?:book|robokin|tests|tools|workshop)/[\w./]+\.\w+", text)
+    files = re.findall(r"(?<![\w./-])(?:book|robokin|tests|tools|courseware)/[\w./]+\.\w+", text)
     gone |= {file for file in files if not (ROOT / file).is_file()}
     for file, word in re.findall(r"([\w/]+\.py)(?: -k |`, in `)(\w+)", text):
         gone |= set() if word in (ROOT / file).read_text("utf-8") else {f"{word} in {file}"}

@@ -21,12 +21,12 @@ from pyodide import PLACE, VERSION
 from support import ROOT
 
 import book  # noqa: F401 (opens the course)
-from workshop.course import _open as open_courses
-from workshop.course import course
-from workshop.errors import CourseError
-from workshop.run.cells import Cells, start
-from workshop.script import runtime
-from workshop.site import SETTINGS, run
+from courseware.course import _open as open_courses
+from courseware.course import course
+from courseware.errors import CourseError
+from courseware.run.cells import Cells, start
+from courseware.script import runtime
+from courseware.site import SETTINGS, run
 
 pytest_plugins = ["browser"]
 
@@ -180,7 +180,7 @@ def test_an_import_waits_until_its_name_is_used(page):
 
 
 def test_a_function_defined_in_a_cell_can_be_listed(page):
-    page("from workshop.listing import listing\ndef double(x):\n    return 2 * x")
+    page("from courseware.listing import listing\ndef double(x):\n    return 2 * x")
     assert page("listing(double)") == [("text/plain", "def double(x):\n    return 2 * x")]
 
 

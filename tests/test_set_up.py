@@ -37,7 +37,7 @@ def tree(request, tmp_path):
     """A folder with the Makefile and what `.venv` depends on, and two stubs of Python."""
     folder = tmp_path / request.param
     names = ("Makefile", "requirements.txt", "pyproject.toml")
-    for name in (*names, "workshop/pyproject.toml", "book/pyproject.toml"):
+    for name in (*names, "courseware/pyproject.toml", "book/pyproject.toml"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     for name in ("python3", "python4"):

@@ -17,9 +17,9 @@ from declared import FIGURES
 from PIL import Image
 from test_steps import IN_STEPS
 
-from workshop.course import Course
-from workshop.site import SETTINGS
-from workshop.site import _open_course as look_at
+from courseware.course import Course
+from courseware.site import SETTINGS
+from courseware.site import _open_course as look_at
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -251,10 +251,10 @@ def test_back_brings_a_figure_s_controls_and_picture_as_they_belong(server, chro
         figure.scroll_into_view_if_needed()
         page.wait_for_selector(".rk-live select")
         shown = figure.evaluate(
-            "({workshop: {inputs, state}}) => inputs.map((input, k) => [Number(input.value), k])"
+            "({courseware: {inputs, state}}) => inputs.map((input, k) => [Number(input.value), k])"
         )
         state = figure.evaluate(
-            "({workshop: {inputs, state}}) => inputs.map((input, k) => [state[input.dataset.i], k])"
+            "({courseware: {inputs, state}}) => inputs.map(({dataset}, k) => [state[dataset.i], k])"
         )
         assert shown == state
 

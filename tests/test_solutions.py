@@ -11,12 +11,12 @@ import sympy as sp
 from declared import each
 from test_practice import typed
 
-from workshop.equations import Equation, quantity
-from workshop.equations.text import signed
-from workshop.errors import CourseError
-from workshop.practice import Exercise, Line, Solution, Step, dealing, judging
-from workshop.practice.solutions import figures, form, formula_of, worked
-from workshop.practice.wording import number_text
+from courseware.equations import Equation, quantity
+from courseware.equations.text import signed
+from courseware.errors import CourseError
+from courseware.practice import Exercise, Line, Solution, Step, dealing, judging
+from courseware.practice.solutions import figures, form, formula_of, worked
+from courseware.practice.wording import number_text
 
 each_exercise = each("exercise", "exercises", Exercise)
 EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart

@@ -19,9 +19,9 @@ from test_hands import (
     put,
 )
 
-from workshop.course import course
-from workshop.figures import Clock, Figure
-from workshop.figures.figure import MIME
+from courseware.course import course
+from courseware.figures import Clock, Figure
+from courseware.figures.figure import MIME
 
 pytest_plugins = ["browser"]
 
@@ -175,7 +175,7 @@ each_loop = each(
     lambda name: [] if name in LOOPING else [pytest.mark.slow],
     lambda figure: any(getattr(c, "loops", False) for c in figure.controls),
 )
-TIME = "([name, i]) => document.getElementById(name).workshop.state[i]"
+TIME = "([name, i]) => document.getElementById(name).courseware.state[i]"
 
 
 @in_browser
@@ -187,7 +187,7 @@ def test_motion_loops_in_sight_and_rests_out_of_it(figure, alone):  # noqa: F811
         live.picture.scroll_into_view_if_needed()
         live.page.wait_for_function(f"(at) => ({TIME})(at) > {clock.low + 0.2}", arg=at)
         highest = 0.9 * clock.high
-        live.root.evaluate("({workshop}, [i, t]) => workshop.setOne(i, t)", [place, highest])
+        live.root.evaluate("({courseware}, [i, t]) => courseware.setOne(i, t)", [place, highest])
         live.page.wait_for_function(f"(at) => ({TIME})(at) > {highest}", arg=at)
         live.page.wait_for_function(f"(at) => ({TIME})(at) < {highest}", arg=at)  # and again
         live.press(figure.controls[0], "End")  # another hand does not stop it …

@@ -11,7 +11,7 @@ import pytest
 from declared import course
 from support import ROOT
 
-PACKAGES = ("robokin", "workshop", "book")
+PACKAGES = ("robokin", "courseware", "book")
 
 
 class Import(NamedTuple):
@@ -84,7 +84,7 @@ def chapter_of(module):
 
 @pytest.mark.parametrize(
     ("package", "others"),
-    [("robokin", ("workshop", "book")), ("workshop", ("robokin", "book"))],
+    [("robokin", ("courseware", "book")), ("courseware", ("robokin", "book"))],
 )
 def test_a_package_does_not_import(package, others):
     wrong = told(i for i in IMPORTS if within(i.by, package) and within(i.of, *others))
@@ -114,7 +114,7 @@ def test_formulas_are_declared_without_the_library(chapter):
     assert not wrong, f"{wrong}: only tests need it"
 
 
-@pytest.mark.parametrize("part", ["robokin", "workshop", "book", *course().chapters])
+@pytest.mark.parametrize("part", ["robokin", "courseware", "book", *course().chapters])
 def test_no_two_modules_need_each_other(part):
     """Among those that a part needs, its own and others."""
     graph = {}
@@ -136,7 +136,7 @@ def test_the_reader_of_imports_sees_them():
     source = """
 import numpy as np
 from robokin import motion, errors as e
-from workshop.equations.core import quantity
+from courseware.equations.core import quantity
 if TYPE_CHECKING:
     from book.motion import formulas
 def f():
@@ -149,7 +149,7 @@ def f():
         "numpy",
         "robokin.motion",
         "robokin.errors",
-        "workshop.equations.core",
+        "courseware.equations.core",
         "matplotlib.pyplot",
         "book.motion",
         "book.motion.formulas",

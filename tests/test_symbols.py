@@ -9,16 +9,16 @@ import pytest
 from declared import EQUATIONS, FIGURES, course
 from support import on_circle
 
-from workshop.course import held
-from workshop.equations.core import NamedSymbol, quantity, sign
-from workshop.equations.printing import AGAIN, MIME, name_on_page
-from workshop.errors import CourseError
-from workshop.figures import Figure, Readout, Slider
-from workshop.script import engine
-from workshop.site.directives import notation
-from workshop.symbols import lexicon
-from workshop.symbols.lexicon import cells, printed, results, scan, unknown
-from workshop.symbols.numbers import Slots, rows
+from courseware.course import held
+from courseware.equations.core import NamedSymbol, quantity, sign
+from courseware.equations.printing import AGAIN, MIME, name_on_page
+from courseware.errors import CourseError
+from courseware.figures import Figure, Readout, Slider
+from courseware.script import engine
+from courseware.site.directives import notation
+from courseware.symbols import lexicon
+from courseware.symbols.lexicon import cells, printed, results, scan, unknown
+from courseware.symbols.numbers import Slots, rows
 
 CHAPTERS = course().taught
 each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
@@ -128,7 +128,7 @@ STATES = """((figure, {numbers, settings, compute}, parts) => parts.map((row) =>
 def numbers_of(figure, count):
     """What a figure shows by symbol, at settings from all over its sliders."""
     rows = np.random.default_rng(1).random((count, len(figure.controls))).tolist()
-    return engine.run(f"{STATES}({figure.code}, workshop.figures, {rows})")
+    return engine.run(f"{STATES}({figure.code}, courseware.figures, {rows})")
 
 
 def slots(tex):
@@ -151,7 +151,9 @@ def agrees(equation, computed, figure, count):
     tex = Slots(equation, figure, CHAPTERS[0]).tex(computed)
     for numbers in numbers_of(figure, count):
         told = [(numbers[flags["symbol"]], flags) for flags in slots(tex)]
-        texts = engine.run(f"{json.dumps(told)}.map((pair) => workshop.symbols.slotText(...pair))")
+        texts = engine.run(
+            f"{json.dumps(told)}.map((pair) => courseware.symbols.slotText(...pair))"
+        )
         for (number, flags), text in zip(told, texts, strict=True):
             if "result" in flags:
                 assert text == number["text"]

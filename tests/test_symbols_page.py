@@ -9,8 +9,8 @@ from browser import draw_all, watched_page
 from declared import FIGURES
 from test_bundle import each_page, named
 
-from workshop.script import engine
-from workshop.symbols.numbers import at_start
+from courseware.script import engine
+from courseware.symbols.numbers import at_start
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -174,7 +174,7 @@ def test_a_formula_has_the_numbers_of_its_figure_before_any_script_runs(name, si
         for slot in SLOT.finditer(html):
             flags = dict(re.findall(r'data-(\w+)="([^"]+)"', slot[1]))
             number = at_start(FIGURES[flags["of"]])[flags["symbol"]]
-            told = engine.call("workshop.symbols.slotText", number, flags)
+            told = engine.call("courseware.symbols.slotText", number, flags)
             assert text_from(html, slot.end()) == told
             seen += 1
     assert seen > 20 or name != f"{PAGE}/{PAGE}"

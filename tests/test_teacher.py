@@ -16,9 +16,9 @@ from declared import EXERCISES, each, table
 from support import ROOT
 from test_practice import typed
 
-from workshop.practice import Exercise, dealing, judging, notebook, tables, teacher
-from workshop.practice.command import main
-from workshop.script import engine
+from courseware.practice import Exercise, dealing, judging, notebook, tables, teacher
+from courseware.practice.command import main
+from courseware.script import engine
 
 ONE = "differential-drive-1"
 ONLY = ("--only", ONE, "differential-drive-2")
@@ -51,7 +51,7 @@ def saved(student, answers, times=None, course="robokin"):
         for name, answer in answers.items()
     }
     head = {"course": course, "version": dealing.version()}
-    return "\ufeff" + engine.call("workshop.practice.answersCsv", head, student, entries)
+    return "\ufeff" + engine.call("courseware.practice.answersCsv", head, student, entries)
 
 
 CELLS = [
@@ -77,7 +77,7 @@ def test_a_saved_answer_comes_back_as_it_was(folder, cell):
     text = saved("=Ada", {ONE: cell})
     *_, (*_, in_file) = csv.reader(io.StringIO(text, newline=""))
     assert in_file[0] not in "=+-@\t\r" or in_file in ("-0.5", "+3")
-    (back,) = engine.call("workshop.practice.answersOf", text)
+    (back,) = engine.call("courseware.practice.answersOf", text)
     assert (back["student"], back["answer"]) == ("=Ada", cell)
     (folder / "answers.csv").write_text(text, encoding="utf-8", newline="")
     ((_, row),) = tables.rows(Path("answers.csv"), tables.Problems(), ["student", "answer"])
@@ -656,7 +656,8 @@ def test_a_hundred_megabytes_are_graded_in_three_hundred(folder):
             file.write(rows.replace("0.12345", f"{file.tell()}"))
     peak = "print(open('/proc/self/status').read().split('VmHWM:')[1].split()[0], file=sys.stderr)"
     code = (
-        f"import sys, book; from workshop.practice.command import main; main(sys.argv[1:]); {peak}"
+        "import sys, book; from courseware.practice.command import main; main(sys.argv[1:]); "
+        f"{peak}"
     )
     grade = ["grade", "all.csv", "--key", "key.csv"]
     ran = subprocess.run([sys.executable, "-c", code, *grade], capture_output=True, text=True)

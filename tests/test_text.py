@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from workshop.equations.text import formula_text, numbers_text
+from courseware.equations.text import formula_text, numbers_text
 
 a, b = sp.symbols("a b")
 

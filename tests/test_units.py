@@ -14,16 +14,16 @@ from hypothesis import given, settings
 from scipy import constants
 from sympy import symbols
 
-from workshop.equations import quantity, sign
-from workshop.errors import CourseError
-from workshop.figures import Readout, Slider
-from workshop.practice import Ask, Line, Step, judging, one_of, steps
-from workshop.practice.judging import Candidate
-from workshop.practice.wording import with_unit
-from workshop.predictions import Number
-from workshop.script import engine, runtime
-from workshop.unbroken import unbroken
-from workshop.units import TABLE, UNITS, in_figures
+from courseware.equations import quantity, sign
+from courseware.errors import CourseError
+from courseware.figures import Readout, Slider
+from courseware.practice import Ask, Line, Step, judging, one_of, steps
+from courseware.practice.judging import Candidate
+from courseware.practice.wording import with_unit
+from courseware.predictions import Number
+from courseware.script import engine, runtime
+from courseware.unbroken import unbroken
+from courseware.units import TABLE, UNITS, in_figures
 
 SI = [row[0] for row in TABLE]
 SIZES = {  # of the words in names; SciPy's
@@ -67,7 +67,7 @@ WAYS = [
 def asked(rows):
     """What is read of texts, each with the units of the numbers that are asked for."""
     named = [(text, [{"label": unit, "unit": unit} for unit in units]) for text, units in rows]
-    read = "((rows) => rows.map(([text, asks]) => workshop.practice.readAsked(text, asks)))"
+    read = "((rows) => rows.map(([text, asks]) => courseware.practice.readAsked(text, asks)))"
     return engine.call(read, named)
 
 
@@ -109,7 +109,7 @@ def test_three_decimals_are_enough_and_one_of_an_angle_in_degrees():
 
 # Declarations
 
-KNOWN = r"known are %, m, cm, .*write one of these, or add yours .*workshop/units\.py"
+KNOWN = r"known are %, m, cm, .*write one of these, or add yours .*courseware/units\.py"
 a, b = symbols("a b")
 DECLARED = {  # who declares a unit, and how the message calls it
     "a quantity": (lambda unit: quantity("v", unit, 0, 1, "speed"), "the symbol v"),
@@ -221,7 +221,7 @@ def test_signs_that_few_keyboards_have_are_named_in_two_ways():
 
 
 def test_python_and_the_script_print_a_unit_alike():
-    text = (files("workshop.script") / "text.js").read_text(encoding="utf-8")
+    text = (files("courseware.script") / "text.js").read_text(encoding="utf-8")
     code = f"const JOINED = {json.dumps(runtime.JOINED)};\n{text}"
     told = f"return {json.dumps(list(UNITS))}.map((unit) => withUnit('5', unit));"
     assert engine.run(f"(() => {{ {code}\n{told} }})()") == [with_unit("5", u) for u in UNITS]

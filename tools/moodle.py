@@ -19,7 +19,7 @@ from html import unescape
 from pathlib import Path
 
 import book  # noqa: F401  (opens the course)
-from workshop.practice import dealing, judging, moodle, teacher
+from courseware.practice import dealing, judging, moodle, teacher
 
 PORT = 5432  # the name of a socket in a folder of its own: nothing listens on the network
 CONFIG = """<?php

@@ -6,8 +6,8 @@ python tools/readme_pictures.py       into .github, after a change of the figure
 from pathlib import Path
 
 import book  # noqa: F401 - opens the course
-from workshop.figures.figure import find
-from workshop.site.stills import dark_colours
+from courseware.figures.figure import find
+from courseware.site.stills import dark_colours
 
 FIGURE = "summary"
 WIDTH = 736  # pixels, as wide as a page shows it

@@ -16,7 +16,7 @@ SHEET, SCRIPT = "all.css", "all.js"
 # what the theme's templates ask for, besides what Sphinx lists
 FIRST_SHEETS = ("_static/basic.css", "_static/styles/pydata-sphinx-theme.css")
 LAST_SCRIPTS = ("_static/scripts/bootstrap.js", "_static/scripts/pydata-sphinx-theme.js")
-OF_A_PAGE = ("_static/pages/", "_static/workshop/")
+OF_A_PAGE = ("_static/pages/", "_static/courseware/")
 PRIORITY = attrgetter("priority")  # the order in which Sphinx lists them, later than this
 GROUPS = ("media", "supports", "layer", "container")
 
@@ -55,7 +55,12 @@ def write_used(app, error):
     found, pages = Classes(), folder.rglob("*.html")
     for page in (page for page in pages if not page.is_relative_to(folder / "lite")):
         found.feed(page.read_text("utf-8"))
-    own = (SCRIPT, "workshop/*.js", "workshop.css", "site.css")  # scripts put some names together
+    own = (
+        SCRIPT,
+        "courseware/*.js",
+        "courseware.css",
+        "site.css",
+    )  # scripts put some names together
     for file in (file for name in own for file in folder.glob(f"_static/{name}")):
         found.names.update(re.findall(r"[\w-]+", file.read_text("utf-8")))
     css = used_rules(joined(folder, app.builder.sheets), found.names)

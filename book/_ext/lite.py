@@ -6,7 +6,7 @@ Pyodide is given, so that `import robokin` just works, and nothing is asked of a
 
 A notebook's name there ends with a few letters of its digest: so a new release is seen, and a copy
 that a student has changed stays beside it. Three things name one version of Pyodide, and a test
-compares them: `course_python` (`workshop/site/__init__.py`), `book/_vendor/pyodide` and
+compares them: `course_python` (`courseware/site/__init__.py`), `book/_vendor/pyodide` and
 `jupyterlite-pyodide-kernel`.
 """
 
@@ -24,9 +24,9 @@ import nbformat
 from docutils import nodes
 from sphinx.util import logging
 
-from workshop.course import course
-from workshop.site.files import wheel_name
-from workshop.site.run import FOLDER, own_python
+from courseware.course import course
+from courseware.site.files import wheel_name
+from courseware.site.run import FOLDER, own_python
 
 logger = logging.getLogger(__name__)
 
@@ -43,8 +43,8 @@ WIDGETS = {
 }
 COURSE = {  # our packages, by what is imported; the first alone needs little
     "robokin": ("numpy",),
-    "workshop": ("anywidget", "ipywidgets", "mpmath", "numpy", "pyyaml", "sympy"),
-    "book": ("matplotlib", "robokin", "robokin-workshop"),
+    "courseware": ("anywidget", "ipywidgets", "mpmath", "numpy", "pyyaml", "sympy"),
+    "book": ("matplotlib", "robokin", "robokin-courseware"),
 }
 
 

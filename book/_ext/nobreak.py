@@ -4,7 +4,7 @@ import re
 
 from docutils import nodes
 
-from workshop.unbroken import unbroken
+from courseware.unbroken import unbroken
 
 ENDS_IN_NUMBER = re.compile(r"\d\W*$")
 AS_TYPED = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.raw)

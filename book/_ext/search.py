@@ -16,7 +16,7 @@ from docutils import nodes
 from myst_nb.sphinx_ import SelectMimeType
 from sphinx import addnodes
 
-from workshop.equations.text import GREEK
+from courseware.equations.text import GREEK
 
 NAMES = {"sin", "cos", "tan", "cot", "arctan", "det"}
 UNREAD = ["checks"]  # formulas of the chapters once more

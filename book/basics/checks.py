@@ -4,8 +4,8 @@ import numpy as np
 
 from book.basics import formulas
 from book.basics.formulas import p_x, p_y, theta
+from courseware.equations import Array, Check
 from robokin import motion
-from workshop.equations import Array, Check
 
 
 def turned_point(theta: Array, p: Array) -> Array:

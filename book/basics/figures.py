@@ -4,7 +4,7 @@ from sympy import Ne, Piecewise, atan, nan
 
 from book.basics import formulas as basics
 from book.basics.formulas import p_x, p_y
-from workshop.figures import AngleArc, Arrow, Figure, Handle, Line, Point, Readout, Slider
+from courseware.figures import AngleArc, Arrow, Figure, Handle, Line, Point, Readout, Slider
 
 ORIGIN = (0, 0)
 

@@ -2,7 +2,7 @@
 
 from sympy import MatMul, Matrix, atan2, cos, sin
 
-from workshop.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.core import Equation, as_written, quantity, sign
 
 p_x = quantity("p_x", "m", -2, 2, "a point, along x")
 p_y = quantity("p_y", "m", -2, 2, "a point, along y")

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workshop.predictions import Buttons, Prediction
+from courseware.predictions import Buttons, Prediction
 
 
 def arctangent() -> str:

@@ -18,8 +18,8 @@ from book.bicycle.formulas import (
 from book.differential_drive.formulas import R, r
 from book.motion.checks import QUARTERS
 from book.motion.formulas import dt, theta, v, x, y
+from courseware.equations import Array, Check
 from robokin import bicycle, differential_drive, frames, motion
-from workshop.equations import Array, Check
 
 AHEAD, SLIGHT = {steering: 0.0}, ({steering: 1e-8}, {steering: -1e-8})
 STEERED = {steering: (0.1, 1.2)}

@@ -9,9 +9,8 @@ from sympy import Add, atan, cos, cot, sin, tan
 from book.bicycle import formulas
 from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
-from robokin import bicycle, motion
-from workshop.equations import as_written
-from workshop.practice import (
+from courseware.equations import as_written
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -24,6 +23,7 @@ from workshop.practice import (
     one_of,
     steps,
 )
+from robokin import bicycle, motion
 
 PHI, L, V_F, PSI = formulas.steering, formulas.wheelbase, formulas.v_F, formulas.y_heading
 DIAMETER, TANGENT, COTANGENT = sp.symbols("d tangent cotangent")

@@ -37,8 +37,8 @@ from book.differential_drive.formulas import R, r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, y
-from workshop.equations.core import as_written, put_in
-from workshop.figures import (
+from courseware.equations.core import as_written, put_in
+from courseware.figures import (
     POINTER,
     AngleArc,
     Area,

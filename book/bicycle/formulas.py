@@ -34,7 +34,7 @@ from book.motion.formulas import (
     y_icr,
     y_next,
 )
-from workshop.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.core import Equation, as_written, quantity, sign
 
 steering = quantity(
     "steering", "rad", -1.2, 1.2, "steering angle of the bicycle, to the left", r"\varphi", "phi"

@@ -7,8 +7,8 @@ from book.bicycle import formulas
 from book.bicycle.figures import DURATION, LENGTH, RADIUS, TRACK
 from book.bicycle.formulas import track, wheelbase
 from book.differential_drive.formulas import R
+from courseware.predictions import Buttons, Number, Prediction
 from robokin import bicycle
-from workshop.predictions import Buttons, Number, Prediction
 
 WHEELS = np.radians([37.57, 27.76])  # the exercise's front wheels, left and right
 CAR = {wheelbase: 2.5, track: TRACK}  # m

@@ -5,8 +5,8 @@ from numpy.typing import ArrayLike
 from book.differential_drive import formulas
 from book.differential_drive.formulas import b, r, rate_L, rate_R, v_L, v_R
 from book.motion.formulas import omega, v
+from courseware.equations import Array, Check
 from robokin import differential_drive
-from workshop.equations import Array, Check
 
 STRAIGHT = {v_L: 0.25, v_R: 0.25, r: 0.03, b: 0.1}
 ON_THE_SPOT = {v_L: -0.25, v_R: 0.25}

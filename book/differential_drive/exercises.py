@@ -8,8 +8,7 @@ from sympy import pi, symbols
 from book.differential_drive import formulas
 from book.differential_drive.formulas import b
 from book.motion import formulas as planar
-from robokin import differential_drive, motion
-from workshop.practice import (
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -21,6 +20,7 @@ from workshop.practice import (
     angle,
     steps,
 )
+from robokin import differential_drive, motion
 
 RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
 FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}

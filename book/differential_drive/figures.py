@@ -49,8 +49,8 @@ from book.motion.formulas import (
     y_dot,
     y_next,
 )
-from workshop.equations.core import put_in, quantity
-from workshop.figures import (
+from courseware.equations.core import put_in, quantity
+from courseware.figures import (
     POINTER,
     AngleArc,
     Area,

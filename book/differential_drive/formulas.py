@@ -3,7 +3,7 @@
 from sympy import Matrix, Ne, Piecewise, nan, oo
 
 from book.motion.formulas import omega, theta, theta_m, v, v_y, x_dot, y_dot
-from workshop.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.core import Equation, as_written, quantity, sign
 
 rate_L = quantity(
     "rate_L", "rad/s", -20, 20, "left rate: how fast the left wheel turns", latex=r"\dot\varphi_L"

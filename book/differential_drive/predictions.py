@@ -16,8 +16,8 @@ from book.differential_drive.figures import (
 )
 from book.differential_drive.formulas import b, r, v_L, v_R
 from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
+from courseware.predictions import Buttons, Ghost, Number, Prediction
 from robokin import motion
-from workshop.predictions import Buttons, Ghost, Number, Prediction
 
 EXERCISE = {**SPEEDS, b: DISTANCE}
 AHEAD = {x: 0, y: 0, theta: pi / 2}

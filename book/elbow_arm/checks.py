@@ -21,8 +21,8 @@ from book.elbow_arm.formulas import (
     theta2,
     theta3,
 )
+from courseware.equations import Array, Check
 from robokin import elbow_arm, euler, frames
-from workshop.equations import Array, Check
 
 THETA = (theta1, theta2, theta3)
 LONG = 3.0  # m, links of an arm that reaches any point that is drawn

@@ -9,9 +9,8 @@ from sympy import Matrix, Symbol, atan, atan2, pi, sqrt
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
-from robokin import elbow_arm
-from workshop.equations import as_written
-from workshop.practice import (
+from courseware.equations import as_written
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -24,6 +23,7 @@ from workshop.practice import (
     one_of,
     steps,
 )
+from robokin import elbow_arm
 
 with as_written():
     BASE_ANGLE = Line(theta1, atan2(p_y, p_x))

@@ -18,9 +18,8 @@ from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import M1, M2, M3, M4, M5
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
-from robokin._triangle import TOLERANCE
-from workshop.equations.core import Where, put_in
-from workshop.figures import (
+from courseware.equations.core import Where, put_in
+from courseware.figures import (
     POINTER,
     VIEW,
     AngleArc,
@@ -36,6 +35,7 @@ from workshop.figures import (
     nearer,
     solids,
 )
+from robokin._triangle import TOLERANCE
 
 UPPER, SHOULDER = 0.4, 0.1  # m: a2 and d1 of the exercise
 SIDE = 1.3  # m, how far to the right of the view from above the view from the side stands

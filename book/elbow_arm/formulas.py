@@ -3,7 +3,7 @@
 from sympy import Abs, Matrix, Max, Min, acos, atan2, cos, pi, sin, sqrt
 
 from book.basics.formulas import p_x, p_y
-from workshop.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.core import Equation, as_written, quantity, sign
 
 theta1 = quantity("theta1", "rad", -3.14, 3.14, "angle of joint 1", latex=r"\theta_1")
 theta2 = quantity("theta2", "rad", -3.14, 3.14, "angle of joint 2", latex=r"\theta_2")

@@ -5,8 +5,8 @@ from mpmath import acos, mpf, workdps
 from sympy import pi
 
 from book.elbow_arm.figures import SHOULDER, UPPER
+from courseware.predictions import Buttons, Number, Prediction
 from robokin import elbow_arm
-from workshop.predictions import Buttons, Number, Prediction
 
 FOREARM = 0.3  # m
 TARGET = (-0.18, 0.24, 0.50)  # m, of the exercise

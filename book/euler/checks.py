@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 
 from book.euler import formulas
 from book.euler.formulas import RATES, TURNS, first, middle, third, turn
+from courseware.equations import Array, Check
 from robokin import euler
-from workshop.equations import Array, Check
 
 OPEN = {middle: (-1.4, 1.4)}  # rad: not near gimbal lock
 QUARTERS = tuple({turn: quarter * pi / 2} for quarter in (-2, -1, 0, 1, 2))

@@ -19,9 +19,8 @@ from sympy import (
 
 from book.euler import formulas
 from book.euler.formulas import r
-from robokin import euler
-from workshop.equations import as_written
-from workshop.practice import (
+from courseware.equations import as_written
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -35,6 +34,7 @@ from workshop.practice import (
     number_text,
     one_of,
 )
+from robokin import euler
 
 A, B, C = symbols("a b c")
 YAW, PITCH, ROLL = symbols("yaw pitch roll")

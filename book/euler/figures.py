@@ -12,8 +12,8 @@ from book.euler import formulas as euler
 from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
-from workshop.equations.core import Where, put_in, quantity
-from workshop.figures import (
+from courseware.equations.core import Where, put_in, quantity
+from courseware.figures import (
     VIEW,
     Bracket,
     Choice,
@@ -31,7 +31,7 @@ from workshop.figures import (
     solids,
     solved,
 )
-from workshop.figures.space import AXES, ORIGIN
+from courseware.figures.space import AXES, ORIGIN
 
 R_AB = Matrix([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # the exercise
 GHOST = Matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]])  # of the opening: three quarter turns away

@@ -9,7 +9,7 @@ from typing import Any
 from sympy import Add, MatMul, Matrix, Symbol, atan2, cos, sin, sqrt
 from sympy import pi as half_turn
 
-from workshop.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.core import Equation, as_written, quantity, sign
 
 first = quantity("first", "rad", -3.14, 3.14, "first turn of a sequence", r"\alpha", "alpha")
 middle = quantity("middle", "rad", -3.14, 3.14, "middle turn of a sequence", r"\beta", "beta")

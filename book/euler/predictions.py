@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from itertools import product
 
-from workshop.predictions import Buttons, Number, Prediction
+from courseware.predictions import Buttons, Number, Prediction
 
 
 def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:

@@ -28,8 +28,8 @@ from book.frames.formulas import (
     yaw,
 )
 from book.motion.formulas import theta
+from courseware.equations import Array, Check
 from robokin import euler, frames, planar_arm
-from workshop.equations import Array, Check
 
 QUARTERS = tuple(np.pi / 2 * np.arange(-2, 3))
 

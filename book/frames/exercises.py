@@ -6,9 +6,8 @@ from sympy import Matrix, MatrixSymbol, atan2, symbols
 from book.frames import formulas
 from book.frames.formulas import sought
 from book.motion.formulas import theta
-from robokin import frames
-from workshop.equations import as_written
-from workshop.practice import (
+from courseware.equations import as_written
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -21,6 +20,7 @@ from workshop.practice import (
     one_of,
     steps,
 )
+from robokin import frames
 
 T_db, T_de, T_bc, T_cb, T_bd, T_cd, T_ce = (
     MatrixSymbol(f"T_{way}", 3, 3) for way in ("db", "de", "bc", "cb", "bd", "cd", "ce")

@@ -28,8 +28,8 @@ from book.frames.formulas import (
     l_2,
 )
 from book.motion import formulas as motion
-from workshop.equations.core import as_written, put_in, quantity
-from workshop.figures import (
+from courseware.equations.core import as_written, put_in, quantity
+from courseware.figures import (
     POINTER,
     VIEW,
     Area,

@@ -3,7 +3,7 @@
 from sympy import Abs, MatMul, Matrix, cos, sin
 
 from book.motion.formulas import theta
-from workshop.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.core import Equation, as_written, quantity, sign
 
 TURN = (-3.14, 3.14)
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from courseware.predictions import Buttons, Prediction
 from robokin import euler, frames
 from robokin.errors import RobokinError
-from workshop.predictions import Buttons, Prediction
 
 T_DB = frames.se2(1.0, 0.5, np.pi / 2)  # of the exercise
 T_DE = frames.se2(1.5, 1.1, 3 * np.pi / 4)

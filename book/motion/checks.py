@@ -5,8 +5,8 @@ from numpy.typing import ArrayLike
 
 from book.motion import formulas
 from book.motion.formulas import angle, dt, omega, theta, theta_dot, v, v_y, x, x_dot, y, y_dot
+from courseware.equations import Array, Check
 from robokin import motion
-from workshop.equations import Array, Check
 
 STILL = {v: 0.0, v_y: 0.0, omega: 0.0}
 STRAIGHT = ({omega: 0.0}, {omega: 1e-16}, {omega: -1e-16}, {omega: 1e-8})

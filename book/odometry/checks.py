@@ -30,8 +30,8 @@ from book.odometry.formulas import (
     y_ccw,
     y_cw,
 )
+from courseware.equations import Array, Check
 from robokin import odometry
-from workshop.equations import Array, Check
 
 EXAMPLE = {N_L: 384.0, N_R: 640.0, C: 512.0, r: 0.05}
 SAME, OPPOSITE = {D_L: 0.25, D_R: 0.25}, {D_L: -0.25, D_R: 0.25}

@@ -9,9 +9,8 @@ from book.differential_drive import formulas as drive
 from book.differential_drive.exercises import M12, M13
 from book.motion import formulas as planar
 from book.odometry import formulas
-from robokin import motion, odometry
-from workshop.equations import as_written
-from workshop.practice import (
+from courseware.equations import as_written
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -25,6 +24,7 @@ from workshop.practice import (
     steps,
     whole,
 )
+from robokin import motion, odometry
 
 N, TURNS, AROUND, JUMP, LEAST, LIMIT, ERROR = symbols("N n U Δc C_min Δω error")
 X_OLD, Y_OLD, X_MID, Y_MID = symbols("x_old y_old x_mid y_mid")

@@ -25,8 +25,8 @@ from book.odometry.formulas import (
     noise,
     ratio,
 )
-from workshop.equations.core import Equation, as_written, put_in, quantity
-from workshop.figures import (
+from courseware.equations.core import Equation, as_written, put_in, quantity
+from courseware.figures import (
     POINTER,
     Body,
     Choice,

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from courseware.predictions import Buttons, Prediction
 from robokin import odometry
-from workshop.predictions import Buttons, Prediction
 
 ROBOT = (512, 0.05, 0.20)  # ticks in a turn, radius and distance of the wheels, m: the exercise's
 TICKS = (384, 640)  # of its sample, left and right

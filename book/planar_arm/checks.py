@@ -22,8 +22,8 @@ from book.planar_arm.formulas import (
     x,
     y,
 )
+from courseware.equations import Array, Check
 from robokin import planar_arm
-from workshop.equations import Array, Check
 
 STRETCHED, FOLDED = {theta2: 0.0}, {theta2: np.pi}
 ON_A_LINE = {theta2: 0.0, theta3: 0.0}

@@ -19,10 +19,9 @@ from sympy import (
 
 from book.planar_arm import formulas
 from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2, x, x_dot, y, y_dot
-from robokin import motion, planar_arm
-from workshop.equations import as_written
-from workshop.equations.core import put_in
-from workshop.practice import (
+from courseware.equations import as_written
+from courseware.equations.core import put_in
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -35,6 +34,7 @@ from workshop.practice import (
     one_of,
     steps,
 )
+from robokin import motion, planar_arm
 
 TWIST = (Ask("ẋ", "m/s"), Ask("ẏ", "m/s"), Ask("φ̇", "rad/s"))
 RATES = tuple(Ask(f"θ̇_{i}", "rad/s") for i in (1, 2, 3))

@@ -53,10 +53,9 @@ from book.planar_arm.formulas import (
     x,
     y,
 )
-from robokin._triangle import TOLERANCE
-from workshop.equations.core import Where, as_written, put_in, quantity
-from workshop.equations.functions import solve
-from workshop.figures import (
+from courseware.equations.core import Where, as_written, put_in, quantity
+from courseware.equations.functions import solve
+from courseware.figures import (
     POINTER,
     AngleArc,
     Arrow,
@@ -73,6 +72,7 @@ from workshop.figures import (
     Trail,
     apart,
 )
+from robokin._triangle import TOLERANCE
 
 LINKS = (0.4, 0.3, 0.2)  # m, as in the exercise
 START = (pi / 6, pi / 3, -pi / 2)  # rad, as in the exercise

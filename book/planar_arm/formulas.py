@@ -2,8 +2,8 @@
 
 from sympy import Abs, Add, Matrix, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt
 
-from workshop.equations.core import Equation, as_written, quantity, sign
-from workshop.equations.functions import solve
+from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.functions import solve
 
 l1 = quantity("l1", "m", 0.1, 1, "length of the first link", latex="l_1")
 l2 = quantity("l2", "m", 0.1, 1, "length of the second link", latex="l_2")

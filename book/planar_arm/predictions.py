@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from courseware.predictions import Buttons, Prediction
 from robokin import planar_arm
-from workshop.predictions import Buttons, Prediction
 
 LENGTHS = (0.4, 0.3, 0.2)  # m, of the exercise
 THETA = np.radians([30, 60, -90])

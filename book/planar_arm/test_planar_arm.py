@@ -8,6 +8,7 @@ import sympy
 from hypothesis import assume, given
 from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, reals, twists, vectors
 
+from courseware.equations import find
 from robokin.errors import RobokinError, SingularError, UnreachableError
 from robokin.planar_arm import (
     ellipse,
@@ -19,7 +20,6 @@ from robokin.planar_arm import (
     manipulability,
     velocity,
 )
-from workshop.equations import find
 
 LENGTHS = [0.4, 0.3, 0.1]
 

@@ -23,8 +23,8 @@ from book.wheels.formulas import (
     rate2,
     rate3,
 )
+from courseware.equations import Array, Check
 from robokin import wheels
-from workshop.equations import Array, Check
 
 AT_CENTRE, ON_SPOKE = {l: 0.0}, {beta: 0.0}
 LEFT_WHEEL, RIGHT_WHEEL = {alpha: np.pi / 2, beta: 0.0}, {alpha: -np.pi / 2, beta: np.pi}

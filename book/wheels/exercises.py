@@ -9,9 +9,8 @@ from sympy import Add, Integer, Matrix, Symbol, atan2, cos, pi, sin, symbols
 from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
 from book.wheels import formulas
-from robokin import motion, wheels
-from workshop.equations import as_written
-from workshop.practice import (
+from courseware.equations import as_written
+from courseware.practice import (
     Ask,
     Exercise,
     Line,
@@ -25,6 +24,7 @@ from workshop.practice import (
     steps,
     whole,
 )
+from robokin import motion, wheels
 
 BY_PLACE = {formulas.l: "l", formulas.alpha: "alpha", formulas.beta: "beta"}
 BY_ALPHA = {formulas.l: "l", formulas.alpha: "alpha"}

@@ -16,7 +16,7 @@ from book.motion.formulas import (
     x_dot,
     y_dot,
 )
-from workshop.equations.core import Equation, as_written, quantity, sign
+from courseware.equations.core import Equation, as_written, quantity, sign
 
 l = quantity("wheel_l", "m", 0, 1, "distance of a wheel from the robot's centre", latex="l")
 alpha = quantity(

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from courseware.predictions import Buttons, Prediction
 from robokin import wheels
-from workshop.predictions import Buttons, Prediction
 
 SPOKE, RADIUS = 0.20, 0.05  # m, of the exercise's robot
 LENGTH, HALF = 0.5, 0.2  # m, of the car of the table: from axle to axle, and half between wheels

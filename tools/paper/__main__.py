@@ -11,10 +11,10 @@ import chromium
 import yaml
 
 import book
+from courseware.practice import page
+from courseware.practice.bank import default_salt, exercises
 from paper import epub, pdf
 from paper.pages import BUILD, ROOT
-from workshop.practice import page
-from workshop.practice.bank import default_salt, exercises
 
 
 @dataclass(frozen=True)

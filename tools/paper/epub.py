@@ -9,8 +9,8 @@ from datetime import UTC, datetime
 from html import escape, unescape
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile
 
+from courseware.figures.figure import plain
 from paper.pages import HERE, SITE, pages
-from workshop.figures.figure import plain
 
 KINDS = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg"}
 IMAGE = re.compile(r'<img [^>]*?src="([^"]+)"')

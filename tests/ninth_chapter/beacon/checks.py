@@ -5,7 +5,7 @@ from book.beacon.formulas import b_x, b_y
 from book.beacon.functions import range_and_bearing
 
 from book.motion.formulas import theta, x, y
-from workshop.equations import Check
+from courseware.equations import Check
 
 ARGUMENTS = ((x, y, theta), (b_x, b_y))
 

@@ -5,7 +5,7 @@ from book.beacon import formulas
 from book.beacon.functions import range_and_bearing
 
 from book.motion.formulas import theta
-from workshop.practice import Exercise, Mistake, Picture, Solution, Step, Wrong, angle, steps
+from courseware.practice import Exercise, Mistake, Picture, Solution, Step, Wrong, angle, steps
 
 M99 = Mistake(
     "M99",

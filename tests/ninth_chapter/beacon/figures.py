@@ -6,8 +6,8 @@ from book.beacon.formulas import b_x, b_y
 from sympy import cos, sin
 
 from book.motion.formulas import theta, x, y
-from workshop.equations import quantity
-from workshop.figures import Arrow, Body, Choice, Figure, Handle, Line, Point, Readout, Slider
+from courseware.equations import quantity
+from courseware.figures import Arrow, Body, Choice, Figure, Handle, Line, Point, Readout, Slider
 
 guess_x = quantity("guess_x", "m", -1, 1, "where the reader puts the beacon, along x")
 believed = quantity("believed", "rad", -3.14, 3.14, "the bearing that a program computes")

@@ -3,7 +3,7 @@
 from sympy import atan2, sqrt
 
 from book.motion.formulas import theta, x, y
-from workshop.equations import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, sign
 
 b_x = quantity("b_x", "m", -2, 2, "a beacon, along x")
 b_y = quantity("b_y", "m", -2, 2, "a beacon, along y")

@@ -7,7 +7,7 @@ from book.beacon.figures import guess_x, guess_y
 from book.beacon.formulas import b_x, b_y
 
 from book.motion.formulas import omega, theta, to_world, v, v_y, x, y
-from workshop.predictions import Buttons, Ghost, Number, Prediction
+from courseware.predictions import Buttons, Ghost, Number, Prediction
 
 HERE = {x: 0, y: 0, theta: 0}
 

@@ -1,0 +1,29 @@
+"""Every formula of a course, once: printed in the chapters, checked here, drawn from."""
+
+from courseware.equations.checking import Array, Result, check
+from courseware.equations.checks import Check
+from courseware.equations.core import (
+    Equation,
+    again,
+    as_written,
+    find,
+    look,
+    quantity,
+    show,
+    sign,
+)
+
+__all__ = [
+    "Array",
+    "Check",
+    "Equation",
+    "Result",
+    "again",
+    "as_written",
+    "check",
+    "find",
+    "look",
+    "quantity",
+    "show",
+    "sign",
+]

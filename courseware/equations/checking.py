@@ -1,0 +1,180 @@
+"""Every formula against its function: generated points and special points, in 50 digits."""
+
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import inf, isfinite
+from types import FrameType
+from typing import Any
+from zlib import crc32
+
+import mpmath
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from courseware.course import course
+from courseware.equations.checks import Check, declared_checks
+from courseware.equations.core import Where
+from courseware.equations.functions import MPMATH
+from courseware.errors import CourseError
+
+Array = NDArray[np.float64]
+SAMPLES = 1000
+DIGITS = 50
+
+
+@dataclass(frozen=True)
+class Result:
+    """How far a formula and its function are apart, over how many points, and where most."""
+
+    check: Check
+    samples: int
+    difference: float
+    worst: dict[str, float]
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the largest difference is within the check's tolerance."""
+        return self.difference <= self.check.tolerance
+
+
+def check(checks: Iterable[Check] | None = None, samples: int = SAMPLES) -> list[Result]:
+    """Carry out every declared check (or those given) that names a function."""
+    chosen = declared_checks().values() if checks is None else checks
+    return [check_one(c, samples) for c in chosen if c.function is not None]
+
+
+def check_one(check: Check, samples: int = SAMPLES) -> Result:
+    """The largest difference between a formula's right side and its function."""
+    equation, points = check.equation, sample(check, samples)
+    exact = evaluate(equation.right, check.symbols, points, equation.where)
+    computed = answer(check, points)
+    if computed.shape != exact.shape:
+        raise CourseError(
+            f"{check.name} has {exact.shape[1]} components, its function {computed.shape[1]}"
+        )
+    apart = differences(computed, exact, equation.is_angle).max(axis=1, initial=0.0)
+    worst = int(apart.argmax())
+    where = {str(s): float(v) for s, v in zip(check.symbols, points[worst], strict=True)}
+    return Result(check, len(points), float(apart[worst]), where)
+
+
+def sample(check: Check, samples: int = SAMPLES) -> Array:
+    """Points (n, symbols): the special ones first, then generated ones, the same every time."""
+    symbols = check.symbols
+    ranges = [check.ranges.get(s, (s.low, s.high)) for s in symbols]
+    low, high = np.array(ranges).T
+    random = np.random.default_rng(crc32(check.name.encode()))
+    points = random.uniform(low, high, (len(check.specials) + samples, len(symbols)))
+    whole = [symbols.index(symbol) for symbol in check.whole]
+    points[:, whole] = np.rint(points[:, whole])
+    for row, special in zip(points, check.specials, strict=False):
+        for symbol, value in special.items():
+            row[symbols.index(symbol)] = value
+    return points
+
+
+def evaluate(
+    expression: Any, symbols: Sequence[sp.Symbol], points: Array, where: Where = ()
+) -> NDArray[np.object_]:
+    """An expression or matrix at every point in 50-digit arithmetic: (n, components)."""
+    flat = tuple(expression) if isinstance(expression, sp.MatrixBase) else (expression,)
+    known = tuple(symbols)
+    steps = []
+    for symbol, step in where:
+        steps.append(_in_mpmath(known, step))
+        known = (*known, symbol)
+    function = _in_mpmath(known, flat)
+    rows = []
+    with mpmath.workdps(DIGITS):
+        for point in points.tolist():
+            values = [mpmath.mpf(x) for x in point]
+            for step in steps:
+                values.append(step(*values))
+            try:
+                rows.append([_real(x) for x in function(*values)])
+            except ZeroDivisionError as error:
+                place = ", ".join(f"{s} = {x:.6g}" for s, x in zip(symbols, point, strict=True))
+                raise CourseError(
+                    f"{expression} divides by zero at {place}: "
+                    "give that case a branch (Piecewise), or narrow the ranges"
+                ) from error
+    return np.array(rows, dtype=object).reshape(len(points), len(flat))
+
+
+@lru_cache(maxsize=1024)  # a loop asks for its step many times
+def _in_mpmath(symbols: tuple[sp.Symbol, ...], expression: Any) -> Callable[..., Any]:
+    function: Callable[..., Any] = sp.lambdify(symbols, expression, modules=[MPMATH, "mpmath"])
+    return function
+
+
+def _real(value: Any) -> Any:
+    if isinstance(value, mpmath.mpc):
+        raise CourseError(f"an equation is not real in its range: {value}")
+    return value if isinstance(value, mpmath.mpf) else mpmath.mpf(value)
+
+
+def answer(check: Check, points: Array) -> Array:
+    """The function's own answer at the points, (n, components)."""
+    assert check.function is not None
+    found = np.asarray(check.function(*_arguments(check, points)), dtype=float)
+    if check.component is not None:
+        found = found[..., check.component]
+    return found.reshape(len(points), -1)
+
+
+def library_functions(check: Check) -> list[str]:
+    """The public functions of the library that a check really calls, as `robokin.motion.icr`."""
+    arguments = _arguments(check, sample(check, 1))
+    public = course().library_modules
+    found: dict[str, None] = {}
+    depth = 0
+
+    def note(frame: FrameType, event: str, _: Any) -> None:
+        nonlocal depth
+        module, name = frame.f_globals.get("__name__", ""), frame.f_code.co_name
+        if module in public and name[0] not in "_<":
+            if event == "call" and depth == 0:  # what it calls in its turn does not count
+                found[f"{module}.{name}"] = None
+            depth += {"call": 1, "return": -1}.get(event, 0)
+
+    before = sys.getprofile()
+    sys.setprofile(note)
+    try:
+        if check.function is not None:
+            check.function(*arguments)
+    finally:
+        sys.setprofile(before)
+    return list(found)
+
+
+def _arguments(check: Check, points: Array) -> list[Array]:
+    columns = dict(zip(check.symbols, points.T, strict=True))
+    return [_argument(a, columns, len(points)) for a in check.arguments]
+
+
+def _argument(argument: Any, columns: dict[sp.Symbol, Array], n: int) -> Array:
+    if isinstance(argument, tuple):
+        return np.stack([_argument(a, columns, n) for a in argument], axis=-1)
+    function = sp.lambdify(list(columns), argument, modules="numpy")
+    return np.broadcast_to(np.asarray(function(*columns.values()), dtype=float), (n,))
+
+
+def differences(computed: Array, exact: NDArray[np.object_], is_angle: bool = False) -> Array:
+    """How far apart, element by element; infinite where infinities or NaN do not match."""
+    pairs = zip(computed.ravel().tolist(), exact.flat, strict=True)
+    with mpmath.workdps(DIGITS):
+        return np.array([_apart(c, e, is_angle) for c, e in pairs]).reshape(computed.shape)
+
+
+def _apart(computed: float, exact: Any, is_angle: bool) -> float:
+    if not (isfinite(computed) and mpmath.isfinite(exact)):
+        same = str(computed) == str(float(exact))
+        return 0.0 if same else inf
+    difference = abs(computed - exact)
+    if is_angle:
+        turns = mpmath.nint(difference / (2 * mpmath.pi))
+        difference = abs(difference - 2 * mpmath.pi * turns)
+    return float(difference)

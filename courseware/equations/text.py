@@ -1,0 +1,249 @@
+"""A formula in one line of text: as it stands, and with numbers put in for its symbols.
+
+Letters with an index stay as "v_L"; whoever shows the text sets the index (`symbols` of the
+practice). The order is the declared one.
+"""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, ClassVar
+
+import sympy as sp
+from sympy.printing.pretty.pretty_symbology import greek_unicode
+
+from courseware.equations.printing import AsWritten
+from courseware.errors import CourseError
+
+SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text holds together
+Bound = tuple[str, int]
+
+GREEK = {**greek_unicode, "varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ"}
+WORDS = GREEK | {"det": "det", "top": "ᵀ"}
+ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304"}
+NAMES = {
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "Max": "max",
+    "Min": "min",
+    "Mod": "mod",
+}
+TURNS = ("sin", "cos", "tan", "cot")  # what takes an angle
+RAISED = {2: "²", 3: "³"}
+
+
+def symbol_text(symbol: sp.Symbol) -> str:
+    """A symbol's letter: "θ̇_1" for `\\dot\\theta_1`."""
+    latex: str = sp.latex(symbol)
+    text = re.sub(r"\\operatorname\s*\{(\w+)\}(?=[\w\\])", r"\1 ", latex)
+    text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{((?:\\?\w)+)\}", r"\1", text)
+    text = re.sub(r"\\([A-Za-z]+)", lambda m: WORDS.get(m[1], m[0]), text)
+    text = re.sub(
+        r"\\(dot|ddot|hat|bar)\s*(?:\{\s*(\w)\s*\}|(\w))",
+        lambda m: (m[2] or m[3]) + ACCENTS[m[1]],
+        text,
+    )
+    text = re.sub(r"_\{([^{}]*)\}", lambda m: "_" + re.sub("[ ,]", "", m[1]), text)
+    text = text.replace("{", "").replace("}", "").replace("Δ ", "Δ").replace("'", "′")
+    if "\\" in text:
+        raise CourseError(f"the symbol {symbol} prints as {latex}, which has no plain letter")
+    return text
+
+
+def bracketed(bound: Bound, least: int) -> str:
+    """A text, in parentheses where it holds together less than `least`."""
+    text, binding = bound
+    return text if binding >= least else f"({text})"
+
+
+class Text(AsWritten):
+    """Writes expressions in one line. letters: what stands for a symbol; in_degrees: the same
+    inside a function of an angle, where it knows all symbols.
+
+    What is printed of a part is its text and how tightly it holds together.
+    """
+
+    _default_settings: ClassVar = {"order": None}
+
+    def __init__(
+        self, letters: Callable[[sp.Symbol], str], in_degrees: Mapping[sp.Symbol, str] | None = None
+    ) -> None:
+        super().__init__()
+        self.letters, self.in_degrees = letters, in_degrees or {}
+
+    def text(self, expression: Any) -> str:
+        """The expression in one line."""
+        return self.bound(expression)[0]
+
+    def bound(self, e: Any) -> Bound:
+        """The text and how tightly it holds together."""
+        found: Bound = self._print(sp.sympify(e))
+        return found
+
+    def _print_Symbol(self, e: Any) -> Bound:
+        text = self.letters(e)
+        return text, SIGNED if text.startswith("−") else ATOM
+
+    _print_MatrixSymbol = _print_Symbol
+
+    def _print_NumberSymbol(self, e: Any) -> Bound:
+        return "π" if e == sp.pi else str(e), ATOM
+
+    def _print_Number(self, e: Any) -> Bound:
+        text = f"{float(e):.6g}" if isinstance(e, sp.Float) else str(e)
+        return text.replace("-", "−"), SIGNED if text.startswith("-") else ATOM
+
+    def _print_Rational(self, e: Any) -> Bound:
+        if e.is_Integer:
+            return self._print_Number(e)
+        return f"{'−' if e < 0 else ''}{abs(e.p)}/{e.q}", PRODUCT if e > 0 else SIGNED
+
+    def _print_MatrixBase(self, e: Any) -> Bound:
+        if e.cols == 1:
+            return "[" + ", ".join(map(self.text, e)) + "]", ATOM
+        rows = (", ".join(map(self.text, e.row(i))) for i in range(e.rows))
+        return "[" + ", ".join(f"[{row}]" for row in rows) + "]", ATOM
+
+    def _print_MatMul(self, e: Any) -> Bound:
+        sign, rest = signed(e)
+        factors = rest.args if isinstance(rest, sp.MatMul) else (rest,)
+        text = " ".join(bracketed(self.bound(factor), PRODUCT) for factor in factors)
+        return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
+
+    def _print_Transpose(self, e: Any) -> Bound:
+        return bracketed(self.bound(e.arg), ATOM) + "ᵀ", POWER
+
+    def _print_Inverse(self, e: Any) -> Bound:
+        return bracketed(self.bound(e.arg), ATOM) + "⁻¹", POWER
+
+    def _print_Add(self, e: Any) -> Bound:
+        text = ""
+        for place, part in enumerate(e.args):
+            sign, rest = signed(part)
+            shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SUM)
+            if place:
+                text += f" {'−' if sign < 0 else '+'} {shown}"
+            else:
+                text = f"−{shown}" if sign < 0 else shown
+        return text, SUM
+
+    def _print_Piecewise(self, e: Any) -> Bound:
+        return self.bound(e.args[0][0])  # the ordinary case stands first
+
+    def _print_Abs(self, e: Any) -> Bound:
+        return f"|{self.text(e.args[0])}|", ATOM
+
+    def _print_Mul(self, e: Any) -> Bound:
+        sign, rest = signed(e)
+        above, below = fraction(rest)
+        alone = PRODUCT if sign < 0 else SIGNED if below else SUM
+        text = self._factors(above, closed=bool(below), alone=alone)
+        if below:
+            under = self._factors(below, closed=False)
+            several = len(below) > 1 or self.bound(below[0])[1] < POWER
+            text = f"{text}/({under})" if several else f"{text}/{under}"
+        text = f"−{text}" if sign < 0 else text
+        return text, SIGNED if text.startswith("−") else PRODUCT
+
+    def _factors(self, factors: Sequence[Any], closed: bool, alone: int = SUM) -> str:
+        """Factors side by side; closed: a function at the end has its argument in parentheses.
+
+        alone: how tightly a single factor must hold together to stand without parentheses.
+        """
+        if not factors:
+            return "1"
+        least = alone if len(factors) == 1 else PRODUCT
+        text = ""
+        for place, factor in enumerate(factors):
+            last = place == len(factors) - 1
+            shown = bracketed(self.bound(factor), least)
+            if is_call(factor) and (closed or not last):
+                shown, _ = self._print_Basic(factor, closed=True)
+            if place:
+                text += joint(text, shown)
+            text += shown
+        return text
+
+    def _print_Pow(self, e: Any) -> Bound:
+        base, exponent = e.base, e.exp
+        if exponent == sp.Rational(1, 2):
+            return "√" + bracketed(self.bound(base), ATOM), POWER
+        if exponent.is_Number and exponent < 0:
+            return self._print_Mul(sp.Mul(sp.S.One, e, evaluate=False))
+        raised = RAISED.get(exponent) or f"^{bracketed(self.bound(exponent), ATOM)}"
+        return bracketed(self.bound(base), ATOM) + raised, POWER
+
+    def _print_Basic(self, e: Any, closed: bool = False) -> Bound:
+        """A function of something."""
+        name = NAMES.get(e.func.__name__, e.func.__name__)
+        inside = self
+        if name in TURNS and e.free_symbols and e.free_symbols <= set(self.in_degrees):
+            inside = Text(self.in_degrees.__getitem__)
+        arguments = [inside.bound(argument) for argument in e.args]
+        if len(arguments) == 1 and arguments[0][1] == ATOM and not closed and name != "ceiling":
+            return f"{name} {arguments[0][0]}", POWER
+        return f"{name}({', '.join(text for text, _ in arguments)})", POWER
+
+
+def is_call(e: Any) -> bool:
+    """Whether an expression is a function of something, such as sin θ."""
+    return isinstance(e, sp.Function) and not isinstance(e, sp.Abs | sp.Piecewise)
+
+
+def signed(e: Any) -> tuple[int, Any]:
+    """The sign that an expression starts with, and the rest."""
+    if not e.is_Matrix and e.is_Number and e < 0:
+        return -1, -e
+    if isinstance(e, sp.Mul | sp.MatMul):
+        sign, first = signed(e.args[0])
+        if sign < 0:
+            rest = e.args[1:] if first == 1 else (first, *e.args[1:])
+            return -1, rest[0] if len(rest) == 1 else e.func(*rest, evaluate=False)
+        for place, part in enumerate(e.args):
+            if isinstance(part, sp.Mul) and signed(part)[0] < 0:  # a product in the product
+                rest = (*e.args[:place], signed(part)[1], *e.args[place + 1 :])
+                return -1, e.func(*rest, evaluate=False)
+    return 1, e
+
+
+def fraction(e: Any) -> tuple[list[Any], list[Any]]:
+    """The factors above and below the line, in order."""
+    parts = list(e.args) if isinstance(e, sp.Mul) else [e]
+    above: list[Any] = []
+    below: list[Any] = []
+    for part in parts:
+        if isinstance(part, sp.Mul):
+            more, under = fraction(part)
+            above += more
+            below += under
+        elif isinstance(part, sp.Pow) and part.exp.is_Number and part.exp < 0:
+            power = sp.Pow(part.base, -part.exp, evaluate=False)
+            below.append(part.base if part.exp == -1 else power)
+        elif isinstance(part, sp.Rational) and not part.is_Integer:
+            above += [sp.Integer(part.p)] if part.p != 1 else []
+            below.append(sp.Integer(part.q))
+        elif part != 1:
+            above.append(part)
+    return above, below
+
+
+def joint(left: str, right: str) -> str:
+    """What stands between two factors: nothing in 2π, a point where a blank would mislead."""
+    if right.startswith("π") and left[-1].isdigit():
+        return ""
+    number = re.search(r"(?<![_\w])[\d.]+$", left)
+    if right[0].isdigit() or (right[0] == "(" and (number or left[-1] == ")")):
+        return " · "
+    return " "
+
+
+def formula_text(expression: Any) -> str:
+    """An expression in letters."""
+    return Text(symbol_text).text(expression)
+
+
+def numbers_text(
+    expression: Any, numbers: Mapping[sp.Symbol, str], in_degrees: Mapping[sp.Symbol, str]
+) -> str:
+    """An expression with numbers, given as text, in place of its symbols."""
+    return Text(numbers.__getitem__, in_degrees).text(expression)

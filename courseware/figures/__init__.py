@@ -1,0 +1,87 @@
+"""Live figures: declared in Python, drawn and moved by one small script, with or without a kernel.
+
+    Figure(name, title, view, scene, controls, readouts)
+
+shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
+still picture. What it can hold stands in `courseware.figures.declaration`, and for pictures in
+space in `courseware.figures.space`.
+"""
+
+from courseware.figures import kinds
+from courseware.figures.declaration import (
+    POINTER,
+    AngleArc,
+    Area,
+    Arrow,
+    Body,
+    Choice,
+    Clock,
+    Curve,
+    Disc,
+    Goal,
+    Handle,
+    Label,
+    Length,
+    Line,
+    Point,
+    Readout,
+    Recurrence,
+    Slider,
+    Steps,
+    Trail,
+    Wheel,
+    apart,
+    part_done,
+    solved,
+)
+from courseware.figures.figure import Figure
+from courseware.figures.graph import Graph
+from courseware.figures.space import VIEW, nearer
+from courseware.figures.turning import Bracket, Turns
+from courseware.script.runtime import Part, register
+
+SCRIPTS = "functions numbers words shapes solids turning scene panel live hands page notebook"
+register(
+    Part(
+        name="figures",
+        package=__name__,
+        scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
+        styles=("figure.css",),
+        called_by="rk-figure",
+        constants=kinds.constants,
+        rules=kinds.rules,
+    )
+)
+
+__all__ = [
+    "POINTER",
+    "VIEW",
+    "AngleArc",
+    "Area",
+    "Arrow",
+    "Body",
+    "Bracket",
+    "Choice",
+    "Clock",
+    "Curve",
+    "Disc",
+    "Figure",
+    "Goal",
+    "Graph",
+    "Handle",
+    "Label",
+    "Length",
+    "Line",
+    "Point",
+    "Readout",
+    "Recurrence",
+    "Slider",
+    "Steps",
+    "Trail",
+    "Turns",
+    "Wheel",
+    "apart",
+    "nearer",
+    "part_done",
+    "solved",
+]

@@ -1,0 +1,107 @@
+"""SymPy expressions to JavaScript: the third face of a formula."""
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import ArrayLike, NDArray
+from sympy.printing.jscode import JavascriptCodePrinter
+
+from courseware.equations.core import Where, as_written, told
+from courseware.equations.functions import MPMATH
+from courseware.equations.printing import AsWritten
+from courseware.errors import CourseError
+from courseware.script import engine
+
+RUNTIME_FUNCTIONS = tuple(MPMATH)  # each has its JavaScript in functions.js
+
+
+class _JavaScript(AsWritten, JavascriptCodePrinter):  # type: ignore[misc]
+    """SymPy's printer, with named symbols and the runtime's functions."""
+
+    def __init__(self, names: Mapping[sp.Symbol, str]) -> None:
+        super().__init__(precision=17)
+        self.names = names
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        if expr not in self.names:
+            raise CourseError(
+                f"an expression uses {told([expr], self.names)}, but may use only "
+                f"{told(self.names, [expr])}"
+            )
+        return self.names[expr]
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        name = expr.func.__name__
+        if name in RUNTIME_FUNCTIONS:
+            return f"f.{name}({', '.join(self._print(a) for a in expr.args)})"
+        if name not in self.known_functions:
+            raise CourseError(f"no JavaScript for {name}; see courseware/equations/functions.py")
+        return str(super()._print_Function(expr))
+
+    _print_sinc = _print_Function
+
+    def _print_Pow(self, expr: sp.Pow) -> str:
+        base, power = expr.as_base_exp() if expr.base.is_Number else (expr.base, expr.exp)
+        if power == 1:
+            return f"({self._print(base)})"
+        if power == 2:  # a square as NumPy computes it; Math.pow may differ in the last digit
+            text = self.parenthesize(base, 100)
+            return f"({text} * {text})"
+        text = super()._print_Pow(expr)
+        return str(text)
+
+    def _print_Float(self, expr: sp.Float) -> str:
+        return repr(float(expr))  # all its digits, not the 15 that SymPy shows
+
+    def _print_NaN(self, expr: sp.Expr) -> str:
+        return "NaN"
+
+    def _print_Infinity(self, expr: sp.Expr) -> str:
+        return "Infinity"
+
+    def _print_NegativeInfinity(self, expr: sp.Expr) -> str:
+        return "-Infinity"
+
+
+def function(
+    arguments: Mapping[str, Sequence[sp.Symbol]], expressions: Sequence[Any], where: Where = ()
+) -> str:
+    """The source of a JavaScript function `(f, c, …) => [values]`.
+
+    arguments: name of an array argument → the symbols that its elements are. `f` holds the
+    runtime's functions. where: named steps on the way, in order. Subexpressions that occur twice
+    are computed once.
+    """
+    names = {
+        symbol: f"{name}[{i}]"
+        for name, symbols in arguments.items()
+        for i, symbol in enumerate(symbols)
+    }
+    printer = _JavaScript(names)
+    lines = []
+    for place, (symbol, expression) in enumerate(where):
+        lines.append(f"const w{place} = {_one_line(printer, expression)};")
+        names[symbol] = f"w{place}"
+    with as_written():
+        shared, values = sp.cse(
+            [sp.sympify(e) for e in expressions], sp.numbered_symbols("_t"), order="none"
+        )
+        for symbol, expression in shared:
+            names[symbol] = str(symbol).lstrip("_")
+            lines.append(f"const {names[symbol]} = {_one_line(printer, expression)};")
+        results = ", ".join(_one_line(printer, value) for value in values)
+    return f"(f, {', '.join(arguments)}) => {{ {' '.join(lines)} return [{results}]; }}"
+
+
+def _one_line(printer: _JavaScript, expression: Any) -> str:
+    return " ".join(printer.doprint(expression).split())
+
+
+def evaluate(function: str, points: ArrayLike) -> NDArray[np.float64]:
+    """A JavaScript function `(f, c) => […]` at many points (n, k) in one call → (n, values)."""
+    listed = json.dumps(np.asarray(points, dtype=float).tolist(), allow_nan=False)
+    found = engine.run(f"{listed}.map((c) => ({function})(courseware.figures.f, c))")
+    return np.array(found, dtype=float)

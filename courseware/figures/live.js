@@ -1,0 +1,140 @@
+// Between two steps of a slider the browser would show the nearer one.
+const showAt = (input, control, shown) => {
+  const there = () => Math.abs(Number(input.value) - shown) < 1e-9;
+  if (there()) return;
+  input.step = control.step;
+  input.value = shown;
+  if (there()) return;
+  input.step = "any";
+  input.value = shown;
+};
+
+// A figure that is alive in an element that holds its HTML. `changed(state)` is told of each new
+// state; the hands on it stand in hands.js.
+class Live {
+  constructor(element, figure, changed = () => {}) {
+    Object.assign(this, { element, figure, changed });
+    this.picture = element.querySelector(".rk-picture svg");
+    this.drawing = this.picture.querySelector("g");
+    this.inputs = this.all(":is(input, select)[data-i]");
+    this.state = startState(figure);
+    this.width = widthOf(figure);
+    this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
+    this.reached = new Set(); // goals, until a reset
+    this.handles = [];
+    this.held = this.last = null; // what a pointer moves now, and the handle that it moved last
+  }
+
+  all(selector) {
+    return [...this.element.querySelectorAll(selector)];
+  }
+
+  start() {
+    takeHandles(this);
+    for (const follow of [followControls, followTurns, followClock, followGround, followReset,
+      followSight]) follow(this);
+    this.resize(this.picture.parentElement.clientWidth);
+    new ResizeObserver(([{ contentRect: { width } }]) => {
+      if (Math.round(width) !== this.width) this.resize(width);
+    }).observe(this.picture.parentElement);
+    this.element.classList.add("rk-live");
+    return this;
+  }
+
+  // quiet: the new state came from outside, which need not be told.
+  set(state, quiet = false) {
+    this.state = state;
+    if (!quiet) this.changed(state);
+    this.drawn ||= requestAnimationFrame(() => this.draw());
+  }
+
+  setOne(i, shown) {
+    this.set(this.state.map((old, k) => (k === i ? shown : old)));
+  }
+
+  // Draws now what waits to be drawn.
+  settled() {
+    if (!this.drawn) return;
+    cancelAnimationFrame(this.drawn);
+    this.draw();
+  }
+
+  numbers() {
+    this.settled();
+    return numbers(this.figure, this.state, this.computed);
+  }
+
+  place(handle) {
+    return handle.at.map((index) => this.computed.values[index]);
+  }
+
+  resize(width) {
+    this.width = Math.max(240, Math.round(width || this.width));
+    const height = heightOf(this.figure, this.width);
+    this.picture.setAttribute("viewBox", `0 0 ${this.width} ${height}`);
+    this.picture.setAttribute("width", this.width);
+    this.picture.setAttribute("height", height);
+    this.draw();
+  }
+
+  draw() {
+    this.drawn = 0;
+    this.computed = compute(this.figure, settings(this.figure, this.state));
+    if (this.held?.view) this.computed.view = this.held.view; // a view that follows waits for a hand
+    this.drawing.innerHTML = scene(this.figure, this.computed, this.width, this.state);
+    this.drawHandles();
+    this.writeGoals();
+    this.writeReadouts();
+    this.writeControls();
+    this.element.dispatchEvent(new CustomEvent("courseware:drawn", {
+      bubbles: true, detail: { name: this.figure.name, numbers: this.numbers() },
+    }));
+    clearTimeout(this.told);
+    this.told = setTimeout(() => this.tell(), 400);
+  }
+
+  drawHandles() {
+    spots(this).forEach(([x, y], k) => {
+      tellHandle(this, this.figure.handles[k], this.handles[k]);
+      for (const part of [this.handles[k], this.handles[k].nextSibling]) {
+        part.setAttribute("cx", n(x));
+        part.setAttribute("cy", n(y));
+      }
+    });
+  }
+
+  writeReadouts() {
+    this.all("dd").forEach((element, k) => {
+      element.textContent = shownNumber(this.figure.readouts[k], this.computed.values[k]);
+    });
+  }
+
+  writeControls() {
+    const shown = (i) => shownControl(this.figure.controls[i], this.state[i]);
+    this.inputs.forEach((input) => {
+      showAt(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
+      if (input.type === "range") input.setAttribute("aria-valuetext", shown(input.dataset.i));
+    });
+    this.all("[data-o]").forEach((output) => { output.textContent = shown(output.dataset.o); });
+  }
+
+  // What is passed over by a hand is not reached; what is reached once stays so until a reset.
+  writeGoals() {
+    const now = this.held ? [] : this.figure.goals;
+    now.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
+    this.all(".rk-goal").forEach((goal, k) => {
+      const done = this.reached.has(k);
+      if (goal.classList.contains("rk-done") === done) return;
+      goal.classList.toggle("rk-done", done);
+      goal.querySelector("output").textContent = done ? "reached" : "";
+    });
+  }
+
+  // For those who do not see the picture.
+  tell() {
+    const { element, figure, state, computed } = this;
+    this.drawing.setAttribute("aria-label", alternative(figure, state, computed));
+    if (!this.inputs.length || !element.contains(document.activeElement)) return;
+    element.querySelector(".rk-says").textContent = says(figure, state, computed);
+  }
+}

@@ -1,0 +1,84 @@
+// On a web page: the address carries a setting, the script takes over the waiting picture.
+
+const toAddress = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
+  `${control.key}=${encodeURIComponent(control.type === "choice" ? control.options[state[i]].label
+    : control.type === "turns" ? state[i][0] : Number(state[i].toFixed(6)))}`).join("&");
+
+const optionOf = (control, name) => control.options.findIndex((option) => option.label === name);
+
+const fromAddress = (figure, address) => {
+  const [name, query] = address.replace(/^#/, "").split("?");
+  if (name !== figure.name || !query) return null;
+  const given = new URLSearchParams(query);
+  return figure.controls.map((control) => {
+    const text = given.get(control.key);
+    if (control.type === "choice") {
+      const i = optionOf(control, text);
+      return i < 0 ? control.start : i;
+    }
+    if (control.type === "turns") return [pressesOf(text ?? "").join(""), 1];
+    const shown = text === null || text === "" ? NaN : Number(text);
+    return Number.isFinite(shown) ? clamp(control, shown) : control.start;
+  });
+};
+
+const offerLink = (live) => {
+  const button = live.element.querySelector(".rk-link");
+  button?.addEventListener("click", () => {
+    history.replaceState(null, "", toAddress(live.figure, live.state));
+    called(button, "The link is in the address bar", live.figure);
+    navigator.clipboard?.writeText(location.href).then(
+      () => called(button, "Link copied", live.figure), () => {});
+    setTimeout(() => called(button, "Link to this setting", live.figure), 2500);
+  });
+};
+
+const followAddress = (live) => {
+  const follow = () => {
+    const state = fromAddress(live.figure, location.hash);
+    if (!state) return;
+    live.set(state);
+    live.element.scrollIntoView();
+  };
+  live.element.querySelector(".rk-reset")?.addEventListener("click", () => {
+    if (fromAddress(live.figure, location.hash)) history.replaceState(null, "", `#${live.figure.name}`);
+  });
+  addEventListener("hashchange", follow);
+  follow();
+};
+
+const bringToPage = (figure) => {
+  const element = document.getElementById(figure.name), before = element.innerHTML;
+  try {
+    const live = new Live(element, figure).start();
+    offerLink(live);
+    followAddress(live);
+    live.settled();
+    element.courseware = live;
+  } catch (error) {
+    element.innerHTML = before; // the still picture stays, without its controls
+    element.querySelector(".rk-panel")?.remove();
+    element.classList.remove("rk-live");
+    console.error(`The figure ${figure.name} cannot be moved:`, error);
+  }
+};
+
+// A figure comes to life when it comes near, within a screen's height, or when the address names it.
+const onPage = () => {
+  const still = new Map((window.coursewareFigures ?? []).map((figure) => [figure.name, figure]));
+  const near = new IntersectionObserver((seen) => seen.forEach(({ target, isIntersecting }) => {
+    if (isIntersecting) wake(target.id);
+  }), { rootMargin: "100% 0px" });
+  const wake = (name) => {
+    if (!still.has(name)) return;
+    near.unobserve(document.getElementById(name));
+    bringToPage(still.get(name));
+    still.delete(name);
+  };
+  const follow = () => wake(location.hash.slice(1).split("?")[0]);
+  addEventListener("hashchange", follow);
+  follow();
+  still.forEach((_, name) => near.observe(document.getElementById(name)));
+};
+
+Object.assign(part, { onPage, bringToPage });

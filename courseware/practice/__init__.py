@@ -1,0 +1,77 @@
+"""Exercises with numbers of their own for every student, and a check that names the mistake.
+
+In a notebook: `practice.exercise("differential-drive-1")`. For teachers, on the command line:
+`python -m book --help`, with the course's package for `book`.
+"""
+
+from courseware.practice import page
+from courseware.practice.bank import (
+    Ask,
+    Exercise,
+    Mistake,
+    Picture,
+    angle,
+    exercises,
+    matrix,
+    mistakes,
+    one_of,
+    steps,
+    topics,
+    whole,
+)
+from courseware.practice.notebook import answers, example, exercise, export, mistake, student
+from courseware.practice.solutions import Line, Solution, Step
+from courseware.practice.wording import number_text
+from courseware.practice.wrong import Wrong
+from courseware.script.runtime import Part, register
+from courseware.unbroken import UNBROKEN
+from courseware.units import typed_units
+
+READING, KEEPING = "problems reading calculating asked dealing judging", "storage passed"
+SCRIPTS = f"{READING} {KEEPING} box saving page notebook"
+register(
+    Part(
+        name="practice",
+        package=__name__,
+        scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
+        styles=("practice.css",),
+        called_by="rk-exercise",
+        constants=lambda: {**page.constants(), "UNBROKEN": UNBROKEN, **typed_units()},
+    )
+)
+register(
+    Part(
+        name="progress",
+        package=__name__,
+        scripts=tuple(f"{name}.js" for name in f"dealing {KEEPING} progress".split()),
+        styles=(),
+        called_by="",  # every page has a menu
+        constants=page.constants,
+    )
+)
+
+__all__ = [
+    "Ask",
+    "Exercise",
+    "Line",
+    "Mistake",
+    "Picture",
+    "Solution",
+    "Step",
+    "Wrong",
+    "angle",
+    "answers",
+    "example",
+    "exercise",
+    "exercises",
+    "export",
+    "matrix",
+    "mistake",
+    "mistakes",
+    "number_text",
+    "one_of",
+    "steps",
+    "student",
+    "topics",
+    "whole",
+]

@@ -1,0 +1,156 @@
+"""A teacher's look at a class, as one HTML file: exercises, mistakes, a line per student.
+
+It needs no server and no script, loads nothing, and holds nothing but the class's results.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from html import escape
+
+from courseware.course import course as opened
+from courseware.practice.bank import exercises, mistakes
+from courseware.practice.wording import symbols
+
+Count = tuple[str, str, int, int, str]  # a row of the mistakes
+
+MOST = 25  # mistakes that are shown; the table of mistakes has all
+RESULTS = ("right", "partly", "wrong", "unread", "missing")
+SIGNS = dict(zip(RESULTS, "✓≈✗?·", strict=True))
+
+
+@dataclass(frozen=True)
+class Graded:
+    """One line of the grades."""
+
+    student: str
+    exercise: str
+    answer: str
+    result: str
+    mistake: str
+    comment: str
+
+
+PAGE = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>{course}: the class</title>
+<meta name="viewport" content="width=device-width"><style>
+:root {{ color-scheme: light dark; --right: light-dark(#1b7340, #74c995);
+  --partly: light-dark(#0065a3, #7cc4f5); --wrong: light-dark(#a3322e, #f28b9b);
+  --unread: light-dark(#7a5c00, #e0c060); --missing: light-dark(#767676, #8c8c8c);
+  --none: light-dark(#e4e4e4, #3a3a3a); }}
+body {{ font: 1rem/1.5 sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }}
+table {{ border-collapse: collapse; }} div {{ overflow-x: auto; }}
+th, td {{ padding: .1rem .7rem .1rem 0; text-align: left; vertical-align: top; }}
+th {{ font-weight: normal; }} thead th {{ font-size: .85em; vertical-align: bottom; }}
+.n {{ text-align: right; font-variant-numeric: tabular-nums; }}
+.bar {{ display: flex; width: 14rem; height: 1rem; margin-top: .25rem; }}
+{colours}
+.signs {{ font: 1rem/1.5 monospace; letter-spacing: .05em; white-space: nowrap; }}
+.line th {{ min-width: 10rem; max-width: 20rem; overflow-wrap: anywhere; }}
+th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width: 6rem; }}
+.words {{ min-width: 16rem; }} .exercise {{ min-width: 13rem; }}
+@media print {{ :root {{ color-scheme: light; }} body {{ font-size: 8pt; margin: 0; }}
+  i {{ print-color-adjust: exact; -webkit-print-color-adjust: exact; }}
+  tr {{ break-inside: avoid; }} thead {{ display: table-header-group; }}
+  .signs {{ font-size: 7pt; letter-spacing: 0; }} .bar {{ width: 7rem; height: .7rem; }}
+  .topic {{ max-width: 3rem; font-size: 6pt; }} .line th {{ min-width: 0; }}
+  div {{ overflow: visible; }} h2 {{ break-after: avoid; }} }}
+</style></head><body>
+<h1>{course}: the class</h1>
+<p>{students:,} students, {asked} exercises: {totals}.</p>
+<h2>Exercises</h2><div><table><thead><tr><th>exercise{heads}<th></thead><tbody>
+{exercises}
+</tbody></table></div>
+<h2>Mistakes</h2><p>{frequent}</p>
+<div class="few"><table><thead><tr><th class="n">students<th class="n">of<th><th>exercise<th>mistake
+</thead><tbody>
+{mistakes}
+</tbody></table></div>
+<h2>Students</h2><p>A sign for each exercise, by chapter, in the order of the table above.</p>
+<div><table><thead><tr><th>student<th class="n">right<th class="n">answered{topics}</thead><tbody>
+{lines}
+</tbody></table></div></body></html>
+"""
+
+
+def page(course: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
+    """The whole page."""
+    students: dict[str, dict[str, Graded]] = {}
+    asked: dict[str, Counter[str]] = {}
+    for g in graded:
+        students.setdefault(g.student, {})[g.exercise] = g
+        asked.setdefault(g.exercise, Counter())[g.result] += 1
+    topics: dict[str, list[str]] = {}
+    for name in (name for name in exercises() if name in asked):
+        topics.setdefault(exercises()[name].topic, []).append(name)
+    totals = Counter(g.result for g in graded)
+    return PAGE.format(
+        course=escape(course),
+        students=len(students),
+        asked=len(asked),
+        totals=", ".join(f"{totals[result]:,} {result}" for result in RESULTS),
+        colours="\n".join(
+            f".bar .{r} {{ background: var(--{r}); }} b.{r} {{ color: var(--{r}); }}"
+            for r in RESULTS
+        ).replace("background: var(--missing)", "background: var(--none)"),
+        heads="".join(
+            f'<th class="n"><b class="{result}">{SIGNS[result]}</b> {result}' for result in RESULTS
+        ),
+        exercises="\n".join(
+            _exercise(name, asked[name]) for names in topics.values() for name in names
+        ),
+        frequent=_frequent(len(counts)),
+        mistakes="\n".join(map(_mistake, counts[:MOST])),
+        topics="".join(f'<th class="topic">{escape(opened().title(topic))}' for topic in topics),
+        lines="\n".join(_student(name, found, topics.values()) for name, found in students.items()),
+    )
+
+
+def _frequent(count: int) -> str:
+    """What stands above the mistakes."""
+    if not count:
+        return "No answer was wrong."
+    some = f"The most frequent {MOST} of {count:,}; as" if count > MOST else "As"
+    return f"{some} a share of those who answered."
+
+
+def _bar(parts: Iterable[tuple[str, float]]) -> str:
+    widths = (f'<i class="{kind}" style="width:{share:.1%}"></i>' for kind, share in parts if share)
+    return f'<td><span class="bar">{"".join(widths)}</span>'
+
+
+def _exercise(name: str, count: Counter[str]) -> str:
+    cells = "".join(f'<td class="n">{count[result]}' for result in RESULTS)
+    bar = _bar((result, count[result] / count.total()) for result in RESULTS)
+    return f"<tr><th class='exercise'>{name}: {escape(exercises()[name].title)}{cells}{bar}"
+
+
+def _mistake(row: Count) -> str:
+    exercise, mistake, count, of, comment = row
+    says = re.sub("^Not yet(. This is what you get|:) ", "", comment)
+    known = f"{mistake}: " if mistake in mistakes() else ""
+    bar = _bar([("wrong", count / of)])
+    return (
+        f'<tr><td class="n">{count}<td class="n">{of}{bar}<td>{exercise}'
+        f'<td class="words">{known}{symbols(says)}'
+    )
+
+
+def _student(name: str, found: dict[str, Graded], topics: Iterable[Sequence[str]]) -> str:
+    count = Counter(g.result for g in found.values())
+    cells = "".join(
+        f'<td class="signs">{"".join(_of(found.get(exercise)) for exercise in names)}'
+        for names in topics
+    )
+    answered = count.total() - count["missing"]
+    counts = f'<td class="n">{count["right"]}<td class="n">{answered}'
+    return f'<tr class="line"><th>{escape(name)}{counts}{cells}'
+
+
+def _of(graded: Graded | None) -> str:
+    """The sign of a result, with the exercise and the mistake under the mouse."""
+    if graded is None:
+        return " "
+    words = " ".join(filter(None, (f"{graded.exercise}: {graded.result}", graded.mistake)))
+    return f'<b class="{graded.result}" title="{escape(words)}">{SIGNS[graded.result]}</b>'

@@ -1,0 +1,165 @@
+// On a web page: one desk for all exercises, the student's name and answers in the browser.
+
+const NAMELESS = "Type your name first: it picks your numbers.";
+const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
+  + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
+  + "1/3, pi/3, sqrt(3)/2, 30° where rad is asked, a list: [1, 2], or a matrix: [[1, 2], [3, 4]]. "
+  + "Whole turns more or less do not matter in an angle.";
+const NOT_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
+const BROKEN = "What this browser kept could not be read; it was laid aside.";
+const NO_ANSWERS = "There are no answers for this course in that file.";
+
+const deskHtml = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
+  + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false"></div>`
+  + `<p class="rk-progress" role="status"></p><p class="rk-course"></p>`
+  + `<div class="rk-row"><button type="button" class="rk-export">Save my answers (CSV)</button>`
+  + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv"></label>`
+  + `<button type="button" class="rk-clear">Clear my answers</button></div>`
+  + `<p class="rk-note">Course: <strong>${escaped(course)}</strong>. ${NOTE}</p>`;
+
+// A line that stays in sight while an exercise is.
+const barHtml = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
+
+const unpacked = (packed) => {
+  const bytes = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).json();
+};
+
+// The numbers of a topic's exercises, a file beside the page that is loaded when they are needed.
+const topics = {};
+const loadTopic = (topic, version) => topics[topic] ??= new Promise((resolve, reject) => {
+  const script = document.createElement("script");
+  script.src = `${document.documentElement.dataset.content_root}_static/practice/${topic}.js?${version}`;
+  script.onload = () => resolve(unpacked(window.coursewarePractice[topic]));
+  script.onerror = () => { delete topics[topic]; reject(new Error(`${script.src} is missing`)); };
+  document.head.append(script);
+});
+
+// The desk of a page: who works here, and what this student has answered. `name` is who it is
+// until another name is given as a whole, so that numbers and answers are always one student's.
+class Desk {
+  constructor(element, sections) {
+    Object.assign(this, { element, sections });
+    this.course = element.dataset.course;
+    this.field = element.querySelector("input");
+    this.boxes = sections.map((section) => new Box(section, this.seenBy(section.dataset)));
+    this.bar = document.createElement("div");
+    this.bar.className = "rk-bar";
+    this.bar.innerHTML = barHtml;
+  }
+
+  // What the box of one exercise sees of the desk.
+  seenBy({ exercise, topic, version }) {
+    return {
+      course: this.course,
+      student: () => this.student(),
+      load: async () => (await loadTopic(topic, version))[exercise],
+      kept: () => this.mine()[exercise],
+      keep: (entry) => this.keep({ ...this.mine(), [exercise]: entry }),
+    };
+  }
+
+  start() {
+    const press = (where, button, work) =>
+      where.querySelector(button).addEventListener("click", () => work.call(this));
+    press(this.element, ".rk-clear", this.clear);
+    press(this.element, ".rk-export", this.save);
+    press(this.bar, ".rk-who", () => { this.element.scrollIntoView(); this.field.focus(); });
+    this.element.querySelector("[type=file]").addEventListener("change", (event) => this.load(event.target));
+    this.field.value = this.name = memory.get(studentKept) ?? "";
+    this.field.addEventListener("change", () => this.renew());
+    (this.element.closest("article") ?? document.body).append(this.bar);
+    const near = new Set(), watch = new IntersectionObserver((seen) => {
+      seen.forEach(({ target, isIntersecting }) => near[isIntersecting ? "add" : "delete"](target));
+      this.bar.inert = !near.size; // unseen, in its place: the end of the page must not jump
+    });
+    this.boxes.forEach((box) => watch.observe(box.start().element));
+    this.tellProgress();
+    if (this.name || Object.keys(this.mine()).length) this.boxes.forEach((box) => box.renew());
+  }
+
+  student() {
+    return foldedName(this.name);
+  }
+
+  mine() {
+    return answersUnder(this.course, this.name);
+  }
+
+  // Answers of the present student; undefined: none any more.
+  keep(answers) {
+    const key = answersKept(this.course), all = { ...parsed(key), [this.student()]: answers };
+    memory.set(key, JSON.stringify(all));
+    this.tellProgress();
+  }
+
+  renew() {
+    this.name = this.field.value;
+    memory.set(studentKept, this.name);
+    this.tellProgress();
+    this.boxes.forEach((box) => box.renew());
+  }
+
+  tell(words) {
+    this.element.querySelector(".rk-progress").textContent = words;
+  }
+
+  tellProgress() {
+    const mine = this.mine(), passed = (name) => isPassed(mine, name);
+    const here = this.sections.map(({ dataset }) => dataset.exercise), done = here.filter(passed);
+    const nameless = done.length && !this.student() ? `. ${NAMELESS}` : "";
+    const storage = !memory.kept ? ` ${NOT_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
+    this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`);
+    const all = progressOf(mine), open = here.find((name) => !passed(name));
+    const course = `${sumOf(all, "many")} of ${sumOf(all, "count")} in the course`;
+    this.element.querySelector(".rk-course").textContent =
+      `${course}: ${all.map(({ title, many, count }) => `${title} ${many}/${count}`).join(", ")}.`;
+    this.bar.querySelector(".rk-who").textContent = this.student()
+      ? `${this.name.trim()} · number set ${numberSet(this.course, this.name)}` : "Type your name";
+    this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;
+    const next = this.bar.querySelector("a");
+    next.hidden = !open;
+    if (open) next.href = `#${open}`;
+    dispatchEvent(new Event("courseware:kept"));
+  }
+
+  clear() {
+    if (!confirm(`Clear all answers of ${this.name.trim() || "this page"} in this browser?`)) return;
+    this.keep(undefined);
+    this.renew();
+  }
+
+  save() {
+    if (!this.student()) {
+      this.tell(NAMELESS);
+      return this.field.focus();
+    }
+    saveAnswers(this.element.dataset, this.name.trim(), this.mine());
+  }
+
+  // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one
+  // counts, as it does when graded, and an older one if it is right; the same one changes nothing.
+  async load(input) {
+    const rows = answersOf(await input.files[0].text()).filter(({ course }) => foldedName(course) === foldedName(this.course));
+    input.value = "";
+    if (!rows.length) return this.tell(NO_ANSWERS);
+    this.name = this.field.value = rows[0].student;
+    const answers = { ...this.mine() };
+    for (const { student, exercise, answer, time } of rows) {
+      const here = answers[exercise];
+      if (foldedName(student) !== this.student() || here?.result === "right" || here?.answer === answer) continue;
+      const newer = !here?.answer || time > (here.time ?? "");
+      answers[exercise] = { ...here, answer, time, result: "", says: "", unjudged: newer || here };
+    }
+    this.keep(answers);
+    this.renew();
+  }
+}
+
+const onPage = () => {
+  const desk = document.querySelector(".rk-desk");
+  if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
+};
+
+Object.assign(part, { answersCsv, answersOf, deskHtml, onPage });

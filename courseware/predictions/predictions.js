@@ -1,0 +1,198 @@
+// A prediction takes a guess, keeps it in this browser, and only then opens its result.
+//
+// data: { kind: "buttons" | "number" | "ghost", right, wrong, … }, made by declaration.py. A guess
+// is the number of an option, or a list of numbers in the units that the reader sees; "shown"
+// where somebody wants to see without guessing.
+
+const SHOWN = "shown";
+const KEY = `${STORE} guesses`;
+const NOT_KEPT = "This browser keeps nothing for this page: your guesses are forgotten when you leave it.";
+const KEPT = "Your guesses stay in this browser; nothing is sent.";
+
+// The options, where there is nothing to press.
+const plain = (options) => options.length
+  ? `<ul class="rk-plain">${options.map((option) => `<li>${symbols(option)}</li>`).join("")}</ul>` : "";
+
+const formHtml = ({ kind, options, units }) => `<form class="rk-guess">${
+  kind === "buttons" ? options.map((option, k) =>
+    `<button type="button" value="${k}" aria-pressed="false">${symbols(option)}</button>`).join("")
+  : kind === "ghost" ? `<span>Drag your guess to where you think it belongs, then:</span> `
+    + `<button type="submit">Here</button>`
+  : `<label>Your guess <input type="text" autocomplete="off" autocapitalize="off" spellcheck="false">`
+    + `${units[0] ? ` ${escaped(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`
+}<button type="button" class="rk-skip">Show without guessing</button></form>${plain(options ?? [])}`
+  + `<p class="rk-said" role="status" tabindex="-1"></p>`;
+
+const rounded = (number) => trueMinus(String(Number(number.toPrecision(3))));
+
+// A guess in words.
+const inWords = ({ kind, options, labels, units }, guess) => kind === "buttons" ? options[guess]
+  : guess.map((x, i) => `${labels[i]} ${withUnit(rounded(x), units[i])}`.trim()).join(", ");
+
+// Whether a guess is what somebody else says; the direction of a ghost goes round.
+const same = ({ kind, near, units }, guess, other) => kind === "buttons" ? guess === other
+  : guess.every((x, i) => {
+    const off = Math.abs(x - other[i]), turn = off % 360;
+    return (kind === "ghost" && units[i] === "°" ? Math.min(turn, 360 - turn) : off) <= near;
+  });
+
+const store = {
+  all: () => courseware.practice.parsed(KEY),
+  keep: (guesses) => courseware.practice.memory.set(KEY, JSON.stringify(guesses)),
+};
+
+// One line for the whole page, at the guess that was made last.
+const forgetLine = (boxes) => {
+  const line = document.createElement("p");
+  line.className = "rk-forget";
+  line.innerHTML = `<span></span> <button type="button">Forget my guesses</button>`;
+  line.lastChild.addEventListener("click", () => {
+    store.keep({});
+    const [last] = boxes.filter((box) => box.element.contains(line));
+    boxes.forEach((box) => box.ask());
+    line.remove();
+    last?.one("button, input").focus();
+  });
+  return (box, kept) => {
+    line.firstChild.textContent = kept ? KEPT : NOT_KEPT;
+    box.element.append(line);
+  };
+};
+
+class Prediction {
+  constructor(element) {
+    Object.assign(this, { element, name: element.id, data: JSON.parse(element.dataset.prediction) });
+    this.fold = this.one(".rk-opens");
+    this.one("form").addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.guess();
+    });
+    this.buttons = [...element.querySelectorAll(".rk-guess button[value]")];
+    this.buttons.forEach((button, k) => button.addEventListener("click", () => this.take(k)));
+    this.one(".rk-skip").addEventListener("click", () => {
+      this.take(SHOWN);
+      this.one(".rk-said").focus(); // the button is gone
+    });
+  }
+
+  one(selector) {
+    return this.element.querySelector(selector);
+  }
+
+  // What is done with the figure of a ghost, once it is alive.
+  withFigure(work) {
+    const figure = document.getElementById(this.data.figure);
+    if (figure?.courseware) work(figure.courseware);
+    else figure?.addEventListener("courseware:drawn", () => setTimeout(() => work(figure.courseware)), { once: true });
+  }
+
+  // What was typed or placed.
+  guess() {
+    if (this.answered) return;
+    const { kind, places, units } = this.data;
+    if (kind === "ghost") return this.withFigure(({ state }) => this.take(places.map((i) => state[i])));
+    const asks = [{ unit: units[0] }], { readAsked, problemSays } = courseware.practice;
+    const found = readAsked(this.one("input").value, asks);
+    if (typeof found.value === "number") return this.take([found.value]);
+    this.say(found.problem ? problemSays(found, asks) : "Type one number.");
+  }
+
+  take(guess) {
+    if (this.answered) return;
+    const kept = store.keep({ ...store.all(), [this.name]: guess });
+    this.open(guess);
+    this.told(this, kept);
+  }
+
+  say(words) {
+    this.one(".rk-said").innerHTML = symbols(words);
+  }
+
+  open(guess) {
+    const { data, fold } = this, is = inWords(data, data.right);
+    this.show(true, guess);
+    if (guess === SHOWN) return this.say(`Shown: ${is}.`);
+    const right = same(data, guess, data.right);
+    const wrong = right ? -1 : data.wrong.findIndex((other) => same(data, guess, other));
+    const your = inWords(data, guess);
+    this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` Right: ${is}.`}`
+      : `You said: ${your}. Right: ${is}.`);
+    if (wrong >= 0) {
+      const why = fold.querySelectorAll(".rk-assumes")[wrong].cloneNode(true);
+      why.innerHTML = why.innerHTML.replace(/“[^”]*”\? /, "");
+      this.one(".rk-said").append(why);
+    }
+  }
+
+  // The question as it was before.
+  ask() {
+    this.say("");
+    if (this.one("input")) this.one("input").value = "";
+    this.show(false, null);
+  }
+
+  show(answered, guess) {
+    const { data, buttons, fold } = this;
+    Object.assign(this, { answered, taken: guess });
+    this.element.classList.toggle("rk-answered", answered);
+    fold.open = answered;
+    buttons.forEach((button, k) => {
+      button.setAttribute("aria-pressed", k === guess);
+      button.setAttribute("aria-disabled", answered);
+      button.classList.toggle("rk-right", answered && k === data.right);
+    });
+    if (data.kind !== "ghost") return;
+    this.offer(answered);
+    this.withFigure((live) => this.lock(live));
+  }
+
+  // While the question is open, the ghost is all that can be moved; then, all but the ghost.
+  movable(i) {
+    return this.data.places.includes(Number(i)) !== this.answered;
+  }
+
+  // The sliders at once, not when the figure comes alive: what stands below it does not jump.
+  offer(answered) {
+    const figure = document.getElementById(this.data.figure);
+    figure?.classList.toggle("rk-asked", !answered);
+    figure?.querySelectorAll("[data-i]").forEach((hand) => {
+      hand.closest(".rk-control").hidden = !this.movable(hand.dataset.i);
+    });
+  }
+
+  // As the question is by then: it may have been answered while the figure came alive.
+  lock(live) {
+    const { answered, taken } = this, { controls, handles } = live.figure, { places, then, right } = this.data;
+    handles.forEach(({ sets }, k) => {
+      for (const grip of [live.handles[k], live.handles[k].nextSibling]) {
+        grip.style.display = sets.every((i) => this.movable(i)) ? "" : "none";
+      }
+    });
+    live.set(controls.map(({ start }, i) => !answered ? start
+      : places.includes(i) ? (taken === SHOWN ? right : taken)[places.indexOf(i)] : then[i] ?? live.state[i]));
+  }
+}
+
+// A link to what is folded away opens it.
+const reveal = () => {
+  const aim = document.getElementById(location.hash.slice(1).split("?")[0]), fold = aim?.closest(".rk-opens");
+  if (!fold) return;
+  fold.open = true;
+  fold.parentElement.classList.add("rk-answered");
+  aim.scrollIntoView();
+};
+
+const onPage = () => {
+  const boxes = [...document.querySelectorAll(".rk-prediction")].map((element) => new Prediction(element));
+  const told = forgetLine(boxes), known = store.all();
+  boxes.forEach((box) => {
+    box.told = told;
+    if (!(box.name in known)) return box.show(false, null);
+    box.open(known[box.name]);
+    told(box, true);
+  });
+  addEventListener("hashchange", reveal);
+  reveal();
+};
+
+Object.assign(part, { formHtml, same, onPage });

@@ -1,0 +1,221 @@
+// The cells of a page once Run is pressed: they can be changed, run in order, and put back.
+//
+// A cell runs after those above it that have not run since the last change above them. Python stands
+// in a worker, which alone can be stopped in an endless loop; then all is forgotten and starts anew.
+
+const BLOCK = `<div class="output text_plain highlight-myst-ansi notranslate"><div class="highlight"><pre></pre></div></div>`;
+const AGREED = "courseware-run"; // in the browser's storage: a reader is asked once
+const SLOW = 20_000; // ms without a word, after which the reader is told that it still loads
+
+let cells, settings, worker, ready, running = null, heard, stop;
+
+const stored = (value) => {
+  try {
+    return value ? localStorage.setItem(AGREED, value) : localStorage.getItem(AGREED);
+  } catch { return null; } // no storage: asked on each page
+};
+
+class Cell {
+  constructor(bar, k) {
+    Object.assign(this, { bar, k, input: bar.parentElement, ran: null, fresh: null });
+    this.mayFail = this.input.closest(".tag_raises-exception") !== null; // no other cell needs it
+    [this.button, this.status] = [bar.firstChild, bar.lastChild];
+    const box = this.input.querySelector("pre"); // the theme says whether it can have the focus
+    this.code = document.createElement("code");
+    this.code.append(...box.childNodes);
+    box.append(this.code);
+    this.first = this.code.innerHTML;
+    this.outputs = this.input.closest(".cell").querySelectorAll(".cell_output, .below-input");
+    this.button.insertAdjacentHTML("afterend", `<button type="button" hidden>Reset</button>`);
+    this.reset = this.button.nextSibling;
+    this.reset.addEventListener("click", () => this.putBack());
+    this.button.setAttribute("aria-label", `Run cell ${k + 1}`);
+    this.reset.setAttribute("aria-label", `Reset cell ${k + 1}`);
+  }
+
+  get text() { return this.code.innerText.replaceAll("\u00a0", " ").replace(/\n$/, ""); }
+
+  say(text) { this.status.textContent = text; }
+
+  open() {
+    this.code.contentEditable = "plaintext-only";
+    if (this.code.contentEditable !== "plaintext-only") this.code.contentEditable = "true";
+    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox" });
+    this.code.ariaMultiLine = "true";
+    this.code.ariaLabel = `Code of cell ${this.k + 1}`;
+    this.code.addEventListener("input", () => {
+      this.reset.hidden = false;
+      this.code.classList.add("rk-changed");
+    });
+    this.code.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" || !(event.shiftKey || event.ctrlKey)) return;
+      event.preventDefault();
+      if (!this.button.disabled && running === null) run(this.k);
+    });
+  }
+
+  begin() {
+    this.fresh?.remove();
+    this.outputs.forEach((output) => { output.hidden = true; });
+    this.fresh = document.createElement("div");
+    this.fresh.className = "cell_output docutils container rk-fresh";
+    this.input.after(this.fresh);
+    this.reset.hidden = false;
+  }
+
+  show(kind, text) {
+    const out = this.fresh;
+    if (kind === "text/html" || kind === "image/svg+xml") {
+      out.insertAdjacentHTML("beforeend", `<div class="output">${text}</div>`);
+    } else if (kind === "image/png") {
+      const picture = Object.assign(new Image(), { src: `data:image/png;base64,${text}` });
+      const before = [...this.outputs].map((output) => output.querySelector("img")).find(Boolean);
+      picture.alt = before?.alt ?? "The picture that this cell has drawn";
+      picture.onload = () => { picture.style.width = `${picture.naturalWidth / 2}px`; };
+      out.append(picture);
+    } else {
+      if (out.lastChild?.dataset?.kind !== kind || !kind.startsWith("std")) {
+        out.insertAdjacentHTML("beforeend", BLOCK);
+        out.lastChild.dataset.kind = kind;
+        out.lastChild.classList.toggle("rk-failed", kind === "error");
+      }
+      out.lastChild.querySelector("pre").append(text);
+    }
+  }
+
+  putBack() {
+    this.code.innerHTML = this.first;
+    this.code.classList.remove("rk-changed");
+    this.fresh?.remove();
+    this.outputs.forEach((output) => { output.hidden = false; });
+    this.ran = this.fresh = null;
+    this.reset.hidden = true;
+    this.say("");
+    this.button.focus();
+  }
+}
+
+// --- the worker -----------------------------------------------------------------------------
+
+const place = () => {
+  const { origin, host } = new URL(settings.python, import.meta.url);
+  return origin === location.origin ? "this site" : host;
+};
+
+const start = () => {
+  worker = new Worker(new URL(`worker.js${new URL(import.meta.url).search}`, import.meta.url),
+    { type: "module" });
+  ready = answered();
+  ready.catch(() => {}); // who waits for it is told
+  const whole = (address) => address && new URL(address, import.meta.url).href;
+  worker.postMessage({ settings: {
+    python: whole(settings.python), katex: whole(settings.katex), cells: whole(settings.cells),
+    wheels: settings.wheels.map(whole),
+  } });
+};
+
+const forget = () => {
+  worker?.terminate();
+  worker = null;
+  cells.forEach((cell) => { cell.ran = null; });
+};
+
+// The end of what the worker does now; meanwhile outputs and progress are shown.
+const answered = () => new Promise((resolve, reject) => {
+  const on = ({ data }) => {
+    clearTimeout(heard);
+    if (data.kind) return cells[data.cell].show(data.kind, data.text);
+    if (data.loading) {
+      const [what, size] = data.loading;
+      cells[running]?.say(`Loading ${what}${size ? `, about ${size} MB,` : ""} from ${place()} …`);
+      heard = setTimeout(() => cells[running]?.status.append(" It is slow; Stop ends it."), SLOW);
+    } else if (data.failed) reject(new Error(data.failed));
+    else resolve(data);
+  };
+  worker.onmessage = on;
+  worker.onerror = () => reject(new Error("its worker does not start"));
+  stop = () => reject(null);
+});
+
+// --- running --------------------------------------------------------------------------------
+
+const draw = () => cells.forEach((cell, k) => {
+  cell.button.textContent = running === k ? "Stop" : "Run";
+  cell.button.disabled = cell.reset.disabled = running !== null && running !== k;
+});
+
+const one = async (cell) => {
+  cell.begin();
+  cell.ran = cell.text;
+  cells.slice(cell.k + 1).forEach((below) => { below.ran = null; });
+  const end = answered();
+  worker.postMessage({ cell: cell.k, source: cell.ran, name: `cell ${cell.k + 1}` });
+  const { ended } = await end;
+  if (!ended) cell.ran = null;
+  return ended;
+};
+
+const run = async (k) => {
+  const cell = cells[k];
+  running = k;
+  draw();
+  try {
+    if (!worker) start();
+    await ready;
+    for (const each of cells.slice(0, k + 1)) {
+      if (each !== cell && (each.ran === each.text || each.mayFail)) continue;
+      cell.say(each === cell ? "Running …" : `Running cell ${each.k + 1}, above, first …`);
+      const ended = await one(each);
+      cell.say(ended || each === cell ? "" : `Cell ${each.k + 1}, above, stops with an error.`);
+      if (!ended) break;
+    }
+  } catch (error) {
+    const begun = ready && await ready.then(() => true, () => false);
+    forget();
+    cell.say(!error ? "Stopped. Python has forgotten all names; Run starts it anew."
+      : `Python cannot be loaded from ${place()}: ${error.message}. The network here may block it. `
+        + "The stored results stand; Run tries again.");
+    if (error && begun) cell.say(`Python has stopped: ${error.message}. Run starts it anew.`);
+  } finally {
+    clearTimeout(heard);
+    running = null;
+    draw();
+    cell.bar.dispatchEvent(new Event("courseware:ran"));
+  }
+};
+
+const agree = (cell) => new Promise((resolve) => {
+  cell.say(`This loads Python (Pyodide) into the page: about 10 MB from ${place()}, up to 25 MB for `
+    + "cells that derive or draw. What you type stays in this browser.");
+  const buttons = ["Load Python", "Not now"].map((words) => {
+    const button = Object.assign(document.createElement("button"), { type: "button" });
+    button.textContent = words;
+    button.addEventListener("click", () => {
+      buttons.forEach((each) => each.remove());
+      cell.button.hidden = false;
+      cell.say("");
+      cell.button.focus();
+      resolve(words === "Load Python");
+    });
+    return button;
+  });
+  cell.button.hidden = true;
+  cell.bar.append(...buttons);
+  buttons[0].focus();
+});
+
+// The reader presses Run (or Stop) under the cell k.
+export const press = async (bars, k) => {
+  if (running === k) return stop();
+  if (!settings) {
+    settings = await (await fetch(new URL(`settings.json${new URL(import.meta.url).search}`,
+      import.meta.url))).json();
+    cells = bars.map((bar, number) => new Cell(bar, number));
+  }
+  if (!stored()) {
+    if (!await agree(cells[k])) return;
+    stored("yes");
+  }
+  if (!cells[0].code.isContentEditable) cells.forEach((cell) => cell.open());
+  await run(k);
+};

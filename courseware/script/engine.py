@@ -1,0 +1,72 @@
+"""JavaScript without a page: the parts' own script, run by an engine, or by the browser itself.
+
+Python in a browser (Pyodide) asks that browser; elsewhere the package `mini-racer` is the engine.
+"""
+
+import atexit
+import json
+import sys
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from courseware.errors import CourseError
+from courseware.script import runtime
+
+_loaded: set[str] = set()
+
+
+@cache
+def _evaluate() -> Callable[[str], Any]:
+    """What evaluates JavaScript here: one for the whole process."""
+    if sys.platform == "emscripten":
+        from pyodide.code import run_js  # only there
+
+        return run_js
+    try:
+        from py_mini_racer import MiniRacer  # who only computes does not need it
+    except ImportError as error:
+        raise CourseError(
+            "pictures are drawn and answers are read by JavaScript, and there is no engine for it: "
+            "`pip install mini-racer`"
+        ) from error
+    engine = MiniRacer()
+    atexit.register(engine.close)  # an engine left open keeps Python from ending
+    evaluate: Callable[[str], Any] = engine.eval
+    return evaluate
+
+
+def available() -> bool:
+    """Whether there is an engine."""
+    try:
+        _evaluate()
+    except CourseError:
+        return False
+    return True
+
+
+def run(code: str) -> Any:
+    """Evaluate JavaScript that may use the parts, `courseware.figures` for example, and bring its
+    value over as JSON; NaN and infinities survive.
+    """
+    evaluate = _evaluate()
+    for name in runtime.parts():
+        if name not in _loaded:
+            evaluate(f"(globalThis.courseware ??= {{}}).{name} = {runtime.code(name)}; 0")
+            _loaded.add(name)
+    wrapped = (
+        f"JSON.stringify({code}, (_, x) => typeof x === 'number' && !Number.isFinite(x)"
+        " ? {number: String(x)} : x)"
+    )
+    return json.loads(str(evaluate(wrapped)), object_hook=_number)
+
+
+def call(function: str, *arguments: Any) -> Any:
+    """The value of a JavaScript function for arguments that JSON can carry."""
+    return run(f"{function}({', '.join(map(json.dumps, arguments))})")
+
+
+def _number(value: dict[str, Any]) -> Any:
+    if set(value) == {"number"}:
+        return float(value["number"])
+    return value

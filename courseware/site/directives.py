@@ -1,0 +1,131 @@
+"""What a page can ask for: all exercises, all chapters, the library, the symbols, the errata."""
+
+from typing import Any
+
+from docutils import nodes
+from sphinx.util.docutils import SphinxDirective
+
+from courseware.course import course
+from courseware.equations.core import NamedSymbol
+from courseware.practice.bank import Mistake, exercises, mistakes, topics
+from courseware.practice.wording import highlighted, symbols
+from courseware.site.outputs import desk, exercise_box
+from courseware.site.sources import depend
+from courseware.symbols import lexicon
+
+
+class Practice(SphinxDirective):
+    """All exercises, chapter by chapter; with a topic's name, those of the topic."""
+
+    optional_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """A box for each exercise, under the titles of the chapters unless one is named."""
+        if not self.arguments:
+            parts = (f"## {course().title(t)}\n\n```{{practice}} {t}\n```\n" for t in topics())
+            return self.parse_text_to_nodes("\n".join(parts), allow_section_headings=True)
+        topic = self.arguments[0]
+        names = [name for name, exercise in exercises().items() if exercise.topic == topic]
+        if not names:
+            raise self.error(f"no exercises on {topic!r}; there are {', '.join(topics())}")
+        return [exercise_box(self.env, name) for name in names]
+
+
+class Desk(SphinxDirective):
+    """Where a student says a name, if that shall stand higher than the first exercise."""
+
+    def run(self) -> list[nodes.Node]:
+        """The desk."""
+        return [nodes.raw("", desk(self.env), format="html")]
+
+
+class Library(SphinxDirective):
+    """The functions of the library and those that chapters declare, module by module."""
+
+    def run(self) -> list[nodes.Node]:
+        """A section for each module, from its docstrings."""
+        depend(self.env, "functions")
+        text = "\n".join(
+            f"## {name}\n\n```{{eval-rst}}\n.. automodule:: {name}\n   :members:\n```\n"
+            for name in course().library_modules
+        )
+        return self.parse_text_to_nodes(text, allow_section_headings=True)
+
+
+def keep_quotes(app: Any, domain: str, objtype: str, content: nodes.Element) -> None:
+    """Leave the quotes in the type of a parameter straight: `{"raise", "nan"}` is Python."""
+    for kind in content.findall(nodes.emphasis):
+        kind["support_smartquotes"] = False
+
+
+def skip_fields(app: Any, what: str, name: str, member: Any, *_: Any) -> bool | None:
+    """Leave out the fields of a named tuple, which are listed in its docstring."""
+    return True if str(member.__doc__).startswith("Alias for field number") else None
+
+
+class Errata(SphinxDirective):
+    """What stands wrong in the source documents."""
+
+    def run(self) -> list[nodes.Node]:
+        """What stands, what should and why, for each mistake that stands in a document."""
+        depend(self.env, "exercises")
+        found = sorted(
+            (m for m in mistakes().values() if m.document), key=lambda m: (m.document, m.nth)
+        )
+        return self.parse_text_to_nodes("\n\n".join(map(erratum, found)))
+
+
+def erratum(mistake: Mistake) -> str:
+    """Where it stands, what stands there, what should, why, and where the course treats it."""
+    asked = [each for each in exercises().values() if mistake in each.wrong]
+    page = f"/{asked[0].topic}/{asked[0].topic}"
+    chapter = f"[{course().title(asked[0].topic)}]({page})"
+    # an exercise's place is made by its box, so that Sphinx does not know it
+    links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in asked)
+    should = highlighted(mistake.should)
+    return (
+        f"**{mistake.document}**, {symbols(mistake.place)} ({mistake.name})\n\n"
+        f"- The document says: {symbols(mistake.stands)}\n- It should be: {should}\n\n"
+        f"{symbols(mistake.explained or mistake.why)} "
+        f"Chapter: {chapter}. Exercises: {links}."
+    )
+
+
+class Notation(SphinxDirective):
+    """All symbols that the chapters print, chapter by chapter."""
+
+    def run(self) -> list[nodes.Node]:
+        """A table under the title of each chapter."""
+        depend(self.env, "formulas", "figures")
+        for chapter in course().chapters:
+            self.env.note_dependency(str(course().notebook(chapter)))
+        lines: list[str] = []
+        for chapter, rows in notation().items():
+            lines += ["", f"## {course().title(chapter)}", "", "::::{container} notation"]
+            lines += [
+                "| symbol | meaning | unit | range | in code |",
+                "|---|---|---|---|---|",
+                *rows,
+            ]
+            lines += ["::::"]
+        return self.parse_text_to_nodes("\n".join(lines), allow_section_headings=True)
+
+
+def notation() -> dict[str, list[str]]:
+    """Chapter → its rows. Symbols that mean alike, such as a matrix's entries, share one."""
+    tables: dict[str, list[str]] = {}
+    for chapter in course().taught:
+        names, alike = lexicon.names(chapter), dict[tuple[str, ...], list[NamedSymbol]]()
+        for symbol in lexicon.printed_symbols(chapter):
+            span = "" if symbol.is_sign else f"{symbol.low:.7g} … {symbol.high:.7g}"
+            alike.setdefault((symbol.meaning, symbol.unit, span.replace("-", "−")), []).append(
+                symbol
+            )
+        for (meaning, unit, span), group in alike.items():
+            letters = [f"${symbol.latex}$" for symbol in group]
+            if len(letters) > 4:
+                letters[1:-1] = ["…"]
+            codes = ", ".join(f"`{symbol.code}`" for symbol in group if symbol.code in names)
+            row = (", ".join(letters), symbols(meaning), unit, span, codes)
+            tables.setdefault(chapter, []).append(f"| {' | '.join(row)} |")
+    return tables

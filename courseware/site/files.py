@@ -1,0 +1,90 @@
+"""Files beside the pages: the script and its style, the exercises, what a notebook needs."""
+
+import shutil
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from hatchling.builders.wheel import WheelBuilder
+from sphinx.application import Sphinx
+
+from courseware.course import course
+from courseware.figures.compiling import Code, javascript
+from courseware.figures.figure import figures
+from courseware.practice import page as practice
+from courseware.practice.bank import mistakes, topics
+from courseware.script import runtime
+from courseware.site.stills import still
+from courseware.symbols.page import symbols_told
+
+
+def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
+    """The scripts of a figure, an exercise … on pages that have one, and whose course it is."""
+    body = context.get("body", "") if doctree else ""
+    raws = doctree.findall(nodes.raw) if doctree else ()
+    names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
+    told = {
+        "coursewareFigures": [Code(figures()[name].code) for name in names],
+        "coursewareSymbols": symbols_told(page),
+    }
+    if any(told.values()):
+        file = f"pages/{page.replace('/', '-')}.js"
+        lines = (f"window.{name} = {javascript(value)};\n" for name, value in told.items())
+        write_static(app, file, "".join(lines))
+        app.add_js_file(file, loading_method="defer")
+    app.add_css_file("courseware.css")
+    if parts := runtime.called_by(body):
+        app.add_js_file(write_parts(app, parts), loading_method="defer")
+    name = escape(app.config.course_name or course().name, quote=True)
+    tag = f'<meta name="course" content="{name}" />'
+    context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
+
+
+def write_assets(app: Sphinx, env: Any) -> None:
+    """Before the pages, so that these can say which version they want."""
+    if app.builder.format != "html":
+        return
+    solutions = app.config.course_solutions
+    write_static(app, "courseware.css", runtime.stylesheet())
+    for topic in topics():
+        write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
+    for mistake in mistakes().values():
+        if mistake.picture:
+            write_static(app, f"practice/{mistake.name}.svg", still(mistake.picture))
+
+
+def write_parts(app: Sphinx, names: list[str]) -> str:
+    """The scripts of parts as one file, which is called after them."""
+    file = f"courseware/{'-'.join(names)}.js"
+    write_static(app, file, "".join(map(runtime.script, names)))
+    return file
+
+
+def write_static(app: Sphinx, name: str, text: str) -> None:
+    """A file in the site's `_static`."""
+    file = Path(app.outdir) / "_static" / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8")
+
+
+def write_downloads(app: Sphinx, error: Exception | None) -> None:
+    """The wheels and the locked requirements, beside the notebooks."""
+    if error or app.builder.format != "html":
+        return
+    beside = Path(app.outdir) / "_sources"
+    for project in app.config.course_wheels:
+        next(WheelBuilder(str(_project(project))).build(directory=str(beside)))
+    shutil.copy(_project(app.config.course_lock), beside)
+
+
+def _project(name: str) -> Path:
+    """A file or folder that a setting names: beside the folder of the course's package."""
+    return course().folder.parent / name
+
+
+def wheel_name(project: str) -> str:
+    """What the wheel of a project will be called."""
+    metadata = WheelBuilder(str(_project(project))).metadata
+    name = metadata.core.name.replace("-", "_")
+    return f"{name}-{metadata.version}-py3-none-any.whl"

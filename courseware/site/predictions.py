@@ -1,0 +1,114 @@
+"""A prediction on a page: the question, the hands to answer it, and the fold that opens then."""
+
+import json
+from html import escape
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
+from sphinx.util.docutils import SphinxDirective
+
+from courseware.predictions.declaration import Prediction, find
+from courseware.script import engine
+
+FENCE = "`" * 10
+TAG = "after-"
+
+
+class Tag(nodes.General, nodes.Element):  # type: ignore[misc]
+    """An element of HTML around other nodes. tag: its name; data: its attributes."""
+
+
+def visit_tag(translator: Any, node: Tag) -> None:
+    """Its start; other builders write what is in it."""
+    if hasattr(translator, "starttag"):
+        translator.body.append(translator.starttag(node, node["tag"], **node["data"]))
+
+
+def depart_tag(translator: Any, node: Tag) -> None:
+    """Its end."""
+    if hasattr(translator, "starttag"):
+        translator.body.append(f"</{node['tag']}>\n")
+
+
+def asked(renderer: Any, prediction: Prediction) -> Tag:
+    """The page elements of a prediction. renderer: of MyST, which reads Markdown."""
+
+    def markdown(text: str, **attributes: Any) -> Tag:
+        node = Tag("", tag="div", data={}, **attributes)
+        with renderer.current_node_context(node):
+            renderer.nested_render_text(text, 0)
+        return node
+
+    answers = prediction.answers
+    form = engine.call("courseware.predictions.formHtml", answers.data())
+    summary = nodes.raw("", "<summary>The answer</summary>", format="html")
+    right = nodes.raw("", f"<p><strong>{escape(answers.answer())}</strong></p>", format="html")
+    why = [
+        markdown(f"“{guess}”? {why}", classes=["rk-assumes"]) for guess, why in prediction.assumes
+    ]
+    fold = Tag("", tag="details", data={}, classes=["rk-opens"])
+    fold.extend([summary, Tag("", right, *why, tag="div", data={}, classes=["rk-key"])])
+    fold.append(markdown(prediction.opens))
+    data = {"data-prediction": json.dumps(answers.data(), ensure_ascii=False)}
+    box = Tag("", tag="div", data=data, ids=[prediction.name], classes=["rk-prediction"])
+    box.extend([markdown(prediction.question), nodes.raw("", form, format="html"), fold])
+    return box
+
+
+def mark(app: Sphinx, page: str, content: list[str]) -> None:
+    """MyST-NB forgets the tags of Markdown cells: those of predictions become a directive."""
+    if not app.env.doc2path(page).endswith(".ipynb"):
+        return
+    notebook = json.loads(content[0])
+    for cell in notebook["cells"]:
+        tags = [t for t in cell["metadata"].get("tags", []) if t.startswith(TAG)]
+        if tags and cell["cell_type"] == "markdown":
+            text = "".join(cell["source"])
+            cell["source"] = f"{FENCE}{{after}} {tags[0].removeprefix(TAG)}\n{text}\n{FENCE}"
+    content[0] = json.dumps(notebook)
+
+
+class After(SphinxDirective):
+    """What a prediction opens; without one, as it stands."""
+
+    required_arguments = 1
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """The content, marked as a code cell with the same tag is."""
+        node = Tag("", tag="div", data={}, classes=[f"tag_{TAG}{self.arguments[0]}"])
+        self.state.nested_parse(self.content, self.content_offset, node)
+        return [node]
+
+
+def gather(app: Sphinx, doctree: nodes.document) -> None:
+    """Put what a prediction opens into its fold: the cells that follow and carry its name."""
+    for fold in list(doctree.findall(lambda n: isinstance(n, Tag) and "rk-opens" in n["classes"])):
+        box = fold.parent
+        cell = box
+        while "cell" not in cell["classes"]:
+            cell = cell.parent
+        tag, cells = f"tag_{TAG}{box['ids'][0]}", cell.parent
+        place = cells.index(cell) + 1
+        while place < len(cells) and tag in cells[place].get("classes", []):
+            follower = cells[place]
+            cells.remove(follower)
+            fold.append(follower)
+    for left in doctree.findall(nodes.Element):
+        tags = [c for c in left.get("classes", []) if c.startswith(f"tag_{TAG}")]
+        if tags and "rk-opens" not in left.parent["classes"]:
+            name = tags[0].removeprefix(f"tag_{TAG}")
+            raise ExtensionError(
+                f"{app.env.docname}: a cell is tagged {TAG}{name}, but it does not follow the cell "
+                f'predictions.ask("{find(name).name}"): put it there, or take off the tag'
+            )
+
+
+def setup(app: Sphinx) -> None:
+    """What Sphinx must know of predictions."""
+    app.add_node(Tag, html=(visit_tag, depart_tag))
+    app.add_directive("after", After)
+    app.connect("source-read", mark)
+    app.connect("doctree-read", gather)

@@ -1,0 +1,93 @@
+"""What *Run* fetches when it is pressed: Python's address, the course's wheels, its own files.
+
+`course_python` is the public address of Pyodide. The environment's PYODIDE names a folder with it
+instead, an unpacked release, which is copied into the site: then nothing is asked of strangers.
+"""
+
+import json
+import os
+import shutil
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from packaging.utils import canonicalize_name
+from sphinx.application import Sphinx
+
+from courseware import run
+from courseware.errors import CourseError
+from courseware.site.files import wheel_name, write_static
+
+NEEDED = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
+LOCK = "pyodide-lock.json"
+# what chapters and JupyterLite's kernel load, with what that needs
+PACKAGES = (
+    *("numpy", "pyyaml", "sympy", "matplotlib"),
+    *("ipython", "jedi", "micropip", "typing-extensions"),
+)
+FOLDER = "python"  # in `_static`, if the site has Python itself
+
+
+def own_python() -> Path | None:
+    """The folder with Pyodide that the build is given, if it is."""
+    name = os.environ.get("PYODIDE")
+    return Path(name).resolve() if name else None
+
+
+def read_setting(app: Sphinx, config: Any) -> None:
+    """The folder is a setting like others: where it changes, the pages do."""
+    folder = own_python()
+    if folder and (missing := [name for name in (*NEEDED, LOCK) if not (folder / name).exists()]):
+        raise SystemExit(
+            f"PYODIDE={folder} has no {', '.join(missing)}: it must be the folder `pyodide` of a "
+            "release of Pyodide, unpacked"
+        )
+    config.course_folder = str(folder or "")
+
+
+def write_files(app: Sphinx, env: Any) -> None:
+    """The files that *Run* fetches, and where it finds the rest."""
+    if app.builder.format != "html":
+        return
+    for name, text in run.fetched().items():
+        write_static(app, f"run/{name}", text)
+    folder, katex = own_python(), app.config.course_katex
+    wheels = [wheel_name(name) for name in app.config.course_wheels]
+    settings = {
+        "python": f"../{FOLDER}/" if folder else app.config.course_python,
+        "katex": f"../{katex}" if katex else "",
+        "cells": f"cells.py?v={run.version()}",
+        "wheels": [f"../../_sources/{name}" for name in wheels],
+    }
+    write_static(app, "run/settings.json", json.dumps(settings))
+    if folder:
+        copy_python(folder, Path(app.outdir) / "_static" / FOLDER)
+
+
+def copy_python(folder: Path, target: Path) -> None:
+    """Python itself, and of its packages those that the course can need."""
+    target.mkdir(parents=True, exist_ok=True)
+    packages = json.loads((folder / LOCK).read_text("utf-8"))["packages"]
+    wheels = [packages[name]["file_name"] for name in with_needs(packages, PACKAGES)]
+    for file in (*NEEDED, LOCK, *wheels):
+        if not (folder / file).exists():
+            raise CourseError(f"PYODIDE={folder} has no {file}: it must be a whole release")
+        shutil.copy(folder / file, target)
+
+
+def with_needs(packages: Mapping[str, Any], names: Iterable[str]) -> list[str]:
+    """The names, and those of all that these packages need."""
+    found, wanted = set[str](), list(names)
+    while wanted:
+        name = canonicalize_name(wanted.pop())
+        if name not in found:
+            found.add(name)
+            wanted += packages[name]["depends"]
+    return sorted(found)
+
+
+def setup(app: Sphinx) -> None:
+    """Called by the site's extension."""
+    app.add_config_value("course_folder", "", "html", str)
+    app.connect("config-inited", read_setting)
+    app.connect("env-updated", write_files)

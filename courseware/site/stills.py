@@ -1,0 +1,24 @@
+"""Still pictures of mistakes: a figure of the chapter, set to what the mistake makes of it."""
+
+from tinycss2 import parse_stylesheet, serialize
+
+from courseware.figures.figure import find
+from courseware.practice.bank import Picture
+from courseware.script import runtime
+
+DARK = 'html[data-theme="dark"]'
+
+
+def dark_colours() -> str:
+    """Return the custom properties that the style of figures has on a dark page."""
+    rules = parse_stylesheet(runtime.rules("figures"), skip_comments=True, skip_whitespace=True)
+    dark = (serialize(r.content).strip() for r in rules if serialize(r.prelude).startswith(DARK))
+    return " ".join(text for text in dark if text.startswith("--"))
+
+
+def still(picture: Picture) -> str:
+    """The picture as an SVG file of its own; its address ends in #dark for a dark page."""
+    svg = find(picture.figure).picture(mistake=picture.option)
+    tag, _, content = svg.partition(">")
+    style = f"<style>#dark:target {{ {dark_colours()} }}</style>"
+    return tag.replace("<svg", '<svg id="dark"', 1) + f">{style}{content}"

@@ -1,0 +1,154 @@
+"""A formula with the numbers of a figure, from its expression: v = (0.10 + 0.05)/2 = 0.075 m/s.
+
+Every number is a slot, which the script writes anew whenever the figure is drawn. A negative number
+gets parentheses where its sign would meet another one. Angles are in degrees, as the figure shows
+them, but where they meet other quantities: there they are in radians.
+"""
+
+from collections.abc import Mapping
+from html import escape
+from typing import Any
+
+import sympy as sp
+
+from courseware.equations.core import Equation, NamedSymbol, as_written, put_in
+from courseware.equations.printing import aligned, latex
+from courseware.equations.text import fraction, symbol_text
+from courseware.errors import CourseError
+from courseware.figures.figure import Figure
+from courseware.script import engine
+from courseware.symbols import lexicon
+
+SIZES = (sp.Abs, sp.Max, sp.Min)  # functions whose value is what they are given
+Numbers = Mapping[str, Mapping[str, Any]]
+AT_START = """((figure, {numbers, startState, settings, compute}) => numbers(
+  figure, startState(figure), compute(figure, settings(figure, startState(figure)))
+))"""
+
+
+def at_start(figure: Figure) -> Numbers:
+    """The figure's numbers by the keys of their symbols: `{value, text}`, before it is touched."""
+    found: Numbers = engine.run(f"{AT_START}({figure.code}, courseware.figures)")
+    return found
+
+
+def rows(equation: Equation, computed: bool) -> list[tuple[Any, Any]]:
+    """Left and right side of each line; a product of matrices is written out."""
+    right = equation.printed(computed)
+    right = equation.right if isinstance(right, sp.MatMul) else right
+    lefts, rights = (
+        list(side) if isinstance(side, sp.MatrixBase) else [side] for side in (equation.left, right)
+    )
+    return list(zip(lefts, rights, strict=True))
+
+
+class Slots:
+    """Writes the lines of a formula with slots for the numbers of a figure."""
+
+    def __init__(self, equation: Equation, figure: Figure, chapter: str) -> None:
+        self.equation, self.figure, self.chapter = equation, figure, chapter
+        self.numbers = at_start(figure)
+
+    def tex(self, computed: bool) -> str:
+        """All lines."""
+        lines = [self._line(left, right) for left, right in rows(self.equation, computed)]
+        return aligned(lines) if len(lines) > 1 else " = ".join(lines[0])
+
+    def said(self) -> str:
+        """The results as a sentence, for those who do not see the formula."""
+        lefts = [left for left, _ in rows(self.equation, False)]
+        return ", ".join(
+            f'{symbol_text(left)} = <span data-symbol="{left.key}" data-of="{self.figure.name}" '
+            f'data-result="1">{escape(self.numbers[left.key]["text"])}</span>'
+            for left in lefts
+        )
+
+    def _line(self, left: Any, right: Any) -> tuple[str, str]:
+        if not isinstance(left, NamedSymbol):
+            raise CourseError(
+                f"the numbers of {self.equation.name} cannot follow a figure: its left side "
+                f"{left} is no symbol"
+            )
+        self._refuse_unknown(left, "a readout")
+        if isinstance(right, NamedSymbol):  # its number is the result already
+            return lexicon.marked(self.chapter, left.latex), self._slot(left, result=True)
+        right = put_in(right, self._steps())
+        degrees, result = in_degrees(right) and not meets(right), self._slot(left, result=True)
+        if left.unit == "rad" and not degrees:
+            result = rf"{self._slot(left, radians=True)}\,\mathrm{{rad}} = {result}"
+        self.turns_in_degrees = not meets(right)
+        with as_written():
+            written = latex(self._filled(right, degrees), mul_symbol="dot")
+        return lexicon.marked(self.chapter, left.latex), f"{written} = {result}"
+
+    def _steps(self) -> dict[sp.Symbol, Any]:
+        """The named steps that the figure has no numbers for, written out."""
+        steps: dict[sp.Symbol, Any] = {}
+        for symbol, step in self.equation.where:
+            if getattr(symbol, "key", "") not in self.numbers:
+                steps[symbol] = put_in(step, steps)
+        return steps
+
+    def _refuse_unknown(self, symbol: NamedSymbol, what: str) -> None:
+        if symbol.key not in self.numbers:
+            raise CourseError(
+                f"the numbers of {self.equation.name} follow the figure {self.figure.name}, which "
+                f"shows none for {symbol} ({symbol.place}): give it {what} with this symbol; "
+                f"there are {', '.join(self.numbers)}"
+            )
+
+    def _slot(self, symbol: NamedSymbol, **flags: bool) -> str:
+        flags = {flag: is_set for flag, is_set in flags.items() if is_set}
+        text = engine.call("courseware.symbols.slotText", self.numbers[symbol.key], flags)
+        marks = "".join(f",{flag}=1" for flag in flags)
+        face = f"{lexicon.face(symbol, self.chapter)},of={self.figure.name}{marks}"
+        upright = text.replace("%", r"\%").replace(" ", "~")
+        return rf"{{\htmlData{{{face}}}{{\mathrm{{{upright}}}}}}}"
+
+    def _filled(self, e: Any, degrees: bool, guarded: bool = False) -> Any:
+        """The expression with slots in place of symbols; guarded: a minus needs parentheses."""
+        if isinstance(e, NamedSymbol):
+            self._refuse_unknown(e, "a slider, a readout or a named step (`where`)")
+            radians = e.unit == "rad" and not degrees
+            return sp.Symbol(self._slot(e, guarded=guarded, radians=radians))
+        if e == sp.pi and degrees:
+            return sp.Symbol(r"180^\circ")
+        if isinstance(e, sp.Piecewise):
+            return self._filled(e.args[0][0], degrees, guarded)  # the ordinary case stands first
+        if isinstance(e, sp.Function) and not isinstance(e, SIZES):
+            inside = self.turns_in_degrees
+            return e.func(*(self._filled(a, inside and in_degrees(a)) for a in e.args))
+        return (
+            e.func(*(self._filled(a, degrees, g) for a, g in guards(e, guarded))) if e.args else e
+        )
+
+
+def guards(e: Any, guarded: bool) -> list[tuple[Any, bool]]:
+    """The parts of an expression, and whether a minus would meet another sign there."""
+    if isinstance(e, sp.Add):
+        return [(part, place > 0) for place, part in enumerate(e.args)]
+    if isinstance(e, sp.Pow):
+        return [(e.base, guarded if e.exp == -1 else e.exp != sp.Rational(1, 2)), (e.exp, False)]
+    if isinstance(e, sp.Mul):
+        above, below = fraction(e)
+        alone = [side[0] for side in (above, below) if below and len(side) == 1]
+        under = [a.base if isinstance(a, sp.Pow) and a.exp == -1 else a for a in e.args]
+        return [(a, part not in alone) for a, part in zip(e.args, under, strict=True)]
+    return [(part, False) for part in e.args]
+
+
+def meets(e: Any) -> bool:
+    """Whether an angle meets other quantities inside a function: the line is then in radians."""
+    inside = {part for call in sp.sympify(e).atoms(sp.Function) for part in call.args}
+    units = [{getattr(s, "unit", "") == "rad" for s in part.free_symbols} for part in inside]
+    return {True, False} in units
+
+
+def in_degrees(e: Any) -> bool:
+    """Whether it is made of angles alone, not counting what is inside functions of them."""
+    plain = sp.sympify(e).replace(
+        lambda x: isinstance(x, sp.Function) and not isinstance(x, (*SIZES, sp.Piecewise)),
+        lambda x: sp.pi if x.func.__name__.startswith("a") else sp.S.One,
+    )
+    units = [getattr(symbol, "unit", "") for symbol in plain.free_symbols]
+    return set(units) <= {"rad"} and bool(units or plain.has(sp.pi))

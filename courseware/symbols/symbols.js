@@ -1,0 +1,115 @@
+// Hover, tap or focus of a symbol lights all its faces within the step, and a note names it.
+
+// A step is a section without the sections in it.
+const FACE = "[data-symbol]", FORMULA = ".math-scroll", WITHIN = "> :not(section)";
+let lit = null, note, rule; // lit: { face, key, step, by }
+
+const numberOf = ({ step, key }) => [...step.querySelectorAll(`:scope ${WITHIN} .rk-figure`)]
+  .map((figure) => figure.courseware?.numbers()[key]?.text).find(Boolean);
+
+// A number of a formula: as the figure shows it, without its unit unless it is the result.
+const slotText = ({ value, text }, { result, radians, guarded }) => {
+  const plain = text.replace(/^([−\d]\S*) .*/, "$1");
+  const shown = result ? text : radians ? trueMinus(value.toFixed(3)) : plain;
+  return guarded && shown[0] === "−" ? `(${shown})` : shown;
+};
+
+const fillSlots = ({ name, numbers }) => {
+  for (const slot of document.querySelectorAll(`[data-of="${name}"]`)) {
+    slot.textContent = slotText(numbers[slot.dataset.symbol], slot.dataset);
+  }
+};
+
+// The names in the code that stand for a symbol.
+const markNames = () => {
+  const known = new Map(Object.entries(coursewareSymbols).map(([symbol, [, , , look, code]]) =>
+    [code, look ? { symbol, look } : { symbol }]));
+  for (const name of document.querySelectorAll(".highlight .n")) {
+    Object.assign(name.dataset, known.get(name.textContent));
+  }
+};
+
+const write = () => {
+  const [letter, meaning, unit, kind] = coursewareSymbols[lit.key], number = numberOf(lit);
+  note.innerHTML = `<b data-look="${kind}">${symbols(letter)}</b> ${symbols(meaning)}`
+    + (number ? `: <span>${escaped(number)}</span>` : unit ? ` (${escaped(unit)})` : "");
+};
+
+const place = () => {
+  const { left } = lit.face.getBoundingClientRect(), gap = 8;
+  const { top, bottom } = (lit.face.closest(FORMULA) ?? lit.face).getBoundingClientRect();
+  const most = document.documentElement.clientWidth - note.offsetWidth - gap;
+  const above = lit.face.closest(".rk-numbers") ? 0 : top - note.offsetHeight - gap;
+  note.style.left = `${Math.max(gap, Math.min(left, most)) + scrollX}px`;
+  note.style.top = `${(above > 60 ? above : bottom + gap) + scrollY}px`; // 60: the head of the page
+};
+
+const clear = () => {
+  lit?.step.classList.remove("rk-here");
+  lit = null;
+  note.hidden = true;
+  rule.textContent = "";
+};
+
+const light = (face, by) => {
+  const key = face.dataset.symbol, step = face.closest("section");
+  if (!(key in coursewareSymbols) || !step) return;
+  clear();
+  lit = { face, key, step, by };
+  step.classList.add("rk-here");
+  const here = `.rk-here ${WITHIN}`, all = `[data-symbol="${key}"]`;
+  rule.textContent = `${here} ${all} { background: var(--rk-lit); border-radius: 3px; }`
+    + `@media (forced-colors: active) { ${here} ${all} { outline: 2px solid Highlight; } }`
+    + `${here} svg ${all} { filter: var(--rk-glow); }`;
+  note.hidden = false;
+  note.ariaLive = "polite";
+  write();
+  place();
+};
+
+const onPage = () => {
+  if (!globalThis.coursewareSymbols) return;
+  markNames();
+  document.body.insertAdjacentHTML("beforeend", `<div class="rk-named" role="status" hidden></div>`);
+  note = document.body.lastElementChild;
+  rule = document.head.appendChild(document.createElement("style"));
+  const faceOf = (event) => event.target.closest?.(FACE);
+  addEventListener("pointerover", (event) => {
+    if (event.pointerType !== "mouse" || event.buttons) return;
+    const face = faceOf(event);
+    if (face) light(face, "hover"); else if (lit?.by === "hover") clear();
+  });
+  addEventListener("click", (event) => {
+    if (event.target.closest?.("input, select, button")) return;
+    const face = faceOf(event);
+    if (face) light(face, "tap"); else if (lit) clear();
+  });
+  addEventListener("focusin", (event) => {
+    const face = faceOf(event);
+    if (face && event.target.matches(":focus-visible")) light(face, "focus");
+    else if (lit?.by === "focus") clear();
+  });
+  addEventListener("focusout", () => { if (lit?.by === "focus") clear(); });
+  addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && lit) clear();
+    const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!way || !event.target.matches?.(FORMULA)) return;
+    const faces = [...event.target.querySelectorAll(FACE)], at = faces.indexOf(lit?.face);
+    if (!faces.length) return;
+    event.preventDefault();
+    const next = faces[at < 0 ? 0 : (at + way + faces.length) % faces.length];
+    next.scrollIntoView({ block: "nearest", inline: "nearest" });
+    light(next, "focus");
+  });
+  for (const { id, courseware: live } of document.querySelectorAll(".rk-figure")) {
+    if (live) fillSlots({ name: id, numbers: live.numbers() });
+  }
+  addEventListener("courseware:drawn", ({ target, detail }) => {
+    fillSlots(detail);
+    if (!lit?.step.contains(target)) return;
+    note.ariaLive = "off"; // what moves is not told again and again
+    write();
+  });
+};
+
+Object.assign(part, { onPage, slotText });

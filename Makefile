@@ -92,7 +92,7 @@ test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)
 
 test-install: $(LIBRARY)/.ready .venv-lowest/.ready
 	$(PYTEST) worksteal -m install -rs tests
-	.venv-lowest/bin/pytest -n 2 --dist $(FILES) book
+	.venv-lowest/bin/pytest -n 2 --dist $(FILES) tests/robokin book
 
 check: $(READY)
 	$(BIN)/ruff check .

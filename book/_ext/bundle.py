@@ -55,12 +55,7 @@ def write_used(app, error):
     found, pages = Classes(), folder.rglob("*.html")
     for page in (page for page in pages if not page.is_relative_to(folder / "lite")):
         found.feed(page.read_text("utf-8"))
-    own = (
-        SCRIPT,
-        "courseware/*.js",
-        "courseware.css",
-        "site.css",
-    )  # scripts put some names together
+    own = (SCRIPT, "courseware/*.js", "courseware.css", "site.css")  # scripts join some names
     for file in (file for name in own for file in folder.glob(f"_static/{name}")):
         found.names.update(re.findall(r"[\w-]+", file.read_text("utf-8")))
     css = used_rules(joined(folder, app.builder.sheets), found.names)

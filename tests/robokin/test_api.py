@@ -32,14 +32,14 @@ def test_the_public_names_and_their_arguments_are_the_stored_ones(module):
     before = {line for line in lines if line.startswith(f"{module}.")}
     assert now == before, (
         f"new: {sorted(now - before)}; gone: {sorted(before - now)}. If this is meant, store it: "
-        ".venv/bin/python tests/signatures.py"
+        ".venv/bin/python tests/robokin/signatures.py"
     )
 
 
 def test_no_module_is_gone():
     lines = signatures.STORED.read_text(encoding="utf-8").splitlines()
     gone = {line.partition(".")[0] for line in lines} - set(MODULES)
-    assert not gone, f"{gone}: if this is meant, store it: .venv/bin/python tests/signatures.py"
+    assert not gone, f"gone: {gone}. If this is meant: .venv/bin/python tests/robokin/signatures.py"
 
 
 @pytest.mark.parametrize("module", MODULES)
@@ -57,8 +57,10 @@ def test_the_public_names_of_a_module_are_its_own(module):
 @pytest.mark.parametrize("module", MODULES)
 def test_a_module_has_tests_of_its_own(module):
     name = f"test_{module}.py"
-    found = any(file for folder in ("book", "tests") for file in (ROOT / folder).rglob(name))
-    assert found or module == "errors", f"robokin.{module} has no tests: write book/{module}/{name}"
+    found = (ROOT / "tests" / "robokin" / name).exists()
+    assert found or module in ("errors", "styles"), (
+        f"robokin.{module} has no tests: write tests/robokin/{name}"
+    )
 
 
 SECTIONS = ["Parameters", "Returns", "Raises", "References", "Examples"]
@@ -156,14 +158,14 @@ def test_a_new_module_is_found_and_what_it_lacks_is_named(tmp_path):
     shutil.copytree(ROOT / "robokin", tmp_path / "robokin")
     (tmp_path / "robokin" / "gear_train.py").write_text(NEW, "utf-8")
     command = [sys.executable, "-P", "-m", "pytest", "-q", "-p", "no:cacheprovider"]
-    command += ["-k", "gear_train", "tests/test_api.py", "tests/test_bad_input.py"]
+    command += ["-k", "gear_train", "tests/robokin/test_api.py", "tests/robokin/test_bad_input.py"]
     env = {**os.environ, "PYTHONPATH": str(tmp_path)}
     told = subprocess.run(command, cwd=ROOT, env=env, capture_output=True, text=True).stdout
     for sentence in (
-        'add "ratio": row(…) to ROWS of tests/arguments/gear_train.py',
+        'add "ratio": row(…) to ROWS of tests/robokin/arguments/gear_train.py',
         "new: ['gear_train.ratio(teeth_in, teeth_out)']; gone: []. If this is meant, store it: ",
         "begin the docstring of gear_train.ratio with one line",
         "no docstring of robokin/gear_train.py has an example that runs",
-        "robokin.gear_train has no tests: write book/gear_train/test_gear_train.py",
+        "robokin.gear_train has no tests: write tests/robokin/test_gear_train.py",
     ):
         assert sentence in told, told

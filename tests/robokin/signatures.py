@@ -1,6 +1,6 @@
 """The public names of `robokin` with the arguments of each, as stored in `signatures.txt`.
 
-`python tests/signatures.py` writes that file anew.
+`python tests/robokin/signatures.py` writes that file anew.
 """
 
 import importlib

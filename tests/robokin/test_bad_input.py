@@ -98,7 +98,7 @@ def has_answer(entry):
 
 @pytest.mark.parametrize("module", MODULES)
 def test_each_function_has_a_row(module):
-    place = f"ROWS of tests/arguments/{module}.py"
+    place = f"ROWS of tests/robokin/arguments/{module}.py"
     functions, named = set(public_functions(module)), {name.split()[0] for name in rows(module)}
     missing = [f'"{name}": row(…)' for name in sorted(functions - named)]
     assert not missing, f"add {', '.join(missing)} to {place}; the files beside it are examples"
@@ -108,7 +108,7 @@ def test_each_function_has_a_row(module):
 
 def test_each_file_of_rows_has_its_module():
     gone = {module.name for module in iter_modules(arguments.__path__)} - set(MODULES)
-    assert not gone, f"tests/arguments has files for what robokin has not: remove {sorted(gone)}"
+    assert not gone, f"tests/robokin/arguments has files of no module: remove {sorted(gone)}"
 
 
 @each_row(lambda entry: entry.results)

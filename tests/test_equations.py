@@ -17,7 +17,10 @@ from support import ROOT
 
 from courseware import equations
 from courseware.course import course, held
-from courseware.equations.checking import (
+from courseware.equations.checks import Check, declared_checks
+from courseware.equations.core import Equation, NamedSymbol, as_written, quantity
+from courseware.equations.rendering import MIME, latex
+from courseware.equations.verification import (
     SAMPLES,
     answer,
     check_one,
@@ -26,14 +29,11 @@ from courseware.equations.checking import (
     library_functions,
     sample,
 )
-from courseware.equations.checks import Check, declared_checks
-from courseware.equations.core import Equation, NamedSymbol, as_written, quantity
-from courseware.equations.printing import MIME, latex
 from courseware.errors import CourseError
 from courseware.figures.compiling import Compiler
 from courseware.figures.declaration import Slider
 from courseware.figures.javascript import function
-from courseware.site.checks import checked
+from courseware.site.checks_page import checked
 from robokin import motion
 
 each_equation = each("equation", "formulas", Equation)
@@ -168,7 +168,9 @@ def whole_turns(equation, mutant):
 def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
     right = CHECKS["differential_drive.speed"]
     wrong = replace(right, equation=replace(SPEED, right=SPEED.right * 2))
-    monkeypatch.setattr("courseware.equations.checking.declared_checks", lambda: {"wrong": wrong})
+    monkeypatch.setattr(
+        "courseware.equations.verification.declared_checks", lambda: {"wrong": wrong}
+    )
     with pytest.raises(Exception, match=r"disagree:\ndiff.*speed by .*, allowed 1e-15, at b = "):
         checked(tmp_path)
 
@@ -231,7 +233,7 @@ def test_the_functions_are_those_that_are_called_not_those_that_these_call():
 
 def test_a_check_without_the_library_must_name_what_computes(tmp_path, monkeypatch):
     silent = replace(CHECKS["basics.direction"], compared_with="")
-    for module in ("courseware.site.checks", "courseware.equations.checking"):
+    for module in ("courseware.site.checks_page", "courseware.equations.verification"):
         monkeypatch.setattr(f"{module}.declared_checks", lambda: {silent.name: silent})
     with pytest.raises(
         Exception, match=r"basics.direction calls no function of robokin: say in its"

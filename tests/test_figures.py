@@ -26,7 +26,7 @@ from support import EPS, ROOT, assert_close
 from book.motion import formulas as motion_formulas
 from courseware.course import course
 from courseware.equations import look
-from courseware.equations.checking import differences, evaluate
+from courseware.equations.verification import differences, evaluate
 from courseware.errors import CourseError
 from courseware.figures import (
     POINTER,

@@ -17,9 +17,9 @@ from scipy.spatial.transform import Rotation
 from support import assert_angles
 
 from book.motion import formulas as arc
-from courseware.equations.checking import differences, evaluate
 from courseware.equations.core import as_written
 from courseware.equations.functions import null_projector, rank, solve
+from courseware.equations.verification import differences, evaluate
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Recurrence, Slider, Trail
 from courseware.figures.javascript import evaluate as evaluated

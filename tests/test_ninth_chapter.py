@@ -16,8 +16,8 @@ from types import SimpleNamespace
 
 import pytest
 import yaml
-from anywhere import places
 from browser import make_book, once
+from launch_buttons import places
 from support import ROOT
 
 import book  # noqa: F401  (opens the course)

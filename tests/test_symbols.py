@@ -11,7 +11,7 @@ from support import on_circle
 
 from courseware.course import held
 from courseware.equations.core import NamedSymbol, quantity, sign
-from courseware.equations.printing import AGAIN, MIME, name_on_page
+from courseware.equations.rendering import AGAIN, MIME, name_on_page
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Slider
 from courseware.script import engine

@@ -1,6 +1,5 @@
 """Every formula of a course, once: printed in the chapters, checked here, drawn from."""
 
-from courseware.equations.checking import Array, Result, check
 from courseware.equations.checks import Check
 from courseware.equations.core import (
     Equation,
@@ -12,6 +11,7 @@ from courseware.equations.core import (
     show,
     sign,
 )
+from courseware.equations.verification import Array, Result, check
 
 __all__ = [
     "Array",

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from courseware.course import course
-from courseware.equations.printing import AGAIN, COMPUTED, both_sides, mimebundle, name_on_page
+from courseware.equations.rendering import AGAIN, COMPUTED, both_sides, mimebundle, name_on_page
 from courseware.errors import CourseError
 from courseware.units import refuse_other_than_si
 

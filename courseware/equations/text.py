@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import sympy as sp
 from sympy.printing.pretty.pretty_symbology import greek_unicode
 
-from courseware.equations.printing import AsWritten
+from courseware.equations.rendering import AsWritten
 from courseware.errors import CourseError
 
 SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text holds together

@@ -11,7 +11,7 @@ from sympy.printing.jscode import JavascriptCodePrinter
 
 from courseware.equations.core import Where, as_written, told
 from courseware.equations.functions import MPMATH
-from courseware.equations.printing import AsWritten
+from courseware.equations.rendering import AsWritten
 from courseware.errors import CourseError
 from courseware.script import engine
 

@@ -14,9 +14,9 @@ from functools import cache
 from typing import Any
 
 from courseware.course import course
-from courseware.equations import printed
 from courseware.equations.core import Equation
-from courseware.equations.printing import name_on_page, place_on_page
+from courseware.equations.notebook import shown_equations
+from courseware.equations.rendering import name_on_page, place_on_page
 from courseware.equations.text import formula_text
 from courseware.practice import dealing, judging
 from courseware.practice.bank import Exercise, exercises
@@ -57,7 +57,7 @@ def look(exercise: Exercise) -> dict[str, Any]:
     uses, each as what it gives and where the chapter prints it."""
     places = {
         equation.name: place_on_page(name_on_page(equation.name, computed))
-        for equation, computed in printed.shown(exercise.topic)
+        for equation, computed in shown_equations(exercise.topic)
     }
     steps = exercise.solution.steps.values()
     used = dict.fromkeys(s.formula for s in steps if isinstance(s.formula, Equation))

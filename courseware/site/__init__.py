@@ -24,7 +24,7 @@ from sphinx.application import Sphinx
 
 from courseware.course import course
 from courseware.site import predictions, run
-from courseware.site.checks import FormulaChecks
+from courseware.site.checks_page import FormulaChecks
 from courseware.site.directives import (
     Desk,
     Errata,
@@ -35,7 +35,7 @@ from courseware.site.directives import (
     skip_fields,
 )
 from courseware.site.files import add_assets, write_assets, write_downloads
-from courseware.site.first import Chapters, Live, Promise
+from courseware.site.home_page import Chapters, Live, Promise
 from courseware.site.outputs import Outputs, refuse_names_of_headings
 from courseware.site.sources import list_files
 from courseware.symbols.page import mark_formulas

@@ -12,8 +12,8 @@ from sphinx.errors import ExtensionError
 
 from courseware.course import course
 from courseware.equations.core import find, labelled
-from courseware.equations.printing import AGAIN, COMPUTED, name_on_page, place_on_page
-from courseware.equations.printing import MIME as EQUATION
+from courseware.equations.rendering import AGAIN, COMPUTED, name_on_page, place_on_page
+from courseware.equations.rendering import MIME as EQUATION
 from courseware.errors import CourseError
 from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find as find_figure

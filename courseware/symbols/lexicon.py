@@ -12,8 +12,8 @@ from typing import Any
 
 from courseware.course import course, held
 from courseware.equations.core import Equation, NamedSymbol, free_symbols, look
-from courseware.equations.printed import cells, results, shown
-from courseware.equations.printing import MIME
+from courseware.equations.notebook import cells, results, shown_equations
+from courseware.equations.rendering import MIME
 from courseware.equations.text import GREEK
 from courseware.errors import CourseError
 
@@ -32,7 +32,7 @@ TOKEN = re.compile(r"\{[^{}]*\}|\\(?:mathrm|operatorname)\s*\{\w+\}|\\[A-Za-z]+|
 @cache
 def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
     """The symbols of a chapter by their pattern in TeX, the longest first."""
-    found, equations = list[NamedSymbol](), [equation for equation, _ in shown(chapter)]
+    found, equations = list[NamedSymbol](), [equation for equation, _ in shown_equations(chapter)]
     if formulas := course().module(chapter, "formulas"):
         found += held(formulas, NamedSymbol)
         equations += held(formulas, Equation)
@@ -53,7 +53,7 @@ def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
 
 def printed(chapter: str) -> list[str]:
     """All TeX that a chapter prints: typed in its text, of its equations, of its code's results."""
-    found = [equation.latex(computed) for equation, computed in shown(chapter)]
+    found = [equation.latex(computed) for equation, computed in shown_equations(chapter)]
     for cell in cells(chapter):
         if cell["cell_type"] == "markdown":
             text = re.sub(r"```.*?```|`[^`\n]*`", "", "".join(cell["source"]), flags=re.DOTALL)

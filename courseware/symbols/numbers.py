@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from courseware.equations.core import Equation, NamedSymbol, as_written, put_in
-from courseware.equations.printing import aligned, latex
+from courseware.equations.rendering import aligned, latex
 from courseware.equations.text import fraction, symbol_text
 from courseware.errors import CourseError
 from courseware.figures.figure import Figure

@@ -5,7 +5,7 @@ from typing import Any
 
 from courseware.course import course
 from courseware.equations.core import Equation, declared
-from courseware.equations.printing import MIME
+from courseware.equations.rendering import MIME
 
 
 def cells(chapter: str) -> list[dict[str, Any]]:
@@ -21,7 +21,7 @@ def results(cell: dict[str, Any]) -> list[dict[str, Any]]:
     return [output.get("data", {}) for output in cell.get("outputs", ())]
 
 
-def shown(chapter: str) -> list[tuple[Equation, bool]]:
+def shown_equations(chapter: str) -> list[tuple[Equation, bool]]:
     """The equations that a chapter's notebook shows, and whether in the form that is computed.
 
     Without those that have lost their name since it ran: it must run again to say so.

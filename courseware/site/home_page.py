@@ -11,7 +11,7 @@ from courseware.figures import Figure
 from courseware.figures.figure import find as find_figure
 from courseware.practice.bank import exercises, mistakes
 from courseware.practice.dealing import VARIANTS
-from courseware.site.checks import checked, power
+from courseware.site.checks_page import checked, power
 from courseware.site.outputs import figure_on_page
 from courseware.site.sources import depend
 

@@ -12,8 +12,8 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware import equations
 from courseware.course import course
-from courseware.equations.checking import library_functions
 from courseware.equations.checks import Check, declared_checks
+from courseware.equations.verification import library_functions
 from courseware.site.sources import depend, sources
 
 

@@ -163,7 +163,7 @@ CHECKS = (
     ),
     Check(
         formulas.command,
-        checked_by="book/planar_arm/test_planar_arm.py::test_the_command_takes_the_error_back",
+        checked_by="tests/robokin/test_planar_arm.py::test_the_command_takes_the_error_back",
         reason="an identity: the error shrinks by the factor 1 - K dt in a step",
     ),
     Check(

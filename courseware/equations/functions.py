@@ -1,7 +1,7 @@
 """The few functions beyond SymPy's own that an expression may call.
 
 Each has three faces: 50-digit arithmetic here, JavaScript in `courseware/figures/functions.js`,
-and a NumPy oracle in `tests/test_javascript.py` that both are held to.
+and a NumPy oracle in `tests/courseware/test_javascript.py` that both are held to.
 """
 
 from collections.abc import Callable

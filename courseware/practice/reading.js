@@ -1,5 +1,5 @@
 // Reads a typed answer: a number, a list, or a calculation such as `sqrt(3)/2`. Runs nothing. The
-// one reader: of the page, of notebooks and of `grade`. `tests/answers.json` says what it must read.
+// one reader: of the page, of notebooks and of `grade`. `tests/courseware/answers.json` says what it must read.
 //
 // - A product without a sign, `2pi`, ranks as `*`. By that rule `1/2pi` is pi/2, which few mean:
 //   a division followed by such a product is refused, and so is `√2pi`. `√` takes one thing.

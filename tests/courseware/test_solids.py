@@ -10,13 +10,13 @@ from declared import FIGURES
 from hypothesis import given
 from hypothesis import strategies as st
 from support import EPS, assert_close
+from test_dragging import alone  # noqa: F401
 from test_figures import (
     in_browser,
     painted,
     pressed,
     space,
 )
-from test_hands import alone  # noqa: F401
 
 from courseware.errors import CourseError
 from courseware.figures import VIEW, Bracket, Readout, Turns, solids

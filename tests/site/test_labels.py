@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from browser import watched_page
 from declared import FIGURES, each
-from test_hands import shown
+from test_dragging import shown
 
 from courseware.figures import Figure
 from courseware.script import runtime

@@ -7,16 +7,16 @@ import pytest
 import sympy as sp
 from declared import FIGURES, each
 from playwright.sync_api import expect
+from test_dragging import (
+    alone,  # noqa: F401
+    centre,
+    put,
+)
 from test_figures import (
     SHOW,
     in_browser,
     point,
     started,
-)
-from test_hands import (
-    alone,  # noqa: F401
-    centre,
-    put,
 )
 
 from courseware.course import course

@@ -6,18 +6,18 @@ import random
 import re
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import hypothesis.strategies as st
 import pytest
 from hypothesis import given, settings
-from support import ROOT
 
 import book  # noqa: F401  (opens the course)
 from courseware import practice
 from courseware.script import engine, runtime
 
-GROUPS = json.loads((ROOT / "tests" / "answers.json").read_text(encoding="utf-8"))
+GROUPS = json.loads(Path(__file__).with_name("answers.json").read_text(encoding="utf-8"))
 ROWS = [row for rows in GROUPS.values() for row in rows]
 RTOL = 1e-15  # a few roundings of numbers, fractions and roots
 PROBLEMS = engine.run("courseware.practice.PROBLEMS")

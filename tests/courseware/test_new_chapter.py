@@ -212,7 +212,7 @@ def test_the_machine_s_tests_hold_it(tree, site):
         "-k",
         "gear_train or (beacon and not test_chapters)",
     )
-    own = f"--ignore=tests/{Path(__file__).name}"
+    own = f"--ignore={Path(__file__).relative_to(ROOT)}"
     tests = python(tree, "-P", "-m", "pytest", *options, own, "tests", "book")
     assert tests.returncode == 0, tests.stdout[-4000:]
     passed = int(re.search(r"(\d+) passed", tests.stdout)[1])
@@ -224,6 +224,7 @@ def test_the_machine_s_tests_hold_it(tree, site):
 
 
 COLLECT = "import book; from courseware import equations, practice, course; "
+IN_TESTS = "import sys; sys.path += ['tests', 'tests/courseware', 'tools']; "
 FORGOTTEN = {
     "the line of the table of contents": (
         lambda tree: (tree / "_toc.yml").write_text((ROOT / "_toc.yml").read_text("utf-8")),
@@ -242,13 +243,13 @@ FORGOTTEN = {
     ),
     "what a figure must tell": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),
-        "import sys; sys.path += ['tests', 'tools']; import test_figures; "
+        IN_TESTS + "import test_figures; "
         "test_figures.test_every_figure_has_its_expected_readouts()",
         r"add \[.*'beacon: to READOUTS in book/beacon/expected.py'",
     ),
     "what a mistake gives": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),
-        "import sys; sys.path += ['tests', 'tools']; import test_feedback as t; "
+        IN_TESTS + "import test_feedback as t; "
         "t.test_each_mistake_in_an_exercise_is_told(t.EXERCISES['beacon-1'])",
         r'add to FEEDBACK\["beacon-1"\] in book/beacon/expected.py .*M99',
     ),

@@ -12,6 +12,7 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -86,7 +87,8 @@ def test_the_cells_on_a_page_give_what_is_stored(chapter):
     """All of them, in order, by what runs them in a page, but in this Python."""
     command = [sys.executable, "-W", "error", "-c", OWN_PROCESS, chapter]
     env = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
-    run = subprocess.run(command, cwd=ROOT / "tests", env=env, capture_output=True, text=True)
+    here = Path(__file__).parent
+    run = subprocess.run(command, cwd=here, env=env, capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
 
 

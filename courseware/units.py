@@ -1,7 +1,14 @@
 """The units: their names, how they are typed, their sizes, and how near an answer must be.
 
-A new unit is one more entry of `TABLE`. Then declarations may use it, numbers are printed, typed
-and converted with it (the script has this table too), and no line ends between the two.
+`TABLE` has a row for each size, the SI unit first. Symbols, readouts, answers and steps of
+solutions are in SI units; numbers that only a reader sees (`given`, a guess) are in any unit of the
+table, and what a student types in another unit of the row is converted. Others are refused with the
+list.
+
+A new unit is one more entry: `Unit("m/s²")` in a row of its own, or `Unit("knots", 1852, 3600)` in
+the row of m/s, and for a new word its size in `tests/courseware/test_units.py`. Then declarations
+may use it, numbers are printed, typed and converted with it (the script has this table too), and no
+line ends between the two.
 """
 
 import re

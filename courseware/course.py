@@ -141,7 +141,8 @@ class Course:
             return known[name]
         raise CourseError(
             f"there is no {kind.__name__.lower()} {name!r}; there are "
-            f"{', '.join(self.declared(part, kind))}, declared in the chapters' {part}.py"
+            f"{', '.join(self.declared(part, kind))}, declared in the chapters' {part}.py, "
+            "under a name of their own or in a tuple"
         )
 
     def _is_new(self, chapter: str) -> bool:

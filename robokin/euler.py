@@ -77,7 +77,7 @@ def to_matrix(seq: str, angles: ArrayLike) -> Array:
     Parameters
     ----------
     seq : str
-        1–3 letters.
+        1–3 letters: "XYZ" about the axes as they turn, "xyz" about the fixed ones.
     angles : array_like, shape (..., k)
         Angles in rad, one for each letter.
 

@@ -121,7 +121,7 @@ def _named(
     symbol: NamedSymbol = NamedSymbol.__xnew__(
         NamedSymbol, name, real=True
     )  # not SymPy's own of that name
-    symbol.unit, symbol.meaning, (symbol.low, symbol.high) = unit, meaning, span
+    symbol.unit, symbol.meaning, (symbol.low, symbol.high) = unit, meaning, map(float, span)
     symbol.latex, symbol.code = latex or sp.latex(sp.Symbol(name)), code or name
     caller = sys._getframe(2)
     symbol.module, symbol.line = caller.f_globals["__name__"], caller.f_lineno

@@ -148,7 +148,18 @@ class Figure:
         parts["size"] = self.size
         parts["where"] = compiler.steps()
         parts["compute"] = compiler.code()
-        return javascript(parts), compiler.expressions
+        script = javascript(parts)
+        self._refuse_idle_controls(script)
+        return script, compiler.expressions
+
+    def _refuse_idle_controls(self, script: str) -> None:
+        used = {int(place) for place in re.findall(r"\bc\[(\d+)\]", script)}
+        for control in self.controls:
+            if used.isdisjoint(map(self.settings.index, settings([control]))):
+                raise CourseError(
+                    f"the control {self.key_of(control)} moves nothing: use it in the scene, or "
+                    "take it out"
+                )
 
     @property
     def code(self) -> str:

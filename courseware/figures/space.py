@@ -93,6 +93,7 @@ class View:
         self, R: Any, at: Triple = ORIGIN, size: Expr = 1, labels: Sequence[str] = ("", "", "")
     ) -> tuple[Arrow, ...]:
         """The axes of a frame: the columns of R (3, 3), drawn from `at`."""
+        R = sp.Matrix(R)
         heads = [[at[k] + size * R[k, axis] for k in range(3)] for axis in range(3)]
         return tuple(self.arrow(*each) for each in zip(AXES, [at] * 3, heads, labels, strict=True))
 

@@ -16,6 +16,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -242,6 +243,14 @@ class Exercise:
             raise CourseError(
                 f"{self.name} has numbers and steps of its solution of one name: {', '.join(twice)}"
             )
+        for formula in (self.right, *self.wrong.values(), *self.also.values()):
+            try:
+                signature(formula).bind(**dict.fromkeys(self.given))
+            except TypeError as error:
+                raise CourseError(
+                    f"{self.name} gives {', '.join(self.given)}, but one of its formulas takes "
+                    f"{signature(formula)}: {error}"
+                ) from error
         if self.accept not in ("one", "any", "all"):
             raise CourseError(f"{self.name}: accept must be one, any or all, got {self.accept!r}")
         if self.shape and math.prod(self.shape) != len(self.asks):

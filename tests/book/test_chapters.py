@@ -12,6 +12,7 @@ from stored import PLUMBING
 
 import book  # noqa: F401 (opens the course)
 from courseware.course import course
+from courseware.practice import Exercise
 
 # in this order; between the first two come the steps, "1 …", "2 …"
 BEFORE = ["The exercise"]
@@ -81,10 +82,24 @@ def test_sections_follow_the_skeleton(chapter):
     steps = [title for title in titles if title not in BEFORE + AFTER]
     numbers = [title.partition(" ")[0] for title in steps]
     counted = [str(n) for n in range(1, len(steps) + 1)]
-    assert numbers == counted, f"number the steps, `## 1 …`, `## 2 …`: {steps}"
+    assert numbers == counted, (
+        f"number the steps, `## 1 …`, `## 2 …`, or name them as one of {BEFORE + AFTER}: {steps}"
+    )
     left_out = OPTIONAL - set(titles)
     wanted = BEFORE + steps + [title for title in AFTER if title not in left_out]
     assert titles == wanted, f"{chapter}.ipynb has the sections {titles}; it needs {wanted}"
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_each_exercise_is_asked_in_its_own_chapter(chapter):
+    calls = (
+        re.findall(r'practice\.exercise\("([\w-]+)"', c.source)
+        for c in code(itertools.chain(*sections(chapter)))
+    )
+    homes = course().homes("exercises", Exercise)
+    declared = [name for name, home in homes.items() if home == chapter]
+    missing = set(declared) - {name for found in calls for name in found}
+    assert not missing, f"{chapter}.ipynb does not ask {missing}: `practice.exercise(…)`"
 
 
 @pytest.mark.parametrize("chapter", TAUGHT)

@@ -109,17 +109,19 @@ TITLES = {
 }
 
 
-def test_every_figure_has_its_expected_readouts():
-    assert FIGURES
-    telling = [name for name, figure in FIGURES.items() if computes(figure)]
-    for table, named, all_of in (
-        (READOUTS, "READOUTS", telling),
-        (SPECIALS, "SPECIALS", list(FIGURES)),
-    ):
-        missing = [n for n in all_of if n not in table]
-        places = [f"{n}: to {named} in book/{HOMES[n]}/expected.py" for n in missing]
-        assert not missing, f"add {places}"
-        assert table.keys() <= FIGURES.keys()
+@each_figure
+def test_what_a_figure_must_show_is_expected(figure):
+    tables = (
+        {"READOUTS": READOUTS, "SPECIALS": SPECIALS} if computes(figure) else {"SPECIALS": SPECIALS}
+    )
+    missing = [name for name, table in tables.items() if figure.name not in table]
+    place = f"book/{HOMES[figure.name]}/expected.py"
+    assert not missing, f"add {figure.name!r} to {' and '.join(missing)} in {place}"
+
+
+def test_what_is_expected_is_a_figure():
+    unknown = {*READOUTS, *SPECIALS} - FIGURES.keys()
+    assert not unknown, f"no chapter declares the figures {unknown} of an expected.py"
 
 
 def readouts(figure, points):
@@ -301,7 +303,10 @@ def test_readouts_against_robokin(figure):
     computed = figure.compute(rows)[:, : len(figure.readouts)]
     kept = [keeps_its_digits(figure, readout.value) for readout in figure.readouts]
     wanted = readouts(figure, rows)[:, kept]
-    np.testing.assert_allclose(computed[:, kept], wanted, rtol=ALLOWED, atol=ALLOWED)
+    columns = [readout.name for readout, keep in zip(figure.readouts, kept, strict=True) if keep]
+    for name, ours, library in zip(columns, computed[:, kept].T, wanted.T, strict=True):
+        message = f"the readout {name} is not what expected.py says"
+        np.testing.assert_allclose(ours, library, ALLOWED, ALLOWED, err_msg=message)
     told = [w for readout in figure.readouts for w in readout.words]
     assert {str(x) for x in computed[~np.isfinite(computed)]} == set(told)  # all words are met
 
@@ -462,6 +467,10 @@ def test_the_small_figure_is_right():
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
         ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
+        (
+            {"controls": (Slider(a, 0, 1, 0, 0.1), Slider(motion_formulas.y, 0, 1, 0, 0.1))},
+            "in the figure small, the control y moves nothing",
+        ),
         ({"where": (LOOP,)}, "`where` of small has a Recurrence: give it to a Trail"),
         (
             {"where": ((loose, a / 2),), "scene": (Trail("path", (a, 0), LOOP),)},
@@ -1094,6 +1103,7 @@ def turned(chromium):
         figure = space(
             controls=(Slider(QUANTITY, 0.0, 1.0, start=0.5, step=0.01),),
             handles=(Handle("tip", (1, 1), {QUANTITY: POINTER[0]}),),
+            readouts=(Readout("set", "where the handle is", QUANTITY, "m"),),
             seen_from=(0.5, 0.25),
         )
         body = f'<figure class="rk-figure" id="space">{figure.html()}</figure>'

@@ -244,8 +244,8 @@ FORGOTTEN = {
     "what a figure must tell": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),
         IN_TESTS + "import test_figures; "
-        "test_figures.test_every_figure_has_its_expected_readouts()",
-        r"add \[.*'beacon: to READOUTS in book/beacon/expected.py'",
+        "test_figures.test_what_a_figure_must_show_is_expected(test_figures.FIGURES['beacon'])",
+        r"add 'beacon' to READOUTS and SPECIALS in book/beacon/expected.py",
     ),
     "what a mistake gives": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),

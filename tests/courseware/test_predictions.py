@@ -121,7 +121,9 @@ def test_each_is_asked_once_in_its_own_chapter(chapter):
 @each("prediction", "predictions", Prediction)
 def test_it_says_what_would_give_it_away(prediction):
     """A number with a unit is looked for by itself."""
-    assert tells(prediction), f"{prediction.name}: name such words in `hides`"
+    assert tells(prediction), (
+        f"{prediction.name}: name in `hides` the words that would give its answer away"
+    )
 
 
 @each("prediction", "predictions", Prediction)

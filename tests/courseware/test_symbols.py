@@ -52,7 +52,7 @@ def test_what_code_only_reads_or_catches_has_no_name(monkeypatch):
 
 @each_chapter
 def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
-    for equation, computed in lexicon.shown(chapter):
+    for equation, computed in lexicon.shown_equations(chapter):
         parts = (equation.left, equation.printed(computed))
         symbols = {s.key for s in lexicon.in_expressions(parts)}
         missing = symbols - set(keys(chapter, equation.latex(computed)))
@@ -236,7 +236,8 @@ def test_signs_and_units_of_the_numbers(name, expected):
 
 
 def test_a_number_that_a_figure_lacks_is_told():
-    silent, speed = small_figure(readouts=()), EQUATIONS["motion.euler_step"]
+    other = Readout("other", "", MOTION.theta * MOTION.dt, "")
+    silent, speed = small_figure(readouts=(other,)), EQUATIONS["motion.euler_step"]
     with pytest.raises(
         CourseError, match=r"the figure small, which shows none for x_next .* readout"
     ):
@@ -260,6 +261,8 @@ def boxes(chapter):
 
 @pytest.mark.parametrize("chapter", [c for c in CHAPTERS if boxes(c)])
 def test_a_box_of_a_chapters_formulas_holds_all_of_them(chapter):
-    shown = [name_on_page(each.name, computed) for each, computed in lexicon.shown(chapter)]
+    shown = [
+        name_on_page(each.name, computed) for each, computed in lexicon.shown_equations(chapter)
+    ]
     for labels in boxes(chapter):
         assert labels == shown, f"run: make notebooks T={chapter}"

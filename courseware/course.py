@@ -130,15 +130,12 @@ class Course:
 
     def find(self, part: str, kind: type[T], name: object) -> T:
         """Return the thing of a kind and a name, and import no more chapters than it takes."""
-        if (part, kind) not in self._declared:
-            for chapter in sorted(self.chapters, key=self._is_new):
-                module = self.module(chapter, part)
-                thing: Any
-                for thing in held(module, kind) if module else ():
-                    if thing.name == name:
-                        return cast(T, thing)
-        elif isinstance(name, str) and name in (known := self.declared(part, kind)):
-            return known[name]
+        for chapter in sorted(self.chapters, key=self._is_new):
+            module = self.module(chapter, part)
+            thing: Any
+            for thing in held(module, kind) if module else ():
+                if thing.name == name:
+                    return cast(T, thing)
         raise CourseError(
             f"there is no {kind.__name__.lower()} {name!r}; there are "
             f"{', '.join(self.declared(part, kind))}, declared in the chapters' {part}.py, "

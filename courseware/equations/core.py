@@ -77,8 +77,8 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
 def as_written() -> Any:
     """A `with` block in which SymPy leaves expressions as they are typed.
 
-    They print with the parentheses and are computed in the order that are typed: a + (b − c) is
-    another sum than a + b − c. What is added up from a list is `sympy.Add(*terms)`.
+    They print with their parentheses, and are computed in the order in which they are typed:
+    a + (b − c) is another sum than a + b − c. What is added up from a list is `sympy.Add(*terms)`.
     """
     return sp.evaluate(False)
 

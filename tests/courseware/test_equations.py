@@ -146,7 +146,9 @@ def notices(check, mutant, monkeypatch):
     """Whether a check fails for a mutant, or the mutant is the same angle."""
     if check.function is None:
         home = course().homes("formulas", Equation)[check.name]
-        monkeypatch.setitem(course()._declared["formulas", Equation], check.name, (home, mutant))
+        module = course().modules("formulas")[home]
+        known = {getattr(value, "name", ""): name for name, value in vars(module).items()}
+        monkeypatch.setattr(module, known[check.name], mutant)
         with pytest.raises(AssertionError):
             holding_test(check)()
         return True

@@ -245,7 +245,7 @@ FORGOTTEN = {
         lambda tree: (tree / "book/beacon/expected.py").unlink(),
         IN_TESTS + "import test_figures; "
         "test_figures.test_what_a_figure_must_show_is_expected(test_figures.FIGURES['beacon'])",
-        r"add 'beacon' to READOUTS and SPECIALS in book/beacon/expected.py",
+        r"add 'beacon' to SPECIALS and READOUTS in book/beacon/expected.py",
     ),
     "what a mistake gives": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),

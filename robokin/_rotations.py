@@ -9,6 +9,7 @@ from robokin._validation import Rule, Sizes
 from robokin.errors import RobokinError, at_index
 
 TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
+NEAREST = ". With U, _, Vh = np.linalg.svd(R), the rotation nearest to R is U @ Vh"
 BLOCK = 4000  # matrices judged together, which fit the processor's cache: twice as fast
 
 
@@ -60,10 +61,11 @@ def judged(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:
             raise RobokinError(
                 f"{name}{at_index(index)} must have 0, …, 0, 1 as its last row, got {matrix[n]}"
             )
-        mirror = " (a mirror: determinant < 0)" if np.linalg.det(matrix[:n, :n]) < 0 else ""
+        mirror = bool(np.linalg.det(matrix[:n, :n]) < 0)
         raise RobokinError(
-            f"{name}{at_index(index)} is not a rotation{mirror}: off by {np.nanmax(off):.3g} from "
-            f"columns of length 1, at right angles and right-handed; allowed {tol:.3g}"
+            f"{name}{at_index(index)} is not a rotation{' (a mirror: determinant < 0)' * mirror}: "
+            f"off by {np.nanmax(off):.3g} from columns of length 1, at right angles and "
+            f"right-handed; allowed {tol:.3g}{NEAREST * (not mirror)}"
         )
     return np.where(known[..., None, None], matrices, np.nan)
 

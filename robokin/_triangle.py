@@ -43,6 +43,6 @@ def out_of_reach(
         d, low, high = (np.broadcast_to(a, bad.shape)[index] for a in (distance, low, high))
         raise UnreachableError(
             f"{name}{at_index(index)} is out of reach by {max(low - d, d - high):.6g} m: the wrist "
-            f"would be {d:.6g} m from the shoulder, allowed {low:.6g} to {high:.6g} m"
+            f"would be {d:.12g} m from the shoulder, allowed {low:.12g} to {high:.12g} m"
         )
     return bad

@@ -37,11 +37,16 @@ class Rule:
     ok: Callable[[Array], Bools] | None = None
     allowed: str = ""
 
+    @property
+    def has_steps(self) -> bool:
+        """Whether the argument belongs to the steps of a path."""
+        return self.core[:1] == (STEPS,)
+
     def __call__(self, name: str, value: Any, sizes: Sizes) -> Array:
         array = real_numbers(name, value)
-        if self.core == (STEPS,):
-            array = np.atleast_1d(array)
-        elif self.core:
+        if self.has_steps and array.ndim < len(self.core):
+            array = array[None]
+        if self.core and self.core != (STEPS,):
             self.check_shape(name, array.shape, sizes)
         if self.ok:
             refuse(name, array, self.ok(array), self.allowed)
@@ -49,15 +54,16 @@ class Rule:
 
     def check_shape(self, name: str, shape: Shape, sizes: Sizes) -> None:
         """Refuse a shape that does not end in the core; learn the letters not yet known."""
-        last = shape[-len(self.core) :]
-        if last == self.core:
+        letters = self.core[self.has_steps :]  # the numbers of steps broadcast
+        last = shape[-len(letters) :]
+        if last == letters:
             return
-        core = [sizes.get(n, n) for n in self.core]
+        core = [sizes.get(n, n) for n in letters]
         pairs = zip(core, last, strict=False)
         if len(last) < len(core) or any(m != n and (isinstance(n, int) or m < 1) for n, m in pairs):
             wanted = ", ".join(["…", *(f"{n}" if isinstance(n, int) else f"{n} ≥ 1" for n in core)])
             raise RobokinError(f"{name} must have shape ({wanted}), got {shape}")
-        sizes.update(zip(self.core, last, strict=True))
+        sizes.update(zip(letters, last, strict=True))
 
 
 def data(*core: int | str) -> Rule:
@@ -131,8 +137,8 @@ def validate(given: dict[str, Any], rules: Mapping[str, Check]) -> None:
         if isinstance(rule, Rule):
             axes = array.ndim - len(rule.core)
             batches.setdefault(array.shape[:axes], name)
-            if rule.core == (STEPS,):
-                lengths.setdefault(array.shape[axes:], name)
+            if rule.has_steps:
+                lengths.setdefault(array.shape[axes : axes + 1], name)
     for shapes in batches, lengths:
         for s, t in combinations(shapes, 2):
             if any(m != n and 1 not in (m, n) for m, n in zip(s[::-1], t[::-1], strict=False)):

@@ -22,6 +22,7 @@ __all__ = [
     "front_twist",
     "lane_width",
     "path",
+    "steering",
     "turning_radius",
 ]
 
@@ -209,7 +210,7 @@ def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     Parameters
     ----------
     v : array_like, shape (...)
-        Speed of the rear axle in m/s.
+        Speed of the rear axle in m/s; v_F cos φ for a driven front wheel of speed v_F.
     phi : array_like, shape (...)
         Steering angle in rad.
     wheelbase : array_like, shape (...)
@@ -231,6 +232,38 @@ def body_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     """
     v, slope = _rolling(v, phi)
     return vector(v, 0 * v, v * slope / wheelbase)
+
+
+@validated(v=data(), omega=data(), wheelbase=positive())
+def steering(v: ArrayLike, omega: ArrayLike, wheelbase: ArrayLike) -> Array:
+    """Return the steering angle of a drive: the inverse of `body_twist`.
+
+    Parameters
+    ----------
+    v : array_like, shape (...)
+        Speed of the rear axle in m/s.
+    omega : array_like, shape (...)
+        Turning rate in rad/s.
+    wheelbase : array_like, shape (...)
+        Distance of the axles in m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Steering angle in [-π/2, π/2] rad: 0 at rest, NaN for a turn on the spot, which the rear
+        axle cannot make.
+
+    References
+    ----------
+    Lynch & Park, section 13.3.1, θ̇ = (v/L) tan φ, solved for φ.
+
+    Examples
+    --------
+    >>> round(float(steering(2.0, 0.8, wheelbase=2.5)), 6)
+    0.785398
+    """
+    angle = np.arctan2(np.copysign(1.0, v) * wheelbase * omega, np.abs(v)) + 0.0
+    return np.where((v == 0) & (omega != 0), np.nan, angle)
 
 
 @validated(v=data(), phi=data(), wheelbase=positive())

@@ -331,7 +331,7 @@ class FrameGraph:
                 f"({', '.join(self.frames)}) have {self._shape}: SE(2) and SE(3) do not mix, and "
                 "batches must broadcast"
             ) from error
-        way = self._ways(a).get(b) if a in self._known else None
+        way = self._ways(a).get(b) if {a, b} <= self._known.keys() else None
         if way:
             self._refuse_contradiction(name, T, way)
         self._shape = shape

@@ -5,19 +5,58 @@ Scaramuzza, Introduction to Autonomous Mobile Robots, section 5.2.4; Lynch & Par
 section 13.4.
 """
 
+from typing import Any
+
 import numpy as np
 
-from robokin._arrays import Array, ArrayLike, entries, matrix, parts, vector
+from robokin._arrays import Array, ArrayLike, entries, first, matrix, parts, vector
 from robokin._paths import METHOD, follow, sinc, sinc_slope
 from robokin._rotations import Square
-from robokin._validation import STEPS, Rule, data, not_negative, positive, refuse, validated, whole
+from robokin._validation import (
+    STEPS,
+    Rule,
+    Sizes,
+    data,
+    not_negative,
+    positive,
+    refuse,
+    validated,
+    whole,
+)
+from robokin.errors import RobokinError, at_index
 
-__all__ = ["covariance", "ellipse", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
+__all__ = [
+    "covariance",
+    "covariance_from_travel",
+    "ellipse",
+    "path",
+    "path_from_travel",
+    "travel",
+    "umbmark",
+    "unwrap_counter",
+    "velocity",
+]
 
-TICKS = {"ticks_left": whole(STEPS), "ticks_right": whole(STEPS)}
+
+class Ticks(Rule):
+    """Whole numbers; unsigned ones only where they cannot be differences that wrapped round."""
+
+    def __call__(self, name: str, value: Any, sizes: Sizes) -> Array:
+        ticks = whole(*self.core)(name, value, sizes)
+        dtype = np.asarray(value).dtype
+        if dtype.kind == "u":
+            allowed = "ticks of one step (unsigned differences wrap round: use unwrap_counter)"
+            refuse(name, ticks, ticks <= np.iinfo(dtype).max // 2, allowed)
+        return ticks
+
+
+TICKS = {"ticks_left": Ticks((STEPS,)), "ticks_right": Ticks((STEPS,))}
+TRAVEL = {"travel_left": data(STEPS), "travel_right": data(STEPS), "wheel_distance": positive()}
 WHEEL = {"ticks_per_turn": positive(), "wheel_radius": positive()}
 ROBOT = {**WHEEL, "wheel_distance": positive()}
 BITS = Rule((), lambda n: (n == np.rint(n)) & (n >= 1) & (n <= 52), "1, 2, … or 52")
+MODULUS = Rule((), lambda n: (n == np.rint(n)) & (n >= 2) & (n <= 2**52), "2, 3, … or 2**52")
+UMBMARK_LIMIT = 0.25  # rad; the first-order theory is off by more than half from there
 ROUNDING = 1e-12  # of the variances, between numbers that should be the same
 
 
@@ -26,7 +65,7 @@ def _per_tick(ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
     return 2 * np.pi * wheel_radius / ticks_per_turn
 
 
-@validated(ticks=whole(), **WHEEL)
+@validated(ticks=Ticks(), **WHEEL)
 def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
     """Return how far a wheel has rolled.
 
@@ -35,7 +74,7 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     Parameters
     ----------
     ticks : array_like, shape (...)
-        Ticks N.
+        Ticks N of one step; for readings of a counter `unwrap_counter` first.
     ticks_per_turn : array_like, shape (...)
         Ticks C of one turn; a gear can make it a fraction.
     wheel_radius : array_like, shape (...)
@@ -54,37 +93,48 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     return _per_tick(ticks_per_turn, wheel_radius) * ticks
 
 
-@validated(bits=BITS, counts=whole(STEPS))
-def unwrap_counter(counts: ArrayLike, bits: ArrayLike) -> Array:
-    """Return the ticks between the readings of a counter that wraps round after `2**bits`.
+@validated(bits=BITS, modulus=MODULUS, counts=whole(STEPS))
+def unwrap_counter(
+    counts: ArrayLike, bits: ArrayLike | None = None, modulus: ArrayLike | None = None
+) -> Array:
+    """Return the ticks between the readings of a counter that wraps round.
 
-    The shorter way round is taken. A NaN makes the steps on both its sides NaN.
+    The shorter way round is taken. A NaN makes the steps on both its sides NaN. Name the counter's
+    size in one of the two ways.
 
     Parameters
     ----------
     counts : array_like, shape (..., N)
         Whole numbers, signed or unsigned.
-    bits : array_like, shape (...)
-        Size of each counter, from 1 to 52.
+    bits : array_like, shape (...), optional
+        Bits of each counter, from 1 to 52: a modulus of `2**bits`.
+    modulus : array_like, shape (...), optional
+        How many different counts each counter has, from 2 to `2**52`.
 
     Returns
     -------
     ndarray, shape (..., N-1)
-        Ticks from `-2**(bits-1)` to `2**(bits-1) - 1`.
+        Ticks from -modulus/2 up to, but not including, modulus/2.
 
     Raises
     ------
     RobokinError
-        If a count is outside `-2**(bits-1)` to `2**bits - 1`: such a counter cannot show it.
+        If a count is outside -modulus/2 to modulus - 1: that counter cannot show it. If both or
+        neither of `bits` and `modulus` are given.
 
     Examples
     --------
     >>> unwrap_counter([65530, 4, 65533], bits=16)
     array([10., -7.])
+    >>> unwrap_counter([3990, 10], modulus=4000)
+    array([20.])
     """
-    span = 2.0 ** bits[..., None]
+    if (bits is None) == (modulus is None):
+        raise RobokinError("unwrap_counter needs either bits or modulus, got both or neither")
+    span = (np.asarray(modulus) if bits is None else 2.0**bits)[..., None]
     outside = (counts < -span / 2) | (counts >= span)
-    refuse("counts", counts, ~(outside & np.isfinite(counts)), "from -2**(bits-1) to 2**bits - 1")
+    allowed = "from -modulus/2 to modulus - 1 (modulus: 2**bits)"
+    refuse("counts", counts, ~(outside & np.isfinite(counts)), allowed)
     return (np.diff(counts) + span / 2) % span - span / 2
 
 
@@ -106,7 +156,7 @@ def path(
     Parameters
     ----------
     ticks_left, ticks_right : array_like, shape (..., N)
-        Ticks of each step.
+        Ticks of each step; for readings of a counter `unwrap_counter` first.
     ticks_per_turn : array_like, shape (...)
         Ticks of one turn of a wheel.
     wheel_radius, wheel_distance : array_like, shape (...)
@@ -139,7 +189,56 @@ def path(
     return follow(pose, length, angle * difference, method, turned)
 
 
-@validated(ticks_left=whole(), ticks_right=whole(), dt=positive(), **ROBOT)
+@validated(**TRAVEL, pose=data(3), method=METHOD)
+def path_from_travel(
+    travel_left: ArrayLike,
+    travel_right: ArrayLike,
+    wheel_distance: ArrayLike,
+    pose: ArrayLike = (0, 0, 0),
+    method: str = "exact",
+) -> Array:
+    """Return all poses along a drive of N steps, from how far each wheel rolled in each of them.
+
+    For wheels of different radii, and for encoders that give radians or metres. A NaN makes the
+    path NaN from its step on.
+
+    Parameters
+    ----------
+    travel_left, travel_right : array_like, shape (..., N)
+        Travel of each wheel in each step in m, as from `travel`.
+    wheel_distance : array_like, shape (...)
+        Distance between the wheels in m.
+    pose : array_like, shape (..., 3), default (0, 0, 0)
+        `[x, y, theta]` at the start, in m and rad.
+    method : {"exact", "midpoint", "start", "end"}, default "exact"
+        As in `motion.path`.
+
+    Returns
+    -------
+    ndarray, shape (..., N+1, 3)
+        `[x, y, theta]` in m and rad.
+
+    References
+    ----------
+    Siegwart et al., section 5.2.4, Δs = (D_R + D_L)/2, Δθ = (D_R − D_L)/b.
+
+    Examples
+    --------
+    A calibration by `umbmark` says how many times as large the right wheel is; their mean stays.
+
+    >>> radius, ratio = 0.05, 1.002
+    >>> left = travel([0, 250], ticks_per_turn=1000, wheel_radius=2 * radius / (1 + ratio))
+    >>> right = travel([250, 250], 1000, wheel_radius=2 * radius * ratio / (1 + ratio))
+    >>> path_from_travel(left, right, wheel_distance=0.2).round(4)
+    array([[0.    , 0.    , 0.    ],
+           [0.0383, 0.0076, 0.3931],
+           [0.1108, 0.0377, 0.3939]])
+    """
+    turn = (travel_right - travel_left) / wheel_distance[..., None]
+    return follow(pose, (travel_left + travel_right) / 2, turn, method)
+
+
+@validated(ticks_left=Ticks(), ticks_right=Ticks(), dt=not_negative(), **ROBOT)
 def velocity(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -153,9 +252,9 @@ def velocity(
     Parameters
     ----------
     ticks_left, ticks_right : array_like, shape (...)
-        Ticks of the step.
+        Ticks of the step; for readings of a counter `unwrap_counter` first.
     dt : array_like, shape (...)
-        Time in s, positive.
+        Time in s, not negative. Two readings of one time have no velocity: 0 gives NaN.
     ticks_per_turn : array_like, shape (...)
         Ticks of one turn of a wheel.
     wheel_radius, wheel_distance : array_like, shape (...)
@@ -179,6 +278,7 @@ def velocity(
     (2.356, 7.854)
     """
     per_tick = _per_tick(ticks_per_turn, wheel_radius)
+    dt = np.where(dt > 0, dt, np.nan)
     v = per_tick * (ticks_right + ticks_left) / (2 * dt)
     omega = per_tick * (ticks_right - ticks_left) / (wheel_distance * dt)
     v, omega = parts(vector(v, omega))  # of one shape
@@ -205,7 +305,7 @@ def covariance(
     Parameters
     ----------
     ticks_left, ticks_right : array_like, shape (..., N)
-        Ticks of each step.
+        Ticks of each step; for readings of a counter `unwrap_counter` first.
     ticks_per_turn : array_like, shape (...)
         Ticks of one turn of a wheel.
     wheel_radius, wheel_distance : array_like, shape (...)
@@ -227,20 +327,81 @@ def covariance(
     Siegwart et al., section 5.2.4, Σ' = F_p Σ F_pᵀ + F_Δ Q F_Δᵀ, along exact arcs.
     """
     per_tick = _per_tick(ticks_per_turn, wheel_radius)[..., None]
-    wheel_distance = wheel_distance[..., None]
-    length = per_tick * (ticks_right + ticks_left) / 2
-    half = per_tick / wheel_distance * (ticks_right - ticks_left) / 2
-    heading = pose[..., 2:] + 2 * half.cumsum(axis=-1) - half  # in the middle of each step
+    turn = per_tick / wheel_distance[..., None] * (ticks_right - ticks_left)
+    travels = per_tick * ticks_left, per_tick * ticks_right
+    return _covariance(*travels, turn, wheel_distance, (noise, noise), pose, start)
+
+
+@validated(
+    **TRAVEL,
+    noise=not_negative(),
+    noise_right=not_negative(),
+    pose=data(3),
+    start=data(3, 3),
+)
+def covariance_from_travel(
+    travel_left: ArrayLike,
+    travel_right: ArrayLike,
+    wheel_distance: ArrayLike,
+    noise: ArrayLike,
+    noise_right: ArrayLike | None = None,
+    pose: ArrayLike = (0, 0, 0),
+    start: ArrayLike | None = None,
+) -> Array:
+    """Return how uncertain each pose of `path_from_travel` is, as `covariance` does.
+
+    Parameters
+    ----------
+    travel_left, travel_right : array_like, shape (..., N)
+        Travel of each wheel in each step in m, as from `travel`.
+    wheel_distance : array_like, shape (...)
+        Distance between the wheels in m.
+    noise : array_like, shape (...)
+        Variance of a wheel's travel for each metre travelled, in m, not negative.
+    noise_right : array_like, shape (...), optional
+        The same of the right wheel, if it differs from that of the left.
+    pose : array_like, shape (..., 3), default (0, 0, 0)
+        `[x, y, theta]` at the start, in m and rad.
+    start : array_like, shape (..., 3, 3), optional
+        Covariance of the first pose in m², m rad and rad²; zero if not given.
+
+    Returns
+    -------
+    ndarray, shape (..., N+1, 3, 3)
+        Covariances in m², m rad and rad².
+
+    References
+    ----------
+    Siegwart et al., section 5.2.4, with a k_l for the left and a k_r for the right wheel.
+    """
+    turn = (travel_right - travel_left) / wheel_distance[..., None]
+    noises = noise, noise if noise_right is None else noise_right
+    return _covariance(travel_left, travel_right, turn, wheel_distance, noises, pose, start)
+
+
+def _covariance(
+    left: Array,
+    right: Array,
+    turn: Array,
+    wheel_distance: Array,
+    noises: tuple[Array, Array],
+    pose: Array,
+    start: Array | None,
+) -> Array:
+    """Return the covariances from the travel of both wheels and the turn of each step."""
+    half, length = turn / 2, (left + right) / 2
+    heading = pose[..., 2:] + turn.cumsum(axis=-1) - half  # in the middle of each step
     ahead, chord = np.exp(1j * heading), sinc(half)  # x + iy for all that lies in the plane
     place = (length * chord * ahead).cumsum(axis=-1)
 
     along = ahead * chord / 2  # what a metre more of a wheel adds, and then what its turn adds:
     across = ahead * length * (sinc_slope(half) + 1j * chord) / 2 - 1j * place  # at the origin
-    turn = np.array([-1.0, 1.0]) / wheel_distance[..., None]
-    moved = along[..., None] + across[..., None] * turn
-    errors = vector(moved.real, moved.imag, turn).swapaxes(-1, -2)
-    rolled = per_tick[..., None] * np.abs(vector(ticks_left, ticks_right))
-    errors = errors * np.sqrt(noise[..., None, None] * rolled)[..., None, :]
+    turns = np.array([-1.0, 1.0]) / wheel_distance[..., None, None]
+    moved = along[..., None] + across[..., None] * turns
+    errors = vector(moved.real, moved.imag, turns).swapaxes(-1, -2)
+    errors = (
+        errors * np.sqrt(vector(*noises)[..., None, :] * np.abs(vector(left, right)))[..., None, :]
+    )
     return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place.real, place.imag)
 
 
@@ -302,7 +463,13 @@ def umbmark(
     wheel_distance : ndarray, shape (...)
         Corrected distance between the wheels in m.
     ratio : ndarray, shape (...)
-        Diameter of the right wheel divided by that of the left.
+        Diameter of the right wheel divided by that of the left; `path_from_travel` shows its use.
+
+    Raises
+    ------
+    RobokinError
+        If a corner or a side would be bent by over 0.25 rad, or by more than wheels can: sizes are
+        not all in metres, or `wheel_distance` is far from right.
 
     References
     ----------
@@ -315,6 +482,16 @@ def umbmark(
     beta = (x_ccw - y_ccw - x_cw - y_cw) / (8 * side)
     corrected = wheel_distance * np.pi / (np.pi - 2 * alpha)
     bulge = corrected * np.sin(beta / 2)  # side * (half the distance / radius of a side's arc)
+    bend = np.maximum(np.abs(alpha), np.abs(beta))
+    bad = np.isfinite(bend) & ((bend > UMBMARK_LIMIT) | (np.abs(bulge) >= side))
+    if bad.any():
+        index = first(bad)
+        off = np.broadcast_to(bend, bad.shape)[index]
+        raise RobokinError(
+            f"ends_cw, ends_ccw{at_index(index)} mean that a corner or a side is bent by {off:.3g} "
+            f"rad, allowed {UMBMARK_LIMIT}: give ends, side and wheel_distance in m, and start "
+            "from a wheel_distance that is nearly right"
+        )
     return corrected, (side + bulge) / (side - bulge)
 
 

@@ -345,6 +345,7 @@ NEVER = {
     "not negative": [-1, -1e-300, np.nan, np.inf, -np.inf],
     "number": [np.nan, np.inf, -np.inf],
     "bits": [0, -1, 1.5, 64, np.nan, np.inf, -np.inf],
+    "modulus": [0, 1, -300, 300.5, 2.0**53, np.nan, np.inf, -np.inf],
 }
 
 
@@ -473,7 +474,7 @@ def test_an_infinite_target_is_nan_and_no_error(label, key, value):
 EXTREMES = [1e308, -1e308, 1e200, 5e-324, -5e-324, 1e-200, 0.0]
 
 
-@each("data", "steps")
+@each("data", "steps", wanted=lambda entry: not entry.bounded)
 def test_the_largest_and_the_smallest_numbers_touch_no_other_row(label, key):
     entry = TABLE[label]
     clean = batch(entry, 3)
@@ -494,7 +495,7 @@ def test_one_matrix_that_is_no_rotation_is_refused(label, key):
         assert "at index 1" in message
 
 
-@each_row()
+@each_row(lambda entry: not entry.bounded)
 def test_the_largest_and_the_smallest_numbers_everywhere(label):
     # in all the data at once, and with each parameter: a warning would be an error here
     entry = TABLE[label]

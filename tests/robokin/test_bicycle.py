@@ -18,6 +18,7 @@ from robokin.bicycle import (
     front_twist,
     lane_width,
     path,
+    steering,
     turning_radius,
 )
 from robokin.errors import RobokinError
@@ -110,6 +111,19 @@ def test_the_car_turns_about_its_centre(v, phi, wheelbase):
     radius = turning_radius(phi, wheelbase)
     # relative: the radius may be anything
     assert_close(omega if phi == 0 else omega * radius / (v or 1), 0 if v * phi == 0 else 1, ATOL)
+
+
+@given(speeds.filter(lambda v: v), steerings, wheelbases)
+def test_steering_undoes_the_body_twist(v, phi, wheelbase):
+    omega = body_twist(v, phi, wheelbase)[2]
+    # v of 1e-300 loses digits of ω below the smallest normal number
+    assert abs(steering(v, omega, wheelbase) - phi) <= ATOL or abs(omega) < 1e-290
+
+
+@given(speeds, reals(-3, 3), wheelbases)
+def test_driving_backwards_mirrors_the_steering(v, omega, wheelbase):
+    phi = steering(v, omega, wheelbase)
+    np.testing.assert_array_equal(steering(-v, omega, wheelbase), -phi if phi else phi)
 
 
 @given(speeds, steerings, wheelbases)
@@ -236,6 +250,7 @@ def test_a_right_triangle_for_every_wheel():
 def test_exercise_5_velocities():
     # v = 2 m/s, L = 2.5 m, φ = 45°: ω = 0.8 rad/s; the front axle 2√2 m/s at 45°, not 45° faster
     assert_close(body_twist(2.0, np.pi / 4, 2.5), [2, 0, 0.8], atol=4 * EPS)
+    assert_close(steering([2.0, -2.0], [0.8, 0.8], 2.5), [np.pi / 4, -np.pi / 4], atol=EPS)
     assert_close(front_twist(2.0, np.pi / 4, 2.5), [2, 2, 0.8], atol=4 * EPS)
     assert_close(body_twist(2.0, -np.pi / 4, 2.5), [2, 0, -0.8], atol=4 * EPS)
     assert_close(front_twist(-2.0, np.pi / 4, 2.5), [-2, -2, -0.8], atol=4 * EPS)
@@ -391,6 +406,16 @@ def test_almost_across_the_car(gap):
     np.testing.assert_allclose(
         front_twist(2.0, phi, 2.5), [2, 2 * tangent, 2 * tangent / 2.5], rtol=4 * EPS
     )
+
+
+def test_steering_at_rest_and_on_the_spot():
+    found = steering(
+        [0.0, -0.0, 0.0, 0.0, 1.0, -1.0, np.nan, 1.0], [0, 0, 1, -1, 0, 0, 1, np.nan], 2.5
+    )
+    np.testing.assert_array_equal(found, [0, 0, np.nan, np.nan, 0, 0, np.nan, np.nan])
+    assert not np.signbit(found[:2]).any()
+    # hardly driving, it steers across, where the turn is as tight as can be
+    assert_close(steering([1e-20, -1e-20], 1.0, 2.5), [QUARTER, -QUARTER], atol=EPS)
 
 
 def test_a_path_of_no_steps():

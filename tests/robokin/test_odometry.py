@@ -11,8 +11,10 @@ from robokin import differential_drive, motion
 from robokin.errors import RobokinError
 from robokin.odometry import (
     covariance,
+    covariance_from_travel,
     ellipse,
     path,
+    path_from_travel,
     travel,
     umbmark,
     unwrap_counter,
@@ -22,6 +24,7 @@ from robokin.odometry import (
 METHODS = ["exact", "midpoint", "start", "end"]
 ROBOT = (500, 0.05, 0.3)  # ticks a turn, wheel radius, wheel distance
 NAN = np.nan
+ENDS = [[-0.1, 0.1]]
 
 ticks = st.integers(-300, 300)
 robots = st.tuples(st.integers(50, 5000), reals(0.01, 0.2), reals(0.1, 1))
@@ -63,6 +66,46 @@ def test_a_wrapped_counter_gives_its_steps_back(bits, data, signed):
     if signed:
         counts = [count - 2 * half * (count >= half) for count in counts]
     np.testing.assert_array_equal(unwrap_counter(counts, bits), steps)  # whole numbers: exact
+
+
+@given(st.integers(2, 2**52), st.data())
+def test_a_counter_of_any_modulus_gives_its_steps_back(modulus, data):
+    steps = data.draw(st.lists(st.integers(-(modulus // 2), (modulus - 1) // 2), max_size=6))
+    counts = [sum(steps[:k]) % modulus for k in range(len(steps) + 1)]
+    np.testing.assert_array_equal(unwrap_counter(counts, modulus=modulus), steps)  # whole: exact
+
+
+@given(poses, drives, robots, st.sampled_from(METHODS))
+def test_ticks_and_the_travel_that_they_mean_give_one_path(pose, drive, robot, method):
+    along = path_from_travel(*moved(drive, robot), robot[2], pose, method)
+    assert_close(along, path(*drive, *robot, pose, method), atol=ATOL)
+
+
+@given(poses, drives, reals(0.1, 10))
+def test_a_path_from_travel_grows_with_the_robot(pose, drive, scale):
+    along = path_from_travel(*drive, 100.0, pose)
+    larger = path_from_travel(*(scale * drive), scale * 100.0, pose)
+    wanted = along * [scale, scale, 1] + pose * [1 - scale, 1 - scale, 0]
+    # 8 steps of at most 300 m and 6 rad, ten times as large: 24 km in all, of headings up to 50 rad
+    assert_close(larger, wanted, atol=1e-9)
+
+
+@given(poses, drives, robots, noises)
+def test_ticks_and_the_travel_that_they_mean_have_one_covariance(pose, drive, robot, noise):
+    sigma = covariance(*drive, *robot, noise, pose)
+    found = covariance_from_travel(*moved(drive, robot), robot[2], noise, pose=pose)
+    # a heading of up to 4,800 rad is rounded by 1e-12, differently in both
+    assert_close(found, sigma, atol=1e-11 * np.abs(sigma).max() + 1e-300)
+
+
+@given(drives, noises, noises)
+def test_each_wheel_adds_its_own_covariance(drive, left, right):
+    travels = moved(drive, ROBOT)
+    both, *single = (
+        covariance_from_travel(*travels, 0.3, *noise)
+        for noise in ((left, right), (left, 0.0), (0.0, right))
+    )
+    assert_close(both, sum(single), atol=1e-13 * np.abs(both).max() + 1e-300)
 
 
 @given(poses, drives, robots)
@@ -234,6 +277,47 @@ def test_counters_that_wrap_round():
     np.testing.assert_array_equal(unwrap_counter([250, 4, 3, 250, 250], 8), [10, -1, -9, 0])
     np.testing.assert_array_equal(unwrap_counter([120, -120, 120], 8), [16, -16])  # signed
     np.testing.assert_array_equal(unwrap_counter([32767, -32768, 0], 16), [1, -32768])
+
+
+def test_counters_of_a_modulus_by_hand():
+    np.testing.assert_array_equal(unwrap_counter([3990, 10, 3995], modulus=4000), [20, -15])
+    np.testing.assert_array_equal(unwrap_counter([0, 4, 8, 0], modulus=9), [4, 4, 1])  # odd
+    np.testing.assert_array_equal(unwrap_counter([0, 5], modulus=[9, 10]), [[-4], [-5]])
+
+
+def test_wheels_of_unequal_radii():
+    # 250 of 500 ticks: half a turn of 5 cm and of 10 cm; b = 0.05π: 0.05π and 0.1π, a radian left
+    left, right = travel(250, 500, 0.05), travel(250, 500, 0.1)
+    along = path_from_travel(left, right, 0.05 * np.pi)
+    radius = 0.075 * np.pi  # of the arc: travel on average by the angle
+    assert_close(along[1], [radius * np.sin(1), radius * (1 - np.cos(1)), 1], atol=2 * EPS)
+
+
+def test_the_ratio_of_umbmark_straightens_the_drive():
+    true, ratio = 0.34, 1.002
+    ends = [[square_run(true, ratio, 4.0, true, turns)] for turns in (-1, 1)]
+    _, found = umbmark(*ends, 4.0, true)
+    wheel = 2 * 0.05 / (1 + found)
+    left, right = travel(250, 500, wheel), travel(250, 500, found * wheel)
+    real = 2 * np.pi * 0.05 / 2 * 2 / (1 + ratio) * np.array([1, ratio])
+    assert_close([left, right], real, atol=1e-6)  # second order: 0.157 m · (8·0.024²) · 0.1
+
+
+def test_a_wheel_that_is_less_sure_than_the_other():
+    # straight metre, b = 0.5, variances 0.01 and 0.03 m²: x has a quarter of their sum, θ the sum
+    # by b² = 0.25; x and θ together half the difference by b
+    sigma = covariance_from_travel(1.0, 1.0, 0.5, 0.01, 0.03)[1]
+    assert_close([sigma[0, 0], sigma[2, 2], sigma[0, 2]], [0.01, 0.16, 0.02], atol=EPS)
+
+
+def test_two_readings_of_one_time_have_no_velocity():
+    v, omega = velocity([5, 5, 0], [5, 7, 0], [0.1, 0.0, 0.0], *ROBOT)
+    np.testing.assert_array_equal(np.isnan([v, omega]), [[False, True, True]] * 2)
+    assert v[0] == velocity(5, 5, 0.1, *ROBOT)[0]
+
+
+def test_unsigned_ticks_that_cannot_have_wrapped_round_are_taken():
+    np.testing.assert_array_equal(path(np.uint8([3, 127]), 1, *ROBOT), path([3, 127], 1, *ROBOT))
 
 
 def test_the_covariance_of_one_straight_metre():
@@ -459,7 +543,14 @@ def test_a_line_much_longer_than_wide_is_no_error():
         (lambda: path(1, 1, 500, 0.05, [0.3, 0]), "wheel_distance must be .* at index 1"),
         (lambda: path(1, 1, *ROBOT, [0, 0]), r"pose must have shape \(…, 3\), got \(2,\)"),
         (lambda: path(1, 1, *ROBOT, method="rk4"), "method must be one of exact, .* got 'rk4'"),
-        (lambda: velocity(1, 1, 0, *ROBOT), "dt must be positive and finite, got 0"),
+        (lambda: velocity(1, 1, -1, *ROBOT), "dt must be zero or more and finite, got -1"),
+        (lambda: travel(np.diff(np.uint16([5, 3])), 500, 0.05), "unsigned differences wrap round"),
+        (lambda: path(np.uint8([3, 254]), 1, *ROBOT), "ticks_left must be .* 254.0 at index 1"),
+        (lambda: unwrap_counter([1, 2]), "either bits or modulus"),
+        (lambda: unwrap_counter([1, 2], 8, 256), "either bits or modulus"),
+        (lambda: unwrap_counter([0, 4000], modulus=4000), "counts must be .* 4000.0 at index 1"),
+        (lambda: path_from_travel([1, 1], [1, 1, 1], 0.3), r"travel_right \(3,\)"),
+        (lambda: covariance_from_travel(1, 1, 0.3, 0.1, -1), "noise_right must be zero or more"),
         (lambda: velocity(1.5, 1, 1, *ROBOT), "ticks_left must be whole"),
         (lambda: velocity(1, 1.5, 1, *ROBOT), "ticks_right must be whole"),
         (lambda: velocity(1, 1, 1, 0, 1, 1), "ticks_per_turn must be"),
@@ -484,6 +575,11 @@ def test_a_line_much_longer_than_wide_is_no_error():
         (lambda: umbmark([[1, 2]], [[1j, 2]], 4, 0.3), "ends_ccw must be real numbers"),
         (lambda: umbmark([[1, 2]], [[1, 2]], 0, 0.3), "side must be positive"),
         (lambda: umbmark([[1, 2]], [[1, 2]], 4, -0.3), "wheel_distance must be positive"),
+        # ends in cm; a side in m typed as one in dm; a wheel distance in mm
+        (lambda: umbmark([[-12, -13]], [[-12, 13]], 4, 0.3), r"bent by 1\.56 rad, allowed 0\.25"),
+        (lambda: umbmark([ENDS, [[9, 9]]], [ENDS] * 2, 4, 0.3), "at index 1 mean that a corner"),
+        (lambda: umbmark(ENDS, [[0.2, -0.2]], 0.1, 0.3), "in m, and start from a wheel_distance"),
+        (lambda: umbmark([[-0.2, 0.1]], [[0.2, 0.2]], 4, 3000), "in m, and start"),
     ],
 )
 def test_what_is_refused(call, message):
@@ -561,12 +657,16 @@ def test_the_covariance_step_by_step_with_finite_differences(scale):
     left[5] = 0
     pose, sigma = np.array([1.0, 2.0, 0.7]), np.diag([0.01, 0.02, 0.03]) + 0.005
     result = covariance(left, right, *ROBOT, 0.02, pose, sigma)
+    travels = moved((left, right), ROBOT)
+    unequal, other = covariance_from_travel(*travels, 0.3, 0.02, 0.05, pose, sigma), sigma
     for k, (a, b) in enumerate(np.transpose(moved((left, right), ROBOT))):
         F, G = step_jacobians(pose, a, b, ROBOT[2])
         sigma = F @ sigma @ F.T + G @ np.diag([0.02 * abs(a), 0.02 * abs(b)]) @ G.T
+        other = F @ other @ F.T + G @ np.diag([0.02 * abs(a), 0.05 * abs(b)]) @ G.T
         pose = wheel_step(pose, a, b, ROBOT[2])
         # differences: rounding of 1e-15/h and h² times third derivatives, (1/b)³ = 40 at most
         assert_close(result[k + 1], sigma, atol=1e-7 * np.abs(sigma).max())
+        assert_close(unequal[k + 1], other, atol=1e-7 * np.abs(other).max())
 
 
 def arc_end(left, right, distance):

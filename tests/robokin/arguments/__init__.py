@@ -79,6 +79,11 @@ def bits(value):
     return Arg("bits", value)
 
 
+def modulus(value):
+    """A parameter that is a whole number from 2."""
+    return Arg("modulus", value)
+
+
 def name(value):
     """One of a few names."""
     return Arg("name", value)
@@ -96,7 +101,7 @@ def wheels(make):
 
 DATA = ("data", "steps", "matrix", "ticks", "tick steps")
 STEPS = ("steps", "tick steps")
-PARAMETERS = ("length", "not negative", "number", "bits")
+PARAMETERS = ("length", "not negative", "number", "bits", "modulus")
 
 
 @dataclass(frozen=True)
@@ -108,6 +113,7 @@ class Row:
     batches: bool = True  # do the parameters broadcast with the data?
     nan_beside: bool = False  # does a NaN step spoil the results on both sides of it only?
     limit_at_infinity: tuple = ()  # arguments whose infinity has finite results: arctan(inf)
+    bounded: bool = False  # are data refused that are too large to be true?
     positional: bool = False  # is it called without the arguments' names?
     on: Callable[[], Any] | None = None  # makes the object that a method is called on
 
@@ -120,9 +126,16 @@ class Row:
 
 
 def row(
-    results, batches=True, nan_beside=False, limit_at_infinity=(), positional=False, on=None, **args
+    results,
+    batches=True,
+    nan_beside=False,
+    limit_at_infinity=(),
+    bounded=False,
+    positional=False,
+    on=None,
+    **args,
 ):
-    return Row(results, args, batches, nan_beside, limit_at_infinity, positional, on)
+    return Row(results, args, batches, nan_beside, limit_at_infinity, bounded, positional, on)
 
 
 # What several modules have rows of

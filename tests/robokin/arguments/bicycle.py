@@ -12,6 +12,9 @@ ROWS = {
     "lane_width": row([()], phi=data(0.3), **CAR),
     "ackermann_error": row([()], alpha_left=data(0.3), alpha_right=data(0.2), **CAR),
     "body_twist": row([(3,)], v=data(1.0), phi=data(0.3), wheelbase=length(2.5)),
+    "steering": row(
+        [()], limit_at_infinity=("v", "omega"), v=data(1.0), omega=data(0.3), wheelbase=length(2.5)
+    ),
     "front_twist": row([(3,)], v=data(1.0), phi=data(0.3), wheelbase=length(2.5)),
     "path": row(
         [(5, 3)],

@@ -3,14 +3,14 @@
 import reprlib
 from typing import Any
 
-__all__ = ["CourseError", "shown"]
+__all__ = ["CourseError", "describe"]
 
 
 class CourseError(ValueError):
     """Says what was got, what is allowed, and what to do."""
 
 
-def shown(value: Any) -> str:
+def describe(value: Any) -> str:
     """What was got, cut short for a message; some objects cannot even be printed."""
     try:
         return reprlib.repr(value)

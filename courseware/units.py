@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from math import pi
 from typing import Any
 
-from courseware.errors import CourseError, shown
+from courseware.errors import CourseError, describe
 
 BETWEEN = {  # how what stands between the words of a name may be typed; Python's and the script's
     "/": r"\s*(?:[/∕⁄÷]|per\s)\s*",
@@ -141,7 +141,7 @@ def refuse_unknown(unit: Any, who: str) -> None:
     """Refuse a unit that is not in the table."""
     if not isinstance(unit, str) or unit not in UNITS:
         raise CourseError(
-            f"{who} has the unit {shown(unit)}; known are {', '.join(filter(None, UNITS))}, and "
+            f"{who} has the unit {describe(unit)}; known are {', '.join(filter(None, UNITS))}, and "
             '"" for none: write one of these, or add yours to the table in courseware/units.py'
         )
 

@@ -37,7 +37,7 @@ from book.differential_drive.formulas import R, r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, y
-from courseware.equations.core import as_written, put_in
+from courseware.equations.core import as_written, substitute
 from courseware.figures import (
     POINTER,
     AngleArc,
@@ -91,7 +91,7 @@ def ackermann_figure() -> Figure:
     left, right = point_of(START, wheelbase, track / 2), point_of(START, wheelbase, -track / 2)
     middle = point_of(START, wheelbase, 0)
     tip = point_of(START, wheelbase + TIP * cos(steering), TIP * sin(steering))
-    back = bicycle.equivalent_steering.at({alpha_L: angles[0], alpha_R: angles[1]})
+    back = bicycle.equivalent_steering.substitute({alpha_L: angles[0], alpha_R: angles[1]})
     return Figure(
         name="ackermann-steering",
         title="A car from above with the bicycle that turns like it, the steering under your hand",
@@ -147,7 +147,7 @@ DURATION = 10.0  # s, of the drive that is cut into steps
 
 def loop_figure() -> Figure:
     """One drive of the long car in n straight steps beside the exact arc."""
-    speed = bicycle.rear_speed.at({r: RADIUS})
+    speed = bicycle.rear_speed.substitute({r: RADIUS})
     heading = UP - y_heading
     start = point_of((0, 0, heading), -ahead * LENGTH, 0)  # of the rear axle
     given = {v: speed, wheelbase: LENGTH}
@@ -156,12 +156,12 @@ def loop_figure() -> Figure:
 
     def exact(time: Any) -> tuple[Any, Any]:
         pose = {x: start[0], y: start[1], theta: heading}
-        arc = bicycle.arc_step.at({**given, **pose, dt: time})
+        arc = bicycle.arc_step.substitute({**given, **pose, dt: time})
         return point_of(arc, ahead * LENGTH, 0)
 
     with as_written():
-        velocity = bicycle.point_world.at({v: speed, theta: state[2]})
-        turned = bicycle.euler_step.at({**given, theta: state[2], dt: DURATION / n})[2]
+        velocity = bicycle.point_world.substitute({v: speed, theta: state[2]})
+        turned = bicycle.euler_step.substitute({**given, theta: state[2], dt: DURATION / n})[2]
         step = [p + u * DURATION / n for p, u in zip(state, velocity, strict=False)]
         goal = exact(DURATION)
         error = apart(end, goal)
@@ -217,9 +217,9 @@ def lane_figure() -> Figure:
     given = {v: SPEED, x: 0, y: 0, theta: UP}
 
     def at(time: Any, forward: Any, left: Any) -> tuple[Any, Any]:
-        return point_of(bicycle.arc_step.at({**given, dt: time}), forward, left)
+        return point_of(bicycle.arc_step.substitute({**given, dt: time}), forward, left)
 
-    pose, drawn = symbols("x_t y_t theta_t"), tuple(bicycle.arc_step.at({**given, dt: t}))
+    pose, drawn = symbols("x_t y_t theta_t"), tuple(bicycle.arc_step.substitute({**given, dt: t}))
     side = track / 2
     # the inner edge of the lane is a rear wheel's, the outer one a front wheel's
     to_left = (1 + sign(steering)) / 2
@@ -287,27 +287,31 @@ MISTAKES = symbols("mistake:6", real=True)  # 1 for the one that is made, else 0
 def believed(time: Any) -> dict[str, Any]:
     """The pose of the rear axle by each mistake, and whether it is made in the front axle's way."""
     car = {wheelbase: SHORT, v: PACE, v_F: PACE / cos(steering)}
-    steered = (put_in(each, {**car, track: WIDE}) for each in angles)
-    alone = M18.at(dict(zip((alpha_L, alpha_R), steered, strict=True)))
+    steered = (substitute(each, {**car, track: WIDE}) for each in angles)
+    alone = M18.substitute(dict(zip((alpha_L, alpha_R), steered, strict=True)))
     rate, front = PACE / SHORT * tan(steering), point_of(START, SHORT, 0)
     turned = UP + rate * time
 
     def turning(rate: Any) -> Any:
-        arc = motion.arc_step.at({x: 0, y: 0, theta: UP, v: PACE, omega: rate, dt: time})
+        arc = motion.arc_step.substitute({x: 0, y: 0, theta: UP, v: PACE, omega: rate, dt: time})
         return (*arc, 0)
 
     def leading(mistake: Any) -> Any:
-        way = (integrate(u, (theta, UP, turned)) / rate for u in mistake.at(car))
+        way = (integrate(u, (theta, UP, turned)) / rate for u in mistake.substitute(car))
         there = (a + b for a, b in zip(front, way, strict=True))
         return (*point_of((*there, turned), -SHORT, 0), turned, 1)
 
     return {
-        "Off its circle": (*M15.at({R: PACE / rate, theta: UP, theta_next: turned}), turned, 0),
-        "It turns too fast": turning(M16.at(car)),
+        "Off its circle": (
+            *M15.substitute({R: PACE / rate, theta: UP, theta_next: turned}),
+            turned,
+            0,
+        ),
+        "It turns too fast": turning(M16.substitute(car)),
         "It follows its nose": leading(M17),
         "Only along a diagonal": leading(M33),
         "One wheel for two": turning(PACE / SHORT * tan(alone)),
-        "To the other side": turning(-M32.at({**car, y_heading: 0, dt: 1})),
+        "To the other side": turning(-M32.substitute({**car, y_heading: 0, dt: 1})),
     }
 
 
@@ -328,11 +332,11 @@ def mistakes_figure() -> Figure:
     """A car in a left turn, and where a program with a mistake believes it to be."""
     here, there = symbols("x_t y_t theta_t", real=True), symbols("x_b y_b theta_b", real=True)
     poses = believed(t)
-    true = bicycle.arc_step.at({x: 0, y: 0, theta: UP, v: PACE, wheelbase: SHORT, dt: t})
+    true = bicycle.arc_step.substitute({x: 0, y: 0, theta: UP, v: PACE, wheelbase: SHORT, dt: t})
     wrong = Matrix([list(pose) for pose in poses.values()]).T * Matrix(MISTAKES)
     point, ghost = (point_of(pose, SHORT * ahead, 0) for pose in (here, there))
     ways = (tuple(point_of(pose.subs(t, s)[:3], SHORT * ahead, 0)) for pose in (true, wrong))
-    steered = [put_in(each, {wheelbase: SHORT, track: WIDE}) for each in angles]
+    steered = [substitute(each, {wheelbase: SHORT, track: WIDE}) for each in angles]
     return Figure(
         name="wrong-car",
         title="A car, and where a program with a mistake believes it to be",

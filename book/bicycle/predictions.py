@@ -92,7 +92,7 @@ PREDICTIONS = (
         Number(
             "φ",
             "°",
-            right=formulas.steepest_steering.at(CAR),
+            right=formulas.steepest_steering.substitute(CAR),
             assumes={
                 "That brings it to P, in the middle of the axle.": lambda: np.arctan2(np.inf, 1),
                 "That takes the whole track: from one rear wheel to the other.": atan(
@@ -126,7 +126,7 @@ PREDICTIONS = (
         Number(
             "w",
             "m",
-            right=formulas.lane.at({**LONG, R: bicycle.turning_radius(np.pi / 6, LENGTH)}),
+            right=formulas.lane.substitute({**LONG, R: bicycle.turning_radius(np.pi / 6, LENGTH)}),
             assumes={
                 "That is the car alone: so it is straight ahead.": track.subs(LONG),
             },

@@ -49,7 +49,7 @@ from book.motion.formulas import (
     y_dot,
     y_next,
 )
-from courseware.equations.core import put_in, quantity
+from courseware.equations.core import quantity, substitute
 from courseware.figures import (
     POINTER,
     AngleArc,
@@ -81,7 +81,7 @@ from courseware.figures import (
 DISTANCE, RADIUS = 0.1, 0.03  # m, between the wheels, and of a wheel, as in the exercise
 SPEEDS = {v_L: 0.05, v_R: 0.1}  # m/s, of the exercise's wheels
 TWIST = {  # and so of the robot; rounded, as 0.05 + 0.1 has a last digit too many
-    each.left: round(float(each.at({**SPEEDS, b: DISTANCE})), 15)
+    each.left: round(float(each.substitute({**SPEEDS, b: DISTANCE})), 15)
     for each in (drive.speed, drive.turning_rate)
 }
 ARROW = 1  # s: an arrow is as long as the way in this time, so that a slope is an ω
@@ -161,7 +161,7 @@ def wheels_from(left: float, right: float, most: float = 0.15) -> tuple[Slider, 
 
 def driven(time: Any, start: Any = START) -> Any:
     """The pose after driving for a time from a start."""
-    return motion.arc_step.at({x: start[0], y: start[1], theta: start[2], dt: time})
+    return motion.arc_step.substitute({x: start[0], y: start[1], theta: start[2], dt: time})
 
 
 def way(kind: str, low: Any, high: Any, forward: Any = 0, left: Any = 0) -> Curve:
@@ -194,7 +194,7 @@ def parked(end: Any, mark: Any) -> Any:
 
 TIME = 3.0  # s, of the opening's drive
 MARK = tuple(
-    motion.arc_step.at({x: 0, y: 0, theta: pi / 2, v: 0.09, omega: 0.6, dt: TIME}).evalf(17)
+    motion.arc_step.substitute({x: 0, y: 0, theta: pi / 2, v: 0.09, omega: 0.6, dt: TIME}).evalf(17)
 )
 
 
@@ -442,9 +442,9 @@ def almost_figure() -> Figure:
     graph = Graph((0.25, 0.56, 0.02, 0.29), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
     drive_on = {x: 0, y: 0, theta: SLANTED, v: FAST, dt: LONG}
     forms = (motion.arc_step.right, motion.arc_step.textbook)
-    exact, textbook = (put_in(form, drive_on) for form in forms)
+    exact, textbook = (substitute(form, drive_on) for form in forms)
     tenth = 10**-s
-    errors = Max(apart(*(put_in(form, {omega: tenth}) for form in (textbook, exact))), LEAST)
+    errors = Max(apart(*(substitute(form, {omega: tenth}) for form in (textbook, exact))), LEAST)
     dot = graph.at((omega, Max(apart(LOST, exact), LEAST)))
     return Figure(
         name="digits",
@@ -477,8 +477,8 @@ DURATION = 6.0  # s, of the drive that is cut into steps
 def steps_figure() -> Figure:
     """One drive in n straight steps: the error against the step has slope 1, or slope 2."""
     graph = Graph((0.17, 0.38, 0.03, 0.27), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
-    exact, step = put_in(driven(DURATION), TWIST), DURATION / n
-    straight = put_in(motion.euler_step.right, {**TWIST, dt: step})
+    exact, step = substitute(driven(DURATION), TWIST), DURATION / n
+    straight = substitute(motion.euler_step.right, {**TWIST, dt: step})
     shapes, readouts, dots = [], [], []
     half = TWIST[omega] * s / 2  # of the turn in a step s
     for kind, early, words in (("approximation", 0, "old"), ("middle_heading", 1, "middle")):
@@ -486,7 +486,7 @@ def steps_figure() -> Figure:
             symbols(f"{x}_{early} {y}_{early} {turn}_{early}") for x, y, turn in ("xyt", "XYT")
         )
         turn = early * TWIST[omega] * step / 2
-        to_next = put_in(straight, {x: state[0], y: state[1], theta: state[2] + turn})
+        to_next = substitute(straight, {x: state[0], y: state[1], theta: state[2] + turn})
         loop = Recurrence(state, START, (to_next[0], to_next[1], to_next[2] - turn), n, 60, end)
         # the steps' own chord: longer than the true one, and turned by the old heading
         long, turned = 1 / sinc(half), (1 - early) * half
@@ -508,7 +508,7 @@ def steps_figure() -> Figure:
         controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
         where=tuple(SPEEDS.items()),
         scene=(
-            Curve("path", put_in(driven(s), TWIST), s, 0, DURATION),
+            Curve("path", substitute(driven(s), TWIST), s, 0, DURATION),
             *robot(START, "ghost"),
             *robot(exact),
             *graph.shapes(),
@@ -595,13 +595,13 @@ def side_figure() -> Figure:
 
 
 BACK = {x: 0, y: 0, theta: pi / 2, **TWIST, omega: -TWIST[omega], dt: 5}  # to the other side
-BAY = tuple(motion.arc_step.at(BACK).evalf(17))
+BAY = tuple(motion.arc_step.substitute(BACK).evalf(17))
 
 
 def drive_figure() -> Figure:
     """The laboratory: drive, follow, tracks of both wheels around one centre, park."""
     now = driven(t)
-    centre = motion.icr.at({x: 0, y: 0, theta: pi / 2})
+    centre = motion.icr.substitute({x: 0, y: 0, theta: pi / 2})
     return Figure(
         name="wheel-speeds",
         title="The robot in its laboratory, driven by two wheel speeds and a time",
@@ -650,19 +650,19 @@ def damage_figure() -> Figure:
     """The robot, and where a program with a mistake believes it to be."""
     speeds = {side: differential_drive_1.example[str(side)] for side in (v_L, v_R)}
     heading, right = float(differential_drive_2.example["theta"]), {**speeds, b: DISTANCE}
-    rate = drive.turning_rate.at(right)
+    rate = drive.turning_rate.substitute(right)
     wrong = {
-        "It turns too fast": (M12.at(right), heading),
-        "It turns too slowly": (M31.at(right), heading),
+        "It turns too fast": (M12.substitute(right), heading),
+        "It turns too slowly": (M31.substitute(right), heading),
         "It goes astray": (rate, M13.wrong.puts[theta].subs(theta, heading)),
         "Down instead of up": (rate, M14.wrong.puts[theta].subs(theta, heading)),
     }
     options = {name: tuple(map(float, each)) for name, each in wrong.items()}
     seen, believed = (
-        put_in(driven(s, (0, 0, look)), {v: drive.speed.at(right), omega: turn})
+        substitute(driven(s, (0, 0, look)), {v: drive.speed.substitute(right), omega: turn})
         for turn, look in ((rate, heading), (believed_rate, believed_heading))
     )
-    now, there = (put_in(pose, {s: t}) for pose in (seen, believed))
+    now, there = (substitute(pose, {s: t}) for pose in (seen, believed))
     return Figure(
         name="damage",
         title="The robot, and where a program with a mistake believes it to be",

@@ -25,13 +25,13 @@ AHEAD = {x: 0, y: 0, theta: pi / 2}
 
 def after_two_seconds(turning):
     """Where the robot of the exercise is after 2 s, if it turns so fast."""
-    return tuple(arc_step.at({**AHEAD, **TWIST, omega: turning, dt: 2})[:2])
+    return tuple(arc_step.substitute({**AHEAD, **TWIST, omega: turning, dt: 2})[:2])
 
 
 def rolling(radius):
     """The rate of the exercise's right wheel, if this is taken for its radius."""
     ahead = {v: EXERCISE[v_R], omega: 0, r: radius}
-    return formulas.wheel_rates.at(ahead)[1].subs({r: RADIUS, b: DISTANCE})
+    return formulas.wheel_rates.substitute(ahead)[1].subs({r: RADIUS, b: DISTANCE})
 
 
 def error(steps):
@@ -61,7 +61,7 @@ PREDICTIONS = (
         Number(
             "v",
             "cm/s",
-            right=formulas.speed.at(EXERCISE),
+            right=formulas.speed.substitute(EXERCISE),
             assumes={
                 "The sum of both would make the middle faster than each end.": (v_L + v_R).subs(
                     SPEEDS

@@ -18,7 +18,7 @@ from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import M1, M2, M3, M4, M5
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
-from courseware.equations.core import Where, put_in
+from courseware.equations.core import Where, substitute
 from courseware.figures import (
     POINTER,
     VIEW,
@@ -50,12 +50,12 @@ r, z, d, least, most, done = symbols("r z d least most done", real=True)
 beta, rise, lift, elbow = symbols("beta rise lift elbow", real=True)
 missed = Symbol("missed", real=True)
 
-limits = put_in(arm.reach.right, GIVEN)
-angles = arm.half_angles.at({**GIVEN, apart: done})
+limits = substitute(arm.reach.right, GIVEN)
+angles = arm.half_angles.substitute({**GIVEN, apart: done})
 STEPS: Where = (
     (r, arm.side.right[0]),
-    (z, put_in(arm.side.right[1], GIVEN)),
-    (d, put_in(arm.side.right[2], {out: r, high: z})),
+    (z, substitute(arm.side.right[1], GIVEN)),
+    (d, substitute(arm.side.right[2], {out: r, high: z})),
     (least, limits[0]),
     (most, limits[1]),
     (done, Max(least, Min(d, most))),
@@ -266,18 +266,18 @@ def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
     """The right ones, and those by each mistake."""
     level = PLACE[p_z] - ARM[d1]
     given = {**ARM, **PLACE, high: level}
-    base, cosine = arm.base.at(given)[0], arm.cosine.at(given)
-    elevation = atan2(level, arm.side.at(given)[0])
+    base, cosine = arm.base.substitute(given)[0], arm.cosine.substitute(given)
+    elevation = atan2(level, arm.side.substitute(given)[0])
     right = bent(base, cosine, elevation)
-    short, steep = M2.at({p_y: PLACE[p_y], p_z: level})
+    short, steep = M2.substitute({p_y: PLACE[p_y], p_z: level})
     return right, {
-        "It aims at a mirror image": bent(M1.at(given), cosine, elevation),
-        "It never looks behind": bent(M5.at(given), cosine, elevation),
+        "It aims at a mirror image": bent(M1.substitute(given), cosine, elevation),
+        "It never looks behind": bent(M5.substitute(given), cosine, elevation),
         "Its reach never changes": bent(
-            base, arm.cosine.at({**ARM, p_x: short, p_y: 0, high: 0}), steep
+            base, arm.cosine.substitute({**ARM, p_x: short, p_y: 0, high: 0}), steep
         ),
-        "It reaches too far": bent(base, M3.at(given), elevation),
-        "It turns round": M4.at(dict(zip(JOINTS, right, strict=True))),
+        "It reaches too far": bent(base, M3.substitute(given), elevation),
+        "It turns round": M4.substitute(dict(zip(JOINTS, right, strict=True))),
     }
 
 
@@ -309,7 +309,7 @@ def solid_arm(kind: str, joints: Any) -> tuple[Any, ...]:
 def mistakes_figure() -> Figure:
     """The arm at its target, and in red where a mistake sends it."""
     right, ways = joint_angles()
-    away = arm.away.at(dict(zip(JOINTS, right, strict=True)))
+    away = arm.away.substitute(dict(zip(JOINTS, right, strict=True)))
     true_arm = right + MISTAKES[4] * (away - right)  # where the red base turns round, it does too
     wrong = Matrix.hstack(*ways.values()) * Matrix(MISTAKES)
     here, there = symbols("right:3", real=True), symbols("wrong:3", real=True)

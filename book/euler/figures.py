@@ -12,7 +12,7 @@ from book.euler import formulas as euler
 from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
-from courseware.equations.core import Where, put_in, quantity
+from courseware.equations.core import Where, quantity, substitute
 from courseware.figures import (
     VIEW,
     Bracket,
@@ -66,7 +66,7 @@ def entries(R: Matrix) -> Where:
 
 def angle_of(R: Matrix) -> Any:
     """The angle of the one turn that a rotation is."""
-    return euler.turn_angle.at(dict(zip(euler.r, R, strict=True)))
+    return euler.turn_angle.substitute(dict(zip(euler.r, R, strict=True)))
 
 
 def meets(R: Matrix, target: Matrix) -> Any:
@@ -284,7 +284,7 @@ def rings_figure() -> Figure:
     one = steps.named("a", euler.turned_about(X, against))
     two = steps.named("b", one * euler.turned_about(Y, middle))
     three = steps.named("c", two * euler.turned_about(Z, -against))
-    J = put_in(put_in(euler.axes, dict(euler.steps)), {first: against})
+    J = substitute(substitute(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     floor = -1.46
     return Figure(
@@ -398,11 +398,11 @@ def recap_figure() -> Figure:
 def mistakes_figure() -> Figure:
     """Another frame B, of two quarter turns, and where three mistakes lead instead."""
     quarter = {turn: half_turn / 2}
-    y_turn, z_turn = euler.turn_y.at(quarter), euler.turn_z.at(quarter)
+    y_turn, z_turn = euler.turn_y.substitute(quarter), euler.turn_z.substitute(quarter)
     by_hand = M7.wrong.made_in(euler.turn_z)
     wrong = {
         "A product of two turns": z_turn * y_turn,
-        "Matrices typed by hand": M7.wrong.at(quarter) * by_hand.at(quarter),
+        "Matrices typed by hand": M7.wrong.substitute(quarter) * by_hand.substitute(quarter),
         "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
     }
     right = (y_turn * z_turn).doit()

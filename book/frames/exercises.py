@@ -162,7 +162,7 @@ def matrices(formula):
 
 def from_hand(mistake):
     """What a mistake makes of T_ce, as a formula of the numbers given."""
-    formula = Wrong(FROM_HAND, instead=mistake.at({T_bc.inv(): T_cb, T_db.inv(): T_bd}))
+    formula = Wrong(FROM_HAND, instead=mistake.substitute({T_bc.inv(): T_cb, T_db.inv(): T_bd}))
     return matrices(
         lambda T_db, T_bc, T_de: formula.gives(
             T_db=T_db, T_bc=T_bc, T_de=T_de, T_cb=frames.inverse(T_bc), T_bd=frames.inverse(T_db)

@@ -28,7 +28,7 @@ from book.frames.formulas import (
     l_2,
 )
 from book.motion import formulas as motion
-from courseware.equations.core import as_written, put_in, quantity
+from courseware.equations.core import as_written, quantity, substitute
 from courseware.figures import (
     POINTER,
     VIEW,
@@ -60,13 +60,13 @@ object_low = quantity("object_low", "m", -0.4, 0.4, "height of the object above 
 def seen_from(first: Pose, second: Pose) -> Matrix:
     """The second pose as seen from the first, both known from one place."""
     values = dict(zip((db_x, db_y, db_turn, de_x, de_y, de_turn), (*first, *second), strict=True))
-    return frames.object_seen.at(values)
+    return frames.object_seen.substitute(values)
 
 
 def joined(first: Pose, second: Pose) -> Matrix:
     """Two poses in a chain."""
     values = dict(zip((db_x, db_y, db_turn, bc_x, bc_y, bc_turn), (*first, *second), strict=True))
-    return frames.chained.at(values)
+    return frames.chained.substitute(values)
 
 
 def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
@@ -108,10 +108,10 @@ T_db, T_de = (db_x, db_y, db_turn), (de_x, de_y, de_turn)
 def chain_figure() -> Figure:
     """The room from above: platform, arm and object under the hand, the arrows of the chain."""
     steps = Steps()
-    elbow_here = frames.hand_pose.at({**LINKS, l_2: 0, beta: 0, gamma: 0})
+    elbow_here = frames.hand_pose.substitute({**LINKS, l_2: 0, beta: 0, gamma: 0})
     elbow_now = joined(T_db, elbow_here)
-    wrist_now = joined(T_db, frames.hand_pose.at({**LINKS, gamma: 0}))
-    bc = steps.named("bc", frames.hand_pose.at(LINKS))
+    wrist_now = joined(T_db, frames.hand_pose.substitute({**LINKS, gamma: 0}))
+    bc = steps.named("bc", frames.hand_pose.substitute(LINKS))
     be = steps.named("be", seen_from(T_db, T_de))
     dc = steps.named("dc", joined(T_db, bc))
     elbow = steps.named("elbow", elbow_now)
@@ -201,21 +201,23 @@ def above_figure() -> Figure:
     """A camera that looks down on the same room, in space: turn it, and the hand sees no change."""
     steps = Steps()
     heading, high, low = db_turn, camera_high, object_low
-    camera_sees = frames.looking_down.at({motion.theta: -camera_turn, fb_x: 0, fb_y: 0, fb_z: high})
+    camera_sees = frames.looking_down.substitute(
+        {motion.theta: -camera_turn, fb_x: 0, fb_y: 0, fb_z: high}
+    )
     p_fb = steps.named("fb", camera_sees * Matrix([*BASE, 0, 1]))
     p_fe = steps.named("fe", camera_sees * Matrix([*THING, low, 1]))
     seen = {motion.theta: heading - camera_turn, fb_x: p_fb[0], fb_y: p_fb[1], fb_z: p_fb[2]}
-    T_fb = frames.looking_down.at(seen)
+    T_fb = frames.looking_down.substitute(seen)
     rotation = dict(zip(frames.r, T_fb[:3, :3], strict=True))
-    p_bf = steps.named("bf", put_in(frames.inverse_in_space.right, {**rotation, **seen}))
+    p_bf = steps.named("bf", substitute(frames.inverse_in_space.right, {**rotation, **seen}))
     p_be = steps.named("be", T_fb[:3, :3].T * Matrix(p_fe[:3]) + p_bf)
-    bc = steps.named("bc", frames.hand_pose.at(LINKS))
+    bc = steps.named("bc", frames.hand_pose.substitute(LINKS))
     ce = steps.named("ce", seen_from(bc, (p_be[0], p_be[1], 0)))
 
     # what is drawn, seen from the room: T_room_f is its own inverse, so camera_sees serves, too
     b = (*BASE, heading)
     c = steps.named("c", joined(b, bc))
-    elbow = steps.named("k", joined(b, frames.hand_pose.at({**LINKS, l_2: 0})))
+    elbow = steps.named("k", joined(b, frames.hand_pose.substitute({**LINKS, l_2: 0})))
     eye, thing = (0, 0, high), (*THING, low)
     base, hand, middle = (*BASE, 0), (c[0], c[1], 0), (elbow[0], elbow[1], 0)
     rim = (BASE[0] + RADIUS * cos(s), BASE[1] + RADIUS * sin(s), 0)
@@ -270,7 +272,7 @@ BOX = 0.09  # m, half a side of the object
 
 def matrix(pose: Pose) -> Matrix:
     """A pose in the plane as a matrix."""
-    return frames.matrix.at(dict(zip(T_db, pose, strict=True)))
+    return frames.matrix.substitute(dict(zip(T_db, pose, strict=True)))
 
 
 def believed(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
@@ -279,14 +281,14 @@ def believed(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
     given = {T: matrix(pose) for T, pose in {**turned, bank.T_de: de}.items()}
     given |= {T.inv(): matrix(seen_from(pose, (0, 0, 0))) for T, pose in turned.items()}
     by_sign = {
-        T.inv(): matrix((*M10.at({bank.p: Matrix(pose[:2])}).doit(), -pose[2]))
+        T.inv(): matrix((*M10.substitute({bank.p: Matrix(pose[:2])}).doit(), -pose[2]))
         for T, pose in turned.items()
     }
     found = {
-        "No inverse": M9.at(given),
-        "Inverses by hand": put_in(bank.FROM_HAND.right, {**given, **by_sign}),
-        "Two inverses": M11.at(given),
-        "One inverse": M30.at(given),
+        "No inverse": M9.substitute(given),
+        "Inverses by hand": substitute(bank.FROM_HAND.right, {**given, **by_sign}),
+        "Two inverses": M11.substitute(given),
+        "One inverse": M30.substitute(given),
     }
     return {name: T_ce.doit() for name, T_ce in found.items()}
 
@@ -303,8 +305,8 @@ def mistakes_figure() -> Figure:
     steps = Steps()
     db, de, bends = (0.6, 0.5, db_turn), (-0.3, 0.6, -pi / 3), (-pi / 2, 7 * pi / 12, pi / 4)
     arm = {**LINKS, **dict(zip((alpha, beta, gamma), bends, strict=True))}
-    hand = [float(number) for number in frames.hand_pose.at(arm)]
-    elbow = joined(db, frames.hand_pose.at({**arm, l_2: 0}))
+    hand = [float(number) for number in frames.hand_pose.substitute(arm)]
+    elbow = joined(db, frames.hand_pose.substitute({**arm, l_2: 0}))
     c = steps.named("c", joined(db, hand))
     ways = believed(db, hand, de)
     T = sum((one * way for one, way in zip(MISTAKES, ways.values(), strict=True)), zeros(3))

@@ -111,4 +111,4 @@ with as_written():
 
 def wrap(value: Any) -> Any:
     """Another angle in (−π, π]."""
-    return wrap_angle.at({angle: value})
+    return wrap_angle.substitute({angle: value})

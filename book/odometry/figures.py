@@ -25,7 +25,7 @@ from book.odometry.formulas import (
     noise,
     ratio,
 )
-from courseware.equations.core import Equation, as_written, put_in, quantity
+from courseware.equations.core import Equation, as_written, quantity, substitute
 from courseware.figures import (
     POINTER,
     Body,
@@ -61,7 +61,7 @@ s = Symbol("s")
 def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
     """The pose at the end of an exact arc."""
     values = dict(zip((x, y, theta), start, strict=True))
-    return odometry.exact_arc.at({**values, D: length, dtheta: angle})
+    return odometry.exact_arc.substitute({**values, D: length, dtheta: angle})
 
 
 # --- Four rules -----------------------------------------------------------------------------
@@ -69,9 +69,9 @@ def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
 
 def one_sample(ticks: Any, travel: Any = odometry.travel) -> tuple[Any, Any]:
     """How far the robot moves and turns in a sample, from the ticks of its wheels."""
-    rolled = travel.at({N_L: ticks[0], N_R: ticks[1], C: TICKS, r: RADIUS})
+    rolled = travel.substitute({N_L: ticks[0], N_R: ticks[1], C: TICKS, r: RADIUS})
     wheels = {D_L: rolled[0], D_R: rolled[1]}
-    return odometry.distance.at(wheels), odometry.turn.at({**wheels, b: BASE})
+    return odometry.distance.substitute(wheels), odometry.turn.substitute({**wheels, b: BASE})
 
 
 def rule_loop(rule: Equation, name: str) -> Recurrence:
@@ -162,7 +162,7 @@ def carried(steps: Any, values: dict[Any, Any]) -> dict[Any, Any]:
     """Named steps, each written out in what the first ones are made of."""
     known = dict(values)
     for symbol, expression in steps:
-        known[symbol] = put_in(expression, known)
+        known[symbol] = substitute(expression, known)
     return known
 
 
@@ -177,10 +177,10 @@ def covariance_loop(count: int) -> Recurrence:
     entries = odometry.covariance_entries
     each = carried(odometry.of_the_heading, {})
     with as_written():
-        step = put_in(odometry.covariance_step.right, {**each, b: BASE})
+        step = substitute(odometry.covariance_step.right, {**each, b: BASE})
         next_heading = theta + 2 * odometry.u
     place = arc_to(D, 2 * odometry.u, (x, y, theta))[:2]
-    place = [put_in(p, {D: drive / STEPS}) for p in place]
+    place = [substitute(p, {D: drive / STEPS}) for p in place]
     state = (x, y, theta, *kept, *entries)
     return Recurrence(
         state,
@@ -212,7 +212,7 @@ def ellipse_figure() -> Figure:
     end = arc_to(drive, turned)
     xx, xy, _, yy, _, tt = loops[STEPS].ends[-6:]
     values = {odometry.p_xx: xx, odometry.p_xy: xy, odometry.p_yy: yy}
-    axes = put_in(
+    axes = substitute(
         odometry.ellipse_axes.right, {**carried(odometry.ellipse_axes.where, values), **values}
     )
     with as_written():
@@ -280,8 +280,11 @@ def square_loop(turns: int, name: str) -> Recurrence:
         told_left = Piecewise((SIDE / PIECES, on_a_side), (-turns * corner, True))
         told_right = Piecewise((SIDE / PIECES, on_a_side), (turns * corner, True))
         wheels = {D_L: told_left * 2 / (1 + ratio), D_R: told_right * 2 * ratio / (1 + ratio)}
-        step = odometry.exact_arc.at(
-            {D: odometry.distance.at(wheels), dtheta: odometry.turn.at({**wheels, b: b_true})}
+        step = odometry.exact_arc.substitute(
+            {
+                D: odometry.distance.substitute(wheels),
+                dtheta: odometry.turn.substitute({**wheels, b: b_true}),
+            }
         )
         next_piece = Piecewise((piece + 1, on_a_side), (0, True))
     ends = symbols(" ".join(f"{part}_{name}" for part in ("x", "y", "t", "piece")), real=True)
@@ -297,11 +300,11 @@ def square_figure() -> Figure:
         odometry.x_ccw: ccw.ends[0], odometry.y_ccw: ccw.ends[1],
         odometry.side: SIDE,
     }  # fmt: skip
-    angles = odometry.calibration_angles.at(ends)
+    angles = odometry.calibration_angles.substitute(ends)
     known = {odometry.short_turn: angles[0], odometry.side_swing: angles[1]}
     known |= {odometry.side: SIDE, b: BASE}
     steps = carried(odometry.calibration.where, known)
-    found_b, found_ratio = put_in(odometry.calibration.right, steps)
+    found_b, found_ratio = substitute(odometry.calibration.right, steps)
     with as_written():
         wheel = APART + WIDER * (b_true - BASE)
         tip = PLACE + HALF + LONGER * (ratio - 1)
@@ -390,16 +393,16 @@ def believed_loop() -> Recurrence:
     with as_written():
         after = [sp.Mod(count + each, SPAN) for count, each in zip(counts, EACH, strict=True)]
     pairs = [{count_before: c, count_now: n} for c, n in zip(counts, after, strict=True)]
-    right = [odometry.counter_step.at({**pair, counter_span: SPAN}) for pair in pairs]
-    ticks = by_mistake(M25, [M25.at(pair) for pair in pairs], right)
+    right = [odometry.counter_step.substitute({**pair, counter_span: SPAN}) for pair in pairs]
+    ticks = by_mistake(M25, [M25.substitute(pair) for pair in pairs], right)
     sample = by_mistake(M24, one_sample(ticks, M24), one_sample(ticks))
     known = dict(zip((D, dtheta), sample, strict=True))
-    half_seen = odometry.new_heading.at({**known, theta: M23.at(known), dtheta: 0})
-    pose = by_mistake(M23, half_seen, odometry.exact_arc.at(known))
+    half_seen = odometry.new_heading.substitute({**known, theta: M23.substitute(known), dtheta: 0})
+    pose = by_mistake(M23, half_seen, odometry.exact_arc.substitute(known))
     return Recurrence(
         (x, y, theta, *counts),
         start=(0, 0, set_off, *READ),
-        step=(*by_mistake(M22, M22.at(known), pose), *after),
+        step=(*by_mistake(M22, M22.substitute(known), pose), *after),
         count=samples,
         most=16,
         ends=symbols("x_told y_told t_told left_told right_told"),

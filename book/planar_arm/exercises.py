@@ -20,7 +20,7 @@ from sympy import (
 from book.planar_arm import formulas
 from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2, x, x_dot, y, y_dot
 from courseware.equations import as_written
-from courseware.equations.core import put_in
+from courseware.equations.core import substitute
 from courseware.practice import (
     Ask,
     Exercise,
@@ -211,7 +211,7 @@ def wrong_jacobian(*made):
     rows = dict(ROWS)
     for wrong in made:
         for left in Matrix([wrong.of.left]):
-            rows[left] = put_in(rows[left], wrong.puts)
+            rows[left] = substitute(rows[left], wrong.puts)
     return Matrix(list(rows.values())).jacobian(formulas.RATES)
 
 

@@ -53,7 +53,7 @@ from book.planar_arm.formulas import (
     x,
     y,
 )
-from courseware.equations.core import Where, as_written, put_in, quantity
+from courseware.equations.core import Where, as_written, quantity, substitute
 from courseware.equations.functions import solve
 from courseware.figures import (
     POINTER,
@@ -88,13 +88,13 @@ lever_x, lever_y = symbols("lever_x lever_y")
 
 def sized(steps: Where, values: Mapping[Any, Any] = SIZES) -> list[tuple[Symbol, Any]]:
     """Named steps with the figures' links put in."""
-    return [(symbol, put_in(step, values)) for symbol, step in steps]
+    return [(symbol, substitute(step, values)) for symbol, step in steps]
 
 
 def written_out(expression: Any, steps: Where) -> Any:
     """An expression with its named steps put in, the last first."""
     for symbol, step in reversed(list(steps)):
-        expression = put_in(expression, {symbol: step})
+        expression = substitute(expression, {symbol: step})
     return expression
 
 
@@ -107,7 +107,7 @@ def joints(angles: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
     """Elbow, wrist and hand, as points, of an arm at these angles."""
     place = written_out(arm.forward.right, arm.SHORT)
     without: tuple[dict[Any, Any], ...] = ({arm.l2: 0, arm.l3: 0}, {arm.l3: 0}, {})
-    points = [put_in(place, {**SIZES, **missing, **of_angles(angles)}) for missing in without]
+    points = [substitute(place, {**SIZES, **missing, **of_angles(angles)}) for missing in without]
     return tuple((point[0], point[1]) for point in points)  # type: ignore[return-value]
 
 
@@ -120,7 +120,7 @@ def levers_figure() -> Figure:
     """One joint turns at 1 rad/s: its lever and, a quarter turn from it, the hand's velocity."""
     with_first = {theta1: START[0]}
     elbow, wrist, hand = (
-        tuple(put_in(part, with_first) for part in point) for point in joints(ANGLES)
+        tuple(substitute(part, with_first) for part in point) for point in joints(ANGLES)
     )
     with as_written():
         turning = [
@@ -200,7 +200,7 @@ def pulled(joint: Any, heading: Any) -> Any:
 def joints_figure() -> Figure:
     """Joints under the hand: the arm, the velocities of its hand, how near it is to singular."""
     elbow, wrist, hand = joints(ANGLES)
-    place = arm.forward.at(SIZES)
+    place = arm.forward.substitute(SIZES)
     steps = [*sized(arm.ellipse.where), (arm.small, arm.ellipse.right[1])]
     with as_written():
         tilt = arm.ellipse_tilt.right / 2
@@ -243,14 +243,14 @@ def joints_figure() -> Figure:
             Readout("x", "hand x", place[0], "m"),
             Readout("y", "hand y", place[1], "m"),
             Readout("phi", "hand angle φ", place[2], "rad", digits=0),
-            Readout("det", "det J", arm.det.at(SIZES), "m²"),
+            Readout("det", "det J", arm.det.substitute(SIZES), "m²"),
             Readout("w", "manipulability w", arm.w, "m²"),
             Readout("long", "top speed at 1 rad/s, best direction", arm.large, "m/s"),
             Readout("short", "top speed at 1 rad/s, worst direction", arm.small, "m/s"),
             Readout(
                 "elbow",
                 "elbow's rate, wrist outward at 0.1 m/s",
-                arm.elbow_rate.at({**SIZES, arm.v_out: SPEED_OUT}),
+                arm.elbow_rate.substitute({**SIZES, arm.v_out: SPEED_OUT}),
                 "rad/s",
                 digits=2,
                 words={"nan": "no rate does it"},
@@ -282,8 +282,8 @@ EARLY = 1e-6  # of a step: how early its end counts
 
 def at_step(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]]:
     """The wanted pose after `count` of n steps, and the twist commanded at these joint angles."""
-    begin = put_in(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(START)})
-    place = put_in(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(angles)})
+    begin = substitute(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(START)})
+    place = substitute(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(angles)})
     with as_written():
         way = (line_x - begin[0], line_y - begin[1])
         values = {
@@ -296,7 +296,7 @@ def at_step(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]
             **dict(zip(POSE, place, strict=True)),
         }
     wanted = [(symbol, values[symbol]) for symbol in (arm.x_d, arm.y_d)]
-    return [*wanted, *zip(TWIST, arm.command.at(values), strict=True)]
+    return [*wanted, *zip(TWIST, arm.command.substitute(values), strict=True)]
 
 
 def line_figure() -> Figure:
@@ -332,7 +332,7 @@ def line_figure() -> Figure:
     l1, l2, l3 = LINKS
     with as_written():
         off = sqrt((hand[0] - arm.x_d) ** 2 + (hand[1] - arm.y_d) ** 2)
-        turned = put_in(arm.forward.right[2], of_angles(last))
+        turned = substitute(arm.forward.right[2], of_angles(last))
         busy = sqrt(sum(rate**2 for rate in end[4:]))
         reach = sqrt((line_x - l3) ** 2 + line_y**2)
         room = Min(l1 + l2 - reach, reach - Abs(l1 - l2))  # from both edges of the workspace
@@ -394,7 +394,7 @@ def elbows_figure() -> Figure:
     turn = motion.wrap_angle
     place = sized(arm.inverse.where)[:3]
     (_, bend), (_, shoulder) = sized(arm.inverse.where)[3:]
-    least, most = put_in(Matrix([arm.l1 - arm.l2, arm.l1 + arm.l2]), SIZES)
+    least, most = substitute(Matrix([arm.l1 - arm.l2, arm.l1 + arm.l2]), SIZES)
     done, missed = symbols("done missed")  # how far the wrist comes, and what then is missing
     outside = Or(arm.d > most * (1 + TOLERANCE), arm.d < least - most * TOLERANCE)
     with as_written():
@@ -402,12 +402,15 @@ def elbows_figure() -> Figure:
     named = symbols("theta2_left theta1_left theta3_left theta2_right theta1_right theta3_right")
     steps, arms, angles = [*place, (done, clamped), (missed, short)], [], []
     for side, (a2, a1, a3) in ((1, named[:3]), (-1, named[3:])):
-        steps.append((a2, side * put_in(bend, {arm.d: done})))
-        steps.append((a1, put_in(shoulder, {theta2: a2})))
-        steps.append((a3, put_in(arm.inverse.right[2], {theta1: a1, theta2: a2})))
+        steps.append((a2, side * substitute(bend, {arm.d: done})))
+        steps.append((a1, substitute(shoulder, {theta2: a2})))
+        steps.append((a3, substitute(arm.inverse.right[2], {theta1: a1, theta2: a2})))
         arms.append(joints((a1, a2, a3)))
         angles.append(
-            [Piecewise((nan, outside), (turn.at({motion.angle: a}), True)) for a in (a1, a2, a3)]
+            [
+                Piecewise((nan, outside), (turn.substitute({motion.angle: a}), True))
+                for a in (a1, a2, a3)
+            ]
         )
     out = {"nan": "out of reach"}
     return Figure(
@@ -474,7 +477,7 @@ def wrong_rates(angles: tuple[Any, Any, Any]) -> Any:
         for i in range(9)
     ]
     twist = Matrix([SPEED, 0, phi_dot])
-    multiplied = M29.at({WHOLE_J: right, TWIST_OF: twist}).doit()
+    multiplied = M29.substitute({WHOLE_J: right, TWIST_OF: twist}).doit()
     rates = zip(multiplied, solve(Matrix(3, 3, entries), twist), strict=True)
     both = Matrix([Piecewise((a, chosen[M29] > 0.5), (b, True)) for a, b in rates])
     return written_out(both, sized(arm.SHORT, of_angles(angles))).xreplace(SIZES)
@@ -486,7 +489,7 @@ def mistakes_figure() -> Figure:
     end = symbols("theta1_n theta2_n theta3_n")
     step = [a + rate * t / TIMES for a, rate in zip(state, wrong_rates(state), strict=True)]
     loop = Recurrence(state, SET_OFF, tuple(step), Integer(TIMES), TIMES, end)
-    start = put_in(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(SET_OFF)})
+    start = substitute(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(SET_OFF)})
     wanted = zip(POSE, start, (SPEED, 0, phi_dot), strict=True)
     real, believed = joints(end), joints(ANGLES)
     return Figure(

@@ -46,9 +46,11 @@ def moved(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
     """
     ahead, left, turn = twist
     with as_written():
-        there = motion.arc_step.at({x: 0, y: 0, theta: start, v: ahead, omega: turn, dt: time})
+        there = motion.arc_step.substitute(
+            {x: 0, y: 0, theta: start, v: ahead, omega: turn, dt: time}
+        )
         aside = {x: 0, y: 0, theta: start + QUARTER, v: left, omega: turn, dt: time}
-        sideways = motion.arc_step.at(aside)
+        sideways = motion.arc_step.substitute(aside)
         return there[0] + sideways[0], there[1] + sideways[1], there[2]
 
 
@@ -328,7 +330,7 @@ def rolling_direction(k: int, place: Any, axle: Any, twist: Any) -> Any:
 def pivot_speed(place: Any, twist: Any) -> Any:
     """How the point of the robot where a wheel is fixed moves."""
     values = dict(zip((v, v_y, omega), twist, strict=True))
-    return wheels.contact.at({**values, l: place[2], alpha: place[3]})
+    return wheels.contact.substitute({**values, l: place[2], alpha: place[3]})
 
 
 def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
@@ -379,13 +381,13 @@ WHEELS = ("left", "right", "approximation")  # the looks of wheels 1, 2 and 3
 def omni_figure() -> Figure:
     """Three wheel rates under the hand: the omni robot's motion in the world."""
     sizes = {l: SIZE, r: RADIUS}
-    twist = list(wheels.omni_twist.at(sizes))
+    twist = list(wheels.omni_twist.substitute(sizes))
     turn = twist[2]
     now, along = moved(theta, twist, t), moved(theta, twist, s)
-    world = wheels.omni_world.at({**sizes, theta: now[2]})
-    arrow = motion.to_world.at({v: twist[0], v_y: twist[1], omega: 0})
+    world = wheels.omni_world.substitute({**sizes, theta: now[2]})
+    arrow = motion.to_world.substitute({v: twist[0], v_y: twist[1], omega: 0})
     with as_written():
-        centre = motion.to_world.at({v: -twist[1] / turn, v_y: twist[0] / turn})
+        centre = motion.to_world.substitute({v: -twist[1] / turn, v_y: twist[0] / turn})
         icr = [Piecewise((part, Abs(turn) > 0.05), (nan, True)) for part in centre[:2]]
     return Figure(
         name="omni",
@@ -461,7 +463,7 @@ def tip_of(k: int) -> tuple[Any, Any]:
 def pulled(k: int) -> Any:
     """The rate that puts the tip of the arrow where the pointer is."""
     row = rolling_row(0, ANGLES[k], 0)
-    back = motion.to_body.at({motion.x_dot: POINTER[0], motion.y_dot: POINTER[1]})
+    back = motion.to_body.substitute({motion.x_dot: POINTER[0], motion.y_dot: POINTER[1]})
     return (row[0] * back[0] + row[1] * back[1]) / RADIUS
 
 
@@ -482,13 +484,15 @@ REALLY = symbols("really_v really_vy really_omega")
 def driven_by(mistake: Any) -> Any:
     """How the omni robot moves whose program makes a mistake in the rates of its wheels."""
     to_body = M21.wrong.made_in(motion.to_body) if mistake is M21 else motion.to_body
-    wish = to_body.at(WANTED)
+    wish = to_body.substitute(WANTED)
     places = ({l: SIZE, alpha: spoke, beta: 0} for spoke in ANGLES)
-    rows = [rolling_row(*p.values()) if mistake is M21 else mistake.at(p) for p in places]
+    rows = [rolling_row(*p.values()) if mistake is M21 else mistake.substitute(p) for p in places]
     with as_written():
         speeds = [sum(a * b for a, b in zip(row, wish, strict=True)) for row in rows]
         rates = [speed / RADIUS for speed in speeds]
-    return wheels.omni_twist.at({l: SIZE, r: RADIUS, **dict(zip(omni_rates, rates, strict=True))})
+    return wheels.omni_twist.substitute(
+        {l: SIZE, r: RADIUS, **dict(zip(omni_rates, rates, strict=True))}
+    )
 
 
 def mistakes_figure() -> Figure:
@@ -499,7 +503,7 @@ def mistakes_figure() -> Figure:
             sum(chosen * twist[i] for chosen, twist in zip(MADE_ONE, twists, strict=True))
             for i in range(3)
         ]
-    wish = motion.to_body.at(WANTED)
+    wish = motion.to_body.substitute(WANTED)
     real, believed = moved(theta, REALLY, t), moved(theta, wish, t)
     return Figure(
         name="wrong-rates",

@@ -5,13 +5,13 @@ from courseware.equations.core import (
     Equation,
     again,
     as_written,
-    find,
+    find_equation,
     look,
     quantity,
     show,
     sign,
 )
-from courseware.equations.verification import Array, Result, check
+from courseware.equations.verification import Array, Result, verify, verify_all
 
 __all__ = [
     "Array",
@@ -20,10 +20,11 @@ __all__ = [
     "Result",
     "again",
     "as_written",
-    "check",
-    "find",
+    "find_equation",
     "look",
     "quantity",
     "show",
     "sign",
+    "verify",
+    "verify_all",
 ]

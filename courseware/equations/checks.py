@@ -16,10 +16,10 @@ from courseware.course import course
 from courseware.equations.core import (
     Equation,
     declared,
+    describe_symbols,
     free_symbols,
     in_order,
     refuse_namesakes,
-    told,
 )
 from courseware.errors import CourseError
 
@@ -80,8 +80,8 @@ class Check:
         extra = in_order(s for s in some if s not in allowed)
         if extra:
             raise CourseError(
-                f"the check of {self.name}: {told(extra, allowed)} {where}, but not in {of}, "
-                f"which have {told(in_order(allowed), extra)}"
+                f"the check of {self.name}: {describe_symbols(extra, allowed)} {where}, but not "
+                f"in {of}, which have {describe_symbols(in_order(allowed), extra)}"
             )
 
     @property

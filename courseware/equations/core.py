@@ -157,7 +157,7 @@ def in_order(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
     return sorted(symbols, key=lambda symbol: (str(symbol), place(symbol)))
 
 
-def told(symbols: Iterable[sp.Symbol], beside: Iterable[Any]) -> str:
+def describe_symbols(symbols: Iterable[sp.Symbol], beside: Iterable[Any]) -> str:
     """The names of symbols for an error; of those with a namesake `beside`, the place, too."""
     names = set(map(str, beside))
     return ", ".join(f"{s} ({place(s)})" if str(s) in names else str(s) for s in symbols)
@@ -214,9 +214,9 @@ class Equation:
         free = {s for part in parts for s in free_symbols(part)}
         return in_order(free - {symbol for symbol, _ in self.where})
 
-    def at(self, values: Mapping[sp.Symbol, Any]) -> Any:
+    def substitute(self, values: Mapping[sp.Symbol, Any]) -> Any:
         """The right side with expressions put in for its symbols, otherwise as written."""
-        return put_in(self.right, values)
+        return substitute(self.right, values)
 
     def printed(self, computed: bool = False) -> Any:
         """The right side that is shown: the textbook's where there is one, unless `computed`."""
@@ -244,7 +244,7 @@ def free_symbols(part: Any) -> set[sp.Symbol]:
     return set(sp.sympify(part).free_symbols)
 
 
-def put_in(expression: Any, values: Mapping[sp.Symbol, Any]) -> Any:
+def substitute(expression: Any, values: Mapping[sp.Symbol, Any]) -> Any:
     """Replace symbols in an expression or matrix and leave its form alone."""
     replacements = {symbol: sp.sympify(value) for symbol, value in values.items()}
     with as_written():
@@ -256,7 +256,7 @@ def declared() -> dict[str, Equation]:
     return course().declared("formulas", Equation)
 
 
-def find(name: str) -> Equation:
+def find_equation(name: str) -> Equation:
     """The equation of that name."""
     return course().find("formulas", Equation, name)
 
@@ -277,7 +277,7 @@ def show(name: str, computed: bool = False, figure: str = "") -> Output:
             symbol of the formula needs a slider, a readout or a named step in it, its left side a
             readout.
     """
-    equation = find(name)
+    equation = find_equation(name)
     right = equation.printed(computed)
     _shown.setdefault(name_on_page(name, computed))
     return Output(mimebundle(name, computed, equation.left, right, figure))
@@ -301,4 +301,4 @@ def again(*below: str) -> Output:
 
 def labelled(label: str) -> Equation:
     """The equation of a label on a page."""
-    return find(label.removesuffix(COMPUTED))
+    return find_equation(label.removesuffix(COMPUTED))

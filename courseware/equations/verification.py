@@ -1,7 +1,7 @@
 """Every formula against its function: generated points and special points, in 50 digits."""
 
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import inf, isfinite
@@ -40,14 +40,13 @@ class Result:
         return self.difference <= self.check.tolerance
 
 
-def check(checks: Iterable[Check] | None = None, samples: int = SAMPLES) -> list[Result]:
-    """Carry out every declared check (or those given) that names a function."""
-    chosen = declared_checks().values() if checks is None else checks
-    return [check_one(c, samples) for c in chosen if c.function is not None]
+def verify_all(samples: int = SAMPLES) -> list[Result]:
+    """Verify every formula whose check names a function."""
+    return [verify(c, samples) for c in declared_checks().values() if c.function is not None]
 
 
-def check_one(check: Check, samples: int = SAMPLES) -> Result:
-    """The largest difference between a formula's right side and its function."""
+def verify(check: Check, samples: int = SAMPLES) -> Result:
+    """Return the largest difference between a formula's right side and its function."""
     equation, points = check.equation, sample(check, samples)
     exact = evaluate(equation.right, check.symbols, points, equation.where)
     computed = answer(check, points)

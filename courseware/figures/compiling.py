@@ -7,7 +7,13 @@ from typing import Any
 
 import sympy as sp
 
-from courseware.equations.core import NamedSymbol, Where, look, refuse_unknown_kind, told
+from courseware.equations.core import (
+    NamedSymbol,
+    Where,
+    describe_symbols,
+    look,
+    refuse_unknown_kind,
+)
 from courseware.equations.text import symbol_text
 from courseware.errors import CourseError
 from courseware.figures import declaration as d
@@ -165,7 +171,9 @@ class Compiler:
         keys = [getattr(c, "symbol", None) for c in self.controls]
         for symbol in symbols:
             if symbol not in keys:
-                raise CourseError(f"{who} sets {told([symbol], keys)}, which is no slider")
+                raise CourseError(
+                    f"{who} sets {describe_symbols([symbol], keys)}, which is no slider"
+                )
         return [keys.index(symbol) for symbol in symbols]
 
     def handle(self, handle: d.Handle) -> dict[str, Any]:

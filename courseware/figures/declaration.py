@@ -20,7 +20,7 @@ import sympy as sp
 
 from courseware.equations.core import Equation, NamedSymbol, Where
 from courseware.equations.text import symbol_text
-from courseware.errors import CourseError, shown
+from courseware.errors import CourseError, describe
 from courseware.units import refuse_other_than_si
 
 Expr = Any
@@ -199,8 +199,8 @@ class Recurrence:
         for part in ("start", "step", "ends"):
             if len(getattr(self, part)) != len(self.state):
                 raise CourseError(
-                    f"a recurrence has the state {shown(self.state)} and as `{part}` "
-                    f"{shown(getattr(self, part))}: there must be as many"
+                    f"a recurrence has the state {describe(self.state)} and as `{part}` "
+                    f"{describe(getattr(self, part))}: there must be as many"
                 )
 
 

@@ -9,7 +9,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 from sympy.printing.jscode import JavascriptCodePrinter
 
-from courseware.equations.core import Where, as_written, told
+from courseware.equations.core import Where, as_written, describe_symbols
 from courseware.equations.functions import MPMATH
 from courseware.equations.rendering import AsWritten
 from courseware.errors import CourseError
@@ -28,8 +28,8 @@ class _JavaScript(AsWritten, JavascriptCodePrinter):  # type: ignore[misc]
     def _print_Symbol(self, expr: sp.Symbol) -> str:
         if expr not in self.names:
             raise CourseError(
-                f"an expression uses {told([expr], self.names)}, but may use only "
-                f"{told(self.names, [expr])}"
+                f"an expression uses {describe_symbols([expr], self.names)}, but may use only "
+                f"{describe_symbols(self.names, [expr])}"
             )
         return self.names[expr]
 

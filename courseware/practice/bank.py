@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from courseware.course import course
-from courseware.errors import CourseError, shown
+from courseware.errors import CourseError, describe
 from courseware.practice.solutions import Solution
 from courseware.practice.wording import number_text, with_unit
 from courseware.practice.wrong import Wrong
@@ -55,7 +55,7 @@ class Mistake:
 
     It is a formula with something replaced. The two formulas with what changed marked, its number
     (`M12.wrong.gives`, or `M12.wrong.through(f)` in another formula) and a figure's ghost
-    (`M12.at({…})`) come from there. A chapter shows it by `practice.mistake("M12")`.
+    (`M12.substitute({…})`) come from there. A chapter shows it by `practice.mistake("M12")`.
 
     Args:
         name: M1, M2, … through the whole course in the order in which they were found; a new one
@@ -90,9 +90,9 @@ class Mistake:
     should: str = ""
     explained: str = ""
 
-    def at(self, values: Mapping[Any, Any]) -> Any:
+    def substitute(self, values: Mapping[Any, Any]) -> Any:
         """What the mistake makes, as an expression: for a figure that shows what happens then."""
-        return self.wrong.at(values)
+        return self.wrong.substitute(values)
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class Given:
     unit: str = ""
 
     def __post_init__(self) -> None:
-        refuse_unknown(self.unit, f"the number drawn from {shown(self.options)}")
+        refuse_unknown(self.unit, f"the number drawn from {describe(self.options)}")
 
     def value(self, option: Any) -> Any:
         """The SI number that formulas get; what is no number stays as it is."""

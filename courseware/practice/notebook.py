@@ -13,7 +13,7 @@ import numpy as np
 
 from courseware.course import course
 from courseware.equations.core import Output
-from courseware.errors import CourseError, shown
+from courseware.errors import CourseError, describe
 from courseware.practice import dealing, judging, page, tables
 from courseware.practice.bank import (
     Exercise,
@@ -44,7 +44,7 @@ def _name(what: str, value: Any) -> str:
     """A name as text; a student number may be a number."""
     if isinstance(value, str) or (isinstance(value, int) and not isinstance(value, bool)):
         return str(value)
-    raise CourseError(f"{what} must be text or a number, got {shown(value)}")
+    raise CourseError(f"{what} must be text or a number, got {describe(value)}")
 
 
 class Box:
@@ -252,12 +252,16 @@ def _typed(answer: Any) -> str:
         array = np.asarray(answer)
     except Exception as error:  # whatever a ragged list or a strange object does in there
         raise CourseError(
-            f"the answer must be numbers in a regular list, got {shown(answer)}"
+            f"the answer must be numbers in a regular list, got {describe(answer)}"
         ) from error
     if np.ma.is_masked(answer):
-        raise CourseError(f"the answer must have all its numbers, some are masked: {shown(answer)}")
+        raise CourseError(
+            f"the answer must have all its numbers, some are masked: {describe(answer)}"
+        )
     if array.dtype.kind not in "iuf":
-        raise CourseError(f"the answer must be real numbers, got {array.dtype} in {shown(answer)}")
+        raise CourseError(
+            f"the answer must be real numbers, got {array.dtype} in {describe(answer)}"
+        )
     if array.size > MOST:
         raise CourseError(f"the answer has {array.size:,} numbers, far more than asked")
     if array.ndim > 1 and array.shape[-1] == 1:

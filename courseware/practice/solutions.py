@@ -34,7 +34,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from courseware.equations.core import Equation, free_symbols, put_in
+from courseware.equations.core import Equation, free_symbols, substitute
 from courseware.equations.text import formula_text, numbers_text
 from courseware.errors import CourseError
 from courseware.practice.wording import number_text, with_unit
@@ -277,7 +277,7 @@ def form_of(step: Step, formula: Any, known: frozenset[str]) -> Form:
     if step.part:
         left, right, full = (picked(side, step.part) for side in (left, right, full))
     other = {s: sp.sympify(v) for s, v in step.given.items() if not isinstance(v, str)}
-    right, full = (tidied(put_in(side, other)) for side in (right, full))
+    right, full = (tidied(substitute(side, other)) for side in (right, full))
     if step.values and not any(isinstance(name, str) for name in step.values):
         left = sp.Matrix(step.values) if is_column(left) else step.values[0]
     lines = tuple(

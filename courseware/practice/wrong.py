@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from courseware.equations.core import as_written, free_symbols, put_in
+from courseware.equations.core import as_written, free_symbols, substitute
 from courseware.equations.text import formula_text, signed
 from courseware.practice.solutions import compiled
 
@@ -43,7 +43,7 @@ class Wrong:
         """The wrong right side."""
         if self.instead is not None:
             return self.instead
-        return plain_signs(put_in(self.of.right, self.puts))
+        return plain_signs(substitute(self.of.right, self.puts))
 
     @cached_property
     def gives(self) -> Callable[..., Any]:
@@ -54,9 +54,9 @@ class Wrong:
     def _parts(self) -> dict[str, Callable[..., Any]]:
         return {str(symbol): by_name(sp.sympify(value)) for symbol, value in self.puts.items()}
 
-    def at(self, values: Mapping[sp.Symbol, Any]) -> Any:
+    def substitute(self, values: Mapping[sp.Symbol, Any]) -> Any:
         """The wrong right side with expressions put in for its symbols."""
-        return put_in(self.right, values)
+        return substitute(self.right, values)
 
     def put(self, **numbers: Any) -> dict[str, Any]:
         """Numbers as somebody takes them who makes the mistake, under the same names."""

@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from courseware.course import course
-from courseware.errors import CourseError, shown
+from courseware.errors import CourseError, describe
 from courseware.figures.compiling import factor, shown_unit
 from courseware.figures.declaration import Slider
 from courseware.figures.figure import find as find_figure
@@ -239,7 +239,7 @@ def _refuse_typed(who: str, *values: Value) -> None:
         if not computed or (code and not code.co_names and not code.co_freevars):
             raise CourseError(
                 f"the answers to a prediction are computed: give an expression or a function "
-                f"of the library for {who!r}, got {shown(value)}"
+                f"of the library for {who!r}, got {describe(value)}"
             )
 
 

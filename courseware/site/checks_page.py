@@ -54,7 +54,7 @@ def checked(folder: Path) -> Checked:
 
 
 def _check_all() -> Checked:
-    checks, results = declared_checks(), {r.check.name: r for r in equations.check()}
+    checks, results = declared_checks(), {r.check.name: r for r in equations.verify_all()}
     wrong = [r for r in results.values() if not r.agrees]
     if wrong:
         apart = "\n".join(map(_disagreement, wrong))

@@ -11,7 +11,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
 from courseware.course import course
-from courseware.equations.core import find, labelled
+from courseware.equations.core import find_equation, labelled
 from courseware.equations.rendering import AGAIN, COMPUTED, name_on_page, place_on_page
 from courseware.equations.rendering import MIME as EQUATION
 from courseware.errors import CourseError
@@ -74,7 +74,7 @@ class Outputs:
 def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     """A display formula, numbered and known to `{eq}` by its name."""
     name, computed = data.content["name"], data.content["computed"]
-    label, formula = name_on_page(name, computed), told(find, name).latex(computed)
+    label, formula = name_on_page(name, computed), told(find_equation, name).latex(computed)
     env = renderer.renderer.sphinx_env
     node = nodes.math_block(formula, formula, label=label, nowrap=False, docname=env.docname)
     domain = env.get_domain("math")
@@ -101,7 +101,9 @@ def _again(labels: list[str], docname: str) -> nodes.container:
 def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> list[nodes.Element]:
     """Below a formula the same with the numbers of a figure, which the script keeps up to date."""
     depend(env, "figures")
-    slots = Slots(told(find, name), told(find_figure, figure), env.docname.partition("/")[0])
+    slots = Slots(
+        told(find_equation, name), told(find_figure, figure), env.docname.partition("/")[0]
+    )
     tex = told(lambda _: slots.tex(computed), name)
     node = nodes.math_block(tex, tex, number=None, nowrap=False, seen_only=True, marked=tex)
     start = nodes.raw("", f'<div class="rk-numbers">{WITH}', format="html")

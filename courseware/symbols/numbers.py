@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sp
 
-from courseware.equations.core import Equation, NamedSymbol, as_written, put_in
+from courseware.equations.core import Equation, NamedSymbol, as_written, substitute
 from courseware.equations.rendering import aligned, latex
 from courseware.equations.text import fraction, symbol_text
 from courseware.errors import CourseError
@@ -72,7 +72,7 @@ class Slots:
         self._refuse_unknown(left, "a readout")
         if isinstance(right, NamedSymbol):  # its number is the result already
             return lexicon.marked(self.chapter, left.latex), self._slot(left, result=True)
-        right = put_in(right, self._steps())
+        right = substitute(right, self._steps())
         degrees, result = in_degrees(right) and not meets(right), self._slot(left, result=True)
         if left.unit == "rad" and not degrees:
             result = rf"{self._slot(left, radians=True)}\,\mathrm{{rad}} = {result}"
@@ -86,7 +86,7 @@ class Slots:
         steps: dict[sp.Symbol, Any] = {}
         for symbol, step in self.equation.where:
             if getattr(symbol, "key", "") not in self.numbers:
-                steps[symbol] = put_in(step, steps)
+                steps[symbol] = substitute(step, steps)
         return steps
 
     def _refuse_unknown(self, symbol: NamedSymbol, what: str) -> None:

@@ -23,11 +23,11 @@ from courseware.equations.rendering import MIME, latex
 from courseware.equations.verification import (
     SAMPLES,
     answer,
-    check_one,
     differences,
     evaluate,
     library_functions,
     sample,
+    verify,
 )
 from courseware.errors import CourseError
 from courseware.figures.compiling import Compiler
@@ -62,7 +62,7 @@ def test_a_formula_agrees_with_what_it_is_compared_with(check, samples):
     if check.function is None:
         assert callable(holding_test(check))
         return
-    result = check_one(check, samples)
+    result = verify(check, samples)
     assert result.samples == len(check.specials) + samples
     assert result.agrees, (
         f"{check.name} and its function are {result.difference:.2g} apart, allowed "
@@ -87,7 +87,7 @@ def test_a_formula_has_a_check(equation):
 
 def test_the_checks_come_in_the_order_of_the_formulas():
     assert list(declared_checks()) == list(EQUATIONS)
-    results = equations.check(samples=1)
+    results = equations.verify_all(samples=1)
     assert [r.check.name for r in results] == [
         c.name for c in declared_checks().values() if c.function
     ]
@@ -96,14 +96,14 @@ def test_the_checks_come_in_the_order_of_the_formulas():
 def test_a_wrong_equation_is_found():
     right = CHECKS["differential_drive.speed"]
     wrong = replace(SPEED, right=SPEED.right + sp.Float("1e-14"))
-    assert check_one(right).agrees
-    assert not check_one(replace(right, equation=wrong)).agrees
+    assert verify(right).agrees
+    assert not verify(replace(right, equation=wrong)).agrees
 
 
 def test_a_wrong_function_is_found():
     right = CHECKS["motion.arc_step"]
     wrong = replace(right, function=lambda *given: motion.arc_step(*given) * (1 + 1e-14))
-    assert not check_one(wrong).agrees
+    assert not verify(wrong).agrees
 
 
 def test_a_wrong_special_point_is_found():
@@ -114,8 +114,8 @@ def test_a_wrong_special_point_is_found():
         return np.nan_to_num(motion.icr(pose, v, omega), posinf=1e9)
 
     wrong = replace(right, function=finite_when_straight)
-    assert not check_one(wrong).agrees
-    assert check_one(replace(wrong, specials=())).agrees
+    assert not verify(wrong).agrees
+    assert verify(replace(wrong, specials=())).agrees
 
 
 # What is no mistake at all, although a sign has changed; half turns are proved to be none.
@@ -180,7 +180,7 @@ def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
 @pytest.fixture
 def one_point(monkeypatch):
     """A page that is made at the special points and one more: as before, and quickly."""
-    monkeypatch.setattr("courseware.equations.check", partial(equations.check, samples=1))
+    monkeypatch.setattr("courseware.equations.verify_all", partial(equations.verify_all, samples=1))
 
 
 def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch, one_point):
@@ -188,7 +188,7 @@ def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch,
     (kept,) = tmp_path.glob("*.json")
     assert json.loads(kept.read_text(encoding="utf-8"))["entries"] == first.entries
     assert first.formulas == len([c for c in CHECKS.values() if c.function])
-    monkeypatch.setattr("courseware.equations.check", lambda: pytest.fail("checked again"))
+    monkeypatch.setattr("courseware.equations.verify_all", lambda: pytest.fail("checked again"))
     assert checked(tmp_path) == first
     kept.rename(tmp_path / "formula-checks-of-other-sources.json")
     with pytest.raises(pytest.fail.Exception, match="checked again"):
@@ -198,7 +198,7 @@ def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch,
 def test_a_function_with_too_few_components_is_refused():
     right = CHECKS["motion.arc_step"]
     with pytest.raises(CourseError, match="3 components, its function 2"):
-        check_one(replace(right, function=lambda *a: motion.arc_step(*a)[..., :2]))
+        verify(replace(right, function=lambda *a: motion.arc_step(*a)[..., :2]))
 
 
 def test_samples_lie_in_the_ranges_and_repeat():
@@ -497,7 +497,7 @@ def test_a_symbol_has_a_key_and_a_look(monkeypatch):
 
 def test_putting_in_leaves_the_form_alone():
     left, right = SPEED.symbols
-    assert latex(SPEED.at({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
+    assert latex(SPEED.substitute({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
 
 
 # Named steps
@@ -516,7 +516,7 @@ def test_where_names_steps_for_all_faces():
         tolerance=1e-15,
         reason="test",
     )
-    assert check_one(check).agrees
+    assert verify(check).agrees
     assert evaluate(c + s, [theta], np.array([[0.0]]), where)[0, 0] == 3
     code = function({"x": [theta]}, [c + s], where)
     assert code == "(f, x) => { const w0 = Math.cos(x[0]); const w1 = 2*w0; return [w0 + w1]; }"

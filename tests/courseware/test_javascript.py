@@ -186,7 +186,7 @@ def test_euler_angles(sequence):
 def test_loop_with_state():
     state, end = sp.symbols("x_k y_k theta_k"), sp.symbols("x_n y_n theta_n")
     values = dict(zip((arc.x, arc.y, arc.theta), state, strict=True))
-    step = arc.euler_step.at({**values, arc.dt: sp.Float("0.02")})
+    step = arc.euler_step.substitute({**values, arc.dt: sp.Float("0.02")})
     loop = Recurrence(state, (0, 0, arc.theta), tuple(step), count=200, most=200, ends=end)
     sliders = tuple(Slider(s, -6, 6, 0, 0.1) for s in (arc.theta, arc.v, arc.omega))
     readouts = tuple(Readout(str(s), str(s), s, "m") for s in end)

@@ -33,8 +33,8 @@ def test_what_changed_is_marked_in_letters():
 
 def test_a_figure_gets_the_expression():
     """In which a ghost can be drawn: here with the speeds as symbols, and as numbers."""
-    assert M12.at({b: 0.1}).free_symbols == {v_L, v_R}
-    assert float(M12.at({b: 0.1, v_L: 0.05, v_R: 0.1})) == pytest.approx(1.0, rel=1e-15)
+    assert M12.substitute({b: 0.1}).free_symbols == {v_L, v_R}
+    assert float(M12.substitute({b: 0.1, v_L: 0.05, v_R: 0.1})) == pytest.approx(1.0, rel=1e-15)
 
 
 def test_the_same_is_put_in_for_the_numbers_of_other_formulas():

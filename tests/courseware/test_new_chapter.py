@@ -103,14 +103,14 @@ def site(tree, shared):
 DECLARED_RIGHT = f"""
 import book
 from courseware.course import course
-from courseware.equations import Check, check
+from courseware.equations import Check, verify
 from courseware.figures import Figure
 from courseware.practice import Exercise, dealing
 for new in {NEW}:
     def own(part, kind):
         return [each for name, each in course().declared(part, kind).items()
                 if course().homes(part, kind)[name] == new]
-    assert all(result.agrees for result in check(own("checks", Check), samples=20))
+    assert all(verify(check, samples=20).agrees for check in own("checks", Check))
     assert [figure.code for figure in own("figures", Figure)]
     assert all(dealing.variants(exercise.name) for exercise in own("exercises", Exercise))
 """
@@ -233,7 +233,7 @@ FORGOTTEN = {
     ),
     "a formula's check": (
         lambda tree: (tree / "book/beacon/checks.py").unlink(),
-        COLLECT + "equations.check()",
+        COLLECT + "equations.verify_all()",
         r"beacon.distance has no check: add `Check\(formulas.distance, .*checks.py",
     ),
     "the folder's package": (

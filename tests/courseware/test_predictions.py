@@ -156,7 +156,7 @@ SPEEDS = {v_L: Float("0.05"), v_R: Float("0.1"), b: Float("0.1")}
 RATE = Prediction(
     "rate",
     "How fast does it turn?",
-    Number("ω", "rad/s", right=formulas.turning_rate.at(SPEEDS)),
+    Number("ω", "rad/s", right=formulas.turning_rate.substitute(SPEEDS)),
     opens="By the difference.",
 )
 SIDE = Prediction(
@@ -220,7 +220,9 @@ WRONG = {
     "an unknown option": (lambda: Buttons(("left", "right"), right="up"), "up"),
     "a name with blanks": (lambda: Prediction("a b", "", SIDE.answers, ""), "letters and dashes"),
     "no such slider": (
-        lambda: Ghost("wheel-speeds", (Symbol("z"),), {}, formulas.speed.at(SPEEDS), 1).sliders(),
+        lambda: Ghost(
+            "wheel-speeds", (Symbol("z"),), {}, formulas.speed.substitute(SPEEDS), 1
+        ).sliders(),
         "moves z, but the figure wheel-speeds has the sliders v_L",
     ),
 }

@@ -8,7 +8,7 @@ import sympy
 from hypothesis import assume, given
 from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, reals, twists, vectors
 
-from courseware.equations import find
+from courseware.equations import find_equation
 from robokin.errors import RobokinError, SingularError, UnreachableError
 from robokin.planar_arm import (
     ellipse,
@@ -663,7 +663,7 @@ def test_the_round_trip_of_the_inverse_with_50_digits():
 
 def test_the_command_takes_the_error_back():
     """The chapter's command, carried out by the library: 1 - K dt of an error is left."""
-    formula = find("planar_arm.command")
+    formula = find_equation("planar_arm.command")
     command = sympy.lambdify(formula.symbols, list(formula.right), "numpy")
     gain, dt, wanted = 2.0, 1e-6, np.array([0.5, 0.45, 0.1])
     theta = np.array([0.5, 1.0, -1.5])

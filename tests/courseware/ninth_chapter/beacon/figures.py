@@ -35,8 +35,8 @@ def beacon_figure() -> Figure:
         ),
         handles=(Handle("the beacon", (b_x, b_y)),),
         readouts=(
-            Readout("distance", "distance d", formulas.distance.at(here), "m"),
-            Readout("bearing", "bearing", formulas.direction.at(here), "rad"),
+            Readout("distance", "distance d", formulas.distance.substitute(here), "m"),
+            Readout("bearing", "bearing", formulas.direction.substitute(here), "rad"),
         ),
         says="The beacon is {distance} away, at {bearing} from the heading {theta}.",
     )
@@ -65,7 +65,7 @@ def guess_figure() -> Figure:
 def mistake_figure() -> Figure:
     """The robot, and where it looks for the beacon when its program has the mistake."""
     place = {x: 0, y: 0, b_x: 0.6, b_y: 0.4}
-    right, wrong = formulas.direction.at(place), M99.at(place)
+    right, wrong = formulas.direction.substitute(place), M99.substitute(place)
     looks = theta + believed
     return Figure(
         name="wrong-beacon",

@@ -14,7 +14,7 @@ HERE = {x: 0, y: 0, theta: 0}
 
 def in_world(ahead, left):
     """A point that the robot sees, as the world does."""
-    return tuple(to_world.at({v: ahead, v_y: left, omega: 0, theta: 0})[:2])
+    return tuple(to_world.substitute({v: ahead, v_y: left, omega: 0, theta: 0})[:2])
 
 
 PREDICTIONS = (
@@ -35,7 +35,7 @@ PREDICTIONS = (
         Number(
             "d",
             "m",
-            right=formulas.distance.at(HERE | {b_x: 3, b_y: 4}),
+            right=formulas.distance.substitute(HERE | {b_x: 3, b_y: 4}),
             assumes={"It goes along the walls.": (b_x + b_y).subs({b_x: 3, b_y: 4})},
         ),
         opens="By Pythagoras.",

@@ -136,7 +136,7 @@ def test_the_reader_of_imports_sees_them():
     source = """
 import numpy as np
 from robokin import motion, errors as e
-from courseware.equations.core import quantity
+from courseware.equations.quantities import quantity
 if TYPE_CHECKING:
     from book.motion import formulas
 def f():
@@ -149,7 +149,7 @@ def f():
         "numpy",
         "robokin.motion",
         "robokin.errors",
-        "courseware.equations.core",
+        "courseware.equations.quantities",
         "matplotlib.pyplot",
         "book.motion",
         "book.motion.formulas",

@@ -37,7 +37,7 @@ from book.differential_drive.formulas import R, r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, y
-from courseware.equations.core import as_written, substitute
+from courseware.equations import as_written, substitute
 from courseware.figures import (
     POINTER,
     AngleArc,

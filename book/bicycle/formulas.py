@@ -34,7 +34,7 @@ from book.motion.formulas import (
     y_icr,
     y_next,
 )
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 steering = quantity(
     "steering", "rad", -1.2, 1.2, "steering angle of the bicycle, to the left", r"\varphi", "phi"
@@ -53,18 +53,18 @@ ahead = quantity(
 y_heading = quantity(
     "y_heading", "rad", -3.14, 3.14, "heading from the y axis, clockwise positive", r"\psi", "psi"
 )
-psi_dot = sign("psi_dot", "turning rate, clockwise", r"\dot{\psi}", "rad/s")
+psi_dot = symbol("psi_dot", "turning rate, clockwise", r"\dot{\psi}", "rad/s")
 x_dot_F, y_dot_F = (
-    sign(f"{x}_dot_F", f"speed of the front axle's middle along {x}", rf"\dot{{{x}}}_F", "m/s")
+    symbol(f"{x}_dot_F", f"speed of the front axle's middle along {x}", rf"\dot{{{x}}}_F", "m/s")
     for x in "xy"
 )
-x_F, y_F = (sign(f"{x}_F", f"the middle of the front axle, along {x}", unit="m") for x in "xy")
-steepest_angle = sign(
+x_F, y_F = (symbol(f"{x}_F", f"the middle of the front axle, along {x}", unit="m") for x in "xy")
+steepest_angle = symbol(
     "phi_max", "steepest steering that both wheels can follow", r"\varphi_\mathrm{max}", "rad"
 )
-corner_cut = sign("c", "by how much the rear axle cuts a corner", unit="m")
-lane_width = sign("w", "width of the lane that the car sweeps", unit="m")
-alpha = sign("alpha", "steering angle of any wheel", r"\alpha", "rad")
+corner_cut = symbol("c", "by how much the rear axle cuts a corner", unit="m")
+lane_width = symbol("w", "width of the lane that the car sweeps", unit="m")
+alpha = symbol("alpha", "steering angle of any wheel", r"\alpha", "rad")
 
 
 with as_written():

@@ -49,7 +49,7 @@ from book.motion.formulas import (
     y_dot,
     y_next,
 )
-from courseware.equations.core import quantity, substitute
+from courseware.equations import quantity, substitute
 from courseware.figures import (
     POINTER,
     AngleArc,

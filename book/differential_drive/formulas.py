@@ -3,7 +3,7 @@
 from sympy import Matrix, Ne, Piecewise, nan, oo
 
 from book.motion.formulas import omega, theta, theta_m, v, v_y, x_dot, y_dot
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 rate_L = quantity(
     "rate_L", "rad/s", -20, 20, "left rate: how fast the left wheel turns", latex=r"\dot\varphi_L"
@@ -16,8 +16,8 @@ v_R = quantity("v_R", "m/s", -1, 1, "right wheel: its speed over the floor")
 r = quantity("r", "m", 0.01, 0.5, "wheel radius")
 b = quantity("b", "m", 0.05, 1, "distance between the wheels, the whole of it")
 R = quantity("R", "m", -10, 10, "turning radius: how far to the left the ICR lies")
-rate = sign("rate", "rate of a wheel", r"\dot\varphi", "rad/s")
-u = sign("u", "half of the angle that is turned in a step", unit="rad")
+rate = symbol("rate", "rate of a wheel", r"\dot\varphi", "rad/s")
+u = symbol("u", "half of the angle that is turned in a step", unit="rad")
 
 LOOKS = {
     v_L: "left",

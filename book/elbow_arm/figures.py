@@ -18,7 +18,7 @@ from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import M1, M2, M3, M4, M5
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
-from courseware.equations.core import Where, substitute
+from courseware.equations import Where, substitute
 from courseware.figures import (
     POINTER,
     VIEW,

@@ -3,7 +3,7 @@
 from sympy import Abs, Matrix, Max, Min, acos, atan2, cos, pi, sin, sqrt
 
 from book.basics.formulas import p_x, p_y
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 theta1 = quantity("theta1", "rad", -3.14, 3.14, "angle of joint 1", latex=r"\theta_1")
 theta2 = quantity("theta2", "rad", -3.14, 3.14, "angle of joint 2", latex=r"\theta_2")
@@ -20,24 +20,24 @@ dh_d = quantity("dh_d", "m", -1, 1, "shift along z of a step", latex="d_i")
 dh_a = quantity("dh_a", "m", -1, 1, "shift along x of a step", latex="a_i")
 dh_alpha = quantity("dh_alpha", "rad", -3.14, 3.14, "turn about x of a step", latex=r"\alpha_i")
 
-A = sign("A", "cosine of the elbow's angle")
-phi1 = sign("phi1", "angle of the triangle at the shoulder", r"\varphi_1", "rad")
-phi2 = sign("phi2", "angle of the triangle at the elbow", r"\varphi_2", "rad")
-phi3 = sign("phi3", "how steeply the wrist is seen from the shoulder", r"\varphi_3", "rad")
-d_min = sign("d_min", "least distance that the arm can do", r"d_\mathrm{min}", "m")
-d_max = sign("d_max", "largest distance that the arm can do", r"d_\mathrm{max}", "m")
-D = sign("d_hat", "the distance nearest to d that the arm can do", r"\hat{d}", "m")
+A = symbol("A", "cosine of the elbow's angle")
+phi1 = symbol("phi1", "angle of the triangle at the shoulder", r"\varphi_1", "rad")
+phi2 = symbol("phi2", "angle of the triangle at the elbow", r"\varphi_2", "rad")
+phi3 = symbol("phi3", "how steeply the wrist is seen from the shoulder", r"\varphi_3", "rad")
+d_min = symbol("d_min", "least distance that the arm can do", r"d_\mathrm{min}", "m")
+d_max = symbol("d_max", "largest distance that the arm can do", r"d_\mathrm{max}", "m")
+D = symbol("d_hat", "the distance nearest to d that the arm can do", r"\hat{d}", "m")
 NEAREST = [
-    sign(f"near_{x}", f"the nearest point in reach, along {x}", f"p'_{x}", "m") for x in "xyz"
+    symbol(f"near_{x}", f"the nearest point in reach, along {x}", f"p'_{x}", "m") for x in "xyz"
 ]
 ELBOW_BOTH = [
-    sign(
+    symbol(
         "theta3_plus",
         "the elbow's angle, elbow down if the arm faces the target",
         r"\theta_3^{+}",
         "rad",
     ),
-    sign(
+    symbol(
         "theta3_minus",
         "the elbow's angle, elbow up if the arm faces the target",
         r"\theta_3^{-}",
@@ -45,22 +45,24 @@ ELBOW_BOTH = [
     ),
 ]
 SIDES = {
-    f"{side}{k}": sign(
+    f"{side}{k}": symbol(
         f"theta{k}_{side}", f"angle of joint {k}, {side}", rf"\theta_{k}^\mathrm{{{side}}}", "rad"
     )
     for side, joints in {"facing": (1, 2), "away": (1, 2, 3), "up": (2, 3), "down": (2, 3)}.items()
     for k in joints
 }
-p = sign("p", "the point where the wrist is to be")
-x, y, z = (sign(f"{axis}_axis", f"the {axis} axis", axis) for axis in "xyz")
-joint = sign("joint", "number of a joint", "i")
+p = symbol("p", "the point where the wrist is to be")
+x, y, z = (symbol(f"{axis}_axis", f"the {axis} axis", axis) for axis in "xyz")
+joint = symbol("joint", "number of a joint", "i")
 Z_AXES = [
-    sign(f"z_{k}", f"axis of joint {j}", f"z_{{{k}}}")
+    symbol(f"z_{k}", f"axis of joint {j}", f"z_{{{k}}}")
     for k, j in zip(("0", "1", "2", "i-1"), "123i", strict=True)
 ]
-a1 = sign("a1", "length of the first step of the DH table: zero", "a_1", "m")
-T_03 = sign("T_03", "pose of the wrist's frame as seen from the base", "T_{03}")
-T_step = sign("T_step", "pose of a frame of the DH table as seen from the one before", "T_{i-1,i}")
+a1 = symbol("a1", "length of the first step of the DH table: zero", "a_1", "m")
+T_03 = symbol("T_03", "pose of the wrist's frame as seen from the base", "T_{03}")
+T_step = symbol(
+    "T_step", "pose of a frame of the DH table as seen from the one before", "T_{i-1,i}"
+)
 
 
 with as_written():

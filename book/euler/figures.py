@@ -12,7 +12,7 @@ from book.euler import formulas as euler
 from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
-from courseware.equations.core import Where, quantity, substitute
+from courseware.equations import Where, quantity, substitute
 from courseware.figures import (
     VIEW,
     Bracket,

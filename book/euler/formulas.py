@@ -9,7 +9,7 @@ from typing import Any
 from sympy import Add, MatMul, Matrix, Symbol, atan2, cos, sin, sqrt
 from sympy import pi as half_turn
 
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 first = quantity("first", "rad", -3.14, 3.14, "first turn of a sequence", r"\alpha", "alpha")
 middle = quantity("middle", "rad", -3.14, 3.14, "middle turn of a sequence", r"\beta", "beta")
@@ -21,35 +21,35 @@ RATES = rate_first, rate_middle, rate_third = tuple(
     quantity(f"rate_{which}", "rad/s", -1, 1, f"rate of the {which} turn", rf"\dot\{name}")
     for which, name in {"first": "alpha", "middle": "beta", "third": "gamma"}.items()
 )
-omega = sign("omega", "angular velocity: an arrow along the axis", r"\omega", "rad/s")
-J = sign("J", "Jacobian: its columns are the axes of the turns")
-det_J = sign("det_J", "determinant of the Jacobian", r"\det J")
+omega = symbol("omega", "angular velocity: an arrow along the axis", r"\omega", "rad/s")
+J = symbol("J", "Jacobian: its columns are the axes of the turns")
+det_J = symbol("det_J", "determinant of the Jacobian", r"\det J")
 
 LOOKS = {turn: "icr", omega: "velocity"}
 
 ENTRY = "entry of the rotation matrix: row, column"
-r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
-n = n_x, n_y, n_z = tuple(sign(f"n_{x}", f"axis of the one turn, along {x}") for x in "xyz")
+r = Matrix(3, 3, lambda i, j: symbol(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
+n = n_x, n_y, n_z = tuple(symbol(f"n_{x}", f"axis of the one turn, along {x}") for x in "xyz")
 gamma = Symbol(r"\gamma")  # the third angle, once it is known
 OTHERS = [
-    sign(f"{name}_other", f"{which} turn of the other answer", rf"\{name}'", "rad")
+    symbol(f"{name}_other", f"{which} turn of the other answer", rf"\{name}'", "rad")
     for name, which in {"alpha": "first", "beta": "middle", "gamma": "third"}.items()
 ]
-w = sign("w", "the quaternion's first number")
-Q = [sign(f"q_{x}", f"the quaternion's part along {x}") for x in "xyz"]
-R = sign("R", "a rotation matrix")
-R_turn = {x: sign(f"R_{x}", f"matrix of a turn about {x}", f"R_{x}") for x in "xyz"}
-whole_n = sign("n", "axis of the one turn, an arrow of length 1")
-whole_q = sign("q", "a quaternion")
-identity = sign("I", "the identity matrix")
+w = symbol("w", "the quaternion's first number")
+Q = [symbol(f"q_{x}", f"the quaternion's part along {x}") for x in "xyz"]
+R = symbol("R", "a rotation matrix")
+R_turn = {x: symbol(f"R_{x}", f"matrix of a turn about {x}", f"R_{x}") for x in "xyz"}
+whole_n = symbol("n", "axis of the one turn, an arrow of length 1")
+whole_q = symbol("q", "a quaternion")
+identity = symbol("I", "the identity matrix")
 c_a, c_b, c_c, s_a, s_b, s_c = SHORT = [
-    sign(f"{of}_{name}", f"{what} of the {which} turn", rf"{of}_\{name}")
+    symbol(f"{of}_{name}", f"{what} of the {which} turn", rf"{of}_\{name}")
     for of, what in {"c": "cosine", "s": "sine"}.items()
     for name, which in {"alpha": "first", "beta": "middle", "gamma": "third"}.items()
 ]
-AXES = [sign(x, f"the {x} axis") for x in "xyz"]
-AXES += [sign(f"{x}_{a}", f"the {x} axis of frame {a}") for a in "AB" for x in "xyz"]
-R_made = [sign(f"R_{k}", f"matrix of turn {k}") for k in (1, 2)]
+AXES = [symbol(x, f"the {x} axis") for x in "xyz"]
+AXES += [symbol(f"{x}_{a}", f"the {x} axis of frame {a}") for a in "AB" for x in "xyz"]
+R_made = [symbol(f"R_{k}", f"matrix of turn {k}") for k in (1, 2)]
 
 
 def turned_about(axis: Any, angle: Any) -> Matrix:

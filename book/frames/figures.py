@@ -28,7 +28,7 @@ from book.frames.formulas import (
     l_2,
 )
 from book.motion import formulas as motion
-from courseware.equations.core import as_written, quantity, substitute
+from courseware.equations import as_written, quantity, substitute
 from courseware.figures import (
     POINTER,
     VIEW,

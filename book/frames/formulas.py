@@ -3,7 +3,7 @@
 from sympy import Abs, MatMul, Matrix, cos, sin
 
 from book.motion.formulas import theta
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 TURN = (-3.14, 3.14)
 
@@ -30,7 +30,7 @@ roll = quantity("roll", "rad", *TURN, "turn about x, by which any rotation begin
 pitch = quantity("pitch", "rad", *TURN, "turn about y, the second of any rotation")
 yaw = quantity("yaw", "rad", *TURN, "turn about z, the third of any rotation")
 ENTRY = "entry of the rotation matrix: row, column"
-r = Matrix(3, 3, lambda i, j: sign(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
+r = Matrix(3, 3, lambda i, j: symbol(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j + 1}}}"))
 
 lever = quantity("lever", "m", 0, 5, "distance of a point from its axis of turning", latex=r"\ell")
 error = quantity("error", "rad", -0.5, 0.5, "error of an angle", r"\delta", "delta")
@@ -38,11 +38,11 @@ missed = quantity("missed", "m", 0, 3, "by how much a point is missed", r"\Delta
 
 
 PAIRS = ["ab", "ac", "bc", "bd", "be", "cb", "ce", "db", "de", "fb", "fd", "rb", "rf"]
-T = {of: sign(f"T_{of}", f"pose of {of[1]} as seen from {of[0]}", f"T_{{{of}}}") for of in PAIRS}
+T = {of: symbol(f"T_{of}", f"pose of {of[1]} as seen from {of[0]}", f"T_{{{of}}}") for of in PAIRS}
 PARTS = {"x": ("x", "place", "m"), "y": ("y", "place", "m"), "z": ("z", "place", "m")}
 PARTS["theta"] = (r"\theta", "heading", "rad")
 SOUGHT = {
-    f"{part}_{of}": sign(
+    f"{part}_{of}": symbol(
         f"{part}_{of}", f"{what} of {of[1]} as seen from {of[0]}", f"{latex}_{{{of}}}", unit
     )
     for of in ("bd", "be", "bf", "cd", "ce", "dc")
@@ -51,11 +51,11 @@ SOUGHT = {
 SOUGHT |= {"x_db": db_x, "y_db": db_y, "theta_db": db_turn}
 SOUGHT |= {"x_de": de_x, "y_de": de_y, "theta_de": de_turn}
 SOUGHT |= {"x_bc": bc_x, "y_bc": bc_y, "theta_bc": bc_turn}
-R = sign("R", "the turn in a pose, a rotation matrix")
-p = sign("p", "the position in a pose")
-Q = sign("Q", "the turn in the inverse of a pose")
-q = sign("q", "the position in the inverse of a pose")
-identity = sign("I", "the identity matrix")
+R = symbol("R", "the turn in a pose, a rotation matrix")
+p = symbol("p", "the position in a pose")
+Q = symbol("Q", "the turn in the inverse of a pose")
+q = symbol("q", "the position in the inverse of a pose")
+identity = symbol("I", "the identity matrix")
 
 
 def sought(of: str, parts: tuple[str, ...] = ("x", "y", "theta")) -> Matrix:

@@ -4,7 +4,7 @@ from typing import Any
 
 from sympy import MatMul, Matrix, Ne, Piecewise, ceiling, cos, nan, oo, pi, sin, sinc
 
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 x = quantity("x", "m", -2, 2, "position of the robot in the world")
 y = quantity("y", "m", -2, 2, "position of the robot in the world")
@@ -18,14 +18,14 @@ angle = quantity("angle", "rad", -20, 20, "any angle", latex=r"\alpha")
 x_dot = quantity("x_dot", "m/s", -1, 1, "speed along the world's x axis", latex=r"\dot{x}")
 y_dot = quantity("y_dot", "m/s", -1, 1, "speed along the world's y axis", latex=r"\dot{y}")
 theta_dot = quantity("theta_dot", "rad/s", -6, 6, "rate of the heading", latex=r"\dot{\theta}")
-x_next = sign("x_next", "position after the step", "x'", "m")
-y_next = sign("y_next", "position after the step", "y'", "m")
-theta_next = sign("theta_next", "heading after the step", r"\theta'", "rad")
-x_icr = sign("x_icr", "the ICR, in the world", r"x_\mathrm{ICR}", "m")
-y_icr = sign("y_icr", "the ICR, in the world", r"y_\mathrm{ICR}", "m")
-chord_length = sign("chord_length", "straight from the old place to the new", "c", "m")
+x_next = symbol("x_next", "position after the step", "x'", "m")
+y_next = symbol("y_next", "position after the step", "y'", "m")
+theta_next = symbol("theta_next", "heading after the step", r"\theta'", "rad")
+x_icr = symbol("x_icr", "the ICR, in the world", r"x_\mathrm{ICR}", "m")
+y_icr = symbol("y_icr", "the ICR, in the world", r"y_\mathrm{ICR}", "m")
+chord_length = symbol("chord_length", "straight from the old place to the new", "c", "m")
 theta_m = quantity("theta_m", "rad", -6, 6, "middle heading: halfway through the turn")
-wrapped = sign("wrapped", "the same angle in (−π, π]", r"\operatorname{wrap}\alpha", "rad")
+wrapped = symbol("wrapped", "the same angle in (−π, π]", r"\operatorname{wrap}\alpha", "rad")
 
 
 with as_written():

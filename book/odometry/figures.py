@@ -25,7 +25,7 @@ from book.odometry.formulas import (
     noise,
     ratio,
 )
-from courseware.equations.core import Equation, as_written, quantity, substitute
+from courseware.equations import Equation, as_written, quantity, substitute
 from courseware.figures import (
     POINTER,
     Body,

@@ -6,7 +6,7 @@ from sympy import Abs, Matrix, Mod, Piecewise, Symbol, cos, pi, sin, sinc, sqrt,
 
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, x_next, y, y_next
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 N_L = quantity("N_L", "ticks", -1000, 1000, "ticks of the left encoder in a sample")
 N_R = quantity("N_R", "ticks", -1000, 1000, "ticks of the right encoder in a sample")
@@ -51,15 +51,15 @@ b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", "b
 ratio = quantity("ratio", "", 0.9, 1.1, "diameter of the right wheel by the left", latex="E_d")
 
 long_axis, short_axis = symbols(r"\sigma_1 \sigma_2")
-dN = sign("dN", "ticks between two readings", r"\Delta N", "ticks")
-bits = sign("m", "bits of a counter")
-N = sign("N", "ticks of an encoder", unit="ticks")
-rho = sign("rho", "distance of the left wheel from the centre of the arc", r"\rho", "m")
-Sigma = sign("Sigma", "covariance of the pose", r"\Sigma")
-Sigma_next = sign("Sigma_next", "covariance after the sample", r"\Sigma'")
-F = sign("F", "derivative of the new pose with respect to the old one")
-G = sign("G", "derivative of the new pose with respect to the travel of the wheels")
-error = sign("pose_error", "small errors of the pose", "e")
+dN = symbol("dN", "ticks between two readings", r"\Delta N", "ticks")
+bits = symbol("m", "bits of a counter")
+N = symbol("N", "ticks of an encoder", unit="ticks")
+rho = symbol("rho", "distance of the left wheel from the centre of the arc", r"\rho", "m")
+Sigma = symbol("Sigma", "covariance of the pose", r"\Sigma")
+Sigma_next = symbol("Sigma_next", "covariance after the sample", r"\Sigma'")
+F = symbol("F", "derivative of the new pose with respect to the old one")
+G = symbol("G", "derivative of the new pose with respect to the travel of the wheels")
+error = symbol("pose_error", "small errors of the pose", "e")
 covariance_entries = (p_xx, p_xy, p_xt, p_yy, p_yt, p_tt)
 p_next = [Symbol(f"{name}'") for name in ("p_{xx}", "p_{xy}", r"p_{x\theta}")]
 p_next += [Symbol(f"{name}'") for name in ("p_{yy}", r"p_{y\theta}", r"p_{\theta\theta}")]

@@ -19,8 +19,7 @@ from sympy import (
 
 from book.planar_arm import formulas
 from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2, x, x_dot, y, y_dot
-from courseware.equations import as_written
-from courseware.equations.core import substitute
+from courseware.equations import as_written, substitute
 from courseware.practice import (
     Ask,
     Exercise,

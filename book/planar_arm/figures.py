@@ -53,7 +53,7 @@ from book.planar_arm.formulas import (
     x,
     y,
 )
-from courseware.equations.core import Where, as_written, quantity, substitute
+from courseware.equations import Where, as_written, quantity, substitute
 from courseware.equations.functions import solve
 from courseware.figures import (
     POINTER,

@@ -2,7 +2,7 @@
 
 from sympy import Abs, Add, Matrix, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt
 
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 from courseware.equations.functions import solve
 
 l1 = quantity("l1", "m", 0.1, 1, "length of the first link", latex="l_1")
@@ -52,29 +52,30 @@ POSE, TWIST = (x, y, phi_hand), (x_dot, y_dot, phi_dot)
 
 # The short names of every book: c_12 is the cosine of θ1 + θ2.
 SUMS = {"1": "θ_1", "12": "θ_1 + θ_2", "123": "θ_1 + θ_2 + θ_3"}
-c1, c12, c123 = (sign(f"c_{k}", f"cos({sum_})", f"c_{{{k}}}") for k, sum_ in SUMS.items())
-s1, s12, s123 = (sign(f"s_{k}", f"sin({sum_})", f"s_{{{k}}}") for k, sum_ in SUMS.items())
-s2, s3 = sign("s_2", "sin θ_2"), sign("s_3", "sin θ_3")
-s23 = sign("s_23", "sin(θ_2 + θ_3)", "s_{23}")
-J = Matrix(3, 3, lambda i, j: sign(f"J_{i + 1}{j + 1}", "entry of the Jacobian: row, column"))
+c1, c12, c123 = (symbol(f"c_{k}", f"cos({sum_})", f"c_{{{k}}}") for k, sum_ in SUMS.items())
+s1, s12, s123 = (symbol(f"s_{k}", f"sin({sum_})", f"s_{{{k}}}") for k, sum_ in SUMS.items())
+s2, s3 = symbol("s_2", "sin θ_2"), symbol("s_3", "sin θ_3")
+s23 = symbol("s_23", "sin(θ_2 + θ_3)", "s_{23}")
+J = Matrix(3, 3, lambda i, j: symbol(f"J_{i + 1}{j + 1}", "entry of the Jacobian: row, column"))
 G_xx, G_yy, G_xy = Symbol("G_xx"), Symbol("G_yy"), Symbol("G_xy")
-x_w, y_w = (sign(f"{x}_w", f"the wrist, along {x}", rf"{x}_\mathrm{{wr}}", "m") for x in "xy")
-d = sign("d", "distance of the wrist from the base", unit="m")
+x_w, y_w = (symbol(f"{x}_w", f"the wrist, along {x}", rf"{x}_\mathrm{{wr}}", "m") for x in "xy")
+d = symbol("d", "distance of the wrist from the base", unit="m")
 ROUNDING = 1e-14  # a sine so small is rounding: that of π in floating point is 1.2e-16
-w = sign("w", "manipulability")
+w = symbol("w", "manipulability")
 large, small, tilt = Symbol(r"\sigma_1"), Symbol(r"\sigma_2"), Symbol(r"\alpha")
-whole_J = sign("J", "the Jacobian")
-det_J = sign("det_J", "determinant of the Jacobian", r"\det J")
-identity = sign("I", "the identity matrix")
-theta_dot = sign("theta_dot", "the joint rates, a column", r"\dot\theta", code="rates")
-p_dot = sign(
+whole_J = symbol("J", "the Jacobian")
+det_J = symbol("det_J", "determinant of the Jacobian", r"\det J")
+identity = symbol("I", "the identity matrix")
+theta_dot = symbol("theta_dot", "the joint rates, a column", r"\dot\theta", code="rates")
+p_dot = symbol(
     "p_dot", "the wanted velocity of the hand and its turning rate", r"\dot{p}", code="wanted"
 )
-u = sign("u", "joint rate along a single direction", unit="rad/s")
-sigma = sign("sigma", "by what the arm multiplies a rate in a single direction", r"\sigma")
-v = sign("v", "velocity that is wanted in a single direction", unit="m/s")
+u = symbol("u", "joint rate along a single direction", unit="rad/s")
+sigma = symbol("sigma", "by what the arm multiplies a rate in a single direction", r"\sigma")
+v = symbol("v", "velocity that is wanted in a single direction", unit="m/s")
 arrow = [
-    sign(part, f"{which} part of an arrow") for part, which in {"g": "first", "h": "second"}.items()
+    symbol(part, f"{which} part of an arrow")
+    for part, which in {"g": "first", "h": "second"}.items()
 ]
 
 

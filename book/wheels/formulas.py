@@ -16,7 +16,7 @@ from book.motion.formulas import (
     x_dot,
     y_dot,
 )
-from courseware.equations.core import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 l = quantity("wheel_l", "m", 0, 1, "distance of a wheel from the robot's centre", latex="l")
 alpha = quantity(
@@ -41,28 +41,28 @@ omni_rates = [
     for k in (1, 2, 3)
 ]
 
-contact_x = sign("v_cx", "velocity of the contact point, ahead", "v_{cx}", "m/s")
-contact_y = sign("v_cy", "velocity of the contact point, to the left", "v_{cy}", "m/s")
-across = sign("v_axle", "velocity of a wheel along its axle", r"v_\mathrm{axle}", "m/s")
-beta_dot = sign("beta_dot", "rate at which a castor swivels", r"\dot{\beta}", "rad/s")
-beta_s = sign("beta_s", "the angles β of the steered wheels", r"\beta_s", "rad")
-delta_m = sign("delta_m", "degree of mobility", r"\delta_m")
-delta_s = sign("delta_s", "degree of steerability", r"\delta_s")
-delta_M = sign("delta_M", "degree of manoeuvrability", r"\delta_M")
-J_1 = sign("J_1", "the rolling rows of all wheels", code="J1")
-J_2 = sign(
+contact_x = symbol("v_cx", "velocity of the contact point, ahead", "v_{cx}", "m/s")
+contact_y = symbol("v_cy", "velocity of the contact point, to the left", "v_{cy}", "m/s")
+across = symbol("v_axle", "velocity of a wheel along its axle", r"v_\mathrm{axle}", "m/s")
+beta_dot = symbol("beta_dot", "rate at which a castor swivels", r"\dot{\beta}", "rad/s")
+beta_s = symbol("beta_s", "the angles β of the steered wheels", r"\beta_s", "rad")
+delta_m = symbol("delta_m", "degree of mobility", r"\delta_m")
+delta_s = symbol("delta_s", "degree of steerability", r"\delta_s")
+delta_M = symbol("delta_M", "degree of manoeuvrability", r"\delta_M")
+J_1 = symbol("J_1", "the rolling rows of all wheels", code="J1")
+J_2 = symbol(
     "J_2",
     "r cos γ of each wheel on the diagonal: how far it drives the robot along the roller's axis "
     "at a rate of 1",
     code="J2",
 )
-rates = sign("rates", "the rates of all wheels, a column", r"\boldsymbol{\dot\varphi}", "rad/s")
-C_1 = sign("C_1", "the sliding rows of fixed and steered wheels")
-C_1f = sign("C_1f", "the sliding rows of the fixed wheels", "C_{1f}")
-C_1s = sign("C_1s", "the sliding rows of the steered wheels", "C_{1s}")
-R = sign("R", "the matrix that takes a velocity from the world to the robot")
-x, y = (sign(f"{axis}_axis", f"the robot's {axis} axis", axis) for axis in "xy")
-xi_dot = sign("xi_dot", "velocity of the robot in the world", r"\dot\xi_I")
+rates = symbol("rates", "the rates of all wheels, a column", r"\boldsymbol{\dot\varphi}", "rad/s")
+C_1 = symbol("C_1", "the sliding rows of fixed and steered wheels")
+C_1f = symbol("C_1f", "the sliding rows of the fixed wheels", "C_{1f}")
+C_1s = symbol("C_1s", "the sliding rows of the steered wheels", "C_{1s}")
+R = symbol("R", "the matrix that takes a velocity from the world to the robot")
+x, y = (symbol(f"{axis}_axis", f"the robot's {axis} axis", axis) for axis in "xy")
+xi_dot = symbol("xi_dot", "velocity of the robot in the world", r"\dot\xi_I")
 rank_fixed = quantity(
     "rank_fixed", "", 0, 3, "independent sliding rows of the fixed wheels",
     latex=r"\operatorname{rank}C_{1f}",

@@ -1,16 +1,9 @@
-"""Every formula of a course, once: printed in the chapters, checked here, drawn from."""
+"""Formulas, each declared once: printed in chapters, compared with code, drawn from."""
 
-from courseware.equations.checks import Check
-from courseware.equations.core import (
-    Equation,
-    again,
-    as_written,
-    find_equation,
-    look,
-    quantity,
-    show,
-    sign,
-)
+from courseware.equations.check import Check
+from courseware.equations.equation import Equation, Where, as_written, find_equation, substitute
+from courseware.equations.notebook import show, show_again
+from courseware.equations.quantities import find_kind, quantity, symbol
 from courseware.equations.verification import Array, Result, verify, verify_all
 
 __all__ = [
@@ -18,13 +11,15 @@ __all__ = [
     "Check",
     "Equation",
     "Result",
-    "again",
+    "Where",
     "as_written",
     "find_equation",
-    "look",
+    "find_kind",
     "quantity",
     "show",
-    "sign",
+    "show_again",
+    "substitute",
+    "symbol",
     "verify",
     "verify_all",
 ]

@@ -1,7 +1,7 @@
 """The few functions beyond SymPy's own that an expression may call.
 
-Each has three faces: 50-digit arithmetic here, JavaScript in `courseware/figures/functions.js`,
-and a NumPy oracle in `tests/courseware/test_javascript.py` that both are held to.
+Each is written twice: in 50-digit arithmetic here, in JavaScript in
+`courseware/figures/functions.js`. `tests/courseware/test_javascript.py` compares both with NumPy.
 """
 
 from collections.abc import Callable
@@ -11,24 +11,24 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from courseware.equations.core import as_written
+from courseware.equations.equation import as_written
 
 RANK_TOLERANCE = 1e-9  # relative to the largest singular value: a reader's idea of "dependent"
 
 
 def rank(matrix: sp.Matrix) -> sp.Expr:
-    """The rank of a matrix as an expression (0 … 3 columns' worth)."""
+    """Return the rank of a matrix as an expression."""
     return _call("rank", *_flat(matrix))
 
 
 def null_projector(matrix: sp.Matrix) -> sp.Matrix:
-    """The orthogonal projector onto the null space: unique and so comparable, unlike a basis."""
+    """Return the orthogonal projector onto the null space, which is unique, unlike a basis."""
     n = matrix.cols
     return _matrix("null_projector", (n, n), _flat(matrix))
 
 
 def solve(matrix: sp.Matrix, right: sp.Matrix) -> sp.Matrix:
-    """x with `matrix` x = `right`, for a square matrix; NaN where that is singular."""
+    """Solve `matrix` x = `right` for a square matrix; NaN where that is singular."""
     return _matrix("solve", (matrix.rows, 1), [*_flat(matrix), *right])
 
 
@@ -55,7 +55,7 @@ def _mp_matrix(rows: int, cols: int, entries: tuple[Any, ...]) -> Any:
 
 @lru_cache(maxsize=8)  # one matrix is asked for its rank and for each entry of its projector
 def _mp_null(digits: int, rows: int, cols: int, *entries: Any) -> list[Any]:
-    """The right singular vectors of singular value zero, by the eigenvectors of Cᵀ C."""
+    """Return the right singular vectors of singular value zero: eigenvectors of Cᵀ C."""
     m = _mp_matrix(rows, cols, entries)
     values, vectors = mpmath.eigsy(m.T * m)
     largest = max(values)

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import sympy as sp
 from sympy.printing.pretty.pretty_symbology import greek_unicode
 
-from courseware.equations.rendering import AsWritten
+from courseware.equations.latex import OrderedPrinter
 from courseware.errors import CourseError
 
 SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text holds together
@@ -56,7 +56,7 @@ def bracketed(bound: Bound, least: int) -> str:
     return text if binding >= least else f"({text})"
 
 
-class Text(AsWritten):
+class Text(OrderedPrinter):
     """Writes expressions in one line. letters: what stands for a symbol; in_degrees: the same
     inside a function of an angle, where it knows all symbols.
 

@@ -1,4 +1,4 @@
-"""Every formula against its function: generated points and special points, in 50 digits."""
+"""Comparison of formulas with functions: at generated and special points, in 50 digits."""
 
 import sys
 from collections.abc import Callable, Sequence
@@ -15,8 +15,8 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from courseware.course import course
-from courseware.equations.checks import Check, declared_checks
-from courseware.equations.core import Where
+from courseware.equations.check import Check, declared_checks
+from courseware.equations.equation import Where
 from courseware.equations.functions import MPMATH
 from courseware.errors import CourseError
 
@@ -27,7 +27,7 @@ DIGITS = 50
 
 @dataclass(frozen=True)
 class Result:
-    """How far a formula and its function are apart, over how many points, and where most."""
+    """The largest difference between a formula and its function, and the point where it is."""
 
     check: Check
     samples: int
@@ -47,9 +47,9 @@ def verify_all(samples: int = SAMPLES) -> list[Result]:
 
 def verify(check: Check, samples: int = SAMPLES) -> Result:
     """Return the largest difference between a formula's right side and its function."""
-    equation, points = check.equation, sample(check, samples)
+    equation, points = check.equation, draw_points(check, samples)
     exact = evaluate(equation.right, check.symbols, points, equation.where)
-    computed = answer(check, points)
+    computed = call_function(check, points)
     if computed.shape != exact.shape:
         raise CourseError(
             f"{check.name} has {exact.shape[1]} components, its function {computed.shape[1]}"
@@ -60,8 +60,8 @@ def verify(check: Check, samples: int = SAMPLES) -> Result:
     return Result(check, len(points), float(apart[worst]), where)
 
 
-def sample(check: Check, samples: int = SAMPLES) -> Array:
-    """Points (n, symbols): the special ones first, then generated ones, the same every time."""
+def draw_points(check: Check, samples: int = SAMPLES) -> Array:
+    """Return points (n, symbols): the special ones, then random ones, the same every time."""
     symbols = check.symbols
     ranges = [check.ranges.get(s, (s.low, s.high)) for s in symbols]
     low, high = np.array(ranges).T
@@ -78,7 +78,7 @@ def sample(check: Check, samples: int = SAMPLES) -> Array:
 def evaluate(
     expression: Any, symbols: Sequence[sp.Symbol], points: Array, where: Where = ()
 ) -> NDArray[np.object_]:
-    """An expression or matrix at every point in 50-digit arithmetic: (n, components)."""
+    """Evaluate an expression or matrix at points in 50-digit arithmetic: (n, components)."""
     flat = tuple(expression) if isinstance(expression, sp.MatrixBase) else (expression,)
     known = tuple(symbols)
     steps = []
@@ -115,8 +115,8 @@ def _real(value: Any) -> Any:
     return value if isinstance(value, mpmath.mpf) else mpmath.mpf(value)
 
 
-def answer(check: Check, points: Array) -> Array:
-    """The function's own answer at the points, (n, components)."""
+def call_function(check: Check, points: Array) -> Array:
+    """Call the function at the points: (n, components)."""
     assert check.function is not None
     found = np.asarray(check.function(*_arguments(check, points)), dtype=float)
     if check.component is not None:
@@ -125,8 +125,8 @@ def answer(check: Check, points: Array) -> Array:
 
 
 def library_functions(check: Check) -> list[str]:
-    """The public functions of the library that a check really calls, as `robokin.motion.icr`."""
-    arguments = _arguments(check, sample(check, 1))
+    """Return the public functions of the library that a check calls, as `robokin.motion.icr`."""
+    arguments = _arguments(check, draw_points(check, 1))
     public = course().library_modules
     found: dict[str, None] = {}
     depth = 0
@@ -135,7 +135,7 @@ def library_functions(check: Check) -> list[str]:
         nonlocal depth
         module, name = frame.f_globals.get("__name__", ""), frame.f_code.co_name
         if module in public and name[0] not in "_<":
-            if event == "call" and depth == 0:  # what it calls in its turn does not count
+            if event == "call" and depth == 0:  # not the functions that it calls itself
                 found[f"{module}.{name}"] = None
             depth += {"call": 1, "return": -1}.get(event, 0)
 
@@ -162,7 +162,7 @@ def _argument(argument: Any, columns: dict[sp.Symbol, Array], n: int) -> Array:
 
 
 def differences(computed: Array, exact: NDArray[np.object_], is_angle: bool = False) -> Array:
-    """How far apart, element by element; infinite where infinities or NaN do not match."""
+    """Return the distance of each element; infinite where infinities or NaN do not match."""
     pairs = zip(computed.ravel().tolist(), exact.flat, strict=True)
     with mpmath.workdps(DIGITS):
         return np.array([_apart(c, e, is_angle) for c, e in pairs]).reshape(computed.shape)

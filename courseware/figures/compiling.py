@@ -7,11 +7,11 @@ from typing import Any
 
 import sympy as sp
 
-from courseware.equations.core import (
+from courseware.equations.equation import Where
+from courseware.equations.quantities import (
     NamedSymbol,
-    Where,
     describe_symbols,
-    look,
+    find_kind,
     refuse_unknown_kind,
 )
 from courseware.equations.text import symbol_text
@@ -97,7 +97,7 @@ class Compiler:
         if not isinstance(kind, NamedSymbol):
             return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
         letter = symbol_text(kind) if label is None else label
-        return {"kind": look(kind, self.chapter), "label": letter, "symbol": kind.key}
+        return {"kind": find_kind(kind, self.chapter), "label": letter, "symbol": kind.key}
 
     def control(self, control: Control) -> dict[str, Any]:
         """A control as the script reads it, in the unit that the reader sees."""

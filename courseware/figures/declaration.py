@@ -18,7 +18,8 @@ from typing import Any, Self
 
 import sympy as sp
 
-from courseware.equations.core import Equation, NamedSymbol, Where
+from courseware.equations.equation import Equation, Where
+from courseware.equations.quantities import NamedSymbol
 from courseware.equations.text import symbol_text
 from courseware.errors import CourseError, describe
 from courseware.units import refuse_other_than_si
@@ -48,7 +49,7 @@ def part_done(done: Expr, k: int) -> Expr:
 
 def with_letter(symbol: NamedSymbol) -> str:
     """A quantity's name, if it has one, and its letter: "heading θ"."""
-    return f"{symbol.called} {symbol_text(symbol)}".strip()
+    return f"{symbol.short_name} {symbol_text(symbol)}".strip()
 
 
 class Steps(list[tuple[sp.Symbol, Any]]):

@@ -11,7 +11,7 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
 from courseware.course import course
-from courseware.equations.core import Where
+from courseware.equations.equation import Where
 from courseware.errors import CourseError
 from courseware.figures.compiling import Compiler, Control, javascript, settings, xy
 from courseware.figures.declaration import Choice, Goal, Handle, Place, Readout, Recurrence

@@ -9,16 +9,17 @@ import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 from sympy.printing.jscode import JavascriptCodePrinter
 
-from courseware.equations.core import Where, as_written, describe_symbols
+from courseware.equations.equation import Where, as_written
 from courseware.equations.functions import MPMATH
-from courseware.equations.rendering import AsWritten
+from courseware.equations.latex import OrderedPrinter
+from courseware.equations.quantities import describe_symbols
 from courseware.errors import CourseError
 from courseware.script import engine
 
 RUNTIME_FUNCTIONS = tuple(MPMATH)  # each has its JavaScript in functions.js
 
 
-class _JavaScript(AsWritten, JavascriptCodePrinter):  # type: ignore[misc]
+class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
     """SymPy's printer, with named symbols and the runtime's functions."""
 
     def __init__(self, names: Mapping[sp.Symbol, str]) -> None:

@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from courseware.equations.core import quantity
+from courseware.equations.quantities import quantity
 from courseware.figures import solids
 from courseware.figures.declaration import Arrow, Expr, Line, Place, Point, Slider
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from courseware.course import course
-from courseware.equations.core import Output
+from courseware.equations.notebook import Output
 from courseware.errors import CourseError, describe
 from courseware.practice import dealing, judging, page, tables
 from courseware.practice.bank import (

@@ -14,9 +14,8 @@ from functools import cache
 from typing import Any
 
 from courseware.course import course
-from courseware.equations.core import Equation
-from courseware.equations.notebook import shown_equations
-from courseware.equations.rendering import name_on_page, place_on_page
+from courseware.equations.equation import Equation
+from courseware.equations.notebook import equation_anchor, equation_label, shown_equations
 from courseware.equations.text import formula_text
 from courseware.practice import dealing, judging
 from courseware.practice.bank import Exercise, exercises
@@ -56,7 +55,7 @@ def look(exercise: Exercise) -> dict[str, Any]:
     """Where to look who does not know how to begin: the chapter, and the formulas that the solution
     uses, each as what it gives and where the chapter prints it."""
     places = {
-        equation.name: place_on_page(name_on_page(equation.name, computed))
+        equation.name: equation_anchor(equation_label(equation.name, computed))
         for equation, computed in shown_equations(exercise.topic)
     }
     steps = exercise.solution.steps.values()

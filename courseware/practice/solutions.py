@@ -34,7 +34,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from courseware.equations.core import Equation, free_symbols, substitute
+from courseware.equations.equation import Equation, free_symbols, substitute
 from courseware.equations.text import formula_text, numbers_text
 from courseware.errors import CourseError
 from courseware.practice.wording import number_text, with_unit

@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from courseware.equations.core import as_written, free_symbols, substitute
+from courseware.equations.equation import as_written, free_symbols, substitute
 from courseware.equations.text import formula_text, signed
 from courseware.practice.solutions import compiled
 

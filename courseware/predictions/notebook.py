@@ -1,6 +1,6 @@
 """A prediction in a notebook: the question, and a fold with what it opens."""
 
-from courseware.equations.core import Output
+from courseware.equations.notebook import Output
 from courseware.predictions.declaration import Buttons, Prediction, find
 
 MIME = "application/vnd.courseware.prediction+json"

@@ -12,7 +12,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware import equations
 from courseware.course import course
-from courseware.equations.checks import Check, declared_checks
+from courseware.equations.check import Check, declared_checks
 from courseware.equations.verification import library_functions
 from courseware.site.sources import depend, sources
 
@@ -92,7 +92,7 @@ def _summary(checks: list[Check]) -> str:
     computed = [c for c in checks if c.function and not c.compared_with]
     other = [f"`{c.name}`" for c in checks if c.compared_with]
     tested = [f"`{c.name}`" for c in checks if c.checked_by]
-    directly = sum(not c.between for c in computed)
+    directly = sum(not c.adapter for c in computed)
     return (
         f"There are {len(checks)} formulas. {directly} are compared with a function of the library "
         f"or a chapter as it is, {len(computed) - directly} with functions by way of a few lines "
@@ -124,9 +124,9 @@ def _other_side(check: Check) -> str:
             f"the check of {check.name} calls no function of {course().library}: say in its "
             "`compared_with` what computes instead"
         )
-    if not check.between:
+    if not check.adapter:
         return called
-    return f"{called} (*{check.between.rstrip('.')}*)"
+    return f"{called} (*{check.adapter.rstrip('.')}*)"
 
 
 def power(number: float) -> str:

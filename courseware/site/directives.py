@@ -6,7 +6,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
-from courseware.equations.core import NamedSymbol
+from courseware.equations.quantities import NamedSymbol
 from courseware.practice.bank import Mistake, exercises, mistakes, topics
 from courseware.practice.wording import highlighted, symbols
 from courseware.site.outputs import desk, exercise_box
@@ -115,9 +115,9 @@ def notation() -> dict[str, list[str]]:
     """Chapter → its rows. Symbols that mean alike, such as a matrix's entries, share one."""
     tables: dict[str, list[str]] = {}
     for chapter in course().taught:
-        names, alike = lexicon.names(chapter), dict[tuple[str, ...], list[NamedSymbol]]()
+        names, alike = lexicon.assigned_names(chapter), dict[tuple[str, ...], list[NamedSymbol]]()
         for symbol in lexicon.printed_symbols(chapter):
-            span = "" if symbol.is_sign else f"{symbol.low:.7g} … {symbol.high:.7g}"
+            span = f"{symbol.low:.7g} … {symbol.high:.7g}" if symbol.has_range else ""
             alike.setdefault((symbol.meaning, symbol.unit, span.replace("-", "−")), []).append(
                 symbol
             )

@@ -11,9 +11,15 @@ from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
 from courseware.course import course
-from courseware.equations.core import find_equation, labelled
-from courseware.equations.rendering import AGAIN, COMPUTED, name_on_page, place_on_page
-from courseware.equations.rendering import MIME as EQUATION
+from courseware.equations.equation import find_equation
+from courseware.equations.notebook import (
+    AGAIN,
+    COMPUTED,
+    equation_anchor,
+    equation_label,
+    equation_of,
+)
+from courseware.equations.notebook import MIME as EQUATION
 from courseware.errors import CourseError
 from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find as find_figure
@@ -74,13 +80,13 @@ class Outputs:
 def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
     """A display formula, numbered and known to `{eq}` by its name."""
     name, computed = data.content["name"], data.content["computed"]
-    label, formula = name_on_page(name, computed), told(find_equation, name).latex(computed)
+    label, formula = equation_label(name, computed), told(find_equation, name).latex(computed)
     env = renderer.renderer.sphinx_env
     node = nodes.math_block(formula, formula, label=label, nowrap=False, docname=env.docname)
     domain = env.get_domain("math")
     domain.note_equation(env.docname, label, location=(env.docname, data.line))
     node["number"] = domain.get_equation_number_for(label)
-    target = nodes.target("", "", ids=[place_on_page(label)])
+    target = nodes.target("", "", ids=[equation_anchor(label)])
     renderer.renderer.document.note_explicit_target(target)
     followed = data.content.get("figure")
     return [target, node, *(_numbers(name, computed, followed, env) if followed else ())]
@@ -90,7 +96,7 @@ def _again(labels: list[str], docname: str) -> nodes.container:
     """Formulas that stand above, each beside the number that leads to it."""
     box = nodes.container("", classes=["rk-again"])
     for label in labels:
-        tex = told(labelled, label).latex(label.endswith(COMPUTED))
+        tex = told(equation_of, label).latex(label.endswith(COMPUTED))
         to = {"refdomain": "math", "reftype": "eq", "reftarget": label, "refdoc": docname}
         number = pending_xref("", nodes.inline(), **to, refexplicit=False, refwarn=True)
         box += nodes.paragraph("", "", number)

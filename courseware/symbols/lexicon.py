@@ -1,7 +1,7 @@
-r"""Which symbols the TeX of a chapter is made of: `\dot\varphi_L` is one letter, not five tokens.
+r"""The symbols in the TeX of a chapter, where `\dot\varphi_L` is one letter and not five tokens.
 
-A chapter's symbols are those that its formulas and figures declare or use. On a page a letter
-stands for one of them only.
+A chapter's symbols are those that its formulas and figures declare or use. Each of its letters
+stands for one symbol only.
 """
 
 import ast
@@ -11,9 +11,9 @@ from functools import cache
 from typing import Any
 
 from courseware.course import course, held
-from courseware.equations.core import Equation, NamedSymbol, free_symbols, look
-from courseware.equations.notebook import cells, results, shown_equations
-from courseware.equations.rendering import MIME
+from courseware.equations.equation import Equation, free_symbols
+from courseware.equations.notebook import MIME, read_cells, read_outputs, shown_equations
+from courseware.equations.quantities import NamedSymbol, find_kind
 from courseware.equations.text import GREEK
 from courseware.errors import CourseError
 
@@ -22,7 +22,7 @@ WORD = r"\\(?:mathrm|text|operatorname|begin|end|mathsf)\s*\{[^{}]*\}"
 GROUP = r"\{(?:[^{}]|\{[^{}]*\})*\}"
 LETTER = rf"(?:\\(?!pi(?![A-Za-z]))(?:{'|'.join(GREEK)})(?![A-Za-z])|[A-Za-z])"  # π is a number
 INDEX = rf"_\s*(?:{GROUP}|{WORD}|\\[A-Za-z]+|[^\s{{}}\\])"
-# a letter with its accent, index and primes; without one, what is no letter
+# a letter with its accent, index and primes
 ATOM = rf"(?P<letter>(?:{ACCENT}(?:{GROUP}|{LETTER})|{LETTER})(?:\s*{INDEX})?(?:\s*'+)?)"
 REST = rf"(?P<rest>{WORD}|\\\\\s*\[\d+pt\]|\\[A-Za-z]+|\\.|.)"
 TYPED = re.compile(r"\$\$(.*?)\$\$|(?<![\\$])\$([^$]+?)\$", re.DOTALL)
@@ -31,7 +31,7 @@ TOKEN = re.compile(r"\{[^{}]*\}|\\(?:mathrm|operatorname)\s*\{\w+\}|\\[A-Za-z]+|
 
 @cache
 def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
-    """The symbols of a chapter by their pattern in TeX, the longest first."""
+    """Return the symbols of a chapter by their patterns in TeX, the longest first."""
     found, equations = list[NamedSymbol](), [equation for equation, _ in shown_equations(chapter)]
     if formulas := course().module(chapter, "formulas"):
         found += held(formulas, NamedSymbol)
@@ -39,54 +39,54 @@ def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
     if figures := course().module(chapter, "figures"):
         found += [s for s in held(figures, NamedSymbol) if s.module == figures.__name__]
     for e in equations:
-        found += in_expressions((e.left, e.right, e.textbook or 0, e.where))
+        found += symbols_in((e.left, e.right, e.textbook or 0, e.where))
     known: dict[str, NamedSymbol] = {}
     for symbol in dict.fromkeys(found):
-        other = known.setdefault(pattern(symbol.latex), symbol)
+        other = known.setdefault(letter_pattern(symbol.latex), symbol)
         if other != symbol:
             raise CourseError(
-                f"{symbol.latex} stands for two symbols in the chapter {chapter}: {other} "
-                f"({other.place}) and {symbol} ({symbol.place}); give one of them another letter"
+                f"{symbol.latex} stands for two symbols in the chapter {chapter}: "
+                f"{other} ({other.location}) and {symbol} ({symbol.location}); "
+                "give one of them another letter"
             )
     return dict(sorted(known.items(), key=lambda item: (-len(item[0]), item[0])))
 
 
-def printed(chapter: str) -> list[str]:
-    """All TeX that a chapter prints: typed in its text, of its equations, of its code's results."""
+def printed_tex(chapter: str) -> list[str]:
+    """Return all TeX on a chapter's page: of its text, its equations, the results of its code."""
     found = [equation.latex(computed) for equation, computed in shown_equations(chapter)]
-    for cell in cells(chapter):
+    for cell in read_cells(chapter):
         if cell["cell_type"] == "markdown":
             text = re.sub(r"```.*?```|`[^`\n]*`", "", "".join(cell["source"]), flags=re.DOTALL)
             found += [match[1] or match[2] for match in TYPED.finditer(text)]
-        for data in results(cell):
-            found += [] if MIME in data else ["".join(data.get("text/latex", ""))]
+        outputs = (data for data in read_outputs(cell) if MIME not in data)
+        found += ["".join(data.get("text/latex", "")) for data in outputs]
     return found
 
 
 def printed_symbols(chapter: str) -> list[NamedSymbol]:
-    """The symbols in that TeX, the chapter's own first, as declared."""
-    pieces = (piece for tex in printed(chapter) for piece in scan(chapter, tex))
+    """Return the symbols in that TeX, the chapter's own first, as declared."""
+    pieces = (piece for tex in printed_tex(chapter) for piece in scan_tex(chapter, tex))
     found = {symbol for _, symbol, _ in pieces if symbol}
     return sorted(found, key=lambda s: (s.chapter != chapter, s.module, s.line, s.name))
 
 
-def names(chapter: str) -> set[str]:
-    """The names that the code of a chapter's notebook gives to something."""
-    code = ["".join(cell["source"]) for cell in cells(chapter) if cell["cell_type"] == "code"]
-    walked = [node for text in code for node in ast.walk(ast.parse(text))]
-    arguments = {node.arg for node in walked if isinstance(node, ast.arg)}
-    return arguments | {
-        node.id for node in walked if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-    }
+def assigned_names(chapter: str) -> set[str]:
+    """Return the names that the code of a chapter's notebook assigns, and those of parameters."""
+    code = ["".join(c["source"]) for c in read_cells(chapter) if c["cell_type"] == "code"]
+    visited = [node for text in code for node in ast.walk(ast.parse(text))]
+    parameters = {node.arg for node in visited if isinstance(node, ast.arg)}
+    names = (node for node in visited if isinstance(node, ast.Name))
+    return parameters | {node.id for node in names if isinstance(node.ctx, ast.Store)}
 
 
-def in_expressions(parts: tuple[Any, ...]) -> list[NamedSymbol]:
-    """All declared symbols in expressions."""
+def symbols_in(parts: tuple[Any, ...]) -> list[NamedSymbol]:
+    """Return the declared symbols in expressions."""
     return [s for s in free_symbols(parts) if isinstance(s, NamedSymbol)]
 
 
-def pattern(latex: str) -> str:
-    r"""The regular expression of a letter: `v_L` and `v_{L}`, `\dot x` and `\dot{x}` are alike."""
+def letter_pattern(latex: str) -> str:
+    r"""Return the pattern of a letter, equal for `v_L` and `v_{L}`, `\dot x` and `\dot{x}`."""
     parts, after = list[str](), False
     for token in TOKEN.findall(latex):
         inner = TOKEN.findall(token[1:-1]) if token.startswith("{") else [token]
@@ -102,39 +102,32 @@ def pattern(latex: str) -> str:
 
 
 @cache
-def scanner(chapter: str) -> re.Pattern[str]:
-    """Finds in TeX the chapter's symbols first, then other letters, then all else."""
-    own = "|".join(f"(?P<s{k}>{p}(?!\\s*['_]))" for k, p in enumerate(symbols_of(chapter)))
-    return re.compile(f"{own}|{ATOM}|{REST}" if own else f"{ATOM}|{REST}", re.DOTALL)
+def _scanner(chapter: str) -> re.Pattern[str]:
+    """Return a pattern of a chapter's symbols, of other letters, and of all else, in this order."""
+    own = [f"(?P<s{k}>{p}(?!\\s*['_]))" for k, p in enumerate(symbols_of(chapter))]
+    return re.compile("|".join([*own, ATOM, REST]), re.DOTALL)
 
 
-def scan(chapter: str, tex: str) -> Iterable[tuple[str, NamedSymbol | None, bool]]:
-    """The pieces of TeX: each with its symbol, and whether it is a letter at all."""
+def scan_tex(chapter: str, tex: str) -> Iterable[tuple[str, NamedSymbol | None, bool]]:
+    """Yield the pieces of TeX, each with its symbol if any, and whether it is a letter."""
     known = list(symbols_of(chapter).values())
-    for match in scanner(chapter).finditer(tex):
+    for match in _scanner(chapter).finditer(tex):
         name = match.lastgroup or ""
-        if name == "rest" or name == "letter":
+        if name in ("rest", "letter"):
             yield match[0], None, name == "letter"
         else:
             yield match[0], known[int(name[1:])], True
 
 
-def marked(chapter: str, tex: str) -> str:
-    """The TeX with each symbol in a `\\htmlData` that carries its key, and its look if any."""
+def mark_symbols(chapter: str, tex: str) -> str:
+    """Put each symbol of TeX into a `\\htmlData` with its key, and its look if any."""
     return "".join(
-        rf"{{\htmlData{{{face(symbol, chapter)}}}{{{text}}}}}"
-        if symbol
-        else text  # an ordinary atom
-        for text, symbol, _ in scan(chapter, tex)
+        rf"{{\htmlData{{{symbol_data(symbol, chapter)}}}{{{text}}}}}" if symbol else text
+        for text, symbol, _ in scan_tex(chapter, tex)
     )
 
 
-def face(symbol: NamedSymbol, chapter: str) -> str:
-    """What KaTeX makes `data-symbol` and `data-look` of."""
-    kind = look(symbol, chapter)
+def symbol_data(symbol: NamedSymbol, chapter: str) -> str:
+    """Return what KaTeX turns into `data-symbol` and `data-look`."""
+    kind = find_kind(symbol, chapter)
     return f"symbol={symbol.key}" + (f",look={kind}" if kind else "")
-
-
-def unknown(chapter: str, tex: str) -> list[str]:
-    """The letters that the chapter does not declare."""
-    return [text for text, symbol, letter in scan(chapter, tex) if letter and not symbol]

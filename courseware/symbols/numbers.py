@@ -11,8 +11,9 @@ from typing import Any
 
 import sympy as sp
 
-from courseware.equations.core import Equation, NamedSymbol, as_written, substitute
-from courseware.equations.rendering import aligned, latex
+from courseware.equations.equation import Equation, as_written, substitute
+from courseware.equations.latex import align_lines, render_latex
+from courseware.equations.quantities import NamedSymbol
 from courseware.equations.text import fraction, symbol_text
 from courseware.errors import CourseError
 from courseware.figures.figure import Figure
@@ -34,7 +35,7 @@ def at_start(figure: Figure) -> Numbers:
 
 def rows(equation: Equation, computed: bool) -> list[tuple[Any, Any]]:
     """Left and right side of each line; a product of matrices is written out."""
-    right = equation.printed(computed)
+    right = equation.shown_side(computed)
     right = equation.right if isinstance(right, sp.MatMul) else right
     lefts, rights = (
         list(side) if isinstance(side, sp.MatrixBase) else [side] for side in (equation.left, right)
@@ -52,7 +53,7 @@ class Slots:
     def tex(self, computed: bool) -> str:
         """All lines."""
         lines = [self._line(left, right) for left, right in rows(self.equation, computed)]
-        return aligned(lines) if len(lines) > 1 else " = ".join(lines[0])
+        return align_lines(lines) if len(lines) > 1 else " = ".join(lines[0])
 
     def said(self) -> str:
         """The results as a sentence, for those who do not see the formula."""
@@ -71,15 +72,15 @@ class Slots:
             )
         self._refuse_unknown(left, "a readout")
         if isinstance(right, NamedSymbol):  # its number is the result already
-            return lexicon.marked(self.chapter, left.latex), self._slot(left, result=True)
+            return lexicon.mark_symbols(self.chapter, left.latex), self._slot(left, result=True)
         right = substitute(right, self._steps())
         degrees, result = in_degrees(right) and not meets(right), self._slot(left, result=True)
         if left.unit == "rad" and not degrees:
             result = rf"{self._slot(left, radians=True)}\,\mathrm{{rad}} = {result}"
         self.turns_in_degrees = not meets(right)
         with as_written():
-            written = latex(self._filled(right, degrees), mul_symbol="dot")
-        return lexicon.marked(self.chapter, left.latex), f"{written} = {result}"
+            written = render_latex(self._filled(right, degrees), mul_symbol="dot")
+        return lexicon.mark_symbols(self.chapter, left.latex), f"{written} = {result}"
 
     def _steps(self) -> dict[sp.Symbol, Any]:
         """The named steps that the figure has no numbers for, written out."""
@@ -93,7 +94,7 @@ class Slots:
         if symbol.key not in self.numbers:
             raise CourseError(
                 f"the numbers of {self.equation.name} follow the figure {self.figure.name}, which "
-                f"shows none for {symbol} ({symbol.place}): give it {what} with this symbol; "
+                f"shows none for {symbol} ({symbol.location}): give it {what} with this symbol; "
                 f"there are {', '.join(self.numbers)}"
             )
 
@@ -101,7 +102,7 @@ class Slots:
         flags = {flag: is_set for flag, is_set in flags.items() if is_set}
         text = engine.call("courseware.symbols.slotText", self.numbers[symbol.key], flags)
         marks = "".join(f",{flag}=1" for flag in flags)
-        face = f"{lexicon.face(symbol, self.chapter)},of={self.figure.name}{marks}"
+        face = f"{lexicon.symbol_data(symbol, self.chapter)},of={self.figure.name}{marks}"
         upright = text.replace("%", r"\%").replace(" ", "~")
         return rf"{{\htmlData{{{face}}}{{\mathrm{{{upright}}}}}}}"
 

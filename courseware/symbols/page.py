@@ -7,7 +7,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 from courseware.course import course
-from courseware.equations.core import NamedSymbol, look
+from courseware.equations.quantities import NamedSymbol, find_kind
 from courseware.equations.text import symbol_text
 from courseware.symbols import lexicon
 
@@ -23,7 +23,7 @@ def mark_formulas(app: Sphinx, doctree: nodes.document, docname: str) -> None:
         return
     for node in doctree.findall(lambda n: isinstance(n, nodes.math | nodes.math_block)):
         if "marked" not in node and not names_an_axis(node):
-            node["marked"] = lexicon.marked(chapter, node.astext())
+            node["marked"] = lexicon.mark_symbols(chapter, node.astext())
 
 
 def names_an_axis(node: nodes.Element) -> bool:
@@ -51,7 +51,7 @@ def by_name(chapter: str) -> dict[str, NamedSymbol]:
     found: dict[str, list[NamedSymbol]] = {}
     for symbol in lexicon.printed_symbols(chapter):
         found.setdefault(symbol.code, []).append(symbol)
-    names = lexicon.names(chapter)
+    names = lexicon.assigned_names(chapter)
     return {name: alike[0] for name, alike in found.items() if name in names and len(alike) == 1}
 
 
@@ -63,7 +63,7 @@ def facts(symbol: NamedSymbol, chapter: str) -> list[str]:
     letter, names = symbol_text(symbol), by_name(chapter)
     shown = "" if letter == symbol.name and re.match("[a-z]{3}", letter) else letter
     code = symbol.code if names.get(symbol.code) == symbol else ""
-    return [shown, symbol.meaning, symbol.unit, look(symbol, chapter), code]
+    return [shown, symbol.meaning, symbol.unit, find_kind(symbol, chapter), code]
 
 
 def rules() -> str:

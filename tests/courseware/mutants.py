@@ -10,7 +10,7 @@ from random import Random
 import sympy as sp
 from sympy.logic.boolalg import Boolean
 
-from courseware.equations.core import as_written, free_symbols
+from courseware.equations.equation import as_written, free_symbols
 
 SWAPPED = {sp.sin: sp.cos, sp.cos: sp.sin}
 

@@ -17,16 +17,18 @@ from support import ROOT
 
 from courseware import equations
 from courseware.course import course, held
-from courseware.equations.checks import Check, declared_checks
-from courseware.equations.core import Equation, NamedSymbol, as_written, quantity
-from courseware.equations.rendering import MIME, latex
+from courseware.equations.check import Check, declared_checks
+from courseware.equations.equation import Equation, as_written
+from courseware.equations.latex import render_latex
+from courseware.equations.notebook import MIME
+from courseware.equations.quantities import NamedSymbol, quantity
 from courseware.equations.verification import (
     SAMPLES,
-    answer,
+    call_function,
     differences,
+    draw_points,
     evaluate,
     library_functions,
-    sample,
     verify,
 )
 from courseware.errors import CourseError
@@ -152,12 +154,12 @@ def notices(check, mutant, monkeypatch):
         with pytest.raises(AssertionError):
             holding_test(check)()
         return True
-    points = sample(check, 20)
+    points = draw_points(check, 20)
     try:
         exact = evaluate(mutant.right, check.symbols, points, mutant.where)
     except (CourseError, AttributeError, TypeError):  # a pole, or no real number
         return True
-    apart = differences(answer(check, points), exact, mutant.is_angle)
+    apart = differences(call_function(check, points), exact, mutant.is_angle)
     return apart.max() > check.tolerance or whole_turns(check.equation, mutant)
 
 
@@ -203,15 +205,15 @@ def test_a_function_with_too_few_components_is_refused():
 
 def test_samples_lie_in_the_ranges_and_repeat():
     check = CHECKS["motion.icr"]
-    points = sample(check, 50)
-    np.testing.assert_array_equal(points, sample(check, 50))
+    points = draw_points(check, 50)
+    np.testing.assert_array_equal(points, draw_points(check, 50))
     generated = points[len(check.specials) :, list(map(str, check.symbols)).index("omega")]
     assert (generated > 0.1).all()
     assert (generated < 6).all()
 
 
 def test_whole_numbers_are_drawn_where_they_are_asked_for():
-    assert set(sample(CHECKS["wheels.mobility"], 100).flat) == {0, 1, 2, 3}
+    assert set(draw_points(CHECKS["wheels.mobility"], 100).flat) == {0, 1, 2, 3}
 
 
 # It says what it compares with
@@ -221,7 +223,7 @@ def test_whole_numbers_are_drawn_where_they_are_asked_for():
 def test_a_check_says_what_it_compares_with(check):
     """A function of the library, by way of lines that are explained, or something that is named."""
     assert bool(library_functions(check)) == (not check.compared_with and not check.checked_by)
-    if check.function and not check.compared_with and not check.between:
+    if check.function and not check.compared_with and not check.adapter:
         assert len(library_functions(check)) == 1
 
 
@@ -293,15 +295,18 @@ def _sinc(x):
 
 
 def test_prints_in_the_order_written():
-    assert latex(SPEED.right) == r"\frac{v_{R} + v_{L}}{2}"
-    assert latex(EQUATIONS["differential_drive.turning_rate"].right) == r"\frac{v_{R} - v_{L}}{b}"
+    assert render_latex(SPEED.right) == r"\frac{v_{R} + v_{L}}{2}"
+    assert (
+        render_latex(EQUATIONS["differential_drive.turning_rate"].right)
+        == r"\frac{v_{R} - v_{L}}{b}"
+    )
 
 
 def test_a_sum_has_the_parentheses_that_are_typed():
     a, b, c = sp.symbols("a b c")
     with as_written():
-        assert latex(c - a + b) == "c - a + b"
-        assert latex(c + (a - b)) == r"c + \left(a - b\right)"
+        assert render_latex(c - a + b) == "c - a + b"
+        assert render_latex(c + (a - b)) == r"c + \left(a - b\right)"
         assert "[c[2] - c[0] + c[1]]" in function({"c": (a, b, c)}, [c - a + b])
         assert "[c[2] + (c[0] - c[1])]" in function({"c": (a, b, c)}, [c + (a - b)])
 
@@ -364,9 +369,9 @@ each_chapter = pytest.mark.parametrize("chapter", course().chapters)
 @each_chapter
 def test_quantities_are_described(chapter):
     for symbol in quantities(chapter):
-        assert symbol.meaning, f"{symbol.place}: say what {symbol} is, as `meaning`"
-        assert symbol.is_sign or symbol.low < symbol.high, (
-            f"{symbol.place}: {symbol} ranges from {symbol.low} to {symbol.high}: turn them round"
+        assert symbol.meaning, f"{symbol.location}: say what {symbol} is, as `meaning`"
+        assert not symbol.has_range or symbol.low < symbol.high, (
+            f"{symbol.location}: {symbol} ranges from {symbol.low} to {symbol.high}: swap them"
         )
 
 
@@ -375,7 +380,9 @@ def test_a_module_declares_a_symbol_once(chapter):
     found = {}
     for symbol in quantities(chapter):
         first = found.setdefault(symbol, symbol)
-        assert first is symbol, f"{symbol} is declared twice: {first.place} and {symbol.place}"
+        assert first is symbol, (
+            f"{symbol} is declared twice: {first.location} and {symbol.location}"
+        )
 
 
 def test_declaring_half_is_refused():
@@ -388,9 +395,9 @@ def test_declaring_half_is_refused():
     [
         (
             {"function": None},
-            "check of differential_drive.speed must name a function or a test",
+            "check of differential_drive.speed must name either a `function`",
         ),
-        ({"checked_by": "tests/test_it.py::test"}, "must name a function or a test"),
+        ({"checked_by": "tests/test_it.py::test"}, "must name either a `function`"),
         ({"tolerance": 0.0}, "needs a `reason`, and a `tolerance` above 0"),
         ({"reason": ""}, "needs a `reason`"),
         ({"arguments": ()}, "v_L, v_R is in the formula, but not in `arguments`"),
@@ -485,19 +492,23 @@ def test_a_symbol_has_a_key_and_a_look(monkeypatch):
     """The look that its user gives it goes before that of its own chapter."""
     dt = known("dt")
     assert dt.key == "motion.dt"
-    assert equations.look(dt) == ""
+    assert equations.find_kind(dt) == ""
     formulas = course().modules("formulas")
     monkeypatch.setattr(formulas["motion"], "LOOKS", {dt: "path"}, raising=False)
     monkeypatch.setattr(formulas["odometry"], "LOOKS", {dt: "left"}, raising=False)
-    assert [equations.look(dt, c) for c in ("", "bicycle", "odometry")] == ["path", "path", "left"]
+    assert [equations.find_kind(dt, c) for c in ("", "bicycle", "odometry")] == [
+        "path",
+        "path",
+        "left",
+    ]
     formulas["motion"].LOOKS[dt] = "purple"
     with pytest.raises(CourseError, match="no kind 'purple'; there are left,"):
-        equations.look(dt)
+        equations.find_kind(dt)
 
 
 def test_putting_in_leaves_the_form_alone():
     left, right = SPEED.symbols
-    assert latex(SPEED.substitute({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
+    assert render_latex(SPEED.substitute({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
 
 
 # Named steps

@@ -25,7 +25,7 @@ from support import EPS, ROOT, assert_close
 
 from book.motion import formulas as motion_formulas
 from courseware.course import course
-from courseware.equations import look
+from courseware.equations import find_kind
 from courseware.equations.verification import differences, evaluate
 from courseware.errors import CourseError
 from courseware.figures import (
@@ -738,7 +738,7 @@ def kind_of(figure, shape):
     """The name of a shape's look."""
     symbolic = isinstance(shape.kind, sp.Symbol)
     home = HOMES[figure.name]
-    return look(shape.kind, home) if symbolic else shape.kind
+    return find_kind(shape.kind, home) if symbolic else shape.kind
 
 
 @each_figure

@@ -17,7 +17,7 @@ from scipy.spatial.transform import Rotation
 from support import assert_angles
 
 from book.motion import formulas as arc
-from courseware.equations.core import as_written
+from courseware.equations.equation import as_written
 from courseware.equations.functions import null_projector, rank, solve
 from courseware.equations.verification import differences, evaluate
 from courseware.errors import CourseError

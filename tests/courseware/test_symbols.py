@@ -10,14 +10,15 @@ from declared import EQUATIONS, FIGURES, course
 from support import on_circle
 
 from courseware.course import held
-from courseware.equations.core import NamedSymbol, quantity, sign
-from courseware.equations.rendering import AGAIN, MIME, name_on_page
+from courseware.equations.notebook import AGAIN, MIME, equation_label
+from courseware.equations.quantities import NamedSymbol, quantity
+from courseware.equations.quantities import symbol as declare_symbol
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Slider
 from courseware.script import engine
 from courseware.site.directives import notation
 from courseware.symbols import lexicon
-from courseware.symbols.lexicon import cells, printed, results, scan, unknown
+from courseware.symbols.lexicon import printed_tex, read_cells, read_outputs, scan_tex
 from courseware.symbols.numbers import Slots, rows
 
 CHAPTERS = course().taught
@@ -26,14 +27,19 @@ each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
 
 def keys(chapter, tex):
     """The symbols in TeX, in order."""
-    return [symbol.key for _, symbol, _ in scan(chapter, tex) if symbol]
+    return [symbol.key for _, symbol, _ in scan_tex(chapter, tex) if symbol]
+
+
+def undeclared(chapter, tex):
+    """The letters in TeX that the chapter does not declare."""
+    return [text for text, symbol, letter in scan_tex(chapter, tex) if letter and not symbol]
 
 
 @each_chapter
 def test_every_printed_symbol_is_declared(chapter):
     """So it stands on the notation page, with its meaning."""
-    missing = {letter: tex for tex in printed(chapter) for letter in unknown(chapter, tex)}
-    assert not missing, f"declare in formulas.py of {chapter}, as `quantity` or `sign`: {missing}"
+    missing = {letter: tex for tex in printed_tex(chapter) for letter in undeclared(chapter, tex)}
+    assert not missing, f"declare in formulas.py of {chapter}, as `quantity` or `symbol`: {missing}"
 
 
 @each_chapter
@@ -41,20 +47,22 @@ def test_a_name_in_code_is_given_in_the_code(chapter):
     """What a formula's declaration says of the notebook: the name is set there, not only read."""
     own = [s for s in lexicon.printed_symbols(chapter) if s.chapter == chapter]
     told = {s.code for s in own if s.code != s.name}
-    assert told <= lexicon.names(chapter), f"set them in the notebook, or take off `code=`: {told}"
+    assert told <= lexicon.assigned_names(chapter), (
+        f"set them in the notebook, or take off `code=`: {told}"
+    )
 
 
 def test_what_code_only_reads_or_catches_has_no_name(monkeypatch):
     source = "try:\n    here, n = f(there), [k for k in x]\nexcept E as error:\n    print(error)\n"
-    monkeypatch.setattr(lexicon, "cells", lambda _: [{"cell_type": "code", "source": source}])
-    assert lexicon.names("any") == {"here", "n", "k"}
+    monkeypatch.setattr(lexicon, "read_cells", lambda _: [{"cell_type": "code", "source": source}])
+    assert lexicon.assigned_names("any") == {"here", "n", "k"}
 
 
 @each_chapter
 def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
     for equation, computed in lexicon.shown_equations(chapter):
-        parts = (equation.left, equation.printed(computed))
-        symbols = {s.key for s in lexicon.in_expressions(parts)}
+        parts = (equation.left, equation.shown_side(computed))
+        symbols = {s.key for s in lexicon.symbols_in(parts)}
         missing = symbols - set(keys(chapter, equation.latex(computed)))
         assert not missing, f"{equation.name} prints no {missing}: give it another `latex`"
 
@@ -63,9 +71,9 @@ def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
 def test_the_notation_page_has_a_row_for_each(chapter):
     text = "\n".join(notation().get(chapter, ()))
     for symbol in lexicon.printed_symbols(chapter):
-        assert symbol.meaning, f"{symbol.place}: say what {symbol} is, as `meaning`"
+        assert symbol.meaning, f"{symbol.location}: say what {symbol} is, as `meaning`"
         several = symbol.name[-1].isdigit() or "entry" in symbol.meaning
-        assert several or f"${symbol.latex}$" in text, f"{symbol.place}: {symbol} has no row"
+        assert several or f"${symbol.latex}$" in text, f"{symbol.location}: {symbol} has no row"
 
 
 @pytest.mark.parametrize(
@@ -84,7 +92,7 @@ def test_letters_are_found_whole(tex, found):
 
 def test_a_letter_of_two_symbols_is_refused(monkeypatch):
     formulas = course().module("bicycle", "formulas")
-    monkeypatch.setattr(formulas, "other", sign("other", "a length", "L"), raising=False)
+    monkeypatch.setattr(formulas, "other", declare_symbol("other", "a length", "L"), raising=False)
     lexicon.symbols_of.cache_clear()
     with pytest.raises(
         CourseError, match=r"^L stands for two symbols .* bicycle: wheelbase \(.*other"
@@ -94,13 +102,13 @@ def test_a_letter_of_two_symbols_is_refused(monkeypatch):
 
 
 def test_a_letter_that_is_not_declared_is_told():
-    assert unknown("bicycle", r"\Xi_k + L + \sin\kappa + R^T") == [r"\Xi_k", r"\kappa", "T"]
+    assert undeclared("bicycle", r"\Xi_k + L + \sin\kappa + R^T") == [r"\Xi_k", r"\kappa", "T"]
 
 
 def test_signs_have_no_range():
     declared = [s for c in CHAPTERS for s in held(course().module(c, "formulas"), NamedSymbol)]
-    assert {s.is_sign for s in declared} == {True, False}
-    assert not quantity("q", "m", 0, 1, "a length").is_sign
+    assert {s.has_range for s in declared} == {True, False}
+    assert quantity("q", "m", 0, 1, "a length").has_range
 
 
 # The formula with its numbers
@@ -108,7 +116,7 @@ def test_signs_have_no_range():
 
 def followed():
     """The formulas of the notebooks that follow a figure, as they are shown."""
-    outputs = [(c, data) for c in CHAPTERS for cell in cells(c) for data in results(cell)]
+    outputs = [(c, data) for c in CHAPTERS for cell in read_cells(c) for data in read_outputs(cell)]
     found = [(c, data[MIME]) for c, data in outputs if "figure" in data.get(MIME, ())]
     return [
         pytest.param(
@@ -255,14 +263,14 @@ def test_wrong_numbers_would_be_found():
 
 def boxes(chapter):
     """The labels in each box of all formulas of a chapter."""
-    outputs = [data for cell in cells(chapter) for data in results(cell)]
+    outputs = [data for cell in read_cells(chapter) for data in read_outputs(cell)]
     return [data[AGAIN]["labels"] for data in outputs if AGAIN in data]
 
 
 @pytest.mark.parametrize("chapter", [c for c in CHAPTERS if boxes(c)])
 def test_a_box_of_a_chapters_formulas_holds_all_of_them(chapter):
     shown = [
-        name_on_page(each.name, computed) for each, computed in lexicon.shown_equations(chapter)
+        equation_label(each.name, computed) for each, computed in lexicon.shown_equations(chapter)
     ]
     for labels in boxes(chapter):
         assert labels == shown, f"run: make notebooks T={chapter}"

@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from scipy import constants
 from sympy import symbols
 
-from courseware.equations import quantity, sign
+from courseware.equations import quantity, symbol
 from courseware.errors import CourseError
 from courseware.figures import Readout, Slider
 from courseware.practice import Ask, Line, Step, judging, one_of, steps
@@ -113,7 +113,7 @@ KNOWN = r"known are %, m, cm, .*write one of these, or add yours .*courseware/un
 a, b = symbols("a b")
 DECLARED = {  # who declares a unit, and how the message calls it
     "a quantity": (lambda unit: quantity("v", unit, 0, 1, "speed"), "the symbol v"),
-    "a sign": (lambda unit: sign("N", "a number", unit=unit), "the symbol N"),
+    "a symbol": (lambda unit: symbol("N", "a number", unit=unit), "the symbol N"),
     "a slider": (lambda unit: Slider(quantity("v", unit, 0, 1, "speed"), 0, 1, 0, 0.1), "symbol v"),
     "a readout": (lambda unit: Readout("error", "error", a, unit), "the readout error"),
     "an answer": (lambda unit: Ask("v", unit), "the answer v"),

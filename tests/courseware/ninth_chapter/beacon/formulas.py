@@ -3,13 +3,13 @@
 from sympy import atan2, sqrt
 
 from book.motion.formulas import theta, x, y
-from courseware.equations import Equation, as_written, quantity, sign
+from courseware.equations import Equation, as_written, quantity, symbol
 
 b_x = quantity("b_x", "m", -2, 2, "a beacon, along x")
 b_y = quantity("b_y", "m", -2, 2, "a beacon, along y")
 d = quantity("d", "m", 0, 6, "distance of the beacon")
 bearing = quantity("bearing", "rad", -3.14, 3.14, "direction in which the robot sees it", r"\beta")
-alpha = sign("alpha", "direction of the beacon in the world", r"\alpha", "rad")
+alpha = symbol("alpha", "direction of the beacon in the world", r"\alpha", "rad")
 
 with as_written():
     distance = Equation(

@@ -1,8 +1,7 @@
-"""How a formula is held to the library: a `Check` for each, in a chapter's `checks.py`.
+"""The comparison of each formula with a function, declared in a chapter's `checks.py`.
 
-A check names the function that must agree with the formula. Where a function of the library takes
-or gives something else than the formula does, a few lines beside the check put its arguments and
-answers in order; their docstring says how, and the page of checks prints it.
+Where a function of the library takes or returns something else than the formula does, a few lines
+beside the check adapt it. The page of checks prints the first line of their docstring.
 """
 
 from collections.abc import Callable, Mapping
@@ -13,36 +12,28 @@ from typing import Any
 import sympy as sp
 
 from courseware.course import course
-from courseware.equations.core import (
-    Equation,
-    declared,
-    describe_symbols,
-    free_symbols,
-    in_order,
-    refuse_namesakes,
-)
+from courseware.equations.equation import Equation, all_equations, free_symbols
+from courseware.equations.quantities import describe_symbols, refuse_namesakes, sort_symbols
 from courseware.errors import CourseError
 
 
 @dataclass(frozen=True, eq=False)
 class Check:
-    """How one formula is held to the library, in the tuple `CHECKS` of a chapter's `checks.py`.
+    """The comparison of one formula with code, in the tuple `CHECKS` of a chapter's `checks.py`.
 
     A test turns signs and swaps sines in every formula: a check that does not notice fails.
 
     Args:
         equation: the formula.
-        reason: why the tolerance is what it is.
+        reason: why the tolerance has its size.
         tolerance: the largest difference allowed, absolute in the unit of the left side.
         function, arguments, component: `function(*arguments)[..., component]` must agree with the
             right side. Arguments are expressions, or tuples of them, stacked on the last axis; all
-            symbols of the formula are in them. The function is the library's, or a few lines beside
-            the check that put its arguments and answers in order; the page of checks prints the
-            first line of their docstring.
-        compared_with: what computes, in words, where that is not the library.
-        checked_by: for a formula that no function computes, the test that holds it, instead.
-        specials: settings that are always checked too; what they leave out is drawn.
-        ranges: where points are drawn from, for symbols whose own range is too wide.
+            symbols of the formula are in them. The function is the library's, or adapts it.
+        compared_with: in words, the code that computes, where that is not the library.
+        checked_by: instead of a function, the test that proves the formula.
+        specials: points that are always compared; symbols that they leave out are drawn.
+        ranges: for symbols whose own range is too wide, the range that they are drawn from.
         whole: symbols that are whole numbers only.
     """
 
@@ -61,7 +52,7 @@ class Check:
     def __post_init__(self) -> None:
         if (self.function is None) == (not self.checked_by):
             raise CourseError(
-                f"the check of {self.name} must name a function or a test, one of two"
+                f"the check of {self.name} must name either a `function` or a test (`checked_by`)"
             )
         if not self.reason or (self.function is not None) != (self.tolerance > 0):
             raise CourseError(
@@ -77,11 +68,11 @@ class Check:
             self._refuse(f"is in `{what}`", some, self.symbols, "the formula and `arguments`")
 
     def _refuse(self, where: str, some: Any, allowed: Any, of: str) -> None:
-        extra = in_order(s for s in some if s not in allowed)
+        extra = sort_symbols(s for s in some if s not in allowed)
         if extra:
             raise CourseError(
                 f"the check of {self.name}: {describe_symbols(extra, allowed)} {where}, but not "
-                f"in {of}, which have {describe_symbols(in_order(allowed), extra)}"
+                f"in {of}, which have {describe_symbols(sort_symbols(allowed), extra)}"
             )
 
     @property
@@ -91,12 +82,12 @@ class Check:
 
     @property
     def symbols(self) -> list[sp.Symbol]:
-        """The symbols of the formula and the arguments, in alphabetical order."""
-        return in_order({*self.equation.symbols, *free_symbols(self.arguments)})
+        """The symbols of the formula and the arguments, sorted."""
+        return sort_symbols({*self.equation.symbols, *free_symbols(self.arguments)})
 
     @property
-    def between(self) -> str:
-        """How arguments and answers are put in order: a docstring's first line; '' if they fit."""
+    def adapter(self) -> str:
+        """The first line of the docstring of an adapting function; '' without one."""
         called = self.function.func if isinstance(self.function, partial) else self.function
         if getattr(called, "__module__", None) in {None, "numpy", *course().library_modules}:
             return ""
@@ -104,8 +95,8 @@ class Check:
 
 
 def declared_checks() -> dict[str, Check]:
-    """The check of every formula, by the formula's name; a formula without one is an error."""
-    formulas, checks = declared(), course().declared("checks", Check)
+    """Return the check of every formula by the formula's name; refuse a formula without one."""
+    formulas, checks = all_equations(), course().declared("checks", Check)
     for name, check in checks.items():
         if formulas.get(name) is not check.equation:
             raise CourseError(
@@ -114,12 +105,12 @@ def declared_checks() -> dict[str, Check]:
             )
     for name, equation in formulas.items():
         if name not in checks:
-            raise CourseError(_missing(equation))
+            raise CourseError(_describe_missing(equation))
     return {name: checks[name] for name in formulas}
 
 
-def _missing(equation: Equation) -> str:
-    """What to write for a formula without a check, and where."""
+def _describe_missing(equation: Equation) -> str:
+    """Say what to write for a formula without a check, and where."""
     chapter = course().homes("formulas", Equation)[equation.name]
     names = vars(course().modules("formulas")[chapter]).items()
     variable = next((name for name, value in names if value is equation), "…")

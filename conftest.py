@@ -44,10 +44,10 @@ def pytest_runtest_call(item):
     numbers of the prose that follows it."""
     result = yield
     if type(item).__name__ == "IPyNbCell":
-        import stored  # here, because other tests do not need it
+        import stored_outputs  # here, because other tests do not need it
 
-        told = [stored.different(item.cell, item.test_outputs)]
-        for number, cell in stored.prose_after(item.parent.nb, item.cell):
+        told = [stored_outputs.describe_difference(item.cell, item.test_outputs)]
+        for number, cell in stored_outputs.prose_after(item.parent.nb, item.cell):
             told.append(stale_prose(item, cell, f"{item.path.name}, cell {number}"))
         if any(told):
             item.raise_cell_error("\n".join(filter(None, told)))
@@ -56,18 +56,18 @@ def pytest_runtest_call(item):
 
 def stale_prose(item, cell, where):
     """What is wrong with a cell's computed numbers; the kernel stands where its reader does."""
-    import prose
+    import prose_numbers
 
     reply = item.parent.kernel.kc.execute(
         "",
         silent=True,
-        user_expressions=prose.questions(cell, item.path.stem),
+        user_expressions=prose_numbers.kernel_expressions(cell, item.path.stem),
         reply=True,
         timeout=60,
     )
     try:
-        fresh = prose.filled(cell, where, reply["content"]["user_expressions"])
-    except prose.ProseError as error:
+        fresh = prose_numbers.fill_numbers(cell, where, reply["content"]["user_expressions"])
+    except prose_numbers.ProseError as error:
         return str(error)
     if fresh == cell.source:
         return ""

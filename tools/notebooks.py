@@ -1,20 +1,20 @@
 """Write the notebooks: run every cell, store the outputs, byte for byte the same each time, and
-put the computed numbers into the prose (`tools/prose.py`).
+put the computed numbers into the prose (`tools/prose_numbers.py`).
 
     python tools/notebooks.py            write all notebooks of book/
     python tools/notebooks.py bicycle    only those whose name contains bicycle
 
-When nbval runs a notebook, `conftest.py` compares the same in that run. How: `tools/stored.py`.
+When nbval runs a notebook, `conftest.py` compares the same (`tools/stored_outputs.py`).
 """
 
 import sys
 from pathlib import Path
 
 import nbformat
-import prose
+import prose_numbers
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
-from stored import normal
+from stored_outputs import normalize
 
 BOOK = Path(__file__).parents[1] / "book"
 
@@ -26,8 +26,8 @@ def main() -> int:
     for number, path in enumerate(paths, start=1):
         print(f"[{number}/{len(paths)}] {path.name}", end=" ", flush=True)
         try:
-            after = written(path)
-        except (prose.ProseError, CellExecutionError) as error:
+            after = run_notebook(path)
+        except (prose_numbers.ProseError, CellExecutionError) as error:
             print(f"FAILED\n{error}")
             failed = True
             continue
@@ -41,7 +41,7 @@ def main() -> int:
     return 1 if failed or not paths else 0
 
 
-def written(path: Path) -> str:
+def run_notebook(path: Path) -> str:
     """The notebook's text after running it from top to bottom."""
     notebook = nbformat.read(path, as_version=4)
     client = NotebookClient(
@@ -57,14 +57,16 @@ def written(path: Path) -> str:
     with client.setup_kernel():
         for number, cell in enumerate(notebook.cells):
             client.execute_cell(cell, number)
-            if prose.asks(cell):
+            if prose_numbers.has_numbers(cell):
                 asked = client.kc.execute(
-                    "", silent=True, user_expressions=prose.questions(cell, path.stem)
+                    "",
+                    silent=True,
+                    user_expressions=prose_numbers.kernel_expressions(cell, path.stem),
                 )
                 reply = client.wait_for_reply(asked)["content"]
                 where = f"{path.name}, cell {number}"
-                cell.source = prose.filled(cell, where, reply["user_expressions"])
-    return normal(notebook)
+                cell.source = prose_numbers.fill_numbers(cell, where, reply["user_expressions"])
+    return normalize(notebook)
 
 
 if __name__ == "__main__":

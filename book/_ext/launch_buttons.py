@@ -7,9 +7,9 @@ Each place is a link. What an address is needed for is absent without it: the re
 import html
 from urllib.parse import quote, urlencode, urlsplit
 
-from lite import address
+from jupyterlite import notebook_address
 
-COPIES = "hosted"  # the branch with the notebooks that install the course: tools/hosted.py
+COPIES = "hosted"  # the branch with the notebooks that install the course: tools/colab_copies.py
 
 
 def places(app, page):
@@ -18,7 +18,7 @@ def places(app, page):
     url, branch = theme.get("repository_url", ""), theme.get("repository_branch") or "main"
     repository = urlsplit(url.rstrip("/").removesuffix(".git"))
     name, notebook = repository.path.rpartition("/")[2], f"book/{page}.ipynb"
-    found = {"In the browser": (address(page), "Nothing to install")}
+    found = {"In the browser": (notebook_address(page), "Nothing to install")}
     if url and hub:  # nbgitpuller fetches the newest notebooks and keeps a reader's edits
         query = urlencode({"repo": url, "branch": branch, "urlpath": f"lab/tree/{name}/{notebook}"})
         words = "Your university's JupyterHub"

@@ -20,7 +20,7 @@ from courseware.figures import declaration as d
 from courseware.figures.javascript import function
 from courseware.figures.solids import Solid
 from courseware.figures.turning import Bracket, Turns
-from courseware.unbroken import unbroken
+from courseware.line_breaks import prevent_breaks
 from courseware.units import in_figures
 
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
@@ -189,7 +189,7 @@ class Compiler:
     def goal(self, goal: d.Goal) -> dict[str, Any]:
         """A goal: its number is 1 when it is reached, else 0."""
         reached = sp.Piecewise((1, goal.condition), (0, True))
-        return {"words": unbroken(goal.words), "at": self.numbers(reached)[0]}
+        return {"words": prevent_breaks(goal.words), "at": self.numbers(reached)[0]}
 
     def recurrence(self, loop: d.Recurrence) -> dict[str, Any]:
         """A loop: functions for its start, its step and how often."""

@@ -4,6 +4,7 @@ In a notebook: `practice.exercise("differential-drive-1")`. For teachers, on the
 `python -m book --help`, with the course's package for `book`.
 """
 
+from courseware.line_breaks import UNBROKEN
 from courseware.practice import page
 from courseware.practice.bank import (
     Ask,
@@ -24,7 +25,6 @@ from courseware.practice.solutions import Line, Solution, Step
 from courseware.practice.wording import number_text
 from courseware.practice.wrong import Wrong
 from courseware.script.runtime import Part, register
-from courseware.unbroken import UNBROKEN
 from courseware.units import typed_units
 
 READING, KEEPING = "problems reading calculating asked dealing judging", "storage passed"

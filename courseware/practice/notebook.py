@@ -14,6 +14,7 @@ import numpy as np
 from courseware.course import course
 from courseware.equations.notebook import Output
 from courseware.errors import CourseError, describe
+from courseware.line_breaks import prevent_breaks
 from courseware.practice import dealing, judging, page, tables
 from courseware.practice.bank import (
     Exercise,
@@ -23,7 +24,6 @@ from courseware.practice.bank import (
 )
 from courseware.practice.wording import highlighted, symbols
 from courseware.script.widget import Widget, widget
-from courseware.unbroken import unbroken
 
 WIDTH = 42  # of a line of code, for phones
 MOST = 100  # numbers in an answer
@@ -182,7 +182,7 @@ def example(name: str) -> Output:
     if not e.example:
         raise CourseError(f"{name} has no example")
     texts = {name: given.shown(given.option(e.example[name])) for name, given in e.given.items()}
-    question = symbols(unbroken(e.filled(e.text, e.example, texts)))
+    question = symbols(prevent_breaks(e.filled(e.text, e.example, texts)))
     used = set().union(*(names_used(m.line) for m in e.wrong if shown_in(m) is e))
     known = {**e.example, **e.derive(**e.example)}
     code = "\n".join(assignments({name: known[name] for name in known if name in used}))

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from courseware.unbroken import unbroken
+from courseware.line_breaks import prevent_breaks
 from courseware.units import UNITS
 
 
@@ -43,4 +43,4 @@ def highlighted(text: str) -> str:
 
 def paragraphs(text: str) -> str:
     """A text of several paragraphs as HTML."""
-    return "".join(f"<p>{symbols(unbroken(part))}</p>" for part in text.split("\n\n"))
+    return "".join(f"<p>{symbols(prevent_breaks(part))}</p>" for part in text.split("\n\n"))

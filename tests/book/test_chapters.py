@@ -8,7 +8,7 @@ import time
 import nbformat
 import pytest
 from jupyter_client.manager import start_new_kernel
-from stored import PLUMBING
+from stored_outputs import PLUMBING
 
 import book  # noqa: F401 (opens the course)
 from courseware.course import course

@@ -11,9 +11,9 @@ import tomllib
 
 import nbformat
 import notebooks
-import prose
+import prose_numbers
 import pytest
-import stored
+import stored_outputs
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from PIL import Image
 from support import ROOT
@@ -62,7 +62,9 @@ def test_every_cell_has_run_in_order_without_error(path):
 def test_stored_as_it_is_written(path):
     """What nbval's run does not compare: the form, the cells' names, sizes of pictures."""
     text = path.read_text(encoding="utf-8")
-    assert text == stored.normal(nbformat.reads(text, as_version=4)), "run `make notebooks`"
+    assert text == stored_outputs.normalize(nbformat.reads(text, as_version=4)), (
+        "run `make notebooks`"
+    )
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -147,22 +149,22 @@ def test_computed_numbers_are_put_in():
         "Off by 1.0 and 2 cm; −3°; $10^{-5}$; {braces}.",
         ["by {a:.1f} and {b:.0f} cm", "; {c['x']:.0f}°", "$10^{{{k}}}$"],
     )
-    assert prose.fields(cell) == [("a", ".1f"), ("b", ".0f"), ("c['x']", ".0f"), ("k", "")]
-    text = prose.filled(cell, "one", answered("12.5", "-3", "-40", "-7"))
+    assert prose_numbers.fields(cell) == [("a", ".1f"), ("b", ".0f"), ("c['x']", ".0f"), ("k", "")]
+    text = prose_numbers.fill_numbers(cell, "one", answered("12.5", "-3", "-40", "-7"))
     assert text == "Off by 12.5 and −3 cm; −40°; $10^{-7}$; {braces}."
 
 
 @pytest.mark.parametrize(("phrase", "count"), [("So {v:.1f} km", 0), ("{v:.1f} cm", 2)])
 def test_a_phrase_that_does_not_stand_in_the_text_once_is_refused(phrase, count):
     cell = prose_cell("So 7.5 cm or 8.5 cm", [phrase])
-    with pytest.raises(prose.ProseError, match=f"one: .* stands in the text {count} times"):
-        prose.filled(cell, "one", answered("7.5"))
+    with pytest.raises(prose_numbers.ProseError, match=f"one: .* stands in the text {count} times"):
+        prose_numbers.fill_numbers(cell, "one", answered("7.5"))
 
 
 def written(tmp_path, *cells):
     path = tmp_path / "basics.ipynb"  # a chapter that there is
     nbformat.write(new_notebook(cells=list(cells)), path)
-    return notebooks.written(path)
+    return notebooks.run_notebook(path)
 
 
 def test_the_writer_computes_at_the_cells_place_and_leaves_no_trace(tmp_path):
@@ -180,7 +182,7 @@ def test_the_writer_computes_at_the_cells_place_and_leaves_no_trace(tmp_path):
 
 def test_an_expression_that_fails_is_named(tmp_path):
     told = r"basics\.ipynb, cell 1: 1 / v cannot be computed: ZeroDivisionError"
-    with pytest.raises(prose.ProseError, match=told):
+    with pytest.raises(prose_numbers.ProseError, match=told):
         written(tmp_path, new_code_cell("v = 0"), prose_cell("At 9 m.", ["At {1 / v:.0f} m"]))
 
 
@@ -196,7 +198,7 @@ def test_pictures_are_light(path):
                 picture = Image.open(io.BytesIO(png))
                 again = f"run `make notebooks T={path.stem}` for the picture of: {cell.source}"
                 assert picture.mode == "P", again
-                assert len(picture.getcolors()) <= stored.COLOURS, again
+                assert len(picture.getcolors()) <= stored_outputs.COLOURS, again
                 assert len(png) < LARGEST, (
                     f"{len(png)} bytes, at most {LARGEST}: draw less, or smaller: {cell.source}"
                 )
@@ -211,13 +213,13 @@ def test_a_light_picture_keeps_its_main_colours():
         picture.putpixel((k, 300), (k, k, 255 - k))
     file = io.BytesIO()
     picture.save(file, "PNG")
-    made, size = stored.light(file.getvalue())
+    made, size = stored_outputs.reduce_colours(file.getvalue())
     seen = Image.open(io.BytesIO(made)).convert("RGB")
     assert size == seen.size == (400, 400)
-    assert len(seen.getcolors()) == stored.COLOURS
+    assert len(seen.getcolors()) == stored_outputs.COLOURS
     assert [seen.getpixel((100 * k + 10, 150)) for k in range(3)] == areas
     assert seen.getpixel((399, 399)) == (255, 255, 255)
-    assert stored.light(made) == (made, size)
+    assert stored_outputs.reduce_colours(made) == (made, size)
 
 
 # nbval bites

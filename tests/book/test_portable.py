@@ -36,7 +36,7 @@ def perturbed(tmp_path, monkeypatch):
 
     def run(path, direction):
         startup.write_text(f"import last_bits\nlast_bits.move({direction})\ndel last_bits\n")
-        return nbformat.reads(notebooks.written(path), as_version=4)
+        return nbformat.reads(notebooks.run_notebook(path), as_version=4)
 
     return run
 
@@ -105,7 +105,7 @@ def test_a_number_that_depends_on_them_is_named(tmp_path, perturbed):
     nbformat.write(new_notebook(cells=cells), path)
     with pytest.MonkeyPatch.context() as plain:
         plain.setenv("IPYTHONDIR", str(tmp_path / "empty"))
-        stored = nbformat.reads(notebooks.written(path), as_version=4)
+        stored = nbformat.reads(notebooks.run_notebook(path), as_version=4)
     found = [d for way in DIRECTIONS for d in differences("one", stored, perturbed(path, way))]
     for number, name in enumerate(DEPENDS, start=1):
         assert any(d.startswith(f"one, cell {number}, line ") for d in found), (name, found)

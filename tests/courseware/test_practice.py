@@ -17,11 +17,11 @@ import robokin
 from courseware import practice
 from courseware.course import course
 from courseware.errors import CourseError
+from courseware.line_breaks import prevent_breaks
 from courseware.practice import Exercise, Mistake, dealing, judging, notebook, page
 from courseware.practice.bank import exercises, mistakes
 from courseware.practice.wording import paragraphs, symbols
 from courseware.script import engine as script
-from courseware.unbroken import unbroken
 
 each_exercise = each("exercise", "exercises", Exercise)
 each_mistake = each("mistake", "exercises", Mistake)
@@ -150,7 +150,9 @@ def test_no_line_ends_inside_a_number_with_its_unit(exercise):
 
 
 def test_short_formulas_and_units_stay_together():
-    said = unbroken("a = 3 cm and b = −0.5 m/s in rad, x = (a longer formula) in 2 ways, 5 °/s")
+    said = prevent_breaks(
+        "a = 3 cm and b = −0.5 m/s in rad, x = (a longer formula) in 2 ways, 5 °/s"
+    )
     kept = ["a = 3 cm", "b = −0.5 m/s", "in rad", "x = (a", "5 °/s"]
     assert all(part.replace(" ", "\u00a0") in said for part in kept)
     assert "longer formula) in 2 ways" in said

@@ -4,7 +4,7 @@ import re
 
 import nbformat
 import pytest
-import stored
+import stored_outputs
 from declared import course, each
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
 from sympy import Float, Symbol
@@ -236,7 +236,7 @@ def test_what_is_declared_wrongly_is_told(make, message):
 
 def test_in_jupyterlab_what_it_opens_is_folded():
     notebook = nbformat.v4.new_notebook(cells=[ask("rate"), text("0.5 rad/s", "after-rate")])
-    stored.normal(notebook)
+    stored_outputs.normalize(notebook)
     question, result = notebook.cells
     assert "jupyter" not in question.metadata
     assert result.metadata["jupyter"]["source_hidden"]

@@ -17,12 +17,12 @@ from sympy import symbols
 from courseware.equations import quantity, symbol
 from courseware.errors import CourseError
 from courseware.figures import Readout, Slider
+from courseware.line_breaks import prevent_breaks
 from courseware.practice import Ask, Line, Step, judging, one_of, steps
 from courseware.practice.judging import Candidate
 from courseware.practice.wording import with_unit
 from courseware.predictions import Number
 from courseware.script import engine, runtime
-from courseware.unbroken import unbroken
 from courseware.units import TABLE, UNITS, in_figures
 
 SI = [row[0] for row in TABLE]
@@ -231,7 +231,7 @@ def test_python_and_the_script_print_a_unit_alike():
 def test_no_line_ends_between_a_number_and_its_unit():
     for unit in UNITS:
         kept = unit and unit[0] != "1"
-        assert (" " in unbroken(f"5 {unit}".rstrip())[:2]) == (not kept and unit != ""), unit
+        assert (" " in prevent_breaks(f"5 {unit}".rstrip())[:2]) == (not kept and unit != ""), unit
 
 
 def test_figures_show_angles_in_degrees_and_all_else_as_declared():

@@ -9,8 +9,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from clean_build import BUSY
 from declared import course
-from fresh import BUSY
 from support import ROOT
 
 from courseware.site import sources
@@ -20,7 +20,7 @@ pytest_plugins = ["browser"]
 CONF = f"""
 import sys
 sys.path.insert(0, {str(ROOT / "book" / "_ext")!r})
-extensions = ["fresh"]
+extensions = ["clean_build"]
 master_doc = "index"
 """
 

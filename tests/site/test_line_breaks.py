@@ -6,8 +6,8 @@ import pytest
 from browser import watched_page
 from declared import course
 
+from courseware.line_breaks import UNBROKEN, prevent_breaks
 from courseware.script import engine as script
-from courseware.unbroken import UNBROKEN, unbroken
 
 pytest_plugins = ["browser"]
 
@@ -33,7 +33,7 @@ TEXTS = """(html) => [...new DOMParser().parseFromString(html, "text/html")
 )
 def test_a_number_is_tied_to_its_unit(text, expected):
     kept = expected.replace("~", "\N{NO-BREAK SPACE}")
-    assert unbroken(text) == kept
+    assert prevent_breaks(text) == kept
     assert script.call("courseware.practice.paragraphs", text) == f"<p>{kept}</p>"
 
 

@@ -8,7 +8,7 @@ from html import unescape
 from xml.etree import ElementTree
 from zipfile import ZipFile
 
-import on_paper
+import paper_links
 import pytest
 from browser import SITE, listed
 from declared import EXERCISES
@@ -213,10 +213,10 @@ def test_the_first_page_links_what_was_made(site):
             assert (site / file.name).read_bytes() == file.read_bytes()
 
 
-@pytest.mark.parametrize("made", [[], ["robokin.epub"], [*on_paper.FILES]])
+@pytest.mark.parametrize("made", [[], ["robokin.epub"], [*paper_links.FILES]])
 def test_only_what_was_made_is_linked(tmp_path, made):
     for name in made:
         (tmp_path / name).write_bytes(b"x" * 250_000)
-    line = on_paper.line(tmp_path)
+    line = paper_links.line(tmp_path)
     assert re.findall(r'<a href="(\S+)" download>[\w ]+, 0\.2 MB', line) == made
     assert bool(line) == bool(made)

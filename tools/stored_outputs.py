@@ -14,7 +14,7 @@ from pathlib import Path
 
 import nbformat
 import numpy as np
-import prose
+import prose_numbers
 from PIL import Image
 
 LOCK = Path(__file__).parents[1] / "requirements.txt"
@@ -28,7 +28,7 @@ COLOURS = 24  # of a picture: more cannot be told apart by eye
 PICTURE_TOLERANCE = 0.01  # mean difference of a pixel, of 1: fonts are drawn a little differently
 
 
-def normal(notebook: nbformat.NotebookNode) -> str:
+def normalize(notebook: nbformat.NotebookNode) -> str:
     """The text in which a notebook is stored: nothing in it differs from run to run."""
     notebook.metadata = nbformat.from_dict(METADATA)
     for number, cell in enumerate(notebook.cells):
@@ -37,7 +37,7 @@ def normal(notebook: nbformat.NotebookNode) -> str:
         if folded := folded_parts(cell):
             cell.metadata["jupyter"] = folded
         for output in cell.get("outputs", []):
-            tidy(output)
+            tidy_output(output)
     nbformat.validate(notebook)
     return str(nbformat.writes(notebook, indent=1)) + "\n"
 
@@ -52,18 +52,18 @@ def folded_parts(cell: nbformat.NotebookNode) -> dict[str, bool]:
     return {}
 
 
-def tidy(output: nbformat.NotebookNode) -> None:
+def tidy_output(output: nbformat.NotebookNode) -> None:
     """Drop what differs from run to run; make pictures light and give them their size, so that a
     page does not jump."""
     data = output.get("data", {})
     data.pop(WIDGET, None)
     if "image/png" in data:
-        picture, (width, height) = light(base64.b64decode(data["image/png"]))
+        picture, (width, height) = reduce_colours(base64.b64decode(data["image/png"]))
         data["image/png"] = base64.b64encode(picture).decode()
         output.metadata["image/png"] = {"width": width // 2, "height": height // 2}
 
 
-def light(png: bytes) -> tuple[bytes, tuple[int, int]]:
+def reduce_colours(png: bytes) -> tuple[bytes, tuple[int, int]]:
     """A picture in few colours, a quarter of its bytes, and its size.
 
     The colours are chosen one by one, each where the pixels are furthest from those chosen before:
@@ -92,19 +92,19 @@ def light(png: bytes) -> tuple[bytes, tuple[int, int]]:
     return file.getvalue(), picture.size
 
 
-def different(cell: nbformat.NotebookNode, outputs: list[nbformat.NotebookNode]) -> str:
+def describe_difference(cell: nbformat.NotebookNode, outputs: list[nbformat.NotebookNode]) -> str:
     """How a cell's stored outputs differ from fresh ones; empty if they do not."""
     for output in outputs:
-        tidy(output)
+        tidy_output(output)
     if len(cell.outputs) != len(outputs):
         return f"{len(outputs)} outputs, {len(cell.outputs)} are stored: run `make notebooks`"
     for stored, fresh in zip(cell.outputs, outputs, strict=True):
         stored, fresh = _parts(stored), _parts(fresh)
         unlike = [k for k in stored | fresh if stored.get(k) != fresh.get(k)]
-        if laid_out_otherwise():
+        if has_other_layout():
             unlike = [k for k in unlike if k not in ("image/png", "metadata")]  # its size
         elif unlike == ["image/png"] and not is_reference():
-            unlike = [k for k in unlike if not near(stored[k], fresh[k])]
+            unlike = [k for k in unlike if not is_near(stored[k], fresh[k])]
         if unlike:
             return f"the stored output differs in {', '.join(unlike)}: run `make notebooks`"
     return ""
@@ -126,11 +126,11 @@ def prose_after(
     for number, each in enumerate(notebook.cells[place + 1 :], start=place + 1):
         if each.cell_type == "code":
             return
-        if prose.asks(each):
+        if prose_numbers.has_numbers(each):
             yield number, each
 
 
-def near(a: str, b: str) -> bool:
+def is_near(a: str, b: str) -> bool:
     """Whether two pictures (base64) differ by no more than fonts do from machine to machine."""
     first, second = (
         np.asarray(Image.open(io.BytesIO(base64.b64decode(x))).convert("RGB")) / 255 for x in (a, b)
@@ -140,7 +140,7 @@ def near(a: str, b: str) -> bool:
     return bool(np.abs(first - second).mean() < PICTURE_TOLERANCE)
 
 
-def laid_out_otherwise() -> bool:
+def has_other_layout() -> bool:
     """Whether this matplotlib gives the parts of a picture other places: before 3.11 it does."""
     return tuple(map(int, version("matplotlib").split(".")[:2])) < (3, 11)
 

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import venv
 
-import hosted
+import colab_copies
 import nbformat
 import pytest
 from browser import serving
@@ -44,7 +44,7 @@ def first_cell(folder):
 def copies(site, tmp_path_factory):
     """The folder with the copies of all notebooks."""
     folder = tmp_path_factory.mktemp("hosted")
-    hosted.copy_all("https://example.org/raw/hosted", folder)
+    colab_copies.copy_all("https://example.org/raw/hosted", folder)
     return folder
 
 
@@ -64,7 +64,7 @@ def test_the_first_cell_asks_for_the_wheels_beside_it(copies):
 
 def test_the_first_cell_does_nothing_elsewhere():
     code = TransformerManager().transform_cell(
-        hosted.installing("https://example.org", ["a-1.whl"])
+        colab_copies.installing("https://example.org", ["a-1.whl"])
     )
     top = [type(line).__name__ for line in ast.parse(code).body]
     assert top == ["Import", "If"]
@@ -83,7 +83,7 @@ def test_a_copy_runs_where_the_course_is_not_installed(site, tmp_path):
         (colab / name).parent.mkdir(parents=True, exist_ok=True)
         (colab / name).write_text(text)
     with serving(folder) as address:
-        hosted.copy_all(address.rstrip("/"), folder)
+        colab_copies.copy_all(address.rstrip("/"), folder)
         options = ("--execute", "--inplace", f"--ExecutePreprocessor.timeout={WAIT}")
         run = subprocess.run(
             [python, "-m", "nbconvert", "--to", "notebook", *options, f"{CHAPTER}.ipynb"],

@@ -31,7 +31,7 @@ def fields(cell: Any) -> list[tuple[str, str]]:
     return [field for phrase in _phrases(cell) for field in _parsed(phrase)[1]]
 
 
-def questions(cell: Any, chapter: str) -> dict[str, str]:
+def kernel_expressions(cell: Any, chapter: str) -> dict[str, str]:
     """`user_expressions` for the kernel that answer `fields`."""
     names = f"{{**__import__('book.prose').prose.names({chapter!r}), **globals()}}"
     return {
@@ -40,7 +40,7 @@ def questions(cell: Any, chapter: str) -> dict[str, str]:
     }
 
 
-def filled(cell: Any, where: str, answers: Answers) -> str:
+def fill_numbers(cell: Any, where: str, answers: Answers) -> str:
     """The cell's text with its computed numbers put in. where: notebook and cell, for errors."""
     texts = []
     for k, (expression, _) in enumerate(fields(cell)):
@@ -64,7 +64,7 @@ def filled(cell: Any, where: str, answers: Answers) -> str:
     return source
 
 
-def asks(cell: Any) -> bool:
+def has_numbers(cell: Any) -> bool:
     """Whether a cell of prose has computed numbers."""
     return cell.cell_type == "markdown" and bool(_phrases(cell))
 

@@ -4,7 +4,7 @@ import re
 
 from docutils import nodes
 
-from courseware.unbroken import unbroken
+from courseware.line_breaks import prevent_breaks
 
 ENDS_IN_NUMBER = re.compile(r"\d\W*$")
 AS_TYPED = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.raw)
@@ -18,7 +18,7 @@ def keep_units(app, doctree, docname):
         place = node.parent.index(node)
         before = node.parent[place - 1] if place else None
         number = isinstance(before, nodes.math) and ENDS_IN_NUMBER.search(before.astext())
-        text = unbroken(f"0{node}")[1:] if number else unbroken(node)
+        text = prevent_breaks(f"0{node}")[1:] if number else prevent_breaks(node)
         if text != node:
             node.parent.replace(node, nodes.Text(text))
 

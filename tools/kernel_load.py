@@ -1,6 +1,6 @@
 """What kernels take that all run a chapter at once: the numbers on the page for a JupyterHub.
 
-python tools/classroom.py 30 differential_drive
+python tools/kernel_load.py 30 differential_drive
 """
 
 import asyncio

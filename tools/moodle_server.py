@@ -1,4 +1,4 @@
-"""The questions in a real Moodle: `python tools/moodle.py FOLDER [EXERCISE …]`.
+"""The questions in a real Moodle: `python tools/moodle_server.py FOLDER [EXERCISE …]`.
 
 FOLDER holds Moodle's own code.
 

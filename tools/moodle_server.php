@@ -1,5 +1,5 @@
 <?php
-// For tools/moodle.py: imports questions into the Moodle of a folder and answers them there.
+// For tools/moodle_server.py: imports questions into the Moodle of a folder and answers them there.
 // Arguments: the folder, the questions, what to answer. Prints, as JSON, what came of each answer.
 
 define('CLI_SCRIPT', true);

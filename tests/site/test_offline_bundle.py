@@ -13,7 +13,7 @@ from zipfile import ZipFile
 import pytest
 from browser import listed, watched_page
 from declared import EXERCISES
-from kit import site_files
+from offline_bundle import site_files
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 from support import ROOT, python_of

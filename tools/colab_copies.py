@@ -1,6 +1,6 @@
 """Copies of the notebooks for Colab, which has no environment of the course.
 
-    python tools/hosted.py       into _build/hosted, from the site that `make book` has built
+    python tools/colab_copies.py       into _build/hosted, from the site that `make book` has built
 
 Each copy is the notebook with one cell before all others, which installs the course there and does
 nothing elsewhere. Beside them stand the wheels that it installs. The folder is the branch `hosted`

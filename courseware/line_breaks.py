@@ -13,6 +13,6 @@ BEHIND = rf"(?:(?<=[0-9])|(?<=\bin)) (?={UNIT})"
 UNBROKEN = rf"{BEHIND}|(?<=\S) (?== {SHORT})|(?<=\S =) (?={SHORT})"
 
 
-def unbroken(text: str) -> str:
+def prevent_breaks(text: str) -> str:
     """A text in which no line ends before a unit, or beside the = of a short formula."""
     return re.sub(UNBROKEN, "\u00a0", text)

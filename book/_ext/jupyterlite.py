@@ -56,7 +56,7 @@ def notebook_name(page):
     return f"{file.stem}-{digest}.ipynb"
 
 
-def address(page):
+def notebook_address(page):
     """Return the address of a chapter there, from its page."""
     return "../" * page.count("/") + f"lite/notebooks/index.html?path={notebook_name(page)}"
 
@@ -172,7 +172,7 @@ def add_link(app, doctree, page):
     if app.builder.name != "html":  # on paper nothing moves
         return
     for cell in list(doctree.findall(is_interactive)):
-        link = nodes.reference("", "in the browser", refuri=address(page))
+        link = nodes.reference("", "in the browser", refuri=notebook_address(page))
         words = nodes.Text("This cell moves in JupyterLab, and ")
         cell.parent.insert(
             cell.parent.index(cell) + 1, nodes.paragraph("", "", words, link, nodes.Text(" too."))

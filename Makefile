@@ -35,7 +35,7 @@ ifneq ($(shell cat .venv/.ready 2>/dev/null),$(shell $(ASKED) $(STAMP) 2>/dev/nu
 $(READY): FORCE
 endif
 
-$(READY): requirements.txt pyproject.toml courseware/pyproject.toml book/pyproject.toml
+$(READY): requirements.txt $(wildcard pyproject.toml */pyproject.toml)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 		echo "$(PYTHON) is not there, or older than Python 3.11: make PYTHON=python3.12"; exit 1; }
 	@echo "Setting up .venv, once; most of the time is downloading"
@@ -44,7 +44,7 @@ $(READY): requirements.txt pyproject.toml courseware/pyproject.toml book/pyproje
 	$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r .venv/uv.txt
 	$(INSTALL) --require-hashes -r requirements.txt || { \
 		test -w "$$HOME" || echo "$$HOME cannot be written to: make HOME=/tmp"; exit 1; }
-	$(INSTALL) --no-deps --no-build-isolation -e . -e courseware -e book
+	$(INSTALL) --no-deps --no-build-isolation -e . -e courseware -e classroom -e book
 	@$(BIN)/python $(STAMP) > $(READY)
 
 # which Python the pages load, if not from its public address; changes with it

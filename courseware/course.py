@@ -5,6 +5,8 @@ chapter stands in modules of fixed names (`formulas`, `checks`, `figures`, `exer
 a module holds under a name, also in a tuple or a dictionary, is declared. A package opens itself::
 
     open_course(__name__, name="kinematics", looks=KINDS, library="robokin")
+
+and is found, once installed, by the entry point `courseware.course` of its `pyproject.toml`.
 """
 
 import json
@@ -12,6 +14,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from functools import cache, cached_property
 from importlib import import_module
+from importlib.metadata import entry_points
 from importlib.util import find_spec
 from pathlib import Path
 from pkgutil import iter_modules
@@ -200,7 +203,14 @@ def open_course(package: str, name: str, looks: Mapping[str, Any], library: str)
 
 
 def course() -> Course:
-    """The course that is open."""
+    """Return the course that is open; if none is, open the one that is installed."""
     if not _open:
-        raise CourseError("no course is open: import its package first, for example `import book`")
+        installed = entry_points(group="courseware.course")
+        if len(installed) != 1:
+            raise CourseError(
+                f"no course is open, and {len(installed)} are installed: import the package of "
+                "the course first, for example `import book`"
+            )
+        for package in installed:
+            package.load()
     return _open[0]

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 import book  # noqa: F401  (opens the course)
+from classroom import tables
 from courseware.course import course
 from courseware.equations import Check, Equation
 from courseware.figures import Figure
-from courseware.practice import Exercise, Mistake, tables
+from courseware.practice import Exercise, Mistake
 
 EQUATIONS = course().declared("formulas", Equation)
 CHECKS = course().declared("checks", Check)
@@ -40,4 +41,4 @@ def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):
 
 def table(path):
     """The rows of a table."""
-    return [row for _, row in tables.rows(Path(path), tables.Problems())]
+    return [row for _, row in tables.read_rows(Path(path), tables.Problems())]

@@ -11,7 +11,7 @@ import pytest
 from declared import course
 from support import ROOT
 
-PACKAGES = ("robokin", "courseware", "book")
+PACKAGES = ("robokin", "courseware", "classroom", "book")
 
 
 class Import(NamedTuple):
@@ -84,7 +84,12 @@ def chapter_of(module):
 
 @pytest.mark.parametrize(
     ("package", "others"),
-    [("robokin", ("courseware", "book")), ("courseware", ("robokin", "book"))],
+    [
+        ("robokin", ("courseware", "classroom", "book")),
+        ("courseware", ("robokin", "classroom", "book")),
+        ("classroom", ("robokin", "book")),
+        ("book", ("classroom",)),
+    ],
 )
 def test_a_package_does_not_import(package, others):
     wrong = told(i for i in IMPORTS if within(i.by, package) and within(i.of, *others))
@@ -114,7 +119,7 @@ def test_formulas_are_declared_without_the_library(chapter):
     assert not wrong, f"{wrong}: only tests need it"
 
 
-@pytest.mark.parametrize("part", ["robokin", "courseware", "book", *course().chapters])
+@pytest.mark.parametrize("part", ["robokin", "courseware", "classroom", "book", *course().chapters])
 def test_no_two_modules_need_each_other(part):
     """Among those that a part needs, its own and others."""
     graph = {}

@@ -18,8 +18,9 @@ from collections import Counter
 from html import unescape
 from pathlib import Path
 
-import book  # noqa: F401  (opens the course)
-from courseware.practice import dealing, judging, moodle, teacher
+from classroom import moodle
+from classroom.answer_key import choose_exercises
+from courseware.practice import dealing, judging
 
 PORT = 5432  # the name of a socket in a folder of its own: nothing listens on the network
 CONFIG = """<?php
@@ -83,7 +84,7 @@ def main(folder, only):
 
 def asked(only):
     """What is answered to each question, and what should be said."""
-    for exercise in teacher.chosen(only):
+    for exercise in choose_exercises(only).values():
         for number, variant in enumerate(dealing.variants(exercise.name)):
             tries = [*answered(exercise, variant)]
             name = f"{exercise.name} {number:02}: {exercise.title}"
@@ -96,7 +97,7 @@ def answered(exercise, variant):
     for candidate in (c for c in variant.candidates if c.name in known):
         given = [f"{x:.6f}" for x in candidate.rows[0]]
         if exercise.accept != "one":
-            given = [moodle.shown_answer(exercise, candidate.rows)]
+            given = [exercise.rows_text(candidate.rows)]
         says = moodle.symbols(judging.outcomes(exercise)[candidate.name].says)
         says = unescape(re.sub("<[^>]+>", "", says))
         if exercise.accept != "any" or candidate in firsts(variant):

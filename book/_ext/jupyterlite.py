@@ -129,7 +129,7 @@ def settings(app):
         "jupyter-lite-schema-version": 0,
         "jupyter-config-data": {
             "appName": app.config.html_title,
-            "contentsStorageName": f"{app.config.course_package}-notebooks",
+            "contentsStorageName": f"{course().package}-notebooks",
             "litePluginSettings": {KERNEL: kernel},
         },
     }

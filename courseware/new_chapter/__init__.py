@@ -1,4 +1,4 @@
-"""The skeleton of a new chapter: `python -m book new NAME`.
+"""The skeleton of a new chapter: `python -m courseware.new_chapter NAME`.
 
 The files here are a small chapter that works, to be replaced piece by piece: one formula, function,
 prediction, exercise and mistake, and figures. In them NAME is the chapter's name, SLUG the same

@@ -1,7 +1,6 @@
 """Exercises with numbers of their own for every student, and a check that names the mistake.
 
-In a notebook: `practice.exercise("differential-drive-1")`. For teachers, on the command line:
-`python -m book --help`, with the course's package for `book`.
+In a notebook: `practice.exercise("differential-drive-1")`. For teachers: `python -m classroom`.
 """
 
 from courseware.line_breaks import UNBROKEN

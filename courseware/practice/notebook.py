@@ -15,20 +15,20 @@ from courseware.course import course
 from courseware.equations.notebook import Output
 from courseware.errors import CourseError, describe
 from courseware.line_breaks import prevent_breaks
-from courseware.practice import dealing, judging, page, tables
+from courseware.practice import dealing, judging, page
 from courseware.practice.bank import (
     Exercise,
     Mistake,
     default_salt,
     exercises,
 )
+from courseware.practice.saving import ANSWERS, write_table
 from courseware.practice.wording import highlighted, symbols
 from courseware.script.widget import Widget, widget
 
 WIDTH = 42  # of a line of code, for phones
 MOST = 100  # numbers in an answer
 MISTAKE = "application/vnd.courseware.mistake+json"
-COLUMNS = ("kind", "course", "version", "time", "student", "exercise", "answer")
 
 _session = {"student": "", "course": ""}  # without a course of one's own: the book's
 # course, student (folded), exercise → the answer that counts, its verdict, when, and the name
@@ -140,7 +140,7 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
         ("answers", course, dealing.version(), time, student, exercise, answer)
         for (course, _, exercise), (answer, _, time, student) in _answers.items()
     ]
-    return tables.write(path, COLUMNS, rows, force)
+    return write_table(path, ANSWERS, rows, force)
 
 
 def names_used(code: str) -> set[str]:

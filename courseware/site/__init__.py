@@ -6,17 +6,16 @@ against its function), `{notation}`, `{practice} topic` (all exercises of a topi
 `{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
 `{promise}` (what was counted and checked), `{library}` (its functions), `{desk}` (the line
 above the exercises, with the student's name).
-Settings: `course_package` (what is imported to open the course), `course_name` (the salt that
-picks each student's numbers; without one the course's own name), `course_solutions`,
-`course_wheels` and `course_lock` (what a downloaded notebook needs), `course_python` (where the
-Python that runs in a page comes from), `course_katex` (what sets the formulas that it gives).
+Settings: `course_name` (the salt that picks each student's numbers; without one the course's own
+name), `course_solutions`, `course_wheels` and `course_lock` (what a downloaded notebook needs),
+`course_python` (where the Python that runs in a page comes from), `course_katex` (what sets the
+formulas that it gives).
 
 A figure's way: a cell stores its name (`figures/figure.py`); `outputs.py` finds the declaration by
 that name and has it compiled and drawn (`figures/compiling.py`, `script/engine.py`); the page loads
 the script that `files.py` writes, which brings it to life (`figures/page.js`).
 """
 
-from importlib import import_module
 from typing import Any
 
 from myst_nb.core.render import load_mime_renders
@@ -41,7 +40,6 @@ from courseware.site.sources import list_files
 from courseware.symbols.page import mark_formulas
 
 SETTINGS = {  # name → what it is without, what it must be, an example
-    "course_package": ("", "the name of a package, in quotes", '"book"'),
     "course_name": ("", "a text, in quotes", '"kinematics-2026"'),
     "course_solutions": (True, "true or false, without quotes", "true"),
     "course_wheels": ([], "a list of folders", "[., courseware, book]"),
@@ -56,21 +54,18 @@ SETTINGS = {  # name → what it is without, what it must be, an example
 
 
 def _open_course(app: Sphinx, config: Any) -> None:
-    """Look at the settings and import the course's package, which opens it."""
+    """Check the settings and open the course."""
     for name, (default, words, example) in SETTINGS.items():
         value = getattr(config, name)
         texts = value if isinstance(value, list) else [""]
         if type(value) is not type(default) or not all(isinstance(text, str) for text in texts):
             _refuse(name, f"is {value!r}: it must be {words}, such as `{name}: {example}`")
-    try:
-        import_module(config.course_package)
-    except (ImportError, ValueError) as error:
-        _refuse("course_package", f"is {config.course_package!r}, which is not imported: {error}")
+    root = course().folder.parent
     for name in ("course_wheels", "course_lock"):
         value = getattr(config, name)
         for file in value if isinstance(value, list) else [value]:
-            if not (course().folder.parent / file).exists():
-                _refuse(name, f"names {file!r}, which is not in {course().folder.parent}")
+            if not (root / file).exists():
+                _refuse(name, f"names {file!r}, which is not in {root}")
 
 
 def _refuse(setting: str, words: str) -> None:

@@ -7,10 +7,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from commands import run
 from declared import EXERCISES, OF_EACH_KIND, each
-from test_teacher import folder, run  # noqa: F401
 
-from courseware.practice import Exercise, dealing, judging, moodle
+from classroom import moodle
+from courseware.practice import Exercise, dealing, judging
 
 FIELD = re.compile(r"\{1:NUMERICAL:((?:\\.|[^}])*)\}")
 NUMBER = r"-?\d+\.?\d*(?:e[-+]?\d+)?"
@@ -72,7 +73,7 @@ def judged(field, value):
     )
 
 
-def test_every_exercise_is_asked(folder, monkeypatch):  # noqa: F811
+def test_every_exercise_is_asked(folder, monkeypatch):
     none = SimpleNamespace(variants=lambda *_: [], version=lambda: "")  # how, is tested below
     monkeypatch.setattr(moodle, "dealing", none)
     assert run("moodle", "--out", "all.xml") == 0
@@ -156,7 +157,7 @@ def test_several_right_answers_are_a_choice(exercise, questions):
         assert set(found.values()) == {"100", "0"}
 
 
-def test_blanks_are_kept_and_nothing_is_overwritten(folder, capsys):  # noqa: F811
+def test_blanks_are_kept_and_nothing_is_overwritten(folder, capsys):
     assert run("moodle", "--only", "differential-drive-1", "elbow-arm-5") == 0
     text = (folder / "moodle.xml").read_text()
     assert "<text><![CDATA[<p>The wheels" in text
@@ -166,7 +167,7 @@ def test_blanks_are_kept_and_nothing_is_overwritten(folder, capsys):  # noqa: F8
     assert run("moodle", "--only", "differential-drive-1", "--force") == 0
 
 
-def test_a_secret_draws_other_questions(folder):  # noqa: F811
+def test_a_secret_draws_other_questions(folder):
     (folder / "roster.csv").write_text("student\nAda\n")
     assert run("key", "roster.csv", "--secret", "secret.txt", "--only", "wheels-5") == 0
     for secret in ((), ("--secret", "secret.txt")):

@@ -1,8 +1,8 @@
 """A ninth chapter is one folder and one line of `_toc.yml`; nothing else is touched.
 
 The folder `ninth_chapter/beacon` is put into a copy of the tree, which gets a public address, too;
-so is a tenth chapter, as `python -m book new` writes it. In the long run the site is built there,
-and the tests of all chapters are run.
+so is a tenth chapter, as `python -m courseware.new_chapter` writes it. In the long run the site is
+built there, and the tests of all chapters are run.
 """
 
 import os
@@ -67,7 +67,7 @@ def copied(place):
         assert f'{name}: ""' in settings
         settings = settings.replace(f'{name}: ""', f'{name}: "{address}"')
     config.write_text(settings, "utf-8")
-    return failure(place, [(sys.executable, "-m", "book", "new", "gear_train")])
+    return failure(place, [(sys.executable, "-m", "courseware.new_chapter", "gear_train")])
 
 
 def built(tree):

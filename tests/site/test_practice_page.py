@@ -15,9 +15,9 @@ from playwright.sync_api import expect
 from test_practice import DEAL, dealt_in_python, names, typed
 
 from book.differential_drive.exercises import M12
+from classroom.__main__ import main
 from courseware import practice
 from courseware.practice import dealing, judging
-from courseware.practice.command import main
 from courseware.practice.wording import symbols
 
 pytest_plugins = ["browser"]

@@ -439,8 +439,6 @@ def test_a_setting_that_cannot_be_meant_ends_the_build_with_a_sentence(tmp_path)
     [
         ("course_name", 2026, 'is 2026: it must be a text, in quotes, such as `course_name: "kin'),
         ("course_name", None, "is None: it must be a text, in quotes"),
-        ("course_package", "bok", "is 'bok', which is not imported: No module named 'bok'"),
-        ("course_package", "", "is '', which is not imported: Empty module name"),
         ("course_wheels", [".", "gone"], "names 'gone', which is not in "),
         ("course_wheels", [1], "is [1]: it must be a list of folders"),
         ("course_lock", "gone.txt", "names 'gone.txt', which is not in "),
@@ -448,7 +446,7 @@ def test_a_setting_that_cannot_be_meant_ends_the_build_with_a_sentence(tmp_path)
 )
 def test_settings_are_looked_at(name, value, words):
     settings = {setting: default for setting, (default, *_) in SETTINGS.items()}
-    settings = SimpleNamespace(**{**settings, "course_package": "book", name: value})
+    settings = SimpleNamespace(**{**settings, name: value})
     with pytest.raises(SystemExit, match=re.escape(f"{name} in _config.yml {words}")):
         look_at(None, settings)
 

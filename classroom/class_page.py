@@ -74,8 +74,8 @@ th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width
 """
 
 
-def page(course: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
-    """The whole page."""
+def render(course: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
+    """Return the page as HTML."""
     students: dict[str, dict[str, Graded]] = {}
     asked: dict[str, Counter[str]] = {}
     for g in graded:

@@ -10,11 +10,12 @@ import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from classroom.answer_key import choose_exercises
 from courseware.course import course
-from courseware.practice import dealing, judging, tables
+from courseware.practice import dealing, judging
 from courseware.practice.bank import Ask, Exercise, default_salt
 from courseware.practice.judging import Candidate, Row
-from courseware.practice.teacher import chosen
+from courseware.practice.saving import open_file
 from courseware.practice.wording import paragraphs, symbols
 from courseware.units import ROWS
 
@@ -27,12 +28,12 @@ FEW = 3  # at least
 
 
 def write(out: str | Path, only: Sequence[str] = (), secret: str = "", force: bool = False) -> None:
-    """Write the questions. secret: with other numbers than the page's."""
-    with tables.whole(out, force) as file:
+    """Write the questions; with a secret, of other numbers than the page's."""
+    with open_file(out, force) as file:
         mark = f"{default_salt()} {dealing.version()}{' secret' if secret else ''}"
         top = "$course$/top/" + mark.replace("/", "//")
         file.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
-        for exercise in chosen(only):
+        for exercise in choose_exercises(only).values():
             category = _text("category", f"{top}/{exercise.topic}/{exercise.name}")
             file.write(f'<question type="category">{category}</question>\n')
             for number, variant in enumerate(dealing.variants(exercise.name, secret)):

@@ -1,0 +1,136 @@
+"""The answer key: everyone's numbers and right answers, as a table to write and to read."""
+
+import json
+import secrets
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from pathlib import Path
+
+from classroom import tables
+from courseware.errors import CourseError
+from courseware.practice import dealing
+from courseware.practice.bank import Exercise, exercises
+from courseware.practice.saving import open_table
+
+COLUMNS = ("kind", "course", "version", "student", "exercise", "variant", "numbers", "answer")
+NEEDED = ("course", "version", "student", "exercise", "numbers")
+UNUSABLE = "lines of the key that cannot be used"
+SECRET_LENGTH = 16
+
+Person = tuple[str, str]  # a student, as names are compared, and an exercise
+
+folded = lru_cache(10_000)(dealing.folded)
+
+
+def write_key(
+    roster: str | Path,
+    out: str | Path,
+    course: str,
+    only: Sequence[str] = (),
+    secret: str = "",
+    force: bool = False,
+) -> list[str]:
+    """Write everyone's numbers and right answers, and return the problems of the roster."""
+    problems = tables.Problems(keep=sys.maxsize)
+    students = _read_roster(Path(roster), problems)
+    refuse_same(out, roster)
+    salt = course + secret
+    course += ", secret" if secret else ""  # answers to the page's numbers are none to these
+    chosen = choose_exercises(only)
+    with open_table(out, COLUMNS, force) as write:
+        for student in students:
+            for name in chosen:
+                number = dealing.dealt(salt, name, student)
+                number %= len(dealing.variants(name, secret))
+                row = (student, name, number, *_deal(name, number, secret))
+                write(("key", course, dealing.version(), *row))
+    return problems.lines()
+
+
+@cache
+def _deal(name: str, number: int, secret: str) -> tuple[str, str]:
+    """Return the numbers of a variant as JSON, and its right answer as text."""
+    numbers = dealing.variants(name, secret)[number].numbers
+    return json.dumps(numbers, ensure_ascii=False), exercises()[name].answer_text(numbers)
+
+
+def _read_roster(path: Path, problems: tables.Problems) -> list[str]:
+    """Return the names of a roster as they are written; note empty and repeated ones."""
+    names = dict[str, tuple[int, str]]()
+    for line, row in tables.read_rows(path, problems, ("student",)):
+        alike = folded(row["student"])
+        if not alike:
+            problems.note("lines without a student's name", path, line)
+        elif alike in names:
+            words = f"{row['student']} is in line {names[alike][0]} already"
+            problems.note("students named twice", path, line, words)
+        else:
+            names[alike] = line, row["student"]
+    if not names:
+        raise CourseError("\n".join([f"{path} names no student", *problems.lines()]))
+    return [written for _, written in names.values()]
+
+
+def choose_exercises(only: Sequence[str]) -> dict[str, Exercise]:
+    """Return the exercises with these names; all if none is named."""
+    return {name: dealing.find(name) for name in only} or exercises()
+
+
+def refuse_same(out: str | Path, read: str | Path) -> None:
+    """Refuse to write a table over the one that is read."""
+    if Path(out).resolve() == Path(read).resolve():
+        raise CourseError(f"{out} is what is read: give another name to write to")
+
+
+def read_secret(path: str | Path | None, make: bool = False) -> str:
+    """Return the secret in a file, "" without a file; `make` writes one if there is none."""
+    if path is None:
+        return ""
+    path = Path(path)
+    if make and not path.exists():
+        path.write_text(secrets.token_hex(SECRET_LENGTH) + "\n", encoding="utf-8")
+    try:
+        secret = path.read_text(encoding="utf-8").strip()
+    except (OSError, UnicodeDecodeError) as error:
+        raise CourseError(f"{path} cannot be read: {error}; `key --secret` makes one") from error
+    if len(secret.split()) > 1:
+        raise CourseError(f"the secret in {path} must be one word: `key --secret` makes one")
+    if len(secret) < SECRET_LENGTH:
+        raise CourseError(
+            f"the secret in {path} has {len(secret)} characters, which can be guessed: "
+            f"it needs {SECRET_LENGTH}; delete the file, and `key --secret` makes another"
+        )
+    return secret
+
+
+@dataclass
+class Key:
+    """A key by student and exercise, each row with its line number."""
+
+    path: Path
+    rows: dict[Person, tuple[int, tables.Row]]
+
+    def __post_init__(self) -> None:
+        self.students = {student: row["student"] for (student, _), (_, row) in self.rows.items()}
+        self.courses = {row["course"] for _, row in self.rows.values()}
+        self.versions = {row["version"] for _, row in self.rows.values()}
+
+
+def read_key(path: str | Path, problems: tables.Problems) -> Key:
+    """Read the table that `write_key` wrote; note lines that cannot be used."""
+    path = Path(path)
+    rows: dict[Person, tuple[int, tables.Row]] = {}
+    for line, row in tables.read_rows(path, problems, NEEDED):
+        person = folded(row["student"]), row["exercise"]
+        if row["exercise"] not in exercises():
+            problems.note(UNUSABLE, path, line, f"there is no exercise {row['exercise']!r}", row)
+        elif person in rows:
+            words = f"{row['student']} has {row['exercise']} in line {rows[person][0]} already"
+            problems.note(UNUSABLE, path, line, words, row)
+        else:
+            rows[person] = (line, row)
+    if not rows:
+        raise CourseError(f"{path} has no line that can be used: give the table that `key` wrote")
+    return Key(path, rows)

@@ -1,0 +1,169 @@
+"""Answers that students handed in, out of files and folders in which anything may lie.
+
+A table is known by its columns. Of several answers the newest counts, by the time in its row.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+
+from classroom import tables
+from classroom.answer_key import Key, Person, folded
+from courseware.errors import CourseError
+
+ANSWERS = {"student", "exercise", "answer"}
+OURS = {"numbers", "problem", "result"}  # columns of a key, of problems and of grades
+OF_A_SYSTEM = re.compile(  # what it leaves behind; a hidden table is an answer like any other
+    r"\._|\.(?!.*\.(csv|tsv|txt)$)|~\$|__MACOSX$|(Thumbs\.db|desktop\.ini)$", re.IGNORECASE
+)
+NEVER = datetime.min.replace(tzinfo=UTC)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """An answer that was handed in, when, and where it stands."""
+
+    answer: str
+    time: datetime
+    path: Path
+    line: int
+
+    def __str__(self) -> str:
+        when = "without a time" if self.time == NEVER else f"of {self.time:%Y-%m-%d %H:%M:%S}"
+        return f"{self.answer!r} {when}"
+
+
+@dataclass
+class Collected:
+    """The answers that count, and how many lines the files, courses and versions had."""
+
+    key: Key
+    problems: tables.Problems
+    answers: dict[Person, Answer] = field(default_factory=dict)
+    files: Counter[Path] = field(default_factory=Counter)  # how many answers each gave
+    courses: Counter[str] = field(default_factory=Counter)
+    versions: Counter[str] = field(default_factory=Counter)
+
+    def __post_init__(self) -> None:
+        self._courses = {"", *map(folded, self.key.courses)}
+
+    @property
+    def silent(self) -> list[str]:
+        """The students of the key of whom nothing was handed in."""
+        heard = {student for student, _ in self.answers}
+        return [name for student, name in self.key.students.items() if student not in heard]
+
+    def read(self, path: Path) -> None:
+        """Take the answers of a file; one that cannot be read does not stop the others."""
+        others, before = Counter[str](), self.problems.counts.total()
+        try:
+            for line, row in tables.read_rows(path, self.problems):
+                if row.keys() >= ANSWERS and not row.keys() & OURS:
+                    self._take(path, line, row)
+                else:
+                    others[", ".join(row)] += 1
+        except CourseError as error:
+            self.problems.note("files that cannot be read", path, comment=str(error))
+        for columns, count in others.items():
+            words = f"columns {columns}, {count:,} lines"
+            self.problems.note("tables that are no answers, left out", path, comment=words)
+        if path not in self.files and self.problems.counts.total() == before:
+            self.problems.note("files without an answer", path)
+
+    def _take(self, path: Path, line: int, row: tables.Row) -> None:
+        """Take an answer that fits a line of the key; note another."""
+        self.files[path] += 0  # it has answers, if perhaps none that fits
+        self.courses[row.get("course", "")] += 1
+        problem, comment = self._find_problem(row)
+        if problem:
+            self.problems.note(problem, path, line, comment, row)
+            return
+        self.files[path] += 1
+        version = row.get("version", "")
+        self.versions[version] += 1
+        if version not in {"", *self.key.versions}:
+            words = f"version {version}, the key's is {_quote(self.key.versions)}"
+            kind = "answers to another version of the exercises (they count)"
+            self.problems.note(kind, path, line, words, row)
+        self._keep(Answer(row["answer"], self._read_time(path, line, row), path, line), row)
+
+    def _find_problem(self, row: tables.Row) -> tuple[str, str]:
+        """Return why an answer fits no line of the key, as kind and comment; "" if it fits one."""
+        student, name, exercise = folded(row["student"]), row["student"], row["exercise"]
+        if not student:
+            return "answers without a name", ""
+        if folded(row.get("course", "")) not in self._courses:
+            words = f"the course is {row['course']!r}, the key's is {_quote(self.key.courses)}"
+            return "answers of another course", words
+        if student not in self.key.students:
+            return "answers of students who are not in the key", repr(name)
+        if (student, exercise) not in self.key.rows:
+            words = f"{name} has no exercise {exercise!r}"
+            return "answers to exercises that are not in the student's key", words
+        if not row["answer"]:
+            return "empty answers", f"{name}, {exercise}"
+        return "", ""
+
+    def _keep(self, answer: Answer, row: tables.Row) -> None:
+        """Keep the newer of two answers; of two without a time, or of one, the later read."""
+        name, exercise = row["student"], row["exercise"]
+        person = folded(name), exercise
+        new, old = answer, self.answers.get(person)
+        if old and new.time < old.time:
+            new, old = old, new
+        self.answers[person] = new
+        if old and old.answer != new.answer:
+            why = "a newer one" if new.time > old.time else "one read later (no time tells)"
+            words = f"{name}, {exercise}: {old}, counts {new} ({new.path}, line {new.line})"
+            replaced = {**row, "answer": old.answer}
+            self.problems.note(f"answers replaced by {why}", old.path, old.line, words, replaced)
+
+    def _read_time(self, path: Path, line: int, row: tables.Row) -> datetime:
+        text = row.get("time", "")
+        try:
+            time = datetime.fromisoformat(text) if text else NEVER
+        except ValueError:
+            self.problems.note("times that cannot be read", path, line, repr(text), row)
+            return NEVER
+        return time if time.tzinfo else time.replace(tzinfo=UTC)
+
+
+def _quote(names: set[str]) -> str:
+    return ", ".join(map(repr, sorted(names)))
+
+
+def collect(
+    paths: Sequence[str | Path],
+    key: Key,
+    problems: tables.Problems,
+    leave_out: Sequence[Path] = (),
+) -> Collected:
+    """Collect the answers in these files, and in the files of these folders and their folders."""
+    found = Collected(key, problems)
+    seen = {path.resolve() for path in (key.path, *leave_out)}
+    files = [file for path in map(Path, paths) for file in _find_tables(path, problems)]
+    for file in files:
+        if file.resolve() not in seen:
+            seen.add(file.resolve())
+            found.read(file)
+    if not found.answers:
+        raise CourseError("\n".join(["no answer fits the key", *problems.lines()]))
+    return found
+
+
+def _find_tables(path: Path, problems: tables.Problems) -> Iterator[Path]:
+    """Yield a file, or the tables of a folder; note the other files of a folder."""
+    if not path.is_dir():
+        yield path
+        return
+    for file in sorted(file for file in path.rglob("*") if file.is_file()):
+        if any(map(OF_A_SYSTEM.match, file.relative_to(path).parts)):
+            continue
+        if file.suffix.lower() in (".csv", ".tsv", ".txt"):
+            yield file
+        elif file.suffix.lower() != ".part":
+            words = f"{file.suffix or 'no suffix'}: unpack archives, save spreadsheets as CSV"
+            problems.note("files that are no table (.csv)", file, comment=words)

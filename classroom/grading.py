@@ -1,0 +1,157 @@
+"""Grades of what students handed in: each answer's result, totals, the mistakes of the class."""
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from classroom import class_page, tables
+from classroom.answer_key import UNUSABLE, Key, Person, read_key, refuse_same
+from classroom.class_page import RESULTS, Count, Graded
+from classroom.collecting import Collected, collect
+from courseware.errors import CourseError
+from courseware.practice import dealing, judging
+from courseware.practice.bank import exercises, mistakes
+from courseware.practice.saving import open_table, refuse_existing, write_table
+
+GRADES = ("student", "exercise", "answer", "result", "mistake", "comment")
+TOTALS = ("student", *RESULTS)
+COUNTS = ("exercise", "mistake", "students", "of", "comment")
+ENDINGS = ("-students.csv", "-mistakes.csv", "-problems.csv", ".html")  # of files beside the grades
+MOST_FREQUENT = 15  # mistakes in the summary
+
+Total = tuple[str | int, ...]
+
+
+def check(answers: Sequence[str | Path], key: str | Path) -> tuple[list[str], str]:
+    """Return the problems that grading would find, and an account to print; write nothing."""
+    problems = tables.Problems()
+    found = collect(answers, read_key(key, problems), problems)
+    return problems.lines(), "\n".join([*_account(found), "nothing was written"])
+
+
+def grade(
+    answers: Sequence[str | Path], key: str | Path, out: str | Path, force: bool = False
+) -> tuple[list[str], str]:
+    """Grade files and folders of answers; return their problems, and a summary to print.
+
+    Beside `out` come the students' totals, the class's mistakes, all problems, and a page that
+    shows the class.
+    """
+    out = Path(out)
+    if not out.name or out.suffix == ".html":
+        raise CourseError(f"{out} is no name for a table: give one that ends in .csv")
+    paths = [out, *(out.with_name(out.stem + ending) for ending in ENDINGS)]
+    for path in paths:
+        refuse_same(path, key)
+        refuse_existing(path, force)
+    with open_table(paths[3], tables.PROBLEMS, force) as write:
+        problems = tables.Problems(write)
+        collected = collect(answers, read_key(key, problems), problems, leave_out=paths)
+        graded = _grade(collected, problems)
+        write_table(paths[0], GRADES, (tuple(vars(each).values()) for each in graded), force)
+        totals, counts = _total(graded), _count_mistakes(graded)
+        write_table(paths[1], TOTALS, totals, force)
+        write_table(paths[2], COUNTS, counts, force)
+    course = ", ".join(sorted(collected.key.courses))
+    paths[4].write_text(class_page.render(course, graded, counts), encoding="utf-8")
+    lines = [*_account(collected), "", *_summarize(collected.key, totals, counts), ""]
+    return problems.lines(), "\n".join([*lines, *(f"written: {path}" for path in paths)])
+
+
+def _account(found: Collected) -> list[str]:
+    """Say whose answers were found, in which files, of which courses and versions."""
+    key, strangers = found.key, [str(path) for path, count in found.files.items() if not count]
+    asked = {name for _, name in key.rows}
+    lines = [
+        f"the key: {len(key.students):,} students, {len(asked)} exercises, "
+        f"course {', '.join(sorted(key.courses))}, version {', '.join(sorted(key.versions))}",
+        f"answers that count: {len(found.answers):,}, of "
+        f"{len(key.students) - len(found.silent):,} students, in {len(found.files):,} files",
+    ]
+    for what, counts in (("course", found.courses), ("version", found.versions)):
+        lines += [f"  {what} {name or '(not said)'}: {n:,} lines" for name, n in counts.items()]
+    for what, names in (
+        ("students of whom nothing came", found.silent),
+        ("files without an answer of anybody in the key", strangers),
+    ):
+        lines += [f"{what}: {len(names):,}", *(f"  {name}" for name in names)] if names else []
+    return lines
+
+
+def _grade(collected: Collected, problems: tables.Problems) -> list[Graded]:
+    """Grade each line of the key; the answers to one exercise are judged together."""
+    key, answers = collected.key, collected.answers
+    by_exercise: dict[str, list[Person]] = {}
+    for person in key.rows:
+        by_exercise.setdefault(person[1], []).append(person)
+    found: dict[Person, Graded] = {}
+    for name, people in by_exercise.items():
+        variants = _candidates(name, people, key, problems)
+        numbers = {person: key.rows[person][1]["numbers"] for person in people}
+        known = [person for person in people if numbers[person] in variants]
+        answered = [person for person in known if person in answers]
+        places = {each: place for place, each in enumerate(variants)}
+        typed = [(places[numbers[person]], answers[person].answer) for person in answered]
+        verdicts = judging.check_all(exercises()[name], list(variants.values()), typed)
+        for person in known:
+            student = key.rows[person][1]["student"]
+            found[person] = Graded(student, name, "", "missing", "", "")
+        for person, (_, text), v in zip(answered, typed, verdicts, strict=True):
+            student = key.rows[person][1]["student"]
+            found[person] = Graded(student, name, text, v.result, v.name, v.says)
+    return [found[person] for person in key.rows if person in found]
+
+
+def _candidates(
+    name: str, people: Iterable[Person], key: Key, problems: tables.Problems
+) -> dict[str, tuple[judging.Candidate, ...]]:
+    """Return the candidates for each set of numbers; note rows with strange numbers."""
+    found: dict[str, tuple[judging.Candidate, ...]] = {}
+    for line, row in map(key.rows.__getitem__, people):
+        numbers = row["numbers"]
+        if numbers in found:
+            continue
+        try:
+            found[numbers] = judging.candidates(exercises()[name], json.loads(numbers))
+        except Exception as error:  # a formula may raise anything on numbers that are not its own
+            words = f"{name} cannot be computed from {numbers}: {type(error).__name__}: {error}"
+            problems.note(UNUSABLE, key.path, line, words, row)
+    return found
+
+
+def _total(graded: Iterable[Graded]) -> list[Total]:
+    results: dict[str, Counter[str]] = {}
+    for each in graded:
+        results.setdefault(each.student, Counter())[each.result] += 1
+    return [(student, *(count[r] for r in RESULTS)) for student, count in results.items()]
+
+
+def _count_mistakes(graded: Iterable[Graded]) -> list[Count]:
+    """Count the students who made each mistake in each exercise, the most frequent first."""
+    answered, made, comments = Counter[str](), Counter[tuple[str, str]](), {}
+    for each in graded:
+        answered[each.exercise] += each.result != "missing"
+        if each.result in ("wrong", "partly"):
+            made[each.exercise, each.mistake] += 1
+            comments[each.exercise, each.mistake] = each.comment
+    return [
+        (exercise, mistake or "none known", count, answered[exercise], comments[exercise, mistake])
+        for (exercise, mistake), count in made.most_common()
+    ]
+
+
+def _summarize(key: Key, totals: Sequence[Total], counts: Sequence[Count]) -> list[str]:
+    sums = [f"{sum(int(row[k]) for row in totals):,} {TOTALS[k]}" for k in range(1, len(TOTALS))]
+    lines = [", ".join(sums), ""]
+    if key.versions - {dealing.version()}:
+        lines += [
+            f"The key is of version {', '.join(sorted(key.versions))} of the exercises, this is "
+            f"{dealing.version()}. The students' numbers are the key's, the answers are this "
+            "version's.",
+            "",
+        ]
+    for exercise, name, count, of, comment in counts[:MOST_FREQUENT]:
+        known = mistakes()[name].says if name in mistakes() else comment
+        lines.append(f"{count:5} of {of:5}  {exercise:24} {name:14} {known}")
+    return lines

@@ -1,0 +1,123 @@
+"""Tables as CSV, read whatever wrote them, and the problems that they have."""
+
+import csv
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+from pathlib import Path
+
+from courseware.errors import CourseError
+from courseware.practice.saving import Write, unguard_cell
+
+Row = dict[str, str]
+
+UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+UNDECODED = re.compile("[\udc80-\udcff]")
+NOT_CSV = (
+    f"a quotation mark is not closed, or a cell has over {csv.field_size_limit():,} characters"
+)
+PROBLEMS = ("problem", "file", "line", "student", "exercise", "answer", "comment")
+
+
+class Problems:
+    """Lines and files that were left out or replaced, by kind: all are counted, some are kept.
+
+    `write` takes every one as a row of the table `PROBLEMS`; `keep` different ones of a kind are
+    kept to be printed.
+    """
+
+    def __init__(self, write: Write = len, keep: int = 3) -> None:
+        self.counts = Counter[str]()
+        self._write, self._keep = write, keep
+        self._first: dict[str, dict[str, str]] = {}
+
+    def note(
+        self, kind: str, path: Path, line: int = 0, comment: str = "", row: Mapping[str, str] = {}
+    ) -> None:
+        """Note a problem of a line, or of a whole file (line 0)."""
+        self.counts[kind] += 1
+        who = [row.get(column, "") for column in PROBLEMS[3:6]]
+        self._write((kind, path, line or "", *who, comment))
+        first = self._first.setdefault(kind, {})
+        if comment not in first and len(first) < self._keep:
+            place = f"{path}, line {line}" if line else f"{path}"
+            first[comment] = ": ".join(filter(None, (place, comment)))
+
+    def lines(self) -> list[str]:
+        """Return what to print: each kind with its count, and the first of them."""
+        found = []
+        for kind, count in self.counts.items():
+            first = self._first[kind].values()
+            found += [f"{kind}: {count:,}", *(f"  {words}" for words in first)]
+            if count > len(first):
+                found.append(f"  … and {count - len(first):,} more")
+        return found
+
+
+def read_rows(
+    path: Path, problems: Problems, needed: Sequence[str] = ()
+) -> Iterator[tuple[int, Row]]:
+    """Yield rows with their line numbers: comma, semicolon or tab, UTF-8 or UTF-16.
+
+    Bad lines are noted. Where tables were joined, a heading may stand anywhere. A table without
+    the `needed` columns is refused.
+    """
+    lines, first = _read_lines(path), list[str]()
+    for text in lines:
+        first.append(text)
+        if text.strip():
+            break
+    reader = csv.reader(
+        chain(first, lines), delimiter=max(",;\t", key="".join(first).count), strict=True
+    )
+    heading = list[str]()
+    while True:
+        number = reader.line_num + 1
+        try:
+            cells = next(reader)
+        except StopIteration:
+            break
+        except csv.Error:
+            words = f"{NOT_CSV}; read on after line {reader.line_num}"
+            problems.note("lines that are no CSV", path, number, words)
+            continue
+        names = [cell.strip().lower() for cell in cells]
+        if not any(names):
+            continue
+        if not heading or {"student", "exercise"} <= set(names):
+            heading = names
+            _require(path, needed, heading)
+        elif any(map(UNDECODED.search, cells)):
+            problems.note("lines not in UTF-8: save the file as CSV UTF-8", path, number)
+        elif len(cells) != len(heading):
+            words = f"{len(cells)} cells, the heading has {len(heading)}"
+            problems.note("lines with more or fewer cells than the heading", path, number, words)
+        else:
+            values = (unguard_cell(cell).strip() for cell in cells)
+            yield number, dict(zip(heading, values, strict=True))
+    if not heading:
+        _require(path, needed, heading)
+
+
+def _require(path: Path, needed: Sequence[str], heading: Sequence[str]) -> None:
+    missing = [name for name in needed if name not in heading]
+    if missing:
+        raise CourseError(
+            f"{path} has no column {', '.join(missing)}; needed are {', '.join(needed)}, "
+            f"its first line has {', '.join(filter(None, heading)) or 'nothing'}"
+        )
+
+
+def _read_lines(path: Path) -> Iterator[str]:
+    """Yield lines as text; bytes that are not UTF-8 are kept as surrogates."""
+    try:
+        with path.open("rb") as file:
+            encoding = "utf-16" if file.read(2) in UTF_16 else "utf-8"
+        errors = "replace" if encoding == "utf-16" else "surrogateescape"
+        with path.open(encoding=encoding, errors=errors) as text:
+            for line in text:
+                remark = line.lower().startswith("sep=")  # a spreadsheet's own
+                yield "\n" if remark else line.replace("\0", "").replace("\ufeff", "")
+    except OSError as error:
+        raise CourseError(f"{path} cannot be read: {error.strerror}") from error

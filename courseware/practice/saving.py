@@ -1,0 +1,73 @@
+"""Tables of answers as CSV, written so that a spreadsheet shows them as they are."""
+
+import csv
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TextIO
+
+from courseware.errors import CourseError
+
+ANSWERS = ("kind", "course", "version", "time", "student", "exercise", "answer")
+NUMBER = r"[+-]?[\d.]+"
+FORMULA = r"'*[=+\-@\t\r\n]"  # how a formula starts in a spreadsheet, or a guarded cell
+
+Write = Callable[[Sequence[object]], object]
+
+
+def guard_cell(text: str) -> str:
+    """Return a cell that no spreadsheet runs as a formula: with a leading ' unless a number."""
+    formula = re.match(FORMULA, text) and not re.fullmatch(NUMBER, text)
+    return f"'{text}" if formula else text
+
+
+def unguard_cell(text: str) -> str:
+    """Return a cell as it was before `guard_cell`."""
+    return text[1:] if re.match("'" + FORMULA, text) else text
+
+
+def refuse_existing(path: Path, force: bool) -> None:
+    """Refuse a file that is already there, unless it may be overwritten."""
+    if path.is_dir():
+        raise CourseError(f"{path} is a folder: give the name of a file")
+    if path.exists() and not force:
+        raise CourseError(
+            f"{path} is already there: choose another name, or overwrite it "
+            "(--force; in Python, force=True)"
+        )
+    if not path.parent.is_dir():
+        raise CourseError(f"there is no folder {path.parent} to write {path.name} in")
+
+
+@contextmanager
+def open_file(path: str | Path, force: bool = False, encoding: str = "utf-8") -> Iterator[TextIO]:
+    """Open a file to write, which gets its name once it is complete."""
+    path = Path(path)
+    refuse_existing(path, force)
+    part = path.with_name(f"{path.name}.part")
+    try:
+        with part.open("w", encoding=encoding, errors="replace", newline="") as file:
+            yield file
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+@contextmanager
+def open_table(path: str | Path, columns: Sequence[str], force: bool = False) -> Iterator[Write]:
+    """Open a table to write row by row, in UTF-8 with the mark that spreadsheets need."""
+    with open_file(path, force, "utf-8-sig") as file:
+        writer = csv.writer(file)
+        writer.writerow(columns)
+        yield lambda row: writer.writerow([guard_cell(str(cell)) for cell in row])
+
+
+def write_table(
+    path: str | Path, columns: Sequence[str], rows: Iterable[Sequence[object]], force: bool = False
+) -> Path:
+    """Write a complete table, and return its path."""
+    with open_table(path, columns, force) as write:
+        for row in rows:
+            write(row)
+    return Path(path)

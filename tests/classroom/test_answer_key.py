@@ -1,0 +1,80 @@
+"""The key: numbers for everyone, on a page or drawn by a secret."""
+
+import json
+
+import pytest
+from commands import ONE, ONLY, results, run, saved
+from declared import EXERCISES, each, table
+
+from courseware.practice import Exercise, dealing
+
+
+@pytest.mark.slow
+def test_a_thousand_students(folder):
+    """All exercises of all; the time is in the note of the release, not tested here."""
+    people = "\n".join(f"student {k}" for k in range(1000))
+    (folder / "roster.csv").write_text(f"student\n{people}\n")
+    assert run("key", "roster.csv") == 0
+    assert len(table("key.csv")) == 1000 * len(EXERCISES)
+
+
+def test_a_class_list_is_no_secret(folder, capsys):
+    (folder / "roster.csv").write_text("student\n" + "Ada Lovelace\n" * 9)
+    assert run("key", "roster.csv", "--secret", "roster.csv") == 2
+    assert "must be one word" in capsys.readouterr().err
+
+
+def test_a_secret_deals_numbers_that_are_on_no_page(keyed):
+    """Also to those who are enrolled later, and the numbers of the others stay."""
+    few = ("--only", ONE, "wheels-5")  # the second has few numbers
+    assert run("key", "roster.csv", "--out", "exam.csv", "--secret", "secret.txt", *few) == 0
+    exam = table("exam.csv")
+    for row in exam:
+        public = [variant.numbers for variant in dealing.variants(row["exercise"])]
+        assert json.loads(row["numbers"]) not in public
+    (keyed / "roster.csv").write_text("student\nEve\nAda\nBob\n")
+    again = ("--secret", "secret.txt", "--force", *few)
+    assert run("key", "roster.csv", "--out", "exam.csv", *again) == 0
+    assert [row for row in table("exam.csv") if row["student"] != "Eve"] == exam
+    (keyed / "secret.txt").unlink()
+    assert run("key", "roster.csv", "--out", "other.csv", "--secret", "secret.txt", *few) == 0
+    assert table("other.csv") != table("exam.csv")
+
+
+@pytest.mark.slow
+@each("exercise", "exercises", Exercise)
+def test_a_secret_finds_numbers_for_every_exercise(exercise):
+    """Whatever it draws: no mistake ends in an error, no exercise is left with a handful."""
+    public = {tuple(variant.shown.values()) for variant in dealing.variants(exercise.name)}
+    for secret in map(str, range(10**15, 10**15 + 5)):
+        dealt = dealing.variants(exercise.name, secret)
+        own = {tuple(variant.shown.values()) for variant in dealt}
+        assert len(own) >= 14, (
+            f"with a secret {exercise.name} has {len(own)} sets of numbers, at least 14 are "
+            "needed: more options in `given`"
+        )
+        assert not public & own
+
+
+def test_a_secret_must_be_one(keyed, capsys):
+    (keyed / "secret.txt").write_text("cat")
+    assert run("key", "roster.csv", "--force", "--secret", "secret.txt") == 2
+    assert (
+        "the secret in secret.txt has 3 characters, which can be guessed" in capsys.readouterr().err
+    )
+    assert run("moodle", "--secret", "nowhere.txt") == 2
+    assert "`key --secret` makes one" in capsys.readouterr().err
+    assert not (keyed / "nowhere.txt").exists()
+
+
+def test_answers_of_the_page_are_none_to_the_numbers_of_a_secret(keyed, capsys):
+    """Who practises on the page and hands in that file too loses nothing."""
+    assert run("key", "roster.csv", "--out", "exam.csv", "--secret", "secret.txt", *ONLY) == 0
+    mine = next(row for row in table("exam.csv") if row["student"] == "Ada")
+    right = mine["answer"].split(" ")[0].replace("−", "-")
+    (keyed / "sheet.csv").write_text(saved("Ada", {ONE: right}, course=mine["course"]))
+    later = {ONE: "2026-04-01T10:00:00Z"}
+    (keyed / "page.csv").write_text(saved("Ada", {ONE: "7"}, later))
+    assert run("grade", ".", "--key", "exam.csv") == 1
+    assert "answers of another course: 1" in capsys.readouterr().err
+    assert results()["Ada", ONE] == "right"

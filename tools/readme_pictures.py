@@ -6,7 +6,7 @@ python tools/readme_pictures.py       into .github, after a change of the figure
 from pathlib import Path
 
 import book  # noqa: F401 - opens the course
-from courseware.figures.figure import find
+from courseware.figures.figure import find_figure
 from courseware.site.stills import dark_colours
 
 FIGURE = "summary"
@@ -16,7 +16,7 @@ FOLDER = Path(__file__).parents[1] / ".github"
 
 def pictures():
     """Return file name → SVG."""
-    light = find(FIGURE).picture(WIDTH)
+    light = find_figure(FIGURE).render_svg(WIDTH)
     dark = light.replace(">", f"><style>:root {{ {dark_colours()} }}</style>", 1)
     return {"figure-light.svg": f"{light}\n", "figure-dark.svg": f"{dark}\n"}
 

@@ -39,7 +39,9 @@ def direction_figure() -> Figure:
                 words={"nan": "no answer: division by zero"},
             ),
         ),
-        says="The point at {p_x}, {p_y}: its direction is {right}; the arctangent says {wrong}.",
+        sentence=(
+            "The point at {p_x}, {p_y}: its direction is {right}; the arctangent says {wrong}."
+        ),
     )
 
 

@@ -55,7 +55,7 @@ from courseware.figures import (
     Slider,
     Trail,
     Wheel,
-    apart,
+    distance,
 )
 
 UP = pi / 2  # rad, the heading of a car that looks up in the picture
@@ -132,7 +132,7 @@ def ackermann_figure() -> Figure:
             Readout("tangent", "2 / (cot α_L + cot α_R)", back, "", digits=4),
             Readout("radius", "turning radius R", radius, "m", digits=2, words=NO_ICR),
         ),
-        says=(
+        sentence=(
             "Steered {steering}, the left front wheel stands at {left}, the right one at {right}; "
             "the mean of the two is {mean}. The turning radius is {radius}."
         ),
@@ -164,7 +164,7 @@ def loop_figure() -> Figure:
         turned = bicycle.euler_step.substitute({**given, theta: state[2], dt: DURATION / n})[2]
         step = [p + u * DURATION / n for p, u in zip(state, velocity, strict=False)]
         goal = exact(DURATION)
-        error = apart(end, goal)
+        error = distance(end, goal)
         pace = speed * sqrt(1 + (ahead * tan(steering)) ** 2) * DURATION / n
     loop = Recurrence(state, (0, 0, heading), (*step, turned), count=n, most=40, ends=end)
     return Figure(
@@ -200,7 +200,7 @@ def loop_figure() -> Figure:
             Readout("x", "exact x", goal[0], "m"),
             Readout("y", "exact y", goal[1], "m"),
         ),
-        says=(
+        sentence=(
             "Following the {point} in {n} straight steps, the drive of 10 s ends {apart} from the "
             "exact end, {ratio} of a step's length; the exact end is at x = {x}, y = {y}."
         ),
@@ -273,7 +273,7 @@ def lane_figure() -> Figure:
             Readout("more", "wider than the car by", lane - track, "m", 2, {"nan": "no lane"}),
             Readout("cut", "corner cut c", bicycle.cut.right, "m", digits=2),
         ),
-        says=(
+        sentence=(
             "The car is steered {steering}. Width of its lane: {lane}. Its rear axle runs {cut} "
             "inside its front axle. It has driven for {t}."
         ),
@@ -342,7 +342,7 @@ def mistakes_figure() -> Figure:
         title="A car, and where a program with a mistake believes it to be",
         view=(-7.9, 5.1, -4.1, 5.7),
         controls=(
-            Choice.one_of("mistake", MISTAKES, poses, start="Off its circle"),
+            Choice.one_hot("mistake", MISTAKES, poses, start="Off its circle"),
             Slider.degrees(
                 steering, 35, 60, start=55,
                 label="steering φ",
@@ -357,7 +357,7 @@ def mistakes_figure() -> Figure:
             Line("error", (point, ghost)),
         ),
         readouts=(
-            Readout("apart", "apart", apart(ghost, point), "m", digits=2),
+            Readout("apart", "apart", distance(ghost, point), "m", digits=2),
             Readout("off", "heading off by", motion.wrap(there[2] - here[2]), "rad", digits=0),
         ),
     )  # fmt: skip

@@ -73,9 +73,9 @@ from courseware.figures import (
     Slider,
     Trail,
     Wheel,
-    apart,
-    part_done,
-    solved,
+    assign,
+    distance,
+    ramp,
 )
 
 DISTANCE, RADIUS = 0.1, 0.03  # m, between the wheels, and of a wheel, as in the exercise
@@ -87,8 +87,8 @@ TWIST = {  # and so of the robot; rounded, as 0.05 + 0.1 has a last digit too ma
 ARROW = 1  # s: an arrow is as long as the way in this time, so that a slope is an ω
 ORIGIN, START = (0, 0), (0, 0, pi / 2)  # the robot looks along the world's y axis
 NO_ICR = {"inf": "none: straight", "nan": "nowhere: at rest"}
-VELOCITY = ((b, DISTANCE), *solved(drive.speed, drive.turning_rate))
-RADIUS_TOO = (*VELOCITY, *solved(drive.turning_radius))
+VELOCITY = ((b, DISTANCE), *assign(drive.speed, drive.turning_rate))
+RADIUS_TOO = (*VELOCITY, *assign(drive.turning_radius))
 
 t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 100, "number of steps")
@@ -187,7 +187,7 @@ TIMES = 3  # the laboratory's right track, by the left one
 
 def parked(end: Any, mark: Any) -> Any:
     """Whether the robot ends on the mark."""
-    return And(apart(end, mark) < OFF / 100, round_turn(end[2] - mark[2]) < TURNED * pi / 180)
+    return And(distance(end, mark) < OFF / 100, round_turn(end[2] - mark[2]) < TURNED * pi / 180)
 
 
 # Opening.
@@ -217,7 +217,7 @@ def park_figure() -> Figure:
         ),
         handles=pulled(),
         readouts=(
-            Readout("off", "at the end: off the mark", apart(end, MARK), "m"),
+            Readout("off", "at the end: off the mark", distance(end, MARK), "m"),
             Readout(
                 "turned", "at the end: turned wrongly by", round_turn(end[2] - MARK[2]), "rad", 0
             ),
@@ -327,7 +327,7 @@ def world_figure() -> Figure:
         title="The robot's velocity and its parts along the axes of the world",
         view=(-0.14, 0.15, -0.11, 0.12),
         controls=(Slider.degrees(theta, start=40),),
-        where=(*SPEEDS.items(), *TWIST.items(), (v_y, 0), *solved(motion.to_world)),
+        where=(*SPEEDS.items(), *TWIST.items(), (v_y, 0), *assign(motion.to_world)),
         scene=(
             Line("ghost", ((-0.3, 0), (0.3, 0))),
             Line("ghost", ((0, -0.3), (0, 0.3))),
@@ -365,7 +365,7 @@ def rates_figure() -> Figure:
             Slider(omega, -1.0, 1.0, start=0.0, step=0.05),
             Clock(t, 0.0, 1.5, loops=True, label="time"),
         ),
-        where=((b, DISTANCE), (r, RADIUS), *solved(drive.wheel_speeds, drive.wheel_rates)),
+        where=((b, DISTANCE), (r, RADIUS), *assign(drive.wheel_speeds, drive.wheel_rates)),
         scene=(*robot(START, time=t), *arrows(START), *rows),
         readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,
@@ -411,7 +411,7 @@ def arc_figure() -> Figure:
         ),
         where=(
             (v, TWIST[v]), (x, 0), (y, 0), (theta, pi / 2), *still.items(),
-            *solved(motion.arc_step, motion.chord),
+            *assign(motion.arc_step, motion.chord),
             (R, Piecewise((v / omega, Ne(omega, 0)), (oo, True))),
         ),
         scene=(
@@ -444,8 +444,8 @@ def almost_figure() -> Figure:
     forms = (motion.arc_step.right, motion.arc_step.textbook)
     exact, textbook = (substitute(form, drive_on) for form in forms)
     tenth = 10**-s
-    errors = Max(apart(*(substitute(form, {omega: tenth}) for form in (textbook, exact))), LEAST)
-    dot = graph.at((omega, Max(apart(LOST, exact), LEAST)))
+    errors = Max(distance(*(substitute(form, {omega: tenth}) for form in (textbook, exact))), LEAST)
+    dot = graph.place((omega, Max(distance(LOST, exact), LEAST)))
     return Figure(
         name="digits",
         title="Two robots, placed by the textbook's form and by the chord; the error against ω",
@@ -459,13 +459,13 @@ def almost_figure() -> Figure:
             hull((*LOST, exact[2]), "approximation"),
             Line("error", (LOST, exact)),
             *graph.shapes(),
-            Curve("approximation", graph.at((tenth, errors)), s, 0, power),
+            Curve("approximation", graph.place((tenth, errors)), s, 0, power),
             Point("error", dot),
         ),
-        handles=(Handle("the dot in the graph", dot, {power: -log(graph.x_of(POINTER), 10)}),),
+        handles=(Handle("the dot in the graph", dot, {power: -log(graph.x_at(POINTER), 10)}),),
         readouts=(
             Readout(omega, digits=-2),
-            Readout("error", "error, textbook's form", apart(LOST, exact), "m", digits=-2),
+            Readout("error", "error, textbook's form", distance(LOST, exact), "m", digits=-2),
         ),
         grid=False,
     )
@@ -490,16 +490,16 @@ def steps_figure() -> Figure:
         loop = Recurrence(state, START, (to_next[0], to_next[1], to_next[2] - turn), n, 60, end)
         # the steps' own chord: longer than the true one, and turned by the old heading
         long, turned = 1 / sinc(half), (1 - early) * half
-        error = apart(exact, ORIGIN) * sqrt((long - 1) ** 2 + 4 * long * sin(turned / 2) ** 2)
+        error = distance(exact, ORIGIN) * sqrt((long - 1) ** 2 + 4 * long * sin(turned / 2) ** 2)
         shapes += [
             Trail(kind, state, loop),
             Line("error", (end, exact)),
-            Curve(kind, graph.at((s, error)), s, step, 3),
-            Point(kind, graph.at((step, apart(end, exact))), words),
+            Curve(kind, graph.place((s, error)), s, step, 3),
+            Point(kind, graph.place((step, distance(end, exact))), words),
         ]
-        dots.append(graph.at((step, error.subs(s, step))))
+        dots.append(graph.place((step, error.subs(s, step))))
         readouts += [
-            Readout(f"error_{early}", f"error, {words} heading", apart(end, exact), "m", 5)
+            Readout(f"error_{early}", f"error, {words} heading", distance(end, exact), "m", 5)
         ]
     return Figure(
         name="steps",
@@ -515,7 +515,7 @@ def steps_figure() -> Figure:
             *shapes,
         ),
         handles=(
-            Handle("the upper dot in the graph", dots[0], {n: DURATION / graph.x_of(POINTER)}),
+            Handle("the upper dot in the graph", dots[0], {n: DURATION / graph.x_at(POINTER)}),
         ),
         readouts=tuple(readouts),
         grid=False,
@@ -560,7 +560,7 @@ SIDE = (-0.2, 0, pi / 2)  # 20 cm to the left of the start, and no turn
 
 def side_figure() -> Figure:
     """The place at its side: turn, drive straight on, turn back; two seconds for each."""
-    first, straight, last = (part_done(done, k) for k in range(3))
+    first, straight, last = (ramp(done, k) for k in range(3))
     heading = pi / 2 + aim
     end = (reach * cos(heading), reach * sin(heading), pi / 2)
     now = (straight * end[0], straight * end[1], pi / 2 + aim * (first - last))
@@ -589,7 +589,7 @@ def side_figure() -> Figure:
             ),
             *arrows(now, middle=False),
         ),
-        readouts=(Readout("off", "at the end: off the mark", apart(end, SIDE), "m"),),
+        readouts=(Readout("off", "at the end: off the mark", distance(end, SIDE), "m"),),
         goal=Goal(parked(end, SIDE), f"Find the way to the place at its side: within {OFF} cm."),
     )
 
@@ -679,7 +679,7 @@ def damage_figure() -> Figure:
             *robot(now, time=t),
             hull(there, "approximation"),
         ),
-        readouts=(Readout("apart", "apart", apart(now, there), "m"),),
+        readouts=(Readout("apart", "apart", distance(now, there), "m"),),
     )
 
 

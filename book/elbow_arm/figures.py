@@ -32,7 +32,7 @@ from courseware.figures import (
     Point,
     Readout,
     Slider,
-    nearer,
+    bring_forward,
     solids,
 )
 from robokin._triangle import TOLERANCE
@@ -188,7 +188,7 @@ def two_views_figure() -> Figure:
             Handle("height of the target", (SIDE + r, z), {p_z: POINTER[1] + SHOULDER}),
         ),
         readouts=joint_readouts(),
-        says=SAYS,
+        sentence=SAYS,
         where=STEPS,
         grid=False,
     )
@@ -220,25 +220,25 @@ def space_figure() -> Figure:
         scene=(
             *(ring(VIEW.project(shoulder), limit) for limit in (least, most)),
             *VIEW.frame(eye(3), size=0.3, labels=("x", "y", "z")),
-            nearer(VIEW.line("ghost", (foot, shade)), -0.3),
-            nearer(VIEW.line("ghost", (shade, target)), -0.3),
+            bring_forward(VIEW.line("ghost", (foot, shade)), -0.3),
+            bring_forward(VIEW.line("ghost", (shade, target)), -0.3),
             VIEW.line("body", (foot, shoulder)),
             VIEW.arrow("velocity", foot, front),
             *(
-                nearer(VIEW.line("ghost", pair), -0.3)
+                bring_forward(VIEW.line("ghost", pair), -0.3)
                 for pair in pieces(map(in_space, bones(other)))
             ),
             *(VIEW.line("path", pair) for pair in pieces((shoulder, joint, wrist))),
             hinge(shoulder, "z_1"),
             hinge(joint, "z_2"),
             VIEW.line("approximation", (target, wrist)),
-            nearer(VIEW.point("body", shoulder), 0.1),
-            nearer(VIEW.point("body", joint), 0.1),
-            nearer(VIEW.point("approximation", wrist), 0.1),
-            nearer(VIEW.point("target", target, label="p"), 0.1),
+            bring_forward(VIEW.point("body", shoulder), 0.1),
+            bring_forward(VIEW.point("body", joint), 0.1),
+            bring_forward(VIEW.point("approximation", wrist), 0.1),
+            bring_forward(VIEW.point("target", target, label="p"), 0.1),
         ),
         readouts=joint_readouts(),
-        says=SAYS,
+        sentence=SAYS,
         where=STEPS,
         seen_from=(-2 * pi / 3, pi / 8),
     )
@@ -281,7 +281,7 @@ def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
     }
 
 
-def link(kind: str, length: float, thick: float) -> list[solids.Part]:
+def link(kind: str, length: float, thick: float) -> list[solids.Mesh]:
     """A link along its x axis, with its joint."""
     bar = solids.box(kind, (length, thick, thick), (length / 2, 0, 0))
     return [bar, solids.cylinder(kind, (0.05, 0.05), (-0.05, 0.05), n=12)]
@@ -324,7 +324,7 @@ def mistakes_figure() -> Figure:
         title="An arm with its wrist at the target, and a red one that a mistake sends elsewhere",
         view=(-0.86, 0.86, -0.45, 0.84),
         controls=(
-            Choice.one_of("mistake", MISTAKES, ways, start="It aims at a mirror image"),
+            Choice.one_hot("mistake", MISTAKES, ways, start="It aims at a mirror image"),
             Slider(p_x, -0.5, 0.5, start=-0.45, step=0.05, label="target p_x"),
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),
@@ -336,7 +336,7 @@ def mistakes_figure() -> Figure:
             *true,
             *false,
             VIEW.line("error", (missed, target)),
-            nearer(VIEW.point("target", target, "p"), 0.1),
+            bring_forward(VIEW.point("target", target, "p"), 0.1),
         ),
         readouts=(
             Readout("d", "shoulder to p", far(target, (0, 0, ARM[d1])), "m"),

@@ -22,14 +22,14 @@ from courseware.figures import (
     Figure,
     Goal,
     Label,
+    NamedSteps,
+    QuarterTurns,
     Readout,
     Slider,
-    Steps,
-    Turns,
-    nearer,
-    part_done,
+    assign,
+    bring_forward,
+    ramp,
     solids,
-    solved,
 )
 from courseware.figures.space import AXES, ORIGIN
 
@@ -116,17 +116,17 @@ def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
         [a + far * u for a, u in zip(at, direction, strict=True)]
         for far in (-1.45, -0.5, 0.5, 1.45)
     ]
-    return tuple(nearer(VIEW.line("icr", pair), -0.3) for pair in (ends[1::-1], ends[2:]))
+    return tuple(bring_forward(VIEW.line("icr", pair), -0.3) for pair in (ends[1::-1], ends[2:]))
 
 
-LEFT, RIGHT = VIEW.beside(-1.15), VIEW.beside(1.15)
+LEFT, RIGHT = VIEW.right_of_origin(-1.15), VIEW.right_of_origin(1.15)
 
 
 def die_figure() -> Figure:
     """The opening: a die, twelve buttons, a ghost."""
-    turns, steps = Turns(), Steps()
-    last = steps.named("l", turns.last(turns.part))
-    now = steps.named("n", turns.after(last))
+    turns, steps = QuarterTurns(), NamedSteps()
+    last = steps.add("l", turns.last_rotation(turns.part))
+    now = steps.add("n", turns.compose(last))
     own, away = turns.own, 2 * (1 - turns.part)
     beside = -2.35 + own * (1.6 + away) - (1 - own) * away  # from its own side
     tasks = {99: "Bring the die onto its ghost.", 3: "Do it again, in as few turns as you can."}
@@ -138,15 +138,17 @@ def die_figure() -> Figure:
         size="laboratory",
         controls=(turns,),
         scene=(
-            *die(now, VIEW.beside(-1.4)),
-            *ghost_die(GHOST, VIEW.beside(1.4)),
+            *die(now, VIEW.right_of_origin(-1.4)),
+            *ghost_die(GHOST, VIEW.right_of_origin(1.4)),
             Bracket(turns.before, (-0.75 - 1.6 * own, -1.95), "before"),
-            Bracket(turns.last(), (beside, -1.95), "the turn", columns=("icr", "icr", "icr")),
+            Bracket(
+                turns.last_rotation(), (beside, -1.95), "the turn", columns=("icr", "icr", "icr")
+            ),
             Label("text", (0.3, -1.95), "="),
             Bracket(now, (1.4 + done, -1.95), "now"),
         ),
         readouts=(Readout("count", "turns made", turns.count, "", digits=0),),
-        says="{count} turns made: {turns}.",
+        sentence="{count} turns made: {turns}.",
         goal=tuple(
             Goal(And(meets(now, GHOST), turns.part >= 1, turns.count <= most), words)
             for most, words in tasks.items()
@@ -162,7 +164,7 @@ def exercise_figure() -> Figure:
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.3, 2.3, -1.6, 1.5),
         scene=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
-        says="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
+        sentence="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
     )
 
 
@@ -174,21 +176,21 @@ def columns_figure() -> Figure:
         title="A die turned about one axis of the room, and the matrix of the turn",
         view=(-1.5, 3.1, -1.6, 1.5),
         controls=(
-            Choice.one_of("axis", about, "xyz", label="turn about", start="z"),
+            Choice.one_hot("axis", about, "xyz", label="turn about", start="z"),
             Slider.degrees(turn, start=60, step=5),
         ),
         scene=(*room(), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
-        says="A turn of {turn} about the {axis} axis.",
+        sentence="A turn of {turn} about the {axis} axis.",
         where=entries(euler.turned_about(about, turn)),
     )
 
 
 def order_figure() -> Figure:
     """The same two quarter turns in two orders."""
-    a, b = (part_done(made, k) * half_turn / 2 for k in (0, 1))
-    steps = Steps()
+    a, b = (ramp(made, k) * half_turn / 2 for k in (0, 1))
+    steps = NamedSteps()
     left, right = (
-        steps.named(name, euler.turned_about(one, a) * euler.turned_about(two, b))
+        steps.add(name, euler.turned_about(one, a) * euler.turned_about(two, b))
         for name, one, two in (("p", Z, X), ("q", X, Z))
     )
     return Figure(
@@ -198,7 +200,7 @@ def order_figure() -> Figure:
         controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
-        says="{made} turns made of each; the dice are one turn of {apart} apart.",
+        sentence="{made} turns made of each; the dice are one turn of {apart} apart.",
         where=steps,
     )
 
@@ -214,9 +216,9 @@ def target_figure() -> Figure:
             Slider.degrees(first, step=5, label="α, about y", kind="y_axis"),
             Slider.degrees(middle, step=5, label="β, about the new z", kind="z_axis"),
         ),
-        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.beside(1.45))),
+        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.right_of_origin(1.45))),
         readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
-        says="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
+        sentence="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
         goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
         where=entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
     )
@@ -224,12 +226,14 @@ def target_figure() -> Figure:
 
 def both_figure() -> Figure:
     """Both answers of XYZ, turn by turn."""
-    steps = Steps(((first, half_turn / 9), (third, half_turn / 6), *solved(euler.other_cardan)))
+    steps = NamedSteps(
+        ((first, half_turn / 9), (third, half_turn / 6), *assign(euler.other_cardan))
+    )
 
     def turned(name: str, angles: Sequence[Any]) -> Any:
-        a, b, c = (part_done(made, k) * each for k, each in enumerate(angles))
-        two = steps.named(f"{name}t", euler.turned_about(X, a) * euler.turned_about(Y, b))
-        return steps.named(name, two * euler.turned_about(Z, c))
+        a, b, c = (ramp(made, k) * each for k, each in enumerate(angles))
+        two = steps.add(f"{name}t", euler.turned_about(X, a) * euler.turned_about(Y, b))
+        return steps.add(name, two * euler.turned_about(Z, c))
 
     left, right = turned("p", TURNS), turned("q", euler.OTHERS)
     return Figure(
@@ -245,7 +249,7 @@ def both_figure() -> Figure:
             Readout("other", "β′ of the right die", motion.wrap(euler.OTHERS[1]), "rad", digits=0),
             Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),
         ),
-        says=(
+        sentence=(
             "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
             "{made} turns made, they are {apart} apart."
         ),
@@ -271,7 +275,7 @@ STAND = (
 )
 
 
-def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[solids.Part, ...]:
+def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[solids.Mesh, ...]:
     """A ring, flat towards one axis, with two pins along another on which the next one turns."""
     rim = radius + 0.14
     pins = (solids.cylinder(kind, (0.06, 0.06), x, along, n=8) for x in ((rim, end), (-end, -rim)))
@@ -280,10 +284,10 @@ def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[s
 
 def rings_figure() -> Figure:
     """A stand, three rings, an aeroplane, and the turns that it can make at this moment."""
-    steps = Steps()
-    one = steps.named("a", euler.turned_about(X, against))
-    two = steps.named("b", one * euler.turned_about(Y, middle))
-    three = steps.named("c", two * euler.turned_about(Z, -against))
+    steps = NamedSteps()
+    one = steps.add("a", euler.turned_about(X, against))
+    two = steps.add("b", one * euler.turned_about(Y, middle))
+    three = steps.add("c", two * euler.turned_about(Z, -against))
     J = substitute(substitute(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     floor = -1.46
@@ -303,14 +307,14 @@ def rings_figure() -> Figure:
             VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
             VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
             VIEW.solid(AEROPLANE, three),
-            VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.beside(2.75)),
+            VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.75)),
             Label(euler.omega, (2.75, -1)),
         ),
         readouts=(
             Readout(euler.det_J, "det J: ±1 best, 0 locked", euler.determinant.right),
             Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad"),
         ),
-        says=(
+        sentence=(
             "Middle ring {middle}, outer ring on and inner ring back by {against}. det J is "
             "{det_J}; the aeroplane is turned by {whole} in all."
         ),
@@ -329,7 +333,7 @@ def one_turn_figure() -> Figure:
     """From A to B by one turn and by two, as a die and as ways in the ball of all turns."""
 
     def by_two(turns: Any) -> tuple[Any, Any]:
-        return part_done(turns, 0) * half_turn / 2, -part_done(turns, 1) * half_turn / 2
+        return ramp(turns, 0) * half_turn / 2, -ramp(turns, 1) * half_turn / 2
 
     def in_ball(turns: Any) -> Matrix:
         a, b = (each / 2 for each in by_two(turns))
@@ -340,7 +344,7 @@ def one_turn_figure() -> Figure:
     (a, b), once = by_two(2 * part), part * 2 * half_turn / 3
     two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
     turned = at_once * once + (1 - at_once) * (a - b)
-    middle_of = VIEW.beside(1.35)
+    middle_of = VIEW.right_of_origin(1.35)
 
     def put(vector: Any) -> list[Any]:
         return [BALL * each + at for each, at in zip(vector, middle_of, strict=True)]
@@ -361,7 +365,7 @@ def one_turn_figure() -> Figure:
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
-            *die(euler.r, VIEW.beside(-1.3)),
+            *die(euler.r, VIEW.right_of_origin(-1.3)),
             *(way("ghost", circle, 2 * half_turn, 64) for circle in circles),
             *(
                 VIEW.arrow(kind, put(0 * axis), put(1.2 * axis), label)
@@ -369,14 +373,14 @@ def one_turn_figure() -> Figure:
             ),
             way("icr", s * spoke, 1),
             way("approximation", in_ball(2 * s), 1, 48),
-            nearer(VIEW.point("target", put(spoke), "B"), 9),
-            nearer(VIEW.point("body", put(here)), 9),
+            bring_forward(VIEW.point("target", put(spoke), "B"), 9),
+            bring_forward(VIEW.point("body", put(here)), 9),
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),
             Readout("left", "still to B", angle_of(R_AB.T * euler.r), "rad"),
         ),
-        says="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
+        sentence="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
         where=entries(at_once * euler.turned_about(AXIS, once) + (1 - at_once) * two),
     )
 
@@ -390,7 +394,7 @@ def recap_figure() -> Figure:
         view=(-1.5, 3.1, -1.6, 1.5),
         controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
         scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
-        says="Turned by {turn} about the slanted axis.",
+        sentence="Turned by {turn} about the slanted axis.",
         where=entries(euler.turned_about(AXIS, turn)),
     )
 
@@ -414,7 +418,7 @@ def mistakes_figure() -> Figure:
         controls=(Choice("mistake", "mistake", WRONG, options),),
         scene=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),
-        says="{mistake}: the wrong frame is one turn of {apart} from frame B.",
+        sentence="{mistake}: the wrong frame is one turn of {apart} from frame B.",
     )
 
 
@@ -439,32 +443,32 @@ def current(three: Sequence[Any]) -> Any:
     return Piecewise((three[0], made <= 1), (three[1], made <= 2), (three[2], True))
 
 
-def factors_of(steps: Steps, name: str, angles: Sequence[Any]) -> list[Matrix]:
+def factors_of(steps: NamedSteps, name: str, angles: Sequence[Any]) -> list[Matrix]:
     """The three factors of a sequence's matrix, from left to right, entry by entry."""
     a, b, c = angles
     places = Matrix([(1 - fixed) * a + fixed * c, b, (1 - fixed) * c + fixed * a])
-    turns = zip("pqr", (outer, mid, inner), steps.named(f"{name}a", places), strict=True)
+    turns = zip("pqr", (outer, mid, inner), steps.add(f"{name}a", places), strict=True)
     return [
-        steps.named(name + letter, euler.turned_about(axis, each)) for letter, axis, each in turns
+        steps.add(name + letter, euler.turned_about(axis, each)) for letter, axis, each in turns
     ]
 
 
 def sequence_figure() -> Figure:
     """Any of the 24 sequences, turn by turn, with its other answer and how near lock is."""
-    steps = Steps()
-    angles = steps.named("a", Matrix([part_done(made, k) * e for k, e in enumerate(TURNS)]))
+    steps = NamedSteps()
+    angles = steps.add("a", Matrix([ramp(made, k) * e for k, e in enumerate(TURNS)]))
     factors = factors_of(steps, "l", angles)
-    two = steps.named("t", factors[0] * factors[1])
-    now = steps.named("n", two * factors[2])
+    two = steps.add("t", factors[0] * factors[1])
+    now = steps.add("n", two * factors[2])
     whole = factors_of(steps, "w", TURNS)
-    first_two = steps.named("f", whole[0] * whole[1])
-    end = steps.named("e", first_two * whole[2])
+    first_two = steps.add("f", whole[0] * whole[1])
+    end = steps.add("e", first_two * whole[2])
     axes = (
         (1 - fixed) * outer + fixed * inner,
         (1 - fixed) * factors[0] * mid + fixed * mid,
         (1 - fixed) * two * inner + fixed * outer,
     )
-    u = steps.named("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
+    u = steps.add("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
     proper = outer.dot(inner)
     cosine, sine = Abs(cos(middle)), Abs(sin(middle))
     near = proper * sine + (1 - proper) * cosine
@@ -487,7 +491,7 @@ def sequence_figure() -> Figure:
             *room(LEFT),
             *turn_axis(u, LEFT),
             *die(now, LEFT),
-            *ghost_die(R_AB, VIEW.beside(1.45)),
+            *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
         ),
         readouts=(
             Readout("other_first", "other answer: α′", motion.wrap(cardan[0]), "rad"),
@@ -497,7 +501,7 @@ def sequence_figure() -> Figure:
             Readout("whole", "the whole as one turn", angle_of(end), "rad"),
             Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad"),
         ),
-        says=(
+        sentence=(
             "Sequence {sequence} with the angles {first}, {middle}, {third}, {made} turns made. "
             "The other answer is {other_first}, {other_middle}, {other_third}. The middle angle "
             "is {lock} from gimbal lock. The whole is one turn of {whole} and ends {apart} from "

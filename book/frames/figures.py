@@ -40,11 +40,11 @@ from courseware.figures import (
     Figure,
     Handle,
     Line,
+    NamedSteps,
     Point,
     Readout,
     Slider,
-    Steps,
-    apart,
+    distance,
 )
 
 LINKS = {l_1: 0.3, l_2: 0.4}  # m, as in the exercise
@@ -107,15 +107,15 @@ T_db, T_de = (db_x, db_y, db_turn), (de_x, de_y, de_turn)
 
 def chain_figure() -> Figure:
     """The room from above: platform, arm and object under the hand, the arrows of the chain."""
-    steps = Steps()
+    steps = NamedSteps()
     elbow_here = frames.hand_pose.substitute({**LINKS, l_2: 0, beta: 0, gamma: 0})
     elbow_now = joined(T_db, elbow_here)
     wrist_now = joined(T_db, frames.hand_pose.substitute({**LINKS, gamma: 0}))
-    bc = steps.named("bc", frames.hand_pose.substitute(LINKS))
-    be = steps.named("be", seen_from(T_db, T_de))
-    dc = steps.named("dc", joined(T_db, bc))
-    elbow = steps.named("elbow", elbow_now)
-    ce = steps.named("ce", seen_from(bc, be))
+    bc = steps.add("bc", frames.hand_pose.substitute(LINKS))
+    be = steps.add("be", seen_from(T_db, T_de))
+    dc = steps.add("dc", joined(T_db, bc))
+    elbow = steps.add("elbow", elbow_now)
+    ce = steps.add("ce", seen_from(bc, be))
     chain = ((0, 0), T_db), (T_db, dc), ((0, 0), T_de)
     return Figure(
         name="room-plan",
@@ -166,7 +166,7 @@ def chain_figure() -> Figure:
             Readout("hand_y", "from platform b, y_bc", bc[1], "m"),
             Readout("hand_turn", "from platform b, θ_bc", motion.wrap(bc[2]), "rad"),
         ),
-        says=(
+        sentence=(
             "The hand sees the object at x = {x}, y = {y}, turned by {turn}, {far} away. "
             "The platform sees its hand at x = {hand_x}, y = {hand_y}, turned by {hand_turn}."
         ),
@@ -199,25 +199,25 @@ def axes_in_space(T: Matrix, name: str) -> tuple[Any, ...]:
 
 def above_figure() -> Figure:
     """A camera that looks down on the same room, in space: turn it, and the hand sees no change."""
-    steps = Steps()
+    steps = NamedSteps()
     heading, high, low = db_turn, camera_high, object_low
     camera_sees = frames.looking_down.substitute(
         {motion.theta: -camera_turn, fb_x: 0, fb_y: 0, fb_z: high}
     )
-    p_fb = steps.named("fb", camera_sees * Matrix([*BASE, 0, 1]))
-    p_fe = steps.named("fe", camera_sees * Matrix([*THING, low, 1]))
+    p_fb = steps.add("fb", camera_sees * Matrix([*BASE, 0, 1]))
+    p_fe = steps.add("fe", camera_sees * Matrix([*THING, low, 1]))
     seen = {motion.theta: heading - camera_turn, fb_x: p_fb[0], fb_y: p_fb[1], fb_z: p_fb[2]}
     T_fb = frames.looking_down.substitute(seen)
     rotation = dict(zip(frames.r, T_fb[:3, :3], strict=True))
-    p_bf = steps.named("bf", substitute(frames.inverse_in_space.right, {**rotation, **seen}))
-    p_be = steps.named("be", T_fb[:3, :3].T * Matrix(p_fe[:3]) + p_bf)
-    bc = steps.named("bc", frames.hand_pose.substitute(LINKS))
-    ce = steps.named("ce", seen_from(bc, (p_be[0], p_be[1], 0)))
+    p_bf = steps.add("bf", substitute(frames.inverse_in_space.right, {**rotation, **seen}))
+    p_be = steps.add("be", T_fb[:3, :3].T * Matrix(p_fe[:3]) + p_bf)
+    bc = steps.add("bc", frames.hand_pose.substitute(LINKS))
+    ce = steps.add("ce", seen_from(bc, (p_be[0], p_be[1], 0)))
 
     # what is drawn, seen from the room: T_room_f is its own inverse, so camera_sees serves, too
     b = (*BASE, heading)
-    c = steps.named("c", joined(b, bc))
-    elbow = steps.named("k", joined(b, frames.hand_pose.substitute({**LINKS, l_2: 0})))
+    c = steps.add("c", joined(b, bc))
+    elbow = steps.add("k", joined(b, frames.hand_pose.substitute({**LINKS, l_2: 0})))
     eye, thing = (0, 0, high), (*THING, low)
     base, hand, middle = (*BASE, 0), (c[0], c[1], 0), (elbow[0], elbow[1], 0)
     rim = (BASE[0] + RADIUS * cos(s), BASE[1] + RADIUS * sin(s), 0)
@@ -258,7 +258,7 @@ def above_figure() -> Figure:
             Readout("y", "from hand c, y_ce", ce[1], "m"),
             Readout("z", "from hand c, z_ce", p_be[2], "m"),
         ),
-        says=(
+        sentence=(
             "The camera sees the object at x = {x_e}, y = {y_e}, z = {z_e}; "
             "the hand sees it at x = {x}, y = {y}, z = {z}."
         ),
@@ -302,22 +302,22 @@ def box(kind: str, pose: Pose, name: str = "") -> tuple[Any, ...]:
 
 def mistakes_figure() -> Figure:
     """The room from above, and where a program with a mistake believes the object to be."""
-    steps = Steps()
+    steps = NamedSteps()
     db, de, bends = (0.6, 0.5, db_turn), (-0.3, 0.6, -pi / 3), (-pi / 2, 7 * pi / 12, pi / 4)
     arm = {**LINKS, **dict(zip((alpha, beta, gamma), bends, strict=True))}
     hand = [float(number) for number in frames.hand_pose.substitute(arm)]
     elbow = joined(db, frames.hand_pose.substitute({**arm, l_2: 0}))
-    c = steps.named("c", joined(db, hand))
+    c = steps.add("c", joined(db, hand))
     ways = believed(db, hand, de)
     T = sum((one * way for one, way in zip(MISTAKES, ways.values(), strict=True)), zeros(3))
-    ce = steps.named("ce", Matrix([T[0, 2], T[1, 2], atan2(T[1, 0], T[0, 0])]))
-    e = steps.named("e", joined(c, ce))
+    ce = steps.add("ce", Matrix([T[0, 2], T[1, 2], atan2(T[1, 0], T[0, 0])]))
+    e = steps.add("e", joined(c, ce))
     return Figure(
         name="wrong-object",
         title="A platform with an arm, an object, and where a program with a mistake believes it",
         view=(-0.6, 1.6, -0.2, 1.45),
         controls=(
-            Choice.one_of("mistake", MISTAKES, ways, start="No inverse"),
+            Choice.one_hot("mistake", MISTAKES, ways, start="No inverse"),
             Slider.degrees(db_turn, 60, 150, start=90, step=5, label="platform θ_db"),
         ),
         where=steps,
@@ -331,7 +331,7 @@ def mistakes_figure() -> Figure:
             *box("approximation", e),
         ),
         readouts=(
-            Readout("apart", "apart", apart(e, de), "m"),
+            Readout("apart", "apart", distance(e, de), "m"),
             Readout("off", "turned off by", motion.wrap(e[2] - de[2]), "rad", digits=0),
         ),
     )

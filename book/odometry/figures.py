@@ -40,7 +40,7 @@ from courseware.figures import (
     Recurrence,
     Slider,
     Trail,
-    apart,
+    distance,
 )
 
 # the robot of the exercise
@@ -82,7 +82,7 @@ def rule_loop(rule: Equation, name: str) -> Recurrence:
         angle = theta + dtheta
         there = arc_to(CIRCLE * angle, angle)
     place = rule.right
-    worst = Max(state[-1], apart(place, there), evaluate=False)
+    worst = Max(state[-1], distance(place, there), evaluate=False)
     return Recurrence(
         state,
         start=(0, 0, 0, *one_sample(ticks), 0),
@@ -132,10 +132,10 @@ def rules_figure() -> Figure:
         handles=(Handle("end of the drive", end, {turned: centre + ahead}),),
         readouts=(
             *worst_readouts((exact, old, new, middle)),
-            Readout("old_end", "old, at the end", apart(old.ends, end), "m", digits=4),
-            Readout("middle_end", "middle, at the end", apart(middle.ends, end), "m", 4),
+            Readout("old_end", "old, at the end", distance(old.ends, end), "m", digits=4),
+            Readout("middle_end", "middle, at the end", distance(middle.ends, end), "m", 4),
         ),
-        says=(
+        sentence=(
             "The robot turns by {turned}, read in {samples} samples. Largest error on the way: "
             "old heading {old}, new heading {new}, middle heading {middle}, exact arc {exact}. "
             "At the end: old heading {old_end}, middle heading {middle_end}."
@@ -251,7 +251,7 @@ def ellipse_figure() -> Figure:
             Readout("short_axis", "half the width", short_axis, "m"),
             Readout("heading", "heading error", heading, "rad"),
         ),
-        says=(
+        sentence=(
             "A drive of {drive} that turns by {turned}, with wheels that err by {wheel_error} over "
             "1 m: of 100 robots 95 end in an ellipse of half-axes {long_axis} and {short_axis}; "
             "the heading errs by {heading}."
@@ -344,7 +344,7 @@ def square_figure() -> Figure:
             Readout("found_b", "distance found", found_b, "m", digits=4),
             Readout("found_ratio", "ratio found", found_ratio, "", digits=4),
         ),
-        says=(
+        sentence=(
             "With a wheel distance of {b_true} where {base} is believed and diameters of ratio "
             "{ratio}, the clockwise square ends at x = {x_cw}, y = {y_cw}, the counter-clockwise "
             "one at x = {x_ccw}, y = {y_ccw}. From these ends the calibration finds {found_b} and "
@@ -421,7 +421,7 @@ def mistakes_figure() -> Figure:
         view=(-0.75, 1.1, -0.4, 0.98),
         size="laboratory",
         controls=(
-            Choice.one_of("mistake", MADE_ONE, MADE),
+            Choice.one_hot("mistake", MADE_ONE, MADE),
             Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
             Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
         ),
@@ -433,10 +433,10 @@ def mistakes_figure() -> Figure:
             Body(told, loop.ends[2], 0.09, kind="approximation"),
         ),
         readouts=(
-            Readout("apart", "apart", apart(end, told), "m"),
+            Readout("apart", "apart", distance(end, told), "m"),
             Readout("turned", "heading off by", loop.ends[2] - real[2], "rad", digits=0),
         ),
-        says=(
+        sentence=(
             "{mistake}: after {samples} samples the robot is {apart} from where its program "
             "believes it. The heading is off by {turned}."
         ),

@@ -70,7 +70,7 @@ from courseware.figures import (
     Recurrence,
     Slider,
     Trail,
-    apart,
+    distance,
 )
 from robokin._triangle import TOLERANCE
 
@@ -146,7 +146,7 @@ def levers_figure() -> Figure:
         view=(-0.9, 1.3, -0.22, 1.28),
         size="laboratory",
         controls=(
-            Choice.one_of(
+            Choice.one_hot(
                 "joint", TURNS, ("joint 1", "joint 2", "joint 3"), label="joint that turns"
             ),
             Slider(theta2, 0, 2 * pi / 3, start=START[1], step=pi / 36, label="θ_2"),
@@ -172,7 +172,7 @@ def levers_figure() -> Figure:
             Readout("x_dot", "first number of the column, ẋ at 1 rad/s", -lever_y, "m/s"),
             Readout("y_dot", "second number, ẏ at 1 rad/s", lever_x, "m/s"),
         ),
-        says=(
+        sentence=(
             "{joint} turns at 1 rad/s, with θ2 at {theta2} and θ3 at {theta3}. Its lever to the "
             "hand is {length} long, and the hand moves at {x_dot} along x and {y_dot} along y."
         ),
@@ -264,7 +264,7 @@ def joints_figure() -> Figure:
                 words={"inf": "0: singular", "nan": "below 0.1: nearly singular"},
             ),
         ),
-        says=(
+        sentence=(
             "Joints at {theta1}, {theta2} and {theta3}: the hand is at x = {x}, y = {y} and "
             "points at {phi}. det J is {det}, the manipulability {w}. At joint rates of 1 rad/s in "
             "all the hand moves at most at {long}, in the worst direction at {short}. "
@@ -378,7 +378,7 @@ def line_figure() -> Figure:
                 words={"nan": "out of reach"},
             ),
         ),
-        says=(
+        sentence=(
             "After {t} of 4 s, in steps of which {n} make the line, with feedback {gain} and "
             "damping {damping}, the hand is {off} off the wanted point and turned by {turned}; "
             "the joint rates are {rates}. End of the line inside the workspace by: {room}."
@@ -445,7 +445,7 @@ def elbows_figure() -> Figure:
             ),
             Readout("missed", "out of reach by", missed, "m"),
         ),
-        says=(
+        sentence=(
             "The hand at x = {x}, y = {y}, angle {phi_hand}; its wrist is {distance} from the "
             "base, out of reach by {missed}. One arm: joints at {solid1}, {solid2}, {solid3}; the "
             "other: {dashed1}, {dashed2}, {dashed3}."
@@ -497,7 +497,7 @@ def mistakes_figure() -> Figure:
         title="An arm, and where its program with a mistake believes it to be",
         view=(-0.48, 0.72, -0.24, 0.7),
         controls=(
-            Choice.one_of("mistake", MADE_ONE, MADE),
+            Choice.one_hot("mistake", MADE_ONE, MADE),
             Slider(phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate φ̇"),
             Clock(t, 0.0, LASTS, start=LASTS, loops=True, label="time"),
         ),
@@ -517,10 +517,10 @@ def mistakes_figure() -> Figure:
             Point("target", real[2], label="hand"),
         ),
         readouts=(
-            Readout("apart", "hands apart", apart(real[2], (x, y)), "m"),
+            Readout("apart", "hands apart", distance(real[2], (x, y)), "m"),
             Readout("turned", "hand's heading off by", phi_hand - sum(end), "rad", digits=0),
         ),
-        says=(
+        sentence=(
             "{mistake}: after {t} the hand is {apart} from where its program believes it. Its "
             "heading is off by {turned}."
         ),

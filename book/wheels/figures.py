@@ -25,12 +25,12 @@ from courseware.figures import (
     Figure,
     Handle,
     Line,
+    NamedSteps,
     Point,
     Readout,
     Slider,
-    Steps,
     Wheel,
-    apart,
+    distance,
 )
 
 ORIGIN = (0, 0)
@@ -88,7 +88,7 @@ def kinds_figure() -> Figure:
         view=(-0.36, 0.36, -0.23, 0.23),
         size="laboratory",
         controls=(
-            Choice.one_of("kind", CHOSEN, KINDS, "wheel"),
+            Choice.one_hot("kind", CHOSEN, KINDS, "wheel"),
             Slider.degrees(course, start=30, step=5, label="direction of the motion"),
         ),
         scene=(
@@ -113,7 +113,7 @@ def kinds_figure() -> Figure:
             Readout("rolled", "rolls at", along[0], "m/s", words={"nan": "any speed, any way"}),
             Readout("aside", "the rest", along[1], "m/s", words={"nan": "nothing"}),
         ),
-        says=(
+        sentence=(
             "{kind} wheel, moved at 0.2 m/s in the direction {course} from where it rolls. It "
             "rolls at {rolled}; the rest is {aside}."
         ),
@@ -185,19 +185,19 @@ def robot_numbers(name: str) -> tuple[float, ...]:
     return tuple(float(number) for wheel in chosen for number in wheel)
 
 
-def as_they_stand(steps: Steps) -> tuple[list[Any], list[Any], Any, Any]:
+def as_they_stand(steps: NamedSteps) -> tuple[list[Any], list[Any], Any, Any]:
     """Each wheel's place and axle; the sliding rows of all that have one, and of the fixed."""
     places, axles, rows, fixed_rows = [], [], [], []
     for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
         mine = WHICH[k] if k < 2 else 0
-        at_x = steps.named(f"at_x{k}", px + mine * shift_x)
-        at_y = steps.named(f"at_y{k}", py + mine * shift_y)
+        at_x = steps.add(f"at_x{k}", px + mine * shift_x)
+        at_y = steps.add(f"at_y{k}", py + mine * shift_y)
         aimed = atan2(centre_y - at_y, centre_x - at_x)
         own = steered * aimed + (1 - steered) * (ahead + QUARTER)
-        axle = steps.named(f"axle{k}", own + mine * shift_angle)
-        far = steps.named(f"l{k}", sqrt(at_x**2 + at_y**2))
-        spoke = steps.named(f"alpha{k}", atan2(at_y, at_x))
-        row = sliding_row(far, spoke, steps.named(f"beta{k}", axle - spoke))
+        axle = steps.add(f"axle{k}", own + mine * shift_angle)
+        far = steps.add(f"l{k}", sqrt(at_x**2 + at_y**2))
+        spoke = steps.add(f"alpha{k}", atan2(at_y, at_x))
+        row = sliding_row(far, spoke, steps.add(f"beta{k}", axle - spoke))
         rows.append([(fixed + steered) * entry for entry in row])
         fixed_rows.append([fixed * entry for entry in row])
         places.append((at_x, at_y, far, spoke))
@@ -205,41 +205,41 @@ def as_they_stand(steps: Steps) -> tuple[list[Any], list[Any], Any, Any]:
     return places, axles, Matrix(rows), Matrix(fixed_rows)
 
 
-def motion_left(steps: Steps, rows: Any) -> tuple[Any, Any]:
+def motion_left(steps: NamedSteps, rows: Any) -> tuple[Any, Any]:
     """What the rows leave of any twist, as a matrix, and of the twist that is asked for."""
     free = null_projector(rows)
     P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
     steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
     twist = [
-        steps.named(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
+        steps.add(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
         for i in range(3)
     ]
     return P, twist
 
 
-def degrees_of(steps: Steps, of_fixed: Any) -> tuple[Any, Any]:
+def degrees_of(steps: NamedSteps, of_fixed: Any) -> tuple[Any, Any]:
     """Mobility and steerability of the robot, from the rank of its fixed wheels."""
     count = NUMBERS[0][5] + NUMBERS[1][5] + NUMBERS[2][5] + NUMBERS[3][5]
     ranks = {wheels.rank_fixed: of_fixed, wheels.rank_steered: count}
-    delta_s = steps.named("delta_s", wheels.STEERABLE.xreplace(ranks))
-    return steps.named("delta_m", 3 - of_fixed - delta_s), delta_s
+    delta_s = steps.add("delta_s", wheels.STEERABLE.xreplace(ranks))
+    return steps.add("delta_m", 3 - of_fixed - delta_s), delta_s
 
 
 def laboratory_figure() -> Figure:
     """Any wheel moved and turned: which motions are left, and how many of them."""
-    steps = Steps()
+    steps = NamedSteps()
     with as_written():
         places, axles, rows, fixed_rows = as_they_stand(steps)
-        now = steps.named("rank_now", rank(rows))
-        of_fixed = steps.named("rank_of_fixed", rank(fixed_rows))
+        now = steps.add("rank_now", rank(rows))
+        of_fixed = steps.add("rank_of_fixed", rank(fixed_rows))
         P, twist = motion_left(steps, rows)
         delta_m, delta_s = degrees_of(steps, of_fixed)
         one_motion = (now > 1.5) & (now < 2.5) & (P[2, 2] > 0.2)  # and its centre within 2 m
         icr = [Piecewise((part / P[2, 2], one_motion), (nan, True)) for part in (-P[1, 2], P[0, 2])]
         end, along = moved(0, twist, t), moved(0, twist, s)
-        end = tuple(steps.named(f"end_{name}", part) for name, part in zip("xyt", end, strict=True))
+        end = tuple(steps.add(f"end_{name}", part) for name, part in zip("xyt", end, strict=True))
         rolls = [rolling_direction(k, places[k], axles[k], twist) for k in range(4)]
-        rolls = [steps.named(f"rolls{k}", direction) for k, direction in enumerate(rolls)]
+        rolls = [steps.add(f"rolls{k}", direction) for k, direction in enumerate(rolls)]
         chosen = [sum(WHICH[k] * NUMBERS[k][i] for k in range(2)) for i in range(2)]
 
     return Figure(
@@ -257,7 +257,7 @@ def laboratory_figure() -> Figure:
             Choice("wish", "asked to", tuple(WISH), WISHES, start="turn on the spot"),
             Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring Q ahead"),
             Slider(centre_y, -0.5, 0.5, start=0.4, step=0.05, label="ring Q to the left"),
-            Choice.one_of("which", WHICH, ("wheel 1", "wheel 2"), label="change"),
+            Choice.one_hot("which", WHICH, ("wheel 1", "wheel 2"), label="change"),
             Slider(shift_x, -0.2, 0.2, start=0.0, step=0.05, label="move it ahead"),
             Slider(shift_y, -0.2, 0.2, start=0.0, step=0.05, label="move it to the left"),
             Slider.degrees(shift_angle, -90, 90, step=5, label="turn it"),
@@ -292,7 +292,7 @@ def laboratory_figure() -> Figure:
             Readout("v_y", "speed to the left v_y", twist[1], "m/s"),
             Readout("omega", "turning rate ω", twist[2], "rad/s"),
         ),
-        says=(
+        sentence=(
             "{robot}: mobility {mobility}, steerability {steerability}, manoeuvrability {both}. "
             "As the wheels stand there are {now} independent ways to move. Asked to {wish}, the "
             "robot moves ahead at {v}, to the left at {v_y} and turns at {omega}."
@@ -433,7 +433,7 @@ def omni_figure() -> Figure:
             Readout("y", "now at y", now[1], "m"),
             Readout("heading", "heading now", now[2], "rad"),
         ),
-        says=(
+        sentence=(
             "Wheels at {omni_rate1}, {omni_rate2} and {omni_rate3}: the robot moves ahead at {v}, "
             "to the left at {v_y} and turns at {turning}. After {t} it is at x = {x}, y = {y}, "
             "heading {heading}."
@@ -510,7 +510,7 @@ def mistakes_figure() -> Figure:
         title="An omni robot, and where its program with a mistake believes it to be",
         view=(-0.8, 0.8, -0.6, 0.65),
         controls=(
-            Choice.one_of("mistake", MADE_ONE, MADE),
+            Choice.one_hot("mistake", MADE_ONE, MADE),
             Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
             Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),
@@ -524,10 +524,10 @@ def mistakes_figure() -> Figure:
             Body(believed[:2], believed[2], 0.13, kind="approximation"),
         ),
         readouts=(
-            Readout("apart", "apart", apart(real, believed), "m"),
+            Readout("apart", "apart", distance(real, believed), "m"),
             Readout("turned", "heading off by", believed[2] - real[2], "rad", digits=0),
         ),
-        says="{mistake}: after {t} the robot is {apart} from where its program believes it. "
+        sentence="{mistake}: after {t} the robot is {apart} from where its program believes it. "
         "The heading is off by {turned}.",
     )
 

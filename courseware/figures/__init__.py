@@ -23,21 +23,21 @@ from courseware.figures.declaration import (
     Label,
     Length,
     Line,
+    NamedSteps,
     Point,
     Readout,
     Recurrence,
     Slider,
-    Steps,
     Trail,
     Wheel,
-    apart,
-    part_done,
-    solved,
+    assign,
+    distance,
+    ramp,
 )
 from courseware.figures.figure import Figure
 from courseware.figures.graph import Graph
-from courseware.figures.space import VIEW, nearer
-from courseware.figures.turning import Bracket, Turns
+from courseware.figures.space import VIEW, bring_forward
+from courseware.figures.turning import Bracket, QuarterTurns
 from courseware.script.runtime import Part, register
 
 SCRIPTS = "functions numbers words shapes solids turning scene panel live hands page notebook"
@@ -72,16 +72,16 @@ __all__ = [
     "Label",
     "Length",
     "Line",
+    "NamedSteps",
     "Point",
+    "QuarterTurns",
     "Readout",
     "Recurrence",
     "Slider",
-    "Steps",
     "Trail",
-    "Turns",
     "Wheel",
-    "apart",
-    "nearer",
-    "part_done",
-    "solved",
+    "assign",
+    "bring_forward",
+    "distance",
+    "ramp",
 ]

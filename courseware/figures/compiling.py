@@ -17,14 +17,14 @@ from courseware.equations.quantities import (
 from courseware.equations.text import symbol_text
 from courseware.errors import CourseError
 from courseware.figures import declaration as d
-from courseware.figures.javascript import function
+from courseware.figures.javascript import compile_function
 from courseware.figures.solids import Solid
-from courseware.figures.turning import Bracket, Turns
+from courseware.figures.turning import Bracket, QuarterTurns
 from courseware.line_breaks import prevent_breaks
 from courseware.units import in_figures
 
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
-Control = d.Slider | d.Choice | Turns
+Control = d.Slider | d.Choice | QuarterTurns
 
 
 def factor(unit: str) -> float:
@@ -40,7 +40,9 @@ def shown_unit(unit: str) -> str:
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
     """The symbols that the controls give numbers to, in order."""
     return [
-        s for c in controls for s in (c.symbols if isinstance(c, d.Choice | Turns) else (c.symbol,))
+        s
+        for c in controls
+        for s in (c.symbols if isinstance(c, d.Choice | QuarterTurns) else (c.symbol,))
     ]
 
 
@@ -112,7 +114,7 @@ class Compiler:
                 "options": options,
                 "start": start,
             }
-        if isinstance(control, Turns):
+        if isinstance(control, QuarterTurns):
             return {"type": "turns", "key": control.name, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
@@ -158,10 +160,10 @@ class Compiler:
             part["kind"] = self.face(part["kind"])["kind"]
         if isinstance(shape, d.Curve):
             traced = xy(shape.at) if depth is None else [*shape.at, depth]
-            point = function({"c": self.known, "s": [shape.parameter]}, traced)
+            point = compile_function({"c": self.known, "s": [shape.parameter]}, traced)
             found |= {"point": Code(point), "samples": shape.samples}
         if isinstance(shape, d.Trail):
-            point = function({"c": self.known, "s": shape.recurrence.state}, xy(shape.at))
+            point = compile_function({"c": self.known, "s": shape.recurrence.state}, xy(shape.at))
             index = self.recurrences.index(shape.recurrence)
             found |= {"recurrence": index, "point": Code(point)}
         return found
@@ -178,7 +180,7 @@ class Compiler:
 
     def handle(self, handle: d.Handle) -> dict[str, Any]:
         """A handle: where it is, which controls it sets, and the function from pointer to them."""
-        code = function({"c": self.known, "p": d.POINTER}, list(handle.sets.values()))
+        code = compile_function({"c": self.known, "p": d.POINTER}, list(handle.sets.values()))
         return {
             "label": handle.label,
             "at": self.numbers(*xy(handle.at)),
@@ -196,9 +198,9 @@ class Compiler:
         given = {"c": self.settings}
         try:
             return {
-                "start": Code(function(given, loop.start)),
-                "step": Code(function({**given, "s": loop.state}, loop.step)),
-                "count": Code(function(given, [loop.count])),
+                "start": Code(compile_function(given, loop.start)),
+                "step": Code(compile_function({**given, "s": loop.state}, loop.step)),
+                "count": Code(compile_function(given, [loop.count])),
                 "most": loop.most,
             }
         except CourseError as error:
@@ -239,26 +241,26 @@ class Compiler:
     def steps(self) -> "Code":
         """The function that computes the named steps, from settings and last states."""
         given = {"c": [*self.settings, *self.ends]}
-        return Code(function(given, [symbol for symbol, _ in self.where], self.where))
+        return Code(compile_function(given, [symbol for symbol, _ in self.where], self.where))
 
     def code(self) -> "Code":
         """The one function that computes every noted expression."""
-        return Code(function({"c": self.known}, self.expressions))
+        return Code(compile_function({"c": self.known}, self.expressions))
 
 
 class Code(str):
     """JavaScript source, as opposed to a text."""
 
 
-def javascript(value: Any) -> str:
+def serialize(value: Any) -> str:
     """A JavaScript literal; `Code` stands in it as it is."""
     if isinstance(value, Code):
         return str(value)
     if isinstance(value, dict):
-        pairs = (f"{json.dumps(k)}: {javascript(v)}" for k, v in value.items())
+        pairs = (f"{json.dumps(k)}: {serialize(v)}" for k, v in value.items())
         return "{" + ", ".join(pairs) + "}"
     if isinstance(value, list):
-        return "[" + ", ".join(map(javascript, value)) + "]"
+        return "[" + ", ".join(map(serialize, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 

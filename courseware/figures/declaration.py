@@ -31,31 +31,31 @@ Place = Sequence[Expr]  # x, y; of a pose (x, y, θ) the first two
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
 
 
-def solved(*equations: Equation) -> Where:
+def assign(*equations: Equation) -> Where:
     """Named steps that compute the left sides of equations, in order, for `Figure.where`."""
     sides = [(sp.Matrix([e.left]), sp.Matrix([e.right])) for e in equations]
     return [pair for left, right in sides for pair in zip(left, right, strict=True)]
 
 
-def apart(one: Place, other: Place) -> Expr:
+def distance(one: Place, other: Place) -> Expr:
     """The distance of two places on the ground."""
     return sp.sqrt((one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2)
 
 
-def part_done(done: Expr, k: int) -> Expr:
+def ramp(done: Expr, k: int) -> Expr:
     """How much of part k is done, from 0 to 1, of parts that come one after the other."""
     return sp.Max(0, sp.Min(1, done - k))
 
 
-def with_letter(symbol: NamedSymbol) -> str:
+def default_label(symbol: NamedSymbol) -> str:
     """A quantity's name, if it has one, and its letter: "heading θ"."""
     return f"{symbol.short_name} {symbol_text(symbol)}".strip()
 
 
-class Steps(list[tuple[sp.Symbol, Any]]):
+class NamedSteps(list[tuple[sp.Symbol, Any]]):
     """Named steps of a computation, in order, for `Figure.where`."""
 
-    def named(self, name: str, value: Any) -> Any:
+    def add(self, name: str, value: Any) -> Any:
         """A number by a name, or a matrix by the names of its entries; what it is, is noted."""
         if not isinstance(value, sp.MatrixBase):
             self.append((sp.Symbol(name, real=True), value))
@@ -86,7 +86,7 @@ class Slider:
 
     def __post_init__(self) -> None:
         if not self.label and isinstance(self.symbol, NamedSymbol):
-            object.__setattr__(self, "label", with_letter(self.symbol))
+            object.__setattr__(self, "label", default_label(self.symbol))
 
     @classmethod
     def degrees(
@@ -134,7 +134,7 @@ class Choice:
         object.__setattr__(self, "start", self.start or next(iter(self.options), ""))
 
     @classmethod
-    def one_of(
+    def one_hot(
         cls,
         name: str,
         symbols: Iterable[sp.Symbol],
@@ -211,7 +211,7 @@ class Goal:
 
     Args:
         condition: of SymPy, in all that the figure knows, with room for a slider's step and a
-            finger: `And(apart(here, MARK) < 0.02, Abs(theta) < pi / 36)`.
+            finger: `And(distance(here, MARK) < 0.02, Abs(theta) < pi / 36)`.
         words: the task and that room, in the reader's units: "Park on the mark: within 2 cm and
             5°."
     """
@@ -365,7 +365,7 @@ class AngleArc:
 
 @dataclass(frozen=True)
 class Readout:
-    """A number to read. name: for `says` and tests; words: what to say for "inf", "-inf", "nan".
+    """A number to read. name: for `sentence`, tests; words: instead of "inf", "-inf", "nan".
 
     A quantity as the name gives its letter and unit, and itself as the value. digits: after the
     point, 1 of an angle and 3 of all else unless said; -2 means two digits and a power of ten.
@@ -384,7 +384,7 @@ class Readout:
         if isinstance(symbol := self.name, NamedSymbol):
             value = symbol if self.value is None else self.value
             known = {"name": str(symbol), "symbol": symbol, "unit": symbol.unit, "value": value}
-            known["label"] = self.label or with_letter(symbol)
+            known["label"] = self.label or default_label(symbol)
         if self.digits is None:
             known["digits"] = 1 if known.get("unit", self.unit) == "rad" else 3
         for key, each in known.items():

@@ -13,12 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from courseware.course import course
 from courseware.equations.equation import Where
 from courseware.errors import CourseError
-from courseware.figures.compiling import Compiler, Control, javascript, settings, xy
+from courseware.figures.compiling import Compiler, Control, serialize, settings, xy
 from courseware.figures.declaration import Choice, Goal, Handle, Place, Readout, Recurrence
-from courseware.figures.javascript import evaluate
+from courseware.figures.javascript import run_function
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
-from courseware.figures.turning import Turns
+from courseware.figures.turning import QuarterTurns
 from courseware.script import engine
 from courseware.script.widget import Widget, widget
 
@@ -50,7 +50,7 @@ class Figure:
         view: the window on the world, (x_low, x_high, y_low, y_high) in metres.
         scene: shapes, as painted.
         controls, readouts, handles: what is moved, told and dragged.
-        says: a sentence about the present state, with `{name}` for controls, readouts and named
+        sentence: a sentence about the present state, with `{name}` for controls, readouts and named
             steps; without one, all controls and readouts are told.
         where: named steps of the computation, in order, that all expressions but those of a
             Recurrence may use.
@@ -70,7 +70,7 @@ class Figure:
     scene: tuple[Any, ...]
     controls: tuple[Control, ...] = ()
     readouts: tuple[Readout, ...] = ()
-    says: str = ""
+    sentence: str = ""
     handles: tuple[Handle, ...] = ()
     where: Where = ()
     seen_from: tuple[float, float] = (np.pi / 6, np.pi / 9)
@@ -80,8 +80,8 @@ class Figure:
     size: str = "step"
 
     def __post_init__(self) -> None:
-        if self.turns:
-            own = (c for c in self.controls if getattr(c, "symbol", None) not in self.turns)
+        if self.view_angles:
+            own = (c for c in self.controls if getattr(c, "symbol", None) not in self.view_angles)
             controls = (*own, *view_sliders(*self.seen_from))
             object.__setattr__(self, "controls", controls)
         names = [*map(self.key_of, self.controls), *(readout.name for readout in self.readouts)]
@@ -97,15 +97,15 @@ class Figure:
                 "draws its states; the figure finds it there"
             )
         names += [str(symbol) for symbol, _ in self.where]
-        unknown = set(re.findall(r"{(\w+)}", self.says)) - set(names)
+        unknown = set(re.findall(r"{(\w+)}", self.sentence)) - set(names)
         if unknown:
             raise CourseError(
-                f"the text `says` of {self.name} uses {', '.join(sorted(unknown))}, "
+                f"the text `sentence` of {self.name} uses {', '.join(sorted(unknown))}, "
                 f"but there are only {', '.join(names)}"
             )
 
     @property
-    def turns(self) -> tuple[sp.Symbol, ...]:
+    def view_angles(self) -> tuple[sp.Symbol, ...]:
         """Of a picture in space, the angles that dragging its ground changes."""
         deep = (isinstance(s, Solid) or getattr(s, "depth", None) is not None for s in self.scene)
         return VIEW.angles if any(deep) else ()
@@ -129,7 +129,7 @@ class Figure:
             "name": self.name,
             "title": self.title,
             "view": list(self.view),
-            "says": self.says or self._list(),
+            "sentence": self.sentence or self._default_sentence(),
             "controls": [compiler.control(control) for control in self.controls],
             "readouts": [compiler.readout(readout) for readout in self.readouts],
             "scene": [compiler.shape(shape) for shape in self.scene],
@@ -137,9 +137,11 @@ class Figure:
             "steps": compiler.known_steps(),
             "recurrences": [compiler.recurrence(loop) for loop in compiler.recurrences],
         }
-        if self.turns:
-            parts["turns"] = compiler.sliders(self.turns, f"dragging the ground of {self.name}")
-        if self.turns or not self.grid:
+        if self.view_angles:
+            parts["viewAngles"] = compiler.sliders(
+                self.view_angles, f"dragging the ground of {self.name}"
+            )
+        if self.view_angles or not self.grid:
             parts["grid"] = False
         goals = (self.goal,) if isinstance(self.goal, Goal) else self.goal
         parts["goals"] = [compiler.goal(goal) for goal in goals]
@@ -148,7 +150,7 @@ class Figure:
         parts["size"] = self.size
         parts["where"] = compiler.steps()
         parts["compute"] = compiler.code()
-        script = javascript(parts)
+        script = serialize(parts)
         self._refuse_idle_controls(script)
         return script, compiler.expressions
 
@@ -174,9 +176,9 @@ class Figure:
     def compute(self, points: ArrayLike) -> NDArray[np.float64]:
         """All numbers of the figure at many settings (n, settings), in one call → (n, values)."""
         compute = "((figure) => (f, c) => courseware.figures.compute(figure, c).values)"
-        return evaluate(f"{compute}({self.code})", points)
+        return run_function(f"{compute}({self.code})", points)
 
-    def picture(self, width: int | None = None, **chosen: str) -> str:
+    def render_svg(self, width: int | None = None, **chosen: str) -> str:
         """Return the still picture (SVG) of the start, but with some choices made otherwise.
 
         Args:
@@ -196,21 +198,21 @@ class Figure:
             )
         )
 
-    def html(self) -> str:
+    def render_contents(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""
         return str(engine.run(f"courseware.figures.html({self.code})"))
 
-    def on_page(self) -> str:
+    def render_html(self) -> str:
         """The HTML of the figure, which the script brings to life."""
         start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}"'
-        return f'{start} aria-label="{escape(self.title)}">{self.html()}</figure>\n'
+        return f'{start} aria-label="{escape(self.title)}">{self.render_contents()}</figure>\n'
 
     @cached_property
     def widget(self) -> Widget:
         """What a notebook shows; its state are the settings in SI units, by name."""
         return widget("figures", self.code, {self.key_of(c): c.start for c in self.controls})
 
-    def _list(self) -> str:
+    def _default_sentence(self) -> str:
         """All controls and readouts, for those who cannot see them."""
         named = [(c.label or self.key_of(c), self.key_of(c)) for c in self.controls]
         named += [(readout.label, readout.name) for readout in self.readouts]
@@ -219,33 +221,33 @@ class Figure:
     @staticmethod
     def key_of(control: Control) -> str:
         """The name of a control in addresses, links and values."""
-        return control.name if isinstance(control, Choice | Turns) else str(control.symbol)
+        return control.name if isinstance(control, Choice | QuarterTurns) else str(control.symbol)
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """The widget; its name, by which a page finds it; for all others a still picture."""
         others = {"text/plain": self.title, MIME: {"name": self.name}}
         if engine.available():
-            others["image/svg+xml"] = light(self.picture())
+            others["image/svg+xml"] = compact_svg(self.render_svg())
         return self.widget.output(others)
 
 
-def plain(svg: str) -> str:
+def inline_colors(svg: str) -> str:
     """A picture for where there is no page and no style, with colours of its own."""
     svg = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
-    return re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mixed, svg)
+    return re.sub(r"color-mix\(in srgb,#(\w+) (\d+)%,#(\w)\w+\)", _mix, svg)
 
 
-def light(svg: str) -> str:
+def compact_svg(svg: str) -> str:
     """The same with lines in whole pixels, so that notebooks stay small."""
     whole = re.compile(r"-?\d+\.\d+")
     return re.sub(
         r'(?<= d=")[^"]+',
         lambda line: whole.sub(lambda n: f"{float(n[0]):.0f}", line[0]),
-        plain(svg),
+        inline_colors(svg),
     )
 
 
-def _mixed(found: re.Match[str]) -> str:
+def _mix(found: re.Match[str]) -> str:
     """A shade of a face as one colour."""
     part, other = int(found[2]) / 100, 17 * int(found[3], 16)
     channels = (int(found[1][k : k + 2], 16) for k in (0, 2, 4))
@@ -257,6 +259,6 @@ def figures() -> dict[str, Figure]:
     return course().declared("figures", Figure)
 
 
-def find(name: str) -> Figure:
+def find_figure(name: str) -> Figure:
     """The figure of that name: a page shows what a chapter declares, a cell holds only its name."""
     return course().find("figures", Figure, name)

@@ -3,9 +3,9 @@
 For example::
 
     graph = Graph((0.1, 0.3, 0.0, 0.15), x=(1, 100), y=(1e-6, 1), words=("n", "error"))
-    graph.at((n, error))      # a pair for shapes and handles
+    graph.place((n, error))      # a pair for shapes and handles
     graph.shapes()            # frame, numbers and words
-    graph.x_of(POINTER)       # the number on the x axis at a place of the picture
+    graph.x_at(POINTER)       # the number on the x axis at a place of the picture
 """
 
 from collections.abc import Sequence
@@ -32,13 +32,13 @@ class Graph:
     y: Range
     words: tuple[str, str]
 
-    def at(self, pair: Place) -> Place:
+    def place(self, pair: Place) -> Place:
         """Where the picture shows a point of the graph."""
         (left, right), (low, high) = self.box[:2], self.box[2:]
         across, up = self._share(pair[0], self.x), self._share(pair[1], self.y)
         return left + (right - left) * across, low + (high - low) * up
 
-    def x_of(self, place: Place) -> Expr:
+    def x_at(self, place: Place) -> Expr:
         """The number on the x axis at a place of the picture."""
         left, right, low, high = *self.box[:2], *map(_power, self.x)
         return sp.Integer(10) ** (low + (high - low) * (place[0] - left) / (right - left))
@@ -52,9 +52,11 @@ class Graph:
             Label("text", ((left + right) / 2, low - 3.6 * beside), self.words[0]),
             Label("text", (left, high + 1.3 * beside), self.words[1]),
         )
-        x_ticks = ((self.at((x, self.y[0]))[0], low - 1.2 * beside, x) for x in self._ticks(self.x))
+        x_ticks = (
+            (self.place((x, self.y[0]))[0], low - 1.2 * beside, x) for x in self._ticks(self.x)
+        )
         y_ticks = (  # but the lowest, which would meet the first below the axis
-            (left - 1.8 * beside, self.at((self.x[0], y))[1], y) for y in self._ticks(self.y)[1:]
+            (left - 1.8 * beside, self.place((self.x[0], y))[1], y) for y in self._ticks(self.y)[1:]
         )
         numbers = (Label("text", (p, q), _told(x)) for p, q, x in (*x_ticks, *y_ticks))
         return (

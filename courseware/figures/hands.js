@@ -243,7 +243,7 @@ const turned = (live, held, event) => {
   const { figure, picture } = live, next = live.state.slice();
   const moved = [held.x - event.clientX, event.clientY - held.y];
   const pixelTurns = 180 / picture.getBoundingClientRect().width;
-  figure.turns.forEach((i, k) => {
+  figure.viewAngles.forEach((i, k) => {
     next[i] = allRound(figure.controls[i], held.state[i] + pixelTurns * moved[k]);
     next[i] = attracted(figure, next, i, MAGNET * pixelTurns);
   });
@@ -253,7 +253,7 @@ const turned = (live, held, event) => {
 const UNDECIDED = 10; // pixels: so far a finger may still mean to scroll the page
 
 const followGround = (live) => {
-  if (!live.figure.turns) return;
+  if (!live.figure.viewAngles) return;
   const { element, picture } = live;
   element.classList.add("rk-turns");
   picture.addEventListener("pointerdown", (event) => {
@@ -271,5 +271,5 @@ const followGround = (live) => {
     if (!held.waits) live.set(turned(live, held, event));
   });
   letGo(live, picture, ({ state }) =>
-    live.state.map((now, i) => (live.figure.turns.includes(i) ? state[i] : now)));
+    live.state.map((now, i) => (live.figure.viewAngles.includes(i) ? state[i] : now)));
 };

@@ -67,7 +67,7 @@ class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
         return "-Infinity"
 
 
-def function(
+def compile_function(
     arguments: Mapping[str, Sequence[sp.Symbol]], expressions: Sequence[Any], where: Where = ()
 ) -> str:
     """The source of a JavaScript function `(f, c, …) => [values]`.
@@ -101,7 +101,7 @@ def _one_line(printer: _JavaScript, expression: Any) -> str:
     return " ".join(printer.doprint(expression).split())
 
 
-def evaluate(function: str, points: ArrayLike) -> NDArray[np.float64]:
+def run_function(function: str, points: ArrayLike) -> NDArray[np.float64]:
     """A JavaScript function `(f, c) => […]` at many points (n, k) in one call → (n, values)."""
     listed = json.dumps(np.asarray(points, dtype=float).tolist(), allow_nan=False)
     found = engine.run(f"{listed}.map((c) => ({function})(courseware.figures.f, c))")

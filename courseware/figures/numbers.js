@@ -1,8 +1,8 @@
 // A figure is one pure function from a state to text (SVG and HTML), and the hands that move the
 // state. It draws what the declaration says and knows no robot. Here: from a state to numbers.
 //
-// figure: { name, title, view, controls, handles, readouts, says, steps, recurrences, where, compute,
-// scene, goals, size, turns?, grid?, follow? }, made by compiling.py. state: what each control shows, in its shown unit.
+// figure: { name, title, view, controls, handles, readouts, sentence, steps, recurrences, where, compute,
+// scene, goals, size, viewAngles?, grid?, follow? }, made by compiling.py. state: what each control shows, in its shown unit.
 
 const startState = (figure) => figure.controls.map((control) => control.start);
 

@@ -38,7 +38,7 @@ const html = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
   const picture = `<div class="rk-picture">${svg(figure)}</div>`;
   if (!figure.controls.length) return picture;
-  const turns = (_, i) => figure.turns?.includes(i), parts = figure.controls.map((control, i) => controlHtml(control, i, figure.title));
+  const turns = (_, i) => figure.viewAngles?.includes(i), parts = figure.controls.map((control, i) => controlHtml(control, i, figure.title));
   const aside = parts.filter(turns).join("");
   const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
     + `<div class="rk-controls">${aside}</div></details>`;

@@ -30,7 +30,7 @@ IDENTITY = sp.eye(3)
 Shape = TypeVar("Shape", Line, Point)
 
 
-def nearer(shape: Shape, by: float) -> Shape:
+def bring_forward(shape: Shape, by: float) -> Shape:
     """The same shape, painted as if it were so far nearer to the viewer, in m; below 0 behind."""
     return replace(shape, depth=shape.depth + by)
 
@@ -76,7 +76,7 @@ class View:
         return Arrow(kind, *ends, label, depth=self.depth(middle))
 
     def solid(
-        self, parts: Sequence[solids.Part], R: Any, at: Triple = ORIGIN, **more: Any
+        self, parts: Sequence[solids.Mesh], R: Any, at: Triple = ORIGIN, **more: Any
     ) -> solids.Solid:
         """A body of parts at a pose; `floor`, `opacity` and `behind` as `Solid` says."""
         return solids.Solid(tuple(parts), R, at, self.angles, **more)
@@ -85,9 +85,9 @@ class View:
         """A floor of square tiles, for shadows to fall on; it is not seen from below."""
         return self.solid([solids.tiles(height, half)], IDENTITY, at, opacity=0.5, behind=200.0)
 
-    def beside(self, right: Expr) -> Triple:
+    def right_of_origin(self, distance: Expr) -> Triple:
         """The place so far to the right in the picture, from wherever one looks."""
-        return -right * sp.sin(self.azimuth), right * sp.cos(self.azimuth), 0
+        return -distance * sp.sin(self.azimuth), distance * sp.cos(self.azimuth), 0
 
     def frame(
         self, R: Any, at: Triple = ORIGIN, size: Expr = 1, labels: Sequence[str] = ("", "", "")

@@ -13,7 +13,7 @@ OWN, PART, PRESSES = sp.symbols("own_axes turn_part presses", real=True)
 
 
 @dataclass(frozen=True)
-class Turns:
+class QuarterTurns:
     """Quarter turns of a body, as many as the reader presses: about its own axes or the room's.
 
     A press is a letter, upper case for an own axis (X, Y, Z), lower case for one of the room, with
@@ -33,7 +33,7 @@ class Turns:
     symbols: ClassVar[tuple[sp.Symbol, ...]] = (*BEFORE, *AXIS, OWN, PART, PRESSES)
 
     @staticmethod
-    def last(part: Any = 1) -> sp.Matrix:
+    def last_rotation(part: Any = 1) -> sp.Matrix:
         """The matrix of the last turn; the identity before the first."""
         x, y, z = AXIS
         c, s = sp.cos(part * sp.pi / 2), sp.sin(part * sp.pi / 2)
@@ -47,7 +47,7 @@ class Turns:
         )
 
     @staticmethod
-    def after(last: sp.Matrix) -> sp.Matrix:
+    def compose(last: sp.Matrix) -> sp.Matrix:
         """The rotation after the last turn: own axes on the right, the room's on the left."""
         return OWN * (BEFORE * last) + (1 - OWN) * (last * BEFORE)
 

@@ -45,7 +45,7 @@ const numbers = (figure, state, computed) => Object.fromEntries(
 const filled = (text, all) =>
   text.replace(/\{(\w+)\}/g, (_, name) => all.findLast(({ key }) => key === name).text);
 
-const says = (figure, state, computed) => filled(figure.says, told(figure, state, computed));
+const says = (figure, state, computed) => filled(figure.sentence, told(figure, state, computed));
 
 const alternative = (figure, state, computed) =>
   `${figure.title}. ${says(figure, state, computed)}`.trim();

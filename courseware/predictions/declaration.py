@@ -16,7 +16,7 @@ from courseware.course import course
 from courseware.errors import CourseError, describe
 from courseware.figures.compiling import factor, shown_unit
 from courseware.figures.declaration import Slider
-from courseware.figures.figure import find as find_figure
+from courseware.figures.figure import find_figure
 from courseware.practice.wording import number_text, with_unit
 from courseware.units import UNITS, refuse_unknown
 

@@ -10,7 +10,7 @@ from hatchling.builders.wheel import WheelBuilder
 from sphinx.application import Sphinx
 
 from courseware.course import course
-from courseware.figures.compiling import Code, javascript
+from courseware.figures.compiling import Code, serialize
 from courseware.figures.figure import figures
 from courseware.practice import page as practice
 from courseware.practice.bank import mistakes, topics
@@ -30,7 +30,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     }
     if any(told.values()):
         file = f"pages/{page.replace('/', '-')}.js"
-        lines = (f"window.{name} = {javascript(value)};\n" for name, value in told.items())
+        lines = (f"window.{name} = {serialize(value)};\n" for name, value in told.items())
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
     app.add_css_file("courseware.css")

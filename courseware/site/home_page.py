@@ -8,7 +8,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
 from courseware.figures import Figure
-from courseware.figures.figure import find as find_figure
+from courseware.figures.figure import find_figure
 from courseware.practice.bank import exercises, mistakes
 from courseware.practice.dealing import VARIANTS
 from courseware.site.checks_page import checked, power
@@ -45,7 +45,7 @@ class Chapters(SphinxDirective):
 
     def _card(self, chapter: str, figure: str) -> str:
         page = self.env.app.builder.get_relative_uri(self.env.docname, f"{chapter}/{chapter}")
-        picture = find_figure(figure).picture(CARD).replace("<svg ", f"<svg {FILLED} ", 1)
+        picture = find_figure(figure).render_svg(CARD).replace("<svg ", f"<svg {FILLED} ", 1)
         return (
             f'<a class="site-card" href="{page}"><span aria-hidden="true">{picture}</span>'
             f"<strong>{escape(course().title(chapter))}</strong>"

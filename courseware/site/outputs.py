@@ -22,7 +22,7 @@ from courseware.equations.notebook import (
 from courseware.equations.notebook import MIME as EQUATION
 from courseware.errors import CourseError
 from courseware.figures.figure import MIME as FIGURE
-from courseware.figures.figure import find as find_figure
+from courseware.figures.figure import find_figure
 from courseware.practice import dealing
 from courseware.practice import page as practice
 from courseware.practice.notebook import MISTAKE, mistake
@@ -119,7 +119,7 @@ def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> l
 
 def figure_on_page(name: str) -> nodes.raw:
     """The still picture with its controls, and the data that brings it to life."""
-    return nodes.raw("", told(find_figure, name).on_page(), format="html", figure=name)
+    return nodes.raw("", told(find_figure, name).render_html(), format="html", figure=name)
 
 
 def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:

@@ -2,7 +2,7 @@
 
 from tinycss2 import parse_stylesheet, serialize
 
-from courseware.figures.figure import find
+from courseware.figures.figure import find_figure
 from courseware.practice.bank import Picture
 from courseware.script import runtime
 
@@ -18,7 +18,7 @@ def dark_colours() -> str:
 
 def still(picture: Picture) -> str:
     """The picture as an SVG file of its own; its address ends in #dark for a dark page."""
-    svg = find(picture.figure).picture(mistake=picture.option)
+    svg = find_figure(picture.figure).render_svg(mistake=picture.option)
     tag, _, content = svg.partition(">")
     style = f"<style>#dark:target {{ {dark_colours()} }}</style>"
     return tag.replace("<svg", '<svg id="dark"', 1) + f">{style}{content}"

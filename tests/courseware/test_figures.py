@@ -38,15 +38,15 @@ from courseware.figures import (
     Figure,
     Handle,
     Point,
+    QuarterTurns,
     Readout,
     Recurrence,
     Slider,
     Trail,
-    Turns,
 )
 from courseware.figures.compiling import factor, xy
-from courseware.figures.figure import MIME, find
-from courseware.figures.javascript import evaluate as evaluated
+from courseware.figures.figure import MIME, find_figure
+from courseware.figures.javascript import run_function
 from courseware.predictions import Ghost, Prediction
 from courseware.script import engine as script
 from courseware.script import runtime
@@ -87,7 +87,7 @@ def own_controls(figure):
     """What a reader can always set but the view."""
     if figure.name in ASKED:
         return []
-    return [c for c in figure.controls if getattr(c, "symbol", None) not in figure.turns]
+    return [c for c in figure.controls if getattr(c, "symbol", None) not in figure.view_angles]
 
 
 typical_figure = typical(lambda figure: True)
@@ -154,7 +154,7 @@ def drawn(control, random, size):
     """Random settings of one control over its whole range: (size, its symbols)."""
     if isinstance(control, Choice):
         return random.choice(list(control.options.values()), size)
-    if isinstance(control, Turns):
+    if isinstance(control, QuarterTurns):
         texts = ["".join(random.choice(LETTERS, random.integers(6))) for _ in range(20)]
         rows = [pressed(text, float(part)) for text in texts for part in (0, 0.3, 1) if text]
         return random.choice(rows, size)
@@ -167,7 +167,7 @@ def ends(control):
     """The ends of a control's range, and its options one by one."""
     if isinstance(control, Choice):
         return list(control.options)
-    if isinstance(control, Turns):
+    if isinstance(control, QuarterTurns):
         return ["", "x", "-Z"]
     return [control.low, control.high]
 
@@ -178,7 +178,7 @@ def point(figure, values):
     assert values.keys() <= known, f"{figure.name} has {known}, not {values.keys() - known}"
     for control in figure.controls:
         value = values.get(key(control), control.start)
-        if isinstance(control, Turns):
+        if isinstance(control, QuarterTurns):
             row += pressed(value)
         else:
             row += control.options[value] if isinstance(control, Choice) else [value]
@@ -314,7 +314,7 @@ def test_a_word_instead_of_a_number(name, values, readout, word):
     """As the script writes it where the controls stand at a setting."""
     controls = [replace(c, start=values.get(key(c), c.start)) for c in FIGURES[name].controls]
     figure = replace(FIGURES[name], controls=tuple(controls))
-    texts = map(unescape, re.findall("<dd>(.*?)</dd>", figure.html()))
+    texts = map(unescape, re.findall("<dd>(.*?)</dd>", figure.render_contents()))
     assert dict(zip([r.name for r in figure.readouts], texts, strict=True))[readout] == word
 
 
@@ -329,7 +329,7 @@ def every_setting(figure, title):
             parts.append([control.options[title]])
         elif isinstance(control, Clock):
             parts.append([((control.low + control.high) / 2,)])
-        elif control.symbol in figure.turns:
+        elif control.symbol in figure.view_angles:
             parts.append([(control.start,)])
         else:
             count = round((control.high - control.low) / control.step)
@@ -380,7 +380,7 @@ def called(figure, function, rows, extra):
       const c = courseware.figures.compute(figure, given.slice(0, {rows.shape[1]})).c;
       return figure.{function}(f, c, given.slice({rows.shape[1]}));
     }})({figure.code})"""
-    return evaluated(code, np.hstack([rows, extra]))
+    return run_function(code, np.hstack([rows, extra]))
 
 
 @each_number
@@ -428,7 +428,7 @@ def declared(**parts):
         "controls": (Slider(a, 0.0, 1.0, start=0.5, step=0.1),),
         "scene": (Point("target", (a, 0)),),
         "readouts": (Readout("twice", "twice a", 2 * a, "m"),),
-        "says": "x is {x}, twice that {twice}.",
+        "sentence": "x is {x}, twice that {twice}.",
     }
     return Figure(**{**right, **parts})
 
@@ -443,25 +443,28 @@ def test_the_small_figure_is_right():
         ({"scene": (Point("target", (loose, 0)),)}, "an expression uses loose, but may use only x"),
         ({"scene": (Curve("path", (loose, loose * a), loose * a, 0, 1),)}, "uses loose"),
         ({"scene": (Point("purple", (a, 0)),)}, "no kind 'purple'; there are left, right"),
-        ({"controls": (Slider(loose, 0, 1, 0, 0.1),), "says": ""}, "loose is no declared quantity"),
+        (
+            {"controls": (Slider(loose, 0, 1, 0, 0.1),), "sentence": ""},
+            "loose is no declared quantity",
+        ),
         ({"controls": (Slider(a, 0, 1, 0, 0.1, kind="purple"),)}, "no kind 'purple'"),
         ({"readouts": (Readout("x", "", a, "m"),)}, "two controls or readouts of one name"),
         ({"controls": (Slider(a, 1, 0, 0, 0.1),)}, "slider x goes from 1 to 0 .* must be below"),
         ({"controls": (Slider(a, 0, 1, 2, 0.1),)}, "starts at 2: .* its start between them"),
         ({"controls": (Slider(a, 0, 1, 0, 0),)}, "in steps of 0 .* its step positive"),
         (
-            {"controls": (Choice("c", "", (a,), {"one": (1.0,)}, "two"),), "says": ""},
+            {"controls": (Choice("c", "", (a,), {"one": (1.0,)}, "two"),), "sentence": ""},
             "one, got 'two'",
         ),
         (
-            {"controls": (Choice("c", "", (a,), {"one": ()}, "one"),), "says": ""},
+            {"controls": (Choice("c", "", (a,), {"one": ()}, "one"),), "sentence": ""},
             "each of x, got 0",
         ),
         (
             {"readouts": (Readout("twice", "", a, "m", words={"big": "far"}),)},
             "twice has a word for big",
         ),
-        ({"says": "b is {b}"}, "text `says` of .* uses b, but there are only x, twice"),
+        ({"sentence": "b is {b}"}, "text `sentence` of .* uses b, but there are only x, twice"),
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
         ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
@@ -503,7 +506,7 @@ def test_numbers_are_told_by_symbol():
         where=((a, sp.sin(theta)), (v, 4 * a)),
         scene=(Point("target", (a, 0)),),
         readouts=(Readout(v, digits=1), Readout("twice", "twice", 2 * a, "m")),
-        says="{v}",
+        sentence="{v}",
     )
     numbers = told_numbers(figure)
     assert {key: number["text"] for key, number in numbers.items()} == {
@@ -518,7 +521,9 @@ def test_numbers_are_told_by_symbol():
 def test_a_trail_is_a_line_with_dots():
     place, end = sp.symbols("place end")
     loop = Recurrence((place,), (0,), (place + a,), count=3, most=5, ends=(end,))
-    drawn = declared(scene=(Trail("path", (place, 0), loop),), readouts=(), says="").picture()
+    drawn = declared(
+        scene=(Trail("path", (place, 0), loop),), readouts=(), sentence=""
+    ).render_svg()
     assert len(re.findall("<circle", drawn)) == 4
     assert len(re.findall(r"M[\d.]+ [\d.]+L[^\"]*L[^\"]*L", drawn)) == 1
 
@@ -541,7 +546,7 @@ def space(**parts):
             VIEW.point("target", (2, 0, 0)),
         ),
         "readouts": (Readout("near", "how near x is", VIEW.depth((1, 0, 0)), ""),),
-        "says": "Seen from {azimuth}, {elevation}.",
+        "sentence": "Seen from {azimuth}, {elevation}.",
     }
     return declared(**{**right, **parts})
 
@@ -606,16 +611,16 @@ def test_a_shape_at_no_depth_is_not_painted(depth):
 def test_what_is_in_front_leaves_a_gap():
     """A line in space is drawn on a wider one in the colour of the ground; a flat one is not."""
     gaps = r"fill:none;stroke:var\(--rk-ground"
-    assert len(re.findall(gaps, space(scene=VIEW.frame(sp.eye(3))).picture())) == 3
-    assert len(re.findall(gaps, space(scene=(space().scene[3],)).picture())) == 96 / 4
-    assert re.findall(gaps, FIGURES["wheel-speeds"].picture()) == []
+    assert len(re.findall(gaps, space(scene=VIEW.frame(sp.eye(3))).render_svg())) == 3
+    assert len(re.findall(gaps, space(scene=(space().scene[3],)).render_svg())) == 96 / 4
+    assert re.findall(gaps, FIGURES["wheel-speeds"].render_svg()) == []
 
 
 def test_no_grid_where_none_is_wanted():
     assert "grid" in painted(declared())
     assert "grid" not in painted(declared(grid=False))
     assert "grid" not in painted(space())
-    assert "x, y in m" not in space().picture()
+    assert "x, y in m" not in space().render_svg()
 
 
 def test_a_frame_in_space_is_three_arrows():
@@ -659,9 +664,9 @@ def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
 
 
 def test_a_figure_that_no_chapter_declares_is_refused():
-    assert find("wheel-speeds") is FIGURES["wheel-speeds"]
+    assert find_figure("wheel-speeds") is FIGURES["wheel-speeds"]
     with pytest.raises(CourseError, match=r"no figure 'small'; there are .* chapters' figures\.py"):
-        find("small")
+        find_figure("small")
 
 
 def test_a_widget_carries_its_figure_and_its_part():
@@ -838,7 +843,7 @@ class OnPage:
         for control, shown in zip(self.figure.controls, self.state(), strict=True):
             if isinstance(control, Choice):
                 row += list(control.options.values())[shown]
-            elif isinstance(control, Turns):
+            elif isinstance(control, QuarterTurns):
                 row += pressed(*shown)
             else:
                 row.append(shown * factor(control.symbol.unit))
@@ -857,7 +862,7 @@ class OnPage:
 
     def press(self, control, *keys):
         """Keys on a slider that has the focus, in an open fold; for turns, buttons to their end."""
-        if isinstance(control, Turns):
+        if isinstance(control, QuarterTurns):
             for one in keys:
                 self.root.locator(f"[data-press='{one if one in LETTERS else 'Z'}']").click()
                 self.page.wait_for_function(MADE, arg=self.figure.name)
@@ -889,11 +894,11 @@ class OnPage:
         row = iter(self.point())
         found = {}
         for control, shown in zip(self.figure.controls, self.state(), strict=True):
-            several = isinstance(control, Choice | Turns)
+            several = isinstance(control, Choice | QuarterTurns)
             numbers = [next(row) for _ in (control.symbols if several else [0])]
             if isinstance(control, Choice):
                 numbers = [list(control.options)[shown]]
-            found[key(control)] = shown[0] if isinstance(control, Turns) else numbers[0]
+            found[key(control)] = shown[0] if isinstance(control, QuarterTurns) else numbers[0]
         return found
 
     def alternative(self):
@@ -984,7 +989,7 @@ def assert_told(live):
         if keeps_its_digits(live.figure, readout.value):
             assert texts[readout.name] in both_shown(readout, value), (live.state(), readout.name)
     for control, shown in zip(live.figure.controls, live.state(), strict=True):
-        if not isinstance(control, Choice | Turns):
+        if not isinstance(control, Choice | QuarterTurns):
             assert_slider_told(live, control, shown)
 
 
@@ -1024,7 +1029,7 @@ def assert_arrived(live, wished):
     a magnet in reach draws to: 1.5 % of the range."""
     found = live.values()
     for control in live.figure.controls:
-        if not isinstance(control, Choice | Turns):
+        if not isinstance(control, Choice | QuarterTurns):
             # a hundredth more for the rounding of numbers in between
             allowed = 1.01 * max(control.step, 0.015 * (control.high - control.low))
             assert abs(found[key(control)] - wished[key(control)]) <= allowed
@@ -1104,7 +1109,7 @@ def turned(chromium):
             readouts=(Readout("set", "where the handle is", QUANTITY, "m"),),
             seen_from=(0.5, 0.25),
         )
-        body = f'<figure class="rk-figure" id="space">{figure.html()}</figure>'
+        body = f'<figure class="rk-figure" id="space">{figure.render_contents()}</figure>'
         with watched_page(chromium, "about:blank", **options) as (page, watch):
             page.set_content(
                 f"<style>{runtime.stylesheet()}</style>{body}<p style='height: 3000px'>"
@@ -1377,7 +1382,7 @@ def test_junk_in_the_address_does_no_harm(figure, visit):
 
 def allowed(control, junk):
     """What a control may make of junk."""
-    if isinstance(control, Choice | Turns):
+    if isinstance(control, Choice | QuarterTurns):
         return [control.start]
     scale = factor(control.symbol.unit)
     number = {"1e99": control.high, "-1e99": control.low, "2.5": 2.5 * scale}.get(
@@ -1396,7 +1401,7 @@ def allowed(control, junk):
 def test_the_page_holds_the_still_picture(figure, site, page_of):
     """The very text that the engine draws."""
     text = (site / page_of[figure.name]).read_text("utf-8")
-    assert f'<div class="rk-picture">{figure.picture()}</div>' in text
+    assert f'<div class="rk-picture">{figure.render_svg()}</div>' in text
     assert len(re.findall(f'id="{figure.name}"', text)) == 1
 
 
@@ -1442,7 +1447,7 @@ def test_a_broken_figure_stays_still_and_alone(figure, server, chromium, page_of
         assert dead.picture.is_visible()
         same = "([e, text]) => { const d = document.createElement('div'); d.innerHTML = text;"
         same += " return d.innerHTML === e.outerHTML; }"
-        assert page.evaluate(same, [dead.picture.element_handle(), figure.picture()])
+        assert page.evaluate(same, [dead.picture.element_handle(), figure.render_svg()])
         assert dead.root.locator("button, input, select").count() == 0
     assert len(watch.errors) == 1
     assert f"The figure {figure.name} cannot be moved: Error: on purpose" in watch.errors[0]
@@ -1546,7 +1551,7 @@ def test_the_text_alternative_follows(figure, visit):
         assert live.alternative() == f"{figure.title}. {said}" != before
         assert "{" not in said
         for name, text in live.readouts().items():
-            assert text in said or f"{{{name}}}" not in figure.says
+            assert text in said or f"{{{name}}}" not in figure.sentence
 
 
 @in_browser

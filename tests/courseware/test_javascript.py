@@ -22,8 +22,7 @@ from courseware.equations.functions import null_projector, rank, solve
 from courseware.equations.verification import differences, evaluate
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Recurrence, Slider, Trail
-from courseware.figures.javascript import evaluate as evaluated
-from courseware.figures.javascript import function
+from courseware.figures.javascript import compile_function, run_function
 from courseware.script import engine, runtime
 from robokin import elbow_arm, euler, motion, wheels
 
@@ -33,7 +32,7 @@ ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-15
 
 def in_engine(expressions, symbols, points, where=()):
     """Expressions of symbols, in the JavaScript engine, in one call."""
-    return evaluated(function({"c": symbols}, expressions, where), points)
+    return run_function(compile_function({"c": symbols}, expressions, where), points)
 
 
 def assert_near(apart, allowed):
@@ -274,7 +273,7 @@ def test_solve_singular_is_nan():
 def test_unknown_function_is_refused():
     x = sp.Symbol("x")
     with pytest.raises(CourseError, match="no JavaScript for zeta"):
-        function({"c": [x]}, [sp.zeta(x)])
+        compile_function({"c": [x]}, [sp.zeta(x)])
 
 
 def test_nan_and_infinities_cross_over():

@@ -44,7 +44,7 @@ def shown_by(cell, known):
     for output in cell.get("outputs", []):
         data = output.get("data", {})
         if figure.MIME in data:
-            texts.append(figure.find(data[figure.MIME]["name"]).html())
+            texts.append(figure.find_figure(data[figure.MIME]["name"]).render_contents())
         texts += [output.get("text", ""), data.get("text/plain", ""), data.get("text/html", "")]
     return " ".join("".join(text) for text in texts)
 

@@ -19,7 +19,7 @@ from test_figures import (
 )
 
 from courseware.errors import CourseError
-from courseware.figures import VIEW, Bracket, Readout, Turns, solids
+from courseware.figures import VIEW, Bracket, QuarterTurns, Readout, solids
 from courseware.script import engine as script
 from robokin import euler
 
@@ -76,7 +76,7 @@ def test_a_body_is_closed(name):
 def test_opposite_faces_of_a_die_add_up_to_seven():
     middles = {
         number: tuple(np.round(middle, 6))
-        for number, (middle, _) in zip(solids.NUMBERS, normals(BODIES["die"]), strict=True)
+        for number, (middle, _) in zip(solids.FACE_NUMBERS, normals(BODIES["die"]), strict=True)
     }
     assert sorted(middles) == [1, 2, 3, 4, 5, 6]
     assert [middles[k] for k in (1, 2, 3)] == [(0.5, 0, 0), (0, 0.5, 0), (0, 0, 0.5)]
@@ -182,19 +182,19 @@ def test_shades_are_plain_colours_in_a_notebook():
 
 # --- Quarter turns --------------------------------------------------------------------------
 
-TURNS = Turns()
+TURNS = QuarterTurns()
 presses = st.lists(st.sampled_from([s + x for s in ("", "-") for x in "xyzXYZ"]), max_size=6)
 
 
 def turning(**parts):
     """A body's rotation, entry by entry, after presses."""
-    now = TURNS.after(TURNS.last(TURNS.part))
+    now = TURNS.compose(TURNS.last_rotation(TURNS.part))
     names = [f"r{k}" for k in range(9)]
     right = {
         "controls": (TURNS,),
         "readouts": tuple(Readout(n, n, x, "") for n, x in zip(names, now, strict=True)),
         "scene": (Bracket(now, (0, 0), "now"),),
-        "says": "{turns}",
+        "sentence": "{turns}",
     }
     return space(**{**right, **parts})
 

@@ -203,7 +203,7 @@ def small_figure(**changes):
             Slider(dt, 0, 2, start=0.5, step=0.1),
         ),
         "scene": (),
-        "says": "",
+        "sentence": "",
         "readouts": (
             Readout(MOTION.v),
             Readout(MOTION.omega, digits=1),

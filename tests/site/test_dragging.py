@@ -22,7 +22,7 @@ from test_figures import (
 )
 
 from courseware.figures import Choice
-from courseware.figures.turning import Turns
+from courseware.figures.turning import QuarterTurns
 from courseware.script import runtime
 
 pytest_plugins = ["browser"]
@@ -55,7 +55,9 @@ def alone(chromium):
                 stack.push(others)
             scripts = "".join([*map(runtime.script, runtime.parts())])
             start = f"courseware.figures.bringToPage({figure.code});"
-            body = f"{figure.on_page()}<p style='height: 3000px'><script>{scripts}{start}</script>"
+            body = (
+                f"{figure.render_html()}<p style='height: 3000px'><script>{scripts}{start}</script>"
+            )
             html = f"<!doctype html><meta charset='utf-8'><style>{style}</style>{body}"
             page.unroute_all()
             page.route(
@@ -240,7 +242,7 @@ def shown(figure, random):
     for control in figure.controls:
         if isinstance(control, Choice):
             code.append(int(random.integers(len(control.options))))
-        elif isinstance(control, Turns):
+        elif isinstance(control, QuarterTurns):
             code.append([str(random.choice(["", "x", "Zx-Y"])), 1])
         elif isinstance(control.step, int):
             code.append(int(random.integers(control.low, control.high + 1)))

@@ -42,7 +42,7 @@ FAULTS = """([name, states]) => {
 @pytest.fixture(scope="module", params=[1280, 390])
 def alive(request, chromium):
     """All figures on a page of that width."""
-    body = "".join(figure.on_page() for figure in FIGURES.values())
+    body = "".join(figure.render_html() for figure in FIGURES.values())
     style = f"{runtime.stylesheet()} body {{ max-width: 46rem; margin: 1rem; }}"
     with watched_page(chromium, "about:blank", request.param) as (page, watch):
         page.emulate_media(reduced_motion="reduce")

@@ -41,7 +41,7 @@ IN_STEPS = list(filter(opens_with_a_figure, course().taught))  # the chapters th
 
 @each("figure", "figures", Figure, only=lambda figure: figure.size == "step")
 def test_a_step_has_two_things_to_move_and_three_numbers(figure):
-    view = [c for c in figure.controls if getattr(c, "symbol", None) in figure.turns]
+    view = [c for c in figure.controls if getattr(c, "symbol", None) in figure.view_angles]
     moved = [c for c in figure.controls if not isinstance(c, Clock) and c not in view]
     instead = "take some away, or make its size another than step"
     assert len(moved) <= 2, f"{figure.name} has {len(moved)} controls, at most 2: {instead}"

@@ -11,7 +11,7 @@ from declared import FIGURES
 from test_figures import CHAPTERS, HOMES, SHOW, TYPICAL, OnPage
 
 from courseware.figures import Choice
-from courseware.figures.turning import Turns
+from courseware.figures.turning import QuarterTurns
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -84,7 +84,7 @@ def touch_sliders(finger, live):
     """A slider moves by its thumb and sideways; else it lets the page scroll."""
     for control in live.figure.controls:
         slider = live.input(control)
-        if isinstance(control, Choice | Turns) or not slider.is_visible():
+        if isinstance(control, Choice | QuarterTurns) or not slider.is_visible():
             continue
         box = shown(slider)
         at, middle = thumb(slider, box), box["x"] + box["width"] / 2
@@ -99,7 +99,7 @@ def touch_sliders(finger, live):
 def touch_ground(finger, live):
     """From the ground of a picture a finger scrolls; across, it turns a view in space."""
     scrolls(finger, live, *free(live))
-    if live.figure.turns:
+    if live.figure.view_angles:
         x, y = free(live)
         moves(finger, live, x, y, right=FAR if x < 195 else -FAR, down=10)
 

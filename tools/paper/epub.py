@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from html import escape, unescape
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile
 
-from courseware.figures.figure import plain
+from courseware.figures.figure import inline_colors
 from paper.pages import HERE, SITE, pages
 
 KINDS = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg"}
@@ -134,7 +134,7 @@ def make(browser, book, file):
         archive.writestr("book/style.css", style())
         archive.writestr("book/cover.png", cover(browser, book))
         for page in given:
-            text = DOCUMENT.format(title=escape(page.title), body=plain(page.body))
+            text = DOCUMENT.format(title=escape(page.title), body=inline_colors(page.body))
             archive.writestr(f"book/{page.name}.xhtml", text)
         for name in pictures:
             archive.write(SITE / name, f"book/{name}")

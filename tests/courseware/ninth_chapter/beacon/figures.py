@@ -38,7 +38,7 @@ def beacon_figure() -> Figure:
             Readout("distance", "distance d", formulas.distance.substitute(here), "m"),
             Readout("bearing", "bearing", formulas.direction.substitute(here), "rad"),
         ),
-        says="The beacon is {distance} away, at {bearing} from the heading {theta}.",
+        sentence="The beacon is {distance} away, at {bearing} from the heading {theta}.",
     )
 
 
@@ -58,7 +58,7 @@ def guess_figure() -> Figure:
         scene=(*seen.scene, Point("approximation", (guess_x, guess_y), label="your guess")),
         handles=(Handle("your guess", (guess_x, guess_y)),),
         readouts=seen.readouts,
-        says=seen.says,
+        sentence=seen.sentence,
     )
 
 
@@ -83,7 +83,7 @@ def mistake_figure() -> Figure:
             Point("target", (0.6, 0.4), label="beacon"),
         ),
         readouts=(Readout("apart", "looks beside it by", believed - right, "rad"),),
-        says="The robot looks {apart} beside the beacon.",
+        sentence="The robot looks {apart} beside the beacon.",
     )
 
 

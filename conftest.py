@@ -7,7 +7,8 @@ from hypothesis import settings
 
 settings.register_profile("robokin", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("robokin")
-pytest.register_assert_rewrite("browser", "test_new_chapter")  # what tests import from others
+# what tests import from others
+pytest.register_assert_rewrite("browser", "figure_numbers", "figure_page", "test_new_chapter")
 
 
 @pytest.hookimpl(trylast=True)  # of the tests that are left to run

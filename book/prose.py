@@ -25,17 +25,20 @@ def reads(figure: str, readout: str, **settings: float | str) -> float:
     shown = course().declared("figures", Figure)[figure]
     row: list[float] = []
     for control in shown.controls:
-        name = str(control.symbol) if isinstance(control, Slider) else control.name
-        value = settings.pop(name, control.start)
+        value = settings.pop(control.key, control.start)
         if isinstance(control, Choice):
             row += control.options[str(value)]
             continue
         if not isinstance(control, Slider):
-            raise TypeError(f"{figure}: what {name} shows is made of presses, not of a number")
+            raise TypeError(
+                f"{figure}: what {control.key} shows is made of presses, not of a number"
+            )
         row.append(float(value))
         if not control.low <= row[-1] <= control.high:
             reach = f"from {control.low:.4g} to {control.high:.4g}"
-            raise ValueError(f"{figure}: the slider {name} goes {reach}, not to {row[-1]:.4g}")
+            raise ValueError(
+                f"{figure}: the slider {control.key} goes {reach}, not to {row[-1]:.4g}"
+            )
     if settings:
         raise KeyError(f"the figure {figure} has no control {', '.join(settings)}")
     place = [each.name for each in shown.readouts].index(readout)

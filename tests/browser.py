@@ -12,7 +12,7 @@ import sys
 import threading
 import time
 from collections import defaultdict
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -162,6 +162,30 @@ def wait_until_drawn(page):
     page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
 
 
+# opens the folds around an element and in it, but not a figure's own; predictions as answered
+UNFOLD = """(element) => {
+  const folds = [...element.querySelectorAll("details, .rk-prediction")];
+  for (let at = element; at; at = at.parentElement) folds.push(at);
+  for (const fold of folds) {
+    if (fold.matches("details:not(.rk-figure *)")) fold.open = true;
+    if (fold.matches(".rk-prediction")) fold.classList.add("rk-answered");
+  }
+}"""
+
+# waits until the script has taken a figure over, as it does when that comes near, and drawn it
+COME_ALIVE = """async (figure) => {
+  const svg = figure.querySelector(".rk-picture svg");
+  svg.scrollIntoView({ block: "center", behavior: "instant" });
+  const fits = () => svg.clientWidth >= 240 && svg.clientWidth === svg.parentElement.clientWidth
+    && Math.abs(svg.viewBox.baseVal.width - svg.clientWidth) < 1; // drawn anew, not only shrunk
+  const end = performance.now() + 30_000;
+  while (!figure.courseware || !fits()) {
+    if (performance.now() > end) throw new Error(`${figure.id} does not come alive`);
+    await new Promise(requestAnimationFrame);
+  }
+  figure.courseware.settled();
+}"""
+
 # a script for a page whose browser keeps nothing more
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 
@@ -229,3 +253,33 @@ def watched_page(browser, home, width=1280, scheme="light", **options):
         yield page, Watch(page, home)
     finally:
         context.close()
+
+
+class KeptPages:
+    """Pages that stay open from test to test; on each, nothing may go wrong."""
+
+    def __init__(self, browser, home):
+        self.browser, self.home, self.kept = browser, home, {}
+
+    @contextmanager
+    def page(self, name, before=None, **options):
+        """A page and whether it is new. name: what it is kept for, None for a page of its own."""
+        key = (name, *options.items())
+        with ExitStack() as stack:
+            is_new = key not in self.kept
+            if is_new:
+                page, watch = stack.enter_context(watched_page(self.browser, self.home, **options))
+                if before:
+                    before(page)
+            else:
+                page, watch, others = self.kept.pop(key)
+                stack.push(others)
+            yield page, is_new
+            assert not watch.errors + watch.strangers
+            if name:
+                self.kept[key] = page, watch, stack.pop_all()  # a test that fails closes its page
+
+    def close(self):
+        """Close them all."""
+        for *_, stack in self.kept.values():
+            stack.close()

@@ -27,23 +27,9 @@ _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
 Control = d.Slider | d.Choice | QuarterTurns
 
 
-def factor(unit: str) -> float:
-    """What one shown unit is in SI."""
-    return in_figures(unit).factor
-
-
-def shown_unit(unit: str) -> str:
-    """The unit in which a quantity is shown."""
-    return in_figures(unit).name
-
-
 def settings(controls: Sequence[Control]) -> list[sp.Symbol]:
-    """The symbols that the controls give numbers to, in order."""
-    return [
-        s
-        for c in controls
-        for s in (c.symbols if isinstance(c, d.Choice | QuarterTurns) else (c.symbol,))
-    ]
+    """Return the symbols that controls set, in order."""
+    return [symbol for control in controls for symbol in control.symbols]
 
 
 def xy(*places: d.Place) -> list[Any]:
@@ -109,26 +95,27 @@ class Compiler:
             start = list(control.options).index(control.start)
             return {
                 "type": "choice",
-                "key": control.name,
+                "key": control.key,
                 "label": control.label,
                 "options": options,
                 "start": start,
             }
         if isinstance(control, QuarterTurns):
-            return {"type": "turns", "key": control.name, "start": [control.start, 1]}
+            return {"type": "turns", "key": control.key, "start": [control.start, 1]}
         if not isinstance(control.symbol, NamedSymbol):
             raise CourseError(f"the control {control.symbol} is no declared quantity")
         _refuse_wrong_slider(control)
         face = self.face(control.symbol, control.label)
         known = control.symbol
-        scale = factor(known.unit)
+        unit = in_figures(known.unit)
+        scale = unit.factor
         step = _tidy(control.step / scale)
         return {
             "type": "clock" if isinstance(control, d.Clock) else "slider",
-            "key": str(control.symbol),
+            "key": control.key,
             **face,
             "kind": self.face(control.kind)["kind"] or face["kind"],
-            "unit": shown_unit(known.unit),
+            "unit": unit.name,
             "factor": scale,
             "low": _tidy(control.low / scale),
             "high": _tidy(control.high / scale),
@@ -217,8 +204,8 @@ class Compiler:
         return {
             "key": readout.name,
             **self.face(readout.symbol or "", readout.label),
-            "unit": shown_unit(readout.unit),
-            "factor": 1 / factor(readout.unit),
+            "unit": in_figures(readout.unit).name,
+            "factor": 1 / in_figures(readout.unit).factor,
             "digits": readout.digits,
             "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
         }
@@ -231,8 +218,8 @@ class Compiler:
                 "key": str(symbol),
                 "symbol": symbol.key,
                 "at": start + place,
-                "unit": shown_unit(symbol.unit),
-                "factor": 1 / factor(symbol.unit),
+                "unit": in_figures(symbol.unit).name,
+                "factor": 1 / in_figures(symbol.unit).factor,
             }
             for place, (symbol, _) in enumerate(self.where)
             if isinstance(symbol, NamedSymbol)

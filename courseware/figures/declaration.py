@@ -88,6 +88,16 @@ class Slider:
         if not self.label and isinstance(self.symbol, NamedSymbol):
             object.__setattr__(self, "label", default_label(self.symbol))
 
+    @property
+    def key(self) -> str:
+        """Its name in addresses, links and values."""
+        return str(self.symbol)
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The one symbol that it sets, as other controls set several."""
+        return (self.symbol,)
+
     @classmethod
     def degrees(
         cls,
@@ -132,6 +142,11 @@ class Choice:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", self.start or next(iter(self.options), ""))
+
+    @property
+    def key(self) -> str:
+        """Its name in addresses, links and values."""
+        return self.name
 
     @classmethod
     def one_hot(

@@ -18,7 +18,6 @@ from courseware.figures.declaration import Choice, Goal, Handle, Place, Readout,
 from courseware.figures.javascript import run_function
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
-from courseware.figures.turning import QuarterTurns
 from courseware.script import engine
 from courseware.script.widget import Widget, widget
 
@@ -84,7 +83,10 @@ class Figure:
             own = (c for c in self.controls if getattr(c, "symbol", None) not in self.view_angles)
             controls = (*own, *view_sliders(*self.seen_from))
             object.__setattr__(self, "controls", controls)
-        names = [*map(self.key_of, self.controls), *(readout.name for readout in self.readouts)]
+        names = [
+            *(control.key for control in self.controls),
+            *(readout.name for readout in self.readouts),
+        ]
         if len(set(names)) < len(names):
             raise CourseError(f"the figure {self.name} has two controls or readouts of one name")
         if self.size not in SIZES:
@@ -157,10 +159,9 @@ class Figure:
     def _refuse_idle_controls(self, script: str) -> None:
         used = {int(place) for place in re.findall(r"\bc\[(\d+)\]", script)}
         for control in self.controls:
-            if used.isdisjoint(map(self.settings.index, settings([control]))):
+            if used.isdisjoint(map(self.settings.index, control.symbols)):
                 raise CourseError(
-                    f"the control {self.key_of(control)} moves nothing: use it in the scene, or "
-                    "take it out"
+                    f"the control {control.key} moves nothing: use it in the scene, or take it out"
                 )
 
     @property
@@ -210,18 +211,13 @@ class Figure:
     @cached_property
     def widget(self) -> Widget:
         """What a notebook shows; its state are the settings in SI units, by name."""
-        return widget("figures", self.code, {self.key_of(c): c.start for c in self.controls})
+        return widget("figures", self.code, {c.key: c.start for c in self.controls})
 
     def _default_sentence(self) -> str:
         """All controls and readouts, for those who cannot see them."""
-        named = [(c.label or self.key_of(c), self.key_of(c)) for c in self.controls]
+        named = [(c.label or c.key, c.key) for c in self.controls]
         named += [(readout.label, readout.name) for readout in self.readouts]
         return ", ".join(f"{label}: {{{name}}}" for label, name in named)
-
-    @staticmethod
-    def key_of(control: Control) -> str:
-        """The name of a control in addresses, links and values."""
-        return control.name if isinstance(control, Choice | QuarterTurns) else str(control.symbol)
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """The widget; its name, by which a page finds it; for all others a still picture."""

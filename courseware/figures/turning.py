@@ -32,6 +32,11 @@ class QuarterTurns:
     count: ClassVar[sp.Symbol] = PRESSES
     symbols: ClassVar[tuple[sp.Symbol, ...]] = (*BEFORE, *AXIS, OWN, PART, PRESSES)
 
+    @property
+    def key(self) -> str:
+        """Its name in addresses, links and values."""
+        return self.name
+
     @staticmethod
     def last_rotation(part: Any = 1) -> sp.Matrix:
         """The matrix of the last turn; the identity before the first."""

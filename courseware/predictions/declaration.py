@@ -14,11 +14,10 @@ import sympy as sp
 
 from courseware.course import course
 from courseware.errors import CourseError, describe
-from courseware.figures.compiling import factor, shown_unit
 from courseware.figures.declaration import Slider
 from courseware.figures.figure import find_figure
 from courseware.practice.wording import number_text, with_unit
-from courseware.units import UNITS, refuse_unknown
+from courseware.units import UNITS, in_figures, refuse_unknown
 
 Value = Any  # an expression, a matrix or tuple of them, or a function of no arguments
 
@@ -143,12 +142,12 @@ class Ghost:
 
     def units(self) -> list[str]:
         """The unit of each slider, as the reader sees it."""
-        return [shown_unit(slider.symbol.unit) for slider in self.sliders()]
+        return [in_figures(slider.symbol.unit).name for slider in self.sliders()]
 
     def shown(self, value: Value) -> list[float]:
         """Numbers in the units that the reader sees."""
         pairs = zip(row(value), self.sliders(), strict=True)
-        return [x / factor(slider.symbol.unit) for x, slider in pairs]
+        return [x / in_figures(slider.symbol.unit).factor for x, slider in pairs]
 
     def answer(self) -> str:
         """Where the ghost belongs, in words."""
@@ -168,7 +167,7 @@ class Ghost:
             "labels": [slider.label or str(slider.symbol) for slider in self.sliders()],
             "units": self.units(),
             "then": {
-                order.index(symbol): float(row(value)[0]) / factor(symbol.unit)
+                order.index(symbol): float(row(value)[0]) / in_figures(symbol.unit).factor
                 for symbol, value in self.then.items()
             },
             "right": self.shown(self.right),

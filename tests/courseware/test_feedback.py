@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from declared import EXERCISES, FIGURES, MISTAKES, each
-from test_figures import point
+from figure_numbers import point
 
 from courseware.course import course
 from courseware.figures import Figure

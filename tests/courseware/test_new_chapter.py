@@ -224,7 +224,7 @@ def test_the_machine_s_tests_hold_it(tree, site):
 
 
 COLLECT = "import book; from courseware import equations, practice, course; "
-IN_TESTS = "import sys; sys.path += ['tests', 'tests/courseware', 'tools']; "
+IN_TESTS = "import sys; sys.path += ['tests', 'tests/book', 'tests/courseware', 'tools']; "
 FORGOTTEN = {
     "the line of the table of contents": (
         lambda tree: (tree / "_toc.yml").write_text((ROOT / "_toc.yml").read_text("utf-8")),
@@ -243,8 +243,8 @@ FORGOTTEN = {
     ),
     "what a figure must tell": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),
-        IN_TESTS + "import test_figures; "
-        "test_figures.test_what_a_figure_must_show_is_expected(test_figures.FIGURES['beacon'])",
+        IN_TESTS + "import test_expected as t; "
+        "t.test_what_a_figure_must_show_is_expected(t.FIGURES['beacon'])",
         r"add 'beacon' to SPECIALS and READOUTS in book/beacon/expected.py",
     ),
     "what a mistake gives": (

@@ -7,23 +7,19 @@ import numpy as np
 import pytest
 import sympy as sp
 from declared import FIGURES
+from figure_numbers import pressed
 from hypothesis import given
 from hypothesis import strategies as st
+from small_figures import painted, space_figure
 from support import EPS, assert_close
-from test_dragging import alone  # noqa: F401
-from test_figures import (
-    in_browser,
-    painted,
-    pressed,
-    space,
-)
 
 from courseware.errors import CourseError
 from courseware.figures import VIEW, Bracket, QuarterTurns, Readout, solids
 from courseware.script import engine as script
 from robokin import euler
 
-pytest_plugins = ["browser"]
+pytest_plugins = ["figure_page"]
+in_browser = pytest.mark.browser
 
 BODIES = {
     "box": solids.box("body", (1, 2, 3), at=(1, 1, 1)),
@@ -95,7 +91,7 @@ def drawn(figure, **shown):
 def cubes(*places, **more):
     """Boxes of side 1 at places, each of a kind."""
     scene = [VIEW.solid([solids.box(kind, (1, 1, 1))], EYE, at, **more) for kind, at in places]
-    return space(scene=tuple(scene))
+    return space_figure(scene=tuple(scene))
 
 
 SIDES = [(30, 20, 3), (0, 0, 1), (90, 0, 1), (45, 0, 2), (-120, -40, 3), (10, 90, 1)]
@@ -137,8 +133,10 @@ def test_the_light_comes_from_above_and_stays_in_the_room():
 def test_a_pose_turns_and_moves_a_body():
     """A box turned by a quarter about z looks like one with its sides exchanged."""
     R = sp.Matrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
-    turned = space(scene=(VIEW.solid([solids.box("body", (1, 2, 3))], R, (0, 1, 0)),))
-    exchanged = space(scene=(VIEW.solid([solids.box("body", (2, 1, 3), at=(0, 1, 0))], EYE),))
+    turned = space_figure(scene=(VIEW.solid([solids.box("body", (1, 2, 3))], R, (0, 1, 0)),))
+    exchanged = space_figure(
+        scene=(VIEW.solid([solids.box("body", (2, 1, 3), at=(0, 1, 0))], EYE),)
+    )
     outlines = [set(map(frozenset, map(str.split, re.findall('d="M([^"]+)z"', drawn(f)))))
                 for f in (turned, exchanged)]  # fmt: skip
     assert outlines[0] == outlines[1]
@@ -159,13 +157,13 @@ def test_a_ghost_is_clear_and_a_floor_is_seen_from_above_only():
     ghost = drawn(cubes(("ghost", (0, 0, 0)), opacity=0.2))
     assert "fill-opacity:0.2" in ghost
     assert "color-mix" not in ghost
-    floor = space(scene=(VIEW.floor(-1, 1),))
+    floor = space_figure(scene=(VIEW.floor(-1, 1),))
     assert drawn(floor, elevation=30).count("fill-opacity:0.5") == 16
     assert drawn(floor, elevation=-30).count("fill-opacity:0.5") == 0
 
 
 def test_what_is_printed_on_a_face_goes_with_it():
-    figure = space(scene=(VIEW.solid(solids.die("body"), EYE),))
+    figure = space_figure(scene=(VIEW.solid(solids.die("body"), EYE),))
     counts = {drawn(figure, azimuth=a, elevation=e).count("<circle")
               for a, e in ((0, 0), (90, 0), (0, 90), (180, 0), (-90, 0), (0, -90))}  # fmt: skip
     assert counts == {1, 2, 3, 4, 5, 6}
@@ -196,7 +194,7 @@ def turning(**parts):
         "scene": (Bracket(now, (0, 0), "now"),),
         "sentence": "{turns}",
     }
-    return space(**{**right, **parts})
+    return space_figure(**{**right, **parts})
 
 
 FIGURE = turning()
@@ -244,7 +242,7 @@ def press(live, *which):
 
 
 @in_browser
-def test_buttons_turn_the_die_and_the_goal_is_reached(alone):  # noqa: F811
+def test_buttons_turn_the_die_and_the_goal_is_reached(alone):
     with alone(DIE) as live:
         goals = live.root.locator(".rk-goal")
         press(live, "Z", "X", "Y", "-Y", "X")
@@ -259,7 +257,7 @@ def test_buttons_turn_the_die_and_the_goal_is_reached(alone):  # noqa: F811
 
 
 @in_browser
-def test_a_turn_slides_in_from_its_own_side(alone):  # noqa: F811
+def test_a_turn_slides_in_from_its_own_side(alone):
     """From the right about own axes, from the left about the room's; then it stands beside."""
     own = {"before": lambda page: page.clock.install(time=0), "reduced_motion": "no-preference"}
     with alone(DIE, **own) as live:
@@ -285,7 +283,7 @@ PLACE = """(figure) => Math.min(...[...figure.querySelectorAll("svg text")]
 
 @in_browser
 @pytest.mark.parametrize("meanwhile", ["the view is dragged", "a slider of the view", "reset"])
-def test_a_turn_comes_to_its_end_whatever_else_moves(alone, meanwhile):  # noqa: F811
+def test_a_turn_comes_to_its_end_whatever_else_moves(alone, meanwhile):
     own = {"before": lambda page: page.clock.install(time=0), "reduced_motion": "no-preference"}
     with alone(DIE, **own) as live:
         live.page.clock.pause_at(60_000)
@@ -312,7 +310,7 @@ def test_a_turn_comes_to_its_end_whatever_else_moves(alone, meanwhile):  # noqa:
 
 
 @in_browser
-def test_with_reduced_motion_a_turn_is_there_at_once(alone):  # noqa: F811
+def test_with_reduced_motion_a_turn_is_there_at_once(alone):
     with alone(DIE, reduced_motion="reduce") as live:
         live.root.locator("[data-press='X']").click()
         assert live.state()[0] == ["X", 1]
@@ -325,7 +323,7 @@ FOLLOW = """(hash) => new Promise((followed) => {
 
 
 @in_browser
-def test_a_link_keeps_the_presses_and_drops_junk(alone):  # noqa: F811
+def test_a_link_keeps_the_presses_and_drops_junk(alone):
     with alone(DIE) as live:
         press(live, "Z", "-x")
         live.root.locator(".rk-link").click()
@@ -337,7 +335,7 @@ def test_a_link_keeps_the_presses_and_drops_junk(alone):  # noqa: F811
 
 
 @in_browser
-def test_the_view_is_turned_by_keys_once_its_fold_is_open(alone):  # noqa: F811
+def test_the_view_is_turned_by_keys_once_its_fold_is_open(alone):
     with alone(DIE) as live:
         before = live.state()
         assert not live.input(DIE.controls[-1]).is_visible()

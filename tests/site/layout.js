@@ -1,5 +1,6 @@
 // What can go wrong with a page's layout: an expression for `page.evaluate`. Gives a list of
 // findings by check; opens all folds, and brings all figures to life.
+// `unfold` and `comeAlive` come from tests/browser.py.
 // screens: whether each screen must have something to see or do; heights: the most of a figure in
 // px, by its size; sizes: the size of each figure, by its name
 async ({ phone, screens, heights, sizes }) => {
@@ -40,11 +41,6 @@ async ({ phone, screens, heights, sizes }) => {
 
   // --- all folds open ---
 
-  const openAll = () => {
-    all(".bd-article details:not(.rk-figure *)").forEach((fold) => { fold.open = true; });
-    all(".rk-prediction").forEach((each) => each.classList.add("rk-answered"));
-  };
-
   // Scrolling cannot bring back what lies left of its box at rest. One pixel for rounding.
   const lostToTheLeft = () => seen(".math-scroll").filter((math) => {
     math.scrollLeft = 0;
@@ -71,21 +67,6 @@ async ({ phone, screens, heights, sizes }) => {
 
   // --- all figures alive ---
 
-  const frame = () => new Promise(requestAnimationFrame);
-
-  const comeAlive = async (figure) => {
-    const svg = figure.querySelector(".rk-picture svg");
-    svg.scrollIntoView({ block: "center", behavior: "instant" });
-    const fits = () => svg.clientWidth >= 240 && svg.clientWidth === svg.parentElement.clientWidth
-      && Math.abs(svg.viewBox.baseVal.width - svg.clientWidth) < 1; // drawn anew, not only shrunk
-    const end = performance.now() + 30_000;
-    while (!figure.courseware || !fits()) {
-      if (performance.now() > end) throw new Error(`${figure.id} does not come alive`);
-      await frame();
-    }
-    figure.courseware.settled();
-  };
-
   const tornNumbers = (figure) => all("dd", figure).filter((told) => {
     const text = new Range();
     text.selectNodeContents(told);
@@ -111,7 +92,7 @@ async ({ phone, screens, heights, sizes }) => {
 
   const found = { tooWide, severalSearches, squeezedRoots, ...(screens ? { onlyText } : {}) };
   for (const [name, check] of Object.entries(found)) found[name] = check();
-  openAll();
+  unfold(document.querySelector(".bd-article"));
   const opened = { lostToTheLeft, tornFormulas, ...(phone ? { tornPunctuation, cutCode, hiddenScrolling } : {}) };
   for (const [name, check] of Object.entries(opened)) found[name] = check();
   found.figures = [];

@@ -13,10 +13,9 @@ import urllib.error
 import urllib.request
 
 import pytest
-from browser import listed
+from browser import UNFOLD, listed
 from declared import FIGURES
 from support import find_command
-from test_figures import UNFOLD
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.slow

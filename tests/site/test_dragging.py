@@ -3,114 +3,14 @@
 On three figures that differ; on all of them in the long run.
 """
 
-from contextlib import ExitStack, contextmanager
-
 import numpy as np
 import pytest
-from browser import watched_page
 from declared import FIGURES
-from test_figures import (
-    SHOW,
-    OnPage,
-    in_browser,
-    own_controls,
-    page_of,  # noqa: F401
-    turned,  # noqa: F401
-    typical,
-    typical_figure,
-    visit,  # noqa: F401
-)
+from figure_numbers import own_controls, random_state, typical, typical_figure
+from figure_page import CANCEL, states_on_the_way
 
-from courseware.figures import Choice
-from courseware.figures.turning import QuarterTurns
-from courseware.script import runtime
-
-pytest_plugins = ["browser"]
-
-
-HOME = "http://alone.test/"
-
-
-@pytest.fixture(scope="session")
-def alone(chromium):
-    """Opens a figure on a page without anything else; afterwards the console must be empty.
-
-    What the figure does there it does on its chapter's page, which takes ten times as long to open
-    and twice as long to draw.
-    """
-    style = f"{runtime.stylesheet()} body {{ max-width: 46rem; margin: 1rem; }}"
-    kept = {}
-
-    @contextmanager
-    def opened(figure, before=None, width=1280, reduced_motion="reduce"):
-        key = (width, reduced_motion)
-        with ExitStack() as stack:
-            if before or key not in kept:
-                way = watched_page(chromium, HOME, width, reduced_motion=reduced_motion)
-                page, watch = stack.enter_context(way)
-                if before:
-                    before(page)
-            else:
-                page, watch, others = kept.pop(key)
-                stack.push(others)
-            scripts = "".join([*map(runtime.script, runtime.parts())])
-            start = f"courseware.figures.bringToPage({figure.code});"
-            body = (
-                f"{figure.render_html()}<p style='height: 3000px'><script>{scripts}{start}</script>"
-            )
-            html = f"<!doctype html><meta charset='utf-8'><style>{style}</style>{body}"
-            page.unroute_all()
-            page.route(
-                f"{HOME}**", lambda route: route.fulfill(body=html, content_type="text/html")
-            )
-            page.goto(HOME)
-            yield OnPage(page, figure).come_alive()
-            assert not watch.errors
-            page.goto("about:blank")  # else it plays on, and takes time from other tests
-            if not before:
-                kept[key] = page, watch, stack.pop_all()  # a test that fails closes its page
-
-    yield opened
-    for *_, stack in kept.values():
-        stack.close()
-
-
-# --- Under the hand -------------------------------------------------------------------------
-
-
-def centre(live, place):
-    """Where on the screen a handle is drawn; the picture in view."""
-    live.picture.evaluate(SHOW)
-    live.state()
-    box = live.handles.nth(place).bounding_box()
-    return np.array([box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
-
-
-def put(live, state):
-    """The figure in a state, drawn."""
-    live.root.evaluate("({courseware}, state) => courseware.set(state)", state)
-    return live.state()
-
-
-SEEN = """(root) => {
-  const seen = [], { courseware } = root, stop = new AbortController();
-  root.ownerDocument.addEventListener("pointermove", () => {
-    courseware.settled();
-    seen.push(courseware.state);
-  }, stop);
-  root.seen = () => { stop.abort(); return seen; };
-}"""
-
-
-def states_on_the_way(live, start, end, moves):
-    """The state after each of several moves of the mouse with the button down."""
-    live.page.mouse.move(*start)
-    live.page.mouse.down()
-    live.root.evaluate(SEEN)
-    live.page.mouse.move(*end, steps=moves)
-    found = live.root.evaluate("(root) => root.seen()")
-    live.page.mouse.up()
-    return found
+pytest_plugins = ["figure_page"]
+pytestmark = pytest.mark.browser
 
 
 WAYS = {  # a handle, and a way of it in pixels that meets at most one magnet
@@ -119,48 +19,35 @@ WAYS = {  # a handle, and a way of it in pixels that meets at most one magnet
 }
 
 
-@in_browser
 @pytest.mark.parametrize("name", WAYS)
 def test_dragging_is_continuous(name, alone):
     place, way = WAYS[name]
     with alone(FIGURES[name]) as live:
-        start = centre(live, place)
+        start = live.centre(place)
         found = states_on_the_way(live, start, start + np.array(way), 40)
     assert len(set(map(tuple, found))) >= 35
 
 
-@in_browser
-def test_turning_is_continuous(turned):  # noqa: F811
-    with turned() as live:
-        box = live.picture.bounding_box()
-        start = np.array([box["x"] + 60, box["y"] + 60], dtype=float)
-        found = states_on_the_way(live, start, start + np.array([-70, 20]), 40)
-    assert len(set(map(tuple, found))) >= 35
-
-
-@in_browser
 def test_near_a_special_value_it_is_exactly_that(alone):
     """A wheel's speed: as the other wheel's, zero, its end; two pixels away is near enough."""
     with alone(FIGURES["wheel-speeds"]) as live:
         for start, special in ((0.05, 0.1), (0.05, 0.0), (-0.1, -0.12)):
-            there, here = (put(live, [v, 0.1, 1.5]) and centre(live, 0) for v in (special, start))
+            there, here = (live.put([v, 0.1, 1.5]) and live.centre(0) for v in (special, start))
             toward = 2 * (there - here) / np.abs(there - here).max()
             states_on_the_way(live, here, there - toward, 3)
             assert live.state()[0] == special
 
 
-@in_browser
 def test_what_a_hand_leaves_is_what_is_shown(alone):
     """So that the formula with the figure's numbers is true."""
     with alone(FIGURES["wheel-speeds"]) as live:
-        start = centre(live, 1)
+        start = live.centre(1)
         *_, (_, on_the_way, _) = states_on_the_way(live, start, start + np.array([0, 37]), 3)
         _, right, _ = live.state()
     assert on_the_way != right == pytest.approx(on_the_way, abs=5e-4)
     assert right == round(right, 3)
 
 
-@in_browser
 def test_what_keys_leave_is_what_is_shown(alone):
     """And not half a step of the last digit beside it, as 0.07500000000000001."""
     with alone(FIGURES["wheel-speeds"]) as live:
@@ -174,23 +61,21 @@ def test_what_keys_leave_is_what_is_shown(alone):
             before = right
 
 
-@in_browser
 def test_the_ring_of_the_focus_comes_with_the_first_key(alone):
     """After a drag it would only hide the label."""
     look = "(grip) => getComputedStyle(grip).outlineStyle"
     with alone(FIGURES["wheel-speeds"]) as live:
-        start = centre(live, 1)
+        start = live.centre(1)
         states_on_the_way(live, start, start + np.array([0, 37]), 3)
         assert live.handles.nth(1).evaluate(look) == "none"
         live.page.keyboard.press("ArrowUp")
         assert live.handles.nth(1).evaluate(look) == "solid"
 
 
-@in_browser
 def test_the_thumb_follows_and_keys_go_in_steps(alone):
     figure = FIGURES["wheel-speeds"]
     with alone(figure) as live:
-        start = centre(live, 1)
+        start = live.centre(1)
         states_on_the_way(live, start, start + np.array([0, 15]), 1)
         slider, found = live.input(figure.controls[1]), live.state()
         assert float(slider.input_value()) == pytest.approx(found[1], abs=1e-9)
@@ -217,14 +102,13 @@ MEASURED = """({courseware}, states) => states.map((state) => {
 })"""
 
 
-@in_browser
 @typical_figure
-def test_handles_are_small_and_apart(figure, visit):  # noqa: F811
+def test_handles_are_small_and_apart(figure, visit):
     """Over settings at random, inside the picture; the target is larger than the ring."""
     random = np.random.default_rng(5)
     with visit(figure, width=390) as live:
         picture = live.picture.bounding_box()
-        states = [shown(figure, random) for _ in range(30)]
+        states = [random_state(figure, random) for _ in range(30)]
         for rings in live.root.evaluate(MEASURED, states):
             for k, ring in enumerate(rings):
                 assert ring["wide"] <= 20
@@ -236,66 +120,31 @@ def test_handles_are_small_and_apart(figure, visit):  # noqa: F811
                     assert far > 17 or ring["x"] < -50
 
 
-def shown(figure, random):
-    """A random state, in the units shown."""
-    code = []
-    for control in figure.controls:
-        if isinstance(control, Choice):
-            code.append(int(random.integers(len(control.options))))
-        elif isinstance(control, QuarterTurns):
-            code.append([str(random.choice(["", "x", "Zx-Y"])), 1])
-        elif isinstance(control.step, int):
-            code.append(int(random.integers(control.low, control.high + 1)))
-        else:
-            scale = np.pi / 180 if control.symbol.unit == "rad" else 1
-            code.append(float(random.uniform(control.low, control.high) / scale))
-    return code
-
-
-@in_browser
 def test_handles_that_meet_can_both_be_taken(alone):
     """The platform of the frames put upon the object: each comes away from the other."""
     figure = FIGURES["room-plan"]
     with alone(figure) as live:
         state = live.state()
         state[:2] = state[6:8] = [1.2, 0.9]
-        put(live, state)
+        live.put(state)
         for place, places in ((1, [0, 1]), (6, [6, 7])):
-            before, here = live.state(), centre(live, place)
+            before, here = live.state(), live.centre(place)
             states_on_the_way(live, here, here + np.array([31, -23]), 2)
             now = live.state()
             assert [k for k in range(9) if now[k] != before[k]] == places
-            put(live, state)
+            live.put(state)
 
 
-CANCEL = """(element) => element.dispatchEvent(
-  new PointerEvent("pointercancel", {bubbles: true, pointerId: 1}))"""
-
-
-@in_browser
 def test_a_cancelled_drag_has_not_been(alone):
     with alone(FIGURES["wheel-speeds"]) as live:
         before = live.state()
-        live.page.mouse.move(*centre(live, 1))
+        live.page.mouse.move(*live.centre(1))
         live.page.mouse.down()
-        live.page.mouse.move(*(centre(live, 1) + np.array([0, 30])), steps=3)
+        live.page.mouse.move(*(live.centre(1) + np.array([0, 30])), steps=3)
         assert live.state() != before
         live.handles.nth(1).evaluate(CANCEL)
         assert live.state() == before
-        live.page.mouse.move(*(centre(live, 1) + np.array([0, 60])))
-        assert live.state() == before
-        live.page.mouse.up()
-
-
-@in_browser
-def test_a_cancelled_turn_has_not_been(turned):  # noqa: F811
-    with turned() as live:
-        box, before = live.picture.bounding_box(), live.state()
-        live.page.mouse.move(box["x"] + 60, box["y"] + 60)
-        live.page.mouse.down()
-        live.page.mouse.move(box["x"] + 120, box["y"] + 90, steps=3)
-        assert live.state() != before
-        live.picture.evaluate(CANCEL)
+        live.page.mouse.move(*(live.centre(1) + np.array([0, 60])))
         assert live.state() == before
         live.page.mouse.up()
 
@@ -303,13 +152,12 @@ def test_a_cancelled_turn_has_not_been(turned):  # noqa: F811
 # --- What is outside the picture ------------------------------------------------------------
 
 
-@in_browser
-def test_the_icr_outside_is_told_at_the_edge(visit):  # noqa: F811
+def test_the_icr_outside_is_told_at_the_edge(visit):
     """Nearly straight: the ICR is 3.2 m away; on a phone, too, its words are in the picture."""
     with visit(FIGURES["wheel-speeds"], width=390) as live:
         marker = live.picture.locator(".rk-beyond")
         assert marker.count() == 0
-        put(live, [0.0945, 0.0975, 1.5])
+        live.put([0.0945, 0.0975, 1.5])
         assert marker.count() == 1
         words = live.picture.locator("text", has_text="ICR")
         # the wheels are 10 cm apart: R = b/2 (v_R + v_L)/(v_R - v_L)
@@ -318,16 +166,15 @@ def test_the_icr_outside_is_told_at_the_edge(visit):  # noqa: F811
         assert outer["x"] < inner["x"]
         assert inner["x"] + inner["width"] < outer["x"] + outer["width"]
         assert outer["y"] < inner["y"]
-        put(live, [0.1, 0.1, 1.5])  # straight: there is none
+        live.put([0.1, 0.1, 1.5])  # straight: there is none
         assert marker.count() == 0
 
 
 # --- On a phone -----------------------------------------------------------------------------
 
 
-@in_browser
 @typical(own_controls, ["wheel-laboratory"])  # with more sliders than a phone has room for
-def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):  # noqa: F811
+def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):
     with visit(figure, width=390) as live:
         last = live.root.locator(".rk-controls :is(input, select, button):not(details *)").last
         last.evaluate("(e) => e.scrollIntoView({block: 'end', behavior: 'instant'})")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from browser import watched_page
 from declared import FIGURES, each
-from test_dragging import shown
+from figure_numbers import random_state
 
 from courseware.figures import Figure
 from courseware.script import runtime
@@ -58,6 +58,6 @@ def alive(request, chromium):
 def test_no_text_lies_on_another_or_outside(figure, count, alive):
     page, watch = alive
     random = np.random.default_rng([page.viewport_size["width"], len(figure.name)])
-    states = [shown(figure, random) for _ in range(count)]
+    states = [random_state(figure, random) for _ in range(count)]
     faults = page.evaluate(FAULTS, [figure.name, json.loads(json.dumps(states))])
     assert not faults + watch.errors

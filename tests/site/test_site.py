@@ -12,7 +12,7 @@ from types import SimpleNamespace
 from urllib.parse import unquote
 
 import pytest
-from browser import ROOT, draw_all, listed, pages, settled, watched_page
+from browser import COME_ALIVE, ROOT, UNFOLD, draw_all, listed, pages, settled, watched_page
 from declared import FIGURES
 from PIL import Image
 from test_steps import IN_STEPS
@@ -71,7 +71,12 @@ IN_LETTERS = """
 }
 """
 AT_ONCE = "*, ::before, ::after { transition: none !important; }"  # from light to dark
-LAYOUT = (Path(__file__).parent / "layout.js").read_text("utf-8")
+LAYOUT = f"""(given) => {{
+  const unfold = {UNFOLD}, comeAlive = {COME_ALIVE};
+  return (
+{(Path(__file__).parent / "layout.js").read_text("utf-8")}
+  )(given);
+}}"""
 OVERFLOW = "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"
 REACHED = """
 () => [...document.querySelectorAll(".bd-article :is(.math-scroll, pre)")]

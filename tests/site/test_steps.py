@@ -6,24 +6,16 @@ import nbformat
 import pytest
 import sympy as sp
 from declared import FIGURES, each
+from figure_numbers import point, started
+from figure_page import SHOW
 from playwright.sync_api import expect
-from test_dragging import (
-    alone,  # noqa: F401
-    centre,
-    put,
-)
-from test_figures import (
-    SHOW,
-    in_browser,
-    point,
-    started,
-)
 
 from courseware.course import course
 from courseware.figures import Clock, Figure
 from courseware.figures.figure import MIME
 
-pytest_plugins = ["browser"]
+pytest_plugins = ["figure_page"]
+in_browser = pytest.mark.browser
 
 
 def opens_with_a_figure(chapter):
@@ -63,10 +55,10 @@ def reached(live):
 def drag(live, place, wished):
     """A handle, by the mouse, to where it is at a state."""
     before = live.state()
-    put(live, wished)
-    there = centre(live, place)
-    put(live, before)
-    live.page.mouse.move(*centre(live, place))
+    live.put(wished)
+    there = live.centre(place)
+    live.put(before)
+    live.page.mouse.move(*live.centre(place))
     live.page.mouse.down()
     live.page.mouse.move(*there, steps=8)
     live.page.mouse.up()
@@ -74,7 +66,7 @@ def drag(live, place, wished):
 
 @in_browser
 @pytest.mark.parametrize("width", [1280, 390])
-def test_the_robot_is_parked_by_two_drags(alone, width):  # noqa: F811
+def test_the_robot_is_parked_by_two_drags(alone, width):
     with alone(FIGURES["park"], width=width) as live:
         goal = live.root.locator(".rk-goal output")
         assert reached(live) == [False]
@@ -85,14 +77,14 @@ def test_the_robot_is_parked_by_two_drags(alone, width):  # noqa: F811
         assert reached(live) == [True]
         assert goal.text_content() == "reached"
         assert goal.evaluate("(e) => e.matches('output')")  # which is read aloud when it changes
-        put(live, [0.0, 0.0, 0])
+        live.put([0.0, 0.0, 0])
         assert reached(live) == [True]  # once is enough …
         live.root.locator(".rk-reset").click()
         assert reached(live) == [False]  # … until a reset
 
 
 @in_browser
-def test_the_tasks_of_the_laboratory_are_done_by_keys(alone):  # noqa: F811
+def test_the_tasks_of_the_laboratory_are_done_by_keys(alone):
     """On the steps of the sliders, as they are for those who use no mouse."""
     figure = FIGURES["wheel-speeds"]
     left, right, time = figure.controls
@@ -110,14 +102,14 @@ def test_the_tasks_of_the_laboratory_are_done_by_keys(alone):  # noqa: F811
 
 
 @in_browser
-def test_a_wish_that_can_be_had(alone):  # noqa: F811
+def test_a_wish_that_can_be_had(alone):
     with alone(FIGURES["sideways"]) as live:
         drag(live, 0, [0.08, 0.0])
         assert reached(live) == [True]
 
 
 @in_browser
-def test_the_place_at_the_side_is_reached_by_keys(alone):  # noqa: F811
+def test_the_place_at_the_side_is_reached_by_keys(alone):
     """A quarter turn on the spot and 20 cm on; how far the parts are played does not matter."""
     figure = FIGURES["side"]
     with alone(figure) as live:
@@ -128,7 +120,7 @@ def test_the_place_at_the_side_is_reached_by_keys(alone):  # noqa: F811
 
 
 @in_browser
-def test_a_goal_is_not_reached_by_passing_over_it(alone):  # noqa: F811
+def test_a_goal_is_not_reached_by_passing_over_it(alone):
     """Over the wish that can be had, on to one that cannot; with the handle and with the slider."""
     figure = FIGURES["sideways"]
     with alone(figure) as live:
@@ -180,7 +172,7 @@ TIME = "([name, i]) => document.getElementById(name).courseware.state[i]"
 
 @in_browser
 @each_loop
-def test_motion_loops_in_sight_and_rests_out_of_it(figure, alone):  # noqa: F811
+def test_motion_loops_in_sight_and_rests_out_of_it(figure, alone):
     place = next(i for i, c in enumerate(figure.controls) if getattr(c, "loops", False))
     clock, at = figure.controls[place], [figure.name, place]
     with alone(figure, reduced_motion="no-preference") as live:
@@ -206,7 +198,7 @@ def test_motion_loops_in_sight_and_rests_out_of_it(figure, alone):  # noqa: F811
 
 @in_browser
 @each_loop
-def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, alone):  # noqa: F811
+def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, alone):
     with alone(figure) as live:
         live.picture.scroll_into_view_if_needed()
         assert live.root.locator(".rk-play").text_content() == "Play"
@@ -214,10 +206,10 @@ def test_nothing_plays_by_itself_for_those_who_want_no_motion(figure, alone):  #
 
 
 @in_browser
-def test_the_view_follows_the_robot(alone):  # noqa: F811
+def test_the_view_follows_the_robot(alone):
     """Straight on at the highest speed for 12 s: 1.8 m, and still in the picture."""
     with alone(FIGURES["wheel-speeds"]) as live:
-        put(live, [0.15, 0.15, 12.0])
+        live.put([0.15, 0.15, 12.0])
         box = live.picture.bounding_box()
         wheel = live.picture.locator('[data-symbol="differential_drive.v_L"] rect').last
         seen = wheel.bounding_box()

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from html import unescape
 
 import pytest
-from browser import draw_all, watched_page
+from browser import UNFOLD, draw_all, watched_page
 from declared import FIGURES
 from test_bundle import each_page, named
 
@@ -35,10 +35,6 @@ LIT = """(selectors) => {
   };
   return [found.map(({ length }) => length), found.map((faces) => faces.every(lit))];
 }"""
-UNFOLD = """(folds) => folds.forEach((fold) => {
-  fold.open = true;
-  fold.closest(".rk-prediction")?.classList.add("rk-answered");
-})"""
 FOLLOWED = """([step, key, before]) => {
   const face = `${step} .rk-control[data-symbol="${key}"] input`;
   const now = document.querySelector(face).getAttribute("aria-valuetext");
@@ -70,7 +66,7 @@ def visited(chromium, server, **options):
     """The page whose step has all faces of a symbol; its console must stay empty."""
     with watched_page(chromium, server, **options) as (page, watch):
         page.goto(f"{server}{PAGE}/{PAGE}.html")
-        page.locator(f"{STEP} details").evaluate_all(UNFOLD)  # what predictions open
+        page.locator(STEP).evaluate(UNFOLD)  # what predictions open
         page.locator(f"{STEP} .rk-figure").first.scroll_into_view_if_needed()
         page.wait_for_selector(f"{STEP} .rk-live")
         yield page

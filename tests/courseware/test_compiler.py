@@ -1,0 +1,113 @@
+"""From a declaration to JavaScript: every number of every figure, in the engine."""
+
+import re
+
+import numpy as np
+import sympy as sp
+from figure_numbers import (
+    ALLOWED,
+    LOST,
+    each_figure,
+    each_number,
+    exact,
+    keeps_its_digits,
+    points,
+    sizes,
+    started,
+)
+from small_figures import a, small_figure
+from support import EPS, assert_close
+
+from book.motion import formulas as motion_formulas
+from courseware.equations.verification import differences
+from courseware.figures import Curve, Point, Readout, Recurrence, Slider, Trail
+from courseware.figures.compiling import xy
+from courseware.figures.javascript import run_function
+from courseware.script import engine as script
+
+
+@each_number
+@each_figure
+def test_every_number_in_50_digits(figure, n):
+    kept = [keeps_its_digits(figure, e) for e in figure.expressions]
+    computed = figure.compute(points(figure, n))[:, kept]
+    wanted = exact(
+        figure, n, [e for e, keeps in zip(figure.expressions, kept, strict=True) if keeps]
+    )
+    worst = (differences(computed, wanted) / sizes(wanted)).max()
+    print(f"{figure.name}: {computed.shape[1]} numbers, largest difference {worst:.1e}")
+    assert worst <= ALLOWED
+
+
+def call_compiled(figure, function, rows, extra):
+    """A function of the compiled figure, at settings and one more array of numbers each."""
+    code = f"""((figure) => (f, given) => {{
+      const c = courseware.figures.compute(figure, given.slice(0, {rows.shape[1]})).c;
+      return figure.{function}(f, c, given.slice({rows.shape[1]}));
+    }})({figure.code})"""
+    return run_function(code, np.hstack([rows, extra]))
+
+
+@each_number
+@each_figure
+def test_curves_in_50_digits(figure, n):
+    rows = points(figure, n)
+    for place, shape in enumerate(figure.scene):
+        loses = figure.name in LOST and shape.kind == "approximation"
+        if isinstance(shape, Curve) and not loses:
+            low, high = exact(figure, n, [shape.low, shape.high]).T.astype(float)
+            s = np.random.default_rng(place).uniform(low, high)
+            drawn_at = call_compiled(figure, f"scene[{place}].point", rows, s[:, None])
+            traced = shape.at[:2] if shape.depth is None else (*shape.at, shape.depth)
+            at = exact(figure, n, traced, {shape.parameter: s})
+            assert (differences(drawn_at, at) / sizes(at)).max() <= ALLOWED
+
+
+@each_number
+@each_figure
+def test_a_handle_sets_what_puts_it_there(figure, n):
+    """Where a handle is, its expressions give back the settings that it sets."""
+    rows = points(figure, n)
+    for place, handle in enumerate(figure.handles):
+        at = exact(figure, n, xy(handle.at)).astype(float)
+        back = call_compiled(figure, f"handles[{place}].to", rows, at)
+        columns = [figure.settings.index(symbol) for symbol in handle.sets]
+        assert_close(back, rows[:, columns], atol=ALLOWED)
+
+
+def symbol_numbers(figure):
+    """Every number of the start that has a symbol, as a page tells it."""
+    return script.run(
+        f"((figure, state) => courseware.figures.numbers(figure, state, courseware.figures.compute("
+        f"figure, courseware.figures.settings(figure, state))))({figure.code}, {started(figure)})"
+    )
+
+
+def test_numbers_are_told_by_symbol():
+    """Sliders, readouts and named steps that are quantities; in SI and as shown."""
+    theta, v = motion_formulas.theta, motion_formulas.v
+    figure = small_figure(
+        controls=(Slider(theta, 0.0, 2.0, start=np.pi / 6, step=np.pi / 180),),
+        where=((a, sp.sin(theta)), (v, 4 * a)),
+        scene=(Point("target", (a, 0)),),
+        readouts=(Readout(v, digits=1), Readout("twice", "twice", 2 * a, "m")),
+        sentence="{v}",
+    )
+    numbers = symbol_numbers(figure)
+    assert {key: number["text"] for key, number in numbers.items()} == {
+        "motion.theta": "30°",
+        "motion.x": "0.5 m",
+        "motion.v": "2.0 m/s",
+    }
+    values = [number["value"] for number in numbers.values()]
+    np.testing.assert_allclose(values, [0.5, 2.0, np.pi / 6], rtol=4 * EPS)
+
+
+def test_a_trail_is_a_line_with_dots():
+    place, end = sp.symbols("place end")
+    loop = Recurrence((place,), (0,), (place + a,), count=3, most=5, ends=(end,))
+    drawn = small_figure(
+        scene=(Trail("path", (place, 0), loop),), readouts=(), sentence=""
+    ).render_svg()
+    assert len(re.findall("<circle", drawn)) == 4
+    assert len(re.findall(r"M[\d.]+ [\d.]+L[^\"]*L[^\"]*L", drawn)) == 1

@@ -1,0 +1,68 @@
+"""What a declaration of a figure must be, and what is said of a wrong one."""
+
+from dataclasses import replace
+
+import pytest
+from small_figures import LOOP, a, loose, small_figure
+from support import assert_close
+
+from book.motion import formulas as motion_formulas
+from courseware.errors import CourseError
+from courseware.figures import POINTER, Choice, Curve, Handle, Point, Readout, Slider, Trail
+
+
+def test_the_small_figure_is_right():
+    assert_close(small_figure().compute([[0.25]])[:, 0], [0.5], atol=0)
+
+
+@pytest.mark.parametrize(
+    ("parts", "message"),
+    [
+        ({"scene": (Point("target", (loose, 0)),)}, "an expression uses loose, but may use only x"),
+        ({"scene": (Curve("path", (loose, loose * a), loose * a, 0, 1),)}, "uses loose"),
+        ({"scene": (Point("purple", (a, 0)),)}, "no kind 'purple'; there are left, right"),
+        (
+            {"controls": (Slider(loose, 0, 1, 0, 0.1),), "sentence": ""},
+            "loose is no declared quantity",
+        ),
+        ({"controls": (Slider(a, 0, 1, 0, 0.1, kind="purple"),)}, "no kind 'purple'"),
+        ({"readouts": (Readout("x", "", a, "m"),)}, "two controls or readouts of one name"),
+        ({"controls": (Slider(a, 1, 0, 0, 0.1),)}, "slider x goes from 1 to 0 .* must be below"),
+        ({"controls": (Slider(a, 0, 1, 2, 0.1),)}, "starts at 2: .* its start between them"),
+        ({"controls": (Slider(a, 0, 1, 0, 0),)}, "in steps of 0 .* its step positive"),
+        (
+            {"controls": (Choice("c", "", (a,), {"one": (1.0,)}, "two"),), "sentence": ""},
+            "one, got 'two'",
+        ),
+        (
+            {"controls": (Choice("c", "", (a,), {"one": ()}, "one"),), "sentence": ""},
+            "each of x, got 0",
+        ),
+        (
+            {"readouts": (Readout("twice", "", a, "m", words={"big": "far"}),)},
+            "twice has a word for big",
+        ),
+        ({"sentence": "b is {b}"}, "text `sentence` of .* uses b, but there are only x, twice"),
+        ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
+        ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
+        ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
+        (
+            {"controls": (Slider(a, 0, 1, 0, 0.1), Slider(motion_formulas.y, 0, 1, 0, 0.1))},
+            "in the figure small, the control y moves nothing",
+        ),
+        ({"where": (LOOP,)}, "`where` of small has a Recurrence: give it to a Trail"),
+        (
+            {"where": ((loose, a / 2),), "scene": (Trail("path", (a, 0), LOOP),)},
+            "in the figure small, in a recurrence, which comes before `where`, .* uses loose",
+        ),
+    ],
+)
+def test_a_wrong_declaration_is_refused(parts, message):
+    with pytest.raises(CourseError, match=message):
+        _ = small_figure(**parts).code
+
+
+@pytest.mark.parametrize("part", ["start", "step", "ends"])
+def test_a_recurrence_has_as_many_of_each(part):
+    with pytest.raises(CourseError, match=rf"state \(k,\) and as `{part}` \(.*must be as many"):
+        replace(LOOP, **{part: (a, a)})

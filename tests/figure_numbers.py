@@ -1,0 +1,252 @@
+"""What every figure of the course must show, and the settings that it is tried at.
+
+A new figure needs two entries in `book/<topic>/expected.py`: what its readouts must say, computed
+by `robokin`, and its special settings.
+"""
+
+import json
+from decimal import ROUND_HALF_UP, Decimal
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from declared import each
+
+from courseware.course import course
+from courseware.equations import find_kind
+from courseware.equations.verification import evaluate
+from courseware.figures import Choice, Figure, QuarterTurns
+from courseware.predictions import Ghost, Prediction
+from courseware.script import engine as script
+from courseware.units import in_figures
+
+N = 1000
+ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-14
+MINUS = "\u2212"
+
+
+each_figure = each("figure", "figures", Figure)
+HOMES = course().homes("figures", Figure)  # figure → its chapter
+
+# What the script does for any figure alike is tried on one that has most of it: sliders, handles, a
+# clock, goals; what a hand does, on one in space with a choice, too; in the long run all on all.
+TYPICAL = ("wheel-speeds",)
+HANDLED = (*TYPICAL, "euler-sequence")
+ASKED = {  # figures in which a reader places a guess: what can be moved depends on the prediction
+    prediction.answers.figure
+    for prediction in course().declared("predictions", Prediction).values()
+    if isinstance(prediction.answers, Ghost)
+}
+
+
+def typical(only, names=TYPICAL):
+    """The named figures, and in the long run all others, of those that this is asked of."""
+
+    def marks(name):
+        return [] if name in names else [pytest.mark.slow]
+
+    return each("figure", "figures", Figure, marks, only)
+
+
+def own_controls(figure):
+    """What a reader can always set but the view."""
+    if figure.name in ASKED:
+        return []
+    return [c for c in figure.controls if getattr(c, "symbol", None) not in figure.view_angles]
+
+
+typical_figure = typical(lambda figure: True)
+typical_moved = typical(own_controls)
+typical_handled = typical(own_controls, HANDLED)
+typical_held = typical(lambda figure: figure.handles)
+typical_linked = typical(lambda figure: figure.size != "step" and own_controls(figure))
+
+
+TABLES = course().modules("expected").values()
+READOUTS = {name: by for table in TABLES for name, by in table.READOUTS.items()}
+SPECIALS = {name: special for table in TABLES for name, special in table.SPECIALS.items()}
+LOST = {name: lost for table in TABLES for name, lost in getattr(table, "LOST", {}).items()}
+WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider shows them
+TITLES = {
+    figure: titles for table in TABLES for figure, titles in getattr(table, "TITLES", {}).items()
+}
+
+
+def readouts(figure, points):
+    """The readouts by `robokin`: (n, settings) → (n, readouts)."""
+    rows = np.asarray(points, dtype=float)
+    if computes(figure):
+        return READOUTS[figure.name](*rows.T)
+    return rows[:, [figure.settings.index(readout.value) for readout in figure.readouts]]
+
+
+def computes(figure):
+    """Whether its readouts are more than what its controls are set to."""
+    return any(readout.value not in figure.settings for readout in figure.readouts)
+
+
+LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of presses
+
+
+@cache
+def pressed(presses, made=1.0):
+    """The numbers that presses give their symbols, as the script computes them."""
+    return script.run(f"courseware.figures.turnNumbers({json.dumps([presses, made])})")
+
+
+def random_values(control, random, size):
+    """Random settings of one control over its whole range: (size, its symbols)."""
+    if isinstance(control, Choice):
+        return random.choice(list(control.options.values()), size)
+    if isinstance(control, QuarterTurns):
+        texts = ["".join(random.choice(LETTERS, random.integers(6))) for _ in range(20)]
+        rows = [pressed(text, float(part)) for text in texts for part in (0, 0.3, 1) if text]
+        return random.choice(rows, size)
+    if isinstance(control.step, int):
+        return random.integers(control.low, control.high + 1, (size, 1)).astype(float)
+    return random.uniform(control.low, control.high, (size, 1))
+
+
+def ends(control):
+    """The ends of a control's range, and its options one by one."""
+    if isinstance(control, Choice):
+        return list(control.options)
+    if isinstance(control, QuarterTurns):
+        return ["", "x", "-Z"]
+    return [control.low, control.high]
+
+
+def point(figure, values):
+    """One setting as a row of numbers: the start, but for `values` (by name, in SI)."""
+    row, known = [], {c.key for c in figure.controls}
+    assert values.keys() <= known, f"{figure.name} has {known}, not {values.keys() - known}"
+    for control in figure.controls:
+        value = values.get(control.key, control.start)
+        if isinstance(control, QuarterTurns):
+            row += pressed(value)
+        else:
+            row += control.options[value] if isinstance(control, Choice) else [value]
+    return row
+
+
+@cache
+def points(figure, n=N):
+    """Special settings, ends of ranges, then n random settings: (…, settings)."""
+    special = [{}, *SPECIALS[figure.name]]
+    special += [{c.key: end} for c in figure.controls for end in ends(c)]
+    rows = np.array([point(figure, values) for values in special], dtype=float)
+    random = np.random.default_rng(len(figure.name))
+    rest = [random_values(c, random, n) for c in figure.controls]
+    return np.vstack([rows, np.hstack([np.empty((n, 0)), *rest])])
+
+
+def rounded(number, digits):
+    """A number as text, halves away from zero as in JavaScript, with a true minus sign."""
+    text = str(Decimal(number).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP))
+    text = text.removeprefix("-") if not float(text) else text
+    return text.replace("-", MINUS)
+
+
+def by_power(number):
+    """Two digits and a power of ten."""
+    digits, power = f"{number:.1e}".split("e")
+    return f"{digits}·10{str(int(power)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def readout_text(readout, value):
+    """What a readout must say of a number in SI."""
+    word = readout.words.get(str(float(value)))
+    if word is not None:
+        return word
+    number = float(value) / in_figures(readout.unit).factor
+    text = rounded(number, readout.digits) if readout.digits >= 0 else by_power(number)
+    return text + "°" if readout.unit == "rad" else f"{text} {readout.unit}".rstrip()
+
+
+def readout_texts(readout, value):
+    """All that it may say: half way between two texts the last digit decides."""
+    size = abs(value) if readout.digits < 0 else 1
+    return {readout_text(readout, value + d * size) for d in (-ALLOWED, ALLOWED)}
+
+
+def loops(figure):
+    """The recurrences of a figure."""
+    return [shape.recurrence for shape in figure.scene if hasattr(shape, "recurrence")]
+
+
+@cache
+def points_and_last_states(figure, n):
+    """The settings, and where the loops end from there in 50 digits: (…, settings + ends)."""
+    rows = points(figure, n)
+    found = [rows]
+    for loop in loops(figure):
+        known = [*figure.settings, *loop.state]
+        counts = evaluate(loop.count, figure.settings, rows)[:, 0]
+        assert max(counts) <= loop.most, (
+            f"a recurrence of {figure.name} counts to {max(counts)}, and its `most` is {loop.most}"
+        )
+        state = evaluate(sp.Matrix(loop.start), figure.settings, rows)
+        for k in range(loop.most):
+            on = counts > k
+            given = np.hstack([rows[on], state[on]])
+            state[on] = evaluate(sp.Matrix(loop.step), known, given)
+        found.append(state)
+    return np.hstack(found)
+
+
+def exact(figure, n, expressions, more=()):
+    """Expressions of a figure at `points` in 50 digits. more: symbol → its numbers."""
+    ends = [symbol for loop in loops(figure) for symbol in loop.ends]
+    symbols = [*figure.settings, *ends, *dict(more)]
+    columns = [np.asarray(c)[:, None] for c in dict(more).values()]
+    given = np.hstack([points_and_last_states(figure, n), *columns])
+    return evaluate(sp.Matrix(expressions), symbols, given, figure.where)
+
+
+def sizes(numbers):
+    """What differences are measured by: 1, and beyond 1 the number itself."""
+    magnitudes = np.abs(numbers.astype(float))
+    return np.where(np.isfinite(magnitudes), np.maximum(1, magnitudes), 1)
+
+
+# 50 digits are slow: ten random settings beside the special ones, a thousand in the long run
+each_number = pytest.mark.parametrize("n", [10, pytest.param(N, marks=pytest.mark.slow)])
+
+
+def keeps_its_digits(figure, expression):
+    """Whether a number is none that the figure shows because it loses its digits."""
+    where = {str(symbol): sp.sympify(value) for symbol, value in figure.where}
+    used, names = set(), {str(s) for s in sp.sympify(expression).free_symbols}
+    while names - used:
+        used |= names
+        names = {str(s) for name in names & where.keys() for s in where[name].free_symbols}
+    return not used & set(LOST.get(figure.name, ()))
+
+
+def started(figure):
+    """The state in which a figure starts."""
+    return script.run(f"courseware.figures.startState({figure.code})")
+
+
+def random_state(figure, random):
+    """A random state, in the units shown."""
+    state = []
+    for control in figure.controls:
+        if isinstance(control, Choice):
+            state.append(int(random.integers(len(control.options))))
+        elif isinstance(control, QuarterTurns):
+            state.append([str(random.choice(["", "x", "Zx-Y"])), 1])
+        elif isinstance(control.step, int):
+            state.append(int(random.integers(control.low, control.high + 1)))
+        else:
+            number = float(random.uniform(control.low, control.high))
+            state.append(number / in_figures(control.symbol.unit).factor)
+    return state
+
+
+def kind_of(figure, shape):
+    """The name of a shape's look."""
+    symbolic = isinstance(shape.kind, sp.Symbol)
+    home = HOMES[figure.name]
+    return find_kind(shape.kind, home) if symbolic else shape.kind

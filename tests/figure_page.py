@@ -1,0 +1,347 @@
+"""A live figure on a page in the browser, and the pages on which tests move it.
+
+`visit` opens the chapter's page, `alone` a page with nothing else: there a figure does what it does
+on its chapter's page, which takes ten times as long to open and twice as long to draw.
+"""
+
+import re
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+import sympy as sp
+from browser import COME_ALIVE, UNFOLD, KeptPages, pages, settled
+from declared import FIGURES
+from figure_numbers import (
+    LETTERS,
+    MINUS,
+    keeps_its_digits,
+    point,
+    pressed,
+    readout_texts,
+    readouts,
+    rounded,
+)
+
+from courseware.equations.verification import evaluate
+from courseware.figures import Choice, QuarterTurns
+from courseware.figures.compiling import xy
+from courseware.script import runtime
+from courseware.units import in_figures
+
+pytest_plugins = ["browser"]
+
+
+@pytest.fixture(scope="session")
+def page_of(site):
+    """The chapter that each figure stands in; the first page may show it, too."""
+    texts = {name: (site / name).read_text("utf-8") for name in pages(site)}
+    found = {}
+    for figure in FIGURES:
+        found[figure] = [
+            n for n, t in texts.items() if "/" in n and f'class="rk-figure" id="{figure}"' in t
+        ]
+        assert len(found[figure]) == 1, f"{figure} stands on {found[figure]}"
+    return {figure: names[0] for figure, names in found.items()}
+
+
+SHOW = """(svg) => new Promise((standing) => {
+  let before = NaN, still = 0;
+  const look = () => {
+    const {top} = svg.getBoundingClientRect();
+    still = top === before ? still + 1 : 0;
+    if (still === 3) return standing();
+    before = top;
+    requestAnimationFrame(look);
+  };
+  svg.scrollIntoView({block: "center", behavior: "instant"});
+  look();
+})"""
+
+
+MADE = "(name) => document.getElementById(name).courseware.state[0][1] === 1"
+OPENED = "(input) => { const fold = input.closest('details'); if (fold) fold.open = true; }"
+
+
+class OnPage:
+    """One figure on a page in the browser."""
+
+    def __init__(self, page, figure):
+        self.page, self.figure = page, figure
+        self.root = page.locator(f"#{figure.name}")
+        self.handles = self.root.locator(".rk-handles circle")
+        self.picture = self.root.locator(".rk-picture svg")
+
+    def come_alive(self):
+        """Wait until the script has taken over: it does when the figure comes near."""
+        self.unfold()
+        self.root.evaluate(COME_ALIVE)
+        return self
+
+    def unfold(self):
+        """Open the folds around it, and what a prediction shows."""
+        self.root.evaluate(UNFOLD)
+
+    def state(self):
+        """What the controls stand at, in the units they show; drawn to the end first."""
+        return self.root.evaluate(
+            "({courseware}) => { courseware.settled(); return courseware.state; }"
+        )
+
+    def point(self):
+        """The same as a row of numbers in SI, computed here as the page must compute it."""
+        row = []
+        for control, shown in zip(self.figure.controls, self.state(), strict=True):
+            if isinstance(control, Choice):
+                row += list(control.options.values())[shown]
+            elif isinstance(control, QuarterTurns):
+                row += pressed(*shown)
+            else:
+                row.append(shown * in_figures(control.symbol.unit).factor)
+        return row
+
+    def readouts(self):
+        """The text of each readout, by name."""
+        self.state()
+        texts = self.root.locator("dd").all_text_contents()
+        return dict(zip((r.name for r in self.figure.readouts), texts, strict=True))
+
+    def input(self, control):
+        """The slider or the list of a control."""
+        place = self.figure.controls.index(control)
+        return self.root.locator(f"[data-i='{place}']:not(button)")
+
+    def press(self, control, *keys):
+        """Keys on a slider that has the focus, in an open fold; for turns, buttons to their end."""
+        if isinstance(control, QuarterTurns):
+            for one in keys:
+                self.root.locator(f"[data-press='{one if one in LETTERS else 'Z'}']").click()
+                self.page.wait_for_function(MADE, arg=self.figure.name)
+            return
+        self.input(control).evaluate(OPENED)
+        self.input(control).focus()
+        for one in keys:
+            self.page.keyboard.press(one)
+
+    def put(self, state):
+        """Set a state, and draw it."""
+        self.root.evaluate("({courseware}, state) => courseware.set(state)", state)
+        return self.state()
+
+    def centre(self, place):
+        """Where on the screen a handle is drawn; the picture in view."""
+        self.picture.evaluate(SHOW)
+        self.state()
+        box = self.handles.nth(place).bounding_box()
+        return np.array([box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
+
+    def spot(self, place, values):
+        """Where on the screen a handle is at a setting (by name, in SI); the picture in view."""
+        self.picture.evaluate(SHOW)
+        box, (left, right, low, high) = self.picture.bounding_box(), self.figure.view
+        at = sp.Matrix(xy(self.figure.handles[place].at))
+        given = np.array([point(self.figure, values)], dtype=float)
+        x, y = evaluate(at, self.figure.settings, given, self.figure.where)[0].astype(float)
+        across, down = (x - left) / (right - left), (high - y) / (high - low)
+        return box["x"] + across * box["width"], box["y"] + down * box["height"]
+
+    def way(self, place, wished):
+        """From where a handle is drawn, which may be beside its place, to a setting."""
+        here, there = self.spot(place, self.values()), self.spot(place, wished)
+        box = self.handles.nth(place).bounding_box()
+        start = np.array([box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
+        return start.tolist(), (start + there - here).tolist()
+
+    def values(self):
+        """The present setting by name, in SI."""
+        row = iter(self.point())
+        found = {}
+        for control, shown in zip(self.figure.controls, self.state(), strict=True):
+            numbers = [next(row) for _ in control.symbols]
+            if isinstance(control, Choice):
+                numbers = [list(control.options)[shown]]
+            found[control.key] = shown[0] if isinstance(control, QuarterTurns) else numbers[0]
+        return found
+
+    def alternative(self):
+        """What the picture says to those who do not see it."""
+        return self.picture.locator("[role=img]").get_attribute("aria-label")
+
+
+# a figure and its page as they were at first
+AS_AT_FIRST = """() => {
+  for (const { courseware } of document.querySelectorAll(".rk-figure.rk-live")) {
+    courseware.element.querySelector(".rk-reset")?.click();
+    courseware.last = null;
+    courseware.settled();
+  }
+  history.replaceState(null, "", location.pathname);
+  document.activeElement.blur();
+  scrollTo({ top: 0, behavior: "instant" });
+}"""
+
+
+@pytest.fixture(scope="session")
+def visit(chromium, server, page_of):
+    """Opens the page of a figure; a page that nothing asks to be fresh is as at first again."""
+    kept = KeptPages(chromium, server)
+
+    @contextmanager
+    def opened(figure, address="", before=None, fresh=False, reduced_motion="reduce", **options):
+        home = server + page_of[figure.name]
+        keep = not (fresh or address or before) and reduced_motion == "reduce"
+        way = {"reduced_motion": reduced_motion, **options}
+        with kept.page(home if keep else None, before, **way) as (page, is_new):
+            if is_new:
+                settled(page, home + address)  # else the page still moves
+                page.add_style_tag(content="html { scroll-behavior: auto !important; }")
+            else:
+                page.mouse.move(0, 0)
+                page.evaluate(AS_AT_FIRST)
+            yield OnPage(page, figure).come_alive()
+
+    yield opened
+    kept.close()
+
+
+HOME = "http://alone.test/"
+
+
+@pytest.fixture(scope="session")
+def alone(chromium):
+    """Opens a figure on a page without anything else, which can be scrolled."""
+    kept = KeptPages(chromium, HOME)
+    style = f"<style>{runtime.stylesheet()} body {{ max-width: 46rem; margin: 1rem; }}</style>"
+
+    @contextmanager
+    def opened(figure, before=None, reduced_motion="reduce", **options):
+        scripts = "".join([*map(runtime.script, runtime.parts())])
+        start = f"<script>{scripts}courseware.figures.bringToPage({figure.code});</script>"
+        body = f"{style}{figure.render_html()}<p style='height: 3000px'>{start}"
+        html = f"<!doctype html><meta charset='utf-8'>{body}"
+        way = {"reduced_motion": reduced_motion, **options}
+        with kept.page(None if before else HOME, before, **way) as (page, _):
+            page.unroute_all()
+            page.route(
+                f"{HOME}**", lambda route: route.fulfill(body=html, content_type="text/html")
+            )
+            page.goto(HOME)
+            yield OnPage(page, figure).come_alive()
+            page.goto("about:blank")  # else it plays on, and takes time from other tests
+
+    yield opened
+    kept.close()
+
+
+def assert_shows_state(live):
+    """The readouts and the controls say what `robokin` computes for the state read back."""
+    wanted = readouts(live.figure, [live.point()])[0]
+    texts = live.readouts()
+    for readout, value in zip(live.figure.readouts, wanted, strict=True):
+        if keeps_its_digits(live.figure, readout.value):
+            assert texts[readout.name] in readout_texts(readout, value), (
+                live.state(),
+                readout.name,
+            )
+    for control, shown in zip(live.figure.controls, live.state(), strict=True):
+        if not isinstance(control, Choice | QuarterTurns):
+            assert_slider_shows(live, control, shown)
+
+
+def assert_slider_shows(live, control, shown):
+    """The number beside a slider, with its unit, also for a screen reader."""
+    text = live.input(control).get_attribute("aria-valuetext")
+    assert live.input(control).locator("xpath=../*[@data-o]").text_content() == text
+    number, unit = re.fullmatch(r"(\S*?\d)(°| .*|)", text.replace(MINUS, "-")).groups()
+    known = control.symbol.unit
+    assert unit.strip() == ("°" if known == "rad" else known)
+    digits = len(number.partition(".")[2])
+    assert number.replace("-", MINUS) == rounded(shown, digits)
+    assert float(number) == pytest.approx(shown, abs=control.step / in_figures(known).factor)
+
+
+def neighbours(live):
+    """The other figures on the page."""
+    ids = live.page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
+    return [OnPage(live.page, FIGURES[i]).come_alive() for i in ids if i != live.figure.name]
+
+
+SEEN = """(root) => {
+  const seen = [], { courseware } = root, stop = new AbortController();
+  root.ownerDocument.addEventListener("pointermove", () => {
+    courseware.settled();
+    seen.push(courseware.state);
+  }, stop);
+  root.seen = () => { stop.abort(); return seen; };
+}"""
+
+
+def states_on_the_way(live, start, end, moves):
+    """The state after each of several moves of the mouse with the button down."""
+    live.page.mouse.move(*start)
+    live.page.mouse.down()
+    live.root.evaluate(SEEN)
+    live.page.mouse.move(*end, steps=moves)
+    found = live.root.evaluate("(root) => root.seen()")
+    live.page.mouse.up()
+    return found
+
+
+CANCEL = """(element) => element.dispatchEvent(
+  new PointerEvent("pointercancel", {bubbles: true, pointerId: 1}))"""
+
+
+def slide(live, random):
+    """Keys on a slider, or another entry of a list."""
+    control = random.choice(np.array(live.figure.controls, dtype=object))
+    if isinstance(control, Choice):
+        return live.input(control).select_option(index=int(random.integers(len(control.options))))
+    keys = [["Home"], ["End"], ["ArrowRight"] * 3, ["ArrowLeft"] * 2, ["PageUp"]]
+    return live.press(control, *keys[random.integers(len(keys))])
+
+
+def wish(live, place, random):
+    """A setting for a handle to be dragged to: what it sets at random, on the sliders' steps."""
+    wished = live.values()
+    for control in live.figure.controls:
+        if getattr(control, "symbol", None) in live.figure.handles[place].sets:
+            steps = round((control.high - control.low) / control.step)
+            wished[control.key] = control.low + int(random.integers(steps + 1)) * control.step
+    return wished
+
+
+def assert_arrived(live, wished):
+    """The controls are where the handle was dragged to, to one step (a pixel is less), or to what
+    a magnet in reach draws to: 1.5 % of the range."""
+    found = live.values()
+    for control in live.figure.controls:
+        if not isinstance(control, Choice | QuarterTurns):
+            # a hundredth more for the rounding of numbers in between
+            allowed = 1.01 * max(control.step, 0.015 * (control.high - control.low))
+            assert abs(found[control.key] - wished[control.key]) <= allowed
+
+
+def drag(live, random):
+    """A handle, pulled by the mouse to where it belongs at another setting."""
+    if not live.figure.handles:
+        return slide(live, random)
+    place = int(random.integers(len(live.figure.handles)))
+    wished = wish(live, place, random)
+    start, end = live.way(place, wished)
+    live.page.mouse.move(*start)
+    live.page.mouse.down()
+    live.page.mouse.move(*end, steps=4)
+    live.page.mouse.up()
+    return assert_arrived(live, wished)
+
+
+def nudge(live, random):
+    """A handle, moved by arrow keys."""
+    if not live.figure.handles:
+        return slide(live, random)
+    live.handles.nth(int(random.integers(len(live.figure.handles)))).focus()
+    arrow = random.choice(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", "Shift+ArrowUp"])
+    for _ in range(3):
+        live.page.keyboard.press(arrow)
+        live.state()
+    return None

@@ -1,0 +1,66 @@
+"""Controls and handles under a reader's hand, by mouse and by keys."""
+
+import json
+
+import numpy as np
+import pytest
+from declared import FIGURES
+from figure_numbers import TYPICAL, WORDS, typical_handled, typical_held, typical_moved
+from figure_page import assert_shows_state, drag, nudge, slide
+
+pytest_plugins = ["figure_page"]
+pytestmark = pytest.mark.browser
+
+
+@typical_handled
+def test_twenty_settings_by_mouse_and_keys(figure, visit):
+    random = np.random.default_rng(20)
+    seen = set()
+    with visit(figure) as live:
+        for turn in range(20):
+            (slide, drag, nudge)[turn % 3](live, random)
+            assert_shows_state(live)
+            seen.add(json.dumps(live.state()))
+    assert len(seen) >= 10  # some keys, as Home at the lower end, change nothing
+
+
+@typical_held
+def test_a_handle_taken_at_its_edge_does_not_jump(figure, visit):
+    with visit(figure) as live:
+        start = live.state()
+        x, y = live.spot(len(figure.handles) - 1, live.values())
+        live.page.mouse.move(x + 6, y + 6)
+        live.page.mouse.down()
+        live.page.mouse.move(x + 6, y + 6)
+        live.page.mouse.up()
+        assert live.state() == pytest.approx(start, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "readout", "word"),
+    [pytest.param(*row, marks=[pytest.mark.slow] * (row[0] not in TYPICAL)) for row in WORDS],
+)
+def test_keys_reach_a_word_instead_of_a_number(visit, name, values, readout, word):
+    """From the nearer end of the slider step by step."""
+    figure = FIGURES[name]
+    with visit(figure) as live:
+        for control in figure.controls:
+            if control.key in values:
+                up = round((values[control.key] - control.low) / control.step)
+                down = round((control.high - values[control.key]) / control.step)
+                ways = ["Home", *["ArrowRight"] * up], ["End", *["ArrowLeft"] * down]
+                live.press(control, *min(ways, key=len))
+        assert live.readouts()[readout] == word
+        assert_shows_state(live)
+
+
+@typical_moved
+def test_reset_restores_the_start(figure, visit):
+    with visit(figure) as live:
+        start = live.state()
+        for control in figure.controls:
+            live.press(control, "End")
+        assert live.state() != start
+        live.root.locator(".rk-reset").click()
+        assert live.state() == start
+        assert_shows_state(live)

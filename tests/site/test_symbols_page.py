@@ -7,7 +7,7 @@ from html import unescape
 import pytest
 from browser import UNFOLD, draw_all, watched_page
 from declared import FIGURES
-from test_bundle import each_page, named
+from test_asset_bundle import each_page, named
 
 from courseware.script import engine
 from courseware.symbols.numbers import at_start

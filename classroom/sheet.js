@@ -1,7 +1,11 @@
 // On a sheet with a student's own numbers: what is typed stays in the browser, and is saved as a file.
 
-const sheet = document.body.dataset, key = `${sheet.course} ${sheet.version} ${sheet.student}`;
-const entries = parsed(key);
+import { downloadAnswers, now } from "../courseware/practice/answer_file.js";
+import { memory, readStored } from "../courseware/practice/storage.js";
+
+const sheet = document.body.dataset;
+const key = `${sheet.course} ${sheet.version} ${sheet.student}`;
+const entries = readStored(key);
 for (const field of document.querySelectorAll("input")) {
   field.value = entries[field.name]?.answer ?? "";
   field.addEventListener("input", () => {
@@ -10,4 +14,4 @@ for (const field of document.querySelectorAll("input")) {
   });
 }
 document.querySelector("button").addEventListener("click",
-  () => saveAnswers(sheet, sheet.student, entries));
+  () => downloadAnswers(sheet, sheet.student, entries));

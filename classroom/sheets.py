@@ -6,7 +6,6 @@ import sys
 from collections.abc import Sequence
 from functools import cache
 from html import escape
-from importlib.resources import files
 from pathlib import Path
 
 from classroom import tables
@@ -16,6 +15,7 @@ from courseware.practice import dealing, judging
 from courseware.practice.bank import exercises
 from courseware.practice.saving import refuse_existing
 from courseware.practice.wording import paragraphs, symbols
+from courseware.script import parts
 
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{student}: {course}</title>
@@ -68,15 +68,8 @@ def _render_sheet(student: str, rows: Sequence[tables.Row]) -> str:
         course=escape(rows[0]["course"]),
         version=escape(rows[0]["version"]),
         exercises="\n".join(_render_question(row["exercise"], row["numbers"]) for row in rows),
-        script=_script(),
+        script=parts.bundle("classroom/sheet.js"),
     )
-
-
-@cache
-def _script() -> str:
-    practice = files("courseware.practice")
-    sources = (practice / "storage.js", practice / "saving.js", files(__package__) / "sheet.js")
-    return "const part = {};\n" + "".join(source.read_text("utf-8") for source in sources)
 
 
 @cache

@@ -92,7 +92,7 @@ LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of pre
 @cache
 def pressed(presses, made=1.0):
     """The numbers that presses give their symbols, as the script computes them."""
-    return script.run(f"courseware.figures.turnNumbers({json.dumps([presses, made])})")
+    return script.run(f"courseware.turnNumbers({json.dumps([presses, made])})")
 
 
 def random_values(control, random, size):
@@ -226,7 +226,7 @@ def keeps_its_digits(figure, expression):
 
 def started(figure):
     """The state in which a figure starts."""
-    return script.run(f"courseware.figures.startState({figure.code})")
+    return script.run(f"courseware.startState({figure.code})")
 
 
 def random_state(figure, random):

@@ -26,7 +26,7 @@ from figure_numbers import (
 from courseware.equations.verification import evaluate
 from courseware.figures import Choice, QuarterTurns
 from courseware.figures.compiling import xy
-from courseware.script import runtime
+from courseware.script import parts
 from courseware.units import in_figures
 
 pytest_plugins = ["browser"]
@@ -211,12 +211,12 @@ HOME = "http://alone.test/"
 def alone(chromium):
     """Opens a figure on a page without anything else, which can be scrolled."""
     kept = KeptPages(chromium, HOME)
-    style = f"<style>{runtime.stylesheet()} body {{ max-width: 46rem; margin: 1rem; }}</style>"
+    style = f"<style>{parts.style_sheet()} body {{ max-width: 46rem; margin: 1rem; }}</style>"
 
     @contextmanager
     def opened(figure, before=None, reduced_motion="reduce", **options):
-        scripts = "".join([*map(runtime.script, runtime.parts())])
-        start = f"<script>{scripts}courseware.figures.bringToPage({figure.code});</script>"
+        scripts = parts.page_script(parts.registered())
+        start = f"<script>{scripts}courseware.startFigure({figure.code});</script>"
         body = f"{style}{figure.render_html()}<p style='height: 3000px'>{start}"
         html = f"<!doctype html><meta charset='utf-8'>{body}"
         way = {"reduced_motion": reduced_motion, **options}

@@ -54,6 +54,6 @@ def space_figure(**parts):
 def painted(figure, **shown):
     """The picture at a setting, in the units shown; its pieces in order of painting."""
     state = [shown.get(c.key, c.start) for c in figure.controls]
-    text = script.run(f"courseware.figures.svg({figure.code}, {json.dumps(state)})")
+    text = script.run(f"courseware.renderPicture({figure.code}, {json.dumps(state)})")
     kinds = re.findall(r"--rk-(\w+),", re.sub(r"<text.*?</text>", "", text))
     return [kind for kind in kinds if kind != "ground"]

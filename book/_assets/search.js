@@ -6,30 +6,30 @@
   // how much a word counts: in a title, where a chapter explains it, in prose, in code
   const FIELDS = { title: 9, terms: 9, text: 1.2, code: 0.15 };
   const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.7 };
-  const SHOWN = { dialog: 8, page: 30 };
+  const MOST_RESULTS = { dialog: 8, page: 30 };
   let index = null, loading = null;
 
   // one letter for what looks alike: case, Arabic and Persian ya and kaf, joiners, accents
-  const folded = (term) => term.normalize("NFKD").toLowerCase()
+  const foldTerm = (term) => term.normalize("NFKD").toLowerCase()
     .replace(/[\p{M}\u200c\u200d]/gu, "").replace(/ي/g, "ی").replace(/ك/g, "ک");
 
-  const load = (name) => new Promise((done, failed) => {
+  const loadScript = (name) => new Promise((done, failed) => {
     const script = document.createElement("script");
     Object.assign(script, { src: new URL(name, STATIC), onload: done, onerror: failed });
     document.head.append(script);
   });
 
-  const start = () => (loading ??= load("minisearch/minisearch.js").then(() => load("search-data.js")));
+  const loadIndex = () => (loading ??= loadScript("minisearch/minisearch.js").then(() => loadScript("search-data.js")));
 
   globalThis.siteSearch = {
-    found(entries) {
+    buildIndex(entries) {
       index = new MiniSearch({
         fields: Object.keys(FIELDS),
         storeFields: ["page", "at", "title", "of", "text", "code"],
         // the name of a function is a word as well as its parts
         tokenize: (text) => text.match(/\w+_\w+|[\p{L}\p{M}\p{N}\u200c]+/gu)
           ?.flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : word)) ?? [],
-        processTerm: (term) => folded(term) || null,
+        processTerm: (term) => foldTerm(term) || null,
         searchOptions: {
           boost: FIELDS,
           prefix: (term) => term.length > 1,
@@ -44,13 +44,12 @@
       const all = index.search(words, { combineWith: "AND" });
       return all.length ? all : index.search(words);
     },
-    start,
   };
 
   const addressOf = ({ page, at }) => `${ROOT}${page}.html${at ? `#${at}` : ""}`;
 
   // The text around the first word that was looked for, this one marked.
-  const excerpt = ({ text = "", code = "", terms }) => {
+  const renderExcerpt = ({ text = "", code = "", terms }) => {
     const letters = terms.map((term) => term.replace(/[^\p{L}\p{N}]/gu, ".")).join("|");
     const source = [text, code].find((each) => new RegExp(letters, "iu").test(each)) ?? text;
     const at = Math.max(0, source.search(new RegExp(letters, "iu")));
@@ -67,29 +66,29 @@
     return line;
   };
 
-  const item = (result) => {
+  const renderResult = (result) => {
     const li = document.createElement("li"), link = document.createElement("a");
     const of = document.createElement("span");
     link.href = addressOf(result);
     link.textContent = result.title;
     of.textContent = result.of === result.title ? "" : result.of;
-    li.append(link, of, excerpt(result));
+    li.append(link, of, renderExcerpt(result));
     return li;
   };
 
-  const show = (box, words, most) => {
+  const showResults = (box, words, most) => {
     const results = words ? siteSearch.ask(words) : [];
-    const told = document.createElement("p"), list = document.createElement("ol");
+    const status = document.createElement("p"), list = document.createElement("ol");
     const more = results.length > most ? `, the best ${most} of them here` : "";
     const count = results.length === 1 ? "1 section" : `${results.length || "No"} sections`;
-    told.textContent = words ? `${count} found${more}` : "";
-    told.setAttribute("role", "status");
-    list.append(...results.slice(0, most).map(item));
-    box.replaceChildren(told, list);
+    status.textContent = words ? `${count} found${more}` : "";
+    status.setAttribute("role", "status");
+    list.append(...results.slice(0, most).map(renderResult));
+    box.replaceChildren(status, list);
   };
 
   // Up and down go through the results.
-  const walk = (box, input) => (event) => {
+  const walkResults = (box, input) => (event) => {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     const stops = [input, ...box.querySelectorAll("a")];
     const next = stops[stops.indexOf(document.activeElement) + step];
@@ -98,24 +97,24 @@
     next.focus();
   };
 
-  const bring = (form, most) => {
+  const addSearch = (form, most) => {
     const input = form.querySelector("input"), box = document.createElement("div");
     box.className = "site-results";
     form.after(box);
-    const follow = () => start().then(
-      () => show(box, input.value.trim(), most),
+    const follow = () => loadIndex().then(
+      () => showResults(box, input.value.trim(), most),
       () => { box.textContent = "The search could not be loaded. Try again when you are online."; });
     input.addEventListener("input", follow);
-    input.addEventListener("focus", start, { once: true });
-    for (const part of [form, box]) part.addEventListener("keydown", walk(box, input));
+    input.addEventListener("focus", loadIndex, { once: true });
+    for (const part of [form, box]) part.addEventListener("keydown", walkResults(box, input));
     return { input, follow };
   };
 
   const dialog = document.querySelector("#pst-search-dialog form");
-  if (dialog) bring(dialog, SHOWN.dialog);
+  if (dialog) addSearch(dialog, MOST_RESULTS.dialog);
   const page = document.querySelector(".bd-search-container form");
   if (page) {
-    const { input, follow } = bring(page, SHOWN.page);
+    const { input, follow } = addSearch(page, MOST_RESULTS.page);
     input.value = new URLSearchParams(location.search).get("q") ?? "";
     page.addEventListener("submit", (event) => {
       event.preventDefault();

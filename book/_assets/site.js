@@ -4,14 +4,14 @@
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 
   // All are measured before one is changed: else the page is laid out anew for each.
-  const mark = (boxes) => boxes.map((box) => [box, box.scrollWidth > box.clientWidth]).forEach(([box, wide]) => {
-    const told = [];
-    if (wide) told.push("scrolls sideways");
-    if (box.querySelector(".katex [data-symbol]")) told.push("the arrow keys name its symbols");
-    if (told.length) {
+  const markScrollable = (boxes) => boxes.map((box) => [box, box.scrollWidth > box.clientWidth]).forEach(([box, wide]) => {
+    const labels = [];
+    if (wide) labels.push("scrolls sideways");
+    if (box.querySelector(".katex [data-symbol]")) labels.push("the arrow keys name its symbols");
+    if (labels.length) {
       box.tabIndex = 0;
       box.setAttribute("role", "group");
-      box.setAttribute("aria-label", [LABELS[box.className], ...told].join(", "));
+      box.setAttribute("aria-label", [LABELS[box.className], ...labels].join(", "));
     } else {
       ["tabindex", "role", "aria-label"].forEach((name) => box.removeAttribute(name));
     }
@@ -19,27 +19,27 @@
 
   // A box is measured when it is drawn: what lies far from the window is laid out when it comes near.
   const boxes = document.querySelectorAll(BOXES);
-  const observer = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
-  const look = () => boxes.forEach((box) => {
+  const observer = new ResizeObserver((entries) => markScrollable(entries.map(({ target }) => target)));
+  const observeBoxes = () => boxes.forEach((box) => {
     observer.unobserve(box);
     observer.observe(box);
   });
-  look();
-  document.fonts.addEventListener("loadingdone", look);
+  observeBoxes();
+  document.fonts.addEventListener("loadingdone", observeBoxes);
   document.addEventListener("contentvisibilityautostatechange", ({ target, skipped }) => {
-    if (!skipped && target.matches(BOXES)) mark([target]);
+    if (!skipped && target.matches(BOXES)) markScrollable([target]);
   }, true);
 
   // Formulas far below are drawn one by one when nothing else is to do: a printer waits for no font.
   const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
   const waiting = [...document.querySelectorAll(".math-scroll")];
-  const draw = () => {
+  const drawNext = () => {
     const box = waiting.shift();
     if (!box) return;
     box.style.contentVisibility = "visible";
-    later(draw);
+    later(drawNext);
   };
-  addEventListener("load", () => later(draw));
+  addEventListener("load", () => later(drawNext));
 }
 
 // The menus of a phone: a button closes them, so does a choice in them, and focus goes back.
@@ -67,21 +67,21 @@ for (const which of ["primary", "secondary"]) {
 {
   const root = document.documentElement;
   let before = null;
-  const prepare = () => {
+  const openFolds = () => {
     if (before) return;
     const shut = root.dataset.folds === "shut" ? [] : document.querySelectorAll("details:not([open])");
     before = { theme: root.dataset.theme, opened: [...shut] };
     before.opened.forEach((fold) => { fold.open = true; });
     root.dataset.theme = "light";
   };
-  const restore = () => {
+  const closeFolds = () => {
     before?.opened.forEach((fold) => { fold.open = false; });
     root.dataset.theme = before?.theme ?? root.dataset.theme;
     before = null;
     delete root.dataset.folds;
   };
-  addEventListener("beforeprint", prepare);
-  addEventListener("afterprint", restore);
+  addEventListener("beforeprint", openFolds);
+  addEventListener("afterprint", closeFolds);
   document.querySelectorAll("[data-print]").forEach((button) => {
     button.addEventListener("click", () => {
       root.dataset.folds = button.dataset.print;

@@ -151,7 +151,7 @@ def write(app, error):
         return
     data = json.dumps(entries(app.env), ensure_ascii=False, separators=(",", ":"))
     file = Path(app.outdir, "_static", "search-data.js")
-    file.write_text(f"siteSearch.found({data});\n", "utf-8")
+    file.write_text(f"siteSearch.buildIndex({data});\n", "utf-8")
 
 
 def replace_own(app):

@@ -1,7 +1,7 @@
 """The few functions beyond SymPy's own that an expression may call.
 
-Each is written twice: in 50-digit arithmetic here, in JavaScript in
-`courseware/figures/functions.js`. `tests/courseware/test_javascript.py` compares both with NumPy.
+Each is written twice: in 50-digit arithmetic here, in JavaScript in `figures/formula_functions.js`.
+`tests/courseware/test_javascript.py` compares both with NumPy.
 """
 
 from collections.abc import Callable

@@ -38,17 +38,16 @@ from courseware.figures.figure import Figure
 from courseware.figures.graph import Graph
 from courseware.figures.space import VIEW, bring_forward
 from courseware.figures.turning import Bracket, QuarterTurns
-from courseware.script.runtime import Part, register
+from courseware.script.parts import Part, register
 
-SCRIPTS = "functions numbers words shapes solids turning scene panel live hands page notebook"
 register(
     Part(
         name="figures",
-        package=__name__,
-        scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
-        styles=("figure.css",),
+        page="courseware/figures/page.js:startFigures",
         called_by="rk-figure",
-        constants=kinds.constants,
+        widget="courseware/figures/notebook.js:showFigure",
+        styles=("courseware/figures/figure.css",),
+        constants={"courseware/figures/constants.js": kinds.constants},
         rules=kinds.rules,
     )
 )

@@ -176,7 +176,7 @@ class Figure:
 
     def compute(self, points: ArrayLike) -> NDArray[np.float64]:
         """All numbers of the figure at many settings (n, settings), in one call → (n, values)."""
-        compute = "((figure) => (f, c) => courseware.figures.compute(figure, c).values)"
+        compute = "((figure) => (f, c) => courseware.compute(figure, c).values)"
         return run_function(f"{compute}({self.code})", points)
 
     def render_svg(self, width: int | None = None, **chosen: str) -> str:
@@ -193,15 +193,15 @@ class Figure:
         }
         return str(
             engine.run(
-                f"((figure) => courseware.figures.svg(figure, Object.assign("
-                f"courseware.figures.startState(figure), {places}), {width or 'undefined'}))"
+                f"((figure) => courseware.renderPicture(figure, Object.assign("
+                f"courseware.startState(figure), {places}), {width or 'undefined'}))"
                 f"({self.code})"
             )
         )
 
     def render_contents(self) -> str:
         """What stands on a page before, and is moved after, the script takes over."""
-        return str(engine.run(f"courseware.figures.html({self.code})"))
+        return str(engine.run(f"courseware.renderFigure({self.code})"))
 
     def render_html(self) -> str:
         """The HTML of the figure, which the script brings to life."""

@@ -16,7 +16,7 @@ from courseware.equations.quantities import describe_symbols
 from courseware.errors import CourseError
 from courseware.script import engine
 
-RUNTIME_FUNCTIONS = tuple(MPMATH)  # each has its JavaScript in functions.js
+RUNTIME_FUNCTIONS = tuple(MPMATH)  # each has its JavaScript in formula_functions.js
 
 
 class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
@@ -104,5 +104,5 @@ def _one_line(printer: _JavaScript, expression: Any) -> str:
 def run_function(function: str, points: ArrayLike) -> NDArray[np.float64]:
     """A JavaScript function `(f, c) => […]` at many points (n, k) in one call → (n, values)."""
     listed = json.dumps(np.asarray(points, dtype=float).tolist(), allow_nan=False)
-    found = engine.run(f"{listed}.map((c) => ({function})(courseware.figures.f, c))")
+    found = engine.run(f"{listed}.map((c) => ({function})(courseware.functions, c))")
     return np.array(found, dtype=float)

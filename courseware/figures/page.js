@@ -1,57 +1,60 @@
 // On a web page: the address carries a setting, the script takes over the waiting picture.
 
-const toAddress = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
+import { nameButton } from "./clock.js";
+import { LiveFigure } from "./live_figure.js";
+import { parsePresses } from "./quarter_turns.js";
+import { clamp, indexOfOption } from "./state.js";
+
+const addressOf = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
   `${control.key}=${encodeURIComponent(control.type === "choice" ? control.options[state[i]].label
     : control.type === "turns" ? state[i][0] : Number(state[i].toFixed(6)))}`).join("&");
 
-const optionOf = (control, name) => control.options.findIndex((option) => option.label === name);
-
-const fromAddress = (figure, address) => {
+const readAddress = (figure, address) => {
   const [name, query] = address.replace(/^#/, "").split("?");
   if (name !== figure.name || !query) return null;
   const given = new URLSearchParams(query);
   return figure.controls.map((control) => {
     const text = given.get(control.key);
     if (control.type === "choice") {
-      const i = optionOf(control, text);
+      const i = indexOfOption(control, text);
       return i < 0 ? control.start : i;
     }
-    if (control.type === "turns") return [pressesOf(text ?? "").join(""), 1];
+    if (control.type === "turns") return [parsePresses(text ?? "").join(""), 1];
     const shown = text === null || text === "" ? NaN : Number(text);
     return Number.isFinite(shown) ? clamp(control, shown) : control.start;
   });
 };
 
-const offerLink = (live) => {
+const followLink = (live) => {
   const button = live.element.querySelector(".rk-link");
   button?.addEventListener("click", () => {
-    history.replaceState(null, "", toAddress(live.figure, live.state));
-    called(button, "The link is in the address bar", live.figure);
+    history.replaceState(null, "", addressOf(live.figure, live.state));
+    nameButton(button, "The link is in the address bar", live.figure);
     navigator.clipboard?.writeText(location.href).then(
-      () => called(button, "Link copied", live.figure), () => {});
-    setTimeout(() => called(button, "Link to this setting", live.figure), 2500);
+      () => nameButton(button, "Link copied", live.figure), () => {});
+    setTimeout(() => nameButton(button, "Link to this setting", live.figure), 2500);
   });
 };
 
 const followAddress = (live) => {
   const follow = () => {
-    const state = fromAddress(live.figure, location.hash);
+    const state = readAddress(live.figure, location.hash);
     if (!state) return;
     live.set(state);
     live.element.scrollIntoView();
   };
   live.element.querySelector(".rk-reset")?.addEventListener("click", () => {
-    if (fromAddress(live.figure, location.hash)) history.replaceState(null, "", `#${live.figure.name}`);
+    if (readAddress(live.figure, location.hash)) history.replaceState(null, "", `#${live.figure.name}`);
   });
   addEventListener("hashchange", follow);
   follow();
 };
 
-const bringToPage = (figure) => {
+export const startFigure = (figure) => {
   const element = document.getElementById(figure.name), before = element.innerHTML;
   try {
-    const live = new Live(element, figure).start();
-    offerLink(live);
+    const live = new LiveFigure(element, figure).start();
+    followLink(live);
     followAddress(live);
     live.settled();
     element.courseware = live;
@@ -64,7 +67,7 @@ const bringToPage = (figure) => {
 };
 
 // A figure comes to life when it comes near, within a screen's height, or when the address names it.
-const onPage = () => {
+export const startFigures = () => {
   const still = new Map((window.coursewareFigures ?? []).map((figure) => [figure.name, figure]));
   const near = new IntersectionObserver((seen) => seen.forEach(({ target, isIntersecting }) => {
     if (isIntersecting) wake(target.id);
@@ -72,7 +75,7 @@ const onPage = () => {
   const wake = (name) => {
     if (!still.has(name)) return;
     near.unobserve(document.getElementById(name));
-    bringToPage(still.get(name));
+    startFigure(still.get(name));
     still.delete(name);
   };
   const follow = () => wake(location.hash.slice(1).split("?")[0]);
@@ -80,5 +83,3 @@ const onPage = () => {
   follow();
   still.forEach((_, name) => near.observe(document.getElementById(name)));
 };
-
-Object.assign(part, { onPage, bringToPage });

@@ -23,29 +23,27 @@ from courseware.practice.notebook import answers, example, exercise, export, mis
 from courseware.practice.solutions import Line, Solution, Step
 from courseware.practice.wording import number_text
 from courseware.practice.wrong import Wrong
-from courseware.script.runtime import Part, register
+from courseware.script.parts import Part, register
 from courseware.units import typed_units
 
-READING, KEEPING = "problems reading calculating asked dealing judging", "storage passed"
-SCRIPTS = f"{READING} {KEEPING} box saving page notebook"
 register(
     Part(
         name="practice",
-        package=__name__,
-        scripts=tuple(f"{name}.js" for name in SCRIPTS.split()),
-        styles=("practice.css",),
+        page="courseware/practice/page.js:startDesk",
         called_by="rk-exercise",
-        constants=lambda: {**page.constants(), "UNBROKEN": UNBROKEN, **typed_units()},
+        widget="courseware/practice/notebook.js:showExercise",
+        styles=("courseware/practice/practice.css",),
+        constants={
+            "courseware/practice/constants.js": page.constants,
+            "courseware/practice/units.js": lambda: {"UNBROKEN": UNBROKEN, **typed_units()},
+        },
     )
 )
 register(
     Part(
         name="progress",
-        package=__name__,
-        scripts=tuple(f"{name}.js" for name in f"dealing {KEEPING} progress".split()),
-        styles=(),
+        page="courseware/practice/progress.js:startProgress",
         called_by="",  # every page has a menu
-        constants=page.constants,
     )
 )
 

@@ -1,9 +1,15 @@
-// What reading.js has put in order becomes numbers and lists.
+// Turns nested tokens into numbers and lists.
+
+import {
+  FRACTIONS, FUNCTIONS, LISTS, mayBeThousands, NOT_FINITE, PAIRS, PI, refuse, SIGNS, joinTokens,
+  WRAPPERS,
+} from "./tokenizing.js";
+import { DEGREES } from "./units.js";
 
 // The value of what stands in one pair of brackets, or outside all: a list, or one value.
-const group = (level, opener, shown) => {
+export const evaluateGroup = (level, opener, shown) => {
   const rows = split(level, [";"]).map((row) =>
-    split(row, [",", "،"]).map((item) => new Item(item, opener).total()));
+    split(row, [",", "،"]).map((item) => new Expression(item, opener).total()));
   if (!rows.length) refuse("missing", shown);
   let items = rows.length === 1 ? rows[0] : rows;
   if (rows.every((row) => row.length === 1)) items = rows.map((row) => row[0]);
@@ -22,11 +28,11 @@ const split = (level, separators) => {
 };
 
 // Whether a name is no unit; sin30 and atan2 are functions as well.
-const known = (name) => [...PI, ...WRAPPERS, ...NOT_FINITE.keys()].includes(name)
+const isKnownName = (name) => [...PI, ...WRAPPERS, ...NOT_FINITE.keys()].includes(name)
   || FUNCTIONS.includes(name.replace(/[0-9]+$/, ""));
 
 // One item, read from left to right: a list, or a sum of products of signed factors.
-class Item {
+class Expression {
   constructor(tokens, opener) {
     Object.assign(this, { tokens, opener, i: 0 });
   }
@@ -37,7 +43,7 @@ class Item {
 
   // A part of it, as it was typed.
   typed(start = 0, end = this.tokens.length) {
-    return piece(this.tokens.slice(start, end));
+    return joinTokens(this.tokens.slice(start, end));
   }
 
   number(value) {
@@ -91,8 +97,8 @@ class Item {
   // Whether a factor follows without a sign; what cannot follow is refused.
   multiplies() {
     const { i, tokens, opener } = this, token = tokens[i];
-    if (token.kind === "name" && !known(token.text)) refuse("unit", this.typed(i));
-    if (token.kind === "number" && doubtful(tokens[i - 1], token, true)) {
+    if (token.kind === "name" && !isKnownName(token.text)) refuse("unit", this.typed(i));
+    if (token.kind === "number" && mayBeThousands(tokens[i - 1], token, true)) {
       refuse("thousands", this.typed(i - 1, i + 1));
     }
     const value = ["number", ...FRACTIONS.keys(), ...LISTS].includes(token.kind);
@@ -127,17 +133,15 @@ class Item {
     const called = next?.kind === "(";
     if (kind === "number") return this.number(Number(text));
     if (FRACTIONS.has(kind)) return FRACTIONS.get(kind);
-    if (PAIRS.has(kind)) return group(token.inside, kind, shown);
+    if (PAIRS.has(kind)) return evaluateGroup(token.inside, kind, shown);
     if (PI.includes(text)) return Math.PI;
     if (WRAPPERS.includes(text) && called) {
       this.i += 1;
-      return group(next.inside, "(", next.shown);
+      return evaluateGroup(next.inside, "(", next.shown);
     }
     if (NOT_FINITE.has(text)) refuse(NOT_FINITE.get(text), shown);
-    if (kind === "name" && (called || known(text))) refuse("function", shown);
+    if (kind === "name" && (called || isKnownName(text))) refuse("function", shown);
     if (SIGNS.includes(kind)) refuse("missing", shown);
     return refuse(kind === "power" ? "power" : "unknown", shown);
   }
 }
-
-Object.assign(part, { readAnswer });

@@ -1,11 +1,23 @@
 // Is an answer right, and if not, which mistake does it look like? The one judge: of the page, of
 // notebooks and of `grade`.
-//
-// exercise: { asked, asks, shape, accept, outcomes }, made by judging.py. listed: what somebody may
-// answer in a variant, [[name, rows], …], without the right answers in other units.
 
-const NEAR = 10; // tolerances: so close is probably rounding on the way
-const SAYS = {
+/**
+ * @typedef {[string, number[][]]} Candidate what somebody may answer in a variant: name and rows;
+ *   "right", a mistake's name or "slip:sign"; right answers in other units are missing
+ * @typedef {object} Judged what judging.py tells of an exercise
+ * @property {{ label, unit, circle, tolerance, relative, decimals }[]} asks
+ * @property {string} asked
+ * @property {number[]} shape of a matrix, or []
+ * @property {"one" | "any" | "all"} accept
+ * @property {Object<string, { result, says, factors, why, picture }>} outcomes by name of candidate
+ */
+
+import { fillTemplate, formatNumber } from "../script/text.js";
+import { listUnits, parseTyped } from "./parsing.js";
+import { PROBLEMS } from "./problems.js";
+
+export const NEAR = 10; // tolerances: so close is probably rounding on the way
+export const FEEDBACK = {
   near: "Not yet, but very close. Keep all digits on the way{digits}.",
   wrong: "Not yet, and none of the mistakes known here gives this.",
   parts: "Already right: {labels}.",
@@ -16,9 +28,6 @@ const SAYS = {
 };
 const COUNTS = ["no", "one", "two", "three", "four", "five"];
 
-// A sentence with its placeholders filled.
-const said = (sentence, words) => sentence.replace(/\{(\w+)\}/g, (_, key) => words[key]);
-
 const offBy = (ask, x, wanted, factor) => {
   if (!ask.circle) return Math.abs(x - wanted);
   const turn = 2 * Math.PI * Math.abs(factor), off = Math.abs(x - wanted) % turn;
@@ -26,14 +35,14 @@ const offBy = (ask, x, wanted, factor) => {
 };
 
 // How far off an answer may be from what is wanted, in a unit of this size.
-const allowedOff = ({ tolerance, relative }, wanted, factor) =>
+const toleranceOf = ({ tolerance, relative }, wanted, factor) =>
   Math.max(tolerance * Math.abs(factor), relative * Math.abs(wanted));
 
 // Whether each row is one of the wanted ones, each of them once. allowed: in tolerances.
-const meets = ({ asks }, rows, wanted, factors, allowed = 1) => {
+const matchesRows = ({ asks }, rows, wanted, factors, allowed = 1) => {
   const left = wanted.slice();
   const fits = (x, i, other) => offBy(asks[i], x, other[i], factors[i])
-    <= allowed * allowedOff(asks[i], other[i], factors[i]);
+    <= allowed * toleranceOf(asks[i], other[i], factors[i]);
   return rows.every((row) => {
     const place = left.findIndex((other) => row.every((x, i) => fits(x, i, other)));
     if (place >= 0) left.splice(place, 1);
@@ -42,122 +51,120 @@ const meets = ({ asks }, rows, wanted, factors, allowed = 1) => {
 };
 
 // All that may be answered: in other units, too.
-const withUnits = ({ outcomes }, listed) => {
-  const right = listed.filter(([name]) => name === "right");
+const addOtherUnits = ({ outcomes }, candidates) => {
+  const right = candidates.filter(([name]) => name === "right");
   const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
-  return [...listed, ...units.flatMap((unit) => right.map(([, rows]) =>
+  return [...candidates, ...units.flatMap((unit) => right.map(([, rows]) =>
     [unit, rows.map((row) => row.map((x, i) => x * outcomes[unit].factors[i]))]))];
 };
 
 // The labels of those numbers of an answer that are right by themselves.
-const rightParts = ({ accept, shape, asks }, right, row) =>
+const findRightParts = ({ accept, shape, asks }, right, row) =>
   accept !== "one" || shape.length ? [] : asks.filter((ask, i) =>
-    offBy(ask, row[i], right[i], 1) <= allowedOff(ask, right[i], 1)).map((ask) => ask.label);
+    offBy(ask, row[i], right[i], 1) <= toleranceOf(ask, right[i], 1)).map((ask) => ask.label);
 
 // Several mistakes may give one number: then all of them are said.
-const told = (all) => all.join(" ").replaceAll(". Not yet. This is what you get ", ", or ");
+const joinFeedback = (all) => all.join(" ").replaceAll(". Not yet. This is what you get ", ", or ");
 
 // Whether an answer is a right one with fewer decimals than asked for.
-const roundedRight = ({ decimals, asks }, rows, wanted) =>
+const isRoundedRight = ({ decimals }, rows, wanted) =>
   [2, 3].some((digits) => digits < decimals && rows.length === wanted.length && rows.every((row, k) =>
     row.every((x, i) => Math.abs(x - Number(wanted[k][i].toFixed(digits))) < 1e-9)));
 
 // Whether it is a right one in other units, rounded to two digits or three: 31° for 30.53°, also
 // without the sign.
-const roundedInUnits = (factors, rows, wanted) => [factors, factors.map(() => 1)].some((typed) =>
+const isRoundedInUnits = (factors, rows, wanted) => [factors, factors.map(() => 1)].some((typed) =>
   [0, 1].some((digits) => rows.length === wanted.length && rows.every((row, k) => row.every((x, i) => {
     const right = wanted[k][i] * factors[i], off = x * typed[i] - Number(right.toFixed(digits));
     return Math.abs(right) >= 10 ** (1 - digits) && Math.abs(off) < 1e-9;
   }))));
 
-const round = (rows, digits) => rows.flat().every((x) => Math.abs(x - Number(x.toFixed(digits))) < 1e-9);
+const isRounded = (rows, digits) => rows.flat().every((x) => Math.abs(x - Number(x.toFixed(digits))) < 1e-9);
 
 // Whether no number was typed with as many decimals as are asked for.
-const few = ({ decimals }, text) => decimals && !RegExp(`[^\\p{Nd}\\s-]\\p{Nd}{${decimals}}`, "u").test(text);
+const hasFewDecimals = ({ decimals }, text) => decimals && !RegExp(`[^\\p{Nd}\\s-]\\p{Nd}{${decimals}}`, "u").test(text);
 
 // Whether that may be why it is not right.
-const coarse = (exercise, rows, text, right) => few(exercise, text)
-  && round(rows, exercise.decimals - 1) && !round(right, exercise.decimals - 1);
+const isTooCoarse = (exercise, rows, text, right) => hasFewDecimals(exercise, text)
+  && isRounded(rows, exercise.decimals - 1) && !isRounded(right, exercise.decimals - 1);
 
 // The verdict on an answer that has the right shape. text: as it was typed.
-const judge = (exercise, listed, rows, text) => {
+const judgeRows = (exercise, candidates, rows, text) => {
   const { asks, accept, outcomes, decimals } = exercise, ones = asks.map(() => 1);
-  const met = withUnits(exercise, listed).filter(([name, wanted]) =>
-    meets(exercise, rows, wanted, outcomes[name].factors)).map(([name]) => name);
+  const met = addOtherUnits(exercise, candidates).filter(([name, wanted]) =>
+    matchesRows(exercise, rows, wanted, outcomes[name].factors)).map(([name]) => name);
   const verdict = (result, name, ...words) => ({ result, name, says: words.filter(Boolean).join(" ") });
   const { result, says } = outcomes[met[0]] ?? {};
-  if (result === "right") return verdict(result, met[0], says, accept === "any" && SAYS.other);
+  if (result === "right") return verdict(result, met[0], says, accept === "any" && FEEDBACK.other);
   if (result === "partly") return verdict(result, met[0], says);
-  const right = listed.filter(([name]) => name === "right").map(([, wanted]) => wanted);
-  const near = said(SAYS.near, { digits: decimals ? `, and give ${COUNTS[decimals]} decimals` : "" });
-  if (right.some((wanted) => roundedRight(exercise, rows, wanted))) return verdict("wrong", "near", near);
+  const right = candidates.filter(([name]) => name === "right").map(([, wanted]) => wanted);
+  const near = fillTemplate(FEEDBACK.near, { digits: decimals ? `, and give ${COUNTS[decimals]} decimals` : "" });
+  if (right.some((wanted) => isRoundedRight(exercise, rows, wanted))) return verdict("wrong", "near", near);
   const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
-  if (few(exercise, text) && right.some((wanted) =>
-    units.some((unit) => roundedInUnits(outcomes[unit].factors, rows, wanted)))) return verdict("wrong", "near", near);
-  if (met.length) return verdict("wrong", met[0], told(met.map((name) => outcomes[name].says)));
-  if (right.some((wanted) => meets(exercise, rows, wanted, ones, NEAR))) return verdict("wrong", "near", near);
-  const wrong = listed.filter(([name]) => name !== "right");
+  if (hasFewDecimals(exercise, text) && right.some((wanted) =>
+    units.some((unit) => isRoundedInUnits(outcomes[unit].factors, rows, wanted)))) return verdict("wrong", "near", near);
+  if (met.length) return verdict("wrong", met[0], joinFeedback(met.map((name) => outcomes[name].says)));
+  if (right.some((wanted) => matchesRows(exercise, rows, wanted, ones, NEAR))) return verdict("wrong", "near", near);
+  const wrong = candidates.filter(([name]) => name !== "right");
   for (const unit of units) {
     const { factors } = outcomes[unit];
     const [same] = wrong.filter(([, wanted]) =>
-      meets(exercise, rows, wanted.map((row) => row.map((x, i) => x * factors[i])), factors));
-    if (same) return verdict("wrong", same[0], outcomes[same[0]].says, said(SAYS.units, { unit: unit.slice(5) }));
+      matchesRows(exercise, rows, wanted.map((row) => row.map((x, i) => x * factors[i])), factors));
+    if (same) return verdict("wrong", same[0], outcomes[same[0]].says, fillTemplate(FEEDBACK.units, { unit: unit.slice(5) }));
   }
-  const parts = rightParts(exercise, right[0][0], rows[0]);
-  return verdict("wrong", "", SAYS.wrong,
-    parts.length && said(SAYS.parts, { labels: parts.join(", ") }),
-    coarse(exercise, rows, text, right[0]) && said(SAYS.digits, { decimals: COUNTS[decimals] }));
+  const parts = findRightParts(exercise, right[0][0], rows[0]);
+  return verdict("wrong", "", FEEDBACK.wrong,
+    parts.length && fillTemplate(FEEDBACK.parts, { labels: parts.join(", ") }),
+    isTooCoarse(exercise, rows, text, right[0]) && fillTemplate(FEEDBACK.digits, { decimals: COUNTS[decimals] }));
 };
 
 // Lengths, from outside to inside, of lists in lists that are all alike; null if they are not.
-const shapeOf = (value) => {
+const findShape = (value) => {
   if (!Array.isArray(value)) return [];
-  const [first, ...others] = value.map(shapeOf);
+  const [first, ...others] = value.map(findShape);
   const alike = first && others.every((other) => other && String(other) === String(first));
   if (value.length && !alike) return null;
   return [value.length, ...(first ?? [])];
 };
 
 // A typed number or list as rows of the numbers asked for; null if it has another shape.
-const rowsOf = ({ asks: { length: size }, accept, shape }, value, count) => {
+const toRows = ({ asks: { length: size }, accept, shape }, value, count) => {
   const single = [[size], shape.length ? shape : [size], [1, size], ...(size === 1 ? [[]] : [])];
   const several = [[count, size], ...(size === 1 ? [[count]] : [])];
-  const found = JSON.stringify(shapeOf(value));
+  const found = JSON.stringify(findShape(value));
   if (!(accept === "all" ? several : single).some((one) => JSON.stringify(one) === found)) return null;
   const flat = [value].flat(Infinity), rows = [];
   for (let i = 0; i < flat.length; i += size) rows.push(flat.slice(i, i + size));
   return rows;
 };
 
-const shownValue = (value) => Array.isArray(value)
-  ? `[${value.map(shownValue).join(", ")}]`
-  : trueMinus(String(Number(value.toPrecision(6))));
+const formatValue = (value) => Array.isArray(value)
+  ? `[${value.map(formatValue).join(", ")}]`
+  : formatNumber(value, 6);
 
 // An answer of the shape that is asked for; of several answers two.
-const like = ({ asks: { length: size }, accept, shape: [many = accept === "all" ? 2 : 1, wide = size] }) => {
+export const formatExample = ({ asks: { length: size }, accept, shape: [many = accept === "all" ? 2 : 1, wide = size] }) => {
   const rows = Array.from({ length: many }, (_, k) => Array.from({ length: wide }, (_, i) => k * wide + i + 1));
   const value = many > 1 && wide > 1 ? rows : rows.flat();
-  return shownValue(value.length > 1 ? value : 0.5).replaceAll(" ", "\u00a0"); // in one line
+  return formatValue(value.length > 1 ? value : 0.5).replaceAll(" ", "\u00a0"); // in one line
 };
 
-// What is wrong with an answer that cannot be read.
-const problemSays = ({ problem, about }, asks) => said(PROBLEMS[problem],
-  { about, point: about.replace(",", "."), whole: about.replace(",", ""), units: unitsFor(asks) });
+// Explain why an answer cannot be read.
+export const describeProblem = ({ problem, about }, asks) => fillTemplate(PROBLEMS[problem],
+  { about, point: about.replace(",", "."), whole: about.replace(",", ""), units: listUnits(asks) });
 
 // The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing.
-const checkAnswer = (exercise, listed, text) => {
+export const judgeAnswer = (exercise, candidates, text) => {
   const unread = (says) => ({ result: "unread", name: "", says });
-  const found = readAsked(text, exercise.asks), { value } = found;
-  if (found.problem) return unread(problemSays(found, exercise.asks));
-  const rows = rowsOf(exercise, value, listed[0][1].length);
+  const found = parseTyped(text, exercise.asks), { value } = found;
+  if (found.problem) return unread(describeProblem(found, exercise.asks));
+  const rows = toRows(exercise, value, candidates[0][1].length);
   const unit = exercise.asks.length === 1 ? exercise.asks[0].unit : "";
-  const read = `Read as ${shownValue(value)}${unit && ` ${unit}`}.`;
-  if (rows) return { ...judge(exercise, listed, rows, text), read };
-  return unread(said(SAYS.shape, { asked: exercise.asked, like: like(exercise), read: shownValue(value) }));
+  const read = `Read as ${formatValue(value)}${unit && ` ${unit}`}.`;
+  if (rows) return { ...judgeRows(exercise, candidates, rows, text), read };
+  return unread(fillTemplate(FEEDBACK.shape, { asked: exercise.asked, like: formatExample(exercise), read: formatValue(value) }));
 };
 
-// The verdicts on many answers, [variant, text] each. variants: what is listed for each.
-const checkAnswers = (exercise, variants, answers) =>
-  answers.map(([variant, text]) => checkAnswer(exercise, variants[variant], text));
-
-Object.assign(part, { NEAR, SAYS, like, problemSays, checkAnswer, checkAnswers });
+// The verdicts on many answers, [variant, text] each. variants: the candidates of each.
+export const judgeAnswers = (exercise, variants, answers) =>
+  answers.map(([variant, text]) => judgeAnswer(exercise, variants[variant], text));

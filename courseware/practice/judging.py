@@ -295,7 +295,7 @@ def _rounded(number: float, digits: int) -> float:
 
 def says(what: str, **words: str) -> str:
     """A sentence of the page's own judge."""
-    return str(_fixed(f"SAYS.{what}")).format(**words)
+    return str(_fixed(f"FEEDBACK.{what}")).format(**words)
 
 
 def near() -> float:
@@ -306,7 +306,7 @@ def near() -> float:
 @cache
 def _fixed(name: str) -> Any:
     """A text or number of the page's judge; asked for once, as every question takes 0.3 ms."""
-    return engine.run(f"courseware.practice.{name}")
+    return engine.run(f"courseware.{name}")
 
 
 def check(exercise: Exercise, possible: Sequence[Candidate], typed: str) -> Verdict:
@@ -321,5 +321,5 @@ def check_all(
 ) -> list[Verdict]:
     """The verdicts on many answers, each with the number of its variant, in one call."""
     lists = [listed(exercise, possible) for possible in variants]
-    found = engine.call("courseware.practice.checkAnswers", essence(exercise), lists, answers)
+    found = engine.call("courseware.judgeAnswers", essence(exercise), lists, answers)
     return [Verdict(**verdict) for verdict in found]

@@ -3,15 +3,20 @@
 //
 // content: { packed, name, course }, packed by page.py.
 
-const inNotebook = async ({ packed, name, course }, { model, el }) => {
+import { dealVariant, foldName } from "./dealing.js";
+import { ExerciseBox } from "./exercise.js";
+import { unpack } from "./loading.js";
+import { renderExercise } from "./rendering.js";
+
+export const showExercise = async ({ packed, name, course }, { model, el }) => {
   // boxes of one exercise, also of several notebooks in one window, must not share ids
   const kept = {}, id = `rk-box-${Math.random().toString(36).slice(2)}`;
-  const student = () => foldedName(model.get("state").student);
-  const exercise = (await unpacked(packed))[name];
-  const first = exercise.variants[dealtVariant(course, name, student())];
+  const student = () => foldName(model.get("state").student);
+  const exercise = (await unpack(packed))[name];
+  const first = exercise.variants[dealVariant(course, name, student())];
   el.classList.add("rk-exercise");
-  el.innerHTML = exerciseHtml(exercise, first.shown, exercise.solution, id);
-  const box = new Box(el, {
+  el.innerHTML = renderExercise(exercise, first.shown, exercise.solution, id);
+  const box = new ExerciseBox(el, {
     course,
     student,
     load: async () => exercise,
@@ -37,5 +42,3 @@ const inNotebook = async ({ packed, name, course }, { model, el }) => {
   await box.renew();
   return () => model.off("change:state", follow);
 };
-
-Object.assign(part, { inNotebook });

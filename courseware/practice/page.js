@@ -1,40 +1,34 @@
 // On a web page: one desk for all exercises, the student's name and answers in the browser.
 
+import { escapeHtml } from "../script/text.js";
+import { downloadAnswers, parseAnswers } from "./answer_file.js";
+import { foldName, describeNumberSet } from "./dealing.js";
+import { ExerciseBox } from "./exercise.js";
+import { loadTopic } from "./loading.js";
+import { memory, readStored } from "./storage.js";
+import {
+  answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp,
+} from "./stored_answers.js";
+
 const NAMELESS = "Type your name first: it picks your numbers.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
   + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
   + "1/3, pi/3, sqrt(3)/2, 30° where rad is asked, a list: [1, 2], or a matrix: [[1, 2], [3, 4]]. "
   + "Whole turns more or less do not matter in an angle.";
-const NOT_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
+const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 const BROKEN = "What this browser kept could not be read; it was laid aside.";
 const NO_ANSWERS = "There are no answers for this course in that file.";
 
-const deskHtml = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
+export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
   + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false"></div>`
   + `<p class="rk-progress" role="status"></p><p class="rk-course"></p>`
   + `<div class="rk-row"><button type="button" class="rk-export">Save my answers (CSV)</button>`
   + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv"></label>`
   + `<button type="button" class="rk-clear">Clear my answers</button></div>`
-  + `<p class="rk-note">Course: <strong>${escaped(course)}</strong>. ${NOTE}</p>`;
+  + `<p class="rk-note">Course: <strong>${escapeHtml(course)}</strong>. ${NOTE}</p>`;
 
 // A line that stays in sight while an exercise is.
-const barHtml = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
-
-const unpacked = (packed) => {
-  const bytes = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Response(stream).json();
-};
-
-// The numbers of a topic's exercises, a file beside the page that is loaded when they are needed.
-const topics = {};
-const loadTopic = (topic, version) => topics[topic] ??= new Promise((resolve, reject) => {
-  const script = document.createElement("script");
-  script.src = `${document.documentElement.dataset.content_root}_static/practice/${topic}.js?${version}`;
-  script.onload = () => resolve(unpacked(window.coursewarePractice[topic]));
-  script.onerror = () => { delete topics[topic]; reject(new Error(`${script.src} is missing`)); };
-  document.head.append(script);
-});
+const BAR = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
 
 // The desk of a page: who works here, and what this student has answered. `name` is who it is
 // until another name is given as a whole, so that numbers and answers are always one student's.
@@ -43,13 +37,13 @@ class Desk {
     Object.assign(this, { element, sections });
     this.course = element.dataset.course;
     this.field = element.querySelector("input");
-    this.boxes = sections.map((section) => new Box(section, this.seenBy(section.dataset)));
+    this.boxes = sections.map((section) => new ExerciseBox(section, this.seenBy(section.dataset)));
     this.bar = document.createElement("div");
     this.bar.className = "rk-bar";
-    this.bar.innerHTML = barHtml;
+    this.bar.innerHTML = BAR;
   }
 
-  // What the box of one exercise sees of the desk.
+  // The part of the desk that the box of one exercise needs.
   seenBy({ exercise, topic, version }) {
     return {
       course: this.course,
@@ -67,7 +61,7 @@ class Desk {
     press(this.element, ".rk-export", this.save);
     press(this.bar, ".rk-who", () => { this.element.scrollIntoView(); this.field.focus(); });
     this.element.querySelector("[type=file]").addEventListener("change", (event) => this.load(event.target));
-    this.field.value = this.name = memory.get(studentKept) ?? "";
+    this.field.value = this.name = memory.get(STUDENT_KEY) ?? "";
     this.field.addEventListener("change", () => this.renew());
     (this.element.closest("article") ?? document.body).append(this.bar);
     const near = new Set(), watch = new IntersectionObserver((seen) => {
@@ -80,23 +74,23 @@ class Desk {
   }
 
   student() {
-    return foldedName(this.name);
+    return foldName(this.name);
   }
 
   mine() {
-    return answersUnder(this.course, this.name);
+    return readAnswers(this.course, this.name);
   }
 
   // Answers of the present student; undefined: none any more.
   keep(answers) {
-    const key = answersKept(this.course), all = { ...parsed(key), [this.student()]: answers };
+    const key = answersKey(this.course), all = { ...readStored(key), [this.student()]: answers };
     memory.set(key, JSON.stringify(all));
     this.tellProgress();
   }
 
   renew() {
     this.name = this.field.value;
-    memory.set(studentKept, this.name);
+    memory.set(STUDENT_KEY, this.name);
     this.tellProgress();
     this.boxes.forEach((box) => box.renew());
   }
@@ -109,14 +103,14 @@ class Desk {
     const mine = this.mine(), passed = (name) => isPassed(mine, name);
     const here = this.sections.map(({ dataset }) => dataset.exercise), done = here.filter(passed);
     const nameless = done.length && !this.student() ? `. ${NAMELESS}` : "";
-    const storage = !memory.kept ? ` ${NOT_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
+    const storage = !memory.kept ? ` ${NOTHING_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
     this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`);
-    const all = progressOf(mine), open = here.find((name) => !passed(name));
-    const course = `${sumOf(all, "many")} of ${sumOf(all, "count")} in the course`;
+    const all = countPassed(mine), open = here.find((name) => !passed(name));
+    const course = `${sumUp(all, "many")} of ${sumUp(all, "count")} in the course`;
     this.element.querySelector(".rk-course").textContent =
       `${course}: ${all.map(({ title, many, count }) => `${title} ${many}/${count}`).join(", ")}.`;
     this.bar.querySelector(".rk-who").textContent = this.student()
-      ? `${this.name.trim()} · number set ${numberSet(this.course, this.name)}` : "Type your name";
+      ? `${this.name.trim()} · number set ${describeNumberSet(this.course, this.name)}` : "Type your name";
     this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;
     const next = this.bar.querySelector("a");
     next.hidden = !open;
@@ -135,20 +129,20 @@ class Desk {
       this.tell(NAMELESS);
       return this.field.focus();
     }
-    saveAnswers(this.element.dataset, this.name.trim(), this.mine());
+    downloadAnswers(this.element.dataset, this.name.trim(), this.mine());
   }
 
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one
   // counts, as it does when graded, and an older one if it is right; the same one changes nothing.
   async load(input) {
-    const rows = answersOf(await input.files[0].text()).filter(({ course }) => foldedName(course) === foldedName(this.course));
+    const rows = parseAnswers(await input.files[0].text()).filter(({ course }) => foldName(course) === foldName(this.course));
     input.value = "";
     if (!rows.length) return this.tell(NO_ANSWERS);
     this.name = this.field.value = rows[0].student;
     const answers = { ...this.mine() };
     for (const { student, exercise, answer, time } of rows) {
       const here = answers[exercise];
-      if (foldedName(student) !== this.student() || here?.result === "right" || here?.answer === answer) continue;
+      if (foldName(student) !== this.student() || here?.result === "right" || here?.answer === answer) continue;
       const newer = !here?.answer || time > (here.time ?? "");
       answers[exercise] = { ...here, answer, time, result: "", says: "", unjudged: newer || here };
     }
@@ -157,9 +151,7 @@ class Desk {
   }
 }
 
-const onPage = () => {
+export const startDesk = () => {
   const desk = document.querySelector(".rk-desk");
   if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
 };
-
-Object.assign(part, { answersCsv, answersOf, deskHtml, onPage });

@@ -114,7 +114,7 @@ def box(name: str, salt: str, solutions: bool = True) -> str:
     """The HTML of an exercise with the numbers of somebody without a name."""
     exercise = dealing.find(name)
     arguments = (question(exercise), _nobody(exercise, salt, exercise.text), solutions)
-    inner = engine.call("courseware.practice.exerciseHtml", *arguments)
+    inner = engine.call("courseware.renderExercise", *arguments)
     version = hashlib.sha256(script(exercise.topic, solutions).encode()).hexdigest()[:8]
     return (
         f'<div class="rk-exercise" role="group" id="{name}" data-exercise="{name}" '
@@ -127,4 +127,4 @@ def solution(name: str, salt: str) -> str:
     """The worked solution of what `box` asks, as HTML."""
     exercise = dealing.find(name)
     text = exercise.solution_text
-    return str(engine.call("courseware.practice.solutionHtml", text, _nobody(exercise, salt, text)))
+    return str(engine.call("courseware.renderSolution", text, _nobody(exercise, salt, text)))

@@ -1,5 +1,5 @@
-// What is wrong with an answer that cannot be read, and what can.
-const PROBLEMS = {
+// Explanations of why an answer cannot be read, with examples that can.
+export const PROBLEMS = {
   empty: "Nothing is typed yet. Type a number or a list, for example 0.5 or [1, 2, 3].",
   long:
     "The text “{about}…” is too long: at most 1000 characters are read. Type a number or a"
@@ -60,5 +60,3 @@ const PROBLEMS = {
     "The part “{about}” cannot be read. Type a number or a list, for example 0.5, pi/2,"
     + " sqrt(3)/2 or [1, 2, 3].",
 };
-
-Object.assign(part, { PROBLEMS });

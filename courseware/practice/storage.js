@@ -1,6 +1,6 @@
-// What this browser keeps of a page. It may refuse, be full, or hold what nobody can read.
+// The browser's storage, which may refuse, be full, or hold what cannot be parsed.
 
-const memory = { // a browser may refuse to keep anything: then the page alone remembers
+export const memory = { // a browser may refuse to keep anything: then the page alone remembers
   data: {},
   kept: true, // whether all that was to be kept is
   get: (key) => { try { return localStorage.getItem(key) ?? memory.here(key); } catch { return memory.here(key); } },
@@ -14,8 +14,8 @@ const memory = { // a browser may refuse to keep anything: then the page alone r
   },
 };
 
-// What is kept under a key; what cannot be read is laid aside.
-const parsed = (key) => {
+// Parse what is stored under a key; what cannot be parsed is laid aside.
+export const readStored = (key) => {
   const text = memory.get(key);
   try {
     const found = JSON.parse(text || "{}");
@@ -26,5 +26,3 @@ const parsed = (key) => {
   memory.broken = true;
   return {};
 };
-
-Object.assign(part, { memory, parsed });

@@ -3,20 +3,16 @@
 `Prediction` says how one is declared and shown.
 """
 
-from courseware.practice.page import constants
 from courseware.predictions.declaration import Buttons, Ghost, Number, Prediction
 from courseware.predictions.notebook import ask
-from courseware.script.runtime import Part, register
+from courseware.script.parts import Part, register
 
 register(
     Part(
         name="predictions",
-        package=__name__,
-        scripts=("predictions.js",),
-        styles=("predictions.css",),
+        page="courseware/predictions/predictions.js:startPredictions",
         called_by="rk-prediction",
-        needs=("practice",),  # reads answers, keeps them
-        constants=lambda: {"STORE": constants()["STORE"]},
+        styles=("courseware/predictions/predictions.css",),
     )
 )
 

@@ -4,62 +4,63 @@
 // is the number of an option, or a list of numbers in the units that the reader sees; "shown"
 // where somebody wants to see without guessing.
 
+import { STORE } from "../practice/constants.js";
+import { describeProblem } from "../practice/judging.js";
+import { parseTyped } from "../practice/parsing.js";
+import { memory, readStored } from "../practice/storage.js";
+import { escapeHtml, formatNumber, renderSymbols, withUnit } from "../script/text.js";
+
 const SHOWN = "shown";
-const KEY = `${STORE} guesses`;
-const NOT_KEPT = "This browser keeps nothing for this page: your guesses are forgotten when you leave it.";
-const KEPT = "Your guesses stay in this browser; nothing is sent.";
+const GUESSES_KEY = `${STORE} guesses`;
+const GUESSES_NOT_KEPT = "This browser keeps nothing for this page: your guesses are forgotten when you leave it.";
+const GUESSES_KEPT = "Your guesses stay in this browser; nothing is sent.";
 
 // The options, where there is nothing to press.
-const plain = (options) => options.length
-  ? `<ul class="rk-plain">${options.map((option) => `<li>${symbols(option)}</li>`).join("")}</ul>` : "";
+const renderOptions = (options) => options.length
+  ? `<ul class="rk-plain">${options.map((option) => `<li>${renderSymbols(option)}</li>`).join("")}</ul>` : "";
 
-const formHtml = ({ kind, options, units }) => `<form class="rk-guess">${
+export const renderForm = ({ kind, options, units }) => `<form class="rk-guess">${
   kind === "buttons" ? options.map((option, k) =>
-    `<button type="button" value="${k}" aria-pressed="false">${symbols(option)}</button>`).join("")
+    `<button type="button" value="${k}" aria-pressed="false">${renderSymbols(option)}</button>`).join("")
   : kind === "ghost" ? `<span>Drag your guess to where you think it belongs, then:</span> `
     + `<button type="submit">Here</button>`
   : `<label>Your guess <input type="text" autocomplete="off" autocapitalize="off" spellcheck="false">`
-    + `${units[0] ? ` ${escaped(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`
-}<button type="button" class="rk-skip">Show without guessing</button></form>${plain(options ?? [])}`
+    + `${units[0] ? ` ${escapeHtml(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`
+}<button type="button" class="rk-skip">Show without guessing</button></form>${renderOptions(options ?? [])}`
   + `<p class="rk-said" role="status" tabindex="-1"></p>`;
 
-const rounded = (number) => trueMinus(String(Number(number.toPrecision(3))));
-
 // A guess in words.
-const inWords = ({ kind, options, labels, units }, guess) => kind === "buttons" ? options[guess]
-  : guess.map((x, i) => `${labels[i]} ${withUnit(rounded(x), units[i])}`.trim()).join(", ");
+const describeGuess = ({ kind, options, labels, units }, guess) => kind === "buttons" ? options[guess]
+  : guess.map((x, i) => `${labels[i]} ${withUnit(formatNumber(x, 3), units[i])}`.trim()).join(", ");
 
 // Whether a guess is what somebody else says; the direction of a ghost goes round.
-const same = ({ kind, near, units }, guess, other) => kind === "buttons" ? guess === other
+export const isSameGuess = ({ kind, near, units }, guess, other) => kind === "buttons" ? guess === other
   : guess.every((x, i) => {
     const off = Math.abs(x - other[i]), turn = off % 360;
     return (kind === "ghost" && units[i] === "°" ? Math.min(turn, 360 - turn) : off) <= near;
   });
 
-const store = {
-  all: () => courseware.practice.parsed(KEY),
-  keep: (guesses) => courseware.practice.memory.set(KEY, JSON.stringify(guesses)),
-};
+const storeGuesses = (guesses) => memory.set(GUESSES_KEY, JSON.stringify(guesses));
 
 // One line for the whole page, at the guess that was made last.
-const forgetLine = (boxes) => {
+const createForgetLine = (boxes) => {
   const line = document.createElement("p");
   line.className = "rk-forget";
   line.innerHTML = `<span></span> <button type="button">Forget my guesses</button>`;
   line.lastChild.addEventListener("click", () => {
-    store.keep({});
+    storeGuesses({});
     const [last] = boxes.filter((box) => box.element.contains(line));
     boxes.forEach((box) => box.ask());
     line.remove();
     last?.one("button, input").focus();
   });
   return (box, kept) => {
-    line.firstChild.textContent = kept ? KEPT : NOT_KEPT;
+    line.firstChild.textContent = kept ? GUESSES_KEPT : GUESSES_NOT_KEPT;
     box.element.append(line);
   };
 };
 
-class Prediction {
+class PredictionBox {
   constructor(element) {
     Object.assign(this, { element, name: element.id, data: JSON.parse(element.dataset.prediction) });
     this.fold = this.one(".rk-opens");
@@ -79,42 +80,41 @@ class Prediction {
     return this.element.querySelector(selector);
   }
 
-  // What is done with the figure of a ghost, once it is alive.
+  // Work with the figure of a ghost once it can be moved.
   withFigure(work) {
     const figure = document.getElementById(this.data.figure);
     if (figure?.courseware) work(figure.courseware);
     else figure?.addEventListener("courseware:drawn", () => setTimeout(() => work(figure.courseware)), { once: true });
   }
 
-  // What was typed or placed.
+  // Take what was typed or placed.
   guess() {
     if (this.answered) return;
     const { kind, places, units } = this.data;
     if (kind === "ghost") return this.withFigure(({ state }) => this.take(places.map((i) => state[i])));
-    const asks = [{ unit: units[0] }], { readAsked, problemSays } = courseware.practice;
-    const found = readAsked(this.one("input").value, asks);
+    const asks = [{ unit: units[0] }], found = parseTyped(this.one("input").value, asks);
     if (typeof found.value === "number") return this.take([found.value]);
-    this.say(found.problem ? problemSays(found, asks) : "Type one number.");
+    this.say(found.problem ? describeProblem(found, asks) : "Type one number.");
   }
 
   take(guess) {
     if (this.answered) return;
-    const kept = store.keep({ ...store.all(), [this.name]: guess });
+    const kept = storeGuesses({ ...readStored(GUESSES_KEY), [this.name]: guess });
     this.open(guess);
-    this.told(this, kept);
+    this.showForgetLine(this, kept);
   }
 
   say(words) {
-    this.one(".rk-said").innerHTML = symbols(words);
+    this.one(".rk-said").innerHTML = renderSymbols(words);
   }
 
   open(guess) {
-    const { data, fold } = this, is = inWords(data, data.right);
+    const { data, fold } = this, is = describeGuess(data, data.right);
     this.show(true, guess);
     if (guess === SHOWN) return this.say(`Shown: ${is}.`);
-    const right = same(data, guess, data.right);
-    const wrong = right ? -1 : data.wrong.findIndex((other) => same(data, guess, other));
-    const your = inWords(data, guess);
+    const right = isSameGuess(data, guess, data.right);
+    const wrong = right ? -1 : data.wrong.findIndex((other) => isSameGuess(data, guess, other));
+    const your = describeGuess(data, guess);
     this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` Right: ${is}.`}`
       : `You said: ${your}. Right: ${is}.`);
     if (wrong >= 0) {
@@ -174,7 +174,7 @@ class Prediction {
 }
 
 // A link to what is folded away opens it.
-const reveal = () => {
+const revealTarget = () => {
   const aim = document.getElementById(location.hash.slice(1).split("?")[0]), fold = aim?.closest(".rk-opens");
   if (!fold) return;
   fold.open = true;
@@ -182,17 +182,15 @@ const reveal = () => {
   aim.scrollIntoView();
 };
 
-const onPage = () => {
-  const boxes = [...document.querySelectorAll(".rk-prediction")].map((element) => new Prediction(element));
-  const told = forgetLine(boxes), known = store.all();
+export const startPredictions = () => {
+  const boxes = [...document.querySelectorAll(".rk-prediction")].map((element) => new PredictionBox(element));
+  const showForgetLine = createForgetLine(boxes), known = readStored(GUESSES_KEY);
   boxes.forEach((box) => {
-    box.told = told;
+    box.showForgetLine = showForgetLine;
     if (!(box.name in known)) return box.show(false, null);
     box.open(known[box.name]);
-    told(box, true);
+    showForgetLine(box, true);
   });
-  addEventListener("hashchange", reveal);
-  reveal();
+  addEventListener("hashchange", revealTarget);
+  revealTarget();
 };
-
-Object.assign(part, { formHtml, same, onPage });

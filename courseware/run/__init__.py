@@ -1,8 +1,8 @@
 """A page's code runs in the page: *Run* under each cell, by Python in the browser (Pyodide).
 
-Until it is pressed a page has `loader.js` alone, which puts the buttons there. Then come `cells.js`
-(cells that can be changed, run and put back), `worker.js` (loads Python, off the page's thread) and
-`cells.py` (runs a cell in it). `courseware.site.run` puts these files into the site.
+Until it is pressed a page has `run_buttons.js` alone, which puts the buttons there. Then come
+`cells.js` (cells that can be changed, run and put back), `worker.js` (loads Python, off the page's
+thread) and `cells.py` (runs a cell in it). `courseware.site.run` puts these files into the site.
 
 A page runs the cells that it shows: a test refuses a name that only a cell with `remove-input`
 makes. Another runs them all and compares with what is stored.
@@ -16,7 +16,7 @@ outputs in the page's own style, and imports what a cell names only then.
 import hashlib
 from importlib.resources import files
 
-from courseware.script.runtime import Part, register
+from courseware.script.parts import Part, register
 
 FETCHED = ("cells.js", "worker.js", "cells.py")
 
@@ -34,10 +34,9 @@ def version() -> str:
 register(
     Part(
         name="run",
-        package=__name__,
-        scripts=("loader.js",),
-        styles=("run.css",),
+        page="courseware/run/run_buttons.js:addRunButtons",
         called_by="cell_input",
-        constants=lambda: {"VERSION": version()},
+        styles=("courseware/run/run.css",),
+        constants={"courseware/run/constants.js": lambda: {"VERSION": version()}},
     )
 )

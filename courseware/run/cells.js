@@ -4,14 +4,14 @@
 // in a worker, which alone can be stopped in an endless loop; then all is forgotten and starts anew.
 
 const BLOCK = `<div class="output text_plain highlight-myst-ansi notranslate"><div class="highlight"><pre></pre></div></div>`;
-const AGREED = "courseware-run"; // in the browser's storage: a reader is asked once
+const CONSENT_KEY = "courseware-run"; // in the browser's storage: a reader is asked once
 const SLOW = 20_000; // ms without a word, after which the reader is told that it still loads
 
 let cells, settings, worker, ready, running = null, heard, stop;
 
-const stored = (value) => {
+const consent = (value) => {
   try {
-    return value ? localStorage.setItem(AGREED, value) : localStorage.getItem(AGREED);
+    return value ? localStorage.setItem(CONSENT_KEY, value) : localStorage.getItem(CONSENT_KEY);
   } catch { return null; } // no storage: asked on each page
 };
 
@@ -28,7 +28,7 @@ class Cell {
     this.outputs = this.input.closest(".cell").querySelectorAll(".cell_output, .below-input");
     this.button.insertAdjacentHTML("afterend", `<button type="button" hidden>Reset</button>`);
     this.reset = this.button.nextSibling;
-    this.reset.addEventListener("click", () => this.putBack());
+    this.reset.addEventListener("click", () => this.restore());
     this.button.setAttribute("aria-label", `Run cell ${k + 1}`);
     this.reset.setAttribute("aria-label", `Reset cell ${k + 1}`);
   }
@@ -37,7 +37,7 @@ class Cell {
 
   say(text) { this.status.textContent = text; }
 
-  open() {
+  makeEditable() {
     this.code.contentEditable = "plaintext-only";
     if (this.code.contentEditable !== "plaintext-only") this.code.contentEditable = "true";
     Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox" });
@@ -50,7 +50,7 @@ class Cell {
     this.code.addEventListener("keydown", (event) => {
       if (event.key !== "Enter" || !(event.shiftKey || event.ctrlKey)) return;
       event.preventDefault();
-      if (!this.button.disabled && running === null) run(this.k);
+      if (!this.button.disabled && running === null) runThrough(this.k);
     });
   }
 
@@ -83,7 +83,7 @@ class Cell {
     }
   }
 
-  putBack() {
+  restore() {
     this.code.innerHTML = this.first;
     this.code.classList.remove("rk-changed");
     this.fresh?.remove();
@@ -97,16 +97,16 @@ class Cell {
 
 // --- the worker -----------------------------------------------------------------------------
 
-const place = () => {
+const describeSource = () => {
   const { origin, host } = new URL(settings.python, import.meta.url);
   return origin === location.origin ? "this site" : host;
 };
 
-const start = () => {
+const startWorker = () => {
   worker = new Worker(new URL(`worker.js${new URL(import.meta.url).search}`, import.meta.url),
     { type: "module" });
-  ready = answered();
-  ready.catch(() => {}); // who waits for it is told
+  ready = waitForWorker();
+  ready.catch(() => {}); // handled where it is awaited
   const whole = (address) => address && new URL(address, import.meta.url).href;
   worker.postMessage({ settings: {
     python: whole(settings.python), katex: whole(settings.katex), cells: whole(settings.cells),
@@ -114,20 +114,20 @@ const start = () => {
   } });
 };
 
-const forget = () => {
+const stopWorker = () => {
   worker?.terminate();
   worker = null;
   cells.forEach((cell) => { cell.ran = null; });
 };
 
 // The end of what the worker does now; meanwhile outputs and progress are shown.
-const answered = () => new Promise((resolve, reject) => {
+const waitForWorker = () => new Promise((resolve, reject) => {
   const on = ({ data }) => {
     clearTimeout(heard);
     if (data.kind) return cells[data.cell].show(data.kind, data.text);
     if (data.loading) {
       const [what, size] = data.loading;
-      cells[running]?.say(`Loading ${what}${size ? `, about ${size} MB,` : ""} from ${place()} …`);
+      cells[running]?.say(`Loading ${what}${size ? `, about ${size} MB,` : ""} from ${describeSource()} …`);
       heard = setTimeout(() => cells[running]?.status.append(" It is slow; Stop ends it."), SLOW);
     } else if (data.failed) reject(new Error(data.failed));
     else resolve(data);
@@ -139,53 +139,53 @@ const answered = () => new Promise((resolve, reject) => {
 
 // --- running --------------------------------------------------------------------------------
 
-const draw = () => cells.forEach((cell, k) => {
+const updateButtons = () => cells.forEach((cell, k) => {
   cell.button.textContent = running === k ? "Stop" : "Run";
   cell.button.disabled = cell.reset.disabled = running !== null && running !== k;
 });
 
-const one = async (cell) => {
+const runCell = async (cell) => {
   cell.begin();
   cell.ran = cell.text;
   cells.slice(cell.k + 1).forEach((below) => { below.ran = null; });
-  const end = answered();
+  const end = waitForWorker();
   worker.postMessage({ cell: cell.k, source: cell.ran, name: `cell ${cell.k + 1}` });
   const { ended } = await end;
   if (!ended) cell.ran = null;
   return ended;
 };
 
-const run = async (k) => {
+const runThrough = async (k) => {
   const cell = cells[k];
   running = k;
-  draw();
+  updateButtons();
   try {
-    if (!worker) start();
+    if (!worker) startWorker();
     await ready;
     for (const each of cells.slice(0, k + 1)) {
       if (each !== cell && (each.ran === each.text || each.mayFail)) continue;
       cell.say(each === cell ? "Running …" : `Running cell ${each.k + 1}, above, first …`);
-      const ended = await one(each);
+      const ended = await runCell(each);
       cell.say(ended || each === cell ? "" : `Cell ${each.k + 1}, above, stops with an error.`);
       if (!ended) break;
     }
   } catch (error) {
     const begun = ready && await ready.then(() => true, () => false);
-    forget();
+    stopWorker();
     cell.say(!error ? "Stopped. Python has forgotten all names; Run starts it anew."
-      : `Python cannot be loaded from ${place()}: ${error.message}. The network here may block it. `
+      : `Python cannot be loaded from ${describeSource()}: ${error.message}. The network here may block it. `
         + "The stored results stand; Run tries again.");
     if (error && begun) cell.say(`Python has stopped: ${error.message}. Run starts it anew.`);
   } finally {
     clearTimeout(heard);
     running = null;
-    draw();
+    updateButtons();
     cell.bar.dispatchEvent(new Event("courseware:ran"));
   }
 };
 
-const agree = (cell) => new Promise((resolve) => {
-  cell.say(`This loads Python (Pyodide) into the page: about 10 MB from ${place()}, up to 25 MB for `
+const askConsent = (cell) => new Promise((resolve) => {
+  cell.say(`This loads Python (Pyodide) into the page: about 10 MB from ${describeSource()}, up to 25 MB for `
     + "cells that derive or draw. What you type stays in this browser.");
   const buttons = ["Load Python", "Not now"].map((words) => {
     const button = Object.assign(document.createElement("button"), { type: "button" });
@@ -205,17 +205,17 @@ const agree = (cell) => new Promise((resolve) => {
 });
 
 // The reader presses Run (or Stop) under the cell k.
-export const press = async (bars, k) => {
+export const pressRun = async (bars, k) => {
   if (running === k) return stop();
   if (!settings) {
     settings = await (await fetch(new URL(`settings.json${new URL(import.meta.url).search}`,
       import.meta.url))).json();
     cells = bars.map((bar, number) => new Cell(bar, number));
   }
-  if (!stored()) {
-    if (!await agree(cells[k])) return;
-    stored("yes");
+  if (!consent()) {
+    if (!await askConsent(cells[k])) return;
+    consent("yes");
   }
-  if (!cells[0].code.isContentEditable) cells.forEach((cell) => cell.open());
-  await run(k);
+  if (!cells[0].code.isContentEditable) cells.forEach((cell) => cell.makeEditable());
+  await runThrough(k);
 };

@@ -7,16 +7,16 @@ const PATIENCE = 15_000; // ms for the first answer; the page shall say within 2
 
 let pyodide, cells, settings, packages, katex, running;
 
-const say = (kind, text) => postMessage({ cell: running, kind, text });
+const postOutput = (kind, text) => postMessage({ cell: running, kind, text });
 const MEGABYTES = { python: 6.4, numpy: 3, sympy: 6.5, matplotlib: 9 }; // as sent, about
 
-const fetched = async (address) => {
+const fetchBytes = async (address) => {
   const answer = await fetch(address, { cache: "no-cache" }); // asked again: a release may be newer
   if (!answer.ok) throw new Error(`${address} answers ${answer.status}`);
   return answer.arrayBuffer();
 };
 
-const load = async () => {
+const loadPython = async () => {
   postMessage({ loading: ["Python", MEGABYTES.python] });
   const { python, wheels } = settings;
   const answer = await fetch(`${python}pyodide-lock.json`, { signal: AbortSignal.timeout(PATIENCE) });
@@ -24,7 +24,7 @@ const load = async () => {
   const lock = await answer.json();
   packages = Object.fromEntries(Object.values(lock.packages).flatMap(({ name, imports }) =>
     imports.map((each) => [each, name])));
-  const own = Promise.all([settings.cells, ...wheels].map(fetched));
+  const own = Promise.all([settings.cells, ...wheels].map(fetchBytes));
   const { loadPyodide } = await import(`${python}pyodide.mjs`);
   pyodide = await loadPyodide({
     indexURL: python, lockFileContents: lock, packageBaseUrl: python, stderr: () => {},
@@ -33,19 +33,19 @@ const load = async () => {
   archives.forEach((wheel) => pyodide.unpackArchive(wheel, "wheel"));
   pyodide.FS.writeFile("page_cells.py", new Uint8Array(code));
   cells = pyodide.pyimport("page_cells").start(
-    (kind, text) => kind === "text/latex" && katex ? formula(text) : say(kind, text),
+    (kind, text) => kind === "text/latex" && katex ? renderFormula(text) : postOutput(kind, text),
     pyodide.toPy(Object.keys(packages)));
   postMessage({ ready: true });
 };
 
-const formula = (text) => {
+const renderFormula = (text) => {
   const tex = text.replace(/^\$+|\$+$/g, "").replace(/\\tag\{[^}]*\}/, "");
   const shown = katex.renderToString(tex, { displayMode: true, throwOnError: false });
-  say("text/html", `<div class="math"><div class="math-scroll">${shown}</div></div>`);
+  postOutput("text/html", `<div class="math"><div class="math-scroll">${shown}</div></div>`);
 };
 
-// What a cell imports and is not here yet, and KaTeX once something could be shown as a formula.
-const fetchFor = async (source) => {
+// Load what a cell imports, and KaTeX once something could be shown as a formula.
+const loadPackages = async (source) => {
   const wanted = cells.needs(source).toJs();
   for (const name of wanted.map((each) => packages[each])) {
     if (name in pyodide.loadedPackages) continue;
@@ -63,10 +63,10 @@ onmessage = async ({ data }) => {
   try {
     if (data.settings) {
       settings = data.settings;
-      return await load();
+      return await loadPython();
     }
     running = data.cell;
-    await fetchFor(data.source);
+    await loadPackages(data.source);
     postMessage({ cell: running, ended: cells.run(data.source, data.name) });
   } catch (error) {
     postMessage({ failed: error.message });

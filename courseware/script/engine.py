@@ -1,4 +1,4 @@
-"""JavaScript without a page: the parts' own script, run by an engine, or by the browser itself.
+"""JavaScript without a page: the parts' script, run by an engine, or by the browser itself.
 
 Python in a browser (Pyodide) asks that browser; elsewhere the package `mini-racer` is the engine.
 """
@@ -11,9 +11,9 @@ from functools import cache
 from typing import Any
 
 from courseware.errors import CourseError
-from courseware.script import runtime
+from courseware.script import parts
 
-_loaded: set[str] = set()
+_loaded: list[str] = []  # parts
 
 
 @cache
@@ -46,14 +46,13 @@ def available() -> bool:
 
 
 def run(code: str) -> Any:
-    """Evaluate JavaScript that may use the parts, `courseware.figures` for example, and bring its
-    value over as JSON; NaN and infinities survive.
+    """Evaluate JavaScript that may use what the parts export, as `courseware.renderPicture`, and
+    bring its value over as JSON; NaN and infinities survive.
     """
     evaluate = _evaluate()
-    for name in runtime.parts():
-        if name not in _loaded:
-            evaluate(f"(globalThis.courseware ??= {{}}).{name} = {runtime.code(name)}; 0")
-            _loaded.add(name)
+    if _loaded != parts.registered():
+        evaluate(f"globalThis.courseware = {parts.whole_script()}; 0")
+        _loaded[:] = parts.registered()
     wrapped = (
         f"JSON.stringify({code}, (_, x) => typeof x === 'number' && !Number.isFinite(x)"
         " ? {number: String(x)} : x)"

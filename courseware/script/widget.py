@@ -5,7 +5,7 @@ from typing import Any
 import anywidget
 import traitlets
 
-from courseware.script import runtime
+from courseware.script import parts
 
 
 class Widget(anywidget.AnyWidget):
@@ -22,11 +22,11 @@ class Widget(anywidget.AnyWidget):
 
 
 def widget(part: str, content: str, state: dict[str, Any]) -> Widget:
-    """The widget of a part. content: a JavaScript expression, which its `inNotebook` shows."""
-    render = f"render: (view) => ({runtime.code(part)}).inNotebook({content}, view)"
+    """Return the widget of a part. content: what it shows, a JavaScript expression."""
+    render = f"render: (view) => {parts.widget_script(part)}({content}, view)"
     return Widget(
         _esm=f"export default {{ {render} }};",
-        _css=runtime.rules(part),
+        _css=parts.style_sheet(part),
         _anywidget_id=f"courseware-{part}",  # one style sheet for all widgets of the part
         state=state,
     )

@@ -14,7 +14,7 @@ from courseware.figures.compiling import Code, serialize
 from courseware.figures.figure import figures
 from courseware.practice import page as practice
 from courseware.practice.bank import mistakes, topics
-from courseware.script import runtime
+from courseware.script import parts as scripts
 from courseware.site.stills import still
 from courseware.symbols.page import symbols_told
 
@@ -34,7 +34,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
     app.add_css_file("courseware.css")
-    if parts := runtime.called_by(body):
+    if parts := scripts.called_by(body):
         app.add_js_file(write_parts(app, parts), loading_method="defer")
     name = escape(app.config.course_name or course().name, quote=True)
     tag = f'<meta name="course" content="{name}" />'
@@ -46,7 +46,7 @@ def write_assets(app: Sphinx, env: Any) -> None:
     if app.builder.format != "html":
         return
     solutions = app.config.course_solutions
-    write_static(app, "courseware.css", runtime.stylesheet())
+    write_static(app, "courseware.css", scripts.style_sheet())
     for topic in topics():
         write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
     for mistake in mistakes().values():
@@ -55,9 +55,9 @@ def write_assets(app: Sphinx, env: Any) -> None:
 
 
 def write_parts(app: Sphinx, names: list[str]) -> str:
-    """The scripts of parts as one file, which is called after them."""
+    """Write the script of a page that needs these parts, in a file that is called after them."""
     file = f"courseware/{'-'.join(names)}.js"
-    write_static(app, file, "".join(map(runtime.script, names)))
+    write_static(app, file, scripts.page_script(names))
     return file
 
 

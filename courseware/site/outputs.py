@@ -154,7 +154,7 @@ def desk(env: BuildEnvironment) -> str:
     if env.temp_data.get("practice_desk"):
         return ""
     env.temp_data["practice_desk"] = True
-    inner = engine.call("courseware.practice.deskHtml", _salt(env))
+    inner = engine.call("courseware.renderDesk", _salt(env))
     data = f'data-course="{escape(_salt(env), quote=True)}" data-version="{dealing.version()}"'
     return f'{NO_SCRIPT}<div class="rk-desk" {data}>{inner}</div>\n'
 

@@ -42,7 +42,7 @@ def asked(renderer: Any, prediction: Prediction) -> Tag:
         return node
 
     answers = prediction.answers
-    form = engine.call("courseware.predictions.formHtml", answers.data())
+    form = engine.call("courseware.renderForm", answers.data())
     summary = nodes.raw("", "<summary>The answer</summary>", format="html")
     right = nodes.raw("", f"<p><strong>{escape(answers.answer())}</strong></p>", format="html")
     why = [

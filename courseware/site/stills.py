@@ -4,14 +4,14 @@ from tinycss2 import parse_stylesheet, serialize
 
 from courseware.figures.figure import find_figure
 from courseware.practice.bank import Picture
-from courseware.script import runtime
+from courseware.script import parts
 
 DARK = 'html[data-theme="dark"]'
 
 
 def dark_colours() -> str:
     """Return the custom properties that the style of figures has on a dark page."""
-    rules = parse_stylesheet(runtime.rules("figures"), skip_comments=True, skip_whitespace=True)
+    rules = parse_stylesheet(parts.style_sheet("figures"), skip_comments=True, skip_whitespace=True)
     dark = (serialize(r.content).strip() for r in rules if serialize(r.prelude).startswith(DARK))
     return " ".join(text for text in dark if text.startswith("--"))
 

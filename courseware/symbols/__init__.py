@@ -4,16 +4,15 @@
 code. Figures mark their own.
 """
 
-from courseware.script.runtime import Part, register
+from courseware.script.parts import Part, register
 from courseware.symbols import page
 
 register(
     Part(
         name="symbols",
-        package=__name__,
-        scripts=("symbols.js",),
-        styles=("symbols.css",),
+        page="courseware/symbols/symbols.js:startSymbols",
         called_by="data-symbol",
+        styles=("courseware/symbols/symbols.css",),
         rules=page.rules,
     )
 )

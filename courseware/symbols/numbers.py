@@ -22,14 +22,14 @@ from courseware.symbols import lexicon
 
 SIZES = (sp.Abs, sp.Max, sp.Min)  # functions whose value is what they are given
 Numbers = Mapping[str, Mapping[str, Any]]
-AT_START = """((figure, {numbers, startState, settings, compute}) => numbers(
+AT_START = """((figure, {numbersBySymbol, startState, settings, compute}) => numbersBySymbol(
   figure, startState(figure), compute(figure, settings(figure, startState(figure)))
 ))"""
 
 
 def at_start(figure: Figure) -> Numbers:
     """The figure's numbers by the keys of their symbols: `{value, text}`, before it is touched."""
-    found: Numbers = engine.run(f"{AT_START}({figure.code}, courseware.figures)")
+    found: Numbers = engine.run(f"{AT_START}({figure.code}, courseware)")
     return found
 
 
@@ -100,7 +100,7 @@ class Slots:
 
     def _slot(self, symbol: NamedSymbol, **flags: bool) -> str:
         flags = {flag: is_set for flag, is_set in flags.items() if is_set}
-        text = engine.call("courseware.symbols.slotText", self.numbers[symbol.key], flags)
+        text = engine.call("courseware.formatSlot", self.numbers[symbol.key], flags)
         marks = "".join(f",{flag}=1" for flag in flags)
         face = f"{lexicon.symbol_data(symbol, self.chapter)},of={self.figure.name}{marks}"
         upright = text.replace("%", r"\%").replace(" ", "~")

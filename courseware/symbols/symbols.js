@@ -1,14 +1,20 @@
 // Hover, tap or focus of a symbol lights all its faces within the step, and a note names it.
 
-// A step is a section without the sections in it.
-const FACE = "[data-symbol]", FORMULA = ".math-scroll", WITHIN = "> :not(section)";
-let lit = null, note, rule; // lit: { face, key, step, by }
+import { escapeHtml, renderSymbols, trueMinus } from "../script/text.js";
 
-const numberOf = ({ step, key }) => [...step.querySelectorAll(`:scope ${WITHIN} .rk-figure`)]
+// A step is a section without the sections in it.
+const SYMBOL = "[data-symbol]";
+const FORMULA = ".math-scroll";
+const WITHIN = "> :not(section)";
+let note;
+let rule;
+let lit = null; // lit: { face, key, step, by }
+
+const findNumber = ({ step, key }) => [...step.querySelectorAll(`:scope ${WITHIN} .rk-figure`)]
   .map((figure) => figure.courseware?.numbers()[key]?.text).find(Boolean);
 
 // A number of a formula: as the figure shows it, without its unit unless it is the result.
-const slotText = ({ value, text }, { result, radians, guarded }) => {
+export const formatSlot = ({ value, text }, { result, radians, guarded }) => {
   const plain = text.replace(/^([−\d]\S*) .*/, "$1");
   const shown = result ? text : radians ? trueMinus(value.toFixed(3)) : plain;
   return guarded && shown[0] === "−" ? `(${shown})` : shown;
@@ -16,7 +22,7 @@ const slotText = ({ value, text }, { result, radians, guarded }) => {
 
 const fillSlots = ({ name, numbers }) => {
   for (const slot of document.querySelectorAll(`[data-of="${name}"]`)) {
-    slot.textContent = slotText(numbers[slot.dataset.symbol], slot.dataset);
+    slot.textContent = formatSlot(numbers[slot.dataset.symbol], slot.dataset);
   }
 };
 
@@ -29,13 +35,13 @@ const markNames = () => {
   }
 };
 
-const write = () => {
-  const [letter, meaning, unit, kind] = coursewareSymbols[lit.key], number = numberOf(lit);
-  note.innerHTML = `<b data-look="${kind}">${symbols(letter)}</b> ${symbols(meaning)}`
-    + (number ? `: <span>${escaped(number)}</span>` : unit ? ` (${escaped(unit)})` : "");
+const writeNote = () => {
+  const [letter, meaning, unit, kind] = coursewareSymbols[lit.key], number = findNumber(lit);
+  note.innerHTML = `<b data-look="${kind}">${renderSymbols(letter)}</b> ${renderSymbols(meaning)}`
+    + (number ? `: <span>${escapeHtml(number)}</span>` : unit ? ` (${escapeHtml(unit)})` : "");
 };
 
-const place = () => {
+const placeNote = () => {
   const { left } = lit.face.getBoundingClientRect(), gap = 8;
   const { top, bottom } = (lit.face.closest(FORMULA) ?? lit.face).getBoundingClientRect();
   const most = document.documentElement.clientWidth - note.offsetWidth - gap;
@@ -44,17 +50,17 @@ const place = () => {
   note.style.top = `${(above > 60 ? above : bottom + gap) + scrollY}px`; // 60: the head of the page
 };
 
-const clear = () => {
+const clearHighlight = () => {
   lit?.step.classList.remove("rk-here");
   lit = null;
   note.hidden = true;
   rule.textContent = "";
 };
 
-const light = (face, by) => {
+const highlight = (face, by) => {
   const key = face.dataset.symbol, step = face.closest("section");
   if (!(key in coursewareSymbols) || !step) return;
-  clear();
+  clearHighlight();
   lit = { face, key, step, by };
   step.classList.add("rk-here");
   const here = `.rk-here ${WITHIN}`, all = `[data-symbol="${key}"]`;
@@ -63,43 +69,43 @@ const light = (face, by) => {
     + `${here} svg ${all} { filter: var(--rk-glow); }`;
   note.hidden = false;
   note.ariaLive = "polite";
-  write();
-  place();
+  writeNote();
+  placeNote();
 };
 
-const onPage = () => {
+export const startSymbols = () => {
   if (!globalThis.coursewareSymbols) return;
   markNames();
   document.body.insertAdjacentHTML("beforeend", `<div class="rk-named" role="status" hidden></div>`);
   note = document.body.lastElementChild;
   rule = document.head.appendChild(document.createElement("style"));
-  const faceOf = (event) => event.target.closest?.(FACE);
+  const faceOf = (event) => event.target.closest?.(SYMBOL);
   addEventListener("pointerover", (event) => {
     if (event.pointerType !== "mouse" || event.buttons) return;
     const face = faceOf(event);
-    if (face) light(face, "hover"); else if (lit?.by === "hover") clear();
+    if (face) highlight(face, "hover"); else if (lit?.by === "hover") clearHighlight();
   });
   addEventListener("click", (event) => {
     if (event.target.closest?.("input, select, button")) return;
     const face = faceOf(event);
-    if (face) light(face, "tap"); else if (lit) clear();
+    if (face) highlight(face, "tap"); else if (lit) clearHighlight();
   });
   addEventListener("focusin", (event) => {
     const face = faceOf(event);
-    if (face && event.target.matches(":focus-visible")) light(face, "focus");
-    else if (lit?.by === "focus") clear();
+    if (face && event.target.matches(":focus-visible")) highlight(face, "focus");
+    else if (lit?.by === "focus") clearHighlight();
   });
-  addEventListener("focusout", () => { if (lit?.by === "focus") clear(); });
+  addEventListener("focusout", () => { if (lit?.by === "focus") clearHighlight(); });
   addEventListener("keydown", (event) => {
-    if (event.key === "Escape" && lit) clear();
+    if (event.key === "Escape" && lit) clearHighlight();
     const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (!way || !event.target.matches?.(FORMULA)) return;
-    const faces = [...event.target.querySelectorAll(FACE)], at = faces.indexOf(lit?.face);
+    const faces = [...event.target.querySelectorAll(SYMBOL)], at = faces.indexOf(lit?.face);
     if (!faces.length) return;
     event.preventDefault();
     const next = faces[at < 0 ? 0 : (at + way + faces.length) % faces.length];
     next.scrollIntoView({ block: "nearest", inline: "nearest" });
-    light(next, "focus");
+    highlight(next, "focus");
   });
   for (const { id, courseware: live } of document.querySelectorAll(".rk-figure")) {
     if (live) fillSlots({ name: id, numbers: live.numbers() });
@@ -108,8 +114,6 @@ const onPage = () => {
     fillSlots(detail);
     if (!lit?.step.contains(target)) return;
     note.ariaLive = "off"; // what moves is not told again and again
-    write();
+    writeNote();
   });
 };
-
-Object.assign(part, { onPage, slotText });

@@ -26,7 +26,7 @@ def saved(student, answers, times=None, course="robokin"):
         for name, answer in answers.items()
     }
     head = {"course": course, "version": dealing.version()}
-    return "\ufeff" + engine.call("courseware.practice.answersCsv", head, student, entries)
+    return "\ufeff" + engine.call("courseware.serializeAnswers", head, student, entries)
 
 
 def results():

@@ -35,7 +35,7 @@ def test_a_saved_answer_comes_back_as_it_was(folder, cell):
     text = saved("=Ada", {ONE: cell})
     *_, (*_, in_file) = csv.reader(io.StringIO(text, newline=""))
     assert in_file[0] not in "=+-@\t\r" or in_file in ("-0.5", "+3")
-    (back,) = engine.call("courseware.practice.answersOf", text)
+    (back,) = engine.call("courseware.parseAnswers", text)
     assert (back["student"], back["answer"]) == ("=Ada", cell)
     (folder / "answers.csv").write_text(text, encoding="utf-8", newline="")
     ((_, row),) = tables.read_rows(Path("answers.csv"), tables.Problems(), ["student", "answer"])

@@ -42,7 +42,7 @@ def test_every_number_in_50_digits(figure, n):
 def call_compiled(figure, function, rows, extra):
     """A function of the compiled figure, at settings and one more array of numbers each."""
     code = f"""((figure) => (f, given) => {{
-      const c = courseware.figures.compute(figure, given.slice(0, {rows.shape[1]})).c;
+      const c = courseware.compute(figure, given.slice(0, {rows.shape[1]})).c;
       return figure.{function}(f, c, given.slice({rows.shape[1]}));
     }})({figure.code})"""
     return run_function(code, np.hstack([rows, extra]))
@@ -78,8 +78,8 @@ def test_a_handle_sets_what_puts_it_there(figure, n):
 def symbol_numbers(figure):
     """Every number of the start that has a symbol, as a page tells it."""
     return script.run(
-        f"((figure, state) => courseware.figures.numbers(figure, state, courseware.figures.compute("
-        f"figure, courseware.figures.settings(figure, state))))({figure.code}, {started(figure)})"
+        f"((figure, state) => courseware.numbersBySymbol(figure, state, courseware.compute("
+        f"figure, courseware.settings(figure, state))))({figure.code}, {started(figure)})"
     )
 
 

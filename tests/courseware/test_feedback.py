@@ -83,7 +83,7 @@ def test_a_prediction_comes_out_as_expected(prediction):
 
 def same(data, guess, other):
     """Whether a guess counts as another one on the page."""
-    return engine.call("courseware.predictions.same", data, guess, other)
+    return engine.call("courseware.isSameGuess", data, guess, other)
 
 
 @pytest.mark.parametrize(

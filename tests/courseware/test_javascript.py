@@ -4,15 +4,12 @@ Five cases, 1,000 points each and the special points: the exact arc, four arms a
 among 24 Euler sequences, a loop with state, ranks and possible motions of wheels.
 """
 
-import sys
 from itertools import permutations
-from types import SimpleNamespace
 
 import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from py_mini_racer import MiniRacer
 from scipy.spatial.transform import Rotation
 from support import assert_angles
 
@@ -23,7 +20,6 @@ from courseware.equations.verification import differences, evaluate
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Recurrence, Slider, Trail
 from courseware.figures.javascript import compile_function, run_function
-from courseware.script import engine, runtime
 from robokin import elbow_arm, euler, motion, wheels
 
 N = 1000
@@ -282,39 +278,3 @@ def test_nan_and_infinities_cross_over():
     np.testing.assert_array_equal(
         in_engine(expressions, [x], [[1.5]]), [[np.nan, np.inf, -np.inf, 1.5]]
     )
-
-
-# What runs the script
-
-
-@pytest.fixture
-def another(monkeypatch):
-    """An engine that is not started yet."""
-    monkeypatch.setattr(engine, "_loaded", set())
-    engine._evaluate.cache_clear()
-    yield monkeypatch
-    engine._evaluate.cache_clear()
-    monkeypatch.undo()
-    engine._loaded.clear()  # the next one must load the parts again
-
-
-def test_python_in_a_browser_asks_the_browser(another):
-    with MiniRacer() as browser:
-        another.setattr(sys, "platform", "emscripten")
-        another.setitem(sys.modules, "pyodide", SimpleNamespace())
-        another.setitem(sys.modules, "pyodide.code", SimpleNamespace(run_js=browser.eval))
-        assert engine.available()
-        assert engine.run("courseware.practice.readAnswer('1/4').value") == 0.25
-        assert browser.eval("Object.keys(courseware).length") == len(runtime.parts())
-
-
-def test_without_an_engine_it_is_said_what_to_install(another):
-    another.setitem(sys.modules, "py_mini_racer", None)
-    assert not engine.available()
-    with pytest.raises(CourseError, match="pip install mini-racer"):
-        engine.run("1")
-
-
-def test_an_unknown_part_is_refused():
-    with pytest.raises(CourseError, match="no part 'sound' is registered; there are figures, prac"):
-        runtime.code("sound")

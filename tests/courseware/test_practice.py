@@ -61,7 +61,7 @@ def test_every_candidate_of_every_variant_is_named(exercise):
 
 @each_exercise
 def test_what_an_answer_should_be_written_like_can_be_read(exercise):
-    like = script.call("courseware.practice.like", judging.essence(exercise))
+    like = script.call("courseware.formatExample", judging.essence(exercise))
     (verdict,) = judged(exercise, [(0, like)])
     if exercise.accept == "all":  # how many there are is asked, too: of several two are shown
         assert np.shape(json.loads(like.replace("\u00a0", ""))) in ((2,), (2, len(exercise.asks)))
@@ -142,7 +142,7 @@ def test_no_line_ends_inside_a_number_with_its_unit(exercise):
     """In the text as Python writes it and as the page does; nothing else changes in it."""
     variant = dealing.variants(exercise.name)[0]
     text = exercise.filled(exercise.text, variant.numbers, variant.shown)
-    for html in (paragraphs(text), script.call("courseware.practice.paragraphs", text)):
+    for html in (paragraphs(text), script.call("courseware.renderParagraphs", text)):
         shown = plain(html)
         assert not re.search(r"\d (?:cm|m|s|rad|N)\b|[=] \d| = −?\d", shown)
         if "[[" not in text:  # on the page a matrix
@@ -277,7 +277,7 @@ def dealt_in_python(course, exercise, people):
 
 
 DEAL = """(people) => people.map((name) =>
-  courseware.practice.dealtVariant("2026 Herbst", "euler-1", name))"""
+  courseware.dealVariant("2026 Herbst", "euler-1", name))"""
 
 
 def test_the_engine_deals_the_same():
@@ -329,7 +329,7 @@ def test_another_course_deals_other_variants():
 
 
 JUDGE = """(({ exercise, answers }) => answers.map(([k, text]) =>
-  courseware.practice.checkAnswer(exercise, exercise.variants[k].candidates, text)))"""
+  courseware.judgeAnswer(exercise, exercise.variants[k].candidates, text)))"""
 
 
 def typed(rows, exercise):

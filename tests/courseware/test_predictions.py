@@ -129,7 +129,7 @@ def test_it_says_what_would_give_it_away(prediction):
 @each("prediction", "predictions", Prediction)
 def test_a_usual_wrong_guess_is_not_right(prediction):
     data = prediction.answers.data()
-    same = "(d) => d.wrong.map((w) => courseware.predictions.same(d, w, d.right))"
+    same = "(d) => d.wrong.map((w) => courseware.isSameGuess(d, w, d.right))"
     right = engine.call(f"({same})", data)
     assert not any(right), (
         f"{prediction.name}: of the guesses in `assumes` these are right: {right}"

@@ -15,12 +15,12 @@ from hypothesis import given, settings
 
 import book  # noqa: F401  (opens the course)
 from courseware import practice
-from courseware.script import engine, runtime
+from courseware.script import engine, parts
 
 GROUPS = json.loads(Path(__file__).with_name("answers.json").read_text(encoding="utf-8"))
 ROWS = [row for rows in GROUPS.values() for row in rows]
 RTOL = 1e-15  # a few roundings of numbers, fractions and roots
-PROBLEMS = engine.run("courseware.practice.PROBLEMS")
+PROBLEMS = engine.run("courseware.PROBLEMS")
 
 many = settings(max_examples=40)  # each makes 100 texts, or 50, from a seed: drawing is slow
 seeds = st.integers(0, 2**32)
@@ -59,7 +59,7 @@ def assert_value(found, expected, text):
 
 def read(texts):
     """The readings of texts, in one call, after the checks that hold for every text."""
-    found = engine.call("((texts) => texts.map(courseware.practice.readAnswer))", texts)
+    found = engine.call("((texts) => texts.map(courseware.parseAnswer))", texts)
     readings = [Reading(floats(one["value"]), one["problem"], one["about"]) for one in found]
     for text, reading in zip(texts, readings, strict=True):
         assert (reading.value is None) == (reading.problem in PROBLEMS), text
@@ -125,8 +125,8 @@ def test_both_readings_of_a_comma_are_said():
 
 
 def test_nothing_typed_is_run():
-    code = runtime.code("practice")
-    assert "readAnswer" in code
+    code = parts.page_script(["practice"])
+    assert "parseAnswer" in code
     assert not re.search(r"\b(eval|Function)\b", code)
 
 
@@ -416,4 +416,4 @@ def test_what_can_mean_two_things_is_not(text, asks, problem):
 def asked(text, asks):
     """What is read where numbers of these labels and units are asked."""
     named = [{"label": label, "unit": unit} for label, unit in asks]
-    return engine.call("courseware.practice.readAsked", text, named)
+    return engine.call("courseware.parseTyped", text, named)

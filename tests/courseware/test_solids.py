@@ -85,7 +85,7 @@ def test_opposite_faces_of_a_die_add_up_to_seven():
 def drawn(figure, **shown):
     """The picture at a setting, in the units shown."""
     state = [shown.get(str(c.symbol), c.start) for c in figure.controls]
-    return str(script.run(f"courseware.figures.svg({figure.code}, {json.dumps(state)})"))
+    return str(script.run(f"courseware.renderPicture({figure.code}, {json.dumps(state)})"))
 
 
 def cubes(*places, **more):
@@ -224,7 +224,7 @@ def test_whole_turns_are_whole_numbers():
 
 
 def test_a_matrix_stands_in_the_picture_with_its_columns_in_colour():
-    svg = str(script.run(f"courseware.figures.svg({FIGURE.code}, [['Z', 1]])"))
+    svg = str(script.run(f"courseware.renderPicture({FIGURE.code}, [['Z', 1]])"))
     found = re.findall(r'style="fill:var\(--rk-(\w)_axis[^"]*font:600 13px[^"]*">([^<]+)<', svg)
     assert found == [(axis, n) for row in (["0", "−1", "0"], ["1", "0", "0"], ["0", "0", "1"])
                      for axis, n in zip("xyz", row, strict=True)]  # fmt: skip

@@ -126,17 +126,17 @@ def followed():
     ]
 
 
-STATES = """((figure, {numbers, settings, compute}, parts) => parts.map((row) => {
+STATES = """((figure, {numbersBySymbol, settings, compute}, parts) => parts.map((row) => {
   const state = figure.controls.map((control, i) => (control.type === "slider" || control.type ===
     "clock" ? control.low + (control.high - control.low) * row[i] : control.start));
-  return numbers(figure, state, compute(figure, settings(figure, state)));
+  return numbersBySymbol(figure, state, compute(figure, settings(figure, state)));
 }))"""
 
 
 def numbers_of(figure, count):
     """What a figure shows by symbol, at settings from all over its sliders."""
     rows = np.random.default_rng(1).random((count, len(figure.controls))).tolist()
-    return engine.run(f"{STATES}({figure.code}, courseware.figures, {rows})")
+    return engine.run(f"{STATES}({figure.code}, courseware, {rows})")
 
 
 def slots(tex):
@@ -159,9 +159,7 @@ def agrees(equation, computed, figure, count):
     tex = Slots(equation, figure, CHAPTERS[0]).tex(computed)
     for numbers in numbers_of(figure, count):
         told = [(numbers[flags["symbol"]], flags) for flags in slots(tex)]
-        texts = engine.run(
-            f"{json.dumps(told)}.map((pair) => courseware.symbols.slotText(...pair))"
-        )
+        texts = engine.run(f"{json.dumps(told)}.map((pair) => courseware.formatSlot(...pair))")
         for (number, flags), text in zip(told, texts, strict=True):
             if "result" in flags:
                 assert text == number["text"]

@@ -4,7 +4,6 @@ import itertools
 import json
 import re
 from dataclasses import replace
-from importlib.resources import files
 
 import hypothesis.strategies as st
 import numpy as np
@@ -22,7 +21,7 @@ from courseware.practice import Ask, Line, Step, judging, one_of, steps
 from courseware.practice.judging import Candidate
 from courseware.practice.wording import with_unit
 from courseware.predictions import Number
-from courseware.script import engine, runtime
+from courseware.script import engine
 from courseware.units import TABLE, UNITS, in_figures
 
 SI = [row[0] for row in TABLE]
@@ -67,7 +66,7 @@ WAYS = [
 def asked(rows):
     """What is read of texts, each with the units of the numbers that are asked for."""
     named = [(text, [{"label": unit, "unit": unit} for unit in units]) for text, units in rows]
-    read = "((rows) => rows.map(([text, asks]) => courseware.practice.readAsked(text, asks)))"
+    read = "((rows) => rows.map(([text, asks]) => courseware.parseTyped(text, asks)))"
     return engine.call(read, named)
 
 
@@ -221,10 +220,8 @@ def test_signs_that_few_keyboards_have_are_named_in_two_ways():
 
 
 def test_python_and_the_script_print_a_unit_alike():
-    text = (files("courseware.script") / "text.js").read_text(encoding="utf-8")
-    code = f"const JOINED = {json.dumps(runtime.JOINED)};\n{text}"
-    told = f"return {json.dumps(list(UNITS))}.map((unit) => withUnit('5', unit));"
-    assert engine.run(f"(() => {{ {code}\n{told} }})()") == [with_unit("5", u) for u in UNITS]
+    shown = engine.run(f"{json.dumps(list(UNITS))}.map((unit) => courseware.withUnit('5', unit))")
+    assert shown == [with_unit("5", unit) for unit in UNITS]
     assert [with_unit("5", unit) for unit in ("", "°", "%", "°/s")] == ["5", "5°", "5%", "5 °/s"]
 
 

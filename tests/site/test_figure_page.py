@@ -95,7 +95,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
     figure, server, chromium, page_of, width
 ):
     """The script comes late: the page is complete and the reader looks at the still picture."""
-    start = "courseware.figures.onPage()"
+    start = "courseware.startFigures()"
 
     def held(route):
         response = route.fetch()
@@ -128,7 +128,7 @@ def test_the_browser_computes_as_the_engine_does(figure, visit):
         found = live.page.evaluate(
             """([name, rows]) => {
               const figure = coursewareFigures.find((figure) => figure.name === name);
-              return rows.map((row) => courseware.figures.compute(figure, row).values);
+              return rows.map((row) => courseware.compute(figure, row).values);
             }""",
             [figure.name, rows.tolist()],
         )

@@ -13,7 +13,7 @@ from declared import FIGURES, each
 from figure_numbers import random_state
 
 from courseware.figures import Figure
-from courseware.script import runtime
+from courseware.script import parts
 
 pytest_plugins = ["browser"]
 
@@ -43,12 +43,12 @@ FAULTS = """([name, states]) => {
 def alive(request, chromium):
     """All figures on a page of that width."""
     body = "".join(figure.render_html() for figure in FIGURES.values())
-    style = f"{runtime.stylesheet()} body {{ max-width: 46rem; margin: 1rem; }}"
+    style = f"{parts.style_sheet()} body {{ max-width: 46rem; margin: 1rem; }}"
     with watched_page(chromium, "about:blank", request.param) as (page, watch):
         page.emulate_media(reduced_motion="reduce")
         page.set_content(f"<style>{style}</style>{body}")
-        scripts = [f"courseware.figures.bringToPage({figure.code});" for figure in FIGURES.values()]
-        page.add_script_tag(content="\n".join([*map(runtime.script, runtime.parts()), *scripts]))
+        scripts = [f"courseware.startFigure({figure.code});" for figure in FIGURES.values()]
+        page.add_script_tag(content="\n".join([parts.page_script(parts.registered()), *scripts]))
         yield page, watch
 
 

@@ -34,7 +34,7 @@ TEXTS = """(html) => [...new DOMParser().parseFromString(html, "text/html")
 def test_a_number_is_tied_to_its_unit(text, expected):
     kept = expected.replace("~", "\N{NO-BREAK SPACE}")
     assert prevent_breaks(text) == kept
-    assert script.call("courseware.practice.paragraphs", text) == f"<p>{kept}</p>"
+    assert script.call("courseware.renderParagraphs", text) == f"<p>{kept}</p>"
 
 
 @pytest.fixture(scope="module")

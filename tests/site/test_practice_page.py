@@ -33,7 +33,7 @@ FORGOTTEN = """() => {
   const name = document.getElementById("rk-student");
   localStorage.clear();
   history.replaceState(null, "");
-  courseware.practice.memory.data = {};
+  courseware.memory.data = {};
   name.value = "";
   name.dispatchEvent(new Event("change"));
   document.activeElement.blur();

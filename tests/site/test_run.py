@@ -26,7 +26,7 @@ from courseware.course import _open as open_courses
 from courseware.course import course
 from courseware.errors import CourseError
 from courseware.run.cells import Cells, start
-from courseware.script import runtime
+from courseware.script import parts
 from courseware.site import SETTINGS, run
 
 pytest_plugins = ["browser"]
@@ -202,7 +202,7 @@ def test_nothing_is_loaded_until_it_is_asked_for(server, chromium):
     with watched_page(chromium, server) as (page, watch):
         settled(page, server + PAGE)
         assert not [url for url in watch.kinds if "/run/" in url]
-        assert len(gzip.compress(runtime.script("run").encode())) < SMALL
+        assert len(gzip.compress(parts.page_script(["run"]).encode())) < SMALL
         bar = page.locator(".rk-run").first
         bar.get_by_role("button", name="Run").click()
         bar.get_by_text("Load Python", exact=True).wait_for()

@@ -170,7 +170,7 @@ def test_a_formula_has_the_numbers_of_its_figure_before_any_script_runs(name, si
         for slot in SLOT.finditer(html):
             flags = dict(re.findall(r'data-(\w+)="([^"]+)"', slot[1]))
             number = at_start(FIGURES[flags["of"]])[flags["symbol"]]
-            told = engine.call("courseware.symbols.slotText", number, flags)
+            told = engine.call("courseware.formatSlot", number, flags)
             assert text_from(html, slot.end()) == told
             seen += 1
     assert seen > 20 or name != f"{PAGE}/{PAGE}"

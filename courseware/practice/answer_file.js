@@ -1,23 +1,24 @@
 // The file of answers that a student hands in: `grade` reads it.
 
-const now = () => new Date().toISOString();
+export const now = () => new Date().toISOString();
 
 // As a spreadsheet may read it: quoted, and no cell that it would take for a formula (as tables.py).
-const STARTS_FORMULA = /^'*[=+\-@\t\r]/, GUARDED = /^'(?='*[=+\-@\t\r])/;
-const csvCell = (text) => {
+const STARTS_FORMULA = /^'*[=+\-@\t\r]/;
+const GUARDED = /^'(?='*[=+\-@\t\r])/;
+const escapeCell = (text) => {
   const safe = STARTS_FORMULA.test(text) && !/^[+-]?[\d.]+$/.test(text) ? `'${text}` : text;
   return /[",;\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 };
 
 // entries: exercise → { answer, time }; what was not checked is among them.
-const answersCsv = ({ course, version }, student, entries) => [
+export const serializeAnswers = ({ course, version }, student, entries) => [
   ["kind", "course", "version", "time", "student", "exercise", "answer"],
   ...Object.entries(entries).filter(([, { answer }]) => answer).map(([exercise, { answer, time }]) =>
     ["answers", course, version, time ?? "", student, exercise, answer]),
-].map((row) => row.map(csvCell).join(",")).join("\r\n") + "\r\n";
+].map((row) => row.map(escapeCell).join(",")).join("\r\n") + "\r\n";
 
 // The rows of such a file, by its heading.
-const answersOf = (text) => {
+export const parseAnswers = (text) => {
   const rows = [[]];
   for (const [, quoted, plain, end] of text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
     rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(GUARDED, ""));
@@ -29,8 +30,8 @@ const answersOf = (text) => {
     .filter(({ kind, answer }) => kind === "answers" && answer);
 };
 
-const saveAnswers = (course, student, entries) => {
-  const text = "\ufeff" + answersCsv(course, student, entries);
+export const downloadAnswers = (course, student, entries) => {
+  const text = "\ufeff" + serializeAnswers(course, student, entries);
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
   link.download = `answers-${student.replace(/[^\p{L}\p{N}]+/gu, "-").slice(0, 40)}.csv`;

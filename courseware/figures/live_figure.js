@@ -1,5 +1,16 @@
+import { followClock, followSight, followTurns } from "./clock.js";
+import {
+  addHandles, describeHandle, followControls, followGround, followReset, placeHandles,
+} from "./dragging.js";
+import {
+  describeFigure, describeState, formatControl, formatReadout, numbersBySymbol,
+} from "./figure_text.js";
+import { heightOf, renderScene, widthOf } from "./scene.js";
+import { compute, settings, startState } from "./state.js";
+import { px } from "./svg.js";
+
 // Between two steps of a slider the browser would show the nearer one.
-const showAt = (input, control, shown) => {
+const showPosition = (input, control, shown) => {
   const there = () => Math.abs(Number(input.value) - shown) < 1e-9;
   if (there()) return;
   input.step = control.step;
@@ -9,9 +20,13 @@ const showAt = (input, control, shown) => {
   input.value = shown;
 };
 
-// A figure that is alive in an element that holds its HTML. `changed(state)` is told of each new
-// state; the hands on it stand in hands.js.
-class Live {
+/**
+ * A figure that can be moved, in an element that holds its HTML.
+ * @property {State} state
+ * @property {Computed} computed
+ * @property {?{ by: Element, state: State }} held what a pointer moves now
+ */
+export class LiveFigure {
   constructor(element, figure, changed = () => {}) {
     Object.assign(this, { element, figure, changed });
     this.picture = element.querySelector(".rk-picture svg");
@@ -22,7 +37,7 @@ class Live {
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
     this.reached = new Set(); // goals, until a reset
     this.handles = [];
-    this.held = this.last = null; // what a pointer moves now, and the handle that it moved last
+    this.held = this.last = null; // last: the handle that was moved last
   }
 
   all(selector) {
@@ -30,7 +45,7 @@ class Live {
   }
 
   start() {
-    takeHandles(this);
+    addHandles(this);
     for (const follow of [followControls, followTurns, followClock, followGround, followReset,
       followSight]) follow(this);
     this.resize(this.picture.parentElement.clientWidth);
@@ -61,7 +76,7 @@ class Live {
 
   numbers() {
     this.settled();
-    return numbers(this.figure, this.state, this.computed);
+    return numbersBySymbol(this.figure, this.state, this.computed);
   }
 
   place(handle) {
@@ -81,7 +96,7 @@ class Live {
     this.drawn = 0;
     this.computed = compute(this.figure, settings(this.figure, this.state));
     if (this.held?.view) this.computed.view = this.held.view; // a view that follows waits for a hand
-    this.drawing.innerHTML = scene(this.figure, this.computed, this.width, this.state);
+    this.drawing.innerHTML = renderScene(this.figure, this.computed, this.width, this.state);
     this.drawHandles();
     this.writeGoals();
     this.writeReadouts();
@@ -94,31 +109,31 @@ class Live {
   }
 
   drawHandles() {
-    spots(this).forEach(([x, y], k) => {
-      tellHandle(this, this.figure.handles[k], this.handles[k]);
+    placeHandles(this).forEach(([x, y], k) => {
+      describeHandle(this, this.figure.handles[k], this.handles[k]);
       for (const part of [this.handles[k], this.handles[k].nextSibling]) {
-        part.setAttribute("cx", n(x));
-        part.setAttribute("cy", n(y));
+        part.setAttribute("cx", px(x));
+        part.setAttribute("cy", px(y));
       }
     });
   }
 
   writeReadouts() {
     this.all("dd").forEach((element, k) => {
-      element.textContent = shownNumber(this.figure.readouts[k], this.computed.values[k]);
+      element.textContent = formatReadout(this.figure.readouts[k], this.computed.values[k]);
     });
   }
 
   writeControls() {
-    const shown = (i) => shownControl(this.figure.controls[i], this.state[i]);
+    const shown = (i) => formatControl(this.figure.controls[i], this.state[i]);
     this.inputs.forEach((input) => {
-      showAt(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
+      showPosition(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
       if (input.type === "range") input.setAttribute("aria-valuetext", shown(input.dataset.i));
     });
     this.all("[data-o]").forEach((output) => { output.textContent = shown(output.dataset.o); });
   }
 
-  // What is passed over by a hand is not reached; what is reached once stays so until a reset.
+  // Passing over a goal does not reach it; once reached it stays so until a reset.
   writeGoals() {
     const now = this.held ? [] : this.figure.goals;
     now.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
@@ -130,11 +145,11 @@ class Live {
     });
   }
 
-  // For those who do not see the picture.
+  // For screen readers.
   tell() {
     const { element, figure, state, computed } = this;
-    this.drawing.setAttribute("aria-label", alternative(figure, state, computed));
+    this.drawing.setAttribute("aria-label", describeFigure(figure, state, computed));
     if (!this.inputs.length || !element.contains(document.activeElement)) return;
-    element.querySelector(".rk-says").textContent = says(figure, state, computed);
+    element.querySelector(".rk-says").textContent = describeState(figure, state, computed);
   }
 }

@@ -1,6 +1,8 @@
 // Run under each cell; what it does comes when it is first pressed.
 
-const onPage = () => {
+import { VERSION } from "./constants.js";
+
+export const addRunButtons = () => {
   const home = document.currentScript.src;
   const bars = [...document.querySelectorAll(".cell:not(.tag_interact) > .cell_input")].map((input) => {
     input.insertAdjacentHTML("beforeend",
@@ -9,12 +11,10 @@ const onPage = () => {
   });
   const press = async (k) => {
     try {
-      await (await import(new URL(`../run/cells.js?v=${VERSION}`, home))).press(bars, k);
+      await (await import(new URL(`../run/cells.js?v=${VERSION}`, home))).pressRun(bars, k);
     } catch {
       bars[k].lastChild.textContent = "This runs where the page comes from a server, not from disk.";
     }
   };
   bars.forEach((bar, k) => bar.firstChild.addEventListener("click", () => press(k)));
 };
-
-Object.assign(part, { onPage });

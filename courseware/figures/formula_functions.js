@@ -38,13 +38,13 @@ const lu = (n, entries) => {
     let p = k;
     for (let i = k; i < n; i++) if (Math.abs(m[i][k]) > Math.abs(m[p][k])) p = i;
     [m[k], m[p]] = [m[p], m[k]];
-    if (m[k][k] === 0) return new Array(n).fill(NaN);
+    if (m[k][k] === 0) return m.map(() => NaN);
     for (let i = k + 1; i < n; i++) {
       const q = m[i][k] / m[k][k];
       for (let j = k; j <= n; j++) m[i][j] -= q * m[k][j];
     }
   }
-  const x = new Array(n);
+  const x = [];
   for (let i = n - 1; i >= 0; i--) {
     let sum = m[i][n];
     for (let j = i + 1; j < n; j++) sum -= m[i][j] * x[j];
@@ -54,7 +54,7 @@ const lu = (n, entries) => {
 };
 
 // As compiled formulas call them.
-const f = {
+export const functions = {
   sinc: (x) => (x === 0 ? 1 : Math.sin(x) / x),
   rank: (rows, cols, ...c) => svd(rows, cols, c).free.filter((free) => !free).length,
   null_projector: (index, rows, cols, ...c) => {

@@ -1,80 +1,36 @@
-// The box of an exercise: as HTML, and under the hand.
-//
-// exercise: { name, title, level, text, solution, asked, variants, … }, made by page.py.
-// variants: { shown, candidates }; shown: what stands for each placeholder.
+// The box of an exercise, which takes answers and gives help.
 
-const LEVELS = { 1: "one step", 2: "several steps", 3: "hard" };
-const TRAINING = "Numbers for training: they are not yours and do not count.";
+import { escapeHtml, fillTemplate, renderSymbols } from "../script/text.js";
+import { now } from "./answer_file.js";
+import { VARIANTS } from "./constants.js";
+import { dealVariant } from "./dealing.js";
+import { judgeAnswer } from "./judging.js";
+import { parseTyped } from "./parsing.js";
+import { HELP_STEPS, renderParagraphs, renderWhereToLook, splitSolution } from "./rendering.js";
+
 const LOADING = "Your numbers are being loaded …";
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
 const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
 const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
-const RUNGS = ["Where should I look?", "Show the first step", "Show the next step", "Show the answer"];
 
-const filled = (template, shown) => template.replace(/\{([\w.:]+)\}/g, (_, key) => shown[key]);
+/**
+ * @typedef {object} Exercise what page.py packs
+ * @property {string} name, title, text, solution, asked, topic
+ * @property {number} level
+ * @property {{ shown: Object<string, string>, candidates: Candidate[] }[]} variants
+ *   shown: what stands for each placeholder
+ *
+ * @typedef {object} ExerciseDesk who works here
+ * @property {string} course
+ * @property {function(): string} student
+ * @property {function(): Promise<Exercise>} load
+ * @property {function(): ?object} kept what is stored of the exercise
+ * @property {function(object): void} keep
+ */
 
-// Lists in a list as a matrix. In a cell letters and indices stand in one span: in mathematics each
-// would have a line of its own.
-const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
-const cells = (row) => row.split(/, (?![^(]*\))/)
-  .map((cell) => `<mtd><mtext><span>${cell}</span></mtext></mtd>`).join("");
-const matrices = (text) => text.replace(MATRIX, (_, rows) => `<math><mtable>${
-  rows.slice(1, -1).split("], [").map((row) => `<mtr>${cells(row)}</mtr>`).join("")
-}</mtable></math>`);
-
-const unbroken = (text) => text.replace(new RegExp(UNBROKEN, "g"), "\u00a0");
-
-const paragraphs = (text) => matrices(symbols(unbroken(text))).split("\n\n")
-  .map((paragraph) => `<p>${paragraph}</p>`).join("");
-
-const FORMULA = /^(\[[^=]*\]|\S+) = /;
-
-// The chapter, and what its formulas give; each leads to the formula, where the chapter prints it.
-const whereToLook = ({ chapter, formulas }, link) => {
-  const found = formulas.map(([gives, place]) => place ? link(place, symbols(gives)) : symbols(gives));
-  return `Look in the chapter “${symbols(chapter)}”`
-    + `${found.length ? ` for the formulas of ${found.join("; ")}` : ""}.`;
-};
-
-// A solution in steps: each is a text and the formulas that follow it.
-const stepsOf = (text) => text ? text.split("\n\n").reduce((steps, part) => {
-    const last = steps.at(-1)?.split("\n\n").at(-1);
-    if (last === undefined || (FORMULA.test(last) && !FORMULA.test(part))) return [...steps, part];
-    return [...steps.slice(0, -1), `${steps.at(-1)}\n\n${part}`];
-  }, []) : [];
-
-// All of it, for paper.
-const solutionHtml = (text, shown) => paragraphs(filled(text, shown));
-
-// A matrix can be typed entry by entry, too.
-const gridHtml = ({ shape: [rows, columns] = [] }) => columns ? `<details class="rk-grid">`
-  + `<summary>Type it entry by entry</summary><table>${Array.from({ length: rows }, (_, i) =>
-    `<tr>${Array.from({ length: columns }, (_, j) => `<td><input type="text" autocomplete="off" `
-      + `spellcheck="false" aria-label="row ${i + 1}, column ${j + 1}"></td>`).join("")}</tr>`).join("")
-  }</table></details>` : "";
-
-// id: the start of the ids inside, for the box's own parts to find each other.
-const exerciseHtml = (exercise, shown, solution, id = exercise.name) =>
-  `<div class="rk-question" id="${id}-question">`
-    + `<p class="rk-exercise-title"><strong>${escaped(exercise.title)}</strong>`
-    + ` <span class="rk-level">${LEVELS[exercise.level]}</span>`
-    + ` <span class="rk-passed" hidden>passed</span></p>`
-    + `<div class="rk-text">${paragraphs(filled(exercise.text, shown))}</div></div>`
-    + `<p class="rk-training" hidden>${TRAINING} <button type="button">Back to my numbers</button></p>`
-    + `<form class="rk-form"><label for="${id}-answer">Answer, <span class="rk-asked">`
-    + `${symbols(unbroken(exercise.asked))}</span></label>`
-    + `<div class="rk-row"><input id="${id}-answer" type="text" autocomplete="off" autocapitalize="off" `
-    + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
-    + `<button type="submit">Check</button>`
-    + `<button type="button" class="rk-another">Another one</button></div>${gridHtml(exercise)}</form>`
-    + `<p class="rk-verdict" id="${id}-verdict" role="status"></p><p class="rk-read"></p>`
-    + `<div class="rk-ladder" aria-live="polite"></div>`
-    + `<button type="button" class="rk-help">${RUNGS[0]}</button>`;
-
-// An exercise in an element that holds its HTML. desk: { course, student(), load(), kept(),
-// keep(entry) }; load() promises the exercise with its variants. What is shown is what is judged:
-// both take the variant from `number`, which `show` alone sets.
-class Box {
+// An exercise in an element that holds its HTML. What is shown is what is judged: both take the
+// variant from `number`, which `show` alone sets.
+export class ExerciseBox {
   constructor(element, desk) {
     Object.assign(this, { element, desk });
     this.input = this.one("input");
@@ -143,10 +99,10 @@ class Box {
   }
 
   get steps() {
-    return stepsOf(filled(this.exercise.solution, this.variant.shown));
+    return splitSolution(fillTemplate(this.exercise.solution, this.variant.shown));
   }
 
-  // What is kept of the present numbers: { answer, time, result, says, tries, help, … }.
+  // The stored entry of the present numbers: { answer, time, result, says, tries, help, … }.
   entry() {
     return (this.training ? this.trained : this.desk.kept()) ?? {};
   }
@@ -155,7 +111,7 @@ class Box {
     if (this.training) this.trained = entry; else this.desk.keep(entry);
   }
 
-  // What is typed and not checked yet is kept, and saved, too; it takes no pass away.
+  // Store unchecked typing, too, so that it is saved to the file; it takes no pass away.
   keepTyped() {
     const answer = this.input.value, { unjudged, ...kept } = this.entry();
     if (this.training || !answer || kept.result === "right" || kept.answer === answer) return;
@@ -165,7 +121,7 @@ class Box {
   check() {
     return this.withExercise(() => {
       const { input, number, variant } = this, { unjudged, ...kept } = this.entry();
-      const found = checkAnswer(this.exercise, variant.candidates, input.value);
+      const found = judgeAnswer(this.exercise, variant.candidates, input.value);
       if (unjudged?.answer && found.result !== "right") { // an older one, of no use
         this.keep(unjudged);
         return this.restore();
@@ -183,8 +139,8 @@ class Box {
 
   tell({ result = "", says = "", read = "" }) {
     this.one(".rk-verdict").className = `rk-verdict rk-${result}`;
-    this.one(".rk-verdict").innerHTML = symbols(says);
-    this.one(".rk-read").innerHTML = symbols(read);
+    this.one(".rk-verdict").innerHTML = renderSymbols(says);
+    this.one(".rk-read").innerHTML = renderSymbols(read);
   }
 
   pass() {
@@ -211,21 +167,21 @@ class Box {
     const root = document.documentElement.dataset.content_root; // a notebook has none
     const link = (place, words) => `<a href="${root}${topic}/${topic}.html#${place}">${words}</a>`;
     const see = root === undefined ? "" : ` ${link(entry.name, "See it in the chapter.")}`;
-    const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escaped(picture)}" `
+    const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escapeHtml(picture)}" `
       + `src="${root}_static/practice/${entry.name}.svg#${theme}">`;
-    this.one(".rk-ladder").innerHTML = (why ? `<p>${symbols(why)}${see}</p>` : "")
+    this.one(".rk-ladder").innerHTML = (why ? `<p>${renderSymbols(why)}${see}</p>` : "")
       + (picture && root !== undefined ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
-      + (opened ? `<p>${whereToLook(look, root === undefined ? (_, words) => words : link)}</p>` : "")
-      + steps.slice(0, Math.max(0, opened - 1)).map(paragraphs).join("") + (note && `<p>${note}</p>`);
+      + (opened ? `<p>${renderWhereToLook(look, root === undefined ? (_, words) => words : link)}</p>` : "")
+      + steps.slice(0, Math.max(0, opened - 1)).map(renderParagraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");
     button.hidden = opened > last;
-    button.textContent = opened < 2 ? RUNGS[opened] : RUNGS[opened < last ? 2 : 3];
+    button.textContent = opened < 2 ? HELP_STEPS[opened] : HELP_STEPS[opened < last ? 2 : 3];
   }
 
   show() {
     const { course, student } = this.desk, { exercise, training } = this;
-    this.number = (dealtVariant(course, exercise.name, student()) + training) % VARIANTS;
-    this.one(".rk-text").innerHTML = paragraphs(filled(exercise.text, this.variant.shown));
+    this.number = (dealVariant(course, exercise.name, student()) + training) % VARIANTS;
+    this.one(".rk-text").innerHTML = renderParagraphs(fillTemplate(exercise.text, this.variant.shown));
     this.element.dataset.variant = this.number;
     this.one(".rk-training").hidden = !training;
   }
@@ -234,12 +190,10 @@ class Box {
     const kept = this.entry();
     this.opened = null; // besides what was opened before the pass
     this.input.value = kept.answer ?? "";
-    const entries = [readAsked(this.input.value, this.exercise?.asks ?? []).value].flat(Infinity);
+    const entries = [parseTyped(this.input.value, this.exercise?.asks ?? []).value].flat(Infinity);
     this.element.querySelectorAll("td input").forEach((cell, k) => { cell.value = entries[k] ?? ""; });
     this.pass();
     this.tell(kept);
     if (this.exercise && this.number !== null) this.climb();
   }
 }
-
-Object.assign(part, { exerciseHtml, paragraphs, solutionHtml });

@@ -1,0 +1,58 @@
+// The whole figure as HTML: the same text on the page before and after the script takes over.
+
+import { escapeHtml, renderSymbols } from "../script/text.js";
+import { formatControl, formatReadout } from "./figure_text.js";
+import { renderTurns } from "./quarter_turns.js";
+import { renderPicture } from "./scene.js";
+import { compute, settings, startState } from "./state.js";
+import { stroke, symbolData } from "./svg.js";
+
+const renderName = ({ kind, label: words }) => {
+  const swatch = kind ? `<svg class="rk-swatch" width="26" height="8" aria-hidden="true">`
+    + `<path d="M0 4H26" ${stroke(kind)}/></svg>` : "";
+  const name = renderSymbols(words).replace(/(^|[^\d] )(Δ?\p{L})$/u, "$1<i>$2</i>"); // a letter at the end, no unit
+  return `<span class="rk-name">${swatch}${name}</span>`;
+};
+
+const renderChoice = (control, i) => {
+  const options = control.options.map((option, k) =>
+    `<option value="${k}"${k === control.start ? " selected" : ""}>${escapeHtml(option.label)}</option>`);
+  return `<label class="rk-control">${renderName(control)}`
+    + `<select data-i="${i}" autocomplete="off">${options.join("")}</select></label>`;
+};
+
+const renderButton = (kind, words, title, data = "") =>
+  `<button type="button" class="rk-${kind}" aria-label="${words}: ${escapeHtml(title)}"${data}>${words}</button>`;
+
+const renderSlider = (control, i, title) => {
+  const play = control.type === "clock" ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
+  const shown = formatControl(control, control.start);
+  return `<div class="rk-control"${symbolData(control)}>${play}<label>${renderName(control)}`
+    + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
+    + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
+    + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
+};
+
+const renderControl = (control, i, title) => ({ choice: renderChoice, turns: renderTurns }[control.type]
+  ?? renderSlider)(control, i, title);
+
+const renderReadout = (readout, value) =>
+  `<div${symbolData(readout)}><dt>${renderName(readout)}</dt><dd>${escapeHtml(formatReadout(readout, value))}</dd></div>`;
+
+const renderGoal = ({ words }) => `<p class="rk-goal">${renderSymbols(words)} <output></output></p>`;
+
+export const renderFigure = (figure) => {
+  const { values } = compute(figure, settings(figure, startState(figure)));
+  const picture = `<div class="rk-picture">${renderPicture(figure)}</div>`;
+  if (!figure.controls.length) return picture;
+  const turns = (_, i) => figure.viewAngles?.includes(i), parts = figure.controls.map((control, i) => renderControl(control, i, figure.title));
+  const aside = parts.filter(turns).join("");
+  const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
+    + `<div class="rk-controls">${aside}</div></details>`;
+  return `${picture}<div class="rk-panel">${figure.goals.map(renderGoal).join("")}`
+    + `<div class="rk-controls">${parts.filter((...of) => !turns(...of)).join("")}</div>`
+    + `<dl class="rk-readouts">${figure.readouts.map((r, k) => renderReadout(r, values[k])).join("")}</dl>`
+    + `<div class="rk-buttons">${renderButton("reset", "Reset", figure.title)}`
+    + `${figure.size === "step" ? "" : renderButton("link", "Link to this setting", figure.title)}</div>${view}</div>`
+    + `<p class="rk-says" aria-live="polite"></p>`;
+};

@@ -1,0 +1,107 @@
+// From the state of a figure to its numbers, and where a hand may put it.
+
+/**
+ * What compiling.py makes of a declared figure; places (`at`) are those in `computed.values`.
+ * @typedef {object} Figure
+ * @property {string} name, title, size, sentence
+ * @property {number[]} view [left, right, bottom, top] in metres
+ * @property {Control[]} controls
+ * @property {object[]} readouts, steps, scene, handles, goals, recurrences
+ * @property {function} where, compute named steps; all numbers
+ * @property {number[]} [viewAngles] the controls that dragging the ground of a picture in space moves
+ * @property {number[]} [follow] the place of a point that the view moves along with
+ *
+ * @typedef {object} Control
+ * @property {"slider" | "clock" | "choice" | "turns"} type
+ * @property {string} key, label, unit
+ * @property {number} low, high, start, step in the unit that is shown; times `factor` in SI
+ *
+ * @typedef {(number | [string, number])[]} State what each control shows
+ * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[] }} Computed
+ */
+
+import { functions } from "./formula_functions.js";
+import { computeTurns } from "./quarter_turns.js";
+
+export const startState = (figure) => figure.controls.map((control) => control.start);
+
+// For the formulas: all symbols that controls set, in SI.
+export const settings = (figure, state) => figure.controls.flatMap((control, i) =>
+  control.type === "choice" ? control.options[state[i]].values
+    : control.type === "turns" ? computeTurns(state[i]) : [state[i] * control.factor]);
+
+const runRecurrence = (recurrence, c) => {
+  const count = Math.min(Math.max(0, Math.round(recurrence.count(functions, c)[0])), recurrence.most);
+  const states = [recurrence.start(functions, c)];
+  for (let i = 0; i < count; i++) states.push(recurrence.step(functions, c, states[i]));
+  return states;
+};
+
+/**
+ * All numbers of a figure: c are settings, last states of its recurrences and named steps, which
+ * build on each other; values are readouts first, then what the scene refers to by place.
+ * @param {Figure} figure
+ * @param {number[]} given
+ * @returns {Computed}
+ */
+export const compute = (figure, given) => {
+  const trails = figure.recurrences.map((recurrence) => runRecurrence(recurrence, given));
+  const ended = given.concat(...trails.map((states) => states[states.length - 1]));
+  const c = ended.concat(figure.where(functions, ended));
+  const values = figure.compute(functions, c);
+  return { c, trails, values, view: followView(figure, values) };
+};
+
+// The window on the world: it moves along with a point, once that comes near an edge.
+const followView = ({ view, follow }, values) => {
+  if (!follow) return view;
+  return view.map((edge, k) => {
+    const axis = k >> 1, [low, high] = view.slice(2 * axis, 2 * axis + 2), free = 0.2 * (high - low);
+    const at = values[follow[axis]];
+    return edge + at - Math.min(high - free, Math.max(low + free, at));
+  });
+};
+
+export const indexOfOption = (control, name) => control.options.findIndex((option) => option.label === name);
+
+export const clamp = (control, shown) => {
+  const inside = Math.min(control.high, Math.max(control.low, shown));
+  return control.whole ? Math.round(inside) : inside;
+};
+
+export const snap = (control, shown) => {
+  const steps = Math.round((shown - control.low) / control.step);
+  return clamp(control, Number((control.low + steps * control.step).toFixed(9)));
+};
+
+// Values that attract a hand: zero, the ends, the start, right angles, and the value of another
+// control that differs only in its colour, as of the other wheel.
+const listMagnets = (figure, state, i) => {
+  const { kind, unit, low, high, start } = figure.controls[i];
+  const right = unit === "°" ? 90 * Math.round(state[i] / 90) : 0;
+  const others = state.filter((_, k) => {
+    const other = figure.controls[k];
+    return k !== i && kind && other.kind && unit !== "°"
+      && other.unit === unit && other.low === low && other.high === high;
+  });
+  return [0, right, low, high, start, ...others].filter((x) => low <= x && x <= high);
+};
+
+const REACH = 0.015; // of a control's range: a magnet never draws from farther away
+
+// Draw control i to the nearest magnet in reach.
+export const attract = (figure, state, i, reach) => {
+  const control = figure.controls[i], near = Math.min(reach, REACH * (control.high - control.low));
+  const far = (x) => Math.abs(x - state[i]);
+  const [best] = listMagnets(figure, state, i).sort((a, b) => far(a) - far(b));
+  return clamp(control, far(best) <= near ? best : state[i]);
+};
+
+// Leave what is shown, so that a formula with the figure's numbers is true; a magnet's value stays.
+export const roundState = (figure, state) => figure.controls.map((control, i) =>
+  control.type !== "slider" || listMagnets(figure, state, i).includes(state[i]) ? state[i]
+    : clamp(control, Number(state[i].toFixed(control.digits))));
+
+// A slider that goes all the way round has no end: past it, it goes on from the other one.
+export const wrapAround = ({ low, high }, shown) =>
+  high - low === 360 ? shown - 360 * Math.floor((shown - low) / 360) : shown;

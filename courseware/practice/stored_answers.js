@@ -1,0 +1,26 @@
+// The answers of a student in this browser, and how many exercises of each chapter are passed.
+
+import { STORE, TOPICS } from "./constants.js";
+import { foldName } from "./dealing.js";
+import { readStored } from "./storage.js";
+
+export const answersKey = (course) => `${STORE} answers ${course}`;
+export const STUDENT_KEY = `${STORE} student`;
+
+// The answers under a name, however it is written.
+export const readAnswers = (course, name) => {
+  const all = readStored(answersKey(course)), student = foldName(name);
+  const [alike] = Object.keys(all).filter((other) => foldName(other) === student);
+  return all[student] ?? all[alike] ?? {};
+};
+
+export const isPassed = (answers, exercise) => answers[exercise]?.result === "right";
+
+// Chapter by chapter: its title, its name, how many exercises it has and how many are passed.
+export const countPassed = (answers) => Object.entries(TOPICS).map(([title, [topic, count]]) => {
+  const many = Object.keys(answers).filter((name) => isPassed(answers, name)
+    && name.replace(/-\d+$/, "").replaceAll("-", "_") === topic).length;
+  return { title, topic, count, many };
+});
+
+export const sumUp = (progress, key) => progress.reduce((total, chapter) => total + chapter[key], 0);

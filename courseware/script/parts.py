@@ -1,0 +1,112 @@
+"""The scripts and the one style sheet of a course, put together from the parts that register."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from courseware.errors import CourseError
+from courseware.script.modules import join_modules
+from courseware.units import UNITS
+
+Constants = Callable[[], Mapping[str, Any]]
+
+
+@dataclass(frozen=True)
+class Part:
+    """What a package adds to the script: `register(Part(…))` in its `__init__.py`.
+
+    Args:
+        name: of the part.
+        page: what starts it on a page, as "courseware/figures/page.js:startFigures".
+        called_by: what stands in the text of a page that needs it.
+        widget: what shows it in a notebook, as "courseware/figures/notebook.js:showFigure".
+        styles: paths of its style sheets.
+        rules: what Python adds to them; asked once a course is open.
+        constants: what Python tells the script, likewise: paths of modules that are no files, as
+            "courseware/figures/constants.js", and what they export.
+    """
+
+    name: str
+    page: str
+    called_by: str
+    widget: str = ""
+    styles: tuple[str, ...] = ()
+    rules: Callable[[], str] = str
+    constants: Mapping[str, Constants] = field(default_factory=dict)
+
+
+COMPACT = (",", ":")  # of JSON, without blanks
+# signs that stand at their number without a blank, for `text.js`
+TIGHT_UNITS = "".join(name for name, unit in UNITS.items() if unit.joined)
+_parts: dict[str, Part] = {}
+_constants: dict[str, Constants] = {
+    "courseware/script/constants.js": lambda: {"TIGHT_UNITS": TIGHT_UNITS}
+}
+
+
+def register(part: Part) -> None:
+    """Make a part known, under its name."""
+    _parts[part.name] = part
+    _constants.update(part.constants)
+
+
+def registered() -> list[str]:
+    """Return the names of the parts that are known, sorted."""
+    return sorted(_parts)
+
+
+def called_by(text: str) -> list[str]:
+    """Return the parts that a page with this text needs."""
+    return [name for name in registered() if _parts[name].called_by in text]
+
+
+def page_script(names: list[str]) -> str:
+    """Return the script of a page that needs these parts: all that they export, and their start."""
+    entries, starts = zip(*(_part(name).page.split(":") for name in names), strict=True)
+    calls = "".join(f"courseware.{start}();\n" for start in starts)
+    return f"globalThis.courseware = {bundle(*entries)};\n{calls}"
+
+
+def widget_script(name: str) -> str:
+    """Return what shows a part in a notebook, as a JavaScript expression."""
+    entry, function = _part(name).widget.split(":")
+    return f"({bundle(entry)}).{function}"
+
+
+def whole_script() -> str:
+    """Return an expression for all parts: an object of all that they export."""
+    entries = (entry for part in _parts.values() for entry in (part.page, part.widget) if entry)
+    return bundle(*(entry.split(":")[0] for entry in entries))
+
+
+@cache
+def bundle(*entries: str) -> str:
+    """Join modules, and what they import, to an expression."""
+    return join_modules(entries, _read)
+
+
+def style_sheet(*names: str) -> str:
+    """Return the style sheet of parts, or of all: the colours that all share, and their rules."""
+    texts = [_read("courseware/script/theme.css")]
+    for part in map(_part, names or registered()):
+        texts += [*map(_read, part.styles), part.rules()]
+    return "".join(texts)
+
+
+def _part(name: str) -> Part:
+    if name not in _parts:
+        raise CourseError(f"no part {name!r} is registered; there are {', '.join(registered())}")
+    return _parts[name]
+
+
+def _read(path: str) -> str:
+    if path in _constants:
+        return "".join(
+            f"export const {name} = {json.dumps(value, ensure_ascii=False, separators=COMPACT)};\n"
+            for name, value in _constants[path]().items()
+        )
+    package, _, name = path.partition("/")
+    return files(package).joinpath(name).read_text(encoding="utf-8")

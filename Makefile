@@ -100,6 +100,7 @@ check: $(READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/codespell
+	$(BIN)/oxlint courseware classroom book/_assets
 
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)

@@ -10,7 +10,7 @@ from classroom.answer_key import read_secret, write_key
 from classroom.grading import check, grade
 from classroom.sheets import write_sheets
 from courseware.errors import CourseError
-from courseware.practice.bank import default_salt
+from courseware.practice.bank import course_name
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -63,7 +63,7 @@ def _parser() -> argparse.ArgumentParser:
     key = add("key", "everyone's numbers and right answers", "key.csv")
     key.add_argument("roster", help="CSV with a column student")
     words = "the course's name, which takes part in picking the numbers; default: that of the site"
-    key.add_argument("--course", default=default_salt(), help=words)
+    key.add_argument("--course", default=course_name(), help=words)
     sheet = add("sheet", "a page for each student, without answers", "sheets/")
     sheet.add_argument("key", help="the table that key wrote")
     questions = add("moodle", "all variants as questions, to import as Moodle XML", "moodle.xml")

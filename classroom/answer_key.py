@@ -11,7 +11,8 @@ from pathlib import Path
 from classroom import tables
 from courseware.errors import CourseError
 from courseware.practice import dealing
-from courseware.practice.bank import Exercise, exercises
+from courseware.practice.bank import all_exercises, find_exercise
+from courseware.practice.declaration import Exercise
 from courseware.practice.saving import open_table
 
 COLUMNS = ("kind", "course", "version", "student", "exercise", "variant", "numbers", "answer")
@@ -21,7 +22,7 @@ SECRET_LENGTH = 16
 
 Person = tuple[str, str]  # a student, as names are compared, and an exercise
 
-folded = lru_cache(10_000)(dealing.folded)
+folded = lru_cache(10_000)(dealing.fold_name)
 
 
 def write_key(
@@ -42,7 +43,7 @@ def write_key(
     with open_table(out, COLUMNS, force) as write:
         for student in students:
             for name in chosen:
-                number = dealing.dealt(salt, name, student)
+                number = dealing.deal(salt, name, student)
                 number %= len(dealing.variants(name, secret))
                 row = (student, name, number, *_deal(name, number, secret))
                 write(("key", course, dealing.version(), *row))
@@ -53,7 +54,7 @@ def write_key(
 def _deal(name: str, number: int, secret: str) -> tuple[str, str]:
     """Return the numbers of a variant as JSON, and its right answer as text."""
     numbers = dealing.variants(name, secret)[number].numbers
-    return json.dumps(numbers, ensure_ascii=False), exercises()[name].answer_text(numbers)
+    return json.dumps(numbers, ensure_ascii=False), all_exercises()[name].format_answer(numbers)
 
 
 def _read_roster(path: Path, problems: tables.Problems) -> list[str]:
@@ -75,7 +76,7 @@ def _read_roster(path: Path, problems: tables.Problems) -> list[str]:
 
 def choose_exercises(only: Sequence[str]) -> dict[str, Exercise]:
     """Return the exercises with these names; all if none is named."""
-    return {name: dealing.find(name) for name in only} or exercises()
+    return {name: find_exercise(name) for name in only} or all_exercises()
 
 
 def refuse_same(out: str | Path, read: str | Path) -> None:
@@ -124,7 +125,7 @@ def read_key(path: str | Path, problems: tables.Problems) -> Key:
     rows: dict[Person, tuple[int, tables.Row]] = {}
     for line, row in tables.read_rows(path, problems, NEEDED):
         person = folded(row["student"]), row["exercise"]
-        if row["exercise"] not in exercises():
+        if row["exercise"] not in all_exercises():
             problems.note(UNUSABLE, path, line, f"there is no exercise {row['exercise']!r}", row)
         elif person in rows:
             words = f"{row['student']} has {row['exercise']} in line {rows[person][0]} already"

@@ -1,4 +1,4 @@
-"""A teacher's look at a class, as one HTML file: exercises, mistakes, a line per student.
+"""A page that shows a class, as one HTML file: exercises, mistakes, a line for each student.
 
 It needs no server and no script, loads nothing, and holds nothing but the class's results.
 """
@@ -9,13 +9,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from courseware.course import course as opened
-from courseware.practice.bank import exercises, mistakes
-from courseware.practice.wording import symbols
+from courseware.course import course
+from courseware.practice.bank import all_exercises, all_mistakes
+from courseware.practice.formatting import render_symbols
 
 Count = tuple[str, str, int, int, str]  # a row of the mistakes
 
-MOST = 25  # mistakes that are shown; the table of mistakes has all
+MOST_SHOWN = 25  # mistakes; their table has all
 RESULTS = ("right", "partly", "wrong", "unread", "missing")
 SIGNS = dict(zip(RESULTS, "✓≈✗?·", strict=True))
 
@@ -74,44 +74,44 @@ th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width
 """
 
 
-def render(course: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
-    """Return the page as HTML."""
+def render(course_name: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
+    """Render the page as HTML."""
     students: dict[str, dict[str, Graded]] = {}
-    asked: dict[str, Counter[str]] = {}
-    for g in graded:
-        students.setdefault(g.student, {})[g.exercise] = g
-        asked.setdefault(g.exercise, Counter())[g.result] += 1
+    results: dict[str, Counter[str]] = {}
+    for each in graded:
+        students.setdefault(each.student, {})[each.exercise] = each
+        results.setdefault(each.exercise, Counter())[each.result] += 1
     topics: dict[str, list[str]] = {}
-    for name in (name for name in exercises() if name in asked):
-        topics.setdefault(exercises()[name].topic, []).append(name)
-    totals = Counter(g.result for g in graded)
+    for name in (name for name in all_exercises() if name in results):
+        topics.setdefault(all_exercises()[name].topic, []).append(name)
+    totals = sum(results.values(), Counter())
+    colours = (
+        f".bar .{r} {{ background: var(--{'none' if r == 'missing' else r}); }} "
+        f"b.{r} {{ color: var(--{r}); }}"
+        for r in RESULTS
+    )
+    heads = (f'<th class="n"><b class="{r}">{SIGNS[r]}</b> {r}' for r in RESULTS)
+    titles = (f'<th class="topic">{escape(course().title(topic))}' for topic in topics)
     return PAGE.format(
-        course=escape(course),
+        course=escape(course_name),
         students=len(students),
-        asked=len(asked),
+        asked=len(results),
         totals=", ".join(f"{totals[result]:,} {result}" for result in RESULTS),
-        colours="\n".join(
-            f".bar .{r} {{ background: var(--{r}); }} b.{r} {{ color: var(--{r}); }}"
-            for r in RESULTS
-        ).replace("background: var(--missing)", "background: var(--none)"),
-        heads="".join(
-            f'<th class="n"><b class="{result}">{SIGNS[result]}</b> {result}' for result in RESULTS
-        ),
-        exercises="\n".join(
-            _exercise(name, asked[name]) for names in topics.values() for name in names
-        ),
+        colours="\n".join(colours),
+        heads="".join(heads),
+        exercises="\n".join(_exercise(n, results[n]) for names in topics.values() for n in names),
         frequent=_frequent(len(counts)),
-        mistakes="\n".join(map(_mistake, counts[:MOST])),
-        topics="".join(f'<th class="topic">{escape(opened().title(topic))}' for topic in topics),
+        mistakes="\n".join(map(_mistake, counts[:MOST_SHOWN])),
+        topics="".join(titles),
         lines="\n".join(_student(name, found, topics.values()) for name, found in students.items()),
     )
 
 
 def _frequent(count: int) -> str:
-    """What stands above the mistakes."""
+    """Return the sentence above the mistakes."""
     if not count:
         return "No answer was wrong."
-    some = f"The most frequent {MOST} of {count:,}; as" if count > MOST else "As"
+    some = f"The most frequent {MOST_SHOWN} of {count:,}; as" if count > MOST_SHOWN else "As"
     return f"{some} a share of those who answered."
 
 
@@ -123,24 +123,24 @@ def _bar(parts: Iterable[tuple[str, float]]) -> str:
 def _exercise(name: str, count: Counter[str]) -> str:
     cells = "".join(f'<td class="n">{count[result]}' for result in RESULTS)
     bar = _bar((result, count[result] / count.total()) for result in RESULTS)
-    return f"<tr><th class='exercise'>{name}: {escape(exercises()[name].title)}{cells}{bar}"
+    return f"<tr><th class='exercise'>{name}: {escape(all_exercises()[name].title)}{cells}{bar}"
 
 
 def _mistake(row: Count) -> str:
     exercise, mistake, count, of, comment = row
-    says = re.sub("^Not yet(. This is what you get|:) ", "", comment)
-    known = f"{mistake}: " if mistake in mistakes() else ""
+    words = re.sub("^Not yet(. This is what you get|:) ", "", comment)
+    known = f"{mistake}: " if mistake in all_mistakes() else ""
     bar = _bar([("wrong", count / of)])
     return (
         f'<tr><td class="n">{count}<td class="n">{of}{bar}<td>{exercise}'
-        f'<td class="words">{known}{symbols(says)}'
+        f'<td class="words">{known}{render_symbols(words)}'
     )
 
 
 def _student(name: str, found: dict[str, Graded], topics: Iterable[Sequence[str]]) -> str:
     count = Counter(g.result for g in found.values())
     cells = "".join(
-        f'<td class="signs">{"".join(_of(found.get(exercise)) for exercise in names)}'
+        f'<td class="signs">{"".join(_sign(found.get(exercise)) for exercise in names)}'
         for names in topics
     )
     answered = count.total() - count["missing"]
@@ -148,8 +148,8 @@ def _student(name: str, found: dict[str, Graded], topics: Iterable[Sequence[str]
     return f'<tr class="line"><th>{escape(name)}{counts}{cells}'
 
 
-def _of(graded: Graded | None) -> str:
-    """The sign of a result, with the exercise and the mistake under the mouse."""
+def _sign(graded: Graded | None) -> str:
+    """Return the sign of a result, with the exercise and the mistake under the mouse."""
     if graded is None:
         return " "
     words = " ".join(filter(None, (f"{graded.exercise}: {graded.result}", graded.mistake)))

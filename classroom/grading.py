@@ -10,8 +10,8 @@ from classroom.answer_key import UNUSABLE, Key, Person, read_key, refuse_same
 from classroom.class_page import RESULTS, Count, Graded
 from classroom.collecting import Collected, collect
 from courseware.errors import CourseError
-from courseware.practice import dealing, judging
-from courseware.practice.bank import exercises, mistakes
+from courseware.practice import candidates, dealing, judging
+from courseware.practice.bank import all_exercises, all_mistakes
 from courseware.practice.saving import open_table, refuse_existing, write_table
 
 GRADES = ("student", "exercise", "answer", "result", "mistake", "comment")
@@ -93,27 +93,27 @@ def _grade(collected: Collected, problems: tables.Problems) -> list[Graded]:
         answered = [person for person in known if person in answers]
         places = {each: place for place, each in enumerate(variants)}
         typed = [(places[numbers[person]], answers[person].answer) for person in answered]
-        verdicts = judging.check_all(exercises()[name], list(variants.values()), typed)
+        verdicts = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
         for person in known:
             student = key.rows[person][1]["student"]
             found[person] = Graded(student, name, "", "missing", "", "")
         for person, (_, text), v in zip(answered, typed, verdicts, strict=True):
             student = key.rows[person][1]["student"]
-            found[person] = Graded(student, name, text, v.result, v.name, v.says)
+            found[person] = Graded(student, name, text, v.result, v.name, v.feedback)
     return [found[person] for person in key.rows if person in found]
 
 
 def _candidates(
     name: str, people: Iterable[Person], key: Key, problems: tables.Problems
-) -> dict[str, tuple[judging.Candidate, ...]]:
+) -> dict[str, tuple[candidates.Candidate, ...]]:
     """Return the candidates for each set of numbers; note rows with strange numbers."""
-    found: dict[str, tuple[judging.Candidate, ...]] = {}
+    found: dict[str, tuple[candidates.Candidate, ...]] = {}
     for line, row in map(key.rows.__getitem__, people):
         numbers = row["numbers"]
         if numbers in found:
             continue
         try:
-            found[numbers] = judging.candidates(exercises()[name], json.loads(numbers))
+            found[numbers] = candidates.find_candidates(all_exercises()[name], json.loads(numbers))
         except Exception as error:  # a formula may raise anything on numbers that are not its own
             words = f"{name} cannot be computed from {numbers}: {type(error).__name__}: {error}"
             problems.note(UNUSABLE, key.path, line, words, row)
@@ -152,6 +152,6 @@ def _summarize(key: Key, totals: Sequence[Total], counts: Sequence[Count]) -> li
             "",
         ]
     for exercise, name, count, of, comment in counts[:MOST_FREQUENT]:
-        known = mistakes()[name].says if name in mistakes() else comment
+        known = all_mistakes()[name].feedback if name in all_mistakes() else comment
         lines.append(f"{count:5} of {of:5}  {exercise:24} {name:14} {known}")
     return lines

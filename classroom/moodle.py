@@ -1,9 +1,9 @@
 """The exercises as questions of Moodle, in one XML file.
 
 Each exercise becomes a category with a question for each variant, so that a quiz can draw one at
-random. One number is asked as "numerical", several as "embedded answers", a field for each. Where
-there are several right answers of several numbers, which fields cannot judge, it is "multiple
-choice": the right answer among those of the known mistakes.
+random. An answer of one number is "numerical", of several "embedded answers", a field for each.
+Several right answers of several numbers, which fields cannot judge, are "multiple choice": the
+right answer among those of the known mistakes.
 """
 
 import math
@@ -13,70 +13,70 @@ from pathlib import Path
 from classroom.answer_key import choose_exercises
 from courseware.course import course
 from courseware.practice import dealing, judging
-from courseware.practice.bank import Ask, Exercise, default_salt
-from courseware.practice.judging import Candidate, Row
+from courseware.practice.bank import course_name
+from courseware.practice.candidates import RIGHT, SLIPS, Candidate, distance, is_apart, outcomes
+from courseware.practice.declaration import Exercise, Row, Unknown
+from courseware.practice.formatting import render_paragraphs, render_symbols
 from courseware.practice.saving import open_file
-from courseware.practice.wording import paragraphs, symbols
 from courseware.units import ROWS
 
-WRITE = (
+HOW_TO_WRITE = (
     "Write {what} as a decimal number such as 0.5 or 1.2e-3, with the decimal sign of your "
     "Moodle's language and the minus of the keyboard. Fractions, π and roots cannot be read."
 )
-CHOICES = 5  # wrong ones, at most
-FEW = 3  # at least
+MOST_CHOICES, FEWEST_CHOICES = 5, 3  # wrong ones
 
 
 def write(out: str | Path, only: Sequence[str] = (), secret: str = "", force: bool = False) -> None:
     """Write the questions; with a secret, of other numbers than the page's."""
     with open_file(out, force) as file:
-        mark = f"{default_salt()} {dealing.version()}{' secret' if secret else ''}"
+        mark = f"{course_name()} {dealing.version()}{' secret' if secret else ''}"
         top = "$course$/top/" + mark.replace("/", "//")
         file.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
         for exercise in choose_exercises(only).values():
-            category = _text("category", f"{top}/{exercise.topic}/{exercise.name}")
+            category = _element("category", f"{top}/{exercise.topic}/{exercise.name}")
             file.write(f'<question type="category">{category}</question>\n')
             for number, variant in enumerate(dealing.variants(exercise.name, secret)):
-                file.write(_question(exercise, number, variant, mark))
+                file.write(_render_question(exercise, number, variant, mark))
         file.write("</quiz>\n")
 
 
-def _text(tag: str, text: str, form: str = "") -> str:
-    """An element of Moodle's; in CDATA blanks are kept."""
+def _element(tag: str, text: str, form: str = "") -> str:
+    """Return an element of Moodle's; in CDATA blanks are kept."""
     form = f' format="{form}"' if form else ""
     inside = text.replace("]]>", "]]]]><![CDATA[>")
     return f"<{tag}{form}><text><![CDATA[{inside}]]></text></{tag}>"
 
 
-def _question(exercise: Exercise, number: int, variant: dealing.Variant, mark: str) -> str:
-    text = paragraphs(exercise.filled(exercise.text, variant.numbers, variant.shown))
-    solution = paragraphs(exercise.filled(exercise.solution_text, variant.numbers, variant.shown))
+def _render_question(exercise: Exercise, number: int, variant: dealing.Variant, mark: str) -> str:
+    text = render_paragraphs(exercise.fill(exercise.text, variant.numbers))
+    solution = render_paragraphs(exercise.fill(exercise.solution_text, variant.numbers))
     if exercise.accept != "one":
         kind, (text, own) = "multichoice", _choices(exercise, variant, text)
-    elif len(exercise.asks) == 1:
+    elif len(exercise.unknowns) == 1:
         kind, (text, own) = "numerical", _numerical(exercise, variant, text)
     else:
         kind, (text, own) = "cloze", _fields(exercise, variant, text)
-    counted = "" if kind == "numerical" else "<shownumcorrect/>"
-    first, second = _hints(exercise, solution)
+    count = "" if kind == "numerical" else "<shownumcorrect/>"
+    hints = [
+        _element("hint", hint, "html").replace("</hint>", f"{count}</hint>")
+        for hint in _hints(exercise, solution)
+    ]
     parts = [
-        _text("name", f"{exercise.name} {number:02}: {exercise.title}"),
-        _text("questiontext", text, "html"),
-        _text("generalfeedback", solution, "html"),
+        _element("name", f"{exercise.name} {number:02}: {exercise.title}"),
+        _element("questiontext", text, "html"),
+        _element("generalfeedback", solution, "html"),
         "<penalty>0.3333333</penalty>",
         f"<idnumber>{exercise.name}-{number:02}</idnumber>",
         own,
-        *(
-            _text("hint", hint, "html").replace("</hint>", f"{counted}</hint>")
-            for hint in (first, second)
-        ),
-        f"<tags>{_text('tag', mark)}</tags>",
+        *hints,
+        f"<tags>{_element('tag', mark)}</tags>",
     ]
     return f'<question type="{kind}">\n' + "\n".join(parts) + "\n</question>\n"
 
 
 def _hints(exercise: Exercise, solution: str) -> tuple[str, str]:
-    """Where to look, then how the solution starts: with two hints there are three tries."""
+    """Return two hints, for three tries: where to look, then how the solution starts."""
     look = (
         f"<p>Look into the chapter “{course().title(exercise.topic)}”. Check the unit, the sign, "
         "and that no digits were lost on the way.</p>"
@@ -85,96 +85,108 @@ def _hints(exercise: Exercise, solution: str) -> tuple[str, str]:
 
 
 def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
-    """One number: with its unit or without, in degrees too if the degree sign is there."""
-    (ask,) = exercise.asks
-    asked = f"{symbols(ask.label)} in {ask.unit}" if ask.unit else symbols(ask.label)
-    asked += ", to four decimals" if ask.decimals > 3 else ""
+    """Ask for one number: with its unit or without, angles also in degrees."""
+    (unknown,) = exercise.unknowns
+    label = render_symbols(unknown.label)
+    prompt = f"{label} in {unknown.unit}" if unknown.unit else label
+    prompt += ", to four decimals" if unknown.decimals > 3 else ""
     units = "".join(
         f"<unit><multiplier>{factor!r}</multiplier><unit_name>{unit}</unit_name></unit>"
-        for unit, factor in units_of(ask).items()
+        for unit, factor in unit_factors(unknown).items()
     )
     answers = [
         f'<answer fraction="{100 * right}" format="moodle_auto_format"><text>{value}</text>'
-        f"{_text('feedback', says, 'html')}<tolerance>{tolerance:g}</tolerance></answer>"
-        for right, value, tolerance, says in _answers(exercise, variant, 0)
+        f"{_element('feedback', feedback, 'html')}<tolerance>{tolerance:g}</tolerance></answer>"
+        for right, value, tolerance, feedback in _answers(exercise, variant, 0)
     ]
     form = "<unitgradingtype>0</unitgradingtype><showunits>0</showunits><unitsleft>0</unitsleft>"
     if not units:
         form = "<showunits>3</showunits>"
-    words = f"<p>Asked is {asked}. {WRITE.format(what='it')}"
-    words += f" The unit may stand after it: {', '.join(units_of(ask))}.</p>" if units else "</p>"
-    return text + words, "\n".join([*answers, f"<units>{units}</units>" if units else "", form])
+    words = f"<p>Asked is {prompt}. {HOW_TO_WRITE.format(what='it')}"
+    if units:
+        words += f" The unit may stand after it: {', '.join(unit_factors(unknown))}."
+    parts = [*answers, f"<units>{units}</units>" if units else "", form]
+    return f"{text}{words}</p>", "\n".join(parts)
 
 
-def units_of(ask: Ask) -> dict[str, float]:
-    """How the unit may be written, and the size of one of the unit asked in it."""
-    return {unit.name: unit.from_si(1.0) for unit in ROWS[ask.unit]} if ask.unit else {}
+def unit_factors(unknown: Unknown) -> dict[str, float]:
+    """Return the units that may be written, each with the size of one SI unit in it."""
+    return {u.name: u.from_si(1.0) for u in ROWS[unknown.unit]} if unknown.unit else {}
 
 
 def _fields(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
-    """A field for each number, in the text; a matrix as a table."""
-    fields = ["{1:NUMERICAL:" + "~".join(_cloze(exercise, variant, place)) + "}"
-              for place in range(len(exercise.asks))]  # fmt: skip
+    """Put a field for each number into the text; a matrix is a table."""
+    places = range(len(exercise.unknowns))
+    fields = [f"{{1:NUMERICAL:{'~'.join(_cloze(exercise, variant, place))}}}" for place in places]
     if exercise.shape:
         columns = exercise.shape[1]
         rows = (fields[k : k + columns] for k in range(0, len(fields), columns))
         body = "".join(f"<tr>{''.join(f'<td>{field}</td>' for field in row)}</tr>" for row in rows)
         body = f"<table>{body}</table>"
     else:
-        asked = zip(exercise.asks, fields, strict=True)
-        body = "".join(f"<p>{symbols(ask.label)}: {field} {ask.unit}</p>" for ask, field in asked)
-    note = f"<p>{WRITE.format(what='each')} No unit is typed. Each number earns its part.</p>"
-    return text + body + note, ""
+        body = "".join(
+            f"<p>{render_symbols(unknown.label)}: {field} {unknown.unit}</p>"
+            for unknown, field in zip(exercise.unknowns, fields, strict=True)
+        )
+    how = HOW_TO_WRITE.format(what="each")
+    return f"{text}{body}<p>{how} No unit is typed. Each number earns its part.</p>", ""
 
 
 def _cloze(exercise: Exercise, variant: dealing.Variant, place: int) -> Iterator[str]:
-    """The answers of a field, in the grammar of the embedded answers."""
-    for right, value, tolerance, says in _answers(exercise, variant, place):
+    """Yield the answers of a field, in the grammar of the embedded answers."""
+    for right, value, tolerance, feedback in _answers(exercise, variant, place):
         for sign in "\\}#~":  # signs of the grammar
-            says = says.replace(sign, f"\\{sign}")
+            feedback = feedback.replace(sign, f"\\{sign}")
         number = value if value == "*" else f"{value}:{tolerance:g}"
-        yield f"{'=' if right else ''}{number}#{says}"
+        yield f"{'=' if right else ''}{number}#{feedback}"
 
 
 def _answers(
     exercise: Exercise, variant: dealing.Variant, place: int
 ) -> Iterator[tuple[bool, str, float, str]]:
-    """What may be answered for one number: whether it is right, value, tolerance, what is said.
+    """Yield the answers for one number: whether it is right, value, tolerance, feedback.
 
-    Moodle takes the first that fits. Where several mistakes give one number, all are said.
+    Moodle takes the first that fits. Where several mistakes give one number, all are named.
     """
-    ask, meant = exercise.asks[place], judging.outcomes(exercise)
-    right = variant.candidates[0].rows[0][place]
-    for turn in (0, -2 * math.pi, 2 * math.pi) if ask.circle else (0,):
-        yield True, _number(right + turn), ask.allowed(right), judging.RIGHT
-    general = {f"slip:{name}" for name in judging.SLIPS} if len(exercise.asks) > 1 else set()
-    wrong = [  # value, tolerance, what is said
-        (c.rows[0][place], ask.allowed(c.rows[0][place]), meant[c.name].says)
-        for c in variant.candidates
-        if meant[c.name].result == "wrong" and c.name not in general
-    ] + [
-        (
-            right * factor,
-            ask.allowed(right) * factor,
-            f"The right value in {unit}. Asked is {ask.unit}.",
-        )
-        for unit, factor in units_of(ask).items()
-        if factor != 1
-    ]
-    told = set[float]()
+    unknown, right = exercise.unknowns[place], variant.candidates[0].rows[0][place]
+    allowed = unknown.allowed(right)
+    for turn in (0, -2 * math.pi, 2 * math.pi) if unknown.circle else (0,):
+        yield True, _number(right + turn), allowed, RIGHT
+    wrong = [*_wrong_values(exercise, variant, place), *_values_in_other_units(unknown, right)]
+    known = set[float]()
     for value, tolerance, _ in wrong:
-        if value not in told and judging.off(ask, value, right) > ask.allowed(right) + tolerance:
-            told.add(value)
-            alike = [says for x, t, says in wrong if judging.off(ask, value, x) <= tolerance + t]
-            yield False, _number(value), tolerance, _said(alike)
-    near = judging.near()
-    yield False, _number(right), near * ask.allowed(right), judging.says("near", digits="")
-    yield False, "*", 0, judging.says("wrong")
+        if value not in known and distance(unknown, value, right) > allowed + tolerance:
+            known.add(value)
+            alike = [f for x, t, f in wrong if distance(unknown, value, x) <= tolerance + t]
+            yield False, _number(value), tolerance, _join_feedback(alike)
+    near = judging.near_factor() * allowed
+    yield False, _number(right), near, judging.format_feedback("near", digits="")
+    yield False, "*", 0, judging.format_feedback("wrong")
 
 
-def _said(alike: Sequence[str]) -> str:
-    """What is said where one or several mistakes give an answer."""
-    return symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
+def _wrong_values(
+    exercise: Exercise, variant: dealing.Variant, place: int
+) -> Iterator[tuple[float, float, str]]:
+    """Yield the results of mistakes for one number, with tolerance and feedback."""
+    unknown, meanings = exercise.unknowns[place], outcomes(exercise)
+    # of one number among several a slip says too little
+    skipped = {f"slip:{name}" for name in SLIPS} if len(exercise.unknowns) > 1 else set()
+    for candidate in variant.candidates:
+        meaning, value = meanings[candidate.name], candidate.rows[0][place]
+        if meaning.result == "wrong" and candidate.name not in skipped:
+            yield value, unknown.allowed(value), meaning.feedback
+
+
+def _values_in_other_units(unknown: Unknown, right: float) -> Iterator[tuple[float, float, str]]:
+    for unit, factor in unit_factors(unknown).items():
+        if factor != 1:
+            feedback = f"The right value in {unit}. Asked is {unknown.unit}."
+            yield right * factor, unknown.allowed(right) * factor, feedback
+
+
+def _join_feedback(alike: Sequence[str]) -> str:
+    """Return the feedback for an answer that one or several mistakes give."""
+    return render_symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
 
 
 def _number(value: float) -> str:
@@ -182,26 +194,26 @@ def _number(value: float) -> str:
 
 
 def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
-    """The right answer, one of them or all, among what the mistakes give."""
-    meant = judging.outcomes(exercise)
+    """Offer the right answer, one of them or all, among the results of the mistakes."""
+    meanings, right = outcomes(exercise), variant.candidates[0]
     given: dict[str, tuple[Row, ...]] = {}
     for candidate in variant.candidates:
-        if meant[candidate.name].result != "partly":
+        if meanings[candidate.name].result != "partly":
             given.setdefault(candidate.name, candidate.rows)
-    right = variant.candidates[0]
     for name, factor in (("slip:sign", -1), ("slip:half", 0.5), ("slip:twice", 2)):
         rows = tuple(tuple(factor * x for x in row) for row in right.rows)
-        if len(given) <= FEW and judging.apart(exercise, Candidate(name, rows), right):
+        if len(given) <= FEWEST_CHOICES and is_apart(exercise, Candidate(name, rows), right):
             given.setdefault(name, rows)
     choices: dict[str, list[str]] = {}
-    for name, rows in list(given.items())[: CHOICES + 1]:
-        choices.setdefault(exercise.rows_text(rows), []).append(meant[name].says)
+    for name, rows in list(given.items())[: MOST_CHOICES + 1]:
+        choices.setdefault(exercise.format_rows(rows), []).append(meanings[name].feedback)
     answers = [
-        f'<answer fraction="{100 * (judging.RIGHT in says)}" format="html">'
-        f"<text><![CDATA[{shown}]]></text>{_text('feedback', _said(says), 'html')}</answer>"
-        for shown, says in choices.items()
+        f'<answer fraction="{100 * (RIGHT in alike)}" format="html">'
+        f"<text><![CDATA[{answer}]]></text>"
+        f"{_element('feedback', _join_feedback(alike), 'html')}</answer>"
+        for answer, alike in choices.items()
     ]
-    asked = "Which are all the answers" if exercise.accept == "all" else "Which is a right answer"
-    labels = ", ".join(symbols(ask.label) for ask in exercise.asks)
+    prompt = "Which are all the answers" if exercise.accept == "all" else "Which is a right answer"
+    labels = ", ".join(render_symbols(unknown.label) for unknown in exercise.unknowns)
     form = "<single>true</single><shuffleanswers>true</shuffleanswers>"
-    return f"{text}<p>{asked}, as [{labels}]?</p>", "\n".join([*answers, form])
+    return f"{text}<p>{prompt}, as [{labels}]?</p>", "\n".join([*answers, form])

@@ -12,9 +12,9 @@ from classroom import tables
 from classroom.answer_key import read_key
 from courseware.errors import CourseError
 from courseware.practice import dealing, judging
-from courseware.practice.bank import exercises
+from courseware.practice.bank import all_exercises
+from courseware.practice.formatting import render_paragraphs, render_symbols
 from courseware.practice.saving import refuse_existing
-from courseware.practice.wording import paragraphs, symbols
 from courseware.script import parts
 
 PAGE = """<!doctype html>
@@ -74,17 +74,17 @@ def _render_sheet(student: str, rows: Sequence[tables.Row]) -> str:
 
 @cache
 def _render_question(name: str, numbers: str) -> str:
-    exercise = exercises()[name]
+    exercise = all_exercises()[name]
     try:
-        drawn = json.loads(numbers)
-        shown = {each: how.shown(how.option(drawn[each])) for each, how in exercise.given.items()}
+        text = exercise.fill(exercise.text, json.loads(numbers))
     except (ValueError, KeyError, TypeError) as error:
         raise CourseError(
             f"the key has numbers of {name} that cannot be used, {numbers}: make it again"
         ) from error
+    prompt = render_symbols(judging.format_prompt(exercise))
     return (
         f"<section><h2>{name}: {escape(exercise.title)}</h2>"
-        f"{paragraphs(exercise.filled(exercise.text, drawn, shown))}<p><label>Answer, "
-        f'{symbols(judging.asked(exercise))}: <input name="{name}" autocomplete="off" '
+        f"{render_paragraphs(text)}<p><label>Answer, "
+        f'{prompt}: <input name="{name}" autocomplete="off" '
         f'autocapitalize="off" spellcheck="false"></label></p></section>'
     )

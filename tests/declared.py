@@ -22,7 +22,9 @@ MISTAKES = course().declared("exercises", Mistake)
 COURSE = course().name
 # the first exercise of each kind of answer: one number or more, a matrix, several answers
 OF_EACH_KIND = list(
-    {(e.shape, len(e.asks) > 1, e.accept): name for name, e in reversed(EXERCISES.items())}.values()
+    {
+        (e.shape, len(e.unknowns) > 1, e.accept): name for name, e in reversed(EXERCISES.items())
+    }.values()
 )
 
 

@@ -20,7 +20,8 @@ from pathlib import Path
 
 from classroom import moodle
 from classroom.answer_key import choose_exercises
-from courseware.practice import dealing, judging
+from courseware.practice import candidates, dealing
+from courseware.practice.formatting import render_symbols
 
 PORT = 5432  # the name of a socket in a folder of its own: nothing listens on the network
 CONFIG = """<?php
@@ -97,16 +98,16 @@ def answered(exercise, variant):
     for candidate in (c for c in variant.candidates if c.name in known):
         given = [f"{x:.6f}" for x in candidate.rows[0]]
         if exercise.accept != "one":
-            given = [exercise.rows_text(candidate.rows)]
-        says = moodle.symbols(judging.outcomes(exercise)[candidate.name].says)
+            given = [exercise.format_rows(candidate.rows)]
+        says = render_symbols(candidates.outcomes(exercise)[candidate.name].feedback)
         says = unescape(re.sub("<[^>]+>", "", says))
         if exercise.accept != "any" or candidate in firsts(variant):
             yield {"what": candidate.name, "given": given, "says": says}
-    if exercise.accept == "one" and len(exercise.asks) == 1:
+    if exercise.accept == "one" and len(exercise.unknowns) == 1:
         right = variant.candidates[0].rows[0][0]
-        for unit, factor in moodle.units_of(exercise.asks[0]).items():
+        for unit, factor in moodle.unit_factors(exercise.unknowns[0]).items():
             given = [f"{right * factor:.6f} {unit}"]
-            yield {"what": f"right in {unit}", "given": given, "says": judging.RIGHT}
+            yield {"what": f"right in {unit}", "given": given, "says": candidates.RIGHT}
 
 
 def firsts(variant):

@@ -25,14 +25,14 @@ PREDICTIONS = (
         Buttons(
             ("135°", "45°", "−45°"),
             right=arctangent,
-            assumes={
+            assumptions={
                 "135°": "That is the angle. The arctangent does not find it.",
                 "45°": "The quotient of the two is negative here.",
             },
         ),
-        opens="The angle is 135°. The arctangent says 45° to the *right and in front*: exactly "
-        "the wrong way.",
-        hides=("exactly the wrong way",),
+        explanation="The angle is 135°. The arctangent says 45° to the *right and in front*: "
+        "exactly the wrong way.",
+        spoilers=("exactly the wrong way",),
     ),
     Prediction(
         "sine-of-90",
@@ -40,14 +40,14 @@ PREDICTIONS = (
         Buttons(
             ("1", "0", "about 0.89"),
             right=lambda: f"about {np.sin(90):.2f}",
-            assumes={
+            assumptions={
                 "1": "That is the sine of a right angle, of 90 *degrees*.",
                 "0": "That is the sine of whole half turns, and 90 radians are none.",
             },
         ),
-        opens="NumPy takes the 90 for radians: that is more than "
+        explanation="NumPy takes the 90 for radians: that is more than "
         f"{90 // (2 * np.pi):.0f} turns. Of 90° it is 1:",
-        hides=("for radians",),
+        spoilers=("for radians",),
     ),
     Prediction(
         "turned-by-30",
@@ -55,12 +55,12 @@ PREDICTIONS = (
         Buttons(
             ("(0.87, 0.50)", "(0.50, 0.87)", "(0.87, −0.50)"),
             right=turned,
-            assumes={
+            assumptions={
                 "(0.50, 0.87)": "That is a turn by 60°: the point stays nearer to the $x$ axis.",
                 "(0.87, −0.50)": "That is a turn to the right.",
             },
         ),
-        opens="Ahead, and to the left.",
-        hides=("ahead, and to the left",),
+        explanation="Ahead, and to the left.",
+        spoilers=("ahead, and to the left",),
     ),
 )

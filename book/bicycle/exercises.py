@@ -11,17 +11,17 @@ from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
 from courseware.equations import as_written
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
+    number_range,
     one_of,
-    steps,
 )
 from robokin import bicycle, motion
 
@@ -32,24 +32,24 @@ BY_PHI = {PHI: "phi", L: "L"}  # the letters of the formulas, the exercises' nam
 
 with as_written():
     R, THETA, TURNED = drive.R, planar.theta, planar.theta_next
-    ARC = Line(
+    ARC = LocalEquation(
         sp.Matrix([planar.x_next, planar.y_next]),
         sp.Matrix([R * (sin(TURNED) - sin(THETA)), -R * (cos(TURNED) - cos(THETA))]),
     )
-    TURNING = Line(planar.omega, planar.v / L * tan(PHI))
-    FRONT = Line(
+    TURNING = LocalEquation(planar.omega, planar.v / L * tan(PHI))
+    FRONT = LocalEquation(
         sp.Matrix([formulas.x_dot_F, formulas.y_dot_F]),
         sp.Matrix([V_F * cos(THETA + PHI), V_F * sin(THETA + PHI)]),
     )
-    ONE_WHEEL = Line(PHI, atan(2 / (cot(formulas.alpha_L) + cot(formulas.alpha_R))))
+    ONE_WHEEL = LocalEquation(PHI, atan(2 / (cot(formulas.alpha_L) + cot(formulas.alpha_R))))
     MEAN = (formulas.alpha_L + formulas.alpha_R) / 2
     TURN = planar.v / L * tan(PHI) * planar.dt
-    CLOCKWISE, GROWING = Line(PSI_NEXT, PSI - TURN), PSI + TURN
+    CLOCKWISE, GROWING = LocalEquation(PSI_NEXT, PSI - TURN), PSI + TURN
 
 M15 = Mistake(
     "M15",
-    says="with the difference of the sines in both rows of the arc, where y needs the cosines",
-    wrong=Wrong(ARC, instead=sp.Matrix([ARC.right[0], -ARC.right[0]])),
+    feedback="with the difference of the sines in both rows of the arc, where y needs the cosines",
+    formula=WrongFormula(ARC, instead=sp.Matrix([ARC.right[0], -ARC.right[0]])),
     line="end = [R * (np.sin(turned) - np.sin(theta)),\n"
     "       -R * (np.sin(turned) - np.sin(theta)), turned]",
     why="The car moves along x with v cos θ and along y with v sin θ. Summed up over time, the "
@@ -69,8 +69,8 @@ M15 = Mistake(
 )
 M16 = Mistake(
     "M16",
-    says="when the front axle's speed is put where the rear axle's speed belongs",
-    wrong=Wrong(TURNING, {planar.v: V_F}),
+    feedback="when the front axle's speed is put where the rear axle's speed belongs",
+    formula=WrongFormula(TURNING, {planar.v: V_F}),
     line="omega = v_front * np.tan(phi) / L",
     why="The formula v tan φ/L holds for the speed v of the rear axle. The front axle is faster, "
     "v_F = v/cos φ. For its speed the formula is v_F sin φ/L.",
@@ -90,8 +90,9 @@ M16 = Mistake(
 )
 M17 = Mistake(
     "M17",
-    says="when the front axle is sent along the heading of the car, not along its steered wheel",
-    wrong=Wrong(FRONT, instead=sp.Matrix([V_F * cos(THETA), V_F * sin(THETA)])),
+    feedback="when the front axle is sent along the heading of the car, not along its steered "
+    "wheel",
+    formula=WrongFormula(FRONT, instead=sp.Matrix([V_F * cos(THETA), V_F * sin(THETA)])),
     line="velocity = [v_front * np.cos(theta), v_front * np.sin(theta)]",
     why="The steered wheel rolls where it points, and that is θ + φ. Only the rear axle moves "
     "along the heading θ.",
@@ -114,8 +115,8 @@ M17 = Mistake(
 )
 M18 = Mistake(
     "M18",
-    says="when the two steering angles are averaged, where their cotangents must be",
-    wrong=Wrong(ONE_WHEEL, instead=MEAN),
+    feedback="when the two steering angles are averaged, where their cotangents must be",
+    formula=WrongFormula(ONE_WHEEL, instead=MEAN),
     line="phi = (alpha_L + alpha_R) / 2",
     why="The three axles meet in one point. This makes the distances R − b/2, R and R + b/2 "
     "evenly spaced, and they go with the cotangents of the angles, not with the angles.",
@@ -128,8 +129,8 @@ M18 = Mistake(
 )
 M32 = Mistake(
     "M32",
-    says="when a heading that is measured from the y axis, clockwise, grows in a left turn",
-    wrong=Wrong(CLOCKWISE, instead=GROWING),
+    feedback="when a heading that is measured from the y axis, clockwise, grows in a left turn",
+    formula=WrongFormula(CLOCKWISE, instead=GROWING),
     line="heading = psi + v * np.tan(phi) / L * time",
     why="A heading that is measured clockwise gets smaller when the car turns to the left. It "
     "changes by −ωΔt, not by +ωΔt.",
@@ -150,8 +151,8 @@ M32 = Mistake(
 )
 M33 = Mistake(
     "M33",
-    says="with the same sine for ẋ and for ẏ",
-    wrong=Wrong(FRONT, instead=sp.Matrix([FRONT.right[1], FRONT.right[1]])),
+    feedback="with the same sine for ẋ and for ẏ",
+    formula=WrongFormula(FRONT, instead=sp.Matrix([FRONT.right[1], FRONT.right[1]])),
     line="velocity = [v_front * np.sin(theta + phi), v_front * np.sin(theta + phi)]",
     why="One of the two needs the cosine. With the same sine in both, ẋ and ẏ are always equal: "
     "the car could move along one diagonal only.",
@@ -202,12 +203,12 @@ def same_sines(theta, v, phi, L, time):
     """M15: the sines' difference in y too."""
     turned = arc_end(theta, v, phi, L, time)[2]
     R = bicycle.turning_radius(phi, L)
-    return [*M15.wrong.gives(R=R, theta=theta, theta_next=turned).ravel(), turned]
+    return [*M15.formula.evaluate(R=R, theta=theta, theta_next=turned).ravel(), turned]
 
 
 def too_fast(v, phi, L):
     """M16: the front axle's speed turns the car."""
-    return M16.wrong.gives(v_F=v / np.cos(phi), steering=phi, wheelbase=L)
+    return M16.formula.evaluate(v_F=v / np.cos(phi), steering=phi, wheelbase=L)
 
 
 def front_as_rear(theta, v, phi, L, time):
@@ -222,7 +223,9 @@ def front_on_circle(theta, v, phi, L, time):
 
 def at_front(mistake):
     """What M17 or M33 makes of the front axle's velocity."""
-    return lambda theta, v, phi: mistake.wrong.gives(theta=theta, v_F=v / np.cos(phi), steering=phi)
+    return lambda theta, v, phi: mistake.formula.evaluate(
+        theta=theta, v_F=v / np.cos(phi), steering=phi
+    )
 
 
 def looped(direction, speed, omega, dt, n, method="start"):
@@ -243,19 +246,19 @@ def loop(n):
         directions = [PSI + k * PSI_DOT * planar.dt - PHI for k in range(n)]
         ends = [V_F * planar.dt * Add(*map(part, angles)) for part in (sin, cos)]
     return (
-        Line(sp.Matrix(angles), sp.Matrix(directions), "rad"),
-        Line(sp.Matrix([formulas.x_F, formulas.y_F]), sp.Matrix(ends), "m"),
+        LocalEquation(sp.Matrix(angles), sp.Matrix(directions), "rad"),
+        LocalEquation(sp.Matrix([formulas.x_F, formulas.y_F]), sp.Matrix(ends), "m"),
     )
 
 
 NEAR_MEAN = "four decimals are asked for: the mean of the two angles can be as near as 0.001"
-CAR = steps(2.4, 3, 0.1, "m")
+CAR = number_range(2.4, 3, 0.1, "m")
 STEERING = one_of(*(sign * size for sign in (1, -1) for size in (15, 20, 25, 30, 35, 40)), unit="°")
 
 
 with as_written():
-    OUTER_WHEEL = Line(cot(formulas.alpha_R), 2 * cot(PHI) - cot(formulas.alpha_L))
-    NEXT_HEADING = Line(PSI_NEXT, PSI + PSI_DOT * planar.dt, "rad")
+    OUTER_WHEEL = LocalEquation(cot(formulas.alpha_R), 2 * cot(PHI) - cot(formulas.alpha_L))
+    NEXT_HEADING = LocalEquation(PSI_NEXT, PSI + PSI_DOT * planar.dt, "rad")
 
 
 # What several exercises say
@@ -270,12 +273,12 @@ bicycle_1 = Exercise(
     "wheel is turned by {phi} to the left. A speedometer on the front wheel shows {v_front}. How "
     "fast does the bicycle turn? To the left is positive.",
     given={
-        "L": steps(0.9, 1.2, 0.05, "m"),
-        "phi": steps(15, 45, 5, "°"),
-        "v_front": steps(1, 5, 0.5, "m/s"),
+        "L": number_range(0.9, 1.2, 0.05, "m"),
+        "phi": number_range(15, 45, 5, "°"),
+        "v_front": number_range(1, 5, 0.5, "m/s"),
     },
     when=lambda L, phi, v_front: v_front**2 * np.cos(phi) * np.sin(phi) / L < 4,  # m/s² sideways
-    asks=(Ask("ω", "rad/s"),),
+    unknowns=(Unknown("ω", "rad/s"),),
     right=lambda L, phi, v_front: rate(v_front * np.cos(phi), phi, L),
     wrong={M16: lambda L, phi, v_front: too_fast(v_front * np.cos(phi), phi, L)},
     also={
@@ -289,7 +292,7 @@ bicycle_1 = Exercise(
         "gives the same:\n\n{turning}",
         answer=("front", "turning"),
         front=Step(formulas.front_rate, {V_F: "v_front"} | BY_PHI),
-        rear=Step(Line(planar.v, V_F * cos(PHI)), {V_F: "v_front"} | BY_PHI),
+        rear=Step(LocalEquation(planar.v, V_F * cos(PHI)), {V_F: "v_front"} | BY_PHI),
         turning=Step(formulas.world, BY_PHI, part=(2,), values=(planar.omega,)),
     ),
     example={"L": 7.0, "phi": np.pi / 6, "v_front": 1.0},
@@ -303,10 +306,10 @@ bicycle_2 = Exercise(
     "wheel by {alpha_R}. A bicycle drives the same curve. "
     + MIDDLE
     + "By which angle φ is its front wheel turned?",
-    given={"alpha_L": steps(18, 42, 1, "°"), "alpha_R": steps(14, 36, 1, "°")},
-    asks=(Ask("φ", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
+    given={"alpha_L": number_range(18, 42, 1, "°"), "alpha_R": number_range(14, 36, 1, "°")},
+    unknowns=(Unknown("φ", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
-    wrong={M18: M18.wrong.gives},
+    wrong={M18: M18.formula.evaluate},
     when=lambda alpha_L, alpha_R: 0.3 < spread(alpha_L, alpha_R) < 0.9,
     also={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, alpha_R: np.arctan(
@@ -321,7 +324,7 @@ bicycle_2 = Exercise(
         "{tangent}\n\n"
         "The angle with this tangent is φ = {phi.value}, or {phi.value:deg}.",
         tangent=Step(formulas.equivalent_steering, textbook=True, values=("tangent",)),
-        phi=Step(Line(PHI, atan(TANGENT))),
+        phi=Step(LocalEquation(PHI, atan(TANGENT))),
     ),
     example={"alpha_L": np.radians(35), "alpha_R": np.radians(29)},
 )
@@ -333,8 +336,12 @@ bicycle_3 = Exercise(
     text="A car has the heading {theta}. The middle of its rear axle moves forward at {v}. The "
     "steering angle of its bicycle model is {phi} (positive: to the left). What is the velocity "
     "of the middle of its front axle in the world, along x and y?",
-    given={"theta": steps(10, 170, 10, "°"), "v": steps(0.5, 5, 0.5, "m/s"), "phi": STEERING},
-    asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s")),
+    given={
+        "theta": number_range(10, 170, 10, "°"),
+        "v": number_range(0.5, 5, 0.5, "m/s"),
+        "phi": STEERING,
+    },
+    unknowns=(Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s")),
     right=lambda theta, v, phi: motion.to_world(theta, bicycle.front_twist(v, phi, 1.0))[:2],
     wrong={mistake: at_front(mistake) for mistake in (M17, M33)},
     derive=lambda theta, v, phi: {"v_front": v / np.cos(phi)},
@@ -352,7 +359,7 @@ bicycle_3 = Exercise(
         speed=Step(
             formulas.front_speed,
             BY_PHI,
-            check=lambda theta, v, phi: np.hypot(*bicycle.front_twist(v, phi, 1.0)[:2]),
+            expected=lambda theta, v, phi: np.hypot(*bicycle.front_twist(v, phi, 1.0)[:2]),
         ),
         world=Step(formulas.front_world, BY_PHI, textbook=True, unit="m/s"),
     ),
@@ -369,8 +376,8 @@ bicycle_4 = Exercise(
     + MIDDLE
     + "By which angle α_R must the right front wheel of the car then be turned to the left, so "
     "that no wheel slips?",
-    given={"alpha_L": steps(18, 42, 1, "°"), "phi": steps(16, 39, 1, "°")},
-    asks=(Ask("α_R", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
+    given={"alpha_L": number_range(18, 42, 1, "°"), "phi": number_range(16, 39, 1, "°")},
+    unknowns=(Unknown("α_R", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
     wrong={M18: lambda alpha_L, phi: 2 * phi - alpha_L},
     when=lambda alpha_L, phi: phi < alpha_L and 0.3 < other_track(alpha_L, phi) < 0.9,
@@ -386,7 +393,7 @@ bicycle_4 = Exercise(
         "angle, is the mean of theirs. Solve this for the right wheel:\n\n{cotangent}\n\n"
         "The angle with this cotangent is α_R = {alpha_R.value}, or {alpha_R.value:deg}.",
         cotangent=Step(OUTER_WHEEL, BY_PHI, values=("cotangent",)),
-        alpha_R=Step(Line(formulas.alpha_R, atan(1 / COTANGENT))),
+        alpha_R=Step(LocalEquation(formulas.alpha_R, atan(1 / COTANGENT))),
     ),
 )
 
@@ -402,17 +409,17 @@ bicycle_5 = Exercise(
     "angle of the bicycle model is {phi} (positive: to the left). Speed and steering angle stay "
     "constant. What is ψ after {time}?",
     given={
-        "psi": steps(20, 160, 10, "°"),
-        "diameter": steps(70, 110, 5, "cm"),
-        "wheel_rate": steps(2, 6, 0.5, "rad/s"),
-        "L": steps(4, 7, 0.5, "m"),
+        "psi": number_range(20, 160, 10, "°"),
+        "diameter": number_range(70, 110, 5, "cm"),
+        "wheel_rate": number_range(2, 6, 0.5, "rad/s"),
+        "L": number_range(4, 7, 0.5, "m"),
         "phi": STEERING,
-        "time": steps(2, 6, 0.5, "s"),
+        "time": number_range(2, 6, 0.5, "s"),
     },
-    asks=(angle("ψ"),),
+    unknowns=(angle("ψ"),),
     right=compass,
     wrong={
-        M32: lambda psi, diameter, wheel_rate, L, phi, time: M32.wrong.gives(
+        M32: lambda psi, diameter, wheel_rate, L, phi, time: M32.formula.evaluate(
             y_heading=psi, v=wheel_rate * diameter / 2, wheelbase=L, steering=phi, dt=time
         ),
         M16: lambda psi, diameter, wheel_rate, L, phi, time: (
@@ -462,12 +469,12 @@ bicycle_6 = Exercise(
     "(positive: to the left). Where is the middle of the rear axle then, and what is the heading?",
     given={
         "L": CAR,
-        "theta": steps(-60, 150, 10, "°"),
-        "time": steps(1, 3, 0.5, "s"),
-        "v": steps(1, 4, 0.5, "m/s"),
+        "theta": number_range(-60, 150, 10, "°"),
+        "time": number_range(1, 3, 0.5, "s"),
+        "v": number_range(1, 4, 0.5, "m/s"),
         "phi": STEERING,
     },
-    asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
+    unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=arc_end,
     wrong={
         M15: same_sines,
@@ -495,7 +502,7 @@ bicycle_6 = Exercise(
             formulas.turning_radius,
             BY_PHI,
             textbook=True,
-            check=lambda L, phi, **_: bicycle.turning_radius(phi, L),
+            expected=lambda L, phi, **_: bicycle.turning_radius(phi, L),
         ),
         turning=Step(formulas.world, BY_PHI, part=(2,), values=(planar.omega,)),
         arc=Step(
@@ -521,14 +528,14 @@ bicycle_7 = Exercise(
     "the velocity that O has now. Then it changes ψ. Which position of O does it compute after the "
     "last step?",
     given={
-        "psi": steps(20, 160, 10, "°"),
+        "psi": number_range(20, 160, 10, "°"),
         "L": CAR,
-        "v": steps(1, 4, 0.5, "m/s"),
-        "phi": steps(15, 40, 5, "°"),
+        "v": number_range(1, 4, 0.5, "m/s"),
+        "phi": number_range(15, 40, 5, "°"),
         "n": one_of(2, 3),
         "dt": one_of(0.2, 0.25, 0.4, 0.5, unit="s"),
     },
-    asks=(Ask("x", "m"), Ask("y", "m")),
+    unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=front_looped,
     wrong={
         M16: lambda psi, v, phi, L, dt, n: looped(

@@ -55,17 +55,17 @@ PREDICTIONS = (
         Buttons(
             ("the mean", "a little more", "a little less"),
             right=beside_the_mean,
-            assumes={
+            assumptions={
                 "the mean": "The bicycle's wheel stands half-way between the two, but its angle "
                 "is not half-way: a tangent lies between place and angle.",
                 "a little more": "That leans to the inner wheel, which is turned more. It is the "
                 "other way round.",
             },
         ),
-        opens=f"It is {np.degrees(bicycle.equivalent_steering(*WHEELS)):.2f}°. And why do the two "
-        "wheels differ? The inner wheel is nearer to the point that the car turns about, so it "
-        "is turned more.",
-        hides=("32.01°", "nearer to the point"),
+        explanation=f"It is {np.degrees(bicycle.equivalent_steering(*WHEELS)):.2f}°. And why do "
+        "the two wheels differ? The inner wheel is nearer to the point that the car turns about, "
+        "so it is turned more.",
+        spoilers=("32.01°", "nearer to the point"),
     ),
     Prediction(
         "turned-alike",
@@ -74,16 +74,16 @@ PREDICTIONS = (
         Buttons(
             ("where one wheel of 30° puts it", "without end far away", "nowhere"),
             right=lambda: centre_if_alike(np.radians(30)),
-            assumes={
+            assumptions={
                 "where one wheel of 30° puts it": "So it is for a bicycle. The two wheels of the "
                 "car stand in two places.",
                 "without end far away": "So it is straight ahead: then all axles are parallel.",
             },
         ),
-        opens="The axles of the two wheels are parallel and never meet. Their cotangents differ "
-        f"by 0, which is {TRACK / CAR[wheelbase]:.1f} less than $b$ over $L$. A car that is driven "
-        "like this still turns about some point, but its tyres slide.",
-        hides=("never meet", "tyres slide"),
+        explanation="The axles of the two wheels are parallel and never meet. Their cotangents "
+        f"differ by 0, which is {TRACK / CAR[wheelbase]:.1f} less than $b$ over $L$. A car that is "
+        "driven like this still turns about some point, but its tyres slide.",
+        spoilers=("never meet", "tyres slide"),
     ),
     Prediction(
         "how-far",
@@ -93,16 +93,16 @@ PREDICTIONS = (
             "φ",
             "°",
             right=formulas.steepest_steering.substitute(CAR),
-            assumes={
+            assumptions={
                 "That brings it to P, in the middle of the axle.": lambda: np.arctan2(np.inf, 1),
                 "That takes the whole track: from one rear wheel to the other.": atan(
                     wheelbase / track
                 ).subs(CAR),
             },
-            near=0.02,
+            relative=0.02,
         ),
-        opens="There $|R|$ is $b/2$, and the inner front wheel stands at 90°.",
-        hides=("73.3",),
+        explanation="There $|R|$ is $b/2$, and the inner front wheel stands at 90°.",
+        spoilers=("73.3",),
     ),
     Prediction(
         "twice-the-steps",
@@ -110,15 +110,15 @@ PREDICTIONS = (
         Buttons(
             ("all of it", "a half", "a quarter"),
             right=lambda: left(error(20) / error(10)),
-            assumes={
+            assumptions={
                 "all of it": "So it would be if a step of half the length had half the error. It "
                 f"has {left(one_step(0.5) / one_step(1.0))} of it.",
                 "a quarter": "That is right for a single step. But there are twice as "
                 "many of them.",
             },
         ),
-        opens="The error is proportional to the step (*order* 1).",
-        hides=("proportional to the step",),
+        explanation="The error is proportional to the step (*order* 1).",
+        spoilers=("proportional to the step",),
     ),
     Prediction(
         "how-wide",
@@ -127,13 +127,13 @@ PREDICTIONS = (
             "w",
             "m",
             right=formulas.lane.substitute({**LONG, R: bicycle.turning_radius(np.pi / 6, LENGTH)}),
-            assumes={
+            assumptions={
                 "That is the car alone: so it is straight ahead.": track.subs(LONG),
             },
-            near=0.1,
+            relative=0.1,
         ),
-        opens="More than twice the car. Steer to 30° and look. Each dot draws the line of its "
-        "colour: rear axle, centre, front axle. The lane's edges are blue and orange.",
-        hides=("twice the car",),
+        explanation="More than twice the car. Steer to 30° and look. Each dot draws the line of "
+        "its colour: rear axle, centre, front axle. The lane's edges are blue and orange.",
+        spoilers=("twice the car",),
     ),
 )

@@ -9,16 +9,16 @@ from book.differential_drive import formulas
 from book.differential_drive.formulas import b
 from book.motion import formulas as planar
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
-    steps,
+    number_range,
 )
 from robokin import differential_drive, motion
 
@@ -26,12 +26,12 @@ RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
 FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
 
 ASTRAY = motion.wrap_angle(60 - np.radians(60))  # 60 radians in place of 60 degrees
-OMEGA = Ask("ω", "rad/s")
+OMEGA = Unknown("ω", "rad/s")
 
 M12 = Mistake(
     "M12",
-    says="with half the wheel distance in place of the whole",
-    wrong=Wrong(formulas.turning_rate, {b: b / 2}),
+    feedback="with half the wheel distance in place of the whole",
+    formula=WrongFormula(formulas.turning_rate, {b: b / 2}),
     line="omega = (v_R - v_L) / (b / 2)",
     why="The right wheel circles around the left one at the whole distance b, not at the distance "
     "from a wheel to the middle. The angular velocity comes out twice too large.",
@@ -44,8 +44,8 @@ M12 = Mistake(
 )
 M13 = Mistake(
     "M13",
-    says="when degrees are handed to cosine and sine, which want radians",
-    wrong=Wrong(planar.to_world, {planar.theta: 180 * planar.theta / pi}),
+    feedback="when degrees are handed to cosine and sine, which want radians",
+    formula=WrongFormula(planar.to_world, {planar.theta: 180 * planar.theta / pi}),
     line="velocity = [v * np.cos(theta_deg), v * np.sin(theta_deg)]",
     why="np.cos and np.sin want radians. 60 radians are 9 turns and a half, so the robot seems to "
     "drive in a direction that has nothing to do with its heading.",
@@ -60,8 +60,8 @@ M13 = Mistake(
 )
 M14 = Mistake(
     "M14",
-    says="with the transposed rotation matrix, which leads from the world to the robot",
-    wrong=Wrong(planar.to_world, {planar.theta: -planar.theta}),
+    feedback="with the transposed rotation matrix, which leads from the world to the robot",
+    formula=WrongFormula(planar.to_world, {planar.theta: -planar.theta}),
     line="c, s = np.cos(theta), np.sin(theta)\nvelocity = [[c, s], [-s, c]] @ np.array([v, 0])",
     why="This matrix takes a velocity from the world to the robot, not from the robot to the "
     "world. It mirrors the direction at the x axis.",
@@ -74,8 +74,8 @@ M14 = Mistake(
 )
 M31 = Mistake(
     "M31",
-    says="when the wheel distance is counted twice",
-    wrong=Wrong(formulas.turning_rate, {b: 2 * b}),
+    feedback="when the wheel distance is counted twice",
+    formula=WrongFormula(formulas.turning_rate, {b: 2 * b}),
     line="omega = (v_R - v_L) / (2 * b)",
     why="Some books divide by 2d, where d is half the wheel distance. Here b is the whole distance "
     "already; with 2b it is counted twice, and the angular velocity comes out half as "
@@ -101,7 +101,7 @@ def moving(theta, v_L, v_R):
 
 def ways(formula):
     """What M12 and M31 make of a formula: the wheel distance halved and doubled."""
-    return {mistake: mistake.wrong.through(formula) for mistake in (M12, M31)}
+    return {mistake: mistake.formula.wrap(formula) for mistake in (M12, M31)}
 
 
 def centre(x, y, theta, v_L, v_R, b):
@@ -130,7 +130,7 @@ def straight_end(turned, v_L, v_R, b, time):
 def degrees_end(v_L, v_R, b, time):
     """The end of the arc by M13: its sine and cosine get degrees."""
     v, omega = twist(v_L, v_R, b)
-    turned = M13.wrong.put(theta=omega * time)["theta"]
+    turned = M13.formula.replace(theta=omega * time)["theta"]
     return [v / omega * np.sin(turned), v / omega * (1 - np.cos(turned)), omega * time]
 
 
@@ -140,9 +140,9 @@ def worn_end(worn, distance, b):
 
 
 SPEEDS = {
-    "b": steps(20, 60, 5, "cm"),
-    "v_L": steps(0.1, 0.8, 0.05, "m/s"),
-    "v_R": steps(0.1, 0.8, 0.05, "m/s"),
+    "b": number_range(20, 60, 5, "cm"),
+    "v_L": number_range(0.1, 0.8, 0.05, "m/s"),
+    "v_R": number_range(0.1, 0.8, 0.05, "m/s"),
 }
 
 
@@ -158,9 +158,9 @@ differential_drive_1 = Exercise(
     text="The wheels of a robot are {b} apart. The left wheel moves over the floor at {v_L}, the "
     "right one at {v_R}. How fast does the robot turn, counter-clockwise positive?",
     given=SPEEDS,
-    asks=(OMEGA,),
+    unknowns=(OMEGA,),
     right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
-    wrong={M12: M12.wrong.gives, M31: M31.wrong.gives},
+    wrong={M12: M12.formula.evaluate, M31: M31.formula.evaluate},
     when=different,
     solution=Solution(
         "Seen from the left wheel, the right one moves at the difference of the two speeds, on a "
@@ -176,10 +176,10 @@ differential_drive_2 = Exercise(
     title="Which way does it go?",
     text="The robot's heading is {theta}. Its left wheel moves over the floor at {v_L}, its right "
     "wheel at {v_R}. What is the velocity of the middle of its axle in the world, along x and y?",
-    given={"theta": steps(20, 160, 5, "°"), "v_L": SPEEDS["v_L"], "v_R": SPEEDS["v_R"]},
-    asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s")),
+    given={"theta": number_range(20, 160, 5, "°"), "v_L": SPEEDS["v_L"], "v_R": SPEEDS["v_R"]},
+    unknowns=(Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s")),
     right=moving,
-    wrong={M13: M13.wrong.through(moving), M14: M14.wrong.through(moving)},
+    wrong={M13: M13.formula.wrap(moving), M14: M14.formula.wrap(moving)},
     derive=lambda theta, v_L, v_R: {"v": (v_L + v_R) / 2, "theta_deg": np.degrees(theta)},
     solution=Solution(
         "The middle moves at the mean of the two speeds, along the heading:\n\n{speed}\n\n{world}",
@@ -196,11 +196,15 @@ differential_drive_3 = Exercise(
     text="A robot stands with the middle of its axle at x = {x}, y = {y} and has the heading "
     "{theta}. Its wheels are {b} apart and move at {v_L} (left) and {v_R} (right). Where in the "
     "world is the point that it turns about, the instantaneous centre of rotation (ICR)?",
-    given={"x": steps(1, 4, 0.5, "m"), "y": steps(1, 4, 0.5, "m"), "theta": steps(20, 160, 10, "°")}
+    given={
+        "x": number_range(1, 4, 0.5, "m"),
+        "y": number_range(1, 4, 0.5, "m"),
+        "theta": number_range(20, 160, 10, "°"),
+    }
     | SPEEDS,
-    asks=(Ask("x", "m"), Ask("y", "m")),
+    unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=centre,
-    wrong=ways(centre) | {M13: M13.wrong.through(centre), M14: M14.wrong.through(centre)},
+    wrong=ways(centre) | {M13: M13.formula.wrap(centre), M14: M14.formula.wrap(centre)},
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
     also={
@@ -233,12 +237,12 @@ differential_drive_4 = Exercise(
     "around a circle of radius {radius}, to the left, in {time}. How fast must the left and the "
     "right wheel turn?",
     given={
-        "r": steps(2, 6, 1, "cm"),
+        "r": number_range(2, 6, 1, "cm"),
         "b": SPEEDS["b"],
-        "radius": steps(0.6, 2, 0.2, "m"),
-        "time": steps(10, 40, 5, "s"),
+        "radius": number_range(0.6, 2, 0.2, "m"),
+        "time": number_range(10, 40, 5, "s"),
     },
-    asks=(Ask("left", "rad/s"), Ask("right", "rad/s")),
+    unknowns=(Unknown("left", "rad/s"), Unknown("right", "rad/s")),
     right=rates_on_circle,
     wrong=ways(rates_on_circle),
     derive=lambda radius, time, **_: {
@@ -253,8 +257,8 @@ differential_drive_4 = Exercise(
     solution=Solution(
         "One turn takes {time}, and on a circle the speed is radius times angular velocity:\n\n"
         "{turning}\n\n{speed}\n\nEach wheel is half the wheel distance from the middle:\n\n{rates}",
-        turning=Step(Line(planar.omega, 2 * pi / TIME, "rad/s")),
-        speed=Step(Line(planar.v, RADIUS * planar.omega, "m/s")),
+        turning=Step(LocalEquation(planar.omega, 2 * pi / TIME, "rad/s")),
+        speed=Step(LocalEquation(planar.v, RADIUS * planar.omega, "m/s")),
         rates=Step(formulas.wheel_rates),
     ),
 )
@@ -266,8 +270,8 @@ differential_drive_5 = Exercise(
     text="A robot starts at the origin with heading 0. Its wheels are {b} apart. For {time} the "
     "left wheel moves at {v_L} and the right one at {v_R}. Where is the middle of its axle then, "
     "and what is the robot's heading?",
-    given=SPEEDS | {"time": steps(1, 3, 0.5, "s")},
-    asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
+    given=SPEEDS | {"time": number_range(1, 3, 0.5, "s")},
+    unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=end,
     wrong=ways(end),
     when=different,
@@ -277,7 +281,7 @@ differential_drive_5 = Exercise(
         "turn": (v_R - v_L) / b * time,
     },
     also={
-        M13.says: degrees_end,
+        M13.feedback: degrees_end,
         "when the left and the right wheel are exchanged": lambda v_L, v_R, b, time: end(
             v_R, v_L, b, time
         ),
@@ -311,11 +315,11 @@ differential_drive_6 = Exercise(
     "wants to drive straight ahead along x, from the origin. It gives both wheels the same rate "
     "until, by its own count, it has driven {distance}. Where does the middle of its axle end?",
     given={
-        "worn": steps(1, 4, 0.5, "%"),
+        "worn": number_range(1, 4, 0.5, "%"),
         "b": SPEEDS["b"],
-        "distance": steps(1, 4, 0.5, "m"),
+        "distance": number_range(1, 4, 0.5, "m"),
     },
-    asks=(Ask("x", "m"), Ask("y", "m")),
+    unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=worn_end,
     wrong=ways(worn_end),
     derive=lambda worn, distance, b: {
@@ -336,7 +340,7 @@ differential_drive_6 = Exercise(
         "the wheel distance, to the left:\n\n{mean}\n\n{turn}\n\n"
         "It ends on an arc. In a time of 1 s it would drive that far and turn that much, so the "
         "step along an arc says where:\n\n{arc}",
-        short=Step(Line(formulas.v_L, (1 - WORN) * DISTANCE, "m")),
+        short=Step(LocalEquation(formulas.v_L, (1 - WORN) * DISTANCE, "m")),
         mean=Step(formulas.speed, {formulas.v_R: "distance"}, unit="m"),
         turn=Step(formulas.turning_rate, {formulas.v_R: "distance"}, unit="rad"),
         arc=Step(

@@ -654,8 +654,8 @@ def damage_figure() -> Figure:
     wrong = {
         "It turns too fast": (M12.substitute(right), heading),
         "It turns too slowly": (M31.substitute(right), heading),
-        "It goes astray": (rate, M13.wrong.puts[theta].subs(theta, heading)),
-        "Down instead of up": (rate, M14.wrong.puts[theta].subs(theta, heading)),
+        "It goes astray": (rate, M13.formula.replaced[theta].subs(theta, heading)),
+        "Down instead of up": (rate, M14.formula.replaced[theta].subs(theta, heading)),
     }
     options = {name: tuple(map(float, each)) for name, each in wrong.items()}
     seen, believed = (

@@ -62,16 +62,16 @@ PREDICTIONS = (
             "v",
             "cm/s",
             right=formulas.speed.substitute(EXERCISE),
-            assumes={
+            assumptions={
                 "The sum of both would make the middle faster than each end.": (v_L + v_R).subs(
                     SPEEDS
                 ),
                 "That is the difference: the robot *turns* by it.": (v_R - v_L).subs(SPEEDS),
             },
         ),
-        opens="The axle is stiff, so the tips of all arrows along it lie on one line. In the "
+        explanation="The axle is stiff, so the tips of all arrows along it lie on one line. In the "
         "middle the line is as high as the *mean* of its ends.",
-        hides=("the mean of", "half the sum"),
+        spoilers=("the mean of", "half the sum"),
     ),
     Prediction(
         "where-to",
@@ -79,14 +79,14 @@ PREDICTIONS = (
         Buttons(
             ("to P", "to the right wheel", "to the left, without end"),
             right="to the left, without end",
-            assumes={
+            assumptions={
                 "to P": "P is where it lies when the wheels run *against* each other.",
                 "to the right wheel": "The ICR is the point that stands still; this wheel moves.",
             },
         ),
-        opens="The line through the tips gets flat, and meets the axle farther and farther away. "
-        "Straight ahead the two are parallel.",
-        hides=("without end", "meets the axle farther"),
+        explanation="The line through the tips gets flat, and meets the axle farther and farther "
+        "away. Straight ahead the two are parallel.",
+        spoilers=("without end", "meets the axle farther"),
     ),
     Prediction(
         "turned-view",
@@ -95,14 +95,14 @@ PREDICTIONS = (
         Buttons(
             ("0.5 rad/s", "−0.5 rad/s", "0"),
             right=lambda: f"{motion.to_world(np.pi, [TWIST[v], 0, TWIST[omega]])[2]:.1f} rad/s",
-            assumes={
+            assumptions={
                 "−0.5 rad/s": "Seen from there, the arrow points elsewhere; the turn does not.",
                 "0": "A turn has no direction in the plane that could be lost.",
             },
         ),
-        opens="A turn in the plane looks the same from everywhere. Only the arrow of the speed "
-        "gets other parts.",
-        hides=("the same from everywhere",),
+        explanation="A turn in the plane looks the same from everywhere. Only the arrow of the "
+        "speed gets other parts.",
+        spoilers=("the same from everywhere",),
     ),
     Prediction(
         "wheel-rate",
@@ -111,13 +111,14 @@ PREDICTIONS = (
             "rate",
             "rad/s",
             right=rolling(r),
-            assumes={
+            assumptions={
                 "That divides by the whole width of the wheel, twice the radius.": rolling(2 * r),
                 "That multiplies by the radius.": rolling(1 / r),
             },
         ),
-        opens="In one radian a wheel rolls one radius. So its rate is its speed divided by $r$.",
-        hides=("one radius", "speed divided by"),
+        explanation="In one radian a wheel rolls one radius. So its rate is its speed divided by "
+        "$r$.",
+        spoilers=("one radius", "speed divided by"),
     ),
     Prediction(
         "where-after",
@@ -127,14 +128,14 @@ PREDICTIONS = (
             places=(guess_x, guess_y),
             right=after_two_seconds(TWIST[omega]),
             then={t: Float(2)},
-            near=0.015,
-            assumes={
+            tolerance=0.015,
+            assumptions={
                 "That is straight on, as if it did not turn.": after_two_seconds(0),
                 "That is the right way, to the other side.": after_two_seconds(-TWIST[omega]),
             },
         ),
-        opens="P runs along a circle around the ICR.",
-        hides=("along a circle",),
+        explanation="P runs along a circle around the ICR.",
+        spoilers=("along a circle",),
     ),
     Prediction(
         "ever-straighter",
@@ -143,14 +144,14 @@ PREDICTIONS = (
         Buttons(
             ("it gets better", "it stays right", "it gets worse"),
             right="it gets worse",
-            assumes={
+            assumptions={
                 "it gets better": "The *path* gets simpler, but not the computation.",
                 "it stays right": "In exact numbers yes; a computer keeps 16 digits.",
             },
         ),
-        opens="The two sines are almost equal. Their difference keeps few correct digits, and the "
-        "huge $v/\\omega$ blows the error up.",
-        hides=("gets worse as", "blows"),
+        explanation="The two sines are almost equal. Their difference keeps few correct digits, "
+        "and the huge $v/\\omega$ blows the error up.",
+        spoilers=("gets worse as", "blows"),
     ),
     Prediction(
         "twice-as-many",
@@ -159,14 +160,14 @@ PREDICTIONS = (
         Buttons(
             ("the same", "half as far", "a quarter as far"),
             right=halved,
-            assumes={
+            assumptions={
                 "the same": "Look at the dots of the graph: both go down to the left.",
                 "a quarter as far": "That is the rule with the middle heading.",
             },
         ),
-        opens="The error falls with the step: slope 1 in the graph, *a method of order 1*. Steps "
-        "along the middle heading have slope 2: the error falls with the square of the step.",
-        hides=("slope 1", "order 1"),
+        explanation="The error falls with the step: slope 1 in the graph, *a method of order 1*. "
+        "Steps along the middle heading have slope 2: the error falls with the square of the step.",
+        spoilers=("slope 1", "order 1"),
     ),
     Prediction(
         "at-rest",
@@ -174,14 +175,14 @@ PREDICTIONS = (
         Buttons(
             ("at P", "infinitely far away", "nowhere: no answer"),
             right="nowhere: no answer",
-            assumes={
+            assumptions={
                 "at P": "P stands still, and so does every other point.",
                 "infinitely far away": "So it is straight ahead; here near points rest, too.",
             },
         ),
-        opens="Every point is at rest, so none is *the* centre. The library answers `nan`: not a "
-        "number.",
-        hides=("every point is at rest", "`nan`"),
+        explanation="Every point is at rest, so none is *the* centre. The library answers `nan`: "
+        "not a number.",
+        spoilers=("every point is at rest", "`nan`"),
     ),
     Prediction(
         "at-its-side",
@@ -190,13 +191,13 @@ PREDICTIONS = (
         Buttons(
             ("no, never", "only nearly", "yes, exactly"),
             right="yes, exactly",
-            assumes={
+            assumptions={
                 "no, never": "It cannot have that velocity. But it can have others, one by one.",
                 "only nearly": "A single arc even ends there exactly: half a circle of 10 cm. But "
                 "then the robot looks backwards. Several motions add up to both.",
             },
         ),
-        opens="It can, only not straight.",
-        hides=("only not straight", "reaches are not"),
+        explanation="It can, only not straight.",
+        spoilers=("only not straight", "reaches are not"),
     ),
 )

@@ -11,24 +11,24 @@ from book.elbow_arm import formulas
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from courseware.equations import as_written
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
+    number_range,
     one_of,
-    steps,
 )
 from robokin import elbow_arm
 
 with as_written():
-    BASE_ANGLE = Line(theta1, atan2(p_y, p_x))
+    BASE_ANGLE = LocalEquation(theta1, atan2(p_y, p_x))
     level = sqrt(p_x**2 + p_y**2)
-    FROM_SHOULDER = Line(
+    FROM_SHOULDER = LocalEquation(
         Matrix([apart, formulas.phi3]), Matrix([sqrt(p_x**2 + p_y**2 + p_z**2), atan2(p_z, level)])
     )
     WITHOUT_X = Matrix([sqrt(p_y**2 + p_z**2), atan(p_z / p_y)])
@@ -37,8 +37,8 @@ with as_written():
 
 M1 = Mistake(
     "M1",
-    says="with p_x and p_y exchanged in atan2",
-    wrong=Wrong(BASE_ANGLE, {p_x: p_y, p_y: p_x}),
+    feedback="with p_x and p_y exchanged in atan2",
+    formula=WrongFormula(BASE_ANGLE, {p_x: p_y, p_y: p_x}),
     line="theta1 = np.arctan2(p_x, p_y)",
     why="NumPy's arctan2 takes y first, then x. Exchanged, the angle is measured from the y axis, "
     "and clockwise. In spreadsheets and in some books (Spong, Hutchinson and Vidyasagar) atan2 "
@@ -53,8 +53,8 @@ M1 = Mistake(
 )
 M2 = Mistake(
     "M2",
-    says="when p_x is left out and the arm is taken to stand in the plane of y and z",
-    wrong=Wrong(FROM_SHOULDER, instead=WITHOUT_X),
+    feedback="when p_x is left out and the arm is taken to stand in the plane of y and z",
+    formula=WrongFormula(FROM_SHOULDER, instead=WITHOUT_X),
     line="d = np.sqrt(p_y**2 + p_z**2)\ntheta3 = np.arccos((d**2 - a2**2 - a3**2) / (2 * a2 * a3))",
     why="The arm stands in the vertical plane through the target. In this plane the target is "
     "√(p_x² + p_y²) away from the base axis, not |p_y|.",
@@ -76,8 +76,8 @@ M2 = Mistake(
 )
 M3 = Mistake(
     "M3",
-    says="with the third power of a_3 in cos θ_3, where its square belongs",
-    wrong=Wrong(formulas.cosine, instead=CUBED),
+    feedback="with the third power of a_3 in cos θ_3, where its square belongs",
+    formula=WrongFormula(formulas.cosine, instead=CUBED),
     line="A = (p_x**2 + p_y**2 + p_z**2 - a2**2 - a3**3) / (2 * a2 * a3)\ntheta3 = np.arccos(A)",
     why="The law of cosines has squares of lengths only. A cubic metre cannot be taken away from "
     "a square metre: the units show the mistake.",
@@ -95,8 +95,8 @@ M3 = Mistake(
 )
 M4 = Mistake(
     "M4",
-    says="when the base turns by half a turn and θ_2, θ_3 stay as they are",
-    wrong=Wrong(formulas.away, instead=ALIKE),
+    feedback="when the base turns by half a turn and θ_2, θ_3 stay as they are",
+    formula=WrongFormula(formulas.away, instead=ALIKE),
     line="away = [theta1 + np.pi, theta2, theta3]",
     why="With the base turned round, the arm reaches to the other side. It must lean over "
     "backwards: the shoulder needs π − θ_2 and the elbow −θ_3.",
@@ -115,8 +115,8 @@ M4 = Mistake(
 )
 M5 = Mistake(
     "M5",
-    says="with arctan in place of atan2, which cannot tell in front from behind",
-    wrong=Wrong(BASE_ANGLE, instead=atan(p_y / p_x)),
+    feedback="with arctan in place of atan2, which cannot tell in front from behind",
+    formula=WrongFormula(BASE_ANGLE, instead=atan(p_y / p_x)),
     line="theta1 = np.arctan(p_y / p_x)",
     why="The quotient p_y/p_x is the same for a point and for the one opposite to it. With "
     "p_x < 0, arctan gives the direction that faces away from the target.",
@@ -157,7 +157,7 @@ def rise(p_x, p_y, p_z):
 
 def without_x(p_x, p_y, p_z, a2, a3):
     """M2: the arm in the plane of y and z."""
-    distance, elevation = M2.wrong.gives(p_y=p_y, p_z=p_z).ravel()
+    distance, elevation = M2.formula.evaluate(p_y=p_y, p_z=p_z).ravel()
     return bend(cosine(distance, a2, a3), elevation, a2, a3)
 
 
@@ -169,7 +169,7 @@ def without_x_by_atan2(p_x, p_y, p_z, a2, a3):
 
 def cubed(p_x, p_y, p_z, a2, a3):
     """M3: the third power of the forearm."""
-    A = M3.wrong.gives(p_x=p_x, p_y=p_y, high=p_z, a2=a2, a3=a3)
+    A = M3.formula.evaluate(p_x=p_x, p_y=p_y, high=p_z, a2=a2, a3=a3)
     return bend(A, rise(p_x, p_y, p_z), a2, a3)
 
 
@@ -210,14 +210,14 @@ def four_alike(**numbers):
     """M4 in all four answers: the second half is the first with the base turned round."""
     facing = four(**numbers)[:2]
     joints = (dict(zip(("theta1", "theta2", "theta3"), row, strict=True)) for row in facing)
-    return facing + [M4.wrong.gives(**row).ravel() for row in joints]
+    return facing + [M4.formula.evaluate(**row).ravel() for row in joints]
 
 
 WAYS: dict[Mistake, Callable[..., Any]] = {
-    M1: lambda **n: four(**n, theta1=M1.wrong.gives(**n)),
+    M1: lambda **n: four(**n, theta1=M1.formula.evaluate(**n)),
     M2: lambda **n: four(**n, bends=without_x(**n)),
     M3: lambda **n: four(**n, bends=cubed(**n)),
-    M5: lambda **n: four(**n, theta1=M5.wrong.gives(**n)),
+    M5: lambda **n: four(**n, theta1=M5.formula.evaluate(**n)),
 }
 
 
@@ -227,9 +227,9 @@ def first(formula):
 
 
 SIDE = one_of(*range(-60, -5, 5), *range(10, 65, 5), unit="cm")
-BACK = steps(-60, -10, 5, "cm")
-LINKS = {"a2": steps(30, 60, 5, "cm"), "a3": steps(25, 55, 5, "cm")}
-TARGET = {"p_x": BACK, "p_y": SIDE, "p_z": steps(-30, 50, 5, "cm")}
+BACK = number_range(-60, -10, 5, "cm")
+LINKS = {"a2": number_range(30, 60, 5, "cm"), "a3": number_range(25, 55, 5, "cm")}
+TARGET = {"p_x": BACK, "p_y": SIDE, "p_z": number_range(-30, 50, 5, "cm")}
 with as_written():
     FOREARM = apart - a2
 TURNED = tuple(Symbol(rf"\theta_{k}'") for k in (1, 2, 3))  # with the base turned round
@@ -254,9 +254,9 @@ elbow_arm_1 = Exercise(
     "coordinates p_x = {p_x}, p_y = {p_y}. What is θ_1 if the arm faces this point? (It does not "
     "face away and reach back over its base.)",
     given={"p_x": BACK, "p_y": SIDE},
-    asks=(angle("θ_1"),),
+    unknowns=(angle("θ_1"),),
     right=lambda p_x, p_y: elbow_arm.inverse([p_x, p_y, 0], 0.6, 0.5)[0, 0],
-    wrong={M1: M1.wrong.gives, M5: M5.wrong.gives},
+    wrong={M1: M1.formula.evaluate, M5: M5.formula.evaluate},
     when=lambda p_x, p_y: np.hypot(p_x, p_y) > 0.15,
     solution=Solution(
         "Seen from above, the arm must point from the base to the target. The direction of a "
@@ -276,7 +276,7 @@ elbow_arm_2 = Exercise(
     "θ_3 must the elbow bend? Take the case with the elbow below the line from shoulder to wrist: "
     "there θ_3 is positive.",
     given=TARGET | LINKS,
-    asks=(angle("θ_3"),),
+    unknowns=(angle("θ_3"),),
     right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3)[1, 2],
     wrong={
         M2: lambda **numbers: without_x(**numbers)[1, 1],
@@ -316,13 +316,13 @@ elbow_arm_3 = Exercise(
     "before. What are the three joint angles now?",
     given={
         "theta1": one_of(*range(-160, 0, 10), *range(10, 170, 10), unit="°"),
-        "theta2": steps(-40, 80, 10, "°"),
+        "theta2": number_range(-40, 80, 10, "°"),
         "theta3": one_of(*range(-110, -20, 10), *range(30, 120, 10), unit="°"),
     }
     | LINKS,
-    asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
+    unknowns=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     right=away,
-    wrong={M4: M4.wrong.gives},
+    wrong={M4: M4.formula.evaluate},
     when=lambda theta2, theta3, a2, a3, **_: (
         a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3) > 0.1
     ),
@@ -347,11 +347,11 @@ elbow_arm_3 = Exercise(
         "With the new angles it is {new.value}, the same place.",
         answer=("away",),
         away=Step(formulas.away, values=TURNED, unit="rad"),
-        old=Step(formulas.forward, {d1: 0}, check=place),
+        old=Step(formulas.forward, {d1: 0}, expected=place),
         new=Step(
             formulas.forward,
             {theta1: TURNED[0], theta2: TURNED[1], theta3: TURNED[2], d1: 0},
-            check=place,
+            expected=place,
         ),
     ),
     example={
@@ -372,13 +372,13 @@ elbow_arm_4 = Exercise(
     f"{POINT}, measured from the floor straight below the shoulder. "
     "How long must the forearm be at least?",
     given={
-        "d1": steps(20, 50, 10, "cm"),
-        "a2": steps(30, 50, 5, "cm"),
+        "d1": number_range(20, 50, 10, "cm"),
+        "a2": number_range(30, 50, 5, "cm"),
         "p_x": one_of(*range(-60, -10, 10), *range(20, 70, 10), unit="cm"),
         "p_y": one_of(*range(-60, -10, 10), *range(20, 70, 10), unit="cm"),
-        "p_z": steps(0, 90, 10, "cm"),
+        "p_z": number_range(0, 90, 10, "cm"),
     },
-    asks=(Ask("a_3", "m"),),
+    unknowns=(Unknown("a_3", "m"),),
     right=lambda d1, a2, **p: length(**p | {"p_z": p["p_z"] - d1}) - a2,
     wrong={M2: lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2},
     when=lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2 > 0.05,
@@ -399,7 +399,7 @@ elbow_arm_4 = Exercise(
         "The upper link makes up a part of it, the forearm the rest:\n\n{forearm}",
         side=Step(formulas.side, part=(0, 1)),
         distance=Step(formulas.side, part=(2,)),
-        forearm=Step(Line(a3, FOREARM, "m")),
+        forearm=Step(LocalEquation(a3, FOREARM, "m")),
     ),
 )
 
@@ -411,8 +411,8 @@ elbow_arm_5 = Exercise(
     "above the shoulder, {p_z} higher (p_x = p_y = 0). Then θ_1 can be any angle. "
     + BENDS
     + "What are θ_2 and θ_3? There are two answers; either of them is enough.",
-    given=LINKS | {"p_z": steps(20, 90, 5, "cm")},
-    asks=(angle("θ_2"), angle("θ_3")),
+    given=LINKS | {"p_z": number_range(20, 90, 5, "cm")},
+    unknowns=(angle("θ_2"), angle("θ_3")),
     accept="any",
     right=lambda p_z, a2, a3: elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:],
     wrong={M3: lambda p_z, a2, a3: cubed(0, 0, p_z, a2, a3)},
@@ -449,13 +449,18 @@ elbow_arm_6 = Exercise(
     + BENDS
     + "The arm faces the point, and the elbow is above the line from shoulder to wrist. What are "
     "the three joint angles?",
-    given={**TARGET, "p_z": steps(0, 80, 5, "cm"), "d1": steps(10, 40, 5, "cm"), **LINKS},
-    asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
+    given={
+        **TARGET,
+        "p_z": number_range(0, 80, 5, "cm"),
+        "d1": number_range(10, 40, 5, "cm"),
+        **LINKS,
+    },
+    unknowns=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     right=lambda p_x, p_y, p_z, a2, a3, d1: elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)[0],
     wrong={mistake: first(formula) for mistake, formula in WAYS.items()},
     when=possible,
     also={
-        f"{M2.says}, although with atan2": first(without_x_by_atan2),
+        f"{M2.feedback}, although with atan2": first(without_x_by_atan2),
         "with the elbow below": lambda p_x, p_y, p_z, d1, **links: elbow_arm.inverse(
             [p_x, p_y, p_z], **links, d1=d1
         )[1],
@@ -491,7 +496,7 @@ elbow_arm_7 = Exercise(
     + "There are four ways: the base faces the point or faces away from it, and the elbow is above "
     "or below the line from shoulder to wrist. Give the angles θ_1, θ_2, θ_3 of all four.",
     given=TARGET | LINKS,
-    asks=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
+    unknowns=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     accept="all",
     right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3),
     wrong=WAYS | {M4: four_alike},

@@ -68,16 +68,16 @@ PREDICTIONS = (
             "the bend",
             "°",
             right=bend,
-            assumes={
+            assumptions={
                 "That folds the forearm back onto the upper link.": pi,
                 "Then the arm reaches too far: the wrist would be "
                 f"{100 * reach(bend() / 2):.0f} cm from the shoulder, and the target is "
                 f"{100 * reach(bend()):.0f} cm away.": lambda: bend() / 2,
             },
-            near=0.15,
+            relative=0.15,
         ),
-        opens="There are four ways to do it.",
-        hides=("four ways",),
+        explanation="There are four ways to do it.",
+        spoilers=("four ways",),
     ),
     Prediction(
         "faces-away",
@@ -86,18 +86,19 @@ PREDICTIONS = (
         Buttons(
             ("no change", "the other sign", "180° minus it"),
             right=turned_round,
-            assumes={
+            assumptions={
                 "no change": "The bend is as large as before. But seen from behind, it is on the "
                 "other side.",
                 "180° minus it": "That is what becomes of $\\theta_2$: the upper link leans over "
                 "backwards.",
             },
         ),
-        opens="The arm leans over backwards, as far from the horizontal as before: $\\theta_2$ "
-        "becomes 180° minus $\\theta_2$. The elbow bends to the other side: $\\theta_3$ changes "
+        explanation="The arm leans over backwards, as far from the horizontal as before: "
+        "$\\theta_2$ becomes 180° minus $\\theta_2$. The elbow bends to the other side: "
+        "$\\theta_3$ changes "
         'its sign. The turned arm sees everything mirrored: "elbow up" has a *negative* '
         "$\\theta_3$ if the arm faces the target, a *positive* one if it faces away.",
-        hides=("mirrored", "changes its sign"),
+        spoilers=("mirrored", "changes its sign"),
     ),
     Prediction(
         "how-many-digits",
@@ -107,15 +108,15 @@ PREDICTIONS = (
         Buttons(
             ("16", "8", "2"),
             right=digits,
-            assumes={
+            assumptions={
                 "16": "The arccosine itself is as good as that. But the number that it is given "
                 "has been rounded.",
                 "8": "So many decimals are right. But the angle is small: its first digit is the "
                 "seventh decimal.",
             },
         ),
-        opens="An angle near zero hides in the last digits of its cosine:",
-        hides=("two digits", "last digits of its cosine"),
+        explanation="An angle near zero hides in the last digits of its cosine:",
+        spoilers=("two digits", "last digits of its cosine"),
     ),
     Prediction(
         "answers-when-stretched",
@@ -123,14 +124,14 @@ PREDICTIONS = (
         Buttons(
             ("one", "two", "four"),
             right=different,
-            assumes={
+            assumptions={
                 "one": "The base can still face the target or face away.",
                 "four": "The library gives four rows. Compare them.",
             },
         ),
-        opens="Up and down melt into one. It is the same for a folded arm, if its links differ in "
-        "length and it does not point straight up or down.",
-        hides=("melt into one",),
+        explanation="Up and down melt into one. It is the same for a folded arm, if its links "
+        "differ in length and it does not point straight up or down.",
+        spoilers=("melt into one",),
     ),
     Prediction(
         "answers-on-the-axis",
@@ -138,14 +139,14 @@ PREDICTIONS = (
         Buttons(
             ("two", "four", "infinitely many"),
             right="infinitely many",
-            assumes={
+            assumptions={
                 "two": "Elbow up and down are two. But which way must the base look?",
                 "four": "So many it has beside the axis, where only one turn of the base leads "
                 "to the target, and one away from it.",
             },
         ),
-        opens="Every $\\theta_1$ is right. The library takes 0 (and 180° for away). The line to "
-        "the wrist is upright, so no elbow is *above* it; the rows keep their order.",
-        hides=("every $\\theta_1$",),
+        explanation="Every $\\theta_1$ is right. The library takes 0 (and 180° for away). The line "
+        "to the wrist is upright, so no elbow is *above* it; the rows keep their order.",
+        spoilers=("every $\\theta_1$",),
     ),
 )

@@ -21,17 +21,17 @@ from book.euler import formulas
 from book.euler.formulas import r
 from courseware.equations import as_written
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
+    format_number,
     matrix,
-    number_text,
     one_of,
 )
 from robokin import euler
@@ -50,8 +50,9 @@ AT_LOCK = (formulas.third_first.right[1].subs(formulas.gamma, 0), asin(r[0, 2]))
 
 M6 = Mistake(
     "M6",
-    says="with the matrices in the wrong order, that of turns about the axes of the fixed frame",
-    wrong=Wrong(Line(R_AB, R_1 * R_2), instead=R_2 * R_1),
+    feedback="with the matrices in the wrong order, that of turns about the axes of the fixed "
+    "frame",
+    formula=WrongFormula(LocalEquation(R_AB, R_1 * R_2), instead=R_2 * R_1),
     line='R_y, R_z = euler.to_matrix("Y", [a]), euler.to_matrix("Z", [b])\nR_AB = R_z @ R_y',
     why="A turn about an axis of the turned frame is multiplied on the right: R_1 R_2. On the "
     "left, R_2 R_1, it would be a turn about an axis of the fixed frame A.",
@@ -65,8 +66,8 @@ M6 = Mistake(
 )
 M7 = Mistake(
     "M7",
-    says="with left-handed turns: every sine has the wrong sign",
-    wrong=Wrong(formulas.turn_y, {formulas.turn: -formulas.turn}),
+    feedback="with left-handed turns: every sine has the wrong sign",
+    formula=WrongFormula(formulas.turn_y, {formulas.turn: -formulas.turn}),
     line="R_y = [[np.cos(a), 0, -np.sin(a)], [0, 1, 0], [np.sin(a), 0, np.cos(a)]]\n"
     "R_z = [[np.cos(b), np.sin(b), 0], [-np.sin(b), np.cos(b), 0], [0, 0, 1]]\n"
     "R_AB = np.array(R_y) @ R_z",
@@ -81,12 +82,12 @@ M7 = Mistake(
 )
 M8 = Mistake(
     "M8",
-    wrong=Wrong(
-        Line(Matrix([formulas.first, formulas.middle]), Matrix(AT_LOCK)),
+    formula=WrongFormula(
+        LocalEquation(Matrix([formulas.first, formulas.middle]), Matrix(AT_LOCK)),
         instead=Matrix(formulas.angles_at_once.right[:2]),
     ),
-    says="when all three angles are read by the regular formulas, although the frame is at gimbal "
-    "lock; atan2(0, 0) then gives 0",
+    feedback="when all three angles are read by the regular formulas, although the frame is at "
+    "gimbal lock; atan2(0, 0) then gives 0",
     line="a = np.arctan2(-R[1, 2], R[2, 2])\n"
     "b = np.arctan2(R[0, 2], np.hypot(R[0, 0], R[0, 1]))\n"
     "angles = [a, b]",
@@ -120,18 +121,18 @@ def two_turns(first, second, a, b):
 
 def fixed_axes(first, second, a, b):
     """M6 for two turns: both about axes of A."""
-    return M6.wrong.gives(R_1=one_turn(first, a), R_2=one_turn(second, b))
+    return M6.formula.evaluate(R_1=one_turn(first, a), R_2=one_turn(second, b))
 
 
 def left_handed(first, second, a, b):
     """M7 for two turns."""
-    first, second = (M7.wrong.made_in(ABOUT[axis]) for axis in (first, second))
-    return first.gives(turn=a) @ second.gives(turn=b)
+    first, second = (M7.formula.transfer(ABOUT[axis]) for axis in (first, second))
+    return first.evaluate(turn=a) @ second.evaluate(turn=b)
 
 
 def wrong_way(turned):
     """A turn, or several, as M7 takes them."""
-    return M7.wrong.put(turn=turned)["turn"]
+    return M7.formula.replace(turn=turned)["turn"]
 
 
 def column(R, arrow):
@@ -158,7 +159,7 @@ def yaw_pitch_roll(yaw, pitch, roll):
 def fixed_yaw_pitch_roll(yaw, pitch, roll):
     """M6: the same turns about the axes of A."""
     turns = (one_turn(axis, angle) for axis, angle in zip("zyx", (yaw, pitch, roll), strict=True))
-    return reduce(lambda R_1, R_2: M6.wrong.gives(R_1=R_1, R_2=R_2), turns)
+    return reduce(lambda R_1, R_2: M6.formula.evaluate(R_1=R_1, R_2=R_2), turns)
 
 
 def to_zyz(yaw, pitch, roll):
@@ -179,15 +180,15 @@ def locked(seq, a, b):
 def regular(seq, R):
     """M8 for XYZ, YZX or ZXY: the first two angles by the formulas that fail at lock."""
     order = list(map("XYZ".index, seq))
-    return M8.wrong.gives(**named(R[np.ix_(order, order)])).ravel()
+    return M8.formula.evaluate(**named(R[np.ix_(order, order)])).ravel()
 
 
 ALL = clean(euler.to_matrix("XYZ", np.pi / 2 * np.array(list(product(range(4), repeat=3)))))
-QUARTERS = {number_text(R, ""): R for R in ALL}  # the 24 rotations that lead axes to axes
+QUARTERS = {format_number(R, ""): R for R in ALL}  # the 24 rotations that lead axes to axes
 AXIS = one_of("x", "y", "z")
 TURN = one_of(-120, -90, -60, -45, -30, 30, 45, 60, 90, 120, unit="°")
 TURNS = {"a": TURN, "first": AXIS, "b": TURN, "second": AXIS}
-DIRECTION = tuple(Ask(f"{letter} of the arrow") for letter in "xyz")
+DIRECTION = tuple(Unknown(f"{letter} of the arrow") for letter in "xyz")
 
 
 def named(R):
@@ -219,13 +220,13 @@ MADE = (
 )
 
 with as_written():
-    BOTH = Step(Line(R_AB, R_1 * R_2), values=ENTRIES)
-    MADE_ZYX = Line(R_AB, MatMul(R_z, R_y, R_x))
-    AXIS_FOUND = Line(
+    BOTH = Step(LocalEquation(R_AB, R_1 * R_2), values=ENTRIES)
+    MADE_ZYX = LocalEquation(R_AB, MatMul(R_z, R_y, R_x))
+    AXIS_FOUND = LocalEquation(
         Matrix(formulas.n),
         Matrix([part / (2 * sin(formulas.turn)) for part in formulas.turn_vector.right]),
     )
-    READ_ZYX = Line(
+    READ_ZYX = LocalEquation(
         Matrix(ANGLES),
         Matrix(
             [
@@ -236,7 +237,7 @@ with as_written():
         ),
         "rad",
     )
-    READ_ZYZ = Line(
+    READ_ZYZ = LocalEquation(
         Matrix(ANGLES),
         Matrix(
             [
@@ -249,12 +250,12 @@ with as_written():
     )
     LOCKED = ((1, 3), (2, 2), (3, 2))  # of XYZ, with 0 for the third angle
     ZYX = ((1, 1), (2, 1), (3, 1), (3, 2), (3, 3))  # entries with one or two angles in them
-    OF_ZYX = Line(
+    OF_ZYX = LocalEquation(
         Matrix(some(r, *ZYX)),
         Matrix([cos(A) * cos(B), sin(A) * cos(B), -sin(B), cos(B) * sin(C), cos(B) * cos(C)]),
     )
     ZYZ = ((1, 3), (2, 3), (3, 3), (3, 1), (3, 2))
-    OF_ZYZ = Line(
+    OF_ZYZ = LocalEquation(
         Matrix(some(r, *ZYZ)),
         Matrix([cos(A) * sin(B), sin(A) * sin(B), cos(B), -sin(B) * cos(C), sin(B) * sin(C)]),
     )
@@ -267,7 +268,7 @@ euler_1 = Exercise(
     "{b} about the new {second} axis. An arrow of length 1 points along the {arrow} axis of B. "
     "What are its x, y and z in frame A?",
     given=TURNS | {"arrow": AXIS},
-    asks=DIRECTION,
+    unknowns=DIRECTION,
     right=lambda arrow, **turns: column(two_turns(**turns), arrow),
     wrong={
         M6: lambda arrow, **turns: column(fixed_axes(**turns), arrow),
@@ -286,7 +287,7 @@ euler_1 = Exercise(
         R_1=FIRST,
         R_2=SECOND,
         R_AB=BOTH,
-        p_A=Step(lambda arrow, **_: Line(SEEN, R_AB * eye(3)[:, "xyz".index(arrow)])),
+        p_A=Step(lambda arrow, **_: LocalEquation(SEEN, R_AB * eye(3)[:, "xyz".index(arrow)])),
     ),
 )
 
@@ -297,7 +298,7 @@ euler_2 = Exercise(
     text="Frame B is frame A turned first by {a} about its {first} axis, and then by {b} about its "
     "new {second} axis. What is R_AB, the matrix whose columns are the axes of B as A sees them?",
     given=TURNS,
-    asks=matrix("R_AB", 3, 3),
+    unknowns=matrix("R_AB", 3, 3),
     shape=(3, 3),
     right=two_turns,
     wrong={M6: fixed_axes, M7: left_handed},
@@ -324,11 +325,13 @@ euler_3 = Exercise(
         "axis": AXIS,
         "turn": one_of(-90, 90, unit="°"),
     },
-    asks=matrix("R", 3, 3),
+    unknowns=matrix("R", 3, 3),
     shape=(3, 3),
     right=lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, turn),
     wrong={
-        M6: lambda R_AB, axis, turn: M6.wrong.gives(R_1=one_turn(axis, turn).T, R_2=QUARTERS[R_AB]),
+        M6: lambda R_AB, axis, turn: M6.formula.evaluate(
+            R_1=one_turn(axis, turn).T, R_2=QUARTERS[R_AB]
+        ),
         M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, wrong_way(turn)),
     },
     also={
@@ -344,8 +347,8 @@ euler_3 = Exercise(
         "\n\n{R}",
         answer=("R",),
         R_1=Step(lambda axis, **_: ABOUT[axis], values=(R_1,)),
-        R=Step(Line(REST, R_1.T * R_AB), {R_AB: "entries"}),
-        whole=Step(Line(R_AB, R_1 * REST), check=lambda R_AB, **_: QUARTERS[R_AB]),
+        R=Step(LocalEquation(REST, R_1.T * R_AB), {R_AB: "entries"}),
+        whole=Step(LocalEquation(R_AB, R_1 * REST), expected=lambda R_AB, **_: QUARTERS[R_AB]),
     ),
 )
 
@@ -358,7 +361,7 @@ euler_4 = Exercise(
     "seen before the turns), and by what angle ϑ? The opposite axis with the opposite angle is "
     "also right.",
     given=TURNS,
-    asks=(Ask("n_x"), Ask("n_y"), Ask("n_z"), angle("ϑ")),
+    unknowns=(Unknown("n_x"), Unknown("n_y"), Unknown("n_z"), angle("ϑ")),
     accept="any",
     right=lambda **turns: both_ways(two_turns(**turns)),
     wrong={
@@ -396,7 +399,7 @@ euler_5 = Exercise(
         "pitch": one_of(-60, -45, -30, 30, 45, 60, unit="°"),
         "roll": one_of(-120, -60, -45, -30, 30, 45, 60, 120, unit="°"),
     },
-    asks=(angle("a"), angle("b"), angle("c")),
+    unknowns=(angle("a"), angle("b"), angle("c")),
     accept="all",
     right=lambda **turns: euler.solutions("ZYX", yaw_pitch_roll(**turns)),
     wrong={
@@ -424,7 +427,7 @@ euler_5 = Exercise(
         answer=("angles", "other"),
         angles=Step(READ_ZYX),
         other=Step(formulas.other_cardan, RENAMED, values=OTHER, unit="rad"),
-        made=Step(OF_ZYX, check=lambda **turns: some(yaw_pitch_roll(**turns), *ZYX)),
+        made=Step(OF_ZYX, expected=lambda **turns: some(yaw_pitch_roll(**turns), *ZYX)),
     ),
 )
 
@@ -441,7 +444,7 @@ euler_6 = Exercise(
         "a": one_of(*range(-165, 0, 15), *range(15, 180, 15), unit="°"),
         "b": one_of(-90, 90, unit="°"),
     },
-    asks=(angle("first"), angle("second")),
+    unknowns=(angle("first"), angle("second")),
     right=lambda seq, a, b: euler.from_matrix(seq, locked(seq, a, b))[:2],
     wrong={
         M7: lambda seq, a, b: wrong_way(euler.from_matrix(seq, locked(seq, a, b))[:2]),
@@ -456,7 +459,7 @@ euler_6 = Exercise(
         "that column stand the sine and the cosine of α.\n\n{angles}",
         answer=("angles",),
         angles=Step(
-            lambda seq, **_: Line(
+            lambda seq, **_: LocalEquation(
                 Matrix([formulas.first, formulas.middle]),
                 for_sequence(Matrix([formulas.third_first.right[1], asin(r[0, 2])]), seq),
                 "rad",
@@ -464,11 +467,11 @@ euler_6 = Exercise(
             {formulas.gamma: 0},
         ),
         made=Step(
-            lambda seq, **_: Line(
+            lambda seq, **_: LocalEquation(
                 for_sequence(Matrix(some(r, *LOCKED)), seq),
                 Matrix([sin(formulas.middle), cos(formulas.first), sin(formulas.first)]),
             ),
-            check=lambda seq, a, b: [
+            expected=lambda seq, a, b: [
                 locked(seq, a, b)["XYZ".index(seq[i - 1]), "XYZ".index(seq[j - 1])]
                 for i, j in LOCKED
             ],
@@ -490,7 +493,7 @@ euler_7 = Exercise(
         "pitch": one_of(-60, -45, -30, 30, 45, 60, unit="°"),
         "roll": one_of(-120, -90, -60, -45, -30, 30, 45, 60, 90, 120, unit="°"),
     },
-    asks=(angle("first"), angle("second"), angle("third")),
+    unknowns=(angle("first"), angle("second"), angle("third")),
     accept="any",
     right=to_zyz,
     wrong={
@@ -523,9 +526,9 @@ euler_7 = Exercise(
         R_z=Step(formulas.turn_z, {formulas.turn: YAW}, values=(R_z,)),
         R_y=Step(formulas.turn_y, {formulas.turn: PITCH}, values=(R_y,)),
         R_x=Step(formulas.turn_x, {formulas.turn: ROLL}, values=(R_x,)),
-        R_AB=Step(MADE_ZYX, values=ENTRIES, check=yaw_pitch_roll),
+        R_AB=Step(MADE_ZYX, values=ENTRIES, expected=yaw_pitch_roll),
         angles=Step(READ_ZYZ),
         other=Step(formulas.other_proper, RENAMED, values=OTHER, unit="rad"),
-        made=Step(OF_ZYZ, check=lambda **turns: some(yaw_pitch_roll(**turns), *ZYZ)),
+        made=Step(OF_ZYZ, expected=lambda **turns: some(yaw_pitch_roll(**turns), *ZYZ)),
     ),
 )

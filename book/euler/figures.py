@@ -403,10 +403,10 @@ def mistakes_figure() -> Figure:
     """Another frame B, of two quarter turns, and where three mistakes lead instead."""
     quarter = {turn: half_turn / 2}
     y_turn, z_turn = euler.turn_y.substitute(quarter), euler.turn_z.substitute(quarter)
-    by_hand = M7.wrong.made_in(euler.turn_z)
+    by_hand = M7.formula.transfer(euler.turn_z)
     wrong = {
         "A product of two turns": z_turn * y_turn,
-        "Matrices typed by hand": M7.wrong.substitute(quarter) * by_hand.substitute(quarter),
+        "Matrices typed by hand": M7.formula.substitute(quarter) * by_hand.substitute(quarter),
         "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
     }
     right = (y_turn * z_turn).doit()

@@ -18,14 +18,15 @@ PREDICTIONS = (
         Buttons(
             ("one", "two", "three"),
             right="two",
-            assumes={
+            assumptions={
                 "one": "A quarter turn about an axis of {A} leaves that axis where it is. Here all "
                 "three have moved.",
                 "three": "Three always do, if any angles are allowed. Here fewer are enough.",
             },
         ),
-        opens="You will find the two below, and after that one single turn that does it, too.",
-        hides=("the two below",),
+        explanation="You will find the two below, and after that one single turn that does it, "
+        "too.",
+        spoilers=("the two below",),
     ),
     Prediction(
         "first-column",
@@ -34,14 +35,14 @@ PREDICTIONS = (
         Buttons(
             ("(0, 0, 1)", "(0, 0, −1)", "(0, 1, 0)"),
             right="(0, 0, −1)",
-            assumes={
+            assumptions={
                 "(0, 0, 1)": "That turns from $x$ to $z$, the left-handed way.",
                 "(0, 1, 0)": "That is a turn about $z$.",
             },
         ),
-        opens="Thumb along $y$: the fingers of the right hand curl from $z$ to $x$. So $x$ itself "
-        "goes down. With any angle, about each axis:",
-        hides=("goes down",),
+        explanation="Thumb along $y$: the fingers of the right hand curl from $z$ to $x$. So $x$ "
+        "itself goes down. With any angle, about each axis:",
+        spoilers=("goes down",),
     ),
     Prediction(
         "two-orders",
@@ -49,15 +50,15 @@ PREDICTIONS = (
         Buttons(
             ("alike", "90° apart", "120° apart", "180° apart"),
             right="120° apart",
-            assumes={
+            assumptions={
                 "alike": "So it is with numbers, and with turns about one and the same axis.",
                 "90° apart": "That takes one of the turns for the same in both.",
                 "180° apart": "Press *Play* and look at the threes.",
             },
         ),
-        opens="Not alike: a product of matrices depends on the order. One single turn, "
+        explanation="Not alike: a product of matrices depends on the order. One single turn, "
         "by 120°, makes them alike; how to find it is told below. Press *Play*.",
-        hides=("depends on the order",),
+        spoilers=("depends on the order",),
     ),
     Prediction(
         "other-answer",
@@ -65,16 +66,16 @@ PREDICTIONS = (
         Buttons(
             ("alike", "a quarter turn apart", "half a turn apart"),
             right="alike",
-            assumes={
+            assumptions={
                 "a quarter turn apart": "Move $\\beta$: how far apart they end is always the same.",
                 "half a turn apart": "There are two half turns more, and they undo each other.",
             },
         ),
-        opens="The first half turn lays the die on its other side, $180° - \\beta$ goes on from "
-        "there, the last half turn turns it back. Press *Play*. It is so for every $\\beta$: "
+        explanation="The first half turn lays the die on its other side, $180° - \\beta$ goes on "
+        "from there, the last half turn turns it back. Press *Play*. It is so for every $\\beta$: "
         "every matrix has at least two answers; textbooks take the one with a positive "
         "$\\cos\\beta$.",
-        hides=("two answers",),
+        spoilers=("two answers",),
     ),
     Prediction(
         "how-many-orders",
@@ -83,17 +84,17 @@ PREDICTIONS = (
             "orders",
             "",
             right=lambda: orders(lambda p: p[0] != p[1] != p[2]),
-            assumes={
+            assumptions={
                 "That takes each axis once.": lambda: orders(lambda p: len(set(p)) == 3),
                 "That allows an axis twice in a row.": lambda: orders(lambda p: True),
                 "That counts each order twice, about own axes and about the room's.": lambda: (
                     2 * orders(lambda p: p[0] != p[1] != p[2])
                 ),
             },
-            near=0.01,
+            relative=0.01,
         ),
-        opens="Three choices, then two, then two. For frame {B}, in degrees:",
-        hides=("then two, then two",),
+        explanation="Three choices, then two, then two. For frame {B}, in degrees:",
+        spoilers=("then two, then two",),
     ),
     Prediction(
         "ring-against-ring",
@@ -102,14 +103,14 @@ PREDICTIONS = (
         Buttons(
             ("it turns by 60°", "it turns by 30°", "nothing"),
             right="nothing",
-            assumes={
+            assumptions={
                 "it turns by 60°": "That adds the two, but they turn against each other.",
                 "it turns by 30°": "That forgets one of the two rings.",
             },
         ),
-        opens="The pins of the outer and the inner ring lie on one line: what one turns on, the "
-        "other turns back. Try it below. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
-        hides=("lie on one line",),
+        explanation="The pins of the outer and the inner ring lie on one line: what one turns on, "
+        "the other turns back. Try it below. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
+        spoilers=("lie on one line",),
     ),
     Prediction(
         "near-lock",
@@ -118,15 +119,15 @@ PREDICTIONS = (
         Buttons(
             ("1° a second", "2° a second", "57° a second"),
             right="57° a second",
-            assumes={
+            assumptions={
                 "1° a second": "So it is at $\\beta$ = 0°: there its axis is that direction.",
                 "2° a second": "So it is at $\\beta$ = 60°: there half of its rate counts.",
             },
         ),
-        opens="The axis of the inner ring lies almost along that of the outer one. Only the part "
-        "$\\cos\\beta$ of its rate counts, so the ring must race, and the outer ring takes back "
-        "nearly all of it. So does the wrist of a robot near lock. For 1 rad/s about $z_A$:",
-        hides=("must race",),
+        explanation="The axis of the inner ring lies almost along that of the outer one. Only the "
+        "part $\\cos\\beta$ of its rate counts, so the ring must race, and the outer ring takes "
+        "back nearly all of it. So does the wrist of a robot near lock. For 1 rad/s about $z_A$:",
+        spoilers=("must race",),
     ),
     Prediction(
         "which-axis",
@@ -134,14 +135,14 @@ PREDICTIONS = (
         Buttons(
             ("through two faces", "through two edges", "through two corners"),
             right="through two corners",
-            assumes={
+            assumptions={
                 "through two faces": "Such a turn leaves one axis of the die where it is.",
                 "through two edges": "Such a turn swaps two axes. Here all three change places.",
             },
         ),
-        opens="$x$ goes to $-y$, $-y$ to $z$, and $z$ to $x$: three axes in a circle, round a "
-        "corner. In general the differences across the diagonal of $R$ point along the axis, and "
+        explanation="$x$ goes to $-y$, $-y$ to $z$, and $z$ to $x$: three axes in a circle, round "
+        "a corner. In general the differences across the diagonal of $R$ point along the axis, and "
         "the sum of the diagonal tells the angle:",
-        hides=("round a corner",),
+        spoilers=("round a corner",),
     ),
 )

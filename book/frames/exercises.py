@@ -8,17 +8,17 @@ from book.frames.formulas import sought
 from book.motion.formulas import theta
 from courseware.equations import as_written
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
+    number_range,
     one_of,
-    steps,
 )
 from robokin import frames
 
@@ -26,13 +26,13 @@ T_db, T_de, T_bc, T_cb, T_bd, T_cd, T_ce = (
     MatrixSymbol(f"T_{way}", 3, 3) for way in ("db", "de", "bc", "cb", "bd", "cd", "ce")
 )
 R, p, q = MatrixSymbol("R", 2, 2), MatrixSymbol("p", 2, 1), MatrixSymbol("q", 2, 1)
-FROM_HAND = Line(T_ce, T_bc.inv() * T_db.inv() * T_de)
-WAY_BACK = Line(q, -R.T * p)
+FROM_HAND = LocalEquation(T_ce, T_bc.inv() * T_db.inv() * T_de)
+WAY_BACK = LocalEquation(q, -R.T * p)
 
 M9 = Mistake(
     "M9",
-    says="when the poses are multiplied as they are given and none is inverted",
-    wrong=Wrong(FROM_HAND, instead=T_db * T_bc * T_de),
+    feedback="when the poses are multiplied as they are given and none is inverted",
+    formula=WrongFormula(FROM_HAND, instead=T_db * T_bc * T_de),
     line="T_ce = T_db @ T_bc @ T_de",
     why="c meets d: there the letters break; and the product starts in d, not in c. In "
     "T_ce = T_cb T_bd T_de they meet. So both poses given, T_bc and T_db, must be inverted first.",
@@ -47,8 +47,8 @@ M9 = Mistake(
 )
 M10 = Mistake(
     "M10",
-    says="when an inverse is made with −p in place of −Rᵀp",
-    wrong=Wrong(WAY_BACK, instead=-p),
+    feedback="when an inverse is made with −p in place of −Rᵀp",
+    formula=WrongFormula(WAY_BACK, instead=-p),
     line="def back(T):\n"
     "    return np.block([[T[:2, :2].T, -T[:2, 2:]], [0, 0, 1]])\n"
     "T_ce = back(T_bc) @ back(T_db) @ T_de",
@@ -64,8 +64,8 @@ M10 = Mistake(
 )
 M11 = Mistake(
     "M11",
-    says="when T_db T_bc is inverted as T_db⁻¹ T_bc⁻¹, in the same order",
-    wrong=Wrong(FROM_HAND, instead=T_db.inv() * T_bc.inv() * T_de),
+    feedback="when T_db T_bc is inverted as T_db⁻¹ T_bc⁻¹, in the same order",
+    formula=WrongFormula(FROM_HAND, instead=T_db.inv() * T_bc.inv() * T_de),
     line="T_ce = np.linalg.inv(T_db) @ np.linalg.inv(T_bc) @ T_de",
     why="Undo the last step first: who puts on socks, then shoes, takes off the shoes first. So "
     "the inverse of T_db T_bc is T_bc⁻¹ T_db⁻¹, in the opposite order.",
@@ -78,8 +78,8 @@ M11 = Mistake(
 )
 M30 = Mistake(
     "M30",
-    says="when T_bc is left as it is where its inverse belongs",
-    wrong=Wrong(FROM_HAND, instead=T_bc * T_db.inv() * T_de),
+    feedback="when T_bc is left as it is where its inverse belongs",
+    formula=WrongFormula(FROM_HAND, instead=T_bc * T_db.inv() * T_de),
     line="T_ce = T_bc @ np.linalg.inv(T_db) @ T_de",
     why="The product would start in b and end in e, with c and b side by side in the middle: "
     "T_bc T_bd. From c to b leads T_cb, the inverse of T_bc.",
@@ -99,14 +99,14 @@ M30 = Mistake(
     "c to b leads T_cb, the inverse of T_bc.",
 )
 
-POSE = (Ask("x", "m"), Ask("y", "m"), angle("θ"))
+POSE = (Unknown("x", "m"), Unknown("y", "m"), angle("θ"))
 UPPER, FORE = 0.3, 0.4  # the links of the arm
 
 
 def entries(name):
     """The nine numbers of a planar pose's matrix: only the position has a unit."""
     return tuple(
-        Ask(f"{name}[{i}, {j}]", "m" if (i < 2 and j == 2) else "")
+        Unknown(f"{name}[{i}, {j}]", "m" if (i < 2 and j == 2) else "")
         for i in range(3)
         for j in range(3)
     )
@@ -134,7 +134,7 @@ def shifted_back(T):
     n = len(T) - 1
     out = np.eye(n + 1)
     out[:n, :n] = T[:n, :n].T
-    out[:n, n] = M10.wrong.gives(p=T[:n, n])
+    out[:n, n] = M10.formula.evaluate(p=T[:n, n])
     return out
 
 
@@ -162,9 +162,11 @@ def matrices(formula):
 
 def from_hand(mistake):
     """What a mistake makes of T_ce, as a formula of the numbers given."""
-    formula = Wrong(FROM_HAND, instead=mistake.substitute({T_bc.inv(): T_cb, T_db.inv(): T_bd}))
+    formula = WrongFormula(
+        FROM_HAND, instead=mistake.substitute({T_bc.inv(): T_cb, T_db.inv(): T_bd})
+    )
     return matrices(
-        lambda T_db, T_bc, T_de: formula.gives(
+        lambda T_db, T_bc, T_de: formula.evaluate(
             T_db=T_db, T_bc=T_bc, T_de=T_de, T_cb=frames.inverse(T_bc), T_bd=frames.inverse(T_db)
         )
     )
@@ -195,12 +197,12 @@ def from_above(formula):
     )
 
 
-PLACE = steps(-2, 2, 0.2, "m")
+PLACE = number_range(-2, 2, 0.2, "m")
 TURN = one_of(*range(-150, 0, 10), *range(10, 160, 10), unit="°")
 ARM = {
-    "alpha": steps(-60, 60, 10, "°"),
+    "alpha": number_range(-60, 60, 10, "°"),
     "beta": one_of(*range(-120, -20, 10), *range(30, 130, 10), unit="°"),
-    "gamma": steps(-60, 60, 10, "°"),
+    "gamma": number_range(-60, 60, 10, "°"),
 }
 PLATFORM = {"x_b": PLACE, "y_b": PLACE, "theta_b": TURN}
 OBJECT = {"x_e": PLACE, "y_e": PLACE, "theta_e": TURN}
@@ -245,8 +247,8 @@ PLATFORM_BELOW = dict(zip(FB, ("x_b", "y_b", "height"), strict=True))
 OBJECT_BELOW = dict(zip(FE, ("x_e", "y_e", "z_e"), strict=True))
 
 with as_written():
-    AWAY = Line(P, Matrix([there - here for here, there in zip(FB, FE, strict=True)]), "m")
-    POSE_OF = Line(sought("db"), Matrix([t[0, 2], t[1, 2], atan2(t[1, 0], t[0, 0])]))
+    AWAY = LocalEquation(P, Matrix([there - here for here, there in zip(FB, FE, strict=True)]), "m")
+    POSE_OF = LocalEquation(sought("db"), Matrix([t[0, 2], t[1, 2], atan2(t[1, 0], t[0, 0])]))
 
 
 def called(pose, way):
@@ -273,7 +275,7 @@ frames_1 = Exercise(
     text=f"{PLAN}{PLATFORM_SEEN}. {TURNED} How does the platform see the camera: at what x and y, "
     "and turned by what angle?",
     given=PLATFORM,
-    asks=POSE,
+    unknowns=POSE,
     right=posed(lambda T_db: frames.inverse(T_db)),
     wrong={M10: posed(lambda T_db: shifted_back(T_db))},
     also={
@@ -293,8 +295,8 @@ frames_2 = Exercise(
     title="What the hand sees",
     text=f"{ARM_STANDS} The platform sees an object at x = {{x}}, y = {{y}}. Where does the hand "
     "see it, along the x and y axes of c?",
-    given=ARM | {"x": steps(0.2, 1, 0.1, "m"), "y": steps(-0.8, 0.8, 0.1, "m")},
-    asks=(Ask("x", "m"), Ask("y", "m")),
+    given=ARM | {"x": number_range(0.2, 1, 0.1, "m"), "y": number_range(-0.8, 0.8, 0.1, "m")},
+    unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=at_point(lambda T_bc, p: frames.transform(frames.inverse(T_bc), p)),
     wrong={
         M10: at_point(lambda T_bc, p: frames.transform(shifted_back(T_bc), p)),
@@ -322,7 +324,7 @@ frames_3 = Exercise(
     text=f"{PLAN}{PLATFORM_SEEN}, and {OBJECT_SEEN}. {TURNED} How does the platform see the "
     "object: at what x and y, and turned by what angle?",
     given=PLATFORM | OBJECT,
-    asks=POSE,
+    unknowns=POSE,
     right=posed(lambda T_db, T_de: frames.compose(frames.inverse(T_db), T_de)),
     wrong={
         M9: posed(lambda T_db, T_de: T_db @ T_de),
@@ -356,8 +358,12 @@ frames_4 = Exercise(
     f"turned by {{theta}}. {TURNED} How does the hand see the camera: at what x and y, and turned "
     "by what angle?",
     given=PLATFORM
-    | {"x": steps(0.1, 0.7, 0.1, "m"), "y": steps(-0.5, 0.5, 0.1, "m"), "theta": TURN},
-    asks=POSE,
+    | {
+        "x": number_range(0.1, 0.7, 0.1, "m"),
+        "y": number_range(-0.5, 0.5, 0.1, "m"),
+        "theta": TURN,
+    },
+    unknowns=POSE,
     right=by_hand(lambda T_db, T_bc: numbers_of(frames.inverse(frames.compose(T_db, T_bc)))),
     wrong={
         M9: by_hand(lambda T_db, T_bc: numbers_of(T_db @ T_bc)),
@@ -381,8 +387,8 @@ frames_4 = Exercise(
         ),
         back=Step(formulas.turned_round, called(DB, "dc"), values=tuple(sought("cd")), unit=UNITS),
         matrix=Step(
-            Line(T_cd, T_bc.inv() * T_db.inv()),
-            check=by_hand(lambda T_db, T_bc: frames.inverse(frames.compose(T_db, T_bc))),
+            LocalEquation(T_cd, T_bc.inv() * T_db.inv()),
+            expected=by_hand(lambda T_db, T_bc: frames.inverse(frames.compose(T_db, T_bc))),
         ),
     ),
 )
@@ -394,7 +400,7 @@ frames_5 = Exercise(
     text=f"{ARM_STANDS}\n\n{PLAN}{PLATFORM_SEEN}, and {OBJECT_SEEN}. {TURNED} What is T_ce, "
     "the pose of the object as the hand sees it, as a 3×3 matrix?",
     given=ARM | PLATFORM | OBJECT,
-    asks=entries("T_ce"),
+    unknowns=entries("T_ce"),
     shape=(3, 3),
     right=matrices(
         lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_bc), frames.inverse(T_db), T_de)
@@ -426,9 +432,9 @@ frames_5 = Exercise(
         T_bc=matrix_of("bc"),
         T_db=matrix_of("db", PLATFORM),
         T_de=matrix_of("de", OBJECT),
-        T_cb=Step(Line(T_cb, T_bc.inv())),
-        T_bd=Step(Line(T_bd, T_db.inv())),
-        T_ce=Step(Line(T_ce, T_cb * T_bd * T_de)),
+        T_cb=Step(LocalEquation(T_cb, T_bc.inv())),
+        T_bd=Step(LocalEquation(T_bd, T_db.inv())),
+        T_ce=Step(LocalEquation(T_ce, T_cb * T_bd * T_de)),
     ),
     example={
         **{"alpha": np.pi / 6, "beta": np.pi / 3, "gamma": -np.pi / 6},
@@ -448,16 +454,16 @@ frames_6 = Exercise(
     "in the room is {heading} (counter-clockwise, seen from above). Where does the platform see "
     "the object?",
     given={
-        "height": steps(2.4, 3.2, 0.1, "m"),
+        "height": number_range(2.4, 3.2, 0.1, "m"),
         "x_b": PLACE,
         "y_b": PLACE,
         "heading": TURN,
         "x_e": PLACE,
         "y_e": PLACE,
-        "z_e": steps(1.4, 2.6, 0.1, "m"),
+        "z_e": number_range(1.4, 2.6, 0.1, "m"),
     },
     when=lambda height, z_e, **_: 0.55 < height - z_e < 1.05,  # a table
-    asks=(Ask("x", "m"), Ask("y", "m"), Ask("z", "m")),
+    unknowns=(Unknown("x", "m"), Unknown("y", "m"), Unknown("z", "m")),
     right=from_above(lambda T_fb, p: frames.transform(frames.inverse(T_fb), p)),
     wrong={
         M9: from_above(lambda T_fb, p: frames.transform(T_fb, p)),
@@ -474,9 +480,9 @@ frames_6 = Exercise(
         "opposite to the room's; up is opposite to the camera's z axis.\n\n{R_fb}\n\n"
         "From the platform to the object leads, along the camera's axes,\n\n{p}\n\n"
         "The transpose, here the same matrix, turns this to the platform's axes:\n\n{seen}",
-        R_fb=Step(Line(R_fb, formulas.looking_down.right[:3, :3]), {theta: "heading"}),
+        R_fb=Step(LocalEquation(R_fb, formulas.looking_down.right[:3, :3]), {theta: "heading"}),
         p=Step(AWAY, PLATFORM_BELOW | OBJECT_BELOW),
-        seen=Step(Line(P_b, R_fb.T * P, "m")),
+        seen=Step(LocalEquation(P_b, R_fb.T * P, "m")),
     ),
 )
 
@@ -488,7 +494,7 @@ frames_7 = Exercise(
     "the platform stand so that the frames c and e coincide: at what x and y, and turned by what "
     "angle, must the camera see it?",
     given=ARM | OBJECT,
-    asks=POSE,
+    unknowns=POSE,
     right=posed(lambda T_de, T_bc: frames.compose(T_de, frames.inverse(T_bc))),
     wrong={
         M10: posed(lambda T_de, T_bc: T_de @ shifted_back(T_bc)),
@@ -509,8 +515,8 @@ frames_7 = Exercise(
         hand=HAND,
         T_bc=matrix_of("bc"),
         T_de=matrix_of("de", OBJECT),
-        T_db=Step(Line(T_db, T_de * T_bc.inv()), values=tuple(map(str, t))),
+        T_db=Step(LocalEquation(T_db, T_de * T_bc.inv()), values=tuple(map(str, t))),
         pose=Step(POSE_OF, unit=UNITS),
-        lies=Step(Line(T_de, T_db * T_bc), check=matrices(lambda T_de, T_bc: T_de)),
+        lies=Step(LocalEquation(T_de, T_db * T_bc), expected=matrices(lambda T_de, T_bc: T_de)),
     ),
 )

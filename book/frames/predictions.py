@@ -73,15 +73,15 @@ PREDICTIONS = (
         Buttons(
             ("in front, on the left", "in front, on the right", "behind, on the right"),
             right=where,
-            assumes={
+            assumptions={
                 "in front, on the left": "The red axis points up and to the right. The object is "
                 "below its line.",
                 "behind, on the right": "So it is if you look along the first link, from the "
                 "platform to the elbow. Look along the hand's own red axis.",
             },
         ),
-        opens=f"And it is turned to the left by {turned():.0f}°, seen from you.",
-        hides=("turned to the left",),
+        explanation=f"And it is turned to the left by {turned():.0f}°, seen from you.",
+        spoilers=("turned to the left",),
     ),
     Prediction(
         "of-a-plan",
@@ -89,17 +89,18 @@ PREDICTIONS = (
         Buttons(
             ("1", "0", "−1"),
             right=lambda: f"{np.linalg.det(DOWN[:2, :2]):.0f}".replace("-", "−"),
-            assumes={
+            assumptions={
                 "1": "So it is for a camera that looks up. For this one the turn from x to y is "
                 "clockwise, seen from above; for the platform it is counter-clockwise.",
                 "0": "Then x and y would lie on one line.",
             },
         ),
-        opens="In space it is a rotation, but its 2×2 part is none: the platform's z axis points "
-        "up, the camera's down. The camera's picture is right all the same, because in a picture "
-        "y points down. Only a graph of its numbers with y *up* is a mirror image. Turn y round, "
-        "or let the z axes of the bodies point down, too: then a plan of SE(2) will do again.",
-        hides=("a mirror image", "of the bodies"),
+        explanation="In space it is a rotation, but its 2×2 part is none: the platform's z axis "
+        "points up, the camera's down. The camera's picture is right all the same, because in a "
+        "picture y points down. Only a graph of its numbers with y *up* is a mirror image. Turn y "
+        "round, or let the z axes of the bodies point down, too: then a plan of SE(2) will do "
+        "again.",
+        spoilers=("a mirror image", "of the bodies"),
     ),
     Prediction(
         "a-turned-camera",
@@ -108,14 +109,14 @@ PREDICTIONS = (
         Buttons(
             ("all three", "the turn", "none"),
             right=changed,
-            assumes={
+            assumptions={
                 "all three": "So do those that the camera tells, of the platform and the object.",
                 "the turn": "The camera sees the platform turned, too, and by as much.",
             },
         ),
-        opens="How the camera hangs does not matter to the hand. Try it; drag beside the frames to "
-        "turn your view.",
-        hides=("does not matter to the hand",),
+        explanation="How the camera hangs does not matter to the hand. Try it; drag beside the "
+        "frames to turn your view.",
+        spoilers=("does not matter to the hand",),
     ),
     Prediction(
         "four-more",
@@ -125,16 +126,16 @@ PREDICTIONS = (
         Buttons(
             ("1", "1 and 2", "1, 2 and 3", "all"),
             right=refused,
-            assumes={
+            assumptions={
                 "1": "A pose in space and poses in the plane do not mix.",
                 "1, 2 and 3": "What nobody knows contradicts nothing.",
                 "all": "The last one says what is known already, the other way round.",
             },
         ),
-        opens="The first is 1 cm off what follows from the three poses known. The second mixes "
-        "plane and space. The fourth agrees with $T_{bc}$: accepted. So is the third, as an "
+        explanation="The first is 1 cm off what follows from the three poses known. The second "
+        "mixes plane and space. The fourth agrees with $T_{bc}$: accepted. So is the third, as an "
         "island.",
-        hides=("as an island",),
+        spoilers=("as an island",),
     ),
     Prediction(
         "round-the-loop",
@@ -142,14 +143,14 @@ PREDICTIONS = (
         Buttons(
             ("nothing", "a shift by 5 cm", "a turn by 2°"),
             right=left_over,
-            assumes={
+            assumptions={
                 "nothing": "So it is when all poses are right.",
                 "a shift by 5 cm": "So far does the object seem to move. But you came back to f, "
                 "where the error sits.",
             },
         ),
-        opens="The loop does not close. Seen from f, nothing is shifted, and what is left is "
+        explanation="The loop does not close. Seen from f, nothing is shifted, and what is left is "
         "exactly the error, turned back: 2° about the negative x axis.",
-        hides=("does not close",),
+        spoilers=("does not close",),
     ),
 )

@@ -11,17 +11,17 @@ from book.motion import formulas as planar
 from book.odometry import formulas
 from courseware.equations import as_written
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
+    number_range,
     one_of,
-    steps,
     whole,
 )
 from robokin import motion, odometry
@@ -33,7 +33,7 @@ POSE_UNITS = ("m", "m", "rad")
 
 with as_written():
     AFTER = planar.theta + formulas.dtheta
-    HEADING = Line(planar.theta_next, atan2(sin(AFTER), cos(AFTER)), "rad")
+    HEADING = LocalEquation(planar.theta_next, atan2(sin(AFTER), cos(AFTER)), "rad")
     HALF_SEEN = atan(sin(AFTER) / cos(AFTER))
     FORGETFUL = formulas.one_sample("", formulas.dtheta).right
     PER_RADIAN = [drive.r * ticks / formulas.C for ticks in (formulas.N_L, formulas.N_R)]
@@ -41,8 +41,8 @@ with as_written():
 
 M22 = Mistake(
     "M22",
-    says="when the heading so far is forgotten and only the turn of this step is put in",
-    wrong=Wrong(formulas.new_heading, instead=FORGETFUL),
+    feedback="when the heading so far is forgotten and only the turn of this step is put in",
+    formula=WrongFormula(formulas.new_heading, instead=FORGETFUL),
     line="pose = [x + D * np.cos(dtheta), y + D * np.sin(dtheta), theta + dtheta]",
     why="Δθ only says how far the robot turned in this step. The direction in which it drives is "
     "its heading in the world: the heading so far and the turn together. How much of the turn "
@@ -66,8 +66,8 @@ M22 = Mistake(
 )
 M23 = Mistake(
     "M23",
-    says="when the heading is taken as tan⁻¹(sin/cos), which never looks backward",
-    wrong=Wrong(HEADING, instead=HALF_SEEN),
+    feedback="when the heading is taken as tan⁻¹(sin/cos), which never looks backward",
+    formula=WrongFormula(HEADING, instead=HALF_SEEN),
     line="h = np.arctan(np.sin(theta + dtheta) / np.cos(theta + dtheta))\n"
     "pose = [x + D * np.cos(h), y + D * np.sin(h), h]",
     why="The quotient of sine and cosine is the same for opposite directions, and the inverse "
@@ -88,8 +88,8 @@ M23 = Mistake(
 )
 M24 = Mistake(
     "M24",
-    says="when the ticks of a whole turn are taken for the ticks of one radian: 2π is lost",
-    wrong=Wrong(formulas.travel, instead=Matrix(PER_RADIAN)),
+    feedback="when the ticks of a whole turn are taken for the ticks of one radian: 2π is lost",
+    formula=WrongFormula(formulas.travel, instead=Matrix(PER_RADIAN)),
     line="D = r * N / C",
     why="N/C is a number of turns. In one turn the wheel rolls its circumference, 2πr, not its "
     "radius.",
@@ -104,8 +104,8 @@ M24 = Mistake(
 )
 M25 = Mistake(
     "M25",
-    says="when the counter wrapped round and its jump is taken for a huge step the other way",
-    wrong=Wrong(formulas.counter_step, instead=DIFFERENCE),
+    feedback="when the counter wrapped round and its jump is taken for a huge step the other way",
+    formula=WrongFormula(formulas.counter_step, instead=DIFFERENCE),
     line="D = 2 * np.pi * r / C * (after - before)",
     why="A counter of 16 bits shows 0 after 65535, as a clock shows 0:00 after 23:59. "
     "The difference then lacks 65536 ticks: a small step forward looks like a huge step back. "
@@ -129,7 +129,7 @@ def turned(before, after):
 
 def jumped(before, after):
     """The ticks as M25 reads them."""
-    return M25.wrong.gives(count_before=before, count_now=after)
+    return M25.formula.evaluate(count_before=before, count_now=after)
 
 
 def rolled(ticks, C, r):
@@ -139,7 +139,7 @@ def rolled(ticks, C, r):
 
 def rolled_per_radian(ticks, C, r):
     """How far it rolls by M24."""
-    return M24.wrong.gives(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
+    return M24.formula.evaluate(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
 
 
 def way_and_turn(D_L, D_R, b):
@@ -155,12 +155,12 @@ def one_step(method, theta, D_L, D_R, b, x=0, y=0):
 def heading_forgotten(theta, D_L, D_R, b, x=0, y=0):
     """The pose after one step by M22."""
     D, turn = way_and_turn(D_L, D_R, b)
-    return M22.wrong.gives(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
+    return M22.formula.evaluate(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
 
 
 def half_seen(heading):
     """A heading as M23 has it: tan⁻¹(sin/cos)."""
-    return M23.wrong.gives(theta=heading, dtheta=0)
+    return M23.formula.evaluate(theta=heading, dtheta=0)
 
 
 def half_seen_step(theta, D_L, D_R, b, x, y):
@@ -179,7 +179,7 @@ def half_seen_heading(theta, D_L, D_R, b, x, y):
 def degrees_step(theta, D_L, D_R, b, x, y):
     """The step with the new heading, by M13."""
     D, turn = way_and_turn(D_L, D_R, b)
-    h = M13.wrong.put(theta=theta + turn)["theta"]
+    h = M13.formula.replace(theta=theta + turn)["theta"]
     return [x + D * np.cos(h), y + D * np.sin(h), theta + turn]
 
 
@@ -240,7 +240,7 @@ def around(before, after, **_):
 def error_of(x, y):
     """How far a place is from the end of the real way."""
     squares = [(end - place) ** 2 for end, place in ((planar.x_next, x), (planar.y_next, y))]
-    return Line(ERROR, sqrt(Add(*squares)), "m")
+    return LocalEquation(ERROR, sqrt(Add(*squares)), "m")
 
 
 def readings(side=""):
@@ -250,13 +250,13 @@ def readings(side=""):
 
 
 with as_written():
-    FORWARD = Line(formulas.dN, JUMP + formulas.counter_span, "ticks")
-    BACKWARD = Line(formulas.dN, JUMP - formulas.counter_span, "ticks")
-    JUMPED = Line(JUMP, DIFFERENCE, "ticks")
-    SPAN = Line(formulas.counter_span, Pow(2, BITS))
-    DISTANCE = Line(drive.b, (formulas.D_R - formulas.D_L) / formulas.dtheta)
-    WHOLE_TURNS = Line(formulas.dtheta, 2 * pi * TURNS, "rad")
-    RESOLUTION = Line(LEAST, 2 * pi * drive.r / (drive.b * planar.dt * LIMIT))
+    FORWARD = LocalEquation(formulas.dN, JUMP + formulas.counter_span, "ticks")
+    BACKWARD = LocalEquation(formulas.dN, JUMP - formulas.counter_span, "ticks")
+    JUMPED = LocalEquation(JUMP, DIFFERENCE, "ticks")
+    SPAN = LocalEquation(formulas.counter_span, Pow(2, BITS))
+    DISTANCE = LocalEquation(drive.b, (formulas.D_R - formulas.D_L) / formulas.dtheta)
+    WHOLE_TURNS = LocalEquation(formulas.dtheta, 2 * pi * TURNS, "rad")
+    RESOLUTION = LocalEquation(LEAST, 2 * pi * drive.r / (drive.b * planar.dt * LIMIT))
     OLD_ERROR, MID_ERROR = error_of(X_OLD, Y_OLD), error_of(X_MID, Y_MID)
 
 
@@ -268,10 +268,10 @@ odometry_1 = Exercise(
     "radius {r}. Since the last reading, {N} ticks were counted. How far has the wheel rolled?",
     given={
         "C": one_of(360, 500, 512, 1000, 1024, 2048),
-        "r": steps(2, 10, 0.5, "cm"),
-        "N": steps(150, 950, 50),
+        "r": number_range(2, 10, 0.5, "cm"),
+        "N": number_range(150, 950, 50),
     },
-    asks=(Ask("D", "m"),),
+    unknowns=(Unknown("D", "m"),),
     right=lambda C, r, N: rolled(N, C, r),
     wrong={M24: lambda C, r, N: rolled_per_radian(N, C, r)},
     also={
@@ -282,12 +282,12 @@ odometry_1 = Exercise(
         "The wheel made so many turns:\n\n{turns}\n\nIn one turn it rolls its circumference:"
         "\n\n{around}\n\nThe way is the product of the two:\n\n{way}",
         turns=Step(
-            Line(TURNS, N / formulas.C),
-            check=lambda C, r, N: odometry.travel(N, C, 1.0) / (2 * np.pi),
+            LocalEquation(TURNS, N / formulas.C),
+            expected=lambda C, r, N: odometry.travel(N, C, 1.0) / (2 * np.pi),
         ),
         around=Step(
-            Line(AROUND, 2 * pi * drive.r, "m"),
-            check=lambda C, r, N: odometry.travel(C, C, r),
+            LocalEquation(AROUND, 2 * pi * drive.r, "m"),
+            expected=lambda C, r, N: odometry.travel(C, C, r),
         ),
         way=Step(formulas.travel, {formulas.N_L: N}, part=(0,), values=(formulas.D,)),
     ),
@@ -306,10 +306,12 @@ odometry_2 = Exercise(
         "before": one_of(*range(120, 1000, 80), *range(64600, 65500, 80)),
         "after": one_of(*range(75, 1000, 50), *range(64610, 65500, 50)),
         "C": one_of(360, 500, 512, 1000),
-        "r": steps(2, 8, 1, "cm"),
+        "r": number_range(2, 8, 1, "cm"),
     },
-    asks=(
-        Ask("D", "m", tolerance=6e-5, reason="four decimals; less than half a tick: 65535 shows"),
+    unknowns=(
+        Unknown(
+            "D", "m", tolerance=6e-5, reason="four decimals; less than half a tick: 65535 shows"
+        ),
     ),
     right=lambda before, after, C, r: rolled(turned(before, after), C, r),
     wrong={
@@ -336,7 +338,7 @@ odometry_2 = Exercise(
             formulas.counter_step,
             readings(),
             unit="ticks",
-            check=lambda before, after, **_: turned(before, after),
+            expected=lambda before, after, **_: turned(before, after),
         ),
     ),
     example={"before": 65500, "after": 464, "C": 1000, "r": 0.05},
@@ -351,14 +353,14 @@ odometry_3 = Exercise(
     "of the new heading: the robot first turns, and then drives straight. What are its new x, y "
     "(of the middle of its axle) and heading?",
     given={
-        "x": steps(1, 4, 0.5, "m"),
-        "y": steps(1, 4, 0.5, "m"),
-        "theta": steps(80, 170, 5, "°"),
-        "D_L": steps(5, 40, 2.5, "cm"),
-        "D_R": steps(5, 40, 2.5, "cm"),
-        "b": steps(20, 60, 5, "cm"),
+        "x": number_range(1, 4, 0.5, "m"),
+        "y": number_range(1, 4, 0.5, "m"),
+        "theta": number_range(80, 170, 5, "°"),
+        "D_L": number_range(5, 40, 2.5, "cm"),
+        "D_R": number_range(5, 40, 2.5, "cm"),
+        "b": number_range(20, 60, 5, "cm"),
     },
-    asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
+    unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=lambda **step: one_step("end", **step),
     wrong={M22: heading_forgotten, M23: half_seen_step},
     when=lambda theta, D_L, D_R, b, **_: (
@@ -372,8 +374,8 @@ odometry_3 = Exercise(
         "by the rule of the old heading": lambda **step: one_step("start", **step),
         "by the rule of the middle heading": lambda **step: one_step("midpoint", **step),
         "along the exact arc": lambda **step: one_step("exact", **step),
-        M12.says: M12.wrong.through(lambda **step: one_step("end", **step)),
-        M13.says: degrees_step,
+        M12.feedback: M12.formula.wrap(lambda **step: one_step("end", **step)),
+        M13.feedback: degrees_step,
         "when only the heading that is answered is taken as tan⁻¹(sin/cos)": half_seen_heading,
         "when left and right are exchanged": lambda D_L, D_R, **step: one_step(
             "end", D_L=D_R, D_R=D_L, **step
@@ -400,12 +402,12 @@ odometry_4 = Exercise(
     "{n} full turns. The right wheel counts {N_R} ticks, the left one the same number backward, "
     "−{N_R}. How far apart are the wheels?",
     given={
-        "r": steps(2, 6, 0.5, "cm"),
+        "r": number_range(2, 6, 0.5, "cm"),
         "C": one_of(360, 500, 512, 1000),
-        "n": steps(2, 10, 1),
-        "N_R": steps(4000, 16000, 500),
+        "n": number_range(2, 10, 1),
+        "N_R": number_range(4000, 16000, 500),
     },
-    asks=(Ask("b", "m"),),
+    unknowns=(Unknown("b", "m"),),
     right=lambda r, C, n, N_R: rolled(2 * N_R, C, r) / (2 * np.pi * n),
     wrong={M24: lambda r, C, n, N_R: rolled_per_radian(2 * N_R, C, r) / (2 * np.pi * n)},
     when=lambda r, C, n, N_R: 0.15 < 2 * r * N_R / (C * n) < 0.8,
@@ -435,12 +437,12 @@ odometry_5 = Exercise(
     "may change this turning rate by at most {limit}. An encoder gives C ticks in one turn of its "
     "wheel, a whole number. How large must C be at least?",
     given={
-        "r": steps(2, 8, 0.5, "cm"),
-        "b": steps(20, 60, 5, "cm"),
+        "r": number_range(2, 8, 0.5, "cm"),
+        "b": number_range(20, 60, 5, "cm"),
         "period": one_of(10, 20, 50, 100, unit="ms"),
         "limit": one_of(0.5, 1, 2, 5, unit="°/s"),
     },
-    asks=(whole("C"),),
+    unknowns=(whole("C"),),
     right=finest,
     wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
     also={
@@ -460,18 +462,18 @@ odometry_5 = Exercise(
         "rate by\n\n{change}\n\nThis is not more than Δω.",
         answer=("C",),
         least=Step(RESOLUTION, {planar.dt: "period", LIMIT: "limit"}),
-        C=Step(Line(formulas.C, ceiling(LEAST))),
+        C=Step(LocalEquation(formulas.C, ceiling(LEAST))),
         way=Step(
             formulas.travel,
             {formulas.N_R: 1},
             part=(1,),
-            check=lambda **design: odometry.travel(1, finest(**design), design["r"]),
+            expected=lambda **design: odometry.travel(1, finest(**design), design["r"]),
         ),
         change=Step(
             formulas.velocity,
             {formulas.D_L: 0, planar.dt: "period"},
             part=(1,),
-            check=lambda r, b, period, **limit: odometry.velocity(
+            expected=lambda r, b, period, **limit: odometry.velocity(
                 0, 1, period, finest(r=r, b=b, period=period, **limit), r, b
             )[1],
         ),
@@ -488,11 +490,11 @@ odometry_6 = Exercise(
     "straight, and then turn. How far is the program's place of the middle of its axle from "
     "the real one?",
     given={
-        "D": steps(20, 80, 5, "cm"),
-        "turn": steps(15, 60, 5, "°"),
-        "theta": steps(20, 160, 10, "°"),
+        "D": number_range(20, 80, 5, "cm"),
+        "turn": number_range(15, 60, 5, "°"),
+        "theta": number_range(20, 160, 10, "°"),
     },
-    asks=(Ask("error", "m"),),
+    unknowns=(Unknown("error", "m"),),
     right=lambda D, turn, theta: gap(turn, D, theta, theta),
     wrong={M22: lambda D, turn, theta: gap(turn, D, turn, theta)},
     also={
@@ -516,12 +518,12 @@ odometry_6 = Exercise(
             part=(0, 1),
             values=(X_MID, Y_MID),
             unit="m",
-            check=lambda D, turn, theta: motion.path([0, 0, theta], D, turn, 1.0, "midpoint")[
+            expected=lambda D, turn, theta: motion.path([0, 0, theta], D, turn, 1.0, "midpoint")[
                 1, :2
             ],
         ),
         middle_error=Step(
-            MID_ERROR, check=lambda D, turn, theta: gap(turn, D, theta + turn / 2, theta)
+            MID_ERROR, expected=lambda D, turn, theta: gap(turn, D, theta + turn / 2, theta)
         ),
     ),
 )
@@ -537,16 +539,16 @@ odometry_7 = Exercise(
     "driven along the exact arc. What are the x and y of the middle of its axle, and its heading "
     "now?",
     given={
-        "theta": steps(100, 170, 5, "°"),
-        "r": steps(3, 6, 1, "cm"),
-        "b": steps(30, 60, 5, "cm"),
+        "theta": number_range(100, 170, 5, "°"),
+        "r": number_range(3, 6, 1, "cm"),
+        "b": number_range(30, 60, 5, "cm"),
         "C": one_of(500, 512, 1000),
-        "left_before": steps(64850, 65450, 50),
-        "left_after": steps(20, 620, 40),
-        "right_before": steps(1500, 2500, 100),
-        "right_after": steps(2000, 4000, 100),
+        "left_before": number_range(64850, 65450, 50),
+        "left_after": number_range(20, 620, 40),
+        "right_before": number_range(1500, 2500, 100),
+        "right_after": number_range(2000, 4000, 100),
     },
-    asks=(Ask("x", "m"), Ask("y", "m"), angle("θ")),
+    unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=counted,
     wrong={
         M22: lambda **drive: counted(step=lambda _, **step: heading_forgotten(**step), **drive),
@@ -572,7 +574,7 @@ odometry_7 = Exercise(
         "The middle of the axle drives the mean of the two, and the robot turns by their "
         "difference over the wheel distance:\n\n{distance}\n\n{turned}\n\n"
         "From the origin this is an arc:\n\n{pose}",
-        span=Step(SPAN, check=lambda **_: 2**BITS),  # the formula for both ways is even in it
+        span=Step(SPAN, expected=lambda **_: 2**BITS),  # the formula for both ways is even in it
         left=Step(formulas.counter_step, readings("left"), values=(formulas.N_L,)),
         right_ticks=Step(formulas.counter_step, readings("right"), values=(formulas.N_R,)),
         ways=Step(formulas.travel),

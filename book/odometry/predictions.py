@@ -42,14 +42,14 @@ PREDICTIONS = (
         Buttons(
             ("23°", "45°", "90°"),
             right=lambda: f"{np.degrees(odometry.path(*TICKS, *ROBOT)[-1, 2]):.0f}°",
-            assumes={
+            assumptions={
                 "23°": "That takes the robot for twice as wide.",
                 "90°": "That takes the robot for half as wide: $b$ is the whole distance.",
             },
         ),
-        opens=f"And it is {100 * odometry.path(*TICKS, *ROBOT)[-1, 1]:.0f} cm to the left of the "
-        "line that it looked along.",
-        hides=("to the left of the line",),
+        explanation=f"And it is {100 * odometry.path(*TICKS, *ROBOT)[-1, 1]:.0f} cm to the left of "
+        "the line that it looked along.",
+        spoilers=("to the left of the line",),
     ),
     Prediction(
         "straight-on",
@@ -58,13 +58,13 @@ PREDICTIONS = (
         Buttons(
             ("both", "that of ρ", "neither"),
             right="that of ρ",
-            assumes={
+            assumptions={
                 "both": "The angle is divided by $b$ only, and $b$ is not zero.",
                 "neither": "On a straight line no point is at rest.",
             },
         ),
-        opens="There is no circle then, and $\\rho$ is a division by zero.",
-        hides=("no circle",),
+        explanation="There is no circle then, and $\\rho$ is a division by zero.",
+        spoilers=("no circle",),
     ),
     Prediction(
         "whole-circle",
@@ -72,15 +72,15 @@ PREDICTIONS = (
         Buttons(
             ("at the start", "about 3 cm off", "about 30 cm off"),
             right=lambda: "at the start" if circle("start") < 1e-9 else "about 3 cm off",
-            assumes={
+            assumptions={
                 "about 3 cm off": "That adds up small errors that all point one way.",
                 "about 30 cm off": "So far it is off on the way, half-way round.",
             },
         ),
-        opens="All of them close! The first three draw eight sides of one length, each turned by "
-        "45° from the one before: a regular octagon. So do not compare rules at the end of a full "
-        "circle.",
-        hides=("octagon", "all of them close"),
+        explanation="All of them close! The first three draw eight sides of one length, each "
+        "turned by 45° from the one before: a regular octagon. So do not compare rules at the end "
+        "of a full circle.",
+        spoilers=("octagon", "all of them close"),
     ),
     Prediction(
         "wraps-round",
@@ -89,14 +89,14 @@ PREDICTIONS = (
         Buttons(
             ("10", "−65,526", "it can be any number"),
             right=lambda: f"{odometry.unwrap_counter([65530, 4], bits=16)[0]:.0f}",
-            assumes={
+            assumptions={
                 "−65,526": "That is the difference of the two numbers: a leap of 40 m back.",
                 "it can be any number": "So it is if more than half a round can pass between two "
                 "readings. Then read more often.",
             },
         ),
-        opens="The counter could have gone either way round, and we take the *shorter* way.",
-        hides=("shorter way", "shorter* way"),
+        explanation="The counter could have gone either way round, and we take the *shorter* way.",
+        spoilers=("shorter way", "shorter* way"),
     ),
     Prediction(
         "twice-as-far",
@@ -105,14 +105,14 @@ PREDICTIONS = (
         Buttons(
             ("1.4 times", "2 times", "2.8 times"),
             right=lambda: f"{longer():.1f} times",
-            assumes={
+            assumptions={
                 "1.4 times": "So random errors grow: like the root of the distance. But an error "
                 "of the heading has a lever.",
                 "2 times": "So the lever grows. But the error of the heading grows, too.",
             },
         ),
-        opens="The figure has six samples, and an ellipse after every second one.",
-        hides=("every second one",),
+        explanation="The figure has six samples, and an ellipse after every second one.",
+        spoilers=("every second one",),
     ),
     Prediction(
         "two-errors",
@@ -120,14 +120,14 @@ PREDICTIONS = (
         Buttons(
             ("short corners", "swinging sides"),
             right="swinging sides",
-            assumes={
+            assumptions={
                 "short corners": "Such a robot turns too little to the left in one square and too "
                 "little to the right in the other: the two are mirrored.",
             },
         ),
-        opens="Swinging sides turn to the left in both squares. Short corners mirror them: too "
-        "little to the left in one, too little to the right in the other.",
-        hides=("to the left in both",),
+        explanation="Swinging sides turn to the left in both squares. Short corners mirror them: "
+        "too little to the left in one, too little to the right in the other.",
+        spoilers=("to the left in both",),
     ),
     Prediction(
         "a-slip",
@@ -135,13 +135,13 @@ PREDICTIONS = (
         Buttons(
             ("less than 1", "about 2", "about 6"),
             right=lambda: f"about {standard_deviations():.0f}",
-            assumes={
+            assumptions={
                 "less than 1": "A hundred ticks are 6 cm for one wheel. But the heading is wrong "
                 "from there on.",
                 "about 2": "The lever is longer: the slip comes early.",
             },
         ),
-        opens="The model knows small errors that average out, not one slip.",
-        hides=("not one slip",),
+        explanation="The model knows small errors that average out, not one slip.",
+        spoilers=("not one slip",),
     ),
 )

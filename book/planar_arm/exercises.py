@@ -21,26 +21,26 @@ from book.planar_arm import formulas
 from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2, x, x_dot, y, y_dot
 from courseware.equations import as_written, substitute
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
+    number_range,
     one_of,
-    steps,
 )
 from robokin import motion, planar_arm
 
-TWIST = (Ask("ẋ", "m/s"), Ask("ẏ", "m/s"), Ask("φ̇", "rad/s"))
-RATES = tuple(Ask(f"θ̇_{i}", "rad/s") for i in (1, 2, 3))
+TWIST = (Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s"), Unknown("φ̇", "rad/s"))
+RATES = tuple(Unknown(f"θ̇_{i}", "rad/s") for i in (1, 2, 3))
 
 ROWS = dict(zip(formulas.TWIST, formulas.velocity.right, strict=True))
-X_ROW, Y_ROW, TURN_ROW = (Line(left, right) for left, right in ROWS.items())
-BOTH_ROWS = Line(Matrix(formulas.TWIST[:2]), formulas.velocity.right[:2, :])
+X_ROW, Y_ROW, TURN_ROW = (LocalEquation(left, right) for left, right in ROWS.items())
+BOTH_ROWS = LocalEquation(Matrix(formulas.TWIST[:2]), formulas.velocity.right[:2, :])
 RATES_OF, TWIST_OF = (MatrixSymbol(name, 3, 1) for name in (r"\dot\theta", r"\dot{p}"))
 WHOLE_J = MatrixSymbol("J", 3, 3)
 ALONE = {formulas.rate12: rate2, formulas.rate123: rate3}  # each link at its own joint's rate
@@ -51,8 +51,8 @@ UNDIFFERENTIATED = dict(
 
 M26 = Mistake(
     "M26",
-    says="with [0, 0, 1] as the last row of J, as if only the last joint turned the hand",
-    wrong=Wrong(TURN_ROW, {formulas.rate123: rate3}),
+    feedback="with [0, 0, 1] as the last row of J, as if only the last joint turned the hand",
+    formula=WrongFormula(TURN_ROW, {formulas.rate123: rate3}),
     line="twist = [x_dot, y_dot, q3]",
     why="The hand's angle is the sum of all three joint angles: each joint turns all that follows "
     "it. So its rate is the sum of all three rates, and the last row of J is [1, 1, 1]. With "
@@ -76,8 +76,8 @@ M26 = Mistake(
 )
 M27 = Mistake(
     "M27",
-    says="when in ẏ each link turns only at the rate of its own joint",
-    wrong=Wrong(Y_ROW, ALONE),
+    feedback="when in ẏ each link turns only at the rate of its own joint",
+    formula=WrongFormula(Y_ROW, ALONE),
     line="y_dot = l1 * c1 * q1 + l2 * c12 * q2 + l3 * c123 * q3\ntwist = [x_dot, y_dot, phi_dot]",
     why="The derivative of sin(θ_1 + θ_2) is cos(θ_1 + θ_2) times the rate of the whole sum, "
     "θ̇_1 + θ̇_2. A link turns with its own joint and with all joints before it.",
@@ -99,8 +99,8 @@ M27 = Mistake(
 )
 M28 = Mistake(
     "M28",
-    says="with l_2 where l_3 belongs, in the third term of both rows",
-    wrong=Wrong(BOTH_ROWS, {formulas.l3: formulas.l2}),
+    feedback="with l_2 where l_3 belongs, in the third term of both rows",
+    formula=WrongFormula(BOTH_ROWS, {formulas.l3: formulas.l2}),
     line="x_dot = -l1 * s1 * q1 - l2 * s12 * (q1 + q2) - l2 * s123 * (q1 + q2 + q3)\n"
     "y_dot = l1 * c1 * q1 + l2 * c12 * (q1 + q2) + l2 * c123 * (q1 + q2 + q3)\n"
     "twist = [x_dot, y_dot, phi_dot]",
@@ -122,8 +122,8 @@ M28 = Mistake(
 )
 M29 = Mistake(
     "M29",
-    says="when the hand's velocity is multiplied by J, not by the inverse of J",
-    wrong=Wrong(Line(RATES_OF, WHOLE_J.I * TWIST_OF), instead=WHOLE_J * TWIST_OF),
+    feedback="when the hand's velocity is multiplied by J, not by the inverse of J",
+    formula=WrongFormula(LocalEquation(RATES_OF, WHOLE_J.I * TWIST_OF), instead=WHOLE_J * TWIST_OF),
     line="rates = J @ twist",
     why="J leads from the joint rates to the hand's velocity. For the way back, multiply both "
     "sides of twist = J @ rates by the inverse of J: rates = inv(J) @ twist. The "
@@ -145,8 +145,8 @@ M29 = Mistake(
 )
 M36 = Mistake(
     "M36",
-    says="with a plus before the third term of ẋ, l_3 sin(θ_1 + θ_2 + θ_3)",
-    wrong=Wrong(X_ROW, {formulas.s123: -formulas.s123}),
+    feedback="with a plus before the third term of ẋ, l_3 sin(θ_1 + θ_2 + θ_3)",
+    formula=WrongFormula(X_ROW, {formulas.s123: -formulas.s123}),
     line="x_dot = -l1 * s1 * q1 - l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)\n"
     "twist = [x_dot, y_dot, phi_dot]",
     why="The derivative of each cosine is minus the sine. One of the three minus signs got lost.",
@@ -168,8 +168,8 @@ M36 = Mistake(
 )
 M37 = Mistake(
     "M37",
-    says="when sines and cosines stay as they are in the position and are not differentiated",
-    wrong=Wrong(BOTH_ROWS, UNDIFFERENTIATED),
+    feedback="when sines and cosines stay as they are in the position and are not differentiated",
+    formula=WrongFormula(BOTH_ROWS, UNDIFFERENTIATED),
     line="x_dot = l1 * c1 * q1 + l2 * c12 * (q1 + q2) + l3 * c123 * (q1 + q2 + q3)\n"
     "y_dot = l1 * s1 * q1 + l2 * s12 * (q1 + q2) + l3 * s123 * (q1 + q2 + q3)\n"
     "twist = [x_dot, y_dot, phi_dot]",
@@ -201,7 +201,7 @@ def arm(l1, l2, l3, theta1, theta2, theta3, **_):
 
 
 OWN_RATES = "in ẋ and in ẏ each link turns only at the rate of its own joint"
-OWN = Wrong(BOTH_ROWS, ALONE)
+OWN = WrongFormula(BOTH_ROWS, ALONE)
 
 
 @cache
@@ -210,7 +210,7 @@ def wrong_jacobian(*made):
     rows = dict(ROWS)
     for wrong in made:
         for left in Matrix([wrong.of.left]):
-            rows[left] = substitute(rows[left], wrong.puts)
+            rows[left] = substitute(rows[left], wrong.replaced)
     return Matrix(list(rows.values())).jacobian(formulas.RATES)
 
 
@@ -222,12 +222,12 @@ def jacobian(made, **numbers):
     directions = arm(**numbers)["theta"].cumsum()
     for c, s, turned in zip(COSINES, SINES, directions, strict=True):
         numbers |= {str(c): np.cos(turned), str(s): np.sin(turned)}
-    return Wrong(formulas.jacobian, instead=found).gives(**numbers)
+    return WrongFormula(formulas.jacobian, instead=found).evaluate(**numbers)
 
 
 def made_in(formula, *mistakes):
     """The formula as those have it who make a mistake: its first argument."""
-    return {mistake: partial(formula, mistake.wrong) for mistake in mistakes}
+    return {mistake: partial(formula, mistake.formula) for mistake in mistakes}
 
 
 def hand_velocity(made, q1, q2=0.0, q3=0.0, **numbers):
@@ -240,8 +240,8 @@ def joint_rates(made, v_x, v_y, omega, **numbers):
     twist = [v_x, v_y, omega]
     if made is None:
         return planar_arm.joint_rates(twist=twist, **arm(**numbers))
-    if made is M29.wrong:
-        return made.gives(**{"J": jacobian(None, **numbers), str(TWIST_OF): np.array(twist)})
+    if made is M29.formula:
+        return made.evaluate(**{"J": jacobian(None, **numbers), str(TWIST_OF): np.array(twist)})
     return np.linalg.solve(jacobian(made, **numbers), twist)
 
 
@@ -301,14 +301,14 @@ def velocity_parts(q1, q2, q3, **numbers):
 
 
 LINKS = {
-    "l1": steps(30, 60, 5, "cm"),
-    "l2": steps(20, 50, 5, "cm"),
-    "l3": steps(10, 25, 5, "cm"),
+    "l1": number_range(30, 60, 5, "cm"),
+    "l2": number_range(20, 50, 5, "cm"),
+    "l3": number_range(10, 25, 5, "cm"),
 }
 POSE = LINKS | {
-    "theta1": steps(-60, 120, 10, "°"),
-    "theta2": steps(30, 150, 10, "°"),
-    "theta3": steps(-90, 90, 10, "°"),
+    "theta1": number_range(-60, 120, 10, "°"),
+    "theta2": number_range(30, 150, 10, "°"),
+    "theta3": number_range(-90, 90, 10, "°"),
 }
 HAND = (
     "A planar arm has three links of {l1}, {l2} and {l3}. The hand is the end of the third link, "
@@ -336,14 +336,14 @@ with as_written():
 
 def column(steps):
     """A column of formulas, from symbols and what they stand for."""
-    return Line(*(Matrix(side) for side in zip(*steps, strict=True)))
+    return LocalEquation(*(Matrix(side) for side in zip(*steps, strict=True)))
 
 
 SHORT = Step(column(formulas.SHORT))
 JACOBIAN = Step(
     formulas.jacobian,
     values=tuple(map(str, J)),
-    check=lambda **numbers: planar_arm.jacobian(**arm(**numbers)),
+    expected=lambda **numbers: planar_arm.jacobian(**arm(**numbers)),
 )
 
 
@@ -354,7 +354,7 @@ def rate_steps(twist, check=None):
             formulas.joint_rates,
             WRITTEN_OUT | twist,
             part=(k,),
-            check=check and (lambda k=k, **numbers: check(**numbers)[k]),
+            expected=check and (lambda k=k, **numbers: check(**numbers)[k]),
         )
         for k, name in enumerate(("first", "second", "third"))
     }
@@ -380,7 +380,7 @@ planar_arm_1 = Exercise(
     text=ARM + "Only the first joint turns, at {q1}. How fast does the hand move along x and y, "
     "and how fast does it turn?",
     given=POSE | {"q1": SLOW},
-    asks=TWIST,
+    unknowns=TWIST,
     right=lambda q1, **pose: planar_arm.velocity(rates=[q1, 0, 0], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
     also={OWN_RATES: partial(hand_velocity, OWN)},
@@ -390,7 +390,7 @@ planar_arm_1 = Exercise(
         "The hand moves at right angles to the line from the base to it, and turns as fast as the "
         "joint:\n\n{twist}",
         hand=Step(formulas.forward, WRITTEN_OUT, part=(0, 1)),
-        twist=Step(Line(Matrix(formulas.TWIST), LEVER), {rate1: "q1"}),
+        twist=Step(LocalEquation(Matrix(formulas.TWIST), LEVER), {rate1: "q1"}),
     ),
 )
 
@@ -401,12 +401,12 @@ planar_arm_2 = Exercise(
     text=ARM + "The joints turn at θ̇_1 = {q1}, θ̇_2 = {q2} and θ̇_3 = {q3}. How fast does the hand "
     "move along x and y, and how fast does it turn?",
     given=POSE | {"q1": SLOW, "q2": SLOW, "q3": SLOW},
-    asks=TWIST,
+    unknowns=TWIST,
     right=lambda q1, q2, q3, **pose: planar_arm.velocity(rates=[q1, q2, q3], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
     also={
         "with l_2 for l_3 and a plus before its sine, two mistakes in one term": partial(
-            hand_velocity, (M28.wrong, M36.wrong)
+            hand_velocity, (M28.formula, M36.formula)
         ),
         OWN_RATES: partial(hand_velocity, OWN),
     },
@@ -429,8 +429,9 @@ planar_arm_3 = Exercise(
     + MEASURED
     + "There are two such poses in which the arm is singular: the 3×3 matrix J with the rows of ẋ, "
     "ẏ and φ̇ has no inverse. Find θ_2 and θ_3 of both.",
-    given=LINKS | {"theta1": steps(-60, 120, 10, "°"), "phi": steps(-90, 90, 10, "°")},
-    asks=(angle("θ_2"), angle("θ_3")),
+    given=LINKS
+    | {"theta1": number_range(-60, 120, 10, "°"), "phi": number_range(-90, 90, 10, "°")},
+    unknowns=(angle("θ_2"), angle("θ_3")),
     accept="all",
     right=stretched_or_folded,
     wrong={M26: singular_by_m26},
@@ -447,7 +448,7 @@ planar_arm_3 = Exercise(
             formulas.det,
             {theta2: pi / 2},
             unit="m²",
-            check=lambda l1, l2, l3, **_: np.linalg.det(
+            expected=lambda l1, l2, l3, **_: np.linalg.det(
                 planar_arm.jacobian([0, np.pi / 2, 0], [l1, l2, l3])
             ),
         ),
@@ -466,7 +467,7 @@ planar_arm_4 = Exercise(
     "it with the moment m = {m}. Nothing moves, and the arm lies flat on a table, so that its "
     "weight does not matter. Which torques must the three joints give?",
     given=POSE | {"f_x": FORCE, "f_y": FORCE, "m": one_of(-4, -3, -2, 2, 3, 4, unit="N·m")},
-    asks=tuple(Ask(f"τ_{i}", "N·m") for i in (1, 2, 3)),
+    unknowns=tuple(Unknown(f"τ_{i}", "N·m") for i in (1, 2, 3)),
     right=partial(torques, None),
     wrong=made_in(torques, M26, M27, M28, M36, M37),
     also={
@@ -482,7 +483,7 @@ planar_arm_4 = Exercise(
         "force and the moment:\n\n{torques}",
         short=SHORT,
         J=JACOBIAN,
-        torques=Step(Line(Matrix(symbols("tau_1:4")), Matrix(WORK), "N·m")),
+        torques=Step(LocalEquation(Matrix(symbols("tau_1:4")), Matrix(WORK), "N·m")),
     ),
 )
 
@@ -493,7 +494,7 @@ planar_arm_5 = Exercise(
     text=ARM + "Now the hand must move at ẋ = {v_x}, ẏ = {v_y} and turn at φ̇ = {omega}. How fast "
     "must the three joints turn?",
     given=POSE | {"v_x": SPEED, "v_y": SPEED, "omega": SLOW},
-    asks=RATES,
+    unknowns=RATES,
     right=partial(joint_rates, None),
     wrong=made_in(joint_rates, M26, M27, M28, M29, M36, M37),
     derive=lambda v_x, v_y, omega, **pose: {
@@ -514,7 +515,7 @@ planar_arm_5 = Exercise(
         "with the first two joints:\n\n{second}\n\n"
         "The hand turns with all three joints, so the last one gives what is missing:\n\n{third}",
         answer=(("first", "second", "third"),),
-        det=Step(formulas.det, unit="m²", check=lambda **n: np.linalg.det(jacobian(None, **n))),
+        det=Step(formulas.det, unit="m²", expected=lambda **n: np.linalg.det(jacobian(None, **n))),
         **rate_steps({x_dot: "v_x", y_dot: "v_y", phi_dot: "omega"}),
     ),
     example=EXAMPLE | {"v_x": 0.1, "v_y": 0.2, "omega": 0.3},
@@ -527,8 +528,11 @@ planar_arm_6 = Exercise(
     text=ARM + "No joint can turn faster than {limit}. The hand must move straight in the "
     "direction {towards} from the x axis and must not turn. How fast can it move in this pose?",
     given=POSE
-    | {"towards": steps(0, 350, 10, "°"), "limit": one_of(0.5, 1, 1.5, 2, 2.5, 3, unit="rad/s")},
-    asks=(Ask("v", "m/s"),),
+    | {
+        "towards": number_range(0, 350, 10, "°"),
+        "limit": one_of(0.5, 1, 1.5, 2, 2.5, 3, unit="rad/s"),
+    },
+    unknowns=(Unknown("v", "m/s"),),
     right=partial(top_speed, None),
     wrong=made_in(top_speed, M26, M27, M29, M37),
     also={
@@ -551,7 +555,7 @@ planar_arm_6 = Exercise(
             check=lambda limit, **numbers: straight_rates(**numbers),
         ),
         v=Step(
-            Line(Symbol("v"), LIMIT / Max(Abs(rate1), Abs(rate2), Abs(rate3)), "m/s"),
+            LocalEquation(Symbol("v"), LIMIT / Max(Abs(rate1), Abs(rate2), Abs(rate3)), "m/s"),
             {LIMIT: "limit"},
         ),
     ),
@@ -564,7 +568,7 @@ planar_arm_7 = Exercise(
     text=ARM + "The manipulability w = √det(J Jᵀ) says how well the hand can move in all "
     "directions. Use the 2×3 matrix J of ẋ and ẏ. How large is w?",
     given=POSE,
-    asks=(Ask("w", "m²"),),
+    unknowns=(Unknown("w", "m²"),),
     right=lambda **pose: planar_arm.manipulability(**arm(**pose)),
     wrong=made_in(manipulability, M27, M28, M36),
     also={
@@ -582,12 +586,12 @@ planar_arm_7 = Exercise(
         short=SHORT,
         J=JACOBIAN,
         gram=Step(column(formulas.GRAM)),
-        root=Step(Line(formulas.w, ROOT, "m²")),
+        root=Step(LocalEquation(formulas.w, ROOT, "m²")),
         shorter=Step(
             formulas.manipulability,
             WRITTEN_OUT,
             unit="m²",
-            check=lambda **pose: planar_arm.manipulability(**arm(**pose)),
+            expected=lambda **pose: planar_arm.manipulability(**arm(**pose)),
         ),
     ),
 )

@@ -471,7 +471,9 @@ MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values())) 
 def wrong_rates(angles: tuple[Any, Any, Any]) -> Any:
     """The joint rates at some angles, by the mistake that is chosen."""
     right, chosen = wrong_jacobian(), dict(zip(MADE.values(), MADE_ONE, strict=True))
-    wrong = {is_one > 0.5: wrong_jacobian(m.wrong) for m, is_one in chosen.items() if m is not M29}
+    wrong = {
+        is_one > 0.5: wrong_jacobian(m.formula) for m, is_one in chosen.items() if m is not M29
+    }
     entries = [
         Piecewise(*((J[i], one) for one, J in wrong.items() if J[i] != right[i]), (right[i], True))
         for i in range(9)

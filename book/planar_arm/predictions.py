@@ -63,14 +63,14 @@ PREDICTIONS = (
         Buttons(
             ("0.40 m/s", "0.74 m/s", "0.90 m/s"),
             right=lambda: f"{distance():.2f} m/s",
-            assumes={
+            assumptions={
                 "0.40 m/s": "So fast does joint 2 move, at the end of link 1.",
                 "0.90 m/s": "That adds the links up. So it is when all of them are stretched.",
             },
         ),
-        opens=f"P is {distance():.2f} m from joint 1, and *One joint turns* says why only this "
-        "counts. The hand turns too, at 1 rad/s.",
-        hides=("from joint 1",),
+        explanation=f"P is {distance():.2f} m from joint 1, and *One joint turns* says why only "
+        "this counts. The hand turns too, at 1 rad/s.",
+        spoilers=("from joint 1",),
     ),
     Prediction(
         "ever-nearer",
@@ -79,15 +79,15 @@ PREDICTIONS = (
         Buttons(
             ("3 times", "10 times", "100 times"),
             right=times_faster,
-            assumes={
+            assumptions={
                 "3 times": "So it is if the rate goes with one over a root.",
                 "100 times": "So it is if it goes with one over a square.",
             },
         ),
-        opens="Ten times nearer, ten times faster: more than 50 turns a second at a tenth of a "
-        "degree. At 0° no rate does it. The reason is the denominator in the formula; "
+        explanation="Ten times nearer, ten times faster: more than 50 turns a second at a tenth of "
+        "a degree. At 0° no rate does it. The reason is the denominator in the formula; "
         "$v_\\mathrm{out}$ is the wrist's speed.",
-        hides=("ten times faster",),
+        spoilers=("ten times faster",),
     ),
     Prediction(
         "a-free-hand",
@@ -97,15 +97,15 @@ PREDICTIONS = (
         Buttons(
             ("always", "while link 3 is bent", "never"),
             right=where_both,
-            assumes={
+            assumptions={
                 "always": "On one straight line of links all levers lie along it, and P moves "
                 "only across.",
                 "never": "That is so for the wrist. But P has one more joint.",
             },
         ),
-        opens="Link 3 turns, and pushes P along the arm. Only with all links on one line do the "
-        "two rows have rank 1, and P loses a direction.",
-        hides=("pushes P", "rank 1"),
+        explanation="Link 3 turns, and pushes P along the arm. Only with all links on one line do "
+        "the two rows have rank 1, and P loses a direction.",
+        spoilers=("pushes P", "rank 1"),
     ),
     Prediction(
         "without-a-look",
@@ -114,14 +114,14 @@ PREDICTIONS = (
         Buttons(
             ("on it", "5 cm off", "50 cm off"),
             right=lambda: f"{100 * off(10):.0f} cm off",
-            assumes={
+            assumptions={
                 "on it": "The rates of a step are right at its beginning only.",
                 "50 cm off": "That is nearly the whole way. Each step goes nearly where it should.",
             },
         ),
-        opens="It drifts: at constant joint rates the hand runs on a curve, and nothing brings it "
-        "back. Twice the steps, half the drift.",
-        hides=("runs on a curve, and", "half the drift"),
+        explanation="It drifts: at constant joint rates the hand runs on a curve, and nothing "
+        "brings it back. Twice the steps, half the drift.",
+        spoilers=("runs on a curve, and", "half the drift"),
     ),
     Prediction(
         "too-much-feedback",
@@ -129,15 +129,15 @@ PREDICTIONS = (
         Buttons(
             ("2", "4", "6", "none of them"),
             right=too_much,
-            assumes={
+            assumptions={
                 "2": "In one step this takes back 0.8 of the error.",
                 "4": "In one step this takes back 1.6 times the error: too much, yet less is left.",
                 "none of them": "Feedback can take back more than twice the error.",
             },
         ),
-        opens="An error now shrinks by itself, and the drift no longer adds up. But when $K$ times "
-        "the step exceeds 2, as 6 times 0.4 does, each step makes the error larger. With a $K$ of "
-        "5 it is just 2: the error changes its sign at each step, and hardly shrinks.",
-        hides=("exceeds 2",),
+        explanation="An error now shrinks by itself, and the drift no longer adds up. But when $K$ "
+        "times the step exceeds 2, as 6 times 0.4 does, each step makes the error larger. With a "
+        "$K$ of 5 it is just 2: the error changes its sign at each step, and hardly shrinks.",
+        spoilers=("exceeds 2",),
     ),
 )

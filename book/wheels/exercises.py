@@ -11,17 +11,17 @@ from book.motion import formulas as planar
 from book.wheels import formulas
 from courseware.equations import as_written
 from courseware.practice import (
-    Ask,
     Exercise,
-    Line,
+    LocalEquation,
     Mistake,
     Picture,
     Solution,
     Step,
-    Wrong,
+    Unknown,
+    WrongFormula,
     angle,
+    number_range,
     one_of,
-    steps,
     whole,
 )
 from robokin import motion, wheels
@@ -42,12 +42,12 @@ def row(alpha=formulas.alpha, beta=formulas.beta):
 
 with as_written():
     ROLLS, ASIDE, TURNS = row()
-    ONE_ROW = Line(Matrix(ROW), Matrix([ROLLS, ASIDE, TURNS]), ("", "", "m"))
+    ONE_ROW = LocalEquation(Matrix(ROW), Matrix([ROLLS, ASIDE, TURNS]), ("", "", "m"))
 
 M19 = Mistake(
     "M19",
-    says="with +cos(α + β) in the rolling row, where a minus belongs",
-    wrong=Wrong(ONE_ROW, instead=Matrix([ROLLS, -ASIDE, TURNS])),
+    feedback="with +cos(α + β) in the rolling row, where a minus belongs",
+    formula=WrongFormula(ONE_ROW, instead=Matrix([ROLLS, -ASIDE, TURNS])),
     line="J1 = np.transpose([np.sin(alpha), np.cos(alpha), [-l, -l, -l]])",
     why="The wheel rolls towards α + β − 90°. The cosine and the sine of this direction are "
     "sin(α + β) and −cos(α + β). Without the minus, the row belongs to another direction.",
@@ -67,8 +67,10 @@ M19 = Mistake(
 )
 M20 = Mistake(
     "M20",
-    says="with the robot's heading θ in the last entry of the rolling row, where β belongs",
-    wrong=Wrong(ONE_ROW, instead=Matrix([ROLLS, ASIDE, TURNS.subs(formulas.beta, planar.theta)])),
+    feedback="with the robot's heading θ in the last entry of the rolling row, where β belongs",
+    formula=WrongFormula(
+        ONE_ROW, instead=Matrix([ROLLS, ASIDE, TURNS.subs(formulas.beta, planar.theta)])
+    ),
     line="turning = [-l * np.cos(theta)] * 3\n"
     "J1 = np.transpose([np.sin(alpha), -np.cos(alpha), turning])",
     why="The row belongs to the robot's own frame. It depends on where the wheel stands on the "
@@ -89,8 +91,8 @@ M20 = Mistake(
 )
 M21 = Mistake(
     "M21",
-    says="when the velocity is turned the wrong way between the robot and the world",
-    wrong=Wrong(planar.to_world, {planar.theta: -planar.theta}),
+    feedback="when the velocity is turned the wrong way between the robot and the world",
+    formula=WrongFormula(planar.to_world, {planar.theta: -planar.theta}),
     line="velocity = R @ np.linalg.solve(J1, r * rates)",
     why="Here R(θ) leads from the world to the robot. Back to the world it is R(θ)⁻¹, the "
     "transposed matrix. Other books use R(θ) for the other direction.",
@@ -103,8 +105,8 @@ M21 = Mistake(
 )
 M34 = Mistake(
     "M34",
-    says="with +l cos β in the last entry of the rolling row, where a minus belongs",
-    wrong=Wrong(ONE_ROW, {formulas.l: -formulas.l}),
+    feedback="with +l cos β in the last entry of the rolling row, where a minus belongs",
+    formula=WrongFormula(ONE_ROW, {formulas.l: -formulas.l}),
     line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), [l, l, l]])",
     why="With β = 0 the wheel rolls clockwise around the robot's centre, and a positive θ̇ is "
     "counter-clockwise. So it makes the wheel roll backwards.",
@@ -122,8 +124,10 @@ M34 = Mistake(
 )
 M35 = Mistake(
     "M35",
-    says="with cos α in the last entry of the rolling row, where cos β belongs",
-    wrong=Wrong(ONE_ROW, instead=Matrix([ROLLS, ASIDE, TURNS.subs(formulas.beta, formulas.alpha)])),
+    feedback="with cos α in the last entry of the rolling row, where cos β belongs",
+    formula=WrongFormula(
+        ONE_ROW, instead=Matrix([ROLLS, ASIDE, TURNS.subs(formulas.beta, formulas.alpha)])
+    ),
     line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), -l * np.cos(alpha)])",
     why="When the robot turns, a wheel whose axle points to the centre rolls with its whole speed, "
     "wherever it stands. With cos α the last column is l times the second one: J_1 is singular.",
@@ -190,7 +194,7 @@ def rows(l, alpha, beta):
 def wrong_rows(mistake, l, alpha, beta, theta):
     """What a mistake makes of the rolling rows."""
     angles = np.atleast_1d(*np.broadcast_arrays(alpha, beta))
-    gives = partial(mistake.wrong.gives, wheel_l=l, theta=theta)
+    gives = partial(mistake.formula.evaluate, wheel_l=l, theta=theta)
     made = [gives(wheel_alpha=a, wheel_beta=b) for a, b in zip(*angles, strict=True)]
     return np.squeeze(made, axis=2)
 
@@ -315,25 +319,29 @@ def held_by(fixed):
 
 def sliding_rank(fixed, **_):
     """How many sliding rows of the fixed wheels are independent."""
-    return Line(formulas.rank_fixed, Integer(held_by(fixed)))
+    return LocalEquation(formulas.rank_fixed, Integer(held_by(fixed)))
 
 
 def steered_rank(steered, **_):
     """The same for the steered wheels: up to three of them stand as they like."""
-    return Line(formulas.rank_steered, Integer(len(STEERED[steered])))
+    return LocalEquation(formulas.rank_steered, Integer(len(STEERED[steered])))
 
 
 with as_written():
-    ANGLES = Line(
+    ANGLES = LocalEquation(
         Matrix(ALPHAS),
         Matrix([formulas.alpha, formulas.alpha + 2 * pi / 3, formulas.alpha + 4 * pi / 3]),
         "rad",
     )
-    THREE_ROWS = Line(MATRIX, Matrix([row(alpha) for alpha in ALPHAS]))
-    ROLLED = Line(Matrix(SPEEDS), Matrix([drive.r * rate for rate in RATES]), "m/s")
-    THREE_RATES = Line(Matrix(formulas.omni_rates), Matrix([s / drive.r for s in SPEEDS[:3]]))
-    ABOUT = Line(Matrix([planar.v, planar.v_y]), Matrix([planar.omega * P_Y, -planar.omega * P_X]))
-    TO_POINT = Line(
+    THREE_ROWS = LocalEquation(MATRIX, Matrix([row(alpha) for alpha in ALPHAS]))
+    ROLLED = LocalEquation(Matrix(SPEEDS), Matrix([drive.r * rate for rate in RATES]), "m/s")
+    THREE_RATES = LocalEquation(
+        Matrix(formulas.omni_rates), Matrix([s / drive.r for s in SPEEDS[:3]])
+    )
+    ABOUT = LocalEquation(
+        Matrix([planar.v, planar.v_y]), Matrix([planar.omega * P_Y, -planar.omega * P_X])
+    )
+    TO_POINT = LocalEquation(
         Matrix([D_X, D_Y]),
         Matrix(
             [
@@ -343,11 +351,11 @@ with as_written():
         ),
         "m",
     )
-    AIMED = Line(formulas.beta, atan2(D_Y, D_X) - formulas.alpha)
-    ONE_RATE = Line(formulas.rate, S / drive.r)
-    OTHER_ANGLE = Line(BETA_2, formulas.beta + pi, "rad")
-    OTHER_RATE = Line(RATE_2, -formulas.rate, "rad/s")
-    BEST = Line(
+    AIMED = LocalEquation(formulas.beta, atan2(D_Y, D_X) - formulas.alpha)
+    ONE_RATE = LocalEquation(formulas.rate, S / drive.r)
+    OTHER_ANGLE = LocalEquation(BETA_2, formulas.beta + pi, "rad")
+    OTHER_RATE = LocalEquation(RATE_2, -formulas.rate, "rad/s")
+    BEST = LocalEquation(
         Matrix([planar.v, planar.v_y, planar.omega]),
         Matrix(
             [
@@ -358,8 +366,8 @@ with as_written():
         ),
         ("m/s", "m/s", "rad/s"),
     )
-    SLIPPED = Line(SLIP, GROUND - SPEEDS[0], "m/s")
-FOUR_ROWS = Line(MATRIX, Matrix([row(k * pi / 2, 0) for k in range(4)]))  # ones and zeros
+    SLIPPED = LocalEquation(SLIP, GROUND - SPEEDS[0], "m/s")
+FOUR_ROWS = LocalEquation(MATRIX, Matrix([row(k * pi / 2, 0) for k in range(4)]))  # ones and zeros
 
 
 # What several exercises say
@@ -388,8 +396,8 @@ VELOCITIES = (
 )
 
 
-L, R = steps(10, 40, 5, "cm"), steps(3, 8, 1, "cm")
-THETA = steps(20, 160, 10, "°")
+L, R = number_range(10, 40, 5, "cm"), number_range(3, 8, 1, "cm")
+THETA = number_range(20, 160, 10, "°")
 RATE = one_of(*(n for n in range(-12, 13) if n), unit="rad/s")
 SPEED = one_of(*(n / 10 for n in range(-6, 7) if n), unit="m/s")
 TURN = one_of(*(n / 4 for n in range(-6, 7) if n), unit="rad/s")
@@ -408,11 +416,11 @@ wheels_1 = Exercise(
     "which the wheel rolls. Which three numbers are in this row?",
     given={
         "l": L,
-        "alpha": steps(-150, 165, 15, "°"),
-        "beta": steps(-75, 75, 15, "°"),
+        "alpha": number_range(-150, 165, 15, "°"),
+        "beta": number_range(-75, 75, 15, "°"),
         "theta": THETA,
     },
-    asks=(Ask("number for v"), Ask("number for v_y"), Ask("number for ω", "m")),
+    unknowns=(Unknown("number for v"), Unknown("number for v_y"), Unknown("number for ω", "m")),
     right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
     wrong=ways(itself, M19, M20, M34, M35),
     also={
@@ -440,8 +448,10 @@ wheels_2 = Exercise(
     + " The robot's heading θ is {theta}.\n\n"
     + VELOCITIES
     + "J_1 times R(θ) ξ̇_I gives the speeds r φ̇ of the three wheels. What is the matrix J_1?",
-    given={"l": L, "first": steps(-90, 105, 15, "°"), "theta": THETA},
-    asks=tuple(Ask(f"J1[{i}, {j}]", "m" if j == 2 else "") for i in range(3) for j in range(3)),
+    given={"l": L, "first": number_range(-90, 105, 15, "°"), "theta": THETA},
+    unknowns=tuple(
+        Unknown(f"J1[{i}, {j}]", "m" if j == 2 else "") for i in range(3) for j in range(3)
+    ),
     shape=(3, 3),
     right=lambda l, first, theta: wheels.rolling(wheels.omni_robot(l, 1.0, three(first))),
     wrong=ways(itself, M19, M20, M34, M35, alpha=three, beta=0.0),
@@ -467,11 +477,11 @@ wheels_3 = Exercise(
     "along y, and turn at {omega} (counter-clockwise positive). At which rates must the three "
     "wheels turn?",
     given={"l": L, "r": R, "theta": THETA, "x_dot": SPEED, "y_dot": SPEED, "omega": TURN},
-    asks=(Ask("φ̇_1", "rad/s"), Ask("φ̇_2", "rad/s"), Ask("φ̇_3", "rad/s")),
+    unknowns=(Unknown("φ̇_1", "rad/s"), Unknown("φ̇_2", "rad/s"), Unknown("φ̇_3", "rad/s")),
     right=rates,
     wrong={
         **ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0),
-        M21: M21.wrong.through(rates),
+        M21: M21.formula.wrap(rates),
     },
     also={
         "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
@@ -499,11 +509,11 @@ wheels_4 = Exercise(
     + " The robot's heading θ is {theta}. The wheels turn at {w_1}, {w_2} and {w_3}. What is the "
     "robot's velocity in the world: along x, along y, and its turning rate?",
     given={"l": L, "r": R, "theta": THETA, "w_1": RATE, "w_2": RATE, "w_3": RATE},
-    asks=(Ask("ẋ", "m/s"), Ask("ẏ", "m/s"), Ask("θ̇", "rad/s")),
+    unknowns=(Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s"), Unknown("θ̇", "rad/s")),
     right=forward,
     wrong={
         **ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0),
-        M21: M21.wrong.through(forward),
+        M21: M21.formula.wrap(forward),
     },
     when=lambda theta, w_1, w_2, w_3, **_: abs(np.cos(theta)) > 0.1 and w_1 + w_2 + w_3 != 0,
     derive=lambda l, r, theta, w_1, w_2, w_3: {
@@ -539,7 +549,7 @@ wheels_5 = Exercise(
     text="A robot has {fixed}, {steered} and {free}.{axles}{turned} What are the robot's "
     "degrees of mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
     given={"fixed": one_of(*FIXED), "steered": one_of(*STEERED), "free": one_of(*FREE)},
-    asks=(whole("δ_m"), whole("δ_s"), whole("δ_M")),
+    unknowns=(whole("δ_m"), whole("δ_s"), whole("δ_M")),
     right=lambda fixed, steered, free: wheels.mobility(built(fixed, steered, free)),
     wrong={},
     when=instructive,
@@ -594,12 +604,12 @@ wheels_6 = Exercise(
     given={
         "r": R,
         "l": L,
-        "alpha": steps(-150, 180, 15, "°"),
+        "alpha": number_range(-150, 180, 15, "°"),
         "omega": TURN,
-        "p_x": steps(-1, 1, 0.25, "m"),
-        "p_y": steps(-1, 1, 0.25, "m"),
+        "p_x": number_range(-1, 1, 0.25, "m"),
+        "p_y": number_range(-1, 1, 0.25, "m"),
     },
-    asks=(angle("β"), Ask("φ̇", "rad/s")),
+    unknowns=(angle("β"), Unknown("φ̇", "rad/s")),
     accept="any",
     right=about,
     wrong=ways(about_by, M19, M34, M35, beta=aimed),
@@ -638,7 +648,12 @@ wheels_7 = Exercise(
     "[v, v_y, ω], minus r φ̇_1: the speed at which the ground passes under the wheel, minus the "
     "speed at which the wheel rolls.",
     given={"r": R, "l": L, "w_1": RATE, "w_2": RATE, "w_3": RATE, "w_4": RATE},
-    asks=(Ask("v", "m/s"), Ask("v_y", "m/s"), Ask("ω", "rad/s"), Ask("slip", "m/s")),
+    unknowns=(
+        Unknown("v", "m/s"),
+        Unknown("v_y", "m/s"),
+        Unknown("ω", "rad/s"),
+        Unknown("slip", "m/s"),
+    ),
     right=four,
     wrong=ways(four_by, M19, M34, M35, alpha=FOUR, beta=0.0),
     when=lambda w_1, w_2, w_3, w_4, **_: (
@@ -659,7 +674,7 @@ wheels_7 = Exercise(
         rows=Step(
             FOUR_ROWS,
             {formulas.l: "l"},
-            check=lambda l, **_: wheels.rolling(wheels.omni_robot(l, 1.0, FOUR)),
+            expected=lambda l, **_: wheels.rolling(wheels.omni_robot(l, 1.0, FOUR)),
         ),
         best=Step(BEST, {formulas.l: "l"}),
         ground=Step(

@@ -483,7 +483,7 @@ REALLY = symbols("really_v really_vy really_omega")
 
 def driven_by(mistake: Any) -> Any:
     """How the omni robot moves whose program makes a mistake in the rates of its wheels."""
-    to_body = M21.wrong.made_in(motion.to_body) if mistake is M21 else motion.to_body
+    to_body = M21.formula.transfer(motion.to_body) if mistake is M21 else motion.to_body
     wish = to_body.substitute(WANTED)
     places = ({l: SIZE, alpha: spoke, beta: 0} for spoke in ANGLES)
     rows = [rolling_row(*p.values()) if mistake is M21 else mistake.substitute(p) for p in places]

@@ -53,13 +53,14 @@ PREDICTIONS = (
         Buttons(
             ("it stands", "it drives", "it turns on the spot"),
             right=alike,
-            assumes={
+            assumptions={
                 "it stands": "The three pushes cancel. But each of them has a lever, too.",
                 "it drives": "The three spokes are alike, so no direction is better than another.",
             },
         ),
-        opens="It turns *clockwise*: a positive rate rolls each wheel to the right of its spoke.",
-        hides=("clockwise",),
+        explanation="It turns *clockwise*: a positive rate rolls each wheel to the right of its "
+        "spoke.",
+        spoilers=("clockwise",),
     ),
     Prediction(
         "turned-wheels",
@@ -67,16 +68,16 @@ PREDICTIONS = (
         Buttons(
             ("30° and −30°", "45° and −45°", "90° and −90°"),
             right=lost,
-            assumes={
+            assumptions={
                 "30° and −30°": "Then each wheel still has a lever, and the three are independent.",
                 "45° and −45°": "As much of each push goes round as goes outward or inward: the "
                 "robot can still be turned.",
             },
         ),
-        opens="At ±90° every wheel rolls straight away from the centre or towards it. The third "
-        "column is zero: the robot may spin freely, and no rate tells. And only two rows are "
+        explanation="At ±90° every wheel rolls straight away from the centre or towards it. The "
+        "third column is zero: the robot may spin freely, and no rate tells. And only two rows are "
         "independent, so the rates can contradict each other.",
-        hides=("spin freely", "±90°"),
+        spoilers=("spin freely", "±90°"),
     ),
     Prediction(
         "both-by-20",
@@ -84,13 +85,13 @@ PREDICTIONS = (
         Buttons(
             ("none", "one", "two"),
             right=lambda: ways(20),
-            assumes={
+            assumptions={
                 "one": "So it is at 0°, and with the angles that the next cell takes last.",
                 "two": "That counts the two wheels. But an axle line takes a way away.",
             },
         ),
-        opens="The front axles are parallel, but not to the rear axle: no common point, and not "
-        "all parallel either. The car can neither turn nor drive straight.",
-        hides=("no common point, and not",),
+        explanation="The front axles are parallel, but not to the rear axle: no common point, and "
+        "not all parallel either. The car can neither turn nor drive straight.",
+        spoilers=("no common point, and not",),
     ),
 )

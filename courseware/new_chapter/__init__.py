@@ -9,7 +9,7 @@ from importlib.resources import files
 
 from courseware.course import course
 from courseware.errors import CourseError
-from courseware.practice import mistakes
+from courseware.practice import all_mistakes
 
 
 def write(name: str) -> str:
@@ -19,7 +19,7 @@ def write(name: str) -> str:
     folder = course().folder / name
     if any(path.name != "__pycache__" for path in folder.glob("*")):
         raise CourseError(f"{folder} exists: choose another name, or remove it")
-    mistake = f"M{max((int(known.lstrip('M')) for known in mistakes()), default=0) + 1}"
+    mistake = f"M{max((int(known.lstrip('M')) for known in all_mistakes()), default=0) + 1}"
     folder.mkdir(exist_ok=True)
     for template in files(__name__).iterdir():
         if template.name.endswith(".txt"):

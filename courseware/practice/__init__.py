@@ -4,25 +4,23 @@ In a notebook: `practice.exercise("differential-drive-1")`. For teachers: `pytho
 """
 
 from courseware.line_breaks import UNBROKEN
-from courseware.practice import page
-from courseware.practice.bank import (
-    Ask,
+from courseware.practice import rendering
+from courseware.practice.bank import all_exercises, all_mistakes, all_topics
+from courseware.practice.declaration import (
     Exercise,
-    Mistake,
-    Picture,
+    Unknown,
     angle,
-    exercises,
     matrix,
-    mistakes,
+    number_range,
     one_of,
-    steps,
-    topics,
     whole,
 )
+from courseware.practice.formatting import format_number
+from courseware.practice.mistakes import Mistake, Picture
 from courseware.practice.notebook import answers, example, exercise, export, mistake, student
-from courseware.practice.solutions import Line, Solution, Step
-from courseware.practice.wording import number_text
-from courseware.practice.wrong import Wrong
+from courseware.practice.solution_steps import LocalEquation, Step
+from courseware.practice.solutions import Solution
+from courseware.practice.wrong_formula import WrongFormula
 from courseware.script.parts import Part, register
 from courseware.units import typed_units
 
@@ -34,7 +32,7 @@ register(
         widget="courseware/practice/notebook.js:showExercise",
         styles=("courseware/practice/practice.css",),
         constants={
-            "courseware/practice/constants.js": page.constants,
+            "courseware/practice/constants.js": rendering.constants,
             "courseware/practice/units.js": lambda: {"UNBROKEN": UNBROKEN, **typed_units()},
         },
     )
@@ -48,27 +46,27 @@ register(
 )
 
 __all__ = [
-    "Ask",
     "Exercise",
-    "Line",
+    "LocalEquation",
     "Mistake",
     "Picture",
     "Solution",
     "Step",
-    "Wrong",
+    "Unknown",
+    "WrongFormula",
+    "all_exercises",
+    "all_mistakes",
+    "all_topics",
     "angle",
     "answers",
     "example",
     "exercise",
-    "exercises",
     "export",
+    "format_number",
     "matrix",
     "mistake",
-    "mistakes",
-    "number_text",
+    "number_range",
     "one_of",
-    "steps",
     "student",
-    "topics",
     "whole",
 ]

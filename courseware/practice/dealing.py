@@ -1,4 +1,4 @@
-"""Which numbers a student gets: the variants of an exercise, and the hash that picks one.
+"""The variants of an exercise, and the hash that deals one to a student.
 
 The hash is 32-bit FNV-1a over the UTF-8 of course, exercise and name, joined by line feeds; the
 page computes the same. Names are compared in small letters and Unicode's form NFC, without
@@ -20,17 +20,15 @@ from typing import Any
 
 import numpy as np
 
-from courseware.course import course
 from courseware.errors import CourseError
-from courseware.practice.bank import Ask, Exercise, exercises
-from courseware.practice.judging import Candidate, candidates, clash
+from courseware.practice.bank import all_exercises, find_exercise
+from courseware.practice.candidates import Candidate, find_candidates, find_clash
+from courseware.practice.declaration import Exercise, Unknown
 
 VARIANTS = 64
 ATTEMPTS = 200  # for each variant: an exercise that needs more should draw otherwise
 # what Python, browsers and Unicode all take for white space, written out so that all agree
 SPACES = "[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\ufeff]+"
-
-
 INVISIBLE = "[\xad\u200b-\u200f\u202a-\u202e\u2060-\u2064]"
 ZEROS = (0x660, 0x6F0, 0x966, 0xFF10)  # of Arabic, Persian, Hindi and wide digits
 ALIKE = {0x64A: 0x6CC, 0x643: 0x6A9} | {zero + k: 48 + k for zero in ZEROS for k in range(10)}
@@ -38,15 +36,14 @@ ALIKE = {0x64A: 0x6CC, 0x643: 0x6A9} | {zero + k: 48 + k for zero in ZEROS for k
 
 @dataclass(frozen=True)
 class Variant:
-    """One set of numbers: as formulas take them, as the reader sees them, what can be answered."""
+    """One set of numbers, as formulas take them, and all that can be answered to them."""
 
     numbers: Mapping[str, Any]
-    shown: Mapping[str, str]
     candidates: tuple[Candidate, ...]
 
 
-def folded(name: str) -> str:
-    """A student's name as it is hashed."""
+def fold_name(name: str) -> str:
+    """Return a student's name as it is hashed."""
     whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
     seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole))
     tidy = re.sub(SPACES, " ", seen).strip(" ")
@@ -54,21 +51,21 @@ def folded(name: str) -> str:
 
 
 def fnv1a(text: str) -> int:
-    """The 32-bit FNV-1a hash of the text's UTF-8 bytes."""
+    """Return the 32-bit FNV-1a hash of the text's UTF-8 bytes."""
     value = 0x811C9DC5
     for byte in text.encode("utf-8"):
         value = (value ^ byte) * 0x01000193 & 0xFFFFFFFF
     return value
 
 
-def dealt(course: str, exercise: str, name: str) -> int:
-    """The number of the variant that a student gets: the hash, its halves folded together."""
-    value = fnv1a("\n".join((folded(course), exercise, folded(name))))
+def deal(course: str, exercise: str, name: str) -> int:
+    """Return the number of a student's variant: the hash, its halves folded together."""
+    value = fnv1a("\n".join((fold_name(course), exercise, fold_name(name))))
     return (value ^ value >> 16) % VARIANTS
 
 
 def variants(name: str, secret: str = "") -> tuple[Variant, ...]:
-    """The variants of an exercise: drawn by a fixed seed, each different, no two answers alike.
+    """Draw the variants of an exercise by a fixed seed: each different, no two answers alike.
 
     A teacher's secret draws others, none of which is on the page; where an exercise has few
     numbers, these are fewer than 64.
@@ -78,24 +75,27 @@ def variants(name: str, secret: str = "") -> tuple[Variant, ...]:
 
 @cache
 def _variants(name: str, secret: str) -> tuple[Variant, ...]:
-    exercise = find(name)
+    exercise = find_exercise(name)
     draw, met = random.Random(f"{name} {secret}" if secret else name), Counter[str]()
-    public = {tuple(v.shown.values()) for v in variants(name)} if secret else set()
-    found: dict[tuple[str, ...], Variant] = {}
+    public = {tuple(v.numbers.values()) for v in variants(name)} if secret else set()
+    found: dict[tuple[Any, ...], Variant] = {}
     for _ in range(ATTEMPTS * VARIANTS):
-        numbers, shown = _drawn(exercise, draw)
-        key = tuple(shown.values())
+        numbers = {
+            name: given.to_si(given.options[int(draw.random() * len(given.options))])
+            for name, given in exercise.given.items()
+        }
+        key = tuple(numbers.values())
         if key in found or key in public or not exercise.when(**numbers):
             continue
         try:
-            with np.errstate(divide="ignore", invalid="ignore"):  # infinities are told by `clash`
-                possible = candidates(exercise, numbers)
-            alike = clash(exercise, possible)
+            with np.errstate(divide="ignore", invalid="ignore"):  # `find_clash` tells infinities
+                possible = find_candidates(exercise, numbers)
+            alike = find_clash(exercise, possible)
         except np.linalg.LinAlgError:
             alike = "a mistake that has no answer"
         met[alike] += 1
         if not alike:
-            found[key] = Variant(numbers, shown, possible)
+            found[key] = Variant(numbers, possible)
         if len(found) == VARIANTS:
             return tuple(found.values())
     if secret and found:
@@ -106,54 +106,38 @@ def _variants(name: str, secret: str) -> tuple[Variant, ...]:
     )
 
 
-def _drawn(exercise: Exercise, draw: random.Random) -> tuple[dict[str, Any], dict[str, str]]:
-    """Numbers for an exercise: in SI, and as the reader sees them."""
-    numbers, shown = {}, {}
-    for name, given in exercise.given.items():
-        option = given.options[int(draw.random() * len(given.options))]
-        numbers[name], shown[name] = given.value(option), given.shown(option)
-    return numbers, shown
-
-
-def find(name: str) -> Exercise:
-    """The exercise of that name."""
-    return course().find("exercises", Exercise, name)
-
-
 @cache
 def version() -> str:
-    """The bank's version: it changes when any text, number or answer does."""
-    parts = [(exercise.name, *_contents(exercise)) for exercise in exercises().values()]
+    """Return the bank's version, which changes when any text, number or answer does."""
+    parts = [(exercise.name, *_contents(exercise)) for exercise in all_exercises().values()]
     text = json.dumps(parts, ensure_ascii=True)
     return hashlib.sha256(text.encode()).hexdigest()[:8]
 
 
 def _contents(exercise: Exercise) -> list[Any]:
-    """All that a student can see of an exercise, or be judged by.
+    """Return all that a student can see of an exercise, or be judged by.
 
     Answers in other units, and slips, follow from the right ones.
     """
-    asks = [(ask.label, ask.unit, ask.tolerance, ask.relative) for ask in exercise.asks]
+    unknowns = [(u.label, u.unit, u.tolerance, u.relative) for u in exercise.unknowns]
     own = {"right", *(mistake.name for mistake in exercise.wrong)}
     own |= {f"slip:{words}" for words in exercise.also}
+    dealt = variants(exercise.name)
     answers = [
-        (
-            c.name,
-            [_digits(ask, x) for row in c.rows for ask, x in zip(exercise.asks, row, strict=True)],
-        )
-        for variant in variants(exercise.name)
+        (c.name, [digits for row in c.rows for digits in map(_digits, exercise.unknowns, row)])
+        for variant in dealt
         for c in variant.candidates
         if c.name in own
     ]
-    shown = [list(variant.shown.values()) for variant in variants(exercise.name)]
-    return [exercise.text, exercise.solution_text, asks, shown, answers]
+    given = [list(exercise.format_given(variant.numbers).values()) for variant in dealt]
+    return [exercise.text, exercise.solution_text, unknowns, given, answers]
 
 
-def _digits(ask: Ask, value: float) -> list[str]:
-    """A computed number as text that does not depend on its last bits.
+def _digits(unknown: Unknown, value: float) -> list[str]:
+    """Return a computed number as text that does not depend on its last bits.
 
     Six digits of it times √2: answers often lie where digits end, and so on a rounding border,
     but then √2 times them does not. An angle is told by its cosine and sine, which have no jump.
     """
-    parts = (math.cos(value), math.sin(value)) if ask.circle else (value,)
+    parts = (math.cos(value), math.sin(value)) if unknown.circle else (value,)
     return [f"{math.sqrt(2) * part:.6g}" if abs(part) > 1e-9 else "0" for part in parts]

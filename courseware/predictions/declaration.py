@@ -1,7 +1,8 @@
-"""What a prediction is: a question, the ways to answer it, and what the answer opens.
+"""A prediction: a question, the ways to answer it, and the explanation that an answer opens.
 
-Right answers that are numbers are computed: an expression without symbols (a formula's `at`, also
-a mistake's), or a function of no arguments. They are SI; the reader sees and types `unit`.
+Right answers that are numbers are computed: an expression without symbols (of a
+formula's or a mistake's `substitute`), or a function of no arguments. They are SI; the reader sees
+and types `unit`.
 """
 
 import re
@@ -16,7 +17,7 @@ from courseware.course import course
 from courseware.errors import CourseError, describe
 from courseware.figures.declaration import Slider
 from courseware.figures.figure import find_figure
-from courseware.practice.wording import number_text, with_unit
+from courseware.practice.formatting import append_unit, format_number
 from courseware.units import UNITS, in_figures, refuse_unknown
 
 Value = Any  # an expression, a matrix or tuple of them, or a function of no arguments
@@ -29,32 +30,32 @@ class Buttons:
     Args:
         options: the words on the buttons.
         right: one of them, or a function that finds it.
-        assumes: option → what somebody assumes who chooses it, in a sentence.
+        assumptions: option → the assumption of somebody who chooses it, in a sentence.
     """
 
     options: tuple[str, ...]
     right: str | Callable[[], str]
-    assumes: Mapping[str, str] = field(default_factory=dict)
+    assumptions: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        unknown = {self.answer(), *self.assumes} - set(self.options)
+        unknown = {self.format_answer(), *self.assumptions} - set(self.options)
         if unknown or not 2 <= len(set(self.options)) <= 4:
             raise CourseError(
                 f"a prediction has two to four different options, and its other words name them; "
                 f"got {', '.join(self.options)} and {', '.join(unknown) or 'none besides'}"
             )
 
-    def answer(self) -> str:
-        """The right option."""
+    def format_answer(self) -> str:
+        """Return the right option."""
         return self.right if isinstance(self.right, str) else self.right()
 
-    def data(self) -> dict[str, Any]:
-        """What the script must know."""
-        wrong = {self.options.index(option): why for option, why in self.assumes.items()}
+    def serialize(self) -> dict[str, Any]:
+        """Return what the script must know."""
+        wrong = {self.options.index(option): why for option, why in self.assumptions.items()}
         return {
             "kind": "buttons",
             "options": self.options,
-            "right": self.options.index(self.answer()),
+            "right": self.options.index(self.format_answer()),
             "wrong": list(wrong),
         }
 
@@ -66,38 +67,38 @@ class Number:
     Args:
         label, unit: of the box.
         right: the right one.
-        assumes: what somebody assumes, in a sentence → the number that this gives.
-        near: how far off still counts as right, as a part of the right one.
+        assumptions: an assumption, in a sentence → the number that follows from it.
+        relative: how far off still counts as right, as a part of the right one.
     """
 
     label: str
     unit: str
     right: Value
-    assumes: Mapping[str, Value] = field(default_factory=dict)
-    near: float = 0.05
+    assumptions: Mapping[str, Value] = field(default_factory=dict)
+    relative: float = 0.05
 
     def __post_init__(self) -> None:
         refuse_unknown(self.unit, f"the guess of {self.label}")
-        _refuse_typed(self.label, self.right, *self.assumes.values())
+        _refuse_typed(self.label, self.right, *self.assumptions.values())
 
-    def shown(self, value: Value) -> float:
-        """A number in the unit that the reader sees."""
-        return UNITS[self.unit].from_si(row(value)[0])
+    def convert(self, value: Value) -> float:
+        """Return a number in the unit that the reader sees."""
+        return UNITS[self.unit].from_si(evaluate(value)[0])
 
-    def answer(self) -> str:
-        """The right number with its unit."""
-        return with_unit(number_text(self.shown(self.right), ".3g"), self.unit)
+    def format_answer(self) -> str:
+        """Return the right number with its unit."""
+        return append_unit(format_number(self.convert(self.right), ".3g"), self.unit)
 
-    def data(self) -> dict[str, Any]:
-        """What the script must know."""
-        right = self.shown(self.right)
+    def serialize(self) -> dict[str, Any]:
+        """Return what the script must know."""
+        right = self.convert(self.right)
         return {
             "kind": "number",
             "labels": [""],
             "units": [self.unit],
             "right": [right],
-            "wrong": [[self.shown(value)] for value in self.assumes.values()],
-            "near": self.near * (abs(right) or 1),
+            "wrong": [[self.convert(value)] for value in self.assumptions.values()],
+            "near": self.relative * (abs(right) or 1),
         }
 
 
@@ -109,24 +110,24 @@ class Ghost:
         figure: its name.
         places: those sliders of the figure that place the ghost; while the question is open, they
             and their handles are all that can be moved.
-        then: what the figure shows after the answer.
+        then: the sliders' values after the answer.
         right: where the ghost belongs, a number for each slider.
-        near: how far off still counts as right, in what the sliders show.
-        assumes: as for a number.
+        tolerance: how far off still counts as right, in the units of the sliders.
+        assumptions: as for a number.
     """
 
     figure: str
     places: tuple[sp.Symbol, ...]
     then: Mapping[sp.Symbol, Value]
     right: Value
-    near: float
-    assumes: Mapping[str, Value] = field(default_factory=dict)
+    tolerance: float
+    assumptions: Mapping[str, Value] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        _refuse_typed(self.figure, self.right, *self.assumes.values())
+        _refuse_typed(self.figure, self.right, *self.assumptions.values())
 
     def sliders(self) -> list[Slider]:
-        """The sliders that place the ghost."""
+        """Return the sliders that place the ghost."""
         known = {getattr(control, "symbol", None): control for control in self.controls()}
         missing = [str(s) for s in (*self.places, *self.then) if s not in known]
         if missing:
@@ -137,28 +138,28 @@ class Ghost:
         return [known[symbol] for symbol in self.places]
 
     def controls(self) -> tuple[Any, ...]:
-        """All controls of the figure."""
+        """Return all controls of the figure."""
         return find_figure(self.figure).controls
 
     def units(self) -> list[str]:
-        """The unit of each slider, as the reader sees it."""
+        """Return the unit of each slider, as the reader sees it."""
         return [in_figures(slider.symbol.unit).name for slider in self.sliders()]
 
-    def shown(self, value: Value) -> list[float]:
-        """Numbers in the units that the reader sees."""
-        pairs = zip(row(value), self.sliders(), strict=True)
+    def convert(self, value: Value) -> list[float]:
+        """Return numbers in the units that the reader sees."""
+        pairs = zip(evaluate(value), self.sliders(), strict=True)
         return [x / in_figures(slider.symbol.unit).factor for x, slider in pairs]
 
-    def answer(self) -> str:
-        """Where the ghost belongs, in words."""
-        parts = zip(self.sliders(), self.shown(self.right), self.units(), strict=True)
+    def format_answer(self) -> str:
+        """Return the place of the ghost in words."""
+        parts = zip(self.sliders(), self.convert(self.right), self.units(), strict=True)
         return ", ".join(
-            f"{slider.label or slider.symbol} {with_unit(number_text(x, '.3g'), unit)}"
+            f"{slider.label or slider.symbol} {append_unit(format_number(x, '.3g'), unit)}"
             for slider, x, unit in parts
         )
 
-    def data(self) -> dict[str, Any]:
-        """What the script must know; sliders as numbers of the figure's controls."""
+    def serialize(self) -> dict[str, Any]:
+        """Return what the script must know; sliders as numbers of the figure's controls."""
         order = [getattr(control, "symbol", None) for control in self.controls()]
         return {
             "kind": "ghost",
@@ -167,12 +168,12 @@ class Ghost:
             "labels": [slider.label or str(slider.symbol) for slider in self.sliders()],
             "units": self.units(),
             "then": {
-                order.index(symbol): float(row(value)[0]) / in_figures(symbol.unit).factor
+                order.index(symbol): evaluate(value)[0] / in_figures(symbol.unit).factor
                 for symbol, value in self.then.items()
             },
-            "right": self.shown(self.right),
-            "wrong": [self.shown(value) for value in self.assumes.values()],
-            "near": self.near,
+            "right": self.convert(self.right),
+            "wrong": [self.convert(value) for value in self.assumptions.values()],
+            "near": self.tolerance,
         }
 
 
@@ -187,41 +188,41 @@ class Prediction:
         name: its address on the page, letters and dashes.
         question: Markdown with formulas.
         answers: Buttons, a Number or a Ghost.
-        opens: the result in a sentence or two, Markdown with formulas.
-        hides: words that give the answer away, besides the answer itself; a test holds that they
-            stand nowhere above it in the chapter, and below it only in what it opens.
+        explanation: the result in a sentence or two, Markdown with formulas.
+        spoilers: words that give the answer away, besides the answer itself; a test holds that they
+            stand nowhere above it in the chapter, and below it only in the fold.
     """
 
     name: str
     question: str
     answers: Buttons | Number | Ghost
-    opens: str
-    hides: tuple[str, ...] = ()
+    explanation: str
+    spoilers: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if not re.fullmatch("[a-z][a-z0-9-]*", self.name):
             raise CourseError(f"a prediction's name has small letters and dashes, got {self.name}")
 
     @property
-    def assumes(self) -> list[tuple[str, str]]:
-        """What usual wrong guesses are, and what each of them assumes."""
-        answers, data = self.answers, self.answers.data()
+    def assumptions(self) -> list[tuple[str, str]]:
+        """The usual wrong guesses as texts, each with its assumption."""
+        answers, data = self.answers, self.answers.serialize()
         if isinstance(answers, Buttons):
-            return list(answers.assumes.items())
+            return list(answers.assumptions.items())
         guesses = (
             ", ".join(
-                with_unit(number_text(x, ".3g"), unit)
+                append_unit(format_number(x, ".3g"), unit)
                 for x, unit in zip(guess, data["units"], strict=True)
             )
             for guess in data["wrong"]
         )
-        return list(zip(guesses, answers.assumes, strict=True))
+        return list(zip(guesses, answers.assumptions, strict=True))
 
 
-def row(value: Value) -> list[float]:
-    """A value's numbers."""
+def evaluate(value: Value) -> list[float]:
+    """Return a value's numbers."""
     if isinstance(value, tuple):
-        return [number for part in value for number in row(part)]
+        return [number for part in value for number in evaluate(part)]
     found = value() if callable(value) else value
     if isinstance(found, sp.Basic | sp.MatrixBase):
         found = np.array(sp.Matrix([found]).evalf().tolist(), dtype=float)
@@ -231,7 +232,7 @@ def row(value: Value) -> list[float]:
 
 
 def _refuse_typed(who: str, *values: Value) -> None:
-    """An answer that is typed can be wrong without a test that notices."""
+    """Refuse answers that are typed: no test would notice a wrong one."""
     for value in (part for v in values for part in (v if isinstance(v, tuple) else (v,))):
         code = getattr(value, "__code__", None)
         computed = callable(value) or isinstance(value, sp.Basic | sp.MatrixBase)
@@ -242,11 +243,11 @@ def _refuse_typed(who: str, *values: Value) -> None:
             )
 
 
-def predictions() -> dict[str, Prediction]:
-    """Every prediction of the course, by name."""
+def all_predictions() -> dict[str, Prediction]:
+    """Return every prediction of the course, by name."""
     return course().declared("predictions", Prediction)
 
 
-def find(name: str) -> Prediction:
-    """The prediction of that name."""
+def find_prediction(name: str) -> Prediction:
+    """Return the prediction of that name."""
     return course().find("predictions", Prediction, name)

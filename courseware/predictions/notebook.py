@@ -1,21 +1,21 @@
-"""A prediction in a notebook: the question, and a fold with what it opens."""
+"""A prediction in a notebook: the question, and a fold with the answer."""
 
 from courseware.equations.notebook import Output
-from courseware.predictions.declaration import Buttons, Prediction, find
+from courseware.predictions.declaration import Buttons, Prediction, find_prediction
 
 MIME = "application/vnd.courseware.prediction+json"
 
 
 def ask(name: str) -> Output:
     """Ask the reader for a prediction, by its name."""
-    return asked(find(name))
+    return render_prediction(find_prediction(name))
 
 
-def asked(p: Prediction) -> Output:
-    """A prediction as the value of a cell; a page finds it by its name."""
+def render_prediction(p: Prediction) -> Output:
+    """Render a prediction as the value of a cell; a page finds it by its name."""
     options = p.answers.options if isinstance(p.answers, Buttons) else ()
     question = "\n".join([f"**Your guess first.** {p.question}\n", *(f"- {o}" for o in options)])
-    fold = f"<details><summary>The answer</summary>\n\n{opened(p)}\n\n</details>"
+    fold = f"<details><summary>The answer</summary>\n\n{render_fold(p)}\n\n</details>"
     return Output(
         {
             MIME: {"name": p.name},
@@ -25,7 +25,7 @@ def asked(p: Prediction) -> Output:
     )
 
 
-def opened(p: Prediction) -> str:
-    """What stands in the fold, as Markdown."""
-    guesses = [f"- {guess}: {why}" for guess, why in p.assumes]
-    return "\n\n".join([f"**{p.answers.answer()}**", p.opens, "\n".join(guesses)]).strip()
+def render_fold(p: Prediction) -> str:
+    """Render the answer, its explanation and the assumptions of wrong guesses as Markdown."""
+    guesses = "\n".join(f"- {guess}: {why}" for guess, why in p.assumptions)
+    return f"**{p.answers.format_answer()}**\n\n{p.explanation}\n\n{guesses}".strip()

@@ -7,8 +7,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
-from courseware.practice.bank import Mistake, exercises, mistakes, topics
-from courseware.practice.wording import highlighted, symbols
+from courseware.practice.bank import all_exercises, all_mistakes, all_topics
+from courseware.practice.formatting import render_marked, render_symbols
+from courseware.practice.mistakes import Mistake
 from courseware.site.outputs import desk, exercise_box
 from courseware.site.sources import depend
 from courseware.symbols import lexicon
@@ -22,12 +23,12 @@ class Practice(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """A box for each exercise, under the titles of the chapters unless one is named."""
         if not self.arguments:
-            parts = (f"## {course().title(t)}\n\n```{{practice}} {t}\n```\n" for t in topics())
+            parts = (f"## {course().title(t)}\n\n```{{practice}} {t}\n```\n" for t in all_topics())
             return self.parse_text_to_nodes("\n".join(parts), allow_section_headings=True)
         topic = self.arguments[0]
-        names = [name for name, exercise in exercises().items() if exercise.topic == topic]
+        names = [name for name, exercise in all_exercises().items() if exercise.topic == topic]
         if not names:
-            raise self.error(f"no exercises on {topic!r}; there are {', '.join(topics())}")
+            raise self.error(f"no exercises on {topic!r}; there are {', '.join(all_topics())}")
         return [exercise_box(self.env, name) for name in names]
 
 
@@ -70,23 +71,23 @@ class Errata(SphinxDirective):
         """What stands, what should and why, for each mistake that stands in a document."""
         depend(self.env, "exercises")
         found = sorted(
-            (m for m in mistakes().values() if m.document), key=lambda m: (m.document, m.nth)
+            (m for m in all_mistakes().values() if m.document), key=lambda m: (m.document, m.nth)
         )
         return self.parse_text_to_nodes("\n\n".join(map(erratum, found)))
 
 
 def erratum(mistake: Mistake) -> str:
     """Where it stands, what stands there, what should, why, and where the course treats it."""
-    asked = [each for each in exercises().values() if mistake in each.wrong]
+    asked = [each for each in all_exercises().values() if mistake in each.wrong]
     page = f"/{asked[0].topic}/{asked[0].topic}"
     chapter = f"[{course().title(asked[0].topic)}]({page})"
     # an exercise's place is made by its box, so that Sphinx does not know it
     links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in asked)
-    should = highlighted(mistake.should)
+    should = render_marked(mistake.should)
     return (
-        f"**{mistake.document}**, {symbols(mistake.place)} ({mistake.name})\n\n"
-        f"- The document says: {symbols(mistake.stands)}\n- It should be: {should}\n\n"
-        f"{symbols(mistake.explained or mistake.why)} "
+        f"**{mistake.document}**, {render_symbols(mistake.place)} ({mistake.name})\n\n"
+        f"- The document says: {render_symbols(mistake.stands)}\n- It should be: {should}\n\n"
+        f"{render_symbols(mistake.explained or mistake.why)} "
         f"Chapter: {chapter}. Exercises: {links}."
     )
 
@@ -126,6 +127,6 @@ def notation() -> dict[str, list[str]]:
             if len(letters) > 4:
                 letters[1:-1] = ["…"]
             codes = ", ".join(f"`{symbol.code}`" for symbol in group if symbol.code in names)
-            row = (", ".join(letters), symbols(meaning), unit, span, codes)
+            row = (", ".join(letters), render_symbols(meaning), unit, span, codes)
             tables.setdefault(chapter, []).append(f"| {' | '.join(row)} |")
     return tables

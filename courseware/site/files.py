@@ -12,8 +12,8 @@ from sphinx.application import Sphinx
 from courseware.course import course
 from courseware.figures.compiling import Code, serialize
 from courseware.figures.figure import figures
-from courseware.practice import page as practice
-from courseware.practice.bank import mistakes, topics
+from courseware.practice import rendering as practice
+from courseware.practice.bank import all_mistakes, all_topics
 from courseware.script import parts as scripts
 from courseware.site.stills import still
 from courseware.symbols.page import symbols_told
@@ -47,9 +47,9 @@ def write_assets(app: Sphinx, env: Any) -> None:
         return
     solutions = app.config.course_solutions
     write_static(app, "courseware.css", scripts.style_sheet())
-    for topic in topics():
-        write_static(app, f"practice/{topic}.js", practice.script(topic, solutions))
-    for mistake in mistakes().values():
+    for topic in all_topics():
+        write_static(app, f"practice/{topic}.js", practice.render_script(topic, solutions))
+    for mistake in all_mistakes().values():
         if mistake.picture:
             write_static(app, f"practice/{mistake.name}.svg", still(mistake.picture))
 

@@ -9,7 +9,7 @@ from sphinx.util.docutils import SphinxDirective
 from courseware.course import course
 from courseware.figures import Figure
 from courseware.figures.figure import find_figure
-from courseware.practice.bank import exercises, mistakes
+from courseware.practice.bank import all_exercises, all_mistakes
 from courseware.practice.dealing import VARIANTS
 from courseware.site.checks_page import checked, power
 from courseware.site.outputs import figure_on_page
@@ -67,7 +67,8 @@ class Promise(SphinxDirective):
             f"**{found.formulas}** formulas, each computed at {found.samples:,} points or more: "
             f"they and the code are at most {power(found.largest)} apart ([how](checks)).",
             f"**{len(course().declared('figures', Figure))}** figures that you can move.",
-            f"**{len(exercises())}** exercises, each with {VARIANTS} sets of numbers, "
-            f"and **{len(mistakes())}** mistakes that they know by name ([practice](practice)).",
+            f"**{len(all_exercises())}** exercises, each with {VARIANTS} sets of numbers, "
+            f"and **{len(all_mistakes())}** mistakes that they know by name "
+            "([practice](practice)).",
         )
         return self.parse_text_to_nodes("\n".join(f"- {line}" for line in lines))

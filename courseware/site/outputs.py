@@ -24,9 +24,9 @@ from courseware.errors import CourseError
 from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find_figure
 from courseware.practice import dealing
-from courseware.practice import page as practice
+from courseware.practice import rendering as practice
 from courseware.practice.notebook import MISTAKE, mistake
-from courseware.predictions.declaration import find as find_prediction
+from courseware.predictions.declaration import find_prediction
 from courseware.predictions.notebook import MIME as PREDICTION
 from courseware.script import engine
 from courseware.site.predictions import asked
@@ -145,7 +145,7 @@ def told(find_it: Callable[[str], T], name: str) -> T:
 def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
     """The box of an exercise; before the first on a page, the desk."""
     depend(env, "exercises")
-    html = practice.box(name, _salt(env), env.config.course_solutions)
+    html = practice.render_box(name, _salt(env), env.config.course_solutions)
     return nodes.raw("", desk(env) + html, format="html")
 
 

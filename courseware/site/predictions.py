@@ -9,7 +9,7 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from courseware.predictions.declaration import Prediction, find
+from courseware.predictions.declaration import Prediction, find_prediction
 from courseware.script import engine
 
 FENCE = "`" * 10
@@ -42,16 +42,19 @@ def asked(renderer: Any, prediction: Prediction) -> Tag:
         return node
 
     answers = prediction.answers
-    form = engine.call("courseware.renderForm", answers.data())
+    form = engine.call("courseware.renderForm", answers.serialize())
     summary = nodes.raw("", "<summary>The answer</summary>", format="html")
-    right = nodes.raw("", f"<p><strong>{escape(answers.answer())}</strong></p>", format="html")
+    right = nodes.raw(
+        "", f"<p><strong>{escape(answers.format_answer())}</strong></p>", format="html"
+    )
     why = [
-        markdown(f"“{guess}”? {why}", classes=["rk-assumes"]) for guess, why in prediction.assumes
+        markdown(f"“{guess}”? {why}", classes=["rk-assumes"])
+        for guess, why in prediction.assumptions
     ]
     fold = Tag("", tag="details", data={}, classes=["rk-opens"])
     fold.extend([summary, Tag("", right, *why, tag="div", data={}, classes=["rk-key"])])
-    fold.append(markdown(prediction.opens))
-    data = {"data-prediction": json.dumps(answers.data(), ensure_ascii=False)}
+    fold.append(markdown(prediction.explanation))
+    data = {"data-prediction": json.dumps(answers.serialize(), ensure_ascii=False)}
     box = Tag("", tag="div", data=data, ids=[prediction.name], classes=["rk-prediction"])
     box.extend([markdown(prediction.question), nodes.raw("", form, format="html"), fold])
     return box
@@ -99,10 +102,10 @@ def gather(app: Sphinx, doctree: nodes.document) -> None:
     for left in doctree.findall(nodes.Element):
         tags = [c for c in left.get("classes", []) if c.startswith(f"tag_{TAG}")]
         if tags and "rk-opens" not in left.parent["classes"]:
-            name = tags[0].removeprefix(f"tag_{TAG}")
+            name = find_prediction(tags[0].removeprefix(f"tag_{TAG}")).name
             raise ExtensionError(
                 f"{app.env.docname}: a cell is tagged {TAG}{name}, but it does not follow the cell "
-                f'predictions.ask("{find(name).name}"): put it there, or take off the tag'
+                f'predictions.ask("{name}"): put it there, or take off the tag'
             )
 
 

@@ -3,7 +3,7 @@
 from tinycss2 import parse_stylesheet, serialize
 
 from courseware.figures.figure import find_figure
-from courseware.practice.bank import Picture
+from courseware.practice.mistakes import Picture
 from courseware.script import parts
 
 DARK = 'html[data-theme="dark"]'

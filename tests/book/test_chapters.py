@@ -14,7 +14,7 @@ import book  # noqa: F401 (opens the course)
 from courseware.course import course
 from courseware.practice import Exercise
 
-# in this order; between the first two come the steps, "1 …", "2 …"
+# in this order; between the first two come the number_range, "1 …", "2 …"
 BEFORE = ["The exercise"]
 AFTER = [
     *("As a function", "Where it fails", "Laboratory", "Your own figure", "Your own function"),

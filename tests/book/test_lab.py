@@ -96,7 +96,7 @@ def address(server, home):
 
 
 def stop(server):
-    """Ask it to end, with its kernels; after a while, make it."""
+    """Unknown it to end, with its kernels; after a while, make it."""
     server.terminate()
     try:
         server.wait(timeout=15)

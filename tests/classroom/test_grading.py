@@ -14,7 +14,7 @@ from declared import EXERCISES, table
 from test_practice import typed
 
 from classroom import answer_key, grading
-from courseware.practice import dealing, judging
+from courseware.practice import candidates, dealing
 from courseware.practice.saving import ANSWERS, write_table
 
 
@@ -94,7 +94,7 @@ def known_by_one_name(exercise, number):
     """What can be answered in a variant, without what gives the number of something before."""
     found = []
     for candidate in dealing.variants(exercise.name)[number].candidates:
-        if all(judging.apart(exercise, candidate, other) for other in found):
+        if all(candidates.is_apart(exercise, candidate, other) for other in found):
             found.append(candidate)
     return found
 
@@ -109,18 +109,18 @@ def built_class(count):
         name = NAMES[k % len(NAMES)].format(k)
         mine = answers[name] = {}
         for exercise in EXERCISES.values():
-            number = dealing.dealt("2026", exercise.name, name)
-            candidates = known_by_one_name(exercise, number)
-            chosen = draw.choice((candidates[0], draw.choice(candidates), None, "no idea"))
+            number = dealing.deal("2026", exercise.name, name)
+            possible = known_by_one_name(exercise, number)
+            chosen = draw.choice((possible[0], draw.choice(possible), None, "no idea"))
             grades = {("missing", "")}
             if chosen == "no idea":
                 mine[exercise.name], grades = chosen, {("unread", "")}
             elif chosen:
                 mine[exercise.name] = typed(chosen.rows, exercise)
-                alike = (c for c in candidates if not judging.apart(exercise, c, chosen))
-                meant = judging.outcomes(exercise)
+                alike = (c for c in possible if not candidates.is_apart(exercise, c, chosen))
+                meant = candidates.outcomes(exercise)
                 grades = {(meant[c.name].result, c.name) for c in alike}
-            wanted[dealing.folded(name), exercise.name] = grades
+            wanted[dealing.fold_name(name), exercise.name] = grades
     return answers, wanted
 
 
@@ -159,7 +159,7 @@ def test_a_class(size, folder, capsys):
     told = capsys.readouterr()
     assert f"of {size} students" in told.out
     graded = {
-        (dealing.folded(row["student"]), row["exercise"]): (row["result"], row["mistake"])
+        (dealing.fold_name(row["student"]), row["exercise"]): (row["result"], row["mistake"])
         for row in table("grades.csv")
     }
     assert graded.keys() == wanted.keys()

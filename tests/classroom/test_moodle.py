@@ -11,7 +11,8 @@ from commands import run
 from declared import EXERCISES, OF_EACH_KIND, each
 
 from classroom import moodle
-from courseware.practice import Exercise, dealing, judging
+from courseware.practice import Exercise, candidates, dealing, judging
+from courseware.practice.formatting import render_paragraphs, render_symbols
 
 FIELD = re.compile(r"\{1:NUMERICAL:((?:\\.|[^}])*)\}")
 NUMBER = r"-?\d+\.?\d*(?:e[-+]?\d+)?"
@@ -85,7 +86,7 @@ def test_every_exercise_is_asked(folder, monkeypatch):
 def test_an_exercise_is_asked_in_all_variants(exercise, questions):
     asked, name = questions(exercise.name), exercise.name
     assert len(asked) == dealing.VARIANTS
-    several = "cloze" if len(exercise.asks) > 1 else "numerical"
+    several = "cloze" if len(exercise.unknowns) > 1 else "numerical"
     kind = several if exercise.accept == "one" else "multichoice"
     for number, (question, variant) in enumerate(zip(asked, dealing.variants(name), strict=True)):
         assert question.get("type") == kind
@@ -95,15 +96,15 @@ def test_an_exercise_is_asked_in_all_variants(exercise, questions):
         assert len(question.findall("hint")) == 2  # so that there are three tries
         assert all(hint.find("text").text for hint in question.iter("hint"))
         text = question.find("questiontext/text").text  # as on the page; and how to write it
-        filled = exercise.filled(exercise.text, variant.numbers, variant.shown)
-        assert text.startswith(moodle.paragraphs(filled))
+        filled = exercise.fill(exercise.text, variant.numbers)
+        assert text.startswith(render_paragraphs(filled))
         assert ("decimal number" in text) == (kind != "multichoice")
 
 
 @each("exercise", "exercises", Exercise, marks, lambda exercise: exercise.accept == "one")
 def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, questions):
     """As Moodle judges, field by field: in one field at least the mistake is named."""
-    named, made, meant = 0, 0, judging.outcomes(exercise)
+    named, made, meant = 0, 0, candidates.outcomes(exercise)
     for question, variant in zip(
         questions(exercise.name), dealing.variants(exercise.name), strict=True
     ):
@@ -111,10 +112,10 @@ def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, question
         for candidate in variant.candidates:
             found = list(map(judged, fields, candidate.rows[0]))
             passed = all(right for right, _ in found)
-            assert passed == (candidate.name == "right"), (variant.shown, candidate)
+            assert passed == (candidate.name == "right"), (variant.numbers, candidate)
             if candidate.name in {m.name for m in exercise.wrong}:
                 made += 1
-                says = moodle.symbols(meant[candidate.name].says).replace("&#x27;", "'")
+                says = render_symbols(meant[candidate.name].feedback).replace("&#x27;", "'")
                 named += any(not right and says in told for right, told in found)
     assert named >= TOLD * made, (
         f"of {made} answers with a mistake {named} are named in Moodle, at least {TOLD:.0%} must "
@@ -128,10 +129,10 @@ def test_an_angle_may_be_off_by_a_turn_and_be_in_degrees(questions):
     (field,) = answers(first)
     right = float(field[0][1])
     for turns in (-1, 0, 1):
-        assert judged(field, right + 2 * np.pi * turns) == (True, judging.RIGHT)
+        assert judged(field, right + 2 * np.pi * turns) == (True, candidates.RIGHT)
     assert "The right value in °" in judged(field, np.degrees(right))[1]
-    assert judged(field, right + 5e-3) == (False, judging.says("near", digits=""))
-    assert judged(field, 1e6) == (False, judging.says("wrong"))
+    assert judged(field, right + 5e-3) == (False, judging.format_feedback("near", digits=""))
+    assert judged(field, 1e6) == (False, judging.format_feedback("wrong"))
     units = first.find("units")
     found = {u.find("unit_name").text: float(u.find("multiplier").text) for u in units}
     turns = pytest.approx(1 / (2 * np.pi))
@@ -140,7 +141,7 @@ def test_an_angle_may_be_off_by_a_turn_and_be_in_degrees(questions):
 
 @each("exercise", "exercises", Exercise, only=lambda exercise: exercise.accept != "one")
 def test_several_right_answers_are_a_choice(exercise, questions):
-    few, most = 1 + moodle.FEW, 1 + moodle.CHOICES
+    few, most = 1 + moodle.FEWEST_CHOICES, 1 + moodle.MOST_CHOICES
     for question, variant in zip(
         questions(exercise.name), dealing.variants(exercise.name), strict=True
     ):
@@ -148,10 +149,10 @@ def test_several_right_answers_are_a_choice(exercise, questions):
             answer.find("text").text: answer.get("fraction")
             for answer in question.findall("answer")
         }
-        right = exercise.rows_text(variant.candidates[0].rows)
+        right = exercise.format_rows(variant.candidates[0].rows)
         assert [text for text, part in found.items() if part == "100"] == [right]
         assert few <= len(found) <= most, (
-            f"{exercise.name} offers {len(found)} answers for {variant.shown}, allowed {few} to "
+            f"{exercise.name} offers {len(found)} answers for {variant.numbers}, allowed {few} to "
             f"{most}: add mistakes or `also`"
         )
         assert set(found.values()) == {"100", "0"}

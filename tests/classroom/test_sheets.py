@@ -6,7 +6,7 @@ from commands import ONE, run
 from declared import EXERCISES, table
 
 from courseware.practice import dealing
-from courseware.practice.wording import paragraphs
+from courseware.practice.formatting import render_paragraphs
 
 
 def test_a_sheet_shows_the_numbers_of_the_key(keyed):
@@ -18,8 +18,8 @@ def test_a_sheet_shows_the_numbers_of_the_key(keyed):
         if row["student"] == "Ada":
             variant = dealing.variants(row["exercise"])[int(row["variant"])]
             exercise = EXERCISES[row["exercise"]]
-            text = exercise.filled(exercise.text, variant.numbers, variant.shown)
-            assert paragraphs(text) in page
+            text = exercise.fill(exercise.text, variant.numbers)
+            assert render_paragraphs(text) in page
 
 
 def test_a_damaged_key_makes_no_sheet_and_says_why(keyed, capsys):

@@ -16,10 +16,19 @@ from figure_numbers import point
 
 from courseware.course import course
 from courseware.figures import Figure
-from courseware.practice import Ask, Exercise, Solution, angle, judging, matrix, whole
-from courseware.practice.judging import Candidate
+from courseware.practice import (
+    Exercise,
+    Solution,
+    Unknown,
+    angle,
+    candidates,
+    judging,
+    matrix,
+    whole,
+)
+from courseware.practice.candidates import Candidate
 from courseware.predictions import Buttons, Number, Prediction
-from courseware.predictions.declaration import predictions
+from courseware.predictions.declaration import all_predictions
 from courseware.script import engine
 
 
@@ -35,7 +44,7 @@ FEEDBACK, PREDICTED, GOALS = (expected(table) for table in ("FEEDBACK", "PREDICT
 @pytest.mark.parametrize("chapter", course().modules("expected"))
 def test_what_is_expected_is_there(chapter):
     module = course().modules("expected")[chapter]
-    known = {"FEEDBACK": EXERCISES, "PREDICTED": predictions(), "GOALS": FIGURES}
+    known = {"FEEDBACK": EXERCISES, "PREDICTED": all_predictions(), "GOALS": FIGURES}
     unknown = {name: getattr(module, name, {}).keys() - there for name, there in known.items()}
     assert not any(unknown.values()), f"take these out of book/{chapter}/expected.py: {unknown}"
 
@@ -47,7 +56,7 @@ def test_what_is_expected_is_there(chapter):
 def test_each_mistake_in_an_exercise_is_told(exercise):
     numbers, examples = FEEDBACK.get(exercise.name, ({}, {}))
     place = f'FEEDBACK["{exercise.name}"] in book/{exercise.topic}/expected.py'
-    words = {mistake.name: mistake.says for mistake in exercise.wrong}
+    words = {mistake.name: mistake.feedback for mistake in exercise.wrong}
     words |= {said: said for said in exercise.also}
     meant = {key: [w for name, w in words.items() if name == key or key in w] for key in examples}
     unclear = {key: fits for key, fits in meant.items() if len(fits) != 1}
@@ -57,12 +66,12 @@ def test_each_mistake_in_an_exercise_is_told(exercise):
     if not examples:
         return
     assert numbers.keys() == exercise.given.keys(), f"{place} has other numbers than its text"
-    given = {name: exercise.given[name].value(option) for name, option in numbers.items()}
-    possible = judging.candidates(exercise, given)
+    given = {name: exercise.given[name].to_si(option) for name, option in numbers.items()}
+    possible = candidates.find_candidates(exercise, given)
     for key, answer in examples.items():
-        verdict = judging.check(exercise, possible, json.dumps(answer))
-        named = verdict.result == "wrong" and meant[key][0] in verdict.says
-        assert named, f"{place}: for {key!r}, {answer} is told: {verdict.says}"
+        verdict = judging.judge(exercise, possible, json.dumps(answer))
+        named = verdict.result == "wrong" and meant[key][0] in verdict.feedback
+        assert named, f"{place}: for {key!r}, {answer} is told: {verdict.feedback}"
 
 
 # --- Predictions ------------------------------------------------------------------------------
@@ -72,9 +81,9 @@ def test_each_mistake_in_an_exercise_is_told(exercise):
 def test_a_prediction_comes_out_as_expected(prediction):
     """By hand, too: its outcome, and the numbers of its usual wrong guesses."""
     answers, home = prediction.answers, course().homes("predictions", Prediction)[prediction.name]
-    found = answers.answer()
+    found = answers.format_answer()
     if not isinstance(answers, Buttons):
-        found = (found, *(guess for guess, _ in prediction.assumes))
+        found = (found, *(guess for guess, _ in prediction.assumptions))
     assert PREDICTED.get(prediction.name) == found, (
         f"{prediction.name} comes out as {found!r}; what it must be, worked out by hand, goes to "
         f"PREDICTED in book/{home}/expected.py"
@@ -91,10 +100,10 @@ def same(data, guess, other):
     [(2, None, 0.1), (-2, None, 0.1), (0, None, 0.05), (2, 0.02, 0.04)],
 )
 def test_a_guess_is_right_within_a_part_of_the_number(right, near, allowed):
-    number = Number("d", "m", right=sp.Float(right), **({} if near is None else {"near": near}))
+    number = Number("d", "m", right=sp.Float(right), **({} if near is None else {"relative": near}))
     for sign in (-1, 1):
-        assert same(number.data(), [right + sign * 0.98 * allowed], [right])
-        assert not same(number.data(), [right + sign * 1.02 * allowed], [right])
+        assert same(number.serialize(), [right + sign * 0.98 * allowed], [right])
+        assert not same(number.serialize(), [right + sign * 1.02 * allowed], [right])
 
 
 def test_a_ghost_is_right_within_a_distance_and_round_the_circle():
@@ -130,9 +139,12 @@ def test_a_goal_is_just_reached_and_just_missed(figure):
 
 # --- Thresholds of the judge --------------------------------------------------------------------
 
-METRES, SPEED, AREA, CURVATURE = (Ask("x", unit) for unit in ("m", "m/s", "m²", "1/m"))
-ANGLE, TURNED, RATE, TWISTED = angle("θ"), *(Ask("ω", unit) for unit in ("rad", "rad/s", "rad/m"))
-FINE = Ask("D", "m", tolerance=6e-5, reason="four decimals")
+METRES, SPEED, AREA, CURVATURE = (Unknown("x", unit) for unit in ("m", "m/s", "m²", "1/m"))
+ANGLE, TURNED, RATE, TWISTED = (
+    angle("θ"),
+    *(Unknown("ω", unit) for unit in ("rad", "rad/s", "rad/m")),
+)
+FINE = Unknown("D", "m", tolerance=6e-5, reason="four decimals")
 CLOSE, NONE, DEGREE = "very close", "none of the mistakes", 180 / np.pi
 
 
@@ -144,7 +156,7 @@ def asking(*asks, right, shape=(), also=None, accept="one", wrong=None):
         title="",
         text="",
         given={},
-        asks=asks,
+        unknowns=asks,
         right=lambda: right,
         wrong=wrong or {},
         solution=Solution(""),
@@ -156,19 +168,19 @@ def asking(*asks, right, shape=(), also=None, accept="one", wrong=None):
 
 def told(exercise, text):
     """What somebody is told who types this."""
-    return judging.check(exercise, judging.candidates(exercise, {}), text).says
+    return judging.judge(exercise, candidates.find_candidates(exercise, {}), text).feedback
 
 
 # asked; what is right; about which answer; how far off it may be, each number; what is told then
 THRESHOLDS = {
-    "metres": (METRES, 0.2123, 0.2123, 6e-4, judging.RIGHT),
-    "a thousandth": (METRES, -50.123, -50.123, 0.050123, judging.RIGHT),
-    "no unit": (Ask("c"), 0.2123, 0.2123, 6e-4, judging.RIGHT),
-    "rate": (RATE, 0.2123, 0.2123, 9e-4, judging.RIGHT),
-    "angle": (ANGLE, 3.1, 3.1, 9e-4, judging.RIGHT),
-    "angle beyond a turn": (ANGLE, 3.1, 3.1 - 4 * np.pi, 9e-4, judging.RIGHT),
-    "whole number": (whole("n"), 5000, 5000, 1e-9, judging.RIGHT),
-    "four decimals": (FINE, 0.0321, 0.0321, 6e-5, judging.RIGHT),
+    "metres": (METRES, 0.2123, 0.2123, 6e-4, candidates.RIGHT),
+    "a thousandth": (METRES, -50.123, -50.123, 0.050123, candidates.RIGHT),
+    "no unit": (Unknown("c"), 0.2123, 0.2123, 6e-4, candidates.RIGHT),
+    "rate": (RATE, 0.2123, 0.2123, 9e-4, candidates.RIGHT),
+    "angle": (ANGLE, 3.1, 3.1, 9e-4, candidates.RIGHT),
+    "angle beyond a turn": (ANGLE, 3.1, 3.1 - 4 * np.pi, 9e-4, candidates.RIGHT),
+    "whole number": (whole("n"), 5000, 5000, 1e-9, candidates.RIGHT),
+    "four decimals": (FINE, 0.0321, 0.0321, 6e-5, candidates.RIGHT),
     "close": (METRES, 0.2123, 0.2123, 6e-3, CLOSE),
     "close by a thousandth": (METRES, 50.123, 50.123, 0.50123, CLOSE),
     "close angle": (ANGLE, 3.1, 3.1 + 2 * np.pi, 9e-3, CLOSE),
@@ -270,4 +282,4 @@ def test_answers_are_alike_up_to_both_their_tolerances():
     for size, alike in ((1.98, "right and M12"), (2.02, "")):
         exercise = asking(METRES, right=0.2, wrong={mistake: lambda: 0.2})
         other = Candidate("M12", ((0.2 + size * 6e-4,),))
-        assert judging.clash(exercise, [Candidate("right", ((0.2,),)), other]) == alike
+        assert candidates.find_clash(exercise, [Candidate("right", ((0.2,),)), other]) == alike

@@ -13,14 +13,14 @@ from book.differential_drive.formulas import b, v_L, v_R
 from courseware import practice
 from courseware.figures import Choice, Figure
 from courseware.practice import Mistake
-from courseware.practice.wrong import marked
+from courseware.practice.wrong_formula import mark_difference
 from courseware.site import stills
 
 
 @each("mistake", "exercises", Mistake)
 def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
     html = practice.mistake(mistake.name).answer
-    right, wrong = mistake.wrong.lines
+    right, wrong = mistake.formula.lines
     plain = [line.replace("«", "").replace("»", "") for line in (right, wrong)]
     assert plain[0] != plain[1]
     assert html.index("What is wrong?") < html.index("Right: ") < html.index("Here: ")
@@ -28,7 +28,7 @@ def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
 
 
 def test_what_changed_is_marked_in_letters():
-    assert M12.wrong.lines == ("ω = (v_R − v_L)/«b»", "ω = (v_R − v_L)/«(b/2)»")
+    assert M12.formula.lines == ("ω = (v_R − v_L)/«b»", "ω = (v_R − v_L)/«(b/2)»")
 
 
 def test_a_figure_gets_the_expression():
@@ -38,9 +38,9 @@ def test_a_figure_gets_the_expression():
 
 
 def test_the_same_is_put_in_for_the_numbers_of_other_formulas():
-    assert M13.wrong.put(theta=np.pi, v=2) == {"theta": 180, "v": 2}
-    assert M14.wrong.through(lambda theta: [theta])(theta=1) == [-1]
-    other = M12.wrong.made_in(formulas.wheel_speeds).gives(v=0, omega=1, b=0.4)
+    assert M13.formula.replace(theta=np.pi, v=2) == {"theta": 180, "v": 2}
+    assert M14.formula.wrap(lambda theta: [theta])(theta=1) == [-1]
+    other = M12.formula.transfer(formulas.wheel_speeds).evaluate(v=0, omega=1, b=0.4)
     np.testing.assert_allclose(other.ravel(), [-0.1, 0.1], rtol=1e-15)
 
 
@@ -59,7 +59,7 @@ def test_the_bank_s_numbers_are_the_formula_s():
     ],
 )
 def test_what_changed_is_marked(lines, shown):
-    assert marked(*lines) == shown
+    assert mark_difference(*lines) == shown
 
 
 still = cache(stills.still)

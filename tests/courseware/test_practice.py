@@ -18,9 +18,9 @@ from courseware import practice
 from courseware.course import course
 from courseware.errors import CourseError
 from courseware.line_breaks import prevent_breaks
-from courseware.practice import Exercise, Mistake, dealing, judging, notebook, page
-from courseware.practice.bank import exercises, mistakes
-from courseware.practice.wording import paragraphs, symbols
+from courseware.practice import Exercise, Mistake, candidates, dealing, judging, notebook, rendering
+from courseware.practice.bank import all_exercises, all_mistakes
+from courseware.practice.formatting import render_paragraphs, render_symbols
 from courseware.script import engine as script
 
 each_exercise = each("exercise", "exercises", Exercise)
@@ -36,13 +36,13 @@ def users(mistake):
 def test_every_candidate_of_every_variant_is_named(exercise):
     dealt = dealing.variants(exercise.name)
     assert len(dealt) == dealing.VARIANTS
-    different = len({tuple(variant.shown.values()) for variant in dealt})
+    different = len({tuple(variant.numbers.values()) for variant in dealt})
     assert different == dealing.VARIANTS, (
         f"{different} different sets of numbers, {dealing.VARIANTS} needed: more options in `given`"
     )
     for variant in dealt:
         lost = {m.name for m in exercise.wrong} - {c.name for c in variant.candidates}
-        assert not lost, f"with {variant.shown} nobody can make {lost}"
+        assert not lost, f"with {variant.numbers} nobody can make {lost}"
     answers = [
         (number, candidate)
         for number, variant in enumerate(dealt)
@@ -51,9 +51,9 @@ def test_every_candidate_of_every_variant_is_named(exercise):
     verdicts = judged(exercise, [(number, typed(c.rows, exercise)) for number, c in answers])
     for (number, candidate), verdict in zip(answers, verdicts, strict=True):
         if candidate.name.removeprefix("slip:") in exercise.also:  # beside another of its number
-            assert candidate.name.removeprefix("slip:") in verdict.says
+            assert candidate.name.removeprefix("slip:") in verdict.feedback
         else:
-            assert verdict.name == candidate.name, (dealt[number].shown, candidate)
+            assert verdict.name == candidate.name, (dealt[number].numbers, candidate)
         wanted = "right" if candidate.name == "right" else "wrong"
         wanted = "partly" if candidate.name.startswith("unit:") else wanted
         assert verdict.result == wanted
@@ -61,15 +61,18 @@ def test_every_candidate_of_every_variant_is_named(exercise):
 
 @each_exercise
 def test_what_an_answer_should_be_written_like_can_be_read(exercise):
-    like = script.call("courseware.formatExample", judging.essence(exercise))
+    like = script.call("courseware.formatExample", judging.serialize_exercise(exercise))
     (verdict,) = judged(exercise, [(0, like)])
     if exercise.accept == "all":  # how many there are is asked, too: of several two are shown
-        assert np.shape(json.loads(like.replace("\u00a0", ""))) in ((2,), (2, len(exercise.asks)))
+        assert np.shape(json.loads(like.replace("\u00a0", ""))) in (
+            (2,),
+            (2, len(exercise.unknowns)),
+        )
     else:
         assert verdict.result != "unread"
     (told,) = judged(exercise, [(0, "[[[1], [2], [3]]]")])
     assert told.result == "unread"
-    assert f"Write it like {like}." in told.says
+    assert f"Write it like {like}." in told.feedback
 
 
 @pytest.mark.parametrize("name", ["bicycle-2", "bicycle-4", "bicycle-5"])
@@ -86,7 +89,7 @@ def test_a_right_angle_in_whole_degrees_is_nobody_s_mistake(name, sign):
 def judged(exercise, answers):
     """The verdicts on answers, each with the number of its variant."""
     variants = [variant.candidates for variant in dealing.variants(exercise.name)]
-    return judging.check_all(exercise, variants, answers)
+    return judging.judge_all(exercise, variants, answers)
 
 
 @each_exercise
@@ -107,7 +110,7 @@ def test_what_is_no_documented_mistake_is_mostly_named(exercise):
 def test_texts_can_be_filled(exercise):
     for variant in dealing.variants(exercise.name):
         for template in (exercise.text, exercise.solution_text):
-            filled = exercise.filled(template, variant.numbers, variant.shown)
+            filled = exercise.fill(template, variant.numbers)
             assert "{" not in filled
             assert not re.search(r"\bnan\b", filled)
 
@@ -123,8 +126,8 @@ def test_an_answer_as_the_solution_prints_it_is_right(exercise):
 @each_exercise
 def test_whole_turns_more_or_less_do_not_matter(exercise):
     """So the page and the sheets say of all angles."""
-    assert all(ask.circle for ask in exercise.asks if ask.unit == "rad")
-    turn = np.array([2 * math.pi * ask.circle for ask in exercise.asks])
+    assert all(ask.circle for ask in exercise.unknowns if ask.unit == "rad")
+    turn = np.array([2 * math.pi * ask.circle for ask in exercise.unknowns])
     answers = [
         (k, typed(np.array(v.candidates[0].rows) + turns * turn, exercise))
         for k, v in enumerate(dealing.variants(exercise.name))
@@ -141,12 +144,12 @@ def plain(html):
 def test_no_line_ends_inside_a_number_with_its_unit(exercise):
     """In the text as Python writes it and as the page does; nothing else changes in it."""
     variant = dealing.variants(exercise.name)[0]
-    text = exercise.filled(exercise.text, variant.numbers, variant.shown)
-    for html in (paragraphs(text), script.call("courseware.renderParagraphs", text)):
+    text = exercise.fill(exercise.text, variant.numbers)
+    for html in (render_paragraphs(text), script.call("courseware.renderParagraphs", text)):
         shown = plain(html)
         assert not re.search(r"\d (?:cm|m|s|rad|N)\b|[=] \d| = −?\d", shown)
         if "[[" not in text:  # on the page a matrix
-            assert shown.replace("\u00a0", " ") == plain(symbols(text.replace("\n\n", "")))
+            assert shown.replace("\u00a0", " ") == plain(render_symbols(text.replace("\n\n", "")))
 
 
 def test_short_formulas_and_units_stay_together():
@@ -175,10 +178,10 @@ def test_a_mistake_is_used_and_its_line_makes_it(mistake):
     exercise = shown_in[0]
     numbers = {**exercise.example, **exercise.derive(**exercise.example)}
     found = last_made(mistake.line, numbers)
-    wrong = exercise.answers(exercise.wrong[mistake], exercise.example)
-    np.testing.assert_allclose(np.ravel(found), wrong.ravel(), rtol=1e-12, atol=1e-12)
-    right = exercise.answers(exercise.right, exercise.example)
-    assert not np.allclose(right, wrong.reshape(-1, right.shape[1]), atol=1e-6)
+    wrong = exercise.evaluate(exercise.wrong[mistake], exercise.example)
+    np.testing.assert_allclose(np.ravel(found), np.ravel(wrong), rtol=1e-12, atol=1e-12)
+    right = exercise.evaluate(exercise.right, exercise.example)
+    assert not np.allclose(right, wrong, atol=1e-6)
 
 
 @each_mistake
@@ -195,7 +198,7 @@ def test_a_mistake_runs_as_printed(mistake):
     numbers = {}
     exec(given, {"np": np}, numbers)
     found = last_made(mistake.line, numbers)
-    says = re.findall(r"-?[0-9.]+", view.gives.replace("\u2212", "-"))
+    says = re.findall(r"-?[0-9.]+", view.result.replace("\u2212", "-"))
     # both are rounded to four decimals; a product with the largest number here, 2, doubles that
     wanted = np.array(says, dtype=float)
     told = f"the line of {mistake.name} must give what its formula gives: {mistake.line}"
@@ -206,7 +209,7 @@ def test_a_mistake_runs_as_printed(mistake):
 def test_a_mistake_says_all_it_must(mistake):
     assert mistake.unnoticed, f"say where {mistake.name} happens to be right, as `unnoticed`"
     assert mistake.why, f"say why {mistake.name} is wrong, as `why`"
-    assert not mistake.says.endswith("."), f"`says` of {mistake.name}: without the stop at its end"
+    assert not mistake.feedback.endswith("."), f"`feedback` of {mistake.name}: no stop at its end"
     told = mistake.document, mistake.place, mistake.nth, mistake.stands, mistake.should
     assert all(told) or not any((*told, mistake.explained)), (
         f"{mistake.name} stands in a document, and needs all of `document`, `place`, `nth`, "
@@ -222,11 +225,13 @@ def test_a_mistake_says_all_it_must(mistake):
     )
 
 
-@pytest.mark.parametrize("chapter", practice.topics())
+@pytest.mark.parametrize("chapter", practice.all_topics())
 def test_errata_have_an_order(chapter):
     homes = course().homes("exercises", Mistake)
-    for document in {m.document for m in mistakes().values() if homes[m.name] == chapter} - {""}:
-        order = {m.name: m.nth for m in mistakes().values() if m.document == document}
+    for document in {m.document for m in all_mistakes().values() if homes[m.name] == chapter} - {
+        ""
+    }:
+        order = {m.name: m.nth for m in all_mistakes().values() if m.document == document}
         assert sorted(order.values()) == [*range(1, len(order) + 1)], (
             f"number the errata of {document} from 1 on, as `nth`: {order}"
         )
@@ -273,7 +278,7 @@ def names(count):
 
 
 def dealt_in_python(course, exercise, people):
-    return [dealing.dealt(course, exercise, name) for name in people]
+    return [dealing.deal(course, exercise, name) for name in people]
 
 
 DEAL = """(people) => people.map((name) =>
@@ -292,17 +297,17 @@ def test_a_release_deals_as_the_last_one_did():
     """Or who is half-way through the course gets other numbers."""
     dealt = dealt_in_python("robokin", "euler-1", ["", "Ada", "سارا محمدی", "李雷"])
     assert dealt == [11, 43, 44, 15]
-    shown = dealing.variants("euler-1")[43].shown
+    shown = EXERCISES["euler-1"].format_given(dealing.variants("euler-1")[43].numbers)
     assert list(shown.values()) == ["90°", "y", "−30°", "z", "z"]
 
 
 def test_names_that_look_alike_are_the_same():
-    assert dealing.folded("  Ada \u00a0 Lovelace\n") == "ada lovelace"
-    assert dealing.folded("Jose\u0301") == dealing.folded("José")
-    assert dealing.folded("  Ada\u200c \u00a0 ۰۴۷۱\n") == "ada 0471"
-    assert dealing.folded("ADA ۰۴۷۱") == dealing.folded("ada 0471") == "ada 0471"
-    assert dealing.folded("علي") == dealing.folded("علی")  # two letters, one name
-    assert dealing.folded("A\u200cda\u200d") == "ada"
+    assert dealing.fold_name("  Ada \u00a0 Lovelace\n") == "ada lovelace"
+    assert dealing.fold_name("Jose\u0301") == dealing.fold_name("José")
+    assert dealing.fold_name("  Ada\u200c \u00a0 ۰۴۷۱\n") == "ada 0471"
+    assert dealing.fold_name("ADA ۰۴۷۱") == dealing.fold_name("ada 0471") == "ada 0471"
+    assert dealing.fold_name("علي") == dealing.fold_name("علی")  # two letters, one name
+    assert dealing.fold_name("A\u200cda\u200d") == "ada"
 
 
 def test_the_hash_is_fnv1a():
@@ -334,7 +339,7 @@ JUDGE = """(({ exercise, answers }) => answers.map(([k, text]) =>
 
 def typed(rows, exercise):
     """Rows as a student would type them."""
-    shaped = np.reshape(rows, (-1, *(exercise.shape or (len(exercise.asks),))))
+    shaped = np.reshape(rows, (-1, *(exercise.shape or (len(exercise.unknowns),))))
     if exercise.accept != "all":
         shaped = shaped[0]
     return json.dumps(shaped.tolist()[0] if shaped.shape == (1,) else shaped.tolist())
@@ -342,7 +347,7 @@ def typed(rows, exercise):
 
 def test_the_tolerance_is_a_part_of_a_large_answer():
     """What rounding on the way makes grows with the answer; an angle stays on its circle."""
-    rate, turned = EXERCISES["wheels-3"].asks[0], practice.angle("φ")
+    rate, turned = EXERCISES["wheels-3"].unknowns[0], practice.angle("φ")
     assert (rate.allowed(0.1), rate.allowed(-50)) == (9e-4, 0.05)
     assert turned.allowed(3) == 9e-4
     assert practice.whole("n").allowed(5000) == 1e-9
@@ -369,11 +374,11 @@ def test_two_decimals_are_told_of_first(answer, name, words):
     verdicts = judged(ROUNDED, [(number, answer(right)) for number, right in exact])
     heard = [v for v in verdicts if v.name == name]
     assert len(heard) > len(verdicts) / 2  # the others meet something by chance
-    assert all(words in v.says for v in heard)
+    assert all(words in v.feedback for v in heard)
     assert {v.name for v in verdicts if f"{v.name}".startswith("M")} <= {"M12", "M31"}
 
 
-@each("exercise", "exercises", Exercise, only=lambda e: len(e.asks) == 1 and e.accept == "one")
+@each("exercise", "exercises", Exercise, only=lambda e: len(e.unknowns) == 1 and e.accept == "one")
 def test_right_answers_of_two_decimals_are_never_called_a_mistake(exercise):
     rights = [v.candidates[0].rows for v in dealing.variants(exercise.name)]
     answers = [(k, typed(np.round(rows, 2), exercise)) for k, rows in enumerate(rights)]
@@ -389,19 +394,21 @@ def test_right_answers_of_two_decimals_are_never_called_a_mistake(exercise):
 )
 def test_words_on_digits_follow_the_tolerance(name, decimals):
     exercise = EXERCISES[name]
-    assert ("to four decimals" in judging.asked(exercise)) == (decimals == "four")
+    assert ("to four decimals" in judging.format_prompt(exercise)) == (decimals == "four")
     right = np.array(dealing.variants(name)[0].candidates[0].rows)
-    off = 5 * max(ask.tolerance for ask in exercise.asks)
+    off = 5 * max(ask.tolerance for ask in exercise.unknowns)
     [verdict] = judged(exercise, [(0, typed(right + off, exercise))])
     assert verdict.name == "near"
-    assert f"give {decimals} decimals" in verdict.says
+    assert f"give {decimals} decimals" in verdict.feedback
 
 
 def test_two_mistakes_of_one_number_are_both_said():
     exercise = EXERCISES["euler-3"]
     for variant in dealing.variants(exercise.name):
         left_handed = next(c for c in variant.candidates if c.name == "M7")
-        says = judging.check(exercise, variant.candidates, typed(left_handed.rows, exercise)).says
+        says = judging.judge(
+            exercise, variant.candidates, typed(left_handed.rows, exercise)
+        ).feedback
         assert "left-handed turns" in says
         assert "transpose" in says
 
@@ -412,7 +419,7 @@ def test_a_mistake_in_degrees_is_named():
         wrong = next(c for c in variant.candidates if c.name == "M12").rows[0][0]
         [verdict] = judged(exercise, [(number, repr(wrong * 180 / math.pi))])
         assert verdict.name == "M12"
-        assert "other units (degrees)" in verdict.says
+        assert "other units (degrees)" in verdict.feedback
 
 
 @pytest.mark.parametrize(
@@ -438,11 +445,11 @@ def test_a_mistake_in_degrees_is_named():
 )
 def test_further_forms_of_mistakes_are_named(name, words):
     exercise, named = EXERCISES[name], set()
-    meant = judging.outcomes(exercise)
+    meant = candidates.outcomes(exercise)
     for number, variant in enumerate(dealing.variants(name)):
-        for form in (c for c in variant.candidates if words in meant[c.name].says):
+        for form in (c for c in variant.candidates if words in meant[c.name].feedback):
             [verdict] = judged(exercise, [(number, typed(form.rows, exercise))])
-            assert words in verdict.says
+            assert words in verdict.feedback
             named.add(number)
     assert len(named) > 0.9 * dealing.VARIANTS  # in the others it is right by chance
 
@@ -460,8 +467,10 @@ def test_numbers_are_those_of_real_things():
 
 
 def test_a_unit_that_all_numbers_have_is_said_once():
-    assert judging.asked(EXERCISES["elbow-arm-3"]) == "3 numbers: θ_1, θ_2, θ_3 in rad"
-    assert judging.asked(EXERCISES["wheels-6"]).startswith("2 numbers: β in rad, φ̇ in rad/s")
+    assert judging.format_prompt(EXERCISES["elbow-arm-3"]) == "3 numbers: θ_1, θ_2, θ_3 in rad"
+    assert judging.format_prompt(EXERCISES["wheels-6"]).startswith(
+        "2 numbers: β in rad, φ̇ in rad/s"
+    )
 
 
 EDGE = (0.99, 0.999, 1 - 1e-9, 1, 1 + 1e-9, 1.001, 1.01)  # in tolerances
@@ -470,12 +479,12 @@ EDGE = (0.99, 0.999, 1 - 1e-9, 1, 1 + 1e-9, 1.001, 1.01)  # in tolerances
 def answers_to(exercise, variant):
     """What might be typed: candidates, a little off the right one, at the edge, something else."""
     random = np.random.default_rng(0)
-    scale = np.array([ask.tolerance for ask in exercise.asks])
+    scale = np.array([ask.tolerance for ask in exercise.unknowns])
     texts = ["[1, 2, 3, 4, 5]", "", "what", *(typed(c.rows, exercise) for c in variant.candidates)]
     right = np.array(variant.candidates[0].rows)
     for size in (0.5, *EDGE, 9, 11, 1000):
         texts.append(typed(right + size * scale * random.choice([-1, 1], right.shape), exercise))
-    turned = np.array([2 * math.pi if ask.circle else 0.0 for ask in exercise.asks])
+    turned = np.array([2 * math.pi if ask.circle else 0.0 for ask in exercise.unknowns])
     return [*texts, typed(right + turned, exercise), typed(right[:, ::-1], exercise)]
 
 
@@ -488,23 +497,23 @@ def test_page_and_grade_agree_also_at_the_edge(exercise, every):
         for number, variant in list(enumerate(dealing.variants(exercise.name)))[::every]
         for text in answers_to(exercise, variant)
     ]
-    data = json.loads(zlib.decompress(base64.b64decode(page.packed([exercise]))))[exercise.name]
+    data = json.loads(zlib.decompress(base64.b64decode(rendering.pack([exercise]))))[exercise.name]
     found = script.call(JUDGE, {"exercise": data, "answers": answers})
-    assert [judging.Verdict(**verdict) for verdict in found] == judged(exercise, answers)
+    assert [judging.read_verdict(verdict) for verdict in found] == judged(exercise, answers)
 
 
 MOST = 125_000  # bytes of a chapter's exercises; loaded only once a student's name is known
 
 
-@pytest.mark.parametrize("topic", practice.topics())
+@pytest.mark.parametrize("topic", practice.all_topics())
 def test_the_data_of_a_topic_are_light_and_not_in_clear(topic):
-    text = page.script(topic)
+    text = rendering.render_script(topic)
     assert len(text) < MOST, (
         f"the exercises of {topic} have {len(text)} bytes, at most {MOST}: shorten solutions and "
         "texts, or ask for fewer numbers"
     )
     assert "right" not in text
-    assert len(page.script(topic, solutions=False)) < len(text)
+    assert len(rendering.render_script(topic, solutions=False)) < len(text)
 
 
 # --- In a notebook --------------------------------------------------------------------------
@@ -519,10 +528,10 @@ def nobody(monkeypatch):
 
 def test_a_box_has_the_student_s_numbers(nobody):
     box = practice.exercise("differential-drive-1", student="Ada")
-    number = dealing.dealt(COURSE, "differential-drive-1", "Ada")
+    number = dealing.deal(COURSE, "differential-drive-1", "Ada")
     assert box.variant is dealing.variants("differential-drive-1")[number]
-    assert box.variant.shown["b"] in box.text
-    assert repr(box.check(box.variant.candidates[0].rows[0][0])) == judging.RIGHT
+    assert box.exercise.format_given(box.variant.numbers)["b"] in box.text
+    assert repr(box.check(box.variant.candidates[0].rows[0][0])) == candidates.RIGHT
     practice.student(" Ada ")
     assert practice.exercise("differential-drive-1").variant is box.variant
 
@@ -563,7 +572,7 @@ def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
 def test_what_is_no_answer_is_unread(nobody, answer):
     verdict = practice.exercise("differential-drive-1", student="Ada").check(answer)
     assert verdict.result == "unread"
-    assert verdict.says
+    assert verdict.feedback
     assert not practice.answers()
 
 
@@ -591,7 +600,7 @@ def test_answers_of_nobody_are_not_exported(nobody, tmp_path):
 def test_an_exercise_is_named_after_its_folder(monkeypatch):
     monkeypatch.setattr(type(course()), "homes", lambda *_: {"car-1": "bicycle"})
     with pytest.raises(CourseError, match=r"folder bicycle is named bicycle-1, .* got car-1"):
-        exercises()
+        all_exercises()
 
 
 def test_unknown_names_are_refused():

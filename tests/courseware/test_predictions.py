@@ -14,8 +14,8 @@ from book.differential_drive.formulas import b, v_L, v_R
 from courseware.errors import CourseError
 from courseware.figures import figure
 from courseware.predictions import Buttons, Ghost, Number, Prediction
-from courseware.predictions.declaration import predictions
-from courseware.predictions.notebook import MIME, asked, opened
+from courseware.predictions.declaration import all_predictions
+from courseware.predictions.notebook import MIME, render_fold, render_prediction
 from courseware.script import engine
 from courseware.site.predictions import TAG
 
@@ -39,7 +39,7 @@ def shown_by(cell, known):
     """What a reader has seen of a cell when the next one is read; predictions are open then."""
     if asked_in(cell) in known:
         prediction = known[asked_in(cell)]
-        return f"{prediction.question} {opened(prediction)}"
+        return f"{prediction.question} {render_fold(prediction)}"
     texts = [cell.source]
     for output in cell.get("outputs", []):
         data = output.get("data", {})
@@ -53,7 +53,7 @@ def tells(prediction):
     """Words that give the answer away."""
     answers = prediction.answers
     unit = isinstance(answers, Number) and answers.unit
-    return [*prediction.hides, *([answers.answer()] if unit else [])]
+    return [*prediction.spoilers, *([answers.format_answer()] if unit else [])]
 
 
 def given_away(cells, known):
@@ -106,7 +106,7 @@ def cells_of(chapter):
 
 @pytest.mark.parametrize("chapter", ASKING)
 def test_nothing_gives_an_answer_away(chapter):
-    found = list(given_away(cells_of(chapter), predictions()))
+    found = list(given_away(cells_of(chapter), all_predictions()))
     assert not found, f"fold it into its question (tag {TAG}NAME), or say it below: {found}"
 
 
@@ -128,7 +128,7 @@ def test_it_says_what_would_give_it_away(prediction):
 
 @each("prediction", "predictions", Prediction)
 def test_a_usual_wrong_guess_is_not_right(prediction):
-    data = prediction.answers.data()
+    data = prediction.answers.serialize()
     same = "(d) => d.wrong.map((w) => courseware.isSameGuess(d, w, d.right))"
     right = engine.call(f"({same})", data)
     assert not any(right), (
@@ -157,10 +157,10 @@ RATE = Prediction(
     "rate",
     "How fast does it turn?",
     Number("ω", "rad/s", right=formulas.turning_rate.substitute(SPEEDS)),
-    opens="By the difference.",
+    explanation="By the difference.",
 )
 SIDE = Prediction(
-    "side", "Which side?", Buttons(("left", "right"), right="left"), "", hides=("to the left",)
+    "side", "Which side?", Buttons(("left", "right"), right="left"), "", spoilers=("to the left",)
 )
 KNOWN = {"rate": RATE, "side": SIDE}
 
@@ -206,7 +206,7 @@ def test_what_does_not_is_left(cells):
 
 
 def test_in_a_notebook_the_answer_is_folded():
-    data = asked(RATE)._repr_mimebundle_()
+    data = render_prediction(RATE)._repr_mimebundle_()
     question, _, fold = data["text/markdown"].partition("<details>")
     assert "0.5 rad/s" in fold
     assert "0.5" not in question + data["text/plain"]

@@ -120,7 +120,7 @@ def test_a_message_names_what_it_is_about():
 
 
 def test_both_readings_of_a_comma_are_said():
-    said = practice.exercise("differential-drive-1", "Ada").check("2,191 rad/s").says
+    said = practice.exercise("differential-drive-1", "Ada").check("2,191 rad/s").feedback
     assert said.startswith("The number “2,191” can be 2.191 or 2191. Type the one")
 
 

@@ -14,9 +14,17 @@ from test_practice import typed
 from courseware.equations import Equation, quantity
 from courseware.equations.text import signed
 from courseware.errors import CourseError
-from courseware.practice import Exercise, Line, Solution, Step, dealing, judging
-from courseware.practice.solutions import figures, form, formula_of, worked
-from courseware.practice.wording import number_text
+from courseware.practice import (
+    Exercise,
+    LocalEquation,
+    Solution,
+    Step,
+    candidates,
+    dealing,
+    judging,
+)
+from courseware.practice.formatting import format_number
+from courseware.practice.solution_steps import format_result, solve_step, step_form
 
 each_exercise = each("exercise", "exercises", Exercise)
 EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart
@@ -25,7 +33,7 @@ EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen 
 def rows_of(exercise, solution, variant):
     """What the steps that give the answer say: rows of the numbers asked for."""
     numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    steps = solution.worked(numbers, variant.shown)
+    steps = solution.solve(numbers)
     return np.array([row_of(steps, names) for names in solution.answer])
 
 
@@ -39,8 +47,8 @@ def row_of(steps, names):
 def off(exercise, row, other):
     """How far two rows are apart, angles on the circle, in parts of the value."""
     apart = [
-        judging.off(ask, x, y) / max(1.0, abs(y))
-        for ask, x, y in zip(exercise.asks, row, other, strict=True)
+        candidates.distance(ask, x, y) / max(1.0, abs(y))
+        for ask, x, y in zip(exercise.unknowns, row, other, strict=True)
     ]
     return np.max(apart)  # NaN if one is, which `max` may leave out
 
@@ -48,7 +56,7 @@ def off(exercise, row, other):
 def leads_to_the_answer(exercise, solution, variant):
     """Whether each row is a right one; all of them, where all are asked."""
     found = rows_of(exercise, solution, variant)
-    right = exercise.answers(exercise.right, variant.numbers)
+    right = exercise.evaluate(exercise.right, variant.numbers)
     near = np.array([[off(exercise, row, other) <= EXACT for other in right] for row in found])
     return near.any(axis=1).all() and (exercise.accept != "all" or near.any(axis=0).all())
 
@@ -57,7 +65,7 @@ def leads_to_the_answer(exercise, solution, variant):
 def test_a_solution_leads_to_the_library_s_answer(exercise):
     for variant in dealing.variants(exercise.name):
         assert leads_to_the_answer(exercise, exercise.solution, variant), (
-            f"the solution of {exercise.name} ends elsewhere than `right`, with {variant.shown}"
+            f"the solution of {exercise.name} ends elsewhere than `right`, with {variant.numbers}"
         )
 
 
@@ -65,7 +73,9 @@ def as_printed(value):
     """A number, vector or matrix as a solution prints it."""
     if isinstance(value, str):
         return value
-    texts = [number_text(x, "") for x in np.ravel(value)] if np.ndim(value) else [figures(value)]
+    texts = (
+        [format_number(x) for x in np.ravel(value)] if np.ndim(value) else [format_result(value)]
+    )
     return np.reshape([float(text.replace("\u2212", "-")) for text in texts], np.shape(value))[()]
 
 
@@ -75,8 +85,8 @@ def reckoned(exercise, variant):
     known = {k: as_printed(v) for k, v in exercise.derive(**variant.numbers).items()}
     known |= variant.numbers
     for name, step in exercise.solution.steps.items():
-        found[name] = worked(name, step, known, {})
-        known |= {key: as_printed(value) for key, value in found[name].given.items()}
+        found[name] = solve_step(name, step, known, {})
+        known |= {key: as_printed(value) for key, value in found[name].results.items()}
     rows = [list(map(as_printed, row_of(found, names))) for names in exercise.solution.answer]
     return rows if exercise.accept == "all" else rows[:1]
 
@@ -85,11 +95,13 @@ def reckoned(exercise, variant):
 def test_reckoning_with_the_printed_numbers_is_right(exercise):
     dealt = dealing.variants(exercise.name)
     answers = [(k, typed(reckoned(exercise, v), exercise)) for k, v in enumerate(dealt)]
-    verdicts = judging.check_all(exercise, [v.candidates for v in dealt], answers)
-    off = [v.shown for v, verdict in zip(dealt, verdicts, strict=True) if verdict.result != "right"]
+    verdicts = judging.judge_all(exercise, [v.candidates for v in dealt], answers)
+    off = [
+        v.numbers for v, verdict in zip(dealt, verdicts, strict=True) if verdict.result != "right"
+    ]
     assert not off, (
         f"who goes on with the printed numbers of {exercise.name} is further off than its "
-        f"tolerance: print fewer steps, or allow more in its Ask; with {off[:3]}"
+        f"tolerance: print fewer steps, or allow more in its Unknown; with {off[:3]}"
     )
 
 
@@ -97,14 +109,16 @@ def test_reckoning_with_the_printed_numbers_is_right(exercise):
 def test_what_is_said_beside_the_way_is_right(exercise):
     for variant in dealing.variants(exercise.name):
         wrong = wrong_beside(exercise, exercise.solution, variant)
-        assert not wrong, f"the steps {wrong} do not give what their `check` says: {variant.shown}"
+        assert not wrong, (
+            f"the steps {wrong} do not give what their `expected` says: {variant.numbers}"
+        )
 
 
 def wrong_beside(exercise, solution, variant):
     """The steps that do not give what their check says."""
     numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    steps = solution.worked(numbers, variant.shown)
-    checks = {name: step.check for name, step in solution.steps.items() if step.check}
+    steps = solution.solve(numbers)
+    checks = {name: step.expected for name, step in solution.steps.items() if step.expected}
     wanted = {name: np.ravel(check(**variant.numbers)) for name, check in checks.items()}
     return [
         name
@@ -159,7 +173,7 @@ def negated(e):
 
 def flipped(step, known):
     """The same step with a sign wrong: one for each place."""
-    ready = form(step, known)
+    ready = step_form(step, known)
     left, full, unit = ready.left, ready.full, ready.units
     columns = list(full) if isinstance(full, sp.MatrixBase) else [full]
     for place, component in enumerate(columns):
@@ -171,7 +185,7 @@ def flipped(step, known):
             else:
                 changed = wrong
             named = {s: v for s, v in step.given.items() if isinstance(v, str)}
-            yield replace(step, formula=Line(left, changed, unit), given=named, part=())
+            yield replace(step, formula=LocalEquation(left, changed, unit), given=named, part=())
 
 
 @each_exercise
@@ -185,7 +199,7 @@ def test_a_wrong_sign_in_any_step_is_found(exercise):
     for name, step in exercise.solution.steps.items():
         for variants in of_one_formula(exercise, name):
             known = known_at(exercise, name, variants[0])
-            is_declared = isinstance(formula_of(step, known), Equation)
+            is_declared = isinstance(step.formula_for(known), Equation)
             for wrong in flipped(step, known):
                 steps = {**exercise.solution.steps, name: wrong}
                 solution = Solution(exercise.solution.text, exercise.solution.answer, **steps)
@@ -194,14 +208,14 @@ def test_a_wrong_sign_in_any_step_is_found(exercise):
                 noticed = any(notices(exercise, solution, variant) for variant in variants)
                 assert noticed or all(harmless(exercise, solution, name, v) for v in variants), (
                     f"{name}: nothing notices that {wrong.formula.left} = {wrong.formula.right}; "
-                    "let the answer depend on it, or give the step a `check`"
+                    "let the answer depend on it, or give the step what is `expected`"
                 )
 
 
 def agrees(exercise, other, name, variant):
     """Whether a step gives the same in another solution, up to whole turns of angles."""
     numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    both = [s.worked(numbers, variant.shown)[name] for s in (other, exercise.solution)]
+    both = [s.solve(numbers)[name] for s in (other, exercise.solution)]
     same = np.allclose(both[0].result, both[1].result, EXACT, EXACT)
     return same or only_turns(exercise, other, name, variant)
 
@@ -209,11 +223,11 @@ def agrees(exercise, other, name, variant):
 def of_one_formula(exercise, name):
     """The variants, in a group for each formula that a step has."""
     variants, step = dealing.variants(exercise.name), exercise.solution.steps[name]
-    if isinstance(step.formula, Equation | Line):
+    if isinstance(step.formula, Equation | LocalEquation):
         return [variants]
     kinds = {}
     for variant in variants:
-        formula = formula_of(step, known_at(exercise, name, variant))
+        formula = step.formula_for(known_at(exercise, name, variant))
         kinds.setdefault(f"{formula.left} = {formula.right}", []).append(variant)
     return list(kinds.values())
 
@@ -221,10 +235,10 @@ def of_one_formula(exercise, name):
 def known_at(exercise, name, variant):
     """The numbers that a step can use."""
     known = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    for other, done in exercise.solution.worked(known, variant.shown).items():
+    for other, done in exercise.solution.solve(known).items():
         if other == name:
             return known
-        known |= done.given
+        known |= done.results
     raise AssertionError(name)
 
 
@@ -238,7 +252,7 @@ def notices(exercise, solution, variant):
 def only_turns(exercise, other, name, variant):
     """Whether a step gives angles, and they are off by whole turns: θ − π is as right as θ + π."""
     numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    both = [s.worked(numbers, variant.shown)[name] for s in (other, exercise.solution)]
+    both = [s.solve(numbers)[name] for s in (other, exercise.solution)]
     turns = (both[0].result - both[1].result) / (2 * np.pi)
     angles = {line.unit for line in both[1].lines} == {"rad"}
     return angles and np.abs(turns - np.round(turns)).max() <= EXACT
@@ -271,37 +285,37 @@ GIVEN = {"a": 3.0, "b": -0.5}
 
 def told(solution, shown=None):
     """A solution's text with `GIVEN` in it."""
-    steps = solution.worked(GIVEN, shown or {})
+    steps = solution.solve(GIVEN, shown or {})
     template = solution.template(r"{([\w.:]+)}")
 
     def put(match):
         name, _, spec = match[1].partition(":")
         step, _, part = name.partition(".")
-        return steps[step].shown(part, spec)
+        return steps[step].format(part, spec)
 
     return re.sub(r"{([\w.:]+)}", put, template)
 
 
 def test_a_step_is_told_with_letters_numbers_and_result():
     with sp.evaluate(False):
-        solution = Solution("So {c}.", c=Step(Line(sp.Symbol("c"), (a - b) / 2, "m")))
+        solution = Solution("So {c}.", c=Step(LocalEquation(sp.Symbol("c"), (a - b) / 2, "m")))
     assert told(solution) == "So c = (a − b)/2 = (3 − (−0.5))/2 = 1.75 m."
 
 
 def test_a_number_alone_is_told_once():
-    c, d = (Step(Line(sp.Symbol("c"), -number, "m")) for number in (a, b))
+    c, d = (Step(LocalEquation(sp.Symbol("c"), -number, "m")) for number in (a, b))
     assert told(Solution("{c}; {d}", c=c, d=d)) == "c = −a = −3 m; c = −b = −(−0.5) = 0.5 m"
 
 
 def test_degrees_stand_only_inside_functions_of_an_angle():
     with sp.evaluate(False):
-        solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), a * sp.cos(b) + b)))
+        solution = Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), a * sp.cos(b) + b)))
     assert told(solution, {"b": "−28.6°"}) == "c = a cos b + b = 3 cos(−28.6°) + (−0.5) = 2.1327"
 
 
 def test_a_column_is_told_line_by_line_and_named():
-    pair = Line(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
-    double = Line(sp.Symbol("q"), sp.Symbol("x") * 2)
+    pair = LocalEquation(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
+    double = LocalEquation(sp.Symbol("q"), sp.Symbol("x") * 2)
     solution = Solution("{p}\n\n{q}", p=Step(pair), q=Step(double))
     assert told(solution) == "x = a + b = 3 + (−0.5) = 2.5\n\ny = a = 3\n\nq = 2 x = 2 · 2.5 = 5"
 
@@ -310,24 +324,24 @@ def test_a_named_step_on_the_way_is_taken_from_an_earlier_step():
     """Else its expression is put in, and no numbers are shown."""
     length, C = quantity("a", "m", 0, 1, "a length"), sp.Symbol("C")
     declared = Equation("test.e", sp.Symbol("E"), 2 * C, "here", where=((C, 3 * length),))
-    e, c = Step(declared), Step(Line(C, a - b))
+    e, c = Step(declared), Step(LocalEquation(C, a - b))
     assert told(Solution("{e}", e=e)) == "E = 2 C = 18"
     assert told(Solution("{c}\n\n{e}", c=c, e=e)).endswith("\n\nE = 2 C = 2 · 3.5 = 7")
     assert told(Solution("{e}", e=Step(declared, {C: b}))) == "E = 2 b = 2 · (−0.5) = −1"
 
 
 def test_a_step_can_give_its_result_other_letters():
-    c = Step(Line(sp.Symbol("c"), a + b), values=(sp.Symbol("c'"),))
+    c = Step(LocalEquation(sp.Symbol("c"), a + b), values=(sp.Symbol("c'"),))
     assert told(Solution("{c}", c=c)) == "c′ = a + b = 3 + (−0.5) = 2.5"
-    pair = Line(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
+    pair = LocalEquation(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
     p = Step(pair, values=sp.symbols("u v"))
     assert told(Solution("{p}", p=p)) == "u = a + b = 3 + (−0.5) = 2.5\n\nv = a = 3"
 
 
 def test_an_answer_can_come_from_several_steps():
-    c, d = Step(Line(sp.Symbol("c"), a + b)), Step(Line(sp.Symbol("d"), a - b))
+    c, d = Step(LocalEquation(sp.Symbol("c"), a + b)), Step(LocalEquation(sp.Symbol("d"), a - b))
     solution = Solution("{c}{d}", answer=(("c", "d"), (0, "c"), "d"), c=c, d=d)
-    steps = solution.worked(GIVEN)
+    steps = solution.solve(GIVEN)
     rows = [row_of(steps, names).tolist() for names in solution.answer]
     assert rows == [[2.5, 3.5], [0.0, 2.5], [3.5]]
 
@@ -335,7 +349,7 @@ def test_an_answer_can_come_from_several_steps():
 def test_each_line_of_a_column_has_its_unit():
     speed, rate = quantity("v", "m/s", -1, 1, "speed"), quantity("w", "rad/s", -1, 1, "rate")
     with sp.evaluate(False):
-        both = Line(sp.Matrix([speed, rate]), sp.Matrix([2 * a, b + a]))
+        both = LocalEquation(sp.Matrix([speed, rate]), sp.Matrix([2 * a, b + a]))
     assert told(Solution("{p}", p=Step(both))) == (
         "v = 2 a = 2 · 3 = 6 m/s\n\nw = b + a = −0.5 + 3 = 2.5 rad/s"
     )
@@ -344,21 +358,21 @@ def test_each_line_of_a_column_has_its_unit():
 
 
 def test_numbers_that_stand_in_a_formula_are_not_said_twice():
-    solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Pow(2, 4, evaluate=False))))
+    solution = Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), sp.Pow(2, 4, evaluate=False))))
     assert told(solution) == "c = 2^4 = 16"
-    assert told(Solution("{c}", c=Step(Line(sp.Symbol("c"), b, "m")))) == "c = b = −0.5 m"
+    assert told(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), b, "m")))) == "c = b = −0.5 m"
 
 
 def test_small_numbers_keep_five_digits():
     with sp.evaluate(False):
-        c = Step(Line(sp.Symbol("c"), a / 700, "m"))
-        d = Step(Line(sp.Symbol("d"), 100 * sp.Symbol("c")))
+        c = Step(LocalEquation(sp.Symbol("c"), a / 700, "m"))
+        d = Step(LocalEquation(sp.Symbol("d"), 100 * sp.Symbol("c")))
     solution = Solution("{c}, {c.value:deg}, {d}", c=c, d=d)
     assert (
         told(solution)
         == "c = a/700 = 3/700 = 0.0042857 m, 0.2°, d = 100 c = 100 · 0.0042857 = 0.42857"
     )
-    assert [figures(x) for x in (0.002, -0.00012345, 1e-17, -0.25)] == [
+    assert [format_result(x) for x in (0.002, -0.00012345, 1e-17, -0.25)] == [
         "0.002",
         "−0.00012345",
         "0",
@@ -368,7 +382,7 @@ def test_small_numbers_keep_five_digits():
 
 def test_each_line_has_the_unit_of_its_own_left_side():
     left = sp.Matrix([quantity("v", "m/s", 0, 1, "a speed"), quantity("w", "1/s", 0, 1, "a rate")])
-    p = Step(Line(left, sp.Matrix([a, b])))
+    p = Step(LocalEquation(left, sp.Matrix([a, b])))
     assert told(Solution("{p}", p=p)) == "v = a = 3 m/s\n\nw = b = −0.5 1/s"
     assert told(Solution("{p.value}", p=p)) == "[3, −0.5]"
 
@@ -378,9 +392,9 @@ GIVEN |= {"P": np.array([[0.0, -1.0], [1.0, 0.0]]), "Q": np.array([[1.0, 2.0], [
 
 
 def test_a_matrix_is_one_letter_and_can_name_its_entries():
-    product = Step(Line(R, P.T * Q), values=("r_11", "r_12", "r_21", "r_22"))
-    entry = Step(Line(sp.Symbol("c"), sp.Symbol("r_12") * 3))
-    column = Step(Line(sp.MatrixSymbol("p", 2, 1), -R.inv() * sp.Matrix([3, b])))
+    product = Step(LocalEquation(R, P.T * Q), values=("r_11", "r_12", "r_21", "r_22"))
+    entry = Step(LocalEquation(sp.Symbol("c"), sp.Symbol("r_12") * 3))
+    column = Step(LocalEquation(sp.MatrixSymbol("p", 2, 1), -R.inv() * sp.Matrix([3, b])))
     solution = Solution("{R}\n\n{c}\n\n{p}", R=product, c=entry, p=column)
     assert told(solution).split("\n\n") == [
         "R = Pᵀ Q = [[0, −1], [1, 0]]ᵀ [[1, 2], [0, 1]] = [[0, 1], [−1, −2]]",
@@ -395,15 +409,15 @@ def test_products_of_matrices_are_misread_in_every_way():
 
 
 def test_a_step_can_be_told_by_its_formula_alone():
-    solution = Solution("{c.formula}: {c.value}", c=Step(Line(sp.Symbol("c"), a + b)))
+    solution = Solution("{c.formula}: {c.value}", c=Step(LocalEquation(sp.Symbol("c"), a + b)))
     assert told(solution) == "c = a + b: 2.5"
 
 
 def test_a_result_that_is_already_there_is_not_told_twice():
-    assert told(Solution("{c}", c=Step(Line(sp.Symbol("c"), -a, "m")))) == "c = −a = −3 m"
+    assert told(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), -a, "m")))) == "c = −a = −3 m"
 
 
 def test_what_is_not_known_is_named():
-    solution = Solution("{c}", c=Step(Line(sp.Symbol("c"), sp.Symbol("d"))))
+    solution = Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), sp.Symbol("d"))))
     with pytest.raises(CourseError, match=r"step 'c' .* uses d \(the number 'd'\), .* a, b"):
         told(solution)

@@ -17,9 +17,9 @@ from courseware.equations import quantity, symbol
 from courseware.errors import CourseError
 from courseware.figures import Readout, Slider
 from courseware.line_breaks import prevent_breaks
-from courseware.practice import Ask, Line, Step, judging, one_of, steps
-from courseware.practice.judging import Candidate
-from courseware.practice.wording import with_unit
+from courseware.practice import LocalEquation, Step, Unknown, judging, number_range, one_of
+from courseware.practice.candidates import Candidate
+from courseware.practice.formatting import append_unit
 from courseware.predictions import Number
 from courseware.script import engine
 from courseware.units import TABLE, UNITS, in_figures
@@ -72,8 +72,8 @@ def asked(rows):
 
 def check(typed, unit, right):
     """The verdict on what is typed where one number in this unit is asked."""
-    exercise = replace(EXERCISES["differential-drive-1"], asks=(Ask("x", unit),))
-    return judging.check(exercise, [Candidate("right", ((right,),))], typed)
+    exercise = replace(EXERCISES["differential-drive-1"], unknowns=(Unknown("x", unit),))
+    return judging.judge(exercise, [Candidate("right", ((right,),))], typed)
 
 
 # The table
@@ -115,14 +115,14 @@ DECLARED = {  # who declares a unit, and how the message calls it
     "a symbol": (lambda unit: symbol("N", "a number", unit=unit), "the symbol N"),
     "a slider": (lambda unit: Slider(quantity("v", unit, 0, 1, "speed"), 0, 1, 0, 0.1), "symbol v"),
     "a readout": (lambda unit: Readout("error", "error", a, unit), "the readout error"),
-    "an answer": (lambda unit: Ask("v", unit), "the answer v"),
-    "a line": (lambda unit: Line(a, b, unit), "the line with a"),
-    "a line of several": (lambda unit: Line(a, b, ("m", unit)), "the line with a"),
-    "a step": (lambda unit: Step(Line(a, b), unit=unit), "the step of a solution"),
+    "an answer": (lambda unit: Unknown("v", unit), "the answer v"),
+    "a line": (lambda unit: LocalEquation(a, b, unit), "the equation with a"),
+    "a line of several": (lambda unit: LocalEquation(a, b, ("m", unit)), "the equation with a"),
+    "a step": (lambda unit: Step(LocalEquation(a, b), unit=unit), "the step of a solution"),
 }
 SHOWN = {  # the same of a unit that only the reader sees
     "a given number": (lambda unit: one_of(1, 2, unit=unit), r"number drawn from \(1, 2\)"),
-    "given numbers": (lambda unit: steps(1, 2, 1, unit), r"the number drawn from \(1, 2\)"),
+    "given numbers": (lambda unit: number_range(1, 2, 1, unit), r"the number drawn from \(1, 2\)"),
     "a guess": (lambda unit: Number("width", unit, lambda: len(unit)), "the guess of width"),
 }
 
@@ -150,8 +150,8 @@ def test_what_only_the_reader_sees_may_be_in_any_unit(declare, who):
 
 
 def test_a_given_number_has_its_size():
-    assert one_of(18, unit="km/h").value(18) == 5
-    assert one_of(18, unit="km/h").option(5) == 18
+    assert one_of(18, unit="km/h").to_si(18) == 5
+    assert one_of(18, unit="km/h").format(5) == "18 km/h"
 
 
 # Answers
@@ -208,12 +208,12 @@ def test_a_speed_is_graded_in_the_unit_that_is_typed(typed, result):
     verdict = check(typed, "m/s", 5)
     assert verdict.result == result, verdict
     if result == "unread":
-        assert "a unit that fits: m/s, cm/s, mm/s, km/h" in verdict.says
+        assert "a unit that fits: m/s, cm/s, mm/s, km/h" in verdict.feedback
 
 
 def test_signs_that_few_keyboards_have_are_named_in_two_ways():
-    assert ": rad, °, deg, turns" in check("5 furlong", "rad", 5).says
-    assert ": m², m^2, cm², cm^2, mm², mm^2" in check("5 furlong", "m²", 5).says
+    assert ": rad, °, deg, turns" in check("5 furlong", "rad", 5).feedback
+    assert ": m², m^2, cm², cm^2, mm², mm^2" in check("5 furlong", "m²", 5).feedback
 
 
 # Printing
@@ -221,8 +221,8 @@ def test_signs_that_few_keyboards_have_are_named_in_two_ways():
 
 def test_python_and_the_script_print_a_unit_alike():
     shown = engine.run(f"{json.dumps(list(UNITS))}.map((unit) => courseware.withUnit('5', unit))")
-    assert shown == [with_unit("5", unit) for unit in UNITS]
-    assert [with_unit("5", unit) for unit in ("", "°", "%", "°/s")] == ["5", "5°", "5%", "5 °/s"]
+    assert shown == [append_unit("5", unit) for unit in UNITS]
+    assert [append_unit("5", unit) for unit in ("", "°", "%", "°/s")] == ["5", "5°", "5%", "5 °/s"]
 
 
 def test_no_line_ends_between_a_number_and_its_unit():

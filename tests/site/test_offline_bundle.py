@@ -20,7 +20,7 @@ from support import ROOT, python_of
 from test_practice import typed
 from test_practice_page import FIRST, answer, sign_in, variant
 
-from courseware.practice import judging
+from courseware.practice import candidates
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -166,7 +166,7 @@ def test_the_site_works_from_a_stick(site, chromium, tmp_path):
         page.goto(home + "practice.html")
         sign_in(page, "Ada")
         right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-        assert answer(page, FIRST, right) == judging.RIGHT
+        assert answer(page, FIRST, right) == candidates.RIGHT
         page.goto(home + "index.html")
         page.locator(".search-button__button:visible").first.click()
         page.keyboard.type("rolling constr")

@@ -17,8 +17,8 @@ from test_practice import DEAL, dealt_in_python, names, typed
 from book.differential_drive.exercises import M12
 from classroom.__main__ import main
 from courseware import practice
-from courseware.practice import dealing, judging
-from courseware.practice.wording import symbols
+from courseware.practice import candidates, dealing, judging
+from courseware.practice.formatting import render_symbols
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -88,7 +88,7 @@ def sign_in(page, name):
     """Type a name, leave the field, and wait for the numbers of that name."""
     page.fill("#rk-student", name)
     page.keyboard.press("Tab")
-    number = dealing.dealt(COURSE, FIRST, name)
+    number = dealing.deal(COURSE, FIRST, name)
     page.locator(f"#{FIRST}[data-variant='{number}']").wait_for()
 
 
@@ -114,11 +114,11 @@ def answer(page, exercise, text):
 
 def printed(text):
     """A text as the page prints it: "p_x" has become a letter with an index."""
-    return unescape(re.sub("<[^>]+>", "", symbols(text)))
+    return unescape(re.sub("<[^>]+>", "", render_symbols(text)))
 
 
 def variant(exercise, name):
-    return dealing.variants(exercise)[dealing.dealt(COURSE, exercise, name)]
+    return dealing.variants(exercise)[dealing.deal(COURSE, exercise, name)]
 
 
 # what is said of several answers, one after the other
@@ -132,11 +132,13 @@ TOLD = """(box, texts) => texts.map((text) => {
 
 def assert_every_candidate_is_named(page, exercise):
     mine = variant(exercise.name, "Ada")
-    number = dealing.dealt(COURSE, exercise.name, "Ada")
+    number = dealing.deal(COURSE, exercise.name, "Ada")
     page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
     texts = [typed(candidate.rows, exercise) for candidate in mine.candidates]
     said = box(page, exercise.name).evaluate(TOLD, texts)
-    assert said == [printed(judging.check(exercise, mine.candidates, text).says) for text in texts]
+    assert said == [
+        printed(judging.judge(exercise, mine.candidates, text).feedback) for text in texts
+    ]
 
 
 @pytest.mark.parametrize("name", [f"{EXERCISES[name].topic}:{name}" for name in OF_EACH_KIND])
@@ -146,7 +148,7 @@ def test_every_candidate_of_each_kind_of_answer_is_named_on_the_page(page, name)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("topic", practice.topics())
+@pytest.mark.parametrize("topic", practice.all_topics())
 def test_every_candidate_is_named_on_the_page(page, topic):
     sign_in(page, "Ada")
     for exercise in EXERCISES.values():
@@ -164,7 +166,7 @@ def test_the_browser_deals_as_python_does(page):
 def test_the_text_has_the_student_s_numbers(page):
     for name in ("Ada", "سارا محمدی", "  José "):
         sign_in(page, name)
-        for number in variant(FIRST, name).shown.values():
+        for number in EXERCISES[FIRST].format_given(variant(FIRST, name).numbers).values():
             text = box(page, FIRST).inner_text().replace("\u00a0", " ")
             assert number in text
 
@@ -180,9 +182,9 @@ def test_progress_is_kept_and_cleared(page):
     """And a further try takes nothing away."""
     sign_in(page, "Ada")
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.RIGHT
+    assert answer(page, FIRST, right) == candidates.RIGHT
     assert page.inner_text(".rk-progress").startswith("1 of ")
-    assert answer(page, FIRST, "1.2345") == judging.says("wrong")
+    assert answer(page, FIRST, "1.2345") == judging.format_feedback("wrong")
     assert page.inner_text(".rk-progress").startswith("1 of ")
     again(page)
     assert page.input_value("#rk-student") == "Ada"
@@ -199,7 +201,7 @@ def test_progress_is_kept_and_cleared(page):
 
 def test_who_gives_no_name_is_told(page):
     right = typed(variant(FIRST, "").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.RIGHT
+    assert answer(page, FIRST, right) == candidates.RIGHT
     assert page.inner_text(".rk-progress").endswith("passed. " + NAMELESS)
     sign_in(page, "Ada")
     assert page.inner_text(".rk-progress").endswith("passed")
@@ -218,7 +220,7 @@ def test_what_is_typed_while_the_numbers_load_stays(first_visit):
     field.fill(right)
     field.press("Enter")
     held[0].continue_()
-    box(page, FIRST).get_by_text(judging.RIGHT, exact=True).wait_for()
+    box(page, FIRST).get_by_text(candidates.RIGHT, exact=True).wait_for()
     assert field.input_value() == right
 
 
@@ -253,7 +255,7 @@ def test_what_was_not_checked_is_saved_too(page, tmp_path):
     """Also after the page was loaded again; it takes no pass away, and training is not saved."""
     sign_in(page, "Ada")
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.RIGHT
+    assert answer(page, FIRST, right) == candidates.RIGHT
     box(page, FIRST).locator(".rk-row input").fill("12345")
     box(page, "differential-drive-2").locator(".rk-row input").fill("1, 2")
     box(page, "euler-2").get_by_role("button", name="Another one").click()
@@ -283,10 +285,10 @@ def test_another_one_is_for_training(page):
     before = box(page, FIRST).locator(".rk-text").inner_text()
     box(page, FIRST).get_by_role("button", name="Another one").click()
     assert box(page, FIRST).locator(".rk-text").inner_text() != before
-    number = dealing.dealt(COURSE, FIRST, "Ada") + 1
+    number = dealing.deal(COURSE, FIRST, "Ada") + 1
     other = dealing.variants(FIRST)[number % dealing.VARIANTS]
     right = typed(other.candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.RIGHT
+    assert answer(page, FIRST, right) == candidates.RIGHT
     assert page.inner_text(".rk-progress").startswith("0 of ")
     box(page, FIRST).get_by_role("button", name="Back to my numbers").click()
     assert box(page, FIRST).locator(".rk-text").inner_text() == before
@@ -320,12 +322,12 @@ def test_a_ladder_from_where_to_look_to_the_answer(page, site):
     assert link.get_attribute("href") == "./differential_drive/differential_drive.html#M12"
     assert help.inner_text() == "Show the first step"
     help.click()
-    right = EXERCISES[name].answer_text(mine.numbers)
+    right = EXERCISES[name].format_answer(mine.numbers)
     assert "radius times angular velocity" in ladder(page, name)
     assert f"{mine.candidates[0].rows[0][0]:.3f}" not in ladder(page, name)
     again(page)
     assert "radius times angular velocity" in ladder(page, name)
-    assert answer(page, name, right.replace("rad/s", "")) == judging.RIGHT
+    assert answer(page, name, right.replace("rad/s", "")) == candidates.RIGHT
     assert "circles around the left one" not in ladder(page, name)  # it is no mistake any more
     assert box(page, name).locator(".rk-passed").inner_text() == "passed with help: 1 of 2 steps"
     assert help.inner_text() == "Show the answer"
@@ -360,9 +362,9 @@ def test_numbers_that_do_not_come_are_told_and_asked_for_again(chromium, server)
         assert not first.locator(".rk-verdict").inner_text()
         page.unroute(numbers)
         first.get_by_role("button", name="Try again").click()
-        page.locator(f"#{FIRST}[data-variant='{dealing.dealt(COURSE, FIRST, 'Ada')}']").wait_for()
+        page.locator(f"#{FIRST}[data-variant='{dealing.deal(COURSE, FIRST, 'Ada')}']").wait_for()
         assert field.input_value() == right
-        assert answer(page, FIRST, right) == judging.RIGHT
+        assert answer(page, FIRST, right) == candidates.RIGHT
 
 
 def test_the_bar_says_who_and_how_far(page):
@@ -374,7 +376,7 @@ def test_the_bar_says_who_and_how_far(page):
     assert re.fullmatch(r"ADA · number set \d{4}", who)
     assert f"0 of {len(EXERCISES)} in the course" in bar.inner_text()
     right = typed(variant(FIRST, "ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == judging.RIGHT  # the same student
+    assert answer(page, FIRST, right) == candidates.RIGHT  # the same student
     assert f"1 of {len(EXERCISES)} in the course" in bar.inner_text()
     assert "Differential drive 1/6" in page.inner_text(".rk-course")
     sign_in(page, " ada")
@@ -436,7 +438,7 @@ def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
     right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
     given = {FIRST: (2001, right), "euler-1": (2001, "5; 6; 7"), "bicycle-1": (2999, "2")}
     for name in given:
-        answer(page, name, "1" if len(EXERCISES[name].asks) == 1 else "[1, 2, 3]")
+        answer(page, name, "1" if len(EXERCISES[name].unknowns) == 1 else "[1, 2, 3]")
     here = page.evaluate(KEPT)
     head = "kind,course,version,time,student,exercise,answer"
     rows = [f"answers,robokin,,{y}-01-01T00:00:00.000Z,Ada,{n},{a}" for n, (y, a) in given.items()]
@@ -458,7 +460,7 @@ def test_a_full_browser_is_told_of(chromium, server):
         page.goto(server + "practice.html")
         sign_in(page, "Ada")
         right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-        assert answer(page, FIRST, right) == judging.RIGHT
+        assert answer(page, FIRST, right) == candidates.RIGHT
         assert ONE_PASSED in page.inner_text(".rk-progress")
         for place in (".rk-progress", ".rk-bar"):
             assert "keeps nothing more" in page.inner_text(place)
@@ -474,7 +476,7 @@ def test_broken_memory_is_laid_aside(chromium, server):
         page.goto(server + "practice.html")
         assert "laid aside" in page.inner_text(".rk-progress")
         right = typed(variant(FIRST, "").candidates[0].rows, EXERCISES[FIRST])
-        assert answer(page, FIRST, right) == judging.RIGHT
+        assert answer(page, FIRST, right) == candidates.RIGHT
         kept = page.evaluate("() => localStorage.getItem('robokin answers robokin unreadable')")
         assert kept == "{oh"
         assert not watch.errors
@@ -540,7 +542,7 @@ def test_a_matrix_can_be_typed_entry_by_entry(page):
     for k, entry in enumerate(right):
         grid.get_by_label(f"row {k // 3 + 1}, column {k % 3 + 1}").fill(f"{entry:.4f}")
     grid.get_by_label("row 3, column 3").press("Enter")
-    box(page, "euler-2").get_by_text(judging.RIGHT, exact=True).wait_for()
+    box(page, "euler-2").get_by_text(candidates.RIGHT, exact=True).wait_for()
     again(page)
     first = grid.get_by_label("row 1, column 1")
     assert float(first.input_value()) == pytest.approx(right[0], abs=1e-4)

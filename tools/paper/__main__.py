@@ -11,8 +11,8 @@ import chromium
 import yaml
 
 import book
-from courseware.practice import page
-from courseware.practice.bank import default_salt, exercises
+from courseware.practice import rendering
+from courseware.practice.bank import all_exercises, course_name
 from paper import epub, pdf
 from paper.pages import BUILD, ROOT
 
@@ -33,14 +33,14 @@ def described():
     """The book as its settings say."""
     settings = yaml.safe_load((ROOT / "_config.yml").read_text("utf-8"))
     site = settings["sphinx"]["config"]
-    solved = exercises() if site["course_solutions"] else ()
+    solved = all_exercises() if site["course_solutions"] else ()
     return Book(
         title=settings["title"],
         author=settings["author"],
         claim=site["site_description"],
         rights=site["html_theme_options"]["extra_footer"],
         version=book.__version__,
-        solutions={name: page.solution(name, default_salt()) for name in solved},
+        solutions={name: rendering.render_solution(name, course_name()) for name in solved},
     )
 
 

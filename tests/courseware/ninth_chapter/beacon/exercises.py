@@ -5,12 +5,21 @@ from book.beacon import formulas
 from book.beacon.functions import range_and_bearing
 
 from book.motion.formulas import theta
-from courseware.practice import Exercise, Mistake, Picture, Solution, Step, Wrong, angle, steps
+from courseware.practice import (
+    Exercise,
+    Mistake,
+    Picture,
+    Solution,
+    Step,
+    WrongFormula,
+    angle,
+    number_range,
+)
 
 M99 = Mistake(
     "M99",
-    says="when the robot's own heading is not taken off",
-    wrong=Wrong(formulas.direction, {theta: 0}),
+    feedback="when the robot's own heading is not taken off",
+    formula=WrongFormula(formulas.direction, {theta: 0}),
     line="bearing = np.arctan2(b_y - y, b_x - x)",
     why="This is the direction in the world. The robot sees it from its own heading.",
     unnoticed="With a heading of 0.",
@@ -28,15 +37,15 @@ beacon_1 = Exercise(
     text="A robot stands at x = {x}, y = {y} with the heading {theta}. A beacon stands at "
     "x = {b_x}, y = {b_y}. In which direction, counted from straight ahead, does it see it?",
     given={
-        "x": steps(-2, 2, 0.5, "m"),
-        "y": steps(-2, 2, 0.5, "m"),
-        "theta": steps(20, 160, 10, "°"),
-        "b_x": steps(-2, 2, 0.5, "m"),
-        "b_y": steps(-2, 2, 0.5, "m"),
+        "x": number_range(-2, 2, 0.5, "m"),
+        "y": number_range(-2, 2, 0.5, "m"),
+        "theta": number_range(20, 160, 10, "°"),
+        "b_x": number_range(-2, 2, 0.5, "m"),
+        "b_y": number_range(-2, 2, 0.5, "m"),
     },
-    asks=(angle("β"),),
+    unknowns=(angle("β"),),
     right=lambda x, y, theta, b_x, b_y: range_and_bearing([x, y, theta], [b_x, b_y])[1],
-    wrong={M99: M99.wrong.gives},
+    wrong={M99: M99.formula.evaluate},
     when=lambda x, y, b_x, b_y, **_: (x, y) != (b_x, b_y),
     solution=Solution(
         "The direction in the world, less the heading:\n\n{bearing}",

@@ -1,9 +1,9 @@
 """A mistake as a formula: the right one with something in it replaced::
 
-    Wrong(formulas.turning_rate, {b: b / 2})
+    WrongFormula(formulas.turning_rate, {b: b / 2})
 
-From it come the two formulas with what changed marked, the wrong number that the bank knows, and
-an expression for a figure that shows what the robot then does.
+From it come the two formulas with the change marked, the wrong number that the judge knows, and
+an expression for a figure that shows the consequence.
 """
 
 import re
@@ -18,24 +18,24 @@ import sympy as sp
 
 from courseware.equations.equation import as_written, free_symbols, substitute
 from courseware.equations.text import formula_text, signed
-from courseware.practice.solutions import compiled
+from courseware.practice.solution_steps import compile_function
 
 TOKEN = re.compile(r"\w[\w\u0300-\u036f]*|\s+|.")  # of a formula in one line of text
 SHORT = 2  # so many signs between two changes are no rest for the eye
 
 
 @dataclass(frozen=True, eq=False)
-class Wrong:
+class WrongFormula:
     """A formula as somebody writes it who makes a mistake.
 
     Args:
-        of: the right one, an Equation or a Line.
-        puts: what stands in its right side for which symbol.
+        of: the right one, an Equation or a LocalEquation.
+        replaced: symbol → the expression in its place in the right side.
         instead: another right side altogether.
     """
 
     of: Any
-    puts: Mapping[sp.Symbol, Any] = field(default_factory=dict)
+    replaced: Mapping[sp.Symbol, Any] = field(default_factory=dict)
     instead: Any = None
 
     @cached_property
@@ -43,56 +43,56 @@ class Wrong:
         """The wrong right side."""
         if self.instead is not None:
             return self.instead
-        return plain_signs(substitute(self.of.right, self.puts))
+        return simplify_signs(substitute(self.of.right, self.replaced))
 
     @cached_property
-    def gives(self) -> Callable[..., Any]:
-        """The wrong number, vector or matrix, from numbers by the names of the symbols."""
-        return by_name(self.right)
+    def evaluate(self) -> Callable[..., Any]:
+        """The function from numbers, by the names of the symbols, to the wrong result."""
+        return _compile_by_name(self.right)
 
     @cached_property
-    def _parts(self) -> dict[str, Callable[..., Any]]:
-        return {str(symbol): by_name(sp.sympify(value)) for symbol, value in self.puts.items()}
+    def _replacements(self) -> dict[str, Callable[..., Any]]:
+        return {str(s): _compile_by_name(sp.sympify(value)) for s, value in self.replaced.items()}
 
     def substitute(self, values: Mapping[sp.Symbol, Any]) -> Any:
-        """The wrong right side with expressions put in for its symbols."""
+        """Return the wrong right side with expressions for its symbols."""
         return substitute(self.right, values)
 
-    def put(self, **numbers: Any) -> dict[str, Any]:
-        """Numbers as somebody takes them who makes the mistake, under the same names."""
-        put = {name: value(**numbers) for name, value in self._parts.items() if name in numbers}
-        return numbers | put
+    def replace(self, **numbers: Any) -> dict[str, Any]:
+        """Return numbers as somebody takes them who makes the mistake, under the same names."""
+        known = self._replacements.items()
+        return numbers | {name: value(**numbers) for name, value in known if name in numbers}
 
-    def through(self, formula: Callable[..., Any]) -> Callable[..., Any]:
-        """What another formula gives where the same is put in for its numbers."""
-        return lambda **numbers: formula(**self.put(**numbers))
+    def wrap(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return the function as somebody calls it who makes the mistake."""
+        return lambda **numbers: function(**self.replace(**numbers))
 
-    def made_in(self, other: Any) -> "Wrong":
-        """The same mistake in another formula."""
-        return Wrong(other, self.puts)
+    def transfer(self, other: Any) -> "WrongFormula":
+        """Return the same mistake in another formula."""
+        return WrongFormula(other, self.replaced)
 
     @property
     def lines(self) -> tuple[str, str]:
-        """The right and the wrong formula in one line of text, with what differs in « »."""
+        """The right and the wrong formula in a line of text each, with the difference in « »."""
         left = formula_text(self.of.left)
         right, wrong = (f"{left} = {formula_text(side)}" for side in (self.of.right, self.right))
-        return marked(right, wrong)
+        return mark_difference(right, wrong)
 
 
-def by_name(expression: Any) -> Callable[..., Any]:
-    """An expression as a function of numbers by the names of its symbols."""
+def _compile_by_name(expression: Any) -> Callable[..., Any]:
+    """Compile an expression to a function of numbers by the names of its symbols."""
     symbols = tuple(sorted(free_symbols(expression), key=str))
-    function, names = compiled(expression, symbols), [str(symbol) for symbol in symbols]
+    function, names = compile_function(expression, symbols), [str(symbol) for symbol in symbols]
     return lambda **numbers: function(*(numbers[name] for name in names))
 
 
-def plain_signs(e: Any) -> Any:
-    """An expression with cos(−x) as cos x, sin(−x) as −sin x and −(−x) as x, else as written."""
+def simplify_signs(e: Any) -> Any:
+    """Write cos(−x) as cos x, sin(−x) as −sin x and −(−x) as x, and all else as it is."""
     if isinstance(e, sp.MatrixBase):
-        return e.applyfunc(plain_signs)
+        return e.applyfunc(simplify_signs)
     if not isinstance(e, sp.Basic) or not e.args:
         return e
-    parts = [plain_signs(part) for part in e.args]
+    parts = [simplify_signs(part) for part in e.args]
     with as_written():
         if isinstance(e, sp.sin | sp.cos):
             sign, rest = signed(parts[0])
@@ -105,8 +105,8 @@ def plain_signs(e: Any) -> Any:
         return e.func(*parts)
 
 
-def marked(right: str, wrong: str) -> tuple[str, str]:
-    """Two lines with what differs in « »; a letter that stays between two changes is in them."""
+def mark_difference(right: str, wrong: str) -> tuple[str, str]:
+    """Put the difference of two lines in « »; a letter between two changes belongs to them."""
     tokens: list[list[str]] = [TOKEN.findall(line) for line in (right, wrong)]
     texts, same = ["", ""], True
     places = SequenceMatcher(None, tokens[0], tokens[1], autojunk=False).get_opcodes()

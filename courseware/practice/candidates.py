@@ -1,0 +1,202 @@
+"""Candidates: all answers that somebody may give to an exercise, and the meaning of each.
+
+Every variant has a list of them: the right answers, the results of the mistakes, the right answers
+in other units, and common slips. An answer is judged by the first candidate that it meets.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from courseware.practice.declaration import Exercise, Row, Unknown
+from courseware.units import ROWS, TABLE
+
+RIGHT = "This check passed."
+SLIPS = {
+    "sign": "Not yet: the size is right, the sign is not.",
+    "twice": "Not yet: this is twice the right value.",
+    "half": "Not yet: this is half the right value.",
+    "swapped": "Not yet: the two numbers are right, but in the wrong order.",
+    "transposed": "Not yet: rows and columns are swapped.",
+    "half-turn": "Not yet: this direction is off by half a turn.",
+    "turn": "Not yet: this is off by a whole turn, and here turns are counted.",
+}
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """An answer that somebody may give: one row, or all rows that must be given in any order.
+
+    name: "right", a mistake's name, "unit:degrees" or "slip:sign".
+    """
+
+    name: str
+    rows: tuple[Row, ...]
+
+    def is_finite(self) -> bool:
+        """Whether it has numbers only; a huge one comes from a rounded division by zero."""
+        return all(abs(x) < 1e9 for row in self.rows for x in row)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The meaning of a candidate: right, partly (another unit) or wrong, and the feedback.
+
+    factors: the size of each unknown in the unit of the candidate. why: a mistake is one;
+    picture: in words, a picture of its consequence.
+    """
+
+    result: str
+    feedback: str
+    factors: Row
+    why: str = ""
+    picture: str = ""
+
+
+@cache
+def outcomes(exercise: Exercise) -> dict[str, Outcome]:
+    """Return every name that a candidate of this exercise can have, with its meaning."""
+    ones = (1.0,) * len(exercise.unknowns)
+    found = {"right": Outcome("right", RIGHT, ones)}
+    made = {m.name: (m.feedback, m.why, m.picture) for m in exercise.wrong}
+    made |= {f"slip:{words}": (words, "", None) for words in exercise.also}
+    for name, (words, why, picture) in made.items():
+        feedback = f"Not yet. This is what you get {words}."
+        found[name] = Outcome("wrong", feedback, ones, why, picture.shows if picture else "")
+    units = " and ".join(dict.fromkeys(u.unit for u in exercise.unknowns if _other_units(u.unit)))
+    for name, factors in _factors(exercise.unknowns).items():
+        feedback = f"The right value, but in other units ({name}). Asked is {units}: please type "
+        found[f"unit:{name}"] = Outcome("partly", feedback + "it again.", factors)
+    for name, feedback in SLIPS.items():
+        found[f"slip:{name}"] = Outcome("wrong", feedback, ones)
+    return found
+
+
+def _factors(unknowns: Sequence[Unknown]) -> dict[str, Row]:
+    """Return the other units that an answer may be in, with the factor of each of its numbers.
+
+    All lengths are in the same one, and all angles.
+    """
+    others = [_other_units(unknown.unit) for unknown in unknowns]
+    ordered = [_other_units(row[0].name) for row in TABLE]
+    kinds = dict.fromkeys(("", *each) for each in ordered if each in others)
+    return {
+        " and ".join(filter(None, names)): tuple(
+            math.prod(factors.get(name, 1.0) for name in names) for factors in others
+        )
+        for names in product(*kinds)
+        if any(names)
+    }
+
+
+def _other_units(unit: str) -> Mapping[str, float]:
+    """Return the units that are typed by mistake for this one, with the factor of the number."""
+    return {other.slip: other.from_si(1.0) for other in ROWS[unit] if other.slip}
+
+
+def find_candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidate, ...]:
+    """Return all answers to an exercise with these numbers, in the order of judging."""
+
+    def of(name: str, formula: Callable[..., ArrayLike]) -> list[Candidate]:
+        rows = exercise.evaluate(formula, numbers)
+        groups = [rows] if exercise.accept == "all" else [(row,) for row in dict.fromkeys(rows)]
+        return [Candidate(name, group) for group in groups]
+
+    right = of("right", exercise.right)
+    wrong = [c for mistake, formula in exercise.wrong.items() for c in of(mistake.name, formula)]
+    also = [c for words, formula in exercise.also.items() for c in of(f"slip:{words}", formula)]
+    units = [
+        Candidate(f"unit:{name}", tuple(_floats(np.multiply(row, factors)) for row in c.rows))
+        for name, factors in _factors(exercise.unknowns).items()
+        for c in right
+    ]
+    taken = [*right, *units]
+    also = [a for a in also if a.is_finite() and all(is_apart(exercise, a, b) for b in taken)]
+    known = [*right, *wrong, *units, *also]
+    for slip in _slips(exercise, right):
+        if all(is_apart(exercise, slip, other) for other in known):
+            known.append(slip)
+    return tuple(known)
+
+
+def _slips(exercise: Exercise, right: Sequence[Candidate]) -> list[Candidate]:
+    """Return the common slips, where one row makes an answer."""
+    if exercise.accept == "all":
+        return []
+    found, units = [], {unknown.unit for unknown in exercise.unknowns}
+    for row in (np.array(candidate.rows[0]) for candidate in right):
+        slips = [("sign", -row), ("twice", 2 * row), ("half", row / 2)]
+        if len(row) == 2 and len(units) == 1:
+            slips.append(("swapped", row[::-1]))
+        if len(exercise.shape) == 2 and len(set(exercise.shape)) == 1:
+            slips.append(("transposed", row.reshape(exercise.shape).T.ravel()))
+        if len(row) == 1 and exercise.unknowns[0].circle:
+            slips.append(("half-turn", row + math.pi))
+        elif len(row) == 1 and units == {"rad"}:
+            slips += [("turn", row - 2 * math.pi), ("turn", row + 2 * math.pi)]
+        found += [Candidate(f"slip:{name}", (_floats(value),)) for name, value in slips]
+    return found
+
+
+def find_clash(exercise: Exercise, possible: Sequence[Candidate]) -> str:
+    """Return two candidates that an answer could both mean, as text; "" if there are none.
+
+    Slips do not count: the feedback names all that give a number.
+    """
+    possible = [candidate for candidate in possible if not candidate.name.startswith("slip:")]
+    for place, one in enumerate(possible):
+        if not one.is_finite():
+            return f"{one.name} is no number"
+        for other in possible[:place]:
+            if one.name != other.name and not is_apart(exercise, one, other):
+                return f"{other.name} and {one.name}"
+    return ""
+
+
+def is_apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
+    """Whether no answer can meet both candidates."""
+    meanings = outcomes(exercise)
+    first, second = meanings[one.name].factors, meanings[other.name].factors
+    if _can_meet(exercise.unknowns, one.rows, other.rows, first, second):
+        return False
+    is_mutual = first == second and len(one.rows) == 1
+    return is_mutual or not _can_meet(exercise.unknowns, other.rows, one.rows, second, first)
+
+
+def _can_meet(
+    unknowns: Sequence[Unknown], rows: Sequence[Row], wanted: Sequence[Row], own: Row, factors: Row
+) -> bool:
+    """Whether each row may be taken for one of the wanted ones, each of them once."""
+    left = list(wanted)
+    for row in rows:
+        for place, other in enumerate(left):
+            if all(map(_is_near, unknowns, row, other, own, factors)):
+                del left[place]
+                break
+        else:
+            return False
+    return not left
+
+
+def _is_near(unknown: Unknown, x: float, wanted: float, own: float, factor: float) -> bool:
+    allowed = unknown.allowed(x, own) + unknown.allowed(wanted, factor)
+    return distance(unknown, x, wanted, factor) <= allowed
+
+
+def distance(unknown: Unknown, x: float, wanted: float, factor: float = 1.0) -> float:
+    """Return how far x is from the wanted value; an angle on the circle, in this unit."""
+    apart = abs(x - wanted)
+    if not unknown.circle:
+        return apart
+    turn = 2 * math.pi * abs(factor)
+    return min(apart % turn, turn - apart % turn)
+
+
+def _floats(row: Any) -> Row:
+    return tuple(map(float, row))

@@ -1,0 +1,126 @@
+"""An exercise for the browser: its data, packed, and its box as HTML.
+
+The data are JSON, compressed (zlib) and in base64: small, and not readable at a glance. A student
+who unpacks them finds the answers, so the boxes are for checking oneself.
+"""
+
+import base64
+import hashlib
+import json
+import zlib
+from collections import Counter
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+from courseware.course import course
+from courseware.equations.equation import Equation
+from courseware.equations.notebook import equation_anchor, equation_label, shown_equations
+from courseware.equations.text import formula_text
+from courseware.practice import dealing, judging
+from courseware.practice.bank import all_exercises, find_exercise
+from courseware.practice.declaration import Exercise
+from courseware.script import engine
+
+MIME = "application/vnd.courseware.exercise+json"
+
+
+def constants() -> dict[str, Any]:
+    """Return the constants of the script: variants, the name of its store, exercises by chapter."""
+    count = Counter(exercise.topic for exercise in all_exercises().values())
+    chapters = {course().title(t): (t, n) for t, n in count.items() if t in course().taught}
+    return {"VARIANTS": dealing.VARIANTS, "STORE": course().name, "TOPICS": chapters}
+
+
+def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
+    """Return all that the browser knows of an exercise."""
+    solution = exercise.solution_text if solutions else ""
+    return {
+        **_serialize_question(exercise),
+        "solution": solution,
+        "topic": exercise.topic,
+        "look": _serialize_hint(exercise),
+        **judging.serialize_exercise(exercise),
+        "variants": [
+            {
+                "shown": exercise.fill_placeholders(exercise.text + solution, variant.numbers),
+                "candidates": judging.serialize_candidates(exercise, variant.candidates),
+            }
+            for variant in dealing.variants(exercise.name)
+        ],
+    }
+
+
+def _serialize_question(exercise: Exercise) -> dict[str, Any]:
+    """Return the part of an exercise that the waiting page shows."""
+    return {
+        "name": exercise.name,
+        "title": exercise.title,
+        "level": exercise.level,
+        "text": exercise.text,
+        "asked": judging.format_prompt(exercise),
+        "shape": exercise.shape,
+    }
+
+
+def _serialize_hint(exercise: Exercise) -> dict[str, Any]:
+    """Return where to look: the chapter, and the formulas of the solution with their anchors."""
+    anchors = {
+        equation.name: equation_anchor(equation_label(equation.name, computed))
+        for equation, computed in shown_equations(exercise.topic)
+    }
+    steps = exercise.solution.steps.values()
+    used = dict.fromkeys(s.formula for s in steps if isinstance(s.formula, Equation))
+    return {
+        "chapter": course().title(exercise.topic),
+        "formulas": [[left_side(formula), anchors.get(formula.name, "")] for formula in used],
+    }
+
+
+def left_side(formula: Equation) -> str:
+    """Return the left side of a formula as text, without the brackets of a list."""
+    text = formula_text(formula.left)
+    return text.strip("[]") if text.count("[") == 1 else text
+
+
+def _fill_for_nobody(exercise: Exercise, salt: str, template: str) -> dict[str, str]:
+    """Return the placeholders of a text as somebody without a name sees them."""
+    variant = dealing.variants(exercise.name)[dealing.deal(salt, exercise.name, "")]
+    return exercise.fill_placeholders(template, variant.numbers)
+
+
+def pack(chosen: Iterable[Exercise], solutions: bool = True) -> str:
+    """Pack exercises for the browser."""
+    data = {exercise.name: _serialize(exercise, solutions) for exercise in chosen}
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+    return base64.b64encode(zlib.compress(text.encode("utf-8"), 9)).decode()
+
+
+@cache
+def render_script(topic: str, solutions: bool = True) -> str:
+    """Return the file that a page loads when one of a topic's exercises is first used."""
+    chosen = [exercise for exercise in all_exercises().values() if exercise.topic == topic]
+    data = pack(chosen, solutions)
+    return f'(window.coursewarePractice ??= {{}})["{topic}"] = "{data}";\n'
+
+
+def render_box(name: str, salt: str, solutions: bool = True) -> str:
+    """Render an exercise as HTML, with the numbers of somebody without a name."""
+    exercise = find_exercise(name)
+    texts = _fill_for_nobody(exercise, salt, exercise.text)
+    arguments = (_serialize_question(exercise), texts, solutions)
+    inner = engine.call("courseware.renderExercise", *arguments)
+    version = hashlib.sha256(render_script(exercise.topic, solutions).encode()).hexdigest()[:8]
+    return (
+        f'<div class="rk-exercise" role="group" id="{name}" data-exercise="{name}" '
+        f'data-topic="{exercise.topic}" data-version="{version}" '
+        f'aria-label="{exercise.title}">{inner}</div>\n'
+    )
+
+
+def render_solution(name: str, salt: str) -> str:
+    """Render the worked solution in the numbers of `render_box`."""
+    exercise = find_exercise(name)
+    text = exercise.solution_text
+    texts = _fill_for_nobody(exercise, salt, text)
+    return str(engine.call("courseware.renderSolution", text, texts))

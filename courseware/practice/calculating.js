@@ -1,7 +1,7 @@
 // Turns nested tokens into numbers and lists.
 
 import {
-  FRACTIONS, FUNCTIONS, LISTS, mayBeThousands, NOT_FINITE, PAIRS, PI, refuse, SIGNS, joinTokens,
+  FRACTIONS, FUNCTIONS, LISTS, NOT_FINITE, PAIRS, PI, refuse, SIGNS, joinTokens,
   WRAPPERS,
 } from "./tokenizing.js";
 import { DEGREES } from "./units.js";
@@ -98,9 +98,6 @@ class Expression {
   multiplies() {
     const { i, tokens, opener } = this, token = tokens[i];
     if (token.kind === "name" && !isKnownName(token.text)) refuse("unit", this.typed(i));
-    if (token.kind === "number" && mayBeThousands(tokens[i - 1], token, true)) {
-      refuse("thousands", this.typed(i - 1, i + 1));
-    }
     const value = ["number", ...FRACTIONS.keys(), ...LISTS].includes(token.kind);
     const follows = ["name", "√", "("].includes(token.kind);
     if (value || (follows && LISTS.includes(opener) && token.gap)) {

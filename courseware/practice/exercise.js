@@ -190,7 +190,7 @@ export class ExerciseBox {
     const kept = this.entry();
     this.opened = null; // besides what was opened before the pass
     this.input.value = kept.answer ?? "";
-    const entries = [parseTyped(this.input.value, this.exercise?.asks ?? []).value].flat(Infinity);
+    const entries = [parseTyped(this.input.value, this.exercise?.asks ?? [])[0].value].flat(Infinity);
     this.element.querySelectorAll("td input").forEach((cell, k) => { cell.value = entries[k] ?? ""; });
     this.pass();
     this.tell(kept);

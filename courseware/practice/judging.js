@@ -22,6 +22,7 @@ export const FEEDBACK = {
   wrong: "Not yet, and none of the mistakes known here gives this.",
   parts: "Already right: {labels}.",
   shape: "Asked is {asked}. Write it like {like}. This was read as {read}.",
+  readings: "This can be read in two ways. Write decimals with a point, and nothing between thousands.",
   other: "There are other right answers too.",
   digits: "Give {decimals} decimals: with fewer the check cannot tell what went wrong.",
   units: "And it is in other units ({unit}).",
@@ -150,19 +151,27 @@ export const formatExample = ({ asks: { length: size }, accept, shape: [many = a
 };
 
 // Explain why an answer cannot be read.
-export const describeProblem = ({ problem, about }, asks) => fillTemplate(PROBLEMS[problem],
-  { about, point: about.replace(",", "."), whole: about.replace(",", ""), units: listUnits(asks) });
+export const describeProblem = ({ problem, about }, asks) =>
+  fillTemplate(PROBLEMS[problem], { about, units: listUnits(asks) });
 
-// The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing.
+// The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing. Of
+// several readings that fit, the right one counts, or else the one that is a known mistake.
 export const judgeAnswer = (exercise, candidates, text) => {
-  const unread = (says) => ({ result: "unread", name: "", says });
-  const found = parseTyped(text, exercise.asks), { value } = found;
-  if (found.problem) return unread(describeProblem(found, exercise.asks));
-  const rows = toRows(exercise, value, candidates[0][1].length);
-  const unit = exercise.asks.length === 1 ? exercise.asks[0].unit : "";
-  const read = `Read as ${formatValue(value)}${unit && ` ${unit}`}.`;
-  if (rows) return { ...judgeRows(exercise, candidates, rows, text), read };
-  return unread(fillTemplate(FEEDBACK.shape, { asked: exercise.asked, like: formatExample(exercise), read: formatValue(value) }));
+  const unread = (says) => ({ result: "unread", name: "", says }), { asks, asked } = exercise;
+  const readings = parseTyped(text, asks), [first] = readings, verdicts = new Map();
+  if (first.problem) return unread(describeProblem(first, asks));
+  const unit = asks.length === 1 && asks[0].unit ? ` ${asks[0].unit}` : "";
+  for (const { value } of readings) {
+    const rows = toRows(exercise, value, candidates[0][1].length), key = String(rows);
+    if (!rows || verdicts.has(key)) continue;
+    verdicts.set(key, { ...judgeRows(exercise, candidates, rows, text), read: `Read as ${formatValue(value)}${unit}.` });
+  }
+  const fitting = [...verdicts.values()], right = fitting.find(({ result }) => result === "right");
+  const [known, other] = right ? [right] : fitting.filter(({ name }) => name);
+  if (!fitting.length) {
+    return unread(fillTemplate(FEEDBACK.shape, { asked, like: formatExample(exercise), read: formatValue(first.value) }));
+  }
+  return other ? unread(`${FEEDBACK.readings} ${known.read} ${other.read}`) : known ?? fitting[0];
 };
 
 // The verdicts on many answers, [variant, text] each. variants: the candidates of each.

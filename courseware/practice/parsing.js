@@ -8,19 +8,18 @@
 // - Rows, `1, 2; 3, 4`, are lists in a list; rows of one number each, `1; 2; 3`, are one flat list.
 // - In `[ ]` and `{ }` blanks separate as well, where nothing but numbers and lists stands inside.
 //
-// It may be typed with more than was asked: a name before the number, a unit after it, decimals
-// behind a slash. It becomes the bare number in the unit that is asked for, where it can only mean
-// one thing.
+// A comma, a point or a blank between digits can be a decimal sign, separate, or mark thousands, and
+// a slash between digits of Arabic or Persian is a decimal sign, too. All that a text can say is read;
+// the judge knows what fits. It may be typed with more than was asked: a name before the number, a
+// unit after it. It becomes the bare number in the unit that is asked for.
 
 import { evaluateGroup } from "./calculating.js";
 import { nestBrackets } from "./nesting.js";
-import { describeRefusal, INVISIBLE, MAX_LENGTH, refuse, tokenize } from "./tokenizing.js";
+import { describeRefusal, INVISIBLE, listMeanings, MAX_LENGTH, refuse, tokenize } from "./tokenizing.js";
 import { DEGREES, UNITS } from "./units.js";
 
-const NAME = /(\p{L}[\p{L}\p{M}\p{Nd}_']*)\s*[=≈≃≅≡]\s*/gu;
-const OTHER_DIGIT = "[\u0660-\u0669\u06f0-\u06f9]"; // digits beside which a slash is a decimal sign
-const SLASHED_NUMBER = RegExp(`(?<![\\p{Nd}./])(${OTHER_DIGIT}+)/(${OTHER_DIGIT}+)(?![\\p{Nd}./])`, "gu");
-const LEADING_ZERO = /^[\u0660\u06f0]/;
+const NAME = /(\p{L}[\p{L}\p{M}\p{Nd}_']*)\s*[=≈≃≅≡:]\s*/gu;
+const SLASH = /(?<=(?<![\p{Nd}./])[\u0660-\u0669\u06f0-\u06f9]+)\/(?=[\u0660-\u0669\u06f0-\u06f9]+(?![\p{Nd}./]))/gu;
 
 // One name before one number is its name; several must be those that are asked for, in order.
 const removeNames = (text, asks) => {
@@ -75,41 +74,41 @@ const convertAll = (value, units, text, asks) => {
   return each(value);
 };
 
-// ۲/۱۹۱ is 2.191: nobody divides by 191, or by 05, or zero by something. ۱/۳ may be both, and so may
-// ۷۰/۱۸۰, and ۷۰/۱۹۱ beside a factor.
-const DIVISORS = /^(180|360|10+)$/;
-const FACTOR_BEFORE = /[*·×π]\s*$/u;
-const FACTOR_BEHIND = /^\s*[*·×π]/u;
-const toAsciiDigits = (text) => [...text].map((digit) => digit.codePointAt(0) & 15).join("");
-const replaceSlashes = (text) => text.replace(SLASHED_NUMBER, (all, whole, part, at) => {
-  const factor = FACTOR_BEFORE.test(text.slice(0, at)) || FACTOR_BEHIND.test(text.slice(at + all.length));
-  const divides = part.length < 3 || DIVISORS.test(toAsciiDigits(part)) || factor;
-  if (divides && !LEADING_ZERO.test(whole) && !LEADING_ZERO.test(part)) refuse("slash", all);
-  return `${whole}.${part}`;
-});
-
-const normalizeNumber = (text) => replaceSlashes(text)
-  .replace(/(\p{Nd}[.٫]\p{Nd}+)\.(?=\s*$)/u, "$1"); // a full stop
+// Remove a sign before the number and a full stop behind it.
+const trim = (text) => text.replace(/^\s*[=≈≃≅≡]/, "").replace(/(\p{Nd}[.٫]\p{Nd}+)\.(?=\s*$)/u, "$1");
 
 // Return { value, problem, about }: a value, or the code of a problem and the text it is about.
-export const parseAnswer = (text) => {
+const attempt = (read) => {
   try {
-    if ([...text].length > MAX_LENGTH) refuse("long", text);
-    const level = nestBrackets(tokenize(text.replace(INVISIBLE, "")));
-    if (!level.length) refuse("empty", "");
-    return { value: evaluateGroup(level, "", ""), problem: "", about: "" };
+    return { value: read(), problem: "", about: "" };
   } catch (refused) {
     return describeRefusal(refused);
   }
+};
+
+// Keep the readings without a problem, or else the first.
+const dropProblems = (readings) => {
+  const good = readings.filter(({ problem }) => !problem);
+  return good.length ? good : readings.slice(0, 1);
+};
+
+// Return all that a text can say, or one problem. Outside brackets blanks may separate as inside.
+export const parseAnswer = (text) => {
+  if ([...text].length > MAX_LENGTH) return [attempt(() => refuse("long", text))];
+  const shown = text.replace(INVISIBLE, ""), brackets = ["", ...(/\S\s+\S/.test(shown) ? ["[]"] : [])];
+  return dropProblems(listMeanings(shown).flatMap((meaning) => brackets.map(([open = "", close = ""]) => attempt(() => {
+    const level = nestBrackets(tokenize(open + meaning + close, open + shown + close));
+    if (!level.length) refuse("empty", "");
+    return evaluateGroup(level, "", "");
+  }))));
 };
 
 export const parseTyped = (text, asks) => {
-  try {
-    if (!asks.length || [...text].length > MAX_LENGTH) return parseAnswer(text);
-    const named = removeNames(text, asks), { units, rest } = takeUnits(named, asks), found = parseAnswer(normalizeNumber(rest));
-    return found.problem || !units.length ? found : { ...found, value: convertAll(found.value, units, named, asks) };
-  } catch (refused) {
-    return describeRefusal(refused);
-  }
+  if (!asks.length || [...text].length > MAX_LENGTH) return parseAnswer(text);
+  const named = trim(removeNames(text, asks));
+  const { value: taken, ...refused } = attempt(() => takeUnits(named, asks));
+  if (refused.problem) return [{ value: null, ...refused }];
+  const { units, rest } = taken, texts = new Set([rest, rest.replace(SLASH, ".")]);
+  return dropProblems([...texts].flatMap(parseAnswer).map((found) => found.problem || !units.length ? found
+    : attempt(() => convertAll(found.value, units, named, asks))));
 };
-

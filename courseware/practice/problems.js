@@ -15,19 +15,6 @@ export const PROBLEMS = {
     "Something is missing between the numbers in “{about}”. Put a comma between the numbers of"
     + " a list, for example 1, 2, and * in a product, for example 2*pi. Put each row in"
     + " brackets, for example [[1, 2], [3, 4]].",
-  comma:
-    "The comma in “{about}” can be read in two ways. Write decimals with a point, for example"
-    + " 0.5, and put a space after a comma that separates, for example 1, 2.",
-  decimal:
-    "The number “{about}” can be {point} or {whole}. Type the one that you mean, without the comma."
-    + " In a list, put a comma and a space between numbers, for example 1, 200.",
-  slash:
-    "The number “{about}” can be a decimal number or a fraction. Write decimals with a point, for"
-    + " example 1.3, and a fraction with our digits, for example 1/3.",
-  thousands:
-    "The number “{about}” can be read in two ways. Write no mark between thousands, for"
-    + " example 1000.5. Write decimals with a point, for example 1.571. In a list, put a comma"
-    + " and a space between numbers, for example 1, 200.",
   parentheses:
     "The product in “{about}” can be read in two ways. Add parentheses: for example, 1/(2pi)"
     + " or (1/2)pi, and sqrt(2pi) or sqrt(2)*pi.",

@@ -46,9 +46,11 @@ const TOKEN = new RegExp(
   + `|(?:(?:np|numpy|math)\\.)?(?<name>sqrt|[π∞]|[${LETTERS}][${LETTERS}0-9]*)`
   + "|(?<power>\\*\\*|[\\^²³¹\\u2070-\\u207f])"
   + "|(?<sign>.)", "gsu");
-const MARKED = /^(?:.*'.*|[1-9][0-9]{0,2}(?:\.[0-9]{3}){2,})$/; // 1'000 and 1.000.000
-const THOUSANDS = // 1,000 and 1,000.5 and 1.000,5
-  /^(?:[1-9][0-9]{0,2},[0-9]{3}(?:\.[0-9]*)?|[1-9][0-9]{0,2}\.[0-9]{3},[0-9]+)$/;
+const MARKED = /^[1-9][0-9]{0,2}(?:'[0-9]{3})+(?:\.[0-9]*)?(?:e.*)?$/; // 1'000.5
+const THOUSANDS = [ // 1,000.5 and 1 000,5; 1.000,5 and 1.000.000
+  /(?<![0-9.,'])[1-9][0-9]{0,2}([, ])[0-9]{3}(?:\1[0-9]{3})*(?![0-9'])/g,
+  /(?<![0-9.,'])[1-9][0-9]{0,2}(?:(?:\.[0-9]{3})+(?=,[0-9])|(?:\.[0-9]{3}){2,}(?![0-9.]))/g,
+];
 
 export const newToken = (kind, text, shown, gap = "") => ({ kind, text, shown, gap, inside: [] });
 
@@ -64,23 +66,32 @@ export const describeRefusal = (refused) => {
   return { value: null, problem: refused.problem, about: refused.about };
 };
 
-// Numbers, names and signs of a text, in order.
-export const tokenize = (shown) => {
+// Whatever a reader may mean by the commas, points and blanks between digits: texts of one length in
+// which a point is a decimal sign, ' marks thousands, and commas separate.
+export const listMeanings = (text) => {
+  const plain = [...text].map((c) => PLAIN.get(c) ?? c).join("");
+  const marked = THOUSANDS.reduce((before, pattern) =>
+    before.replace(pattern, (number) => number.replace(/[, .]/g, "'")), plain);
+  const both = [plain, marked].flatMap((each) => [each, each.replace(/(?<=[0-9]),(?=[0-9])/g, ".")]);
+  return [...new Set(both)];
+};
+
+// Numbers, names and signs of a text, in order. shown: the text as it was typed.
+export const tokenize = (text, shown) => {
   const found = [];
   let gap = "";
-  const plain = [...shown].map((c) => PLAIN.get(c) ?? c).join("");
-  for (const match of plain.matchAll(TOKEN)) {
+  for (const match of text.matchAll(TOKEN)) {
     let kind = Object.keys(match.groups).find((name) => match.groups[name] !== undefined);
-    const text = match.groups[kind];
+    const token = match.groups[kind];
     const typed = shown.slice(match.index, match.index + match[0].length);
     if (kind === "gap") {
-      gap = text;
+      gap = token;
       continue;
     }
-    if (kind === "number" && MARKED.test(text)) refuse("thousands", typed);
-    if (kind === "number" && text.split(".").length > 2) refuse("unknown", typed);
-    if (kind === "sign" || text === "sqrt") kind = text === "sqrt" ? "√" : text;
-    found.push(newToken(kind, text, typed, gap));
+    const marked = token.includes("'") && !MARKED.test(token);
+    if (kind === "number" && (marked || token.split(".").length > 2)) refuse("unknown", typed);
+    if (kind === "sign" || token === "sqrt") kind = token === "sqrt" ? "√" : token;
+    found.push(newToken(kind, token.replaceAll("'", ""), typed, gap));
     gap = "";
     if (kind === "=") refuse("equals", joinTokens(found));
   }
@@ -90,7 +101,3 @@ export const tokenize = (shown) => {
 // The tokens as they were typed.
 export const joinTokens = (some) =>
   some.map((t, i) => (i ? t.gap.replaceAll("\n", " ") : "") + t.shown).join("");
-
-// Whether two numbers may be one with a mark between thousands; 000 is no number alone.
-export const mayBeThousands = (left, right, anyhow = false) =>
-  THOUSANDS.test(left.text + "," + right.text) && (anyhow || right.text[0] === "0");

@@ -92,9 +92,10 @@ class PredictionBox {
     if (this.answered) return;
     const { kind, places, units } = this.data;
     if (kind === "ghost") return this.withFigure(({ state }) => this.take(places.map((i) => state[i])));
-    const asks = [{ unit: units[0] }], found = parseTyped(this.one("input").value, asks);
-    if (typeof found.value === "number") return this.take([found.value]);
-    this.say(found.problem ? describeProblem(found, asks) : "Type one number.");
+    const asks = [{ unit: units[0] }], readings = parseTyped(this.one("input").value, asks), [first] = readings;
+    const found = readings.find(({ value }) => typeof value === "number");
+    if (found) return this.take([found.value]);
+    this.say(first.problem ? describeProblem(first, asks) : "Type one number.");
   }
 
   take(guess) {

@@ -91,7 +91,7 @@ def test_python_in_a_browser_asks_the_browser(another):
         another.setitem(sys.modules, "pyodide", SimpleNamespace())
         another.setitem(sys.modules, "pyodide.code", SimpleNamespace(run_js=browser.eval))
         assert engine.available()
-        assert engine.run("courseware.parseAnswer('1/4').value") == 0.25
+        assert engine.run("courseware.parseAnswer('1/4')[0].value") == 0.25
 
 
 def test_without_an_engine_it_is_said_what_to_install(another):

@@ -66,7 +66,7 @@ WAYS = [
 def asked(rows):
     """What is read of texts, each with the units of the numbers that are asked for."""
     named = [(text, [{"label": unit, "unit": unit} for unit in units]) for text, units in rows]
-    read = "((rows) => rows.map(([text, asks]) => courseware.parseTyped(text, asks)))"
+    read = "((rows) => rows.map(([text, asks]) => courseware.parseTyped(text, asks)[0]))"
     return engine.call(read, named)
 
 

@@ -92,7 +92,7 @@ LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of pre
 @cache
 def pressed(presses, made=1.0):
     """The numbers that presses give their symbols, as the script computes them."""
-    return script.run(f"courseware.turnNumbers({json.dumps([presses, made])})")
+    return script.run(f"courseware.computeTurns({json.dumps([presses, made])})")
 
 
 def random_values(control, random, size):

@@ -2,7 +2,7 @@
 
 export const now = () => new Date().toISOString();
 
-// As a spreadsheet may read it: quoted, and no cell that it would take for a formula (as tables.py).
+// As a spreadsheet may read it: quoted, and no cell that it would take for a formula (as saving.py).
 const STARTS_FORMULA = /^'*[=+\-@\t\r]/;
 const GUARDED = /^'(?='*[=+\-@\t\r])/;
 const escapeCell = (text) => {

@@ -14,7 +14,7 @@ const TRY_FIRST = "Check an answer first, any guess will do: then the steps open
 const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
 
 /**
- * @typedef {object} Exercise what page.py packs
+ * @typedef {object} Exercise what rendering.py packs
  * @property {string} name, title, text, solution, asked, topic
  * @property {number} level
  * @property {{ shown: Object<string, string>, candidates: Candidate[] }[]} variants

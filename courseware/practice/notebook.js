@@ -1,7 +1,7 @@
 // In a notebook: `student` in the state of the widget comes from Python, the answer that counts
 // goes back, with what it was judged to be.
 //
-// content: { packed, name, course }, packed by page.py.
+// content: { packed, name, course }, packed by rendering.py.
 
 import { dealVariant, foldName } from "./dealing.js";
 import { ExerciseBox } from "./exercise.js";

@@ -22,7 +22,7 @@ def reads(figure: str, readout: str, **settings: float | str) -> float:
 
     A setting that the reader cannot reach is refused.
     """
-    shown = course().declared("figures", Figure)[figure]
+    shown = course().find_all("figures", Figure)[figure]
     row: list[float] = []
     for control in shown.controls:
         value = settings.pop(control.key, control.start)

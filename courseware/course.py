@@ -1,8 +1,8 @@
-"""The course that is open: its chapters, found by their folders, and what they declare.
+"""The open course: its chapters, found by their folders, and their declarations.
 
-A course is a package with a folder for each chapter; `_toc.yml` gives the order. What belongs to a
-chapter stands in modules of fixed names (`formulas`, `checks`, `figures`, `exercises`, …): whatever
-a module holds under a name, also in a tuple or a dictionary, is declared. A package opens itself::
+A course is a package with a folder for each chapter; `_toc.yml` gives the order. Modules of a
+chapter have fixed names (`formulas`, `checks`, `figures`, `exercises`, …): each value that a module
+holds under a name, alone or in a tuple or dictionary, is declared. A package opens itself::
 
     open_course(__name__, name="kinematics", looks=KINDS, library="robokin")
 
@@ -31,28 +31,30 @@ T = TypeVar("T")
 
 
 class Course:
-    """A course. name: the salt of its exercises' numbers, too. looks: its kinds of things.
+    """A course.
 
-    A look has `light` and `dark` (its colour on a light and on a dark page), `dash` (lengths of
-    line and gap), `width` and `marker` (dot, ring, cross, square or diamond). Among the looks are
-    those of `grid` and `text`, which every picture has.
-    library: the package whose functions the chapters use; a chapter may have `functions`, too.
+    Args:
+        package: its Python package.
+        name: also the salt of its exercises' numbers.
+        looks: by kind of thing; `grid` and `text`, which every picture has, are among them. A look
+            has `light` and `dark` (its colour on a light and on a dark page), `dash` (lengths of
+            line and gap), `width` and `marker` (dot, ring, cross, square or diamond).
+        library: the package whose functions the chapters use.
     """
 
     def __init__(self, package: str, name: str, looks: Mapping[str, Any], library: str) -> None:
-        self.package, self.name, self.library = package, name, library
-        self.looks = looks
+        self.package, self.name, self.looks, self.library = package, name, looks, library
         self._declared: dict[tuple[str, type], dict[str, tuple[str, Any]]] = {}
 
     @cached_property
     def folder(self) -> Path:
-        """Where the package stands."""
+        """The folder of the package."""
         return Path(import_module(self.package).__path__[0])
 
     @cached_property
     def chapters(self) -> list[str]:
-        """The folders, as `_toc.yml` orders them; before them what chapters share, by name."""
-        listed = self._listed()
+        """Their names: shared ones without a notebook, then the others as in `_toc.yml`."""
+        listed = self._listed_chapters()
         folders = sorted({path.parent.name for path in self.folder.glob("[a-z]*/*.py")})
         for chapter in folders:
             if not (self.folder / chapter / "__init__.py").exists():
@@ -60,7 +62,6 @@ class Course:
                     f"{self.folder / chapter} has no __init__.py: write one whose docstring is the "
                     "question that the chapter answers"
                 )
-        for chapter in folders:
             if self.notebook(chapter).exists() and chapter not in listed:
                 raise CourseError(
                     f"{self.notebook(chapter)} is not in _toc.yml: add the line "
@@ -70,94 +71,94 @@ class Course:
 
     @cached_property
     def taught(self) -> list[str]:
-        """The chapters that have a notebook; what chapters share has none."""
+        """The chapters that have a notebook."""
         return [chapter for chapter in self.chapters if self.notebook(chapter).exists()]
 
-    def _beside(self, name: str) -> dict[str, Any]:
-        """A YAML file that stands beside the package or, installed, in it; {} if there is none."""
+    def _read_yaml(self, name: str) -> dict[str, Any]:
+        """Read a file beside the package or, if that is installed, in it; {} without one."""
         places = (self.folder.parent / name, self.folder / name)
         texts = (place.read_text(encoding="utf-8") for place in places if place.exists())
         return yaml.safe_load(next(texts, "")) or {}
 
-    def _listed(self) -> list[str]:
-        """The chapters of `_toc.yml`."""
-        contents = self._beside("_toc.yml")
+    def _listed_chapters(self) -> list[str]:
+        """Return the chapters of `_toc.yml`."""
+        contents = self._read_yaml("_toc.yml")
         if not contents:
             raise CourseError(f"there is no _toc.yml beside {self.folder} or in it")
-        folders = [file.split("/") for file in files(contents)]
+        folders = [file.split("/") for file in list_documents(contents)]
         return [names[0] for names in folders if len(names) == 2 and names[0] == names[1]]
 
     @cached_property
     def settings(self) -> dict[str, Any]:
-        """What `_config.yml` sets for Sphinx."""
-        found: dict[str, Any] = self._beside("_config.yml").get("sphinx", {}).get("config", {})
+        """The settings for Sphinx in `_config.yml`."""
+        found: dict[str, Any] = self._read_yaml("_config.yml").get("sphinx", {}).get("config", {})
         return found
 
     def notebook(self, chapter: str) -> Path:
-        """A chapter's notebook; what chapters share has none."""
+        """Return the path of a chapter's notebook, which need not exist."""
         return self.folder / chapter / f"{chapter}.ipynb"
 
     def title(self, chapter: str) -> str:
-        """The first heading of a chapter's notebook."""
-        return _heading(self.notebook(chapter))
+        """Return the first heading of a chapter's notebook."""
+        return _read_heading(self.notebook(chapter))
 
     def question(self, chapter: str) -> str:
-        """What a chapter answers: the docstring of its package."""
+        """Return the question that a chapter answers: the docstring of its package."""
         return (import_module(f"{self.package}.{chapter}").__doc__ or "").strip()
 
     @cached_property
     def library_folder(self) -> Path:
-        """Where the library stands."""
+        """The folder of the library."""
         return Path(import_module(self.library).__path__[0])
 
     @cached_property
     def library_modules(self) -> list[str]:
-        """The library's public modules by name, then the functions of chapters."""
+        """The library's public modules by name, then the `functions` of chapters."""
         public = [f"{self.library}.{m.name}" for m in iter_modules([str(self.library_folder)])]
         own = [module.__name__ for module in self.modules("functions").values()]
         return [name for name in public if not name.rpartition(".")[2].startswith("_")] + own
 
     def module(self, chapter: str, part: str) -> ModuleType | None:
-        """A chapter's module, or None where it has none of that name."""
+        """Return a chapter's module of a name, or None."""
         name = f"{self.package}.{chapter}.{part}"
         return import_module(name) if find_spec(name) else None
 
     def modules(self, part: str) -> dict[str, ModuleType]:
-        """The modules of one name, by chapter, in the course's order."""
+        """Return the modules of a name by chapter, in the order of the course."""
         found = {chapter: self.module(chapter, part) for chapter in self.chapters}
         return {chapter: module for chapter, module in found.items() if module}
 
-    def declared(self, part: str, kind: type[T]) -> dict[str, T]:
-        """All things of a kind that the modules of one name hold, by their `name`."""
-        return {name: thing for name, (_, thing) in self._found(part, kind).items()}
+    def find_all(self, part: str, kind: type[T]) -> dict[str, T]:
+        """Return all declarations of a type in modules of a name, by their `name`."""
+        return {name: thing for name, (_, thing) in self._find_all(part, kind).items()}
 
     def find(self, part: str, kind: type[T], name: object) -> T:
-        """Return the thing of a kind and a name, and import no more chapters than it takes."""
+        """Return the declaration of a type and a name, importing as few chapters as possible."""
         for chapter in sorted(self.chapters, key=self._is_new):
             module = self.module(chapter, part)
             thing: Any
-            for thing in held(module, kind) if module else ():
+            for thing in get_members(module, kind) if module else ():
                 if thing.name == name:
                     return cast(T, thing)
         raise CourseError(
             f"there is no {kind.__name__.lower()} {name!r}; there are "
-            f"{', '.join(self.declared(part, kind))}, declared in the chapters' {part}.py, "
+            f"{', '.join(self.find_all(part, kind))}, declared in the chapters' {part}.py, "
             "under a name of their own or in a tuple"
         )
 
     def _is_new(self, chapter: str) -> bool:
         return f"{self.package}.{chapter}" not in sys.modules
 
-    def homes(self, part: str, kind: type) -> dict[str, str]:
-        """The chapter of each of these things, by name."""
-        return {name: chapter for name, (chapter, _) in self._found(part, kind).items()}
+    def chapters_of(self, part: str, kind: type) -> dict[str, str]:
+        """Return the chapters of these declarations, by name."""
+        return {name: chapter for name, (chapter, _) in self._find_all(part, kind).items()}
 
-    def _found(self, part: str, kind: type) -> dict[str, tuple[str, Any]]:
+    def _find_all(self, part: str, kind: type) -> dict[str, tuple[str, Any]]:
         if (part, kind) not in self._declared:
             found: dict[str, tuple[str, Any]] = {}
             for chapter, module in self.modules(part).items():
                 thing: Any
-                for thing in held(module, kind):
+                for thing in get_members(module, kind):
                     first, known = found.setdefault(thing.name, (chapter, thing))
                     if known is not thing:
                         raise CourseError(
@@ -168,28 +169,27 @@ class Course:
         return self._declared[part, kind]
 
 
-def files(contents: Any) -> Iterator[str]:
-    """The documents that a table of contents names, in order."""
+def list_documents(contents: Any) -> Iterator[str]:
+    """Yield the documents of a table of contents, in order."""
     if isinstance(contents, list):
         for entry in contents:
-            yield from files(entry)
+            yield from list_documents(entry)
     elif isinstance(contents, dict):
         yield from (contents[key] for key in ("root", "file") if key in contents)
         for key in ("parts", "chapters", "sections"):
-            yield from files(contents.get(key))
+            yield from list_documents(contents.get(key))
 
 
-def held(module: ModuleType, kind: type[T]) -> Iterator[T]:
-    """What a module holds of a kind, in the order in which it is written."""
+def get_members(module: ModuleType, kind: type[T]) -> Iterator[T]:
+    """Yield the values of a type in a module, in the order of its text."""
     for value in vars(module).values():
         inside = value.values() if isinstance(value, dict) else value
         several = isinstance(value, tuple | list | dict)
         yield from (x for x in (inside if several else (value,)) if isinstance(x, kind))
 
 
-@cache
-def _heading(notebook: Path) -> str:
-    """The first heading of a notebook; its questions in Moodle all name it."""
+@cache  # each of its questions in Moodle names it
+def _read_heading(notebook: Path) -> str:
     text = "".join(json.loads(notebook.read_text("utf-8"))["cells"][0]["source"])
     return text.splitlines()[0].removeprefix("# ")
 
@@ -198,12 +198,12 @@ _open: list[Course] = []
 
 
 def open_course(package: str, name: str, looks: Mapping[str, Any], library: str) -> None:
-    """Make a course the one that is shown, checked and dealt from."""
+    """Make a course the one that `course()` returns."""
     _open[:] = [Course(package, name, looks, library)]
 
 
 def course() -> Course:
-    """Return the course that is open; if none is, open the one that is installed."""
+    """Return the open course, or else open the one that is installed."""
     if not _open:
         installed = entry_points(group="courseware.course")
         if len(installed) != 1:

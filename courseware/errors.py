@@ -1,4 +1,4 @@
-"""The error of the machine: a course that is declared wrongly, or a call that cannot be meant."""
+"""The error of the framework: a wrong declaration or a wrong call."""
 
 import reprlib
 from typing import Any
@@ -7,11 +7,11 @@ __all__ = ["CourseError", "describe"]
 
 
 class CourseError(ValueError):
-    """Says what was got, what is allowed, and what to do."""
+    """Its message says what was got, what is allowed, and what to do."""
 
 
 def describe(value: Any) -> str:
-    """What was got, cut short for a message; some objects cannot even be printed."""
+    """Return a short text of a value for a message, even of one that cannot be printed."""
     try:
         return reprlib.repr(value)
     except Exception:

@@ -22,7 +22,7 @@ import yaml
 from chromium import started
 from playwright.sync_api import expect
 
-from courseware.course import files
+from courseware.course import list_documents
 
 ROOT = Path(__file__).resolve().parents[1]
 SITE = ROOT / "_build" / "html"
@@ -69,7 +69,7 @@ def wait_for(file):
 
 def listed():
     """The documents that the table of contents names, the first page first."""
-    return list(files(yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))))
+    return list(list_documents(yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))))
 
 
 def pages(site):

@@ -14,11 +14,11 @@ from courseware.equations import Check, Equation
 from courseware.figures import Figure
 from courseware.practice import Exercise, Mistake
 
-EQUATIONS = course().declared("formulas", Equation)
-CHECKS = course().declared("checks", Check)
-FIGURES = course().declared("figures", Figure)
-EXERCISES = course().declared("exercises", Exercise)
-MISTAKES = course().declared("exercises", Mistake)
+EQUATIONS = course().find_all("formulas", Equation)
+CHECKS = course().find_all("checks", Check)
+FIGURES = course().find_all("figures", Figure)
+EXERCISES = course().find_all("exercises", Exercise)
+MISTAKES = course().find_all("exercises", Mistake)
 COURSE = course().name
 # the first exercise of each kind of answer: one number or more, a matrix, several answers
 OF_EACH_KIND = list(
@@ -30,12 +30,12 @@ OF_EACH_KIND = list(
 
 def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):
     """Parametrizes a test over the things of a kind; marks: those of a thing, by its name."""
-    homes = course().homes(part, kind)
+    homes = course().chapters_of(part, kind)
     return pytest.mark.parametrize(
         argument,
         [
             pytest.param(thing, marks=marks(name), id=f"{homes[name]}:{name}")
-            for name, thing in course().declared(part, kind).items()
+            for name, thing in course().find_all(part, kind).items()
             if only(thing)
         ],
     )

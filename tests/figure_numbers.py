@@ -27,7 +27,7 @@ MINUS = "\u2212"
 
 
 each_figure = each("figure", "figures", Figure)
-HOMES = course().homes("figures", Figure)  # figure → its chapter
+HOMES = course().chapters_of("figures", Figure)  # figure → its chapter
 
 # What the script does for any figure alike is tried on one that has most of it: sliders, handles, a
 # clock, goals; what a hand does, on one in space with a choice, too; in the long run all on all.
@@ -35,7 +35,7 @@ TYPICAL = ("wheel-speeds",)
 HANDLED = (*TYPICAL, "euler-sequence")
 ASKED = {  # figures in which a reader places a guess: what can be moved depends on the prediction
     prediction.answers.figure
-    for prediction in course().declared("predictions", Prediction).values()
+    for prediction in course().find_all("predictions", Prediction).values()
     if isinstance(prediction.answers, Ghost)
 }
 

@@ -22,7 +22,7 @@ from urllib.request import urlopen
 
 from support import ROOT
 
-from courseware.site.run import LOCK, PACKAGES, with_needs
+from courseware.site.run import LOCK, PACKAGES, with_dependencies
 
 VERSION = "314.0.6"
 PLACE = f"https://cdn.jsdelivr.net/pyodide/v{VERSION}/full/"
@@ -45,7 +45,7 @@ def reached():
 def packages(names=PACKAGES):
     """The entries of what is wanted and of what that needs."""
     lock = json.loads((ROOT / "book/_vendor/pyodide" / LOCK).read_text("utf-8"))
-    return {name: lock["packages"][name] for name in with_needs(lock["packages"], names)}
+    return {name: lock["packages"][name] for name in with_dependencies(lock["packages"], names)}
 
 
 def pure():

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import book  # noqa: F401 - opens the course
 from courseware.figures.figure import find_figure
-from courseware.site.stills import dark_colours
+from courseware.site.mistake_pictures import dark_colours
 
 FIGURE = "summary"
 WIDTH = 736  # pixels, as wide as a page shows it

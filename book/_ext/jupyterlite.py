@@ -25,7 +25,7 @@ from docutils import nodes
 from sphinx.util import logging
 
 from courseware.course import course
-from courseware.site.files import wheel_name
+from courseware.site.assets import wheel_name
 from courseware.site.run import FOLDER, own_python
 
 logger = logging.getLogger(__name__)

@@ -9,7 +9,7 @@ The same book gives the same bytes.
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from courseware.site.files import wheel_name
+from courseware.site.assets import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
 # JupyterLite and Python in the page need a server; names with a dot are the build's own

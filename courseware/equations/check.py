@@ -96,7 +96,7 @@ class Check:
 
 def declared_checks() -> dict[str, Check]:
     """Return the check of every formula by the formula's name; refuse a formula without one."""
-    formulas, checks = all_equations(), course().declared("checks", Check)
+    formulas, checks = all_equations(), course().find_all("checks", Check)
     for name, check in checks.items():
         if formulas.get(name) is not check.equation:
             raise CourseError(
@@ -111,7 +111,7 @@ def declared_checks() -> dict[str, Check]:
 
 def _describe_missing(equation: Equation) -> str:
     """Say what to write for a formula without a check, and where."""
-    chapter = course().homes("formulas", Equation)[equation.name]
+    chapter = course().chapters_of("formulas", Equation)[equation.name]
     names = vars(course().modules("formulas")[chapter]).items()
     variable = next((name for name, value in names if value is equation), "…")
     line = f"Check(formulas.{variable}, function=…, arguments=…, tolerance=…, reason=…)"

@@ -94,7 +94,7 @@ def substitute(expression: Any, values: Mapping[sp.Symbol, Any]) -> Any:
 
 def all_equations() -> dict[str, Equation]:
     """Return every formula of the course by name."""
-    return course().declared("formulas", Equation)
+    return course().find_all("formulas", Equation)
 
 
 def find_equation(name: str) -> Equation:

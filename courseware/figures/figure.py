@@ -125,7 +125,7 @@ class Figure:
             raise CourseError(f"in the figure {self.name}, {error}") from error
 
     def _compile(self) -> tuple[str, list[Any]]:
-        chapter = course().homes("figures", Figure).get(self.name, "")
+        chapter = course().chapters_of("figures", Figure).get(self.name, "")
         compiler = Compiler(self.controls, self.scene, self.where, chapter)
         parts: dict[str, Any] = {
             "name": self.name,
@@ -252,7 +252,7 @@ def _mix(found: re.Match[str]) -> str:
 
 def figures() -> dict[str, Figure]:
     """Every figure of the course, by name, in the course's order."""
-    return course().declared("figures", Figure)
+    return course().find_all("figures", Figure)
 
 
 def find_figure(name: str) -> Figure:

@@ -8,13 +8,13 @@ from courseware.practice.mistakes import Mistake
 
 def all_exercises() -> dict[str, Exercise]:
     """Return every exercise by name, in the course's order."""
-    for name, chapter in course().homes("exercises", Exercise).items():
+    for name, chapter in course().chapters_of("exercises", Exercise).items():
         stem = chapter.replace("_", "-")
         if name.rpartition("-")[0] != stem:
             raise CourseError(
                 f"an exercise in the folder {chapter} is named {stem}-1, {stem}-2, …; got {name}"
             )
-    return course().declared("exercises", Exercise)
+    return course().find_all("exercises", Exercise)
 
 
 def find_exercise(name: str) -> Exercise:
@@ -24,7 +24,7 @@ def find_exercise(name: str) -> Exercise:
 
 def all_mistakes() -> dict[str, Mistake]:
     """Return every mistake by name."""
-    return course().declared("exercises", Mistake)
+    return course().find_all("exercises", Mistake)
 
 
 def all_topics() -> list[str]:

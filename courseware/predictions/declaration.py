@@ -245,7 +245,7 @@ def _refuse_typed(who: str, *values: Value) -> None:
 
 def all_predictions() -> dict[str, Prediction]:
     """Return every prediction of the course, by name."""
-    return course().declared("predictions", Prediction)
+    return course().find_all("predictions", Prediction)
 
 
 def find_prediction(name: str) -> Prediction:

@@ -1,19 +1,19 @@
-"""The Sphinx extension of a course: how formulas, live figures and exercises get onto a page.
+"""The Sphinx extension of a course: formulas, live figures and exercises on pages.
 
-A cell's formula becomes a numbered equation, a cell's figure its still picture that the script
-takes over, a cell's exercise a box to answer in. Directives: `{formula-checks}` (every formula
-against its function), `{notation}`, `{practice} topic` (all exercises of a topic),
-`{errata}` (what is wrong in the source documents), `{chapters}` (cards), `{live} figure`,
-`{promise}` (what was counted and checked), `{library}` (its functions), `{desk}` (the line
-above the exercises, with the student's name).
-Settings: `course_name` (the salt that picks each student's numbers; without one the course's own
-name), `course_solutions`, `course_wheels` and `course_lock` (what a downloaded notebook needs),
-`course_python` (where the Python that runs in a page comes from), `course_katex` (what sets the
-formulas that it gives).
+A formula in a cell's output becomes a numbered equation, a figure a still picture that the script
+takes over, an exercise a box for the answer. Directives: `{formula-checks}` (every formula and its
+function), `{notation}`, `{practice} topic` (the exercises of a topic), `{errata}` (mistakes in the
+source documents), `{chapters}` (cards), `{live} figure`, `{promise}` (the course in numbers),
+`{library}` (its functions), `{desk}` (the line with the student's name above the exercises).
 
-A figure's way: a cell stores its name (`figures/figure.py`); `outputs.py` finds the declaration by
-that name and has it compiled and drawn (`figures/compiling.py`, `script/engine.py`); the page loads
-the script that `files.py` writes, which brings it to life (`figures/page.js`).
+Settings: `course_name` (the salt that picks each student's numbers; by default the course's own
+name), `course_solutions`, `course_wheels` and `course_lock` (needed by a downloaded notebook),
+`course_python` (the address of the Python that runs in a page), `course_katex` (renders the
+formulas in its results).
+
+A figure gets onto a page in three steps. A cell stores its name (`figures/figure.py`). `outputs.py`
+finds the declaration and has it compiled and drawn (`figures/compiling.py`, `script/engine.py`).
+The page loads the script that `assets.py` writes, which brings it to life (`figures/page.js`).
 """
 
 from typing import Any
@@ -23,7 +23,7 @@ from sphinx.application import Sphinx
 
 from courseware.course import course
 from courseware.site import predictions, run
-from courseware.site.checks_page import FormulaChecks
+from courseware.site.assets import add_assets, write_assets, write_downloads
 from courseware.site.directives import (
     Desk,
     Errata,
@@ -33,13 +33,13 @@ from courseware.site.directives import (
     keep_quotes,
     skip_fields,
 )
-from courseware.site.files import add_assets, write_assets, write_downloads
 from courseware.site.home_page import Chapters, Live, Promise
 from courseware.site.outputs import Outputs, refuse_names_of_headings
 from courseware.site.sources import list_files
+from courseware.site.verification_page import FormulaChecks
 from courseware.symbols.page import mark_formulas
 
-SETTINGS = {  # name → what it is without, what it must be, an example
+SETTINGS = {  # name → default, allowed values, example
     "course_name": ("", "a text, in quotes", '"kinematics-2026"'),
     "course_solutions": (True, "true or false, without quotes", "true"),
     "course_wheels": ([], "a list of folders", "[., courseware, book]"),
@@ -69,21 +69,15 @@ def _open_course(app: Sphinx, config: Any) -> None:
 
 
 def _refuse(setting: str, words: str) -> None:
-    """End the build with a sentence: of an error Jupyter Book shows tracebacks."""
+    """End the build with a sentence; for an error Jupyter Book shows a traceback."""
     raise SystemExit(f"{setting} in _config.yml {words}")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Called by Sphinx."""
+    """Register the extension with Sphinx."""
+    for directive in (Chapters, Desk, Errata, Library, Live, Notation, Practice, Promise):
+        app.add_directive(directive.__name__.lower(), directive)
     app.add_directive("formula-checks", FormulaChecks)
-    app.add_directive("notation", Notation)
-    app.add_directive("desk", Desk)
-    app.add_directive("practice", Practice)
-    app.add_directive("chapters", Chapters)
-    app.add_directive("live", Live)
-    app.add_directive("promise", Promise)
-    app.add_directive("library", Library)
-    app.add_directive("errata", Errata)
     for name, (default, *_) in SETTINGS.items():
         # with text allowed, Sphinx leaves "no" as it is: without, it would be true
         app.add_config_value(name, default, "env", (type(default), str))

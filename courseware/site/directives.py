@@ -1,4 +1,4 @@
-"""What a page can ask for: all exercises, all chapters, the library, the symbols, the errata."""
+"""Directives for exercises, the library, symbols and errata."""
 
 from typing import Any
 
@@ -10,8 +10,8 @@ from courseware.equations.quantities import NamedSymbol
 from courseware.practice.bank import all_exercises, all_mistakes, all_topics
 from courseware.practice.formatting import render_marked, render_symbols
 from courseware.practice.mistakes import Mistake
-from courseware.site.outputs import desk, exercise_box
-from courseware.site.sources import depend
+from courseware.site.outputs import render_desk, render_exercise
+from courseware.site.sources import note_sources
 from courseware.symbols import lexicon
 
 
@@ -21,7 +21,7 @@ class Practice(SphinxDirective):
     optional_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """A box for each exercise, under the titles of the chapters unless one is named."""
+        """Return a box for each exercise, under the titles of chapters unless one is named."""
         if not self.arguments:
             parts = (f"## {course().title(t)}\n\n```{{practice}} {t}\n```\n" for t in all_topics())
             return self.parse_text_to_nodes("\n".join(parts), allow_section_headings=True)
@@ -29,23 +29,21 @@ class Practice(SphinxDirective):
         names = [name for name, exercise in all_exercises().items() if exercise.topic == topic]
         if not names:
             raise self.error(f"no exercises on {topic!r}; there are {', '.join(all_topics())}")
-        return [exercise_box(self.env, name) for name in names]
+        return [render_exercise(self.env, name) for name in names]
 
 
 class Desk(SphinxDirective):
-    """Where a student says a name, if that shall stand higher than the first exercise."""
+    """The field for a student's name, where it stands higher than the first exercise."""
 
     def run(self) -> list[nodes.Node]:
-        """The desk."""
-        return [nodes.raw("", desk(self.env), format="html")]
+        return [nodes.raw("", render_desk(self.env), format="html")]
 
 
 class Library(SphinxDirective):
-    """The functions of the library and those that chapters declare, module by module."""
+    """A section for each module of the library and for the functions of chapters."""
 
     def run(self) -> list[nodes.Node]:
-        """A section for each module, from its docstrings."""
-        depend(self.env, "functions")
+        note_sources(self.env, "functions")
         text = "\n".join(
             f"## {name}\n\n```{{eval-rst}}\n.. automodule:: {name}\n   :members:\n```\n"
             for name in course().library_modules
@@ -65,24 +63,24 @@ def skip_fields(app: Any, what: str, name: str, member: Any, *_: Any) -> bool | 
 
 
 class Errata(SphinxDirective):
-    """What stands wrong in the source documents."""
+    """The mistakes that stand in the source documents."""
 
     def run(self) -> list[nodes.Node]:
-        """What stands, what should and why, for each mistake that stands in a document."""
-        depend(self.env, "exercises")
+        note_sources(self.env, "exercises")
         found = sorted(
             (m for m in all_mistakes().values() if m.document), key=lambda m: (m.document, m.nth)
         )
-        return self.parse_text_to_nodes("\n\n".join(map(erratum, found)))
+        return self.parse_text_to_nodes("\n\n".join(map(describe_erratum, found)))
 
 
-def erratum(mistake: Mistake) -> str:
-    """Where it stands, what stands there, what should, why, and where the course treats it."""
-    asked = [each for each in all_exercises().values() if mistake in each.wrong]
-    page = f"/{asked[0].topic}/{asked[0].topic}"
-    chapter = f"[{course().title(asked[0].topic)}]({page})"
-    # an exercise's place is made by its box, so that Sphinx does not know it
-    links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in asked)
+def describe_erratum(mistake: Mistake) -> str:
+    """Return place, wrong and right version, reason, and the exercises about it, as Markdown."""
+    about = [each for each in all_exercises().values() if mistake in each.wrong]
+    topic = about[0].topic
+    page = f"/{topic}/{topic}"
+    chapter = f"[{course().title(topic)}]({page})"
+    # HTML, because Sphinx does not know the anchor in an exercise's box
+    links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in about)
     should = render_marked(mistake.should)
     return (
         f"**{mistake.document}**, {render_symbols(mistake.place)} ({mistake.name})\n\n"
@@ -93,15 +91,14 @@ def erratum(mistake: Mistake) -> str:
 
 
 class Notation(SphinxDirective):
-    """All symbols that the chapters print, chapter by chapter."""
+    """A table of the symbols that a chapter prints, under the title of each chapter."""
 
     def run(self) -> list[nodes.Node]:
-        """A table under the title of each chapter."""
-        depend(self.env, "formulas", "figures")
+        note_sources(self.env, "formulas", "figures")
         for chapter in course().chapters:
             self.env.note_dependency(str(course().notebook(chapter)))
         lines: list[str] = []
-        for chapter, rows in notation().items():
+        for chapter, rows in notation_rows().items():
             lines += ["", f"## {course().title(chapter)}", "", "::::{container} notation"]
             lines += [
                 "| symbol | meaning | unit | range | in code |",
@@ -112,8 +109,8 @@ class Notation(SphinxDirective):
         return self.parse_text_to_nodes("\n".join(lines), allow_section_headings=True)
 
 
-def notation() -> dict[str, list[str]]:
-    """Chapter → its rows. Symbols that mean alike, such as a matrix's entries, share one."""
+def notation_rows() -> dict[str, list[str]]:
+    """Return the rows of each chapter; symbols of one meaning, as a matrix's entries, share one."""
     tables: dict[str, list[str]] = {}
     for chapter in course().taught:
         names, alike = lexicon.assigned_names(chapter), dict[tuple[str, ...], list[NamedSymbol]]()

@@ -1,4 +1,4 @@
-"""What the first page shows: a live figure, the chapters as cards, what is promised in numbers."""
+"""Directives of the first page: a live figure, cards of chapters, the course in numbers."""
 
 from html import escape
 from pathlib import Path
@@ -11,29 +11,31 @@ from courseware.figures import Figure
 from courseware.figures.figure import find_figure
 from courseware.practice.bank import all_exercises, all_mistakes
 from courseware.practice.dealing import VARIANTS
-from courseware.site.checks_page import checked, power
-from courseware.site.outputs import figure_on_page
-from courseware.site.sources import depend
+from courseware.site.outputs import render_figure
+from courseware.site.sources import note_sources
+from courseware.site.verification_page import format_power, verify_course
+
+CARD = 358  # pixels, as on a phone, for which every figure is made
+FILLED = 'preserveAspectRatio="xMidYMid slice"'
 
 
 class Live(SphinxDirective):
-    """A chapter's figure, live, on another page: its name."""
+    """A live figure of a chapter, by its name."""
 
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        depend(self.env, "figures")
-        return [figure_on_page(self.arguments[0])]
+        note_sources(self.env, "figures")
+        return [render_figure(self.arguments[0])]
 
 
 class Chapters(SphinxDirective):
-    """The chapters as cards: a picture of its first figure, the title, and the question."""
+    """The chapters as cards: picture of the first figure, title, question."""
 
     def run(self) -> list[nodes.Node]:
-        """A card for each chapter that has a notebook."""
-        depend(self.env, "__init__", "figures")
+        note_sources(self.env, "__init__", "figures")
         pictures: dict[str, str] = {}
-        for name, chapter in course().homes("figures", Figure).items():
+        for name, chapter in course().chapters_of("figures", Figure).items():
             pictures.setdefault(chapter, name)
         cards = [
             self._card(chapter, pictures[chapter])
@@ -53,20 +55,16 @@ class Chapters(SphinxDirective):
         )
 
 
-CARD = 358  # pixels, as on a phone, for which every figure is made
-FILLED = 'preserveAspectRatio="xMidYMid slice"'
-
-
 class Promise(SphinxDirective):
-    """What the course says of itself, in numbers that this build has found."""
+    """The size of the course and its largest difference, as found by this build."""
 
     def run(self) -> list[nodes.Node]:
-        depend(self.env, "formulas", "checks", "figures", "exercises")
-        found = checked(Path(self.env.app.outdir).parent)
+        note_sources(self.env, "formulas", "checks", "figures", "exercises")
+        found = verify_course(Path(self.env.app.outdir).parent)
         lines = (
             f"**{found.formulas}** formulas, each computed at {found.samples:,} points or more: "
-            f"they and the code are at most {power(found.largest)} apart ([how](checks)).",
-            f"**{len(course().declared('figures', Figure))}** figures that you can move.",
+            f"they and the code are at most {format_power(found.largest)} apart ([how](checks)).",
+            f"**{len(course().find_all('figures', Figure))}** figures that you can move.",
             f"**{len(all_exercises())}** exercises, each with {VARIANTS} sets of numbers, "
             f"and **{len(all_mistakes())}** mistakes that they know by name "
             "([practice](practice)).",

@@ -1,4 +1,4 @@
-"""What a cell becomes on a page: a formula, a figure, an exercise, a mistake, a prediction."""
+"""Outputs of cells on a page: formulas, figures, exercises, mistakes, predictions."""
 
 from collections.abc import Callable
 from html import escape
@@ -29,9 +29,9 @@ from courseware.practice.notebook import MISTAKE, mistake
 from courseware.predictions.declaration import find_prediction
 from courseware.predictions.notebook import MIME as PREDICTION
 from courseware.script import engine
-from courseware.site.predictions import asked
-from courseware.site.sources import depend
-from courseware.symbols.numbers import Slots
+from courseware.site.predictions import render_prediction
+from courseware.site.sources import note_sources
+from courseware.symbols.formula_numbers import Slots
 
 T = TypeVar("T")
 WITH = '<p class="rk-with">With the numbers of the figure:</p>'
@@ -42,88 +42,103 @@ NO_SCRIPT = (
 )
 
 
-class Outputs:
-    """The plugin that MyST-NB asks for each output of a cell."""
-
-    mime_priority_overrides = (
-        ("html", EQUATION, 1),
-        ("html", AGAIN, 1),
-        ("html", FIGURE, 1),
-        ("html", practice.MIME, 1),
-        ("html", MISTAKE, 1),
-        ("html", PREDICTION, 1),
+def render_equation(renderer: Any, data: Any) -> list[nodes.Element]:
+    """Return a display formula, numbered and known to `{eq}` by its name."""
+    env, name, computed = renderer.sphinx_env, data.content["name"], data.content["computed"]
+    note_sources(env, "formulas")
+    label, formula = (
+        equation_label(name, computed),
+        find_declared(find_equation, name).latex(computed),
     )
-
-    @staticmethod
-    def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
-        """The page elements of a formula or a figure; None leaves the output to MyST-NB."""
-        if data.mime_type == EQUATION:
-            depend(renderer.renderer.sphinx_env, "formulas")
-            return _equation(renderer, data)
-        if data.mime_type == AGAIN:
-            depend(renderer.renderer.sphinx_env, "formulas")
-            return [_again(data.content["labels"], renderer.renderer.sphinx_env.docname)]
-        if data.mime_type == FIGURE:
-            depend(renderer.renderer.sphinx_env, "figures")
-            return [figure_on_page(data.content["name"])]
-        if data.mime_type == practice.MIME:
-            return [exercise_box(renderer.renderer.sphinx_env, data.content["name"])]
-        if data.mime_type == MISTAKE:
-            depend(renderer.renderer.sphinx_env, "exercises")
-            return [_mistake(data.content["name"])]
-        if data.mime_type == PREDICTION:
-            depend(renderer.renderer.sphinx_env, "predictions", "formulas", "figures")
-            return [asked(renderer.renderer, told(find_prediction, data.content["name"]))]
-        return None
-
-
-def _equation(renderer: Any, data: Any) -> list[nodes.Element]:
-    """A display formula, numbered and known to `{eq}` by its name."""
-    name, computed = data.content["name"], data.content["computed"]
-    label, formula = equation_label(name, computed), told(find_equation, name).latex(computed)
-    env = renderer.renderer.sphinx_env
     node = nodes.math_block(formula, formula, label=label, nowrap=False, docname=env.docname)
     domain = env.get_domain("math")
     domain.note_equation(env.docname, label, location=(env.docname, data.line))
     node["number"] = domain.get_equation_number_for(label)
     target = nodes.target("", "", ids=[equation_anchor(label)])
-    renderer.renderer.document.note_explicit_target(target)
-    followed = data.content.get("figure")
-    return [target, node, *(_numbers(name, computed, followed, env) if followed else ())]
+    renderer.document.note_explicit_target(target)
+    figure = data.content.get("figure")
+    return [target, node, *(_render_numbers(name, computed, figure, env) if figure else ())]
 
 
-def _again(labels: list[str], docname: str) -> nodes.container:
-    """Formulas that stand above, each beside the number that leads to it."""
-    box = nodes.container("", classes=["rk-again"])
-    for label in labels:
-        tex = told(equation_of, label).latex(label.endswith(COMPUTED))
-        to = {"refdomain": "math", "reftype": "eq", "reftarget": label, "refdoc": docname}
-        number = pending_xref("", nodes.inline(), **to, refexplicit=False, refwarn=True)
-        box += nodes.paragraph("", "", number)
-        box += nodes.math_block(tex, tex, number=None, nowrap=False)
-    return box
-
-
-def _numbers(name: str, computed: bool, figure: str, env: BuildEnvironment) -> list[nodes.Element]:
-    """Below a formula the same with the numbers of a figure, which the script keeps up to date."""
-    depend(env, "figures")
-    slots = Slots(
-        told(find_equation, name), told(find_figure, figure), env.docname.partition("/")[0]
-    )
-    tex = told(lambda _: slots.tex(computed), name)
+def _render_numbers(
+    name: str, computed: bool, figure: str, env: BuildEnvironment
+) -> list[nodes.Element]:
+    """Return the formula with the numbers of a figure, which the script keeps up to date."""
+    note_sources(env, "figures")
+    chapter = env.docname.partition("/")[0]
+    slots = Slots(find_declared(find_equation, name), find_declared(find_figure, figure), chapter)
+    tex = find_declared(lambda _: slots.render_tex(computed), name)
     node = nodes.math_block(tex, tex, number=None, nowrap=False, seen_only=True, marked=tex)
     start = nodes.raw("", f'<div class="rk-numbers">{WITH}', format="html")
-    said = f'<p class="rk-says">{slots.said()}</p></div>'
+    said = f'<p class="rk-says">{slots.render_sentence()}</p></div>'
     return [start, node, nodes.raw("", said, format="html")]
 
 
-def figure_on_page(name: str) -> nodes.raw:
-    """The still picture with its controls, and the data that brings it to life."""
-    return nodes.raw("", told(find_figure, name).render_html(), format="html", figure=name)
+def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
+    """Return a box of formulas that stand above, each beside the number that leads to it."""
+    note_sources(renderer.sphinx_env, "formulas")
+    box = nodes.container("", classes=["rk-again"])
+    for label in data.content["labels"]:
+        tex = find_declared(equation_of, label).latex(label.endswith(COMPUTED))
+        to = {"refdomain": "math", "reftype": "eq", "reftarget": label}
+        to |= {"refdoc": renderer.sphinx_env.docname, "refexplicit": False, "refwarn": True}
+        box += nodes.paragraph("", "", pending_xref("", nodes.inline(), **to))
+        box += nodes.math_block(tex, tex, number=None, nowrap=False)
+    return [box]
+
+
+def render_mistake(renderer: Any, data: Any) -> list[nodes.Element]:
+    """Return a wrong line to judge, its result, and the answer folded."""
+    note_sources(renderer.sphinx_env, "exercises")
+    shown = mistake(data.content["name"])
+    line = nodes.literal_block(shown.mistake.line, shown.mistake.line, language="python")
+    parts = (line, nodes.raw("", shown.answer, format="html"))
+    return [nodes.container("", *parts, classes=["rk-mistake"], ids=[data.content["name"]])]
+
+
+def render_figure(name: str) -> nodes.raw:
+    """Return the still picture with its controls; the page's script brings it to life."""
+    return nodes.raw("", find_declared(find_figure, name).render_html(), format="html", figure=name)
+
+
+def _render_figure(renderer: Any, data: Any) -> list[nodes.Element]:
+    note_sources(renderer.sphinx_env, "figures")
+    return [render_figure(data.content["name"])]
+
+
+def _render_exercise(renderer: Any, data: Any) -> list[nodes.Element]:
+    return [render_exercise(renderer.sphinx_env, data.content["name"])]
+
+
+def _render_prediction(renderer: Any, data: Any) -> list[nodes.Element]:
+    note_sources(renderer.sphinx_env, "predictions", "formulas", "figures")
+    return [render_prediction(renderer, find_declared(find_prediction, data.content["name"]))]
+
+
+RENDERERS: dict[str, Callable[[Any, Any], list[nodes.Element]]] = {
+    EQUATION: render_equation,
+    AGAIN: render_equations_again,
+    FIGURE: _render_figure,
+    practice.MIME: _render_exercise,
+    MISTAKE: render_mistake,
+    PREDICTION: _render_prediction,
+}
+
+
+class Outputs:
+    """The plugin that MyST-NB asks for each output of a cell."""
+
+    mime_priority_overrides = tuple(("html", mime, 1) for mime in RENDERERS)
+
+    @staticmethod
+    def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
+        """Return the page elements of one of our outputs; None leaves others to MyST-NB."""
+        render = RENDERERS.get(data.mime_type)
+        return render(renderer.renderer, data) if render else None
 
 
 def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
-    """A figure's name is its place on the page, which no heading may have."""
+    """Refuse a heading with the name of a figure, which is the figure's place on the page."""
     figures = {node["figure"] for node in doctree.findall(nodes.raw) if "figure" in node}
     for section in doctree.findall(nodes.section):
         for name in figures.intersection(section["ids"]):
@@ -134,23 +149,23 @@ def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
             )
 
 
-def told(find_it: Callable[[str], T], name: str) -> T:
-    """What is declared under a name that stands in a notebook; what is not ends the build."""
+def find_declared(find: Callable[[str], T], name: str) -> T:
+    """Find what a notebook names; end the build if it is not declared."""
     try:
-        return find_it(name)
+        return find(name)
     except CourseError as error:
         raise ExtensionError(str(error)) from error
 
 
-def exercise_box(env: BuildEnvironment, name: str) -> nodes.raw:
-    """The box of an exercise; before the first on a page, the desk."""
-    depend(env, "exercises")
+def render_exercise(env: BuildEnvironment, name: str) -> nodes.raw:
+    """Return the box of an exercise, after the desk if it is the first on its page."""
+    note_sources(env, "exercises")
     html = practice.render_box(name, _salt(env), env.config.course_solutions)
-    return nodes.raw("", desk(env) + html, format="html")
+    return nodes.raw("", render_desk(env) + html, format="html")
 
 
-def desk(env: BuildEnvironment) -> str:
-    """Where a student says a name, as HTML: once a page."""
+def render_desk(env: BuildEnvironment) -> str:
+    """Return the field for a student's name as HTML, once a page."""
     if env.temp_data.get("practice_desk"):
         return ""
     env.temp_data["practice_desk"] = True
@@ -160,13 +175,5 @@ def desk(env: BuildEnvironment) -> str:
 
 
 def _salt(env: BuildEnvironment) -> str:
-    """The name of the course, which picks the numbers."""
+    """Return the name of the course, which picks the numbers."""
     return str(env.config.course_name or course().name)
-
-
-def _mistake(name: str) -> nodes.container:
-    """A wrong line to judge, what it gives, and the answer folded."""
-    shown = mistake(name)
-    line = nodes.literal_block(shown.mistake.line, shown.mistake.line, language="python")
-    parts = (line, nodes.raw("", shown.answer, format="html"))
-    return nodes.container("", *parts, classes=["rk-mistake"], ids=[name])

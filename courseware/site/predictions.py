@@ -1,4 +1,4 @@
-"""A prediction on a page: the question, the hands to answer it, and the fold that opens then."""
+"""A prediction on a page: the question, the form for the answer, and a fold that opens then."""
 
 import json
 from html import escape
@@ -13,27 +13,27 @@ from courseware.predictions.declaration import Prediction, find_prediction
 from courseware.script import engine
 
 FENCE = "`" * 10
-TAG = "after-"
+TAG = "after-"  # of cells that a prediction opens: followed by its name
 
 
 class Tag(nodes.General, nodes.Element):  # type: ignore[misc]
-    """An element of HTML around other nodes. tag: its name; data: its attributes."""
+    """An HTML element around other nodes. tag: its name; data: its attributes."""
 
 
 def visit_tag(translator: Any, node: Tag) -> None:
-    """Its start; other builders write what is in it."""
+    """Write the start tag; builders without HTML write the content only."""
     if hasattr(translator, "starttag"):
         translator.body.append(translator.starttag(node, node["tag"], **node["data"]))
 
 
 def depart_tag(translator: Any, node: Tag) -> None:
-    """Its end."""
+    """Write the end tag."""
     if hasattr(translator, "starttag"):
         translator.body.append(f"</{node['tag']}>\n")
 
 
-def asked(renderer: Any, prediction: Prediction) -> Tag:
-    """The page elements of a prediction. renderer: of MyST, which reads Markdown."""
+def render_prediction(renderer: Any, prediction: Prediction) -> Tag:
+    """Return the page elements of a prediction. renderer: MyST's, for Markdown."""
 
     def markdown(text: str, **attributes: Any) -> Tag:
         node = Tag("", tag="div", data={}, **attributes)
@@ -60,8 +60,8 @@ def asked(renderer: Any, prediction: Prediction) -> Tag:
     return box
 
 
-def mark(app: Sphinx, page: str, content: list[str]) -> None:
-    """MyST-NB forgets the tags of Markdown cells: those of predictions become a directive."""
+def convert_tags(app: Sphinx, page: str, content: list[str]) -> None:
+    """Turn the tags of Markdown cells into a directive, because MyST-NB drops them."""
     if not app.env.doc2path(page).endswith(".ipynb"):
         return
     notebook = json.loads(content[0])
@@ -74,20 +74,20 @@ def mark(app: Sphinx, page: str, content: list[str]) -> None:
 
 
 class After(SphinxDirective):
-    """What a prediction opens; without one, as it stands."""
+    """Text that a prediction opens."""
 
     required_arguments = 1
     has_content = True
 
     def run(self) -> list[nodes.Node]:
-        """The content, marked as a code cell with the same tag is."""
+        """Return the content with the class that a code cell of the same tag has."""
         node = Tag("", tag="div", data={}, classes=[f"tag_{TAG}{self.arguments[0]}"])
         self.state.nested_parse(self.content, self.content_offset, node)
         return [node]
 
 
-def gather(app: Sphinx, doctree: nodes.document) -> None:
-    """Put what a prediction opens into its fold: the cells that follow and carry its name."""
+def fill_folds(app: Sphinx, doctree: nodes.document) -> None:
+    """Move the cells that follow a prediction and are tagged with its name into its fold."""
     for fold in list(doctree.findall(lambda n: isinstance(n, Tag) and "rk-opens" in n["classes"])):
         box = fold.parent
         cell = box
@@ -110,8 +110,8 @@ def gather(app: Sphinx, doctree: nodes.document) -> None:
 
 
 def setup(app: Sphinx) -> None:
-    """What Sphinx must know of predictions."""
+    """Register predictions with Sphinx."""
     app.add_node(Tag, html=(visit_tag, depart_tag))
     app.add_directive("after", After)
-    app.connect("source-read", mark)
-    app.connect("doctree-read", gather)
+    app.connect("source-read", convert_tags)
+    app.connect("doctree-read", fill_folds)

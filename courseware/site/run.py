@@ -1,7 +1,7 @@
-"""What *Run* fetches when it is pressed: Python's address, the course's wheels, its own files.
+"""Files that *Run* fetches when it is pressed: settings, the course's wheels, its own scripts.
 
-`course_python` is the public address of Pyodide. The environment's PYODIDE names a folder with it
-instead, an unpacked release, which is copied into the site: then nothing is asked of strangers.
+`course_python` is the public address of Pyodide. If the environment's PYODIDE names a folder with
+an unpacked release, that is copied into the site, and no other site is asked.
 """
 
 import json
@@ -16,11 +16,11 @@ from sphinx.application import Sphinx
 
 from courseware import run
 from courseware.errors import CourseError
-from courseware.site.files import wheel_name, write_static
+from courseware.site.assets import wheel_name, write_static
 
 NEEDED = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
 LOCK = "pyodide-lock.json"
-# what chapters and JupyterLite's kernel load, with what that needs
+# imported by chapters and by JupyterLite's kernel
 PACKAGES = (
     *("numpy", "pyyaml", "sympy", "matplotlib"),
     *("ipython", "jedi", "micropip", "typing-extensions"),
@@ -29,13 +29,13 @@ FOLDER = "python"  # in `_static`, if the site has Python itself
 
 
 def own_python() -> Path | None:
-    """The folder with Pyodide that the build is given, if it is."""
+    """Return the folder with Pyodide that the environment names, if it does."""
     name = os.environ.get("PYODIDE")
     return Path(name).resolve() if name else None
 
 
 def read_setting(app: Sphinx, config: Any) -> None:
-    """The folder is a setting like others: where it changes, the pages do."""
+    """Make the folder a setting, so that pages are read again when it changes."""
     folder = own_python()
     if folder and (missing := [name for name in (*NEEDED, LOCK) if not (folder / name).exists()]):
         raise SystemExit(
@@ -46,10 +46,10 @@ def read_setting(app: Sphinx, config: Any) -> None:
 
 
 def write_files(app: Sphinx, env: Any) -> None:
-    """The files that *Run* fetches, and where it finds the rest."""
+    """Write the files that *Run* fetches, and the addresses of the others."""
     if app.builder.format != "html":
         return
-    for name, text in run.fetched().items():
+    for name, text in run.read_files().items():
         write_static(app, f"run/{name}", text)
     folder, katex = own_python(), app.config.course_katex
     wheels = [wheel_name(name) for name in app.config.course_wheels]
@@ -65,18 +65,18 @@ def write_files(app: Sphinx, env: Any) -> None:
 
 
 def copy_python(folder: Path, target: Path) -> None:
-    """Python itself, and of its packages those that the course can need."""
+    """Copy Python and those of its packages that the course can need."""
     target.mkdir(parents=True, exist_ok=True)
     packages = json.loads((folder / LOCK).read_text("utf-8"))["packages"]
-    wheels = [packages[name]["file_name"] for name in with_needs(packages, PACKAGES)]
+    wheels = [packages[name]["file_name"] for name in with_dependencies(packages, PACKAGES)]
     for file in (*NEEDED, LOCK, *wheels):
         if not (folder / file).exists():
             raise CourseError(f"PYODIDE={folder} has no {file}: it must be a whole release")
         shutil.copy(folder / file, target)
 
 
-def with_needs(packages: Mapping[str, Any], names: Iterable[str]) -> list[str]:
-    """The names, and those of all that these packages need."""
+def with_dependencies(packages: Mapping[str, Any], names: Iterable[str]) -> list[str]:
+    """Return the names of packages and of all their dependencies."""
     found, wanted = set[str](), list(names)
     while wanted:
         name = canonicalize_name(wanted.pop())
@@ -87,7 +87,7 @@ def with_needs(packages: Mapping[str, Any], names: Iterable[str]) -> list[str]:
 
 
 def setup(app: Sphinx) -> None:
-    """Called by the site's extension."""
+    """Register the files with Sphinx."""
     app.add_config_value("course_folder", "", "html", str)
     app.connect("config-inited", read_setting)
     app.connect("env-updated", write_files)

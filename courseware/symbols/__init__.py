@@ -1,4 +1,4 @@
-"""One symbol, one thing: the faces of a symbol on a page light up together, and a note names it.
+"""Symbols on a page: all places of a symbol light up together, and a note names it.
 
 `lexicon` finds a chapter's symbols in TeX, `page` marks them in its formulas, the script in its
 code. Figures mark their own.

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
-from courseware.course import course, held
+from courseware.course import course, get_members
 from courseware.equations.equation import Equation, free_symbols
 from courseware.equations.notebook import MIME, read_cells, read_outputs, shown_equations
 from courseware.equations.quantities import NamedSymbol, find_kind
@@ -34,10 +34,10 @@ def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
     """Return the symbols of a chapter by their patterns in TeX, the longest first."""
     found, equations = list[NamedSymbol](), [equation for equation, _ in shown_equations(chapter)]
     if formulas := course().module(chapter, "formulas"):
-        found += held(formulas, NamedSymbol)
-        equations += held(formulas, Equation)
+        found += get_members(formulas, NamedSymbol)
+        equations += get_members(formulas, Equation)
     if figures := course().module(chapter, "figures"):
-        found += [s for s in held(figures, NamedSymbol) if s.module == figures.__name__]
+        found += [s for s in get_members(figures, NamedSymbol) if s.module == figures.__name__]
     for e in equations:
         found += symbols_in((e.left, e.right, e.textbook or 0, e.where))
     known: dict[str, NamedSymbol] = {}

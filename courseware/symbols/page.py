@@ -1,4 +1,4 @@
-"""What the site does to a chapter's page: its formulas carry the keys of their symbols."""
+"""Symbols on a chapter's page: formulas marked with keys, facts for the script, colours."""
 
 import re
 from functools import cache
@@ -17,16 +17,16 @@ AXIS_BEHIND, AXIS_BEFORE = re.compile(r"\s+(axis|axes|direction)\b"), re.compile
 
 
 def mark_formulas(app: Sphinx, doctree: nodes.document, docname: str) -> None:
-    """Give each formula of a chapter the TeX in which its symbols are marked."""
+    """Add TeX with marked symbols to each formula of a chapter."""
     chapter = docname.partition("/")[0]
     if chapter not in course().taught:
         return
     for node in doctree.findall(lambda n: isinstance(n, nodes.math | nodes.math_block)):
-        if "marked" not in node and not names_an_axis(node):
+        if "marked" not in node and not is_axis_name(node):
             node["marked"] = lexicon.mark_symbols(chapter, node.astext())
 
 
-def names_an_axis(node: nodes.Element) -> bool:
+def is_axis_name(node: nodes.Element) -> bool:
     """Whether an inline formula is the name of an axis."""
     if not AXIS.fullmatch(node.astext()):
         return False
@@ -37,17 +37,20 @@ def names_an_axis(node: nodes.Element) -> bool:
     return bool(AXIS_BEHIND.match(behind) or AXIS_BEFORE.search(before))
 
 
-def symbols_told(page: str) -> dict[str, list[str]]:
-    """What a chapter's page says of its symbols, by key."""
+def symbol_facts(page: str) -> dict[str, list[str]]:
+    """Return the facts of a chapter's symbols by key, {} for another page."""
     chapter = page.partition("/")[0]
     if chapter not in course().taught:
         return {}
-    return {symbol.key: facts(symbol, chapter) for symbol in lexicon.symbols_of(chapter).values()}
+    return {
+        symbol.key: describe_symbol(symbol, chapter)
+        for symbol in lexicon.symbols_of(chapter).values()
+    }
 
 
 @cache
-def by_name(chapter: str) -> dict[str, NamedSymbol]:
-    """The symbols whose names stand in the code of a chapter's notebook, each name for one only."""
+def symbols_by_code(chapter: str) -> dict[str, NamedSymbol]:
+    """Return symbols by their names in the code of a chapter's notebook, if that is unique."""
     found: dict[str, list[NamedSymbol]] = {}
     for symbol in lexicon.printed_symbols(chapter):
         found.setdefault(symbol.code, []).append(symbol)
@@ -55,19 +58,19 @@ def by_name(chapter: str) -> dict[str, NamedSymbol]:
     return {name: alike[0] for name, alike in found.items() if name in names and len(alike) == 1}
 
 
-def facts(symbol: NamedSymbol, chapter: str) -> list[str]:
-    """What the script knows of a symbol: letter, meaning, unit, look, name in highlighted code.
+def describe_symbol(symbol: NamedSymbol, chapter: str) -> list[str]:
+    """Return letter, meaning, unit, kind of look, and name in highlighted code.
 
-    What a figure alone knows has a word for a letter, which no reader has seen.
+    A symbol of a figure alone has a word for a letter, which no reader has seen.
     """
-    letter, names = symbol_text(symbol), by_name(chapter)
-    shown = "" if letter == symbol.name and re.match("[a-z]{3}", letter) else letter
+    letter, names = symbol_text(symbol), symbols_by_code(chapter)
+    printed = "" if letter == symbol.name and re.match("[a-z]{3}", letter) else letter
     code = symbol.code if names.get(symbol.code) == symbol else ""
-    return [shown, symbol.meaning, symbol.unit, find_kind(symbol, chapter), code]
+    return [printed, symbol.meaning, symbol.unit, find_kind(symbol, chapter), code]
 
 
 def rules() -> str:
-    """Letters in the colour of their quantity."""
+    """Return CSS that colours letters as their quantities."""
     return "".join(
         f'html[data-theme] :is(.katex, .highlight, .rk-named) [data-look="{kind}"] '
         f"{{ color: color-mix(in srgb, var(--rk-{kind}) 85%, currentcolor); }}\n"

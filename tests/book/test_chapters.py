@@ -93,7 +93,7 @@ def test_sections_follow_the_skeleton(chapter):
 @pytest.mark.parametrize("chapter", CHAPTERS)
 def test_each_exercise_is_asked_in_its_own_chapter(chapter):
     source = "\n".join(cell.source for cell in code(itertools.chain(*sections(chapter))))
-    homes = course().homes("exercises", Exercise)
+    homes = course().chapters_of("exercises", Exercise)
     declared = {name for name, home in homes.items() if home == chapter}
     missing = declared - set(re.findall(r'practice\.exercise\("([\w-]+)"', source))
     assert not missing, f"{chapter}.ipynb does not ask {missing}: `practice.exercise(…)`"

@@ -16,7 +16,7 @@ from mutants import mutants
 from support import ROOT
 
 from courseware import equations
-from courseware.course import course, held
+from courseware.course import course, get_members
 from courseware.equations.check import Check, declared_checks
 from courseware.equations.equation import Equation, as_written
 from courseware.equations.latex import render_latex
@@ -35,7 +35,7 @@ from courseware.errors import CourseError
 from courseware.figures.compiling import Compiler
 from courseware.figures.declaration import Slider
 from courseware.figures.javascript import compile_function
-from courseware.site.checks_page import checked
+from courseware.site.verification_page import verify_course
 from robokin import motion
 
 each_equation = each("equation", "formulas", Equation)
@@ -46,7 +46,7 @@ SPEED, ARC = EQUATIONS["differential_drive.speed"], EQUATIONS["motion.arc_step"]
 def quantities(chapter):
     """The symbols that a chapter's formulas and figures declare, or take from others."""
     modules = filter(None, (course().module(chapter, part) for part in ("formulas", "figures")))
-    return [symbol for module in modules for symbol in held(module, NamedSymbol)]
+    return [symbol for module in modules for symbol in get_members(module, NamedSymbol)]
 
 
 def known(name):
@@ -147,7 +147,7 @@ def test_a_wrong_sign_is_noticed(check, most, monkeypatch):
 def notices(check, mutant, monkeypatch):
     """Whether a check fails for a mutant, or the mutant is the same angle."""
     if check.function is None:
-        home = course().homes("formulas", Equation)[check.name]
+        home = course().chapters_of("formulas", Equation)[check.name]
         module = course().modules("formulas")[home]
         known = {getattr(value, "name", ""): name for name, value in vars(module).items()}
         monkeypatch.setattr(module, known[check.name], mutant)
@@ -176,7 +176,7 @@ def test_a_disagreement_fails_the_page(tmp_path, monkeypatch):
         "courseware.equations.verification.declared_checks", lambda: {"wrong": wrong}
     )
     with pytest.raises(Exception, match=r"disagree:\ndiff.*speed by .*, allowed 1e-15, at b = "):
-        checked(tmp_path)
+        verify_course(tmp_path)
 
 
 @pytest.fixture
@@ -186,15 +186,15 @@ def one_point(monkeypatch):
 
 
 def test_the_page_keeps_its_result_until_a_source_changes(tmp_path, monkeypatch, one_point):
-    first = checked(tmp_path)
+    first = verify_course(tmp_path)
     (kept,) = tmp_path.glob("*.json")
     assert json.loads(kept.read_text(encoding="utf-8"))["entries"] == first.entries
     assert first.formulas == len([c for c in CHECKS.values() if c.function])
     monkeypatch.setattr("courseware.equations.verify_all", lambda: pytest.fail("checked again"))
-    assert checked(tmp_path) == first
+    assert verify_course(tmp_path) == first
     kept.rename(tmp_path / "formula-checks-of-other-sources.json")
     with pytest.raises(pytest.fail.Exception, match="checked again"):
-        checked(tmp_path)
+        verify_course(tmp_path)
 
 
 def test_a_function_with_too_few_components_is_refused():
@@ -237,16 +237,16 @@ def test_the_functions_are_those_that_are_called_not_those_that_these_call():
 
 def test_a_check_without_the_library_must_name_what_computes(tmp_path, monkeypatch):
     silent = replace(CHECKS["basics.direction"], compared_with="")
-    for module in ("courseware.site.checks_page", "courseware.equations.verification"):
+    for module in ("courseware.site.verification_page", "courseware.equations.verification"):
         monkeypatch.setattr(f"{module}.declared_checks", lambda: {silent.name: silent})
     with pytest.raises(
         Exception, match=r"basics.direction calls no function of robokin: say in its"
     ):
-        checked(tmp_path)
+        verify_course(tmp_path)
 
 
 def test_the_page_counts_what_is_compared_with_what(tmp_path, one_point):
-    summary, *entries = checked(tmp_path).entries
+    summary, *entries = verify_course(tmp_path).entries
     entries = [entry for entry in entries if not entry.startswith("## ")]  # a heading a chapter
     assert len(entries) == len(EQUATIONS)
     assert summary.startswith(f"There are {len(EQUATIONS)} formulas. ")

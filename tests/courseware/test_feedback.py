@@ -80,7 +80,10 @@ def test_each_mistake_in_an_exercise_is_told(exercise):
 @each("prediction", "predictions", Prediction)
 def test_a_prediction_comes_out_as_expected(prediction):
     """By hand, too: its outcome, and the numbers of its usual wrong guesses."""
-    answers, home = prediction.answers, course().homes("predictions", Prediction)[prediction.name]
+    answers, home = (
+        prediction.answers,
+        course().chapters_of("predictions", Prediction)[prediction.name],
+    )
     found = answers.format_answer()
     if not isinstance(answers, Buttons):
         found = (found, *(guess for guess, _ in prediction.assumptions))
@@ -122,7 +125,7 @@ def test_a_ghost_is_right_within_a_distance_and_round_the_circle():
 @each("figure", "figures", Figure, only=lambda figure: figure.goal)
 def test_a_goal_is_just_reached_and_just_missed(figure):
     goals = figure.goal if isinstance(figure.goal, tuple) else (figure.goal,)
-    home = course().homes("figures", Figure)[figure.name]
+    home = course().chapters_of("figures", Figure)[figure.name]
     tries = GOALS.get(figure.name, ())
     assert len(tries) == len(goals), (
         f'add to GOALS["{figure.name}"] in book/{home}/expected.py for each of its {len(goals)} '

@@ -14,7 +14,7 @@ from courseware import practice
 from courseware.figures import Choice, Figure
 from courseware.practice import Mistake
 from courseware.practice.wrong_formula import mark_difference
-from courseware.site import stills
+from courseware.site import mistake_pictures
 
 
 @each("mistake", "exercises", Mistake)
@@ -62,14 +62,17 @@ def test_what_changed_is_marked(lines, shown):
     assert mark_difference(*lines) == shown
 
 
-still = cache(stills.still)
+still = cache(mistake_pictures.draw_picture)
 
 
 @each("mistake", "exercises", Mistake)
 def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
     """And no other mistake's; on a dark page in dark colours."""
     name, picture = mistake.name, mistake.picture
-    home, figures = course().homes("exercises", Mistake)[name], course().homes("figures", Figure)
+    home, figures = (
+        course().chapters_of("exercises", Mistake)[name],
+        course().chapters_of("figures", Figure),
+    )
     assert picture, (
         f"{name} has no picture: declare a figure with a Choice named mistake in book/{home}/"
         f"figures.py, and picture=Picture(its name, an option of that, words) in exercises.py"
@@ -93,7 +96,7 @@ def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
 @each("mistake", "exercises", Mistake)
 def test_a_mistake_is_shown_in_its_chapter_under_its_title(mistake):
     """For the box itself has none."""
-    home = course().homes("exercises", Mistake)[mistake.name]
+    home = course().chapters_of("exercises", Mistake)[mistake.name]
     sources = [cell.source for cell in nbformat.read(course().notebook(home), 4).cells]
     cell = f'practice.mistake("{mistake.name}")'
     assert cell in sources, f"add a cell `{cell}` to {home}.ipynb"

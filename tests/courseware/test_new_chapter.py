@@ -108,8 +108,8 @@ from courseware.figures import Figure
 from courseware.practice import Exercise, dealing
 for new in {NEW}:
     def own(part, kind):
-        return [each for name, each in course().declared(part, kind).items()
-                if course().homes(part, kind)[name] == new]
+        return [each for name, each in course().find_all(part, kind).items()
+                if course().chapters_of(part, kind)[name] == new]
     assert all(verify(check, samples=20).agrees for check in own("checks", Check))
     assert [figure.code for figure in own("figures", Figure)]
     assert all(dealing.variants(exercise.name) for exercise in own("exercises", Exercise))

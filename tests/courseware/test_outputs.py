@@ -7,7 +7,7 @@ from declared import FIGURES
 from docutils.core import publish_doctree
 from sphinx.errors import ExtensionError
 
-from courseware.site.outputs import figure_on_page, refuse_names_of_headings
+from courseware.site.outputs import refuse_names_of_headings, render_figure
 
 CHAPTER = SimpleNamespace(env=SimpleNamespace(docname="chapter"))
 
@@ -15,7 +15,7 @@ CHAPTER = SimpleNamespace(env=SimpleNamespace(docname="chapter"))
 def page(heading):
     """A page with a heading, and below it the figure `digits`."""
     doctree = publish_doctree(f"Start\n=====\n\n{heading}\n{'=' * len(heading)}\n\nText.\n")
-    doctree[-1] += figure_on_page(FIGURES["digits"].name)
+    doctree[-1] += render_figure(FIGURES["digits"].name)
     return doctree
 
 

@@ -227,7 +227,7 @@ def test_a_mistake_says_all_it_must(mistake):
 
 @pytest.mark.parametrize("chapter", practice.all_topics())
 def test_errata_have_an_order(chapter):
-    homes = course().homes("exercises", Mistake)
+    homes = course().chapters_of("exercises", Mistake)
     for document in {m.document for m in all_mistakes().values() if homes[m.name] == chapter} - {
         ""
     }:
@@ -598,7 +598,7 @@ def test_answers_of_nobody_are_not_exported(nobody, tmp_path):
 
 
 def test_an_exercise_is_named_after_its_folder(monkeypatch):
-    monkeypatch.setattr(type(course()), "homes", lambda *_: {"car-1": "bicycle"})
+    monkeypatch.setattr(type(course()), "chapters_of", lambda *_: {"car-1": "bicycle"})
     with pytest.raises(CourseError, match=r"folder bicycle is named bicycle-1, .* got car-1"):
         all_exercises()
 

@@ -112,7 +112,7 @@ def test_nothing_gives_an_answer_away(chapter):
 
 @pytest.mark.parametrize("chapter", ASKING)
 def test_each_is_asked_once_in_its_own_chapter(chapter):
-    homes = course().homes("predictions", Prediction)
+    homes = course().chapters_of("predictions", Prediction)
     asked = sorted(name for cell in cells_of(chapter) if (name := asked_in(cell)))
     declared = sorted(name for name, home in homes.items() if home == chapter)
     assert asked == declared, f"{chapter}.ipynb asks {asked}; predictions.py declares {declared}"
@@ -139,7 +139,7 @@ def test_a_usual_wrong_guess_is_not_right(prediction):
 @each("prediction", "predictions", Prediction)
 def test_a_ghost_stands_in_the_figure_before(prediction):
     if isinstance(prediction.answers, Ghost):
-        chapter = course().homes("predictions", Prediction)[prediction.name]
+        chapter = course().chapters_of("predictions", Prediction)[prediction.name]
         cells = cells_of(chapter)
         place = next(i for i, cell in enumerate(cells) if asked_in(cell) == prediction.name)
         outputs = [o.data for o in cells[place - 1].outputs if figure.MIME in o.get("data", {})]

@@ -9,17 +9,17 @@ import pytest
 from declared import EQUATIONS, FIGURES, course
 from support import on_circle
 
-from courseware.course import held
+from courseware.course import get_members
 from courseware.equations.notebook import AGAIN, MIME, equation_label
 from courseware.equations.quantities import NamedSymbol, quantity
 from courseware.equations.quantities import symbol as declare_symbol
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Slider
 from courseware.script import engine
-from courseware.site.directives import notation
+from courseware.site.directives import notation_rows
 from courseware.symbols import lexicon
+from courseware.symbols.formula_numbers import Slots, split_lines
 from courseware.symbols.lexicon import printed_tex, read_cells, read_outputs, scan_tex
-from courseware.symbols.numbers import Slots, rows
 
 CHAPTERS = course().taught
 each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
@@ -69,7 +69,7 @@ def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
 
 @each_chapter
 def test_the_notation_page_has_a_row_for_each(chapter):
-    text = "\n".join(notation().get(chapter, ()))
+    text = "\n".join(notation_rows().get(chapter, ()))
     for symbol in lexicon.printed_symbols(chapter):
         assert symbol.meaning, f"{symbol.location}: say what {symbol} is, as `meaning`"
         several = symbol.name[-1].isdigit() or "entry" in symbol.meaning
@@ -105,8 +105,10 @@ def test_a_letter_that_is_not_declared_is_told():
     assert undeclared("bicycle", r"\Xi_k + L + \sin\kappa + R^T") == [r"\Xi_k", r"\kappa", "T"]
 
 
-def test_signs_have_no_range():
-    declared = [s for c in CHAPTERS for s in held(course().module(c, "formulas"), NamedSymbol)]
+def test_some_symbols_have_no_range():
+    declared = [
+        s for c in CHAPTERS for s in get_members(course().module(c, "formulas"), NamedSymbol)
+    ]
     assert {s.has_range for s in declared} == {True, False}
     assert quantity("q", "m", 0, 1, "a length").has_range
 
@@ -156,7 +158,7 @@ def as_number(text):
 
 def agrees(equation, computed, figure, count):
     """Every slot says its number to its last digit, and each right side gives the left one."""
-    tex = Slots(equation, figure, CHAPTERS[0]).tex(computed)
+    tex = Slots(equation, figure, CHAPTERS[0]).render_tex(computed)
     for numbers in numbers_of(figure, count):
         told = [(numbers[flags["symbol"]], flags) for flags in slots(tex)]
         texts = engine.run(f"{json.dumps(told)}.map((pair) => courseware.formatSlot(...pair))")
@@ -166,7 +168,7 @@ def agrees(equation, computed, figure, count):
             if re.match(r"\(?[−\d]", text):
                 shown, half = as_number(text)
                 assert abs(shown - number["value"]) <= half * (1 + 1e-9), text
-        for left, right in rows(equation, computed):
+        for left, right in split_lines(equation, computed):
             values = {s: numbers[s.key]["value"] for s in right.free_symbols if s.key in numbers}
             value, expected = right.subs(values).evalf(), numbers[left.key]["value"]
             if value.is_real and np.isfinite(expected):
@@ -220,7 +222,7 @@ def small_figure(**changes):
 
 def written(name, figure):
     """The formula with its starting numbers, as TeX without marks."""
-    tex = Slots(EQUATIONS[name], figure, "differential_drive").tex(False)
+    tex = Slots(EQUATIONS[name], figure, "differential_drive").render_tex(False)
     tex = re.sub(r"\{\\htmlData\{[^{}]*\}\{((?:[^{}]|\{[^{}]*\})*)\}\}", r"\1", tex)
     return re.sub(r"\\mathrm\{([^{}]*[\d°][^{}]*)\}", r"\1", tex).replace("~", " ")
 
@@ -247,9 +249,9 @@ def test_a_number_that_a_figure_lacks_is_told():
     with pytest.raises(
         CourseError, match=r"the figure small, which shows none for x_next .* readout"
     ):
-        Slots(speed, silent, "differential_drive").tex(False)
+        Slots(speed, silent, "differential_drive").render_tex(False)
     with pytest.raises(CourseError, match=r"left side .* is no symbol"):
-        Slots(EQUATIONS["bicycle.equivalent_steering"], silent, "bicycle").tex(False)
+        Slots(EQUATIONS["bicycle.equivalent_steering"], silent, "bicycle").render_tex(False)
 
 
 def test_wrong_numbers_would_be_found():

@@ -89,7 +89,7 @@ def test_a_page_is_read_again_when_a_chapter_changes_or_there_is_another(site, p
     found = {"/".join(Path(name).parts[-2:]) for name in environment.dependencies[page]}
     wanted = {f".doctrees/{sources.LIST}", *(f"bicycle/{part}.py" for part in MADE_OF[page])}
     missing = wanted - found
-    assert not missing, f"{page} is made without `depend` of courseware/site/sources.py: {missing}"
+    assert not missing, f"{page} is made without `note_sources` (site/sources.py): {missing}"
     assert (doctrees / sources.LIST).exists()
 
 

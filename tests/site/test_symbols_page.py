@@ -10,7 +10,7 @@ from declared import FIGURES
 from test_asset_bundle import each_page, named
 
 from courseware.script import engine
-from courseware.symbols.numbers import at_start
+from courseware.symbols.formula_numbers import start_numbers
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -169,7 +169,7 @@ def test_a_formula_has_the_numbers_of_its_figure_before_any_script_runs(name, si
         html = (site / page).read_text("utf-8")
         for slot in SLOT.finditer(html):
             flags = dict(re.findall(r'data-(\w+)="([^"]+)"', slot[1]))
-            number = at_start(FIGURES[flags["of"]])[flags["symbol"]]
+            number = start_numbers(FIGURES[flags["of"]])[flags["symbol"]]
             told = engine.call("courseware.formatSlot", number, flags)
             assert text_from(html, slot.end()) == told
             seen += 1

@@ -1,4 +1,4 @@
-"""Files beside the pages: the script and its style, the exercises, what a notebook needs."""
+"""Files beside the pages: scripts and style, exercises, wheels for a downloaded notebook."""
 
 import shutil
 from html import escape
@@ -15,22 +15,22 @@ from courseware.figures.figure import figures
 from courseware.practice import rendering as practice
 from courseware.practice.bank import all_mistakes, all_topics
 from courseware.script import parts as scripts
-from courseware.site.stills import still
-from courseware.symbols.page import symbols_told
+from courseware.site.mistake_pictures import draw_picture
+from courseware.symbols.page import symbol_facts
 
 
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
-    """The scripts of a figure, an exercise … on pages that have one, and whose course it is."""
+    """Add the scripts that a page needs, and the name of the course."""
     body = context.get("body", "") if doctree else ""
     raws = doctree.findall(nodes.raw) if doctree else ()
     names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
-    told = {
+    globals_ = {
         "coursewareFigures": [Code(figures()[name].code) for name in names],
-        "coursewareSymbols": symbols_told(page),
+        "coursewareSymbols": symbol_facts(page),
     }
-    if any(told.values()):
+    if any(globals_.values()):
         file = f"pages/{page.replace('/', '-')}.js"
-        lines = (f"window.{name} = {serialize(value)};\n" for name, value in told.items())
+        lines = (f"window.{name} = {serialize(value)};\n" for name, value in globals_.items())
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
     app.add_css_file("courseware.css")
@@ -42,7 +42,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
 
 
 def write_assets(app: Sphinx, env: Any) -> None:
-    """Before the pages, so that these can say which version they want."""
+    """Write files before the pages, which name their versions."""
     if app.builder.format != "html":
         return
     solutions = app.config.course_solutions
@@ -51,40 +51,40 @@ def write_assets(app: Sphinx, env: Any) -> None:
         write_static(app, f"practice/{topic}.js", practice.render_script(topic, solutions))
     for mistake in all_mistakes().values():
         if mistake.picture:
-            write_static(app, f"practice/{mistake.name}.svg", still(mistake.picture))
+            write_static(app, f"practice/{mistake.name}.svg", draw_picture(mistake.picture))
 
 
 def write_parts(app: Sphinx, names: list[str]) -> str:
-    """Write the script of a page that needs these parts, in a file that is called after them."""
+    """Write the script of a page that needs these parts, named after them; return its name."""
     file = f"courseware/{'-'.join(names)}.js"
     write_static(app, file, scripts.page_script(names))
     return file
 
 
 def write_static(app: Sphinx, name: str, text: str) -> None:
-    """A file in the site's `_static`."""
+    """Write a file in the site's `_static`."""
     file = Path(app.outdir) / "_static" / name
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(text, encoding="utf-8")
 
 
 def write_downloads(app: Sphinx, error: Exception | None) -> None:
-    """The wheels and the locked requirements, beside the notebooks."""
+    """Write the wheels and the locked requirements beside the notebooks."""
     if error or app.builder.format != "html":
         return
     beside = Path(app.outdir) / "_sources"
     for project in app.config.course_wheels:
-        next(WheelBuilder(str(_project(project))).build(directory=str(beside)))
-    shutil.copy(_project(app.config.course_lock), beside)
+        next(WheelBuilder(str(_project_path(project))).build(directory=str(beside)))
+    shutil.copy(_project_path(app.config.course_lock), beside)
 
 
-def _project(name: str) -> Path:
-    """A file or folder that a setting names: beside the folder of the course's package."""
+def _project_path(name: str) -> Path:
+    """Return the path of a file or folder beside the course's package."""
     return course().folder.parent / name
 
 
 def wheel_name(project: str) -> str:
-    """What the wheel of a project will be called."""
-    metadata = WheelBuilder(str(_project(project))).metadata
+    """Return the file name of a project's wheel."""
+    metadata = WheelBuilder(str(_project_path(project))).metadata
     name = metadata.core.name.replace("-", "_")
     return f"{name}-{metadata.version}-py3-none-any.whl"

@@ -1,4 +1,4 @@
-"""Still pictures of mistakes: a figure of the chapter, set to what the mistake makes of it."""
+"""Still pictures of mistakes: a figure of the chapter with the mistake chosen."""
 
 from tinycss2 import parse_stylesheet, serialize
 
@@ -10,14 +10,14 @@ DARK = 'html[data-theme="dark"]'
 
 
 def dark_colours() -> str:
-    """Return the custom properties that the style of figures has on a dark page."""
+    """Return the custom properties of figures on a dark page."""
     rules = parse_stylesheet(parts.style_sheet("figures"), skip_comments=True, skip_whitespace=True)
     dark = (serialize(r.content).strip() for r in rules if serialize(r.prelude).startswith(DARK))
     return " ".join(text for text in dark if text.startswith("--"))
 
 
-def still(picture: Picture) -> str:
-    """The picture as an SVG file of its own; its address ends in #dark for a dark page."""
+def draw_picture(picture: Picture) -> str:
+    """Return the picture as an SVG file; its address ends in #dark for a dark page."""
     svg = find_figure(picture.figure).render_svg(mistake=picture.option)
     tag, _, content = svg.partition(">")
     style = f"<style>#dark:target {{ {dark_colours()} }}</style>"

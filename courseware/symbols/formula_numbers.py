@@ -1,8 +1,8 @@
-"""A formula with the numbers of a figure, from its expression: v = (0.10 + 0.05)/2 = 0.075 m/s.
+"""A formula with the numbers of a figure: v = (0.10 + 0.05)/2 = 0.075 m/s.
 
-Every number is a slot, which the script writes anew whenever the figure is drawn. A negative number
-gets parentheses where its sign would meet another one. Angles are in degrees, as the figure shows
-them, but where they meet other quantities: there they are in radians.
+Every number is a slot, which the script fills whenever the figure is drawn. A negative number gets
+parentheses where its sign would meet another one. Angles are in degrees, as in the figure, or in
+radians where they meet other quantities.
 """
 
 from collections.abc import Mapping
@@ -20,27 +20,26 @@ from courseware.figures.figure import Figure
 from courseware.script import engine
 from courseware.symbols import lexicon
 
-SIZES = (sp.Abs, sp.Max, sp.Min)  # functions whose value is what they are given
+SIZES = (sp.Abs, sp.Max, sp.Min)  # functions whose value has the unit of their arguments
 Numbers = Mapping[str, Mapping[str, Any]]
-AT_START = """((figure, {numbersBySymbol, startState, settings, compute}) => numbersBySymbol(
+START_NUMBERS = """((figure, {numbersBySymbol, startState, settings, compute}) => numbersBySymbol(
   figure, startState(figure), compute(figure, settings(figure, startState(figure)))
 ))"""
 
 
-def at_start(figure: Figure) -> Numbers:
-    """The figure's numbers by the keys of their symbols: `{value, text}`, before it is touched."""
-    found: Numbers = engine.run(f"{AT_START}({figure.code}, courseware)")
+def start_numbers(figure: Figure) -> Numbers:
+    """Return the numbers of an untouched figure, `{value, text}`, by the keys of their symbols."""
+    found: Numbers = engine.run(f"{START_NUMBERS}({figure.code}, courseware)")
     return found
 
 
-def rows(equation: Equation, computed: bool) -> list[tuple[Any, Any]]:
-    """Left and right side of each line; a product of matrices is written out."""
+def split_lines(equation: Equation, computed: bool) -> list[tuple[Any, Any]]:
+    """Return left and right side of each line; a product of matrices is written out."""
     right = equation.shown_side(computed)
     right = equation.right if isinstance(right, sp.MatMul) else right
-    lefts, rights = (
-        list(side) if isinstance(side, sp.MatrixBase) else [side] for side in (equation.left, right)
-    )
-    return list(zip(lefts, rights, strict=True))
+    sides = (equation.left, right)
+    columns = [list(side) if isinstance(side, sp.MatrixBase) else [side] for side in sides]
+    return list(zip(*columns, strict=True))
 
 
 class Slots:
@@ -48,16 +47,16 @@ class Slots:
 
     def __init__(self, equation: Equation, figure: Figure, chapter: str) -> None:
         self.equation, self.figure, self.chapter = equation, figure, chapter
-        self.numbers = at_start(figure)
+        self.numbers = start_numbers(figure)
 
-    def tex(self, computed: bool) -> str:
-        """All lines."""
-        lines = [self._line(left, right) for left, right in rows(self.equation, computed)]
+    def render_tex(self, computed: bool) -> str:
+        """Return all lines as TeX."""
+        lines = [self._line(left, right) for left, right in split_lines(self.equation, computed)]
         return align_lines(lines) if len(lines) > 1 else " = ".join(lines[0])
 
-    def said(self) -> str:
-        """The results as a sentence, for those who do not see the formula."""
-        lefts = [left for left, _ in rows(self.equation, False)]
+    def render_sentence(self) -> str:
+        """Return the results as HTML, for screen readers, which do not read the formula."""
+        lefts = [left for left, _ in split_lines(self.equation, False)]
         return ", ".join(
             f'{symbol_text(left)} = <span data-symbol="{left.key}" data-of="{self.figure.name}" '
             f'data-result="1">{escape(self.numbers[left.key]["text"])}</span>'
@@ -74,16 +73,17 @@ class Slots:
         if isinstance(right, NamedSymbol):  # its number is the result already
             return lexicon.mark_symbols(self.chapter, left.latex), self._slot(left, result=True)
         right = substitute(right, self._steps())
-        degrees, result = in_degrees(right) and not meets(right), self._slot(left, result=True)
+        degrees = is_in_degrees(right) and not mixes_units(right)
+        result = self._slot(left, result=True)
         if left.unit == "rad" and not degrees:
             result = rf"{self._slot(left, radians=True)}\,\mathrm{{rad}} = {result}"
-        self.turns_in_degrees = not meets(right)
+        self.turns_in_degrees = not mixes_units(right)
         with as_written():
             written = render_latex(self._filled(right, degrees), mul_symbol="dot")
         return lexicon.mark_symbols(self.chapter, left.latex), f"{written} = {result}"
 
     def _steps(self) -> dict[sp.Symbol, Any]:
-        """The named steps that the figure has no numbers for, written out."""
+        """Return the named steps that the figure has no numbers for, written out."""
         steps: dict[sp.Symbol, Any] = {}
         for symbol, step in self.equation.where:
             if getattr(symbol, "key", "") not in self.numbers:
@@ -107,7 +107,7 @@ class Slots:
         return rf"{{\htmlData{{{face}}}{{\mathrm{{{upright}}}}}}}"
 
     def _filled(self, e: Any, degrees: bool, guarded: bool = False) -> Any:
-        """The expression with slots in place of symbols; guarded: a minus needs parentheses."""
+        """Replace symbols by slots; guarded: a minus needs parentheses."""
         if isinstance(e, NamedSymbol):
             self._refuse_unknown(e, "a slider, a readout or a named step (`where`)")
             radians = e.unit == "rad" and not degrees
@@ -118,14 +118,13 @@ class Slots:
             return self._filled(e.args[0][0], degrees, guarded)  # the ordinary case stands first
         if isinstance(e, sp.Function) and not isinstance(e, SIZES):
             inside = self.turns_in_degrees
-            return e.func(*(self._filled(a, inside and in_degrees(a)) for a in e.args))
-        return (
-            e.func(*(self._filled(a, degrees, g) for a, g in guards(e, guarded))) if e.args else e
-        )
+            return e.func(*(self._filled(a, inside and is_in_degrees(a)) for a in e.args))
+        parts = (self._filled(a, degrees, g) for a, g in mark_guarded(e, guarded))
+        return e.func(*parts) if e.args else e
 
 
-def guards(e: Any, guarded: bool) -> list[tuple[Any, bool]]:
-    """The parts of an expression, and whether a minus would meet another sign there."""
+def mark_guarded(e: Any, guarded: bool) -> list[tuple[Any, bool]]:
+    """Return the parts of an expression, and whether a minus would meet another sign there."""
     if isinstance(e, sp.Add):
         return [(part, place > 0) for place, part in enumerate(e.args)]
     if isinstance(e, sp.Pow):
@@ -138,15 +137,15 @@ def guards(e: Any, guarded: bool) -> list[tuple[Any, bool]]:
     return [(part, False) for part in e.args]
 
 
-def meets(e: Any) -> bool:
+def mixes_units(e: Any) -> bool:
     """Whether an angle meets other quantities inside a function: the line is then in radians."""
     inside = {part for call in sp.sympify(e).atoms(sp.Function) for part in call.args}
     units = [{getattr(s, "unit", "") == "rad" for s in part.free_symbols} for part in inside]
     return {True, False} in units
 
 
-def in_degrees(e: Any) -> bool:
-    """Whether it is made of angles alone, not counting what is inside functions of them."""
+def is_in_degrees(e: Any) -> bool:
+    """Whether an expression has only angles outside functions of them."""
     plain = sp.sympify(e).replace(
         lambda x: isinstance(x, sp.Function) and not isinstance(x, (*SIZES, sp.Piecewise)),
         lambda x: sp.pi if x.func.__name__.startswith("a") else sp.S.One,

@@ -1,11 +1,10 @@
-"""Blanks at which no line of a text ends."""
+"""Spaces at which no line of a text may break: before units, and beside = in short formulas."""
 
 import re
 
 from courseware.units import UNITS
 
-# For Python and for the script: before a unit that a number or "in" precedes, and beside the = of a
-# short formula. What a unit starts with, as m of m/s, will do.
+# for Python and the script; of a unit its start is enough, as m of m/s
 STARTS = sorted({re.split("[/·² ]", name)[0] for name in UNITS} - {"", "1"})
 UNIT = rf"(?:{'|'.join(STARTS)})(?![A-Za-z_])"
 SHORT = r"\S{1,9}(?:\s|$)"
@@ -14,5 +13,5 @@ UNBROKEN = rf"{BEHIND}|(?<=\S) (?== {SHORT})|(?<=\S =) (?={SHORT})"
 
 
 def prevent_breaks(text: str) -> str:
-    """A text in which no line ends before a unit, or beside the = of a short formula."""
+    """Return a text with no-break spaces before units and beside = in short formulas."""
     return re.sub(UNBROKEN, "\u00a0", text)

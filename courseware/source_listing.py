@@ -1,4 +1,4 @@
-"""A function's own source, shown in a chapter, so that what is printed is what runs."""
+"""The source of a function in a chapter: the printed code is the code that runs."""
 
 import ast
 import inspect
@@ -6,11 +6,11 @@ import textwrap
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["listing"]
+__all__ = ["show_source"]
 
 
 class Listing:
-    """Python source as the value of a notebook cell: coloured in JupyterLab and on the page."""
+    """Python source as the value of a notebook cell, coloured in JupyterLab and on the page."""
 
     def __init__(self, source: str) -> None:
         self.source = source
@@ -22,8 +22,8 @@ class Listing:
         return self.source
 
 
-def listing(function: Callable[..., Any]) -> Listing:
-    """The source of a function without its docstring and decorators."""
+def show_source(function: Callable[..., Any]) -> Listing:
+    """Show the source of a function without its docstring and decorators."""
     source = textwrap.dedent(inspect.getsource(inspect.unwrap(function)))
     tree = ast.parse(source).body[0]
     assert isinstance(tree, ast.FunctionDef)

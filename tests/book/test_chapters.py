@@ -21,7 +21,7 @@ AFTER = [
     *("Exercises", "Find the mistake", "Recap", "A glance further"),
 ]
 OPTIONAL = {"As a function", "Where it fails", "Find the mistake", "A glance further"}
-FRAMEWORK = {"courseware", "book", "figures", "equations", "predictions", "practice", "listing"}
+FRAMEWORK = {"courseware", "book", "figures", "equations", "predictions", "practice", "show_source"}
 CHECK = re.compile(r"^practice\.\w+\.check", re.M)  # that a student calls, too
 LONGEST = 25  # visible lines of code in a section
 LONGEST_FIGURE = 15  # lines of the function that draws it

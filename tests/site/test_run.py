@@ -182,8 +182,8 @@ def test_an_import_waits_until_its_name_is_used(page):
 
 
 def test_a_function_defined_in_a_cell_can_be_listed(page):
-    page("from courseware.source_listing import listing\ndef double(x):\n    return 2 * x")
-    assert page("listing(double)") == [("text/plain", "def double(x):\n    return 2 * x")]
+    page("from courseware.source_listing import show_source\ndef double(x):\n    return 2 * x")
+    assert page("show_source(double)") == [("text/plain", "def double(x):\n    return 2 * x")]
 
 
 def test_endless_output_is_cut(page):

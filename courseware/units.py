@@ -1,14 +1,11 @@
-"""The units: their names, how they are typed, their sizes, and how near an answer must be.
+"""Units: their names, spellings and sizes, and the tolerance of an answer.
 
-`TABLE` has a row for each size, the SI unit first. Symbols, readouts, answers and steps of
-solutions are in SI units; numbers that only a reader sees (`given`, a guess) are in any unit of the
-table, and what a student types in another unit of the row is converted. Others are refused with the
-list.
+`TABLE` has a row for each physical quantity, the SI unit first. Symbols, readouts, answers and
+steps of solutions are in SI units. Numbers that only a reader sees (`given`, a guess) may be in any
+unit of the table. A student may type any unit of the row, which is converted.
 
 A new unit is one more entry: `Unit("m/s²")` in a row of its own, or `Unit("knots", 1852, 3600)` in
-the row of m/s, and for a new word its size in `tests/courseware/test_units.py`. Then declarations
-may use it, numbers are printed, typed and converted with it (the script has this table too), and no
-line ends between the two.
+the row of m/s, and for a new word its size in `tests/courseware/test_units.py`.
 """
 
 import re
@@ -18,7 +15,7 @@ from typing import Any
 
 from courseware.errors import CourseError, describe
 
-BETWEEN = {  # how what stands between the words of a name may be typed; Python's and the script's
+BETWEEN = {  # patterns of what may be typed between the words of a name, for Python and the script
     "/": r"\s*(?:[/∕⁄÷]|per\s)\s*",
     "·": r"[\s·⋅∙*]*",
     " ": r"[\s·⋅∙*]+",
@@ -37,11 +34,11 @@ class Unit:
         name: as declared and printed.
         times, by: its size: a number in this unit is `number * times / by` in the SI unit.
         spellings: what else may be typed for it, with blanks between; "metres" also in "metres/s".
-        slip: the other units that an answer is said to be in, where it is right in this unit and
-            was typed without it.
+        slip: the name of the unit in the feedback to an answer that is right in this unit, but was
+            typed without it.
         shown: the unit that figures show instead of it.
         tolerance, reason: how far off an answer may be, and why; of an SI unit.
-        joined: whether it is printed at its number without a blank.
+        joined: whether it follows its number without a space.
     """
 
     name: str
@@ -56,25 +53,25 @@ class Unit:
 
     @property
     def words(self) -> list[str]:
-        """Its name and its spellings."""
+        """Name and spellings."""
         return [self.name, *self.spellings.split()]
 
     @property
     def factor(self) -> float:
-        """How many SI units it is."""
+        """Size in the SI unit."""
         return self.times / self.by
 
     def to_si(self, number: float) -> float:
-        """A number of the SI unit, from one of this unit."""
+        """Convert a number from this unit to the SI unit."""
         return number * self.times / self.by
 
     def from_si(self, number: float) -> float:
-        """A number of this unit, from one of the SI unit."""
+        """Convert a number from the SI unit to this unit."""
         return number * self.by / self.times
 
     @property
     def pattern(self) -> str:
-        """The regular expression of all that may be typed for it."""
+        """The regular expression of everything that may be typed for it."""
         others = UNITS.keys() - self.words
 
         def piece(part: str) -> str:
@@ -84,7 +81,7 @@ class Unit:
         return "|".join("".join(map(piece, each)) for each in parts)
 
 
-TABLE = (  # a row for each size, first the unit that formulas compute in
+TABLE = (
     (Unit(""), Unit("%", by=100, joined=True)),
     (
         Unit("m", spellings="metre metres meter meters", reason=LENGTH),
@@ -132,8 +129,8 @@ UNITS = {unit.name: unit for row in TABLE for unit in row}
 ROWS = {unit.name: row for row in TABLE for unit in row}
 
 
-def in_figures(unit: str) -> Unit:
-    """The unit in which figures show a quantity."""
+def figure_unit(unit: str) -> Unit:
+    """Return the unit in which figures show a quantity."""
     return UNITS[UNITS[unit].shown or unit]
 
 
@@ -156,8 +153,8 @@ def refuse_other_than_si(unit: Any, who: str) -> None:
         )
 
 
-def typed_units() -> dict[str, Any]:
-    """The table for the script that reads typed answers; calculations have degrees in them, too."""
+def unit_constants() -> dict[str, Any]:
+    """Return the table for the script that parses answers, and the names of the degree."""
     fields = ("name", "times", "by", "pattern")
     rows = [[{key: getattr(unit, key) for key in fields} for unit in row] for row in TABLE]
     return {"UNITS": rows, "DEGREES": UNITS["°"].words}

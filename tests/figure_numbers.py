@@ -19,7 +19,7 @@ from courseware.equations.verification import evaluate
 from courseware.figures import Choice, Figure, QuarterTurns
 from courseware.predictions import Ghost, Prediction
 from courseware.script import engine as script
-from courseware.units import in_figures
+from courseware.units import figure_unit
 
 N = 1000
 ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-14
@@ -159,7 +159,7 @@ def readout_text(readout, value):
     word = readout.words.get(str(float(value)))
     if word is not None:
         return word
-    number = float(value) / in_figures(readout.unit).factor
+    number = float(value) / figure_unit(readout.unit).factor
     text = rounded(number, readout.digits) if readout.digits >= 0 else by_power(number)
     return text + "°" if readout.unit == "rad" else f"{text} {readout.unit}".rstrip()
 
@@ -241,7 +241,7 @@ def random_state(figure, random):
             state.append(int(random.integers(control.low, control.high + 1)))
         else:
             number = float(random.uniform(control.low, control.high))
-            state.append(number / in_figures(control.symbol.unit).factor)
+            state.append(number / figure_unit(control.symbol.unit).factor)
     return state
 
 

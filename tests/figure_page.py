@@ -27,7 +27,7 @@ from courseware.equations.verification import evaluate
 from courseware.figures import Choice, QuarterTurns
 from courseware.figures.compiling import xy
 from courseware.script import parts
-from courseware.units import in_figures
+from courseware.units import figure_unit
 
 pytest_plugins = ["browser"]
 
@@ -97,7 +97,7 @@ class OnPage:
             elif isinstance(control, QuarterTurns):
                 row += pressed(*shown)
             else:
-                row.append(shown * in_figures(control.symbol.unit).factor)
+                row.append(shown * figure_unit(control.symbol.unit).factor)
         return row
 
     def readouts(self):
@@ -257,7 +257,7 @@ def assert_slider_shows(live, control, shown):
     assert unit.strip() == ("°" if known == "rad" else known)
     digits = len(number.partition(".")[2])
     assert number.replace("-", MINUS) == rounded(shown, digits)
-    assert float(number) == pytest.approx(shown, abs=control.step / in_figures(known).factor)
+    assert float(number) == pytest.approx(shown, abs=control.step / figure_unit(known).factor)
 
 
 def neighbours(live):

@@ -1,7 +1,6 @@
-"""A formula in one line of text: as it stands, and with numbers put in for its symbols.
+"""Formulas as one line of text, with letters or with numbers, in the order of the declaration.
 
-Letters with an index stay as "v_L"; whoever shows the text sets the index (`symbols` of the
-practice). The order is the declared one.
+Letters with an index stay as "v_L"; HTML with a raised or lowered index is made of it later.
 """
 
 import re
@@ -14,8 +13,8 @@ from sympy.printing.pretty.pretty_symbology import greek_unicode
 from courseware.equations.latex import OrderedPrinter
 from courseware.errors import CourseError
 
-SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text holds together
-Bound = tuple[str, int]
+SUM, SIGNED, PRODUCT, POWER, ATOM = range(5)  # how tightly a text binds
+Bound = tuple[str, int]  # a text and how tightly it binds
 
 GREEK = {**greek_unicode, "varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "ell": "ℓ"}
 WORDS = GREEK | {"det": "det", "top": "ᵀ"}
@@ -28,12 +27,12 @@ NAMES = {
     "Min": "min",
     "Mod": "mod",
 }
-TURNS = ("sin", "cos", "tan", "cot")  # what takes an angle
+TURNS = ("sin", "cos", "tan", "cot")  # functions of an angle
 RAISED = {2: "²", 3: "³"}
 
 
-def symbol_text(symbol: sp.Symbol) -> str:
-    """A symbol's letter: "θ̇_1" for `\\dot\\theta_1`."""
+def format_symbol(symbol: sp.Symbol) -> str:
+    """Return a symbol's letter: "θ̇_1" for `\\dot\\theta_1`."""
     latex: str = sp.latex(symbol)
     text = re.sub(r"\\operatorname\s*\{(\w+)\}(?=[\w\\])", r"\1 ", latex)
     text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{((?:\\?\w)+)\}", r"\1", text)
@@ -50,17 +49,18 @@ def symbol_text(symbol: sp.Symbol) -> str:
     return text
 
 
-def bracketed(bound: Bound, least: int) -> str:
-    """A text, in parentheses where it holds together less than `least`."""
+def parenthesize(bound: Bound, least: int) -> str:
+    """Return the text, in parentheses if it binds less tightly than `least`."""
     text, binding = bound
     return text if binding >= least else f"({text})"
 
 
 class Text(OrderedPrinter):
-    """Writes expressions in one line. letters: what stands for a symbol; in_degrees: the same
-    inside a function of an angle, where it knows all symbols.
+    """Prints each part of an expression as a text and how tightly it binds.
 
-    What is printed of a part is its text and how tightly it holds together.
+    Args:
+        letters: returns the text for a symbol.
+        in_degrees: texts for symbols inside a function of an angle, used if it has them all.
     """
 
     _default_settings: ClassVar = {"order": None}
@@ -72,11 +72,11 @@ class Text(OrderedPrinter):
         self.letters, self.in_degrees = letters, in_degrees or {}
 
     def text(self, expression: Any) -> str:
-        """The expression in one line."""
+        """Return the text of an expression."""
         return self.bound(expression)[0]
 
     def bound(self, e: Any) -> Bound:
-        """The text and how tightly it holds together."""
+        """Return the text of an expression and how tightly it binds."""
         found: Bound = self._print(sp.sympify(e))
         return found
 
@@ -105,22 +105,22 @@ class Text(OrderedPrinter):
         return "[" + ", ".join(f"[{row}]" for row in rows) + "]", ATOM
 
     def _print_MatMul(self, e: Any) -> Bound:
-        sign, rest = signed(e)
+        sign, rest = split_sign(e)
         factors = rest.args if isinstance(rest, sp.MatMul) else (rest,)
-        text = " ".join(bracketed(self.bound(factor), PRODUCT) for factor in factors)
+        text = " ".join(parenthesize(self.bound(factor), PRODUCT) for factor in factors)
         return (f"−{text}", SIGNED) if sign < 0 else (text, PRODUCT)
 
     def _print_Transpose(self, e: Any) -> Bound:
-        return bracketed(self.bound(e.arg), ATOM) + "ᵀ", POWER
+        return parenthesize(self.bound(e.arg), ATOM) + "ᵀ", POWER
 
     def _print_Inverse(self, e: Any) -> Bound:
-        return bracketed(self.bound(e.arg), ATOM) + "⁻¹", POWER
+        return parenthesize(self.bound(e.arg), ATOM) + "⁻¹", POWER
 
     def _print_Add(self, e: Any) -> Bound:
         text = ""
         for place, part in enumerate(e.args):
-            sign, rest = signed(part)
-            shown = bracketed(self.bound(rest), PRODUCT if place or sign < 0 else SUM)
+            sign, rest = split_sign(part)
+            shown = parenthesize(self.bound(rest), PRODUCT if place or sign < 0 else SUM)
             if place:
                 text += f" {'−' if sign < 0 else '+'} {shown}"
             else:
@@ -134,8 +134,8 @@ class Text(OrderedPrinter):
         return f"|{self.text(e.args[0])}|", ATOM
 
     def _print_Mul(self, e: Any) -> Bound:
-        sign, rest = signed(e)
-        above, below = fraction(rest)
+        sign, rest = split_sign(e)
+        above, below = split_fraction(rest)
         alone = PRODUCT if sign < 0 else SIGNED if below else SUM
         text = self._factors(above, closed=bool(below), alone=alone)
         if below:
@@ -146,9 +146,9 @@ class Text(OrderedPrinter):
         return text, SIGNED if text.startswith("−") else PRODUCT
 
     def _factors(self, factors: Sequence[Any], closed: bool, alone: int = SUM) -> str:
-        """Factors side by side; closed: a function at the end has its argument in parentheses.
+        """Join factors; closed: a function at the end has its argument in parentheses.
 
-        alone: how tightly a single factor must hold together to stand without parentheses.
+        alone: how tightly a single factor must bind to stand without parentheses.
         """
         if not factors:
             return "1"
@@ -156,25 +156,25 @@ class Text(OrderedPrinter):
         text = ""
         for place, factor in enumerate(factors):
             last = place == len(factors) - 1
-            shown = bracketed(self.bound(factor), least)
+            shown = parenthesize(self.bound(factor), least)
             if is_call(factor) and (closed or not last):
                 shown, _ = self._print_Basic(factor, closed=True)
             if place:
-                text += joint(text, shown)
+                text += choose_separator(text, shown)
             text += shown
         return text
 
     def _print_Pow(self, e: Any) -> Bound:
         base, exponent = e.base, e.exp
         if exponent == sp.Rational(1, 2):
-            return "√" + bracketed(self.bound(base), ATOM), POWER
+            return "√" + parenthesize(self.bound(base), ATOM), POWER
         if exponent.is_Number and exponent < 0:
             return self._print_Mul(sp.Mul(sp.S.One, e, evaluate=False))
-        raised = RAISED.get(exponent) or f"^{bracketed(self.bound(exponent), ATOM)}"
-        return bracketed(self.bound(base), ATOM) + raised, POWER
+        raised = RAISED.get(exponent) or f"^{parenthesize(self.bound(exponent), ATOM)}"
+        return parenthesize(self.bound(base), ATOM) + raised, POWER
 
     def _print_Basic(self, e: Any, closed: bool = False) -> Bound:
-        """A function of something."""
+        """Print a function of something."""
         name = NAMES.get(e.func.__name__, e.func.__name__)
         inside = self
         if name in TURNS and e.free_symbols and e.free_symbols <= set(self.in_degrees):
@@ -190,30 +190,30 @@ def is_call(e: Any) -> bool:
     return isinstance(e, sp.Function) and not isinstance(e, sp.Abs | sp.Piecewise)
 
 
-def signed(e: Any) -> tuple[int, Any]:
-    """The sign that an expression starts with, and the rest."""
+def split_sign(e: Any) -> tuple[int, Any]:
+    """Return the sign that an expression starts with, and the rest."""
     if not e.is_Matrix and e.is_Number and e < 0:
         return -1, -e
     if isinstance(e, sp.Mul | sp.MatMul):
-        sign, first = signed(e.args[0])
+        sign, first = split_sign(e.args[0])
         if sign < 0:
             rest = e.args[1:] if first == 1 else (first, *e.args[1:])
             return -1, rest[0] if len(rest) == 1 else e.func(*rest, evaluate=False)
         for place, part in enumerate(e.args):
-            if isinstance(part, sp.Mul) and signed(part)[0] < 0:  # a product in the product
-                rest = (*e.args[:place], signed(part)[1], *e.args[place + 1 :])
+            if isinstance(part, sp.Mul) and split_sign(part)[0] < 0:  # a product in the product
+                rest = (*e.args[:place], split_sign(part)[1], *e.args[place + 1 :])
                 return -1, e.func(*rest, evaluate=False)
     return 1, e
 
 
-def fraction(e: Any) -> tuple[list[Any], list[Any]]:
-    """The factors above and below the line, in order."""
+def split_fraction(e: Any) -> tuple[list[Any], list[Any]]:
+    """Return the factors above and below the line, in order."""
     parts = list(e.args) if isinstance(e, sp.Mul) else [e]
     above: list[Any] = []
     below: list[Any] = []
     for part in parts:
         if isinstance(part, sp.Mul):
-            more, under = fraction(part)
+            more, under = split_fraction(part)
             above += more
             below += under
         elif isinstance(part, sp.Pow) and part.exp.is_Number and part.exp < 0:
@@ -227,8 +227,8 @@ def fraction(e: Any) -> tuple[list[Any], list[Any]]:
     return above, below
 
 
-def joint(left: str, right: str) -> str:
-    """What stands between two factors: nothing in 2π, a point where a blank would mislead."""
+def choose_separator(left: str, right: str) -> str:
+    """Return what stands between two factors: nothing in 2π, a point where a space misleads."""
     if right.startswith("π") and left[-1].isdigit():
         return ""
     number = re.search(r"(?<![_\w])[\d.]+$", left)
@@ -237,13 +237,13 @@ def joint(left: str, right: str) -> str:
     return " "
 
 
-def formula_text(expression: Any) -> str:
-    """An expression in letters."""
-    return Text(symbol_text).text(expression)
+def format_formula(expression: Any) -> str:
+    """Return an expression in letters."""
+    return Text(format_symbol).text(expression)
 
 
-def numbers_text(
+def format_with_numbers(
     expression: Any, numbers: Mapping[sp.Symbol, str], in_degrees: Mapping[sp.Symbol, str]
 ) -> str:
-    """An expression with numbers, given as text, in place of its symbols."""
+    """Return an expression with numbers, given as texts, in place of its symbols."""
     return Text(numbers.__getitem__, in_degrees).text(expression)

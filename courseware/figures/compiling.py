@@ -14,14 +14,14 @@ from courseware.equations.quantities import (
     find_kind,
     refuse_unknown_kind,
 )
-from courseware.equations.text import symbol_text
+from courseware.equations.text import format_symbol
 from courseware.errors import CourseError
 from courseware.figures import declaration as d
 from courseware.figures.javascript import compile_function
 from courseware.figures.solids import Solid
 from courseware.figures.turning import Bracket, QuarterTurns
 from courseware.line_breaks import prevent_breaks
-from courseware.units import in_figures
+from courseware.units import figure_unit
 
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
 Control = d.Slider | d.Choice | QuarterTurns
@@ -84,7 +84,7 @@ class Compiler:
         """Look and label of what has a kind; of a quantity its letter and its key, too."""
         if not isinstance(kind, NamedSymbol):
             return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
-        letter = symbol_text(kind) if label is None else label
+        letter = format_symbol(kind) if label is None else label
         return {"kind": find_kind(kind, self.chapter), "label": letter, "symbol": kind.key}
 
     def control(self, control: Control) -> dict[str, Any]:
@@ -107,7 +107,7 @@ class Compiler:
         _refuse_wrong_slider(control)
         face = self.face(control.symbol, control.label)
         known = control.symbol
-        unit = in_figures(known.unit)
+        unit = figure_unit(known.unit)
         scale = unit.factor
         step = _tidy(control.step / scale)
         return {
@@ -204,8 +204,8 @@ class Compiler:
         return {
             "key": readout.name,
             **self.face(readout.symbol or "", readout.label),
-            "unit": in_figures(readout.unit).name,
-            "factor": 1 / in_figures(readout.unit).factor,
+            "unit": figure_unit(readout.unit).name,
+            "factor": 1 / figure_unit(readout.unit).factor,
             "digits": readout.digits,
             "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
         }
@@ -218,8 +218,8 @@ class Compiler:
                 "key": str(symbol),
                 "symbol": symbol.key,
                 "at": start + place,
-                "unit": in_figures(symbol.unit).name,
-                "factor": 1 / in_figures(symbol.unit).factor,
+                "unit": figure_unit(symbol.unit).name,
+                "factor": 1 / figure_unit(symbol.unit).factor,
             }
             for place, (symbol, _) in enumerate(self.where)
             if isinstance(symbol, NamedSymbol)

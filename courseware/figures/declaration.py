@@ -20,7 +20,7 @@ import sympy as sp
 
 from courseware.equations.equation import Equation, Where
 from courseware.equations.quantities import NamedSymbol
-from courseware.equations.text import symbol_text
+from courseware.equations.text import format_symbol
 from courseware.errors import CourseError, describe
 from courseware.units import refuse_other_than_si
 
@@ -49,7 +49,7 @@ def ramp(done: Expr, k: int) -> Expr:
 
 def default_label(symbol: NamedSymbol) -> str:
     """A quantity's name, if it has one, and its letter: "heading θ"."""
-    return f"{symbol.short_name} {symbol_text(symbol)}".strip()
+    return f"{symbol.short_name} {format_symbol(symbol)}".strip()
 
 
 class NamedSteps(list[tuple[sp.Symbol, Any]]):

@@ -22,7 +22,7 @@ from courseware.practice.solution_steps import LocalEquation, Step
 from courseware.practice.solutions import Solution
 from courseware.practice.wrong_formula import WrongFormula
 from courseware.script.parts import Part, register
-from courseware.units import typed_units
+from courseware.units import unit_constants
 
 register(
     Part(
@@ -33,7 +33,7 @@ register(
         styles=("courseware/practice/practice.css",),
         constants={
             "courseware/practice/constants.js": rendering.constants,
-            "courseware/practice/units.js": lambda: {"UNBROKEN": UNBROKEN, **typed_units()},
+            "courseware/practice/units.js": lambda: {"UNBROKEN": UNBROKEN, **unit_constants()},
         },
     )
 )

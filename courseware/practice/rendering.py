@@ -16,7 +16,7 @@ from typing import Any
 from courseware.course import course
 from courseware.equations.equation import Equation
 from courseware.equations.notebook import equation_anchor, equation_label, shown_equations
-from courseware.equations.text import formula_text
+from courseware.equations.text import format_formula
 from courseware.practice import dealing, judging
 from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.declaration import Exercise
@@ -79,7 +79,7 @@ def _serialize_hint(exercise: Exercise) -> dict[str, Any]:
 
 def left_side(formula: Equation) -> str:
     """Return the left side of a formula as text, without the brackets of a list."""
-    text = formula_text(formula.left)
+    text = format_formula(formula.left)
     return text.strip("[]") if text.count("[") == 1 else text
 
 

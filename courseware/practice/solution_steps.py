@@ -11,7 +11,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from courseware.equations.equation import Equation, free_symbols, substitute
-from courseware.equations.text import formula_text, numbers_text
+from courseware.equations.text import format_formula, format_with_numbers
 from courseware.errors import CourseError
 from courseware.practice.formatting import append_unit, format_number
 from courseware.units import refuse_other_than_si
@@ -98,7 +98,7 @@ class SolvedLine(NamedTuple):
         """Return the text behind the formula: numbers, unless they are too long, and the result."""
         texts, symbols = "", free_symbols(self.right)
         if symbols and symbols <= self.numbers[0].keys():  # else named steps, or numbers already
-            texts = numbers_text(self.right, *self.numbers)
+            texts = format_with_numbers(self.right, *self.numbers)
         is_shown = texts and len(texts) <= LONGEST and texts != format_result(self.value)
         return f"{texts} = {self.format()}" if is_shown else self.format()
 
@@ -209,7 +209,7 @@ def _prepare(step: Step, formula: Any, known: frozenset[str]) -> StepForm:
     if not unit:
         unit = tuple(getattr(a, "unit", "") for a, _ in sides)
     units = (unit,) * len(sides) if isinstance(unit, str) else unit
-    lines = tuple((f"{formula_text(a)} = {formula_text(b)}", b) for a, b in sides)
+    lines = tuple((f"{format_formula(a)} = {format_formula(b)}", b) for a, b in sides)
     return StepForm(left, full, lines, units)
 
 

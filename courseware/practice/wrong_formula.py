@@ -17,7 +17,7 @@ from typing import Any
 import sympy as sp
 
 from courseware.equations.equation import as_written, free_symbols, substitute
-from courseware.equations.text import formula_text, signed
+from courseware.equations.text import format_formula, split_sign
 from courseware.practice.solution_steps import compile_function
 
 TOKEN = re.compile(r"\w[\w\u0300-\u036f]*|\s+|.")  # of a formula in one line of text
@@ -74,8 +74,8 @@ class WrongFormula:
     @property
     def lines(self) -> tuple[str, str]:
         """The right and the wrong formula in a line of text each, with the difference in « »."""
-        left = formula_text(self.of.left)
-        right, wrong = (f"{left} = {formula_text(side)}" for side in (self.of.right, self.right))
+        left = format_formula(self.of.left)
+        right, wrong = (f"{left} = {format_formula(side)}" for side in (self.of.right, self.right))
         return mark_difference(right, wrong)
 
 
@@ -95,10 +95,10 @@ def simplify_signs(e: Any) -> Any:
     parts = [simplify_signs(part) for part in e.args]
     with as_written():
         if isinstance(e, sp.sin | sp.cos):
-            sign, rest = signed(parts[0])
+            sign, rest = split_sign(parts[0])
             return -e.func(rest) if sign < 0 and isinstance(e, sp.sin) else e.func(rest)
         if isinstance(e, sp.Mul):
-            signs, rests = zip(*map(signed, parts), strict=True)
+            signs, rests = zip(*map(split_sign, parts), strict=True)
             rests = tuple(rest for rest in rests if rest != 1) or (sp.S.One,)
             product = sp.Mul(*rests) if len(rests) > 1 else rests[0]
             return -product if prod(signs) < 0 else product

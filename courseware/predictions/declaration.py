@@ -18,7 +18,7 @@ from courseware.errors import CourseError, describe
 from courseware.figures.declaration import Slider
 from courseware.figures.figure import find_figure
 from courseware.practice.formatting import append_unit, format_number
-from courseware.units import UNITS, in_figures, refuse_unknown
+from courseware.units import UNITS, figure_unit, refuse_unknown
 
 Value = Any  # an expression, a matrix or tuple of them, or a function of no arguments
 
@@ -143,12 +143,12 @@ class Ghost:
 
     def units(self) -> list[str]:
         """Return the unit of each slider, as the reader sees it."""
-        return [in_figures(slider.symbol.unit).name for slider in self.sliders()]
+        return [figure_unit(slider.symbol.unit).name for slider in self.sliders()]
 
     def convert(self, value: Value) -> list[float]:
         """Return numbers in the units that the reader sees."""
         pairs = zip(evaluate(value), self.sliders(), strict=True)
-        return [x / in_figures(slider.symbol.unit).factor for x, slider in pairs]
+        return [x / figure_unit(slider.symbol.unit).factor for x, slider in pairs]
 
     def format_answer(self) -> str:
         """Return the place of the ghost in words."""
@@ -168,7 +168,7 @@ class Ghost:
             "labels": [slider.label or str(slider.symbol) for slider in self.sliders()],
             "units": self.units(),
             "then": {
-                order.index(symbol): evaluate(value)[0] / in_figures(symbol.unit).factor
+                order.index(symbol): evaluate(value)[0] / figure_unit(symbol.unit).factor
                 for symbol, value in self.then.items()
             },
             "right": self.convert(self.right),

@@ -14,7 +14,7 @@ import sympy as sp
 from courseware.equations.equation import Equation, as_written, substitute
 from courseware.equations.latex import align_lines, render_latex
 from courseware.equations.quantities import NamedSymbol
-from courseware.equations.text import fraction, symbol_text
+from courseware.equations.text import format_symbol, split_fraction
 from courseware.errors import CourseError
 from courseware.figures.figure import Figure
 from courseware.script import engine
@@ -58,7 +58,7 @@ class Slots:
         """Return the results as HTML, for screen readers, which do not read the formula."""
         lefts = [left for left, _ in split_lines(self.equation, False)]
         return ", ".join(
-            f'{symbol_text(left)} = <span data-symbol="{left.key}" data-of="{self.figure.name}" '
+            f'{format_symbol(left)} = <span data-symbol="{left.key}" data-of="{self.figure.name}" '
             f'data-result="1">{escape(self.numbers[left.key]["text"])}</span>'
             for left in lefts
         )
@@ -130,7 +130,7 @@ def mark_guarded(e: Any, guarded: bool) -> list[tuple[Any, bool]]:
     if isinstance(e, sp.Pow):
         return [(e.base, guarded if e.exp == -1 else e.exp != sp.Rational(1, 2)), (e.exp, False)]
     if isinstance(e, sp.Mul):
-        above, below = fraction(e)
+        above, below = split_fraction(e)
         alone = [side[0] for side in (above, below) if below and len(side) == 1]
         under = [a.base if isinstance(a, sp.Pow) and a.exp == -1 else a for a in e.args]
         return [(a, part not in alone) for a, part in zip(e.args, under, strict=True)]

@@ -8,7 +8,7 @@ from sphinx.application import Sphinx
 
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol, find_kind
-from courseware.equations.text import symbol_text
+from courseware.equations.text import format_symbol
 from courseware.symbols import lexicon
 
 # "the x axis", "looks along y": the letter names an axis, not a number
@@ -63,7 +63,7 @@ def describe_symbol(symbol: NamedSymbol, chapter: str) -> list[str]:
 
     A symbol of a figure alone has a word for a letter, which no reader has seen.
     """
-    letter, names = symbol_text(symbol), symbols_by_code(chapter)
+    letter, names = format_symbol(symbol), symbols_by_code(chapter)
     printed = "" if letter == symbol.name and re.match("[a-z]{3}", letter) else letter
     code = symbol.code if names.get(symbol.code) == symbol else ""
     return [printed, symbol.meaning, symbol.unit, find_kind(symbol, chapter), code]

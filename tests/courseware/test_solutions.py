@@ -12,7 +12,7 @@ from declared import each
 from test_practice import typed
 
 from courseware.equations import Equation, quantity
-from courseware.equations.text import signed
+from courseware.equations.text import split_sign
 from courseware.errors import CourseError
 from courseware.practice import (
     Exercise,
@@ -163,7 +163,7 @@ def misread(expression):
 
 def negated(e):
     """An expression with the other sign, otherwise as written."""
-    sign, rest = signed(e)
+    sign, rest = split_sign(e)
     if sign < 0:
         return rest
     if isinstance(e, sp.MatrixExpr):

@@ -22,7 +22,7 @@ from courseware.practice.candidates import Candidate
 from courseware.practice.formatting import append_unit
 from courseware.predictions import Number
 from courseware.script import engine
-from courseware.units import TABLE, UNITS, in_figures
+from courseware.units import TABLE, UNITS, figure_unit
 
 SI = [row[0] for row in TABLE]
 SIZES = {  # of the words in names; SciPy's
@@ -232,5 +232,5 @@ def test_no_line_ends_between_a_number_and_its_unit():
 
 
 def test_figures_show_angles_in_degrees_and_all_else_as_declared():
-    shown = {unit: in_figures(unit).name for unit in UNITS}
+    shown = {unit: figure_unit(unit).name for unit in UNITS}
     assert shown == {unit: unit for unit in UNITS} | {"rad": "°"}

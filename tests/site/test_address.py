@@ -6,7 +6,7 @@ from figure_numbers import started, typical_linked
 from figure_page import assert_shows_state, drag, neighbours, nudge, slide
 
 from courseware.figures import Choice, QuarterTurns
-from courseware.units import in_figures
+from courseware.units import figure_unit
 
 pytest_plugins = ["figure_page"]
 pytestmark = pytest.mark.browser
@@ -60,7 +60,7 @@ def allowed(control, junk):
     """What a control may make of junk."""
     if isinstance(control, Choice | QuarterTurns):
         return [control.start]
-    scale = in_figures(control.symbol.unit).factor
+    scale = figure_unit(control.symbol.unit).factor
     number = {"1e99": control.high, "-1e99": control.low, "2.5": 2.5 * scale}.get(
         junk, control.start
     )

@@ -3,8 +3,10 @@
 So `pytest -k bicycle` runs what is said of the bicycle's formulas, figures and exercises.
 """
 
+import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import book  # noqa: F401  (opens the course)
@@ -44,3 +46,11 @@ def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):
 def table(path):
     """The rows of a table."""
     return [row for _, row in tables.read_rows(Path(path), tables.Problems())]
+
+
+def typed(rows, exercise):
+    """Rows as a student would type them."""
+    shaped = np.reshape(rows, (-1, *(exercise.shape or (len(exercise.unknowns),))))
+    if exercise.accept != "all":
+        shaped = shaped[0]
+    return json.dumps(shaped.tolist()[0] if shaped.shape == (1,) else shaped.tolist())

@@ -10,8 +10,7 @@ from functools import cache
 
 import pytest
 from commands import ONE, ONLY, run, saved
-from declared import EXERCISES, table
-from test_practice import typed
+from declared import EXERCISES, table, typed
 
 from classroom import answer_key, grading
 from courseware.practice import candidates, dealing

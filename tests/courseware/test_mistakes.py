@@ -1,23 +1,29 @@
 """A mistake as a wrong formula: its line, its number and its expression come from one place."""
 
+import re
 from functools import cache
+from html import escape
 
 import nbformat
 import numpy as np
 import pytest
 from declared import EXERCISES, FIGURES, MISTAKES, course, each
 
+import robokin
 from book.differential_drive import formulas
 from book.differential_drive.exercises import M12, M13, M14
 from book.differential_drive.formulas import b, v_L, v_R
 from courseware import practice
 from courseware.figures import Choice, Figure
 from courseware.practice import Mistake
+from courseware.practice.bank import all_mistakes
 from courseware.practice.wrong_formula import mark_difference
 from courseware.site import mistake_pictures
 
+each_mistake = each("mistake", "exercises", Mistake)
 
-@each("mistake", "exercises", Mistake)
+
+@each_mistake
 def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
     html = practice.mistake(mistake.name).answer
     right, wrong = mistake.formula.lines
@@ -65,7 +71,7 @@ def test_what_changed_is_marked(lines, shown):
 still = cache(mistake_pictures.draw_picture)
 
 
-@each("mistake", "exercises", Mistake)
+@each_mistake
 def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
     """And no other mistake's; on a dark page in dark colours."""
     name, picture = mistake.name, mistake.picture
@@ -93,7 +99,7 @@ def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
     assert "#dark:target { --rk-ground: #14181f;" in still(picture)
 
 
-@each("mistake", "exercises", Mistake)
+@each_mistake
 def test_a_mistake_is_shown_in_its_chapter_under_its_title(mistake):
     """For the box itself has none."""
     home = course().chapters_of("exercises", Mistake)[mistake.name]
@@ -103,3 +109,98 @@ def test_a_mistake_is_shown_in_its_chapter_under_its_title(mistake):
     assert mistake.picture, f"{mistake.name} has no picture, whose option is its title"
     title, above = f"### {mistake.picture.option}", sources[sources.index(cell) - 1]
     assert above == title, f"above `{cell}` in {home}.ipynb: {title}, not {above!r}"
+
+
+def users(mistake):
+    """The exercises in which a mistake can be made."""
+    return [exercise for exercise in EXERCISES.values() if mistake in exercise.wrong]
+
+
+def last_made(code, numbers):
+    """The last new name that our own code gives a value, run with the chapters' imports."""
+    modules = {name: getattr(robokin, name) for name in robokin.__all__}
+    space = {"np": np, **modules, **numbers}
+    before = {*space, "__builtins__"}
+    exec(code, space)
+    return [space[name] for name in space if name not in before][-1]
+
+
+@each_mistake
+def test_a_mistake_is_used_and_its_line_makes_it(mistake):
+    """The line, run with the document's numbers, gives what the exercise calls that mistake."""
+    shown_in = [exercise for exercise in users(mistake) if exercise.example]
+    assert shown_in, "no exercise with an example has it"
+    exercise = shown_in[0]
+    numbers = {**exercise.example, **exercise.derive(**exercise.example)}
+    found = last_made(mistake.line, numbers)
+    wrong = exercise.evaluate(exercise.wrong[mistake], exercise.example)
+    np.testing.assert_allclose(np.ravel(found), np.ravel(wrong), rtol=1e-12, atol=1e-12)
+    right = exercise.evaluate(exercise.right, exercise.example)
+    assert not np.allclose(right, wrong, atol=1e-6)
+
+
+@each_mistake
+def test_a_mistake_runs_as_printed(mistake):
+    """The numbers and the line, copied from the page, give what the page says they give."""
+    view = practice.mistake(mistake.name)
+    page_text = practice.example(view.exercise.name).data["text/markdown"]
+    given = re.search("```python\n(.*)\n```", page_text, re.DOTALL)[1]
+    longest = max(map(len, given.splitlines()))
+    assert longest <= 80, (
+        f"the example of {view.exercise.name} prints {longest} characters in a line, at most 80: "
+        "give it shorter numbers"
+    )
+    numbers = {}
+    exec(given, {"np": np}, numbers)
+    found = last_made(mistake.line, numbers)
+    says = re.findall(r"-?[0-9.]+", view.result.replace("\u2212", "-"))
+    # both are rounded to four decimals; a product with the largest number here, 2, doubles that
+    wanted = np.array(says, dtype=float)
+    told = f"the line of {mistake.name} must give what its formula gives: {mistake.line}"
+    np.testing.assert_allclose(np.ravel(found), wanted, atol=1.5e-4, rtol=0, err_msg=told)
+
+
+@each_mistake
+def test_a_mistake_says_all_it_must(mistake):
+    assert mistake.unnoticed, f"say where {mistake.name} happens to be right, as `unnoticed`"
+    assert mistake.why, f"say why {mistake.name} is wrong, as `why`"
+    assert not mistake.feedback.endswith("."), f"`feedback` of {mistake.name}: no stop at its end"
+    told = mistake.document, mistake.place, mistake.nth, mistake.stands, mistake.should
+    assert all(told) or not any((*told, mistake.explained)), (
+        f"{mistake.name} stands in a document, and needs all of `document`, `place`, `nth`, "
+        f"`stands` and `should`, or in none: {told}"
+    )
+    # an erratum marks what changes, and marks nothing that stands there already
+    assert bool(mistake.document) == ("«" in mistake.should), (
+        f"mark in `should` of {mistake.name} what changes, in « »"
+    )
+    longest = max(map(len, mistake.line.splitlines()))
+    assert longest <= 80, (
+        f"`line` of {mistake.name} has {longest} characters in a line, at most 80: break it"
+    )
+
+
+@pytest.mark.parametrize("chapter", practice.all_topics())
+def test_errata_have_an_order(chapter):
+    homes = course().chapters_of("exercises", Mistake)
+    for document in {m.document for m in all_mistakes().values() if homes[m.name] == chapter} - {
+        ""
+    }:
+        order = {m.name: m.nth for m in all_mistakes().values() if m.document == document}
+        assert sorted(order.values()) == [*range(1, len(order) + 1)], (
+            f"number the errata of {document} from 1 on, as `nth`: {order}"
+        )
+
+
+@each_mistake
+def test_a_mistake_is_shown_with_its_value(mistake):
+    html = practice.mistake(mistake.name)._repr_mimebundle_()["text/html"]
+    assert not re.search(r"\bnan\b", html)
+    assert html.index("It gives") < html.index("<details>") < html.index("Right is")
+    assert html.index(escape(mistake.line)) < html.index("It gives")
+
+
+def test_a_matrix_is_given_row_by_row():
+    html = practice.mistake("M19").answer
+    assert html.count("<br>") == 6  # three rows, wrong and right
+    assert "<br>" not in practice.mistake("M12").answer

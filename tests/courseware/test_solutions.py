@@ -8,8 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
-from declared import each
-from test_practice import typed
+from declared import each, typed
 
 from courseware.equations import Equation, quantity
 from courseware.equations.text import split_sign

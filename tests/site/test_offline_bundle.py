@@ -12,12 +12,11 @@ from zipfile import ZipFile
 
 import pytest
 from browser import listed, watched_page
-from declared import EXERCISES
+from declared import EXERCISES, typed
 from offline_bundle import site_files
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 from support import ROOT, python_of
-from test_practice import typed
 from test_practice_page import FIRST, answer, sign_in, variant
 
 from courseware.practice import candidates

@@ -9,10 +9,10 @@ from html import unescape
 
 import pytest
 from browser import FULL, draw_all, watched_page
-from declared import COURSE, EXERCISES, OF_EACH_KIND, table
+from declared import COURSE, EXERCISES, OF_EACH_KIND, table, typed
 from PIL import Image
 from playwright.sync_api import expect
-from test_practice import DEAL, dealt_in_python, names, typed
+from test_dealing import DEAL, dealt_in_python, names
 
 from book.differential_drive.exercises import M12
 from classroom.__main__ import main

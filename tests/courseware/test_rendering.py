@@ -1,0 +1,70 @@
+"""Exercises as a page shows them: texts with numbers in them, and the data for the browser."""
+
+import re
+from html import unescape
+
+import pytest
+from declared import EXERCISES, each
+
+from courseware import practice
+from courseware.line_breaks import prevent_breaks
+from courseware.practice import Exercise, dealing, judging, rendering
+from courseware.practice.formatting import render_paragraphs, render_symbols
+from courseware.script import engine as script
+
+each_exercise = each("exercise", "exercises", Exercise)
+
+
+@each_exercise
+def test_texts_can_be_filled(exercise):
+    for variant in dealing.variants(exercise.name):
+        for template in (exercise.text, exercise.solution_text):
+            filled = exercise.fill(template, variant.numbers)
+            assert "{" not in filled
+            assert not re.search(r"\bnan\b", filled)
+
+
+def plain(html):
+    return unescape(re.sub("<[^>]+>", "", html))
+
+
+@each_exercise
+def test_no_line_ends_inside_a_number_with_its_unit(exercise):
+    """In the text as Python writes it and as the page does; nothing else changes in it."""
+    variant = dealing.variants(exercise.name)[0]
+    text = exercise.fill(exercise.text, variant.numbers)
+    for html in (render_paragraphs(text), script.call("courseware.renderParagraphs", text)):
+        shown = plain(html)
+        assert not re.search(r"\d (?:cm|m|s|rad|N)\b|[=] \d| = −?\d", shown)
+        if "[[" not in text:  # on the page a matrix
+            assert shown.replace("\u00a0", " ") == plain(render_symbols(text.replace("\n\n", "")))
+
+
+def test_short_formulas_and_units_stay_together():
+    said = prevent_breaks(
+        "a = 3 cm and b = −0.5 m/s in rad, x = (a longer formula) in 2 ways, 5 °/s"
+    )
+    kept = ["a = 3 cm", "b = −0.5 m/s", "in rad", "x = (a", "5 °/s"]
+    assert all(part.replace(" ", "\u00a0") in said for part in kept)
+    assert "longer formula) in 2 ways" in said
+
+
+MOST = 125_000  # bytes of a chapter's exercises; loaded only once a student's name is known
+
+
+@pytest.mark.parametrize("topic", practice.all_topics())
+def test_the_data_of_a_topic_are_light_and_not_in_clear(topic):
+    text = rendering.render_script(topic)
+    assert len(text) < MOST, (
+        f"the exercises of {topic} have {len(text)} bytes, at most {MOST}: shorten solutions and "
+        "texts, or ask for fewer numbers"
+    )
+    assert "right" not in text
+    assert len(rendering.render_script(topic, solutions=False)) < len(text)
+
+
+def test_a_unit_that_all_numbers_have_is_said_once():
+    assert judging.format_prompt(EXERCISES["elbow-arm-3"]) == "3 numbers: θ_1, θ_2, θ_3 in rad"
+    assert judging.format_prompt(EXERCISES["wheels-6"]).startswith(
+        "2 numbers: β in rad, φ̇ in rad/s"
+    )

@@ -15,10 +15,9 @@ import sympy as sp
 
 from courseware.course import course
 from courseware.errors import CourseError, describe
-from courseware.figures.declaration import Slider
 from courseware.figures.figure import find_figure
 from courseware.practice.formatting import append_unit, format_number
-from courseware.units import UNITS, figure_unit, refuse_unknown
+from courseware.units import UNITS, Unit, figure_unit, refuse_unknown
 
 Value = Any  # an expression, a matrix or tuple of them, or a function of no arguments
 
@@ -49,19 +48,54 @@ class Buttons:
         """Return the right option."""
         return self.right if isinstance(self.right, str) else self.right()
 
+    def guesses(self) -> list[tuple[str, str]]:
+        """Return wrong guesses, each with its assumption."""
+        return list(self.assumptions.items())
+
     def serialize(self) -> dict[str, Any]:
         """Return what the script must know."""
-        wrong = {self.options.index(option): why for option, why in self.assumptions.items()}
         return {
             "kind": "buttons",
             "options": self.options,
             "right": self.options.index(self.format_answer()),
-            "wrong": list(wrong),
+            "wrong": [self.options.index(option) for option in self.assumptions],
+        }
+
+
+class _Numbers:
+    """Numbers that are computed, shown in the units that the reader sees."""
+
+    right: Value
+    assumptions: Mapping[str, Value]
+
+    def units(self) -> list[Unit]:
+        """Return the unit of each number."""
+        raise NotImplementedError
+
+    def convert(self, value: Value) -> list[float]:
+        """Return computed numbers in their units."""
+        return [unit.from_si(x) for x, unit in zip(evaluate(value), self.units(), strict=True)]
+
+    def format(self, value: Value) -> list[str]:
+        """Return computed numbers as texts with their units."""
+        pairs = zip(self.convert(value), self.units(), strict=True)
+        return [append_unit(format_number(x, ".3g"), unit.name) for x, unit in pairs]
+
+    def guesses(self) -> list[tuple[str, str]]:
+        """Return wrong guesses as texts, each with its assumption."""
+        return [(", ".join(self.format(value)), why) for why, value in self.assumptions.items()]
+
+    def serialize(self) -> dict[str, Any]:
+        """Return what the script must know."""
+        return {
+            "units": [unit.name for unit in self.units()],
+            "right": self.convert(self.right),
+            "wrong": [self.convert(value) for value in self.assumptions.values()],
         }
 
 
 @dataclass(frozen=True)
-class Number:
+class Number(_Numbers):
     """A number to type, read as answers of exercises are.
 
     Args:
@@ -81,29 +115,22 @@ class Number:
         refuse_unknown(self.unit, f"the guess of {self.label}")
         _refuse_typed(self.label, self.right, *self.assumptions.values())
 
-    def convert(self, value: Value) -> float:
-        """Return a number in the unit that the reader sees."""
-        return UNITS[self.unit].from_si(evaluate(value)[0])
+    def units(self) -> list[Unit]:
+        """Return the unit of the box."""
+        return [UNITS[self.unit]]
 
     def format_answer(self) -> str:
         """Return the right number with its unit."""
-        return append_unit(format_number(self.convert(self.right), ".3g"), self.unit)
+        return self.format(self.right)[0]
 
     def serialize(self) -> dict[str, Any]:
         """Return what the script must know."""
-        right = self.convert(self.right)
-        return {
-            "kind": "number",
-            "labels": [""],
-            "units": [self.unit],
-            "right": [right],
-            "wrong": [[self.convert(value)] for value in self.assumptions.values()],
-            "near": self.relative * (abs(right) or 1),
-        }
+        near = self.relative * (abs(self.convert(self.right)[0]) or 1)
+        return super().serialize() | {"kind": "number", "labels": [""], "near": near}
 
 
 @dataclass(frozen=True)
-class Ghost:
+class Ghost(_Numbers):
     """A ghost to place in a live figure, which stands in the cell before.
 
     Args:
@@ -126,53 +153,44 @@ class Ghost:
     def __post_init__(self) -> None:
         _refuse_typed(self.figure, self.right, *self.assumptions.values())
 
-    def sliders(self) -> list[Slider]:
-        """Return the sliders that place the ghost."""
-        known = {getattr(control, "symbol", None): control for control in self.controls()}
+    def controls(self) -> dict[sp.Symbol, tuple[int, Any]]:
+        """Return the controls of the figure by symbol, each with its number."""
+        controls = enumerate(find_figure(self.figure).controls)
+        known = {c.symbol: (k, c) for k, c in controls if hasattr(c, "symbol")}
         missing = [str(s) for s in (*self.places, *self.then) if s not in known]
         if missing:
             raise CourseError(
                 f"a prediction moves {', '.join(missing)}, but the figure {self.figure} has the "
-                f"sliders {', '.join(str(s) for s in known if s is not None)}"
+                f"sliders {', '.join(map(str, known))}"
             )
-        return [known[symbol] for symbol in self.places]
+        return known
 
-    def controls(self) -> tuple[Any, ...]:
-        """Return all controls of the figure."""
-        return find_figure(self.figure).controls
+    def units(self) -> list[Unit]:
+        """Return the unit of each slider."""
+        return [figure_unit(symbol.unit) for symbol in self.places]
 
-    def units(self) -> list[str]:
-        """Return the unit of each slider, as the reader sees it."""
-        return [figure_unit(slider.symbol.unit).name for slider in self.sliders()]
-
-    def convert(self, value: Value) -> list[float]:
-        """Return numbers in the units that the reader sees."""
-        pairs = zip(evaluate(value), self.sliders(), strict=True)
-        return [x / figure_unit(slider.symbol.unit).factor for x, slider in pairs]
+    def labels(self) -> list[str]:
+        """Return the label of each slider."""
+        controls = self.controls()
+        return [controls[symbol][1].label or str(symbol) for symbol in self.places]
 
     def format_answer(self) -> str:
         """Return the place of the ghost in words."""
-        parts = zip(self.sliders(), self.convert(self.right), self.units(), strict=True)
-        return ", ".join(
-            f"{slider.label or slider.symbol} {append_unit(format_number(x, '.3g'), unit)}"
-            for slider, x, unit in parts
-        )
+        pairs = zip(self.labels(), self.format(self.right), strict=True)
+        return ", ".join(f"{label} {text}" for label, text in pairs)
 
     def serialize(self) -> dict[str, Any]:
         """Return what the script must know; sliders as numbers of the figure's controls."""
-        order = [getattr(control, "symbol", None) for control in self.controls()]
-        return {
+        controls = self.controls()
+        return super().serialize() | {
             "kind": "ghost",
             "figure": self.figure,
-            "places": [order.index(slider.symbol) for slider in self.sliders()],
-            "labels": [slider.label or str(slider.symbol) for slider in self.sliders()],
-            "units": self.units(),
+            "places": [controls[symbol][0] for symbol in self.places],
+            "labels": self.labels(),
             "then": {
-                order.index(symbol): evaluate(value)[0] / figure_unit(symbol.unit).factor
+                controls[symbol][0]: figure_unit(symbol.unit).from_si(evaluate(value)[0])
                 for symbol, value in self.then.items()
             },
-            "right": self.convert(self.right),
-            "wrong": [self.convert(value) for value in self.assumptions.values()],
             "near": self.tolerance,
         }
 
@@ -202,21 +220,6 @@ class Prediction:
     def __post_init__(self) -> None:
         if not re.fullmatch("[a-z][a-z0-9-]*", self.name):
             raise CourseError(f"a prediction's name has small letters and dashes, got {self.name}")
-
-    @property
-    def assumptions(self) -> list[tuple[str, str]]:
-        """The usual wrong guesses as texts, each with its assumption."""
-        answers, data = self.answers, self.answers.serialize()
-        if isinstance(answers, Buttons):
-            return list(answers.assumptions.items())
-        guesses = (
-            ", ".join(
-                append_unit(format_number(x, ".3g"), unit)
-                for x, unit in zip(guess, data["units"], strict=True)
-            )
-            for guess in data["wrong"]
-        )
-        return list(zip(guesses, answers.assumptions, strict=True))
 
 
 def evaluate(value: Value) -> list[float]:

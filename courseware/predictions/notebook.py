@@ -27,5 +27,5 @@ def render_prediction(p: Prediction) -> Output:
 
 def render_fold(p: Prediction) -> str:
     """Render the answer, its explanation and the assumptions of wrong guesses as Markdown."""
-    guesses = "\n".join(f"- {guess}: {why}" for guess, why in p.assumptions)
+    guesses = "\n".join(f"- {guess}: {why}" for guess, why in p.answers.guesses())
     return f"**{p.answers.format_answer()}**\n\n{p.explanation}\n\n{guesses}".strip()

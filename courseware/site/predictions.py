@@ -48,8 +48,7 @@ def render_prediction(renderer: Any, prediction: Prediction) -> Tag:
         "", f"<p><strong>{escape(answers.format_answer())}</strong></p>", format="html"
     )
     why = [
-        markdown(f"“{guess}”? {why}", classes=["rk-assumes"])
-        for guess, why in prediction.assumptions
+        markdown(f"“{guess}”? {why}", classes=["rk-assumes"]) for guess, why in answers.guesses()
     ]
     fold = Tag("", tag="details", data={}, classes=["rk-opens"])
     fold.extend([summary, Tag("", right, *why, tag="div", data={}, classes=["rk-key"])])

@@ -86,7 +86,7 @@ def test_a_prediction_comes_out_as_expected(prediction):
     )
     found = answers.format_answer()
     if not isinstance(answers, Buttons):
-        found = (found, *(guess for guess, _ in prediction.assumptions))
+        found = (found, *(guess for guess, _ in prediction.answers.guesses()))
     assert PREDICTED.get(prediction.name) == found, (
         f"{prediction.name} comes out as {found!r}; what it must be, worked out by hand, goes to "
         f"PREDICTED in book/{home}/expected.py"

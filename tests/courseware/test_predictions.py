@@ -222,7 +222,7 @@ WRONG = {
     "no such slider": (
         lambda: Ghost(
             "wheel-speeds", (Symbol("z"),), {}, formulas.speed.substitute(SPEEDS), 1
-        ).sliders(),
+        ).controls(),
         "moves z, but the figure wheel-speeds has the sliders v_L",
     ),
 }

@@ -6,22 +6,21 @@ It needs no server and no script, loads nothing, and holds nothing but the class
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from html import escape
+from itertools import groupby
+from typing import NamedTuple
 
 from courseware.course import course
 from courseware.practice.bank import all_exercises, all_mistakes
+from courseware.practice.declaration import Exercise
 from courseware.practice.formatting import render_symbols
-
-Count = tuple[str, str, int, int, str]  # a row of the mistakes
 
 MOST_SHOWN = 25  # mistakes; their table has all
 RESULTS = ("right", "partly", "wrong", "unread", "missing")
 SIGNS = dict(zip(RESULTS, "✓≈✗?·", strict=True))
 
 
-@dataclass(frozen=True)
-class Graded:
+class Graded(NamedTuple):
     """One line of the grades."""
 
     student: str
@@ -29,6 +28,16 @@ class Graded:
     answer: str
     result: str
     mistake: str
+    comment: str
+
+
+class Count(NamedTuple):
+    """How many students made a mistake, of those who answered the exercise."""
+
+    exercise: str
+    mistake: str
+    students: int
+    of: int
     comment: str
 
 
@@ -81,9 +90,8 @@ def render(course_name: str, graded: Sequence[Graded], counts: Sequence[Count]) 
     for each in graded:
         students.setdefault(each.student, {})[each.exercise] = each
         results.setdefault(each.exercise, Counter())[each.result] += 1
-    topics: dict[str, list[str]] = {}
-    for name in (name for name in all_exercises() if name in results):
-        topics.setdefault(all_exercises()[name].topic, []).append(name)
+    known = [exercise for name, exercise in all_exercises().items() if name in results]
+    topics = {t: [e.name for e in group] for t, group in groupby(known, lambda e: e.topic)}
     totals = sum(results.values(), Counter())
     colours = (
         f".bar .{r} {{ background: var(--{'none' if r == 'missing' else r}); }} "
@@ -99,7 +107,7 @@ def render(course_name: str, graded: Sequence[Graded], counts: Sequence[Count]) 
         totals=", ".join(f"{totals[result]:,} {result}" for result in RESULTS),
         colours="\n".join(colours),
         heads="".join(heads),
-        exercises="\n".join(_exercise(n, results[n]) for names in topics.values() for n in names),
+        exercises="\n".join(_exercise(e, results[e.name]) for e in known),
         frequent=_frequent(len(counts)),
         mistakes="\n".join(map(_mistake, counts[:MOST_SHOWN])),
         topics="".join(titles),
@@ -120,19 +128,18 @@ def _bar(parts: Iterable[tuple[str, float]]) -> str:
     return f'<td><span class="bar">{"".join(widths)}</span>'
 
 
-def _exercise(name: str, count: Counter[str]) -> str:
+def _exercise(exercise: Exercise, count: Counter[str]) -> str:
     cells = "".join(f'<td class="n">{count[result]}' for result in RESULTS)
     bar = _bar((result, count[result] / count.total()) for result in RESULTS)
-    return f"<tr><th class='exercise'>{name}: {escape(all_exercises()[name].title)}{cells}{bar}"
+    return f"<tr><th class='exercise'>{exercise.name}: {escape(exercise.title)}{cells}{bar}"
 
 
-def _mistake(row: Count) -> str:
-    exercise, mistake, count, of, comment = row
-    words = re.sub("^Not yet(. This is what you get|:) ", "", comment)
-    known = f"{mistake}: " if mistake in all_mistakes() else ""
-    bar = _bar([("wrong", count / of)])
+def _mistake(count: Count) -> str:
+    words = re.sub("^Not yet(. This is what you get|:) ", "", count.comment)
+    known = f"{count.mistake}: " if count.mistake in all_mistakes() else ""
+    bar = _bar([("wrong", count.students / count.of)])
     return (
-        f'<tr><td class="n">{count}<td class="n">{of}{bar}<td>{exercise}'
+        f'<tr><td class="n">{count.students}<td class="n">{count.of}{bar}<td>{count.exercise}'
         f'<td class="words">{known}{render_symbols(words)}'
     )
 

@@ -14,10 +14,9 @@ from courseware.practice import candidates, dealing, judging
 from courseware.practice.bank import all_exercises, all_mistakes
 from courseware.practice.saving import open_table, refuse_existing, write_table
 
-GRADES = ("student", "exercise", "answer", "result", "mistake", "comment")
 TOTALS = ("student", *RESULTS)
-COUNTS = ("exercise", "mistake", "students", "of", "comment")
 ENDINGS = ("-students.csv", "-mistakes.csv", "-problems.csv", ".html")  # of files beside the grades
+MISSING = judging.Verdict("missing", "", "")
 MOST_FREQUENT = 15  # mistakes in the summary
 
 Total = tuple[str | int, ...]
@@ -49,10 +48,10 @@ def grade(
         problems = tables.Problems(write)
         collected = collect(answers, read_key(key, problems), problems, leave_out=paths)
         graded = _grade(collected, problems)
-        write_table(paths[0], GRADES, (tuple(vars(each).values()) for each in graded), force)
+        write_table(paths[0], Graded._fields, graded, force)
         totals, counts = _total(graded), _count_mistakes(graded)
         write_table(paths[1], TOTALS, totals, force)
-        write_table(paths[2], COUNTS, counts, force)
+        write_table(paths[2], Count._fields, counts, force)
     course = ", ".join(sorted(collected.key.courses))
     paths[4].write_text(class_page.render(course, graded, counts), encoding="utf-8")
     lines = [*_account(collected), "", *_summarize(collected.key, totals, counts), ""]
@@ -80,27 +79,35 @@ def _account(found: Collected) -> list[str]:
 
 
 def _grade(collected: Collected, problems: tables.Problems) -> list[Graded]:
-    """Grade each line of the key; the answers to one exercise are judged together."""
-    key, answers = collected.key, collected.answers
-    by_exercise: dict[str, list[Person]] = {}
-    for person in key.rows:
-        by_exercise.setdefault(person[1], []).append(person)
+    """Grade each line of the key."""
+    people: dict[str, list[Person]] = {}
+    for person in collected.key.rows:
+        people.setdefault(person[1], []).append(person)
     found: dict[Person, Graded] = {}
-    for name, people in by_exercise.items():
-        variants = _candidates(name, people, key, problems)
-        numbers = {person: key.rows[person][1]["numbers"] for person in people}
-        known = [person for person in people if numbers[person] in variants]
-        answered = [person for person in known if person in answers]
-        places = {each: place for place, each in enumerate(variants)}
-        typed = [(places[numbers[person]], answers[person].answer) for person in answered]
-        verdicts = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
-        for person in known:
-            student = key.rows[person][1]["student"]
-            found[person] = Graded(student, name, "", "missing", "", "")
-        for person, (_, text), v in zip(answered, typed, verdicts, strict=True):
-            student = key.rows[person][1]["student"]
-            found[person] = Graded(student, name, text, v.result, v.name, v.feedback)
-    return [found[person] for person in key.rows if person in found]
+    for name, of_one in people.items():
+        found |= _grade_exercise(name, of_one, collected, problems)
+    return [found[person] for person in collected.key.rows if person in found]
+
+
+def _grade_exercise(
+    name: str, people: Sequence[Person], collected: Collected, problems: tables.Problems
+) -> dict[Person, Graded]:
+    """Judge the answers to one exercise together."""
+    key, answers = collected.key, collected.answers
+    variants = _candidates(name, people, key, problems)
+    places = {numbers: place for place, numbers in enumerate(variants)}
+    rows = {person: key.rows[person][1] for person in people}
+    rows = {person: row for person, row in rows.items() if row["numbers"] in places}
+    answered = [person for person in rows if person in answers]
+    typed = [(places[rows[person]["numbers"]], answers[person].answer) for person in answered]
+    judged = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
+    verdicts = dict(zip(answered, judged, strict=True))
+    found = {}
+    for person, row in rows.items():
+        text = answers[person].answer if person in answers else ""
+        v = verdicts.get(person, MISSING)
+        found[person] = Graded(row["student"], name, text, v.result, v.name, v.feedback)
+    return found
 
 
 def _candidates(
@@ -136,8 +143,8 @@ def _count_mistakes(graded: Iterable[Graded]) -> list[Count]:
             made[each.exercise, each.mistake] += 1
             comments[each.exercise, each.mistake] = each.comment
     return [
-        (exercise, mistake or "none known", count, answered[exercise], comments[exercise, mistake])
-        for (exercise, mistake), count in made.most_common()
+        Count(name, mistake or "none known", count, answered[name], comments[name, mistake])
+        for (name, mistake), count in made.most_common()
     ]
 
 

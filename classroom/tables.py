@@ -4,7 +4,6 @@ import csv
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain
 from pathlib import Path
 
 from courseware.errors import CourseError
@@ -63,28 +62,9 @@ def read_rows(
     Bad lines are noted. Where tables were joined, a heading may stand anywhere. A table without
     the `needed` columns is refused.
     """
-    lines, first = _read_lines(path), list[str]()
-    for text in lines:
-        first.append(text)
-        if text.strip():
-            break
-    reader = csv.reader(
-        chain(first, lines), delimiter=max(",;\t", key="".join(first).count), strict=True
-    )
     heading = list[str]()
-    while True:
-        number = reader.line_num + 1
-        try:
-            cells = next(reader)
-        except StopIteration:
-            break
-        except csv.Error:
-            words = f"{NOT_CSV}; read on after line {reader.line_num}"
-            problems.note("lines that are no CSV", path, number, words)
-            continue
+    for number, cells in _read_cells(path, problems):
         names = [cell.strip().lower() for cell in cells]
-        if not any(names):
-            continue
         if not heading or {"student", "exercise"} <= set(names):
             heading = names
             _require(path, needed, heading)
@@ -98,6 +78,24 @@ def read_rows(
             yield number, dict(zip(heading, values, strict=True))
     if not heading:
         _require(path, needed, heading)
+
+
+def _read_cells(path: Path, problems: Problems) -> Iterator[tuple[int, list[str]]]:
+    """Yield the cells of lines that are not empty, with their numbers; note what is no CSV."""
+    first = next(filter(str.strip, _read_lines(path)), "")
+    reader = csv.reader(_read_lines(path), delimiter=max(",;\t", key=first.count), strict=True)
+    while True:
+        number = reader.line_num + 1
+        try:
+            cells = next(reader)
+        except StopIteration:
+            return
+        except csv.Error:
+            words = f"{NOT_CSV}; read on after line {reader.line_num}"
+            problems.note("lines that are no CSV", path, number, words)
+            continue
+        if any(map(str.strip, cells)):
+            yield number, cells
 
 
 def _require(path: Path, needed: Sequence[str], heading: Sequence[str]) -> None:

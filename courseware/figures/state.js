@@ -1,7 +1,7 @@
 // From the state of a figure to its numbers, and where a hand may put it.
 
 /**
- * What compiling.py makes of a declared figure; places (`at`) are those in `computed.values`.
+ * What compiler.py makes of a declared figure; places (`at`) are those in `computed.values`.
  * @typedef {object} Figure
  * @property {string} name, title, size, sentence
  * @property {number[]} view [left, right, bottom, top] in metres

@@ -12,7 +12,7 @@ name), `course_solutions`, `course_wheels` and `course_lock` (needed by a downlo
 formulas in its results).
 
 A figure gets onto a page in three steps. A cell stores its name (`figures/figure.py`). `outputs.py`
-finds the declaration and has it compiled and drawn (`figures/compiling.py`, `script/engine.py`).
+finds the declaration and has it compiled and drawn (`figures/compiler.py`, `script/engine.py`).
 The page loads the script that `assets.py` writes, which brings it to life (`figures/page.js`).
 """
 

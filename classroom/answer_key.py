@@ -95,7 +95,8 @@ def read_secret(path: str | Path | None, make: bool = False) -> str:
     try:
         secret = path.read_text(encoding="utf-8").strip()
     except (OSError, UnicodeDecodeError) as error:
-        raise CourseError(f"{path} cannot be read: {error}; `key --secret` makes one") from error
+        why = getattr(error, "strerror", error)
+        raise CourseError(f"{path} cannot be read: {why}; `key --secret` makes one") from error
     if len(secret.split()) > 1:
         raise CourseError(f"the secret in {path} must be one word: `key --secret` makes one")
     if len(secret) < SECRET_LENGTH:

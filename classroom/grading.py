@@ -63,13 +63,13 @@ def _account(found: Collected) -> list[str]:
     key, strangers = found.key, [str(path) for path, count in found.files.items() if not count]
     asked = {name for _, name in key.rows}
     lines = [
-        f"the key: {len(key.students):,} students, {len(asked)} exercises, "
+        f"the key: students: {len(key.students):,}; exercises: {len(asked)}; "
         f"course {', '.join(sorted(key.courses))}, version {', '.join(sorted(key.versions))}",
-        f"answers that count: {len(found.answers):,}, of "
-        f"{len(key.students) - len(found.silent):,} students, in {len(found.files):,} files",
+        f"answers that count: {len(found.answers):,}; students: "
+        f"{len(key.students) - len(found.silent):,}; files: {len(found.files):,}",
     ]
     for what, counts in (("course", found.courses), ("version", found.versions)):
-        lines += [f"  {what} {name or '(not said)'}: {n:,} lines" for name, n in counts.items()]
+        lines += [f"  lines of {what} {name or '(none)'}: {n:,}" for name, n in counts.items()]
     for what, names in (
         ("students of whom nothing came", found.silent),
         ("files without an answer of anybody in the key", strangers),

@@ -195,18 +195,10 @@ def _number(value: float) -> str:
 
 def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
     """Offer the right answer, one of them or all, among the results of the mistakes."""
-    meanings, right = outcomes(exercise), variant.candidates[0]
-    given: dict[str, tuple[Row, ...]] = {}
-    for candidate in variant.candidates:
-        if meanings[candidate.name].result != "partly":
-            given.setdefault(candidate.name, candidate.rows)
-    for name, factor in (("slip:sign", -1), ("slip:half", 0.5), ("slip:twice", 2)):
-        rows = tuple(tuple(factor * x for x in row) for row in right.rows)
-        if len(given) <= FEWEST_CHOICES and is_apart(exercise, Candidate(name, rows), right):
-            given.setdefault(name, rows)
     choices: dict[str, list[str]] = {}
-    for name, rows in list(given.items())[: MOST_CHOICES + 1]:
-        choices.setdefault(exercise.format_rows(rows), []).append(meanings[name].feedback)
+    for name, rows in _choose(exercise, variant)[: MOST_CHOICES + 1]:
+        feedback = outcomes(exercise)[name].feedback
+        choices.setdefault(exercise.format_rows(rows), []).append(feedback)
     answers = [
         f'<answer fraction="{100 * (RIGHT in alike)}" format="html">'
         f"<text><![CDATA[{answer}]]></text>"
@@ -217,3 +209,17 @@ def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[s
     labels = ", ".join(render_symbols(unknown.label) for unknown in exercise.unknowns)
     form = "<single>true</single><shuffleanswers>true</shuffleanswers>"
     return f"{text}<p>{prompt}, as [{labels}]?</p>", "\n".join([*answers, form])
+
+
+def _choose(exercise: Exercise, variant: dealing.Variant) -> list[tuple[str, tuple[Row, ...]]]:
+    """Return the right answer and wrong ones, by name; slips where mistakes are too few."""
+    meanings, right = outcomes(exercise), variant.candidates[0]
+    found: dict[str, tuple[Row, ...]] = {}
+    for candidate in variant.candidates:
+        if meanings[candidate.name].result != "partly":
+            found.setdefault(candidate.name, candidate.rows)
+    for name, factor in (("slip:sign", -1), ("slip:half", 0.5), ("slip:twice", 2)):
+        rows = tuple(tuple(factor * x for x in row) for row in right.rows)
+        if len(found) <= FEWEST_CHOICES and is_apart(exercise, Candidate(name, rows), right):
+            found.setdefault(name, rows)
+    return list(found.items())

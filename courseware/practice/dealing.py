@@ -87,23 +87,28 @@ def _variants(name: str, secret: str) -> tuple[Variant, ...]:
         key = tuple(numbers.values())
         if key in found or key in public or not exercise.when(**numbers):
             continue
-        try:
-            with np.errstate(divide="ignore", invalid="ignore"):  # `find_clash` tells infinities
-                possible = find_candidates(exercise, numbers)
-            alike = find_clash(exercise, possible)
-        except np.linalg.LinAlgError:
-            alike = "a mistake that has no answer"
-        met[alike] += 1
-        if not alike:
-            found[key] = Variant(numbers, possible)
+        variant, clash = _make_variant(exercise, numbers)
+        met[clash] += 1
+        if not clash:
+            found[key] = variant
         if len(found) == VARIANTS:
-            return tuple(found.values())
-    if secret and found:
+            break
+    if len(found) == VARIANTS or (secret and found):
         return tuple(found.values())
     raise CourseError(
         f"{name}: only {len(found)} of {VARIANTS} variants can be dealt; answers that are too "
         f"close, and how often: {dict(met)}"
     )
+
+
+def _make_variant(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Variant, str]:
+    """Return a variant, and two of its candidates that an answer could mean, or ""."""
+    try:
+        with np.errstate(divide="ignore", invalid="ignore"):  # `find_clash` tells infinities
+            possible = find_candidates(exercise, numbers)
+    except np.linalg.LinAlgError:
+        return Variant(numbers, ()), "a mistake that has no answer"
+    return Variant(numbers, possible), find_clash(exercise, possible)
 
 
 @cache

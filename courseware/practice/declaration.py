@@ -106,7 +106,7 @@ class Unknown:
 
     @property
     def decimals(self) -> int:
-        """How many decimals are always enough: half of the last one is within the tolerance."""
+        """The number of decimals that is always enough: half of the last is within tolerance."""
         is_whole = self.tolerance < 1e-6
         return 0 if is_whole else math.ceil(-math.log10(2 * self.tolerance))
 

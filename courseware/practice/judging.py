@@ -36,23 +36,20 @@ def format_prompt(exercise: Exercise) -> str:
 
     A unit that all have stands once, at the end.
     """
-    unknowns, kind = exercise.unknowns, "number"
+    unknowns = exercise.unknowns
     if exercise.shape:
         rows, columns = exercise.shape
         return f"a matrix: {rows} rows of {columns} numbers"
-    named = [f"{u.label} in {u.unit}" if u.unit else u.label for u in unknowns]
+    names = [f"{u.label} in {u.unit}" if u.unit else u.label for u in unknowns]
     if len({u.unit for u in unknowns}) == 1:
-        named[:-1] = [u.label for u in unknowns[:-1]]
-    names = ", ".join(named)
+        names[:-1] = [u.label for u in unknowns[:-1]]
     decimals = max(u.decimals for u in unknowns)
-    if not decimals:
-        kind = "whole number"
-    if decimals > 3:
-        names += ", to four decimals"
+    kind = "number" if decimals else "whole number"
     count = f"one {kind}" if len(unknowns) == 1 else f"{len(unknowns)} {kind}s"
+    prompt = f"{count}: {', '.join(names)}" + ", to four decimals" * (decimals > 3)
     if exercise.accept == "all":
-        return f"all answers, in any order, each {count}: {names}"
-    return f"{count}: {names}" + " (any of the right answers)" * (exercise.accept == "any")
+        return f"all answers, in any order, each {prompt}"
+    return prompt + " (any of the right answers)" * (exercise.accept == "any")
 
 
 def serialize_exercise(exercise: Exercise) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from courseware.practice.wrong_formula import WrongFormula
 
 @dataclass(frozen=True)
 class Picture:
-    """What a figure of the chapter shows of a mistake, for those who made it twice.
+    """A picture of a mistake by a figure of the chapter, for those who made it twice.
 
     Args:
         figure: its name.

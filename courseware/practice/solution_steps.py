@@ -130,13 +130,7 @@ def solve_step(
 ) -> SolvedStep:
     """Compute a step from the numbers of the exercise and the results of the steps before it."""
     form = step_form(step, known)
-    keys = {s: key if isinstance(key := step.given.get(s), str) else s.name for s in form.symbols}
-    missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
-    if missing:
-        raise CourseError(
-            f"the step {name!r} of a solution uses {', '.join(missing)}, but known are only "
-            f"{', '.join(known)}: name it in `given`"
-        )
+    keys = _find_keys(name, step, form, known)
     values = {s: known[key] for s, key in keys.items()}
     result = np.array(form.function(*values.values()), dtype=float)
     if result.shape[1:] == (1,):
@@ -149,9 +143,24 @@ def solve_step(
         SolvedLine(formula, value, unit, right, (plain, degrees))
         for (formula, right), value, unit in zip(form.lines, results, form.units, strict=True)
     )
-    names = tuple(str(symbol) for symbol in step.values or _entries(form.left))
+    entries = list(form.left) if isinstance(form.left, sp.MatrixBase) else [form.left]
+    names = [str(symbol) for symbol in step.values or entries]
     parts = [whole] if len(names) == 1 else result.ravel().tolist()
     return SolvedStep(lines, dict(zip(names, parts, strict=True)) | {name: whole}, result)
+
+
+def _find_keys(
+    name: str, step: Step, form: "StepForm", known: Mapping[str, Any]
+) -> dict[sp.Symbol, str]:
+    """Return the name of the known number for each symbol of a formula."""
+    keys = {s: key if isinstance(key := step.given.get(s), str) else s.name for s in form.symbols}
+    missing = [f"{s} (the number {k!r})" for s, k in keys.items() if k not in known]
+    if missing:
+        raise CourseError(
+            f"the step {name!r} of a solution uses {', '.join(missing)}, but known are only "
+            f"{', '.join(known)}: name it in `given`"
+        )
+    return keys
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,10 +232,6 @@ def fixed_formulas(step: Step) -> list[str]:
 def _is_column(left: Any) -> bool:
     """Whether a left side has a line for each of its components."""
     return isinstance(left, sp.MatrixBase) and left.cols == 1
-
-
-def _entries(left: Any) -> list[Any]:
-    return list(left) if isinstance(left, sp.MatrixBase) else [left]
 
 
 def _pick(side: Any, part: tuple[int, ...]) -> Any:

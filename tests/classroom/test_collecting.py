@@ -198,11 +198,11 @@ def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):
     assert run("check", ".", "--key", "key.csv") == 1
     told = capsys.readouterr()
     assert told.out.splitlines() == [
-        f"the key: 2 students, 2 exercises, course robokin, version {dealing.version()}",
-        "answers that count: 1, of 1 students, in 3 files",
-        "  course robokin: 2 lines",
-        "  course robokin-2025: 1 lines",
-        f"  version {dealing.version()}: 1 lines",
+        f"the key: students: 2; exercises: 2; course robokin, version {dealing.version()}",
+        "answers that count: 1; students: 1; files: 3",
+        "  lines of course robokin: 2",
+        "  lines of course robokin-2025: 1",
+        f"  lines of version {dealing.version()}: 1",
         "students of whom nothing came: 1",
         "  Bob",
         "files without an answer of anybody in the key: 2",

@@ -156,7 +156,7 @@ def test_a_class(size, folder, capsys):
     capsys.readouterr()
     assert run("grade", ".", "--key", "key.csv") == 1
     told = capsys.readouterr()
-    assert f"of {size} students" in told.out
+    assert f"students: {size};" in told.out
     graded = {
         (dealing.fold_name(row["student"]), row["exercise"]): (row["result"], row["mistake"])
         for row in table("grades.csv")

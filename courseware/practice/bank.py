@@ -27,6 +27,11 @@ def all_mistakes() -> dict[str, Mistake]:
     return course().find_all("exercises", Mistake)
 
 
+def find_mistake(name: str) -> Mistake:
+    """Return the mistake of that name."""
+    return course().find("exercises", Mistake, name)
+
+
 def all_topics() -> list[str]:
     """Return the chapters that have exercises, in the course's order."""
     return list(dict.fromkeys(exercise.topic for exercise in all_exercises().values()))

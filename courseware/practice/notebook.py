@@ -11,12 +11,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from courseware.course import course
 from courseware.equations.notebook import Output
 from courseware.errors import CourseError, describe
 from courseware.line_breaks import prevent_breaks
 from courseware.practice import dealing, judging, rendering
-from courseware.practice.bank import all_exercises, course_name, find_exercise
+from courseware.practice.bank import all_exercises, course_name, find_exercise, find_mistake
 from courseware.practice.declaration import Exercise
 from courseware.practice.formatting import render_marked, render_symbols
 from courseware.practice.mistakes import Mistake
@@ -149,7 +148,7 @@ def example(name: str) -> Output:
     if not e.example:
         raise CourseError(f"{name} has no example")
     question = render_symbols(prevent_breaks(e.fill(e.text, e.example)))
-    used = set().union(*(_names_used(m.line) for m in e.wrong if _exercise_of(m) is e))
+    used = set().union(*(_names_used(m.line) for m in e.wrong if exercise_of(m) is e))
     known = {**e.example, **e.derive(**e.example)}
     code = "\n".join(_assignments({name: known[name] for name in known if name in used}))
     return Output(
@@ -194,56 +193,47 @@ def _code(value: Any) -> str:
     return f"np.array([\n{rows}])"
 
 
-def _exercise_of(mistake: Mistake) -> Exercise:
+def exercise_of(mistake: Mistake) -> Exercise:
     """Return the exercise in whose example a mistake is shown."""
     return next(e for e in all_exercises().values() if mistake in e.wrong and e.example)
 
 
-class MistakeView:
-    """A wrong line to judge, its result in the exercise's own numbers, and the answer folded.
+def format_wrong_answer(mistake: Mistake) -> str:
+    """Return the wrong value in the numbers of the example."""
+    e = exercise_of(mistake)
+    return e.format_answer(e.example, e.wrong[mistake])
 
-    The heading above it, in the chapter, is its title.
-    """
 
-    def __init__(self, mistake: Mistake) -> None:
-        self.mistake, self.exercise = mistake, _exercise_of(mistake)
-
-    @property
-    def result(self) -> str:
-        """The wrong value in the numbers of the example."""
-        e = self.exercise
-        return e.format_answer(e.example, e.wrong[self.mistake])
-
-    @property
-    def answer(self) -> str:
-        """The result and the fold, as HTML."""
-        m, right = self.mistake, self.exercise.format_answer(self.exercise.example)
-        lines = zip(m.formula.lines, ("Right", "Here"), strict=True)
-        formulas = "".join(f"<p>{word}: {render_marked(line)}</p>" for line, word in lines)
-        return (
-            f"<p>It gives {_render_rows(self.result)}.</p>"
-            f"<details><summary>What is wrong?</summary>{formulas}"
-            f"<p>Right is {_render_rows(right)}.</p><p>{render_symbols(m.why)}</p>"
-            f"<p><em>Where nobody notices.</em> {render_symbols(m.unnoticed)}</p></details>"
-        )
-
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        return {
-            "text/html": f"<pre>{escape(self.mistake.line)}</pre>{self.answer}",
-            "text/plain": f"{self.mistake.line}\nIt gives {self.result}.",
-            MISTAKE: {"name": self.mistake.name},
+def mistake(name: str) -> Output:
+    """Show a wrong line to judge, its result, and what is wrong behind a fold."""
+    m = find_mistake(name)
+    return Output(
+        {
+            "text/html": f"<pre>{escape(m.line)}</pre>{render_judgement(m)}",
+            "text/plain": f"{m.line}\nIt gives {format_wrong_answer(m)}.",
+            MISTAKE: {"name": m.name},
         }
+    )
+
+
+def render_judgement(mistake: Mistake) -> str:
+    """Render what a mistake gives, and the fold, as HTML."""
+    e = exercise_of(mistake)
+    lines = zip(mistake.formula.lines, ("Right", "Here"), strict=True)
+    formulas = "".join(f"<p>{word}: {render_marked(line)}</p>" for line, word in lines)
+    return (
+        f"<p>It gives {_render_rows(format_wrong_answer(mistake))}.</p>"
+        f"<details><summary>What is wrong?</summary>{formulas}"
+        f"<p>Right is {_render_rows(e.format_answer(e.example))}.</p>"
+        f"<p>{render_symbols(mistake.why)}</p>"
+        f"<p><em>Where nobody notices.</em> {render_symbols(mistake.unnoticed)}</p></details>"
+    )
 
 
 def _render_rows(answer: str) -> str:
     """Render an answer, with a line for each row of a matrix and each of several answers."""
     rows = re.split(r"(?<=\],) |(?<=\];) ", answer)
     return "".join(f"<br>{escape(row)}" for row in rows) if len(rows) > 1 else escape(answer)
-
-
-def mistake(name: str) -> MistakeView:
-    """Show a mistake as the chapters do: "find the mistake"."""
-    return MistakeView(course().find("exercises", Mistake, name))
 
 
 def _type_answer(answer: Any) -> str:

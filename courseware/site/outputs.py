@@ -25,7 +25,8 @@ from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find_figure
 from courseware.practice import dealing
 from courseware.practice import rendering as practice
-from courseware.practice.notebook import MISTAKE, mistake
+from courseware.practice.bank import find_mistake
+from courseware.practice.notebook import MISTAKE, render_judgement
 from courseware.predictions.declaration import find_prediction
 from courseware.predictions.notebook import MIME as PREDICTION
 from courseware.script import engine
@@ -90,9 +91,9 @@ def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
 def render_mistake(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a wrong line to judge, its result, and the answer folded."""
     note_sources(renderer.sphinx_env, "exercises")
-    shown = mistake(data.content["name"])
-    line = nodes.literal_block(shown.mistake.line, shown.mistake.line, language="python")
-    parts = (line, nodes.raw("", shown.answer, format="html"))
+    mistake = find_mistake(data.content["name"])
+    line = nodes.literal_block(mistake.line, mistake.line, language="python")
+    parts = (line, nodes.raw("", render_judgement(mistake), format="html"))
     return [nodes.container("", *parts, classes=["rk-mistake"], ids=[data.content["name"]])]
 
 

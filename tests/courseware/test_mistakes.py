@@ -16,7 +16,8 @@ from book.differential_drive.formulas import b, v_L, v_R
 from courseware import practice
 from courseware.figures import Choice, Figure
 from courseware.practice import Mistake
-from courseware.practice.bank import all_mistakes
+from courseware.practice.bank import all_mistakes, find_mistake
+from courseware.practice.notebook import exercise_of, format_wrong_answer, render_judgement
 from courseware.practice.wrong_formula import mark_difference
 from courseware.site import mistake_pictures
 
@@ -25,7 +26,7 @@ each_mistake = each("mistake", "exercises", Mistake)
 
 @each_mistake
 def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
-    html = practice.mistake(mistake.name).answer
+    html = render_judgement(mistake)
     right, wrong = mistake.formula.lines
     plain = [line.replace("«", "").replace("»", "") for line in (right, wrong)]
     assert plain[0] != plain[1]
@@ -142,18 +143,18 @@ def test_a_mistake_is_used_and_its_line_makes_it(mistake):
 @each_mistake
 def test_a_mistake_runs_as_printed(mistake):
     """The numbers and the line, copied from the page, give what the page says they give."""
-    view = practice.mistake(mistake.name)
-    page_text = practice.example(view.exercise.name).data["text/markdown"]
+    exercise = exercise_of(mistake).name
+    page_text = practice.example(exercise).data["text/markdown"]
     given = re.search("```python\n(.*)\n```", page_text, re.DOTALL)[1]
     longest = max(map(len, given.splitlines()))
     assert longest <= 80, (
-        f"the example of {view.exercise.name} prints {longest} characters in a line, at most 80: "
+        f"the example of {exercise} prints {longest} characters in a line, at most 80: "
         "give it shorter numbers"
     )
     numbers = {}
     exec(given, {"np": np}, numbers)
     found = last_made(mistake.line, numbers)
-    says = re.findall(r"-?[0-9.]+", view.result.replace("\u2212", "-"))
+    says = re.findall(r"-?[0-9.]+", format_wrong_answer(mistake).replace("\u2212", "-"))
     # both are rounded to four decimals; a product with the largest number here, 2, doubles that
     wanted = np.array(says, dtype=float)
     told = f"the line of {mistake.name} must give what its formula gives: {mistake.line}"
@@ -194,13 +195,13 @@ def test_errata_have_an_order(chapter):
 
 @each_mistake
 def test_a_mistake_is_shown_with_its_value(mistake):
-    html = practice.mistake(mistake.name)._repr_mimebundle_()["text/html"]
+    html = practice.mistake(mistake.name).data["text/html"]
     assert not re.search(r"\bnan\b", html)
     assert html.index("It gives") < html.index("<details>") < html.index("Right is")
     assert html.index(escape(mistake.line)) < html.index("It gives")
 
 
 def test_a_matrix_is_given_row_by_row():
-    html = practice.mistake("M19").answer
+    html = render_judgement(find_mistake("M19"))
     assert html.count("<br>") == 6  # three rows, wrong and right
-    assert "<br>" not in practice.mistake("M12").answer
+    assert "<br>" not in render_judgement(M12)

@@ -1,10 +1,10 @@
-"""What the figure of the page before the chapters must show."""
+"""Expected values for the page before the chapters: figures, feedback, predictions."""
 
 import numpy as np
 
 
 def direction_readouts(x, y):
-    """By atan2, and by the arctangent of the quotient, which has no answer at x = 0."""
+    """Return the direction by atan2, and by the arctangent, which has no answer at x = 0."""
     quotient = np.full_like(x, np.nan)
     np.divide(y, x, out=quotient, where=x != 0)
     return np.column_stack([np.arctan2(y, x), np.arctan(quotient)])

@@ -1,4 +1,4 @@
-"""What a reader of the page before the chapters is asked before it is told."""
+"""Predictions that the page before the chapters asks for."""
 
 import numpy as np
 
@@ -6,13 +6,13 @@ from courseware.predictions import Buttons, Prediction
 
 
 def arctangent() -> str:
-    """What it says of the point that lies behind and to the left, in degrees."""
+    """Return the arctangent of the point that lies behind and to the left, in degrees."""
     x, y = -1.0, 1.0
     return f"{np.degrees(np.arctan(y / x)):.0f}°".replace("-", "−")
 
 
 def turned() -> str:
-    """Where the point one metre ahead goes, turned by 30°."""
+    """Return where the point one metre ahead goes, turned by 30°."""
     x, y = np.cos(np.radians(30)), np.sin(np.radians(30))
     return f"({x:.2f}, {y:.2f})"
 

@@ -175,27 +175,27 @@ M33 = Mistake(
 
 
 def rate(v, phi, L):
-    """The turning rate for the rear axle's speed."""
+    """Return the turning rate for the rear axle's speed."""
     return bicycle.body_twist(v, phi, L)[2]
 
 
 def spread(alpha_L, alpha_R):
-    """What two steering angles mean for the car: the front wheels' distance by the wheelbase."""
+    """Return the front wheels' distance by the wheelbase, from both steering angles."""
     return 1 / np.tan(alpha_R) - 1 / np.tan(alpha_L)
 
 
 def other_track(alpha_L, phi):
-    """The front wheels' distance by the wheelbase, from the left wheel and the bicycle's wheel."""
+    """Return the front wheels' distance by the wheelbase, from the left and the bicycle's wheel."""
     return 2 * (1 / np.tan(phi) - 1 / np.tan(alpha_L))
 
 
 def compass(psi, diameter, wheel_rate, L, phi, time):
-    """The heading after some time, measured clockwise."""
+    """Return the heading after some time, measured clockwise."""
     return psi - rate(wheel_rate * diameter / 2, phi, L) * time
 
 
 def arc_end(theta, v, phi, L, time):
-    """The pose after an arc from the origin."""
+    """Return the pose after an arc from the origin."""
     return bicycle.path([0, 0, theta], v, phi, L, time)[-1]
 
 
@@ -222,25 +222,25 @@ def front_on_circle(theta, v, phi, L, time):
 
 
 def at_front(mistake):
-    """What M17 or M33 makes of the front axle's velocity."""
+    """Return the front axle's velocity by M17 or M33."""
     return lambda theta, v, phi: mistake.formula.evaluate(
         theta=theta, v_F=v / np.cos(phi), steering=phi
     )
 
 
 def looped(direction, speed, omega, dt, n, method="start"):
-    """Where a point is after n straight steps: speed, direction at the start, its turning rate."""
+    """Return a point after n straight steps: speed, direction at the start, its turning rate."""
     return motion.path([0, 0, direction], speed, omega, np.full(int(n), dt), method)[-1, :2]
 
 
 def front_looped(psi, v, phi, L, dt, n, method="start"):
-    """Where the loop takes the front axle, with a heading that is measured clockwise."""
+    """Return where the loop takes the front axle, with a heading that is measured clockwise."""
     return looped(np.pi / 2 - psi + phi, v / np.cos(phi), rate(v, phi, L), dt, n, method)
 
 
 @cache
 def loop(n):
-    """The loop's n steps: the angle of each from the y axis, and the sum of their ways."""
+    """Return the loop's n steps: the angle of each from the y axis, and the sum of their ways."""
     angles = sp.symbols(f"delta_1:{n + 1}")
     with as_written():
         directions = [PSI + k * PSI_DOT * planar.dt - PHI for k in range(n)]

@@ -1,4 +1,4 @@
-"""What the figures of the chapter on the bicycle model must show."""
+"""Expected values for the chapter on the bicycle model: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from robokin import bicycle, motion
 
 
 def ackermann_readouts(phi, wheelbase, track):
-    """left, right, mean, tangent, radius."""
+    """Return left, right, mean, tangent, radius."""
     left, right = bicycle.ackermann(phi, wheelbase, track).T
     tangent = np.tan(bicycle.equivalent_steering(left, right))
     radius = bicycle.turning_radius(phi, wheelbase)
@@ -15,19 +15,19 @@ def ackermann_readouts(phi, wheelbase, track):
 
 
 def followed(paths, theta, ahead):
-    """A point of the car along paths of the rear axle that start behind it: (n, k, 2)."""
+    """Return a point of the car along paths of the rear axle that start behind it: (n, k, 2)."""
     forward = ahead[:, None] * LENGTH
     at = paths[..., :2] + forward[..., None] * directions(paths[..., 2])
     return at - forward[..., None] * directions(theta[:, None])
 
 
 def directions(heading):
-    """Unit vectors: (…) → (…, 2)."""
+    """Return unit vectors: (…) → (…, 2)."""
     return np.stack([np.cos(heading), np.sin(heading)], axis=-1)
 
 
 def steps_readouts(count, phi, rate, psi, ahead):
-    """apart, pace, ratio, x, y. The loop steps the followed point along its own velocity."""
+    """Return apart, pace, ratio, x, y. The loop steps the followed point along its own velocity."""
     theta, v = np.pi / 2 - psi, RADIUS * rate
     start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
     whole = bicycle.path(start, v[:, None], phi[:, None], LENGTH, DURATION)
@@ -48,15 +48,15 @@ def steps_readouts(count, phi, rate, psi, ahead):
 
 
 def lane_readouts(phi, wheelbase, track, t):
-    """lane, more, cut; no lane where the ICR lies under the car."""
+    """Return lane, more, cut; no lane where the ICR lies under the car."""
     under = np.abs(bicycle.turning_radius(phi, wheelbase)) < track / 2
     lane = np.where(under, np.nan, bicycle.lane_width(phi, wheelbase, track))
     return np.column_stack([lane, lane - track, bicycle.corner_cut(phi, wheelbase)])
 
 
 def moved(*columns):
-    """How an axle has moved, and how its program believes: the rear one, or where the mistake is
-    made in its way the front one."""
+    """Return the real and the believed way of an axle: the rear one, or the front one where the
+    mistake is made in its way."""
     *made, phi, t = columns
     L, b, v = 2.5, 2.0, 2.0
     start = np.broadcast_to([0, 0, np.pi / 2], (len(t), 3))
@@ -75,7 +75,7 @@ def moved(*columns):
 
 
 def mistakes_readouts(*columns):
-    """apart, off."""
+    """Return apart, off."""
     real, believed = moved(*columns)
     off = believed - real
     return np.column_stack([np.hypot(*off[:, :2].T), motion.wrap_angle(off[:, 2])])
@@ -87,13 +87,13 @@ def goes_straight(*columns):
 
 
 def turns_too_fast(*columns):
-    """To the left, as the car turns."""
+    """Whether the program believes in a sharper turn, to the left."""
     real, believed = moved(*columns)
     return believed[:, 2] > real[:, 2] + 0.01
 
 
 def follows_its_nose(*columns):
-    """On an arc that begins along the heading at the start, so the chord has the middle heading."""
+    """Whether it is an arc along the heading at the start, whose chord has the middle heading."""
     way = moved(*columns)[1]
     along = directions((np.pi / 2 + way[:, 2]) / 2)
     return np.abs(way[:, 0] * along[:, 1] - way[:, 1] * along[:, 0]) < 1e-9

@@ -1,4 +1,4 @@
-"""What a reader of the chapter on the bicycle model is asked before it is told."""
+"""Predictions that the chapter on the bicycle model asks for."""
 
 import numpy as np
 from sympy import atan
@@ -16,33 +16,33 @@ LONG = {wheelbase: LENGTH, track: TRACK}
 
 
 def beside_the_mean() -> str:
-    """Where the bicycle's angle lies."""
+    """Return where the bicycle's angle lies."""
     less = WHEELS.mean() - bicycle.equivalent_steering(*WHEELS)
     return "a little less" if less > 1e-9 else "a little more" if less < -1e-9 else "the mean"
 
 
 def error(n: int) -> float:
-    """How far the long car's drive is off in n straight steps, m."""
+    """Return how far the long car's drive is off in n straight steps, m."""
     drive = 8.0 * RADIUS, np.radians(30), LENGTH, np.full(n, DURATION / n)
     exact, steps = (bicycle.path([0, 0, 0], *drive, method=m)[-1] for m in ("exact", "start"))
     return float(np.hypot(*(exact - steps)[:2]))
 
 
 def one_step(seconds: float) -> float:
-    """How far a single straight step of the long car ends from the exact place, m."""
+    """Return how far a single straight step of the long car ends from the exact place, m."""
     drive = 8.0 * RADIUS, np.radians(30), LENGTH, np.array([seconds])
     exact, straight = (bicycle.path([0, 0, 0], *drive, method=m)[-1] for m in ("exact", "start"))
     return float(np.hypot(*(exact - straight)[:2]))
 
 
 def left(ratio: float) -> str:
-    """How much of an error is left, in words."""
+    """Return how much of an error is left, in words."""
     words = {"all of it": 1, "a half": 1 / 2, "a quarter": 1 / 4}
     return min(words, key=lambda answer: abs(words[answer] - ratio))
 
 
 def centre_if_alike(angle: float) -> str:
-    """Where the car turns without sliding, if both front wheels are turned by the same angle."""
+    """Return where the car turns without sliding, both front wheels turned by the same angle."""
     off = bicycle.ackermann_error(angle, angle, CAR[wheelbase], CAR[track])
     return "nowhere" if abs(off) > 1e-9 else "where one wheel of 30° puts it"
 

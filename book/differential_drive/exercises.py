@@ -90,52 +90,52 @@ M31 = Mistake(
 
 
 def twist(v_L, v_R, b):
-    """Speed and angular velocity [v, omega] from wheel speeds."""
+    """Return speed and angular velocity [v, omega] from wheel speeds."""
     return differential_drive.body_twist(v_L, v_R, 1.0, b)[[0, 2]]
 
 
 def moving(theta, v_L, v_R):
-    """The velocity [x, y] in the world of the middle of the axle."""
+    """Return the velocity [x, y] in the world of the middle of the axle."""
     return motion.to_world(theta, [(v_L + v_R) / 2, 0, 0])[:2]
 
 
 def ways(formula):
-    """What M12 and M31 make of a formula: the wheel distance halved and doubled."""
+    """Return a formula by M12 and M31: the wheel distance halved and doubled."""
     return {mistake: mistake.formula.wrap(formula) for mistake in (M12, M31)}
 
 
 def centre(x, y, theta, v_L, v_R, b):
-    """The centre of rotation in the world."""
+    """Return the centre of rotation in the world."""
     return motion.icr([x, y, theta], *twist(v_L, v_R, b))
 
 
 def rates_on_circle(radius, time, r, b):
-    """Wheel rates for one full circle, counter-clockwise."""
+    """Return wheel rates for one full circle, counter-clockwise."""
     omega = 2 * np.pi / time
     return differential_drive.wheel_rates(radius * omega, omega, r, b)
 
 
 def end(v_L, v_R, b, time):
-    """Where the robot is after driving from the origin along an arc."""
+    """Return where the robot is after driving from the origin along an arc."""
     return motion.arc_step([0, 0, 0], *twist(v_L, v_R, b), time)
 
 
 def straight_end(turned, v_L, v_R, b, time):
-    """The same if the whole way is straight: in the heading after this part of the turn."""
+    """Return the same if the whole way is straight: in the heading after this part of the turn."""
     v, omega = twist(v_L, v_R, b)
     way, turn = v * time, omega * time
     return [way * np.cos(turned * turn), way * np.sin(turned * turn), turn]
 
 
 def degrees_end(v_L, v_R, b, time):
-    """The end of the arc by M13: its sine and cosine get degrees."""
+    """Return the end of the arc by M13: its sine and cosine get degrees."""
     v, omega = twist(v_L, v_R, b)
     turned = M13.formula.replace(theta=omega * time)["theta"]
     return [v / omega * np.sin(turned), v / omega * (1 - np.cos(turned)), omega * time]
 
 
 def worn_end(worn, distance, b):
-    """Where a robot with a smaller left wheel ends that wants to drive straight ahead."""
+    """Return where a robot with a smaller left wheel ends that wants to drive straight ahead."""
     return end((1 - worn) * distance, distance, b, 1.0)[:2]
 
 
@@ -147,7 +147,7 @@ SPEEDS = {
 
 
 def different(v_L, v_R, **_):
-    """A real turn, not a straight line."""
+    """Whether it really turns, and not drives straight on."""
     return abs(v_R - v_L) > 0.04
 
 

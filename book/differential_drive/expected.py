@@ -1,4 +1,4 @@
-"""What the figures of the chapter on the differential drive must show."""
+"""Expected values for the chapter on the differential drive: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -9,64 +9,64 @@ UP = np.pi / 2  # the heading at the start
 
 
 def twist_of(v_left, v_right):
-    """Speed and angular velocity of the robot in the figures; the wheel radius cancels."""
+    """Return speed and angular velocity of the robot in the figures; the wheel radius cancels."""
     twist = differential_drive.body_twist(v_left, v_right, 1.0, DISTANCE)
     return twist[..., 0], twist[..., 2]
 
 
 def driven(v, omega, time, heading=UP):
-    """The pose after driving from the origin."""
+    """Return the pose after driving from the origin."""
     start = np.stack([0 * (v + omega), 0 * (v + omega), heading + 0 * (v + omega)], axis=-1)
     return motion.arc_step(start, v, omega, time)
 
 
 def off_and_turned(pose, mark):
-    """How far from a mark, and turned against it."""
+    """Return how far from a mark, and turned against it."""
     off = np.hypot(*(pose - mark)[..., :2].T)
     return np.column_stack([off, np.abs(motion.wrap_angle(pose[..., 2] - mark[2]))])
 
 
 def park_readouts(v_left, v_right, t):
-    """off, turned."""
+    """Return off, turned."""
     mark = driven(np.float64(0.09), np.float64(0.6), 3.0)
     return off_and_turned(driven(*twist_of(v_left, v_right), 3.0), mark)
 
 
 def tips_readouts(v_left, v_right):
-    """v, omega, R."""
+    """Return v, omega, R."""
     radius = differential_drive.turning_radius(v_left, v_right, DISTANCE)
     return np.column_stack([*twist_of(v_left, v_right), radius])
 
 
 def infinity_readouts(share):
-    """v_L, v_R, R."""
+    """Return v_L, v_R, R."""
     c, s = np.cos(share), np.sin(share) * DISTANCE / 2 / 0.12  # m: how wide the map is
     speeds = 0.07 * (c - s), 0.07 * (c + s)
     return np.column_stack([*speeds, differential_drive.turning_radius(*speeds, DISTANCE)])
 
 
 def world_readouts(theta):
-    """x_dot, y_dot."""
+    """Return x_dot, y_dot."""
     return motion.to_world(theta, [0.075, 0, 0.5])[:, :2]
 
 
 def rates_readouts(v, omega, t):
-    """rate_L, rate_R."""
+    """Return rate_L, rate_R."""
     return differential_drive.wheel_rates(v, omega, RADIUS, DISTANCE)
 
 
 def arc_readouts(omega, dt):
-    """x_next, y_next, theta_next."""
+    """Return x_next, y_next, theta_next."""
     return driven(0.075, omega, dt)
 
 
 def digits_readouts(power):
-    """omega, and the error, which is what is lost."""
+    """Return omega, and the error, which is what is lost."""
     return np.column_stack([10.0**-power, np.nan * power])
 
 
 def steps_readouts(count):
-    """The errors of the steps by the old and by the middle heading."""
+    """Return the errors of the steps by the old and by the middle heading."""
     errors = []
     for n in count.astype(int):
         drive = np.full(n, 0.075), np.full(n, 0.5), np.full(n, 6 / n)
@@ -76,14 +76,14 @@ def steps_readouts(count):
 
 
 def sideways_readouts(ahead, left):
-    """v, lost: along and across a wheel that neither slips nor slides."""
+    """Return v, lost: along and across a wheel that neither slips nor slides."""
     wheel = [wheels.fixed(DISTANCE / 2, np.pi / 2, 0.0, RADIUS)]
     wish = np.stack([ahead, left, 0 * ahead])
     return np.vstack([wheels.rolling(wheel) @ wish, wheels.sliding(wheel) @ wish]).T
 
 
 def side_readouts(aim, reach, done):
-    """off."""
+    """Return off."""
     turned = driven(0 * aim, aim, 1.0)
     there = motion.arc_step(turned, reach, 0 * aim, 1.0)
     end = motion.arc_step(there, 0 * aim, -aim, 1.0)
@@ -91,14 +91,14 @@ def side_readouts(aim, reach, done):
 
 
 def damage_readouts(rate, heading, t):
-    """apart."""
+    """Return apart."""
     v, omega = twist_of(0.12, 0.08)
     places = driven(v, omega + 0 * rate, t, np.pi / 3), driven(v, rate, t, heading)
     return np.hypot(*(places[0] - places[1])[:, :2].T)[:, None]
 
 
 def drive_readouts(v_left, v_right, t):
-    """v, omega, R, x, y, heading."""
+    """Return v, omega, R, x, y, heading."""
     return np.column_stack([tips_readouts(v_left, v_right), driven(*twist_of(v_left, v_right), t)])
 
 

@@ -1,4 +1,4 @@
-"""What a reader of the chapter on the differential drive is asked before it is told."""
+"""Predictions that the chapter on the differential drive asks for."""
 
 import numpy as np
 from sympy import Float, pi
@@ -24,18 +24,18 @@ AHEAD = {x: 0, y: 0, theta: pi / 2}
 
 
 def after_two_seconds(turning):
-    """Where the robot of the exercise is after 2 s, if it turns so fast."""
+    """Return where the robot of the exercise is after 2 s, if it turns so fast."""
     return tuple(arc_step.substitute({**AHEAD, **TWIST, omega: turning, dt: 2})[:2])
 
 
 def rolling(radius):
-    """The rate of the exercise's right wheel, if this is taken for its radius."""
+    """Return the rate of the exercise's right wheel, if this is taken for its radius."""
     ahead = {v: EXERCISE[v_R], omega: 0, r: radius}
     return formulas.wheel_rates.substitute(ahead)[1].subs({r: RADIUS, b: DISTANCE})
 
 
 def error(steps):
-    """How far the end of 6 s is off in so many straight steps."""
+    """Return how far the end of 6 s is off in so many straight steps."""
     drive = [np.full(steps, each) for each in (TWIST[v], TWIST[omega], DURATION / steps)]
     start = [0, 0, np.pi / 2]
     ends = [motion.path(start, *drive, method=m)[-1, :2] for m in ("start", "exact")]
@@ -43,7 +43,7 @@ def error(steps):
 
 
 def halved():
-    """What becomes of that error with twice as many steps."""
+    """Say what becomes of that error with twice as many steps."""
     ratio = error(120) / error(60)
     return min(
         ("the same", 1),

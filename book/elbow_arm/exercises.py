@@ -131,7 +131,7 @@ M5 = Mistake(
 
 
 def bend(A, elevation, a2, a3):
-    """Rows [theta2, theta3], elbow up and down.
+    """Return rows [theta2, theta3], elbow up and down.
 
     A: the cosine of the elbow; elevation: of the line from shoulder to wrist.
     """
@@ -141,17 +141,17 @@ def bend(A, elevation, a2, a3):
 
 
 def cosine(distance, a2, a3):
-    """The cosine of the elbow for the wrist so far from the shoulder."""
+    """Return the cosine of the elbow for the wrist so far from the shoulder."""
     return (distance**2 - a2**2 - a3**2) / (2 * a2 * a3)
 
 
 def length(p_x, p_y, p_z):
-    """How far a point is from the shoulder."""
+    """Return how far a point is from the shoulder."""
     return np.sqrt(p_x**2 + p_y**2 + p_z**2)
 
 
 def rise(p_x, p_y, p_z):
-    """The elevation of a point, seen from the shoulder."""
+    """Return the elevation of a point, seen from the shoulder."""
     return np.arctan2(p_z, np.hypot(p_x, p_y))
 
 
@@ -180,7 +180,7 @@ def bent(distance, a2, a3, power=2):
 
 
 def possible(p_x, p_y, p_z, a2, a3, d1=0):
-    """Numbers with which neither the right way nor M2 or M3 leaves the range of arccos."""
+    """Whether neither the right way nor M2 or M3 leaves the range of arccos."""
     z = p_z - d1
     distance = length(p_x, p_y, z)
     right = bent(distance, a2, a3) and bent(distance, a2, a3, 3)
@@ -188,18 +188,18 @@ def possible(p_x, p_y, p_z, a2, a3, d1=0):
 
 
 def away(theta1, theta2, theta3, a2, a3):
-    """The same place of elbow and wrist with the base turned round."""
+    """Return the same place of elbow and wrist with the base turned round."""
     answers = elbow_arm.inverse(elbow_arm.forward([theta1, theta2, theta3], a2, a3), a2, a3)
     return answers[2] if theta3 < 0 else answers[3]
 
 
 def place(theta1, theta2, theta3, a2, a3):
-    """Where the wrist is, from the shoulder."""
+    """Return where the wrist is, from the shoulder."""
     return elbow_arm.forward([theta1, theta2, theta3], a2, a3)
 
 
 def four(p_x, p_y, p_z, a2, a3, theta1=None, bends=None):
-    """All four answers, in the order of the library; a mistake gives its own theta1 or bends."""
+    """Return all four answers in the library's order; a mistake gives its own theta1 or bends."""
     theta1 = np.arctan2(p_y, p_x) if theta1 is None else theta1
     bends = elbow_arm.inverse([p_x, p_y, p_z], a2, a3)[:2, 1:] if bends is None else bends
     behind = [np.pi, 0] - bends
@@ -222,7 +222,7 @@ WAYS: dict[Mistake, Callable[..., Any]] = {
 
 
 def first(formula):
-    """The first of four answers, for a point measured from the base."""
+    """Return the first of four answers, for a point measured from the base."""
     return lambda p_z, d1, **numbers: formula(p_z=p_z - d1, **numbers)[0]
 
 

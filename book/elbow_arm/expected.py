@@ -1,4 +1,4 @@
-"""What the figures of the chapter on the elbow arm must show."""
+"""Expected values for the chapter on the elbow arm: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ ROWS = {(1, 1): 0, (1, -1): 1, (-1, 1): 2, (-1, -1): 3}  # of the answers of `in
 
 
 def readouts(p_x, p_y, p_z, a3, face, bend, *_view):
-    """theta1, theta2, theta3, d, missed."""
+    """Return theta1, theta2, theta3, d, missed."""
     p = np.stack([p_x, p_y, p_z], axis=-1)
     answers = elbow_arm.inverse(p, UPPER, a3, SHOULDER, unreachable="nan")
     which = [ROWS[pair] for pair in zip(face.astype(int), bend.astype(int), strict=True)]
@@ -20,7 +20,7 @@ def readouts(p_x, p_y, p_z, a3, face, bend, *_view):
 
 
 def target_and_wrist(*columns):
-    """The target, and where each mistake sends the wrist, which can be said without angles."""
+    """Return the target, and the wrist by each mistake, which needs no angles."""
     *made, p_x, _azimuth, _elevation = columns
     (a2, a3, d1), (p_y, p_z) = ARM.values(), (at + 0 * p_x for at in PLACE.values())
     level, h = np.hypot(p_x, p_y), p_z - d1
@@ -40,14 +40,14 @@ def target_and_wrist(*columns):
 
 
 def mistakes_readouts(*columns):
-    """d, reach, off."""
+    """Return d, reach, off."""
     p, wrist = target_and_wrist(*columns)
     ways = p - [0, 0, 0.3], wrist - [0, 0, 0.3], wrist - p
     return np.column_stack([np.linalg.norm(way, axis=-1) for way in ways])
 
 
 def mirrored(*columns):
-    """In the line between the x and the y axis."""
+    """Whether the wrist is mirrored in the line between the x and the y axis."""
     p, wrist = target_and_wrist(*columns)
     return np.linalg.norm(wrist - p[:, [1, 0, 2]], axis=1) < 1e-9
 

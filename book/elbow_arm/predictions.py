@@ -1,4 +1,4 @@
-"""What a reader of the chapter on the elbow arm is asked before it is told."""
+"""Predictions that the chapter on the elbow arm asks for."""
 
 import numpy as np
 from mpmath import acos, mpf, workdps
@@ -14,22 +14,22 @@ LINKS = UPPER, FOREARM, SHOULDER
 
 
 def answers(target: tuple[float, float, float]) -> np.ndarray:
-    """The four answers for a target: (4, 3), in rad."""
+    """Return the four answers for a target: (4, 3), in rad."""
     return elbow_arm.inverse(target, *LINKS)
 
 
 def bend() -> float:
-    """How far the elbow is from straight at the target of the exercise, rad."""
+    """Return how far the elbow is from straight at the target of the exercise, rad."""
     return float(np.abs(answers(TARGET)[:, 2]).max())
 
 
 def reach(bent: float) -> float:
-    """How far from the shoulder the wrist is when the elbow is bent by so much, m."""
+    """Return how far from the shoulder the wrist is when the elbow is bent by so much, m."""
     return float(np.hypot(UPPER + FOREARM * np.cos(bent), FOREARM * np.sin(bent)))
 
 
 def turned_round() -> str:
-    """What becomes of the elbow's angle when the base faces away and the elbow stays in place."""
+    """Return the change of the elbow's angle when the base turns away and the elbow stays."""
     facing, away = answers(TARGET)[[0, 2], 2]
     return min(
         ("no change", facing),
@@ -40,7 +40,7 @@ def turned_round() -> str:
 
 
 def digits() -> str:
-    """How many digits the arccosine of the elbow's cosine has, 1e-15 m short of full stretch."""
+    """Return how many digits the elbow's arccosine has, 1e-15 m short of full stretch."""
     d, upper, forearm = 0.75 - 1e-15, 0.5, 0.25
     squares, twice = upper**2 + forearm**2, 2 * upper * forearm
     with workdps(50):
@@ -50,7 +50,7 @@ def digits() -> str:
 
 
 def different() -> str:
-    """How many different answers a stretched arm has, and a folded one, beside the base axis."""
+    """Return how many answers a stretched arm has, and a folded one, beside the base axis."""
     reaches = UPPER + FOREARM, UPPER - FOREARM
     numbers = set()
     for reach in reaches:

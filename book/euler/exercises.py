@@ -105,17 +105,17 @@ M8 = Mistake(
 
 
 def clean(R):
-    """A matrix without the dust of rounding."""
+    """Return a matrix without the dust of rounding."""
     return R.round(12) + 0.0
 
 
 def one_turn(axis, angle):
-    """The matrix of a turn about an axis."""
+    """Return the matrix of a turn about an axis."""
     return euler.to_matrix(axis, [angle])
 
 
 def two_turns(first, second, a, b):
-    """R_AB for a turn about an axis of A, then one about an axis of the turned frame."""
+    """Return R_AB for a turn about an axis of A, then one about an axis of the turned frame."""
     return clean(euler.to_matrix((first + second).upper(), [a, b]))
 
 
@@ -131,28 +131,28 @@ def left_handed(first, second, a, b):
 
 
 def wrong_way(turned):
-    """A turn, or several, as M7 takes them."""
+    """Return a turn, or several, as M7 takes them."""
     return M7.formula.replace(turn=turned)["turn"]
 
 
 def column(R, arrow):
-    """An axis of B as seen from A."""
+    """Return an axis of B as seen from A."""
     return R[:, "xyz".index(arrow)]
 
 
 def rest(R_AB, axis, turn):
-    """What remains of R_AB after a first turn about an axis of A."""
+    """Return what remains of R_AB after a first turn about an axis of A."""
     return one_turn(axis, turn).T @ R_AB
 
 
 def both_ways(R):
-    """Axis and angle of a rotation, and the opposite axis with the opposite angle."""
+    """Return axis and angle of a rotation, and the opposite axis with the opposite angle."""
     axis, turn = euler.axis_angle(R)
     return [[*axis, turn], [*-axis, -turn]]
 
 
 def yaw_pitch_roll(yaw, pitch, roll):
-    """R_AB from turns about z, the new y, and the newest x."""
+    """Return R_AB from turns about z, the new y, and the newest x."""
     return clean(euler.to_matrix("ZYX", [yaw, pitch, roll]))
 
 
@@ -163,7 +163,7 @@ def fixed_yaw_pitch_roll(yaw, pitch, roll):
 
 
 def to_zyz(yaw, pitch, roll):
-    """Both answers of the sequence ZYZ for the same rotation."""
+    """Return both answers of the sequence ZYZ for the same rotation."""
     return euler.solutions("ZYZ", yaw_pitch_roll(yaw, pitch, roll))
 
 
@@ -173,7 +173,7 @@ def far_from_lock(seq, R):
 
 
 def locked(seq, a, b):
-    """A rotation at gimbal lock, where b is a quarter turn: the third turn is left out."""
+    """Return a rotation at gimbal lock, where b is a quarter turn: the third turn is left out."""
     return clean(euler.to_matrix(seq, [a, b, 0]))
 
 
@@ -192,23 +192,23 @@ DIRECTION = tuple(Unknown(f"{letter} of the arrow") for letter in "xyz")
 
 
 def named(R):
-    """The entries of a matrix by their names."""
+    """Return the entries of a matrix by their names."""
     return dict(zip(ENTRIES, np.ravel(R).tolist(), strict=True))
 
 
 def some(R, *places):
-    """Some entries of a matrix, each by its row and column as a reader counts them."""
+    """Return some entries of a matrix, each by its row and column as a reader counts them."""
     return [R[row - 1, column - 1] for row, column in places]
 
 
 def for_sequence(formula, seq):
-    """A formula of the sequence XYZ for another order of the axes, such as YZX."""
+    """Return a formula of the sequence XYZ for another order of the axes, such as YZX."""
     order = ["XYZ".index(letter) for letter in seq]
     return formula.xreplace({r[i, j]: r[order[i], order[j]] for i in range(3) for j in range(3)})
 
 
 def different(first, second, **_):
-    """Two turns about different axes."""
+    """Whether two turns are about different axes."""
     return first != second
 
 

@@ -1,4 +1,4 @@
-"""What the figures of the chapter on Euler angles must show."""
+"""Expected values for the chapter on Euler angles: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -10,13 +10,13 @@ HALF = np.pi / 2
 
 
 def letters(left, mid, right, fixed):
-    """The name of the sequence that a choice stands for."""
+    """Return the name of the sequence that a choice stands for."""
     one = "".join("xyz"[int(np.argmax(axis))] for axis in (left, mid, right))
     return one[::-1] if fixed else one.upper()
 
 
 def sequence_readouts(*columns):
-    """The other answer's three angles, distance from lock, whole turn, distance from R_AB."""
+    """Return the other answer's angles, distance from lock, whole turn, distance from R_AB."""
     rows = np.column_stack(columns)
     names = np.array([letters(row[:3], row[3:6], row[6:9], row[9]) for row in rows])
     out = np.empty((len(rows), 6))
@@ -32,7 +32,7 @@ def sequence_readouts(*columns):
 
 
 def other(seq, angles, R):
-    """The answer that is not the given one: the library's two, told by which is nearer."""
+    """Return the answer that is not the given one: the library's two, told by which is nearer."""
     found = motion.wrap_angle(angles + np.pi)
     proper = seq[0] == seq[2]
     found[:, 1] = -angles[:, 1] if proper else motion.wrap_angle(np.pi - angles[:, 1])
@@ -49,7 +49,7 @@ def other(seq, angles, R):
 
 
 def from_lock(seq, R):
-    """The middle angle's distance from lock, from the first axis' row of the matrix."""
+    """Return the middle angle's distance from lock, from the first axis' row of the matrix."""
     M = R if seq.isupper() else np.swapaxes(R, 1, 2)
     first, _, last = ("xyz".index(letter) for letter in seq.lower())
     row = M[:, first]
@@ -58,20 +58,20 @@ def from_lock(seq, R):
 
 
 def order_readouts(made, azimuth, elevation):
-    """The one turn between the same turns in two orders."""
+    """Return the one turn between the same turns in two orders."""
     angles = HALF * np.clip(np.stack([made, made - 1], axis=-1), 0, 1)
     apart = np.swapaxes(euler.to_matrix("ZX", angles), 1, 2) @ euler.to_matrix("XZ", angles)
     return euler.axis_angle(apart)[1][:, None]
 
 
 def target_readouts(first, middle, azimuth, elevation):
-    """Still to turn to frame B."""
+    """Return still to turn to frame B."""
     R = euler.to_matrix("YZ", np.stack([first, middle], axis=-1))
     return euler.axis_angle(R_AB.T @ R)[1][:, None]
 
 
 def both_readouts(middle, made, azimuth, elevation):
-    """The middle angle of the other answer, and the one turn between the two dice."""
+    """Return the middle angle of the other answer, and the one turn between the two dice."""
     left = np.stack([0 * middle + np.pi / 9, middle, 0 * middle + np.pi / 6], axis=-1)
     right = np.stack([left[:, 0] + np.pi, np.pi - middle, left[:, 2] + np.pi], axis=-1)
     done = np.clip(made[:, None] - np.arange(3), 0, 1)
@@ -81,7 +81,7 @@ def both_readouts(middle, made, azimuth, elevation):
 
 
 def rings_readouts(middle, against, azimuth, elevation):
-    """Determinant of the three axes, whole turn."""
+    """Return determinant of the three axes, whole turn."""
     zero = 0 * against
     outer = np.stack([zero + 1, zero, zero], axis=-1)
     mid = euler.to_matrix("X", against[:, None])[..., 1]
@@ -92,7 +92,7 @@ def rings_readouts(middle, against, azimuth, elevation):
 
 
 def one_turn_readouts(at_once, part, azimuth, elevation):
-    """Turned on the way, and still to turn, by one turn or by two."""
+    """Return turned on the way, and still to turn, by one turn or by two."""
     axis, angle = euler.axis_angle(R_AB)
     two = np.clip(np.stack([2 * part, 2 * part - 1], axis=-1), 0, 1)
     by_two = euler.to_matrix("YZ", two * [HALF, -HALF])
@@ -102,7 +102,7 @@ def one_turn_readouts(at_once, part, azimuth, elevation):
 
 
 def mistakes_readouts(*columns):
-    """How far a wrong frame is from frame B."""
+    """Return how far a wrong frame is from frame B."""
     R = np.stack(columns[:9], axis=-1).reshape(-1, 3, 3)
     right = euler.to_matrix("YZ", [HALF, HALF])
     return euler.axis_angle(right.T @ R)[1][:, None]
@@ -204,7 +204,7 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
 
 
 def near_b(sequence, degrees=0.0):
-    """The setting of a sequence that reaches frame B, the first angle off by some degrees."""
+    """Return the setting of a sequence that reaches frame B, the first angle off by degrees."""
     first, *others = np.radians([TO_B[sequence][0] + degrees, *TO_B[sequence][1:]])
     return {
         "sequence": sequence,

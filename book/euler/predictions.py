@@ -1,4 +1,4 @@
-"""What a reader of the chapter on Euler angles is asked before it is told."""
+"""Predictions that the chapter on Euler angles asks for."""
 
 from collections.abc import Callable
 from itertools import product
@@ -7,7 +7,7 @@ from courseware.predictions import Buttons, Number, Prediction
 
 
 def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:
-    """How many sequences of three axes are allowed."""
+    """Return how many sequences of three axes are allowed."""
     return sum(map(allowed, product("XYZ", repeat=3)))
 
 

@@ -104,7 +104,7 @@ UPPER, FORE = 0.3, 0.4  # the links of the arm
 
 
 def entries(name):
-    """The nine numbers of a planar pose's matrix: only the position has a unit."""
+    """Return the nine numbers of a planar pose's matrix: only the position has a unit."""
     return tuple(
         Unknown(f"{name}[{i}, {j}]", "m" if (i < 2 and j == 2) else "")
         for i in range(3)
@@ -113,19 +113,19 @@ def entries(name):
 
 
 def numbers_of(T):
-    """The pose [x, y, theta] of a matrix."""
+    """Return the pose [x, y, theta] of a matrix."""
     return [T[0, 2], T[1, 2], np.arctan2(T[1, 0], T[0, 0])]
 
 
 def wrist(alpha, beta):
-    """Where the hand is, as the platform sees it."""
+    """Return where the hand is, as the platform sees it."""
     return UPPER * np.array([np.cos(alpha), np.sin(alpha)]) + FORE * np.array(
         [np.cos(alpha + beta), np.sin(alpha + beta)]
     )
 
 
 def hand(alpha, beta, gamma):
-    """T_bc: the hand as the platform sees it."""
+    """Return T_bc: the hand as the platform sees it."""
     return frames.se2(*wrist(alpha, beta), alpha + beta + gamma)
 
 
@@ -139,7 +139,7 @@ def shifted_back(T):
 
 
 def planar(**given):
-    """The poses of an exercise as matrices: T_db, T_de, and T_bc from the arm's angles."""
+    """Return the poses of an exercise as matrices: T_db, T_de, and T_bc from the arm's angles."""
     found = {}
     if "x_b" in given:
         found["T_db"] = frames.se2(given["x_b"], given["y_b"], given["theta_b"])
@@ -151,17 +151,17 @@ def planar(**given):
 
 
 def posed(formula):
-    """A formula of matrices as one of the numbers given, for the pose [x, y, theta]."""
+    """Return a formula of matrices as one of the numbers given, for the pose [x, y, theta]."""
     return lambda **given: numbers_of(formula(**planar(**given)))
 
 
 def matrices(formula):
-    """A formula of matrices as one of the numbers given."""
+    """Return a formula of matrices as one of the numbers given."""
     return lambda **given: formula(**planar(**given))
 
 
 def from_hand(mistake):
-    """What a mistake makes of T_ce, as a formula of the numbers given."""
+    """Return T_ce by a mistake, as a formula of the numbers given."""
     formula = WrongFormula(
         FROM_HAND, instead=mistake.substitute({T_bc.inv(): T_cb, T_db.inv(): T_bd})
     )
@@ -173,25 +173,25 @@ def from_hand(mistake):
 
 
 def at_point(formula):
-    """A formula of T_bc and a point, as one of the numbers given."""
+    """Return a formula of T_bc and a point, as one of the numbers given."""
     return lambda x, y, **arm: formula(hand(**arm), np.array([x, y]))
 
 
 def by_hand(formula):
-    """A formula of T_db and T_bc, where the pose of the hand is given as numbers."""
+    """Return a formula of T_db and T_bc, where the pose of the hand is given as numbers."""
     return lambda x, y, theta, **given: formula(
         T_bc=frames.se2(x, y, theta), T_db=planar(**given)["T_db"]
     )
 
 
 def looking_down(x_b, y_b, height, heading):
-    """T_fb for a camera that looks straight down, its x axis along the room's."""
+    """Return T_fb for a camera that looks straight down, its x axis along the room's."""
     c, s = np.cos(heading), np.sin(heading)
     return frames.se3([[c, -s, 0], [-s, -c, 0], [0, 0, -1]], [x_b, y_b, height])
 
 
 def from_above(formula):
-    """A formula of T_fb in space and a point, as one of the numbers given."""
+    """Return a formula of T_fb in space and a point, as one of the numbers given."""
     return lambda x_b, y_b, height, heading, x_e, y_e, z_e: formula(
         looking_down(x_b, y_b, height, heading), np.array([x_e, y_e, z_e])
     )
@@ -252,12 +252,12 @@ with as_written():
 
 
 def called(pose, way):
-    """The letters of a pose in a formula, and those of another pose in their place."""
+    """Return the letters of a pose in a formula, and those of another pose in their place."""
     return dict(zip(pose, sought(way), strict=True))
 
 
 def matrix_of(way, names=()):
-    """The step that makes a planar pose a matrix. names: what its numbers are given as."""
+    """Return the step that makes a planar pose a matrix. names: what its numbers are given as."""
     given = called(DB, way) | dict(zip(sought(way), names, strict=False))
     return Step(formulas.matrix, given, values=(MatrixSymbol(f"T_{way}", 3, 3),))
 

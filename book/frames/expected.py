@@ -1,4 +1,4 @@
-"""What the figures of the chapter on chains of frames must show."""
+"""Expected values for the chapter on chains of frames: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -11,17 +11,17 @@ DOWN = np.diag([1.0, -1.0, -1.0])
 
 
 def wrist(alpha, beta):
-    """Where the hand is, as the platform sees it: (n, 2)."""
+    """Return where the hand is, as the platform sees it: (n, 2)."""
     return planar_arm.forward(np.stack([alpha, beta], axis=-1), LINKS)[:, :2]
 
 
 def pose_of(T):
-    """x, y, theta of planar matrices: (n, 3, 3) → (n, 3)."""
+    """Return x, y, theta of planar matrices: (n, 3, 3) → (n, 3)."""
     return np.column_stack([T[:, 0, 2], T[:, 1, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
 
 
 def chain_readouts(x_b, y_b, turn_b, alpha, beta, gamma, x_e, y_e, turn_e):
-    """The object seen from the hand, how far, and the hand seen from the platform."""
+    """Return the object seen from the hand, how far, and the hand seen from the platform."""
     graph = frames.FrameGraph()
     graph.add("d", "b", frames.se2(x_b, y_b, turn_b))
     graph.add("b", "c", frames.se2(*wrist(alpha, beta).T, alpha + beta + gamma))
@@ -32,12 +32,12 @@ def chain_readouts(x_b, y_b, turn_b, alpha, beta, gamma, x_e, y_e, turn_e):
 
 
 def turned(angle):
-    """Turns about z: (n,) → (n, 3, 3)."""
+    """Return turns about z: (n,) → (n, 3, 3)."""
     return euler.to_matrix("Z", angle[:, None])
 
 
 def above_readouts(turn, high, heading, alpha, beta, gamma, low, azimuth, elevation):
-    """Platform and object seen from the camera, the object seen from the hand."""
+    """Return platform and object seen from the camera, the object seen from the hand."""
     ground = np.zeros_like(low)
     graph = frames.FrameGraph()
     graph.add("room", "f", frames.se3(turned(turn) @ DOWN, np.stack([ground, ground, high], -1)))
@@ -51,7 +51,7 @@ def above_readouts(turn, high, heading, alpha, beta, gamma, low, azimuth, elevat
 
 
 def mistakes_readouts(*columns):
-    """apart, off: where the object is taken to be, and how it lies there."""
+    """Return apart, off: where the object is taken to be, and how it lies there."""
     *made, turn = columns
     still = np.zeros_like(turn)
     angles = [still + angle for angle in (-np.pi / 2, 7 * np.pi / 12, np.pi / 4)]

@@ -1,4 +1,4 @@
-"""What a reader of the chapter on frame chains is asked before it is told."""
+"""Predictions that the chapter on frame chains asks for."""
 
 import numpy as np
 
@@ -14,18 +14,18 @@ DOWN = np.array([[0, -1, 0], [-1, 0, 0], [0, 0, -1]])  # the platform's turn, fr
 
 
 def where() -> str:
-    """Where the object lies for the hand."""
+    """Return where the object lies for the hand."""
     x, y = T_CE[:2, 2]
     return f"{'in front' if x > 0 else 'behind'}, on the {'left' if y > 0 else 'right'}"
 
 
 def turned() -> float:
-    """By how many degrees the object is turned, seen from the hand."""
+    """Return by how many degrees the object is turned, seen from the hand."""
     return float(np.degrees(np.arctan2(T_CE[1, 0], T_CE[0, 0])))
 
 
 def seen(by: np.ndarray) -> np.ndarray:
-    """The object as the hand sees it, told by a camera that is moved."""
+    """Return the object as the hand sees it, told by a camera that is moved."""
     moved: np.ndarray = frames.compose(
         frames.inverse(T_BC), frames.inverse(frames.compose(by, T_DB)), frames.compose(by, T_DE)
     )
@@ -33,13 +33,13 @@ def seen(by: np.ndarray) -> np.ndarray:
 
 
 def changed() -> str:
-    """Which of the hand's numbers change when the camera is turned."""
+    """Return which of the hand's numbers change when the camera is turned."""
     same = np.isclose(seen(frames.se2(0, 0, 1.0)), T_CE, atol=1e-12)
     return "none" if same.all() else "the turn" if same[:2, 2].all() else "all three"
 
 
 def refused() -> str:
-    """Which of four more things the graph refuses."""
+    """Return which of four more things the graph refuses."""
     graph = frames.FrameGraph()
     for a, b, T_ab in (("d", "b", T_DB), ("d", "e", T_DE), ("b", "c", T_BC)):
         graph.add(a, b, T_ab)
@@ -59,7 +59,7 @@ def refused() -> str:
 
 
 def left_over() -> str:
-    """What the loop does not close by: the camera tilted by 2°, the rest of the loop as it is."""
+    """Return the gap of the loop with the camera tilted by 2° and the rest as it is."""
     tilt = frames.se3(euler.to_matrix("X", [np.radians(2)]), [0, 0, 0])
     loop = frames.inverse(tilt)  # all else drops out
     shift, angle = np.linalg.norm(loop[:3, 3]), np.degrees(euler.axis_angle(loop[:3, :3])[1])

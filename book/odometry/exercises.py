@@ -123,48 +123,48 @@ BITS = 16
 
 
 def turned(before, after):
-    """The ticks between two readings of a counter."""
+    """Return the ticks between two readings of a counter."""
     return float(odometry.unwrap_counter([before, after], BITS)[0])
 
 
 def jumped(before, after):
-    """The ticks as M25 reads them."""
+    """Return the ticks as M25 reads them."""
     return M25.formula.evaluate(count_before=before, count_now=after)
 
 
 def rolled(ticks, C, r):
-    """How far a wheel rolls."""
+    """Return how far a wheel rolls."""
     return odometry.travel(ticks, C, r)
 
 
 def rolled_per_radian(ticks, C, r):
-    """How far it rolls by M24."""
+    """Return how far it rolls by M24."""
     return M24.formula.evaluate(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
 
 
 def way_and_turn(D_L, D_R, b):
-    """How far the robot goes, and by how much it turns."""
+    """Return how far the robot goes, and by how much it turns."""
     return (D_L + D_R) / 2, (D_R - D_L) / b
 
 
 def one_step(method, theta, D_L, D_R, b, x=0, y=0):
-    """The pose after one step by a rule of `motion.path`."""
+    """Return the pose after one step by a rule of `motion.path`."""
     return motion.path([x, y, theta], *way_and_turn(D_L, D_R, b), 1.0, method)[-1]
 
 
 def heading_forgotten(theta, D_L, D_R, b, x=0, y=0):
-    """The pose after one step by M22."""
+    """Return the pose after one step by M22."""
     D, turn = way_and_turn(D_L, D_R, b)
     return M22.formula.evaluate(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
 
 
 def half_seen(heading):
-    """A heading as M23 has it: tan⁻¹(sin/cos)."""
+    """Return a heading as M23 has it: tan⁻¹(sin/cos)."""
     return M23.formula.evaluate(theta=heading, dtheta=0)
 
 
 def half_seen_step(theta, D_L, D_R, b, x, y):
-    """The step with the new heading, by M23."""
+    """Return the step with the new heading, by M23."""
     D, turn = way_and_turn(D_L, D_R, b)
     heading = half_seen(theta + turn)
     return [x + D * np.cos(heading), y + D * np.sin(heading), heading]
@@ -177,7 +177,7 @@ def half_seen_heading(theta, D_L, D_R, b, x, y):
 
 
 def degrees_step(theta, D_L, D_R, b, x, y):
-    """The step with the new heading, by M13."""
+    """Return the step with the new heading, by M13."""
     D, turn = way_and_turn(D_L, D_R, b)
     h = M13.formula.replace(theta=theta + turn)["theta"]
     return [x + D * np.cos(h), y + D * np.sin(h), theta + turn]
@@ -189,35 +189,35 @@ def backward(heading):
 
 
 def gap(turn, D, heading, theta):
-    """How far D along a heading ends from D along the arc that begins with heading theta."""
+    """Return how far D along a heading ends from D along the arc that begins with heading theta."""
     straight = D * np.array([np.cos(heading), np.sin(heading)])
     return np.linalg.norm(straight - motion.arc_step([0, 0, theta], D, turn, 1.0)[:2])
 
 
 def resolution(roll, r, b, period, limit):
-    """The ticks a turn, no whole number yet, with which one tick changes the rate by limit."""
+    """Return the ticks a turn, not yet whole, with which one tick changes the rate by limit."""
     return roll(1, 1, r) / (b * period * limit)
 
 
 def finest(**design):
-    """The smallest whole number of ticks a turn."""
+    """Return the smallest whole number of ticks a turn."""
     return np.ceil(resolution(rolled, **design))
 
 
 def wheel_ways(r, C, left_before, left_after, right_before, right_after, count, roll):
-    """How far both wheels roll, from the readings of their counters."""
+    """Return how far both wheels roll, from the readings of their counters."""
     ticks = {"D_L": count(left_before, left_after), "D_R": count(right_before, right_after)}
     return {wheel: roll(n, C, r) for wheel, n in ticks.items()}
 
 
 def counted(theta, b, count=turned, roll=rolled, step=one_step, rule="exact", **drive):
-    """The pose after one step, from the readings."""
+    """Return the pose after one step, from the readings."""
     ways = wheel_ways(count=count, roll=roll, **drive)
     return step(rule, theta=theta, b=b, **ways)
 
 
 def counted_from(start, theta, **drive):
-    """The pose after one step if the heading at the start is taken for this one."""
+    """Return the pose after one step if the heading at the start is taken for this one."""
     return counted(start, **drive)
 
 
@@ -227,24 +227,24 @@ def arc_from_zero(**drive):
 
 
 def turn_between(theta, b, **drive):
-    """How much the robot turns, from the readings."""
+    """Return how much the robot turns, from the readings."""
     ways = wheel_ways(count=turned, roll=rolled, **drive)
     return (ways["D_R"] - ways["D_L"]) / b
 
 
 def around(before, after, **_):
-    """The ticks between two readings that lie on two sides of the counter's end."""
+    """Return the ticks between two readings that lie on two sides of the counter's end."""
     return FORWARD if after < before else BACKWARD
 
 
 def error_of(x, y):
-    """How far a place is from the end of the real way."""
+    """Return how far a place is from the end of the real way."""
     squares = [(end - place) ** 2 for end, place in ((planar.x_next, x), (planar.y_next, y))]
     return LocalEquation(ERROR, sqrt(Add(*squares)), "m")
 
 
 def readings(side=""):
-    """The names of the readings of a counter, for the formula's letters."""
+    """Return the names of the readings of a counter, for the formula's letters."""
     names = (f"{side}_{name}".strip("_") for name in ("before", "after"))
     return dict(zip((formulas.count_before, formulas.count_now), names, strict=True))
 

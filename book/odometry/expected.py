@@ -1,4 +1,4 @@
-"""What the figures of the chapter on encoder odometry must show."""
+"""Expected values for the chapter on encoder odometry: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ A_METRE = TICKS * FINER / (2 * np.pi * RADIUS)  # ticks
 
 
 def rules_readouts(count, turned):
-    """Largest errors of exact, old, new, middle heading; errors at the end of old and middle."""
+    """Return the largest errors of exact, old, new, middle heading; old and middle at the end."""
     found = np.empty((len(count), 6))
     for row, n, angle in zip(found, count.astype(int), turned, strict=True):
         part = angle / (2 * np.pi) / n * FINER
@@ -27,7 +27,7 @@ def rules_readouts(count, turned):
 
 
 def ellipse_readouts(wheel_error, drive, turned):
-    """Half the length and the width of the 95 % ellipse, standard deviation of the heading."""
+    """Return half the 95 % ellipse, length and width, and the standard deviation of the heading."""
     half = BASE * turned / 2
     left, right = (np.rint((drive + s * half) / 6 * A_METRE) for s in (-1, 1))
     ticks = [np.repeat(wheel[:, None], 6, axis=1) for wheel in (left, right)]
@@ -38,7 +38,7 @@ def ellipse_readouts(wheel_error, drive, turned):
 
 
 def square_end(b_true, ratio, turns):
-    """Where a square run really ends: four sides of 1 m in one piece each, four corners."""
+    """Return where a square run really ends: four sides of 1 m in one piece each, four corners."""
     right = 2 * ratio / (1 + ratio)
     left = 2 - right
     corner = turns * np.pi / 4 * BASE
@@ -51,26 +51,26 @@ def square_end(b_true, ratio, turns):
 
 
 def square_readouts(b_true, ratio):
-    """Ends of the clockwise and of the counter-clockwise run, and what the calibration finds."""
+    """Return the ends of the clockwise and the counter-clockwise run, and the calibration."""
     cw, ccw = (square_end(b_true, ratio, turns) for turns in (-1, 1))
     found = odometry.umbmark(cw[:, None], ccw[:, None], 1.0, BASE)
     return np.column_stack([cw, ccw, *found])
 
 
 def wrong_poses_readouts(*columns):
-    """apart, turned."""
+    """Return apart, turned."""
     real, told = wrong_poses(*columns)
     off = told - real
     return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
 
 
 def wrong_poses(*columns):
-    """Where the robot is, and where its program believes it to be: (n, 3) each."""
+    """Return where the robot is, and where its program believes it to be: (n, 3) each."""
     return np.array([of_mistake(*row) for row in zip(*columns, strict=True)]).swapaxes(0, 1)
 
 
 def of_mistake(m22, m23, m24, m25, samples, start):
-    """Both poses."""
+    """Return both poses."""
     ticks = np.tile([80, 120], (int(samples), 1))
     right = odometry.travel(ticks, TICKS, RADIUS)
     if m25:
@@ -90,7 +90,7 @@ def of_mistake(m22, m23, m24, m25, samples, start):
 
 
 def forgets_heading(*columns):
-    """From every heading at the start it believes in the same places."""
+    """Whether the heading at the start makes no difference to the believed place."""
     told, from_zero = (
         wrong_poses(*columns[:5], start)[1] for start in (columns[5], 0 * columns[5])
     )
@@ -102,7 +102,7 @@ def never_backward(*columns):
 
 
 def hardly_moves(*columns):
-    """Less than a fifth of the way."""
+    """Whether it believes in less than a fifth of the way."""
     way = columns[4] * odometry.travel([80, 120], TICKS, RADIUS).mean()
     return np.hypot(*wrong_poses(*columns)[1][:, :2].T) < way / 5
 

@@ -1,4 +1,4 @@
-"""What a reader of the chapter on encoder odometry is asked before it is told."""
+"""Predictions that the chapter on encoder odometry asks for."""
 
 import numpy as np
 
@@ -11,14 +11,14 @@ NOISE = 0.008**2  # m, of a wheel, for each metre
 
 
 def circle(method: str) -> float:
-    """How far from the start eight samples of the exercise end, by a rule, m."""
+    """Return how far from the start eight samples of the exercise end, by a rule, m."""
     left, right = ([each] * 8 for each in TICKS)
     end = odometry.path(left, right, *ROBOT, method=method)[-1]
     return float(np.hypot(*end[:2]))
 
 
 def longer() -> float:
-    """How many times as long the ellipse is after twice the distance, straight on."""
+    """Return how many times as long the ellipse is after twice the distance, straight on."""
     sizes = []
     for each in (500, 1000):
         ticks = np.full(6, each)
@@ -28,7 +28,7 @@ def longer() -> float:
 
 
 def standard_deviations() -> float:
-    """How many of them the odometry is off in y after the slip."""
+    """Return how many of them the odometry is off in y after the slip."""
     left, right = np.full(40, 80), np.full(40, 80)
     right[4] += 100
     off = odometry.path(left, right, *ROBOT)[-1, 1]

@@ -196,7 +196,7 @@ M37 = Mistake(
 
 
 def arm(l1, l2, l3, theta1, theta2, theta3, **_):
-    """The joint angles and the lengths, as the functions of `planar_arm` take them."""
+    """Return the joint angles and the lengths, as the functions of `planar_arm` take them."""
     return {"theta": np.array([theta1, theta2, theta3]), "lengths": np.array([l1, l2, l3])}
 
 
@@ -206,7 +206,7 @@ OWN = WrongFormula(BOTH_ROWS, ALONE)
 
 @cache
 def wrong_jacobian(*made):
-    """J in letters, as somebody has it who made mistakes in the hand's velocity."""
+    """Return J in letters, as somebody has it who made mistakes in the hand's velocity."""
     rows = dict(ROWS)
     for wrong in made:
         for left in Matrix([wrong.of.left]):
@@ -215,7 +215,7 @@ def wrong_jacobian(*made):
 
 
 def jacobian(made, **numbers):
-    """J as somebody has it who made a mistake, or several; with None the right one."""
+    """Return J as somebody has it who made a mistake, or several; with None the right one."""
     if made is None:
         return planar_arm.jacobian(**arm(**numbers))
     found = wrong_jacobian(*made) if isinstance(made, tuple) else wrong_jacobian(made)
@@ -226,17 +226,17 @@ def jacobian(made, **numbers):
 
 
 def made_in(formula, *mistakes):
-    """The formula as those have it who make a mistake: its first argument."""
+    """Return the formula as those have it who make a mistake: its first argument."""
     return {mistake: partial(formula, mistake.formula) for mistake in mistakes}
 
 
 def hand_velocity(made, q1, q2=0.0, q3=0.0, **numbers):
-    """The hand's twist."""
+    """Return the hand's twist."""
     return jacobian(made, **numbers) @ [q1, q2, q3]
 
 
 def joint_rates(made, v_x, v_y, omega, **numbers):
-    """The joint rates for a twist."""
+    """Return the joint rates for a twist."""
     twist = [v_x, v_y, omega]
     if made is None:
         return planar_arm.joint_rates(twist=twist, **arm(**numbers))
@@ -246,46 +246,46 @@ def joint_rates(made, v_x, v_y, omega, **numbers):
 
 
 def torques(made, f_x, f_y, m, **numbers):
-    """The joint torques with which the hand pushes and twists."""
+    """Return the joint torques with which the hand pushes and twists."""
     return jacobian(made, **numbers).T @ [f_x, f_y, m]
 
 
 def straight_rates(towards, made=None, **numbers):
-    """The joint rates for 1 m/s in a direction, the hand not turning."""
+    """Return the joint rates for 1 m/s in a direction, the hand not turning."""
     return joint_rates(made, np.cos(towards), np.sin(towards), 0.0, **numbers)
 
 
 def top_speed(made, towards, limit, **numbers):
-    """How fast the hand can go in a direction without turning, with all rates limited."""
+    """Return how fast the hand can go in a direction without turning, with all rates limited."""
     return limit / np.abs(straight_rates(towards, made, **numbers)).max()
 
 
 def manipulability(made, **numbers):
-    """√det(J Jᵀ) of the position rows."""
+    """Return √det(J Jᵀ) of the position rows."""
     J = jacobian(made, **numbers)[:2]
     return np.sqrt(np.linalg.det(J @ J.T))
 
 
 def stretched_or_folded(theta1, phi, **_):
-    """[theta2, theta3] of both singular poses in which the hand points at phi."""
+    """Return [theta2, theta3] of both singular poses in which the hand points at phi."""
     theta2 = np.array([0, np.pi])
     return np.stack([theta2, motion.wrap_angle(phi - theta1 - theta2)], axis=-1)
 
 
 def sine_by_m26(l2, l3, theta1, phi, **_):
-    """sin θ2 where M26's determinant is zero."""
+    """Return sin θ2 where M26's determinant is zero."""
     return -l3 * np.sin(phi - theta1) / l2
 
 
 def singular_by_m26(theta1, phi, **numbers):
-    """[theta2, theta3] of both poses that M26 takes for singular."""
+    """Return [theta2, theta3] of both poses that M26 takes for singular."""
     theta2 = np.arcsin(sine_by_m26(theta1=theta1, phi=phi, **numbers))
     theta2 = np.array([theta2, np.pi - theta2])
     return np.stack([theta2, phi - theta1 - theta2], axis=-1)
 
 
 def short_names(**numbers):
-    """What the books shorten: the sines and cosines of the links' directions."""
+    """Return what the books shorten: the sines and cosines of the links' directions."""
     headings = arm(**numbers)["theta"].cumsum()
     names = ("1", "12", "123")
     return {
@@ -295,7 +295,7 @@ def short_names(**numbers):
 
 
 def velocity_parts(q1, q2, q3, **numbers):
-    """The same, and the hand's velocity in parts."""
+    """Return the same, and the hand's velocity in parts."""
     twist = planar_arm.velocity(rates=[q1, q2, q3], **arm(**numbers))
     return short_names(**numbers) | dict(zip(("x_dot", "y_dot", "phi_dot"), twist, strict=True))
 
@@ -335,7 +335,7 @@ with as_written():
 
 
 def column(steps):
-    """A column of formulas, from symbols and what they stand for."""
+    """Return a column of formulas, from symbols and what they stand for."""
     return LocalEquation(*(Matrix(side) for side in zip(*steps, strict=True)))
 
 
@@ -348,7 +348,7 @@ JACOBIAN = Step(
 
 
 def rate_steps(twist, check=None):
-    """The joint rates for a twist, one after the other. check: gives all three."""
+    """Return the joint rates for a twist, one after the other. check: gives all three."""
     return {
         name: Step(
             formulas.joint_rates,

@@ -1,4 +1,4 @@
-"""What the figures of the chapter on the planar arm must show."""
+"""Expected values for the chapter on the planar arm: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ LINKS, START = np.array(figures.LINKS), np.array(figures.START, dtype=float)
 
 
 def levers_readouts(turns1, turns2, turns3, theta2, theta3):
-    """length, x_dot, y_dot."""
+    """Return length, x_dot, y_dot."""
     theta = np.column_stack([np.full_like(theta2, START[0]), theta2, theta3])
     rates = np.column_stack([turns1, turns2, turns3])
     velocity = planar_arm.velocity(theta, rates, LINKS)[:, :2]
@@ -18,7 +18,7 @@ def levers_readouts(turns1, turns2, turns3, theta2, theta3):
 
 
 def joints_readouts(theta1, theta2, theta3):
-    """x, y, phi, det, w, long, short, elbow, near."""
+    """Return x, y, phi, det, w, long, short, elbow, near."""
     theta = np.column_stack([theta1, theta2, theta3])
     wrist = planar_arm.joint_positions(theta, LINKS)[:, 2]
     outward = np.zeros_like(theta)
@@ -33,7 +33,7 @@ def joints_readouts(theta1, theta2, theta3):
 
 
 def followed(t, steps, gain, damping, line):
-    """The joint angles at a time, the wanted pose then, the rates of the step that runs."""
+    """Return the joint angles at a time, the wanted pose then, the rates of the step that runs."""
     begin = planar_arm.forward(START, LINKS)
     way = line - begin
     theta = np.tile(START, (len(line), 1))
@@ -51,7 +51,7 @@ def followed(t, steps, gain, damping, line):
 
 
 def line_readouts(t, steps, gain, damping, line_x, line_y):
-    """off, turned, rates, room."""
+    """Return off, turned, rates, room."""
     line = np.column_stack([line_x, line_y, 0 * line_x])
     theta, wanted, rates = followed(t, steps, gain, damping, line)
     hand = planar_arm.forward(theta, LINKS)
@@ -64,7 +64,7 @@ def line_readouts(t, steps, gain, damping, line_x, line_y):
 
 
 def elbows_readouts(x, y, phi):
-    """distance, the joint angles of both arms, missed."""
+    """Return distance, the joint angles of both arms, missed."""
     pose = np.column_stack([x, y, phi])
     both = planar_arm.inverse(pose, LINKS, unreachable="nan")
     wrist = np.hypot(x - LINKS[2] * np.cos(phi), y - LINKS[2] * np.sin(phi))
@@ -73,7 +73,7 @@ def elbows_readouts(x, y, phi):
 
 
 def wrong_arm(*columns):
-    """How the hand has moved from the start, and how its program believes: (n, 3) each."""
+    """Return how the hand has moved from the start, and how its program believes: (n, 3) each."""
     m26, m27, m28, m29, m36, m37 = (column > 0.5 for column in columns[:6])
     phi_dot, t = columns[6:]
     theta = np.tile(np.radians([15, 90, -20]), (len(t), 1))
@@ -95,44 +95,44 @@ def wrong_arm(*columns):
 
 
 def wrong_arm_readouts(*columns):
-    """apart, turned."""
+    """Return apart, turned."""
     real, believed = wrong_arm(*columns)
     off = believed - real
     return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
 
 
 def stays_but_turns(*columns):
-    """In its place, but turned."""
+    """Whether the hand is in its place, but turned."""
     apart, turned = wrong_arm_readouts(*columns).T
     return (apart < 0.01) & (turned < np.radians(-2))
 
 
 def leaves_the_line(*columns):
-    """At the end of the drive."""
+    """Whether the hand is off its line at the end of the drive."""
     real, believed = wrong_arm(*columns[:7], 0 * columns[7] + 2)
     return np.abs(real - believed)[:, 1] > 0.05
 
 
 def too_far_clockwise(*columns):
-    """It moves to the left, so too far is too small an x."""
+    """Whether the hand goes too far: to the left, so x is too small."""
     real, believed = wrong_arm(*columns)
     return (columns[6] > -1e-9) | (real[:, 0] < believed[:, 0] - 0.005)
 
 
 def too_short_clockwise(*columns):
-    """It moves to the left, so too short is too large an x."""
+    """Whether the hand does not go far enough: to the left, so x is too large."""
     real, believed = wrong_arm(*columns)
     return (columns[6] > -1e-9) | (real[:, 0] > believed[:, 0] + 0.005)
 
 
 def stays_behind(*columns):
-    """It should move to the left."""
+    """Whether the hand stays behind on its way to the left."""
     real, believed = wrong_arm(*columns)
     return real[:, 0] > believed[:, 0] + 0.05
 
 
 def goes_across(*columns):
-    """At right angles to where it should go."""
+    """Whether the hand goes at right angles to its way."""
     real, believed = wrong_arm(*columns)
     along = np.sum(real[:, :2] * believed[:, :2], axis=1)
     return np.abs(along) < 0.05 * np.sum(believed[:, :2] ** 2, axis=1)

@@ -1,4 +1,4 @@
-"""What a reader of the chapter on the planar arm is asked before it is told."""
+"""Predictions that the chapter on the planar arm asks for."""
 
 import numpy as np
 
@@ -12,36 +12,36 @@ DURATION = 4.0  # s
 
 
 def distance() -> float:
-    """How far the hand is from joint 1, m: its speed in m/s where this joint turns at 1 rad/s."""
+    """Return the hand's distance from joint 1, m: its speed in m/s if this turns at 1 rad/s."""
     return float(np.hypot(*planar_arm.forward(THETA, LENGTHS)[:2]))
 
 
 def elbow_rate(degrees: float) -> float:
-    """How fast joint 2 turns where the wrist moves outward at 0.1 m/s, rad/s."""
+    """Return how fast joint 2 turns where the wrist moves outward at 0.1 m/s, rad/s."""
     bent = np.radians([0, degrees, 0])
     wrist = planar_arm.joint_positions(bent, LENGTHS)[2]
     return float(planar_arm.joint_rates(bent, [*0.1 * wrist / np.hypot(*wrist), 0], LENGTHS)[1])
 
 
 def times_faster() -> str:
-    """How many times, from 1° to 0.1°."""
+    """Return how many times, from 1° to 0.1°."""
     return f"{elbow_rate(0.1) / elbow_rate(1):.0f} times"
 
 
 def ways(third: float) -> int:
-    """In how many independent directions P moves, the elbow stretched, joint 3 at some degrees."""
+    """Return in how many directions P moves, the elbow stretched, joint 3 at an angle."""
     rows = planar_arm.jacobian(np.radians([30, 0, third]), LENGTHS)[:2]
     return int(np.linalg.matrix_rank(rows))
 
 
 def where_both() -> str:
-    """When P can move in every direction although the elbow is stretched."""
+    """Say when P can move in every direction although the elbow is stretched."""
     bent, straight = ways(40) == 2, ways(0) == 2
     return "always" if straight else "while link 3 is bent" if bent else "never"
 
 
 def off(steps: int, gain: float = 0.0) -> float:
-    """How far from its goal the hand ends on the straight line, m."""
+    """Return how far from its goal the hand ends on the straight line, m."""
     start, angles = planar_arm.forward(THETA, LENGTHS), THETA
     for k in range(steps):
         error = start + LEFT * k / steps - planar_arm.forward(angles, LENGTHS)
@@ -51,7 +51,7 @@ def off(steps: int, gain: float = 0.0) -> float:
 
 
 def too_much() -> str:
-    """The gain of those offered that makes the end worse than no feedback does."""
+    """Return the gain of those offered that makes the end worse than no feedback does."""
     worse = [gain for gain in ("2", "4", "6") if off(10, float(gain)) > off(10)]
     return worse[0] if len(worse) == 1 else "none of them"
 

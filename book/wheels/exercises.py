@@ -36,7 +36,7 @@ BETA_2, RATE_2, MATRIX = Symbol("β'"), Symbol(r"\dot\varphi'"), Symbol("J_1")
 
 
 def row(alpha=formulas.alpha, beta=formulas.beta):
-    """The rolling row of a wheel, as its formula has it."""
+    """Return the rolling row of a wheel, as its formula has it."""
     return formulas.rolling_row(formulas.l, alpha, beta)
 
 
@@ -186,13 +186,13 @@ FREE = {
 
 
 def rows(l, alpha, beta):
-    """The rolling rows of wheels at the angles alpha and beta, numbers or (n,): (n, 3)."""
+    """Return the rolling rows of wheels at the angles alpha and beta, numbers or (n,): (n, 3)."""
     angles = np.atleast_1d(*np.broadcast_arrays(alpha, beta))
     return wheels.rolling([wheels.fixed(l, a, b, 1.0) for a, b in zip(*angles, strict=True)])
 
 
 def wrong_rows(mistake, l, alpha, beta, theta):
-    """What a mistake makes of the rolling rows."""
+    """Return the rolling rows by a mistake."""
     angles = np.atleast_1d(*np.broadcast_arrays(alpha, beta))
     gives = partial(mistake.formula.evaluate, wheel_l=l, theta=theta)
     made = [gives(wheel_alpha=a, wheel_beta=b) for a, b in zip(*angles, strict=True)]
@@ -200,7 +200,7 @@ def wrong_rows(mistake, l, alpha, beta, theta):
 
 
 def ways(formula, *mistakes, **places):
-    """What mistakes in the rolling rows make of formula(rows, **numbers).
+    """Return formula(rows, **numbers) by each mistake in the rolling rows.
 
     places: alpha and beta, where the exercise does not draw them; or functions of its numbers.
     """
@@ -218,47 +218,47 @@ def ways(formula, *mistakes, **places):
 
 
 def itself(matrix, **_):
-    """The rows, where these are asked for."""
+    """Return the rows, where these are asked for."""
     return matrix
 
 
 def three(first, **_):
-    """The angles of three wheels from the first one on."""
+    """Return the angles of three wheels from the first one on."""
     return first + THREE
 
 
 def rates(l, r, theta, x_dot, y_dot, omega):
-    """The rates of the three wheels for a velocity in the world."""
+    """Return the rates of the three wheels for a velocity in the world."""
     return wheels.inverse(wheels.omni_robot(l, r), [x_dot, y_dot, omega], theta=theta)
 
 
 def rates_by(matrix, r, theta, x_dot, y_dot, omega, **_):
-    """The same by given rows."""
+    """Return the same by given rows."""
     return matrix @ motion.to_body(theta, [x_dot, y_dot, omega]) / r
 
 
 def forward(l, r, theta, w_1, w_2, w_3):
-    """The velocity in the world from the rates of the three wheels."""
+    """Return the velocity in the world from the rates of the three wheels."""
     return wheels.forward(wheels.omni_robot(l, r), [w_1, w_2, w_3], theta=theta)
 
 
 def forward_by(matrix, r, theta, w_1, w_2, w_3, **_):
-    """The same by given rows."""
+    """Return the same by given rows."""
     return motion.to_world(theta, np.linalg.solve(matrix, r * np.array([w_1, w_2, w_3])))
 
 
 def built(fixed, steered, free):
-    """A robot from the names of its wheels."""
+    """Return a robot from the names of its wheels."""
     return FIXED[fixed] + STEERED[steered] + FREE[free]
 
 
 def degrees(delta_m, delta_s):
-    """Mobility, steerability and their sum, the manoeuvrability."""
+    """Return mobility, steerability and their sum, the manoeuvrability."""
     return [delta_m, delta_s, delta_m + delta_s]
 
 
 def turned_so(fixed, steered):
-    """How the steered wheels stand, if there are any."""
+    """Return how the steered wheels stand, if there are any."""
     count = len(STEERED[steered])
     if not count:
         return ""
@@ -268,25 +268,25 @@ def turned_so(fixed, steered):
 
 
 def instructive(fixed, steered, free):
-    """A robot of a usual size; at most one of its steered wheels has no choice."""
+    """Whether a robot has a usual size, and at most one steered wheel without a choice."""
     robot = built(fixed, steered, free)
     without_choice = len(STEERED[steered]) - wheels.mobility(robot).delta_s
     return 3 <= len(robot) <= 6 and without_choice <= 1
 
 
 def turn_about(p_x, p_y, omega, **_):
-    """The velocity of a robot that turns about a point of its own frame."""
+    """Return the velocity of a robot that turns about a point of its own frame."""
     return np.multiply(omega, [p_y, -p_x, 1])
 
 
 def aimed(l, alpha, p_x, p_y, **_):
-    """The two steering angles beta with which a wheel's axle points along the line to a point."""
+    """Return the two steering angles with which a wheel's axle points along the line to a point."""
     beta = np.arctan2(p_y - l * np.sin(alpha), p_x - l * np.cos(alpha)) - alpha
     return motion.wrap_angle([beta, beta + np.pi])
 
 
 def about(l, alpha, r, **turn):
-    """Both pairs of steering angle and rate for a turn about a point."""
+    """Return both pairs of steering angle and rate for a turn about a point."""
     twist = turn_about(**turn)
     return [
         [beta, wheels.inverse([wheels.steered(l, alpha, beta, r)], twist)[0]]
@@ -295,35 +295,35 @@ def about(l, alpha, r, **turn):
 
 
 def about_by(matrix, r, **numbers):
-    """The same by given rows."""
+    """Return the same by given rows."""
     return np.transpose([aimed(**numbers), matrix @ turn_about(**numbers) / r])
 
 
 def four(l, r, w_1, w_2, w_3, w_4):
-    """The best velocity of a robot with four wheels, and the slip of the first one."""
+    """Return the best velocity of a robot with four wheels, and the slip of the first one."""
     robot, given = wheels.omni_robot(l, r, FOUR), [w_1, w_2, w_3, w_4]
     return [*wheels.forward(robot, given), wheels.slip(robot, given)[0]]
 
 
 def four_by(matrix, r, w_1, w_2, w_3, w_4, **_):
-    """The same by given rows."""
+    """Return the same by given rows."""
     speeds = r * np.array([w_1, w_2, w_3, w_4])
     twist = np.linalg.pinv(matrix) @ speeds
     return [*twist, (matrix @ twist - speeds)[0]]
 
 
 def held_by(fixed):
-    """How many ways to move the fixed wheels take away."""
+    """Return how many ways to move the fixed wheels take away."""
     return 3 - wheels.mobility(FIXED[fixed]).delta_m
 
 
 def sliding_rank(fixed, **_):
-    """How many sliding rows of the fixed wheels are independent."""
+    """Return how many sliding rows of the fixed wheels are independent."""
     return LocalEquation(formulas.rank_fixed, Integer(held_by(fixed)))
 
 
 def steered_rank(steered, **_):
-    """The same for the steered wheels: up to three of them stand as they like."""
+    """Return the same for the steered wheels: up to three of them stand as they like."""
     return LocalEquation(formulas.rank_steered, Integer(len(STEERED[steered])))
 
 

@@ -1,4 +1,4 @@
-"""What the figures of the chapter on wheel constraints must show."""
+"""Expected values for the chapter on wheel constraints: figures, feedback, predictions."""
 
 import numpy as np
 
@@ -9,12 +9,12 @@ OMNI = wheels.omni_robot(0.2, 0.05)
 
 
 def kinds_readouts(*columns):
-    """rolled, aside."""
+    """Return rolled, aside."""
     return np.array([of_kind(*row) for row in zip(*columns, strict=True)])
 
 
 def of_kind(fixed, castor, straight, slanted, ball, course):
-    """What a wheel that looks along x rolls, and what is left of its velocity, with a sign."""
+    """Return the rolling of a wheel that looks along x, and the rest of its velocity, signed."""
     if ball:
         return [np.nan, np.nan]
     gamma = slanted * np.pi / 4
@@ -27,12 +27,12 @@ def of_kind(fixed, castor, straight, slanted, ball, course):
 
 
 def laboratory_readouts(*columns):
-    """rank, now, mobility, steerability, both, v, v_y, omega."""
+    """Return rank, now, mobility, steerability, both, v, v_y, omega."""
     return np.array([laboratory(row) for row in zip(*columns, strict=True)])
 
 
 def laboratory(row):
-    """The readouts at one setting."""
+    """Return the readouts at one setting."""
     numbers, wish, (ahead, left) = np.reshape(row[:24], (4, 6)), row[24:27], row[27:29]
     which, shift = row[29:31], row[31:34]
     robot = [
@@ -48,7 +48,7 @@ def laboratory(row):
 
 
 def wheel(numbers, shift, ahead, left):
-    """A wheel of the robot, moved and turned by `shift`."""
+    """Return a wheel of the robot, moved and turned by `shift`."""
     x, y, rolls, _, fixed, steered = numbers
     x, y = x + shift[0], y + shift[1]
     axle = np.arctan2(left - y, ahead - x) if steered else rolls + QUARTER
@@ -60,7 +60,7 @@ def wheel(numbers, shift, ahead, left):
 
 
 def omni_readouts(rate1, rate2, rate3, theta, t):
-    """v, v_y, turning, x_dot, y_dot, x, y, heading."""
+    """Return v, v_y, turning, x_dot, y_dot, x, y, heading."""
     rates = np.stack([rate1, rate2, rate3], axis=-1)
     twist = wheels.forward(OMNI, rates)
     start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
@@ -70,19 +70,19 @@ def omni_readouts(rate1, rate2, rate3, theta, t):
 
 
 def wrong_rates_readouts(*columns):
-    """apart, turned."""
+    """Return apart, turned."""
     real, believed = wrong_rates(*columns)
     off = believed - real
     return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
 
 
 def wrong_rates(*columns):
-    """Where the robot is, and where its program believes it to be: (n, 3) each."""
+    """Return where the robot is, and where its program believes it to be: (n, 3) each."""
     return np.array([of_mistake(*row) for row in zip(*columns, strict=True)]).swapaxes(0, 1)
 
 
 def of_mistake(m19, m20, m34, m35, m21, theta, t):
-    """Both poses, of a robot that starts at the origin."""
+    """Return both poses, of a robot that starts at the origin."""
     wish, right = [-0.08, 0.12, -0.6], wheels.rolling(OMNI)
     minus, turning = 1 - 2 * np.array([0, m19, m34]), right[:, 2]
     column = turning * np.cos(theta) if m20 else 0.2 * right[:, 1] if m35 else turning
@@ -93,25 +93,25 @@ def of_mistake(m19, m20, m34, m35, m21, theta, t):
 
 
 def turns(*columns):
-    """By how much the robot turns, and by how much its program believes."""
+    """Return by how much the robot turns, and by how much its program believes."""
     return [pose[:, 2] - columns[5] for pose in wrong_rates(*columns)]
 
 
 def directions(*columns):
-    """In which direction it sets off, and in which its program believes: unit vectors, (n, 2)."""
+    """Return the real and the believed direction at the start: unit vectors, (n, 2)."""
     soon = [pose[:, :2] for pose in wrong_rates(*columns[:6], 0 * columns[6] + 1e-6)]
     return [way / np.linalg.norm(way, axis=1, keepdims=True) for way in soon]
 
 
 def other_side(*columns):
-    """Of the line along which the robot looks."""
+    """Whether the robot goes to the other side of the line along which it looks."""
     across = np.column_stack([-np.sin(columns[5]), np.cos(columns[5])])
     real, believed = (np.sum(way * across, axis=1) for way in directions(*columns))
     return real * believed < 0
 
 
 def depends_on_heading(numbers):
-    """The first ones, where the second ones do not."""
+    """Whether the real numbers depend on the heading, and the believed ones do not."""
     real, believed = (np.ptp(each, axis=0).max() for each in numbers)
     return real > 0.5 and believed < 1e-5
 

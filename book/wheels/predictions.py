@@ -1,4 +1,4 @@
-"""What a reader of the chapter on wheels is asked before it is told."""
+"""Predictions that the chapter on wheels asks for."""
 
 import numpy as np
 
@@ -10,33 +10,33 @@ LENGTH, HALF = 0.5, 0.2  # m, of the car of the table: from axle to axle, and ha
 
 
 def alike() -> str:
-    """What the robot does with three equal positive rates."""
+    """Say what the robot does with three equal positive rates."""
     x, y, turn = wheels.forward(wheels.omni_robot(SPOKE, RADIUS), [1.0, 1.0, 1.0])
     moves = np.hypot(x, y) > 1e-9
     return "it drives" if moves else "it turns on the spot" if abs(turn) > 1e-9 else "it stands"
 
 
 def independent(degrees: float) -> int:
-    """How many rates are independent when all wheels are turned away from their spokes."""
+    """Return how many rates are independent when all wheels are turned away from their spokes."""
     beta, thirds = np.radians(degrees), np.radians([0, 120, 240])
     robot = [wheels.swedish(SPOKE, angle, beta, RADIUS, 0) for angle in thirds]
     return int(np.linalg.matrix_rank(wheels.rolling(robot), tol=1e-9))
 
 
 def lost() -> str:
-    """Where the rates no longer determine the motion."""
+    """Return where the rates no longer determine the motion."""
     offered = {"30° and −30°": 30, "45° and −45°": 45, "90° and −90°": 90}
     return next(name for name, degrees in offered.items() if independent(degrees) < 3)
 
 
 def front_wheel(y: float) -> wheels.Wheel:
-    """A steered wheel of the car, straight ahead, at some distance to the left."""
+    """Return a steered wheel of the car, straight ahead, at some distance to the left."""
     angle = np.arctan2(y, LENGTH)
     return wheels.steered(np.hypot(LENGTH, y), angle, np.pi / 2 - angle, RADIUS)
 
 
 def ways(degrees: float) -> str:
-    """In how many ways the car moves whose front wheels are both turned by so much."""
+    """Return in how many ways the car moves whose front wheels are both turned by so much."""
     fixed = [
         wheels.fixed(HALF, side * np.pi / 2, 0 if side > 0 else np.pi, RADIUS) for side in (1, -1)
     ]

@@ -5,7 +5,7 @@ from book.beacon.functions import range_and_bearing
 
 
 def beacon_readouts(b_x, b_y, theta, *guess):
-    """Distance; and the bearing before it is wrapped, as the figure tells it."""
+    """Return distance; and the bearing before it is wrapped, as the figure tells it."""
     still = np.zeros_like(theta)
     pose = np.column_stack([still, still, still])
     seen = range_and_bearing(pose, np.column_stack([b_x, b_y]))
@@ -13,7 +13,7 @@ def beacon_readouts(b_x, b_y, theta, *guess):
 
 
 def mistake_readouts(believed, theta):
-    """How far beside the beacon it looks."""
+    """Return how far beside the beacon it looks."""
     still = np.zeros_like(theta)
     seen = range_and_bearing(np.column_stack([still, still, still]), [0.6, 0.4])
     return (believed - (seen[:, 1] - theta))[:, None]

@@ -1,4 +1,4 @@
-"""What a reader of the chapter on the beacon is asked before it is told."""
+"""Predictions that the chapter on the beacon asks for."""
 
 from math import pi
 

@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 
 import pytest
 import yaml
-from chromium import started
+from chromium import launch
 from playwright.sync_api import expect
 
 from courseware.course import list_documents
@@ -136,7 +136,7 @@ def server(site):
 @pytest.fixture(scope="session")
 def chromium():
     """Playwright's browser: Chromium from the path, else Playwright's own."""
-    with started() as browser:
+    with launch() as browser:
         yield browser
 
 

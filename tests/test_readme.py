@@ -9,11 +9,11 @@ from support import ROOT
 each_text = pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md", "book/own_course.md"])
 
 
-@pytest.mark.parametrize("name", readme_pictures.pictures())
+@pytest.mark.parametrize("name", readme_pictures.render_pictures())
 def test_a_picture_is_the_figure_of_today(name):
     stored = (readme_pictures.FOLDER / name).read_text("utf-8")
     message = "run: .venv/bin/python tools/readme_pictures.py"
-    assert stored == readme_pictures.pictures()[name], message
+    assert stored == readme_pictures.render_pictures()[name], message
 
 
 def test_what_is_linked_is_there():

@@ -1,10 +1,9 @@
-"""Copies of the notebooks for Colab, which has no environment of the course.
+"""Copies of the notebooks for Colab, which lacks the packages of the course.
 
     python tools/colab_copies.py       into _build/hosted, from the site that `make book` has built
 
-Each copy is the notebook with one cell before all others, which installs the course there and does
-nothing elsewhere. Beside them stand the wheels that it installs. The folder is the branch `hosted`
-of the repository: `.github/workflows/hosted.yml` puts it there.
+A first cell in each copy installs the course on Colab and does nothing elsewhere. Its wheels are in
+the same folder. `.github/workflows/hosted.yml` makes it the branch `hosted`.
 """
 
 import shutil
@@ -25,25 +24,25 @@ if "google.colab" in sys.modules:
     %pip install --quiet {wheels}"""
 
 
-def installing(address, wheels):
-    """The first cell. address: where the wheels are to be had."""
+def make_first_cell(address, wheels):
+    """Return the source of the first cell. address: of the folder with the wheels."""
     extras = {"robokin": "[draw]"}
-    asked = (
+    requirements = (
         f'"{(name := wheel.partition("-")[0]).replace("_", "-")}{extras.get(name, "")}'
         f' @ {address}/{wheel}"'
         for wheel in wheels
     )
-    return CELL.format(wheels=" ".join(asked))
+    return CELL.format(wheels=" ".join(requirements))
 
 
 def copy_all(address, folder):
-    """All notebooks and the wheels, in a folder that is made anew."""
+    """Write all notebooks and the wheels into a new folder."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     wheels = sorted(BUILT.glob("*.whl"))
     for wheel in wheels:
         shutil.copy(wheel, folder)
-    first = installing(address, [wheel.name for wheel in wheels])
+    first = make_first_cell(address, [wheel.name for wheel in wheels])
     for file in sorted(BUILT.glob("*/*.ipynb")):
         notebook = nbformat.read(file, as_version=4)
         cell = nbformat.v4.new_code_cell(first, id="install")

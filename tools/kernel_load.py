@@ -1,4 +1,4 @@
-"""What kernels take that all run a chapter at once: the numbers on the page for a JupyterHub.
+"""Time and memory of kernels that all run a chapter at once, for the page on JupyterHub.
 
 python tools/kernel_load.py 30 differential_drive
 """
@@ -16,7 +16,7 @@ from nbclient import NotebookClient
 BOOK = Path(__file__).parents[1] / "book"
 
 
-async def student(chapter):
+async def run_chapter(chapter):
     """Run a chapter; return its seconds, those of a core, and the kernel's megabytes."""
     notebook = nbformat.read(BOOK / chapter / f"{chapter}.ipynb", as_version=4)
     client = NotebookClient(notebook, timeout=900, extra_arguments=["--log-level=ERROR"])
@@ -30,7 +30,7 @@ async def student(chapter):
 
 
 async def main(count, chapter):
-    found = await asyncio.gather(*(student(chapter) for _ in range(count)))
+    found = await asyncio.gather(*(run_chapter(chapter) for _ in range(count)))
     for name, *values in zip(("seconds", "of a core", "megabytes"), *found, strict=True):
         print(f"{name:10} median {statistics.median(values):6.1f}  worst {max(values):6.1f}")
 

@@ -3,9 +3,9 @@
     PYTHONPATH=tests .venv/bin/python tools/lighthouse.py          every chapter, the longest pages
     PYTHONPATH=tests .venv/bin/python tools/lighthouse.py euler    pages with that in their names
 
-It needs Node 18 or newer, whose `npx` fetches Lighthouse, and Chromium. The site is served as any
-host of the web would do it at least: HTTP/1.1, whose connections stay open, and texts compressed.
-Lighthouse counts what a new connection would take on a phone, so HTTP/1.0 would add one a file.
+It needs Node 18 or newer, whose `npx` fetches Lighthouse, and Chromium. The site is served as by
+any host of the web: texts compressed, over HTTP/1.1, whose connections stay open. Lighthouse counts
+the time of a new connection on a phone, which HTTP/1.0 would need for each file.
 """
 
 import functools
@@ -42,7 +42,7 @@ class Compressing(Quiet):
     disable_nagle_algorithm = True  # head and body leave one after the other, without a wait
 
     def send_head(self):
-        """The file as it is sent, behind its head."""
+        """Send the head, and return the compressed file."""
         file = Path(self.translate_path(self.path))
         if file.suffix not in TEXTS or not file.is_file():
             return super().send_head()
@@ -55,21 +55,21 @@ class Compressing(Quiet):
         return io.BytesIO(data)
 
 
-def run(address):
-    """Scores of 100, and times in milliseconds, of one run."""
-    with tempfile.NamedTemporaryFile(suffix=".json") as told:
+def run_lighthouse(address):
+    """Run Lighthouse once: scores of 100, times in milliseconds."""
+    with tempfile.NamedTemporaryFile(suffix=".json") as output:
         command = ["npx", "--yes", LIGHTHOUSE, address, "--quiet", "--output=json"]
-        command += [f"--output-path={told.name}", f"--chrome-flags={FLAGS}"]
-        environment = {**os.environ, "CHROME_PATH": chromium.path() or ""}
+        command += [f"--output-path={output.name}", f"--chrome-flags={FLAGS}"]
+        environment = {**os.environ, "CHROME_PATH": chromium.find_path() or ""}
         subprocess.run(command, check=True, env=environment)
-        report = json.loads(Path(told.name).read_text("utf-8"))
+        report = json.loads(Path(output.name).read_text("utf-8"))
     found = {name: 100 * report["categories"][name]["score"] for name in SCORES}
     found |= {name: report["audits"][audit]["numericValue"] for name, audit in TIMES.items()}
     return found
 
 
 def main():
-    """A row for each page."""
+    """Print a row for each page."""
     part = sys.argv[1] if len(sys.argv) > 1 else ""
     names = [name for name in listed() if "/" in name or name in ("intro", "practice", "checks")]
     handler = functools.partial(Compressing, directory=str(SITE))
@@ -78,7 +78,10 @@ def main():
         threading.Thread(target=server.serve_forever, daemon=True).start()
         for name in filter(lambda name: part in name, names):
             page = "index" if name == "intro" else name
-            runs = [run(f"http://127.0.0.1:{server.server_port}/{page}.html") for _ in range(RUNS)]
+            runs = [
+                run_lighthouse(f"http://127.0.0.1:{server.server_port}/{page}.html")
+                for _ in range(RUNS)
+            ]
             row = [statistics.median(run[key] for run in runs) for key in runs[0]]
             shown = [f"{number:.2f}" if number < 2 else f"{number:.0f}" for number in row]
             print(f"{page:42}{''.join(f'{number:>16}' for number in shown)}", flush=True)

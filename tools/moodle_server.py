@@ -1,11 +1,11 @@
-"""The questions in a real Moodle: `python tools/moodle_server.py FOLDER [EXERCISE …]`.
+"""Import the questions into a real Moodle and answer them there.
 
-FOLDER holds Moodle's own code.
+    python tools/moodle_server.py FOLDER [EXERCISE …]
 
-A PostgreSQL of its own is started, Moodle is installed in it, imports all questions and answers
-them through its question engine: the right answer, the mistakes, with units. Needs PHP with what
-Moodle wants of it (on Debian: php-cli php-pgsql php-intl php-xml php-mbstring php-curl php-zip
-php-gd php-soap) and postgresql. Nothing is left of it, in FOLDER neither.
+FOLDER holds Moodle's own code. Moodle is installed into a PostgreSQL of its own. It imports the
+questions and gets answers through its question engine: right ones, mistakes, with units. It needs
+postgresql and PHP with the extensions for Moodle (on Debian: php-cli php-pgsql php-intl php-xml
+php-mbstring php-curl php-zip php-gd php-soap). Everything is removed afterwards.
 """
 
 import json

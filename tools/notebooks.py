@@ -1,5 +1,6 @@
-"""Write the notebooks: run every cell, store the outputs, byte for byte the same each time, and
-put the computed numbers into the prose (`tools/prose_numbers.py`).
+"""Run the notebooks and store their outputs, equal byte for byte in every run.
+
+Numbers in the prose are computed, too (`tools/prose_numbers.py`).
 
     python tools/notebooks.py            write all notebooks of book/
     python tools/notebooks.py bicycle    only those whose name contains bicycle
@@ -42,7 +43,7 @@ def main() -> int:
 
 
 def run_notebook(path: Path) -> str:
-    """The notebook's text after running it from top to bottom."""
+    """Run a notebook from top to bottom and return its text."""
     notebook = nbformat.read(path, as_version=4)
     client = NotebookClient(
         notebook,
@@ -50,7 +51,7 @@ def run_notebook(path: Path) -> str:
         kernel_name="python3",
         record_timing=False,
         store_widget_state=False,
-        coalesce_streams=True,  # what is printed slowly comes in parts; how many is chance
+        coalesce_streams=True,  # slow printing comes in parts, whose number varies
         extra_arguments=["--log-level=ERROR"],
         resources={"metadata": {"path": str(path.parent)}},
     )

@@ -1,13 +1,13 @@
 """Computed numbers in the prose of notebooks.
 
-The text of a cell is plain. Which of its numbers are computed stands in the cell's metadata (in
-JupyterLab: the gear at the right, *Cell Metadata*):
+The text of a cell is plain. Its metadata lists the phrases with computed numbers (in JupyterLab:
+the gear at the right, *Cell Metadata*):
 
     "numbers": {"computed": ["So {100 * v:.1f} cm/s", "about {np.degrees(omega):.0f}°"]}
 
-A phrase must stand in the text once. The number in the braces' place is computed in the chapter's
-kernel after the cells above, with the reader's variables and the names of `book/prose.py`, and
-rounded once. Minus signs are true ones, except in an exponent of TeX.
+A phrase must stand in the text once. The expression in braces is evaluated in the chapter's kernel
+after the cells above, with the reader's variables and the names of `book/prose.py`, and rounded
+once. Minus signs are true ones, except in an exponent of TeX.
 """
 
 import ast
@@ -26,24 +26,24 @@ class ProseError(Exception):
 Answers = Mapping[str, Mapping[str, Any]]
 
 
-def fields(cell: Any) -> list[tuple[str, str]]:
-    """What a cell's computed phrases ask for: (expression, format), in order."""
-    return [field for phrase in _phrases(cell) for field in _parsed(phrase)[1]]
+def list_fields(cell: Any) -> list[tuple[str, str]]:
+    """Return (expression, format) of each computed number of a cell, in order."""
+    return [field for phrase in _phrases(cell) for field in _parse_phrase(phrase)[1]]
 
 
 def kernel_expressions(cell: Any, chapter: str) -> dict[str, str]:
-    """`user_expressions` for the kernel that answer `fields`."""
+    """Return `user_expressions` for the kernel, one for each field."""
     names = f"{{**__import__('book.prose').prose.names({chapter!r}), **globals()}}"
     return {
         str(k): f"format(eval({expression!r}, {names}), {form!r})"
-        for k, (expression, form) in enumerate(fields(cell))
+        for k, (expression, form) in enumerate(list_fields(cell))
     }
 
 
 def fill_numbers(cell: Any, where: str, answers: Answers) -> str:
-    """The cell's text with its computed numbers put in. where: notebook and cell, for errors."""
+    """Return the cell's text with its computed numbers. where: notebook and cell, for errors."""
     texts = []
-    for k, (expression, _) in enumerate(fields(cell)):
+    for k, (expression, _) in enumerate(list_fields(cell)):
         answer = answers[str(k)]
         if answer["status"] != "ok":
             raise ProseError(
@@ -52,14 +52,14 @@ def fill_numbers(cell: Any, where: str, answers: Answers) -> str:
         texts.append(ast.literal_eval(answer["data"]["text/plain"]))
     source = str(cell.source)
     for phrase in _phrases(cell):
-        literals, asked = _parsed(phrase)
+        literals, asked = _parse_phrase(phrase)
         new = literals[0]
         for literal in literals[1:]:
             number = texts.pop(0)
             new += (number if new.endswith("^{") else number.replace("-", "−")) + literal
         if not asked:
             raise ProseError(f"{where}: {phrase!r} has no {{expression}} to compute")
-        start, end = _place(phrase, source, where).span()
+        start, end = _find_phrase(phrase, source, where).span()
         source = source[:start] + new + source[end:]
     return source
 
@@ -69,8 +69,8 @@ def has_numbers(cell: Any) -> bool:
     return cell.cell_type == "markdown" and bool(_phrases(cell))
 
 
-def _parsed(phrase: str) -> tuple[list[str], list[tuple[str, str]]]:
-    """The words around the numbers (one more than numbers), and (expression, format) of each."""
+def _parse_phrase(phrase: str) -> tuple[list[str], list[tuple[str, str]]]:
+    """Return the words around the numbers, and (expression, format) of each number."""
     literals, asked = [""], []
     for literal, expression, form, _ in Formatter().parse(phrase):
         literals[-1] += literal
@@ -80,9 +80,9 @@ def _parsed(phrase: str) -> tuple[list[str], list[tuple[str, str]]]:
     return literals, asked
 
 
-def _place(phrase: str, source: str, where: str) -> re.Match[str]:
-    """Where a computed phrase stands, whatever its numbers."""
-    pattern = NUMBER.join(map(re.escape, _parsed(phrase)[0]))
+def _find_phrase(phrase: str, source: str, where: str) -> re.Match[str]:
+    """Find a computed phrase in the text, with any numbers."""
+    pattern = NUMBER.join(map(re.escape, _parse_phrase(phrase)[0]))
     found = list(re.finditer(rf"(?<![\d.]){pattern}", source))
     if len(found) != 1:
         raise ProseError(

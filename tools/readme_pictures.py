@@ -1,4 +1,4 @@
-"""The picture of README.md: a figure as it stands before anybody moves it, light and dark.
+"""The picture of README.md: a figure in its start position, light and dark.
 
 python tools/readme_pictures.py       into .github, after a change of the figure
 """
@@ -14,13 +14,13 @@ WIDTH = 736  # pixels, as wide as a page shows it
 FOLDER = Path(__file__).parents[1] / ".github"
 
 
-def pictures():
-    """Return file name → SVG."""
+def render_pictures():
+    """Return the pictures as SVG, by the names of their files."""
     light = find_figure(FIGURE).render_svg(WIDTH)
     dark = light.replace(">", f"><style>:root {{ {dark_colours()} }}</style>", 1)
     return {"figure-light.svg": f"{light}\n", "figure-dark.svg": f"{dark}\n"}
 
 
 if __name__ == "__main__":
-    for name, svg in pictures().items():
+    for name, svg in render_pictures().items():
         (FOLDER / name).write_text(svg, "utf-8")

@@ -1,4 +1,4 @@
-"""The form in which a notebook is stored, the same in every run, and whether two agree in it.
+"""The form in which notebooks are stored, and the comparison of stored with fresh outputs.
 
 On the reference environment (Linux x86-64, Python 3.11, the lock's matplotlib) pictures are
 compared byte for byte, elsewhere with a tolerance.
@@ -29,7 +29,7 @@ PICTURE_TOLERANCE = 0.01  # mean difference of a pixel, of 1: fonts are drawn a 
 
 
 def normalize(notebook: nbformat.NotebookNode) -> str:
-    """The text in which a notebook is stored: nothing in it differs from run to run."""
+    """Return the text of a notebook without anything that differs from run to run."""
     notebook.metadata = nbformat.from_dict(METADATA)
     for number, cell in enumerate(notebook.cells):
         cell.id = f"cell-{number:02d}"
@@ -43,7 +43,7 @@ def normalize(notebook: nbformat.NotebookNode) -> str:
 
 
 def folded_parts(cell: nbformat.NotebookNode) -> dict[str, bool]:
-    """Return what JupyterLab folds of a cell: what a page folds or does not show."""
+    """Return which parts of a cell JupyterLab folds: those that a page folds or hides."""
     tags = set(cell.metadata.get("tags", []))
     if any(tag.startswith("after-") for tag in tags):  # until its prediction is answered
         return {"source_hidden": True, "outputs_hidden": True}
@@ -53,8 +53,7 @@ def folded_parts(cell: nbformat.NotebookNode) -> dict[str, bool]:
 
 
 def tidy_output(output: nbformat.NotebookNode) -> None:
-    """Drop what differs from run to run; make pictures light and give them their size, so that a
-    page does not jump."""
+    """Drop what differs from run to run; reduce pictures, and store their size for the page."""
     data = output.get("data", {})
     data.pop(WIDGET, None)
     if "image/png" in data:
@@ -64,14 +63,14 @@ def tidy_output(output: nbformat.NotebookNode) -> None:
 
 
 def reduce_colours(png: bytes) -> tuple[bytes, tuple[int, int]]:
-    """A picture in few colours, a quarter of its bytes, and its size.
+    """Return a picture in few colours, with a quarter of its bytes, and its size.
 
-    The colours are chosen one by one, each where the pixels are furthest from those chosen before:
-    first the areas and lines, which so keep theirs exactly, then steps between them at the edges.
+    Each colour is chosen where the pixels are furthest from those chosen before: first the areas
+    and lines, which keep their colours exactly, then steps between them at the edges.
     """
     picture = Image.open(io.BytesIO(png))
     if picture.mode == "P":
-        return png, picture.size  # is light already
+        return png, picture.size  # reduced already
     width, height = picture.size
     picture = picture.crop((0, 0, width // 2 * 2, height // 2 * 2))  # half of it is whole pixels
     pixels = np.asarray(picture.convert("RGB")).reshape(-1, 3) @ [1 << 16, 1 << 8, 1]
@@ -93,7 +92,7 @@ def reduce_colours(png: bytes) -> tuple[bytes, tuple[int, int]]:
 
 
 def describe_difference(cell: nbformat.NotebookNode, outputs: list[nbformat.NotebookNode]) -> str:
-    """How a cell's stored outputs differ from fresh ones; empty if they do not."""
+    """Say how a cell's stored outputs differ from fresh ones; "" if they do not."""
     for output in outputs:
         tidy_output(output)
     if len(cell.outputs) != len(outputs):
@@ -111,7 +110,7 @@ def describe_difference(cell: nbformat.NotebookNode, outputs: list[nbformat.Note
 
 
 def _parts(output: nbformat.NotebookNode) -> dict[str, object]:
-    """An output's parts by name; its cell's number is its place, and is looked at there."""
+    """Return an output's parts by name, without the number of its cell."""
     parts = {**output, **output.get("data", {})}
     parts.pop("data", None)
     parts.pop("execution_count", None)
@@ -121,7 +120,7 @@ def _parts(output: nbformat.NotebookNode) -> dict[str, object]:
 def prose_after(
     notebook: nbformat.NotebookNode, cell: nbformat.NotebookNode
 ) -> Iterator[tuple[int, nbformat.NotebookNode]]:
-    """The cells of prose with computed numbers between a code cell and the next one."""
+    """Yield the cells of prose with computed numbers between a code cell and the next one."""
     place = next(k for k, each in enumerate(notebook.cells) if each is cell)
     for number, each in enumerate(notebook.cells[place + 1 :], start=place + 1):
         if each.cell_type == "code":
@@ -141,12 +140,12 @@ def is_near(a: str, b: str) -> bool:
 
 
 def has_other_layout() -> bool:
-    """Whether this matplotlib gives the parts of a picture other places: before 3.11 it does."""
+    """Whether this Matplotlib lays out pictures otherwise: before 3.11 it does."""
     return tuple(map(int, version("matplotlib").split(".")[:2])) < (3, 11)
 
 
 def is_reference() -> bool:
-    """Whether pictures come out here byte for byte as they were stored."""
+    """Whether pictures are equal here byte for byte to the stored ones."""
     here = (platform.system(), platform.machine(), sys.version_info[:2])
     locked = f"\nmatplotlib=={version('matplotlib')} " in LOCK.read_text(encoding="utf-8")
     return here == ("Linux", "x86_64", (3, 11)) and locked

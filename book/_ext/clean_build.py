@@ -1,8 +1,8 @@
-"""Each build writes into an empty folder, and alone.
+"""Each build writes into an empty folder, one build at a time.
 
-What was read stays (`_build/.doctrees`), but all pages are written anew: so a page, picture or
-script that is no longer in the book leaves the site, its zip and its search, and an incremental
-build gives the same bytes as one after `make clean`.
+Parsed pages stay (`_build/.doctrees`), but all pages are written anew. So a page, picture or script
+that leaves the book also leaves the site, its zip and its search, and an incremental build gives
+the same bytes as one after `make clean`.
 """
 
 import os
@@ -15,8 +15,8 @@ if os.name != "nt":
 BUSY = "Another build of this site is running: wait until it is done, and start again."
 
 
-def build_alone(app, config):
-    """End the build where another one runs; the lock ends with the process, however it ends."""
+def lock_build(app, config):
+    """End the build if another one runs; the lock ends with the process, however that ends."""
     folder = Path(app.doctreedir)
     folder.mkdir(parents=True, exist_ok=True)
     app.lock = (folder / "lock").open("w")
@@ -28,14 +28,14 @@ def build_alone(app, config):
 
 
 def empty_site(app):
-    """Remove what earlier builds wrote, before this one writes anything."""
+    """Remove the files of earlier builds, before this one writes any."""
     if app.builder.name == "html":
         shutil.rmtree(app.outdir)
         os.mkdir(app.outdir)
 
 
 def setup(app):
-    """Called by Sphinx."""
-    app.connect("config-inited", build_alone, priority=1)  # before what was read is loaded
+    """Register both steps with Sphinx."""
+    app.connect("config-inited", lock_build, priority=1)  # before parsed pages are loaded
     app.connect("builder-inited", empty_site, priority=1)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,12 +1,12 @@
 """JupyterLite beside the book: every chapter as a notebook that runs in the browser.
 
-`lite/` in the site has the notebooks, the course's packages, and JupyterLite; Python itself
-(Pyodide) comes from `course_python`. What the course needs stands in the list of packages that
-Pyodide is given, so that `import robokin` just works, and nothing is asked of another registry.
+`lite/` in the site has JupyterLite, the notebooks and the course's packages; Python itself
+(Pyodide) comes from `course_python`. The lock file for Pyodide lists the course's packages too: so
+`import robokin` works, and no other registry is asked.
 
-A notebook's name there ends with a few letters of its digest: so a new release is seen, and a copy
-that a student has changed stays beside it. Three things name one version of Pyodide, and a test
-compares them: `course_python` (`courseware/site/__init__.py`), `book/_vendor/pyodide` and
+A notebook's name there ends with letters of its digest: a new release is seen, and a copy that a
+student has changed stays beside it. Three places name one version of Pyodide, and a test compares
+them: `course_python` (`courseware/site/__init__.py`), `book/_vendor/pyodide` and
 `jupyterlite-pyodide-kernel`.
 """
 
@@ -31,17 +31,17 @@ from courseware.site.run import FOLDER, own_python
 logger = logging.getLogger(__name__)
 
 LOCK = Path(__file__).parents[1] / "_vendor" / "pyodide" / "pyodide-lock.json"
-DATE = 1767225600  # of all its files, 1 January 2026, whenever the site is built
+DATE = 1767225600  # of all files, 1 January 2026, whenever the site is built
 KERNEL = "@jupyterlite/pyodide-kernel-extension:kernel"
 KERNELSPEC = {"name": "python", "display_name": "Python (Pyodide)", "language": "python"}
-# what widgets need and Pyodide has not: taken from what is installed here, name → what it needs
+# packages for widgets that Pyodide lacks, taken from this environment, with their dependencies
 WIDGETS = {
     "comm": ("traitlets",),
     "ipywidgets": ("comm", "ipython", "traitlets"),
     "psygnal": (),
     "anywidget": ("ipywidgets", "psygnal", "typing-extensions"),
 }
-COURSE = {  # our packages, by what is imported; the first alone needs little
+COURSE = {  # our packages by the names of imports, with their dependencies
     "robokin": ("numpy",),
     "courseware": ("anywidget", "ipywidgets", "mpmath", "numpy", "pyyaml", "sympy"),
     "book": ("matplotlib", "robokin", "robokin-courseware"),
@@ -49,60 +49,59 @@ COURSE = {  # our packages, by what is imported; the first alone needs little
 
 
 def notebook_name(page):
-    """What a chapter's notebook is called there: the name changes with what it says, so that a
-    new one is seen, and one that a reader has changed stays beside it."""
+    """Return the name of a chapter's notebook, with a digest of its content."""
     file = course().notebook(page.partition("/")[0])
     digest = hashlib.sha256(file.read_bytes()).hexdigest()[:6]
     return f"{file.stem}-{digest}.ipynb"
 
 
 def notebook_address(page):
-    """Return the address of a chapter there, from its page."""
+    """Return the address of a chapter's notebook, relative to its page."""
     return "../" * page.count("/") + f"lite/notebooks/index.html?path={notebook_name(page)}"
 
 
 def write_notebooks(folder):
-    """All chapters, for the kernel that there is: another name would open a dialog."""
+    """Write all notebooks with the name of the kernel; another name would open a dialog."""
     folder.mkdir(parents=True)
     for chapter in course().taught:
-        notebook = nbformat.read(course().notebook(chapter), as_version=4)  # texts whole
+        notebook = nbformat.read(course().notebook(chapter), as_version=4)  # joins lines
         notebook["metadata"]["kernelspec"] = KERNELSPEC
         text = json.dumps(notebook, ensure_ascii=False)
         (folder / notebook_name(chapter)).write_text(text, "utf-8")
 
 
-def installed_wheel(name, folder):
-    """A wheel of what is installed here; without compiled parts, which these can do without."""
+def build_wheel(name, folder):
+    """Build a wheel of an installed package, without compiled parts, which are optional here."""
     found = distribution(name)
     file = folder / f"{name}-{found.version}-py3-none-any.whl"
     inside = [f for f in found.files if f.suffix != ".so" and ".." not in f.parts]
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as wheel:
         for each in sorted(f for f in inside if "__pycache__" not in f.parts):
             if each.name not in ("RECORD", "direct_url.json", "INSTALLER", "REQUESTED"):
-                entry = zipfile.ZipInfo(each.as_posix())  # without the time: the same each time
+                entry = zipfile.ZipInfo(each.as_posix())  # without the time: equal in each build
                 wheel.writestr(entry, each.locate().read_bytes(), zipfile.ZIP_DEFLATED)
     return file
 
 
 def write_packages(app, folder):
-    """The course's wheels and the widgets', and the list of all packages."""
+    """Write the wheels of course and widgets, and the lock file of all packages."""
     folder.mkdir(parents=True)
     lock = json.loads(LOCK.read_text("utf-8"))
     place = (own_python() and f"../../_static/{FOLDER}/") or app.config.course_python
     for entry in lock["packages"].values():
         entry["file_name"] = place + entry["file_name"]
     for name, needs in WIDGETS.items():
-        lock["packages"][name] = listed(installed_wheel(name, folder), name, needs)
+        lock["packages"][name] = describe_wheel(build_wheel(name, folder), name, needs)
     for project, (name, needs) in zip(app.config.course_wheels, COURSE.items(), strict=True):
         wheel = wheel_name(project)
         shutil.copy(Path(app.outdir, "_sources", wheel), folder)
-        entry = listed(folder / wheel, name, needs)
+        entry = describe_wheel(folder / wheel, name, needs)
         lock["packages"][entry["name"]] = entry
     (folder / LOCK.name).write_text(json.dumps(lock), "utf-8")
 
 
-def listed(wheel, imported, needs):
-    """A wheel's entry in the list."""
+def describe_wheel(wheel, imported, needs):
+    """Return a wheel's entry in the lock file."""
     name, number, *_ = wheel.name.split("-")
     return {
         "name": name.replace("_", "-"),
@@ -117,12 +116,12 @@ def listed(wheel, imported, needs):
     }
 
 
-def settings(app):
-    """What JupyterLite reads when it starts."""
+def make_settings(app):
+    """Return the settings that JupyterLite reads when it starts."""
     python = f"./../_static/{FOLDER}/" if own_python() else app.config.course_python
     kernel = {
         "pyodideUrl": f"{python}pyodide.mjs",
-        "disablePyPIFallback": True,  # a package that is missing may not come from strangers
+        "disablePyPIFallback": True,  # nothing is loaded from elsewhere
         "loadPyodideOptions": {"lockFileURL": "./packages/pyodide-lock.json"},
     }
     return {
@@ -136,21 +135,21 @@ def settings(app):
 
 
 def build(app, error):
-    """Put JupyterLite into the site."""
+    """Build JupyterLite into the site."""
     if error or app._warncount or app.builder.name != "html":
         return
     folder, target = Path(app.outdir).parent / "lite", Path(app.outdir) / "lite"
     shutil.rmtree(folder, ignore_errors=True)
     write_notebooks(folder / "notebooks")
     write_packages(app, folder / "packages")
-    (folder / "jupyter-lite.json").write_text(json.dumps(settings(app)), "utf-8")
+    (folder / "jupyter-lite.json").write_text(json.dumps(make_settings(app)), "utf-8")
     shutil.rmtree(target, ignore_errors=True)
     run_jupyterlite(folder, target)
     shutil.copytree(folder / "packages", target / "packages")
 
 
 def run_jupyterlite(folder, target):
-    """Its own command; what it says only if it fails."""
+    """Run its command, and log the output only if it fails."""
     logger.info("building JupyterLite …")
     command = [sys.executable, "-m", "jupyterlite_core.app", "build", "--lite-dir", str(folder)]
     command += ["--contents", str(folder / "notebooks"), "--output-dir", str(target)]
@@ -163,12 +162,12 @@ def run_jupyterlite(folder, target):
 
 
 def is_interactive(node):
-    """Return whether a node is a cell with widgets."""
+    """Whether a node is a cell with widgets."""
     return isinstance(node, nodes.container) and "tag_interact" in node["classes"]
 
 
 def add_link(app, doctree, page):
-    """Say below a cell with widgets (tagged `interact`) where it moves."""
+    """Add a link to JupyterLite below each cell with widgets (tagged `interact`)."""
     if app.builder.name != "html":  # on paper nothing moves
         return
     for cell in list(doctree.findall(is_interactive)):
@@ -180,7 +179,7 @@ def add_link(app, doctree, page):
 
 
 def setup(app):
-    """Called by Sphinx; after the wheels are there."""
+    """Register with Sphinx, after the wheels are written."""
     app.connect("doctree-resolved", add_link)
     app.connect("build-finished", build, priority=910)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,7 +1,7 @@
-"""Mathematics becomes HTML and MathML while the book is built; the page needs no script for it.
+"""Formulas become HTML and MathML when the book is built; pages need no script for them.
 
-KaTeX runs in V8, which comes as the wheel `mini-racer`. TeX that KaTeX cannot read is a warning
-with document and line, and warnings are errors in this book.
+KaTeX runs in V8, from the wheel `mini-racer`. TeX that KaTeX cannot read is a warning with document
+and line, and warnings are errors in this book.
 """
 
 import atexit
@@ -29,7 +29,7 @@ function render(tex, displayMode, macros, output) {
 }
 """
 
-# KaTeX would number these environments itself; Sphinx does that, so the starred form is drawn
+# KaTeX would number these environments, as Sphinx does already: the starred form is rendered
 NUMBERED = re.compile(r"\\(begin|end)\{(equation|align|alignat|gather)\}")
 PUNCTUATION = re.compile(r"[.,;:!?)\]”’]+")
 PLAIN = re.compile(r"(?<=x-tex\")>.*?</annotation>", re.DOTALL)
@@ -37,12 +37,12 @@ ALIGNED = re.compile(r"\\begin\{aligned\}((?:(?!\\begin).)*)\\end\{aligned\}", r
 LINE_END = re.compile(r"\\\\\s*(?:\[\d+pt\])?")
 BIG = r"\displaystyle "
 HEIGHT = re.compile(r'katex-strut" style="height:([\d.]+)em')
-ALONE, LINE, GAP = 1.3, 1.6, 0.7  # em: the least height of a line, of one among others; between
-SHORT = 40  # characters of TeX: such a formula finds room on a line of a phone
+ALONE, LINE, GAP = 1.3, 1.6, 0.7  # em: least height of a single line, of one of several; gap
+SHORT = 40  # characters of TeX that fit on a line of a phone
 SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
 
-def breaks_lines(tex):
+def has_line_break(tex):
     r"""Whether a `\\` stands outside every environment and brace."""
     depth = 0
     for token in SCOPES.findall(tex):
@@ -53,18 +53,18 @@ def breaks_lines(tex):
     return False
 
 
-def lines_aligned(tex):
-    """The TeX of a display: several lines, or paragraphs, become one aligned environment."""
+def align_lines(tex):
+    """Return TeX whose lines, or paragraphs, stand in one aligned environment."""
     parts = [part.strip() for part in re.split(r"\n\s*\n", tex) if part.strip()]
-    if len(parts) == 1 and not breaks_lines(parts[0]):
+    if len(parts) == 1 and not has_line_break(parts[0]):
         return parts[0]
     return r"\begin{aligned}" + r" \\ ".join(parts) + r"\end{aligned}"
 
 
-def lines_of(tex):
-    """The two sides of each line of an aligned formula, the sign = with the left one.
+def split_lines(tex):
+    """Return both sides of each line of an aligned formula, the sign = with the left one.
 
-    None of them where a line holds another environment or is no equation.
+    The list is empty if a line holds another environment or is no equation.
     """
     found = ALIGNED.fullmatch(tex)
     lines = [line.split("&") for line in LINE_END.split(found[1])] if found else []
@@ -73,22 +73,22 @@ def lines_of(tex):
     return [(f"{left} =", right.lstrip()[1:]) for left, right in lines]
 
 
-def tex_of(node):
-    """The TeX of a formula, in which the site may have marked its symbols."""
+def get_tex(node):
+    """Return the TeX of a formula, with marked symbols if the site has marked them."""
     return node.get("marked", node.astext()).strip()
 
 
-def display_tex(node):
-    """The TeX that KaTeX draws for a display."""
-    tex = tex_of(node)
+def get_display_tex(node):
+    """Return the TeX of a display for KaTeX."""
+    tex = get_tex(node)
     if r"\begin{matrix}" in tex and not node["number"]:  # SymPy's own; its fractions in full size
         tex = tex.replace(r"\frac", r"\dfrac")
-    return NUMBERED.sub(r"\\\1{\2*}", tex) if node.get("nowrap") else lines_aligned(tex)
+    return NUMBERED.sub(r"\\\1{\2*}", tex) if node.get("nowrap") else align_lines(tex)
 
 
 @functools.cache
-def engine():
-    """V8 with KaTeX in it, started once. One left open keeps Python from ending: closed at exit."""
+def start_katex():
+    """Return V8 with KaTeX, started once and closed at exit: open, it keeps Python from ending."""
     context = MiniRacer()
     atexit.register(context.close)
     context.eval((VENDOR / "katex.min.js").read_text("utf-8"))
@@ -97,13 +97,13 @@ def engine():
 
 
 @functools.cache
-def rendered(tex, display, macros=(), output="htmlAndMathml"):
-    """`{"html": …}` or `{"error": …}` for one formula; `macros` are pairs (name, TeX)."""
-    return engine().call("render", tex, display, dict(macros), output)
+def render(tex, display, macros=(), output="htmlAndMathml"):
+    """Return `{"html": …}` or `{"error": …}` of a formula; `macros` are pairs (name, TeX)."""
+    return start_katex().call("render", tex, display, dict(macros), output)
 
 
-def place(node):
-    """Document and line of a formula, for the message; a notebook's line as cell and line."""
+def locate(node):
+    """Return document and line of a formula; in a notebook, cell and line."""
     while node.parent is not None and node.line is None:
         node = node.parent
     source, line = node.source or "", node.line
@@ -112,62 +112,62 @@ def place(node):
     return (f"{source}:{line}" if line else source), ""
 
 
-def to_html(writer, node, tex, display, plain=None):
-    """The formula as HTML, or its TeX and a warning. plain: what who copies it gets."""
+def render_html(writer, node, tex, display, plain=None):
+    """Return the HTML of a formula, or its TeX with a warning. plain: the text to copy."""
     macros = tuple(sorted(writer.builder.config.katex_macros.items()))
-    output = "html" if node.get("seen_only") else "htmlAndMathml"  # what is said stands elsewhere
-    result = rendered(tex, display, macros, output)
+    output = "html" if node.get("seen_only") else "htmlAndMathml"  # read aloud elsewhere
+    result = render(tex, display, macros, output)
     if "html" in result:
         copied = html.escape(plain or node.astext().strip(), quote=False)
         return PLAIN.sub(lambda _: f">{copied}</annotation>", result["html"])
-    location, cell = place(node)
+    location, cell = locate(node)
     where = f" ({cell})" if cell else ""
     logger.warning("TeX: %s in %s%s", result["error"], tex, where, location=location, type="katex")
     return f"<code>{html.escape(tex)}</code>"
 
 
-def display_html(writer, node):
-    """A display, and its height in em: a page is laid out before what lies far below is drawn.
+def render_display(writer, node):
+    """Return a display and its height in em, which keeps its place until it is drawn.
 
-    Lines below each other are cells of their own: a long one can be broken.
+    Each side of each line is a cell of its own, so that a long one can be broken.
     """
-    lines = lines_of(display_tex(node))
-    plain = lines_of(lines_aligned(node.astext().strip()))
+    lines = split_lines(get_display_tex(node))
+    plain = split_lines(align_lines(node.astext().strip()))
     if not lines or len(lines) != len(plain):
-        formula = to_html(writer, node, display_tex(node), True)
-        return formula, height(formula)
+        formula = render_html(writer, node, get_display_tex(node), True)
+        return formula, measure_height(formula)
     rows = [
         "".join(
-            f"<div>{to_html(writer, node, BIG + side, False, copied)}</div>"
+            f"<div>{render_html(writer, node, BIG + side, False, copied)}</div>"
             for side, copied in zip(line, same, strict=True)
         )
         for line, same in zip(lines, plain, strict=True)
     ]
-    high = sum(max(LINE, height(row)) for row in rows) + GAP * (len(rows) - 1)
+    high = sum(max(LINE, measure_height(row)) for row in rows) + GAP * (len(rows) - 1)
     return f'<div class="math-lines">{"".join(rows)}</div>', high
 
 
-def height(formula):
-    """Of a formula in one line, in em."""
+def measure_height(formula):
+    """Return the height of a formula in one line, in em."""
     return max(ALONE, *map(float, HEIGHT.findall(formula)))
 
 
 def visit_inline(writer, node):
-    """Write an inline formula, with the punctuation behind it; a short one stays on one line."""
+    """Write an inline formula with the punctuation behind it; a short one is not broken."""
     if "after" in node:
         writer.body.append('<span class="kept">')
     kept = " kept" if len(node.astext()) <= SHORT else ""
     writer.body.append(
         writer.starttag(node, "span", "", CLASS=f"math{kept} notranslate nohighlight")
     )
-    writer.body.append(to_html(writer, node, tex_of(node), False) + "</span>")
+    writer.body.append(render_html(writer, node, get_tex(node), False) + "</span>")
     if "after" in node:
         writer.body.append(f"{html.escape(node['after'])}</span>")
     raise nodes.SkipNode
 
 
 def keep_punctuation(app, doctree, docname):
-    """Take the punctuation behind a short formula to the formula: it must not start a line."""
+    """Move the punctuation behind a short formula into it, so that no line starts with it."""
     for node in list(doctree.findall(nodes.math)):
         following = node.next_node(descend=False, siblings=True)
         found = PUNCTUATION.match(following) if isinstance(following, nodes.Text) else None
@@ -177,8 +177,8 @@ def keep_punctuation(app, doctree, docname):
 
 
 def visit_display(writer, node):
-    """Write a display: the formula in a box that scrolls, its number beside the box."""
-    formula, high = display_html(writer, node)
+    """Write a display: the formula in a box that scrolls, its number beside it."""
+    formula, high = render_display(writer, node)
     writer.body.append(writer.starttag(node, "div", CLASS="math notranslate nohighlight"))
     writer.body.append(f'<div class="math-scroll" style="--high:{high:.3g}">{formula}</div>')
     if node["number"]:

@@ -1,7 +1,7 @@
-"""Where a chapter can be run: a menu *Run* in the bar of its page.
+"""A menu *Run* on the page of a chapter, with links to the places where its notebook runs.
 
-Each place is a link. What an address is needed for is absent without it: the repository's `url` in
-`_config.yml` says where the course's files are public, `site_hub` the address of a JupyterHub.
+Two settings in `_config.yml` add places: the `url` of the public repository, and `site_hub`, the
+address of a JupyterHub.
 """
 
 import html
@@ -12,8 +12,8 @@ from jupyterlite import notebook_address
 COPIES = "hosted"  # the branch with the notebooks that install the course: tools/colab_copies.py
 
 
-def places(app, page):
-    """Return name → (address, what it says) of each place where the notebook of a page runs."""
+def list_places(app, page):
+    """Return address and description of each place where the notebook of a page runs, by name."""
     theme, hub = app.config.html_theme_options, app.config.site_hub.rstrip("/")
     url, branch = theme.get("repository_url", ""), theme.get("repository_branch") or "main"
     repository = urlsplit(url.rstrip("/").removesuffix(".git"))
@@ -25,7 +25,7 @@ def places(app, page):
         found["JupyterHub"] = (f"{hub}/hub/user-redirect/git-pull?{query}", words)
     if repository.netloc == "github.com":
         path, place = repository.path.strip("/"), quote(f"lab/tree/{notebook}", safe="")
-        # Colab has no environment of the course: there a copy is opened that installs it
+        # Colab has no environment of the course: it opens a copy of the notebook that installs it
         copy = f"{path}/blob/{COPIES}/{page.rpartition('/')[2]}.ipynb"
         binder = f"https://mybinder.org/v2/gh/{path}/{quote(branch, safe='')}?urlpath={place}"
         colab = f"https://colab.research.google.com/github/{copy}"
@@ -37,18 +37,18 @@ def places(app, page):
 
 
 def add_menu(app, page, template, context, doctree):
-    """Put the menu on the page of a chapter."""
+    """Add the menu to the page of a chapter."""
     if context.get("page_source_suffix") == ".ipynb":
         links = [
-            {"type": "link", "text": name, "url": html.escape(url), "tooltip": says}
-            for name, (url, says) in places(app, page).items()
+            {"type": "link", "text": name, "url": html.escape(url), "tooltip": tip}
+            for name, (url, tip) in list_places(app, page).items()
         ]
         menu = {"type": "group", "tooltip": "Run this chapter", "icon": "fas fa-play"}
         context["header_buttons"].insert(0, menu | {"buttons": links, "label": "run-buttons"})
 
 
 def setup(app):
-    """Called by Sphinx."""
+    """Register the menu with Sphinx."""
     app.add_config_value("site_hub", "", "html", str)
     app.connect("html-page-context", add_menu, priority=502)  # after the theme's own buttons
     return {"parallel_read_safe": True, "parallel_write_safe": True}

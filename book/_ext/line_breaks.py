@@ -1,4 +1,4 @@
-"""A number and its unit stay on one line in all running text, as they do in exercises."""
+"""Numbers stay on one line with their units in all running text, as in exercises."""
 
 import re
 
@@ -10,8 +10,8 @@ ENDS_IN_NUMBER = re.compile(r"\d\W*$")
 AS_TYPED = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.raw)
 
 
-def keep_units(app, doctree, docname):
-    """The number may be an inline formula such as 10⁻³; its unit is then tied to any digit."""
+def prevent_unit_breaks(app, doctree, docname):
+    """Tie units to numbers, also to inline formulas such as 10⁻³, by no-break spaces."""
     for node in list(doctree.findall(nodes.Text)):
         if isinstance(node.parent, AS_TYPED):
             continue
@@ -24,6 +24,6 @@ def keep_units(app, doctree, docname):
 
 
 def setup(app):
-    """Called by Sphinx; before the punctuation behind formulas is moved."""
-    app.connect("doctree-resolved", keep_units, priority=400)
+    """Register with Sphinx, before the punctuation behind formulas is moved."""
+    app.connect("doctree-resolved", prevent_unit_breaks, priority=400)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

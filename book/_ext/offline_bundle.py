@@ -1,9 +1,8 @@
-"""Two zips in the site: the notebooks with all that they need, and the site itself.
+"""Two zips for use without a network: the notebooks as a kit, and the site itself.
 
 `robokin-kit.zip` holds `book/_kit`, the notebooks numbered as the chapters, the wheels and the list
-of packages. `robokin-site.zip` is for a disk or a stick: every page but what needs a server,
-and the book as PDF and EPUB if `make paper` has made them, because the first page links them.
-The same book gives the same bytes.
+of packages. `robokin-site.zip` holds every page that needs no server, and the PDF and EPUB if
+`make paper` has written them, because the first page links them. Equal books give equal bytes.
 """
 
 from pathlib import Path
@@ -12,12 +11,12 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 from courseware.site.assets import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
-# JupyterLite and Python in the page need a server; names with a dot are the build's own
+# JupyterLite and Python in the page need a server; names with a dot belong to the build
 LEFT_OUT = ("lite/", "_static/python/", "robokin-site.zip", ".")
 
 
 def write_zip(target, files):
-    """A zip of the files, by their names in it, in a folder of its own name."""
+    """Write a zip of files, by their names in it, in a folder of its own name."""
     target.unlink(missing_ok=True)
     with ZipFile(target, "w") as archive:
         for name in sorted(files):
@@ -26,8 +25,8 @@ def write_zip(target, files):
             archive.writestr(entry, files[name].read_bytes())
 
 
-def notebooks(env):
-    """The notebooks of the book, numbered as on the pages; 00 is what has no number."""
+def number_notebooks(env):
+    """Return the notebooks by names with the numbers of their pages, 00 for one without."""
     found = {}
     for page in env.found_docs:
         file = Path(env.doc2path(page))
@@ -37,36 +36,36 @@ def notebooks(env):
     return found
 
 
-def kit_files(app):
-    """What stands in the kit."""
+def list_kit(app):
+    """Return the files of the kit by their names in it."""
     beside = Path(app.outdir) / "_sources"
     wheels = map(wheel_name, app.config.course_wheels)
     lock = Path(app.config.course_lock).name
     return {
         **{file.name: file for file in KIT.glob("*.*")},
         **{f"wheels/{name}": beside / name for name in wheels},
-        **notebooks(app.env),
+        **number_notebooks(app.env),
         lock: beside / lock,
     }
 
 
-def site_files(folder):
-    """All of the site that works without a server."""
+def list_site(folder):
+    """Return the files of the site that need no server, by their names."""
     names = ((file.relative_to(folder).as_posix(), file) for file in folder.rglob("*"))
     kept = ((name, f) for name, f in names if name == ".nojekyll" or not name.startswith(LEFT_OUT))
     return {name: file for name, file in kept if file.is_file()}
 
 
-def write(app, error):
-    """The kit first: the site holds it."""
+def write_zips(app, error):
+    """Write both, the kit first: the site holds it."""
     if error or app.builder.name != "html":
         return
     folder = Path(app.outdir)
-    write_zip(folder / "robokin-kit.zip", kit_files(app))
-    write_zip(folder / "robokin-site.zip", site_files(folder))
+    write_zip(folder / "robokin-kit.zip", list_kit(app))
+    write_zip(folder / "robokin-site.zip", list_site(folder))
 
 
 def setup(app):
-    """Called by Sphinx; after all that writes into the site."""
-    app.connect("build-finished", write, priority=999)
+    """Register with Sphinx, after everything that writes into the site."""
+    app.connect("build-finished", write_zips, priority=999)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,7 +1,6 @@
-"""The book as PDF and EPUB on its first page, where `make paper` has made them before.
+"""Links to the book as PDF and EPUB on its first page, if `make paper` has written them.
 
-The directive `{paper}` links what stands beside the folder of the site, and is nothing where
-nothing stands there; the files are copied into the site.
+The directive `{paper}` links the files beside the folder of the site, which are copied into it.
 """
 
 import shutil
@@ -18,18 +17,18 @@ FILES = {
 
 
 class Paper(SphinxDirective):
-    """A line with links to the whole book; the page is read again when that changes."""
+    """A line with links to the whole book."""
 
     def run(self):
-        """Link what there is; a file that is not there is looked for in each build."""
+        """Return the line, and have the page read again when a file changes or appears."""
         folder = Path(self.env.app.outdir).parent
         for name in FILES:
             self.env.note_dependency(str(folder / name))
-        return [nodes.raw("", line(folder), format="html")]
+        return [nodes.raw("", render_line(folder), format="html")]
 
 
-def line(folder):
-    """Return the line, or nothing where there is nothing to link."""
+def render_line(folder):
+    """Return the line, or "" without files."""
     links = " · ".join(
         f'<a href="{name}" download>{kind}, {(folder / name).stat().st_size / 1e6:.1f} MB</a>'
         for name, kind in FILES.items()
@@ -40,7 +39,7 @@ def line(folder):
 
 
 def copy_files(app, error):
-    """Put what is linked into the site, and nothing that was made earlier."""
+    """Copy the files into the site, in place of those of earlier builds."""
     if not error and app.builder.name == "html":
         for name in FILES:
             file, target = Path(app.outdir).parent / name, Path(app.outdir, name)
@@ -50,7 +49,7 @@ def copy_files(app, error):
 
 
 def setup(app):
-    """Called by Sphinx."""
+    """Register the directive with Sphinx."""
     app.add_directive("paper", Paper)
     app.connect("build-finished", copy_files)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

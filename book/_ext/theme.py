@@ -1,4 +1,4 @@
-"""Defects of the pinned theme and its helpers, each mended in one place; see the README."""
+"""Repairs of the pinned theme and its helpers, each for one defect; see the README."""
 
 import shutil
 import textwrap
@@ -6,8 +6,8 @@ from pathlib import Path
 
 from docutils import nodes
 
-DESCRIPTION_LENGTH = 160  # what search engines show
-# what the theme puts into the site and no page of it uses: 5.7 MB
+DESCRIPTION_LENGTH = 160  # characters that search engines show
+# files of the theme that no page uses: 5.7 MB
 UNUSED = (
     "vendor/fontawesome",
     "scripts/fontawesome.js",
@@ -16,8 +16,8 @@ UNUSED = (
 )
 
 
-def describe(app, pagename, templatename, context, doctree):
-    """Give the page a description (its own, its first paragraph, or the book's) and addresses."""
+def add_description(app, pagename, templatename, context, doctree):
+    """Add addresses and a description: the page's own, its first paragraph, or the book's."""
     paragraphs = (
         paragraph.astext()
         for paragraph in (doctree.findall(nodes.paragraph) if doctree else ())
@@ -28,11 +28,11 @@ def describe(app, pagename, templatename, context, doctree):
     context["description"] = textwrap.shorten(text, DESCRIPTION_LENGTH, placeholder=" …")
     address = context["site_address"] = app.config.html_baseurl.rstrip("/") + "/"
     if pagename == app.config.root_doc and app.config.html_baseurl:
-        context["pageurl"] = address  # it is `index.html`, too
+        context["pageurl"] = address  # the page is `index.html`, too
 
 
-def mend_names(app, pagename, templatename, context, doctree):
-    """Give screen readers the names and roles that axe misses."""
+def repair_names(app, pagename, templatename, context, doctree):
+    """Add the names and roles for screen readers that axe asks for."""
     if "body" in context:  # of a bibliography (docutils) and of a folded cell (myst-nb)
         body = context["body"].replace('role="doc-biblioentry"', 'role="listitem"')
         context["body"] = body.replace('<summary aria-label="Toggle hidden content">', "<summary>")
@@ -44,7 +44,7 @@ def mend_names(app, pagename, templatename, context, doctree):
 
 
 def visit_image(writer, node):
-    """Write an image that comes when it is near; its size keeps its place until then."""
+    """Write an image that loads when it is near; its size keeps its place until then."""
     node["loading"] = "lazy"
     type(writer).visit_image(writer, node)
     if "width" in node and "height" in node:
@@ -52,34 +52,34 @@ def visit_image(writer, node):
         writer.body[-1] = writer.body[-1].replace("<img ", f"<img {' '.join(size)} ", 1)
 
 
-def drop_unused(app, error):
-    """Take out of the built site what no page uses."""
+def remove_unused(app, error):
+    """Remove files that no page uses from the built site."""
     static = Path(app.outdir, "_static")
     for target in [each for name in UNUSED for each in static.glob(name)]:
         shutil.rmtree(target) if target.is_dir() else target.unlink()
 
 
 def copy_first_page(app, error):
-    """Make `index.html` the first page itself: Jupyter Book's own sends its reader on."""
+    """Make `index.html` the first page itself; Jupyter Book's own only redirects."""
     if not error and app.builder.name == "html":
         shutil.copy(Path(app.outdir, f"{app.config.root_doc}.html"), Path(app.outdir, "index.html"))
 
 
 def forget_failed_build(app, error):
-    """Read everything again after a warning; else the next build would not warn again."""
+    """Have everything read again after a warning, or the next build would not warn."""
     if error or app._warncount:
         Path(app.doctreedir, "environment.pickle").unlink(missing_ok=True)
 
 
 def setup(app):
-    """Register what is mended."""
+    """Register the repairs with Sphinx."""
     app.add_config_value("site_description", "", "html", str)
     app.add_css_file("site.css", priority=900)
     app.add_js_file("site.js", loading_method="defer")
     app.add_node(nodes.image, override=True, html=(visit_image, None))
-    app.connect("html-page-context", describe, priority=900)
-    app.connect("html-page-context", mend_names, priority=900)
-    app.connect("build-finished", drop_unused)
+    app.connect("html-page-context", add_description, priority=900)
+    app.connect("html-page-context", repair_names, priority=900)
+    app.connect("build-finished", remove_unused)
     app.connect("build-finished", copy_first_page, priority=900)
     app.connect("build-finished", forget_failed_build)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -64,7 +64,7 @@ def test_the_first_cell_asks_for_the_wheels_beside_it(copies):
 
 def test_the_first_cell_does_nothing_elsewhere():
     code = TransformerManager().transform_cell(
-        colab_copies.installing("https://example.org", ["a-1.whl"])
+        colab_copies.make_first_cell("https://example.org", ["a-1.whl"])
     )
     top = [type(line).__name__ for line in ast.parse(code).body]
     assert top == ["Import", "If"]

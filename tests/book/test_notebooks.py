@@ -149,7 +149,12 @@ def test_computed_numbers_are_put_in():
         "Off by 1.0 and 2 cm; −3°; $10^{-5}$; {braces}.",
         ["by {a:.1f} and {b:.0f} cm", "; {c['x']:.0f}°", "$10^{{{k}}}$"],
     )
-    assert prose_numbers.fields(cell) == [("a", ".1f"), ("b", ".0f"), ("c['x']", ".0f"), ("k", "")]
+    assert prose_numbers.list_fields(cell) == [
+        ("a", ".1f"),
+        ("b", ".0f"),
+        ("c['x']", ".0f"),
+        ("k", ""),
+    ]
     text = prose_numbers.fill_numbers(cell, "one", answered("12.5", "-3", "-40", "-7"))
     assert text == "Off by 12.5 and −3 cm; −40°; $10^{-7}$; {braces}."
 

@@ -17,7 +17,7 @@ from types import SimpleNamespace
 import pytest
 import yaml
 from browser import make_book, once
-from launch_buttons import places
+from launch_buttons import list_places
 from support import ROOT
 
 import book  # noqa: F401  (opens the course)
@@ -180,7 +180,7 @@ def run_at(chapter):
 def test_a_chapter_can_be_run_where_the_addresses_lead():
     theme, hub = {"repository_url": REPOSITORY}, ADDRESSES[" site_hub"]
     app = SimpleNamespace(config=SimpleNamespace(html_theme_options=theme, site_hub=hub))
-    _, *others = places(app, "bicycle/bicycle").values()
+    _, *others = list_places(app, "bicycle/bicycle").values()
     assert [url for url, _ in others] == run_at("bicycle")
 
 

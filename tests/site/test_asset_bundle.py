@@ -27,7 +27,7 @@ pytest_plugins = ["browser"]
     ],
 )
 def test_rules_that_no_page_needs_are_left_out(css, kept):
-    assert asset_bundle.used_rules(css, {"used", "more", "fa-x"}) == kept
+    assert asset_bundle.filter_rules(css, {"used", "more", "fa-x"}) == kept
 
 
 each_page = pytest.mark.parametrize("name", [*listed(), "what is not in the table of contents"])
@@ -135,7 +135,7 @@ class All:
 def whole_sheet(static):
     """All rules of all sheets."""
     files = [file for name in SHEETS for file in sorted(static.glob(name))]
-    css = asset_bundle.used_rules("\n".join(file.read_text("utf-8") for file in files), All())
+    css = asset_bundle.filter_rules("\n".join(file.read_text("utf-8") for file in files), All())
     return css.replace("url(fonts/", "url(katex/fonts/")
 
 

@@ -13,7 +13,7 @@ from zipfile import ZipFile
 import pytest
 from browser import listed, watched_page
 from declared import EXERCISES, typed
-from offline_bundle import site_files
+from offline_bundle import list_site
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 from support import ROOT, python_of
@@ -83,7 +83,7 @@ def test_the_site_for_a_stick_holds_all_that_its_pages_link_and_no_server_needs(
     for name in (*kept, "lite/a.html", "_static/python/a.js", ".built"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
-    assert set(site_files(tmp_path)) == kept
+    assert set(list_site(tmp_path)) == kept
 
 
 def test_github_pages_is_told_to_serve_folders_that_begin_with_an_underscore(site):

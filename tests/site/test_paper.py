@@ -217,6 +217,6 @@ def test_the_first_page_links_what_was_made(site):
 def test_only_what_was_made_is_linked(tmp_path, made):
     for name in made:
         (tmp_path / name).write_bytes(b"x" * 250_000)
-    line = paper_links.line(tmp_path)
+    line = paper_links.render_line(tmp_path)
     assert re.findall(r'<a href="(\S+)" download>[\w ]+, 0\.2 MB', line) == made
     assert bool(line) == bool(made)

@@ -1,7 +1,7 @@
 """Write the book as an EPUB and two PDFs, from the built site (`make paper`).
 
-What the site folds (answers, solutions, long code) lies open in one PDF and is left out of the
-other. A reader of the EPUB can open folds, so they stay.
+Folded parts of the site (answers, solutions, long code) are open in one PDF and left out of the
+other. In the EPUB they stay folded.
 """
 
 import time
@@ -19,7 +19,7 @@ from paper.pages import BUILD, ROOT
 
 @dataclass(frozen=True)
 class Book:
-    """What stands on the first page, and the worked solutions: HTML, by the exercise's name."""
+    """Texts of the first page, and the worked solutions as HTML, by the exercise's name."""
 
     title: str
     author: str
@@ -29,8 +29,8 @@ class Book:
     solutions: dict
 
 
-def described():
-    """The book as its settings say."""
+def read_settings():
+    """Return the book with the texts of its settings."""
     settings = yaml.safe_load((ROOT / "_config.yml").read_text("utf-8"))
     site = settings["sphinx"]["config"]
     solved = all_exercises() if site["course_solutions"] else ()
@@ -45,15 +45,15 @@ def described():
 
 
 def main():
-    what = described()
-    with chromium.started() as browser:
-        for make, name in (
-            (epub.make, "robokin.epub"),
-            (pdf.with_answers, "robokin.pdf"),
-            (pdf.without_answers, "robokin-without-answers.pdf"),
+    settings = read_settings()
+    with chromium.launch() as browser:
+        for write, name in (
+            (epub.write, "robokin.epub"),
+            (pdf.write_with_answers, "robokin.pdf"),
+            (pdf.write_without_answers, "robokin-without-answers.pdf"),
         ):
             file, began = BUILD / name, time.monotonic()
-            count = make(browser, what, file)
+            count = write(browser, settings, file)
             megabytes, seconds = file.stat().st_size / 1e6, time.monotonic() - began
             print(f"_build/{name}: {count} pages, {megabytes:.1f} MB, {seconds:.0f} s", flush=True)
 

@@ -1,6 +1,6 @@
-"""The book as an EPUB 3: a page of the site is a page of it, formulas are MathML.
+"""The book as an EPUB 3, a page for each page of the site; formulas are MathML.
 
-Nothing in it needs a script. Numbers under a formula and the readouts of a figure are text.
+It needs no script: numbers under a formula and readouts of a figure are text.
 """
 
 import re
@@ -10,7 +10,7 @@ from html import escape, unescape
 from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile
 
 from courseware.figures.figure import inline_colors
-from paper.pages import HERE, SITE, pages
+from paper.pages import HERE, SITE, read_pages
 
 KINDS = {".png": "image/png", ".svg": "image/svg+xml", ".jpg": "image/jpeg"}
 IMAGE = re.compile(r'<img [^>]*?src="([^"]+)"')
@@ -63,8 +63,8 @@ font: 30px sans-serif; text-align: center; background: #fff; color: #16202c">
 <div style="width: 560px; margin: auto">{claim}</div></body>"""
 
 
-def contents(given):
-    """The list of parts, pages and their sections."""
+def render_contents(given):
+    """Return the list of parts, pages and their sections."""
     lines, part = [], ""
     for page in given:
         if page.part != part:
@@ -80,8 +80,8 @@ def contents(given):
     return f'<nav epub:type="toc" id="toc"><h1>Contents</h1><ol>\n{inner}\n</ol></nav>'
 
 
-def package(book, given, pictures):
-    """The list of all files, and the order of the pages."""
+def render_package(book, given, pictures):
+    """Return the list of all files and the order of the pages."""
     items, spine = [], []
     for page in given:
         has = [name for name in ("svg", "mathml") if f"<{name.removesuffix('ml')}" in page.body]
@@ -106,8 +106,8 @@ def package(book, given, pictures):
     )
 
 
-def cover(browser, book):
-    """The picture for a shelf: title and claim."""
+def render_cover(browser, book):
+    """Return the picture for a shelf: title and claim."""
     tab = browser.new_page(viewport={"width": 1000, "height": 1500})
     tab.set_content(COVER.format(title=escape(book.title), claim=escape(book.claim)))
     picture = tab.screenshot()
@@ -115,24 +115,26 @@ def cover(browser, book):
     return picture
 
 
-def style():
-    """Our own rules, and the colours of code as on a light page of the site."""
+def read_style():
+    """Return our own rules, and the colours of code as on a light page of the site."""
     colours = LIGHT.findall((SITE / "_static" / "pygments.css").read_text("utf-8"))
     return "\n".join([(HERE / "epub.css").read_text("utf-8"), *colours])
 
 
-def make(browser, book, file):
-    """Write the EPUB and return how many pages it has."""
+def write(browser, book, file):
+    """Write the EPUB and return the number of its pages."""
     options = {"link": "PAGE.xhtml#ID", "folder": "", "mathml": True, "folds": "kept"}
-    given = pages(browser, book.solutions, **options)
+    given = read_pages(browser, book.solutions, **options)
     pictures = sorted({name for page in given for name in IMAGE.findall(page.body)})
     with ZipFile(file, "w", ZIP_DEFLATED) as archive:
         archive.writestr("mimetype", "application/epub+zip", ZIP_STORED)  # first, as it is
         archive.writestr("META-INF/container.xml", CONTAINER)
-        archive.writestr("book/package.opf", package(book, given, pictures))
-        archive.writestr("book/nav.xhtml", DOCUMENT.format(title="Contents", body=contents(given)))
-        archive.writestr("book/style.css", style())
-        archive.writestr("book/cover.png", cover(browser, book))
+        archive.writestr("book/package.opf", render_package(book, given, pictures))
+        archive.writestr(
+            "book/nav.xhtml", DOCUMENT.format(title="Contents", body=render_contents(given))
+        )
+        archive.writestr("book/style.css", read_style())
+        archive.writestr("book/cover.png", render_cover(browser, book))
         for page in given:
             text = DOCUMENT.format(title=escape(page.title), body=inline_colors(page.body))
             archive.writestr(f"book/{page.name}.xhtml", text)

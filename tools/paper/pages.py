@@ -1,4 +1,4 @@
-"""The pages of the built site, without what needs a hand or a script."""
+"""The pages of the built site, without parts that need a reader's hand or a script."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,8 +29,8 @@ class Page:
         return self.titles[0]["title"]
 
 
-def pages(browser, solutions, **options):
-    """All pages in the order of the contents. solutions, options: of `paper` in pages.js."""
+def read_pages(browser, solutions, **options):
+    """Return all pages in order. solutions, options: of `paper` in pages.js."""
     tab = browser.new_page()
     tab.add_script_tag(path=HERE / "pages.js")
     first = (SITE / "index.html").read_text("utf-8")

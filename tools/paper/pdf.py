@@ -1,7 +1,7 @@
-"""The book as a PDF: printed by Chromium in two documents, the text and the contents before it.
+"""The book as a PDF, printed by Chromium in two documents: the contents and the text.
 
-The contents need the numbers of the text's pages, which are known once it is printed: its outline
-holds them. Where a line of the contents leads is an address until both are joined.
+The contents need the page numbers of the text, which its outline holds once it is printed. Lines of
+the contents link to addresses until both are joined.
 """
 
 import logging
@@ -13,7 +13,7 @@ from pypdf import PdfReader, PdfWriter
 from pypdf.constants import PageLabelStyle
 from pypdf.generic import ArrayObject, FloatObject, NameObject
 
-from paper.pages import BUILD, HERE, pages
+from paper.pages import BUILD, HERE, read_pages
 
 WORK = BUILD / "paper"
 HOME = "https://book/"  # of links of the contents, until they lead into the text
@@ -38,8 +38,8 @@ HEAD = (
 )
 
 
-def printed(browser, name, **parts):
-    """A document, printed."""
+def print_document(browser, name, **parts):
+    """Print a document."""
     WORK.mkdir(parents=True, exist_ok=True)
     file = WORK / f"{name}.html"
     file.write_text(DOCUMENT.format(**parts), "utf-8")
@@ -51,18 +51,18 @@ def printed(browser, name, **parts):
     return PdfReader(BytesIO(data))
 
 
-def outlined(reader, entries=None, level=1):
-    """(level, title, page from 0, height on it) of the entries of the first two levels."""
+def read_outline(reader, entries=None, level=1):
+    """Yield (level, title, page from 0, height on it) of the entries of the first two levels."""
     for entry in reader.outline if entries is None else entries:
         if isinstance(entry, list):
             if level < 2:
-                yield from outlined(reader, entry, level + 1)
+                yield from read_outline(reader, entry, level + 1)
         else:
             yield level, entry.title, reader.get_destination_page_number(entry), entry.top
 
 
-def contents(entries, parts):
-    """The lines of the contents, each with its number of a page."""
+def render_contents(entries, parts):
+    """Return the lines of the contents with their page numbers."""
     lines, part = [], ""
     chapters = iter(parts)
     for place, (level, title, page, _) in enumerate(entries):
@@ -76,9 +76,9 @@ def contents(entries, parts):
     return "\n".join(lines)
 
 
-def joined(front, text, entries, title):
-    """Contents and text as one, with the contents' links into the text."""
-    logging.getLogger("pypdf").setLevel(logging.ERROR)  # it wonders at objects that it adds
+def join_documents(front, text, entries, title):
+    """Join contents and text, and link them."""
+    logging.getLogger("pypdf").setLevel(logging.ERROR)  # it warns of objects that it adds itself
     writer = PdfWriter(clone_from=text)
     before = len(front.pages)
     writer.merge(0, front, import_outline=False)
@@ -96,33 +96,33 @@ def joined(front, text, entries, title):
     return writer
 
 
-def with_answers(browser, book, file):
-    """Write the PDF in which folds are open, solutions too; return how many pages it has."""
+def write_with_answers(browser, book, file):
+    """Write the PDF with folds open and solutions; return the number of its pages."""
     return write(browser, book, file, book.solutions, "open")
 
 
-def without_answers(browser, book, file):
-    """Write the PDF without what is folded; return how many pages it has."""
+def write_without_answers(browser, book, file):
+    """Write the PDF without folded parts; return the number of its pages."""
     return write(browser, book, file, {}, "gone")
 
 
 def write(browser, book, file, solutions, folds):
-    """Write a PDF and return how many pages it has."""
+    """Write a PDF and return the number of its pages."""
     title = book.title
     options = {"link": "#ID", "folder": "../html/", "mathml": False, "folds": folds}
-    given = pages(browser, solutions, **options)
+    given = read_pages(browser, solutions, **options)
     links = max((page.styles for page in given), key=len)
     links = "\n".join(f'<link rel="stylesheet" href="{escape(each)}"/>' for each in links)
     own = (HERE / "pdf.css").read_text("utf-8")
     heads = "\n".join(HEAD.format(name=p.name, title=re.sub(r'["\\]', "", p.title)) for p in given)
     body = "\n".join(page.body for page in given)
-    text = printed(browser, "text", title=title, links=links, style=own + heads, body=body)
-    entries = list(outlined(text))
-    lines = contents(entries, [page.part for page in given])
+    text = print_document(browser, "text", title=title, links=links, style=own + heads, body=body)
+    entries = list(read_outline(text))
+    lines = render_contents(entries, [page.part for page in given])
     body = FRONT.format(
         title=escape(title), claim=escape(book.claim), rights=book.rights, lines=lines
     )
-    front = printed(browser, "front", title=title, links=links, style=own, body=body)
-    writer = joined(front, text, entries, title)
+    front = print_document(browser, "front", title=title, links=links, style=own, body=body)
+    writer = join_documents(front, text, entries, title)
     writer.write(file)
     return len(writer.pages)

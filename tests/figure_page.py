@@ -25,7 +25,7 @@ from figure_numbers import (
 
 from courseware.equations.verification import evaluate
 from courseware.figures import Choice, QuarterTurns
-from courseware.figures.compiling import xy
+from courseware.figures.compiler import coordinates
 from courseware.script import parts
 from courseware.units import figure_unit
 
@@ -139,7 +139,7 @@ class OnPage:
         """Where on the screen a handle is at a setting (by name, in SI); the picture in view."""
         self.picture.evaluate(SHOW)
         box, (left, right, low, high) = self.picture.bounding_box(), self.figure.view
-        at = sp.Matrix(xy(self.figure.handles[place].at))
+        at = sp.Matrix(coordinates(self.figure.handles[place].at))
         given = np.array([point(self.figure, values)], dtype=float)
         x, y = evaluate(at, self.figure.settings, given, self.figure.where)[0].astype(float)
         across, down = (x - left) / (right - left), (high - y) / (high - low)

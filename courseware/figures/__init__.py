@@ -3,41 +3,39 @@
     Figure(name, title, view, scene, controls, readouts)
 
 shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
-still picture. What it can hold stands in `courseware.figures.declaration`, and for pictures in
-space in `courseware.figures.space`.
+still picture. Its parts are declared with the words of `declaration`, `controls` and `shapes`, and
+pictures in space with those of `space` and `solids`.
 """
 
-from courseware.figures import kinds
+from courseware.figures import looks
+from courseware.figures.controls import POINTER, Choice, Clock, Handle, QuarterTurns, Slider
 from courseware.figures.declaration import (
-    POINTER,
-    AngleArc,
-    Area,
-    Arrow,
-    Body,
-    Choice,
-    Clock,
-    Curve,
-    Disc,
     Goal,
-    Handle,
-    Label,
-    Length,
-    Line,
     NamedSteps,
-    Point,
     Readout,
     Recurrence,
-    Slider,
-    Trail,
-    Wheel,
     assign,
     distance,
     ramp,
 )
 from courseware.figures.figure import Figure
 from courseware.figures.graph import Graph
+from courseware.figures.shapes import (
+    AngleArc,
+    Area,
+    Arrow,
+    Body,
+    Bracket,
+    Curve,
+    Disc,
+    Label,
+    Length,
+    Line,
+    Point,
+    Trail,
+    Wheel,
+)
 from courseware.figures.space import VIEW, bring_forward
-from courseware.figures.turning import Bracket, QuarterTurns
 from courseware.script.parts import Part, register
 
 register(
@@ -47,8 +45,8 @@ register(
         called_by="rk-figure",
         widget="courseware/figures/notebook.js:showFigure",
         styles=("courseware/figures/figure.css",),
-        constants={"courseware/figures/constants.js": kinds.constants},
-        rules=kinds.rules,
+        constants={"courseware/figures/constants.js": looks.constants},
+        rules=looks.rules,
     )
 )
 

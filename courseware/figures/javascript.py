@@ -1,4 +1,4 @@
-"""SymPy expressions to JavaScript: the third face of a formula."""
+"""Compile SymPy expressions to JavaScript, and run it."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -16,7 +16,9 @@ from courseware.equations.quantities import describe_symbols
 from courseware.errors import CourseError
 from courseware.script import engine
 
-RUNTIME_FUNCTIONS = tuple(MPMATH)  # each has its JavaScript in formula_functions.js
+
+class Code(str):
+    """JavaScript source, as opposed to a text."""
 
 
 class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
@@ -36,7 +38,7 @@ class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
 
     def _print_Function(self, expr: sp.Expr) -> str:
         name = expr.func.__name__
-        if name in RUNTIME_FUNCTIONS:
+        if name in MPMATH:  # each has its JavaScript in formula_functions.js
             return f"f.{name}({', '.join(self._print(a) for a in expr.args)})"
         if name not in self.known_functions:
             raise CourseError(f"no JavaScript for {name}; see courseware/equations/functions.py")
@@ -51,8 +53,7 @@ class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
         if power == 2:  # a square as NumPy computes it; Math.pow may differ in the last digit
             text = self.parenthesize(base, 100)
             return f"({text} * {text})"
-        text = super()._print_Pow(expr)
-        return str(text)
+        return str(super()._print_Pow(expr))
 
     def _print_Float(self, expr: sp.Float) -> str:
         return repr(float(expr))  # all its digits, not the 15 that SymPy shows
@@ -60,17 +61,11 @@ class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
     def _print_NaN(self, expr: sp.Expr) -> str:
         return "NaN"
 
-    def _print_Infinity(self, expr: sp.Expr) -> str:
-        return "Infinity"
-
-    def _print_NegativeInfinity(self, expr: sp.Expr) -> str:
-        return "-Infinity"
-
 
 def compile_function(
     arguments: Mapping[str, Sequence[sp.Symbol]], expressions: Sequence[Any], where: Where = ()
-) -> str:
-    """The source of a JavaScript function `(f, c, …) => [values]`.
+) -> Code:
+    """Return the source of a JavaScript function `(f, c, …) => [values]`.
 
     arguments: name of an array argument → the symbols that its elements are. `f` holds the
     runtime's functions. where: named steps on the way, in order. Subexpressions that occur twice
@@ -94,7 +89,7 @@ def compile_function(
             names[symbol] = str(symbol).lstrip("_")
             lines.append(f"const {names[symbol]} = {_one_line(printer, expression)};")
         results = ", ".join(_one_line(printer, value) for value in values)
-    return f"(f, {', '.join(arguments)}) => {{ {' '.join(lines)} return [{results}]; }}"
+    return Code(f"(f, {', '.join(arguments)}) => {{ {' '.join(lines)} return [{results}]; }}")
 
 
 def _one_line(printer: _JavaScript, expression: Any) -> str:
@@ -102,7 +97,7 @@ def _one_line(printer: _JavaScript, expression: Any) -> str:
 
 
 def run_function(function: str, points: ArrayLike) -> NDArray[np.float64]:
-    """A JavaScript function `(f, c) => […]` at many points (n, k) in one call → (n, values)."""
+    """Run a JavaScript function `(f, c) => […]` at points (n, k), in one call → (n, values)."""
     listed = json.dumps(np.asarray(points, dtype=float).tolist(), allow_nan=False)
     found = engine.run(f"{listed}.map((c) => ({function})(courseware.functions, c))")
     return np.array(found, dtype=float)

@@ -10,8 +10,9 @@ from hatchling.builders.wheel import WheelBuilder
 from sphinx.application import Sphinx
 
 from courseware.course import course
-from courseware.figures.compiling import Code, serialize
-from courseware.figures.figure import figures
+from courseware.figures.compiler import serialize
+from courseware.figures.figure import find_figure
+from courseware.figures.javascript import Code
 from courseware.practice import rendering as practice
 from courseware.practice.bank import all_mistakes, all_topics
 from courseware.script import parts as scripts
@@ -25,7 +26,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     raws = doctree.findall(nodes.raw) if doctree else ()
     names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
     globals_ = {
-        "coursewareFigures": [Code(figures()[name].code) for name in names],
+        "coursewareFigures": [Code(find_figure(name).code) for name in names],
         "coursewareSymbols": symbol_facts(page),
     }
     if any(globals_.values()):

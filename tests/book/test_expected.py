@@ -87,7 +87,7 @@ def mistakes_beside_a_slider():
     """The figures of mistakes that a reader can set otherwise: name → titles."""
     found = {}
     for name, figure in FIGURES.items():
-        choices = [c for c in figure.controls if isinstance(c, Choice) and c.name == "mistake"]
+        choices = [c for c in figure.controls if isinstance(c, Choice) and c.key == "mistake"]
         sliders = [c for c in own_controls(figure) if not isinstance(c, (Choice, Clock))]
         if choices and sliders:
             found[name] = set(choices[0].options)

@@ -21,7 +21,7 @@ from support import EPS, assert_close
 from book.motion import formulas as motion_formulas
 from courseware.equations.verification import differences
 from courseware.figures import Curve, Point, Readout, Recurrence, Slider, Trail
-from courseware.figures.compiling import xy
+from courseware.figures.compiler import coordinates
 from courseware.figures.javascript import run_function
 from courseware.script import engine as script
 
@@ -69,7 +69,7 @@ def test_a_handle_sets_what_puts_it_there(figure, n):
     """Where a handle is, its expressions give back the settings that it sets."""
     rows = points(figure, n)
     for place, handle in enumerate(figure.handles):
-        at = exact(figure, n, xy(handle.at)).astype(float)
+        at = exact(figure, n, coordinates(handle.at)).astype(float)
         back = call_compiled(figure, f"handles[{place}].to", rows, at)
         columns = [figure.settings.index(symbol) for symbol in handle.sets]
         assert_close(back, rows[:, columns], atol=ALLOWED)

@@ -32,8 +32,8 @@ from courseware.equations.verification import (
     verify,
 )
 from courseware.errors import CourseError
-from courseware.figures.compiling import Compiler
-from courseware.figures.declaration import Slider
+from courseware.figures.compiler import Compiler
+from courseware.figures.controls import Slider
 from courseware.figures.javascript import compile_function
 from courseware.site.verification_page import verify_course
 from robokin import motion
@@ -453,11 +453,11 @@ def test_two_symbols_of_one_name_are_told_apart():
 def test_a_figure_tells_its_slider_from_a_namesake():
     x, other = known("x"), quantity("x", "m", 0, 1, "another one")
     figure = Compiler([Slider(x, 0, 1, 0, 0.1)], [], (), "")
-    figure.numbers(2 * other)
+    figure.add(2 * other)
     with pytest.raises(CourseError, match=r"uses x \(tests.*, line \d+\), .* only x \(book"):
-        figure.code()
+        figure.compile_expressions()
     with pytest.raises(CourseError, match=r"handle sets x \(.*, line \d+\), which is no slider"):
-        figure.sliders([other], "the handle")
+        figure.find_sliders([other], "the handle")
 
 
 def test_sympy_keeps_symbols_of_one_name_apart():

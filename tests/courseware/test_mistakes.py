@@ -88,7 +88,7 @@ def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
         f"{name} is shown by {picture.figure}: take a figure that book/{home}/figures.py declares"
     )
     choices = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]
-    options = {option for c in choices if c.name == "mistake" for option in c.options}
+    options = {option for c in choices if c.key == "mistake" for option in c.options}
     assert len(choices) == 1, f"{picture.figure} needs one Choice, named mistake: {choices}"
     assert picture.option in options, (
         f"{name}: {picture.figure} has no option {picture.option!r} of its Choice mistake, only "

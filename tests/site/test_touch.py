@@ -11,8 +11,7 @@ from declared import FIGURES
 from figure_numbers import HOMES, TYPICAL
 from figure_page import SHOW, OnPage
 
-from courseware.figures import Choice
-from courseware.figures.turning import QuarterTurns
+from courseware.figures import Choice, QuarterTurns
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser

@@ -1,4 +1,4 @@
-"""What the figures' script and style need of the course: how its kinds of things look."""
+"""The course's looks, for the script that draws and for the style sheet."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ from courseware.course import course
 
 
 def constants() -> dict[str, Any]:
-    """The looks, for the script that draws."""
+    """Return the looks as the script needs them."""
     kinds = {
         name: {"light": s.light, "dash": list(s.dash), "width": s.width, "marker": s.marker}
         for name, s in course().looks.items()
@@ -15,8 +15,10 @@ def constants() -> dict[str, Any]:
 
 
 def rules() -> str:
-    """The kinds' colours on light and on dark pages."""
-    light = " ".join(f"--rk-{name}: {s.light};" for name, s in course().looks.items())
-    dark = " ".join(f"--rk-{name}: {s.dark};" for name, s in course().looks.items())
+    """Return the style rules: the kinds' colours on light and on dark pages."""
+    light, dark = (
+        " ".join(f"--rk-{name}: {getattr(s, page)};" for name, s in course().looks.items())
+        for page in ("light", "dark")
+    )
     on_dark = 'html[data-theme="dark"], [data-jp-theme-light="false"], .vscode-dark'
     return f":root {{ {light} }}\n{on_dark} {{ {dark} }}\n"

@@ -1,0 +1,300 @@
+"""Compile a declaration to the object that the script draws: data, and functions from SymPy."""
+
+import json
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+
+from courseware.equations.equation import Where
+from courseware.equations.quantities import (
+    NamedSymbol,
+    describe_symbols,
+    find_kind,
+    refuse_unknown_kind,
+)
+from courseware.equations.text import format_symbol
+from courseware.errors import CourseError
+from courseware.figures import shapes as s
+from courseware.figures.controls import (
+    POINTER,
+    Choice,
+    Clock,
+    Control,
+    Handle,
+    QuarterTurns,
+    Slider,
+)
+from courseware.figures.declaration import Goal, Place, Readout, Recurrence
+from courseware.figures.javascript import Code, compile_function
+from courseware.figures.solids import Solid
+from courseware.line_breaks import prevent_breaks
+from courseware.units import figure_unit
+
+_JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
+
+
+def coordinates(*places: Place) -> list[Any]:
+    """Return the coordinates of places, one after the other."""
+    return [x for place in places for x in place[:2]]
+
+
+# type → its name in the script, the numbers that are computed, the fields that are passed on
+SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] = {
+    s.Point: ("point", lambda x: coordinates(x.at), ("edge",)),
+    s.Line: ("line", lambda x: coordinates(*x.points), ()),
+    s.Arrow: ("arrow", lambda x: coordinates(x.tail, x.head), ()),
+    s.Wheel: ("wheel", lambda x: (*coordinates(x.at), x.angle, x.roll), ("length", "width")),
+    s.Disc: ("disc", lambda x: (*coordinates(x.at), x.angle), ("radius", "spokes")),
+    s.Area: ("area", lambda x: coordinates(*x.points), ()),
+    s.Length: ("length", lambda x: coordinates(x.start, x.end), ("aside",)),
+    s.Label: ("label", lambda x: coordinates(x.at), ()),
+    s.Body: ("body", lambda x: (*coordinates(x.at), x.angle), ("radius",)),
+    s.AngleArc: ("angle", lambda x: (*coordinates(x.at), x.start, x.end), ("radius",)),
+    s.Curve: ("curve", lambda x: (x.low, x.high), ("samples",)),
+    s.Trail: ("trail", lambda x: (), ("line", "dots")),
+    s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
+    Solid: ("solid", lambda x: x.numbers, ("data", "floor", "opacity", "behind")),
+}
+
+
+def serialize(value: Any) -> str:
+    """Return a JavaScript literal; `Code` stands in it as it is."""
+    if isinstance(value, Code):
+        return str(value)
+    if isinstance(value, dict):
+        pairs = (f"{json.dumps(k)}: {serialize(v)}" for k, v in value.items())
+        return "{" + ", ".join(pairs) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(serialize, value)) + "]"
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+class Compiler:
+    """Collect the expressions of one figure, so that all of them become one function."""
+
+    def __init__(
+        self, controls: Sequence[Control], shapes: Sequence[Any], where: Where, chapter: str
+    ) -> None:
+        self.controls, self.where, self.chapter = controls, where, chapter
+        trails = [shape.recurrence for shape in shapes if isinstance(shape, s.Trail)]
+        self.recurrences = list({id(loop): loop for loop in trails}.values())
+        self.settings = [symbol for control in controls for symbol in control.symbols]
+        self.before_where = [*self.settings, *(x for loop in self.recurrences for x in loop.ends)]
+        self.known = [*self.before_where, *(symbol for symbol, _ in where)]
+        self.expressions: list[Any] = []
+
+    def compile_figure(self, figure: Any) -> dict[str, Any]:
+        """Return the object that the script draws; the readouts' numbers come first."""
+        turned_by = f"dragging the ground of {figure.name}"
+        goals = (figure.goal,) if isinstance(figure.goal, Goal) else figure.goal
+        return {
+            "name": figure.name,
+            "title": figure.title,
+            "size": figure.size,
+            "view": list(figure.view),
+            "sentence": figure.sentence,
+            "grid": figure.grid and not figure.view_angles,
+            "controls": list(map(self.compile_control, figure.controls)),
+            "readouts": list(map(self.compile_readout, figure.readouts)),
+            "scene": list(map(self.compile_shape, figure.scene)),
+            "handles": list(map(self.compile_handle, figure.handles)),
+            "goals": list(map(self.compile_goal, goals)),
+            "follow": self.add(*coordinates(figure.follow)) or None,
+            "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
+            "steps": self.list_quantities(),
+            "recurrences": list(map(self.compile_recurrence, self.recurrences)),
+            "where": self.compile_where(),
+            "compute": self.compile_expressions(),
+        }
+
+    def add(self, *expressions: Any) -> list[int]:
+        """Add expressions to be computed; return their places in the list of values."""
+        self.expressions += expressions
+        return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
+
+    def find_look(self, kind: Any, label: str | None = None) -> dict[str, Any]:
+        """Return the look and label of a kind; of a quantity its letter and its key, too."""
+        if not isinstance(kind, NamedSymbol):
+            return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
+        letter = format_symbol(kind) if label is None else label
+        return {"kind": find_kind(kind, self.chapter), "label": letter, "symbol": kind.key}
+
+    def compile_control(self, control: Control) -> dict[str, Any]:
+        """Return a control's data, in the unit that the reader sees."""
+        if isinstance(control, Slider):
+            return self.compile_slider(control)
+        if isinstance(control, QuarterTurns):
+            return {"type": "turns", "key": control.key, "start": [control.start, 1]}
+        _refuse_wrong_choice(control)
+        return {
+            "type": "choice",
+            "key": control.key,
+            "label": control.label,
+            "options": [{"label": k, "values": list(v)} for k, v in control.options.items()],
+            "start": list(control.options).index(control.start),
+        }
+
+    def compile_slider(self, slider: Slider) -> dict[str, Any]:
+        """Return a slider's data; its look is the quantity's unless it has one of its own."""
+        if not isinstance(slider.symbol, NamedSymbol):
+            raise CourseError(f"the control {slider.symbol} is no declared quantity")
+        _refuse_wrong_slider(slider)
+        unit = figure_unit(slider.symbol.unit)
+        ends = {
+            name: _round_off(getattr(slider, name) / unit.factor)
+            for name in ("low", "high", "start", "step")
+        }
+        data = {
+            "type": "slider",
+            "key": slider.key,
+            **self.find_look(slider.symbol, slider.label),
+            "unit": unit.name,
+            "factor": unit.factor,
+            **ends,
+            "digits": max(0, -math.floor(math.log10(ends["step"]) + 1e-9)),
+            "whole": isinstance(slider.step, int),
+        }
+        if slider.kind:
+            data["kind"] = refuse_unknown_kind(slider.kind)
+        if isinstance(slider, Clock):
+            rate = _round_off(slider.rate / unit.factor)
+            data |= {"type": "clock", "rate": rate, "loops": slider.loops}
+        return data
+
+    def compile_shape(self, shape: Any) -> dict[str, Any]:
+        """Return a shape's data: its numbers by place, its curve as a function."""
+        if type(shape) not in SHAPES:
+            raise CourseError(f"{shape!r} is not a shape")
+        name, numbers, fields = SHAPES[type(shape)]
+        data = self.find_look(shape.kind, getattr(shape, "label", ""))
+        if not data["kind"]:
+            raise CourseError(
+                f"{shape.kind} has no look: add it to LOOKS in formulas.py of {self.chapter}, "
+                "or give the shape the name of a kind"
+            )
+        depth = getattr(shape, "depth", None)
+        if depth is not None and not isinstance(shape, s.Curve):
+            data["depth"] = self.add(depth)[0]
+        data |= {"shape": name, "at": self.add(*numbers(shape))}
+        data |= {field: getattr(shape, field) for field in fields}
+        for mesh in data.get("data", ()):
+            mesh["kind"] = self.find_look(mesh["kind"])["kind"]
+        return data | self.compile_trace(shape)
+
+    def compile_trace(self, shape: Any) -> dict[str, Any]:
+        """Return the function along a curve or a trail; nothing for other shapes."""
+        if isinstance(shape, s.Curve):
+            place = coordinates(shape.at) if shape.depth is None else [*shape.at, shape.depth]
+            return {"point": self._compile(place, s=[shape.parameter])}
+        if isinstance(shape, s.Trail):
+            index = self.recurrences.index(shape.recurrence)
+            point = self._compile(coordinates(shape.at), s=shape.recurrence.state)
+            return {"recurrence": index, "point": point}
+        return {}
+
+    def find_sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
+        """Return the places of the sliders of symbols that somebody sets."""
+        keys = [getattr(c, "symbol", None) for c in self.controls]
+        for symbol in symbols:
+            if symbol not in keys:
+                raise CourseError(
+                    f"{who} sets {describe_symbols([symbol], keys)}, which is no slider"
+                )
+        return [keys.index(symbol) for symbol in symbols]
+
+    def compile_handle(self, handle: Handle) -> dict[str, Any]:
+        """Return a handle's data: its place, its sliders, the function from pointer to them."""
+        return {
+            "label": handle.label,
+            "at": self.add(*coordinates(handle.at)),
+            "sets": self.find_sliders(handle.sets, f"the handle {handle.label!r}"),
+            "to": self._compile(list(handle.sets.values()), p=POINTER),
+        }
+
+    def compile_goal(self, goal: Goal) -> dict[str, Any]:
+        """Return a goal's data: its number is 1 when it is reached, else 0."""
+        reached = sp.Piecewise((1, goal.condition), (0, True))
+        return {"words": prevent_breaks(goal.words), "at": self.add(reached)[0]}
+
+    def compile_recurrence(self, loop: Recurrence) -> dict[str, Any]:
+        """Return a loop's functions: for its start, its step and how often."""
+        given = {"c": self.settings}
+        try:
+            return {
+                "start": compile_function(given, loop.start),
+                "step": compile_function({**given, "s": loop.state}, loop.step),
+                "count": compile_function(given, [loop.count]),
+                "most": loop.most,
+            }
+        except CourseError as error:
+            raise CourseError(f"in a recurrence, which comes before `where`, {error}") from error
+
+    def compile_readout(self, readout: Readout) -> dict[str, Any]:
+        """Return a readout's data; its number comes at its own place in the list of values."""
+        self.add(readout.value)
+        if unknown := set(readout.words) - set(_JS_NAMES):
+            raise CourseError(
+                f"the readout {readout.name} has a word for {', '.join(unknown)}; words can stand "
+                f"for {', '.join(_JS_NAMES)}"
+            )
+        return {
+            "key": readout.name,
+            **self.find_look(readout.symbol or "", readout.label),
+            **_unit(readout.unit),
+            "digits": readout.digits,
+            "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
+        }
+
+    def list_quantities(self) -> list[dict[str, Any]]:
+        """Return the named steps that are quantities, with their places among all known numbers."""
+        return [
+            {"key": str(symbol), "symbol": symbol.key, "at": place, **_unit(symbol.unit)}
+            for place, (symbol, _) in enumerate(self.where, len(self.before_where))
+            if isinstance(symbol, NamedSymbol)
+        ]
+
+    def compile_where(self) -> Code:
+        """Return the function that computes the named steps, from settings and last states."""
+        steps = [symbol for symbol, _ in self.where]
+        return compile_function({"c": self.before_where}, steps, self.where)
+
+    def compile_expressions(self) -> Code:
+        """Return the one function that computes every added expression."""
+        return self._compile(self.expressions)
+
+    def _compile(self, expressions: Sequence[Any], **more: Sequence[sp.Symbol]) -> Code:
+        return compile_function({"c": self.known, **more}, expressions)
+
+
+def _unit(unit: str) -> dict[str, Any]:
+    shown = figure_unit(unit)
+    return {"unit": shown.name, "factor": 1 / shown.factor}
+
+
+def _round_off(number: float) -> float:
+    """Return 90 for 90.00000000000001, so that the reader sees what was meant."""
+    rounded = float(f"{number:.12g}")
+    return int(rounded) if rounded.is_integer() else rounded
+
+
+def _refuse_wrong_choice(choice: Choice) -> None:
+    for option, values in choice.options.items():
+        if len(values) != len(choice.symbols):
+            raise CourseError(
+                f"the option {option!r} of {choice.key} must give a number to each of "
+                f"{', '.join(map(str, choice.symbols))}, got {len(values)}"
+            )
+    if choice.start not in choice.options:
+        known = ", ".join(choice.options)
+        raise CourseError(f"{choice.key} must start at one of {known}, got {choice.start!r}")
+
+
+def _refuse_wrong_slider(x: Slider) -> None:
+    if not (x.low < x.high and x.low <= x.start <= x.high and 0 < x.step <= x.high - x.low):
+        raise CourseError(
+            f"the slider {x.symbol} goes from {x.low} to {x.high} in steps of {x.step} and starts "
+            f"at {x.start}: its low end must be below its high one, its start between them, its "
+            "step positive and no longer than its way"
+        )

@@ -1,0 +1,158 @@
+"""The shapes of a scene, in metres.
+
+In a label `{name}` is a number of the figure. Shapes are painted as declared; those with a `depth`
+(larger is nearer) change places among themselves: the nearest comes last.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from courseware.figures.declaration import Expr, Kind, Place, Recurrence
+
+
+@dataclass(frozen=True)
+class Point:
+    """A marker, its form given by the kind.
+
+    A labelled one that leaves a flat picture is shown at its edge with its distance from the
+    origin in metres, unless `edge` is False.
+    """
+
+    kind: Kind
+    at: Place
+    label: str | None = None
+    depth: Expr = None
+    edge: bool = True
+
+
+@dataclass(frozen=True)
+class Line:
+    """Straight pieces through several points."""
+
+    kind: Kind
+    points: tuple[Place, ...]
+    depth: Expr = None
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """From `tail` to `head`."""
+
+    kind: Kind
+    tail: Place
+    head: Place
+    label: str | None = None
+    depth: Expr = None
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """A wheel from above, rolling along `angle`; length and width in metres.
+
+    roll: how far it has rolled, which its treads show.
+    """
+
+    kind: Kind
+    at: Place
+    angle: Expr
+    length: float
+    width: float
+    roll: Expr = 0
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A wheel from the side: a round thing whose spokes show how far it has turned."""
+
+    kind: Kind
+    at: Place
+    angle: Expr
+    radius: float
+    spokes: int = 5
+
+
+@dataclass(frozen=True)
+class Area:
+    """A filled piece of the ground, by its corners."""
+
+    kind: Kind
+    points: tuple[Place, ...]
+
+
+@dataclass(frozen=True)
+class Length:
+    """A length with its ends marked; aside: how far to the left of start → end it is drawn, m."""
+
+    kind: Kind
+    start: Place
+    end: Place
+    label: str | None = None
+    aside: float = 0.0
+
+
+@dataclass(frozen=True)
+class Label:
+    """Words or a number at a place."""
+
+    kind: Kind
+    at: Place
+    label: str | None = None
+
+
+@dataclass(frozen=True)
+class Body:
+    """A round robot from above, with a nose that shows its heading."""
+
+    at: Place
+    angle: Expr
+    radius: float
+    kind: Kind = "body"
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too."""
+
+    kind: Kind
+    at: Place
+    parameter: sp.Symbol
+    low: Expr
+    high: Expr
+    samples: int = 96
+    depth: Expr = None
+
+
+@dataclass(frozen=True)
+class Trail:
+    """The points `at` of every state of a recurrence: a line through them, dots on the first 60."""
+
+    kind: Kind
+    at: Place
+    recurrence: Recurrence
+    line: bool = True
+    dots: bool = True
+
+
+@dataclass(frozen=True)
+class AngleArc:
+    """An angle around a point: its arc, and the sector in it."""
+
+    kind: Kind
+    at: Place
+    start: Expr
+    end: Expr
+    radius: float
+    label: str | None = None
+
+
+@dataclass(frozen=True)
+class Bracket:
+    """A matrix (3, 3) written into the picture, its middle at `at`, its columns in three looks."""
+
+    matrix: sp.Matrix
+    at: Place
+    label: str = ""
+    columns: tuple[str, ...] = ("x_axis", "y_axis", "z_axis")
+    digits: int = 0
+    kind: str = "text"

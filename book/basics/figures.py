@@ -10,7 +10,7 @@ ORIGIN = (0, 0)
 
 
 def direction_figure() -> Figure:
-    """A point under the hand: its direction by atan2 and by the arctangent of y/x."""
+    """Draw a point under the hand: its direction by atan2 and by the arctangent of y/x."""
     bearing = basics.direction.right
     quotient = Piecewise((atan(p_y / p_x), Ne(p_x, 0)), (nan, True))
     return Figure(

@@ -67,8 +67,8 @@ radius = bicycle.turning_radius.right
 angles = bicycle.ackermann.right
 
 
-def steered_at(pose: Any) -> Any:
-    """The steering angle of a front wheel that points from the front axle to the pointer."""
+def to_pointer(pose: Any) -> Any:
+    """Return the steering angle of a front wheel that points from the front axle to the pointer."""
     fx, fy = point_of(pose, wheelbase, 0)
     dx, dy = POINTER[0] - fx, POINTER[1] - fy
     heading = pose[2]
@@ -81,13 +81,13 @@ WHEEL = {"length": 0.7, "width": 0.22}  # m
 
 
 def axle(kind: str, at: tuple[Any, Any], angle: Any) -> Line:
-    """The line of a wheel's axle, far to both sides."""
+    """Return the line of a wheel's axle, far to both sides."""
     away = (30 * sin(angle), -30 * cos(angle))
     return Line(kind, ((at[0] - away[0], at[1] - away[1]), (at[0] + away[0], at[1] + away[1])))
 
 
 def ackermann_figure() -> Figure:
-    """Steering under the hand: both front wheels, the bicycle between them, axles and ICR."""
+    """Draw the steering: both front wheels, the bicycle between them, axles and ICR."""
     left, right = point_of(START, wheelbase, track / 2), point_of(START, wheelbase, -track / 2)
     middle = point_of(START, wheelbase, 0)
     tip = point_of(START, wheelbase + TIP * cos(steering), TIP * sin(steering))
@@ -124,7 +124,7 @@ def ackermann_figure() -> Figure:
             Arrow("velocity", middle, tip, label="φ"),
             Point("icr", (-radius, 0), label="ICR"),
         ),
-        handles=(Handle("direction of the front wheel", tip, {steering: steered_at(START)}),),
+        handles=(Handle("direction of the front wheel", tip, {steering: to_pointer(START)}),),
         readouts=(
             Readout("left", "left wheel α_L", angles[0], "rad", digits=2),
             Readout("right", "right wheel α_R", angles[1], "rad", digits=2),
@@ -146,7 +146,7 @@ DURATION = 10.0  # s, of the drive that is cut into steps
 
 
 def loop_figure() -> Figure:
-    """One drive of the long car in n straight steps beside the exact arc."""
+    """Draw one drive of the long car in n straight steps beside the exact arc."""
     speed = bicycle.rear_speed.substitute({r: RADIUS})
     heading = UP - y_heading
     start = point_of((0, 0, heading), -ahead * LENGTH, 0)  # of the rear axle
@@ -213,7 +213,7 @@ TYRE = {"length": 1.2, "width": 0.4}  # m, larger than true, to be seen
 
 
 def lane_figure() -> Figure:
-    """A long car in a turn: the paths of rear, centre and front, the lane between its wheels."""
+    """Draw a long car in a turn: paths of rear, centre and front, the lane between its wheels."""
     given = {v: SPEED, x: 0, y: 0, theta: UP}
 
     def at(time: Any, forward: Any, left: Any) -> tuple[Any, Any]:
@@ -267,7 +267,7 @@ def lane_figure() -> Figure:
             Arrow("velocity", point_of(START, wheelbase, 0), tip, label="φ"),
             Point("icr", (near, 0), label="ICR"),
         ),
-        handles=(Handle("direction of the front wheels", tip, {steering: steered_at(START)}),),
+        handles=(Handle("direction of the front wheels", tip, {steering: to_pointer(START)}),),
         readouts=(
             Readout("lane", "width of the lane", lane, "m", 2, NO_LANE),
             Readout("more", "wider than the car by", lane - track, "m", 2, {"nan": "no lane"}),
@@ -284,8 +284,8 @@ SHORT, WIDE, PACE = 2.5, 2.0, 2.0  # m, m, m/s: the car of the mistakes
 MISTAKES = symbols("mistake:6", real=True)  # 1 for the one that is made, else 0
 
 
-def believed(time: Any) -> dict[str, Any]:
-    """The pose of the rear axle by each mistake, and whether it is made in the front axle's way."""
+def pose_by_mistake(time: Any) -> dict[str, Any]:
+    """Return the rear axle's pose by each mistake, and whether it is one of the front axle."""
     car = {wheelbase: SHORT, v: PACE, v_F: PACE / cos(steering)}
     steered = (substitute(each, {**car, track: WIDE}) for each in angles)
     alone = M18.substitute(dict(zip((alpha_L, alpha_R), steered, strict=True)))
@@ -316,7 +316,7 @@ def believed(time: Any) -> dict[str, Any]:
 
 
 def car(kind: str, pose: Any, steered: Any) -> tuple[Any, ...]:
-    """A car from above: its outline, and its wheels."""
+    """Return a car from above: its outline, and its wheels."""
     side, end = WIDE / 2, 0.5
     rim = [(-end, side), (-end, -side), (SHORT + end, -side), (SHORT + end, side), (-end, side)]
     outline = tuple(point_of(pose, *corner) for corner in rim)
@@ -329,9 +329,9 @@ def car(kind: str, pose: Any, steered: Any) -> tuple[Any, ...]:
 
 
 def mistakes_figure() -> Figure:
-    """A car in a left turn, and where a program with a mistake believes it to be."""
+    """Draw a car in a left turn, and where a program with a mistake believes it to be."""
     here, there = symbols("x_t y_t theta_t", real=True), symbols("x_b y_b theta_b", real=True)
-    poses = believed(t)
+    poses = pose_by_mistake(t)
     true = bicycle.arc_step.substitute({x: 0, y: 0, theta: UP, v: PACE, wheelbase: SHORT, dt: t})
     wrong = Matrix([list(pose) for pose in poses.values()]).T * Matrix(MISTAKES)
     point, ghost = (point_of(pose, SHORT * ahead, 0) for pose in (here, there))

@@ -110,7 +110,7 @@ s = Symbol("s")
 
 
 def robot(pose: Any, kind: Any = "body", time: Any = 0, rolled: Any = ()) -> tuple[Any, ...]:
-    """Body and wheels; time: how long the wheels have rolled, or how far each of them."""
+    """Return body and wheels; time: how long the wheels have rolled, or how far each of them."""
     sides = ((v_L, 1), (v_R, -1))
     size = {"length": 2 * RADIUS, "width": 0.014}
     wheels = [
@@ -121,29 +121,29 @@ def robot(pose: Any, kind: Any = "body", time: Any = 0, rolled: Any = ()) -> tup
 
 
 def hull(pose: Any, kind: Any) -> Body:
-    """The body alone."""
+    """Return the body alone."""
     return Body(pose, pose[2], 0.065, kind)
 
 
 def mark(pose: Any, words: str = "park here") -> tuple[Body, Label]:
-    """Where the robot shall be brought to."""
+    """Return the mark on which the robot shall end."""
     return hull(pose, "target"), Label("target", (pose[0], pose[1] - 0.085), words)
 
 
 def tip(pose: Any, speed: Any, side: int) -> tuple[Any, Any]:
-    """Where the arrow of the left (1), the middle (0) or the right (-1) ends."""
+    """Return the end of the arrow of the left (1), the middle (0) or the right (-1)."""
     return point_of(pose, ARROW * speed, side * DISTANCE / 2)
 
 
 def arrows(pose: Any, middle: bool = True, letters: bool = True) -> tuple[Arrow, ...]:
-    """The speeds of the wheels, and of the middle of the axle."""
+    """Return arrows of the speeds of the wheels, and of the middle of the axle."""
     sides = ((v_L, 1), (v_R, -1), (v, 0))[: 3 if middle else 2]
     label = None if letters else ""
     return tuple(Arrow(u, tip(pose, 0, side), tip(pose, u, side), label) for u, side in sides)
 
 
-def pulled() -> tuple[Handle, Handle]:
-    """The tips of the wheels' arrows under the hand, of the robot at the start."""
+def tip_handles() -> tuple[Handle, Handle]:
+    """Return handles at the tips of the wheels' arrows, of the robot at the start."""
     speed = POINTER[1] / ARROW
     return (
         Handle("tip of the left wheel's arrow", tip(START, v_L, 1), {v_L: speed}),
@@ -151,33 +151,33 @@ def pulled() -> tuple[Handle, Handle]:
     )
 
 
-def wheels_from(left: float, right: float, most: float = 0.15) -> tuple[Slider, Slider]:
-    """The two wheel speeds under the hand."""
+def speed_sliders(left: float, right: float, most: float = 0.15) -> tuple[Slider, Slider]:
+    """Return sliders for the two wheel speeds."""
     return (
         Slider(v_L, -most, most, start=left, step=0.005),
         Slider(v_R, -most, most, start=right, step=0.005),
     )
 
 
-def driven(time: Any, start: Any = START) -> Any:
-    """The pose after driving for a time from a start."""
+def drive_for(time: Any, start: Any = START) -> Any:
+    """Return the pose after driving for a time from a start."""
     return motion.arc_step.substitute({x: start[0], y: start[1], theta: start[2], dt: time})
 
 
 def way(kind: str, low: Any, high: Any, forward: Any = 0, left: Any = 0) -> Curve:
-    """The track of a point of the robot between two times."""
-    return Curve(kind, point_of(driven(s), forward, left), s, low, high)
+    """Return the track of a point of the robot between two times."""
+    return Curve(kind, point_of(drive_for(s), forward, left), s, low, high)
 
 
 def tracks(low: Any, high: Any) -> tuple[Curve, ...]:
-    """The tracks of both wheels and of the middle."""
+    """Return the tracks of both wheels and of the middle."""
     half = DISTANCE / 2
     ways = (("left", half), ("right", -half), ("path", 0))
     return tuple(way(kind, low, high, left=left) for kind, left in ways)
 
 
-def round_turn(angle: Any) -> Any:
-    """The size of an angle, round the circle."""
+def angle_size(angle: Any) -> Any:
+    """Return the size of an angle, round the circle."""
     return Abs(atan2(sin(angle), cos(angle)))
 
 
@@ -185,9 +185,9 @@ OFF, TURNED = 2, 5  # cm, degrees: how far from a mark the robot still counts as
 TIMES = 3  # the laboratory's right track, by the left one
 
 
-def parked(end: Any, mark: Any) -> Any:
-    """Whether the robot ends on the mark."""
-    return And(distance(end, mark) < OFF / 100, round_turn(end[2] - mark[2]) < TURNED * pi / 180)
+def is_parked(end: Any, mark: Any) -> Any:
+    """Return whether the robot ends on the mark."""
+    return And(distance(end, mark) < OFF / 100, angle_size(end[2] - mark[2]) < TURNED * pi / 180)
 
 
 # Opening.
@@ -199,30 +199,32 @@ MARK = tuple(
 
 
 def park_figure() -> Figure:
-    """Two wheel speeds, and a mark to end on."""
-    now, end = driven(t), driven(TIME)
+    """Draw a robot with two wheel speeds to set, and a mark to end on."""
+    now, end = drive_for(t), drive_for(TIME)
     return Figure(
         name="park",
         title="A robot seen from above, its two wheels under your hand, and a mark to park on",
         view=(-0.34, 0.2, -0.1, 0.27),
-        controls=(*wheels_from(0.05, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
+        controls=(*speed_sliders(0.05, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
         where=VELOCITY,
         scene=(
             *mark(MARK),
-            Curve("ghost", driven(s), s, 0, TIME),
+            Curve("ghost", drive_for(s), s, 0, TIME),
             *robot(START, "ghost"),
             hull(end, "ghost"),
             *robot(now, time=t),
             *arrows(START, middle=False),
         ),
-        handles=pulled(),
+        handles=tip_handles(),
         readouts=(
             Readout("off", "at the end: off the mark", distance(end, MARK), "m"),
             Readout(
-                "turned", "at the end: turned wrongly by", round_turn(end[2] - MARK[2]), "rad", 0
+                "turned", "at the end: turned wrongly by", angle_size(end[2] - MARK[2]), "rad", 0
             ),
         ),
-        goal=Goal(parked(end, MARK), f"Park the robot on the mark: within {OFF} cm and {TURNED}°."),
+        goal=Goal(
+            is_parked(end, MARK), f"Park the robot on the mark: within {OFF} cm and {TURNED}°."
+        ),
     )
 
 
@@ -230,7 +232,7 @@ def park_figure() -> Figure:
 
 
 def exercise_figure() -> Figure:
-    """The robot of the exercise with all its symbols, at rest."""
+    """Draw the robot of the exercise with all its symbols, at rest."""
     given = ((b, DISTANCE), (r, RADIUS), (theta, pi / 2), *SPEEDS.items())
     left, right = point_of(START, 0, DISTANCE / 2), point_of(START, 0, -DISTANCE / 2)
     return Figure(
@@ -254,13 +256,13 @@ def exercise_figure() -> Figure:
     )
 
 
-def on_tips(right: Any, high: Any = 0) -> tuple[Any, Any]:
-    """The point of the line through the tips that is so far to the right of the middle."""
+def point_on_tips(right: Any, high: Any = 0) -> tuple[Any, Any]:
+    """Return the point of the line through the tips that is so far to the right of the middle."""
     return right, high + ARROW * (v + omega * right)
 
 
 def tips_figure() -> Figure:
-    """The line through the tips: its middle is v, its slope ω, where it meets the axle the ICR."""
+    """Draw the line through the tips: its middle is v, its slope ω, the ICR on the axle."""
     low = Piecewise((-DISTANCE / 2, v_L < v_R), (DISTANCE / 2, v_L > v_R), (nan, True))
     level = Piecewise((0, v_R - v_L > 0), (pi, True))
     moves = Piecewise((0, Or(Ne(v_L, 0), Ne(v_R, 0))), (nan, True))
@@ -268,24 +270,24 @@ def tips_figure() -> Figure:
         name="tips",
         title="The robot's wheel arrows, and the line through their tips down to the axle's line",
         view=(-0.32, 0.17, -0.17, 0.2),
-        controls=wheels_from(0.04, 0.12),
+        controls=speed_sliders(0.04, 0.12),
         where=RADIUS_TOO,
         scene=(
             Line("icr", ((-0.4, moves), (0.2, moves))),
-            Line("turning", (on_tips(-0.4, moves), on_tips(0.2, moves))),
+            Line("turning", (point_on_tips(-0.4, moves), point_on_tips(0.2, moves))),
             *robot(START),
             *arrows(START),
-            AngleArc(omega, on_tips(low), level, level + atan2(ARROW * omega, 1), 0.05),
+            AngleArc(omega, point_on_tips(low), level, level + atan2(ARROW * omega, 1), 0.05),
             Length(R, ORIGIN, (-R, 0), aside=0.09),
             Point("icr", (-R, 0), label="ICR"),
         ),
-        handles=pulled(),
+        handles=tip_handles(),
         readouts=(Readout(v), Readout(omega), Readout(R, words=NO_ICR)),
     )
 
 
 def infinity_figure() -> Figure:
-    """The ICR goes out to one side and comes back from the other; infinity is a point."""
+    """Draw the ICR that goes out to one side and comes back from the other: infinity is a point."""
     far = 0.06  # m: radius of the circle that touches the axle at P
     dot = (-far * sin(2 * share), -far - far * cos(2 * share))
     turn = DISTANCE / (4 * far) * sin(share)
@@ -318,7 +320,7 @@ def infinity_figure() -> Figure:
 
 
 def world_figure() -> Figure:
-    """One velocity, and its parts along the world's axes."""
+    """Draw one velocity, and its parts along the world's axes."""
     end = (ARROW * x_dot, ARROW * y_dot)
     # a letter stands where the other part is not
     left, down = (Piecewise((-0.012, part >= 0), (0.012, True)) for part in (x_dot, y_dot))
@@ -346,7 +348,7 @@ def world_figure() -> Figure:
 
 
 def rates_figure() -> Figure:
-    """A wanted motion, and the two wheels that roll for it, seen from the side."""
+    """Draw a wanted motion, and the two wheels that roll for it, seen from the side."""
     rows = []
     for speed, rate, high in ((v_L, rate_L, 0.02), (v_R, rate_R, -0.1)):
         far = 0.1 + speed * t
@@ -373,7 +375,7 @@ def rates_figure() -> Figure:
 
 
 def guess_figure() -> Figure:
-    """A place to guess: where the robot of the exercise will be."""
+    """Draw a place to guess: where the robot of the exercise will be."""
     return Figure(
         name="guess",
         title="The robot of the exercise with its wheel arrows, and your guess of where it will be",
@@ -387,7 +389,7 @@ def guess_figure() -> Figure:
         scene=(
             *robot(START, "ghost"),
             way("path", 0, t),
-            *robot(driven(t), time=t),
+            *robot(drive_for(t), time=t),
             *arrows(START, middle=False),
             Point("target", (guess_x, guess_y), "your guess"),
         ),
@@ -396,7 +398,7 @@ def guess_figure() -> Figure:
 
 
 def arc_figure() -> Figure:
-    """The step along the arc: as far as the chord, along the middle heading."""
+    """Draw the step along the arc: as far as the chord, along the middle heading."""
     end = (x_next, y_next, theta_next)
     half = atan2(-POINTER[0], POINTER[1])
     time = sqrt(POINTER[0] ** 2 + POINTER[1] ** 2) / (v * sinc(half))
@@ -438,7 +440,7 @@ LEAST = 1e-18  # m: no error is drawn as this one
 
 
 def almost_figure() -> Figure:
-    """The textbook's form and the chord, nearer and nearer to a straight line."""
+    """Draw the textbook's form and the chord, nearer and nearer to a straight line."""
     graph = Graph((0.25, 0.56, 0.02, 0.29), (1e-16, 1), (1e-18, 1), ("ω in rad/s", "error in m"))
     drive_on = {x: 0, y: 0, theta: SLANTED, v: FAST, dt: LONG}
     forms = (motion.arc_step.right, motion.arc_step.textbook)
@@ -475,9 +477,9 @@ DURATION = 6.0  # s, of the drive that is cut into steps
 
 
 def steps_figure() -> Figure:
-    """One drive in n straight steps: the error against the step has slope 1, or slope 2."""
+    """Draw one drive in n straight steps: the error against the step has slope 1, or slope 2."""
     graph = Graph((0.17, 0.38, 0.03, 0.27), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
-    exact, step = substitute(driven(DURATION), TWIST), DURATION / n
+    exact, step = substitute(drive_for(DURATION), TWIST), DURATION / n
     straight = substitute(motion.euler_step.right, {**TWIST, dt: step})
     shapes, readouts, dots = [], [], []
     half = TWIST[omega] * s / 2  # of the turn in a step s
@@ -508,7 +510,7 @@ def steps_figure() -> Figure:
         controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
         where=tuple(SPEEDS.items()),
         scene=(
-            Curve("path", substitute(driven(s), TWIST), s, 0, DURATION),
+            Curve("path", substitute(drive_for(s), TWIST), s, 0, DURATION),
             *robot(START, "ghost"),
             *robot(exact),
             *graph.shapes(),
@@ -526,7 +528,7 @@ def steps_figure() -> Figure:
 
 
 def sideways_figure() -> Figure:
-    """A wished velocity: its part along the axle cannot be had."""
+    """Draw a wished velocity, whose part along the axle cannot be had."""
     wished, ahead = (-ARROW * wish_y, ARROW * wish_x), (0, ARROW * wish_x)
     return Figure(
         name="sideways",
@@ -559,7 +561,7 @@ SIDE = (-0.2, 0, pi / 2)  # 20 cm to the left of the start, and no turn
 
 
 def side_figure() -> Figure:
-    """The place at its side: turn, drive straight on, turn back; two seconds for each."""
+    """Draw the place at its side: turn, drive straight on, turn back; two seconds for each."""
     first, straight, last = (ramp(done, k) for k in range(3))
     heading = pi / 2 + aim
     end = (reach * cos(heading), reach * sin(heading), pi / 2)
@@ -590,7 +592,7 @@ def side_figure() -> Figure:
             *arrows(now, middle=False),
         ),
         readouts=(Readout("off", "at the end: off the mark", distance(end, SIDE), "m"),),
-        goal=Goal(parked(end, SIDE), f"Find the way to the place at its side: within {OFF} cm."),
+        goal=Goal(is_parked(end, SIDE), f"Find the way to the place at its side: within {OFF} cm."),
     )
 
 
@@ -599,15 +601,15 @@ BAY = tuple(motion.arc_step.substitute(BACK).evalf(17))
 
 
 def drive_figure() -> Figure:
-    """The laboratory: drive, follow, tracks of both wheels around one centre, park."""
-    now = driven(t)
+    """Draw the laboratory: drive, follow, tracks of both wheels around one centre, park."""
+    now = drive_for(t)
     centre = motion.icr.substitute({x: 0, y: 0, theta: pi / 2})
     return Figure(
         name="wheel-speeds",
         title="The robot in its laboratory, driven by two wheel speeds and a time",
         view=(-0.42, 0.38, -0.2, 0.28),
         controls=(
-            *wheels_from(SPEEDS[v_L], SPEEDS[v_R], most=0.12),
+            *speed_sliders(SPEEDS[v_L], SPEEDS[v_R], most=0.12),
             Clock(t, 0.0, 12.0, start=2.0, label="time"),
         ),
         where=RADIUS_TOO,
@@ -621,7 +623,7 @@ def drive_figure() -> Figure:
             *arrows(START, middle=False, letters=False),
             Point("icr", centre, label="ICR"),
         ),
-        handles=pulled(),
+        handles=tip_handles(),
         readouts=(
             Readout(v),
             Readout(omega),
@@ -637,7 +639,7 @@ def drive_figure() -> Figure:
                 f"Leave two tracks around one centre, the right one {TIMES} times as long.",
             ),
             Goal(
-                parked(now, BAY),
+                is_parked(now, BAY),
                 f"Park in the bay: within {OFF} cm and {TURNED}°, by two speeds and a time.",
             ),
         ),
@@ -647,7 +649,7 @@ def drive_figure() -> Figure:
 
 
 def damage_figure() -> Figure:
-    """The robot, and where a program with a mistake believes it to be."""
+    """Draw the robot, and where a program with a mistake believes it to be."""
     speeds = {side: differential_drive_1.example[str(side)] for side in (v_L, v_R)}
     heading, right = float(differential_drive_2.example["theta"]), {**speeds, b: DISTANCE}
     rate = drive.turning_rate.substitute(right)
@@ -659,7 +661,7 @@ def damage_figure() -> Figure:
     }
     options = {name: tuple(map(float, each)) for name, each in wrong.items()}
     seen, believed = (
-        substitute(driven(s, (0, 0, look)), {v: drive.speed.substitute(right), omega: turn})
+        substitute(drive_for(s, (0, 0, look)), {v: drive.speed.substitute(right), omega: turn})
         for turn, look in ((rate, heading), (believed_rate, believed_heading))
     )
     now, there = (substitute(pose, {s: t}) for pose in (seen, believed))
@@ -684,8 +686,8 @@ def damage_figure() -> Figure:
 
 
 def recap_figure() -> Figure:
-    """All of it at rest: speeds, line through the tips, ICR, arc, chord."""
-    end = driven(2.0)
+    """Draw all of it at rest: speeds, line through the tips, ICR, arc, chord."""
+    end = drive_for(2.0)
     return Figure(
         name="summary",
         title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
@@ -693,7 +695,7 @@ def recap_figure() -> Figure:
         where=(*SPEEDS.items(), *RADIUS_TOO),
         scene=(
             Line("icr", ((-R, 0), (0.1, 0))),
-            Line("turning", (on_tips(-0.25), on_tips(0.12))),
+            Line("turning", (point_on_tips(-0.25), point_on_tips(0.12))),
             *robot(START),
             *arrows(START),
             AngleArc(omega, (-R, 0), 0, atan2(ARROW * omega, 1), 0.06),

@@ -84,7 +84,7 @@ AWAY = replace(ARMS, start="facing away, elbow down")
 
 
 def target_sliders() -> tuple[Slider, ...]:
-    """The target under the hand, set as in the exercise, and the forearm."""
+    """Return sliders for the target, set as in the exercise, and for the forearm."""
     return (
         Slider(p_x, -0.7, 0.7, start=-0.18, step=0.01, label="target p_x"),
         Slider(p_y, -0.6, 0.6, start=0.24, step=0.01, label="target p_y"),
@@ -93,19 +93,19 @@ def target_sliders() -> tuple[Slider, ...]:
     )
 
 
-def within(value: Any) -> Any:
-    """A value that there is only within reach."""
+def if_within_reach(value: Any) -> Any:
+    """Return a value that exists only within reach."""
     return Piecewise((nan, OUTSIDE), (value, True))
 
 
 def joint_readouts() -> tuple[Readout, ...]:
-    """The chosen answer, how far the target is from the shoulder and from what can be reached."""
+    """Return the chosen answer, and the target's distances from shoulder and from the reachable."""
     away = (1 - face) / 2 * half_turn
     turn2 = Piecewise((0, d <= 0), (motion.wrap(away + face * raised), True))
     return (
-        Readout("theta1", "base θ_1", within(motion.wrap(beta + away)), "rad", words=NONE),
-        Readout("theta2", "shoulder θ_2", within(turn2), "rad", words=NONE),
-        Readout("theta3", "elbow θ_3", within(-face * bend * elbow), "rad", words=NONE),
+        Readout("theta1", "base θ_1", if_within_reach(motion.wrap(beta + away)), "rad", words=NONE),
+        Readout("theta2", "shoulder θ_2", if_within_reach(turn2), "rad", words=NONE),
+        Readout("theta3", "elbow θ_3", if_within_reach(-face * bend * elbow), "rad", words=NONE),
         Readout("d", "from shoulder to target", d, "m"),
         Readout("missed", "out of reach by", missed, "m"),
     )
@@ -118,23 +118,23 @@ SAYS = (
 
 
 def bones(way: Any) -> tuple[tuple[Any, Any], ...]:
-    """Shoulder, elbow and wrist in the vertical plane, with the upper link raised so far."""
+    """Return shoulder, elbow and wrist in the vertical plane, with the upper link raised so far."""
     joint = UPPER * cos(way), UPPER * sin(way)
     return (0, 0), joint, (done * cos(rise), done * sin(rise))
 
 
 def from_above(at: tuple[Any, Any]) -> tuple[Any, Any]:
-    """A point of the vertical plane in the view from above."""
+    """Return a point of the vertical plane in the view from above."""
     return at[0] * cos(beta), at[0] * sin(beta)
 
 
 def from_the_side(at: tuple[Any, Any]) -> tuple[Any, Any]:
-    """A point of the vertical plane in the view from the side."""
+    """Return a point of the vertical plane in the view from the side."""
     return SIDE + at[0], at[1]
 
 
 def arms(show: Callable[[tuple[Any, Any]], Any]) -> tuple[Line | Point, ...]:
-    """The arm with its elbow at both places, the chosen one drawn out, in one of the views."""
+    """Return the arm with its elbow at both places, the chosen one drawn out, in one view."""
     shoulder, joint, wrist = map(show, bones(raised))
     return (
         Line("ghost", tuple(map(show, bones(other)))),
@@ -147,13 +147,13 @@ def arms(show: Callable[[tuple[Any, Any]], Any]) -> tuple[Line | Point, ...]:
 
 
 def ring(centre: Sequence[Any], radius: Any, low: float = 0, high: float = 2 * pi) -> Curve:
-    """A limit of what can be reached."""
+    """Return a limit of the reach."""
     at = centre[0] + radius * cos(s), centre[1] + radius * sin(s)
     return Curve("icr", at, s, low, high, samples=64)
 
 
 def two_views_figure() -> Figure:
-    """The target under the hand, from above and from the side, with all answers."""
+    """Draw the target under the hand, from above and from the side, with all answers."""
     cuts = [sqrt(Max(0, limit**2 - z**2)) for limit in (least, most)]  # at the target's height
     back = (1 - face) / 2 * half_turn
     mid = from_the_side((0, 0))
@@ -195,19 +195,19 @@ def two_views_figure() -> Figure:
 
 
 def in_space(at: tuple[Any, Any]) -> tuple[Any, Any, Any]:
-    """A point of the vertical plane, in space."""
+    """Return a point of the vertical plane, in space."""
     return at[0] * cos(beta), at[0] * sin(beta), SHOULDER + at[1]
 
 
 def hinge(at: Sequence[Any], label: str) -> Arrow:
-    """The axis of a joint of the vertical plane: to the right of the base's front."""
+    """Return the axis of a joint of the vertical plane: to the right of the base's front."""
     axis = face * sin(beta), -face * cos(beta), 0
     tip = [a + 0.25 * b for a, b in zip(at, axis, strict=True)]
     return VIEW.arrow("z_axis", at, tip, label)
 
 
 def space_figure() -> Figure:
-    """The arm in space, from any side."""
+    """Draw the arm in space, from any side."""
     foot, shade, target = (0, 0, 0), (p_x, p_y, 0), (p_x, p_y, p_z)
     shoulder, joint, wrist = map(in_space, bones(raised))
     front = FRONT * face * cos(beta), FRONT * face * sin(beta), 0
@@ -245,7 +245,7 @@ def space_figure() -> Figure:
 
 
 def pieces(points: Any) -> list[tuple[Any, Any]]:
-    """A chain, piece by piece: each has its own depth."""
+    """Return a chain piece by piece: each has its own depth."""
     return list(pairwise(points))
 
 
@@ -255,40 +255,40 @@ ARM = {a2: 0.3, a3: 0.4, d1: 0.3}  # m, of the mistakes
 PLACE = {p_y: 0.2, p_z: 0.5}  # m, of the target
 
 
-def bent(base: Any, cosine: Any, elevation: Any) -> Matrix:
-    """The three joint angles, elbow up, from three things that may be wrong."""
+def joint_angles_by(base: Any, cosine: Any, elevation: Any) -> Matrix:
+    """Return the three joint angles, elbow up, from three numbers that may be wrong."""
     turn = arm.elbow.right[1].xreplace({arm.A: cosine})
     there = ARM[a2] + ARM[a3] * cos(turn), ARM[a3] * sin(turn)
     return Matrix([base, elevation - atan2(there[1], there[0]), turn])
 
 
 def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
-    """The right ones, and those by each mistake."""
+    """Return the right joint angles, and those by each mistake."""
     level = PLACE[p_z] - ARM[d1]
     given = {**ARM, **PLACE, high: level}
     base, cosine = arm.base.substitute(given)[0], arm.cosine.substitute(given)
     elevation = atan2(level, arm.side.substitute(given)[0])
-    right = bent(base, cosine, elevation)
+    right = joint_angles_by(base, cosine, elevation)
     short, steep = M2.substitute({p_y: PLACE[p_y], p_z: level})
     return right, {
-        "It aims at a mirror image": bent(M1.substitute(given), cosine, elevation),
-        "It never looks behind": bent(M5.substitute(given), cosine, elevation),
-        "Its reach never changes": bent(
+        "It aims at a mirror image": joint_angles_by(M1.substitute(given), cosine, elevation),
+        "It never looks behind": joint_angles_by(M5.substitute(given), cosine, elevation),
+        "Its reach never changes": joint_angles_by(
             base, arm.cosine.substitute({**ARM, p_x: short, p_y: 0, high: 0}), steep
         ),
-        "It reaches too far": bent(base, M3.substitute(given), elevation),
+        "It reaches too far": joint_angles_by(base, M3.substitute(given), elevation),
         "It turns round": M4.substitute(dict(zip(JOINTS, right, strict=True))),
     }
 
 
 def link(kind: str, length: float, thick: float) -> list[solids.Mesh]:
-    """A link along its x axis, with its joint."""
+    """Return a link along its x axis, with its joint."""
     bar = solids.box(kind, (length, thick, thick), (length / 2, 0, 0))
     return [bar, solids.cylinder(kind, (0.05, 0.05), (-0.05, 0.05), n=12)]
 
 
 def solid_arm(kind: str, joints: Any) -> tuple[Any, ...]:
-    """Two links with a gripper, in space, on a column that shows which way the base looks."""
+    """Return two links with a gripper, in space, on a column that shows the base's direction."""
     one, two, three = joints
     R, T = (
         arm.dh_wrist.right.xreplace({theta1: one, theta2: way, theta3: 0}).doit()[:3, :3]
@@ -307,7 +307,7 @@ def solid_arm(kind: str, joints: Any) -> tuple[Any, ...]:
 
 
 def mistakes_figure() -> Figure:
-    """The arm at its target, and in red where a mistake sends it."""
+    """Draw the arm at its target, and in red where a mistake sends it."""
     right, ways = joint_angles()
     away = arm.away.substitute(dict(zip(JOINTS, right, strict=True)))
     true_arm = right + MISTAKES[4] * (away - right)  # where the red base turns round, it does too

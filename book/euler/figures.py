@@ -59,18 +59,18 @@ about = Matrix(symbols("about_x about_y about_z", real=True))
 at_once = Symbol("at_once", real=True)  # 1 for one turn about one axis, 0 for two
 
 
-def entries(R: Matrix) -> Where:
-    """A rotation as what the entries of the matrix stand for."""
+def name_entries(R: Matrix) -> Where:
+    """Return a rotation as named steps, one for each entry of the matrix."""
     return tuple(zip(euler.r, R, strict=True))
 
 
 def angle_of(R: Matrix) -> Any:
-    """The angle of the one turn that a rotation is."""
+    """Return the angle of the one turn that makes a rotation."""
     return euler.turn_angle.substitute(dict(zip(euler.r, R, strict=True)))
 
 
-def meets(R: Matrix, target: Matrix) -> Any:
-    """Whether two orientations are less than a degree apart."""
+def is_aligned(R: Matrix, target: Matrix) -> Any:
+    """Return whether two orientations are less than a degree apart."""
     return angle_of(target.T * R) < half_turn / 180
 
 
@@ -86,7 +86,7 @@ def die(
     labels: Sequence[str] = ("x", "y", "z"),
     kind: str = "body",
 ) -> tuple[Any, ...]:
-    """A die on its axes, above a floor."""
+    """Return a die on its axes, above a floor."""
     tail, head = (
         [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.05)
     )
@@ -96,13 +96,13 @@ def die(
 
 
 def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
-    """Where a die shall be brought to."""
+    """Return the ghost onto which a die shall be brought."""
     body = VIEW.solid(solids.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
     return VIEW.floor(FLOOR, HALF, at), body
 
 
 def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
-    """The axes of frame A, which stay: along the floor and up from its corner."""
+    """Return the axes of frame A, which stay: along the floor and up from its corner."""
     corner = [at[0] - HALF, at[1] - HALF, FLOOR]
     return tuple(
         VIEW.arrow("text", corner, [c + 1.7 * u for c, u in zip(corner, axis, strict=True)], label)
@@ -111,7 +111,7 @@ def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
 
 
 def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
-    """What a die turns about, to both sides of it."""
+    """Return the axis of a die's turn, to both sides of it."""
     ends = [
         [a + far * u for a, u in zip(at, direction, strict=True)]
         for far in (-1.45, -0.5, 0.5, 1.45)
@@ -123,7 +123,7 @@ LEFT, RIGHT = VIEW.right_of_origin(-1.15), VIEW.right_of_origin(1.15)
 
 
 def die_figure() -> Figure:
-    """The opening: a die, twelve buttons, a ghost."""
+    """Draw the opening: a die, twelve buttons, a ghost."""
     turns, steps = QuarterTurns(), NamedSteps()
     last = steps.add("l", turns.last_rotation(turns.part))
     now = steps.add("n", turns.compose(last))
@@ -150,7 +150,7 @@ def die_figure() -> Figure:
         readouts=(Readout("count", "turns made", turns.count, "", digits=0),),
         sentence="{count} turns made: {turns}.",
         goal=tuple(
-            Goal(And(meets(now, GHOST), turns.part >= 1, turns.count <= most), words)
+            Goal(And(is_aligned(now, GHOST), turns.part >= 1, turns.count <= most), words)
             for most, words in tasks.items()
         ),
         where=steps,
@@ -158,7 +158,7 @@ def die_figure() -> Figure:
 
 
 def exercise_figure() -> Figure:
-    """The two frames of the exercise."""
+    """Draw the two frames of the exercise."""
     return Figure(
         name="two-frames",
         title="Frame A on the left; frame B on the right, turned another way",
@@ -169,7 +169,7 @@ def exercise_figure() -> Figure:
 
 
 def columns_figure() -> Figure:
-    """A turn about one of the axes, and the three columns of its matrix."""
+    """Draw a turn about one of the axes, and the three columns of its matrix."""
     R = euler.r
     return Figure(
         name="columns",
@@ -181,12 +181,12 @@ def columns_figure() -> Figure:
         ),
         scene=(*room(), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
         sentence="A turn of {turn} about the {axis} axis.",
-        where=entries(euler.turned_about(about, turn)),
+        where=name_entries(euler.turned_about(about, turn)),
     )
 
 
 def order_figure() -> Figure:
-    """The same two quarter turns in two orders."""
+    """Draw the same two quarter turns in two orders."""
     a, b = (ramp(made, k) * half_turn / 2 for k in (0, 1))
     steps = NamedSteps()
     left, right = (
@@ -206,7 +206,7 @@ def order_figure() -> Figure:
 
 
 def target_figure() -> Figure:
-    """The exercise: two angles to bring the die to frame B."""
+    """Draw the exercise: two angles to bring the die to frame B."""
     R = euler.r
     return Figure(
         name="to-b",
@@ -219,13 +219,13 @@ def target_figure() -> Figure:
         scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.right_of_origin(1.45))),
         readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
         sentence="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
-        goal=Goal(meets(R, R_AB), "Bring the die onto frame B."),
-        where=entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
+        goal=Goal(is_aligned(R, R_AB), "Bring the die onto frame B."),
+        where=name_entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
     )
 
 
 def both_figure() -> Figure:
-    """Both answers of XYZ, turn by turn."""
+    """Draw both answers of XYZ, turn by turn."""
     steps = NamedSteps(
         ((first, half_turn / 9), (third, half_turn / 6), *assign(euler.other_cardan))
     )
@@ -276,14 +276,14 @@ STAND = (
 
 
 def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[solids.Mesh, ...]:
-    """A ring, flat towards one axis, with two pins along another on which the next one turns."""
+    """Return a ring, flat towards one axis, with two pins along another that hold the next one."""
     rim = radius + 0.14
     pins = (solids.cylinder(kind, (0.06, 0.06), x, along, n=8) for x in ((rim, end), (-end, -rim)))
     return solids.ring(kind, radius, rim, 0.1, flat), *pins
 
 
 def rings_figure() -> Figure:
-    """A stand, three rings, an aeroplane, and the turns that it can make at this moment."""
+    """Draw a stand, three rings, an aeroplane, and the turns that it can make at this moment."""
     steps = NamedSteps()
     one = steps.add("a", euler.turned_about(X, against))
     two = steps.add("b", one * euler.turned_about(Y, middle))
@@ -330,7 +330,7 @@ BALL = 1.35  # m: the radius of the ball, half a turn
 
 
 def one_turn_figure() -> Figure:
-    """From A to B by one turn and by two, as a die and as ways in the ball of all turns."""
+    """Draw the way from A to B by one turn and by two, as a die and in the ball of all turns."""
 
     def by_two(turns: Any) -> tuple[Any, Any]:
         return ramp(turns, 0) * half_turn / 2, -ramp(turns, 1) * half_turn / 2
@@ -381,12 +381,12 @@ def one_turn_figure() -> Figure:
             Readout("left", "still to B", angle_of(R_AB.T * euler.r), "rad"),
         ),
         sentence="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
-        where=entries(at_once * euler.turned_about(AXIS, once) + (1 - at_once) * two),
+        where=name_entries(at_once * euler.turned_about(AXIS, once) + (1 - at_once) * two),
     )
 
 
 def recap_figure() -> Figure:
-    """All in one: columns, axes of A, the one turn."""
+    """Draw all in one: columns, axes of A, the one turn."""
     R = euler.r
     return Figure(
         name="rotation-recap",
@@ -395,12 +395,12 @@ def recap_figure() -> Figure:
         controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
         scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
         sentence="Turned by {turn} about the slanted axis.",
-        where=entries(euler.turned_about(AXIS, turn)),
+        where=name_entries(euler.turned_about(AXIS, turn)),
     )
 
 
 def mistakes_figure() -> Figure:
-    """Another frame B, of two quarter turns, and where three mistakes lead instead."""
+    """Draw another frame B, of two quarter turns, and the frames that three mistakes make of it."""
     quarter = {turn: half_turn / 2}
     y_turn, z_turn = euler.turn_y.substitute(quarter), euler.turn_z.substitute(quarter)
     by_hand = M7.formula.transfer(euler.turn_z)
@@ -426,7 +426,7 @@ def mistakes_figure() -> Figure:
 
 
 def sequences() -> Choice:
-    """All 24: what each gives the axes, and whether these are fixed."""
+    """Return the choice of all 24: the axes of each, and whether these are fixed."""
 
     def numbers(seq: str) -> tuple[int, ...]:
         left_to_right = seq if seq.isupper() else seq[::-1]
@@ -438,13 +438,13 @@ def sequences() -> Choice:
     return Choice("sequence", label, (*outer, *mid, *inner, fixed), options, start="ZXZ")
 
 
-def current(three: Sequence[Any]) -> Any:
-    """Of three things the one of the turn that is being made."""
+def pick_current(three: Sequence[Any]) -> Any:
+    """Return the one of three that belongs to the turn that is being made."""
     return Piecewise((three[0], made <= 1), (three[1], made <= 2), (three[2], True))
 
 
 def factors_of(steps: NamedSteps, name: str, angles: Sequence[Any]) -> list[Matrix]:
-    """The three factors of a sequence's matrix, from left to right, entry by entry."""
+    """Return the three factors of a sequence's matrix, from left to right, entry by entry."""
     a, b, c = angles
     places = Matrix([(1 - fixed) * a + fixed * c, b, (1 - fixed) * c + fixed * a])
     turns = zip("pqr", (outer, mid, inner), steps.add(f"{name}a", places), strict=True)
@@ -454,7 +454,7 @@ def factors_of(steps: NamedSteps, name: str, angles: Sequence[Any]) -> list[Matr
 
 
 def sequence_figure() -> Figure:
-    """Any of the 24 sequences, turn by turn, with its other answer and how near lock is."""
+    """Draw any of the 24 sequences, turn by turn, with its other answer and how near lock is."""
     steps = NamedSteps()
     angles = steps.add("a", Matrix([ramp(made, k) * e for k, e in enumerate(TURNS)]))
     factors = factors_of(steps, "l", angles)
@@ -468,7 +468,7 @@ def sequence_figure() -> Figure:
         (1 - fixed) * factors[0] * mid + fixed * mid,
         (1 - fixed) * two * inner + fixed * outer,
     )
-    u = steps.add("u", Matrix([current(three) for three in zip(*axes, strict=True)]))
+    u = steps.add("u", Matrix([pick_current(three) for three in zip(*axes, strict=True)]))
     proper = outer.dot(inner)
     cosine, sine = Abs(cos(middle)), Abs(sin(middle))
     near = proper * sine + (1 - proper) * cosine
@@ -508,7 +508,7 @@ def sequence_figure() -> Figure:
             "frame B."
         ),
         goal=tuple(
-            Goal(And(meets(end, R_AB), chosen > 0), f"Reach frame B with {name}.")
+            Goal(And(is_aligned(end, R_AB), chosen > 0), f"Reach frame B with {name}.")
             for name, chosen in (
                 ("ZXZ", outer[2] * mid[0] * inner[2] * (1 - fixed)),
                 ("ZYX", outer[2] * mid[1] * inner[0] * (1 - fixed)),

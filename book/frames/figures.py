@@ -58,19 +58,19 @@ object_low = quantity("object_low", "m", -0.4, 0.4, "height of the object above 
 
 
 def seen_from(first: Pose, second: Pose) -> Matrix:
-    """The second pose as seen from the first, both known from one place."""
+    """Return the second pose as seen from the first, both known from one place."""
     values = dict(zip((db_x, db_y, db_turn, de_x, de_y, de_turn), (*first, *second), strict=True))
     return frames.object_seen.substitute(values)
 
 
-def joined(first: Pose, second: Pose) -> Matrix:
-    """Two poses in a chain."""
+def compose(first: Pose, second: Pose) -> Matrix:
+    """Return the pose at the end of two poses in a chain."""
     values = dict(zip((db_x, db_y, db_turn, bc_x, bc_y, bc_turn), (*first, *second), strict=True))
     return frames.chained.substitute(values)
 
 
 def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
-    """A point of a frame, so far along its axes, where the frame's pose is seen from."""
+    """Return a point of a frame, so far along its axes, where the frame's pose is seen from."""
     x, y, turn = pose
     with as_written():
         return (
@@ -80,21 +80,21 @@ def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
 
 
 def axes(pose: Pose, name: str) -> tuple[Arrow, Arrow]:
-    """The x and y axis of a frame; its name stands at x."""
+    """Return the x and y axis of a frame; its name stands at x."""
     return (
         Arrow("x_axis", pose, point_of(pose, AXIS), label=f"x_{name}"),
         Arrow("y_axis", pose, point_of(pose, 0, AXIS)),
     )
 
 
-def direction(pose: Pose) -> Any:
-    """Where the pointer is, as an angle of a frame."""
+def angle_to_pointer(pose: Pose) -> Any:
+    """Return the pointer's direction as an angle of a frame."""
     there = seen_from(pose, (*POINTER, 0))
     return atan2(there[1], there[0])
 
 
 def joint_sliders() -> tuple[Slider, ...]:
-    """The arm under the hand; at 180° an angle would meet its other name, −180°."""
+    """Return the sliders of the arm; at 180° an angle would meet its other name, −180°."""
     return (
         Slider.degrees(alpha, -175, 175, start=90, step=5, label="joint angle α"),
         Slider.degrees(beta, -120, 120, start=-90, step=5, label="joint angle β"),
@@ -106,14 +106,14 @@ T_db, T_de = (db_x, db_y, db_turn), (de_x, de_y, de_turn)
 
 
 def chain_figure() -> Figure:
-    """The room from above: platform, arm and object under the hand, the arrows of the chain."""
+    """Draw the room from above: platform, arm and object to drag, the arrows of the chain."""
     steps = NamedSteps()
     elbow_here = frames.hand_pose.substitute({**LINKS, l_2: 0, beta: 0, gamma: 0})
-    elbow_now = joined(T_db, elbow_here)
-    wrist_now = joined(T_db, frames.hand_pose.substitute({**LINKS, gamma: 0}))
+    elbow_now = compose(T_db, elbow_here)
+    wrist_now = compose(T_db, frames.hand_pose.substitute({**LINKS, gamma: 0}))
     bc = steps.add("bc", frames.hand_pose.substitute(LINKS))
     be = steps.add("be", seen_from(T_db, T_de))
-    dc = steps.add("dc", joined(T_db, bc))
+    dc = steps.add("dc", compose(T_db, bc))
     elbow = steps.add("elbow", elbow_now)
     ce = steps.add("ce", seen_from(bc, be))
     chain = ((0, 0), T_db), (T_db, dc), ((0, 0), T_de)
@@ -144,16 +144,20 @@ def chain_figure() -> Figure:
         ),
         handles=(
             Handle(
-                "nose of the platform", point_of(T_db, RADIUS), {db_turn: direction((*T_db[:2], 0))}
+                "nose of the platform",
+                point_of(T_db, RADIUS),
+                {db_turn: angle_to_pointer((*T_db[:2], 0))},
             ),
             Handle("platform", T_db),
-            Handle("second joint", elbow, {alpha: direction(T_db)}),
-            Handle("tip of the hand's x axis", point_of(dc, AXIS), {gamma: direction(wrist_now)}),
-            Handle("hand", dc, {beta: direction(elbow_now)}),
+            Handle("second joint", elbow, {alpha: angle_to_pointer(T_db)}),
+            Handle(
+                "tip of the hand's x axis", point_of(dc, AXIS), {gamma: angle_to_pointer(wrist_now)}
+            ),
+            Handle("hand", dc, {beta: angle_to_pointer(elbow_now)}),
             Handle(
                 "tip of the object's x axis",
                 point_of(T_de, AXIS),
-                {de_turn: direction((*T_de[:2], 0))},
+                {de_turn: angle_to_pointer((*T_de[:2], 0))},
             ),
             Handle("object", T_de),
         ),
@@ -180,7 +184,7 @@ s = Symbol("s")
 
 
 def upright(x: Any, y: Any, z: Any, angle: Any) -> Matrix:
-    """The pose in the room, 4×4, of what stands upright."""
+    """Return the pose in the room, 4×4, of a thing that stands upright."""
     return Matrix(
         [
             [cos(angle), -sin(angle), 0, x],
@@ -192,13 +196,13 @@ def upright(x: Any, y: Any, z: Any, angle: Any) -> Matrix:
 
 
 def axes_in_space(T: Matrix, name: str) -> tuple[Any, ...]:
-    """The three axes of a frame; its name stands at x and z."""
+    """Return the three axes of a frame; its name stands at x and z."""
     labels = (f"x_{name}", "", f"z_{name}")
     return VIEW.frame(T[:3, :3], at=tuple(T[:3, 3]), size=SIZE, labels=labels)
 
 
 def above_figure() -> Figure:
-    """A camera that looks down on the same room, in space: turn it, and the hand sees no change."""
+    """Draw a camera above the same room, in space: turn it, and the hand sees no change."""
     steps = NamedSteps()
     heading, high, low = db_turn, camera_high, object_low
     camera_sees = frames.looking_down.substitute(
@@ -216,8 +220,8 @@ def above_figure() -> Figure:
 
     # what is drawn, seen from the room: T_room_f is its own inverse, so camera_sees serves, too
     b = (*BASE, heading)
-    c = steps.add("c", joined(b, bc))
-    elbow = steps.add("k", joined(b, frames.hand_pose.substitute({**LINKS, l_2: 0})))
+    c = steps.add("c", compose(b, bc))
+    elbow = steps.add("k", compose(b, frames.hand_pose.substitute({**LINKS, l_2: 0})))
     eye, thing = (0, 0, high), (*THING, low)
     base, hand, middle = (*BASE, 0), (c[0], c[1], 0), (elbow[0], elbow[1], 0)
     rim = (BASE[0] + RADIUS * cos(s), BASE[1] + RADIUS * sin(s), 0)
@@ -270,18 +274,18 @@ MISTAKES = symbols("mistake:4", real=True)  # 1 for the one that is made, else 0
 BOX = 0.09  # m, half a side of the object
 
 
-def matrix(pose: Pose) -> Matrix:
-    """A pose in the plane as a matrix."""
+def pose_matrix(pose: Pose) -> Matrix:
+    """Return a pose in the plane as a matrix."""
     return frames.matrix.substitute(dict(zip(T_db, pose, strict=True)))
 
 
-def believed(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
-    """The object as the hand sees it, T_ce, by each mistake."""
+def object_by_mistake(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
+    """Return the object as the hand sees it, T_ce, by each mistake."""
     turned = {bank.T_db: db, bank.T_bc: bc}
-    given = {T: matrix(pose) for T, pose in {**turned, bank.T_de: de}.items()}
-    given |= {T.inv(): matrix(seen_from(pose, (0, 0, 0))) for T, pose in turned.items()}
+    given = {T: pose_matrix(pose) for T, pose in {**turned, bank.T_de: de}.items()}
+    given |= {T.inv(): pose_matrix(seen_from(pose, (0, 0, 0))) for T, pose in turned.items()}
     by_sign = {
-        T.inv(): matrix((*M10.substitute({bank.p: Matrix(pose[:2])}).doit(), -pose[2]))
+        T.inv(): pose_matrix((*M10.substitute({bank.p: Matrix(pose[:2])}).doit(), -pose[2]))
         for T, pose in turned.items()
     }
     found = {
@@ -294,24 +298,24 @@ def believed(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
 
 
 def box(kind: str, pose: Pose, name: str = "") -> tuple[Any, ...]:
-    """The object from above, and its x axis."""
+    """Return the object from above, and its x axis."""
     corners = ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
     rim = tuple(point_of(pose, BOX * a, BOX * b) for a, b in corners)
     return Area(kind, rim), Line(kind, rim), Arrow(kind, pose, point_of(pose, AXIS), name)
 
 
 def mistakes_figure() -> Figure:
-    """The room from above, and where a program with a mistake believes the object to be."""
+    """Draw the room from above, and where a program with a mistake believes the object to be."""
     steps = NamedSteps()
     db, de, bends = (0.6, 0.5, db_turn), (-0.3, 0.6, -pi / 3), (-pi / 2, 7 * pi / 12, pi / 4)
     arm = {**LINKS, **dict(zip((alpha, beta, gamma), bends, strict=True))}
     hand = [float(number) for number in frames.hand_pose.substitute(arm)]
-    elbow = joined(db, frames.hand_pose.substitute({**arm, l_2: 0}))
-    c = steps.add("c", joined(db, hand))
-    ways = believed(db, hand, de)
+    elbow = compose(db, frames.hand_pose.substitute({**arm, l_2: 0}))
+    c = steps.add("c", compose(db, hand))
+    ways = object_by_mistake(db, hand, de)
     T = sum((one * way for one, way in zip(MISTAKES, ways.values(), strict=True)), zeros(3))
     ce = steps.add("ce", Matrix([T[0, 2], T[1, 2], atan2(T[1, 0], T[0, 0])]))
-    e = steps.add("e", joined(c, ce))
+    e = steps.add("e", compose(c, ce))
     return Figure(
         name="wrong-object",
         title="A platform with an arm, an object, and where a program with a mistake believes it",

@@ -59,7 +59,7 @@ s = Symbol("s")
 
 
 def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
-    """The pose at the end of an exact arc."""
+    """Return the pose at the end of an exact arc."""
     values = dict(zip((x, y, theta), start, strict=True))
     return odometry.exact_arc.substitute({**values, D: length, dtheta: angle})
 
@@ -67,15 +67,15 @@ def arc_to(length: Any, angle: Any, start: Any = (0, 0, 0)) -> Any:
 # --- Four rules -----------------------------------------------------------------------------
 
 
-def one_sample(ticks: Any, travel: Any = odometry.travel) -> tuple[Any, Any]:
-    """How far the robot moves and turns in a sample, from the ticks of its wheels."""
+def motion_in_sample(ticks: Any, travel: Any = odometry.travel) -> tuple[Any, Any]:
+    """Return how far the robot moves and turns in a sample, from the ticks of its wheels."""
     rolled = travel.substitute({N_L: ticks[0], N_R: ticks[1], C: TICKS, r: RADIUS})
     wheels = {D_L: rolled[0], D_R: rolled[1]}
     return odometry.distance.substitute(wheels), odometry.turn.substitute({**wheels, b: BASE})
 
 
 def rule_loop(rule: Equation, name: str) -> Recurrence:
-    """The drive by one rule; its state ends with the largest error so far."""
+    """Return the drive by one rule; its state ends with the largest error so far."""
     state = (x, y, theta, D, dtheta, Symbol("worst"))
     with as_written():
         ticks = [each * (turned / (2 * pi)) / samples for each in (LEFT, RIGHT)]
@@ -85,7 +85,7 @@ def rule_loop(rule: Equation, name: str) -> Recurrence:
     worst = Max(state[-1], distance(place, there), evaluate=False)
     return Recurrence(
         state,
-        start=(0, 0, 0, *one_sample(ticks), 0),
+        start=(0, 0, 0, *motion_in_sample(ticks), 0),
         step=(*place, D, dtheta, worst),
         count=samples,
         most=32,
@@ -94,7 +94,7 @@ def rule_loop(rule: Equation, name: str) -> Recurrence:
 
 
 def rules_figure() -> Figure:
-    """One drive, read in n samples, by the four rules: the largest error and the one at the end."""
+    """Draw one drive in n samples, by the four rules: the largest error and the one at the end."""
     old = rule_loop(odometry.old_heading, "old")
     new = rule_loop(odometry.new_heading, "new")
     middle = rule_loop(odometry.middle_heading, "middle")
@@ -144,7 +144,7 @@ def rules_figure() -> Figure:
 
 
 def worst_readouts(loops: tuple[Recurrence, ...]) -> list[Readout]:
-    """The largest error on the way, rule by rule."""
+    """Return readouts of the largest error on the way, rule by rule."""
     names = ("exact", "old", "new", "middle")
     return [
         Readout(name, f"{name}, worst", loop.ends[-1], "m", digits=4)
@@ -158,8 +158,8 @@ STEPS = 6  # samples of the drive; ellipses after each second one
 HOLDS_95 = sqrt(-2 * log(0.05))  # half-axis of the ellipse that holds 95 %, by σ
 
 
-def carried(steps: Any, values: dict[Any, Any]) -> dict[Any, Any]:
-    """Named steps, each written out in what the first ones are made of."""
+def inline_steps(steps: Any, values: dict[Any, Any]) -> dict[Any, Any]:
+    """Return named steps, each written out in the symbols of the first ones."""
     known = dict(values)
     for symbol, expression in steps:
         known[symbol] = substitute(expression, known)
@@ -167,15 +167,15 @@ def carried(steps: Any, values: dict[Any, Any]) -> dict[Any, Any]:
 
 
 def covariance_loop(count: int) -> Recurrence:
-    """The covariance after some samples: the wheels' part is computed once, at the start."""
+    """Return the covariance after some samples: the wheels' part is computed once, at the start."""
     with as_written():
         half = BASE * turned / 2
         wheels = {D_L: (drive - half) / STEPS, D_R: (drive + half) / STEPS}
         wheels |= {b: BASE, noise: wheel_error**2}
-    once = carried(odometry.of_the_wheels, wheels)
+    once = inline_steps(odometry.of_the_wheels, wheels)
     kept = [symbol for symbol, _ in odometry.of_the_wheels]
     entries = odometry.covariance_entries
-    each = carried(odometry.of_the_heading, {})
+    each = inline_steps(odometry.of_the_heading, {})
     with as_written():
         step = substitute(odometry.covariance_step.right, {**each, b: BASE})
         next_heading = theta + 2 * odometry.u
@@ -193,7 +193,7 @@ def covariance_loop(count: int) -> Recurrence:
 
 
 def ellipse(loop: Recurrence, count: int) -> Curve:
-    """The ellipse that holds 95 % of the ends of a part of the drive."""
+    """Return the ellipse that holds 95 % of the ends of a part of the drive."""
     xx, xy, _, yy, *_ = loop.ends[-6:]
     with as_written():
         part = sp.Rational(count, STEPS)
@@ -207,13 +207,13 @@ def ellipse(loop: Recurrence, count: int) -> Curve:
 
 
 def ellipse_figure() -> Figure:
-    """The error ellipse growing along a drive: noise, distance and turn under the hand."""
+    """Draw the error ellipse growing along a drive: noise, distance and turn under the hand."""
     loops = {count: covariance_loop(count) for count in (2, 4, 6)}
     end = arc_to(drive, turned)
     xx, xy, _, yy, _, tt = loops[STEPS].ends[-6:]
     values = {odometry.p_xx: xx, odometry.p_xy: xy, odometry.p_yy: yy}
     axes = substitute(
-        odometry.ellipse_axes.right, {**carried(odometry.ellipse_axes.where, values), **values}
+        odometry.ellipse_axes.right, {**inline_steps(odometry.ellipse_axes.where, values), **values}
     )
     with as_written():
         direction = sp.atan2(POINTER[1], POINTER[0])
@@ -268,7 +268,7 @@ WIDER, LONGER = 14, 7  # how much its errors are enlarged
 
 
 def square_loop(turns: int, name: str) -> Recurrence:
-    """Where the robot really goes when its encoders report a square: turns to the left 1, right -1.
+    """Return the real way when the encoders report a square: turns to the left 1, right -1.
 
     The wheels roll what their true diameters make of the ticks, on the true wheel distance.
     """
@@ -293,7 +293,7 @@ def square_loop(turns: int, name: str) -> Recurrence:
 
 
 def square_figure() -> Figure:
-    """Unequal wheels or a wrong wheel distance, and the square path, both ways, that tells."""
+    """Draw unequal wheels or a wrong wheel distance, and the square path, both ways, that tells."""
     cw, ccw = square_loop(-1, "cw"), square_loop(1, "ccw")
     ends = {
         odometry.x_cw: cw.ends[0], odometry.y_cw: cw.ends[1],
@@ -303,7 +303,7 @@ def square_figure() -> Figure:
     angles = odometry.calibration_angles.substitute(ends)
     known = {odometry.short_turn: angles[0], odometry.side_swing: angles[1]}
     known |= {odometry.side: SIDE, b: BASE}
-    steps = carried(odometry.calibration.where, known)
+    steps = inline_steps(odometry.calibration.where, known)
     found_b, found_ratio = substitute(odometry.calibration.right, steps)
     with as_written():
         wheel = APART + WIDER * (b_true - BASE)
@@ -333,8 +333,8 @@ def square_figure() -> Figure:
             Line("right", ((back, -wheel), (tip, -wheel))),
         ),
         handles=(
-            Handle("left wheel, outwards", (PLACE, wheel), {b_true: pulled_wheel()}),
-            Handle("front of the right wheel", (tip, -wheel), {ratio: pulled_tip()}),
+            Handle("left wheel, outwards", (PLACE, wheel), {b_true: base_from_pointer()}),
+            Handle("front of the right wheel", (tip, -wheel), {ratio: ratio_from_pointer()}),
         ),
         readouts=(
             Readout("x_cw", "cw end, x", cw.ends[0], "m"),
@@ -353,14 +353,14 @@ def square_figure() -> Figure:
     )
 
 
-def pulled_wheel() -> Any:
-    """The wheel distance that puts the left wheel where the pointer is."""
+def base_from_pointer() -> Any:
+    """Return the wheel distance that puts the left wheel where the pointer is."""
     with as_written():
         return BASE + (POINTER[1] - APART) / WIDER
 
 
-def pulled_tip() -> Any:
-    """The ratio that puts the front of the right wheel where the pointer is."""
+def ratio_from_pointer() -> Any:
+    """Return the ratio that puts the front of the right wheel where the pointer is."""
     with as_written():
         return 1 + (POINTER[0] - PLACE - HALF) / LONGER
 
@@ -376,33 +376,33 @@ MADE = {  # title → mistake
     "It hardly moves": M24,
     "It leaps back in sample 9": M25,
 }
-MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 set_off = quantity("set_off", "rad", 0, 1.6, "heading at the start", latex=r"\theta_0")
 
 
-def by_mistake(mistake: Any, wrong: Any, right: Any) -> Any:
-    """The wrong expressions if this mistake is chosen, else the right ones."""
-    chosen = MADE_ONE[[*MADE.values()].index(mistake)] > 0.5
+def choose(mistake: Any, wrong: Any, right: Any) -> Any:
+    """Return the wrong expressions if this mistake is chosen, else the right ones."""
+    chosen = MISTAKES[[*MADE.values()].index(mistake)] > 0.5
     with as_written():
         return [Piecewise((a, chosen), (b, True)) for a, b in zip(wrong, right, strict=True)]
 
 
 def believed_loop() -> Recurrence:
-    """The pose that a program with a mistake makes of the readings of two counters."""
+    """Return the pose that a program with a mistake makes of the readings of two counters."""
     counts = symbols("count_L count_R")
     with as_written():
         after = [sp.Mod(count + each, SPAN) for count, each in zip(counts, EACH, strict=True)]
     pairs = [{count_before: c, count_now: n} for c, n in zip(counts, after, strict=True)]
     right = [odometry.counter_step.substitute({**pair, counter_span: SPAN}) for pair in pairs]
-    ticks = by_mistake(M25, [M25.substitute(pair) for pair in pairs], right)
-    sample = by_mistake(M24, one_sample(ticks, M24), one_sample(ticks))
+    ticks = choose(M25, [M25.substitute(pair) for pair in pairs], right)
+    sample = choose(M24, motion_in_sample(ticks, M24), motion_in_sample(ticks))
     known = dict(zip((D, dtheta), sample, strict=True))
     half_seen = odometry.new_heading.substitute({**known, theta: M23.substitute(known), dtheta: 0})
-    pose = by_mistake(M23, half_seen, odometry.exact_arc.substitute(known))
+    pose = choose(M23, half_seen, odometry.exact_arc.substitute(known))
     return Recurrence(
         (x, y, theta, *counts),
         start=(0, 0, set_off, *READ),
-        step=(*by_mistake(M22, M22.substitute(known), pose), *after),
+        step=(*choose(M22, M22.substitute(known), pose), *after),
         count=samples,
         most=16,
         ends=symbols("x_told y_told t_told left_told right_told"),
@@ -410,8 +410,8 @@ def believed_loop() -> Recurrence:
 
 
 def mistakes_figure() -> Figure:
-    """Where the robot is, and where a program with a mistake believes it to be."""
-    loop, (each, turn) = believed_loop(), one_sample(EACH)
+    """Draw the robot, and where a program with a mistake believes it to be."""
+    loop, (each, turn) = believed_loop(), motion_in_sample(EACH)
     with as_written():
         real, part = (arc_to(each * k, turn * k, (0, 0, set_off)) for k in (samples, s))
     end, told = tuple(real[:2]), loop.ends[:2]
@@ -421,7 +421,7 @@ def mistakes_figure() -> Figure:
         view=(-0.75, 1.1, -0.4, 0.98),
         size="laboratory",
         controls=(
-            Choice.one_hot("mistake", MADE_ONE, MADE),
+            Choice.one_hot("mistake", MISTAKES, MADE),
             Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
             Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
         ),

@@ -86,28 +86,30 @@ s = Symbol("s")
 lever_x, lever_y = symbols("lever_x lever_y")
 
 
-def sized(steps: Where, values: Mapping[Any, Any] = SIZES) -> list[tuple[Symbol, Any]]:
-    """Named steps with the figures' links put in."""
+def substitute_sizes(steps: Where, values: Mapping[Any, Any] = SIZES) -> list[tuple[Symbol, Any]]:
+    """Return named steps with the figures' links in place of their symbols."""
     return [(symbol, substitute(step, values)) for symbol, step in steps]
 
 
-def written_out(expression: Any, steps: Where) -> Any:
-    """An expression with its named steps put in, the last first."""
+def inline_steps(expression: Any, steps: Where) -> Any:
+    """Return an expression with its named steps written out, the last first."""
     for symbol, step in reversed(list(steps)):
         expression = substitute(expression, {symbol: step})
     return expression
 
 
-def of_angles(angles: tuple[Any, Any, Any]) -> dict[Any, Any]:
-    """Joint angles to put in."""
+def angle_values(angles: tuple[Any, Any, Any]) -> dict[Any, Any]:
+    """Return joint angles as values of their symbols."""
     return dict(zip(ANGLES, angles, strict=True))
 
 
 def joints(angles: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
-    """Elbow, wrist and hand, as points, of an arm at these angles."""
-    place = written_out(arm.forward.right, arm.SHORT)
+    """Return elbow, wrist and hand, as points, of an arm at these angles."""
+    place = inline_steps(arm.forward.right, arm.SHORT)
     without: tuple[dict[Any, Any], ...] = ({arm.l2: 0, arm.l3: 0}, {arm.l3: 0}, {})
-    points = [substitute(place, {**SIZES, **missing, **of_angles(angles)}) for missing in without]
+    points = [
+        substitute(place, {**SIZES, **missing, **angle_values(angles)}) for missing in without
+    ]
     return tuple((point[0], point[1]) for point in points)  # type: ignore[return-value]
 
 
@@ -117,7 +119,7 @@ TURNS = symbols("turns_1 turns_2 turns_3")  # 1 for the joint that turns
 
 
 def levers_figure() -> Figure:
-    """One joint turns at 1 rad/s: its lever and, a quarter turn from it, the hand's velocity."""
+    """Draw one joint at 1 rad/s: its lever and, a quarter turn from it, the hand's velocity."""
     with_first = {theta1: START[0]}
     elbow, wrist, hand = (
         tuple(substitute(part, with_first) for part in point) for point in joints(ANGLES)
@@ -164,8 +166,14 @@ def levers_figure() -> Figure:
             Point("target", hand, label="P"),
         ),
         handles=(
-            Handle("wrist, the end of link 2", wrist, {theta2: pulled(elbow, START[0])}),
-            Handle("hand, the end of link 3", hand, {theta3: pulled(wrist, START[0] + theta2)}),
+            Handle(
+                "wrist, the end of link 2", wrist, {theta2: angle_from_pointer(elbow, START[0])}
+            ),
+            Handle(
+                "hand, the end of link 3",
+                hand,
+                {theta3: angle_from_pointer(wrist, START[0] + theta2)},
+            ),
         ),
         readouts=(
             Readout("length", "length of the lever", length, "m"),
@@ -188,8 +196,8 @@ SINGULAR = 1e-9  # |sin θ2|: a reader's idea of 0
 NEAR = 0.1  # |sin θ2|, 6° from stretched or folded
 
 
-def pulled(joint: Any, heading: Any) -> Any:
-    """The angle of a link, from the heading of the one before it, that points at the pointer."""
+def angle_from_pointer(joint: Any, heading: Any) -> Any:
+    """Return the angle of a link, from the heading before it, that points at the pointer."""
     with as_written():
         right, up = POINTER[0] - joint[0], POINTER[1] - joint[1]
         ahead = right * cos(heading + MIDDLE) + up * sin(heading + MIDDLE)
@@ -198,10 +206,10 @@ def pulled(joint: Any, heading: Any) -> Any:
 
 
 def joints_figure() -> Figure:
-    """Joints under the hand: the arm, the velocities of its hand, how near it is to singular."""
+    """Draw the arm by its joints, the velocities of its hand, how near it is to singular."""
     elbow, wrist, hand = joints(ANGLES)
     place = arm.forward.substitute(SIZES)
-    steps = [*sized(arm.ellipse.where), (arm.small, arm.ellipse.right[1])]
+    steps = [*substitute_sizes(arm.ellipse.where), (arm.small, arm.ellipse.right[1])]
     with as_written():
         tilt = arm.ellipse_tilt.right / 2
         along, across = ELLIPSE * arm.large * cos(s), ELLIPSE * arm.small * sin(s)
@@ -235,9 +243,9 @@ def joints_figure() -> Figure:
             Point("target", hand, label="hand"),
         ),
         handles=(
-            Handle("elbow, the end of link 1", elbow, {theta1: pulled(BASE, 0)}),
-            Handle("wrist, the end of link 2", wrist, {theta2: pulled(elbow, theta1)}),
-            Handle("hand, the end of link 3", hand, {theta3: pulled(wrist, heading)}),
+            Handle("elbow, the end of link 1", elbow, {theta1: angle_from_pointer(BASE, 0)}),
+            Handle("wrist, the end of link 2", wrist, {theta2: angle_from_pointer(elbow, theta1)}),
+            Handle("hand, the end of link 3", hand, {theta3: angle_from_pointer(wrist, heading)}),
         ),
         readouts=(
             Readout("x", "hand x", place[0], "m"),
@@ -280,10 +288,12 @@ PARTS = 60  # pieces of the hand's path, at least
 EARLY = 1e-6  # of a step: how early its end counts
 
 
-def at_step(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]]:
-    """The wanted pose after `count` of n steps, and the twist commanded at these joint angles."""
-    begin = substitute(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(START)})
-    place = substitute(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(angles)})
+def wanted_at(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]]:
+    """Return the wanted pose after `count` of n steps, and the twist commanded at some angles."""
+    begin = substitute(inline_steps(arm.forward.right, arm.SHORT), {**SIZES, **angle_values(START)})
+    place = substitute(
+        inline_steps(arm.forward.right, arm.SHORT), {**SIZES, **angle_values(angles)}
+    )
     with as_written():
         way = (line_x - begin[0], line_y - begin[1])
         values = {
@@ -300,18 +310,18 @@ def at_step(count: Any, angles: tuple[Any, Any, Any]) -> list[tuple[Symbol, Any]
 
 
 def line_figure() -> Figure:
-    """A straight line at constant speed, by joint rates: steps, damping and feedback."""
+    """Draw a straight line at constant speed, by joint rates: steps, damping and feedback."""
     state = symbols("theta1_k theta2_k theta3_k k rate1_k rate2_k rate3_k")
     end = symbols("theta1_n theta2_n theta3_n k_n rate1_n rate2_n rate3_n")
     angles, last, held = state[:3], end[:3], state[4:]
-    matrix = sized(arm.damped.where, {**SIZES, **of_angles(angles)})
+    matrix = substitute_sizes(arm.damped.where, {**SIZES, **angle_values(angles)})
     # Within a step the rates stay: parts of it show the curve on which the hand then runs.
     with as_written():
         parts = ceiling(PARTS / n)  # of one step
         done = floor((state[3] + EARLY) / parts)  # whole steps
         begins = state[3] - done * parts < 0.5
         since = Max(0, t * n / DURATION - EARLY)  # steps, the one that runs included
-    commanded = written_out(arm.damped_rates, [*at_step(done, angles), *matrix])
+    commanded = inline_steps(arm.damped_rates, [*wanted_at(done, angles), *matrix])
     with as_written():
         rates = [
             Piecewise((new, begins), (old, True)) for new, old in zip(commanded, held, strict=True)
@@ -332,7 +342,7 @@ def line_figure() -> Figure:
     l1, l2, l3 = LINKS
     with as_written():
         off = sqrt((hand[0] - arm.x_d) ** 2 + (hand[1] - arm.y_d) ** 2)
-        turned = substitute(arm.forward.right[2], of_angles(last))
+        turned = substitute(arm.forward.right[2], angle_values(last))
         busy = sqrt(sum(rate**2 for rate in end[4:]))
         reach = sqrt((line_x - l3) ** 2 + line_y**2)
         room = Min(l1 + l2 - reach, reach - Abs(l1 - l2))  # from both edges of the workspace
@@ -350,7 +360,7 @@ def line_figure() -> Figure:
             Slider(line_x, -0.4, 0.85, start=-0.1, step=0.01, label="end of the line, x"),
             Slider(line_y, -0.1, 0.7, start=0.5, step=0.01, label="end of the line, y"),
         ),
-        where=tuple(at_step(t * n / DURATION, last)[:2]),
+        where=tuple(wanted_at(t * n / DURATION, last)[:2]),
         scene=(
             *(
                 Curve("ghost", (l3 + edge * cos(s), edge * sin(s)), s, 0, 2 * pi)
@@ -390,10 +400,10 @@ def line_figure() -> Figure:
 
 
 def elbows_figure() -> Figure:
-    """The hand under the hand: the two arms that bring it there, or as near as they can."""
+    """Draw the hand by its pose: the two arms that bring it there, or as near as they can."""
     turn = motion.wrap_angle
-    place = sized(arm.inverse.where)[:3]
-    (_, bend), (_, shoulder) = sized(arm.inverse.where)[3:]
+    place = substitute_sizes(arm.inverse.where)[:3]
+    (_, bend), (_, shoulder) = substitute_sizes(arm.inverse.where)[3:]
     least, most = substitute(Matrix([arm.l1 - arm.l2, arm.l1 + arm.l2]), SIZES)
     done, missed = symbols("done missed")  # how far the wrist comes, and what then is missing
     outside = Or(arm.d > most * (1 + TOLERANCE), arm.d < least - most * TOLERANCE)
@@ -465,12 +475,12 @@ MADE = {  # title → mistake
     "Too short if clockwise": M36,
     "It goes off at right angles": M37,
 }
-MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 
 
 def wrong_rates(angles: tuple[Any, Any, Any]) -> Any:
-    """The joint rates at some angles, by the mistake that is chosen."""
-    right, chosen = wrong_jacobian(), dict(zip(MADE.values(), MADE_ONE, strict=True))
+    """Return the joint rates at some angles, by the mistake that is chosen."""
+    right, chosen = wrong_jacobian(), dict(zip(MADE.values(), MISTAKES, strict=True))
     wrong = {
         is_one > 0.5: wrong_jacobian(m.formula) for m, is_one in chosen.items() if m is not M29
     }
@@ -482,16 +492,18 @@ def wrong_rates(angles: tuple[Any, Any, Any]) -> Any:
     multiplied = M29.substitute({WHOLE_J: right, TWIST_OF: twist}).doit()
     rates = zip(multiplied, solve(Matrix(3, 3, entries), twist), strict=True)
     both = Matrix([Piecewise((a, chosen[M29] > 0.5), (b, True)) for a, b in rates])
-    return written_out(both, sized(arm.SHORT, of_angles(angles))).xreplace(SIZES)
+    return inline_steps(both, substitute_sizes(arm.SHORT, angle_values(angles))).xreplace(SIZES)
 
 
 def mistakes_figure() -> Figure:
-    """The hand shall move along x and turn: what the arm does, and what its program believes."""
+    """Draw a hand that shall move along x and turn: the arm's motion, and its program's belief."""
     state = symbols("theta1_k theta2_k theta3_k")
     end = symbols("theta1_n theta2_n theta3_n")
     step = [a + rate * t / TIMES for a, rate in zip(state, wrong_rates(state), strict=True)]
     loop = Recurrence(state, SET_OFF, tuple(step), Integer(TIMES), TIMES, end)
-    start = substitute(written_out(arm.forward.right, arm.SHORT), {**SIZES, **of_angles(SET_OFF)})
+    start = substitute(
+        inline_steps(arm.forward.right, arm.SHORT), {**SIZES, **angle_values(SET_OFF)}
+    )
     wanted = zip(POSE, start, (SPEED, 0, phi_dot), strict=True)
     real, believed = joints(end), joints(ANGLES)
     return Figure(
@@ -499,13 +511,13 @@ def mistakes_figure() -> Figure:
         title="An arm, and where its program with a mistake believes it to be",
         view=(-0.48, 0.72, -0.24, 0.7),
         controls=(
-            Choice.one_hot("mistake", MADE_ONE, MADE),
+            Choice.one_hot("mistake", MISTAKES, MADE),
             Slider(phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate φ̇"),
             Clock(t, 0.0, LASTS, start=LASTS, loops=True, label="time"),
         ),
         where=(
             *((symbol, begin + rate * t) for symbol, begin, rate in wanted),
-            *sized(arm.inverse.where),
+            *substitute_sizes(arm.inverse.where),
             (theta3, arm.inverse.right[2]),
         ),
         scene=(

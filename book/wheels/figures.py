@@ -39,8 +39,8 @@ ASIDE = 1.0  # rad
 s = Symbol("s")
 
 
-def moved(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
-    """The pose after moving for a time from the origin, sideways speed included.
+def move(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
+    """Return the pose after moving for a time from the origin, sideways speed included.
 
     Two arcs, one for the speed ahead and one for the speed to the left: the chords add up.
     """
@@ -65,7 +65,7 @@ course = quantity("course", "rad", -pi, pi, "the direction in which a wheel is m
 
 
 def kinds_figure() -> Figure:
-    """A wheel of each kind is moved: what of the motion it rolls, and how it gives way."""
+    """Draw a wheel of each kind as it is moved: the part that it rolls, and how it gives way."""
     fixed, castor, straight, slanted, ball = CHOSEN
     with as_written():
         gamma = pi / 4 * slanted
@@ -78,7 +78,7 @@ def kinds_figure() -> Figure:
 
     def rollers(when: Any, turned: float, size: float) -> list[Wheel]:
         return [
-            Wheel("left", seen(when, (at, 0)), turned, length=size, width=0.02)
+            Wheel("left", place_if(when, (at, 0)), turned, length=size, width=0.02)
             for at in (-0.055, 0, 0.055)
         ]
 
@@ -92,17 +92,17 @@ def kinds_figure() -> Figure:
             Slider.degrees(course, start=30, step=5, label="direction of the motion"),
         ),
         scene=(
-            Line("body", (seen(fixed, (0, -0.09)), seen(fixed, (0, 0.09)))),
-            Line("body", (seen(castor, (0, 0)), seen(castor, contact))),
-            Wheel("ghost", seen(1 - ball, contact), 0, length=LONG, width=WIDE),
+            Line("body", (place_if(fixed, (0, -0.09)), place_if(fixed, (0, 0.09)))),
+            Line("body", (place_if(castor, (0, 0)), place_if(castor, contact))),
+            Wheel("ghost", place_if(1 - ball, contact), 0, length=LONG, width=WIDE),
             *rollers(straight, 0, 0.048),
             *rollers(slanted, pi / 4, 0.07),
             *(
-                Curve(kind, seen(ball, (wide * cos(s), high * sin(s))), s, 0, 2 * pi)
+                Curve(kind, place_if(ball, (wide * cos(s), high * sin(s))), s, 0, 2 * pi)
                 for wide, high, kind in rounds
             ),
             Arrow("left", ORIGIN, (along[0], 0)),
-            Arrow("approximation", (along[0], 0), seen(1 - ball, tip)),
+            Arrow("approximation", (along[0], 0), place_if(1 - ball, tip)),
             Arrow("velocity", ORIGIN, tip),
             Point("body", ORIGIN),
         ),
@@ -180,13 +180,13 @@ WISH = Matrix(symbols("wish_v wish_vy wish_omega"))
 
 
 def robot_numbers(name: str) -> tuple[float, ...]:
-    """All numbers of a robot, four wheels of six each."""
+    """Return all numbers of a robot, four wheels of six each."""
     chosen = [*ROBOTS[name], *[ABSENT] * 4][:4]
     return tuple(float(number) for wheel in chosen for number in wheel)
 
 
-def as_they_stand(steps: NamedSteps) -> tuple[list[Any], list[Any], Any, Any]:
-    """Each wheel's place and axle; the sliding rows of all that have one, and of the fixed."""
+def wheels_of_robot(steps: NamedSteps) -> tuple[list[Any], list[Any], Any, Any]:
+    """Return each wheel's place and axle, and the sliding rows, of all and of the fixed."""
     places, axles, rows, fixed_rows = [], [], [], []
     for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
         mine = WHICH[k] if k < 2 else 0
@@ -206,7 +206,7 @@ def as_they_stand(steps: NamedSteps) -> tuple[list[Any], list[Any], Any, Any]:
 
 
 def motion_left(steps: NamedSteps, rows: Any) -> tuple[Any, Any]:
-    """What the rows leave of any twist, as a matrix, and of the twist that is asked for."""
+    """Return what the rows leave of any twist, as a matrix, and of the twist that is asked for."""
     free = null_projector(rows)
     P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
     steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
@@ -217,8 +217,8 @@ def motion_left(steps: NamedSteps, rows: Any) -> tuple[Any, Any]:
     return P, twist
 
 
-def degrees_of(steps: NamedSteps, of_fixed: Any) -> tuple[Any, Any]:
-    """Mobility and steerability of the robot, from the rank of its fixed wheels."""
+def degrees_of_freedom(steps: NamedSteps, of_fixed: Any) -> tuple[Any, Any]:
+    """Return mobility and steerability of the robot, from the rank of its fixed wheels."""
     count = NUMBERS[0][5] + NUMBERS[1][5] + NUMBERS[2][5] + NUMBERS[3][5]
     ranks = {wheels.rank_fixed: of_fixed, wheels.rank_steered: count}
     delta_s = steps.add("delta_s", wheels.STEERABLE.xreplace(ranks))
@@ -226,17 +226,17 @@ def degrees_of(steps: NamedSteps, of_fixed: Any) -> tuple[Any, Any]:
 
 
 def laboratory_figure() -> Figure:
-    """Any wheel moved and turned: which motions are left, and how many of them."""
+    """Draw any wheel moved and turned: the motions that are left, and how many."""
     steps = NamedSteps()
     with as_written():
-        places, axles, rows, fixed_rows = as_they_stand(steps)
+        places, axles, rows, fixed_rows = wheels_of_robot(steps)
         now = steps.add("rank_now", rank(rows))
         of_fixed = steps.add("rank_of_fixed", rank(fixed_rows))
         P, twist = motion_left(steps, rows)
-        delta_m, delta_s = degrees_of(steps, of_fixed)
+        delta_m, delta_s = degrees_of_freedom(steps, of_fixed)
         one_motion = (now > 1.5) & (now < 2.5) & (P[2, 2] > 0.2)  # and its centre within 2 m
         icr = [Piecewise((part / P[2, 2], one_motion), (nan, True)) for part in (-P[1, 2], P[0, 2])]
-        end, along = moved(0, twist, t), moved(0, twist, s)
+        end, along = move(0, twist, t), move(0, twist, s)
         end = tuple(steps.add(f"end_{name}", part) for name, part in zip("xyt", end, strict=True))
         rolls = [rolling_direction(k, places[k], axles[k], twist) for k in range(4)]
         rolls = [steps.add(f"rolls{k}", direction) for k, direction in enumerate(rolls)]
@@ -268,13 +268,19 @@ def laboratory_figure() -> Figure:
             Curve("ghost", along, s, 0, 6),
             Curve("path", along, s, 0, t),
             Body(ORIGIN, 0, 0.05, kind="ghost"),
-            *(Wheel("ghost", seen(NUMBERS[k][3], places[k]), rolls[k], **WHEEL) for k in range(4)),
+            *(
+                Wheel("ghost", place_if(NUMBERS[k][3], places[k]), rolls[k], **WHEEL)
+                for k in range(4)
+            ),
             *(shape for k in range(4) for shape in wheel_shapes(k, places[k], rolls[k], end)),
             Body(end[:2], end[2], 0.05),
-            *(velocity_of(k, places[k], twist) for k in range(4)),
+            *(contact_velocity(k, places[k], twist) for k in range(4)),
             Point("icr", icr, label="ICR"),
             Point("target", (centre_x, centre_y)),
-            *(Point("approximation", seen(WHICH[k], places[k]), label=f"{k + 1}") for k in (0, 1)),
+            *(
+                Point("approximation", place_if(WHICH[k], places[k]), label=f"{k + 1}")
+                for k in (0, 1)
+            ),
         ),
         handles=(
             Handle("ring Q, which the steered axles look at", (centre_x, centre_y)),
@@ -301,22 +307,22 @@ def laboratory_figure() -> Figure:
     )  # fmt: skip
 
 
-def seen(when: Any, place: Any) -> tuple[Any, Any]:
-    """A place that is there when a number is 1 and nowhere when it is 0."""
+def place_if(when: Any, place: Any) -> tuple[Any, Any]:
+    """Return a place that is there when a number is 1 and nowhere when it is 0."""
     shown = [Piecewise((coordinate, when > 0.5), (nan, True)) for coordinate in place[:2]]
     return shown[0], shown[1]
 
 
 def axle_line(k: int, place: Any, axle: Any) -> Line:
-    """The line on which a fixed or steered wheel wants the centre of rotation."""
+    """Return the line on which a fixed or steered wheel wants the centre of rotation."""
     _, _, _, _, fixed, steered = NUMBERS[k]
-    x_k, y_k = seen(fixed + steered, place)
+    x_k, y_k = place_if(fixed + steered, place)
     ends = [(x_k + side * 2 * cos(axle), y_k + side * 2 * sin(axle)) for side in (-1, 1)]
     return Line("icr", tuple(ends))
 
 
 def rolling_direction(k: int, place: Any, axle: Any, twist: Any) -> Any:
-    """Where a wheel points: along its plane; a castor to where it is dragged."""
+    """Return the direction of a wheel: along its plane; of a castor, to where it is dragged."""
     _, _, _, there, fixed, steered = NUMBERS[k]
     along, across = pivot_speed(place, twist)
     dragged = ((there - fixed - steered) * (2 - there) > 0.5) & (along**2 + across**2 > 1e-9)
@@ -328,26 +334,26 @@ def rolling_direction(k: int, place: Any, axle: Any, twist: Any) -> Any:
 
 
 def pivot_speed(place: Any, twist: Any) -> Any:
-    """How the point of the robot where a wheel is fixed moves."""
+    """Return the velocity of the point of the robot where a wheel is fixed."""
     values = dict(zip((v, v_y, omega), twist, strict=True))
     return wheels.contact.substitute({**values, l: place[2], alpha: place[3]})
 
 
 def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
-    """A wheel, taken along by the robot, in the look of its kind."""
+    """Return a wheel, taken along by the robot, in the look of its kind."""
     _, _, _, there, fixed, steered = NUMBERS[k]
     free = there - fixed - steered
     castor = free * (2 - there)  # 1 for a castor only
 
     def beside(ahead: float, left: float = 0.0) -> tuple[Any, Any]:
-        """A point so far from the wheel, ahead and to the left of where it rolls."""
+        """Return a point so far from the wheel, ahead and to the left of where it rolls."""
         return point_of(pose, *point_of((*place[:2], along), ahead, left))
 
     def line(when: Any, *points: tuple[float, float]) -> Line:
-        return Line("body", tuple(seen(when, beside(*point)) for point in points))
+        return Line("body", tuple(place_if(when, beside(*point)) for point in points))
 
     def wheel(kind: str, when: Any, ahead: float = 0.0) -> Wheel:
-        return Wheel(kind, seen(when, beside(ahead)), along + pose[2], **WHEEL)
+        return Wheel(kind, place_if(when, beside(ahead)), along + pose[2], **WHEEL)
 
     with as_written():
         rollers = [line(free - 1, (at, -0.025), (at, 0.025)) for at in (-0.03, 0.0, 0.03)]
@@ -362,12 +368,12 @@ def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
         )
 
 
-def velocity_of(k: int, place: Any, twist: Any) -> Arrow:
-    """How a wheel's contact point moves."""
+def contact_velocity(k: int, place: Any, twist: Any) -> Arrow:
+    """Return the velocity of a wheel's contact point as an arrow."""
     x_k, y_k = place[:2]
     with as_written():
         over = pivot_speed(place, twist)
-        tail = seen(NUMBERS[k][3], place)
+        tail = place_if(NUMBERS[k][3], place)
         return Arrow("velocity", tail, (x_k + over[0], y_k + over[1]))
 
 
@@ -379,11 +385,11 @@ WHEELS = ("left", "right", "approximation")  # the looks of wheels 1, 2 and 3
 
 
 def omni_figure() -> Figure:
-    """Three wheel rates under the hand: the omni robot's motion in the world."""
+    """Draw the omni robot's motion in the world, from three wheel rates."""
     sizes = {l: SIZE, r: RADIUS}
     twist = list(wheels.omni_twist.substitute(sizes))
     turn = twist[2]
-    now, along = moved(theta, twist, t), moved(theta, twist, s)
+    now, along = move(theta, twist, t), move(theta, twist, s)
     world = wheels.omni_world.substitute({**sizes, theta: now[2]})
     arrow = motion.to_world.substitute({v: twist[0], v_y: twist[1], omega: 0})
     with as_written():
@@ -412,15 +418,19 @@ def omni_figure() -> Figure:
             *(omni_wheel(k, ORIGIN, theta) for k in range(3)),
             *(omni_wheel(k, now, now[2]) for k in range(3)),
             *(
-                Arrow(WHEELS[k], place_of(k), tip_of(k))
+                Arrow(WHEELS[k], omni_place(k), arrow_tip(k))
                 for k in range(3)
             ),
-            *(Point(WHEELS[k], place_of(k), label=f"{k + 1}") for k in range(3)),
+            *(Point(WHEELS[k], omni_place(k), label=f"{k + 1}") for k in range(3)),
             Arrow("velocity", ORIGIN, arrow),
             Point("icr", icr, label="ICR"),
         ),
         handles=tuple(
-            Handle(f"tip of the arrow of wheel {k + 1}", tip_of(k), {omni_rates[k]: pulled(k)})
+            Handle(
+                f"tip of the arrow of wheel {k + 1}",
+                arrow_tip(k),
+                {omni_rates[k]: rate_from_pointer(k)},
+            )
             for k in range(3)
         ),
         readouts=(
@@ -442,26 +452,26 @@ def omni_figure() -> Figure:
 
 
 def omni_wheel(k: int, at: Any, heading: Any) -> Wheel:
-    """Wheel k of the robot at a pose; it rolls at right angles to its spoke."""
+    """Return wheel k of the robot at a pose; it rolls at right angles to its spoke."""
     spoke = heading + ANGLES[k]
     place = (at[0] + SIZE * cos(spoke), at[1] + SIZE * sin(spoke))
     return Wheel(WHEELS[k], place, spoke - QUARTER, length=2 * RADIUS, width=0.035)
 
 
-def place_of(k: int) -> tuple[Any, Any]:
-    """Wheel k at the start."""
+def omni_place(k: int) -> tuple[Any, Any]:
+    """Return the place of wheel k at the start."""
     return SIZE * cos(theta + ANGLES[k]), SIZE * sin(theta + ANGLES[k])
 
 
-def tip_of(k: int) -> tuple[Any, Any]:
-    """Where wheel k would be after a second at its own speed."""
-    x_k, y_k = place_of(k)
+def arrow_tip(k: int) -> tuple[Any, Any]:
+    """Return the place where wheel k would be after a second at its own speed."""
+    x_k, y_k = omni_place(k)
     speed, spoke = RADIUS * omni_rates[k], theta + ANGLES[k]
     return x_k + speed * sin(spoke), y_k - speed * cos(spoke)
 
 
-def pulled(k: int) -> Any:
-    """The rate that puts the tip of the arrow where the pointer is."""
+def rate_from_pointer(k: int) -> Any:
+    """Return the rate that puts the tip of the arrow where the pointer is."""
     row = rolling_row(0, ANGLES[k], 0)
     back = motion.to_body.substitute({motion.x_dot: POINTER[0], motion.y_dot: POINTER[1]})
     return (row[0] * back[0] + row[1] * back[1]) / RADIUS
@@ -477,12 +487,12 @@ MADE = {  # title → mistake
     "It does not turn": M35,
     "Its direction varies": M21,
 }
-MADE_ONE = symbols(" ".join(f"is_{mistake.name}" for mistake in MADE.values()))  # 1 for the chosen
+MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 REALLY = symbols("really_v really_vy really_omega")
 
 
-def driven_by(mistake: Any) -> Any:
-    """How the omni robot moves whose program makes a mistake in the rates of its wheels."""
+def twist_by_mistake(mistake: Any) -> Any:
+    """Return the omni robot's twist by a program with a mistake in the rates of its wheels."""
     to_body = M21.formula.transfer(motion.to_body) if mistake is M21 else motion.to_body
     wish = to_body.substitute(WANTED)
     places = ({l: SIZE, alpha: spoke, beta: 0} for spoke in ANGLES)
@@ -496,28 +506,28 @@ def driven_by(mistake: Any) -> Any:
 
 
 def mistakes_figure() -> Figure:
-    """What the omni robot does, and what its program believes: the rates are set at the start."""
-    twists = [driven_by(mistake).doit() for mistake in MADE.values()]
+    """Draw the omni robot, and where its program believes it to be; rates are set at the start."""
+    twists = [twist_by_mistake(mistake).doit() for mistake in MADE.values()]
     with as_written():
         really = [
-            sum(chosen * twist[i] for chosen, twist in zip(MADE_ONE, twists, strict=True))
+            sum(chosen * twist[i] for chosen, twist in zip(MISTAKES, twists, strict=True))
             for i in range(3)
         ]
     wish = motion.to_body.substitute(WANTED)
-    real, believed = moved(theta, REALLY, t), moved(theta, wish, t)
+    real, believed = move(theta, REALLY, t), move(theta, wish, t)
     return Figure(
         name="wrong-rates",
         title="An omni robot, and where its program with a mistake believes it to be",
         view=(-0.8, 0.8, -0.6, 0.65),
         controls=(
-            Choice.one_hot("mistake", MADE_ONE, MADE),
+            Choice.one_hot("mistake", MISTAKES, MADE),
             Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
             Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),
         where=tuple(zip(REALLY, really, strict=True)),
         scene=(
-            Curve("path", moved(theta, REALLY, s), s, 0, t),
-            Curve("approximation", moved(theta, wish, s), s, 0, t),
+            Curve("path", move(theta, REALLY, s), s, 0, t),
+            Curve("approximation", move(theta, wish, s), s, 0, t),
             Line("error", (real, believed)),
             Body(real[:2], real[2], 0.13),
             *(omni_wheel(k, real, real[2]) for k in range(3)),

@@ -27,7 +27,7 @@ from courseware.figures.controls import (
     Slider,
 )
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
-from courseware.figures.javascript import Code, compile_function
+from courseware.figures.javascript import Code, compile_javascript
 from courseware.figures.solids import Solid
 from courseware.line_breaks import prevent_breaks
 from courseware.units import figure_unit
@@ -223,9 +223,9 @@ class Compiler:
         given = {"c": self.settings}
         try:
             return {
-                "start": compile_function(given, loop.start),
-                "step": compile_function({**given, "s": loop.state}, loop.step),
-                "count": compile_function(given, [loop.count]),
+                "start": compile_javascript(given, loop.start),
+                "step": compile_javascript({**given, "s": loop.state}, loop.step),
+                "count": compile_javascript(given, [loop.count]),
                 "most": loop.most,
             }
         except CourseError as error:
@@ -258,14 +258,14 @@ class Compiler:
     def compile_where(self) -> Code:
         """Return the function that computes the named steps, from settings and last states."""
         steps = [symbol for symbol, _ in self.where]
-        return compile_function({"c": self.before_where}, steps, self.where)
+        return compile_javascript({"c": self.before_where}, steps, self.where)
 
     def compile_expressions(self) -> Code:
         """Return the one function that computes every added expression."""
         return self._compile(self.expressions)
 
     def _compile(self, expressions: Sequence[Any], **more: Sequence[sp.Symbol]) -> Code:
-        return compile_function({"c": self.known, **more}, expressions)
+        return compile_javascript({"c": self.known, **more}, expressions)
 
 
 def _unit(unit: str) -> dict[str, Any]:

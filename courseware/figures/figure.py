@@ -16,7 +16,7 @@ from courseware.errors import CourseError
 from courseware.figures.compiler import Compiler, serialize
 from courseware.figures.controls import Choice, Control, Handle
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
-from courseware.figures.javascript import run_function
+from courseware.figures.javascript import run_javascript
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
 from courseware.script import engine
@@ -154,7 +154,7 @@ class Figure:
     def compute(self, points: ArrayLike) -> NDArray[np.float64]:
         """Compute all numbers at many settings (n, settings), in one call → (n, values)."""
         compute = "((figure) => (f, c) => courseware.compute(figure, c).values)"
-        return run_function(f"{compute}({self.code})", points)
+        return run_javascript(f"{compute}({self.code})", points)
 
     def render_svg(self, width: int | None = None, **chosen: str) -> str:
         """Return the still picture (SVG) of the start, but with some choices made otherwise.

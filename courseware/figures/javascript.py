@@ -62,7 +62,7 @@ class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
         return "NaN"
 
 
-def compile_function(
+def compile_javascript(
     arguments: Mapping[str, Sequence[sp.Symbol]], expressions: Sequence[Any], where: Where = ()
 ) -> Code:
     """Return the source of a JavaScript function `(f, c, …) => [values]`.
@@ -96,7 +96,7 @@ def _one_line(printer: _JavaScript, expression: Any) -> str:
     return " ".join(printer.doprint(expression).split())
 
 
-def run_function(function: str, points: ArrayLike) -> NDArray[np.float64]:
+def run_javascript(function: str, points: ArrayLike) -> NDArray[np.float64]:
     """Run a JavaScript function `(f, c) => […]` at points (n, k), in one call → (n, values)."""
     listed = json.dumps(np.asarray(points, dtype=float).tolist(), allow_nan=False)
     found = engine.run(f"{listed}.map((c) => ({function})(courseware.functions, c))")

@@ -22,7 +22,7 @@ from book.motion import formulas as motion_formulas
 from courseware.equations.verification import differences
 from courseware.figures import Curve, Point, Readout, Recurrence, Slider, Trail
 from courseware.figures.compiler import coordinates
-from courseware.figures.javascript import run_function
+from courseware.figures.javascript import run_javascript
 from courseware.script import engine as script
 
 
@@ -45,7 +45,7 @@ def call_compiled(figure, function, rows, extra):
       const c = courseware.compute(figure, given.slice(0, {rows.shape[1]})).c;
       return figure.{function}(f, c, given.slice({rows.shape[1]}));
     }})({figure.code})"""
-    return run_function(code, np.hstack([rows, extra]))
+    return run_javascript(code, np.hstack([rows, extra]))
 
 
 @each_number

@@ -34,7 +34,7 @@ from courseware.equations.verification import (
 from courseware.errors import CourseError
 from courseware.figures.compiler import Compiler
 from courseware.figures.controls import Slider
-from courseware.figures.javascript import compile_function
+from courseware.figures.javascript import compile_javascript
 from courseware.site.verification_page import verify_course
 from robokin import motion
 
@@ -307,8 +307,8 @@ def test_a_sum_has_the_parentheses_that_are_typed():
     with as_written():
         assert render_latex(c - a + b) == "c - a + b"
         assert render_latex(c + (a - b)) == r"c + \left(a - b\right)"
-        assert "[c[2] - c[0] + c[1]]" in compile_function({"c": (a, b, c)}, [c - a + b])
-        assert "[c[2] + (c[0] - c[1])]" in compile_function({"c": (a, b, c)}, [c + (a - b)])
+        assert "[c[2] - c[0] + c[1]]" in compile_javascript({"c": (a, b, c)}, [c - a + b])
+        assert "[c[2] + (c[0] - c[1])]" in compile_javascript({"c": (a, b, c)}, [c + (a - b)])
 
 
 def test_sympy_shows_the_same_symbols():
@@ -529,7 +529,7 @@ def test_where_names_steps_for_all_faces():
     )
     assert verify(check).agrees
     assert evaluate(c + s, [theta], np.array([[0.0]]), where)[0, 0] == 3
-    code = compile_function({"x": [theta]}, [c + s], where)
+    code = compile_javascript({"x": [theta]}, [c + s], where)
     assert code == "(f, x) => { const w0 = Math.cos(x[0]); const w1 = 2*w0; return [w0 + w1]; }"
 
 

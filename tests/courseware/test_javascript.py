@@ -19,7 +19,7 @@ from courseware.equations.functions import null_projector, rank, solve
 from courseware.equations.verification import differences, evaluate
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Recurrence, Slider, Trail
-from courseware.figures.javascript import compile_function, run_function
+from courseware.figures.javascript import compile_javascript, run_javascript
 from robokin import elbow_arm, euler, motion, wheels
 
 N = 1000
@@ -28,7 +28,7 @@ ALLOWED = 1e-12  # what a figure promises; measured differences are some 1e-15
 
 def in_engine(expressions, symbols, points, where=()):
     """Expressions of symbols, in the JavaScript engine, in one call."""
-    return run_function(compile_function({"c": symbols}, expressions, where), points)
+    return run_javascript(compile_javascript({"c": symbols}, expressions, where), points)
 
 
 def assert_near(apart, allowed):
@@ -269,7 +269,7 @@ def test_solve_singular_is_nan():
 def test_unknown_function_is_refused():
     x = sp.Symbol("x")
     with pytest.raises(CourseError, match="no JavaScript for zeta"):
-        compile_function({"c": [x]}, [sp.zeta(x)])
+        compile_javascript({"c": [x]}, [sp.zeta(x)])
 
 
 def test_nan_and_infinities_cross_over():

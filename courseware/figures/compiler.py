@@ -46,14 +46,14 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Line: ("line", lambda x: coordinates(*x.points), ()),
     s.Arrow: ("arrow", lambda x: coordinates(x.tail, x.head), ()),
     s.Wheel: ("wheel", lambda x: (*coordinates(x.at), x.angle, x.roll), ("length", "width")),
-    s.Disc: ("disc", lambda x: (*coordinates(x.at), x.angle), ("radius", "spokes")),
+    s.Disc: ("disc", lambda x: (*coordinates(x.at), x.angle), ("radius",)),
     s.Area: ("area", lambda x: coordinates(*x.points), ()),
     s.Length: ("length", lambda x: coordinates(x.start, x.end), ("aside",)),
     s.Label: ("label", lambda x: coordinates(x.at), ()),
     s.Body: ("body", lambda x: (*coordinates(x.at), x.angle), ("radius",)),
     s.AngleArc: ("angle", lambda x: (*coordinates(x.at), x.start, x.end), ("radius",)),
     s.Curve: ("curve", lambda x: (x.low, x.high), ("samples",)),
-    s.Trail: ("trail", lambda x: (), ("line", "dots")),
+    s.Trail: ("trail", lambda x: (), ("dots",)),
     s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
     Solid: ("solid", lambda x: x.numbers, ("data", "floor", "opacity", "behind")),
 }
@@ -88,6 +88,7 @@ class Compiler:
     def compile_figure(self, figure: Any) -> dict[str, Any]:
         """Return the object that the script draws; the readouts' numbers come first."""
         turned_by = f"dragging the ground of {figure.name}"
+        named = [symbol for symbol, _ in self.where]
         goals = (figure.goal,) if isinstance(figure.goal, Goal) else figure.goal
         return {
             "name": figure.name,
@@ -105,7 +106,7 @@ class Compiler:
             "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
             "steps": self.list_quantities(),
             "recurrences": list(map(self.compile_recurrence, self.recurrences)),
-            "where": self.compile_where(),
+            "where": compile_javascript({"c": self.before_where}, named, self.where),
             "compute": self.compile_expressions(),
         }
 
@@ -254,11 +255,6 @@ class Compiler:
             for place, (symbol, _) in enumerate(self.where, len(self.before_where))
             if isinstance(symbol, NamedSymbol)
         ]
-
-    def compile_where(self) -> Code:
-        """Return the function that computes the named steps, from settings and last states."""
-        steps = [symbol for symbol, _ in self.where]
-        return compile_javascript({"c": self.before_where}, steps, self.where)
 
     def compile_expressions(self) -> Code:
         """Return the one function that computes every added expression."""

@@ -92,8 +92,8 @@ export const SHAPES = {
   },
   disc: (p, shape, to) => {
     const [x, y] = to(p).map(px), r = shape.radius * to.scale;
-    const spokes = Array.from({ length: shape.spokes }, (_, k) => {
-      const turn = 2 * Math.PI * k / shape.spokes;
+    const spokes = Array.from({ length: 5 }, (_, k) => {
+      const turn = 2 * Math.PI * k / 5;
       return `M0 0L${px(r * Math.cos(turn))} ${px(-r * Math.sin(turn))}`;
     });
     return `<g ${transformTo(x, y, p[2])} style="fill:${color(shape.kind)};fill-opacity:.15;`
@@ -139,7 +139,7 @@ export const SHAPES = {
     const points = trails[shape.recurrence].map((state) => to(shape.point(functions, c, state)));
     const corners = points.length > 60 || !shape.dots ? "" : points
       .map(([x, y]) => `<circle cx="${px(x)}" cy="${px(y)}" r="3" ${fill(shape.kind)}/>`).join("");
-    return (shape.line ? strokePath(polyline(points), shape) : "") + corners;
+    return strokePath(polyline(points), shape) + corners;
   },
   angle: (p, shape, to) => {
     const [x, y, from, until] = p, points = [], steps = 24;

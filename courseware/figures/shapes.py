@@ -69,7 +69,6 @@ class Disc:
     at: Place
     angle: Expr
     radius: float
-    spokes: int = 5
 
 
 @dataclass(frozen=True)
@@ -130,7 +129,6 @@ class Trail:
     kind: Kind
     at: Place
     recurrence: Recurrence
-    line: bool = True
     dots: bool = True
 
 

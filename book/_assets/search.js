@@ -69,8 +69,7 @@
   const renderResult = (result) => {
     const li = document.createElement("li"), link = document.createElement("a");
     const of = document.createElement("span");
-    link.href = addressOf(result);
-    link.textContent = result.title;
+    Object.assign(link, { href: addressOf(result), textContent: result.title });
     of.textContent = result.of === result.title ? "" : result.of;
     li.append(link, of, renderExcerpt(result));
     return li;

@@ -47,9 +47,8 @@ for (const which of ["primary", "secondary"]) {
   const dialog = document.getElementById(`pst-${which}-sidebar-modal`);
   if (!dialog) continue;
   const close = document.createElement("button");
-  Object.assign(close, { type: "button", className: "btn site-close", title: "Close" });
-  close.setAttribute("aria-label", "Close the menu");
-  close.innerHTML = '<i class="fa-solid fa-xmark"></i>';
+  Object.assign(close, { type: "button", className: "btn site-close", title: "Close",
+    ariaLabel: "Close the menu", innerHTML: '<i class="fa-solid fa-xmark"></i>' });
   close.addEventListener("click", () => dialog.close());
   // the theme moves the menu in when it opens, and out again
   new MutationObserver(() => { if (dialog.open && !close.isConnected) dialog.prepend(close); })

@@ -39,7 +39,6 @@ const listQuantities = (figure, state, { c, values }) => {
   ];
 };
 
-// Every number that has a symbol, by its key.
 export const numbersBySymbol = (figure, state, computed) => Object.fromEntries(
   listQuantities(figure, state, computed).filter(({ symbol }) => symbol)
     .map(({ symbol, value, text }) => [symbol, { value, text }]));

@@ -1,31 +1,19 @@
 import { followClock, followSight, followTurns } from "./clock.js";
-import {
-  addHandles, describeHandle, followControls, followGround, followReset, placeHandles,
-} from "./dragging.js";
-import {
-  describeFigure, describeState, formatControl, formatReadout, numbersBySymbol,
-} from "./figure_text.js";
+import { addHandles, describeHandle, followControls, followGround, followReset, placeHandles } from "./dragging.js";
+import { describeFigure, describeState, formatControl, formatReadout, numbersBySymbol } from "./figure_text.js";
 import { heightOf, renderScene, widthOf } from "./scene.js";
 import { compute, settings, startState } from "./state.js";
 import { px } from "./svg.js";
 
 // Between two steps of a slider the browser would show the nearer one.
 const showPosition = (input, control, shown) => {
-  const there = () => Math.abs(Number(input.value) - shown) < 1e-9;
-  if (there()) return;
-  input.step = control.step;
-  input.value = shown;
-  if (there()) return;
-  input.step = "any";
-  input.value = shown;
+  for (const step of [control.step, "any"]) {
+    if (Math.abs(Number(input.value) - shown) < 1e-9) return;
+    Object.assign(input, { step, value: shown });
+  }
 };
 
-/**
- * A figure that can be moved, in an element that holds its HTML.
- * @property {State} state
- * @property {Computed} computed
- * @property {?{ by: Element, state: State }} held what a pointer moves now
- */
+/** A figure that can be moved, in an element that holds its HTML. */
 export class LiveFigure {
   constructor(element, figure, changed = () => {}) {
     Object.assign(this, { element, figure, changed });
@@ -37,12 +25,10 @@ export class LiveFigure {
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
     this.reached = new Set(); // goals, until a reset
     this.handles = [];
-    this.held = this.last = null; // last: the handle that was moved last
+    this.held = this.last = null; // what a pointer moves now, and the handle that it moved last
   }
 
-  all(selector) {
-    return [...this.element.querySelectorAll(selector)];
-  }
+  all(selector) { return [...this.element.querySelectorAll(selector)]; }
 
   start() {
     addHandles(this);
@@ -79,16 +65,13 @@ export class LiveFigure {
     return numbersBySymbol(this.figure, this.state, this.computed);
   }
 
-  place(handle) {
-    return handle.at.map((index) => this.computed.values[index]);
-  }
+  place(handle) { return handle.at.map((index) => this.computed.values[index]); }
 
   resize(width) {
     this.width = Math.max(240, Math.round(width || this.width));
     const height = heightOf(this.figure, this.width);
-    this.picture.setAttribute("viewBox", `0 0 ${this.width} ${height}`);
-    this.picture.setAttribute("width", this.width);
-    this.picture.setAttribute("height", height);
+    const size = { width: this.width, height, viewBox: `0 0 ${this.width} ${height}` };
+    Object.entries(size).forEach((attribute) => this.picture.setAttribute(...attribute));
     this.draw();
   }
 
@@ -145,7 +128,6 @@ export class LiveFigure {
     });
   }
 
-  // For screen readers.
   tell() {
     const { element, figure, state, computed } = this;
     this.drawing.setAttribute("aria-label", describeFigure(figure, state, computed));

@@ -2,18 +2,14 @@
 
 import { renderFigure } from "./controls.js";
 import { LiveFigure } from "./live_figure.js";
-import { parsePresses } from "./quarter_turns.js";
-import { clamp, indexOfOption } from "./state.js";
+import { fromValue, toText } from "./state.js";
 
 const valuesOf = (figure, state) => Object.fromEntries(figure.controls.map((control, i) =>
-  [control.key, control.type === "choice" ? control.options[state[i]].label
-    : control.type === "turns" ? state[i][0] : state[i] * control.factor]));
+  [control.key, "factor" in control ? state[i] * control.factor : toText(control, state[i])]));
 
 const stateOf = (figure, values) => figure.controls.map((control) => {
-  if (!(control.key in values)) return control.start;
   const value = values[control.key];
-  if (control.type === "turns") return [parsePresses(value).join(""), 1];
-  return control.type === "choice" ? indexOfOption(control, value) : clamp(control, value / control.factor);
+  return fromValue(control, "factor" in control ? value / control.factor : value);
 });
 
 export const showFigure = (figure, { model, el }) => {

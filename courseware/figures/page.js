@@ -2,26 +2,19 @@
 
 import { nameButton } from "./clock.js";
 import { LiveFigure } from "./live_figure.js";
-import { parsePresses } from "./quarter_turns.js";
-import { clamp, indexOfOption } from "./state.js";
+import { fromValue, toText } from "./state.js";
 
 const addressOf = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
-  `${control.key}=${encodeURIComponent(control.type === "choice" ? control.options[state[i]].label
-    : control.type === "turns" ? state[i][0] : Number(state[i].toFixed(6)))}`).join("&");
+  `${control.key}=${encodeURIComponent("factor" in control ? Number(state[i].toFixed(6))
+    : toText(control, state[i]))}`).join("&");
 
 const readAddress = (figure, address) => {
   const [name, query] = address.replace(/^#/, "").split("?");
   if (name !== figure.name || !query) return null;
   const given = new URLSearchParams(query);
   return figure.controls.map((control) => {
-    const text = given.get(control.key);
-    if (control.type === "choice") {
-      const i = indexOfOption(control, text);
-      return i < 0 ? control.start : i;
-    }
-    if (control.type === "turns") return [parsePresses(text ?? "").join(""), 1];
-    const shown = text === null || text === "" ? NaN : Number(text);
-    return Number.isFinite(shown) ? clamp(control, shown) : control.start;
+    const text = given.get(control.key), isNumber = text && "factor" in control;
+    return fromValue(control, isNumber ? Number(text) : text);
   });
 };
 

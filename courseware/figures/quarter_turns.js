@@ -4,14 +4,19 @@ import { color } from "./svg.js";
 
 export const parsePresses = (text) => (/^(-?[xyz])*$/i.test(text) && text.match(/-?./g)) || [];
 
-const parseQuarterTurn = (press) => {
-  const axis = "xyz".indexOf(press.slice(-1).toLowerCase()), sign = press[0] === "-" ? -1 : 1;
-  const unit = [0, 1, 2].map((k) => (k === axis ? sign : 0));
-  const [i, j] = [(axis + 1) % 3, (axis + 2) % 3], R = [0, 0, 0, 0, 0, 0, 0, 0, 0];
-  R[4 * axis] = 1;
-  R[3 * i + j] = -sign;
-  R[3 * j + i] = sign;
-  return { unit, R, own: press.slice(-1) < "a" };
+const parsePress = (press) => {
+  const letter = press.at(-1), minus = press[0] === "-";
+  return { axis: letter.toLowerCase(), own: letter < "a", minus, sign: minus ? "\u2212" : "+" };
+};
+
+const computeTurn = (press) => {
+  const { axis, own, minus } = parsePress(press), k = "xyz".indexOf(axis), way = minus ? -1 : 1;
+  const [i, j] = [(k + 1) % 3, (k + 2) % 3], unit = [0, 0, 0], R = [0, 0, 0, 0, 0, 0, 0, 0, 0];
+  unit[k] = way;
+  R[4 * k] = 1;
+  R[3 * i + j] = -way;
+  R[3 * j + i] = way;
+  return { unit, R, own };
 };
 
 const multiply = (A, B) => A.map((_, k) => {
@@ -21,18 +26,17 @@ const multiply = (A, B) => A.map((_, k) => {
 
 // For the formulas: the rotation before the last turn, its axis, whether about its own axes, part, count.
 export const computeTurns = ([text, made]) => {
-  const all = parsePresses(text).map(parseQuarterTurn), last = all[all.length - 1];
+  const all = parsePresses(text).map(computeTurn), last = all[all.length - 1];
   const before = all.slice(0, -1).reduce(
     (R, turn) => (turn.own ? multiply(R, turn.R) : multiply(turn.R, R)), [1, 0, 0, 0, 1, 0, 0, 0, 1]);
   return [...before, ...(last?.unit ?? [0, 0, 0]), Number(last?.own ?? true), made, all.length];
 };
 
 const renderPress = (press) => {
-  const letter = press.slice(-1), words = press[0] === "-" ? "minus" : "plus";
-  return `<button type="button" data-press="${press}" aria-label="${words} 90° about `
-    + `${letter < "a" ? "its own" : "the room\u2019s"} ${letter.toLowerCase()} axis" `
-    + `style="color:${color(`${letter.toLowerCase()}_axis`)}">`
-    + `${press[0] === "-" ? "\u2212" : "+"}<i>${letter.toLowerCase()}</i></button>`;
+  const { axis, own, minus, sign } = parsePress(press);
+  return `<button type="button" data-press="${press}" aria-label="${minus ? "minus" : "plus"} 90° about `
+    + `${own ? "its own" : "the room\u2019s"} ${axis} axis" style="color:${color(`${axis}_axis`)}">`
+    + `${sign}<i>${axis}</i></button>`;
 };
 
 export const renderTurns = (control, i) => `<div class="rk-turning" data-i="${i}">`
@@ -41,6 +45,5 @@ export const renderTurns = (control, i) => `<div class="rk-turning" data-i="${i}
     + `${[...letters].flatMap((letter) => [letter, `-${letter}`]).map(renderPress).join("")}</div>`)
     .join("") + "</div>";
 
-export const describeTurns = (text) => parsePresses(text).map((press) =>
-  `${press[0] === "-" ? "\u2212" : "+"}${press.slice(-1).toLowerCase()}`
-  + ` ${press.slice(-1) < "a" ? "own" : "room"}`).join(", ") || "none";
+export const describeTurns = (text) => parsePresses(text).map(parsePress)
+  .map(({ axis, own, sign }) => `${sign}${axis} ${own ? "own" : "room"}`).join(", ") || "none";

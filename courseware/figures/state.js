@@ -1,27 +1,17 @@
 // From the state of a figure to its numbers, and where a hand may put it.
 
 /**
- * What compiler.py makes of a declared figure; places (`at`) are those in `computed.values`.
- * @typedef {object} Figure
- * @property {string} name, title, size, sentence
- * @property {number[]} view [left, right, bottom, top] in metres
- * @property {Control[]} controls
- * @property {object[]} readouts, steps, scene, handles, goals, recurrences
- * @property {function} where, compute named steps; all numbers
- * @property {number[]} [viewAngles] the controls that dragging the ground of a picture in space moves
- * @property {number[]} [follow] the place of a point that the view moves along with
- *
- * @typedef {object} Control
- * @property {"slider" | "clock" | "choice" | "turns"} type
- * @property {string} key, label, unit
- * @property {number} low, high, start, step in the unit that is shown; times `factor` in SI
- *
- * @typedef {(number | [string, number])[]} State what each control shows
+ * @typedef {{ name, title, view, controls, handles, readouts, sentence, steps, recurrences, where,
+ *   compute, scene, goals, size, viewAngles?, grid?, follow? }} Figure made by compiler.py
+ * @typedef {{ type, key, label, unit, factor, low, high, start, step, digits }} Control in its shown unit
+ * @typedef {(number | [string, number])[]} State what each control shows; of turns, see quarter_turns.js
  * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[] }} Computed
+ *   c: settings, last states of recurrences, named steps, which build on each other; values: those
+ *   of the readouts, then those that the scene refers to by place
  */
 
 import { functions } from "./formula_functions.js";
-import { computeTurns } from "./quarter_turns.js";
+import { computeTurns, parsePresses } from "./quarter_turns.js";
 
 export const startState = (figure) => figure.controls.map((control) => control.start);
 
@@ -37,13 +27,7 @@ const runRecurrence = (recurrence, c) => {
   return states;
 };
 
-/**
- * All numbers of a figure: c are settings, last states of its recurrences and named steps, which
- * build on each other; values are readouts first, then what the scene refers to by place.
- * @param {Figure} figure
- * @param {number[]} given
- * @returns {Computed}
- */
+/** @type {function(Figure, number[]): Computed} */
 export const compute = (figure, given) => {
   const trails = figure.recurrences.map((recurrence) => runRecurrence(recurrence, given));
   const ended = given.concat(...trails.map((states) => states[states.length - 1]));
@@ -62,7 +46,16 @@ const followView = ({ view, follow }, values) => {
   });
 };
 
-export const indexOfOption = (control, name) => control.options.findIndex((option) => option.label === name);
+// In addresses and notebooks a choice is the name of its option, and turns are their presses.
+export const toText = (control, shown) =>
+  control.type === "choice" ? control.options[shown].label : shown[0];
+
+export const fromValue = (control, value) => {
+  if (control.type === "turns") return [parsePresses(value ?? control.start[0]).join(""), 1];
+  if (control.type !== "choice") return Number.isFinite(value) ? clamp(control, value) : control.start;
+  const i = control.options.findIndex(({ label }) => label === value);
+  return i < 0 ? control.start : i;
+};
 
 export const clamp = (control, shown) => {
   const inside = Math.min(control.high, Math.max(control.low, shown));

@@ -17,7 +17,6 @@ export const serializeAnswers = ({ course, version }, student, entries) => [
     ["answers", course, version, time ?? "", student, exercise, answer]),
 ].map((row) => row.map(escapeCell).join(",")).join("\r\n") + "\r\n";
 
-// The rows of such a file, by its heading.
 export const parseAnswers = (text) => {
   const rows = [[]];
   for (const [, quoted, plain, end] of text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {

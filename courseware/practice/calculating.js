@@ -37,14 +37,10 @@ class Expression {
     Object.assign(this, { tokens, opener, i: 0 });
   }
 
-  ended() {
-    return this.i >= this.tokens.length;
-  }
+  ended() { return this.i >= this.tokens.length; }
 
   // A part of it, as it was typed.
-  typed(start = 0, end = this.tokens.length) {
-    return joinTokens(this.tokens.slice(start, end));
-  }
+  typed(start = 0, end = this.tokens.length) { return joinTokens(this.tokens.slice(start, end)); }
 
   number(value) {
     if (Array.isArray(value)) refuse("list", this.typed());

@@ -14,22 +14,14 @@ const TRY_FIRST = "Check an answer first, any guess will do: then the steps open
 const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
 
 /**
- * @typedef {object} Exercise what rendering.py packs
- * @property {string} name, title, text, solution, asked, topic
- * @property {number} level
- * @property {{ shown: Object<string, string>, candidates: Candidate[] }[]} variants
- *   shown: what stands for each placeholder
+ * An exercise in an element that holds its HTML. What is shown is what is judged: both take the
+ * variant from `number`, which `show` alone sets.
  *
- * @typedef {object} ExerciseDesk who works here
- * @property {string} course
- * @property {function(): string} student
- * @property {function(): Promise<Exercise>} load
- * @property {function(): ?object} kept what is stored of the exercise
- * @property {function(object): void} keep
+ * @typedef {{ name, title, level, text, solution, asked, topic, variants: Variant[] }} Exercise
+ * @typedef {{ shown: Object<string, string>, candidates: Candidate[] }} Variant shown: texts for
+ *   placeholders
+ * @typedef {{ course, student(): string, load(): Promise<Exercise>, kept(), keep(entry) }} ExerciseDesk
  */
-
-// An exercise in an element that holds its HTML. What is shown is what is judged: both take the
-// variant from `number`, which `show` alone sets.
 export class ExerciseBox {
   constructor(element, desk) {
     Object.assign(this, { element, desk });
@@ -39,9 +31,7 @@ export class ExerciseBox {
     this.trained = {}; // what is kept of one's own numbers is not kept of these
   }
 
-  one(selector) {
-    return this.element.querySelector(selector);
-  }
+  one(selector) { return this.element.querySelector(selector); }
 
   start() {
     this.one("form").addEventListener("submit", (event) => {
@@ -68,7 +58,6 @@ export class ExerciseBox {
     return this;
   }
 
-  // For another student.
   renew() {
     Object.assign(this, { training: 0, number: null });
     this.restore(); // at once: what is typed while the numbers are loaded must stay
@@ -94,18 +83,12 @@ export class ExerciseBox {
     return work();
   }
 
-  get variant() {
-    return this.exercise.variants[this.number];
-  }
+  get variant() { return this.exercise.variants[this.number]; }
 
-  get steps() {
-    return splitSolution(fillTemplate(this.exercise.solution, this.variant.shown));
-  }
+  get steps() { return splitSolution(fillTemplate(this.exercise.solution, this.variant.shown)); }
 
   // The stored entry of the present numbers: { answer, time, result, says, tries, help, … }.
-  entry() {
-    return (this.training ? this.trained : this.desk.kept()) ?? {};
-  }
+  entry() { return (this.training ? this.trained : this.desk.kept()) ?? {}; }
 
   keep(entry) {
     if (this.training) this.trained = entry; else this.desk.keep(entry);
@@ -197,3 +180,10 @@ export class ExerciseBox {
     if (this.exercise && this.number !== null) this.climb();
   }
 }
+
+// The data of exercises are packed by rendering.py.
+export const unpack = (packed) => {
+  const bytes = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).json();
+};

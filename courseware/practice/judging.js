@@ -2,14 +2,9 @@
 // notebooks and of `grade`.
 
 /**
- * @typedef {[string, number[][]]} Candidate what somebody may answer in a variant: name and rows;
- *   "right", a mistake's name or "slip:sign"; right answers in other units are missing
- * @typedef {object} Judged what judging.py tells of an exercise
- * @property {{ label, unit, circle, tolerance, relative, decimals }[]} asks
- * @property {string} asked
- * @property {number[]} shape of a matrix, or []
- * @property {"one" | "any" | "all"} accept
- * @property {Object<string, { result, says, factors, why, picture }>} outcomes by name of candidate
+ * @typedef {[string, number[][]]} Candidate name and rows of a possible answer, but not of right
+ *   answers in other units
+ * @typedef {{ asked, asks, shape, accept, outcomes }} Judged exercise, as judging.py gives it
  */
 
 import { fillTemplate, formatNumber } from "../script/text.js";
@@ -51,7 +46,6 @@ const matchesRows = ({ asks }, rows, wanted, factors, allowed = 1) => {
   }) && !left.length;
 };
 
-// All that may be answered: in other units, too.
 const addOtherUnits = ({ outcomes }, candidates) => {
   const right = candidates.filter(([name]) => name === "right");
   const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
@@ -59,7 +53,6 @@ const addOtherUnits = ({ outcomes }, candidates) => {
     [unit, rows.map((row) => row.map((x, i) => x * outcomes[unit].factors[i]))]))];
 };
 
-// The labels of those numbers of an answer that are right by themselves.
 const findRightParts = ({ accept, shape, asks }, right, row) =>
   accept !== "one" || shape.length ? [] : asks.filter((ask, i) =>
     offBy(ask, row[i], right[i], 1) <= toleranceOf(ask, right[i], 1)).map((ask) => ask.label);
@@ -67,7 +60,6 @@ const findRightParts = ({ accept, shape, asks }, right, row) =>
 // Several mistakes may give one number: then all of them are said.
 const joinFeedback = (all) => all.join(" ").replaceAll(". Not yet. This is what you get ", ", or ");
 
-// Whether an answer is a right one with fewer decimals than asked for.
 const isRoundedRight = ({ decimals }, rows, wanted) =>
   [2, 3].some((digits) => digits < decimals && rows.length === wanted.length && rows.every((row, k) =>
     row.every((x, i) => Math.abs(x - Number(wanted[k][i].toFixed(digits))) < 1e-9)));
@@ -82,10 +74,8 @@ const isRoundedInUnits = (factors, rows, wanted) => [factors, factors.map(() => 
 
 const isRounded = (rows, digits) => rows.flat().every((x) => Math.abs(x - Number(x.toFixed(digits))) < 1e-9);
 
-// Whether no number was typed with as many decimals as are asked for.
 const hasFewDecimals = ({ decimals }, text) => decimals && !RegExp(`[^\\p{Nd}\\s-]\\p{Nd}{${decimals}}`, "u").test(text);
 
-// Whether that may be why it is not right.
 const isTooCoarse = (exercise, rows, text, right) => hasFewDecimals(exercise, text)
   && isRounded(rows, exercise.decimals - 1) && !isRounded(right, exercise.decimals - 1);
 
@@ -150,7 +140,6 @@ export const formatExample = ({ asks: { length: size }, accept, shape: [many = a
   return formatValue(value.length > 1 ? value : 0.5).replaceAll(" ", "\u00a0"); // in one line
 };
 
-// Explain why an answer cannot be read.
 export const describeProblem = ({ problem, about }, asks) =>
   fillTemplate(PROBLEMS[problem], { about, units: listUnits(asks) });
 

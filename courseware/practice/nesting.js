@@ -1,6 +1,6 @@
 // Puts the tokens of brackets into brackets, and commas where blanks separate.
 
-import { CLOSERS, LISTS, MAX_DEPTH, newToken, PAIRS, refuse, joinTokens } from "./tokenizing.js";
+import { CLOSERS, joinTokens, LISTS, MAX_DEPTH, newToken, PAIRS, refuse } from "./tokenizing.js";
 
 export const nestBrackets = (flat) => {
   const levels = [[]], opened = [];
@@ -21,7 +21,6 @@ export const nestBrackets = (flat) => {
   return levels[0];
 };
 
-// Put a level inside the bracket that opened it.
 const closeBracket = (start, token, level) => {
   if (PAIRS.get(start?.kind) !== token.kind) refuse("brackets", token.shown);
   start.shown = joinTokens([start, ...level, token]);

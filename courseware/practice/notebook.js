@@ -4,8 +4,7 @@
 // content: { packed, name, course }, packed by rendering.py.
 
 import { dealVariant, foldName } from "./dealing.js";
-import { ExerciseBox } from "./exercise.js";
-import { unpack } from "./loading.js";
+import { ExerciseBox, unpack } from "./exercise.js";
 import { renderExercise } from "./rendering.js";
 
 export const showExercise = async ({ packed, name, course }, { model, el }) => {

@@ -2,13 +2,10 @@
 
 import { escapeHtml } from "../script/text.js";
 import { downloadAnswers, parseAnswers } from "./answer_file.js";
-import { foldName, describeNumberSet } from "./dealing.js";
-import { ExerciseBox } from "./exercise.js";
-import { loadTopic } from "./loading.js";
+import { describeNumberSet, foldName } from "./dealing.js";
+import { ExerciseBox, unpack } from "./exercise.js";
 import { memory, readStored } from "./storage.js";
-import {
-  answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp,
-} from "./stored_answers.js";
+import { answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
 
 const NAMELESS = "Type your name first: it picks your numbers.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
@@ -29,6 +26,16 @@ export const renderDesk = (course) => `<div class="rk-row"><label for="rk-studen
 
 // A line that stays in sight while an exercise is.
 const BAR = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
+
+// The numbers of a topic's exercises, a file beside the page that is loaded when they are needed.
+const loadedTopics = {};
+const loadTopic = (topic, version) => loadedTopics[topic] ??= new Promise((resolve, reject) => {
+  const script = document.createElement("script");
+  script.src = `${document.documentElement.dataset.content_root}_static/practice/${topic}.js?${version}`;
+  script.onload = () => resolve(unpack(window.coursewarePractice[topic]));
+  script.onerror = () => { delete loadedTopics[topic]; reject(new Error(`${script.src} is missing`)); };
+  document.head.append(script);
+});
 
 // The desk of a page: who works here, and what this student has answered. `name` is who it is
 // until another name is given as a whole, so that numbers and answers are always one student's.
@@ -73,13 +80,9 @@ class Desk {
     if (this.name || Object.keys(this.mine()).length) this.boxes.forEach((box) => box.renew());
   }
 
-  student() {
-    return foldName(this.name);
-  }
+  student() { return foldName(this.name); }
 
-  mine() {
-    return readAnswers(this.course, this.name);
-  }
+  mine() { return readAnswers(this.course, this.name); }
 
   // Answers of the present student; undefined: none any more.
   keep(answers) {

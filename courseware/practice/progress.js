@@ -3,13 +3,9 @@
 import { memory } from "./storage.js";
 import { countPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
 
-const writeBeside = (place, words) => {
-  let told = place.querySelector(".rk-so-far");
-  if (!told) {
-    told = place.appendChild(document.createElement("small"));
-    told.className = "rk-so-far";
-  }
-  told.textContent = words;
+const writeBeside = (link, words) => {
+  link.querySelector(".rk-so-far")?.remove();
+  if (words) link.insertAdjacentHTML("beforeend", `<small class="rk-so-far">${words}</small>`);
 };
 
 const showPassed = () => {

@@ -16,7 +16,6 @@ export const readAnswers = (course, name) => {
 
 export const isPassed = (answers, exercise) => answers[exercise]?.result === "right";
 
-// Chapter by chapter: its title, its name, how many exercises it has and how many are passed.
 export const countPassed = (answers) => Object.entries(TOPICS).map(([title, [topic, count]]) => {
   const many = Object.keys(answers).filter((name) => isPassed(answers, name)
     && name.replace(/-\d+$/, "").replaceAll("-", "_") === topic).length;

@@ -10,8 +10,7 @@ export const PI = ["pi", "π"];
 export const FRACTIONS = new Map([["½", 1 / 2], ["¼", 1 / 4], ["¾", 3 / 4], ["⅓", 1 / 3], ["⅔", 2 / 3]]);
 export const NOT_FINITE = new Map(
   [["nan", "nan"], ["inf", "infinity"], ["infinity", "infinity"], ["∞", "infinity"]]);
-export const WRAPPERS = ["array", "asarray", "matrix", "float", "int", "float64", "float32", "int64",
-  "int32"];
+export const WRAPPERS = ["array", "asarray", "matrix", "float", "int", "float64", "float32", "int64", "int32"];
 export const FUNCTIONS = ["sin", "cos", "tan", "cot", "asin", "acos", "atan", "arcsin", "arccos",
   "arctan", "sinh", "cosh", "tanh", "exp", "log", "ln", "abs", "hypot", "pow"];
 
@@ -98,6 +97,5 @@ export const tokenize = (text, shown) => {
   return found;
 };
 
-// The tokens as they were typed.
 export const joinTokens = (some) =>
   some.map((t, i) => (i ? t.gap.replaceAll("\n", " ") : "") + t.shown).join("");

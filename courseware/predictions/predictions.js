@@ -15,7 +15,6 @@ const GUESSES_KEY = `${STORE} guesses`;
 const GUESSES_NOT_KEPT = "This browser keeps nothing for this page: your guesses are forgotten when you leave it.";
 const GUESSES_KEPT = "Your guesses stay in this browser; nothing is sent.";
 
-// The options, where there is nothing to press.
 const renderOptions = (options) => options.length
   ? `<ul class="rk-plain">${options.map((option) => `<li>${renderSymbols(option)}</li>`).join("")}</ul>` : "";
 
@@ -29,7 +28,6 @@ export const renderForm = ({ kind, options, units }) => `<form class="rk-guess">
 }<button type="button" class="rk-skip">Show without guessing</button></form>${renderOptions(options ?? [])}`
   + `<p class="rk-said" role="status" tabindex="-1"></p>`;
 
-// A guess in words.
 const describeGuess = ({ kind, options, labels, units }, guess) => kind === "buttons" ? options[guess]
   : guess.map((x, i) => `${labels[i]} ${withUnit(formatNumber(x, 3), units[i])}`.trim()).join(", ");
 
@@ -76,9 +74,7 @@ class PredictionBox {
     });
   }
 
-  one(selector) {
-    return this.element.querySelector(selector);
-  }
+  one(selector) { return this.element.querySelector(selector); }
 
   // Work with the figure of a ghost once it can be moved.
   withFigure(work) {
@@ -87,7 +83,6 @@ class PredictionBox {
     else figure?.addEventListener("courseware:drawn", () => setTimeout(() => work(figure.courseware)), { once: true });
   }
 
-  // Take what was typed or placed.
   guess() {
     if (this.answered) return;
     const { kind, places, units } = this.data;
@@ -125,7 +120,6 @@ class PredictionBox {
     }
   }
 
-  // The question as it was before.
   ask() {
     this.say("");
     if (this.one("input")) this.one("input").value = "";
@@ -143,30 +137,28 @@ class PredictionBox {
       button.classList.toggle("rk-right", answered && k === data.right);
     });
     if (data.kind !== "ghost") return;
-    this.offer(answered);
-    this.withFigure((live) => this.lock(live));
+    this.showSliders();
+    this.withFigure((live) => this.lockFigure(live));
   }
 
   // While the question is open, the ghost is all that can be moved; then, all but the ghost.
-  movable(i) {
-    return this.data.places.includes(Number(i)) !== this.answered;
-  }
+  isMovable(i) { return this.data.places.includes(Number(i)) !== this.answered; }
 
   // The sliders at once, not when the figure comes alive: what stands below it does not jump.
-  offer(answered) {
+  showSliders() {
     const figure = document.getElementById(this.data.figure);
-    figure?.classList.toggle("rk-asked", !answered);
+    figure?.classList.toggle("rk-asked", !this.answered);
     figure?.querySelectorAll("[data-i]").forEach((hand) => {
-      hand.closest(".rk-control").hidden = !this.movable(hand.dataset.i);
+      hand.closest(".rk-control").hidden = !this.isMovable(hand.dataset.i);
     });
   }
 
   // As the question is by then: it may have been answered while the figure came alive.
-  lock(live) {
+  lockFigure(live) {
     const { answered, taken } = this, { controls, handles } = live.figure, { places, then, right } = this.data;
     handles.forEach(({ sets }, k) => {
       for (const grip of [live.handles[k], live.handles[k].nextSibling]) {
-        grip.style.display = sets.every((i) => this.movable(i)) ? "" : "none";
+        grip.style.display = sets.every((i) => this.isMovable(i)) ? "" : "none";
       }
     });
     live.set(controls.map(({ start }, i) => !answered ? start

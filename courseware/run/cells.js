@@ -29,8 +29,8 @@ class Cell {
     this.button.insertAdjacentHTML("afterend", `<button type="button" hidden>Reset</button>`);
     this.reset = this.button.nextSibling;
     this.reset.addEventListener("click", () => this.restore());
-    this.button.setAttribute("aria-label", `Run cell ${k + 1}`);
-    this.reset.setAttribute("aria-label", `Reset cell ${k + 1}`);
+    this.button.ariaLabel = `Run cell ${k + 1}`;
+    this.reset.ariaLabel = `Reset cell ${k + 1}`;
   }
 
   get text() { return this.code.innerText.replaceAll("\u00a0", " ").replace(/\n$/, ""); }
@@ -40,9 +40,8 @@ class Cell {
   makeEditable() {
     this.code.contentEditable = "plaintext-only";
     if (this.code.contentEditable !== "plaintext-only") this.code.contentEditable = "true";
-    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox" });
-    this.code.ariaMultiLine = "true";
-    this.code.ariaLabel = `Code of cell ${this.k + 1}`;
+    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox",
+      ariaMultiLine: "true", ariaLabel: `Code of cell ${this.k + 1}` });
     this.code.addEventListener("input", () => {
       this.reset.hidden = false;
       this.code.classList.add("rk-changed");
@@ -95,8 +94,6 @@ class Cell {
   }
 }
 
-// --- the worker -----------------------------------------------------------------------------
-
 const describeSource = () => {
   const { origin, host } = new URL(settings.python, import.meta.url);
   return origin === location.origin ? "this site" : host;
@@ -136,8 +133,6 @@ const waitForWorker = () => new Promise((resolve, reject) => {
   worker.onerror = () => reject(new Error("its worker does not start"));
   stop = () => reject(null);
 });
-
-// --- running --------------------------------------------------------------------------------
 
 const updateButtons = () => cells.forEach((cell, k) => {
   cell.button.textContent = running === k ? "Stop" : "Run";
@@ -188,8 +183,7 @@ const askConsent = (cell) => new Promise((resolve) => {
   cell.say(`This loads Python (Pyodide) into the page: about 10 MB from ${describeSource()}, up to 25 MB for `
     + "cells that derive or draw. What you type stays in this browser.");
   const buttons = ["Load Python", "Not now"].map((words) => {
-    const button = Object.assign(document.createElement("button"), { type: "button" });
-    button.textContent = words;
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
     button.addEventListener("click", () => {
       buttons.forEach((each) => each.remove());
       cell.button.hidden = false;

@@ -18,7 +18,7 @@ _loaded: list[str] = []  # parts
 
 @cache
 def _evaluate() -> Callable[[str], Any]:
-    """What evaluates JavaScript here: one for the whole process."""
+    """Return what evaluates JavaScript, one for the whole process."""
     if sys.platform == "emscripten":
         from pyodide.code import run_js  # only there
 
@@ -36,8 +36,8 @@ def _evaluate() -> Callable[[str], Any]:
     return evaluate
 
 
-def available() -> bool:
-    """Whether there is an engine."""
+def is_available() -> bool:
+    """Return whether there is an engine."""
     try:
         _evaluate()
     except CourseError:
@@ -46,8 +46,9 @@ def available() -> bool:
 
 
 def run(code: str) -> Any:
-    """Evaluate JavaScript that may use what the parts export, as `courseware.renderPicture`, and
-    bring its value over as JSON; NaN and infinities survive.
+    """Return the value of JavaScript, which finds in `courseware` what the parts export.
+
+    It crosses over as JSON, but with NaN and infinities.
     """
     evaluate = _evaluate()
     if _loaded != parts.registered():
@@ -61,7 +62,7 @@ def run(code: str) -> Any:
 
 
 def call(function: str, *arguments: Any) -> Any:
-    """The value of a JavaScript function for arguments that JSON can carry."""
+    """Return the value of a JavaScript function for arguments that JSON can carry."""
     return run(f"{function}({', '.join(map(json.dumps, arguments))})")
 
 

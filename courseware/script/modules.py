@@ -1,7 +1,6 @@
 """Join ES modules to one script: V8, a widget and a page from disk can fetch no second file.
 
-All modules share one scope, so a name is declared once in all of them. Declarations start their
-line; imports and exports are written as `IMPORT` and `DECLARATION` read them.
+All modules share one scope: a name is declared once in all of them, at the start of a line.
 """
 
 import re
@@ -40,7 +39,7 @@ class _Joined:
         self.bodies: list[str] = []
 
     def add(self, path: str, importers: tuple[str, ...]) -> None:
-        """Join a module, unless it is there. importers: those that led to it, one by one."""
+        """Join a module, unless it is there. importers: those that led to it, in order."""
         if path in importers:
             raise CourseError(f"modules import each other: {' → '.join((*importers, path))}")
         if path in self.exports:
@@ -58,12 +57,9 @@ class _Joined:
         self.bodies.append(COMMENT.sub("", re.sub("^export ", "", body, flags=re.MULTILINE)))
 
     def _refuse_missing(self, names: list[str], target: str, path: str) -> None:
-        exported = self.exports[target]
-        if missing := [name for name in names if name not in exported]:
-            raise CourseError(
-                f"{path} imports {', '.join(missing)} from {target}, which exports only "
-                f"{', '.join(exported)}"
-            )
+        if missing := ", ".join(name for name in names if name not in self.exports[target]):
+            exported = ", ".join(self.exports[target])
+            raise CourseError(f"{path} imports {missing} from {target}, which has only {exported}")
 
     def _declare(self, path: str, body: str) -> None:
         if other := OTHER.search(body):

@@ -38,9 +38,7 @@ class Part:
     constants: Mapping[str, Constants] = field(default_factory=dict)
 
 
-COMPACT = (",", ":")  # of JSON, without blanks
-# signs that stand at their number without a blank, for `text.js`
-TIGHT_UNITS = "".join(name for name, unit in UNITS.items() if unit.joined)
+TIGHT_UNITS = "".join(name for name, unit in UNITS.items() if unit.joined)  # for `text.js`
 _parts: dict[str, Part] = {}
 _constants: dict[str, Constants] = {
     "courseware/script/constants.js": lambda: {"TIGHT_UNITS": TIGHT_UNITS}
@@ -78,8 +76,8 @@ def widget_script(name: str) -> str:
 
 def whole_script() -> str:
     """Return an expression for all parts: an object of all that they export."""
-    entries = (entry for part in _parts.values() for entry in (part.page, part.widget) if entry)
-    return bundle(*(entry.split(":")[0] for entry in entries))
+    entries = (entry for part in _parts.values() for entry in (part.page, part.widget))
+    return bundle(*(entry.split(":")[0] for entry in entries if entry))
 
 
 @cache
@@ -104,9 +102,8 @@ def _part(name: str) -> Part:
 
 def _read(path: str) -> str:
     if path in _constants:
-        return "".join(
-            f"export const {name} = {json.dumps(value, ensure_ascii=False, separators=COMPACT)};\n"
-            for name, value in _constants[path]().items()
-        )
+        compact = json.JSONEncoder(ensure_ascii=False, separators=(",", ":"))
+        constants = _constants[path]().items()
+        return "".join(f"export const {name} = {compact.encode(x)};\n" for name, x in constants)
     package, _, name = path.partition("/")
     return files(package).joinpath(name).read_text(encoding="utf-8")

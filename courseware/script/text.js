@@ -15,8 +15,6 @@ export const renderSymbols = (text, written = "<i>$1</i><sub>$2</sub>") =>
   escapeHtml(text).replace(/(\p{L}[\u0300-\u036f]*)_([0-9A-Za-z]+)/gu, written)
     .replace(/<\/sub>\^([0-9A-Za-z]+|[+\u2212-])/g, "</sub><sup>$1</sup>");
 
-// A number's leading digits, without zeros at their end.
 export const formatNumber = (number, digits) => trueMinus(String(Number(number.toPrecision(digits))));
 
-// A text with values for its placeholders: `{name}`.
 export const fillTemplate = (text, values) => text.replace(/\{([\w.:]+)\}/g, (_, name) => values[name]);

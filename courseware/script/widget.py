@@ -1,4 +1,4 @@
-"""What a notebook shows, in JupyterLab, Notebook and VS Code: a part's content, and its state."""
+"""Widgets for notebooks: in JupyterLab, Notebook and VS Code."""
 
 from typing import Any
 
@@ -9,14 +9,14 @@ from courseware.script import parts
 
 
 class Widget(anywidget.AnyWidget):
-    """A figure or an exercise. state: what changes, as JSON."""
+    """A part's content in a notebook, and its state as JSON."""
 
     _esm = traitlets.Unicode().tag(sync=True)
     _css = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
 
     def output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-        """What an output holds of it and of others, by MIME type; and what Colab must know."""
+        """Return an output by MIME type, with others in it, and what Colab must know."""
         data, metadata = self._repr_mimebundle_() or ({}, {})
         return {**data, **others}, metadata
 

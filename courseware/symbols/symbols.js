@@ -26,7 +26,6 @@ const fillSlots = ({ name, numbers }) => {
   }
 };
 
-// The names in the code that stand for a symbol.
 const markNames = () => {
   const known = new Map(Object.entries(coursewareSymbols).map(([symbol, [, , , look, code]]) =>
     [code, look ? { symbol, look } : { symbol }]));

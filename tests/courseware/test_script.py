@@ -49,7 +49,7 @@ def test_a_module_that_two_import_is_joined_once():
         ({"page": PAGE}, "a/page.js → text.js: the last is missing"),
         (
             {"page": PAGE.replace("add", "sum"), "text": TEXT},
-            "a/page.js imports sum from text.js, which exports only add",
+            "a/page.js imports sum from text.js, which has only add",
         ),
         (
             {"page": PAGE + "const sum = 4;\n", "text": TEXT},
@@ -90,13 +90,13 @@ def test_python_in_a_browser_asks_the_browser(another):
         another.setattr(sys, "platform", "emscripten")
         another.setitem(sys.modules, "pyodide", SimpleNamespace())
         another.setitem(sys.modules, "pyodide.code", SimpleNamespace(run_js=browser.eval))
-        assert engine.available()
+        assert engine.is_available()
         assert engine.run("courseware.parseAnswer('1/4')[0].value") == 0.25
 
 
 def test_without_an_engine_it_is_said_what_to_install(another):
     another.setitem(sys.modules, "py_mini_racer", None)
-    assert not engine.available()
+    assert not engine.is_available()
     with pytest.raises(CourseError, match="pip install mini-racer"):
         engine.run("1")
 

@@ -17,7 +17,7 @@ const PICTURED = "In the numbers of the chapter; dashed or red is what the mista
  * An exercise in an element that holds its HTML. What is shown is what is judged: both take the
  * variant from `number`, which `show` alone sets.
  *
- * @typedef {{ name, title, level, text, solution, asked, topic, variants: Variant[] }} Exercise
+ * @typedef {{ name, title, level, text, solution, prompt, topic, variants: Variant[] }} Exercise
  * @typedef {{ shown: Object<string, string>, candidates: Candidate[] }} Variant shown: texts for
  *   placeholders
  * @typedef {{ course, student(): string, load(): Promise<Exercise>, kept(), keep(entry) }} ExerciseDesk
@@ -87,7 +87,7 @@ export class ExerciseBox {
 
   get steps() { return splitSolution(fillTemplate(this.exercise.solution, this.variant.shown)); }
 
-  // The stored entry of the present numbers: { answer, time, result, says, tries, help, … }.
+  // The stored entry of the present numbers: { answer, time, result, feedback, tries, help, … }.
   entry() { return (this.training ? this.trained : this.desk.kept()) ?? {}; }
 
   keep(entry) {
@@ -98,7 +98,7 @@ export class ExerciseBox {
   keepTyped() {
     const answer = this.input.value, { unjudged, ...kept } = this.entry();
     if (this.training || !answer || kept.result === "right" || kept.answer === answer) return;
-    this.keep({ ...kept, answer, result: "", says: "", time: now() });
+    this.keep({ ...kept, answer, result: "", feedback: "", time: now() });
   }
 
   check() {
@@ -120,9 +120,9 @@ export class ExerciseBox {
     });
   }
 
-  tell({ result = "", says = "", read = "" }) {
+  tell({ result = "", feedback = "", read = "" }) {
     this.one(".rk-verdict").className = `rk-verdict rk-${result}`;
-    this.one(".rk-verdict").innerHTML = renderSymbols(says);
+    this.one(".rk-verdict").innerHTML = renderSymbols(feedback);
     this.one(".rk-read").innerHTML = renderSymbols(read);
   }
 
@@ -137,7 +137,7 @@ export class ExerciseBox {
     const entry = this.entry(), opened = this.opened ?? entry.help ?? 0;
     if (opened && !entry.tries) return this.climb(entry, TRY_FIRST);
     this.opened = opened + 1;
-    if (entry.result !== "right") this.keep({ answer: "", says: "", ...entry, help: this.opened, of: this.steps.length });
+    if (entry.result !== "right") this.keep({ answer: "", feedback: "", ...entry, help: this.opened, of: this.steps.length });
     this.climb();
   }
 
@@ -173,7 +173,7 @@ export class ExerciseBox {
     const kept = this.entry();
     this.opened = null; // besides what was opened before the pass
     this.input.value = kept.answer ?? "";
-    const entries = [parseTyped(this.input.value, this.exercise?.asks ?? [])[0].value].flat(Infinity);
+    const entries = [parseTyped(this.input.value, this.exercise?.unknowns ?? [])[0].value].flat(Infinity);
     this.element.querySelectorAll("td input").forEach((cell, k) => { cell.value = entries[k] ?? ""; });
     this.pass();
     this.tell(kept);

@@ -4,7 +4,7 @@
 /**
  * @typedef {[string, number[][]]} Candidate name and rows of a possible answer, but not of right
  *   answers in other units
- * @typedef {{ asked, asks, shape, accept, outcomes }} Judged exercise, as judging.py gives it
+ * @typedef {{ prompt, unknowns, shape, accept, outcomes }} Judged exercise, as judging.py gives it
  */
 
 import { fillTemplate, formatNumber } from "../script/text.js";
@@ -16,7 +16,7 @@ export const FEEDBACK = {
   near: "Not yet, but very close. Keep all digits on the way{digits}.",
   wrong: "Not yet, and none of the mistakes known here gives this.",
   parts: "Already right: {labels}.",
-  shape: "Asked is {asked}. Write it like {like}. This was read as {read}.",
+  shape: "Asked is {prompt}. Write it like {like}. This was read as {read}.",
   readings: "This can be read in two ways. Write decimals with a point, and nothing between thousands.",
   other: "There are other right answers too.",
   digits: "Give {decimals} decimals: with fewer the check cannot tell what went wrong.",
@@ -24,8 +24,8 @@ export const FEEDBACK = {
 };
 const COUNTS = ["no", "one", "two", "three", "four", "five"];
 
-const offBy = (ask, x, wanted, factor) => {
-  if (!ask.circle) return Math.abs(x - wanted);
+const offBy = (unknown, x, wanted, factor) => {
+  if (!unknown.circle) return Math.abs(x - wanted);
   const turn = 2 * Math.PI * Math.abs(factor), off = Math.abs(x - wanted) % turn;
   return Math.min(off, turn - off);
 };
@@ -35,10 +35,10 @@ const toleranceOf = ({ tolerance, relative }, wanted, factor) =>
   Math.max(tolerance * Math.abs(factor), relative * Math.abs(wanted));
 
 // Whether each row is one of the wanted ones, each of them once. allowed: in tolerances.
-const matchesRows = ({ asks }, rows, wanted, factors, allowed = 1) => {
+const matchesRows = ({ unknowns }, rows, wanted, factors, allowed = 1) => {
   const left = wanted.slice();
-  const fits = (x, i, other) => offBy(asks[i], x, other[i], factors[i])
-    <= allowed * toleranceOf(asks[i], other[i], factors[i]);
+  const fits = (x, i, other) => offBy(unknowns[i], x, other[i], factors[i])
+    <= allowed * toleranceOf(unknowns[i], other[i], factors[i]);
   return rows.every((row) => {
     const place = left.findIndex((other) => row.every((x, i) => fits(x, i, other)));
     if (place >= 0) left.splice(place, 1);
@@ -53,9 +53,9 @@ const addOtherUnits = ({ outcomes }, candidates) => {
     [unit, rows.map((row) => row.map((x, i) => x * outcomes[unit].factors[i]))]))];
 };
 
-const findRightParts = ({ accept, shape, asks }, right, row) =>
-  accept !== "one" || shape.length ? [] : asks.filter((ask, i) =>
-    offBy(ask, row[i], right[i], 1) <= toleranceOf(ask, right[i], 1)).map((ask) => ask.label);
+const findRightParts = ({ accept, shape, unknowns }, right, row) =>
+  accept !== "one" || shape.length ? [] : unknowns.filter((unknown, i) =>
+    offBy(unknown, row[i], right[i], 1) <= toleranceOf(unknown, right[i], 1)).map((unknown) => unknown.label);
 
 // Several mistakes may give one number: then all of them are said.
 const joinFeedback = (all) => all.join(" ").replaceAll(". Not yet. This is what you get ", ", or ");
@@ -81,27 +81,27 @@ const isTooCoarse = (exercise, rows, text, right) => hasFewDecimals(exercise, te
 
 // The verdict on an answer that has the right shape. text: as it was typed.
 const judgeRows = (exercise, candidates, rows, text) => {
-  const { asks, accept, outcomes, decimals } = exercise, ones = asks.map(() => 1);
+  const { unknowns, accept, outcomes, decimals } = exercise, ones = unknowns.map(() => 1);
   const met = addOtherUnits(exercise, candidates).filter(([name, wanted]) =>
     matchesRows(exercise, rows, wanted, outcomes[name].factors)).map(([name]) => name);
-  const verdict = (result, name, ...words) => ({ result, name, says: words.filter(Boolean).join(" ") });
-  const { result, says } = outcomes[met[0]] ?? {};
-  if (result === "right") return verdict(result, met[0], says, accept === "any" && FEEDBACK.other);
-  if (result === "partly") return verdict(result, met[0], says);
+  const verdict = (result, name, ...words) => ({ result, name, feedback: words.filter(Boolean).join(" ") });
+  const { result, feedback } = outcomes[met[0]] ?? {};
+  if (result === "right") return verdict(result, met[0], feedback, accept === "any" && FEEDBACK.other);
+  if (result === "partly") return verdict(result, met[0], feedback);
   const right = candidates.filter(([name]) => name === "right").map(([, wanted]) => wanted);
   const near = fillTemplate(FEEDBACK.near, { digits: decimals ? `, and give ${COUNTS[decimals]} decimals` : "" });
   if (right.some((wanted) => isRoundedRight(exercise, rows, wanted))) return verdict("wrong", "near", near);
   const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
   if (hasFewDecimals(exercise, text) && right.some((wanted) =>
     units.some((unit) => isRoundedInUnits(outcomes[unit].factors, rows, wanted)))) return verdict("wrong", "near", near);
-  if (met.length) return verdict("wrong", met[0], joinFeedback(met.map((name) => outcomes[name].says)));
+  if (met.length) return verdict("wrong", met[0], joinFeedback(met.map((name) => outcomes[name].feedback)));
   if (right.some((wanted) => matchesRows(exercise, rows, wanted, ones, NEAR))) return verdict("wrong", "near", near);
   const wrong = candidates.filter(([name]) => name !== "right");
   for (const unit of units) {
     const { factors } = outcomes[unit];
     const [same] = wrong.filter(([, wanted]) =>
       matchesRows(exercise, rows, wanted.map((row) => row.map((x, i) => x * factors[i])), factors));
-    if (same) return verdict("wrong", same[0], outcomes[same[0]].says, fillTemplate(FEEDBACK.units, { unit: unit.slice(5) }));
+    if (same) return verdict("wrong", same[0], outcomes[same[0]].feedback, fillTemplate(FEEDBACK.units, { unit: unit.slice(5) }));
   }
   const parts = findRightParts(exercise, right[0][0], rows[0]);
   return verdict("wrong", "", FEEDBACK.wrong,
@@ -119,7 +119,7 @@ const findShape = (value) => {
 };
 
 // A typed number or list as rows of the numbers asked for; null if it has another shape.
-const toRows = ({ asks: { length: size }, accept, shape }, value, count) => {
+const toRows = ({ unknowns: { length: size }, accept, shape }, value, count) => {
   const single = [[size], shape.length ? shape : [size], [1, size], ...(size === 1 ? [[]] : [])];
   const several = [[count, size], ...(size === 1 ? [[count]] : [])];
   const found = JSON.stringify(findShape(value));
@@ -134,22 +134,22 @@ const formatValue = (value) => Array.isArray(value)
   : formatNumber(value, 6);
 
 // An answer of the shape that is asked for; of several answers two.
-export const formatExample = ({ asks: { length: size }, accept, shape: [many = accept === "all" ? 2 : 1, wide = size] }) => {
+export const formatExample = ({ unknowns: { length: size }, accept, shape: [many = accept === "all" ? 2 : 1, wide = size] }) => {
   const rows = Array.from({ length: many }, (_, k) => Array.from({ length: wide }, (_, i) => k * wide + i + 1));
   const value = many > 1 && wide > 1 ? rows : rows.flat();
   return formatValue(value.length > 1 ? value : 0.5).replaceAll(" ", "\u00a0"); // in one line
 };
 
-export const describeProblem = ({ problem, about }, asks) =>
-  fillTemplate(PROBLEMS[problem], { about, units: listUnits(asks) });
+export const describeProblem = ({ problem, about }, unknowns) =>
+  fillTemplate(PROBLEMS[problem], { about, units: listUnits(unknowns) });
 
-// The verdict on what was typed: { result, name, says, read }; result "unread" counts for nothing. Of
+// The verdict on what was typed: { result, name, feedback, read }; result "unread" counts for nothing. Of
 // several readings that fit, the right one counts, or else the one that is a known mistake.
 export const judgeAnswer = (exercise, candidates, text) => {
-  const unread = (says) => ({ result: "unread", name: "", says }), { asks, asked } = exercise;
-  const readings = parseTyped(text, asks), [first] = readings, verdicts = new Map();
-  if (first.problem) return unread(describeProblem(first, asks));
-  const unit = asks.length === 1 && asks[0].unit ? ` ${asks[0].unit}` : "";
+  const unread = (feedback) => ({ result: "unread", name: "", feedback }), { unknowns, prompt } = exercise;
+  const readings = parseTyped(text, unknowns), [first] = readings, verdicts = new Map();
+  if (first.problem) return unread(describeProblem(first, unknowns));
+  const unit = unknowns.length === 1 && unknowns[0].unit ? ` ${unknowns[0].unit}` : "";
   for (const { value } of readings) {
     const rows = toRows(exercise, value, candidates[0][1].length), key = String(rows);
     if (!rows || verdicts.has(key)) continue;
@@ -158,7 +158,7 @@ export const judgeAnswer = (exercise, candidates, text) => {
   const fitting = [...verdicts.values()], right = fitting.find(({ result }) => result === "right");
   const [known, other] = right ? [right] : fitting.filter(({ name }) => name);
   if (!fitting.length) {
-    return unread(fillTemplate(FEEDBACK.shape, { asked, like: formatExample(exercise), read: formatValue(first.value) }));
+    return unread(fillTemplate(FEEDBACK.shape, { prompt, like: formatExample(exercise), read: formatValue(first.value) }));
   }
   return other ? unread(`${FEEDBACK.readings} ${known.read} ${other.read}`) : known ?? fitting[0];
 };

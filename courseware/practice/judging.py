@@ -54,16 +54,13 @@ def format_prompt(exercise: Exercise) -> str:
 
 def serialize_exercise(exercise: Exercise) -> dict[str, Any]:
     """Return what the judge must know of an exercise, whatever its numbers."""
-    meanings = {name: dict(vars(outcome)) for name, outcome in outcomes(exercise).items()}
-    for meaning in meanings.values():
-        meaning["says"] = meaning.pop("feedback")  # the script's word
     return {
-        "asked": format_prompt(exercise),
-        "asks": [vars(unknown) for unknown in exercise.unknowns],
+        "prompt": format_prompt(exercise),
+        "unknowns": [vars(unknown) for unknown in exercise.unknowns],
         "decimals": max(unknown.decimals for unknown in exercise.unknowns),
         "shape": exercise.shape,
         "accept": exercise.accept,
-        "outcomes": meanings,
+        "outcomes": {name: vars(outcome) for name, outcome in outcomes(exercise).items()},
     }
 
 
@@ -115,9 +112,4 @@ def judge_all(
     """Judge many answers in one call, each with the number of its variant."""
     lists = [serialize_candidates(exercise, possible) for possible in variants]
     found = engine.call("courseware.judgeAnswers", serialize_exercise(exercise), lists, answers)
-    return list(map(read_verdict, found))
-
-
-def read_verdict(found: dict[str, str]) -> Verdict:
-    """Return the verdict that the script has found."""
-    return Verdict(found["result"], found["name"], found["says"], found.get("read", ""))
+    return [Verdict(**verdict) for verdict in found]

@@ -147,7 +147,7 @@ class Desk {
       const here = answers[exercise];
       if (foldName(student) !== this.student() || here?.result === "right" || here?.answer === answer) continue;
       const newer = !here?.answer || time > (here.time ?? "");
-      answers[exercise] = { ...here, answer, time, result: "", says: "", unjudged: newer || here };
+      answers[exercise] = { ...here, answer, time, result: "", feedback: "", unjudged: newer || here };
     }
     this.keep(answers);
     this.renew();

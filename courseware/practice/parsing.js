@@ -22,10 +22,10 @@ const NAME = /(\p{L}[\p{L}\p{M}\p{Nd}_']*)\s*[=≈≃≅≡:]\s*/gu;
 const SLASH = /(?<=(?<![\p{Nd}./])[\u0660-\u0669\u06f0-\u06f9]+)\/(?=[\u0660-\u0669\u06f0-\u06f9]+(?![\p{Nd}./]))/gu;
 
 // One name before one number is its name; several must be those that are asked for, in order.
-const removeNames = (text, asks) => {
+const removeNames = (text, unknowns) => {
   const names = [...text.matchAll(NAME)].map(([, name]) => name);
-  const meant = names.length === asks.length && (asks.length === 1 ? NAME.test(text) && text.trim().search(NAME) === 0
-    : asks.every(({ label }, i) => label === names[i]));
+  const meant = names.length === unknowns.length && (unknowns.length === 1 ? NAME.test(text) && text.trim().search(NAME) === 0
+    : unknowns.every(({ label }, i) => label === names[i]));
   NAME.lastIndex = 0;
   return meant ? text.replace(NAME, "") : text;
 };
@@ -45,26 +45,26 @@ const isDegree = (name) => DEGREES.includes(name.toLowerCase());
 const convert = (x, from, to) => from === to ? x : x * from.times / from.by * to.by / to.times;
 
 // All that may be typed, for a sentence; a sign that few keyboards have in two ways.
-export const listUnits = (asks) => [...new Set(asks.map(unitsOfSize))].map((row) => [...new Set(row.flatMap(({ name }) =>
+export const listUnits = (unknowns) => [...new Set(unknowns.map(unitsOfSize))].map((row) => [...new Set(row.flatMap(({ name }) =>
   [name, name.replace("°", "deg").replace("²", "^2").replace("·", "*")]))].filter(Boolean).join(", ")).join("; ");
 
 // The units of a text, and the text without them. Degrees of an angle stay: 90° + 0.5 rad is a sum.
-const takeUnits = (text, asks) => {
+const takeUnits = (text, unknowns) => {
   if (!/[\p{L}°º˚%]/u.test(text)) return { units: [], rest: text }; // most, and four times as fast
   const units = [], written = [...text.matchAll(WRITTEN)].map(([, name]) => name);
-  const known = asks.some(({ unit }) => unit === "rad") || PRODUCT.test(text);
+  const known = unknowns.some(({ unit }) => unit === "rad") || PRODUCT.test(text);
   if (known && written.every(isDegree)) return { units, rest: text };
   const rest = text.replace(WRITTEN, (all, name) => {
-    const ask = asks[units.length % asks.length], stays = ask.unit === "rad" && isDegree(name);
-    units.push(stays ? unitOf(ask) : unitsOfSize(ask).find(({ typed }) => typed.test(name)) ?? refuse("unit", name));
+    const unknown = unknowns[units.length % unknowns.length], stays = unknown.unit === "rad" && isDegree(name);
+    units.push(stays ? unitOf(unknown) : unitsOfSize(unknown).find(({ typed }) => typed.test(name)) ?? refuse("unit", name));
     return stays ? all : "";
   });
   return { units, rest };
 };
 
 // Convert to the units that are asked for; a unit stands behind each number, or once.
-const convertAll = (value, units, text, asks) => {
-  const wanted = asks.map(unitOf), alike = wanted.every((unit) => unit === wanted[0]);
+const convertAll = (value, units, text, unknowns) => {
+  const wanted = unknowns.map(unitOf), alike = wanted.every((unit) => unit === wanted[0]);
   if (alike && units.every((unit) => unit === wanted[0])) return value; // in a sum, too
   const count = [value].flat(Infinity).length, once = alike && units.length === 1 && UNIT_AT_END.test(text);
   if (SUM.test(text) || (!once && units.length !== count)) refuse("units", text);
@@ -103,12 +103,12 @@ export const parseAnswer = (text) => {
   }))));
 };
 
-export const parseTyped = (text, asks) => {
-  if (!asks.length || [...text].length > MAX_LENGTH) return parseAnswer(text);
-  const named = trim(removeNames(text, asks));
-  const { value: taken, ...refused } = attempt(() => takeUnits(named, asks));
+export const parseTyped = (text, unknowns) => {
+  if (!unknowns.length || [...text].length > MAX_LENGTH) return parseAnswer(text);
+  const named = trim(removeNames(text, unknowns));
+  const { value: taken, ...refused } = attempt(() => takeUnits(named, unknowns));
   if (refused.problem) return [{ value: null, ...refused }];
   const { units, rest } = taken, texts = new Set([rest, rest.replace(SLASH, ".")]);
   return dropProblems([...texts].flatMap(parseAnswer).map((found) => found.problem || !units.length ? found
-    : attempt(() => convertAll(found.value, units, named, asks))));
+    : attempt(() => convertAll(found.value, units, named, unknowns))));
 };

@@ -54,7 +54,7 @@ export const renderExercise = (exercise, shown, solution, id = exercise.name) =>
     + `<div class="rk-text">${renderParagraphs(fillTemplate(exercise.text, shown))}</div></div>`
     + `<p class="rk-training" hidden>${TRAINING} <button type="button">Back to my numbers</button></p>`
     + `<form class="rk-form"><label for="${id}-answer">Answer, <span class="rk-asked">`
-    + `${renderSymbols(joinUnbroken(exercise.asked))}</span></label>`
+    + `${renderSymbols(joinUnbroken(exercise.prompt))}</span></label>`
     + `<div class="rk-row"><input id="${id}-answer" type="text" autocomplete="off" autocapitalize="off" `
     + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
     + `<button type="submit">Check</button>`

@@ -58,7 +58,7 @@ def _serialize_question(exercise: Exercise) -> dict[str, Any]:
         "title": exercise.title,
         "level": exercise.level,
         "text": exercise.text,
-        "asked": judging.format_prompt(exercise),
+        "prompt": judging.format_prompt(exercise),
         "shape": exercise.shape,
     }
 

@@ -48,7 +48,7 @@ const createForgetLine = (boxes) => {
   line.lastChild.addEventListener("click", () => {
     storeGuesses({});
     const [last] = boxes.filter((box) => box.element.contains(line));
-    boxes.forEach((box) => box.ask());
+    boxes.forEach((box) => box.reset());
     line.remove();
     last?.one("button, input").focus();
   });
@@ -87,10 +87,10 @@ class PredictionBox {
     if (this.answered) return;
     const { kind, places, units } = this.data;
     if (kind === "ghost") return this.withFigure(({ state }) => this.take(places.map((i) => state[i])));
-    const asks = [{ unit: units[0] }], readings = parseTyped(this.one("input").value, asks), [first] = readings;
+    const unknowns = [{ unit: units[0] }], readings = parseTyped(this.one("input").value, unknowns), [first] = readings;
     const found = readings.find(({ value }) => typeof value === "number");
     if (found) return this.take([found.value]);
-    this.say(first.problem ? describeProblem(first, asks) : "Type one number.");
+    this.say(first.problem ? describeProblem(first, unknowns) : "Type one number.");
   }
 
   take(guess) {
@@ -120,7 +120,7 @@ class PredictionBox {
     }
   }
 
-  ask() {
+  reset() {
     this.say("");
     if (this.one("input")) this.one("input").value = "";
     this.show(false, null);

@@ -250,4 +250,4 @@ def test_page_and_grade_agree_also_at_the_edge(exercise, every):
     ]
     data = json.loads(zlib.decompress(base64.b64decode(rendering.pack([exercise]))))[exercise.name]
     found = script.call(JUDGE, {"exercise": data, "answers": answers})
-    assert [judging.read_verdict(verdict) for verdict in found] == judged(exercise, answers)
+    assert [judging.Verdict(**verdict) for verdict in found] == judged(exercise, answers)

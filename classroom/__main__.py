@@ -2,6 +2,7 @@
 
 import argparse
 import io
+import re
 import sys
 from collections.abc import Sequence
 
@@ -12,6 +13,8 @@ from classroom.sheets import write_sheets
 from courseware.errors import CourseError
 from courseware.practice.bank import course_name
 
+CONTROLS = "[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]"
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command. Return 0 if all is fine, 1 if some lines were bad, 2 if not finished."""
@@ -21,15 +24,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         problems, words = _run(_parser().parse_args(arguments))
     except CourseError as error:
-        print(error, file=sys.stderr)
+        print(_escape(str(error)), file=sys.stderr)
         return 2
     except OSError as error:  # a full disk, a folder that may not be written
         print(f"{error.filename}: {error.strerror}; not finished", file=sys.stderr)
         return 2
-    print(words)
+    print(_escape(words))
     for problem in problems:
-        print(problem, file=sys.stderr)
+        print(_escape(problem), file=sys.stderr)
     return 1 if problems else 0
+
+
+def _escape(text: str) -> str:
+    """Return a text without characters that a terminal obeys: names of files may have them."""
+    return re.sub(CONTROLS, lambda control: ascii(control[0])[1:-1], text)
 
 
 def _run(options: argparse.Namespace) -> tuple[list[str], str]:

@@ -1,6 +1,8 @@
 """The answer key: everyone's numbers and right answers, as a table to write and to read."""
 
+import hashlib
 import json
+import re
 import secrets
 import sys
 from collections.abc import Sequence
@@ -19,6 +21,7 @@ COLUMNS = ("kind", "course", "version", "student", "exercise", "variant", "numbe
 NEEDED = ("course", "version", "student", "exercise", "numbers")
 UNUSABLE = "lines of the key that cannot be used"
 SECRET_LENGTH = 16
+OF_A_SYSTEM = {"points possible", "test student"}  # what rosters of Canvas have below the heading
 
 Person = tuple[str, str]  # a student, as names are compared, and an exercise
 
@@ -38,7 +41,9 @@ def write_key(
     students = _read_roster(Path(roster), problems)
     refuse_same(out, roster)
     salt = course + secret
-    course += ", secret" if secret else ""  # answers to the page's numbers are none to these
+    if secret:  # answers to the page's numbers are none to these, nor are those of another secret
+        course += f", secret {hashlib.sha256(secret.encode()).hexdigest()[:6]}"
+        _refuse_other_secret(Path(out), course)
     chosen = choose_exercises(only)
     with open_table(out, COLUMNS, force) as write:
         for student in students:
@@ -64,8 +69,13 @@ def _read_roster(path: Path, problems: tables.Problems) -> list[str]:
         alike = folded(row["student"])
         if not alike:
             problems.note("lines without a student's name", path, line)
+        elif alike in OF_A_SYSTEM:
+            problems.note("lines of the learning platform, no students", path, line, row["student"])
         elif alike in names:
-            words = f"{row['student']} is in line {names[alike][0]} already"
+            first, written = names[alike]
+            words = (
+                f"{row['student']!r} is one name with {written!r} in line {first}: no second key"
+            )
             problems.note("students named twice", path, line, words)
         else:
             names[alike] = line, row["student"]
@@ -85,6 +95,16 @@ def refuse_same(out: str | Path, read: str | Path) -> None:
         raise CourseError(f"{out} is what is read: give another name to write to")
 
 
+def _refuse_other_secret(out: Path, course: str) -> None:
+    """Refuse to write over a key that was made with another secret."""
+    rows = tables.read_rows(out, tables.Problems()) if out.exists() else ()
+    if others := {row.get("course", "") for _, row in rows} - {course}:
+        raise CourseError(
+            f"{out} is a key of {', '.join(sorted(others))}, this one would be of {course}: its "
+            "numbers would change; give another name, or the secret that the key was made with"
+        )
+
+
 def read_secret(path: str | Path | None, make: bool = False) -> str:
     """Return the secret in a file, "" without a file; `make` writes one if there is none."""
     if path is None:
@@ -93,10 +113,12 @@ def read_secret(path: str | Path | None, make: bool = False) -> str:
     if make and not path.exists():
         path.write_text(secrets.token_hex(SECRET_LENGTH) + "\n", encoding="utf-8")
     try:
-        secret = path.read_text(encoding="utf-8").strip()
+        data = path.read_bytes()
+        text = data.decode("utf-16" if data[:2] in tables.UTF_16 else "utf-8")
     except (OSError, UnicodeDecodeError) as error:
         why = getattr(error, "strerror", error)
         raise CourseError(f"{path} cannot be read: {why}; `key --secret` makes one") from error
+    secret = re.sub(f"{dealing.IGNORED}|\ufeff", "", text).strip()  # as editors save it
     if len(secret.split()) > 1:
         raise CourseError(f"the secret in {path} must be one word: `key --secret` makes one")
     if len(secret) < SECRET_LENGTH:

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
+from difflib import get_close_matches
 from pathlib import Path
 
 from classroom import tables
@@ -16,9 +17,11 @@ from courseware.errors import CourseError
 
 ANSWERS = {"student", "exercise", "answer"}
 OURS = {"numbers", "problem", "result"}  # columns of a key, of problems and of grades
-OF_A_SYSTEM = re.compile(  # what it leaves behind; a hidden table is an answer like any other
-    r"\._|\.(?!.*\.(csv|tsv|txt)$)|~\$|__MACOSX$|(Thumbs\.db|desktop\.ini)$", re.IGNORECASE
+OF_A_SYSTEM = re.compile(  # what it leaves behind; what is hidden otherwise may be handed in
+    r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
+    re.IGNORECASE,
 )
+NEAR = 0.8  # of 1: how much alike names are that one person may have written
 NEVER = datetime.min.replace(tzinfo=UTC)
 
 
@@ -99,7 +102,11 @@ class Collected:
             words = f"the course is {row['course']!r}, the key's is {_quote(self.key.courses)}"
             return "answers of another course", words
         if student not in self.key.students:
-            return "answers of students who are not in the key", repr(name)
+            near = get_close_matches(student, self.key.students, 1, NEAR)
+            words = (
+                f"{name!r}{''.join(f', the key has {self.key.students[each]!r}' for each in near)}"
+            )
+            return "answers of students who are not in the key", words
         if (student, exercise) not in self.key.rows:
             words = f"{name} has no exercise {exercise!r}"
             return "answers to exercises that are not in the student's key", words
@@ -159,11 +166,14 @@ def _find_tables(path: Path, problems: tables.Problems) -> Iterator[Path]:
     if not path.is_dir():
         yield path
         return
-    for file in sorted(file for file in path.rglob("*") if file.is_file()):
+    for file in sorted(path.rglob("*")):
         if any(map(OF_A_SYSTEM.match, file.relative_to(path).parts)):
             continue
-        if file.suffix.lower() in (".csv", ".tsv", ".txt"):
+        if file.is_symlink():
+            words = "copy here what it leads to"
+            problems.note("links, which are not followed", file, comment=words)
+        elif file.is_file() and file.suffix.lower() in (".csv", ".tsv", ".txt"):
             yield file
-        elif file.suffix.lower() != ".part":
+        elif not file.is_dir():
             words = f"{file.suffix or 'no suffix'}: unpack archives, save spreadsheets as CSV"
             problems.note("files that are no table (.csv)", file, comment=words)

@@ -4,6 +4,7 @@ import csv
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import zip_longest
 from pathlib import Path
 
 from courseware.errors import CourseError
@@ -70,12 +71,12 @@ def read_rows(
             _require(path, needed, heading)
         elif any(map(UNDECODED.search, cells)):
             problems.note("lines not in UTF-8: save the file as CSV UTF-8", path, number)
-        elif len(cells) != len(heading):
+        elif len(cells) > len(heading):
             words = f"{len(cells)} cells, the heading has {len(heading)}"
-            problems.note("lines with more or fewer cells than the heading", path, number, words)
-        else:
-            values = (unguard_cell(cell).strip() for cell in cells)
-            yield number, dict(zip(heading, values, strict=True))
+            problems.note("lines with more cells than the heading", path, number, words)
+        else:  # spreadsheets leave out empty cells at the end
+            values = (unguard_cell(re.sub('^="(.*)"$', r"\1", cell)).strip() for cell in cells)
+            yield number, dict(zip_longest(heading, values, fillvalue=""))
     if not heading:
         _require(path, needed, heading)
 
@@ -83,7 +84,8 @@ def read_rows(
 def _read_cells(path: Path, problems: Problems) -> Iterator[tuple[int, list[str]]]:
     """Yield the cells of lines that are not empty, with their numbers; note what is no CSV."""
     first = next(filter(str.strip, _read_lines(path)), "")
-    reader = csv.reader(_read_lines(path), delimiter=max(",;\t", key=first.count), strict=True)
+    separator = max(",;\t", key=first.count)
+    reader = csv.reader(_read_lines(path), delimiter=separator, strict=True)
     while True:
         number = reader.line_num + 1
         try:
@@ -94,6 +96,8 @@ def _read_cells(path: Path, problems: Problems) -> Iterator[tuple[int, list[str]
             words = f"{NOT_CSV}; read on after line {reader.line_num}"
             problems.note("lines that are no CSV", path, number, words)
             continue
+        if len(cells) == 1 and separator in first:  # the whole line was quoted
+            cells = next(csv.reader(cells, delimiter=separator))
         if any(map(str.strip, cells)):
             yield number, cells
 
@@ -111,7 +115,12 @@ def _read_lines(path: Path) -> Iterator[str]:
     """Yield lines as text; bytes that are not UTF-8 are kept as surrogates."""
     try:
         with path.open("rb") as file:
-            encoding = "utf-16" if file.read(2) in UTF_16 else "utf-8"
+            start = file.read(1000)
+        encoding = "utf-16" if start[:2] in UTF_16 else "utf-8"
+        if b"\0" in start and encoding == "utf-8":
+            raise CourseError(
+                f"{path} is no text: unpack an archive, save a spreadsheet as CSV UTF-8"
+            )
         errors = "replace" if encoding == "utf-16" else "surrogateescape"
         with path.open(encoding=encoding, errors=errors) as text:
             for line in text:

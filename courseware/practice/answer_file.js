@@ -1,12 +1,12 @@
 // The file of answers that a student hands in: `grade` reads it.
 
+import { GUARD, UNGUARD } from "./constants.js";
+
 export const now = () => new Date().toISOString();
 
-// As a spreadsheet may read it: quoted, and no cell that it would take for a formula (as saving.py).
-const STARTS_FORMULA = /^'*[=+\-@\t\r]/;
-const GUARDED = /^'(?='*[=+\-@\t\r])/;
+// As a spreadsheet may read it: quoted, and no cell that it would take for a formula.
 const escapeCell = (text) => {
-  const safe = STARTS_FORMULA.test(text) && !/^[+-]?[\d.]+$/.test(text) ? `'${text}` : text;
+  const safe = text.replace(RegExp(GUARD, "g"), "$1$2'");
   return /[",;\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 };
 
@@ -20,7 +20,7 @@ export const serializeAnswers = ({ course, version }, student, entries) => [
 export const parseAnswers = (text) => {
   const rows = [[]];
   for (const [, quoted, plain, end] of text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
-    rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(GUARDED, ""));
+    rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(RegExp(UNGUARD, "g"), "$1$2"));
     if (end !== ",") rows.push([]);
   }
   const [heading, ...lines] = rows;

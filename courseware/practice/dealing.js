@@ -1,23 +1,15 @@
 // Which numbers a student gets: the same hash as in dealing.py; a test holds the two together.
 
-import { VARIANTS } from "./constants.js";
+import { ALIKE, IGNORED, SPACES, VARIANTS } from "./constants.js";
 
-// what Python, browsers and Unicode all take for white space, written out so that all agree
-// oxlint-disable-next-line no-control-regex
-const SPACES = /[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\ufeff]+/g;
-const UNSEEN = /[\xad\u200b-\u200f\u202a-\u202e\u2060-\u2064]/g;
+const replaceAlike = (text) => [...text].map((sign) => ALIKE[sign] ?? sign).join("");
 
-const ZEROS = [0x660, 0x6f0, 0x966, 0xff10]; // of Arabic, Persian, Hindi and wide digits
-const toAsciiDigit = (digit) => {
-  const value = ZEROS.map((zero) => digit.codePointAt(0) - zero).find((k) => k >= 0 && k < 10);
-  return value === undefined ? digit : String(value);
+export const foldName = (name) => {
+  const whole = [...name].map((sign) => /[\ud800-\udfff]/.test(sign) && sign.length === 1 ? "\ufffd" : sign).join("");
+  return replaceAlike(replaceAlike(whole).normalize("NFKC"))
+    .replace(RegExp(IGNORED, "g"), "").replace(RegExp(SPACES, "g"), " ").replace(/^ | $/g, "")
+    .replace(/^([^,]+), ?([^,]+)$/, "$2 $1").toLowerCase().normalize("NFC");
 };
-
-export const foldName = (name) => [...name]
-  .map((sign) => /[\ud800-\udfff]/.test(sign) && sign.length === 1 ? "\ufffd" : sign).join("")
-  .normalize("NFC").replace(UNSEEN, "").replace(SPACES, " ").replace(/^ | $/g, "")
-  .replace(/\u064a/g, "\u06cc").replace(/\u0643/g, "\u06a9").replace(/\p{Nd}/gu, toAsciiDigit)
-  .toLowerCase().normalize("NFC");
 
 // Which numbers a student has, in four digits: to see that a name is written as before.
 export const describeNumberSet = (course, name) => String(fnv1a([foldName(course), foldName(name)].join("\n")) % 10000)

@@ -1,9 +1,9 @@
 """The variants of an exercise, and the hash that deals one to a student.
 
 The hash is 32-bit FNV-1a over the UTF-8 of course, exercise and name, joined by line feeds; the
-page computes the same. Names are compared in small letters and Unicode's form NFC, without
-invisible characters, with the Persian letters for yeh and kaf (keyboards have two), with our
-digits, trimmed, each run of spaces one: who writes the own name otherwise is the same student.
+page computes the same. Names are compared in small letters, in Unicode's form NFKC, without
+invisible characters, with one form of each apostrophe, hyphen and digit and of the letters of
+Arabic that look like Persian ones, each run of spaces one; "Curie, Marie" is "Marie Curie".
 """
 
 import hashlib
@@ -29,9 +29,21 @@ VARIANTS = 64
 ATTEMPTS = 200  # for each variant: an exercise that needs more should draw otherwise
 # what Python, browsers and Unicode all take for white space, written out so that all agree
 SPACES = "[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\ufeff]+"
-INVISIBLE = "[\xad\u200b-\u200f\u202a-\u202e\u2060-\u2064]"
-ZEROS = (0x660, 0x6F0, 0x966, 0xFF10)  # of Arabic, Persian, Hindi and wide digits
-ALIKE = {0x64A: 0x6CC, 0x643: 0x6A9} | {zero + k: 48 + k for zero in ZEROS for k in range(10)}
+IGNORED = "[\xad\u061c\u200b-\u200f\u202a-\u202e\u2060-\u206f]"
+ALIKE = {  # each character, and what stands for it
+    odd: plain
+    for plain, odds in {
+        "'": "’‘‛ʼʻ`´′",
+        "-": "‐‑‒–—―−˗",
+        "i": "ıİ",
+        "ی": "يى",
+        "ک": "ك",
+        "ه": "ة",
+        "ا": "أإٱ",
+        **{str(k): chr(0x660 + k) + chr(0x6F0 + k) + chr(0x966 + k) for k in range(10)},
+    }.items()
+    for odd in odds
+}
 
 
 @dataclass(frozen=True)
@@ -45,9 +57,11 @@ class Variant:
 def fold_name(name: str) -> str:
     """Return a student's name as it is hashed."""
     whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    seen = re.sub(INVISIBLE, "", unicodedata.normalize("NFC", whole))
-    tidy = re.sub(SPACES, " ", seen).strip(" ")
-    return unicodedata.normalize("NFC", tidy.translate(ALIKE).lower())
+    alike = str.maketrans(ALIKE)
+    plain = unicodedata.normalize("NFKC", whole.translate(alike)).translate(alike)
+    tidy = re.sub(SPACES, " ", re.sub(IGNORED, "", plain)).strip(" ")
+    ordered = re.sub("^([^,]+), ?([^,]+)$", r"\2 \1", tidy)
+    return unicodedata.normalize("NFC", ordered.lower())
 
 
 def fnv1a(text: str) -> int:

@@ -20,16 +20,24 @@ from courseware.equations.text import format_formula
 from courseware.practice import dealing, judging
 from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.declaration import Exercise
+from courseware.practice.saving import GUARD, UNGUARD
 from courseware.script import engine
 
 MIME = "application/vnd.courseware.exercise+json"
 
 
 def constants() -> dict[str, Any]:
-    """Return the constants of the script: variants, the name of its store, exercises by chapter."""
+    """Return the constants of the script: how names are compared, exercises by chapter, …"""
     count = Counter(exercise.topic for exercise in all_exercises().values())
     chapters = {course().title(t): (t, n) for t, n in count.items() if t in course().taught}
-    return {"VARIANTS": dealing.VARIANTS, "STORE": course().name, "TOPICS": chapters}
+    shared = {name: getattr(dealing, name) for name in ("VARIANTS", "ALIKE", "IGNORED", "SPACES")}
+    return {
+        **shared,
+        "GUARD": GUARD,
+        "UNGUARD": UNGUARD,
+        "STORE": course().name,
+        "TOPICS": chapters,
+    }
 
 
 def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:

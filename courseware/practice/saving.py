@@ -10,21 +10,22 @@ from typing import TextIO
 from courseware.errors import CourseError
 
 ANSWERS = ("kind", "course", "version", "time", "student", "exercise", "answer")
-NUMBER = r"[+-]?[\d.]+"
-FORMULA = r"'*[=+\-@\t\r\n]"  # how a formula starts in a spreadsheet, or a guarded cell
+# Spreadsheets begin a cell, and so a formula, behind a semicolon, too, where that separates cells
+START, FORMULA = r"(^|[;\t\r\n])( *)", "(?='*[=+@＝＋－＠\t\r\n-])"
+GUARD = rf"{START}(?![+-]?[0-9.]+ *(?:[;\t\r\n]|$)){FORMULA}"  # a number may begin with a sign
+UNGUARD = rf"{START}'{FORMULA}"
 
 Write = Callable[[Sequence[object]], object]
 
 
 def guard_cell(text: str) -> str:
-    """Return a cell that no spreadsheet runs as a formula: with a leading ' unless a number."""
-    formula = re.match(FORMULA, text) and not re.fullmatch(NUMBER, text)
-    return f"'{text}" if formula else text
+    """Return a cell that no spreadsheet runs as a formula: with a ' before each that is none."""
+    return re.sub(GUARD, r"\1\2'", text)
 
 
 def unguard_cell(text: str) -> str:
     """Return a cell as it was before `guard_cell`."""
-    return text[1:] if re.match("'" + FORMULA, text) else text
+    return re.sub(UNGUARD, r"\1\2", text)
 
 
 def refuse_existing(path: Path, force: bool) -> None:

@@ -78,3 +78,38 @@ def test_answers_of_the_page_are_none_to_the_numbers_of_a_secret(keyed, capsys):
     assert run("grade", ".", "--key", "exam.csv") == 1
     assert "answers of another course: 1" in capsys.readouterr().err
     assert results()["Ada", ONE] == "right"
+
+
+def test_a_secret_that_an_editor_saved_again_deals_the_same(keyed):
+    few = ("--only", ONE, "--out", "exam.csv", "--secret", "secret.txt")
+    assert run("key", "roster.csv", *few) == 0
+    before, secret = table("exam.csv"), (keyed / "secret.txt").read_text().strip()
+    for text, encoding in (
+        (f"{secret}\r\n\r\n", "utf-8"),
+        (secret, "utf-8-sig"),
+        (f"{secret}\n", "utf-16"),
+        (f"\u200b {secret}\u2060\xa0", "utf-8"),
+    ):
+        (keyed / "secret.txt").write_bytes(text.encode(encoding))
+        assert run("key", "roster.csv", *few, "--force") == 0
+        assert table("exam.csv") == before
+
+
+def test_another_secret_does_not_replace_a_key(keyed, capsys):
+    few = ("--only", ONE, "--out", "exam.csv", "--secret", "secret.txt")
+    assert run("key", "roster.csv", *few) == 0
+    before = table("exam.csv")
+    (keyed / "secret.txt").write_text("x" * 16)
+    assert run("key", "roster.csv", *few, "--force") == 2
+    assert "its numbers would change" in capsys.readouterr().err
+    assert table("exam.csv") == before
+
+
+def test_a_roster_of_a_learning_platform_is_read(folder, capsys):
+    rows = ["Student,ID", "    Points Possible,", '"Lovelace, Ada",1', '"Student, Test",2']
+    (folder / "roster.csv").write_text("\n".join(rows))
+    assert run("key", "roster.csv", *ONLY) == 1
+    assert "lines of the learning platform, no students: 2" in capsys.readouterr().err
+    (folder / "a.csv").write_text(saved("Ada Lovelace", {ONE: "7"}))
+    assert run("grade", "a.csv", "--key", "key.csv") == 0
+    assert results()["Lovelace, Ada", ONE] == "wrong"

@@ -14,7 +14,7 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
     assert run("key", "roster.csv", *ONLY) == 1
     assert capsys.readouterr().err.splitlines() == [
         "students named twice: 1",
-        "  roster.csv, line 3: Ada is in line 2 already",
+        "  roster.csv, line 3: 'Ada' is one name with 'Ada' in line 2: no second key",
         "lines not in UTF-8: save the file as CSV UTF-8: 1",
         "  roster.csv, line 6",
     ]
@@ -24,7 +24,7 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
         f"Eve;{ONE};0.5;robokin;",
         "Ada;differential-drive-9;0.5;robokin;",
         f"Bob;{ONE};;robokin;",
-        f"Bob;{ONE};1",
+        f"Bob;{ONE};1;;;;",
         f"Bob;{ONE};1;last year;",
         f"Ada;{ONE};0.6;robokin;yesterday",
         f";{ONE};0.6;robokin;",
@@ -38,8 +38,8 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
         "  answers.csv, line 4: Ada has no exercise 'differential-drive-9'",
         "empty answers: 1",
         f"  answers.csv, line 5: Bob, {ONE}",
-        "lines with more or fewer cells than the heading: 1",
-        "  answers.csv, line 6: 3 cells, the heading has 5",
+        "lines with more cells than the heading: 1",
+        "  answers.csv, line 6: 7 cells, the heading has 5",
         "answers of another course: 1",
         "  answers.csv, line 7: the course is 'last year', the key's is 'robokin'",
         "times that cannot be read: 1",
@@ -188,6 +188,46 @@ def test_a_hidden_table_is_read_like_any_other(keyed):
     (keyed / "answers" / ".answers-Ada.CSV").write_text(saved("Ada", {ONE: "7"}))
     assert run("grade", "answers", "--key", "key.csv") == 0
     assert {(r["student"], r["answer"]) for r in table("grades.csv")} >= {("Ada", "7")}
+
+
+def test_nothing_handed_in_vanishes(keyed, capsys):
+    """A student's own folder may begin with a dot; links and downloads are told of."""
+    for folder in (".Ada Lovelace", "._Bob", ".git"):
+        (keyed / "in" / folder).mkdir(parents=True)
+        (keyed / "in" / folder / "answers.csv").write_text(saved("Ada", {ONE: "7"}))
+    (keyed / "in" / "answers.csv.part").write_text("half")
+    (keyed / "outside.csv").write_text(saved("Bob", {ONE: "7"}))
+    (keyed / "in" / "link.csv").symlink_to(keyed / "outside.csv")
+    (keyed / "in" / "dangling").symlink_to(keyed / "nowhere")
+    (keyed / "in" / "folder").symlink_to(keyed)
+    assert run("grade", "in", "--key", "key.csv") == 1
+    told = capsys.readouterr().err
+    assert {row["student"] for row in table("grades.csv") if row["answer"]} == {"Ada"}
+    assert "links, which are not followed: 3" in told
+    assert "in/answers.csv.part: .part" in told
+
+
+def test_lines_that_spreadsheets_cut_short_are_whole(keyed):
+    (keyed / "a.csv").write_text(f"{HEADING},course,remark\nAda,{ONE},7\nBob,{ONE},8,robokin\n")
+    assert run("grade", "a.csv", "--key", "key.csv") == 0
+    assert [row["answer"] for row in table("grades.csv") if row["answer"]] == ["7", "8"]
+
+
+def test_a_name_that_is_nearly_in_the_key_is_told(keyed, capsys):
+    (keyed / "a.csv").write_text(saved("Adda", {ONE: "7"}) + saved("Zoe", {ONE: "7"}))
+    assert run("grade", "a.csv", "--key", "key.csv") == 2
+    told = capsys.readouterr().err
+    assert "line 2: 'Adda', the key has 'Ada'" in told
+    assert "line 4: 'Zoe'\n" in told
+
+
+def test_file_names_do_not_reach_the_terminal_as_commands(keyed, capsys):
+    (keyed / "in").mkdir()
+    (keyed / "in" / "a\x1b[2J.csv").write_text("student\x07,exercise,answer\n1,2,3\n")
+    assert run("check", "in", "--key", "key.csv") == 2
+    told = capsys.readouterr().err
+    assert "a\\x1b[2J.csv" in told
+    assert not {"\x1b", "\x07"} & set(told)
 
 
 def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 from pathlib import Path
 
 import pytest
@@ -24,6 +25,11 @@ CELLS = [
     "\t0.5",
     "\r1",
     'a "1"; 2, 3',
+    "0;=cmd",
+    "1\t@sum",
+    "[1; -2; -x]",
+    "1;'=a",
+    "＝1+1",
     "سه",
     " 1 ",
 ]
@@ -43,13 +49,25 @@ def test_a_saved_answer_comes_back_as_it_was(folder, cell):
 
 
 @pytest.mark.parametrize(
-    "cell", ["=1+1", "+cmd|' /C calc'!A0", "-2+3", "@sum", "\tx", "'quoted", "−1"]
+    "cell",
+    [
+        "=1+1",
+        "+cmd|' /C calc'!A0",
+        "-2+3",
+        "@sum",
+        "\tx",
+        "'quoted",
+        "−1",
+        "＝1",
+        "0;=cmd",
+        "0; -x",
+    ],
 )
 def test_no_cell_is_a_formula(folder, cell):
     write_table("t.csv", ("student", "n"), [(cell, "-0.5")])
     with open("t.csv", encoding="utf-8-sig", newline="") as file:
         first, number = list(csv.reader(file))[1]
-    assert first[0] not in "=+-@\t\r"
+    assert all(part.lstrip(" ")[0] not in "=+-@＝\t\r" for part in re.split("[;\n]", first))
     assert number == "-0.5"
     assert table("t.csv")[0]["student"] == cell.strip()
 
@@ -72,6 +90,7 @@ def test_an_answer_in_several_lines_whose_row_looks_like_a_heading(keyed):
         ("name\nAda\n", "no column student; needed are student, its first line has name"),
         ("", "no column student; needed are student, its first line has nothing"),
         ("student\n\n", "names no student"),
+        ("PK\3\4\0\0student", "is no text: unpack an archive, save a spreadsheet as CSV UTF-8"),
     ],
 )
 def test_a_table_that_cannot_be_used_is_refused(folder, capsys, text, words):
@@ -79,3 +98,30 @@ def test_a_table_that_cannot_be_used_is_refused(folder, capsys, text, words):
     assert run("key", "roster.csv") == 2
     assert words in capsys.readouterr().err
     assert [path.name for path in folder.iterdir()] == ["roster.csv"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "student,exercise\nAda,1\n",
+        "student;exercise\nAda;1\n",
+        '"student,exercise"\n"Ada,1"\n',
+        'student,exercise\n="Ada","1"\n',
+        "student,exercise,note\nAda,1\n",
+        'student,exercise,address\nAda,1,"1\n2\n3\n4\n5\n6\n7"\n',
+    ],
+)
+def test_a_table_is_read_as_spreadsheets_and_platforms_write_it(folder, text):
+    for newline in ("\n", "\r\n", "\r"):
+        Path("t.csv").write_text(text, newline=newline)
+        ((_, row),) = tables.read_rows(Path("t.csv"), problems := tables.Problems())
+        assert (row["student"], row["exercise"]) == ("Ada", "1")
+        assert not problems.lines()
+
+
+def test_a_long_answer_in_a_file_with_carriage_returns_alone_is_whole(folder):
+    """As Excel writes on a Mac; longer than what is read at once."""
+    cell = ", ".join(map(str, range(20_000)))
+    Path("t.csv").write_bytes(f'student,answer\rAda,"[{cell}]"\rBob,1\r'.encode())
+    rows = [row for _, row in tables.read_rows(Path("t.csv"), tables.Problems())]
+    assert [row["answer"] for row in rows] == [f"[{cell}]", "1"]

@@ -123,7 +123,7 @@ class Collected:
             new, old = old, new
         self.answers[person] = new
         if old and old.answer != new.answer:
-            why = "a newer one" if new.time > old.time else "one read later (no time tells)"
+            why = "a newer one" if new.time > old.time else "one read later (without a time)"
             words = f"{name}, {exercise}: {old}, counts {new} ({new.path}, line {new.line})"
             replaced = {**row, "answer": old.answer}
             self.problems.note(f"answers replaced by {why}", old.path, old.line, words, replaced)

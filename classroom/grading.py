@@ -71,8 +71,8 @@ def _account(found: Collected) -> list[str]:
     for what, counts in (("course", found.courses), ("version", found.versions)):
         lines += [f"  lines of {what} {name or '(none)'}: {n:,}" for name, n in counts.items()]
     for what, names in (
-        ("students of whom nothing came", found.silent),
-        ("files without an answer of anybody in the key", strangers),
+        ("students without an answer", found.silent),
+        ("files without an answer of these students", strangers),
     ):
         lines += [f"{what}: {len(names):,}", *(f"  {name}" for name in names)] if names else []
     return lines

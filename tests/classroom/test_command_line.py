@@ -51,6 +51,6 @@ def test_the_commands_of_the_page_on_one_s_own_course(folder, capsys):
     commands = [block.split()[3:] for block in blocks if " -m classroom " in block]
     assert [command[0] for command in commands] == ["key", "check", "grade"]
     assert [run(*command) for command in commands] == [0, 0, 0]
-    assert "students of whom nothing came: 2\n  s0472\n  s0473\n" in capsys.readouterr().out
+    assert "students without an answer: 2\n  s0472\n  s0473\n" in capsys.readouterr().out
     for name in re.findall(r"`(grades[\w.-]*)`", page):
         assert (folder / name).exists()

@@ -64,8 +64,8 @@ M15 = Mistake(
     document="000 Q5",
     place="the position after a step",
     nth=1,
-    stands="y(t + δt) = y − R (sin(θ + ωδt) − sin θ)",
-    should="y(t + δt) = y − R («cos»(θ + ωδt) − «cos» θ)",
+    quote="y(t + δt) = y − R (sin(θ + ωδt) − sin θ)",
+    correction="y(t + δt) = y − R («cos»(θ + ωδt) − «cos» θ)",
 )
 M16 = Mistake(
     "M16",
@@ -83,10 +83,10 @@ M16 = Mistake(
     document="004 Ans 1",
     place="the state equations of point O, third line",
     nth=2,
-    stands="θ̇ = v_s sec α tan α/L",
-    should="θ̇ = «v_s» tan α/L",
-    explained="Here α is the steering angle, v_s the speed of the rear axle and v_s sec α that of "
-    "the front axle. The formula with tan α/L wants the speed of the rear axle.",
+    quote="θ̇ = v_s sec α tan α/L",
+    correction="θ̇ = «v_s» tan α/L",
+    explanation="Here α is the steering angle, v_s the speed of the rear axle and v_s sec α that "
+    "of the front axle. The formula with tan α/L wants the speed of the rear axle.",
 )
 M17 = Mistake(
     "M17",
@@ -106,9 +106,9 @@ M17 = Mistake(
     document="004 Ans 1",
     place="the state equations of point O",
     nth=1,
-    stands="ẋ = v_so sin φ, ẏ = v_so cos φ",
-    should="ẋ = v_so sin(φ «− α»), ẏ = v_so cos(φ «− α»)",
-    explained="In this document φ is the heading, clockwise from the y axis, α is the "
+    quote="ẋ = v_so sin φ, ẏ = v_so cos φ",
+    correction="ẋ = v_so sin(φ «− α»), ẏ = v_so cos(φ «− α»)",
+    explanation="In this document φ is the heading, clockwise from the y axis, α is the "
     "steering angle, to the left, and v_so the speed of O. (In the chapter θ is the heading and "
     "φ the steering angle.) The point O is at the front axle. It moves where the steered wheel "
     "rolls, and that is φ − α from the y axis.",
@@ -143,10 +143,10 @@ M32 = Mistake(
     document="004 Ans 1",
     place="the points of the trajectory",
     nth=4,
-    stands="φ(t + Δt) = φ + φ̇Δt, with φ̇ = θ̇ of the third state equation",
-    should="φ(t + Δt) = φ + φ̇Δt, with φ̇ = «−»θ̇",
-    explained="Here φ is the heading, clockwise from the y axis, and α the steering angle, to the "
-    "left; θ = 90° − φ. So φ gets smaller when θ grows, in a turn to the left. (θ̇ itself is "
+    quote="φ(t + Δt) = φ + φ̇Δt, with φ̇ = θ̇ of the third state equation",
+    correction="φ(t + Δt) = φ + φ̇Δt, with φ̇ = «−»θ̇",
+    explanation="Here φ is the heading, clockwise from the y axis, and α the steering angle, to "
+    "the left; θ = 90° − φ. So φ gets smaller when θ grows, in a turn to the left. (θ̇ itself is "
     "the erratum M16.)",
 )
 M33 = Mistake(
@@ -166,9 +166,9 @@ M33 = Mistake(
     document="004 Ans 1",
     place="the state equations with numbers",
     nth=3,
-    stands="ẋ = 0.25 w sec α sin φ, ẏ = 0.25 w sec α sin φ",
-    should="ẋ = 0.25 w sec α sin(φ «− α»), ẏ = 0.25 w sec α «cos»(φ «− α»)",
-    explained="Here φ is the heading, clockwise from the y axis, α the steering angle, to the "
+    quote="ẋ = 0.25 w sec α sin φ, ẏ = 0.25 w sec α sin φ",
+    correction="ẋ = 0.25 w sec α sin(φ «− α»), ẏ = 0.25 w sec α «cos»(φ «− α»)",
+    explanation="Here φ is the heading, clockwise from the y axis, α the steering angle, to the "
     "left, and w the rate of the rear wheels. One of the two lines needs the cosine. "
     "(The angle φ − α is the erratum M17.)",
 )

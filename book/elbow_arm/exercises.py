@@ -69,9 +69,9 @@ M2 = Mistake(
     document="000 Q1",
     place="step 2, the side view",
     nth=2,
-    stands="r = √(p_y² + p_z²), φ_3 = arctan(p_z/p_y)",
-    should="r = √(«p_x² +» p_y² + p_z²), φ_3 = «atan2»(p_z, «√(p_x² + p_y²)»)",
-    explained="Here p is measured from the shoulder, and r is the way from there to the wrist: "
+    quote="r = √(p_y² + p_z²), φ_3 = arctan(p_z/p_y)",
+    correction="r = √(«p_x² +» p_y² + p_z²), φ_3 = «atan2»(p_z, «√(p_x² + p_y²)»)",
+    explanation="Here p is measured from the shoulder, and r is the way from there to the wrist: "
     "the chapter's d.",
 )
 M3 = Mistake(
@@ -90,8 +90,8 @@ M3 = Mistake(
     document="001 Q1",
     place="cos θ_3",
     nth=1,
-    stands="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3³)/(2 a_2 a_3)",
-    should="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − «a_3²»)/(2 a_2 a_3)",
+    quote="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3³)/(2 a_2 a_3)",
+    correction="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − «a_3²»)/(2 a_2 a_3)",
 )
 M4 = Mistake(
     "M4",
@@ -110,8 +110,8 @@ M4 = Mistake(
     document="000 Q1",
     place="step 1, the second base angle, and the count of four solutions at the end",
     nth=1,
-    stands="θ_1 + π together with the same θ_2 and θ_3",
-    should="θ_1 + π together with «π − θ_2» and «−θ_3»",
+    quote="θ_1 + π together with the same θ_2 and θ_3",
+    correction="θ_1 + π together with «π − θ_2» and «−θ_3»",
 )
 M5 = Mistake(
     "M5",

@@ -92,9 +92,9 @@ M30 = Mistake(
     document="001 Q3",
     place="the last line",
     nth=1,
-    stands="T_bc¹ T_db⁻¹ T_de = T_ce",
-    should="T_bc«⁻¹» T_db⁻¹ T_de = T_ce",
-    explained="The exponent has lost its minus, perhaps only in the copy. As it stands, the "
+    quote="T_bc¹ T_db⁻¹ T_de = T_ce",
+    correction="T_bc«⁻¹» T_db⁻¹ T_de = T_ce",
+    explanation="The exponent has lost its minus, perhaps only in the copy. As it stands, the "
     "product starts in b and ends in e, with c and b side by side in the middle: T_bc T_bd. From "
     "c to b leads T_cb, the inverse of T_bc.",
 )

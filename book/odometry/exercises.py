@@ -58,9 +58,9 @@ M22 = Mistake(
     document="003",
     place="the first formulas for Δx and Δy",
     nth=1,
-    stands="Δx = D cos Δθ, Δy = D sin Δθ",
-    should="Δx = D cos(«θ +» Δθ), Δy = D sin(«θ +» Δθ)",
-    explained="Δθ only says how far the robot turned in this step. The direction in which it "
+    quote="Δx = D cos Δθ, Δy = D sin Δθ",
+    correction="Δx = D cos(«θ +» Δθ), Δy = D sin(«θ +» Δθ)",
+    explanation="Δθ only says how far the robot turned in this step. The direction in which it "
     "drives is the heading so far, θ, and the turn together. (This is the rule of the "
     "new heading, which the document uses in its third formula.)",
 )
@@ -83,8 +83,8 @@ M23 = Mistake(
     document="003",
     place="the third formula, rotation",
     nth=2,
-    stands="θ_{i+1} = tan⁻¹(sin(θ_i + w_{i+1} Δt)/cos(θ_i + w_{i+1} Δt))",
-    should="θ_{i+1} = «atan2»(sin(θ_i + w_{i+1} Δt), cos(θ_i + w_{i+1} Δt))",
+    quote="θ_{i+1} = tan⁻¹(sin(θ_i + w_{i+1} Δt)/cos(θ_i + w_{i+1} Δt))",
+    correction="θ_{i+1} = «atan2»(sin(θ_i + w_{i+1} Δt), cos(θ_i + w_{i+1} Δt))",
 )
 M24 = Mistake(
     "M24",

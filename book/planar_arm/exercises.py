@@ -68,9 +68,9 @@ M26 = Mistake(
     document="004 Ans 2",
     place="the matrices of part 2, last row",
     nth=5,
-    stands="φ̇ = θ̇_3, the last row [0, 0, θ̇_3]",
-    should="φ̇ = «θ̇_1 + θ̇_2 +» θ̇_3, the last row «[1, 1, 1]»",
-    explained="The matrices write θ for the hand's angle φ. It is the sum of the three joint "
+    quote="φ̇ = θ̇_3, the last row [0, 0, θ̇_3]",
+    correction="φ̇ = «θ̇_1 + θ̇_2 +» θ̇_3, the last row «[1, 1, 1]»",
+    explanation="The matrices write θ for the hand's angle φ. It is the sum of the three joint "
     "angles, as the document says on its first page, so its rate is the sum of the "
     "three rates.",
 )
@@ -91,10 +91,10 @@ M27 = Mistake(
     document="004 Ans 2",
     place="the first line of ẏ",
     nth=1,
-    stands="ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2) θ̇_2 + l_3 cos(θ_1 + θ_2 + θ_3) θ̇_3",
-    should="ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2) «(θ̇_1 + θ̇_2)» + l_3 cos(θ_1 + θ_2 + "
+    quote="ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2) θ̇_2 + l_3 cos(θ_1 + θ_2 + θ_3) θ̇_3",
+    correction="ẏ = l_1 cos θ_1 θ̇_1 + l_2 cos(θ_1 + θ_2) «(θ̇_1 + θ̇_2)» + l_3 cos(θ_1 + θ_2 + "
     "θ_3) «(θ̇_1 + θ̇_2 + θ̇_3)»",
-    explained="The next line of the document has it right. A link turns with its own joint and "
+    explanation="The next line of the document has it right. A link turns with its own joint and "
     "with all joints before it.",
 )
 M28 = Mistake(
@@ -117,8 +117,8 @@ M28 = Mistake(
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, third column",
     nth=4,
-    stands="l_2 sin(θ_1 + θ_2 + θ_3) and l_2 cos(θ_1 + θ_2 + θ_3)",
-    should="«l_3» sin(θ_1 + θ_2 + θ_3), with a minus (M36), and «l_3» cos(θ_1 + θ_2 + θ_3)",
+    quote="l_2 sin(θ_1 + θ_2 + θ_3) and l_2 cos(θ_1 + θ_2 + θ_3)",
+    correction="«l_3» sin(θ_1 + θ_2 + θ_3), with a minus (M36), and «l_3» cos(θ_1 + θ_2 + θ_3)",
 )
 M29 = Mistake(
     "M29",
@@ -138,10 +138,10 @@ M29 = Mistake(
     document="004 Ans 2",
     place="the last step",
     nth=6,
-    stands="A = BC, multiplied by B: BA = BBC, so BA = C",
-    should="A = BC, multiplied by «B⁻¹»: «B⁻¹»A = «B⁻¹»BC, so «B⁻¹»A = C",
-    explained="A is the hand's velocity, C are the joint rates. B leads from C to A; the way back "
-    "is the inverse of B.",
+    quote="A = BC, multiplied by B: BA = BBC, so BA = C",
+    correction="A = BC, multiplied by «B⁻¹»: «B⁻¹»A = «B⁻¹»BC, so «B⁻¹»A = C",
+    explanation="A is the hand's velocity, C are the joint rates. B leads from C to A; the way "
+    "back is the inverse of B.",
 )
 M36 = Mistake(
     "M36",
@@ -161,9 +161,9 @@ M36 = Mistake(
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, first row",
     nth=3,
-    stands="l_2 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3), with a plus",
-    should="«−»l_3 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3)",
-    explained="The derivative of each cosine is minus the sine. One of the three minus signs got "
+    quote="l_2 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3), with a plus",
+    correction="«−»l_3 sin(θ_1 + θ_2 + θ_3)(θ̇_1 + θ̇_2 + θ̇_3)",
+    explanation="The derivative of each cosine is minus the sine. One of the three minus signs got "
     "lost. (The length is the erratum M28.)",
 )
 M37 = Mistake(
@@ -187,10 +187,10 @@ M37 = Mistake(
     document="004 Ans 2",
     place="part 1, the velocities",
     nth=2,
-    stands="l_1 cos θ_1 θ̇_1, l_2 cos(θ_1 + θ_2) θ̇_1 … in the row of ẋ, sines in that of ẏ",
-    should="«−»l_1 «sin» θ_1 θ̇_1, «−»l_2 «sin»(θ_1 + θ_2) «(θ̇_1 + θ̇_2)» … in the "
+    quote="l_1 cos θ_1 θ̇_1, l_2 cos(θ_1 + θ_2) θ̇_1 … in the row of ẋ, sines in that of ẏ",
+    correction="«−»l_1 «sin» θ_1 θ̇_1, «−»l_2 «sin»(θ_1 + θ_2) «(θ̇_1 + θ̇_2)» … in the "
     "row of ẋ, «cosines» in that of ẏ",
-    explained="A link that turns moves its end at right angles to itself: cos becomes −sin, sin "
+    explanation="A link that turns moves its end at right angles to itself: cos becomes −sin, sin "
     "becomes cos. The document has this right further above.",
 )
 

@@ -62,8 +62,8 @@ M19 = Mistake(
     document="002",
     place="the proof of the rolling constraint, V_2",
     nth=1,
-    stands="V_2 = ẏ cos(α + β)",
-    should="V_2 = «−»ẏ cos(α + β)",
+    quote="V_2 = ẏ cos(α + β)",
+    correction="V_2 = «−»ẏ cos(α + β)",
 )
 M20 = Mistake(
     "M20",
@@ -84,9 +84,9 @@ M20 = Mistake(
     document="002",
     place="the end of the same proof",
     nth=3,
-    stands="[sin(α + β), −cos(α + β), −L cos θ]",
-    should="[sin(α + β), −cos(α + β), −L cos «β»]",
-    explained="θ is the robot's heading. The row belongs to the robot's own frame: it depends on "
+    quote="[sin(α + β), −cos(α + β), −L cos θ]",
+    correction="[sin(α + β), −cos(α + β), −L cos «β»]",
+    explanation="θ is the robot's heading. The row belongs to the robot's own frame: it depends on "
     "where the wheel stands on the robot, not on where the robot looks.",
 )
 M21 = Mistake(
@@ -119,8 +119,8 @@ M34 = Mistake(
     document="002",
     place="the proof of the rolling constraint, V_3",
     nth=2,
-    stands="V_3 = θ̇ L cos β",
-    should="V_3 = «−»θ̇ L cos β",
+    quote="V_3 = θ̇ L cos β",
+    correction="V_3 = «−»θ̇ L cos β",
 )
 M35 = Mistake(
     "M35",
@@ -141,10 +141,10 @@ M35 = Mistake(
     document="002",
     place="the matrix J_1",
     nth=4,
-    stands="J_1 = [sin α_i, −cos α_i, −L cos α_i] (i = 1, 2, 3)",
-    should="J_1 = [sin α_i, −cos α_i, «−L»] (β = 0)",
-    explained="When the robot turns, a wheel whose axle points to the centre rolls with its whole "
-    "speed, wherever it stands. The next line of the document has the numbers of the "
+    quote="J_1 = [sin α_i, −cos α_i, −L cos α_i] (i = 1, 2, 3)",
+    correction="J_1 = [sin α_i, −cos α_i, «−L»] (β = 0)",
+    explanation="When the robot turns, a wheel whose axle points to the centre rolls with its "
+    "whole speed, wherever it stands. The next line of the document has the numbers of the "
     "right matrix.",
 )
 

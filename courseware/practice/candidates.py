@@ -68,7 +68,7 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     made |= {f"slip:{words}": (words, "", None) for words in exercise.also}
     for name, (words, why, picture) in made.items():
         feedback = f"Not yet. This is what you get {words}."
-        found[name] = Outcome("wrong", feedback, ones, why, picture.shows if picture else "")
+        found[name] = Outcome("wrong", feedback, ones, why, picture.description if picture else "")
     units = " and ".join(dict.fromkeys(u.unit for u in exercise.unknowns if _other_units(u.unit)))
     for name, factors in _factors(exercise.unknowns).items():
         feedback = f"The right value, but in other units ({name}). Asked is {units}: please type "

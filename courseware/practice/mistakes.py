@@ -14,12 +14,12 @@ class Picture:
     Args:
         figure: its name.
         option: what its choice "mistake" is set to; the heading above `practice.mistake`, too.
-        shows: the picture in words.
+        description: the picture in words.
     """
 
     figure: str
     option: str
-    shows: str
+    description: str
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,8 @@ class Mistake:
         picture: the consequence. Every mistake of the course has one.
         document, place, nth: the source document that has it, where, and which of its errata this
             is, counted from its start; empty, as the next three, for one that is only likely.
-        stands, should: the text there and the right one, with the change in « ».
-        explained: why, in the letters of the document, where those of `why` are others.
+        quote, correction: the text there and the right one, with the change in « ».
+        explanation: why, in the letters of the document, where those of `why` are others.
     """
 
     name: str
@@ -59,9 +59,9 @@ class Mistake:
     document: str = ""
     place: str = ""
     nth: int = 0
-    stands: str = ""
-    should: str = ""
-    explained: str = ""
+    quote: str = ""
+    correction: str = ""
+    explanation: str = ""
 
     def substitute(self, values: Mapping[Any, Any]) -> Any:
         """Return the wrong right side with expressions for its symbols, for a figure or a guess."""

@@ -81,11 +81,11 @@ def describe_erratum(mistake: Mistake) -> str:
     chapter = f"[{course().title(topic)}]({page})"
     # HTML, because Sphinx does not know the anchor in an exercise's box
     links = ", ".join(f'<a href=".{page}.html#{each.name}">{each.name}</a>' for each in about)
-    should = render_marked(mistake.should)
+    should = render_marked(mistake.correction)
     return (
         f"**{mistake.document}**, {render_symbols(mistake.place)} ({mistake.name})\n\n"
-        f"- The document says: {render_symbols(mistake.stands)}\n- It should be: {should}\n\n"
-        f"{render_symbols(mistake.explained or mistake.why)} "
+        f"- The document says: {render_symbols(mistake.quote)}\n- It should be: {should}\n\n"
+        f"{render_symbols(mistake.explanation or mistake.why)} "
         f"Chapter: {chapter}. Exercises: {links}."
     )
 

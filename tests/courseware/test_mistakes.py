@@ -166,13 +166,13 @@ def test_a_mistake_says_all_it_must(mistake):
     assert mistake.unnoticed, f"say where {mistake.name} happens to be right, as `unnoticed`"
     assert mistake.why, f"say why {mistake.name} is wrong, as `why`"
     assert not mistake.feedback.endswith("."), f"`feedback` of {mistake.name}: no stop at its end"
-    told = mistake.document, mistake.place, mistake.nth, mistake.stands, mistake.should
-    assert all(told) or not any((*told, mistake.explained)), (
+    told = mistake.document, mistake.place, mistake.nth, mistake.quote, mistake.correction
+    assert all(told) or not any((*told, mistake.explanation)), (
         f"{mistake.name} stands in a document, and needs all of `document`, `place`, `nth`, "
         f"`stands` and `should`, or in none: {told}"
     )
     # an erratum marks what changes, and marks nothing that stands there already
-    assert bool(mistake.document) == ("«" in mistake.should), (
+    assert bool(mistake.document) == ("«" in mistake.correction), (
         f"mark in `should` of {mistake.name} what changes, in « »"
     )
     longest = max(map(len, mistake.line.splitlines()))

@@ -571,7 +571,7 @@ def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, pla
         expect(pictures).to_have_count(0)
         assert not [url for url in watch.kinds if "M12.svg" in url]
         answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
-        still = box(page, FIRST).get_by_role("img", name=M12.picture.shows)
+        still = box(page, FIRST).get_by_role("img", name=M12.picture.description)
         expect(still).to_have_attribute("src", re.compile(f"/M12.svg#{scheme}$"))
         still.scroll_into_view_if_needed()
         page.wait_for_function("(image) => image.naturalWidth > 300", arg=still.element_handle())

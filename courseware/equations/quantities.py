@@ -63,13 +63,7 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
 
 
 def quantity(
-    name: str,
-    unit: str,
-    low: float,
-    high: float,
-    meaning: str,
-    latex: str = "",
-    code: str = "",
+    name: str, unit: str, low: float, high: float, meaning: str, latex: str = "", code: str = ""
 ) -> NamedSymbol:
     """Declare a quantity of a chapter.
 

@@ -34,15 +34,10 @@ class Chapters(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         note_sources(self.env, "__init__", "figures")
-        pictures: dict[str, str] = {}
-        for name, chapter in course().chapters_of("figures", Figure).items():
-            pictures.setdefault(chapter, name)
-        cards = [
-            self._card(chapter, pictures[chapter])
-            for chapter in course().taught
-            if chapter in pictures
-        ]
-        text = f'<p class="site-so-far"></p><div class="site-cards">{"".join(cards)}</div>'
+        chapters = course().chapters_of("figures", Figure)
+        first = {chapter: name for name, chapter in reversed(chapters.items())}
+        cards = "".join(self._card(c, first[c]) for c in course().taught if c in first)
+        text = f'<p class="site-so-far"></p><div class="site-cards">{cards}</div>'
         return [nodes.raw("", text, format="html")]
 
     def _card(self, chapter: str, figure: str) -> str:

@@ -46,7 +46,6 @@ NO_SCRIPT = (
 def render_equation(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a display formula, numbered and known to `{eq}` by its name."""
     env, name, computed = renderer.sphinx_env, data.content["name"], data.content["computed"]
-    note_sources(env, "formulas")
     label, formula = (
         equation_label(name, computed),
         find_declared(find_equation, name).latex(computed),
@@ -77,7 +76,6 @@ def _render_numbers(
 
 def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a box of formulas that stand above, each beside the number that leads to it."""
-    note_sources(renderer.sphinx_env, "formulas")
     box = nodes.container("", classes=["rk-again"])
     for label in data.content["labels"]:
         tex = find_declared(equation_of, label).latex(label.endswith(COMPUTED))
@@ -90,8 +88,7 @@ def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
 
 def render_mistake(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a wrong line to judge, its result, and the answer folded."""
-    note_sources(renderer.sphinx_env, "exercises")
-    mistake = find_mistake(data.content["name"])
+    mistake = find_declared(find_mistake, data.content["name"])
     line = nodes.literal_block(mistake.line, mistake.line, language="python")
     parts = (line, nodes.raw("", render_judgement(mistake), format="html"))
     return [nodes.container("", *parts, classes=["rk-mistake"], ids=[data.content["name"]])]
@@ -102,27 +99,23 @@ def render_figure(name: str) -> nodes.raw:
     return nodes.raw("", find_declared(find_figure, name).render_html(), format="html", figure=name)
 
 
-def _render_figure(renderer: Any, data: Any) -> list[nodes.Element]:
-    note_sources(renderer.sphinx_env, "figures")
-    return [render_figure(data.content["name"])]
-
-
-def _render_exercise(renderer: Any, data: Any) -> list[nodes.Element]:
-    return [render_exercise(renderer.sphinx_env, data.content["name"])]
-
-
-def _render_prediction(renderer: Any, data: Any) -> list[nodes.Element]:
-    note_sources(renderer.sphinx_env, "predictions", "formulas", "figures")
-    return [render_prediction(renderer, find_declared(find_prediction, data.content["name"]))]
-
-
-RENDERERS: dict[str, Callable[[Any, Any], list[nodes.Element]]] = {
-    EQUATION: render_equation,
-    AGAIN: render_equations_again,
-    FIGURE: _render_figure,
-    practice.MIME: _render_exercise,
-    MISTAKE: render_mistake,
-    PREDICTION: _render_prediction,
+Renderer = Callable[[Any, Any], list[nodes.Element]]
+# by MIME type: the modules that the output depends on, and its renderer
+RENDERERS: dict[str, tuple[tuple[str, ...], Renderer]] = {
+    EQUATION: (("formulas",), render_equation),
+    AGAIN: (("formulas",), render_equations_again),
+    FIGURE: (("figures",), lambda _, data: [render_figure(data.content["name"])]),
+    practice.MIME: (
+        ("exercises",),
+        lambda renderer, data: [render_exercise(renderer.sphinx_env, data.content["name"])],
+    ),
+    MISTAKE: (("exercises",), render_mistake),
+    PREDICTION: (
+        ("predictions", "formulas", "figures"),
+        lambda renderer, data: [
+            render_prediction(renderer, find_declared(find_prediction, data.content["name"]))
+        ],
+    ),
 }
 
 
@@ -134,8 +127,11 @@ class Outputs:
     @staticmethod
     def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
         """Return the page elements of one of our outputs; None leaves others to MyST-NB."""
-        render = RENDERERS.get(data.mime_type)
-        return render(renderer.renderer, data) if render else None
+        if data.mime_type not in RENDERERS:
+            return None
+        parts, render = RENDERERS[data.mime_type]
+        note_sources(renderer.renderer.sphinx_env, *parts)
+        return render(renderer.renderer, data)
 
 
 def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:

@@ -69,7 +69,7 @@ def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
 
 @each_chapter
 def test_the_notation_page_has_a_row_for_each(chapter):
-    text = "\n".join(notation_rows().get(chapter, ()))
+    text = "\n".join(notation_rows(chapter))
     for symbol in lexicon.printed_symbols(chapter):
         assert symbol.meaning, f"{symbol.location}: say what {symbol} is, as `meaning`"
         several = symbol.name[-1].isdigit() or "entry" in symbol.meaning

@@ -1,6 +1,6 @@
-"""What expressions in the prose of the chapters may use, beside the chapters' own variables.
+"""Functions for computed numbers in the prose, beside the chapters' own variables.
 
-A chapter may add to it in a `prose` module of its own.
+A chapter may add its own in a module `prose`.
 """
 
 from typing import Any
@@ -8,23 +8,23 @@ from typing import Any
 from courseware.course import course
 from courseware.figures import Choice, Figure, Slider
 
-__all__ = ["digit_and_power", "names", "reads"]
+__all__ = ["digit_and_power", "get_names", "read_figure"]
 
 
-def names(chapter: str) -> dict[str, Any]:
-    """All of these names, and those of the chapter's `prose`."""
+def get_names(chapter: str) -> dict[str, Any]:
+    """Return all names of this module and of the chapter's `prose`."""
     own = course().module(chapter, "prose")
     return {**globals(), **(vars(own) if own else {})}
 
 
-def reads(figure: str, readout: str, **settings: float | str) -> float:
-    """What a readout of a live figure says, in SI: at `settings` (SI), the rest as at the start.
+def read_figure(figure: str, readout: str, **settings: float | str) -> float:
+    """Return a readout of a live figure at `settings`, the others as at the start, all in SI.
 
     A setting that the reader cannot reach is refused.
     """
-    shown = course().find_all("figures", Figure)[figure]
+    declared = course().find_all("figures", Figure)[figure]
     row: list[float] = []
-    for control in shown.controls:
+    for control in declared.controls:
         value = settings.pop(control.key, control.start)
         if isinstance(control, Choice):
             row += control.options[str(value)]
@@ -41,11 +41,11 @@ def reads(figure: str, readout: str, **settings: float | str) -> float:
             )
     if settings:
         raise KeyError(f"the figure {figure} has no control {', '.join(settings)}")
-    place = [each.name for each in shown.readouts].index(readout)
-    return float(shown.compute([row])[0, place])
+    place = [each.name for each in declared.readouts].index(readout)
+    return float(declared.compute([row])[0, place])
 
 
 def digit_and_power(x: float) -> tuple[int, int]:
-    """A number rounded to one digit: 0.0021 → (2, −3)."""
+    """Round a number to one digit: 0.0021 → (2, −3)."""
     digit, power = f"{x:.0e}".split("e")
     return int(digit), int(power)

@@ -74,26 +74,28 @@ def main(folder, only):
             run(*php, folder / "admin/cli/install_database.php", *install)
             quiz, answers = place / "quiz.xml", place / "answers.json"
             moodle.write(quiz, only)
-            answers.write_text(json.dumps([*asked(only)]))
+            answers.write_text(json.dumps([*list_questions(only)]))
             here = Path(__file__).with_suffix(".php")
-            told = run(*php, here, folder, quiz, answers)
+            output = run(*php, here, folder, quiz, answers)
         finally:
             config.unlink(missing_ok=True)
             run(*other, *start, "-m", "fast", "stop", cwd=place)
-    table(json.loads(next(line for line in told.splitlines() if line.startswith('{"imported'))))
+    print_table(
+        json.loads(next(line for line in output.splitlines() if line.startswith('{"imported')))
+    )
 
 
-def asked(only):
-    """What is answered to each question, and what should be said."""
+def list_questions(only):
+    """Yield each question with its answers and the expected feedback."""
     for exercise in choose_exercises(only).values():
         for number, variant in enumerate(dealing.variants(exercise.name)):
-            tries = [*answered(exercise, variant)]
+            tries = [*list_answers(exercise, variant)]
             name = f"{exercise.name} {number:02}: {exercise.title}"
             yield {"exercise": exercise.name, "name": name, "tries": tries}
 
 
-def answered(exercise, variant):
-    """The right answer, first; what the mistakes give; the right one with its units."""
+def list_answers(exercise, variant):
+    """Yield the right answer, those of mistakes, and the right one with its units."""
     known = {"right", *(mistake.name for mistake in exercise.wrong)}
     for candidate in (c for c in variant.candidates if c.name in known):
         given = [f"{x:.6f}" for x in candidate.rows[0]]
@@ -101,7 +103,7 @@ def answered(exercise, variant):
             given = [exercise.format_rows(candidate.rows)]
         says = render_symbols(candidates.outcomes(exercise)[candidate.name].feedback)
         says = unescape(re.sub("<[^>]+>", "", says))
-        if exercise.accept != "any" or candidate in firsts(variant):
+        if exercise.accept != "any" or candidate in first_candidates(variant):
             yield {"what": candidate.name, "given": given, "says": says}
     if exercise.accept == "one" and len(exercise.unknowns) == 1:
         right = variant.candidates[0].rows[0][0]
@@ -110,15 +112,15 @@ def answered(exercise, variant):
             yield {"what": f"right in {unit}", "given": given, "says": candidates.RIGHT}
 
 
-def firsts(variant):
-    """Of several answers of a name the first, which is among the choices."""
+def first_candidates(variant):
+    """Return the first answer of each name, which is among the choices."""
     return {c.name: c for c in reversed(variant.candidates)}.values()
 
 
-def table(told):
-    """Questions, right answers with full marks, mistakes without, named ones, tries."""
+def print_table(results):
+    """Print counts: questions, right answers with full marks, mistakes without, named ones."""
     right, wrong = Counter(), Counter()
-    for row in told["found"]:
+    for row in results["found"]:
         if row["what"] == "tries":
             right[f"{row['mark']} tries when interactive"] += 1
         elif row["what"].startswith("right"):
@@ -129,7 +131,7 @@ def table(told):
             wrong["named" if row["told"] else "not named"] += 1
             if not row["told"]:
                 wrong[f"  not named: {row['exercise']} {row['what']}"] += 1
-    print(f"imported: {told['imported']}, {told['questions']:,} questions")
+    print(f"imported: {results['imported']}, {results['questions']:,} questions")
     for counts in (right, wrong):
         for what, count in sorted(counts.items()):
             print(f"{count:8,}  {what}")

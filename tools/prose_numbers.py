@@ -33,7 +33,7 @@ def list_fields(cell: Any) -> list[tuple[str, str]]:
 
 def kernel_expressions(cell: Any, chapter: str) -> dict[str, str]:
     """Return `user_expressions` for the kernel, one for each field."""
-    names = f"{{**__import__('book.prose').prose.names({chapter!r}), **globals()}}"
+    names = f"{{**__import__('book.prose').prose.get_names({chapter!r}), **globals()}}"
     return {
         str(k): f"format(eval({expression!r}, {names}), {form!r})"
         for k, (expression, form) in enumerate(list_fields(cell))

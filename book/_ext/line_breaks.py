@@ -11,7 +11,7 @@ AS_TYPED = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, no
 
 
 def prevent_unit_breaks(app, doctree, docname):
-    """Tie units to numbers, also to inline formulas such as 10⁻³, by no-break spaces."""
+    """Tie units to numbers, also to inline formulas as 10⁻³, by no-break spaces."""
     for node in list(doctree.findall(nodes.Text)):
         if isinstance(node.parent, AS_TYPED):
             continue

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from book.prose import reads
+from book.prose import read_figure
 from robokin import bicycle
 
 WHEELBASE, RADIUS, DURATION = 2.5, 0.25, 10.0  # m, m, s
@@ -18,7 +18,10 @@ def worst_mean(track: float) -> tuple[int, float]:
 def degrees_for_lane(lane: float, wheelbase: float) -> int:
     """The whole degree of steering whose lane is nearest to the wanted one."""
     off = [
-        abs(reads("swept-lane", "lane", wheelbase=wheelbase, steering=np.radians(degrees)) - lane)
+        abs(
+            read_figure("swept-lane", "lane", wheelbase=wheelbase, steering=np.radians(degrees))
+            - lane
+        )
         for degrees in range(61)
     ]
     return int(np.argmin(off))

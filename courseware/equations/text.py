@@ -186,7 +186,7 @@ class Text(OrderedPrinter):
 
 
 def is_call(e: Any) -> bool:
-    """Whether an expression is a function of something, such as sin θ."""
+    """Whether an expression is a function of something, as sin θ."""
     return isinstance(e, sp.Function) and not isinstance(e, sp.Abs | sp.Piecewise)
 
 

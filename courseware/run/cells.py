@@ -123,7 +123,7 @@ class Cells:
             if not imports:
                 body.append(statement)
             for name, single in imports:
-                if name in used or not self._exists(single):
+                if name in used or not self._is_available(single):
                     body.append(single)
                 else:
                     postponed[name] = single
@@ -131,7 +131,7 @@ class Cells:
         tree.body = body
         return tree, postponed
 
-    def _exists(self, single: ast.stmt) -> bool:
+    def _is_available(self, single: ast.stmt) -> bool:
         """Whether an import finds something; an error is reported at once."""
         return any(_find_file(m) or m in self.packages for m in _imported_modules(single))
 

@@ -23,7 +23,7 @@ from support import (
     vectors,
 )
 
-from book.prose import reads
+from book.prose import read_figure
 from robokin.errors import RobokinError
 from robokin.frames import (
     FrameGraph,
@@ -741,7 +741,7 @@ def test_m9_goes_unnoticed_in_the_figure_at_one_heading():
     # Mistake M9 says that nobody notices it in the figure with a heading of 120°
     def apart(degrees):
         heading = {"mistake": "No inverse", "db_turn": np.radians(degrees)}
-        return float(reads("wrong-object", "apart", **heading))
+        return float(read_figure("wrong-object", "apart", **heading))
 
     assert apart(120) < 10 * EPS
     assert apart(119) > 0.01

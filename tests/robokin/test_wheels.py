@@ -9,7 +9,7 @@ import sympy
 from hypothesis import assume, given
 from support import EPS, NEAR_ZERO, angles, assert_close, reals, twists, vectors
 
-from book.prose import reads
+from book.prose import read_figure
 from robokin import bicycle, differential_drive, motion
 from robokin.errors import RobokinError, SingularError, UnreachableError
 from robokin.wheels import (
@@ -746,7 +746,7 @@ def test_the_nearest_motion_is_that_of_a_length_of_one_metre(metres):
     """The laboratory's car, asked for all three speeds; in centimetres it is another motion."""
     asked = np.array([0.15, 0.15, 0.5])
     wished = {"robot": "car", "wish": "all three at once"}
-    shown = [reads("wheel-laboratory", name, **wished) for name in ("v", "v_y", "omega")]
+    shown = [read_figure("wheel-laboratory", name, **wished) for name in ("v", "v_y", "omega")]
     allowed = np.array([0.4, 0.0, 1.0])  # about the ring C, 0.4 m to the left
     weights = np.array([1, 1, metres])
     size = (weights * allowed) @ (weights * asked) / np.sum((weights * allowed) ** 2)

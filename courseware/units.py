@@ -15,7 +15,7 @@ from typing import Any
 
 from courseware.errors import CourseError, describe
 
-BETWEEN = {  # patterns of what may be typed between the words of a name, for Python and the script
+BETWEEN = {  # patterns of the text between the words of a name, for Python and the script
     "/": r"\s*(?:[/∕⁄÷]|per\s)\s*",
     "·": r"[\s·⋅∙*]*",
     " ": r"[\s·⋅∙*]+",

@@ -53,7 +53,7 @@ def folded_parts(cell: nbformat.NotebookNode) -> dict[str, bool]:
 
 
 def tidy_output(output: nbformat.NotebookNode) -> None:
-    """Drop what differs from run to run; reduce pictures, and store their size for the page."""
+    """Drop data that differ from run to run; reduce pictures, and store their size."""
     data = output.get("data", {})
     data.pop(WIDGET, None)
     if "image/png" in data:

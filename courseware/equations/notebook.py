@@ -1,4 +1,4 @@
-"""Equations in notebooks: cells that show them, and what a stored notebook shows."""
+"""Equations in notebooks: cells that show them, and those that a stored notebook shows."""
 
 import json
 import re
@@ -28,7 +28,7 @@ class Output:
         return self.data
 
 
-_shown: dict[str, None] = {}  # labels of what this notebook has shown, in order
+_shown: dict[str, None] = {}  # labels of the equations shown so far, in order
 
 
 def show(name: str, computed: bool = False, figure: str = "") -> Output:

@@ -228,7 +228,7 @@ def split_fraction(e: Any) -> tuple[list[Any], list[Any]]:
 
 
 def choose_separator(left: str, right: str) -> str:
-    """Return what stands between two factors: nothing in 2π, a point where a space misleads."""
+    """Return the separator of two factors: none in 2π, a point where a space would mislead."""
     if right.startswith("π") and left[-1].isdigit():
         return ""
     number = re.search(r"(?<![_\w])[\d.]+$", left)

@@ -147,7 +147,7 @@ def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
 
 
 def find_declared(find: Callable[[str], T], name: str) -> T:
-    """Find what a notebook names; end the build if it is not declared."""
+    """Find a name of a notebook, and end the build if it is not declared."""
     try:
         return find(name)
     except CourseError as error:

@@ -128,6 +128,6 @@ def mark_symbols(chapter: str, tex: str) -> str:
 
 
 def symbol_data(symbol: NamedSymbol, chapter: str) -> str:
-    """Return what KaTeX turns into `data-symbol` and `data-look`."""
+    """Return the argument from which KaTeX makes `data-symbol` and `data-look`."""
     kind = find_kind(symbol, chapter)
     return f"symbol={symbol.key}" + (f",look={kind}" if kind else "")

@@ -34,18 +34,18 @@ expect.set_options(timeout=30_000)  # ms, as all other waits; on a busy machine 
 
 
 def make_book():
-    """The command that brings the site up to date with this Python, if there is anything to do."""
+    """Return the command that brings the site up to date with this Python."""
     return ["make", "book", f"BIN={Path(sys.executable).parent}", "READY="]
 
 
 def build_site():
-    """Bring `_build/html` up to date; what the build says if it fails."""
+    """Bring `_build/html` up to date; return the build's output if it fails."""
     run = subprocess.run(make_book(), cwd=ROOT, capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 
 
 def once(folder, name, work):
-    """The text that `work()` gives, done by the first worker that comes; the others wait for it."""
+    """Return the text of `work()`, done by the first worker; the others wait for it."""
     begun, done = folder / f"{name}.begun", folder / f"{name}.done"
     try:
         begun.touch(exist_ok=False)
@@ -59,7 +59,7 @@ def once(folder, name, work):
 
 
 def wait_for(file):
-    """The text of a file that another worker is about to write."""
+    """Return the text of a file that another worker is about to write."""
     end = time.monotonic() + WAIT
     while not file.exists():
         assert time.monotonic() < end, f"no {file.name} after {WAIT} s"
@@ -68,19 +68,19 @@ def wait_for(file):
 
 
 def listed():
-    """The documents that the table of contents names, the first page first."""
+    """Return the documents of the table of contents, the first page first."""
     return list(list_documents(yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))))
 
 
 def pages(site):
-    """Every page of the site, as names relative to it; redirects are not pages."""
+    """Return every page of the site, as names relative to it; redirects are not pages."""
     names = sorted(file.relative_to(site).as_posix() for file in site.rglob("*.html"))
     return [name for name in names if not name.startswith(("_static/", "_sources/", "lite/"))]
 
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory):
-    """The folder of the built site, brought up to date once per run of the tests."""
+    """Return the folder of the built site, brought up to date once per run of the tests."""
     base = tmp_path_factory.getbasetemp()
     shared = base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
     complaint = once(shared, "site", build_site)
@@ -92,7 +92,7 @@ def site(tmp_path_factory):
 
 
 class Quiet(SimpleHTTPRequestHandler):
-    """Serves files and says nothing."""
+    """A handler that serves files and logs nothing."""
 
     def log_message(self, format, *args):
         """Nothing."""
@@ -111,7 +111,7 @@ class Server(ThreadingHTTPServer):
 
 @contextmanager
 def serving(folder):
-    """The address at which the folder is served."""
+    """Serve a folder; yield its address."""
     handler = functools.partial(Quiet, directory=str(folder))
     with Server(("127.0.0.1", 0), handler) as running:
         thread = threading.Thread(target=running.serve_forever)
@@ -125,7 +125,7 @@ def serving(folder):
 
 @pytest.fixture(scope="session")
 def server(site):
-    """The address of the site, with a slash at the end."""
+    """Serve the site; yield its address, with a slash at the end."""
     with serving(site) as address:
         yield address
 
@@ -135,19 +135,19 @@ def server(site):
 
 @pytest.fixture(scope="session")
 def chromium():
-    """Playwright's browser: Chromium from the path, else Playwright's own."""
+    """Start Playwright's browser: Chromium from the path, else Playwright's own."""
     with launch() as browser:
         yield browser
 
 
 def settled(page, address):
-    """Open a page; its scripts have then run, and the fonts of what is near have come."""
+    """Open a page, and wait for its scripts and the fonts in sight."""
     page.goto(address)
     page.evaluate("() => document.fonts.ready")
 
 
 def draw_all(page):
-    """Also what lies far from the window, with its fonts, and now: a page is then as it stays."""
+    """Draw also the parts far from the window, with their fonts: a page is then as it stays."""
     page.add_style_tag(content="* { content-visibility: visible !important; }")
     page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
 
@@ -157,7 +157,7 @@ ALL_DRAWN = """() => [...document.querySelectorAll(".math-scroll")]
 
 
 def wait_until_drawn(page):
-    """A page draws its far formulas by itself, one by one, when nothing else is to do."""
+    """Wait until a page has drawn its far formulas, as it does one by one in its idle time."""
     page.wait_for_function(ALL_DRAWN)
     page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
 
@@ -193,7 +193,7 @@ FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) th
 
 
 class Watch:
-    """What went wrong on a page, and what it fetched."""
+    """A record of a page's errors and requests."""
 
     def __init__(self, page, home):
         self.home = home
@@ -227,7 +227,7 @@ class Watch:
             self.errors.append(f"{response.status}: {response.url}")
 
     def weight(self, site):
-        """Bytes by kind of resource, each compressed as a server would; pictures apart."""
+        """Return bytes by kind of resource, each compressed as by a server; pictures apart."""
         weights = defaultdict(int)
         for url, kind in self.kinds.items():
             if url.startswith(self.home):
@@ -236,7 +236,7 @@ class Watch:
 
 
 def compressed(file):
-    """The bytes of a file as sent: compressed, unless that makes it larger."""
+    """Return the bytes of a file as sent: compressed, unless that makes it larger."""
     if file.is_dir():
         file = file / "index.html"
     data = file.read_bytes()
@@ -245,7 +245,7 @@ def compressed(file):
 
 @contextmanager
 def watched_page(browser, home, width=1280, scheme="light", **options):
-    """A fresh page (first visit) and its `Watch`."""
+    """Open a fresh page (first visit); yield it and its `Watch`."""
     size = {"width": width, "height": 900 if width > 600 else 844}
     context = browser.new_context(viewport=size, color_scheme=scheme, **options)
     try:
@@ -256,14 +256,14 @@ def watched_page(browser, home, width=1280, scheme="light", **options):
 
 
 class KeptPages:
-    """Pages that stay open from test to test; on each, nothing may go wrong."""
+    """Pages that stay open from test to test, and whose console must stay empty."""
 
     def __init__(self, browser, home):
         self.browser, self.home, self.kept = browser, home, {}
 
     @contextmanager
     def page(self, name, before=None, **options):
-        """A page and whether it is new. name: what it is kept for, None for a page of its own."""
+        """Yield a page and whether it is new. name: of a page to keep, None for one to close."""
         key = (name, *options.items())
         with ExitStack() as stack:
             is_new = key not in self.kept

@@ -31,7 +31,7 @@ OF_EACH_KIND = list(
 
 
 def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):
-    """Parametrizes a test over the things of a kind; marks: those of a thing, by its name."""
+    """Parametrize a test over the things of a kind; marks: those of a thing, by its name."""
     homes = course().chapters_of(part, kind)
     return pytest.mark.parametrize(
         argument,
@@ -44,7 +44,7 @@ def each(argument, part, kind, marks=lambda name: [], only=lambda thing: True):
 
 
 def table(path):
-    """The rows of a table."""
+    """Return the rows of a table."""
     return [row for _, row in tables.read_rows(Path(path), tables.Problems())]
 
 

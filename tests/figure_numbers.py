@@ -41,7 +41,7 @@ ASKED = {  # figures in which a reader places a guess: what can be moved depends
 
 
 def typical(only, names=TYPICAL):
-    """The named figures, and in the long run all others, of those that this is asked of."""
+    """Return the mark for the named figures, and in the long run all others that fit."""
 
     def marks(name):
         return [] if name in names else [pytest.mark.slow]
@@ -50,7 +50,7 @@ def typical(only, names=TYPICAL):
 
 
 def own_controls(figure):
-    """What a reader can always set but the view."""
+    """Return the controls that a reader can always set, but for the view."""
     if figure.name in ASKED:
         return []
     return [c for c in figure.controls if getattr(c, "symbol", None) not in figure.view_angles]
@@ -74,7 +74,7 @@ TITLES = {
 
 
 def readouts(figure, points):
-    """The readouts by `robokin`: (n, settings) → (n, readouts)."""
+    """Return the readouts by `robokin`: (n, settings) → (n, readouts)."""
     rows = np.asarray(points, dtype=float)
     if computes(figure):
         return READOUTS[figure.name](*rows.T)
@@ -82,7 +82,7 @@ def readouts(figure, points):
 
 
 def computes(figure):
-    """Whether its readouts are more than what its controls are set to."""
+    """Return whether its readouts are more than its settings."""
     return any(readout.value not in figure.settings for readout in figure.readouts)
 
 
@@ -91,12 +91,12 @@ LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of pre
 
 @cache
 def pressed(presses, made=1.0):
-    """The numbers that presses give their symbols, as the script computes them."""
+    """Return the numbers of presses' symbols, as the script computes them."""
     return script.run(f"courseware.computeTurns({json.dumps([presses, made])})")
 
 
 def random_values(control, random, size):
-    """Random settings of one control over its whole range: (size, its symbols)."""
+    """Return random settings of a control over its whole range: (size, its symbols)."""
     if isinstance(control, Choice):
         return random.choice(list(control.options.values()), size)
     if isinstance(control, QuarterTurns):
@@ -109,7 +109,7 @@ def random_values(control, random, size):
 
 
 def ends(control):
-    """The ends of a control's range, and its options one by one."""
+    """Return the ends of a control's range, or its options."""
     if isinstance(control, Choice):
         return list(control.options)
     if isinstance(control, QuarterTurns):
@@ -118,7 +118,7 @@ def ends(control):
 
 
 def point(figure, values):
-    """One setting as a row of numbers: the start, but for `values` (by name, in SI)."""
+    """Return a setting as a row of numbers: the start, but for `values` (by name, in SI)."""
     row, known = [], {c.key for c in figure.controls}
     assert values.keys() <= known, f"{figure.name} has {known}, not {values.keys() - known}"
     for control in figure.controls:
@@ -132,7 +132,7 @@ def point(figure, values):
 
 @cache
 def points(figure, n=N):
-    """Special settings, ends of ranges, then n random settings: (…, settings)."""
+    """Return special settings, ends of ranges, then n random settings: (…, settings)."""
     special = [{}, *SPECIALS[figure.name]]
     special += [{c.key: end} for c in figure.controls for end in ends(c)]
     rows = np.array([point(figure, values) for values in special], dtype=float)
@@ -142,20 +142,20 @@ def points(figure, n=N):
 
 
 def rounded(number, digits):
-    """A number as text, halves away from zero as in JavaScript, with a true minus sign."""
+    """Return a number as text, halves away from zero as in JavaScript, with a true minus."""
     text = str(Decimal(number).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP))
     text = text.removeprefix("-") if not float(text) else text
     return text.replace("-", MINUS)
 
 
 def by_power(number):
-    """Two digits and a power of ten."""
+    """Return a number as two digits and a power of ten."""
     digits, power = f"{number:.1e}".split("e")
     return f"{digits}·10{str(int(power)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
 
 
 def readout_text(readout, value):
-    """What a readout must say of a number in SI."""
+    """Return the text of a readout for a number in SI."""
     word = readout.words.get(str(float(value)))
     if word is not None:
         return word
@@ -165,19 +165,19 @@ def readout_text(readout, value):
 
 
 def readout_texts(readout, value):
-    """All that it may say: half way between two texts the last digit decides."""
+    """Return all texts that it may have: half way between two the last digit decides."""
     size = abs(value) if readout.digits < 0 else 1
     return {readout_text(readout, value + d * size) for d in (-ALLOWED, ALLOWED)}
 
 
 def loops(figure):
-    """The recurrences of a figure."""
+    """Return the recurrences of a figure."""
     return [shape.recurrence for shape in figure.scene if hasattr(shape, "recurrence")]
 
 
 @cache
 def points_and_last_states(figure, n):
-    """The settings, and where the loops end from there in 50 digits: (…, settings + ends)."""
+    """Return the settings, and the loops' ends from there in 50 digits: (…, settings + ends)."""
     rows = points(figure, n)
     found = [rows]
     for loop in loops(figure):
@@ -196,7 +196,7 @@ def points_and_last_states(figure, n):
 
 
 def exact(figure, n, expressions, more=()):
-    """Expressions of a figure at `points` in 50 digits. more: symbol → its numbers."""
+    """Return expressions of a figure at `points` in 50 digits. more: symbol → its numbers."""
     ends = [symbol for loop in loops(figure) for symbol in loop.ends]
     symbols = [*figure.settings, *ends, *dict(more)]
     columns = [np.asarray(c)[:, None] for c in dict(more).values()]
@@ -205,7 +205,7 @@ def exact(figure, n, expressions, more=()):
 
 
 def sizes(numbers):
-    """What differences are measured by: 1, and beyond 1 the number itself."""
+    """Return the measures of differences: 1, and beyond 1 the number itself."""
     magnitudes = np.abs(numbers.astype(float))
     return np.where(np.isfinite(magnitudes), np.maximum(1, magnitudes), 1)
 
@@ -215,7 +215,7 @@ each_number = pytest.mark.parametrize("n", [10, pytest.param(N, marks=pytest.mar
 
 
 def keeps_its_digits(figure, expression):
-    """Whether a number is none that the figure shows because it loses its digits."""
+    """Return whether a number is none that the figure shows because it loses its digits."""
     where = {str(symbol): sp.sympify(value) for symbol, value in figure.where}
     used, names = set(), {str(s) for s in sp.sympify(expression).free_symbols}
     while names - used:
@@ -225,12 +225,12 @@ def keeps_its_digits(figure, expression):
 
 
 def started(figure):
-    """The state in which a figure starts."""
+    """Return the state in which a figure starts."""
     return script.run(f"courseware.startState({figure.code})")
 
 
 def random_state(figure, random):
-    """A random state, in the units shown."""
+    """Return a random state, in the units shown."""
     state = []
     for control in figure.controls:
         if isinstance(control, Choice):
@@ -246,7 +246,7 @@ def random_state(figure, random):
 
 
 def kind_of(figure, shape):
-    """The name of a shape's look."""
+    """Return the name of a shape's look."""
     symbolic = isinstance(shape.kind, sp.Symbol)
     home = HOMES[figure.name]
     return find_kind(shape.kind, home) if symbolic else shape.kind

@@ -34,7 +34,7 @@ pytest_plugins = ["browser"]
 
 @pytest.fixture(scope="session")
 def page_of(site):
-    """The chapter that each figure stands in; the first page may show it, too."""
+    """Return figure → the page of its chapter; the first page may show it, too."""
     texts = {name: (site / name).read_text("utf-8") for name in pages(site)}
     found = {}
     for figure in FIGURES:
@@ -83,13 +83,13 @@ class OnPage:
         self.root.evaluate(UNFOLD)
 
     def state(self):
-        """What the controls stand at, in the units they show; drawn to the end first."""
+        """Return the state of the controls, in the units that they show, once all is drawn."""
         return self.root.evaluate(
             "({courseware}) => { courseware.settled(); return courseware.state; }"
         )
 
     def point(self):
-        """The same as a row of numbers in SI, computed here as the page must compute it."""
+        """Return the state as a row of numbers in SI, computed here as on the page."""
         row = []
         for control, shown in zip(self.figure.controls, self.state(), strict=True):
             if isinstance(control, Choice):
@@ -101,18 +101,18 @@ class OnPage:
         return row
 
     def readouts(self):
-        """The text of each readout, by name."""
+        """Return the text of each readout, by name."""
         self.state()
         texts = self.root.locator("dd").all_text_contents()
         return dict(zip((r.name for r in self.figure.readouts), texts, strict=True))
 
     def input(self, control):
-        """The slider or the list of a control."""
+        """Return the slider or the list of a control."""
         place = self.figure.controls.index(control)
         return self.root.locator(f"[data-i='{place}']:not(button)")
 
     def press(self, control, *keys):
-        """Keys on a slider that has the focus, in an open fold; for turns, buttons to their end."""
+        """Press keys on a slider that has the focus; of turns, buttons, each to its end."""
         if isinstance(control, QuarterTurns):
             for one in keys:
                 self.root.locator(f"[data-press='{one if one in LETTERS else 'Z'}']").click()
@@ -129,14 +129,14 @@ class OnPage:
         return self.state()
 
     def centre(self, place):
-        """Where on the screen a handle is drawn; the picture in view."""
+        """Return where on the screen a handle is drawn, with the picture in view."""
         self.picture.evaluate(SHOW)
         self.state()
         box = self.handles.nth(place).bounding_box()
         return np.array([box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
 
     def spot(self, place, values):
-        """Where on the screen a handle is at a setting (by name, in SI); the picture in view."""
+        """Return where on the screen a handle is at a setting (by name, in SI)."""
         self.picture.evaluate(SHOW)
         box, (left, right, low, high) = self.picture.bounding_box(), self.figure.view
         at = sp.Matrix(coordinates(self.figure.handles[place].at))
@@ -146,14 +146,14 @@ class OnPage:
         return box["x"] + across * box["width"], box["y"] + down * box["height"]
 
     def way(self, place, wished):
-        """From where a handle is drawn, which may be beside its place, to a setting."""
+        """Return the way from where a handle is drawn, maybe beside its place, to a setting."""
         here, there = self.spot(place, self.values()), self.spot(place, wished)
         box = self.handles.nth(place).bounding_box()
         start = np.array([box["x"] + box["width"] / 2, box["y"] + box["height"] / 2])
         return start.tolist(), (start + there - here).tolist()
 
     def values(self):
-        """The present setting by name, in SI."""
+        """Return the present setting by name, in SI."""
         row = iter(self.point())
         found = {}
         for control, shown in zip(self.figure.controls, self.state(), strict=True):
@@ -164,7 +164,7 @@ class OnPage:
         return found
 
     def alternative(self):
-        """What the picture says to those who do not see it."""
+        """Return the text alternative of the picture."""
         return self.picture.locator("[role=img]").get_attribute("aria-label")
 
 
@@ -183,7 +183,7 @@ AS_AT_FIRST = """() => {
 
 @pytest.fixture(scope="session")
 def visit(chromium, server, page_of):
-    """Opens the page of a figure; a page that nothing asks to be fresh is as at first again."""
+    """Open the page of a figure; one that is kept is as at first again."""
     kept = KeptPages(chromium, server)
 
     @contextmanager
@@ -209,7 +209,7 @@ HOME = "http://alone.test/"
 
 @pytest.fixture(scope="session")
 def alone(chromium):
-    """Opens a figure on a page without anything else, which can be scrolled."""
+    """Open a figure on a page without anything else, which can be scrolled."""
     kept = KeptPages(chromium, HOME)
     style = f"<style>{parts.style_sheet()} body {{ max-width: 46rem; margin: 1rem; }}</style>"
 
@@ -234,7 +234,7 @@ def alone(chromium):
 
 
 def assert_shows_state(live):
-    """The readouts and the controls say what `robokin` computes for the state read back."""
+    """Compare readouts and controls with `robokin` at the state that is read back."""
     wanted = readouts(live.figure, [live.point()])[0]
     texts = live.readouts()
     for readout, value in zip(live.figure.readouts, wanted, strict=True):
@@ -249,7 +249,7 @@ def assert_shows_state(live):
 
 
 def assert_slider_shows(live, control, shown):
-    """The number beside a slider, with its unit, also for a screen reader."""
+    """Compare the number beside a slider, with its unit, also for a screen reader."""
     text = live.input(control).get_attribute("aria-valuetext")
     assert live.input(control).locator("xpath=../*[@data-o]").text_content() == text
     number, unit = re.fullmatch(r"(\S*?\d)(°| .*|)", text.replace(MINUS, "-")).groups()
@@ -261,7 +261,7 @@ def assert_slider_shows(live, control, shown):
 
 
 def neighbours(live):
-    """The other figures on the page."""
+    """Return the other figures on the page, alive."""
     ids = live.page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
     return [OnPage(live.page, FIGURES[i]).come_alive() for i in ids if i != live.figure.name]
 
@@ -277,7 +277,7 @@ SEEN = """(root) => {
 
 
 def states_on_the_way(live, start, end, moves):
-    """The state after each of several moves of the mouse with the button down."""
+    """Return the state after each of several moves of the mouse with the button down."""
     live.page.mouse.move(*start)
     live.page.mouse.down()
     live.root.evaluate(SEEN)
@@ -292,7 +292,7 @@ CANCEL = """(element) => element.dispatchEvent(
 
 
 def slide(live, random):
-    """Keys on a slider, or another entry of a list."""
+    """Press keys on a slider, or choose another entry of a list."""
     control = random.choice(np.array(live.figure.controls, dtype=object))
     if isinstance(control, Choice):
         return live.input(control).select_option(index=int(random.integers(len(control.options))))
@@ -301,7 +301,7 @@ def slide(live, random):
 
 
 def wish(live, place, random):
-    """A setting for a handle to be dragged to: what it sets at random, on the sliders' steps."""
+    """Return a random setting for a handle to be dragged to, on the sliders' steps."""
     wished = live.values()
     for control in live.figure.controls:
         if getattr(control, "symbol", None) in live.figure.handles[place].sets:
@@ -322,7 +322,7 @@ def assert_arrived(live, wished):
 
 
 def drag(live, random):
-    """A handle, pulled by the mouse to where it belongs at another setting."""
+    """Drag a handle by the mouse to where it belongs at another setting."""
     if not live.figure.handles:
         return slide(live, random)
     place = int(random.integers(len(live.figure.handles)))
@@ -336,7 +336,7 @@ def drag(live, random):
 
 
 def nudge(live, random):
-    """A handle, moved by arrow keys."""
+    """Move a handle by arrow keys."""
     if not live.figure.handles:
         return slide(live, random)
     live.handles.nth(int(random.integers(len(live.figure.handles)))).focus()

@@ -17,7 +17,7 @@ LOOP = Recurrence((sp.Symbol("k"),), (0,), (loose,), 3, 3, (sp.Symbol("last"),))
 
 
 def small_figure(**parts):
-    """A small figure that is right, but for `parts`."""
+    """Return a small figure that is right, but for `parts`."""
     right = {
         "name": "small",
         "title": "A point on a line",
@@ -35,7 +35,7 @@ ring = (sp.cos(turn), sp.sin(turn), 0)
 
 
 def space_figure(**parts):
-    """A frame, a ring about its z axis and a point, seen from a side that the reader chooses."""
+    """Return a figure in space, but for `parts`: a frame, a ring about its z axis, a point."""
     right = {
         "name": "space",
         "view": (-1.6, 1.6, -1.3, 1.3),
@@ -52,7 +52,7 @@ def space_figure(**parts):
 
 
 def painted(figure, **shown):
-    """The picture at a setting, in the units shown; its pieces in order of painting."""
+    """Return the kinds in a picture at a setting (in the units shown), in order of painting."""
     state = [shown.get(c.key, c.start) for c in figure.controls]
     text = script.run(f"courseware.renderPicture({figure.code}, {json.dumps(state)})")
     kinds = re.findall(r"--rk-(\w+),", re.sub(r"<text.*?</text>", "", text))

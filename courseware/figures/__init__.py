@@ -45,8 +45,8 @@ register(
         called_by="rk-figure",
         widget="courseware/figures/notebook.js:showFigure",
         styles=("courseware/figures/figure.css",),
-        constants={"courseware/figures/constants.js": looks.constants},
-        rules=looks.rules,
+        constants={"courseware/figures/constants.js": looks.collect_constants},
+        rules=looks.render_rules,
     )
 )
 

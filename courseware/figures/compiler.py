@@ -7,7 +7,6 @@ from typing import Any
 
 import sympy as sp
 
-from courseware.equations.equation import Where
 from courseware.equations.quantities import (
     NamedSymbol,
     describe_symbols,
@@ -74,21 +73,19 @@ def serialize(value: Any) -> str:
 class Compiler:
     """Collect the expressions of one figure, so that all of them become one function."""
 
-    def __init__(
-        self, controls: Sequence[Control], shapes: Sequence[Any], where: Where, chapter: str
-    ) -> None:
-        self.controls, self.where, self.chapter = controls, where, chapter
-        trails = [shape.recurrence for shape in shapes if isinstance(shape, s.Trail)]
+    def __init__(self, figure: Any, chapter: str) -> None:
+        self.figure, self.chapter = figure, chapter
+        trails = [shape.recurrence for shape in figure.scene if isinstance(shape, s.Trail)]
         self.recurrences = list({id(loop): loop for loop in trails}.values())
-        self.settings = [symbol for control in controls for symbol in control.symbols]
-        self.before_where = [*self.settings, *(x for loop in self.recurrences for x in loop.ends)]
-        self.known = [*self.before_where, *(symbol for symbol, _ in where)]
+        self.before_where = [*figure.settings, *(x for loop in self.recurrences for x in loop.ends)]
+        self.known = [*self.before_where, *(symbol for symbol, _ in figure.where)]
         self.expressions: list[Any] = []
 
-    def compile_figure(self, figure: Any) -> dict[str, Any]:
+    def compile_figure(self) -> dict[str, Any]:
         """Return the object that the script draws; the readouts' numbers come first."""
+        figure = self.figure
         turned_by = f"dragging the ground of {figure.name}"
-        named = [symbol for symbol, _ in self.where]
+        named = [symbol for symbol, _ in figure.where]
         goals = (figure.goal,) if isinstance(figure.goal, Goal) else figure.goal
         return {
             "name": figure.name,
@@ -106,7 +103,7 @@ class Compiler:
             "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
             "steps": self.list_quantities(),
             "recurrences": list(map(self.compile_recurrence, self.recurrences)),
-            "where": compile_javascript({"c": self.before_where}, named, self.where),
+            "where": compile_javascript({"c": self.before_where}, named, figure.where),
             "compute": self.compile_expressions(),
         }
 
@@ -197,7 +194,7 @@ class Compiler:
 
     def find_sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
         """Return the places of the sliders of symbols that somebody sets."""
-        keys = [getattr(c, "symbol", None) for c in self.controls]
+        keys = [getattr(c, "symbol", None) for c in self.figure.controls]
         for symbol in symbols:
             if symbol not in keys:
                 raise CourseError(
@@ -221,7 +218,7 @@ class Compiler:
 
     def compile_recurrence(self, loop: Recurrence) -> dict[str, Any]:
         """Return a loop's functions: for its start, its step and how often."""
-        given = {"c": self.settings}
+        given = {"c": self.figure.settings}
         try:
             return {
                 "start": compile_javascript(given, loop.start),
@@ -252,7 +249,7 @@ class Compiler:
         """Return the named steps that are quantities, with their places among all known numbers."""
         return [
             {"key": str(symbol), "symbol": symbol.key, "at": place, **_unit(symbol.unit)}
-            for place, (symbol, _) in enumerate(self.where, len(self.before_where))
+            for place, (symbol, _) in enumerate(self.figure.where, len(self.before_where))
             if isinstance(symbol, NamedSymbol)
         ]
 

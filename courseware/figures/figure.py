@@ -126,8 +126,8 @@ class Figure:
     def _compiled(self) -> tuple[str, list[Any]]:
         chapter = course().chapters_of("figures", Figure).get(self.name, "")
         try:
-            compiler = Compiler(self.controls, self.scene, self.where, chapter)
-            script = serialize(compiler.compile_figure(self))
+            compiler = Compiler(self, chapter)
+            script = serialize(compiler.compile_figure())
             self._refuse_idle_controls(script)
         except CourseError as error:
             raise CourseError(f"in the figure {self.name}, {error}") from error

@@ -5,7 +5,7 @@ from typing import Any
 from courseware.course import course
 
 
-def constants() -> dict[str, Any]:
+def collect_constants() -> dict[str, Any]:
     """Return the looks as the script needs them."""
     kinds = {
         name: {"light": s.light, "dash": list(s.dash), "width": s.width, "marker": s.marker}
@@ -14,7 +14,7 @@ def constants() -> dict[str, Any]:
     return {"KINDS": kinds}
 
 
-def rules() -> str:
+def render_rules() -> str:
     """Return the style rules: the kinds' colours on light and on dark pages."""
     light, dark = (
         " ".join(f"--rk-{name}: {getattr(s, page)};" for name, s in course().looks.items())

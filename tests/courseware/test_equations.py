@@ -32,8 +32,8 @@ from courseware.equations.verification import (
     verify,
 )
 from courseware.errors import CourseError
+from courseware.figures import Figure, Slider
 from courseware.figures.compiler import Compiler
-from courseware.figures.controls import Slider
 from courseware.figures.javascript import compile_javascript
 from courseware.site.verification_page import verify_course
 from robokin import motion
@@ -452,7 +452,7 @@ def test_two_symbols_of_one_name_are_told_apart():
 
 def test_a_figure_tells_its_slider_from_a_namesake():
     x, other = known("x"), quantity("x", "m", 0, 1, "another one")
-    figure = Compiler([Slider(x, 0, 1, 0, 0.1)], [], (), "")
+    figure = Compiler(Figure("f", "", (0, 1, 0, 1), (), (Slider(x, 0, 1, 0, 0.1),)), "")
     figure.add(2 * other)
     with pytest.raises(CourseError, match=r"uses x \(tests.*, line \d+\), .* only x \(book"):
         figure.compile_expressions()

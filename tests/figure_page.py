@@ -211,11 +211,11 @@ HOME = "http://alone.test/"
 def alone(chromium):
     """Open a figure on a page without anything else, which can be scrolled."""
     kept = KeptPages(chromium, HOME)
-    style = f"<style>{parts.style_sheet()} body {{ max-width: 46rem; margin: 1rem; }}</style>"
+    style = f"<style>{parts.join_styles()} body {{ max-width: 46rem; margin: 1rem; }}</style>"
 
     @contextmanager
     def opened(figure, before=None, reduced_motion="reduce", **options):
-        scripts = parts.page_script(parts.registered())
+        scripts = parts.bundle_page(parts.list_parts())
         start = f"<script>{scripts}courseware.startFigure({figure.code});</script>"
         body = f"{style}{figure.render_html()}<p style='height: 3000px'>{start}"
         html = f"<!doctype html><meta charset='utf-8'>{body}"

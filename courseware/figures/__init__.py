@@ -42,7 +42,7 @@ register(
     Part(
         name="figures",
         page="courseware/figures/page.js:startFigures",
-        called_by="rk-figure",
+        marker="rk-figure",
         widget="courseware/figures/notebook.js:showFigure",
         styles=("courseware/figures/figure.css",),
         constants={"courseware/figures/constants.js": looks.collect_constants},

@@ -20,7 +20,7 @@ from courseware.figures.javascript import run_javascript
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
 from courseware.script import engine
-from courseware.script.widget import Widget, widget
+from courseware.script.widget import Widget, create_widget
 
 SIZES = ("step", "laboratory", "")
 MIME = "application/vnd.courseware.figure+json"
@@ -188,14 +188,14 @@ class Figure:
     @cached_property
     def widget(self) -> Widget:
         """The widget in a notebook; its state are the settings in SI units, by name."""
-        return widget("figures", self.code, {c.key: c.start for c in self.controls})
+        return create_widget("figures", self.code, {c.key: c.start for c in self.controls})
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return the widget, the name by which a page finds the figure, and a still picture."""
         others = {"text/plain": self.title, MIME: {"name": self.name}}
         if engine.is_available():
             others["image/svg+xml"] = compact_svg(self.render_svg())
-        return self.widget.output(others)
+        return self.widget.render_output(others)
 
 
 def inline_colors(svg: str) -> str:

@@ -28,7 +28,7 @@ register(
     Part(
         name="practice",
         page="courseware/practice/page.js:startDesk",
-        called_by="rk-exercise",
+        marker="rk-exercise",
         widget="courseware/practice/notebook.js:showExercise",
         styles=("courseware/practice/practice.css",),
         constants={
@@ -41,7 +41,7 @@ register(
     Part(
         name="progress",
         page="courseware/practice/progress.js:startProgress",
-        called_by="",  # every page has a menu
+        marker="",  # every page has a menu
     )
 )
 

@@ -20,7 +20,7 @@ from courseware.practice.declaration import Exercise
 from courseware.practice.formatting import render_marked, render_symbols
 from courseware.practice.mistakes import Mistake
 from courseware.practice.saving import ANSWERS, write_table
-from courseware.script.widget import Widget, widget
+from courseware.script.widget import Widget, create_widget
 
 WIDTH = 42  # of a line of code, for phones
 MOST_NUMBERS = 100  # in an answer
@@ -98,7 +98,7 @@ class Box:
         data = {"name": self.exercise.name, "course": self.course}
         data["packed"] = rendering.pack([self.exercise])
         state = {"student": self.student, "answer": "", "result": ""}
-        made = widget("practice", json.dumps(data), state)
+        made = create_widget("practice", json.dumps(data), state)
         made.observe(lambda change: self._note(**change["new"]), "state")
         return made
 
@@ -110,7 +110,7 @@ class Box:
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         e = self.exercise
         plain = f"{e.title}\n\n{self.text}\n\nAsked: {judging.format_prompt(e)}"
-        return self.widget.output({"text/plain": plain, rendering.MIME: {"name": e.name}})
+        return self.widget.render_output({"text/plain": plain, rendering.MIME: {"name": e.name}})
 
 
 def exercise(name: str, student: str | int | None = None, course: str | None = None) -> Box:

@@ -11,7 +11,7 @@ register(
     Part(
         name="predictions",
         page="courseware/predictions/predictions.js:startPredictions",
-        called_by="rk-prediction",
+        marker="rk-prediction",
         styles=("courseware/predictions/predictions.css",),
     )
 )

@@ -35,7 +35,7 @@ register(
     Part(
         name="run",
         page="courseware/run/run_buttons.js:addRunButtons",
-        called_by="cell_input",
+        marker="cell_input",
         styles=("courseware/run/run.css",),
         constants={"courseware/run/constants.js": lambda: {"VERSION": version()}},
     )

@@ -35,7 +35,7 @@ class NoWidget:
     def __init__(self, part: str, content: str, state: dict[str, Any]) -> None:
         self.state = state
 
-    def output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    def render_output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return an output without the widget."""
         return others, {}
 

@@ -51,9 +51,9 @@ def run(code: str) -> Any:
     It crosses over as JSON, but with NaN and infinities.
     """
     evaluate = _evaluate()
-    if _loaded != parts.registered():
-        evaluate(f"globalThis.courseware = {parts.whole_script()}; 0")
-        _loaded[:] = parts.registered()
+    if _loaded != parts.list_parts():
+        evaluate(f"globalThis.courseware = {parts.bundle_all()}; 0")
+        _loaded[:] = parts.list_parts()
     wrapped = (
         f"JSON.stringify({code}, (_, x) => typeof x === 'number' && !Number.isFinite(x)"
         " ? {number: String(x)} : x)"

@@ -21,7 +21,7 @@ class Part:
     Args:
         name: of the part.
         page: what starts it on a page, as "courseware/figures/page.js:startFigures".
-        called_by: what stands in the text of a page that needs it.
+        marker: what stands in the text of a page that needs it.
         widget: what shows it in a notebook, as "courseware/figures/notebook.js:showFigure".
         styles: paths of its style sheets.
         rules: what Python adds to them; asked once a course is open.
@@ -31,7 +31,7 @@ class Part:
 
     name: str
     page: str
-    called_by: str
+    marker: str
     widget: str = ""
     styles: tuple[str, ...] = ()
     rules: Callable[[], str] = str
@@ -51,30 +51,30 @@ def register(part: Part) -> None:
     _constants.update(part.constants)
 
 
-def registered() -> list[str]:
+def list_parts() -> list[str]:
     """Return the names of the parts that are known, sorted."""
     return sorted(_parts)
 
 
-def called_by(text: str) -> list[str]:
+def find_needed(text: str) -> list[str]:
     """Return the parts that a page with this text needs."""
-    return [name for name in registered() if _parts[name].called_by in text]
+    return [name for name in list_parts() if _parts[name].marker in text]
 
 
-def page_script(names: list[str]) -> str:
+def bundle_page(names: list[str]) -> str:
     """Return the script of a page that needs these parts: all that they export, and their start."""
     entries, starts = zip(*(_part(name).page.split(":") for name in names), strict=True)
     calls = "".join(f"courseware.{start}();\n" for start in starts)
     return f"globalThis.courseware = {bundle(*entries)};\n{calls}"
 
 
-def widget_script(name: str) -> str:
+def bundle_widget(name: str) -> str:
     """Return what shows a part in a notebook, as a JavaScript expression."""
     entry, function = _part(name).widget.split(":")
     return f"({bundle(entry)}).{function}"
 
 
-def whole_script() -> str:
+def bundle_all() -> str:
     """Return an expression for all parts: an object of all that they export."""
     entries = (entry for part in _parts.values() for entry in (part.page, part.widget))
     return bundle(*(entry.split(":")[0] for entry in entries if entry))
@@ -86,17 +86,17 @@ def bundle(*entries: str) -> str:
     return join_modules(entries, _read)
 
 
-def style_sheet(*names: str) -> str:
+def join_styles(*names: str) -> str:
     """Return the style sheet of parts, or of all: the colours that all share, and their rules."""
     texts = [_read("courseware/script/theme.css")]
-    for part in map(_part, names or registered()):
+    for part in map(_part, names or list_parts()):
         texts += [*map(_read, part.styles), part.rules()]
     return "".join(texts)
 
 
 def _part(name: str) -> Part:
     if name not in _parts:
-        raise CourseError(f"no part {name!r} is registered; there are {', '.join(registered())}")
+        raise CourseError(f"no part {name!r} is registered; there are {', '.join(list_parts())}")
     return _parts[name]
 
 

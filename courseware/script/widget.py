@@ -15,18 +15,18 @@ class Widget(anywidget.AnyWidget):
     _css = traitlets.Unicode().tag(sync=True)
     state = traitlets.Dict().tag(sync=True)
 
-    def output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    def render_output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return an output by MIME type, with others in it, and what Colab must know."""
         data, metadata = self._repr_mimebundle_() or ({}, {})
         return {**data, **others}, metadata
 
 
-def widget(part: str, content: str, state: dict[str, Any]) -> Widget:
+def create_widget(part: str, content: str, state: dict[str, Any]) -> Widget:
     """Return the widget of a part. content: what it shows, a JavaScript expression."""
-    render = f"render: (view) => {parts.widget_script(part)}({content}, view)"
+    render = f"render: (view) => {parts.bundle_widget(part)}({content}, view)"
     return Widget(
         _esm=f"export default {{ {render} }};",
-        _css=parts.style_sheet(part),
+        _css=parts.join_styles(part),
         _anywidget_id=f"courseware-{part}",  # one style sheet for all widgets of the part
         state=state,
     )

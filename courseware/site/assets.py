@@ -35,7 +35,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
     app.add_css_file("courseware.css")
-    if parts := scripts.called_by(body):
+    if parts := scripts.find_needed(body):
         app.add_js_file(write_parts(app, parts), loading_method="defer")
     name = escape(app.config.course_name or course().name, quote=True)
     tag = f'<meta name="course" content="{name}" />'
@@ -47,7 +47,7 @@ def write_assets(app: Sphinx, env: Any) -> None:
     if app.builder.format != "html":
         return
     solutions = app.config.course_solutions
-    write_static(app, "courseware.css", scripts.style_sheet())
+    write_static(app, "courseware.css", scripts.join_styles())
     for topic in all_topics():
         write_static(app, f"practice/{topic}.js", practice.render_script(topic, solutions))
     for mistake in all_mistakes().values():
@@ -58,7 +58,7 @@ def write_assets(app: Sphinx, env: Any) -> None:
 def write_parts(app: Sphinx, names: list[str]) -> str:
     """Write the script of a page that needs these parts, named after them; return its name."""
     file = f"courseware/{'-'.join(names)}.js"
-    write_static(app, file, scripts.page_script(names))
+    write_static(app, file, scripts.bundle_page(names))
     return file
 
 

@@ -11,7 +11,7 @@ DARK = 'html[data-theme="dark"]'
 
 def dark_colours() -> str:
     """Return the custom properties of figures on a dark page."""
-    rules = parse_stylesheet(parts.style_sheet("figures"), skip_comments=True, skip_whitespace=True)
+    rules = parse_stylesheet(parts.join_styles("figures"), skip_comments=True, skip_whitespace=True)
     dark = (serialize(r.content).strip() for r in rules if serialize(r.prelude).startswith(DARK))
     return " ".join(text for text in dark if text.startswith("--"))
 

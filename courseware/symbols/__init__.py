@@ -11,7 +11,7 @@ register(
     Part(
         name="symbols",
         page="courseware/symbols/symbols.js:startSymbols",
-        called_by="data-symbol",
+        marker="data-symbol",
         styles=("courseware/symbols/symbols.css",),
         rules=page.rules,
     )

@@ -28,7 +28,7 @@ def contrast(first, second):
 
 def grounds():
     """The ground behind the figures on light and on dark pages, from the style sheet."""
-    light, dark = re.findall(r"--rk-ground: (#\w+)", parts.style_sheet())
+    light, dark = re.findall(r"--rk-ground: (#\w+)", parts.join_styles())
     return light, dark
 
 
@@ -90,5 +90,5 @@ def test_an_index_is_written_the_same_way_everywhere(figure):
 
 
 def test_the_ring_stands_out():
-    light, dark = re.findall(r"--rk-accent: (#\w+)", parts.style_sheet())
+    light, dark = re.findall(r"--rk-accent: (#\w+)", parts.join_styles())
     assert min(contrast(c, g) for c, g in zip((light, dark), grounds(), strict=True)) >= 3

@@ -103,4 +103,4 @@ def test_without_an_engine_it_is_said_what_to_install(another):
 
 def test_an_unknown_part_is_refused():
     with pytest.raises(CourseError, match="no part 'sound' is registered; there are figures, prac"):
-        parts.page_script(["sound"])
+        parts.bundle_page(["sound"])

@@ -43,12 +43,12 @@ FAULTS = """([name, states]) => {
 def alive(request, chromium):
     """All figures on a page of that width."""
     body = "".join(figure.render_html() for figure in FIGURES.values())
-    style = f"{parts.style_sheet()} body {{ max-width: 46rem; margin: 1rem; }}"
+    style = f"{parts.join_styles()} body {{ max-width: 46rem; margin: 1rem; }}"
     with watched_page(chromium, "about:blank", request.param) as (page, watch):
         page.emulate_media(reduced_motion="reduce")
         page.set_content(f"<style>{style}</style>{body}")
         scripts = [f"courseware.startFigure({figure.code});" for figure in FIGURES.values()]
-        page.add_script_tag(content="\n".join([parts.page_script(parts.registered()), *scripts]))
+        page.add_script_tag(content="\n".join([parts.bundle_page(parts.list_parts()), *scripts]))
         yield page, watch
 
 

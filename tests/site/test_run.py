@@ -202,7 +202,7 @@ def test_nothing_is_loaded_until_it_is_asked_for(server, chromium):
     with watched_page(chromium, server) as (page, watch):
         settled(page, server + PAGE)
         assert not [url for url in watch.kinds if "/run/" in url]
-        assert len(gzip.compress(parts.page_script(["run"]).encode())) < SMALL
+        assert len(gzip.compress(parts.bundle_page(["run"]).encode())) < SMALL
         bar = page.locator(".rk-run").first
         bar.get_by_role("button", name="Run").click()
         bar.get_by_text("Load Python", exact=True).wait_for()

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 
-from classroom import tables
+from classroom.tables import UTF_16, Problems, Row, read_rows
 from courseware.errors import CourseError
 from courseware.practice import dealing
 from courseware.practice.bank import all_exercises, find_exercise
@@ -37,7 +37,7 @@ def write_key(
     force: bool = False,
 ) -> list[str]:
     """Write everyone's numbers and right answers, and return the problems of the roster."""
-    problems = tables.Problems(keep=sys.maxsize)
+    problems = Problems(keep=sys.maxsize)
     students = _read_roster(Path(roster), problems)
     refuse_same(out, roster)
     salt = course + secret
@@ -62,10 +62,10 @@ def _deal(name: str, number: int, secret: str) -> tuple[str, str]:
     return json.dumps(numbers, ensure_ascii=False), all_exercises()[name].format_answer(numbers)
 
 
-def _read_roster(path: Path, problems: tables.Problems) -> list[str]:
+def _read_roster(path: Path, problems: Problems) -> list[str]:
     """Return the names of a roster as they are written; note empty and repeated ones."""
     names = dict[str, tuple[int, str]]()
-    for line, row in tables.read_rows(path, problems, ("student",)):
+    for line, row in read_rows(path, problems, ("student",)):
         alike = folded(row["student"])
         if not alike:
             problems.note("lines without a student's name", path, line)
@@ -97,7 +97,7 @@ def refuse_same(out: str | Path, read: str | Path) -> None:
 
 def _refuse_other_secret(out: Path, course: str) -> None:
     """Refuse to write over a key that was made with another secret."""
-    rows = tables.read_rows(out, tables.Problems()) if out.exists() else ()
+    rows = read_rows(out, Problems()) if out.exists() else ()
     if others := {row.get("course", "") for _, row in rows} - {course}:
         raise CourseError(
             f"{out} is a key of {', '.join(sorted(others))}, this one would be of {course}: its "
@@ -114,17 +114,15 @@ def read_secret(path: str | Path | None, make: bool = False) -> str:
         path.write_text(secrets.token_hex(SECRET_LENGTH) + "\n", encoding="utf-8")
     try:
         data = path.read_bytes()
-        text = data.decode("utf-16" if data[:2] in tables.UTF_16 else "utf-8")
+        text = data.decode("utf-16" if data[:2] in UTF_16 else "utf-8")
     except (OSError, UnicodeDecodeError) as error:
         why = getattr(error, "strerror", error)
         raise CourseError(f"{path} cannot be read: {why}; `key --secret` makes one") from error
     secret = re.sub(f"{dealing.IGNORED}|\ufeff", "", text).strip()  # as editors save it
-    if len(secret.split()) > 1:
-        raise CourseError(f"the secret in {path} must be one word: `key --secret` makes one")
-    if len(secret) < SECRET_LENGTH:
+    if len(secret.split()) != 1 or len(secret) < SECRET_LENGTH:
         raise CourseError(
-            f"the secret in {path} has {len(secret)} characters, which can be guessed: "
-            f"it needs {SECRET_LENGTH}; delete the file, and `key --secret` makes another"
+            f"{path} must hold one word of {SECRET_LENGTH} characters or more, which nobody "
+            "guesses: give another file, `key --secret` makes it"
         )
     return secret
 
@@ -134,7 +132,7 @@ class Key:
     """A key by student and exercise, each row with its line number."""
 
     path: Path
-    rows: dict[Person, tuple[int, tables.Row]]
+    rows: dict[Person, tuple[int, Row]]
 
     def __post_init__(self) -> None:
         self.students = {student: row["student"] for (student, _), (_, row) in self.rows.items()}
@@ -142,11 +140,11 @@ class Key:
         self.versions = {row["version"] for _, row in self.rows.values()}
 
 
-def read_key(path: str | Path, problems: tables.Problems) -> Key:
+def read_key(path: str | Path, problems: Problems) -> Key:
     """Read the table that `write_key` wrote; note lines that cannot be used."""
     path = Path(path)
-    rows: dict[Person, tuple[int, tables.Row]] = {}
-    for line, row in tables.read_rows(path, problems, NEEDED):
+    rows: dict[Person, tuple[int, Row]] = {}
+    for line, row in read_rows(path, problems, NEEDED):
         person = folded(row["student"]), row["exercise"]
         if row["exercise"] not in all_exercises():
             problems.note(UNUSABLE, path, line, f"there is no exercise {row['exercise']!r}", row)

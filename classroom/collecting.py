@@ -11,8 +11,8 @@ from datetime import UTC, datetime
 from difflib import get_close_matches
 from pathlib import Path
 
-from classroom import tables
 from classroom.answer_key import Key, Person, folded
+from classroom.tables import Problems, Row, read_rows
 from courseware.errors import CourseError
 
 ANSWERS = {"student", "exercise", "answer"}
@@ -44,7 +44,7 @@ class Collected:
     """The answers that count, and how many lines the files, courses and versions had."""
 
     key: Key
-    problems: tables.Problems
+    problems: Problems
     answers: dict[Person, Answer] = field(default_factory=dict)
     files: Counter[Path] = field(default_factory=Counter)  # how many answers each gave
     courses: Counter[str] = field(default_factory=Counter)
@@ -63,7 +63,7 @@ class Collected:
         """Take the answers of a file; one that cannot be read does not stop the others."""
         others, before = Counter[str](), self.problems.counts.total()
         try:
-            for line, row in tables.read_rows(path, self.problems):
+            for line, row in read_rows(path, self.problems):
                 if row.keys() >= ANSWERS and not row.keys() & OURS:
                     self._take(path, line, row)
                 else:
@@ -76,7 +76,7 @@ class Collected:
         if path not in self.files and self.problems.counts.total() == before:
             self.problems.note("files without an answer", path)
 
-    def _take(self, path: Path, line: int, row: tables.Row) -> None:
+    def _take(self, path: Path, line: int, row: Row) -> None:
         """Take an answer that fits a line of the key; note another."""
         self.files[path] += 0  # it has answers, if perhaps none that fits
         self.courses[row.get("course", "")] += 1
@@ -93,7 +93,7 @@ class Collected:
             self.problems.note(kind, path, line, words, row)
         self._keep(Answer(row["answer"], self._read_time(path, line, row), path, line), row)
 
-    def _find_problem(self, row: tables.Row) -> tuple[str, str]:
+    def _find_problem(self, row: Row) -> tuple[str, str]:
         """Return why an answer fits no line of the key, as kind and comment; "" if it fits one."""
         student, name, exercise = folded(row["student"]), row["student"], row["exercise"]
         if not student:
@@ -114,7 +114,7 @@ class Collected:
             return "empty answers", f"{name}, {exercise}"
         return "", ""
 
-    def _keep(self, answer: Answer, row: tables.Row) -> None:
+    def _keep(self, answer: Answer, row: Row) -> None:
         """Keep the newer of two answers; of two without a time, or of one, the later read."""
         name, exercise = row["student"], row["exercise"]
         person = folded(name), exercise
@@ -128,7 +128,7 @@ class Collected:
             replaced = {**row, "answer": old.answer}
             self.problems.note(f"answers replaced by {why}", old.path, old.line, words, replaced)
 
-    def _read_time(self, path: Path, line: int, row: tables.Row) -> datetime:
+    def _read_time(self, path: Path, line: int, row: Row) -> datetime:
         text = row.get("time", "")
         try:
             time = datetime.fromisoformat(text) if text else NEVER
@@ -145,7 +145,7 @@ def _quote(names: set[str]) -> str:
 def collect(
     paths: Sequence[str | Path],
     key: Key,
-    problems: tables.Problems,
+    problems: Problems,
     leave_out: Sequence[Path] = (),
 ) -> Collected:
     """Collect the answers in these files, and in the files of these folders and their folders."""
@@ -161,7 +161,7 @@ def collect(
     return found
 
 
-def _find_tables(path: Path, problems: tables.Problems) -> Iterator[Path]:
+def _find_tables(path: Path, problems: Problems) -> Iterator[Path]:
     """Yield a file, or the tables of a folder; note the other files of a folder."""
     if not path.is_dir():
         yield path

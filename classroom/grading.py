@@ -5,10 +5,11 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from classroom import class_page, tables
+from classroom import class_page
 from classroom.answer_key import UNUSABLE, Key, Person, read_key, refuse_same
 from classroom.class_page import RESULTS, Count, Graded
 from classroom.collecting import Collected, collect
+from classroom.tables import PROBLEMS, Problems
 from courseware.errors import CourseError
 from courseware.practice import candidates, dealing, judging
 from courseware.practice.bank import all_exercises, all_mistakes
@@ -24,7 +25,7 @@ Total = tuple[str | int, ...]
 
 def check(answers: Sequence[str | Path], key: str | Path) -> tuple[list[str], str]:
     """Return the problems that grading would find, and an account to print; write nothing."""
-    problems = tables.Problems()
+    problems = Problems()
     found = collect(answers, read_key(key, problems), problems)
     return problems.lines(), "\n".join([*_account(found), "nothing was written"])
 
@@ -44,8 +45,8 @@ def grade(
     for path in paths:
         refuse_same(path, key)
         refuse_existing(path, force)
-    with open_table(paths[3], tables.PROBLEMS, force) as write:
-        problems = tables.Problems(write)
+    with open_table(paths[3], PROBLEMS, force) as write:
+        problems = Problems(write)
         collected = collect(answers, read_key(key, problems), problems, leave_out=paths)
         graded = _grade(collected, problems)
         write_table(paths[0], Graded._fields, graded, force)
@@ -78,7 +79,7 @@ def _account(found: Collected) -> list[str]:
     return lines
 
 
-def _grade(collected: Collected, problems: tables.Problems) -> list[Graded]:
+def _grade(collected: Collected, problems: Problems) -> list[Graded]:
     """Grade each line of the key."""
     people: dict[str, list[Person]] = {}
     for person in collected.key.rows:
@@ -90,7 +91,7 @@ def _grade(collected: Collected, problems: tables.Problems) -> list[Graded]:
 
 
 def _grade_exercise(
-    name: str, people: Sequence[Person], collected: Collected, problems: tables.Problems
+    name: str, people: Sequence[Person], collected: Collected, problems: Problems
 ) -> dict[Person, Graded]:
     """Judge the answers to one exercise together."""
     key, answers = collected.key, collected.answers
@@ -111,7 +112,7 @@ def _grade_exercise(
 
 
 def _candidates(
-    name: str, people: Iterable[Person], key: Key, problems: tables.Problems
+    name: str, people: Iterable[Person], key: Key, problems: Problems
 ) -> dict[str, tuple[candidates.Candidate, ...]]:
     """Return the candidates for each set of numbers; note rows with strange numbers."""
     found: dict[str, tuple[candidates.Candidate, ...]] = {}

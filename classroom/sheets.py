@@ -8,8 +8,8 @@ from functools import cache
 from html import escape
 from pathlib import Path
 
-from classroom import tables
 from classroom.answer_key import read_key
+from classroom.tables import Problems, Row
 from courseware.errors import CourseError
 from courseware.practice import dealing, judging
 from courseware.practice.bank import all_exercises
@@ -40,8 +40,8 @@ the file.</p>
 
 def write_sheets(key: str | Path, out: str | Path, force: bool = False) -> list[str]:
     """Write a page for each student into a folder, and return the problems of the key."""
-    problems = tables.Problems(keep=sys.maxsize)
-    students: dict[str, list[tables.Row]] = {}
+    problems = Problems(keep=sys.maxsize)
+    students: dict[str, list[Row]] = {}
     for _, row in read_key(key, problems).rows.values():
         students.setdefault(row["student"], []).append(row)
     folder = Path(out)
@@ -62,7 +62,7 @@ def _file_name(student: str) -> str:
     return f"{plain}-{dealing.fnv1a(student):08x}.html"
 
 
-def _render_sheet(student: str, rows: Sequence[tables.Row]) -> str:
+def _render_sheet(student: str, rows: Sequence[Row]) -> str:
     return PAGE.format(
         student=escape(student),
         course=escape(rows[0]["course"]),

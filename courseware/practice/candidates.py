@@ -103,14 +103,15 @@ def _other_units(unit: str) -> Mapping[str, float]:
 def find_candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Candidate, ...]:
     """Return all answers to an exercise with these numbers, in the order of judging."""
 
-    def of(name: str, formula: Callable[..., ArrayLike]) -> list[Candidate]:
-        rows = exercise.evaluate(formula, numbers)
-        groups = [rows] if exercise.accept == "all" else [(row,) for row in dict.fromkeys(rows)]
-        return [Candidate(name, group) for group in groups]
+    def evaluate(formulas: Mapping[str, Callable[..., ArrayLike]]) -> list[Candidate]:
+        found = {name: exercise.evaluate(formula, numbers) for name, formula in formulas.items()}
+        if exercise.accept == "all":
+            return [Candidate(name, rows) for name, rows in found.items()]
+        return [Candidate(n, (row,)) for n, rows in found.items() for row in dict.fromkeys(rows)]
 
-    right = of("right", exercise.right)
-    wrong = [c for mistake, formula in exercise.wrong.items() for c in of(mistake.name, formula)]
-    also = [c for words, formula in exercise.also.items() for c in of(f"slip:{words}", formula)]
+    right = evaluate({"right": exercise.right})
+    wrong = evaluate({mistake.name: formula for mistake, formula in exercise.wrong.items()})
+    also = evaluate({f"slip:{words}": formula for words, formula in exercise.also.items()})
     units = [
         Candidate(f"unit:{name}", tuple(_floats(np.multiply(row, factors)) for row in c.rows))
         for name, factors in _factors(exercise.unknowns).items()

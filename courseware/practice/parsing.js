@@ -108,7 +108,7 @@ export const parseTyped = (text, unknowns) => {
   const named = trim(removeNames(text, unknowns));
   const { value: taken, ...refused } = attempt(() => takeUnits(named, unknowns));
   if (refused.problem) return [{ value: null, ...refused }];
-  const { units, rest } = taken, texts = new Set([rest, rest.replace(SLASH, ".")]);
+  const { units, rest } = taken, texts = new Set([rest.replace(SLASH, "."), rest]);
   return dropProblems([...texts].flatMap(parseAnswer).map((found) => found.problem || !units.length ? found
     : attempt(() => convertAll(found.value, units, named, unknowns))));
 };

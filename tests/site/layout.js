@@ -92,7 +92,7 @@ async ({ phone, screens, heights, sizes }) => {
 
   const found = { tooWide, severalSearches, squeezedRoots, ...(screens ? { onlyText } : {}) };
   for (const [name, check] of Object.entries(found)) found[name] = check();
-  unfold(document.querySelector(".bd-article"));
+  unfold(document.body);
   const opened = { lostToTheLeft, tornFormulas, ...(phone ? { tornPunctuation, cutCode, hiddenScrolling } : {}) };
   for (const [name, check] of Object.entries(opened)) found[name] = check();
   found.figures = [];

@@ -20,13 +20,13 @@ class Part:
 
     Args:
         name: of the part.
-        page: what starts it on a page, as "courseware/figures/page.js:startFigures".
+        page: the module whose function starts it on a page, a colon, and the function's name.
         marker: what stands in the text of a page that needs it.
-        widget: what shows it in a notebook, as "courseware/figures/notebook.js:showFigure".
+        widget: likewise the function that shows it in a notebook.
         styles: paths of its style sheets.
         rules: what Python adds to them; asked once a course is open.
-        constants: what Python tells the script, likewise: paths of modules that are no files, as
-            "courseware/figures/constants.js", and what they export.
+        constants: what Python tells the script, likewise: the path of a module that is no file,
+            and a function that returns its exports by name.
     """
 
     name: str

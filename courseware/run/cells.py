@@ -48,7 +48,7 @@ def start(send: Callable[[str, str], None], packages: list[str]) -> "Cells":
     os.environ["MPLBACKEND"] = "agg"
     warnings.filterwarnings("ignore", "FigureCanvasAgg is non-interactive")  # the cell shows it
     widgets = ModuleType("courseware.script.widget")
-    vars(widgets).update(Widget=NoWidget, widget=NoWidget)
+    vars(widgets).update(Widget=NoWidget, create_widget=NoWidget)
     sys.modules[widgets.__name__] = widgets
     return Cells(send, frozenset(packages))
 

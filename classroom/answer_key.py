@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 
-from classroom.tables import UTF_16, Problems, Row, read_rows
+from classroom.tables import UNDECODED, Problems, Row, read_lines, read_rows
 from courseware.errors import CourseError
 from courseware.practice import dealing
 from courseware.practice.bank import all_exercises, find_exercise
@@ -72,10 +72,8 @@ def _read_roster(path: Path, problems: Problems) -> list[str]:
         elif alike in OF_A_SYSTEM:
             problems.note("lines of the learning platform, no students", path, line, row["student"])
         elif alike in names:
-            first, written = names[alike]
-            words = (
-                f"{row['student']!r} is one name with {written!r} in line {first}: no second key"
-            )
+            first, other = names[alike]
+            words = f"{row['student']!r} is one name with {other!r} in line {first}: no second key"
             problems.note("students named twice", path, line, words)
         else:
             names[alike] = line, row["student"]
@@ -110,16 +108,12 @@ def read_secret(path: str | Path | None, make: bool = False) -> str:
     if path is None:
         return ""
     path = Path(path)
-    if make and not path.exists():
+    if not path.exists():
+        if not make:
+            raise CourseError(f"there is no file {path}; `key --secret` makes one")
         path.write_text(secrets.token_hex(SECRET_LENGTH) + "\n", encoding="utf-8")
-    try:
-        data = path.read_bytes()
-        text = data.decode("utf-16" if data[:2] in UTF_16 else "utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        why = getattr(error, "strerror", error)
-        raise CourseError(f"{path} cannot be read: {why}; `key --secret` makes one") from error
-    secret = re.sub(f"{dealing.IGNORED}|\ufeff", "", text).strip()  # as editors save it
-    if len(secret.split()) != 1 or len(secret) < SECRET_LENGTH:
+    secret = re.sub(dealing.IGNORED, "", "".join(read_lines(path))).strip()  # as editors save it
+    if len(secret.split()) != 1 or len(secret) < SECRET_LENGTH or UNDECODED.search(secret):
         raise CourseError(
             f"{path} must hold one word of {SECRET_LENGTH} characters or more, which nobody "
             "guesses: give another file, `key --secret` makes it"

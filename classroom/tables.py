@@ -2,6 +2,7 @@
 
 import csv
 import re
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import zip_longest
@@ -12,7 +13,6 @@ from courseware.practice.saving import Write, unguard_cell
 
 Row = dict[str, str]
 
-UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 UNDECODED = re.compile("[\udc80-\udcff]")
 NOT_CSV = (
     f"a quotation mark is not closed, or a cell has over {csv.field_size_limit():,} characters"
@@ -83,9 +83,9 @@ def read_rows(
 
 def _read_cells(path: Path, problems: Problems) -> Iterator[tuple[int, list[str]]]:
     """Yield the cells of lines that are not empty, with their numbers; note what is no CSV."""
-    first = next(filter(str.strip, _read_lines(path)), "")
+    first = next(filter(str.strip, read_lines(path)), "")
     separator = max(",;\t", key=first.count)
-    reader = csv.reader(_read_lines(path), delimiter=separator, strict=True)
+    reader = csv.reader(read_lines(path), delimiter=separator, strict=True)
     while True:
         number = reader.line_num + 1
         try:
@@ -111,17 +111,17 @@ def _require(path: Path, needed: Sequence[str], heading: Sequence[str]) -> None:
         )
 
 
-def _read_lines(path: Path) -> Iterator[str]:
+def read_lines(path: Path) -> Iterator[str]:
     """Yield lines as text; bytes that are not UTF-8 are kept as surrogates."""
     try:
         with path.open("rb") as file:
             start = file.read(1000)
-        encoding = "utf-16" if start[:2] in UTF_16 else "utf-8"
-        if b"\0" in start and encoding == "utf-8":
+        is_utf_16 = start.startswith((BOM_UTF16_LE, BOM_UTF16_BE))
+        if b"\0" in start and not is_utf_16:
             raise CourseError(
                 f"{path} is no text: unpack an archive, save a spreadsheet as CSV UTF-8"
             )
-        errors = "replace" if encoding == "utf-16" else "surrogateescape"
+        encoding, errors = ("utf-16", "replace") if is_utf_16 else ("utf-8", "surrogateescape")
         with path.open(encoding=encoding, errors=errors) as text:
             for line in text:
                 remark = line.lower().startswith("sep=")  # a spreadsheet's own

@@ -44,17 +44,18 @@ class Count(NamedTuple):
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{course}: the class</title>
 <meta name="viewport" content="width=device-width"><style>
-:root {{ color-scheme: light dark; --right: light-dark(#1b7340, #74c995);
-  --partly: light-dark(#0065a3, #7cc4f5); --wrong: light-dark(#a3322e, #f28b9b);
-  --unread: light-dark(#7a5c00, #e0c060); --missing: light-dark(#767676, #8c8c8c);
-  --none: light-dark(#e4e4e4, #3a3a3a); }}
+:root {{ color-scheme: light dark; }}
+.right {{ --on: light-dark(#1b7340, #74c995); }} .partly {{ --on: light-dark(#0065a3, #7cc4f5); }}
+.wrong {{ --on: light-dark(#a3322e, #f28b9b); }} .unread {{ --on: light-dark(#7a5c00, #e0c060); }}
+b.missing {{ --on: light-dark(#767676, #8c8c8c); }}
+i.missing {{ --on: light-dark(#e4e4e4, #3a3a3a); }}
+.bar i {{ background: var(--on); }} b {{ color: var(--on); }}
 body {{ font: 1rem/1.5 sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }}
 table {{ border-collapse: collapse; }} div {{ overflow-x: auto; }}
 th, td {{ padding: .1rem .7rem .1rem 0; text-align: left; vertical-align: top; }}
 th {{ font-weight: normal; }} thead th {{ font-size: .85em; vertical-align: bottom; }}
 .n {{ text-align: right; font-variant-numeric: tabular-nums; }}
 .bar {{ display: flex; width: 14rem; height: 1rem; margin-top: .25rem; }}
-{colours}
 .signs {{ font: 1rem/1.5 monospace; letter-spacing: .05em; white-space: nowrap; }}
 .line th {{ min-width: 10rem; max-width: 20rem; overflow-wrap: anywhere; }}
 th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width: 6rem; }}
@@ -93,11 +94,6 @@ def render(course_name: str, graded: Sequence[Graded], counts: Sequence[Count]) 
     known = [exercise for name, exercise in all_exercises().items() if name in results]
     topics = {t: [e.name for e in group] for t, group in groupby(known, lambda e: e.topic)}
     totals = sum(results.values(), Counter())
-    colours = (
-        f".bar .{r} {{ background: var(--{'none' if r == 'missing' else r}); }} "
-        f"b.{r} {{ color: var(--{r}); }}"
-        for r in RESULTS
-    )
     heads = (f'<th class="n"><b class="{r}">{SIGNS[r]}</b> {r}' for r in RESULTS)
     titles = (f'<th class="topic">{escape(course().title(topic))}' for topic in topics)
     return PAGE.format(
@@ -105,7 +101,6 @@ def render(course_name: str, graded: Sequence[Graded], counts: Sequence[Count]) 
         students=len(students),
         asked=len(results),
         totals=", ".join(f"{totals[result]:,} {result}" for result in RESULTS),
-        colours="\n".join(colours),
         heads="".join(heads),
         exercises="\n".join(_exercise(e, results[e.name]) for e in known),
         frequent=_frequent(len(counts)),

@@ -102,10 +102,9 @@ class Collected:
             words = f"the course is {row['course']!r}, the key's is {_quote(self.key.courses)}"
             return "answers of another course", words
         if student not in self.key.students:
-            near = get_close_matches(student, self.key.students, 1, NEAR)
-            words = (
-                f"{name!r}{''.join(f', the key has {self.key.students[each]!r}' for each in near)}"
-            )
+            words = repr(name)
+            for near in get_close_matches(student, self.key.students, 1, NEAR):
+                words += f", the key has {self.key.students[near]!r}"
             return "answers of students who are not in the key", words
         if (student, exercise) not in self.key.rows:
             words = f"{name} has no exercise {exercise!r}"
@@ -143,10 +142,7 @@ def _quote(names: set[str]) -> str:
 
 
 def collect(
-    paths: Sequence[str | Path],
-    key: Key,
-    problems: Problems,
-    leave_out: Sequence[Path] = (),
+    paths: Sequence[str | Path], key: Key, problems: Problems, leave_out: Sequence[Path] = ()
 ) -> Collected:
     """Collect the answers in these files, and in the files of these folders and their folders."""
     found = Collected(key, problems)

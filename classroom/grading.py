@@ -3,6 +3,8 @@
 import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 
 from classroom import class_page
@@ -11,8 +13,9 @@ from classroom.class_page import RESULTS, Count, Graded
 from classroom.collecting import Collected, collect
 from classroom.tables import PROBLEMS, Problems
 from courseware.errors import CourseError
-from courseware.practice import candidates, dealing, judging
+from courseware.practice import dealing, judging
 from courseware.practice.bank import all_exercises, all_mistakes
+from courseware.practice.candidates import Candidate, find_candidates
 from courseware.practice.saving import open_table, refuse_existing, write_table
 
 TOTALS = ("student", *RESULTS)
@@ -80,48 +83,41 @@ def _account(found: Collected) -> list[str]:
 
 
 def _grade(collected: Collected, problems: Problems) -> list[Graded]:
-    """Grade each line of the key."""
-    people: dict[str, list[Person]] = {}
-    for person in collected.key.rows:
-        people.setdefault(person[1], []).append(person)
+    """Grade each line of the key, all answers to an exercise together."""
+    rows, exercise = collected.key.rows, itemgetter(1)
     found: dict[Person, Graded] = {}
-    for name, of_one in people.items():
-        found |= _grade_exercise(name, of_one, collected, problems)
-    return [found[person] for person in collected.key.rows if person in found]
+    for name, people in groupby(sorted(rows, key=exercise), exercise):
+        found |= _grade_exercise(name, list(people), collected, problems)
+    return [found[person] for person in rows if person in found]
 
 
 def _grade_exercise(
     name: str, people: Sequence[Person], collected: Collected, problems: Problems
 ) -> dict[Person, Graded]:
-    """Judge the answers to one exercise together."""
-    key, answers = collected.key, collected.answers
+    key = collected.key
     variants = _candidates(name, people, key, problems)
     places = {numbers: place for place, numbers in enumerate(variants)}
-    rows = {person: key.rows[person][1] for person in people}
-    rows = {person: row for person, row in rows.items() if row["numbers"] in places}
-    answered = [person for person in rows if person in answers]
-    typed = [(places[rows[person]["numbers"]], answers[person].answer) for person in answered]
+    rows = {p: row for p in people if (row := key.rows[p][1])["numbers"] in places}
+    texts = {p: collected.answers[p].answer for p in rows if p in collected.answers}
+    typed = [(places[rows[person]["numbers"]], text) for person, text in texts.items()]
     judged = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
-    verdicts = dict(zip(answered, judged, strict=True))
-    found = {}
-    for person, row in rows.items():
-        text = answers[person].answer if person in answers else ""
-        v = verdicts.get(person, MISSING)
-        found[person] = Graded(row["student"], name, text, v.result, v.name, v.feedback)
-    return found
+    verdicts = dict.fromkeys(rows, MISSING) | dict(zip(texts, judged, strict=True))
+    return {
+        p: Graded(rows[p]["student"], name, texts.get(p, ""), v.result, v.name, v.feedback)
+        for p, v in verdicts.items()
+    }
 
 
 def _candidates(
     name: str, people: Iterable[Person], key: Key, problems: Problems
-) -> dict[str, tuple[candidates.Candidate, ...]]:
+) -> dict[str, tuple[Candidate, ...]]:
     """Return the candidates for each set of numbers; note rows with strange numbers."""
-    found: dict[str, tuple[candidates.Candidate, ...]] = {}
+    found: dict[str, tuple[Candidate, ...]] = {}
     for line, row in map(key.rows.__getitem__, people):
         numbers = row["numbers"]
-        if numbers in found:
-            continue
         try:
-            found[numbers] = candidates.find_candidates(all_exercises()[name], json.loads(numbers))
+            if numbers not in found:
+                found[numbers] = find_candidates(all_exercises()[name], json.loads(numbers))
         except Exception as error:  # a formula may raise anything on numbers that are not its own
             words = f"{name} cannot be computed from {numbers}: {type(error).__name__}: {error}"
             problems.note(UNUSABLE, key.path, line, words, row)

@@ -7,7 +7,7 @@ right answer among those of the known mistakes.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from classroom.answer_key import choose_exercises
@@ -57,11 +57,6 @@ def _render_question(exercise: Exercise, number: int, variant: dealing.Variant, 
         kind, (text, own) = "numerical", _numerical(exercise, variant, text)
     else:
         kind, (text, own) = "cloze", _fields(exercise, variant, text)
-    count = "" if kind == "numerical" else "<shownumcorrect/>"
-    hints = [
-        _element("hint", hint, "html").replace("</hint>", f"{count}</hint>")
-        for hint in _hints(exercise, solution)
-    ]
     parts = [
         _element("name", f"{exercise.name} {number:02}: {exercise.title}"),
         _element("questiontext", text, "html"),
@@ -69,19 +64,21 @@ def _render_question(exercise: Exercise, number: int, variant: dealing.Variant, 
         "<penalty>0.3333333</penalty>",
         f"<idnumber>{exercise.name}-{number:02}</idnumber>",
         own,
-        *hints,
+        *_hints(exercise, solution, "" if kind == "numerical" else "<shownumcorrect/>"),
         f"<tags>{_element('tag', mark)}</tags>",
     ]
     return f'<question type="{kind}">\n' + "\n".join(parts) + "\n</question>\n"
 
 
-def _hints(exercise: Exercise, solution: str) -> tuple[str, str]:
+def _hints(exercise: Exercise, solution: str, options: str) -> list[str]:
     """Return two hints, for three tries: where to look, then how the solution starts."""
     look = (
         f"<p>Look into the chapter “{course().title(exercise.topic)}”. Check the unit, the sign, "
         "and that no digits were lost on the way.</p>"
     )
-    return look, f"<p>The solution starts like this:</p>{solution.partition('</p>')[0]}</p>"
+    start = f"<p>The solution starts like this:</p>{solution.partition('</p>')[0]}</p>"
+    hints = (_element("hint", hint, "html") for hint in (look, start))
+    return [hint.replace("</hint>", f"{options}</hint>") for hint in hints]
 
 
 def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
@@ -90,23 +87,26 @@ def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple
     label = render_symbols(unknown.label)
     prompt = f"{label} in {unknown.unit}" if unknown.unit else label
     prompt += ", to four decimals" if unknown.decimals > 3 else ""
-    units = "".join(
-        f"<unit><multiplier>{factor!r}</multiplier><unit_name>{unit}</unit_name></unit>"
-        for unit, factor in unit_factors(unknown).items()
-    )
+    words = f"<p>Asked is {prompt}. {HOW_TO_WRITE.format(what='it')}"
     answers = [
         f'<answer fraction="{100 * right}" format="moodle_auto_format"><text>{value}</text>'
         f"{_element('feedback', feedback, 'html')}<tolerance>{tolerance:g}</tolerance></answer>"
         for right, value, tolerance, feedback in _answers(exercise, variant, 0)
     ]
+    form = "<showunits>3</showunits>"
+    if units := unit_factors(unknown):
+        words += f" The unit may stand after it: {', '.join(units)}."
+        form = _units(units)
+    return f"{text}{words}</p>", "\n".join([*answers, form])
+
+
+def _units(factors: Mapping[str, float]) -> str:
+    units = "".join(
+        f"<unit><multiplier>{factor!r}</multiplier><unit_name>{unit}</unit_name></unit>"
+        for unit, factor in factors.items()
+    )
     form = "<unitgradingtype>0</unitgradingtype><showunits>0</showunits><unitsleft>0</unitsleft>"
-    if not units:
-        form = "<showunits>3</showunits>"
-    words = f"<p>Asked is {prompt}. {HOW_TO_WRITE.format(what='it')}"
-    if units:
-        words += f" The unit may stand after it: {', '.join(unit_factors(unknown))}."
-    parts = [*answers, f"<units>{units}</units>" if units else "", form]
-    return f"{text}{words}</p>", "\n".join(parts)
+    return f"<units>{units}</units>\n{form}"
 
 
 def unit_factors(unknown: Unknown) -> dict[str, float]:

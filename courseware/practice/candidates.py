@@ -113,7 +113,7 @@ def find_candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Can
     wrong = evaluate({mistake.name: formula for mistake, formula in exercise.wrong.items()})
     also = evaluate({f"slip:{words}": formula for words, formula in exercise.also.items()})
     units = [
-        Candidate(f"unit:{name}", tuple(_floats(np.multiply(row, factors)) for row in c.rows))
+        Candidate(f"unit:{name}", tuple(map(tuple, np.multiply(c.rows, factors).tolist())))
         for name, factors in _factors(exercise.unknowns).items()
         for c in right
     ]
@@ -141,7 +141,7 @@ def _slips(exercise: Exercise, right: Sequence[Candidate]) -> list[Candidate]:
             slips.append(("half-turn", row + math.pi))
         elif len(row) == 1 and units == {"rad"}:
             slips += [("turn", row - 2 * math.pi), ("turn", row + 2 * math.pi)]
-        found += [Candidate(f"slip:{name}", (_floats(value),)) for name, value in slips]
+        found += [Candidate(f"slip:{name}", (tuple(value.tolist()),)) for name, value in slips]
     return found
 
 
@@ -197,7 +197,3 @@ def distance(unknown: Unknown, x: float, wanted: float, factor: float = 1.0) -> 
         return apart
     turn = 2 * math.pi * abs(factor)
     return min(apart % turn, turn - apart % turn)
-
-
-def _floats(row: Any) -> Row:
-    return tuple(map(float, row))

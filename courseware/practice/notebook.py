@@ -85,10 +85,11 @@ class Box:
             self._keep(answer, verdict.result)
         return verdict
 
-    def _keep(self, answer: str, result: str) -> None:
-        """Keep an answer; a further try takes nothing away from one that was right."""
+    def _keep(self, answer: str, result: str, **_: str) -> None:
+        """Keep an answer, judged or only typed; a right one is replaced by right ones only."""
         key = self.course, dealing.fold_name(self.student), self.exercise.name
-        if result == "right" or key not in _answers or _answers[key].result != "right":
+        was_right = key in _answers and _answers[key].result == "right"
+        if answer and (result == "right" or not was_right):
             now = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
             _answers[key] = _Kept(answer, result, now, self.student)
 
@@ -99,13 +100,8 @@ class Box:
         data["packed"] = rendering.pack([self.exercise])
         state = {"student": self.student, "answer": "", "result": ""}
         made = create_widget("practice", json.dumps(data), state)
-        made.observe(lambda change: self._note(**change["new"]), "state")
+        made.observe(lambda change: self._keep(**change["new"]), "state")
         return made
-
-    def _note(self, answer: str, result: str, **_: str) -> None:
-        """Keep what the box has judged, or what is typed in it and not checked."""
-        if answer:
-            self._keep(answer, result)
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         e = self.exercise
@@ -240,17 +236,12 @@ def _type_answer(answer: Any) -> str:
     """Return a number, list or array as text; a column counts as a list."""
     try:
         array = np.asarray(answer)
-    except Exception as error:  # a ragged list or a strange object may raise anything
+    except Exception:  # a ragged list or a strange object may raise anything
+        array = np.array(None)
+    if array.dtype.kind not in "iuf" or np.ma.is_masked(answer):
         raise CourseError(
-            f"the answer must be numbers in a regular list, got {describe(answer)}"
-        ) from error
-    if np.ma.is_masked(answer):
-        raise CourseError(
-            f"the answer must have all its numbers, some are masked: {describe(answer)}"
-        )
-    if array.dtype.kind not in "iuf":
-        raise CourseError(
-            f"the answer must be real numbers, got {array.dtype} in {describe(answer)}"
+            "the answer must be real numbers in a regular list, none of them masked, "
+            f"got {describe(answer)}"
         )
     if array.size > MOST_NUMBERS:
         raise CourseError(f"the answer has {array.size:,} numbers, far more than asked")

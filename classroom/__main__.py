@@ -5,6 +5,7 @@ import io
 import re
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from classroom import moodle
 from classroom.answer_key import read_secret, write_key
@@ -64,27 +65,27 @@ def _parser() -> argparse.ArgumentParser:
     def add(name: str, words: str, out: str = "") -> argparse.ArgumentParser:
         command = commands.add_parser(name, help=words, description=words)
         if out:
-            command.add_argument("--out", default=out, help=f"default {out}")
+            command.add_argument("--out", type=Path, default=out, help=f"default {out}")
             command.add_argument("--force", action="store_true", help="overwrite what is there")
         return command
 
     key = add("key", "everyone's numbers and right answers", "key.csv")
-    key.add_argument("roster", help="CSV with a column student")
+    key.add_argument("roster", type=Path, help="CSV with a column student")
     words = "the course's name, which takes part in picking the numbers; default: that of the site"
     key.add_argument("--course", default=course_name(), help=words)
     sheet = add("sheet", "a page for each student, without answers", "sheets/")
-    sheet.add_argument("key", help="the table that key wrote")
+    sheet.add_argument("key", type=Path, help="the table that key wrote")
     questions = add("moodle", "all variants as questions, to import as Moodle XML", "moodle.xml")
     for command in (key, questions):
         command.add_argument("--only", nargs="+", default=(), help="names of exercises")
         words = "a file with a secret that draws other numbers than the page's; key makes it"
-        command.add_argument("--secret", metavar="FILE", help=words)
+        command.add_argument("--secret", type=Path, metavar="FILE", help=words)
     checked = add("check", "what grade would find; changes nothing")
     graded = add("grade", "right, partly, which mistake; and a look at the class", "grades.csv")
     for command in (checked, graded):
         words = "CSV with the columns student, exercise, answer; or folders, with any other files"
-        command.add_argument("answers", nargs="+", help=words)
-        command.add_argument("--key", required=True, help="the table that key wrote")
+        command.add_argument("answers", type=Path, nargs="+", help=words)
+        command.add_argument("--key", type=Path, required=True, help="the table that key wrote")
     return parser
 
 

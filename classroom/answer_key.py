@@ -29,21 +29,16 @@ folded = lru_cache(10_000)(dealing.fold_name)
 
 
 def write_key(
-    roster: str | Path,
-    out: str | Path,
-    course: str,
-    only: Sequence[str] = (),
-    secret: str = "",
-    force: bool = False,
+    roster: Path, out: Path, course: str, only: Sequence[str], secret: str, force: bool
 ) -> list[str]:
     """Write everyone's numbers and right answers, and return the problems of the roster."""
     problems = Problems(keep=sys.maxsize)
-    students = _read_roster(Path(roster), problems)
+    students = _read_roster(roster, problems)
     refuse_same(out, roster)
     salt = course + secret
     if secret:  # answers to the page's numbers are none to these, nor are those of another secret
         course += f", secret {hashlib.sha256(secret.encode()).hexdigest()[:6]}"
-        _refuse_other_secret(Path(out), course)
+        _refuse_other_secret(out, course)
     chosen = choose_exercises(only)
     with open_table(out, COLUMNS, force) as write:
         for student in students:
@@ -87,9 +82,9 @@ def choose_exercises(only: Sequence[str]) -> dict[str, Exercise]:
     return {name: find_exercise(name) for name in only} or all_exercises()
 
 
-def refuse_same(out: str | Path, read: str | Path) -> None:
+def refuse_same(out: Path, read: Path) -> None:
     """Refuse to write a table over the one that is read."""
-    if Path(out).resolve() == Path(read).resolve():
+    if out.resolve() == read.resolve():
         raise CourseError(f"{out} is what is read: give another name to write to")
 
 
@@ -103,11 +98,10 @@ def _refuse_other_secret(out: Path, course: str) -> None:
         )
 
 
-def read_secret(path: str | Path | None, make: bool = False) -> str:
+def read_secret(path: Path | None, make: bool) -> str:
     """Return the secret in a file, "" without a file; `make` writes one if there is none."""
     if path is None:
         return ""
-    path = Path(path)
     if not path.exists():
         if not make:
             raise CourseError(f"there is no file {path}; `key --secret` makes one")
@@ -134,9 +128,8 @@ class Key:
         self.versions = {row["version"] for _, row in self.rows.values()}
 
 
-def read_key(path: str | Path, problems: Problems) -> Key:
+def read_key(path: Path, problems: Problems) -> Key:
     """Read the table that `write_key` wrote; note lines that cannot be used."""
-    path = Path(path)
     rows: dict[Person, tuple[int, Row]] = {}
     for line, row in read_rows(path, problems, NEEDED):
         person = folded(row["student"]), row["exercise"]

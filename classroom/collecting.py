@@ -142,12 +142,12 @@ def _quote(names: set[str]) -> str:
 
 
 def collect(
-    paths: Sequence[str | Path], key: Key, problems: Problems, leave_out: Sequence[Path] = ()
+    paths: Sequence[Path], key: Key, problems: Problems, leave_out: Sequence[Path] = ()
 ) -> Collected:
     """Collect the answers in these files, and in the files of these folders and their folders."""
     found = Collected(key, problems)
     seen = {path.resolve() for path in (key.path, *leave_out)}
-    files = [file for path in map(Path, paths) for file in _find_tables(path, problems)]
+    files = [file for path in paths for file in _find_tables(path, problems)]
     for file in files:
         if file.resolve() not in seen:
             seen.add(file.resolve())

@@ -26,22 +26,19 @@ MOST_FREQUENT = 15  # mistakes in the summary
 Total = tuple[str | int, ...]
 
 
-def check(answers: Sequence[str | Path], key: str | Path) -> tuple[list[str], str]:
+def check(answers: Sequence[Path], key: Path) -> tuple[list[str], str]:
     """Return the problems that grading would find, and an account to print; write nothing."""
     problems = Problems()
     found = collect(answers, read_key(key, problems), problems)
     return problems.lines(), "\n".join([*_account(found), "nothing was written"])
 
 
-def grade(
-    answers: Sequence[str | Path], key: str | Path, out: str | Path, force: bool = False
-) -> tuple[list[str], str]:
+def grade(answers: Sequence[Path], key: Path, out: Path, force: bool) -> tuple[list[str], str]:
     """Grade files and folders of answers; return their problems, and a summary to print.
 
     Beside `out` come the students' totals, the class's mistakes, all problems, and a page that
     shows the class.
     """
-    out = Path(out)
     if not out.name or out.suffix == ".html":
         raise CourseError(f"{out} is no name for a table: give one that ends in .csv")
     paths = [out, *(out.with_name(out.stem + ending) for ending in ENDINGS)]

@@ -27,7 +27,7 @@ HOW_TO_WRITE = (
 MOST_CHOICES, FEWEST_CHOICES = 5, 3  # wrong ones
 
 
-def write(out: str | Path, only: Sequence[str] = (), secret: str = "", force: bool = False) -> None:
+def write(out: Path, only: Sequence[str], secret: str = "", force: bool = False) -> None:
     """Write the questions; with a secret, of other numbers than the page's."""
     with open_file(out, force) as file:
         mark = f"{course_name()} {dealing.version()}{' secret' if secret else ''}"

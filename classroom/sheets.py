@@ -38,13 +38,12 @@ the file.</p>
 """
 
 
-def write_sheets(key: str | Path, out: str | Path, force: bool = False) -> list[str]:
+def write_sheets(key: Path, folder: Path, force: bool) -> list[str]:
     """Write a page for each student into a folder, and return the problems of the key."""
     problems = Problems(keep=sys.maxsize)
     students: dict[str, list[Row]] = {}
     for _, row in read_key(key, problems).rows.values():
         students.setdefault(row["student"], []).append(row)
-    folder = Path(out)
     if folder.is_file():
         raise CourseError(f"{folder} is a file: give the name of a folder")
     folder.mkdir(parents=True, exist_ok=True)

@@ -18,6 +18,7 @@ from courseware.practice.declaration import Exercise, Row, Unknown
 from courseware.units import ROWS, TABLE
 
 RIGHT = "This check passed."
+NAMED = "Not yet. This is what you get {}."
 SLIPS = {
     "sign": "Not yet: the size is right, the sign is not.",
     "twice": "Not yet: this is twice the right value.",
@@ -64,18 +65,16 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     """Return every name that a candidate of this exercise can have, with its meaning."""
     ones = (1.0,) * len(exercise.unknowns)
     found = {"right": Outcome("right", RIGHT, ones)}
-    made = {m.name: (m.feedback, m.why, m.picture) for m in exercise.wrong}
-    made |= {f"slip:{words}": (words, "", None) for words in exercise.also}
-    for name, (words, why, picture) in made.items():
-        feedback = f"Not yet. This is what you get {words}."
-        found[name] = Outcome("wrong", feedback, ones, why, picture.description if picture else "")
+    for m in exercise.wrong:
+        picture = m.picture.description if m.picture else ""
+        found[m.name] = Outcome("wrong", NAMED.format(m.feedback), ones, m.why, picture)
+    for words in exercise.also:
+        found[f"slip:{words}"] = Outcome("wrong", NAMED.format(words), ones)
     units = " and ".join(dict.fromkeys(u.unit for u in exercise.unknowns if _other_units(u.unit)))
     for name, factors in _factors(exercise.unknowns).items():
         feedback = f"The right value, but in other units ({name}). Asked is {units}: please type "
         found[f"unit:{name}"] = Outcome("partly", feedback + "it again.", factors)
-    for name, feedback in SLIPS.items():
-        found[f"slip:{name}"] = Outcome("wrong", feedback, ones)
-    return found
+    return found | {f"slip:{s}": Outcome("wrong", words, ones) for s, words in SLIPS.items()}
 
 
 def _factors(unknowns: Sequence[Unknown]) -> dict[str, Row]:

@@ -53,8 +53,12 @@ def format_prompt(exercise: Exercise) -> str:
 
 
 def serialize_exercise(exercise: Exercise) -> dict[str, Any]:
-    """Return what the judge must know of an exercise, whatever its numbers."""
+    """Return what a waiting page and the judge know of an exercise, whatever its numbers."""
     return {
+        "name": exercise.name,
+        "title": exercise.title,
+        "level": exercise.level,
+        "text": exercise.text,
         "prompt": format_prompt(exercise),
         "unknowns": [vars(unknown) for unknown in exercise.unknowns],
         "decimals": max(unknown.decimals for unknown in exercise.unknowns),

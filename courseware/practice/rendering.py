@@ -44,11 +44,10 @@ def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
     """Return all that the browser knows of an exercise."""
     solution = exercise.solution_text if solutions else ""
     return {
-        **_serialize_question(exercise),
+        **judging.serialize_exercise(exercise),
         "solution": solution,
         "topic": exercise.topic,
         "look": _serialize_hint(exercise),
-        **judging.serialize_exercise(exercise),
         "variants": [
             {
                 "shown": exercise.fill_placeholders(exercise.text + solution, variant.numbers),
@@ -56,18 +55,6 @@ def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
             }
             for variant in dealing.variants(exercise.name)
         ],
-    }
-
-
-def _serialize_question(exercise: Exercise) -> dict[str, Any]:
-    """Return the part of an exercise that the waiting page shows."""
-    return {
-        "name": exercise.name,
-        "title": exercise.title,
-        "level": exercise.level,
-        "text": exercise.text,
-        "prompt": judging.format_prompt(exercise),
-        "shape": exercise.shape,
     }
 
 
@@ -116,8 +103,8 @@ def render_box(name: str, salt: str, solutions: bool = True) -> str:
     """Render an exercise as HTML, with the numbers of somebody without a name."""
     exercise = find_exercise(name)
     texts = _fill_for_nobody(exercise, salt, exercise.text)
-    arguments = (_serialize_question(exercise), texts, solutions)
-    inner = engine.call("courseware.renderExercise", *arguments)
+    question = judging.serialize_exercise(exercise)
+    inner = engine.call("courseware.renderExercise", question, texts, solutions)
     version = hashlib.sha256(render_script(exercise.topic, solutions).encode()).hexdigest()[:8]
     return (
         f'<div class="rk-exercise" role="group" id="{name}" data-exercise="{name}" '

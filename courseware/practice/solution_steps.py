@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from courseware.equations.equation import Equation, free_symbols, substitute
 from courseware.equations.text import format_formula, format_with_numbers
@@ -105,11 +104,10 @@ class SolvedLine(NamedTuple):
 
 @dataclass(frozen=True)
 class SolvedStep:
-    """A step with numbers in it: its lines, and its results by name."""
+    """A step with numbers in it: its lines; its results by name, the whole by the step's."""
 
     lines: tuple[SolvedLine, ...]
     results: dict[str, Any]
-    result: NDArray[np.float64]
 
     def format(self, part: str, spec: str) -> str:
         """Return the text of a placeholder: `all`, the rest of line `0`, `formula` or `value`."""
@@ -146,7 +144,7 @@ def solve_step(
     entries = list(form.left) if isinstance(form.left, sp.MatrixBase) else [form.left]
     names = [str(symbol) for symbol in step.values or entries]
     parts = [whole] if len(names) == 1 else result.ravel().tolist()
-    return SolvedStep(lines, dict(zip(names, parts, strict=True)) | {name: whole}, result)
+    return SolvedStep(lines, dict(zip(names, parts, strict=True)) | {name: whole})
 
 
 def _find_keys(
@@ -201,7 +199,7 @@ def _prepare(step: Step, formula: Any, known: frozenset[str]) -> StepForm:
     full = right
     if isinstance(formula, Equation):
         right = full = formula.textbook if step.textbook else right
-        for symbol, expression in () if step.textbook else reversed(list(formula.where)):
+        for symbol, expression in () if step.textbook else reversed(formula.where):
             if symbol not in step.given and str(symbol) not in known:
                 full = full.xreplace({symbol: expression})
     if step.part:
@@ -214,9 +212,8 @@ def _prepare(step: Step, formula: Any, known: frozenset[str]) -> StepForm:
     if _is_column(left):
         rows = right if isinstance(right, sp.MatrixBase) else right.doit()
         sides = list(zip(left, rows, strict=True))
-    unit = step.unit or getattr(formula, "unit", "")
-    if not unit:
-        unit = tuple(getattr(a, "unit", "") for a, _ in sides)
+    own = tuple(getattr(a, "unit", "") for a, _ in sides)
+    unit = step.unit or getattr(formula, "unit", "") or own
     units = (unit,) * len(sides) if isinstance(unit, str) else unit
     lines = tuple((f"{format_formula(a)} = {format_formula(b)}", b) for a, b in sides)
     return StepForm(left, full, lines, units)

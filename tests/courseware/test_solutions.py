@@ -39,7 +39,7 @@ def rows_of(exercise, solution, variant):
 def row_of(steps, names):
     """One row of the answer: what a step gives, or several together; numbers stand as they are."""
     names = (names,) if isinstance(names, str) else names
-    parts = [steps[n].result.ravel() if isinstance(n, str) else [float(n)] for n in names]
+    parts = [np.ravel(steps[n].results[n]) if isinstance(n, str) else [float(n)] for n in names]
     return np.concatenate(parts)
 
 
@@ -122,7 +122,7 @@ def wrong_beside(exercise, solution, variant):
     return [
         name
         for name in checks
-        if not np.allclose(steps[name].result.ravel(), wanted[name], EXACT, EXACT)
+        if not np.allclose(np.ravel(steps[name].results[name]), wanted[name], EXACT, EXACT)
     ]
 
 
@@ -214,9 +214,8 @@ def test_a_wrong_sign_in_any_step_is_found(exercise):
 def agrees(exercise, other, name, variant):
     """Whether a step gives the same in another solution, up to whole turns of angles."""
     numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
-    both = [s.solve(numbers)[name] for s in (other, exercise.solution)]
-    same = np.allclose(both[0].result, both[1].result, EXACT, EXACT)
-    return same or only_turns(exercise, other, name, variant)
+    both = [s.solve(numbers)[name].results[name] for s in (other, exercise.solution)]
+    return np.allclose(*both, EXACT, EXACT) or only_turns(exercise, other, name, variant)
 
 
 def of_one_formula(exercise, name):
@@ -252,7 +251,7 @@ def only_turns(exercise, other, name, variant):
     """Whether a step gives angles, and they are off by whole turns: θ − π is as right as θ + π."""
     numbers = {**variant.numbers, **exercise.derive(**variant.numbers)}
     both = [s.solve(numbers)[name] for s in (other, exercise.solution)]
-    turns = (both[0].result - both[1].result) / (2 * np.pi)
+    turns = np.subtract(*(step.results[name] for step in both)) / (2 * np.pi)
     angles = {line.unit for line in both[1].lines} == {"rad"}
     return angles and np.abs(turns - np.round(turns)).max() <= EXACT
 

@@ -37,11 +37,7 @@ def format_symbol(symbol: sp.Symbol) -> str:
     text = re.sub(r"\\operatorname\s*\{(\w+)\}(?=[\w\\])", r"\1 ", latex)
     text = re.sub(r"\\(?:mathrm|operatorname|text|boldsymbol)\s*\{((?:\\?\w)+)\}", r"\1", text)
     text = re.sub(r"\\([A-Za-z]+)", lambda m: WORDS.get(m[1], m[0]), text)
-    text = re.sub(
-        r"\\(dot|ddot|hat|bar)\s*(?:\{\s*(\w)\s*\}|(\w))",
-        lambda m: (m[2] or m[3]) + ACCENTS[m[1]],
-        text,
-    )
+    text = re.sub(r"\\(d?dot|hat|bar)\W*(\w)", lambda m: m[2] + ACCENTS[m[1]], text)
     text = re.sub(r"_\{([^{}]*)\}", lambda m: "_" + re.sub("[ ,]", "", m[1]), text)
     text = text.replace("{", "").replace("}", "").replace("Δ ", "Δ").replace("'", "′")
     if "\\" in text:
@@ -208,10 +204,8 @@ def split_sign(e: Any) -> tuple[int, Any]:
 
 def split_fraction(e: Any) -> tuple[list[Any], list[Any]]:
     """Return the factors above and below the line, in order."""
-    parts = list(e.args) if isinstance(e, sp.Mul) else [e]
-    above: list[Any] = []
-    below: list[Any] = []
-    for part in parts:
+    above, below = list[Any](), list[Any]()
+    for part in e.args if isinstance(e, sp.Mul) else [e]:
         if isinstance(part, sp.Mul):
             more, under = split_fraction(part)
             above += more

@@ -31,7 +31,8 @@ const svd = (rows, cols, entries) => {
   return { vectors: v, free: lengths.map((length) => !(length > small)) };
 };
 
-const lu = (n, entries) => {
+// Gauss and Jordan, with the largest pivot of a column.
+const solve = (n, entries) => {
   const m = Array.from({ length: n }, (_, i) =>
     [...entries.slice(n * i, n * i + n), entries[n * n + i]]);
   for (let k = 0; k < n; k++) {
@@ -39,18 +40,12 @@ const lu = (n, entries) => {
     for (let i = k; i < n; i++) if (Math.abs(m[i][k]) > Math.abs(m[p][k])) p = i;
     [m[k], m[p]] = [m[p], m[k]];
     if (m[k][k] === 0) return m.map(() => NaN);
-    for (let i = k + 1; i < n; i++) {
-      const q = m[i][k] / m[k][k];
+    for (let i = 0; i < n; i++) {
+      const q = i === k ? 0 : m[i][k] / m[k][k];
       for (let j = k; j <= n; j++) m[i][j] -= q * m[k][j];
     }
   }
-  const x = [];
-  for (let i = n - 1; i >= 0; i--) {
-    let sum = m[i][n];
-    for (let j = i + 1; j < n; j++) sum -= m[i][j] * x[j];
-    x[i] = sum / m[i][i];
-  }
-  return x;
+  return m.map((row, k) => row[n] / row[k]);
 };
 
 // As compiled formulas call them.
@@ -62,5 +57,5 @@ export const functions = {
     const i = Math.floor(index / cols), j = index % cols;
     return vectors.reduce((sum, v, k) => (free[k] ? sum + v[i] * v[j] : sum), 0);
   },
-  solve: (index, n, cols, ...ab) => lu(n, ab)[index],
+  solve: (index, n, cols, ...ab) => solve(n, ab)[index],
 };

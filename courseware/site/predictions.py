@@ -88,22 +88,25 @@ class After(SphinxDirective):
 def fill_folds(app: Sphinx, doctree: nodes.document) -> None:
     """Move the cells that follow a prediction and are tagged with its name into its fold."""
     for fold in list(doctree.findall(lambda n: isinstance(n, Tag) and "rk-opens" in n["classes"])):
-        box = fold.parent
-        cell = box
+        box = cell = fold.parent
         while "cell" not in cell["classes"]:
             cell = cell.parent
         tag, cells = f"tag_{TAG}{box['ids'][0]}", cell.parent
-        place = cells.index(cell) + 1
-        while place < len(cells) and tag in cells[place].get("classes", []):
-            follower = cells[place]
+        for follower in cells[cells.index(cell) + 1 :]:
+            if tag not in follower.get("classes", []):
+                break
             cells.remove(follower)
             fold.append(follower)
+    _refuse_misplaced(app.env.docname, doctree)
+
+
+def _refuse_misplaced(page: str, doctree: nodes.document) -> None:
     for left in doctree.findall(nodes.Element):
         tags = [c for c in left.get("classes", []) if c.startswith(f"tag_{TAG}")]
         if tags and "rk-opens" not in left.parent["classes"]:
             name = find_prediction(tags[0].removeprefix(f"tag_{TAG}")).name
             raise ExtensionError(
-                f"{app.env.docname}: a cell is tagged {TAG}{name}, but it does not follow the cell "
+                f"{page}: a cell is tagged {TAG}{name}, but it does not follow the cell "
                 f'predictions.ask("{name}"): put it there, or take off the tag'
             )
 

@@ -9,7 +9,8 @@ import pytest
 from py_mini_racer import MiniRacer
 
 from courseware.errors import CourseError
-from courseware.script import engine, parts
+from courseware.run import cells
+from courseware.script import engine, parts, widget
 from courseware.script.modules import join_modules
 
 PAGE = 'import { add } from "../text.js";\n\nexport const four = () => add(2, 2);\n'
@@ -104,3 +105,13 @@ def test_without_an_engine_it_is_said_what_to_install(another):
 def test_an_unknown_part_is_refused():
     with pytest.raises(CourseError, match="no part 'sound' is registered; there are figures, prac"):
         parts.bundle_page(["sound"])
+
+
+def test_in_a_page_something_stands_in_for_each_kind_of_widget(monkeypatch):
+    """Figures and exercises import them by name, also where cells run in the page."""
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    monkeypatch.setitem(sys.modules, widget.__name__, widget)
+    own = [n for n, x in vars(widget).items() if getattr(x, "__module__", "") == widget.__name__]
+    cells.start(print, [])
+    assert own
+    assert vars(sys.modules[widget.__name__]).keys() >= {*own}

@@ -11,7 +11,7 @@ warnings are silent. *Parameters* (`positive`, `finite`, …) with an impossible
 import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import wraps
+from functools import cached_property, wraps
 from itertools import combinations
 from typing import Any, TypeAlias, TypeVar, cast
 
@@ -37,7 +37,7 @@ class Rule:
     ok: Callable[[Array], Bools] | None = None
     allowed: str = ""
 
-    @property
+    @cached_property
     def has_steps(self) -> bool:
         """Whether the argument belongs to the steps of a path."""
         return self.core[:1] == (STEPS,)

@@ -71,7 +71,7 @@ def within(module, *packages):
     return any(module == p or module.startswith(f"{p}.") for p in packages)
 
 
-def told(imports):
+def describe_imports(imports):
     """Imports as a reader finds them."""
     return [f"{each.by}, line {each.line}, imports {each.of}" for each in imports]
 
@@ -92,7 +92,7 @@ def chapter_of(module):
     ],
 )
 def test_a_package_does_not_import(package, others):
-    wrong = told(i for i in IMPORTS if within(i.by, package) and within(i.of, *others))
+    wrong = describe_imports(i for i in IMPORTS if within(i.by, package) and within(i.of, *others))
     assert not wrong, f"{package} stands alone: {wrong}"
 
 
@@ -103,7 +103,7 @@ each_chapter = pytest.mark.parametrize("chapter", course().chapters)
 def test_a_chapter_imports_only_what_is_shared_and_earlier_chapters(chapter):
     later = course().chapters[course().chapters.index(chapter) + 1 :]
     mine = [each for each in IMPORTS if chapter_of(each.by) == chapter]
-    wrong = told(each for each in mine if chapter_of(each.of) in later)
+    wrong = describe_imports(each for each in mine if chapter_of(each.of) in later)
     assert not wrong, f"{wrong}, which comes later in _toc.yml: declare it here, or in book/motion"
 
 
@@ -112,10 +112,10 @@ def test_formulas_are_declared_without_the_library(chapter):
     """How the library agrees with them stands in `checks`, and nothing but tests needs that."""
     mine = [each for each in IMPORTS if chapter_of(each.by) == chapter]
     formulas = [i for i in mine if i.by.endswith(".formulas")]
-    wrong = told(i for i in formulas if within(i.of, "robokin"))
+    wrong = describe_imports(i for i in formulas if within(i.of, "robokin"))
     assert not wrong, f"{wrong}: what compares with the library stands in checks.py"
     checks = [i for i in mine if within(i.of, "book") and i.of.endswith(".checks")]
-    wrong = told(i for i in checks if not i.by.endswith(".checks"))
+    wrong = describe_imports(i for i in checks if not i.by.endswith(".checks"))
     assert not wrong, f"{wrong}: only tests need it"
 
 

@@ -34,12 +34,12 @@ def questions(tmp_path_factory):
     """A function: an exercise's questions as Moodle's importer sees them, for each variant."""
 
     @cache
-    def asked(name):
+    def export(name):
         path = tmp_path_factory.mktemp("moodle") / "quiz.xml"
         assert run("moodle", "--only", name, "--out", path) == 0
         return ElementTree.parse(path).findall("question[name]")
 
-    return asked
+    return export
 
 
 def answers(question):
@@ -84,11 +84,11 @@ def test_every_exercise_is_asked(folder, monkeypatch):
 
 @each_exercise
 def test_an_exercise_is_asked_in_all_variants(exercise, questions):
-    asked, name = questions(exercise.name), exercise.name
-    assert len(asked) == dealing.VARIANTS
+    drawn, name = questions(exercise.name), exercise.name
+    assert len(drawn) == dealing.VARIANTS
     several = "cloze" if len(exercise.unknowns) > 1 else "numerical"
     kind = several if exercise.accept == "one" else "multichoice"
-    for number, (question, variant) in enumerate(zip(asked, dealing.variants(name), strict=True)):
+    for number, (question, variant) in enumerate(zip(drawn, dealing.variants(name), strict=True)):
         assert question.get("type") == kind
         assert question.find("name/text").text == f"{name} {number:02}: {exercise.title}"
         assert question.find("idnumber").text == f"{name}-{number:02}"

@@ -169,7 +169,7 @@ def asking(*asks, right, shape=(), also=None, accept="one", wrong=None):
     )
 
 
-def told(exercise, text):
+def feedback_on(exercise, text):
     """What somebody is told who types this."""
     return judging.judge(exercise, candidates.find_candidates(exercise, {}), text).feedback
 
@@ -227,8 +227,8 @@ def test_a_threshold_holds_from_both_sides(asks, right, about, allowed, words):
         inside, outside = (
             json.dumps((about + sign * size * off).tolist()) for size in (0.98, 1.02)
         )
-        assert words in told(exercise, inside)
-        assert words not in told(exercise, outside)
+        assert words in feedback_on(exercise, inside)
+        assert words not in feedback_on(exercise, outside)
 
 
 SQUARE = asking(*matrix("R", 2, 2), right=[[0.1, 0.2], [0.3, 0.4]], shape=(2, 2))
@@ -274,7 +274,7 @@ ORDER = {
 
 @pytest.mark.parametrize(("exercise", "typed", "says", "not_said"), ORDER.values(), ids=ORDER)
 def test_what_is_told_first(exercise, typed, says, not_said):
-    found = told(exercise, typed)
+    found = feedback_on(exercise, typed)
     assert says in found
     assert not_said not in found
 

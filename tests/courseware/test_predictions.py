@@ -29,16 +29,16 @@ def plain(text):
     return " ".join(PLAIN.sub(" ", text).replace("\u2212", "-").lower().split())
 
 
-def asked_in(cell):
+def prediction_of(cell):
     """The name of the prediction that a cell asks, or None."""
     found = ASK.search(cell.source) if cell.cell_type == "code" else None
     return found and found[1]
 
 
-def shown_by(cell, known):
+def text_before(cell, known):
     """What a reader has seen of a cell when the next one is read; predictions are open then."""
-    if asked_in(cell) in known:
-        prediction = known[asked_in(cell)]
+    if prediction_of(cell) in known:
+        prediction = known[prediction_of(cell)]
         return f"{prediction.question} {render_fold(prediction)}"
     texts = [cell.source]
     for output in cell.get("outputs", []):
@@ -60,16 +60,16 @@ def given_away(cells, known):
     """Where a notebook says what it asks, and cells that are tagged and asked wrongly."""
     for place, cell in enumerate(cells):
         before, after = cells[place - 1 : place], cells[place + 1 : place + 2]
-        folds = {name for other in before for name in (asked_in(other), *followed(other))}
+        folds = {name for other in before for name in (prediction_of(other), *followed(other))}
         yield from (f"{TAG}{tag} follows another question" for tag in followed(cell) - folds)
         bare = cell.cell_type == "markdown" and BARE.search(cell.source)
-        if bare and not any(map(asked_in, after)):
+        if bare and not any(map(prediction_of, after)):
             yield f"no prediction is asked after “{cell.source[:60]}”"
-        if asked_in(cell) in known:
-            prediction = known[asked_in(cell)]
+        if prediction_of(cell) in known:
+            prediction = known[prediction_of(cell)]
             beside = unfolded(cells[place + 1 :], prediction.name)
-            seen = [shown_by(other, known) for other in cells[:place]]
-            seen += [prediction.question, *(shown_by(other, {}) for other in beside)]
+            seen = [text_before(other, known) for other in cells[:place]]
+            seen += [prediction.question, *(text_before(other, {}) for other in beside)]
             yield from (
                 f"{prediction.name}: “{words}” stands outside its fold"
                 for words in tells(prediction)
@@ -86,7 +86,7 @@ def followed(cell):
 def unfolded(cells, name):
     """The cells that stand open below a question, up to the next heading or question."""
     for cell in cells:
-        if asked_in(cell) or (cell.cell_type == "markdown" and cell.source.startswith("#")):
+        if prediction_of(cell) or (cell.cell_type == "markdown" and cell.source.startswith("#")):
             return
         if name not in followed(cell):
             yield cell
@@ -113,7 +113,7 @@ def test_nothing_gives_an_answer_away(chapter):
 @pytest.mark.parametrize("chapter", ASKING)
 def test_each_is_asked_once_in_its_own_chapter(chapter):
     homes = course().chapters_of("predictions", Prediction)
-    asked = sorted(name for cell in cells_of(chapter) if (name := asked_in(cell)))
+    asked = sorted(name for cell in cells_of(chapter) if (name := prediction_of(cell)))
     declared = sorted(name for name, home in homes.items() if home == chapter)
     assert asked == declared, f"{chapter}.ipynb asks {asked}; predictions.py declares {declared}"
 
@@ -141,7 +141,7 @@ def test_a_ghost_stands_in_the_figure_before(prediction):
     if isinstance(prediction.answers, Ghost):
         chapter = course().chapters_of("predictions", Prediction)[prediction.name]
         cells = cells_of(chapter)
-        place = next(i for i, cell in enumerate(cells) if asked_in(cell) == prediction.name)
+        place = next(i for i, cell in enumerate(cells) if prediction_of(cell) == prediction.name)
         outputs = [o.data for o in cells[place - 1].outputs if figure.MIME in o.get("data", {})]
         shown = [o[figure.MIME]["name"] for o in outputs]
         assert shown == [prediction.answers.figure], (

@@ -281,7 +281,7 @@ a, b = sp.symbols("a b")
 GIVEN = {"a": 3.0, "b": -0.5}
 
 
-def told(solution, shown=None):
+def print_solution(solution, shown=None):
     """A solution's text with `GIVEN` in it."""
     steps = solution.solve(GIVEN, shown or {})
     template = solution.template(r"{([\w.:]+)}")
@@ -297,25 +297,33 @@ def told(solution, shown=None):
 def test_a_step_is_told_with_letters_numbers_and_result():
     with sp.evaluate(False):
         solution = Solution("So {c}.", c=Step(LocalEquation(sp.Symbol("c"), (a - b) / 2, "m")))
-    assert told(solution) == "So c = (a − b)/2 = (3 − (−0.5))/2 = 1.75 m."
+    assert print_solution(solution) == "So c = (a − b)/2 = (3 − (−0.5))/2 = 1.75 m."
 
 
 def test_a_number_alone_is_told_once():
     c, d = (Step(LocalEquation(sp.Symbol("c"), -number, "m")) for number in (a, b))
-    assert told(Solution("{c}; {d}", c=c, d=d)) == "c = −a = −3 m; c = −b = −(−0.5) = 0.5 m"
+    assert (
+        print_solution(Solution("{c}; {d}", c=c, d=d)) == "c = −a = −3 m; c = −b = −(−0.5) = 0.5 m"
+    )
 
 
 def test_degrees_stand_only_inside_functions_of_an_angle():
     with sp.evaluate(False):
         solution = Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), a * sp.cos(b) + b)))
-    assert told(solution, {"b": "−28.6°"}) == "c = a cos b + b = 3 cos(−28.6°) + (−0.5) = 2.1327"
+    assert (
+        print_solution(solution, {"b": "−28.6°"})
+        == "c = a cos b + b = 3 cos(−28.6°) + (−0.5) = 2.1327"
+    )
 
 
 def test_a_column_is_told_line_by_line_and_named():
     pair = LocalEquation(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
     double = LocalEquation(sp.Symbol("q"), sp.Symbol("x") * 2)
     solution = Solution("{p}\n\n{q}", p=Step(pair), q=Step(double))
-    assert told(solution) == "x = a + b = 3 + (−0.5) = 2.5\n\ny = a = 3\n\nq = 2 x = 2 · 2.5 = 5"
+    assert (
+        print_solution(solution)
+        == "x = a + b = 3 + (−0.5) = 2.5\n\ny = a = 3\n\nq = 2 x = 2 · 2.5 = 5"
+    )
 
 
 def test_a_named_step_on_the_way_is_taken_from_an_earlier_step():
@@ -323,17 +331,17 @@ def test_a_named_step_on_the_way_is_taken_from_an_earlier_step():
     length, C = quantity("a", "m", 0, 1, "a length"), sp.Symbol("C")
     declared = Equation("test.e", sp.Symbol("E"), 2 * C, "here", where=((C, 3 * length),))
     e, c = Step(declared), Step(LocalEquation(C, a - b))
-    assert told(Solution("{e}", e=e)) == "E = 2 C = 18"
-    assert told(Solution("{c}\n\n{e}", c=c, e=e)).endswith("\n\nE = 2 C = 2 · 3.5 = 7")
-    assert told(Solution("{e}", e=Step(declared, {C: b}))) == "E = 2 b = 2 · (−0.5) = −1"
+    assert print_solution(Solution("{e}", e=e)) == "E = 2 C = 18"
+    assert print_solution(Solution("{c}\n\n{e}", c=c, e=e)).endswith("\n\nE = 2 C = 2 · 3.5 = 7")
+    assert print_solution(Solution("{e}", e=Step(declared, {C: b}))) == "E = 2 b = 2 · (−0.5) = −1"
 
 
 def test_a_step_can_give_its_result_other_letters():
     c = Step(LocalEquation(sp.Symbol("c"), a + b), values=(sp.Symbol("c'"),))
-    assert told(Solution("{c}", c=c)) == "c′ = a + b = 3 + (−0.5) = 2.5"
+    assert print_solution(Solution("{c}", c=c)) == "c′ = a + b = 3 + (−0.5) = 2.5"
     pair = LocalEquation(sp.Matrix(sp.symbols("x y")), sp.Matrix([a + b, a]))
     p = Step(pair, values=sp.symbols("u v"))
-    assert told(Solution("{p}", p=p)) == "u = a + b = 3 + (−0.5) = 2.5\n\nv = a = 3"
+    assert print_solution(Solution("{p}", p=p)) == "u = a + b = 3 + (−0.5) = 2.5\n\nv = a = 3"
 
 
 def test_an_answer_can_come_from_several_steps():
@@ -348,17 +356,22 @@ def test_each_line_of_a_column_has_its_unit():
     speed, rate = quantity("v", "m/s", -1, 1, "speed"), quantity("w", "rad/s", -1, 1, "rate")
     with sp.evaluate(False):
         both = LocalEquation(sp.Matrix([speed, rate]), sp.Matrix([2 * a, b + a]))
-    assert told(Solution("{p}", p=Step(both))) == (
+    assert print_solution(Solution("{p}", p=Step(both))) == (
         "v = 2 a = 2 · 3 = 6 m/s\n\nw = b + a = −0.5 + 3 = 2.5 rad/s"
     )
     solution = Solution("{p}; {p.value}", p=Step(both, unit=("m", "rad")))
-    assert told(solution) == ("v = 2 a = 2 · 3 = 6 m\n\nw = b + a = −0.5 + 3 = 2.5 rad; [6, 2.5]")
+    assert print_solution(solution) == (
+        "v = 2 a = 2 · 3 = 6 m\n\nw = b + a = −0.5 + 3 = 2.5 rad; [6, 2.5]"
+    )
 
 
 def test_numbers_that_stand_in_a_formula_are_not_said_twice():
     solution = Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), sp.Pow(2, 4, evaluate=False))))
-    assert told(solution) == "c = 2^4 = 16"
-    assert told(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), b, "m")))) == "c = b = −0.5 m"
+    assert print_solution(solution) == "c = 2^4 = 16"
+    assert (
+        print_solution(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), b, "m"))))
+        == "c = b = −0.5 m"
+    )
 
 
 def test_small_numbers_keep_five_digits():
@@ -367,7 +380,7 @@ def test_small_numbers_keep_five_digits():
         d = Step(LocalEquation(sp.Symbol("d"), 100 * sp.Symbol("c")))
     solution = Solution("{c}, {c.value:deg}, {d}", c=c, d=d)
     assert (
-        told(solution)
+        print_solution(solution)
         == "c = a/700 = 3/700 = 0.0042857 m, 0.2°, d = 100 c = 100 · 0.0042857 = 0.42857"
     )
     assert [format_result(x) for x in (0.002, -0.00012345, 1e-17, -0.25)] == [
@@ -381,8 +394,8 @@ def test_small_numbers_keep_five_digits():
 def test_each_line_has_the_unit_of_its_own_left_side():
     left = sp.Matrix([quantity("v", "m/s", 0, 1, "a speed"), quantity("w", "1/s", 0, 1, "a rate")])
     p = Step(LocalEquation(left, sp.Matrix([a, b])))
-    assert told(Solution("{p}", p=p)) == "v = a = 3 m/s\n\nw = b = −0.5 1/s"
-    assert told(Solution("{p.value}", p=p)) == "[3, −0.5]"
+    assert print_solution(Solution("{p}", p=p)) == "v = a = 3 m/s\n\nw = b = −0.5 1/s"
+    assert print_solution(Solution("{p.value}", p=p)) == "[3, −0.5]"
 
 
 P, Q, R = (sp.MatrixSymbol(name, 2, 2) for name in "PQR")
@@ -394,7 +407,7 @@ def test_a_matrix_is_one_letter_and_can_name_its_entries():
     entry = Step(LocalEquation(sp.Symbol("c"), sp.Symbol("r_12") * 3))
     column = Step(LocalEquation(sp.MatrixSymbol("p", 2, 1), -R.inv() * sp.Matrix([3, b])))
     solution = Solution("{R}\n\n{c}\n\n{p}", R=product, c=entry, p=column)
-    assert told(solution).split("\n\n") == [
+    assert print_solution(solution).split("\n\n") == [
         "R = Pᵀ Q = [[0, −1], [1, 0]]ᵀ [[1, 2], [0, 1]] = [[0, 1], [−1, −2]]",
         "c = 3 r_12 = 3 · 1 = 3",
         "p = −R⁻¹ [3, b] = −[[0, 1], [−1, −2]]⁻¹ [3, −0.5] = [5.5, −3]",
@@ -408,14 +421,17 @@ def test_products_of_matrices_are_misread_in_every_way():
 
 def test_a_step_can_be_told_by_its_formula_alone():
     solution = Solution("{c.formula}: {c.value}", c=Step(LocalEquation(sp.Symbol("c"), a + b)))
-    assert told(solution) == "c = a + b: 2.5"
+    assert print_solution(solution) == "c = a + b: 2.5"
 
 
 def test_a_result_that_is_already_there_is_not_told_twice():
-    assert told(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), -a, "m")))) == "c = −a = −3 m"
+    assert (
+        print_solution(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), -a, "m"))))
+        == "c = −a = −3 m"
+    )
 
 
 def test_what_is_not_known_is_named():
     solution = Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), sp.Symbol("d"))))
     with pytest.raises(CourseError, match=r"step 'c' .* uses d \(the number 'd'\), .* a, b"):
-        told(solution)
+        print_solution(solution)

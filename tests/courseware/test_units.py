@@ -63,14 +63,14 @@ WAYS = [
 ]
 
 
-def asked(rows):
+def parse_first(rows):
     """What is read of texts, each with the units of the numbers that are asked for."""
     named = [(text, [{"label": unit, "unit": unit} for unit in units]) for text, units in rows]
     read = "((rows) => rows.map(([text, asks]) => courseware.parseTyped(text, asks)[0]))"
     return engine.call(read, named)
 
 
-def check(typed, unit, right):
+def judge_one(typed, unit, right):
     """The verdict on what is typed where one number in this unit is asked."""
     exercise = replace(EXERCISES["differential-drive-1"], unknowns=(Unknown("x", unit),))
     return judging.judge(exercise, [Candidate("right", ((right,),))], typed)
@@ -162,7 +162,7 @@ def test_a_given_number_has_its_size():
 def test_every_spelling_is_read_as_its_size_says(number, in_capitals):
     """In the browser's engine the very same number as in Python."""
     rows = [(f"{number} {way.upper() if in_capitals else way}", [si]) for _, si, way in WAYS]
-    for (unit, si, _), (text, _), found in zip(WAYS, rows, asked(rows), strict=True):
+    for (unit, si, _), (text, _), found in zip(WAYS, rows, parse_first(rows), strict=True):
         if (unit.name, si) == ("°", "rad"):  # read where it stands, in calculations, too
             assert np.isclose(found["value"], np.radians(float(number)), rtol=1e-15), text
         else:
@@ -179,7 +179,7 @@ def test_a_list_may_have_a_unit_for_each_number_or_one_for_all(data):
     asks = [row[0].name] * len(names)
     every = ", ".join(f"{x} {name}" for x, name in zip(numbers, names, strict=True))
     for_all = f"[{', '.join(map(str, numbers))}] {names[0]}"
-    one, other = asked([(every, asks), (for_all, asks)])
+    one, other = parse_first([(every, asks), (for_all, asks)])
     assert one["value"] == [UNITS[u].to_si(x) + 0 for u, x in zip(names, numbers, strict=True)]
     assert other["value"] == [UNITS[names[0]].to_si(x) + 0 for x in numbers]
 
@@ -192,7 +192,7 @@ def test_a_unit_of_another_size_is_not_read():
         for unit in UNITS
         if unit and (si.name, unit) not in fits and (si.name, f" {unit}") not in fits
     ]
-    for (text, (si,)), found in zip(rows, asked(rows), strict=True):
+    for (text, (si,)), found in zip(rows, parse_first(rows), strict=True):
         assert (found["problem"], found["about"]) == ("unit", text[2:]), (text, si)
 
 
@@ -205,15 +205,15 @@ def test_a_unit_of_another_size_is_not_read():
     ],
 )
 def test_a_speed_is_graded_in_the_unit_that_is_typed(typed, result):
-    verdict = check(typed, "m/s", 5)
+    verdict = judge_one(typed, "m/s", 5)
     assert verdict.result == result, verdict
     if result == "unread":
         assert "a unit that fits: m/s, cm/s, mm/s, km/h" in verdict.feedback
 
 
 def test_signs_that_few_keyboards_have_are_named_in_two_ways():
-    assert ": rad, °, deg, turns" in check("5 furlong", "rad", 5).feedback
-    assert ": m², m^2, cm², cm^2, mm², mm^2" in check("5 furlong", "m²", 5).feedback
+    assert ": rad, °, deg, turns" in judge_one("5 furlong", "rad", 5).feedback
+    assert ": m², m^2, cm², cm^2, mm², mm^2" in judge_one("5 furlong", "m²", 5).feedback
 
 
 # Printing

@@ -39,16 +39,16 @@ DIFFERENTIAL = [fixed(0.1, QUARTER, 0, 0.03), fixed(0.1, -QUARTER, np.pi, 0.03)]
 OMNI = omni_robot(0.2, 0.05)
 
 
-def at(x, y, ahead=0.0):
+def spoke_to(x, y, ahead=0.0):
     """l, α and β of a wheel at (x, y) that rolls in the direction `ahead` of the robot."""
     return np.hypot(x, y), np.arctan2(y, x), QUARTER + ahead - np.arctan2(y, x)
 
 
-CAR = [fixed(*at(0, 0.75), 0.3), fixed(*at(0, -0.75), 0.3)]
-CAR += [steered(*at(2.5, 0.75), 0.3), steered(*at(2.5, -0.75), 0.3)]
-BICYCLE = [fixed(*at(0, 0), 0.3), steered(*at(1.2, 0), 0.3)]
+CAR = [fixed(*spoke_to(0, 0.75), 0.3), fixed(*spoke_to(0, -0.75), 0.3)]
+CAR += [steered(*spoke_to(2.5, 0.75), 0.3), steered(*spoke_to(2.5, -0.75), 0.3)]
+BICYCLE = [fixed(*spoke_to(0, 0), 0.3), steered(*spoke_to(1.2, 0), 0.3)]
 MECANUM = [
-    swedish(*at(x, y), 0.05, gamma)
+    swedish(*spoke_to(x, y), 0.05, gamma)
     for x, y, gamma in [
         (0.2, 0.15, -np.pi / 4),
         (0.2, -0.15, np.pi / 4),
@@ -57,9 +57,9 @@ MECANUM = [
     ]
 ]
 TWO_STEERED = [
-    steered(*at(0.4, 0), 0.1),
-    steered(*at(-0.4, 0), 0.1),
-    castor(*at(0, 0.3), 0.05, -0.03),
+    steered(*spoke_to(0.4, 0), 0.1),
+    steered(*spoke_to(-0.4, 0), 0.1),
+    castor(*spoke_to(0, 0.3), 0.05, -0.03),
 ]
 
 lengths = reals(0.05, 2)
@@ -290,21 +290,24 @@ def test_the_differential_drive_of_exercise_4():
 
 STANDARD = {
     "differential drive": (DIFFERENTIAL, (2, 0, 2)),
-    "differential drive and castor": ([*DIFFERENTIAL, castor(*at(0.2, 0), 0.02, -0.02)], (2, 0, 2)),
-    "one fixed wheel": ([fixed(*at(0, 0), 0.1), spherical(0.1, 0, 0.02)], (2, 0, 2)),
+    "differential drive and castor": (
+        [*DIFFERENTIAL, castor(*spoke_to(0.2, 0), 0.02, -0.02)],
+        (2, 0, 2),
+    ),
+    "one fixed wheel": ([fixed(*spoke_to(0, 0), 0.1), spherical(0.1, 0, 0.02)], (2, 0, 2)),
     "bicycle": (BICYCLE, (1, 1, 2)),
     "car": (CAR, (1, 1, 2)),
     "two bicycles abreast": (CAR[:3], (1, 1, 2)),
     "omni robot": (OMNI, (3, 0, 3)),
     "mecanum": (MECANUM, (3, 0, 3)),
-    "castors only": ([castor(*at(x, 0.1), 0.02, 0.02) for x in (-1, 0, 1)], (3, 0, 3)),
+    "castors only": ([castor(*spoke_to(x, 0.1), 0.02, 0.02) for x in (-1, 0, 1)], (3, 0, 3)),
     "spherical wheels only": ([spherical(0.1, a, 0.02) for a in (0, 2, 4)], (3, 0, 3)),
     "one steered wheel and castors": (
-        [steered(*at(0.3, 0), 0.1), castor(*at(-0.2, 0.2), 0.02, 0.02)],
+        [steered(*spoke_to(0.3, 0), 0.1), castor(*spoke_to(-0.2, 0.2), 0.02, 0.02)],
         (2, 1, 3),
     ),
     "two steered wheels": (TWO_STEERED, (1, 2, 3)),
-    "three steered wheels": ([*TWO_STEERED, steered(*at(0, 0.4), 0.1)], (1, 2, 3)),
+    "three steered wheels": ([*TWO_STEERED, steered(*spoke_to(0, 0.4), 0.1)], (1, 2, 3)),
     "four steered wheels": ([steered(0.4, a, 0, 0.1) for a in (0.7, 2.4, -0.7, -2.4)], (1, 2, 3)),
     "fixed wheels round a centre": ([fixed(0.3, a, 0, 0.1) for a in (0, 2, 4)], (1, 0, 1)),
     "the same and a steered one": (
@@ -319,9 +322,12 @@ STANDARD = {
         [*(fixed(0.3, a, 0.5 * a, 0.1) for a in (0, 2, 4)), steered(0.5, 1, 0, 0.1)],
         (0, 0, 0),
     ),
-    "two fixed axles, parallel": ([fixed(*at(0, 0), 0.1), fixed(*at(1, 0), 0.1)], (1, 0, 1)),
+    "two fixed axles, parallel": (
+        [fixed(*spoke_to(0, 0), 0.1), fixed(*spoke_to(1, 0), 0.1)],
+        (1, 0, 1),
+    ),
     "tandem with a steered wheel": (
-        [fixed(*at(0, 0), 0.1), fixed(*at(1, 0), 0.1), steered(*at(2, 0), 0.1)],
+        [fixed(*spoke_to(0, 0), 0.1), fixed(*spoke_to(1, 0), 0.1), steered(*spoke_to(2, 0), 0.1)],
         (1, 0, 1),
     ),
     "a wheel at the centre of everything": (
@@ -364,8 +370,8 @@ CAR_STRAIGHT = np.array([w.beta for w in steered_of(CAR)])
     [
         ([], 0),
         ([spherical(0.1, 0, 0.1)] * 4, 0),
-        ([fixed(*at(0.2, 0.1), 0.1)], 2),
-        ([fixed(*at(0.2, 0.1), 0.1)] * 2, 2),
+        ([fixed(*spoke_to(0.2, 0.1), 0.1)], 2),
+        ([fixed(*spoke_to(0.2, 0.1), 0.1)] * 2, 2),
         ([fixed(0, 1, 2, 0.1), steered(0, 2, 3, 0.1)], 2),  # both at the centre
         (OMNI[:2], 2),
         ([swedish(0.2, a, QUARTER, 0.05, 0) for a in (0, 2, 4)], 2),  # rolling along the spokes
@@ -407,7 +413,7 @@ def test_the_size_of_the_robot_does_not_matter():
 
 @pytest.mark.parametrize("scale", [1e-15, 1.0, 1e15])
 def test_the_size_of_the_robot_does_not_matter_to_its_mobility(scale):
-    skid = [fixed(*at(x * scale, y * scale), 0.3) for x in (0, 2.5) for y in (0.75, -0.75)]
+    skid = [fixed(*spoke_to(x * scale, y * scale), 0.3) for x in (0, 2.5) for y in (0.75, -0.75)]
     assert mobility([*skid, spherical(0, 0, 0.1)]) == (1, 0, 1)
     for alpha in (-2.4, -1, 0.5, 2):  # by 2.4 rad from one to the next `mobility` turns the wheels
         assert mobility([steered(scale, a, 0, 0.3) for a in (0, alpha)]) == (1, 2, 3)
@@ -428,13 +434,13 @@ def test_a_little_slip(gap):
 def test_slip_is_relative_to_all_that_makes_up_a_wheels_speed():
     # steered so that the wheel at (1, 0) stands still in a turn about it: any speed there is slip,
     # but 1e-12 is what rounding may leave of 1 m/s and 1 rad/s · 1 m
-    robot = [steered(*at(1, 0), 0.1), castor(*at(0, 0.5), 0.1, 0.1)]
+    robot = [steered(*spoke_to(1, 0), 0.1), castor(*spoke_to(0, 0.5), 0.1, 0.1)]
     for twist in ([0.0, -1 + 1e-12, 1.0], [0.0, -1e-9 + 1e-21, 1e-9], [1.0, 1e-12, 0.0]):
         assert np.isfinite(inverse(robot, twist)).all()
     with pytest.raises(UnreachableError):
         inverse(robot, [0.0, -1 + 1e-8, 1.0])
     # only its own distance counts, 1e-9 of 1 + 1 m/s, not that of a wheel that rolls round, 5 m off
-    robot.append(fixed(*at(5, 0, ahead=QUARTER), 0.1))
+    robot.append(fixed(*spoke_to(5, 0, ahead=QUARTER), 0.1))
     assert np.isfinite(inverse(robot, [0.0, -1 + 1e-9, 1.0])).all()
     with pytest.raises(UnreachableError, match="wheel 0"):
         inverse(robot, [0.0, -1 + 4e-9, 1.0])
@@ -564,7 +570,7 @@ def test_the_first_slip_is_named():
     with pytest.raises(UnreachableError, match=message):
         inverse(CAR, twists_wanted)
     # the wheel's number counts all wheels, its speed has no sign, and one item has no index
-    robot = [spherical(1, 0, 0.1), *OMNI, CAR[0], steered(*at(0, -2), 0.1)]
+    robot = [spherical(1, 0, 0.1), *OMNI, CAR[0], steered(*spoke_to(0, -2), 0.1)]
     with pytest.raises(UnreachableError, match=r"^wheel 5 \(steered\) .* at 0.841 m/s$"):
         inverse(robot, [-1, 0, 0], [robot[5].beta + 1])
     rates = inverse(CAR, twists_wanted, slipping="nan")
@@ -703,7 +709,7 @@ def test_a_car_steered_by_ackermann_is_the_bicycle(v, phi, theta):
     front = np.hypot(v + body[2] * np.array([-0.75, 0.75]), 2.5 * body[2]) / 0.3
     assert_close(np.abs(rates[2:]), front, atol=100 * ATOL)
     assert_close(forward(CAR, rates, steering, theta), world, atol=100 * ATOL)
-    one = [BICYCLE[0], steered(*at(2.5, 0), 0.3)]
+    one = [BICYCLE[0], steered(*spoke_to(2.5, 0), 0.3)]
     rear, fork = inverse(one, world, [QUARTER + phi], theta)
     assert_close([rear, fork * np.cos(phi)], [v / 0.3, v / 0.3], atol=100 * ATOL)
 

@@ -106,10 +106,10 @@ def assert_as_stored(chapter):
         source = "".join(cell["source"])
         cells.needs(source)
         assert cells.run(source, f"cell {number}"), (source, said)
-        assert told(said) == stored(cell), source
+        assert read_run(said) == stored(cell), source
 
 
-def told(said):
+def read_run(said):
     """What a run has said: its text, its formulas, how many pictures."""
     text = "".join(text for kind, text in said if kind in ("stdout", "stderr", "text/plain"))
     kinds = [kind for kind, _ in said]
@@ -124,7 +124,7 @@ def stored(cell):
         data = output.get("data", {"stdout": output.get("text")})
         kind = next(k for k in ("image/png", "text/latex", "text/plain", "stdout") if k in data)
         said.append((kind, "".join(data[kind])))
-    return told(said)
+    return read_run(said)
 
 
 # --- cells ----------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ def moves(finger, live, x, y, **way):
     assert finger.scrolled() == top
 
 
-def shown(place):
+def scroll_to(place):
     """Its box on the screen, in the middle of it and at rest."""
     place.evaluate(SHOW)
     return place.bounding_box()
@@ -87,13 +87,13 @@ def touch_sliders(finger, live):
         slider = live.input(control)
         if isinstance(control, Choice | QuarterTurns) or not slider.is_visible():
             continue
-        box = shown(slider)
+        box = scroll_to(slider)
         at, middle = thumb(slider, box), box["x"] + box["width"] / 2
         toward = 1 if at < middle else -1
         scrolls(finger, live, middle + toward * box["width"] / 4, box["y"] + box["height"] / 2)
-        box = shown(slider)
+        box = scroll_to(slider)
         scrolls(finger, live, at, box["y"] + box["height"] / 2)
-        box = shown(slider)
+        box = scroll_to(slider)
         moves(finger, live, at, box["y"] + box["height"] / 2, right=60 * toward, down=-30)
 
 
@@ -107,7 +107,7 @@ def touch_ground(finger, live):
 
 def free(live):
     """A place of the picture that no handle is near to."""
-    shown(live.picture)
+    scroll_to(live.picture)
     return live.picture.evaluate("""(svg) => {
       const box = svg.getBoundingClientRect();
       for (let x = box.left + 12; x < box.right; x += 12)

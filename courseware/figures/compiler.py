@@ -78,14 +78,14 @@ class Compiler:
         trails = [shape.recurrence for shape in figure.scene if isinstance(shape, s.Trail)]
         self.recurrences = list({id(loop): loop for loop in trails}.values())
         self.before_where = [*figure.settings, *(x for loop in self.recurrences for x in loop.ends)]
-        self.known = [*self.before_where, *(symbol for symbol, _ in figure.where)]
+        self.named = [symbol for symbol, _ in figure.where]
+        self.known = [*self.before_where, *self.named]
         self.expressions: list[Any] = []
 
     def compile_figure(self) -> dict[str, Any]:
         """Return the object that the script draws; the readouts' numbers come first."""
         figure = self.figure
         turned_by = f"dragging the ground of {figure.name}"
-        named = [symbol for symbol, _ in figure.where]
         goals = (figure.goal,) if isinstance(figure.goal, Goal) else figure.goal
         return {
             "name": figure.name,
@@ -103,8 +103,8 @@ class Compiler:
             "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
             "steps": self.list_quantities(),
             "recurrences": list(map(self.compile_recurrence, self.recurrences)),
-            "where": compile_javascript({"c": self.before_where}, named, figure.where),
-            "compute": self.compile_expressions(),
+            "where": compile_javascript({"c": self.before_where}, self.named, figure.where),
+            "compute": self._compile(self.expressions),
         }
 
     def add(self, *expressions: Any) -> list[int]:
@@ -140,26 +140,21 @@ class Compiler:
             raise CourseError(f"the control {slider.symbol} is no declared quantity")
         _refuse_wrong_slider(slider)
         unit = figure_unit(slider.symbol.unit)
-        ends = {
-            name: _round_off(getattr(slider, name) / unit.factor)
-            for name in ("low", "high", "start", "step")
-        }
-        data = {
+        data = self.find_look(slider.symbol, slider.label) | {
             "type": "slider",
             "key": slider.key,
-            **self.find_look(slider.symbol, slider.label),
             "unit": unit.name,
             "factor": unit.factor,
-            **ends,
-            "digits": max(0, -math.floor(math.log10(ends["step"]) + 1e-9)),
             "whole": isinstance(slider.step, int),
         }
         if slider.kind:
             data["kind"] = refuse_unknown_kind(slider.kind)
+        numbers = ["low", "high", "start", "step"]
         if isinstance(slider, Clock):
-            rate = _round_off(slider.rate / unit.factor)
-            data |= {"type": "clock", "rate": rate, "loops": slider.loops}
-        return data
+            data |= {"type": "clock", "loops": slider.loops}
+            numbers.append("rate")
+        data |= {name: _round_off(getattr(slider, name) / unit.factor) for name in numbers}
+        return data | {"digits": max(0, -math.floor(math.log10(data["step"]) + 1e-9))}
 
     def compile_shape(self, shape: Any) -> dict[str, Any]:
         """Return a shape's data: its numbers by place, its curve as a function."""
@@ -249,13 +244,9 @@ class Compiler:
         """Return the named steps that are quantities, with their places among all known numbers."""
         return [
             {"key": str(symbol), "symbol": symbol.key, "at": place, **_unit(symbol.unit)}
-            for place, (symbol, _) in enumerate(self.figure.where, len(self.before_where))
+            for place, symbol in enumerate(self.named, len(self.before_where))
             if isinstance(symbol, NamedSymbol)
         ]
-
-    def compile_expressions(self) -> Code:
-        """Return the one function that computes every added expression."""
-        return self._compile(self.expressions)
 
     def _compile(self, expressions: Sequence[Any], **more: Sequence[sp.Symbol]) -> Code:
         return compile_javascript({"c": self.known, **more}, expressions)

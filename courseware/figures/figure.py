@@ -157,11 +157,9 @@ class Figure:
         return run_javascript(f"{compute}({self.code})", points)
 
     def render_svg(self, width: int | None = None, **chosen: str) -> str:
-        """Return the still picture (SVG) of the start, but with some choices made otherwise.
+        """Return the still picture (SVG) of the start, with the chosen option of some choices.
 
-        Args:
-            width: in pixels, else as on a page.
-            chosen: the option of a choice, by its name.
+        Its width is in pixels; without one, as on a page.
         """
         places = {
             place: list(control.options).index(chosen[control.key])

@@ -78,16 +78,11 @@ def compile_javascript(
     }
     printer = _JavaScript(names)
     lines = []
-    for place, (symbol, expression) in enumerate(where):
-        lines.append(f"const w{place} = {_one_line(printer, expression)};")
-        names[symbol] = f"w{place}"
     with as_written():
-        shared, values = sp.cse(
-            [sp.sympify(e) for e in expressions], sp.numbered_symbols("_t"), order="none"
-        )
-        for symbol, expression in shared:
-            names[symbol] = str(symbol).lstrip("_")
-            lines.append(f"const {names[symbol]} = {_one_line(printer, expression)};")
+        shared, values = sp.cse([sp.sympify(e) for e in expressions], order="none")
+        for place, (symbol, expression) in enumerate([*where, *shared]):
+            lines.append(f"const t{place} = {_one_line(printer, expression)};")
+            names[symbol] = f"t{place}"
         results = ", ".join(_one_line(printer, value) for value in values)
     return Code(f"(f, {', '.join(arguments)}) => {{ {' '.join(lines)} return [{results}]; }}")
 

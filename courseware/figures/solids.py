@@ -15,7 +15,6 @@ from courseware.figures.declaration import Expr, Kind
 
 Point2 = tuple[float, float]
 Point3 = tuple[float, float, float]
-Dot = tuple[float, float, float]
 Face = tuple[int, ...]
 
 
@@ -30,7 +29,7 @@ class Mesh:
     kind: Kind
     corners: tuple[Point3, ...]
     faces: tuple[Face, ...]
-    dots: Mapping[int, Sequence[Dot]] = field(default_factory=dict)
+    dots: Mapping[int, Sequence[Point3]] = field(default_factory=dict)
     smooth: bool = False
 
 

@@ -455,7 +455,7 @@ def test_a_figure_tells_its_slider_from_a_namesake():
     figure = Compiler(Figure("f", "", (0, 1, 0, 1), (), (Slider(x, 0, 1, 0, 0.1),)), "")
     figure.add(2 * other)
     with pytest.raises(CourseError, match=r"uses x \(tests.*, line \d+\), .* only x \(book"):
-        figure.compile_expressions()
+        figure.compile_figure()
     with pytest.raises(CourseError, match=r"handle sets x \(.*, line \d+\), which is no slider"):
         figure.find_sliders([other], "the handle")
 
@@ -530,7 +530,7 @@ def test_where_names_steps_for_all_faces():
     assert verify(check).agrees
     assert evaluate(c + s, [theta], np.array([[0.0]]), where)[0, 0] == 3
     code = compile_javascript({"x": [theta]}, [c + s], where)
-    assert code == "(f, x) => { const w0 = Math.cos(x[0]); const w1 = 2*w0; return [w0 + w1]; }"
+    assert code == "(f, x) => { const t0 = Math.cos(x[0]); const t1 = 2*t0; return [t0 + t1]; }"
 
 
 # It stays out of the way

@@ -16,6 +16,7 @@ from classroom.tables import Problems, Row, read_rows
 from courseware.errors import CourseError
 
 ANSWERS = {"student", "exercise", "answer"}
+OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
 OURS = {"numbers", "problem", "result"}  # columns of a key, of problems and of grades
 OF_A_SYSTEM = re.compile(  # what it leaves behind; what is hidden otherwise may be handed in
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
@@ -89,8 +90,7 @@ class Collected:
         self.versions[version] += 1
         if version not in {"", *self.key.versions}:
             words = f"version {version}, the key's is {_quote(self.key.versions)}"
-            kind = "answers to another version of the exercises (they count)"
-            self.problems.note(kind, path, line, words, row)
+            self.problems.note(OF_ANOTHER_VERSION, path, line, words, row)
         self._keep(Answer(row["answer"], self._read_time(path, line, row), path, line), row)
 
     def _find_problem(self, row: Row) -> tuple[str, str]:
@@ -166,8 +166,7 @@ def _find_tables(path: Path, problems: Problems) -> Iterator[Path]:
         if any(map(OF_A_SYSTEM.match, file.relative_to(path).parts)):
             continue
         if file.is_symlink():
-            words = "copy here what it leads to"
-            problems.note("links, which are not followed", file, comment=words)
+            problems.note("links, which are not followed", file, comment="copy what it leads to")
         elif file.is_file() and file.suffix.lower() in (".csv", ".tsv", ".txt"):
             yield file
         elif not file.is_dir():

@@ -116,8 +116,7 @@ def unit_factors(unknown: Unknown) -> dict[str, float]:
 
 def _fields(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
     """Put a field for each number into the text; a matrix is a table."""
-    places = range(len(exercise.unknowns))
-    fields = [f"{{1:NUMERICAL:{'~'.join(_cloze(exercise, variant, place))}}}" for place in places]
+    fields = [_cloze(exercise, variant, place) for place in range(len(exercise.unknowns))]
     if exercise.shape:
         columns = exercise.shape[1]
         rows = (fields[k : k + columns] for k in range(0, len(fields), columns))
@@ -132,13 +131,15 @@ def _fields(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[st
     return f"{text}{body}<p>{how} No unit is typed. Each number earns its part.</p>", ""
 
 
-def _cloze(exercise: Exercise, variant: dealing.Variant, place: int) -> Iterator[str]:
-    """Yield the answers of a field, in the grammar of the embedded answers."""
+def _cloze(exercise: Exercise, variant: dealing.Variant, place: int) -> str:
+    """Return a field with its answers, in the grammar of the embedded answers."""
+    answers = []
     for right, value, tolerance, feedback in _answers(exercise, variant, place):
         for sign in "\\}#~":  # signs of the grammar
             feedback = feedback.replace(sign, f"\\{sign}")
         number = value if value == "*" else f"{value}:{tolerance:g}"
-        yield f"{'=' if right else ''}{number}#{feedback}"
+        answers.append(f"{'=' if right else ''}{number}#{feedback}")
+    return f"{{1:NUMERICAL:{'~'.join(answers)}}}"
 
 
 def _answers(
@@ -159,7 +160,7 @@ def _answers(
             known.add(value)
             alike = [f for x, t, f in wrong if distance(unknown, value, x) <= tolerance + t]
             yield False, _number(value), tolerance, _join_feedback(alike)
-    near = judging.near_factor() * allowed
+    near = judging.find_constant("NEAR") * allowed
     yield False, _number(right), near, judging.format_feedback("near", digits="")
     yield False, "*", 0, judging.format_feedback("wrong")
 

@@ -77,8 +77,7 @@ def read_rows(
         else:  # spreadsheets leave out empty cells at the end
             values = (unguard_cell(re.sub('^="(.*)"$', r"\1", cell)).strip() for cell in cells)
             yield number, dict(zip_longest(heading, values, fillvalue=""))
-    if not heading:
-        _require(path, needed, heading)
+    _require(path, needed, heading)  # of an empty table, too
 
 
 def _read_cells(path: Path, problems: Problems) -> Iterator[tuple[int, list[str]]]:

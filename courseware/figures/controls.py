@@ -114,9 +114,8 @@ class QuarterTurns:
     label: str = "turns"
 
     before: ClassVar[sp.Matrix] = sp.Matrix(3, 3, sp.symbols("before:3:3", real=True))
-    axis: ClassVar[sp.Matrix] = sp.Matrix(
-        sp.symbols("turn_axis:3", real=True)
-    )  # 0 if there is none
+    # the zero vector before the first turn
+    axis: ClassVar[sp.Matrix] = sp.Matrix(sp.symbols("turn_axis:3", real=True))
     own: ClassVar[sp.Symbol] = sp.Symbol("own_axes", real=True)  # 1 or 0, of the last turn
     part: ClassVar[sp.Symbol] = sp.Symbol("turn_part", real=True)
     count: ClassVar[sp.Symbol] = sp.Symbol("presses", real=True)

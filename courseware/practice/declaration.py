@@ -6,9 +6,6 @@ formula all numbers are SI; the reader sees the units that suit the text.
 
 64 variants are drawn by a fixed seed. One in which two answers of `right` and `wrong` would be too
 close to tell apart is not dealt. Answers are read and judged by the scripts of the page everywhere.
-In `tests/courseware`, `test_judging.py` holds every answer of every variant to its verdict, in
-Python and in the script of the page, `test_solutions.py` goes on with every number as a solution
-prints it, and the table `answers.json` says what must be read.
 """
 
 import math

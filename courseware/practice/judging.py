@@ -89,16 +89,11 @@ def _round(number: float, digits: int) -> float:
 
 def format_feedback(kind: str, **words: str) -> str:
     """Return a sentence of the page's own judge."""
-    return str(_constant(f"FEEDBACK.{kind}")).format(**words)
-
-
-def near_factor() -> float:
-    """Return how many tolerances off is "very close"."""
-    return float(_constant("NEAR"))
+    return str(find_constant(f"FEEDBACK.{kind}")).format(**words)
 
 
 @cache
-def _constant(name: str) -> Any:
+def find_constant(name: str) -> Any:
     """Return a text or number of the page's judge, asked for once: a question takes 0.3 ms."""
     return engine.run(f"courseware.{name}")
 

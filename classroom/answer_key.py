@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from itertools import product
 from pathlib import Path
 
 from classroom.tables import UNDECODED, Problems, Row, read_lines, read_rows
@@ -39,14 +40,12 @@ def write_key(
     if secret:  # answers to the page's numbers are none to these, nor are those of another secret
         course += f", secret {hashlib.sha256(secret.encode()).hexdigest()[:6]}"
         _refuse_other_secret(out, course)
-    chosen = choose_exercises(only)
+    asked = product(students, choose_exercises(only))
     with open_table(out, COLUMNS, force) as write:
-        for student in students:
-            for name in chosen:
-                number = dealing.deal(salt, name, student)
-                number %= len(dealing.variants(name, secret))
-                row = (student, name, number, *_deal(name, number, secret))
-                write(("key", course, dealing.version(), *row))
+        for student, name in asked:
+            number = dealing.deal(salt, name, student) % len(dealing.variants(name, secret))
+            row = (student, name, number, *_deal(name, number, secret))
+            write(("key", course, dealing.version(), *row))
     return problems.lines()
 
 

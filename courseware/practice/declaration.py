@@ -237,11 +237,9 @@ class Exercise:
                 raise CourseError(f"{self.name} has {{{key}}}, but only {', '.join(values)}")
         return texts
 
-    def format_answer(
-        self, numbers: Mapping[str, Any], formula: Callable[..., ArrayLike] | None = None
-    ) -> str:
-        """Return the right answer, or a formula's, as typed."""
-        return self.format_rows(self.evaluate(formula or self.right, numbers))
+    def format_answer(self, numbers: Mapping[str, Any]) -> str:
+        """Return the right answer as typed."""
+        return self.format_rows(self.evaluate(self.right, numbers))
 
     def format_rows(self, rows: ArrayLike) -> str:
         """Return answers as typed, with their unit where all have the same."""

@@ -196,7 +196,7 @@ def exercise_of(mistake: Mistake) -> Exercise:
 def format_wrong_answer(mistake: Mistake) -> str:
     """Return the wrong value in the numbers of the example."""
     e = exercise_of(mistake)
-    return e.format_answer(e.example, e.wrong[mistake])
+    return e.format_rows(e.evaluate(e.wrong[mistake], e.example))
 
 
 def mistake(name: str) -> Output:

@@ -53,11 +53,11 @@ class Solution:
         return re.sub(placeholder, expand, self.text)
 
     def solve(
-        self, numbers: Mapping[str, Any], given: Mapping[str, str] | None = None
+        self, numbers: Mapping[str, Any], given: Mapping[str, str] = {}
     ) -> dict[str, SolvedStep]:
         """Return each step with these numbers in it; `given` has the drawn ones as texts."""
         known, found = dict(numbers), {}
         for name, step in self.steps.items():
-            found[name] = solve_step(name, step, known, given or {})
+            found[name] = solve_step(name, step, known, given)
             known |= found[name].results
         return found

@@ -25,8 +25,6 @@ import yaml
 
 from courseware.errors import CourseError
 
-__all__ = ["Course", "course", "open_course"]
-
 T = TypeVar("T")
 
 
@@ -48,7 +46,6 @@ class Course:
 
     @cached_property
     def folder(self) -> Path:
-        """The folder of the package."""
         return Path(import_module(self.package).__path__[0])
 
     @cached_property
@@ -81,7 +78,6 @@ class Course:
         return yaml.safe_load(next(texts, "")) or {}
 
     def _listed_chapters(self) -> list[str]:
-        """Return the chapters of `_toc.yml`."""
         contents = self._read_yaml("_toc.yml")
         if not contents:
             raise CourseError(f"there is no _toc.yml beside {self.folder} or in it")
@@ -108,7 +104,6 @@ class Course:
 
     @cached_property
     def library_folder(self) -> Path:
-        """The folder of the library."""
         return Path(import_module(self.library).__path__[0])
 
     @cached_property

@@ -3,8 +3,6 @@
 import reprlib
 from typing import Any
 
-__all__ = ["CourseError", "describe"]
-
 
 class CourseError(ValueError):
     """Its message says what was got, what is allowed, and what to do."""

@@ -6,8 +6,6 @@ import textwrap
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["show_source"]
-
 
 class Listing:
     """Python source as the value of a notebook cell, coloured in JupyterLab and on the page."""

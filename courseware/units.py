@@ -53,20 +53,16 @@ class Unit:
 
     @property
     def words(self) -> list[str]:
-        """Name and spellings."""
         return [self.name, *self.spellings.split()]
 
     @property
     def factor(self) -> float:
-        """Size in the SI unit."""
         return self.times / self.by
 
     def to_si(self, number: float) -> float:
-        """Convert a number from this unit to the SI unit."""
         return number * self.times / self.by
 
     def from_si(self, number: float) -> float:
-        """Convert a number from the SI unit to this unit."""
         return number * self.by / self.times
 
     @property

@@ -77,7 +77,6 @@ class Check:
 
     @property
     def name(self) -> str:
-        """The formula's name."""
         return self.equation.name
 
     @property
@@ -110,7 +109,6 @@ def declared_checks() -> dict[str, Check]:
 
 
 def _describe_missing(equation: Equation) -> str:
-    """Say what to write for a formula without a check, and where."""
     chapter = course().chapters_of("formulas", Equation)[equation.name]
     names = vars(course().modules("formulas")[chapter]).items()
     variable = next((name for name, value in names if value is equation), "…")

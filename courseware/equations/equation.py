@@ -74,7 +74,6 @@ class Equation:
         return self.right if computed or self.textbook is None else self.textbook
 
     def latex(self, computed: bool = False) -> str:
-        """Return both sides as LaTeX."""
         return render_equation(self.left, self.shown_side(computed))
 
 
@@ -93,10 +92,8 @@ def substitute(expression: Any, values: Mapping[sp.Symbol, Any]) -> Any:
 
 
 def all_equations() -> dict[str, Equation]:
-    """Return every formula of the course by name."""
     return course().find_all("formulas", Equation)
 
 
 def find_equation(name: str) -> Equation:
-    """Return the equation of that name."""
     return course().find("formulas", Equation, name)

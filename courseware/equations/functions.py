@@ -86,13 +86,9 @@ def _mp_solution(digits: int, n: int, entries: tuple[Any, ...]) -> list[Any]:
         return [mpmath.nan] * n
 
 
-def _mp_sinc(x: Any) -> Any:
-    return mpmath.sin(x) / x if x else mpmath.mpf(1)
-
-
 MPMATH: dict[str, Callable[..., Any]] = {
     "rank": _mp_rank,
     "null_projector": _mp_null_projector,
     "solve": _mp_solve,
-    "sinc": _mp_sinc,
+    "sinc": mpmath.sinc,
 }

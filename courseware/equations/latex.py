@@ -34,7 +34,6 @@ class _Latex(OrderedPrinter, LatexPrinter):  # type: ignore[misc]
 
 
 def render_latex(expression: Any, **settings: Any) -> str:
-    """Return the LaTeX of an expression."""
     text: str = _Latex(**settings).doprint(expression)
     if r"\frac" in text:
         text = text.replace(r"\\", FRACTIONS_APART)

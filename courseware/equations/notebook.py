@@ -89,7 +89,6 @@ def equation_label(name: str, computed: bool) -> str:
 
 
 def equation_of(label: str) -> Equation:
-    """Return the equation of a label."""
     return find_equation(label.removesuffix(COMPUTED))
 
 

@@ -42,7 +42,6 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
 
     @property
     def chapter(self) -> str:
-        """The chapter that declares it."""
         return self.module.split(".")[-2:][0]
 
     @property
@@ -128,7 +127,6 @@ def describe_symbols(symbols: Iterable[sp.Symbol], beside: Iterable[Any]) -> str
 
 
 def refuse_namesakes(symbols: Iterable[sp.Symbol], who: str) -> None:
-    """Refuse two different symbols of the same name."""
     known: dict[str, sp.Symbol] = {}
     for symbol in symbols:
         other = known.setdefault(str(symbol), symbol)

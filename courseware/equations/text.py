@@ -68,7 +68,6 @@ class Text(OrderedPrinter):
         self.letters, self.in_degrees = letters, in_degrees or {}
 
     def text(self, expression: Any) -> str:
-        """Return the text of an expression."""
         return self.bound(expression)[0]
 
     def bound(self, e: Any) -> Bound:
@@ -232,7 +231,6 @@ def choose_separator(left: str, right: str) -> str:
 
 
 def format_formula(expression: Any) -> str:
-    """Return an expression in letters."""
     return Text(format_symbol).text(expression)
 
 

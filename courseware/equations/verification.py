@@ -36,7 +36,6 @@ class Result:
 
     @property
     def agrees(self) -> bool:
-        """Whether the largest difference is within the check's tolerance."""
         return self.difference <= self.check.tolerance
 
 
@@ -80,12 +79,9 @@ def evaluate(
 ) -> NDArray[np.object_]:
     """Evaluate an expression or matrix at points in 50-digit arithmetic: (n, components)."""
     flat = tuple(expression) if isinstance(expression, sp.MatrixBase) else (expression,)
-    known = tuple(symbols)
-    steps = []
-    for symbol, step in where:
-        steps.append(_in_mpmath(known, step))
-        known = (*known, symbol)
-    function = _in_mpmath(known, flat)
+    known = (*symbols, *(symbol for symbol, _ in where))
+    parts = (*(step for _, step in where), flat)
+    *steps, function = (_in_mpmath(known[: len(symbols) + k], p) for k, p in enumerate(parts))
     rows = []
     with mpmath.workdps(DIGITS):
         for point in points.tolist():
@@ -139,13 +135,12 @@ def library_functions(check: Check) -> list[str]:
                 found[f"{module}.{name}"] = None
             depth += {"call": 1, "return": -1}.get(event, 0)
 
-    before = sys.getprofile()
     sys.setprofile(note)
     try:
         if check.function is not None:
             check.function(*arguments)
     finally:
-        sys.setprofile(before)
+        sys.setprofile(None)
     return list(found)
 
 

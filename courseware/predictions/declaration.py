@@ -45,11 +45,9 @@ class Buttons:
             )
 
     def format_answer(self) -> str:
-        """Return the right option."""
         return self.right if isinstance(self.right, str) else self.right()
 
     def guesses(self) -> list[tuple[str, str]]:
-        """Return wrong guesses, each with its assumption."""
         return list(self.assumptions.items())
 
     def serialize(self) -> dict[str, Any]:
@@ -69,24 +67,19 @@ class _Numbers:
     assumptions: Mapping[str, Value]
 
     def units(self) -> list[Unit]:
-        """Return the unit of each number."""
         raise NotImplementedError
 
     def convert(self, value: Value) -> list[float]:
-        """Return computed numbers in their units."""
         return [unit.from_si(x) for x, unit in zip(evaluate(value), self.units(), strict=True)]
 
     def format(self, value: Value) -> list[str]:
-        """Return computed numbers as texts with their units."""
         pairs = zip(self.convert(value), self.units(), strict=True)
         return [append_unit(format_number(x, ".3g"), unit.name) for x, unit in pairs]
 
     def guesses(self) -> list[tuple[str, str]]:
-        """Return wrong guesses as texts, each with its assumption."""
         return [(", ".join(self.format(value)), why) for why, value in self.assumptions.items()]
 
     def serialize(self) -> dict[str, Any]:
-        """Return what the script must know."""
         return {
             "units": [unit.name for unit in self.units()],
             "right": self.convert(self.right),
@@ -116,15 +109,12 @@ class Number(_Numbers):
         _refuse_typed(self.label, self.right, *self.assumptions.values())
 
     def units(self) -> list[Unit]:
-        """Return the unit of the box."""
         return [UNITS[self.unit]]
 
     def format_answer(self) -> str:
-        """Return the right number with its unit."""
         return self.format(self.right)[0]
 
     def serialize(self) -> dict[str, Any]:
-        """Return what the script must know."""
         near = self.relative * (abs(self.convert(self.right)[0]) or 1)
         return super().serialize() | {"kind": "number", "labels": [""], "near": near}
 
@@ -166,16 +156,13 @@ class Ghost(_Numbers):
         return known
 
     def units(self) -> list[Unit]:
-        """Return the unit of each slider."""
         return [figure_unit(symbol.unit) for symbol in self.places]
 
     def labels(self) -> list[str]:
-        """Return the label of each slider."""
         controls = self.controls()
         return [controls[symbol][1].label or str(symbol) for symbol in self.places]
 
     def format_answer(self) -> str:
-        """Return the place of the ghost in words."""
         pairs = zip(self.labels(), self.format(self.right), strict=True)
         return ", ".join(f"{label} {text}" for label, text in pairs)
 
@@ -223,7 +210,6 @@ class Prediction:
 
 
 def evaluate(value: Value) -> list[float]:
-    """Return a value's numbers."""
     if isinstance(value, tuple):
         return [number for part in value for number in evaluate(part)]
     found = value() if callable(value) else value
@@ -247,10 +233,8 @@ def _refuse_typed(who: str, *values: Value) -> None:
 
 
 def all_predictions() -> dict[str, Prediction]:
-    """Return every prediction of the course, by name."""
     return course().find_all("predictions", Prediction)
 
 
 def find_prediction(name: str) -> Prediction:
-    """Return the prediction of that name."""
     return course().find("predictions", Prediction, name)

@@ -36,7 +36,6 @@ class NoWidget:
         self.state = state
 
     def render_output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return an output without the widget."""
         return others, {}
 
     def observe(self, handler: Callable[..., None], names: str) -> None:
@@ -60,7 +59,6 @@ class PrintStream(io.TextIOBase):
         self.send, self.kind, self.left = send, kind, PRINT_LIMIT
 
     def write(self, text: str) -> int:
-        """Send a text, cut at the limit."""
         if self.left > 0 and text:
             self.send(self.kind, text[: self.left])
             self.left -= len(text)
@@ -161,7 +159,6 @@ class Cells:
                 self.display(value)
 
     def _send_pictures(self) -> None:
-        """Send and close the open figures of Matplotlib."""
         plt = sys.modules.get("matplotlib.pyplot")
         if plt is None:
             return
@@ -173,7 +170,6 @@ class Cells:
 
 
 def _represent(value: Any) -> dict[str, str]:
-    """Return the representations of a value by MIME type."""
     bundle = getattr(value, "_repr_mimebundle_", None)
     if bundle and not isinstance(value, type):
         found = bundle()
@@ -210,7 +206,6 @@ def _split_import(statement: ast.stmt) -> Iterator[tuple[str, ast.stmt]]:
 
 
 def _imported_modules(statement: ast.AST) -> Iterator[str]:
-    """Yield the modules that an import may load."""
     if isinstance(statement, ast.Import):
         yield from (alias.name for alias in statement.names)
     if isinstance(statement, ast.ImportFrom) and statement.module:

@@ -37,7 +37,6 @@ def _evaluate() -> Callable[[str], Any]:
 
 
 def is_available() -> bool:
-    """Return whether there is an engine."""
     try:
         _evaluate()
     except CourseError:
@@ -67,6 +66,4 @@ def call(function: str, *arguments: Any) -> Any:
 
 
 def _number(value: dict[str, Any]) -> Any:
-    if set(value) == {"number"}:
-        return float(value["number"])
-    return value
+    return float(value["number"]) if set(value) == {"number"} else value

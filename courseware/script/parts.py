@@ -52,7 +52,6 @@ def register(part: Part) -> None:
 
 
 def list_parts() -> list[str]:
-    """Return the names of the parts that are known, sorted."""
     return sorted(_parts)
 
 

@@ -36,7 +36,9 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         app.add_js_file(file, loading_method="defer")
     app.add_css_file("courseware.css")
     if parts := scripts.find_needed(body):
-        app.add_js_file(write_parts(app, parts), loading_method="defer")
+        file = f"courseware/{'-'.join(parts)}.js"
+        write_static(app, file, scripts.bundle_page(parts))
+        app.add_js_file(file, loading_method="defer")
     name = escape(app.config.course_name or course().name, quote=True)
     tag = f'<meta name="course" content="{name}" />'
     context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
@@ -53,13 +55,6 @@ def write_assets(app: Sphinx, env: Any) -> None:
     for mistake in all_mistakes().values():
         if mistake.picture:
             write_static(app, f"practice/{mistake.name}.svg", draw_picture(mistake.picture))
-
-
-def write_parts(app: Sphinx, names: list[str]) -> str:
-    """Write the script of a page that needs these parts, named after them; return its name."""
-    file = f"courseware/{'-'.join(names)}.js"
-    write_static(app, file, scripts.bundle_page(names))
-    return file
 
 
 def write_static(app: Sphinx, name: str, text: str) -> None:
@@ -80,12 +75,10 @@ def write_downloads(app: Sphinx, error: Exception | None) -> None:
 
 
 def _project_path(name: str) -> Path:
-    """Return the path of a file or folder beside the course's package."""
     return course().folder.parent / name
 
 
 def wheel_name(project: str) -> str:
-    """Return the file name of a project's wheel."""
     metadata = WheelBuilder(str(_project_path(project))).metadata
     name = metadata.core.name.replace("-", "_")
     return f"{name}-{metadata.version}-py3-none-any.whl"

@@ -4,9 +4,11 @@ from html import escape
 from pathlib import Path
 
 from docutils import nodes
+from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
+from courseware.errors import CourseError
 from courseware.figures import Figure
 from courseware.figures.figure import find_figure
 from courseware.practice.bank import all_exercises, all_mistakes
@@ -26,7 +28,10 @@ class Live(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         note_sources(self.env, "figures")
-        return [render_figure(self.arguments[0])]
+        try:
+            return [render_figure(self.arguments[0])]
+        except CourseError as error:
+            raise ExtensionError(str(error)) from error
 
 
 class Chapters(SphinxDirective):

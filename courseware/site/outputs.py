@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from html import escape
-from typing import Any, TypeVar
+from typing import Any
 
 from docutils import nodes
 from sphinx.addnodes import pending_xref
@@ -34,7 +34,6 @@ from courseware.site.predictions import render_prediction
 from courseware.site.sources import note_sources
 from courseware.symbols.formula_numbers import Slots
 
-T = TypeVar("T")
 WITH = '<p class="rk-with">With the numbers of the figure:</p>'
 NO_SCRIPT = (
     '<p class="rk-noscript">Without JavaScript these exercises can be read, with the numbers of '
@@ -46,10 +45,7 @@ NO_SCRIPT = (
 def render_equation(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a display formula, numbered and known to `{eq}` by its name."""
     env, name, computed = renderer.sphinx_env, data.content["name"], data.content["computed"]
-    label, formula = (
-        equation_label(name, computed),
-        find_declared(find_equation, name).latex(computed),
-    )
+    label, formula = equation_label(name, computed), find_equation(name).latex(computed)
     node = nodes.math_block(formula, formula, label=label, nowrap=False, docname=env.docname)
     domain = env.get_domain("math")
     domain.note_equation(env.docname, label, location=(env.docname, data.line))
@@ -66,8 +62,8 @@ def _render_numbers(
     """Return the formula with the numbers of a figure, which the script keeps up to date."""
     note_sources(env, "figures")
     chapter = env.docname.partition("/")[0]
-    slots = Slots(find_declared(find_equation, name), find_declared(find_figure, figure), chapter)
-    tex = find_declared(lambda _: slots.render_tex(computed), name)
+    slots = Slots(find_equation(name), find_figure(figure), chapter)
+    tex = slots.render_tex(computed)
     node = nodes.math_block(tex, tex, number=None, nowrap=False, seen_only=True, marked=tex)
     start = nodes.raw("", f'<div class="rk-numbers">{WITH}', format="html")
     said = f'<p class="rk-says">{slots.render_sentence()}</p></div>'
@@ -78,7 +74,7 @@ def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a box of formulas that stand above, each beside the number that leads to it."""
     box = nodes.container("", classes=["rk-again"])
     for label in data.content["labels"]:
-        tex = find_declared(equation_of, label).latex(label.endswith(COMPUTED))
+        tex = equation_of(label).latex(label.endswith(COMPUTED))
         to = {"refdomain": "math", "reftype": "eq", "reftarget": label}
         to |= {"refdoc": renderer.sphinx_env.docname, "refexplicit": False, "refwarn": True}
         box += nodes.paragraph("", "", pending_xref("", nodes.inline(), **to))
@@ -88,7 +84,7 @@ def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
 
 def render_mistake(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a wrong line to judge, its result, and the answer folded."""
-    mistake = find_declared(find_mistake, data.content["name"])
+    mistake = find_mistake(data.content["name"])
     line = nodes.literal_block(mistake.line, mistake.line, language="python")
     parts = (line, nodes.raw("", render_judgement(mistake), format="html"))
     return [nodes.container("", *parts, classes=["rk-mistake"], ids=[data.content["name"]])]
@@ -96,7 +92,7 @@ def render_mistake(renderer: Any, data: Any) -> list[nodes.Element]:
 
 def render_figure(name: str) -> nodes.raw:
     """Return the still picture with its controls; the page's script brings it to life."""
-    return nodes.raw("", find_declared(find_figure, name).render_html(), format="html", figure=name)
+    return nodes.raw("", find_figure(name).render_html(), format="html", figure=name)
 
 
 Renderer = Callable[[Any, Any], list[nodes.Element]]
@@ -112,9 +108,7 @@ RENDERERS: dict[str, tuple[tuple[str, ...], Renderer]] = {
     MISTAKE: (("exercises",), render_mistake),
     PREDICTION: (
         ("predictions", "formulas", "figures"),
-        lambda renderer, data: [
-            render_prediction(renderer, find_declared(find_prediction, data.content["name"]))
-        ],
+        lambda renderer, data: [render_prediction(renderer, find_prediction(data.content["name"]))],
     ),
 }
 
@@ -131,7 +125,10 @@ class Outputs:
             return None
         parts, render = RENDERERS[data.mime_type]
         note_sources(renderer.renderer.sphinx_env, *parts)
-        return render(renderer.renderer, data)
+        try:
+            return render(renderer.renderer, data)
+        except CourseError as error:  # of a name that is not declared, for example
+            raise ExtensionError(str(error)) from error
 
 
 def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
@@ -144,14 +141,6 @@ def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
                 "have the same place in the page's address: give the figure another name, or the "
                 "heading other words"
             )
-
-
-def find_declared(find: Callable[[str], T], name: str) -> T:
-    """Find a name of a notebook, and end the build if it is not declared."""
-    try:
-        return find(name)
-    except CourseError as error:
-        raise ExtensionError(str(error)) from error
 
 
 def render_exercise(env: BuildEnvironment, name: str) -> nodes.raw:

@@ -27,7 +27,6 @@ def visit_tag(translator: Any, node: Tag) -> None:
 
 
 def depart_tag(translator: Any, node: Tag) -> None:
-    """Write the end tag."""
     if hasattr(translator, "starttag"):
         translator.body.append(f"</{node['tag']}>\n")
 
@@ -112,7 +111,6 @@ def _refuse_misplaced(page: str, doctree: nodes.document) -> None:
 
 
 def setup(app: Sphinx) -> None:
-    """Register predictions with Sphinx."""
     app.add_node(Tag, html=(visit_tag, depart_tag))
     app.add_directive("after", After)
     app.connect("source-read", convert_tags)

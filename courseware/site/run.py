@@ -87,7 +87,6 @@ def with_dependencies(packages: Mapping[str, Any], names: Iterable[str]) -> list
 
 
 def setup(app: Sphinx) -> None:
-    """Register the files with Sphinx."""
     app.add_config_value("course_folder", "", "html", str)
     app.connect("config-inited", read_setting)
     app.connect("env-updated", write_files)

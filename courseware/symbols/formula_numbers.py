@@ -50,7 +50,6 @@ class Slots:
         self.numbers = start_numbers(figure)
 
     def render_tex(self, computed: bool) -> str:
-        """Return all lines as TeX."""
         lines = [self._line(left, right) for left, right in split_lines(self.equation, computed)]
         return align_lines(lines) if len(lines) > 1 else " = ".join(lines[0])
 

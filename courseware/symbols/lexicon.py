@@ -81,7 +81,6 @@ def assigned_names(chapter: str) -> set[str]:
 
 
 def symbols_in(parts: tuple[Any, ...]) -> list[NamedSymbol]:
-    """Return the declared symbols in expressions."""
     return [s for s in free_symbols(parts) if isinstance(s, NamedSymbol)]
 
 

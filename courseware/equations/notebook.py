@@ -64,11 +64,10 @@ def show_again(*below: str) -> Output:
     below: names of those that it shows further below; "…-computed" as the code uses it.
     """
     labels = (*_shown, *below)
-    formulas = [equation_of(label).latex(label.endswith(COMPUTED)) for label in labels]
     return Output(
         {
             AGAIN: {"labels": labels},
-            "text/latex": "\n\n".join(f"$$ {formula} $$" for formula in formulas),
+            "text/latex": "\n\n".join(f"$$ {render_label(label)} $$" for label in labels),
             "text/plain": "Again: " + ", ".join(labels),
         }
     )
@@ -88,8 +87,9 @@ def equation_label(name: str, computed: bool) -> str:
     return name + COMPUTED if computed else name
 
 
-def equation_of(label: str) -> Equation:
-    return find_equation(label.removesuffix(COMPUTED))
+def render_label(label: str) -> str:
+    """Return the LaTeX of the equation of a label."""
+    return find_equation(label.removesuffix(COMPUTED)).latex(label.endswith(COMPUTED))
 
 
 def equation_anchor(label: str) -> str:

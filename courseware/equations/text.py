@@ -150,13 +150,11 @@ class Text(OrderedPrinter):
         least = alone if len(factors) == 1 else PRODUCT
         text = ""
         for place, factor in enumerate(factors):
-            last = place == len(factors) - 1
             shown = parenthesize(self.bound(factor), least)
-            if is_call(factor) and (closed or not last):
+            is_call = factor.is_Function and not isinstance(factor, sp.Abs | sp.Piecewise)
+            if is_call and (closed or place < len(factors) - 1):
                 shown, _ = self._print_Basic(factor, closed=True)
-            if place:
-                text += choose_separator(text, shown)
-            text += shown
+            text += choose_separator(text, shown) + shown
         return text
 
     def _print_Pow(self, e: Any) -> Bound:
@@ -178,11 +176,6 @@ class Text(OrderedPrinter):
         if len(arguments) == 1 and arguments[0][1] == ATOM and not closed and name != "ceiling":
             return f"{name} {arguments[0][0]}", POWER
         return f"{name}({', '.join(text for text, _ in arguments)})", POWER
-
-
-def is_call(e: Any) -> bool:
-    """Whether an expression is a function of something, as sin θ."""
-    return isinstance(e, sp.Function) and not isinstance(e, sp.Abs | sp.Piecewise)
 
 
 def split_sign(e: Any) -> tuple[int, Any]:
@@ -221,8 +214,8 @@ def split_fraction(e: Any) -> tuple[list[Any], list[Any]]:
 
 
 def choose_separator(left: str, right: str) -> str:
-    """Return the separator of two factors: none in 2π, a point where a space would mislead."""
-    if right.startswith("π") and left[-1].isdigit():
+    """Return what separates two factors: nothing in 2π, a point where a space would mislead."""
+    if not left or (right.startswith("π") and left[-1].isdigit()):
         return ""
     number = re.search(r"(?<![_\w])[\d.]+$", left)
     if right[0].isdigit() or (right[0] == "(" and (number or left[-1] == ")")):

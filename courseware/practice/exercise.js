@@ -38,13 +38,12 @@ export class ExerciseBox {
       event.preventDefault();
       this.check();
     });
-    this.input.addEventListener("change", () => this.keepTyped());
+    this.one("form").addEventListener("change", () => this.keepTyped());
     this.one(".rk-grid")?.addEventListener("input", () => {
       const rows = [...this.element.querySelectorAll("tr")].map((row) =>
         `[${[...row.querySelectorAll("input")].map((cell) => cell.value.replace(/,/g, ".")).join(", ")}]`);
       this.input.value = `[${rows.join(", ")}]`;
     });
-    this.one(".rk-grid")?.addEventListener("change", () => this.keepTyped());
     const train = (training) => this.withExercise(() => {
       Object.assign(this, { training, trained: {} });
       this.show();

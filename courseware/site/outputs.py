@@ -12,13 +12,7 @@ from sphinx.errors import ExtensionError
 
 from courseware.course import course
 from courseware.equations.equation import find_equation
-from courseware.equations.notebook import (
-    AGAIN,
-    COMPUTED,
-    equation_anchor,
-    equation_label,
-    equation_of,
-)
+from courseware.equations.notebook import AGAIN, equation_anchor, equation_label, render_label
 from courseware.equations.notebook import MIME as EQUATION
 from courseware.errors import CourseError
 from courseware.figures.figure import MIME as FIGURE
@@ -74,7 +68,7 @@ def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a box of formulas that stand above, each beside the number that leads to it."""
     box = nodes.container("", classes=["rk-again"])
     for label in data.content["labels"]:
-        tex = equation_of(label).latex(label.endswith(COMPUTED))
+        tex = render_label(label)
         to = {"refdomain": "math", "reftype": "eq", "reftarget": label}
         to |= {"refdoc": renderer.sphinx_env.docname, "refexplicit": False, "refwarn": True}
         box += nodes.paragraph("", "", pending_xref("", nodes.inline(), **to))

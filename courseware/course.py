@@ -206,6 +206,5 @@ def course() -> Course:
                 f"no course is open, and {len(installed)} are installed: import the package of "
                 "the course first, for example `import book`"
             )
-        for package in installed:
-            package.load()
+        next(iter(installed)).load()
     return _open[0]

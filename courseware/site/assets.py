@@ -14,7 +14,7 @@ from courseware.figures.compiler import serialize
 from courseware.figures.figure import find_figure
 from courseware.figures.javascript import Code
 from courseware.practice import rendering as practice
-from courseware.practice.bank import all_mistakes, all_topics
+from courseware.practice.bank import all_mistakes, all_topics, course_name
 from courseware.script import parts as scripts
 from courseware.site.mistake_pictures import draw_picture
 from courseware.symbols.page import symbol_facts
@@ -39,7 +39,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         file = f"courseware/{'-'.join(parts)}.js"
         write_static(app, file, scripts.bundle_page(parts))
         app.add_js_file(file, loading_method="defer")
-    name = escape(app.config.course_name or course().name, quote=True)
+    name = escape(course_name(), quote=True)
     tag = f'<meta name="course" content="{name}" />'
     context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
 

@@ -10,7 +10,6 @@ from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
-from courseware.course import course
 from courseware.equations.equation import find_equation
 from courseware.equations.notebook import AGAIN, equation_anchor, equation_label, render_label
 from courseware.equations.notebook import MIME as EQUATION
@@ -19,7 +18,7 @@ from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find_figure
 from courseware.practice import dealing
 from courseware.practice import rendering as practice
-from courseware.practice.bank import find_mistake
+from courseware.practice.bank import course_name, find_mistake
 from courseware.practice.notebook import MISTAKE, render_judgement
 from courseware.predictions.declaration import find_prediction
 from courseware.predictions.notebook import MIME as PREDICTION
@@ -140,7 +139,7 @@ def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
 def render_exercise(env: BuildEnvironment, name: str) -> nodes.raw:
     """Return the box of an exercise, after the desk if it is the first on its page."""
     note_sources(env, "exercises")
-    html = practice.render_box(name, _salt(env), env.config.course_solutions)
+    html = practice.render_box(name, course_name(), env.config.course_solutions)
     return nodes.raw("", render_desk(env) + html, format="html")
 
 
@@ -149,11 +148,6 @@ def render_desk(env: BuildEnvironment) -> str:
     if env.temp_data.get("practice_desk"):
         return ""
     env.temp_data["practice_desk"] = True
-    inner = engine.call("courseware.renderDesk", _salt(env))
-    data = f'data-course="{escape(_salt(env), quote=True)}" data-version="{dealing.version()}"'
+    inner = engine.call("courseware.renderDesk", course_name())
+    data = f'data-course="{escape(course_name(), quote=True)}" data-version="{dealing.version()}"'
     return f'{NO_SCRIPT}<div class="rk-desk" {data}>{inner}</div>\n'
-
-
-def _salt(env: BuildEnvironment) -> str:
-    """Return the name of the course, which picks the numbers."""
-    return str(env.config.course_name or course().name)

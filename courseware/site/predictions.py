@@ -1,6 +1,7 @@
 """A prediction on a page: the question, the form for the answer, and a fold that opens then."""
 
 import json
+from functools import partial
 from html import escape
 from typing import Any
 
@@ -40,21 +41,18 @@ def render_prediction(renderer: Any, prediction: Prediction) -> Tag:
             renderer.nested_render_text(text, 0)
         return node
 
-    answers = prediction.answers
-    form = engine.call("courseware.renderForm", answers.serialize())
-    summary = nodes.raw("", "<summary>The answer</summary>", format="html")
-    right = nodes.raw(
-        "", f"<p><strong>{escape(answers.format_answer())}</strong></p>", format="html"
-    )
-    why = [
-        markdown(f"“{guess}”? {why}", classes=["rk-assumes"]) for guess, why in answers.guesses()
-    ]
-    fold = Tag("", tag="details", data={}, classes=["rk-opens"])
-    fold.extend([summary, Tag("", right, *why, tag="div", data={}, classes=["rk-key"])])
-    fold.append(markdown(prediction.explanation))
+    answers, html = prediction.answers, partial(nodes.raw, "", format="html")
+    summary = html("<summary>The answer</summary>")
+    right = html(f"<p><strong>{escape(answers.format_answer())}</strong></p>")
+    assumptions = (f"“{guess}”? {why}" for guess, why in answers.guesses())
+    why = (markdown(text, classes=["rk-assumes"]) for text in assumptions)
+    key = Tag("", right, *why, tag="div", data={}, classes=["rk-key"])
+    explanation = markdown(prediction.explanation)
+    fold = Tag("", summary, key, explanation, tag="details", data={}, classes=["rk-opens"])
+    form = html(engine.call("courseware.renderForm", answers.serialize()))
     data = {"data-prediction": json.dumps(answers.serialize(), ensure_ascii=False)}
     box = Tag("", tag="div", data=data, ids=[prediction.name], classes=["rk-prediction"])
-    box.extend([markdown(prediction.question), nodes.raw("", form, format="html"), fold])
+    box.extend([markdown(prediction.question), form, fold])
     return box
 
 

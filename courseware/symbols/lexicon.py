@@ -32,16 +32,8 @@ TOKEN = re.compile(r"\{[^{}]*\}|\\(?:mathrm|operatorname)\s*\{\w+\}|\\[A-Za-z]+|
 @cache
 def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
     """Return the symbols of a chapter by their patterns in TeX, the longest first."""
-    found, equations = list[NamedSymbol](), [equation for equation, _ in shown_equations(chapter)]
-    if formulas := course().module(chapter, "formulas"):
-        found += get_members(formulas, NamedSymbol)
-        equations += get_members(formulas, Equation)
-    if figures := course().module(chapter, "figures"):
-        found += [s for s in get_members(figures, NamedSymbol) if s.module == figures.__name__]
-    for e in equations:
-        found += symbols_in((e.left, e.right, e.textbook or 0, e.where))
     known: dict[str, NamedSymbol] = {}
-    for symbol in dict.fromkeys(found):
+    for symbol in dict.fromkeys(_find_symbols(chapter)):
         other = known.setdefault(letter_pattern(symbol.latex), symbol)
         if other != symbol:
             raise CourseError(
@@ -50,6 +42,18 @@ def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
                 "give one of them another letter"
             )
     return dict(sorted(known.items(), key=lambda item: (-len(item[0]), item[0])))
+
+
+def _find_symbols(chapter: str) -> list[NamedSymbol]:
+    found, equations = list[NamedSymbol](), [equation for equation, _ in shown_equations(chapter)]
+    if formulas := course().module(chapter, "formulas"):
+        found += get_members(formulas, NamedSymbol)
+        equations += get_members(formulas, Equation)
+    if figures := course().module(chapter, "figures"):
+        found += [s for s in get_members(figures, NamedSymbol) if s.module == figures.__name__]
+    for e in equations:
+        found += symbols_in((e.left, e.right, e.textbook or 0, e.where))
+    return found
 
 
 def printed_tex(chapter: str) -> list[str]:

@@ -7,8 +7,6 @@ import { functions } from "./formula_functions.js";
 import { createProjection, heightOf } from "./scene.js";
 import { attract, clamp, compute, roundState, settings, startState, wrapAround } from "./state.js";
 
-const STEPPING = /^(Arrow|Page|Home|End)/;
-
 export const followControls = (live) => live.inputs.forEach((input) => {
   const inSteps = () => { input.step = live.figure.controls[input.dataset.i].step; };
   input.addEventListener("pointerdown", (event) => {
@@ -19,7 +17,7 @@ export const followControls = (live) => live.inputs.forEach((input) => {
     addEventListener("pointerup", () => release(live, input), { once: true });
   });
   followRelease(live, input);
-  input.addEventListener("keydown", (event) => { if (STEPPING.test(event.key)) inSteps(); });
+  input.addEventListener("keydown", (event) => { if (/^(Arrow|Page|Home|End)/.test(event.key)) inSteps(); });
   input.addEventListener("input", () => {
     stopClock(live, Number(input.dataset.i));
     live.setOne(Number(input.dataset.i), Number(input.value));
@@ -62,8 +60,6 @@ export const addHandles = (live) => {
   });
 };
 
-const metresPerPixel = ({ width, computed: { view } }) => (view[1] - view[0]) / width;
-
 const ASIDE = [[0, 0], [0, -22], [22, 0], [0, 22], [-22, 0]];
 
 // Where the handles are drawn, in pixels: inside the picture, and none under another. The one that
@@ -91,7 +87,7 @@ const locatePointer = ({ picture, computed: { view } }, event) => {
 
 // How far a few pixels move what a handle sets.
 const findReaches = (live, handle, given, [x, y], next) => {
-  const by = MAGNET * metresPerPixel(live);
+  const { view } = live.computed, by = MAGNET * (view[1] - view[0]) / live.width;
   const [across, up] = [[x + by, y], [x, y + by]].map((point) => handle.to(functions, given, point));
   return next.map((value, k) => Math.hypot(across[k] - value, up[k] - value));
 };

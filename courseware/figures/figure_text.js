@@ -3,13 +3,11 @@
 import { fillTemplate, formatNumber, trueMinus, withUnit } from "../script/text.js";
 import { describeTurns } from "./quarter_turns.js";
 
-const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-
 // Digits after the point; -2: two digits and a power of ten.
 export const formatFixed = (number, digits) => {
   if (digits < 0 && number) {
     const [digit, power] = number.toExponential(-digits - 1).split("e");
-    const raised = power.replace("+", "").replace("-", "⁻").replace(/\d/g, (d) => RAISED[d]);
+    const raised = power.replace("+", "").replace("-", "⁻").replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[d]);
     return `${trueMinus(digit)}·10${raised}`;
   }
   return trueMinus(number.toFixed(Math.max(0, digits)).replace(/^-(?=[0.]*$)/, ""));

@@ -8,7 +8,6 @@ import { judgeAnswer } from "./judging.js";
 import { parseTyped } from "./parsing.js";
 import { HELP_STEPS, renderParagraphs, renderWhereToLook, splitSolution } from "./rendering.js";
 
-const LOADING = "Your numbers are being loaded …";
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
 const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
 const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
@@ -71,7 +70,7 @@ export class ExerciseBox {
   async withExercise(work) {
     const text = this.one(".rk-text");
     try {
-      if (!this.exercise) text.textContent = LOADING;
+      if (!this.exercise) text.textContent = "Your numbers are being loaded …";
       this.exercise ??= await this.desk.load();
     } catch (error) {
       text.innerHTML = `<p>${NOT_LOADED} <button type="button">Try again</button></p>`;

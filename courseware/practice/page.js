@@ -14,7 +14,6 @@ const NOTE = "For checking yourself. Your name picks your numbers; it and your a
   + "Whole turns more or less do not matter in an angle.";
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 const BROKEN = "What this browser kept could not be read; it was laid aside.";
-const NO_ANSWERS = "There are no answers for this course in that file.";
 
 export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
   + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false"></div>`
@@ -140,7 +139,7 @@ class Desk {
   async load(input) {
     const rows = parseAnswers(await input.files[0].text()).filter(({ course }) => foldName(course) === foldName(this.course));
     input.value = "";
-    if (!rows.length) return this.tell(NO_ANSWERS);
+    if (!rows.length) return this.tell("There are no answers for this course in that file.");
     this.name = this.field.value = rows[0].student;
     const answers = { ...this.mine() };
     for (const { student, exercise, answer, time } of rows) {

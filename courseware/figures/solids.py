@@ -63,13 +63,7 @@ class Solid:
     def data(self) -> list[dict[str, Any]]:
         """The meshes as the script reads them."""
         return [
-            {
-                "kind": mesh.kind,
-                "corners": [[round(x, 3) for x in corner] for corner in mesh.corners],
-                "faces": [list(face) for face in mesh.faces],
-                "dots": {str(k): [list(dot) for dot in dots] for k, dots in mesh.dots.items()},
-                "smooth": mesh.smooth,
-            }
+            vars(mesh) | {"corners": [[round(x, 3) for x in corner] for corner in mesh.corners]}
             for mesh in self.meshes
         ]
 

@@ -88,7 +88,6 @@ def refuse_same(out: Path, read: Path) -> None:
 
 
 def _refuse_other_secret(out: Path, course: str) -> None:
-    """Refuse to write over a key that was made with another secret."""
     rows = read_rows(out, Problems()) if out.exists() else ()
     if others := {row.get("course", "") for _, row in rows} - {course}:
         raise CourseError(

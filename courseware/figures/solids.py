@@ -132,7 +132,6 @@ def _turn(corners: Sequence[Point3], along: str) -> tuple[Point3, ...]:
 
 
 def _circle(n: int, radius: float, height: float) -> list[Point3]:
-    """Return n corners on a circle."""
     angles = [2 * pi * k / n for k in range(n)]
     return [(radius * cos(a), radius * sin(a), height) for a in angles]
 

@@ -41,7 +41,6 @@ def constants() -> dict[str, Any]:
 
 
 def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
-    """Return all that the browser knows of an exercise."""
     solution = exercise.solution_text if solutions else ""
     return {
         **judging.serialize_exercise(exercise),

@@ -46,12 +46,7 @@ const matchesRows = ({ unknowns }, rows, wanted, factors, allowed = 1) => {
   }) && !left.length;
 };
 
-const addOtherUnits = ({ outcomes }, candidates) => {
-  const right = candidates.filter(([name]) => name === "right");
-  const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
-  return [...candidates, ...units.flatMap((unit) => right.map(([, rows]) =>
-    [unit, rows.map((row) => row.map((x, i) => x * outcomes[unit].factors[i]))]))];
-};
+const convertRows = (rows, factors) => rows.map((row) => row.map((x, i) => x * factors[i]));
 
 const findRightParts = ({ accept, shape, unknowns }, right, row) =>
   accept !== "one" || shape.length ? [] : unknowns.filter((unknown, i) =>
@@ -82,16 +77,17 @@ const isTooCoarse = (exercise, rows, text, right) => hasFewDecimals(exercise, te
 // The verdict on an answer that has the right shape. text: as it was typed.
 const judgeRows = (exercise, candidates, rows, text) => {
   const { unknowns, accept, outcomes, decimals } = exercise, ones = unknowns.map(() => 1);
-  const met = addOtherUnits(exercise, candidates).filter(([name, wanted]) =>
+  const right = candidates.filter(([name]) => name === "right").map(([, wanted]) => wanted);
+  const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
+  const inUnits = units.flatMap((unit) => right.map((wanted) => [unit, convertRows(wanted, outcomes[unit].factors)]));
+  const met = [...candidates, ...inUnits].filter(([name, wanted]) =>
     matchesRows(exercise, rows, wanted, outcomes[name].factors)).map(([name]) => name);
   const verdict = (result, name, ...words) => ({ result, name, feedback: words.filter(Boolean).join(" ") });
   const { result, feedback } = outcomes[met[0]] ?? {};
   if (result === "right") return verdict(result, met[0], feedback, accept === "any" && FEEDBACK.other);
   if (result === "partly") return verdict(result, met[0], feedback);
-  const right = candidates.filter(([name]) => name === "right").map(([, wanted]) => wanted);
   const near = fillTemplate(FEEDBACK.near, { digits: decimals ? `, and give ${COUNTS[decimals]} decimals` : "" });
   if (right.some((wanted) => isRoundedRight(exercise, rows, wanted))) return verdict("wrong", "near", near);
-  const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
   if (hasFewDecimals(exercise, text) && right.some((wanted) =>
     units.some((unit) => isRoundedInUnits(outcomes[unit].factors, rows, wanted)))) return verdict("wrong", "near", near);
   if (met.length) return verdict("wrong", met[0], joinFeedback(met.map((name) => outcomes[name].feedback)));
@@ -99,8 +95,7 @@ const judgeRows = (exercise, candidates, rows, text) => {
   const wrong = candidates.filter(([name]) => name !== "right");
   for (const unit of units) {
     const { factors } = outcomes[unit];
-    const [same] = wrong.filter(([, wanted]) =>
-      matchesRows(exercise, rows, wanted.map((row) => row.map((x, i) => x * factors[i])), factors));
+    const same = wrong.find(([, wanted]) => matchesRows(exercise, rows, convertRows(wanted, factors), factors));
     if (same) return verdict("wrong", same[0], outcomes[same[0]].feedback, fillTemplate(FEEDBACK.units, { unit: unit.slice(5) }));
   }
   const parts = findRightParts(exercise, right[0][0], rows[0]);

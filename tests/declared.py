@@ -15,12 +15,14 @@ from courseware.course import course
 from courseware.equations import Check, Equation
 from courseware.figures import Figure
 from courseware.practice import Exercise, Mistake
+from courseware.predictions import Prediction
 
 EQUATIONS = course().find_all("formulas", Equation)
 CHECKS = course().find_all("checks", Check)
 FIGURES = course().find_all("figures", Figure)
 EXERCISES = course().find_all("exercises", Exercise)
 MISTAKES = course().find_all("exercises", Mistake)
+PREDICTIONS = course().find_all("predictions", Prediction)
 COURSE = course().name
 # the first exercise of each kind of answer: one number or more, a matrix, several answers
 OF_EACH_KIND = list(

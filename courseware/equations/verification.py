@@ -165,8 +165,7 @@ def differences(computed: Array, exact: NDArray[np.object_], is_angle: bool = Fa
 
 def _apart(computed: float, exact: Any, is_angle: bool) -> float:
     if not (isfinite(computed) and mpmath.isfinite(exact)):
-        same = str(computed) == str(float(exact))
-        return 0.0 if same else inf
+        return 0.0 if str(computed) == str(float(exact)) else inf
     difference = abs(computed - exact)
     if is_angle:
         turns = mpmath.nint(difference / (2 * mpmath.pi))

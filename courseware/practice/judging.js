@@ -76,7 +76,7 @@ const isTooCoarse = (exercise, rows, text, right) => hasFewDecimals(exercise, te
 
 // The verdict on an answer that has the right shape. text: as it was typed.
 const judgeRows = (exercise, candidates, rows, text) => {
-  const { unknowns, accept, outcomes, decimals } = exercise, ones = unknowns.map(() => 1);
+  const { unknowns, accept, outcomes, decimals } = exercise;
   const right = candidates.filter(([name]) => name === "right").map(([, wanted]) => wanted);
   const units = Object.keys(outcomes).filter((name) => name.startsWith("unit:"));
   const inUnits = units.flatMap((unit) => right.map((wanted) => [unit, convertRows(wanted, outcomes[unit].factors)]));
@@ -86,12 +86,12 @@ const judgeRows = (exercise, candidates, rows, text) => {
   const { result, feedback } = outcomes[met[0]] ?? {};
   if (result === "right") return verdict(result, met[0], feedback, accept === "any" && FEEDBACK.other);
   if (result === "partly") return verdict(result, met[0], feedback);
-  const near = fillTemplate(FEEDBACK.near, { digits: decimals ? `, and give ${COUNTS[decimals]} decimals` : "" });
-  if (right.some((wanted) => isRoundedRight(exercise, rows, wanted))) return verdict("wrong", "near", near);
-  if (hasFewDecimals(exercise, text) && right.some((wanted) =>
-    units.some((unit) => isRoundedInUnits(outcomes[unit].factors, rows, wanted)))) return verdict("wrong", "near", near);
+  const digits = decimals ? `, and give ${COUNTS[decimals]} decimals` : "";
+  const near = verdict("wrong", "near", fillTemplate(FEEDBACK.near, { digits })), few = hasFewDecimals(exercise, text);
+  if (right.some((wanted) => isRoundedRight(exercise, rows, wanted)
+    || (few && units.some((unit) => isRoundedInUnits(outcomes[unit].factors, rows, wanted))))) return near;
   if (met.length) return verdict("wrong", met[0], joinFeedback(met.map((name) => outcomes[name].feedback)));
-  if (right.some((wanted) => matchesRows(exercise, rows, wanted, ones, NEAR))) return verdict("wrong", "near", near);
+  if (right.some((wanted) => matchesRows(exercise, rows, wanted, unknowns.map(() => 1), NEAR))) return near;
   const wrong = candidates.filter(([name]) => name !== "right");
   for (const unit of units) {
     const { factors } = outcomes[unit];

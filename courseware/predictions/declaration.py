@@ -232,9 +232,5 @@ def _refuse_typed(who: str, *values: Value) -> None:
             )
 
 
-def all_predictions() -> dict[str, Prediction]:
-    return course().find_all("predictions", Prediction)
-
-
 def find_prediction(name: str) -> Prediction:
     return course().find("predictions", Prediction, name)

@@ -170,16 +170,15 @@ class Cells:
 
 
 def _represent(value: Any) -> dict[str, str]:
-    bundle = getattr(value, "_repr_mimebundle_", None)
-    if bundle and not isinstance(value, type):
-        found = bundle()
-        return {"text/plain": repr(value), **(found[0] if isinstance(found, tuple) else found)}
     data = {"text/plain": _format_plain(value)}
-    for kind, method in METHODS.items():
-        if not isinstance(value, type) and hasattr(value, method):
-            text = getattr(value, method)()
-            data |= {kind: text} if text else {}
-    return data
+    if isinstance(value, type):
+        return data
+    if bundle := getattr(value, "_repr_mimebundle_", None):
+        found = bundle()
+        data |= found[0] if isinstance(found, tuple) else found
+        return data
+    texts = {kind: getattr(value, method, str)() for kind, method in METHODS.items()}
+    return data | {kind: text for kind, text in texts.items() if text}
 
 
 def _format_plain(value: Any) -> str:

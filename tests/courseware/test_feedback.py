@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 import pytest
 import sympy as sp
-from declared import EXERCISES, FIGURES, MISTAKES, each
+from declared import EXERCISES, FIGURES, MISTAKES, PREDICTIONS, each
 from figure_numbers import point
 
 from courseware.course import course
@@ -28,7 +28,6 @@ from courseware.practice import (
 )
 from courseware.practice.candidates import Candidate
 from courseware.predictions import Buttons, Number, Prediction
-from courseware.predictions.declaration import all_predictions
 from courseware.script import engine
 
 
@@ -44,7 +43,7 @@ FEEDBACK, PREDICTED, GOALS = (expected(table) for table in ("FEEDBACK", "PREDICT
 @pytest.mark.parametrize("chapter", course().modules("expected"))
 def test_what_is_expected_is_there(chapter):
     module = course().modules("expected")[chapter]
-    known = {"FEEDBACK": EXERCISES, "PREDICTED": all_predictions(), "GOALS": FIGURES}
+    known = {"FEEDBACK": EXERCISES, "PREDICTED": PREDICTIONS, "GOALS": FIGURES}
     unknown = {name: getattr(module, name, {}).keys() - there for name, there in known.items()}
     assert not any(unknown.values()), f"take these out of book/{chapter}/expected.py: {unknown}"
 

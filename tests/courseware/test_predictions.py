@@ -5,7 +5,7 @@ import re
 import nbformat
 import pytest
 import stored_outputs
-from declared import course, each
+from declared import PREDICTIONS, course, each
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
 from sympy import Float, Symbol
 
@@ -14,7 +14,6 @@ from book.differential_drive.formulas import b, v_L, v_R
 from courseware.errors import CourseError
 from courseware.figures import figure
 from courseware.predictions import Buttons, Ghost, Number, Prediction
-from courseware.predictions.declaration import all_predictions
 from courseware.predictions.notebook import MIME, render_fold, render_prediction
 from courseware.script import engine
 from courseware.site.predictions import TAG
@@ -106,7 +105,7 @@ def cells_of(chapter):
 
 @pytest.mark.parametrize("chapter", ASKING)
 def test_nothing_gives_an_answer_away(chapter):
-    found = list(given_away(cells_of(chapter), all_predictions()))
+    found = list(given_away(cells_of(chapter), PREDICTIONS))
     assert not found, f"fold it into its question (tag {TAG}NAME), or say it below: {found}"
 
 

@@ -18,17 +18,14 @@ def all_exercises() -> dict[str, Exercise]:
 
 
 def find_exercise(name: str) -> Exercise:
-    """Return the exercise of that name."""
     return course().find("exercises", Exercise, name)
 
 
 def all_mistakes() -> dict[str, Mistake]:
-    """Return every mistake by name."""
     return course().find_all("exercises", Mistake)
 
 
 def find_mistake(name: str) -> Mistake:
-    """Return the mistake of that name."""
     return course().find("exercises", Mistake, name)
 
 

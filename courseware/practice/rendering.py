@@ -84,7 +84,6 @@ def _fill_for_nobody(exercise: Exercise, salt: str, template: str) -> dict[str, 
 
 
 def pack(chosen: Iterable[Exercise], solutions: bool = True) -> str:
-    """Pack exercises for the browser."""
     data = {exercise.name: _serialize(exercise, solutions) for exercise in chosen}
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
     return base64.b64encode(zlib.compress(text.encode("utf-8"), 9)).decode()

@@ -89,7 +89,6 @@ class SolvedLine(NamedTuple):
     numbers: tuple[SymbolTexts, SymbolTexts] = ({}, {})  # in SI, and those that are in degrees
 
     def format(self, spec: str = "") -> str:
-        """Return the result as text."""
         text = format_number(self.value, spec) if spec else format_result(self.value)
         return text if spec == "deg" else append_unit(text, self.unit)
 
@@ -176,7 +175,6 @@ class StepForm:
 
     @cached_property
     def symbols(self) -> tuple[sp.Symbol, ...]:
-        """The symbols of the right side."""
         return tuple(sorted(free_symbols(self.full), key=str))
 
     @cached_property
@@ -256,7 +254,6 @@ def _drop_zeros_and_ones(e: Any) -> Any:
 
 
 def compile_function(expression: Any, symbols: tuple[sp.Symbol, ...]) -> Callable[..., Any]:
-    """Compile an expression to a function of its symbols."""
     if isinstance(expression, sp.MatrixExpr):
         expression = expression.doit()
     if isinstance(expression, sp.MatrixBase):

@@ -33,9 +33,6 @@ const renderSlider = (control, i, title) => {
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
 };
 
-const renderControl = (control, i, title) => ({ choice: renderChoice, turns: renderTurns }[control.type]
-  ?? renderSlider)(control, i, title);
-
 const renderReadout = (readout, value) =>
   `<div${symbolData(readout)}><dt>${renderName(readout)}</dt><dd>${escapeHtml(formatReadout(readout, value))}</dd></div>`;
 
@@ -45,7 +42,9 @@ export const renderFigure = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
   const picture = `<div class="rk-picture">${renderPicture(figure)}</div>`;
   if (!figure.controls.length) return picture;
-  const turns = (_, i) => figure.viewAngles?.includes(i), parts = figure.controls.map((control, i) => renderControl(control, i, figure.title));
+  const turns = (_, i) => figure.viewAngles?.includes(i);
+  const parts = figure.controls.map((control, i) =>
+    ({ choice: renderChoice, turns: renderTurns }[control.type] ?? renderSlider)(control, i, figure.title));
   const aside = parts.filter(turns).join("");
   const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
     + `<div class="rk-controls">${aside}</div></details>`;

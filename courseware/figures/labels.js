@@ -23,7 +23,8 @@ const textWidth = (text) => [...text.normalize("NFC").replace(/[\u0300-\u036f]/g
 const renderLabel = ({ x, y, shape }) => `<text x="${px(x)}" y="${px(y + 5)}" text-anchor="middle"`
   + `${symbolData(shape)} style="fill:${color(shape.kind)};stroke:var(--rk-ground,#fff);`
   + `stroke-width:5px;stroke-linejoin:round;paint-order:stroke;font:italic 15px serif">`
-  + `${renderSymbols(shape.label, '$1<tspan dx="1" dy="4" font-size="75%" font-style="normal" stroke-width="2">$2</tspan>')}</text>`;
+  + renderSymbols(shape.label, '$1<tspan dx="1" dy="4" font-size="75%" font-style="normal" stroke-width="2">$2</tspan>')
+  + "</text>";
 
 // Each label takes the first place that is inside the picture and free of handles and of the labels
 // before it. → their text, and the boxes that are taken.

@@ -19,7 +19,8 @@ export const serializeAnswers = ({ course, version }, student, entries) => [
 
 export const parseAnswers = (text) => {
   const rows = [[]];
-  for (const [, quoted, plain, end] of text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
+  const cells = text.replace(/^\ufeff/, "").matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g);
+  for (const [, quoted, plain, end] of cells) {
     rows.at(-1).push((quoted?.replaceAll('""', '"') ?? plain).replace(RegExp(UNGUARD, "g"), "$1$2"));
     if (end !== ",") rows.push([]);
   }

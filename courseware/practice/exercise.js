@@ -135,7 +135,8 @@ export class ExerciseBox {
     const entry = this.entry(), opened = this.opened ?? entry.help ?? 0;
     if (opened && !entry.tries) return this.climb(entry, TRY_FIRST);
     this.opened = opened + 1;
-    if (entry.result !== "right") this.keep({ answer: "", feedback: "", ...entry, help: this.opened, of: this.steps.length });
+    const helped = { answer: "", feedback: "", ...entry, help: this.opened, of: this.steps.length };
+    if (entry.result !== "right") this.keep(helped);
     this.climb();
   }
 
@@ -151,7 +152,8 @@ export class ExerciseBox {
     const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escapeHtml(picture)}" `
       + `src="${root}_static/practice/${entry.name}.svg#${theme}">`;
     this.one(".rk-ladder").innerHTML = (why ? `<p>${renderSymbols(why)}${see}</p>` : "")
-      + (picture && root !== undefined ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
+      + (picture && root !== undefined
+        ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
       + (opened ? `<p>${renderWhereToLook(look, root === undefined ? (_, words) => words : link)}</p>` : "")
       + steps.slice(0, Math.max(0, opened - 1)).map(renderParagraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");

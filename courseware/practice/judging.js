@@ -96,7 +96,8 @@ const judgeRows = (exercise, candidates, rows, text) => {
   for (const unit of units) {
     const { factors } = outcomes[unit];
     const same = wrong.find(([, wanted]) => matchesRows(exercise, rows, convertRows(wanted, factors), factors));
-    if (same) return verdict("wrong", same[0], outcomes[same[0]].feedback, fillTemplate(FEEDBACK.units, { unit: unit.slice(5) }));
+    const inUnit = fillTemplate(FEEDBACK.units, { unit: unit.slice(5) });
+    if (same) return verdict("wrong", same[0], outcomes[same[0]].feedback, inUnit);
   }
   const parts = findRightParts(exercise, right[0][0], rows[0]);
   return verdict("wrong", "", FEEDBACK.wrong,
@@ -129,7 +130,8 @@ const formatValue = (value) => Array.isArray(value)
   : formatNumber(value, 6);
 
 // An answer of the shape that is asked for; of several answers two.
-export const formatExample = ({ unknowns: { length: size }, accept, shape: [many = accept === "all" ? 2 : 1, wide = size] }) => {
+export const formatExample = ({ unknowns: { length: size }, accept, shape }) => {
+  const [many = accept === "all" ? 2 : 1, wide = size] = shape;
   const rows = Array.from({ length: many }, (_, k) => Array.from({ length: wide }, (_, i) => k * wide + i + 1));
   const value = many > 1 && wide > 1 ? rows : rows.flat();
   return formatValue(value.length > 1 ? value : 0.5).replaceAll(" ", "\u00a0"); // in one line

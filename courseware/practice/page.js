@@ -137,7 +137,8 @@ class Desk {
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one
   // counts, as it does when graded, and an older one if it is right; the same one changes nothing.
   async load(input) {
-    const rows = parseAnswers(await input.files[0].text()).filter(({ course }) => foldName(course) === foldName(this.course));
+    const all = parseAnswers(await input.files[0].text()), own = foldName(this.course);
+    const rows = all.filter(({ course }) => foldName(course) === own);
     input.value = "";
     if (!rows.length) return this.tell("There are no answers for this course in that file.");
     this.name = this.field.value = rows[0].student;

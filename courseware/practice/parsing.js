@@ -24,9 +24,8 @@ const SLASH = /(?<=(?<![\p{Nd}./])[\u0660-\u0669\u06f0-\u06f9]+)\/(?=[\u0660-\u0
 // One name before one number is its name; several must be those that are asked for, in order.
 const removeNames = (text, unknowns) => {
   const names = [...text.matchAll(NAME)].map(([, name]) => name);
-  const meant = names.length === unknowns.length && (unknowns.length === 1 ? NAME.test(text) && text.trim().search(NAME) === 0
-    : unknowns.every(({ label }, i) => label === names[i]));
-  NAME.lastIndex = 0;
+  const meant = names.length === unknowns.length && (unknowns.length === 1
+    ? text.trim().search(NAME) === 0 : unknowns.every(({ label }, i) => label === names[i]));
   return meant ? text.replace(NAME, "") : text;
 };
 
@@ -45,8 +44,10 @@ const isDegree = (name) => DEGREES.includes(name.toLowerCase());
 const convert = (x, from, to) => from === to ? x : x * from.times / from.by * to.by / to.times;
 
 // All that may be typed, for a sentence; a sign that few keyboards have in two ways.
-export const listUnits = (unknowns) => [...new Set(unknowns.map(unitsOfSize))].map((row) => [...new Set(row.flatMap(({ name }) =>
-  [name, name.replace("°", "deg").replace("²", "^2").replace("·", "*")]))].filter(Boolean).join(", ")).join("; ");
+export const listUnits = (unknowns) => [...new Set(unknowns.map(unitsOfSize))].map((row) => {
+  const names = row.flatMap(({ name }) => [name, name.replace("°", "deg").replace("²", "^2").replace("·", "*")]);
+  return [...new Set(names)].filter(Boolean).join(", ");
+}).join("; ");
 
 // The units of a text, and the text without them. Degrees of an angle stay: 90° + 0.5 rad is a sum.
 const takeUnits = (text, unknowns) => {

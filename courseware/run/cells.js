@@ -3,7 +3,8 @@
 // A cell runs after those above it that have not run since the last change above them. Python stands
 // in a worker, which alone can be stopped in an endless loop; then all is forgotten and starts anew.
 
-const BLOCK = `<div class="output text_plain highlight-myst-ansi notranslate"><div class="highlight"><pre></pre></div></div>`;
+const BLOCK = `<div class="output text_plain highlight-myst-ansi notranslate">`
+  + `<div class="highlight"><pre></pre></div></div>`;
 const CONSENT_KEY = "courseware-run"; // in the browser's storage: a reader is asked once
 const SLOW = 20_000; // ms without a word, after which the reader is told that it still loads
 

@@ -22,9 +22,9 @@ COLUMNS = ("kind", "course", "version", "student", "exercise", "variant", "numbe
 NEEDED = ("course", "version", "student", "exercise", "numbers")
 UNUSABLE = "lines of the key that cannot be used"
 SECRET_LENGTH = 16
-OF_A_SYSTEM = {"points possible", "test student"}  # what rosters of Canvas have below the heading
+PLATFORM_ROWS = {"points possible", "test student"}  # what rosters of Canvas have below the heading
 
-Person = tuple[str, str]  # a student, as names are compared, and an exercise
+Task = tuple[str, str]  # a student, as names are compared, and an exercise
 
 folded = lru_cache(10_000)(dealing.fold_name)
 
@@ -37,7 +37,7 @@ def write_key(
     students = _read_roster(roster, problems)
     refuse_same(out, roster)
     salt = course + secret
-    if secret:  # answers to the page's numbers are none to these, nor are those of another secret
+    if secret:  # answers to other numbers must not count
         course += f", secret {hashlib.sha256(secret.encode()).hexdigest()[:6]}"
         _refuse_other_secret(out, course)
     asked = product(students, choose_exercises(only))
@@ -63,7 +63,7 @@ def _read_roster(path: Path, problems: Problems) -> list[str]:
         alike = folded(row["student"])
         if not alike:
             problems.note("lines without a student's name", path, line)
-        elif alike in OF_A_SYSTEM:
+        elif alike in PLATFORM_ROWS:
             problems.note("lines of the learning platform, no students", path, line, row["student"])
         elif alike in names:
             first, other = names[alike]
@@ -84,7 +84,7 @@ def choose_exercises(only: Sequence[str]) -> dict[str, Exercise]:
 def refuse_same(out: Path, read: Path) -> None:
     """Refuse to write a table over the one that is read."""
     if out.resolve() == read.resolve():
-        raise CourseError(f"{out} is what is read: give another name to write to")
+        raise CourseError(f"{out} is the input file: give another name to write to")
 
 
 def _refuse_other_secret(out: Path, course: str) -> None:
@@ -118,7 +118,7 @@ class Key:
     """A key by student and exercise, each row with its line number."""
 
     path: Path
-    rows: dict[Person, tuple[int, Row]]
+    rows: dict[Task, tuple[int, Row]]
 
     def __post_init__(self) -> None:
         self.students = {student: row["student"] for (student, _), (_, row) in self.rows.items()}
@@ -128,16 +128,16 @@ class Key:
 
 def read_key(path: Path, problems: Problems) -> Key:
     """Read the table that `write_key` wrote; note lines that cannot be used."""
-    rows: dict[Person, tuple[int, Row]] = {}
+    rows: dict[Task, tuple[int, Row]] = {}
     for line, row in read_rows(path, problems, NEEDED):
-        person = folded(row["student"]), row["exercise"]
+        task = folded(row["student"]), row["exercise"]
         if row["exercise"] not in all_exercises():
             problems.note(UNUSABLE, path, line, f"there is no exercise {row['exercise']!r}", row)
-        elif person in rows:
-            words = f"{row['student']} has {row['exercise']} in line {rows[person][0]} already"
+        elif task in rows:
+            words = f"{row['student']} has {row['exercise']} in line {rows[task][0]} already"
             problems.note(UNUSABLE, path, line, words, row)
         else:
-            rows[person] = (line, row)
+            rows[task] = (line, row)
     if not rows:
         raise CourseError(f"{path} has no line that can be used: give the table that `key` wrote")
     return Key(path, rows)

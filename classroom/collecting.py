@@ -11,14 +11,18 @@ from datetime import UTC, datetime
 from difflib import get_close_matches
 from pathlib import Path
 
-from classroom.answer_key import Key, Person, folded
+from classroom.answer_key import Key, Task, folded
 from classroom.tables import Problems, Row, read_rows
 from courseware.errors import CourseError
 
-ANSWERS = {"student", "exercise", "answer"}
+NEEDED = {"student", "exercise", "answer"}
 OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
-OURS = {"numbers", "problem", "result"}  # columns of a key, of problems and of grades
-OF_A_SYSTEM = re.compile(  # what it leaves behind; what is hidden otherwise may be handed in
+COLUMNS_OF_OTHER_TABLES = {
+    "numbers",
+    "problem",
+    "result",
+}  # columns of a key, of problems and of grades
+SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answer
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
     re.IGNORECASE,
 )
@@ -46,7 +50,7 @@ class Collected:
 
     key: Key
     problems: Problems
-    answers: dict[Person, Answer] = field(default_factory=dict)
+    answers: dict[Task, Answer] = field(default_factory=dict)
     files: Counter[Path] = field(default_factory=Counter)  # how many answers each gave
     courses: Counter[str] = field(default_factory=Counter)
     versions: Counter[str] = field(default_factory=Counter)
@@ -65,7 +69,7 @@ class Collected:
         others, before = Counter[str](), self.problems.counts.total()
         try:
             for line, row in read_rows(path, self.problems):
-                if row.keys() >= ANSWERS and not row.keys() & OURS:
+                if row.keys() >= NEEDED and not row.keys() & COLUMNS_OF_OTHER_TABLES:
                     self._take(path, line, row)
                 else:
                     others[", ".join(row)] += 1
@@ -116,11 +120,11 @@ class Collected:
     def _keep(self, answer: Answer, row: Row) -> None:
         """Keep the newer of two answers; of two without a time, or of one, the later read."""
         name, exercise = row["student"], row["exercise"]
-        person = folded(name), exercise
-        new, old = answer, self.answers.get(person)
+        task = folded(name), exercise
+        new, old = answer, self.answers.get(task)
         if old and new.time < old.time:
             new, old = old, new
-        self.answers[person] = new
+        self.answers[task] = new
         if old and old.answer != new.answer:
             why = "a newer one" if new.time > old.time else "one read later (without a time)"
             words = f"{name}, {exercise}: {old}, counts {new} ({new.path}, line {new.line})"
@@ -163,10 +167,10 @@ def _find_tables(path: Path, problems: Problems) -> Iterator[Path]:
         yield path
         return
     for file in sorted(path.rglob("*")):
-        if any(map(OF_A_SYSTEM.match, file.relative_to(path).parts)):
+        if any(map(SYSTEM_FILES.match, file.relative_to(path).parts)):
             continue
         if file.is_symlink():
-            problems.note("links, which are not followed", file, comment="copy what it leads to")
+            problems.note("links, which are not followed", file, comment="copy the target here")
         elif file.is_file() and file.suffix.lower() in (".csv", ".tsv", ".txt"):
             yield file
         elif not file.is_dir():

@@ -8,7 +8,7 @@ from operator import itemgetter
 from pathlib import Path
 
 from classroom import class_page
-from classroom.answer_key import UNUSABLE, Key, Person, read_key, refuse_same
+from classroom.answer_key import UNUSABLE, Key, Task, read_key, refuse_same
 from classroom.class_page import RESULTS, Count, Graded
 from classroom.collecting import Collected, collect
 from classroom.tables import PROBLEMS, Problems
@@ -82,21 +82,21 @@ def _account(found: Collected) -> list[str]:
 def _grade(collected: Collected, problems: Problems) -> list[Graded]:
     """Grade each line of the key, all answers to an exercise together."""
     rows, exercise = collected.key.rows, itemgetter(1)
-    found: dict[Person, Graded] = {}
-    for name, people in groupby(sorted(rows, key=exercise), exercise):
-        found |= _grade_exercise(name, list(people), collected, problems)
-    return [found[person] for person in rows if person in found]
+    found: dict[Task, Graded] = {}
+    for name, tasks in groupby(sorted(rows, key=exercise), exercise):
+        found |= _grade_exercise(name, list(tasks), collected, problems)
+    return [found[task] for task in rows if task in found]
 
 
 def _grade_exercise(
-    name: str, people: Sequence[Person], collected: Collected, problems: Problems
-) -> dict[Person, Graded]:
+    name: str, tasks: Sequence[Task], collected: Collected, problems: Problems
+) -> dict[Task, Graded]:
     key = collected.key
-    variants = _candidates(name, people, key, problems)
+    variants = _candidates(name, tasks, key, problems)
     places = {numbers: place for place, numbers in enumerate(variants)}
-    rows = {p: row for p in people if (row := key.rows[p][1])["numbers"] in places}
+    rows = {p: row for p in tasks if (row := key.rows[p][1])["numbers"] in places}
     texts = {p: collected.answers[p].answer for p in rows if p in collected.answers}
-    typed = [(places[rows[person]["numbers"]], text) for person, text in texts.items()]
+    typed = [(places[rows[task]["numbers"]], text) for task, text in texts.items()]
     judged = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
     verdicts = dict.fromkeys(rows, MISSING) | dict(zip(texts, judged, strict=True))
     return {
@@ -106,11 +106,11 @@ def _grade_exercise(
 
 
 def _candidates(
-    name: str, people: Iterable[Person], key: Key, problems: Problems
+    name: str, tasks: Iterable[Task], key: Key, problems: Problems
 ) -> dict[str, tuple[Candidate, ...]]:
     """Return the candidates for each set of numbers; note rows with strange numbers."""
     found: dict[str, tuple[Candidate, ...]] = {}
-    for line, row in map(key.rows.__getitem__, people):
+    for line, row in map(key.rows.__getitem__, tasks):
         numbers = row["numbers"]
         try:
             if numbers not in found:

@@ -15,7 +15,7 @@ from declared import each
 
 from courseware.course import course
 from courseware.equations import find_kind
-from courseware.equations.verification import evaluate
+from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, Figure, QuarterTurns
 from courseware.predictions import Ghost, Prediction
 from courseware.script import engine as script
@@ -78,12 +78,12 @@ def readouts(figure, points):
     rows = np.asarray(points, dtype=float)
     if computes(figure):
         return READOUTS[figure.name](*rows.T)
-    return rows[:, [figure.settings.index(readout.value) for readout in figure.readouts]]
+    return rows[:, [figure.control_symbols.index(readout.value) for readout in figure.readouts]]
 
 
 def computes(figure):
     """Return whether its readouts are more than its settings."""
-    return any(readout.value not in figure.settings for readout in figure.readouts)
+    return any(readout.value not in figure.control_symbols for readout in figure.readouts)
 
 
 LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of presses
@@ -181,16 +181,16 @@ def points_and_last_states(figure, n):
     rows = points(figure, n)
     found = [rows]
     for loop in loops(figure):
-        known = [*figure.settings, *loop.state]
-        counts = evaluate(loop.count, figure.settings, rows)[:, 0]
+        known = [*figure.control_symbols, *loop.state]
+        counts = evaluate_exactly(loop.count, figure.control_symbols, rows)[:, 0]
         assert max(counts) <= loop.most, (
             f"a recurrence of {figure.name} counts to {max(counts)}, and its `most` is {loop.most}"
         )
-        state = evaluate(sp.Matrix(loop.start), figure.settings, rows)
+        state = evaluate_exactly(sp.Matrix(loop.start), figure.control_symbols, rows)
         for k in range(loop.most):
             on = counts > k
             given = np.hstack([rows[on], state[on]])
-            state[on] = evaluate(sp.Matrix(loop.step), known, given)
+            state[on] = evaluate_exactly(sp.Matrix(loop.step), known, given)
         found.append(state)
     return np.hstack(found)
 
@@ -198,10 +198,10 @@ def points_and_last_states(figure, n):
 def exact(figure, n, expressions, more=()):
     """Return expressions of a figure at `points` in 50 digits. more: symbol → its numbers."""
     ends = [symbol for loop in loops(figure) for symbol in loop.ends]
-    symbols = [*figure.settings, *ends, *dict(more)]
+    symbols = [*figure.control_symbols, *ends, *dict(more)]
     columns = [np.asarray(c)[:, None] for c in dict(more).values()]
     given = np.hstack([points_and_last_states(figure, n), *columns])
-    return evaluate(sp.Matrix(expressions), symbols, given, figure.where)
+    return evaluate_exactly(sp.Matrix(expressions), symbols, given, figure.where)
 
 
 def sizes(numbers):

@@ -23,7 +23,7 @@ from figure_numbers import (
     rounded,
 )
 
-from courseware.equations.verification import evaluate
+from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, QuarterTurns
 from courseware.figures.compiler import coordinates
 from courseware.script import parts
@@ -141,7 +141,9 @@ class OnPage:
         box, (left, right, low, high) = self.picture.bounding_box(), self.figure.view
         at = sp.Matrix(coordinates(self.figure.handles[place].at))
         given = np.array([point(self.figure, values)], dtype=float)
-        x, y = evaluate(at, self.figure.settings, given, self.figure.where)[0].astype(float)
+        x, y = evaluate_exactly(at, self.figure.control_symbols, given, self.figure.where)[
+            0
+        ].astype(float)
         across, down = (x - left) / (right - left), (high - y) / (high - low)
         return box["x"] + across * box["width"], box["y"] + down * box["height"]
 

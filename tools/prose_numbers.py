@@ -65,7 +65,7 @@ def fill_numbers(cell: Any, where: str, answers: Answers) -> str:
 
 
 def has_numbers(cell: Any) -> bool:
-    """Whether a cell of prose has computed numbers."""
+    """Return whether a cell of prose has computed numbers."""
     return cell.cell_type == "markdown" and bool(_phrases(cell))
 
 

@@ -130,7 +130,7 @@ def prose_after(
 
 
 def is_near(a: str, b: str) -> bool:
-    """Whether two pictures (base64) differ by no more than fonts do from machine to machine."""
+    """Return whether two pictures (base64) differ no more than fonts do between machines."""
     first, second = (
         np.asarray(Image.open(io.BytesIO(base64.b64decode(x))).convert("RGB")) / 255 for x in (a, b)
     )
@@ -140,12 +140,12 @@ def is_near(a: str, b: str) -> bool:
 
 
 def has_other_layout() -> bool:
-    """Whether this Matplotlib lays out pictures otherwise: before 3.11 it does."""
+    """Return whether this Matplotlib lays out pictures otherwise: before 3.11 it does."""
     return tuple(map(int, version("matplotlib").split(".")[:2])) < (3, 11)
 
 
 def is_reference() -> bool:
-    """Whether pictures are equal here byte for byte to the stored ones."""
+    """Return whether pictures are equal here byte for byte to the stored ones."""
     here = (platform.system(), platform.machine(), sys.version_info[:2])
     locked = f"\nmatplotlib=={version('matplotlib')} " in LOCK.read_text(encoding="utf-8")
     return here == ("Linux", "x86_64", (3, 11)) and locked

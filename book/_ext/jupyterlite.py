@@ -162,7 +162,7 @@ def run_jupyterlite(folder, target):
 
 
 def is_interactive(node):
-    """Whether a node is a cell with widgets."""
+    """Return whether a node is a cell with widgets."""
     return isinstance(node, nodes.container) and "tag_interact" in node["classes"]
 
 

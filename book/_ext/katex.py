@@ -43,7 +43,7 @@ SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
 
 def has_line_break(tex):
-    r"""Whether a `\\` stands outside every environment and brace."""
+    r"""Return whether a `\\` stands outside every environment and brace."""
     depth = 0
     for token in SCOPES.findall(tex):
         if token == r"\\" and depth == 0:

@@ -31,7 +31,7 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
 
     @property
     def has_range(self) -> bool:
-        """Whether it is a quantity, from which formulas are computed."""
+        """Return whether it is a quantity, from which formulas are computed."""
         return not math.isnan(self.low)
 
     @property

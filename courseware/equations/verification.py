@@ -47,7 +47,7 @@ def verify_all(samples: int = SAMPLES) -> list[Result]:
 def verify(check: Check, samples: int = SAMPLES) -> Result:
     """Return the largest difference between a formula's right side and its function."""
     equation, points = check.equation, draw_points(check, samples)
-    exact = evaluate(equation.right, check.symbols, points, equation.where)
+    exact = evaluate_exactly(equation.right, check.symbols, points, equation.where)
     computed = call_function(check, points)
     if computed.shape != exact.shape:
         raise CourseError(
@@ -74,7 +74,7 @@ def draw_points(check: Check, samples: int = SAMPLES) -> Array:
     return points
 
 
-def evaluate(
+def evaluate_exactly(
     expression: Any, symbols: Sequence[sp.Symbol], points: Array, where: Where = ()
 ) -> NDArray[np.object_]:
     """Evaluate an expression or matrix at points in 50-digit arithmetic: (n, components)."""

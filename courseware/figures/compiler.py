@@ -77,7 +77,8 @@ class Compiler:
         self.figure, self.chapter = figure, chapter
         trails = [shape.recurrence for shape in figure.scene if isinstance(shape, s.Trail)]
         self.recurrences = list({id(loop): loop for loop in trails}.values())
-        self.before_where = [*figure.settings, *(x for loop in self.recurrences for x in loop.ends)]
+        ends = (end for loop in self.recurrences for end in loop.ends)
+        self.before_where = [*figure.control_symbols, *ends]
         self.named = [symbol for symbol, _ in figure.where]
         self.known = [*self.before_where, *self.named]
         self.expressions: list[Any] = []
@@ -213,7 +214,7 @@ class Compiler:
 
     def compile_recurrence(self, loop: Recurrence) -> dict[str, Any]:
         """Return a loop's functions: for its start, its step and how often."""
-        given = {"c": self.figure.settings}
+        given = {"c": self.figure.control_symbols}
         try:
             return {
                 "start": compile_javascript(given, loop.start),

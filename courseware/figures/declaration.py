@@ -1,4 +1,4 @@
-"""What is computed and told in a live figure, beside the controls and the shapes.
+"""Declare the computed parts of a live figure: readouts, goals, recurrences, named steps.
 
 Controls give symbols their numbers; shapes, readouts and handles are SymPy expressions of these
 symbols. Numbers in a declaration are SI (radians); the reader sees degrees, and
@@ -40,7 +40,7 @@ def distance(one: Place, other: Place) -> Expr:
 
 
 def ramp(done: Expr, k: int) -> Expr:
-    """Return how much of part k is done, from 0 to 1, of parts one after the other."""
+    """Return the progress of part k, from 0 to 1, where parts run one after another."""
     return sp.Max(0, sp.Min(1, done - k))
 
 

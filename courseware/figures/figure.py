@@ -118,7 +118,7 @@ class Figure:
         return VIEW.angles if any(deep) else ()
 
     @property
-    def settings(self) -> list[sp.Symbol]:
+    def control_symbols(self) -> list[sp.Symbol]:
         """The symbols that the controls set, in the order of the columns of `compute`."""
         return [symbol for control in self.controls for symbol in control.symbols]
 
@@ -136,7 +136,7 @@ class Figure:
     def _refuse_idle_controls(self, script: str) -> None:
         used = {int(place) for place in re.findall(r"\bc\[(\d+)\]", script)}
         for control in self.controls:
-            if used.isdisjoint(map(self.settings.index, control.symbols)):
+            if used.isdisjoint(map(self.control_symbols.index, control.symbols)):
                 raise CourseError(
                     f"the control {control.key} moves nothing: use it in the scene, or take it out"
                 )

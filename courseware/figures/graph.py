@@ -1,4 +1,4 @@
-"""A small graph inside a flat picture: where it shows two numbers is an expression of them.
+"""A small graph inside a flat picture: the place of a point is an expression of its two numbers.
 
 For example::
 

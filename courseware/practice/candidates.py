@@ -41,7 +41,7 @@ class Candidate:
     rows: tuple[Row, ...]
 
     def is_finite(self) -> bool:
-        """Whether it has numbers only; a huge one comes from a rounded division by zero."""
+        """Return whether it has numbers only; a huge one comes from a rounded division by zero."""
         return all(abs(x) < 1e9 for row in self.rows for x in row)
 
 
@@ -160,7 +160,7 @@ def find_clash(exercise: Exercise, possible: Sequence[Candidate]) -> str:
 
 
 def is_apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
-    """Whether no answer can meet both candidates."""
+    """Return whether no answer can meet both candidates."""
     meanings = outcomes(exercise)
     first, second = meanings[one.name].factors, meanings[other.name].factors
     if _can_meet(exercise.unknowns, one.rows, other.rows, first, second):
@@ -172,7 +172,7 @@ def is_apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:
 def _can_meet(
     unknowns: Sequence[Unknown], rows: Sequence[Row], wanted: Sequence[Row], own: Row, factors: Row
 ) -> bool:
-    """Whether each row may be taken for one of the wanted ones, each of them once."""
+    """Return whether each row may be taken for one of the wanted ones, each of them once."""
     left = list(wanted)
     for row in rows:
         for place, other in enumerate(left):

@@ -71,7 +71,7 @@ def serialize_exercise(exercise: Exercise) -> dict[str, Any]:
 def serialize_candidates(
     exercise: Exercise, possible: Sequence[Candidate]
 ) -> list[tuple[str, list[Row]]]:
-    """Return candidates for the judge, to a hundredth of the tolerance: the rest is weight.
+    """Return candidates for the judge, rounded to a hundredth of the tolerance to be small.
 
     The right answers in other units are missing: the judge makes them.
     """

@@ -19,7 +19,7 @@ from courseware.practice.bank import all_exercises, course_name, find_exercise, 
 from courseware.practice.declaration import Exercise
 from courseware.practice.formatting import render_marked, render_symbols
 from courseware.practice.mistakes import Mistake
-from courseware.practice.saving import ANSWERS, write_table
+from courseware.practice.saving import ANSWER_COLUMNS, write_table
 from courseware.script.widget import Widget, create_widget
 
 WIDTH = 42  # of a line of code, for phones
@@ -134,7 +134,7 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
         ("answers", course, dealing.version(), kept.time, kept.student, name, kept.answer)
         for (course, _, name), kept in _answers.items()
     ]
-    return write_table(path, ANSWERS, rows, force)
+    return write_table(path, ANSWER_COLUMNS, rows, force)
 
 
 def example(name: str) -> Output:

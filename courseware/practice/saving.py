@@ -9,7 +9,7 @@ from typing import TextIO
 
 from courseware.errors import CourseError
 
-ANSWERS = ("kind", "course", "version", "time", "student", "exercise", "answer")
+ANSWER_COLUMNS = ("kind", "course", "version", "time", "student", "exercise", "answer")
 # Spreadsheets begin a cell, and so a formula, behind a semicolon, too, where that separates cells
 START, FORMULA = r"(^|[;\t\r\n])( *)", "(?='*[=+@＝＋－＠\t\r\n-])"
 GUARD = rf"{START}(?![+-]?[0-9.]+ *(?:[;\t\r\n]|$)){FORMULA}"  # a number may begin with a sign
@@ -19,7 +19,7 @@ Write = Callable[[Sequence[object]], object]
 
 
 def guard_cell(text: str) -> str:
-    """Return a cell that no spreadsheet runs as a formula: with a ' before each that is none."""
+    """Put ' before everything in a cell that a spreadsheet would run as a formula."""
     return re.sub(GUARD, r"\1\2'", text)
 
 

@@ -225,7 +225,7 @@ def fixed_formulas(step: Step) -> list[str]:
 
 
 def _is_column(left: Any) -> bool:
-    """Whether a left side has a line for each of its components."""
+    """Return whether a left side has a line for each of its components."""
     return isinstance(left, sp.MatrixBase) and left.cols == 1
 
 

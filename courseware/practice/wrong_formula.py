@@ -21,7 +21,7 @@ from courseware.equations.text import format_formula, split_sign
 from courseware.practice.solution_steps import compile_function
 
 TOKEN = re.compile(r"\w[\w\u0300-\u036f]*|\s+|.")  # of a formula in one line of text
-SHORT = 2  # so many signs between two changes are no rest for the eye
+SHORT = 2  # changes at most so many signs apart are marked as one
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ class WrongFormula:
         return substitute(self.right, values)
 
     def replace(self, **numbers: Any) -> dict[str, Any]:
-        """Return numbers as somebody takes them who makes the mistake, under the same names."""
+        """Return the numbers with the mistake applied to them, under the same names."""
         known = self._replacements.items()
         return numbers | {name: value(**numbers) for name, value in known if name in numbers}
 

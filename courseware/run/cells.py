@@ -130,7 +130,7 @@ class Cells:
         return tree, postponed
 
     def _is_available(self, single: ast.stmt) -> bool:
-        """Whether an import finds something; an error is reported at once."""
+        """Return whether an import finds something; an error is reported at once."""
         return any(_find_file(m) or m in self.packages for m in _imported_modules(single))
 
     def _find_packages(self, tree: ast.AST, seen: set[str]) -> Iterator[str]:

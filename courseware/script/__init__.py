@@ -1,4 +1,4 @@
-"""What runs in the browser: one script and one style sheet, put together from parts.
+"""The code for the browser: one script and one style sheet, put together from parts.
 
 A part (`parts.Part`) brings ES modules, and registers; this package knows none of them. What they
 import is joined to one script (`modules.join_modules`), in which every name is declared once. It

@@ -16,7 +16,7 @@ Constants = Callable[[], Mapping[str, Any]]
 
 @dataclass(frozen=True)
 class Part:
-    """What a package adds to the script: `register(Part(…))` in its `__init__.py`.
+    """A package's contribution to the script: `register(Part(…))` in its `__init__.py`.
 
     Args:
         name: of the part.

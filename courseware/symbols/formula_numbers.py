@@ -137,14 +137,14 @@ def mark_guarded(e: Any, guarded: bool) -> list[tuple[Any, bool]]:
 
 
 def mixes_units(e: Any) -> bool:
-    """Whether an angle meets other quantities inside a function: the line is then in radians."""
+    """Return whether a function has angles beside other quantities: the line is in radians."""
     inside = {part for call in sp.sympify(e).atoms(sp.Function) for part in call.args}
     units = [{getattr(s, "unit", "") == "rad" for s in part.free_symbols} for part in inside]
     return {True, False} in units
 
 
 def is_in_degrees(e: Any) -> bool:
-    """Whether an expression has only angles outside functions of them."""
+    """Return whether an expression has only angles outside functions of them."""
     plain = sp.sympify(e).replace(
         lambda x: isinstance(x, sp.Function) and not isinstance(x, (*SIZES, sp.Piecewise)),
         lambda x: sp.pi if x.func.__name__.startswith("a") else sp.S.One,

@@ -27,7 +27,7 @@ def mark_formulas(app: Sphinx, doctree: nodes.document, docname: str) -> None:
 
 
 def is_axis_name(node: nodes.Element) -> bool:
-    """Whether an inline formula is the name of an axis."""
+    """Return whether an inline formula is the name of an axis."""
     if not AXIS.fullmatch(node.astext()):
         return False
     siblings = node.parent.children

@@ -18,11 +18,11 @@ def test_nothing_is_overwritten(keyed, capsys):
 
 def test_what_is_read_is_not_overwritten(keyed, capsys):
     assert run("key", "roster.csv", "--out", "roster.csv", "--force") == 2
-    assert "roster.csv is what is read" in capsys.readouterr().err
+    assert "roster.csv is the input file" in capsys.readouterr().err
     assert run("sheet", "key.csv", "--out", "roster.csv") == 2
     assert "roster.csv is a file" in capsys.readouterr().err
     assert run("grade", ".", "--key", "key.csv", "--out", "key.csv", "--force") == 2
-    assert "key.csv is what is read" in capsys.readouterr().err
+    assert "key.csv is the input file" in capsys.readouterr().err
 
 
 def test_a_missing_file_is_refused(folder, capsys):

@@ -14,7 +14,7 @@ from declared import EXERCISES, table, typed
 
 from classroom import answer_key, grading
 from courseware.practice import candidates, dealing
-from courseware.practice.saving import ANSWERS, write_table
+from courseware.practice.saving import ANSWER_COLUMNS, write_table
 
 
 def test_the_class_page_never_takes_the_place_of_the_grades(keyed, capsys):
@@ -179,7 +179,7 @@ def test_a_hundred_megabytes_are_graded_in_three_hundred(folder):
     (folder / "roster.csv").write_text("student\n" + "\n".join(f"s{k}" for k in range(500)))
     assert run("key", "roster.csv") == 0
     with (folder / "all.csv").open("w") as file:
-        file.write(",".join(ANSWERS) + "\n")
+        file.write(",".join(ANSWER_COLUMNS) + "\n")
         rows = "".join(
             f"answers,robokin,{dealing.version()},2026-03-01T10:00:00.000Z,s{k},{name},0.12345\n"
             for k in range(500)

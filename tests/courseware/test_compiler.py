@@ -71,7 +71,7 @@ def test_a_handle_sets_what_puts_it_there(figure, n):
     for place, handle in enumerate(figure.handles):
         at = exact(figure, n, coordinates(handle.at)).astype(float)
         back = call_compiled(figure, f"handles[{place}].to", rows, at)
-        columns = [figure.settings.index(symbol) for symbol in handle.sets]
+        columns = [figure.control_symbols.index(symbol) for symbol in handle.sets]
         assert_close(back, rows[:, columns], atol=ALLOWED)
 
 

@@ -16,7 +16,7 @@ from support import assert_angles
 from book.motion import formulas as arc
 from courseware.equations.equation import as_written
 from courseware.equations.functions import null_projector, rank, solve
-from courseware.equations.verification import differences, evaluate
+from courseware.equations.verification import differences, evaluate_exactly
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Recurrence, Slider, Trail
 from courseware.figures.javascript import compile_javascript, run_javascript
@@ -40,7 +40,7 @@ def assert_near(apart, allowed):
 def assert_all_agree(expressions, symbols, points, by_numpy=None, is_angle=False):
     """Engine against 50 digits, and against NumPy where a function is given."""
     in_script = in_engine(expressions, symbols, points)
-    exact = evaluate(sp.Matrix(expressions), symbols, points)
+    exact = evaluate_exactly(sp.Matrix(expressions), symbols, points)
     assert_near(differences(in_script, exact, is_angle), ALLOWED)
     if by_numpy is not None:
         np.testing.assert_allclose(in_script, by_numpy, rtol=0, atol=ALLOWED)
@@ -171,7 +171,7 @@ def test_euler_angles(sequence):
     np.testing.assert_allclose(rebuilt, given, rtol=0, atol=ALLOWED)
     n = len(generated)
     assert_angles(in_script[:n], euler.from_matrix(sequence, given[:n]), atol=1e-10)
-    exact = evaluate(sp.Matrix(angles), symbols, np.array(points[:n]), where)
+    exact = evaluate_exactly(sp.Matrix(angles), symbols, np.array(points[:n]), where)
     assert_near(differences(in_script[:n], exact, is_angle=True), 1e-10)
 
 
@@ -263,7 +263,9 @@ def test_solve_singular_is_nan():
     expressions = list(solve(sp.Matrix(2, 2, entries[:4]), sp.Matrix(entries[4:])))
     points = [[1, 2, 2, 4, 1, 1]]
     assert np.isnan(in_engine(expressions, entries, points)).all()
-    assert np.isnan(evaluate(sp.Matrix(expressions), entries, np.array(points)).astype(float)).all()
+    assert np.isnan(
+        evaluate_exactly(sp.Matrix(expressions), entries, np.array(points)).astype(float)
+    ).all()
 
 
 def test_unknown_function_is_refused():

@@ -10,7 +10,7 @@ from figure_numbers import N
 from small_figures import painted, space_figure
 from support import EPS, assert_close
 
-from courseware.equations.verification import evaluate
+from courseware.equations.verification import evaluate_exactly
 from courseware.figures import VIEW, Arrow, Point
 from robokin import euler
 
@@ -19,7 +19,7 @@ def test_a_view_is_a_rotation():
     """Right, up and towards the viewer: the axes of a frame turned about z, then its new x."""
     angles = np.random.default_rng(8).uniform([-np.pi, -np.pi / 2], [np.pi, np.pi / 2], (N, 2))
     seen = [sp.Matrix([*VIEW.project(axis), VIEW.depth(axis)]) for axis in np.eye(3, dtype=int)]
-    rows = evaluate(sp.Matrix.hstack(*seen), VIEW.angles, angles).reshape(N, 3, 3)
+    rows = evaluate_exactly(sp.Matrix.hstack(*seen), VIEW.angles, angles).reshape(N, 3, 3)
     turns = np.stack([angles[:, 0] + np.pi / 2, np.pi / 2 - angles[:, 1]], axis=-1)
     expected = np.swapaxes(euler.to_matrix("ZX", turns), 1, 2)
     # two roundings of angles up to 5 rad, of sine and cosine, and one product

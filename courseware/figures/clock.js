@@ -36,7 +36,7 @@ const playClock = (live, i, from) => {
 export const stopClock = (live, i) => {
   const { controls } = live.figure;
   if (controls[i].loops || !controls.some(({ loops }) => loops)) pauseClock(live);
-  if (controls[i].loops) live.look = null;
+  if (controls[i].loops) live.resumeClock = null;
 };
 
 // A clock that loops runs while its picture is in sight, until a hand stops it.
@@ -44,19 +44,19 @@ export const followSight = (live) => {
   const i = live.figure.controls.findIndex(({ loops }) => loops);
   if (i < 0 || prefersReducedMotion()) return;
   let seen = false;
-  live.look = () => {
+  live.resumeClock = () => {
     if (seen && !live.tick) playClock(live, i, live.state[i]);
     if (!seen) pauseClock(live);
   };
   new IntersectionObserver(([{ isIntersecting }]) => {
     seen = isIntersecting;
-    live.look?.();
+    live.resumeClock?.();
   }, { threshold: 0.5 }).observe(live.picture);
 };
 
 export const followClock = (live) => live.all(".rk-play").forEach((button) => {
   button.addEventListener("click", () => {
-    live.look = null; // from now on by hand
+    live.resumeClock = null; // from now on by hand
     if (live.tick) return pauseClock(live);
     const i = Number(button.dataset.i), control = live.figure.controls[i];
     const ended = live.state[i] >= control.high, from = ended ? control.low : live.state[i];

@@ -29,7 +29,7 @@ export const followReset = (live) => live.element.querySelector(".rk-reset")
     pauseClock(live);
     live.reached.clear();
     live.set(startState(live.figure));
-    live.look?.();
+    live.resumeClock?.();
   });
 
 // ---- handles: a pointer in world coordinates becomes settings of the controls

@@ -6,7 +6,7 @@ import { VARIANTS } from "./constants.js";
 import { dealVariant } from "./dealing.js";
 import { judgeAnswer } from "./judging.js";
 import { parseTyped } from "./parsing.js";
-import { HELP_STEPS, renderParagraphs, renderWhereToLook, splitSolution } from "./rendering.js";
+import { HELP_STEPS, renderParagraphs, renderHint, splitSolution } from "./rendering.js";
 
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
 const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
@@ -143,7 +143,7 @@ export class ExerciseBox {
   // The rungs that are open: why, after two tries, a named mistake is one; then where to look, then
   // the steps of the solution.
   climb(entry = this.entry(), note = "") {
-    const { look, outcomes, topic } = this.exercise, opened = this.opened ?? entry.help ?? 0;
+    const { hint, outcomes, topic } = this.exercise, opened = this.opened ?? entry.help ?? 0;
     const { steps } = this, last = steps.length;
     const { why, picture } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
     const root = document.documentElement.dataset.content_root; // a notebook has none
@@ -154,7 +154,7 @@ export class ExerciseBox {
     this.one(".rk-ladder").innerHTML = (why ? `<p>${renderSymbols(why)}${see}</p>` : "")
       + (picture && root !== undefined
         ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
-      + (opened ? `<p>${renderWhereToLook(look, root === undefined ? (_, words) => words : link)}</p>` : "")
+      + (opened ? `<p>${renderHint(hint, root === undefined ? (_, words) => words : link)}</p>` : "")
       + steps.slice(0, Math.max(0, opened - 1)).map(renderParagraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");
     button.hidden = opened > last;

@@ -108,9 +108,9 @@ class Desk {
     const storage = !memory.kept ? ` ${NOTHING_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
     this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`);
     const all = countPassed(mine), open = here.find((name) => !passed(name));
-    const course = `${sumUp(all, "many")} of ${sumUp(all, "count")} in the course`;
+    const course = `${sumUp(all, "passed")} of ${sumUp(all, "count")} in the course`;
     this.element.querySelector(".rk-course").textContent =
-      `${course}: ${all.map(({ title, many, count }) => `${title} ${many}/${count}`).join(", ")}.`;
+      `${course}: ${all.map(({ title, passed, count }) => `${title} ${passed}/${count}`).join(", ")}.`;
     this.bar.querySelector(".rk-who").textContent = this.student()
       ? `${this.name.trim()} · number set ${describeNumberSet(this.course, this.name)}` : "Type your name";
     this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;

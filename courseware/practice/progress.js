@@ -12,11 +12,11 @@ const showPassed = () => {
   const course = document.querySelector("meta[name=course]")?.content;
   const progress = countPassed(readAnswers(course, memory.get(STUDENT_KEY) ?? ""));
   const links = [...document.querySelectorAll("nav.bd-links a, a.site-card")];
-  for (const { topic, count, many } of progress) {
+  for (const { topic, count, passed } of progress) {
     const own = links.filter(({ pathname }) => pathname.endsWith(`/${topic}/${topic}.html`));
-    own.forEach((link) => writeBeside(link, many ? `${many} of ${count} passed` : ""));
+    own.forEach((link) => writeBeside(link, passed ? `${passed} of ${count} passed` : ""));
   }
-  const all = sumUp(progress, "many"), first = document.querySelector(".site-so-far");
+  const all = sumUp(progress, "passed"), first = document.querySelector(".site-so-far");
   if (first) first.textContent = all ? `You have passed ${all} of ${sumUp(progress, "count")} exercises.` : "";
 };
 

@@ -24,7 +24,7 @@ export const renderParagraphs = (text) => renderMatrices(renderSymbols(joinUnbro
 const FORMULA_LINE = /^(\[[^=]*\]|\S+) = /;
 
 // The chapter, and what its formulas give; each leads to the formula, where the chapter prints it.
-export const renderWhereToLook = ({ chapter, formulas }, link) => {
+export const renderHint = ({ chapter, formulas }, link) => {
   const found = formulas.map(([gives, place]) => place ? link(place, renderSymbols(gives)) : renderSymbols(gives));
   return `Look in the chapter “${renderSymbols(chapter)}”`
     + `${found.length ? ` for the formulas of ${found.join("; ")}` : ""}.`;

@@ -46,7 +46,7 @@ def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
         **judging.serialize_exercise(exercise),
         "solution": solution,
         "topic": exercise.topic,
-        "look": _serialize_hint(exercise),
+        "hint": _serialize_hint(exercise),
         "variants": [
             {
                 "shown": exercise.fill_placeholders(exercise.text + solution, variant.numbers),

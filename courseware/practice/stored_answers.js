@@ -17,9 +17,9 @@ export const readAnswers = (course, name) => {
 export const isPassed = (answers, exercise) => answers[exercise]?.result === "right";
 
 export const countPassed = (answers) => Object.entries(TOPICS).map(([title, [topic, count]]) => {
-  const many = Object.keys(answers).filter((name) => isPassed(answers, name)
+  const passed = Object.keys(answers).filter((name) => isPassed(answers, name)
     && name.replace(/-\d+$/, "").replaceAll("-", "_") === topic).length;
-  return { title, topic, count, many };
+  return { title, topic, count, passed };
 });
 
 export const sumUp = (progress, key) => progress.reduce((total, chapter) => total + chapter[key], 0);

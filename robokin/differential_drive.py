@@ -1,6 +1,7 @@
 """Differential drive: two wheels on one axle, each with its own rate.
 
-The wheel distance is the whole distance between the wheels. Siegwart, Nourbakhsh & Scaramuzza,
+The wheel distance is the whole distance between the wheels. The instantaneous centre of rotation is
+`motion.icr`, the pose after a time step `motion.arc_step`. Siegwart, Nourbakhsh & Scaramuzza,
 Introduction to Autonomous Mobile Robots, chapter 3; Lynch & Park, Modern Robotics, section 13.3.
 """
 

@@ -1,6 +1,6 @@
 """Formulas, each declared once: printed in chapters, compared with code, drawn from."""
 
-from courseware.equations.check import Check
+from courseware.equations.declared_checks import Check
 from courseware.equations.equation import Equation, Where, as_written, find_equation, substitute
 from courseware.equations.notebook import show, show_again
 from courseware.equations.quantities import find_kind, quantity, symbol

@@ -15,7 +15,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from courseware.course import course
-from courseware.equations.check import Check, declared_checks
+from courseware.equations.declared_checks import Check, declared_checks
 from courseware.equations.equation import Where
 from courseware.equations.functions import MPMATH
 from courseware.errors import CourseError

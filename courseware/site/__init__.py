@@ -28,12 +28,12 @@ from courseware.site.directives import (
     Desk,
     Errata,
     Library,
-    Notation,
     Practice,
     keep_quotes,
     skip_fields,
 )
 from courseware.site.home_page import Chapters, Live, Promise
+from courseware.site.notation_page import Notation
 from courseware.site.outputs import Outputs, refuse_names_of_headings
 from courseware.site.sources import list_files
 from courseware.site.verification_page import FormulaChecks

@@ -12,7 +12,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware import equations
 from courseware.course import course
-from courseware.equations.check import Check, declared_checks
+from courseware.equations.declared_checks import Check, declared_checks
 from courseware.equations.verification import library_functions
 from courseware.site.sources import find_sources, note_sources
 

@@ -17,7 +17,7 @@ from support import ROOT
 
 from courseware import equations
 from courseware.course import course, get_members
-from courseware.equations.check import Check, declared_checks
+from courseware.equations.declared_checks import Check, declared_checks
 from courseware.equations.equation import Equation, as_written
 from courseware.equations.latex import render_latex
 from courseware.equations.notebook import MIME

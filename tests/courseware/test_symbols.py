@@ -16,7 +16,7 @@ from courseware.equations.quantities import symbol as declare_symbol
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Slider
 from courseware.script import engine
-from courseware.site.directives import notation_rows
+from courseware.site.notation_page import notation_rows
 from courseware.symbols import lexicon
 from courseware.symbols.formula_numbers import Slots, split_lines
 from courseware.symbols.lexicon import printed_tex, read_cells, read_outputs, scan_tex

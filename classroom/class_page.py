@@ -29,6 +29,8 @@ class Graded(NamedTuple):
     result: str
     mistake: str
     comment: str
+    tries: str
+    help: str
 
 
 class Count(NamedTuple):

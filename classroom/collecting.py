@@ -38,6 +38,8 @@ class Answer:
     time: datetime
     path: Path
     line: int
+    tries: str = ""
+    help: str = ""
 
     def __str__(self) -> str:
         when = "without a time" if self.time == NEVER else f"of {self.time:%Y-%m-%d %H:%M:%S}"
@@ -95,7 +97,9 @@ class Collected:
         if version not in {"", *self.key.versions}:
             words = f"version {version}, the key's is {_quote(self.key.versions)}"
             self.problems.note(OF_ANOTHER_VERSION, path, line, words, row)
-        self._keep(Answer(row["answer"], self._read_time(path, line, row), path, line), row)
+        counts = row.get("tries", ""), row.get("help", "")
+        answer = Answer(row["answer"], self._read_time(path, line, row), path, line, *counts)
+        self._keep(answer, row)
 
     def _find_problem(self, row: Row) -> tuple[str, str]:
         """Return why an answer fits no line of the key, as kind and comment; "" if it fits one."""

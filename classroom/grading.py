@@ -10,7 +10,7 @@ from pathlib import Path
 from classroom import class_page
 from classroom.answer_key import UNUSABLE, Key, Task, read_key, refuse_same
 from classroom.class_page import RESULTS, Count, Graded
-from classroom.collecting import Collected, collect
+from classroom.collecting import NEVER, Answer, Collected, collect
 from classroom.tables import PROBLEMS, Problems
 from courseware.errors import CourseError
 from courseware.practice import dealing, judging
@@ -20,6 +20,7 @@ from courseware.practice.saving import open_table, refuse_existing, write_table
 
 TOTALS = ("student", *RESULTS)
 ENDINGS = ("-students.csv", "-mistakes.csv", "-problems.csv", ".html")  # of files beside the grades
+NOTHING = Answer("", NEVER, Path(), 0)
 MISSING = judging.Verdict("missing", "", "")
 MOST_FREQUENT = 15  # mistakes in the summary
 
@@ -95,14 +96,16 @@ def _grade_exercise(
     variants = _candidates(name, tasks, key, problems)
     places = {numbers: place for place, numbers in enumerate(variants)}
     rows = {p: row for p in tasks if (row := key.rows[p][1])["numbers"] in places}
-    texts = {p: collected.answers[p].answer for p in rows if p in collected.answers}
-    typed = [(places[rows[task]["numbers"]], text) for task, text in texts.items()]
+    answers = {p: collected.answers[p] for p in rows if p in collected.answers}
+    typed = [(places[rows[task]["numbers"]], each.answer) for task, each in answers.items()]
     judged = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
-    verdicts = dict.fromkeys(rows, MISSING) | dict(zip(texts, judged, strict=True))
-    return {
-        p: Graded(rows[p]["student"], name, texts.get(p, ""), v.result, v.name, v.feedback)
-        for p, v in verdicts.items()
-    }
+    verdicts = dict.fromkeys(rows, MISSING) | dict(zip(answers, judged, strict=True))
+    found = {}
+    for task, v in verdicts.items():
+        a, student = answers.get(task, NOTHING), rows[task]["student"]
+        judgement = v.result, v.name, v.feedback
+        found[task] = Graded(student, name, a.answer, *judgement, a.tries, a.help)
+    return found
 
 
 def _candidates(

@@ -10,12 +10,13 @@ const escapeCell = (text) => {
   return /[",;\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 };
 
-// entries: exercise → { answer, time }; what was not checked is among them.
+// entries: exercise → { answer, time, tries, help }; what was not checked is among them.
 export const serializeAnswers = ({ course, version }, student, entries) => [
-  ["kind", "course", "version", "time", "student", "exercise", "answer"],
-  ...Object.entries(entries).filter(([, { answer }]) => answer).map(([exercise, { answer, time }]) =>
-    ["answers", course, version, time ?? "", student, exercise, answer]),
-].map((row) => row.map(escapeCell).join(",")).join("\r\n") + "\r\n";
+  ["kind", "course", "version", "time", "student", "exercise", "answer", "tries", "help"],
+  ...Object.entries(entries).filter(([, { answer }]) => answer)
+    .map(([exercise, { answer, time = "", tries = "", help = "" }]) =>
+      ["answers", course, version, time, student, exercise, answer, tries, help]),
+].map((row) => row.map((cell) => escapeCell(String(cell))).join(",")).join("\r\n") + "\r\n";
 
 export const parseAnswers = (text) => {
   const rows = [[]];

@@ -22,7 +22,8 @@ export const showExercise = async ({ packed, name, course }, { model, el }) => {
     kept: () => kept[student()],
     keep: (entry) => {
       kept[student()] = entry;
-      model.set("state", { ...model.get("state"), answer: entry.answer, result: entry.result });
+      const { answer, result, tries = 0, help = 0 } = entry;
+      model.set("state", { ...model.get("state"), answer, result, tries, help });
       model.save_changes();
     },
   }).start();

@@ -33,6 +33,8 @@ class _Kept(NamedTuple):
     result: str
     time: str
     student: str
+    tries: int
+    help: int
 
 
 _session = {"student": "", "course": ""}  # without a course of one's own: the book's
@@ -81,16 +83,21 @@ class Box:
                 return judging.Verdict("unread", "", f"{error}.")
         verdict = judging.judge(self.exercise, self.variant.candidates, answer)
         if verdict.result != "unread":
-            self._keep(answer, verdict.result)
+            kept = _answers.get(self._key)
+            tries, opened = (kept.tries, kept.help) if kept else (0, 0)
+            self._keep(answer, verdict.result, tries + 1, opened)
         return verdict
 
-    def _keep(self, answer: str, result: str, **_: str) -> None:
+    @property
+    def _key(self) -> tuple[str, str, str]:
+        return self.course, dealing.fold_name(self.student), self.exercise.name
+
+    def _keep(self, answer: str, result: str, tries: int = 0, help: int = 0, **_: str) -> None:
         """Keep an answer, judged or only typed; a right one is replaced by right ones only."""
-        key = self.course, dealing.fold_name(self.student), self.exercise.name
-        was_right = key in _answers and _answers[key].result == "right"
+        was_right = self._key in _answers and _answers[self._key].result == "right"
         if answer and (result == "right" or not was_right):
             now = datetime.now(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
-            _answers[key] = _Kept(answer, result, now, self.student)
+            _answers[self._key] = _Kept(answer, result, now, self.student, tries, help)
 
     @cached_property
     def widget(self) -> Widget:
@@ -131,8 +138,8 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
     if not all(student for _, student, _ in _answers):
         raise CourseError('say who you are first: practice.student("…") picks your numbers')
     rows = [
-        ("answers", course, dealing.version(), kept.time, kept.student, name, kept.answer)
-        for (course, _, name), kept in _answers.items()
+        ("answers", course, dealing.version(), k.time, k.student, name, k.answer, k.tries, k.help)
+        for (course, _, name), k in _answers.items()
     ]
     return write_table(path, ANSWER_COLUMNS, rows, force)
 

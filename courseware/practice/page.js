@@ -8,6 +8,8 @@ import { memory, readStored } from "./storage.js";
 import { answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
 
 const NAMELESS = "Type your name first: it picks your numbers.";
+const describeOrphans = (count) =>
+  ` ${count} answered before you typed a name: to see them again, with their numbers, empty the name.`;
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
   + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
   + "1/3, pi/3, sqrt(3)/2, 30° where rad is asked, a list: [1, 2], or a matrix: [[1, 2], [3, 4]]. "
@@ -105,8 +107,10 @@ class Desk {
     const mine = this.mine(), passed = (name) => isPassed(mine, name);
     const here = this.sections.map(({ dataset }) => dataset.exercise), done = here.filter(passed);
     const nameless = done.length && !this.student() ? `. ${NAMELESS}` : "";
+    const orphans = this.student() ? Object.values(readAnswers(this.course, "")).filter(({ answer }) => answer).length : 0;
     const storage = !memory.kept ? ` ${NOTHING_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
-    this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`);
+    this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`
+      + (orphans ? `.${describeOrphans(orphans)}` : ""));
     const all = countPassed(mine), open = here.find((name) => !passed(name));
     const course = `${sumUp(all, "passed")} of ${sumUp(all, "count")} in the course`;
     this.element.querySelector(".rk-course").textContent =

@@ -9,7 +9,10 @@ from typing import TextIO
 
 from courseware.errors import CourseError
 
-ANSWER_COLUMNS = ("kind", "course", "version", "time", "student", "exercise", "answer")
+ANSWER_COLUMNS = (
+    *("kind", "course", "version", "time", "student", "exercise", "answer"),
+    *("tries", "help"),  # how often it was checked, how many hints and steps were opened
+)
 # Spreadsheets begin a cell, and so a formula, behind a semicolon, too, where that separates cells
 START, FORMULA = r"(^|[;\t\r\n])( *)", "(?='*[=+@＝＋－＠\t\r\n-])"
 GUARD = rf"{START}(?![+-]?[0-9.]+ *(?:[;\t\r\n]|$)){FORMULA}"  # a number may begin with a sign

@@ -174,6 +174,14 @@ def test_a_class(size, folder, capsys):
     assert "<script" not in page
 
 
+def test_tries_and_help_reach_the_teacher(keyed):
+    (keyed / "a.csv").write_text(f"student,exercise,answer,tries,help\nAda,{ONE},7,3,2\n")
+    assert run("grade", "a.csv", "--key", "key.csv") == 0
+    first, *others = table("grades.csv")
+    assert (first["tries"], first["help"]) == ("3", "2")
+    assert {row["tries"] for row in others} == {""}
+
+
 @pytest.mark.slow
 def test_a_hundred_megabytes_are_graded_in_three_hundred(folder):
     (folder / "roster.csv").write_text("student\n" + "\n".join(f"s{k}" for k in range(500)))

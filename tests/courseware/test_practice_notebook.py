@@ -47,10 +47,12 @@ def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
         practice.export(tmp_path / "answers.csv")
     box = practice.exercise("differential-drive-1", student="=Ada, 1")
     box.check("nonsense")
+    box.check("7")
     box.check("-1/3")
     path = practice.export(tmp_path / "answers.csv")
     [row] = table(path)
     wanted = {"student": "=Ada, 1", "exercise": "differential-drive-1", "answer": "-1/3"}
+    wanted |= {"tries": "2", "help": "0"}
     assert datetime.fromisoformat(row.pop("time")).tzinfo == UTC
     version = dealing.version()
     assert row == {"kind": "answers", "course": "robokin", "version": version, **wanted}

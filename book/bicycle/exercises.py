@@ -267,7 +267,6 @@ COMPASS = "the heading ψ as a compass does: clockwise, from the y axis. "
 
 bicycle_1 = Exercise(
     "bicycle-1",
-    level=1,
     title="A speedometer on the front wheel",
     text="The wheelbase of a bicycle is {L}: so far apart its wheels touch the floor. The front "
     "wheel is turned by {phi} to the left. A speedometer on the front wheel shows {v_front}. How "
@@ -300,7 +299,6 @@ bicycle_1 = Exercise(
 
 bicycle_2 = Exercise(
     "bicycle-2",
-    level=1,
     title="One wheel in place of two",
     text="A car turns to the left. Its left front wheel is turned by {alpha_L}, its right front "
     "wheel by {alpha_R}. A bicycle drives the same curve. "
@@ -331,7 +329,6 @@ bicycle_2 = Exercise(
 
 bicycle_3 = Exercise(
     "bicycle-3",
-    level=2,
     title="Where does the front axle go?",
     text="A car has the heading {theta}. The middle of its rear axle moves forward at {v}. The "
     "steering angle of its bicycle model is {phi} (positive: to the left). What is the velocity "
@@ -368,7 +365,6 @@ bicycle_3 = Exercise(
 
 bicycle_4 = Exercise(
     "bicycle-4",
-    level=2,
     title="The outer wheel",
     text="You design the steering of a car. When its left front wheel is turned by {alpha_L} to "
     "the left, the car must turn like a bicycle whose front wheel is turned by {phi} to the "
@@ -399,7 +395,6 @@ bicycle_4 = Exercise(
 
 bicycle_5 = Exercise(
     "bicycle-5",
-    level=2,
     title="A heading as on a compass",
     text="A truck measures "
     + COMPASS
@@ -462,7 +457,6 @@ bicycle_5 = Exercise(
 
 bicycle_6 = Exercise(
     "bicycle-6",
-    level=3,
     title="Along the arc",
     text="A car with a wheelbase of {L} starts with the middle of its rear axle at the origin and "
     "with the heading {theta}. For {time} this point drives at {v}, with a steering angle of {phi} "
@@ -517,7 +511,6 @@ bicycle_6 = Exercise(
 
 bicycle_7 = Exercise(
     "bicycle-7",
-    level=3,
     title="The position that a program computes",
     text="A program computes the position of O, the middle of a car's front axle. It measures "
     + COMPASS

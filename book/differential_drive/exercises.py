@@ -153,7 +153,6 @@ def different(v_L, v_R, **_):
 
 differential_drive_1 = Exercise(
     "differential-drive-1",
-    level=1,
     title="How fast does it turn?",
     text="The wheels of a robot are {b} apart. The left wheel moves over the floor at {v_L}, the "
     "right one at {v_R}. How fast does the robot turn, counter-clockwise positive?",
@@ -172,7 +171,6 @@ differential_drive_1 = Exercise(
 
 differential_drive_2 = Exercise(
     "differential-drive-2",
-    level=2,
     title="Which way does it go?",
     text="The robot's heading is {theta}. Its left wheel moves over the floor at {v_L}, its right "
     "wheel at {v_R}. What is the velocity of the middle of its axle in the world, along x and y?",
@@ -191,7 +189,6 @@ differential_drive_2 = Exercise(
 
 differential_drive_3 = Exercise(
     "differential-drive-3",
-    level=2,
     title="Which point does it turn about?",
     text="A robot stands with the middle of its axle at x = {x}, y = {y} and has the heading "
     "{theta}. Its wheels are {b} apart and move at {v_L} (left) and {v_R} (right). Where in the "
@@ -231,7 +228,6 @@ differential_drive_3 = Exercise(
 
 differential_drive_4 = Exercise(
     "differential-drive-4",
-    level=2,
     title="Once around a circle",
     text="A robot has wheels of radius {r}, {b} apart. The middle of its axle must run once "
     "around a circle of radius {radius}, to the left, in {time}. How fast must the left and the "
@@ -265,7 +261,6 @@ differential_drive_4 = Exercise(
 
 differential_drive_5 = Exercise(
     "differential-drive-5",
-    level=3,
     title="Along the arc",
     text="A robot starts at the origin with heading 0. Its wheels are {b} apart. For {time} the "
     "left wheel moves at {v_L} and the right one at {v_R}. Where is the middle of its axle then, "
@@ -308,7 +303,6 @@ differential_drive_5 = Exercise(
 
 differential_drive_6 = Exercise(
     "differential-drive-6",
-    level=3,
     title="A worn wheel",
     text="The left wheel of a robot is worn: its radius is {worn} smaller than the program "
     "believes; the right one is as it believes. The wheels are {b} apart. The program "

@@ -246,7 +246,6 @@ BENDS = (
 
 elbow_arm_1 = Exercise(
     "elbow-arm-1",
-    level=1,
     title="Which way must the base turn?",
     text="The base of an arm is at the origin and turns by θ_1 about the vertical z axis. "
     + BASE
@@ -269,7 +268,6 @@ elbow_arm_1 = Exercise(
 
 elbow_arm_2 = Exercise(
     "elbow-arm-2",
-    level=2,
     title="How far must the elbow bend?",
     text="An arm has an upper link of a_2 = {a2} and a forearm of a_3 = {a3}. The wrist must come "
     f"to {POINT}, measured from the shoulder. With θ_3 = 0 the arm is stretched. By which angle "
@@ -306,7 +304,6 @@ elbow_arm_2 = Exercise(
 
 elbow_arm_3 = Exercise(
     "elbow-arm-3",
-    level=2,
     title="The same place from behind",
     text="An arm with the links a_2 = {a2} and a_3 = {a3} faces its target. Its joint angles are "
     "θ_1 = {theta1}, θ_2 = {theta2}, θ_3 = {theta3}. "
@@ -365,7 +362,6 @@ elbow_arm_3 = Exercise(
 
 elbow_arm_4 = Exercise(
     "elbow-arm-4",
-    level=2,
     title="How long must the forearm be?",
     text="You design an arm. Its shoulder is {d1} above the floor, and its upper link is "
     "{a2} long. The wrist must reach "
@@ -405,7 +401,6 @@ elbow_arm_4 = Exercise(
 
 elbow_arm_5 = Exercise(
     "elbow-arm-5",
-    level=2,
     title="Straight above the shoulder",
     text="An arm has the links a_2 = {a2} and a_3 = {a3}. Its wrist must come to a point straight "
     "above the shoulder, {p_z} higher (p_x = p_y = 0). Then θ_1 can be any angle. "
@@ -440,7 +435,6 @@ elbow_arm_5 = Exercise(
 
 elbow_arm_6 = Exercise(
     "elbow-arm-6",
-    level=3,
     title="All three joints",
     text="The base of an arm is at the origin, and its shoulder is {d1} straight above. The links "
     "are a_2 = {a2} and a_3 = {a3}. "
@@ -487,7 +481,6 @@ elbow_arm_6 = Exercise(
 
 elbow_arm_7 = Exercise(
     "elbow-arm-7",
-    level=3,
     title="All four arms",
     text="An arm has the links a_2 = {a2} and a_3 = {a3}. "
     f"The wrist must come to {POINT}, measured from the shoulder. "

@@ -262,7 +262,6 @@ with as_written():
 
 euler_1 = Exercise(
     "euler-1",
-    level=1,
     title="Where does the arrow point?",
     text="Frame B is made from frame A by two turns: first by {a} about the {first} axis, then by "
     "{b} about the new {second} axis. An arrow of length 1 points along the {arrow} axis of B. "
@@ -293,7 +292,6 @@ euler_1 = Exercise(
 
 euler_2 = Exercise(
     "euler-2",
-    level=2,
     title="Two turns in one matrix",
     text="Frame B is frame A turned first by {a} about its {first} axis, and then by {b} about its "
     "new {second} axis. What is R_AB, the matrix whose columns are the axes of B as A sees them?",
@@ -315,7 +313,6 @@ euler_2 = Exercise(
 
 euler_3 = Exercise(
     "euler-3",
-    level=2,
     title="What remains to be turned?",
     text="Frame A must be brought to frame B, with R_AB = {R_AB}. A first turn is already made, "
     "by {turn} about the {axis} axis of A. Which rotation is still needed? Give its matrix in "
@@ -354,7 +351,6 @@ euler_3 = Exercise(
 
 euler_4 = Exercise(
     "euler-4",
-    level=2,
     title="One turn in place of two",
     text="A camera is turned first by {a} about its {first} axis, and then by {b} about its new "
     "{second} axis. One single turn can do the same. About which axis n (a vector of length 1, as "
@@ -388,7 +384,6 @@ euler_4 = Exercise(
 
 euler_5 = Exercise(
     "euler-5",
-    level=2,
     title="Yaw, pitch and roll",
     text="A drone was turned from frame A: first by a (yaw) about its z axis, then by b (pitch) "
     "about its new y axis, then by c (roll) about the x axis after both turns. The result, "
@@ -433,7 +428,6 @@ euler_5 = Exercise(
 
 euler_6 = Exercise(
     "euler-6",
-    level=3,
     title="At gimbal lock",
     text="Frame A is brought to frame B by three turns in the sequence {seq}, each about an axis "
     "of the frame as turned so far. The result, rounded to four decimals, is R_AB = {R}. Here "
@@ -482,7 +476,6 @@ euler_6 = Exercise(
 
 euler_7 = Exercise(
     "euler-7",
-    level=3,
     title="From one sequence to another",
     text="A drone's program says how its camera is turned by yaw {yaw}, pitch {pitch} and roll "
     "{roll}: about z, the new y, and the x axis after both turns. The camera's stand wants "

@@ -270,7 +270,6 @@ def both_inverses(T_db, T_bc):
 
 frames_1 = Exercise(
     "frames-1",
-    level=1,
     title="Seen from the other end",
     text=f"{PLAN}{PLATFORM_SEEN}. {TURNED} How does the platform see the camera: at what x and y, "
     "and turned by what angle?",
@@ -291,7 +290,6 @@ frames_1 = Exercise(
 
 frames_2 = Exercise(
     "frames-2",
-    level=2,
     title="What the hand sees",
     text=f"{ARM_STANDS} The platform sees an object at x = {{x}}, y = {{y}}. Where does the hand "
     "see it, along the x and y axes of c?",
@@ -319,7 +317,6 @@ frames_2 = Exercise(
 
 frames_3 = Exercise(
     "frames-3",
-    level=2,
     title="What the platform sees",
     text=f"{PLAN}{PLATFORM_SEEN}, and {OBJECT_SEEN}. {TURNED} How does the platform see the "
     "object: at what x and y, and turned by what angle?",
@@ -352,7 +349,6 @@ frames_3 = Exercise(
 
 frames_4 = Exercise(
     "frames-4",
-    level=2,
     title="The camera as the hand sees it",
     text=f"{PLAN}{PLATFORM_SEEN}. The platform sees the hand c of its arm at x = {{x}}, y = {{y}}, "
     f"turned by {{theta}}. {TURNED} How does the hand see the camera: at what x and y, and turned "
@@ -395,7 +391,6 @@ frames_4 = Exercise(
 
 frames_5 = Exercise(
     "frames-5",
-    level=3,
     title="All the way to the object",
     text=f"{ARM_STANDS}\n\n{PLAN}{PLATFORM_SEEN}, and {OBJECT_SEEN}. {TURNED} What is T_ce, "
     "the pose of the object as the hand sees it, as a 3×3 matrix?",
@@ -445,7 +440,6 @@ frames_5 = Exercise(
 
 frames_6 = Exercise(
     "frames-6",
-    level=3,
     title="A camera that looks down",
     text="A camera f hangs {height} above the floor and looks straight down. Its x axis is that of "
     "the room, its z axis points to the floor, so its y axis is opposite to the room's y axis. It "
@@ -488,7 +482,6 @@ frames_6 = Exercise(
 
 frames_7 = Exercise(
     "frames-7",
-    level=3,
     title="Where must the platform stand?",
     text=f"{ARM_STANDS}\n\n{PLAN}{OBJECT_SEEN}. {TURNED} The arm's joints do not move. Where must "
     "the platform stand so that the frames c and e coincide: at what x and y, and turned by what "

@@ -262,7 +262,6 @@ with as_written():
 
 odometry_1 = Exercise(
     "odometry-1",
-    level=1,
     title="How far has the wheel rolled?",
     text="The encoder of a wheel gives {C} ticks in one turn of the wheel. The wheel has the "
     "radius {r}. Since the last reading, {N} ticks were counted. How far has the wheel rolled?",
@@ -296,7 +295,6 @@ odometry_1 = Exercise(
 
 odometry_2 = Exercise(
     "odometry-2",
-    level=2,
     title="The counter jumps",
     text="A counter of 16 bits counts the ticks of a wheel: up when the wheel rolls forward, down "
     "when it rolls backward. It showed {before}, and now it shows {after}. In the meantime the "
@@ -346,7 +344,6 @@ odometry_2 = Exercise(
 
 odometry_3 = Exercise(
     "odometry-3",
-    level=2,
     title="One step with the new heading",
     text="A robot is at x = {x}, y = {y} with the heading {theta}. In one step its left wheel "
     "rolls {D_L} and its right wheel {D_R}; the wheels are {b} apart. Update the pose by the rule "
@@ -395,7 +392,6 @@ odometry_3 = Exercise(
 
 odometry_4 = Exercise(
     "odometry-4",
-    level=2,
     title="How far apart are the wheels?",
     text="You want to measure the wheel distance of a robot by driving. Its wheels have the radius "
     "{r} and encoders with {C} ticks a turn. The robot turns on the spot to the left, exactly "
@@ -430,7 +426,6 @@ odometry_4 = Exercise(
 
 odometry_5 = Exercise(
     "odometry-5",
-    level=2,
     title="How fine must the encoder be?",
     text="A robot has wheels of radius {r}, {b} apart. Its program reads the encoders every "
     "{period} and computes the turning rate from the ticks. One tick more or less of one wheel "
@@ -482,7 +477,6 @@ odometry_5 = Exercise(
 
 odometry_6 = Exercise(
     "odometry-6",
-    level=3,
     title="The error of the old heading",
     text="A robot reads its encoders too seldom: in one step it drives {D} and turns to the left "
     "by {turn}. Before the step it stands at the origin with the heading {theta}. Really it drives "
@@ -530,7 +524,6 @@ odometry_6 = Exercise(
 
 odometry_7 = Exercise(
     "odometry-7",
-    level=3,
     title="From two counters to a pose",
     text="A robot stands at the origin with the heading {theta}. Its wheels have the radius {r} "
     "and are {b} apart; one turn of a wheel is {C} ticks. Two counters of 16 bits count the ticks. "

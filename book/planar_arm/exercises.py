@@ -375,7 +375,6 @@ EXAMPLE = {
 
 planar_arm_1 = Exercise(
     "planar-arm-1",
-    level=1,
     title="Only the first joint turns",
     text=ARM + "Only the first joint turns, at {q1}. How fast does the hand move along x and y, "
     "and how fast does it turn?",
@@ -396,7 +395,6 @@ planar_arm_1 = Exercise(
 
 planar_arm_2 = Exercise(
     "planar-arm-2",
-    level=2,
     title="How fast does the hand move?",
     text=ARM + "The joints turn at θ̇_1 = {q1}, θ̇_2 = {q2} and θ̇_3 = {q3}. How fast does the hand "
     "move along x and y, and how fast does it turn?",
@@ -422,7 +420,6 @@ planar_arm_2 = Exercise(
 
 planar_arm_3 = Exercise(
     "planar-arm-3",
-    level=2,
     title="Where the arm gets stuck",
     text=HAND
     + "The first joint is at θ_1 = {theta1}, and φ must be {phi}. "
@@ -461,7 +458,6 @@ planar_arm_3 = Exercise(
 
 planar_arm_4 = Exercise(
     "planar-arm-4",
-    level=2,
     title="Pushing and twisting",
     text=ARM + "The hand pushes on a workpiece with the force f_x = {f_x}, f_y = {f_y} and twists "
     "it with the moment m = {m}. Nothing moves, and the arm lies flat on a table, so that its "
@@ -489,7 +485,6 @@ planar_arm_4 = Exercise(
 
 planar_arm_5 = Exercise(
     "planar-arm-5",
-    level=3,
     title="Which joint rates?",
     text=ARM + "Now the hand must move at ẋ = {v_x}, ẏ = {v_y} and turn at φ̇ = {omega}. How fast "
     "must the three joints turn?",
@@ -523,7 +518,6 @@ planar_arm_5 = Exercise(
 
 planar_arm_6 = Exercise(
     "planar-arm-6",
-    level=3,
     title="How fast at most?",
     text=ARM + "No joint can turn faster than {limit}. The hand must move straight in the "
     "direction {towards} from the x axis and must not turn. How fast can it move in this pose?",
@@ -563,7 +557,6 @@ planar_arm_6 = Exercise(
 
 planar_arm_7 = Exercise(
     "planar-arm-7",
-    level=3,
     title="How well can the hand move?",
     text=ARM + "The manipulability w = √det(J Jᵀ) says how well the hand can move in all "
     "directions. Use the 2×3 matrix J of ẋ and ẏ. How large is w?",

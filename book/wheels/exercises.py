@@ -404,7 +404,6 @@ TURN = one_of(*(n / 4 for n in range(-6, 7) if n), unit="rad/s")
 
 wheels_1 = Exercise(
     "wheels-1",
-    level=1,
     title="The rolling row of a wheel",
     text="A fixed wheel stands "
     + SPOKE
@@ -439,7 +438,6 @@ wheels_1 = Exercise(
 
 wheels_2 = Exercise(
     "wheels-2",
-    level=1,
     title="The matrix of an omni robot",
     text="An omni robot has three wheels, each {l} from the centre. The first stands at "
     "α = {first} from the robot's x axis, the others 120° and 240° further, counter-clockwise. "
@@ -469,7 +467,6 @@ wheels_2 = Exercise(
 
 wheels_3 = Exercise(
     "wheels-3",
-    level=2,
     title="How fast must the wheels turn?",
     text=THREE_WHEELS
     + TO_THE_RIGHT
@@ -502,7 +499,6 @@ wheels_3 = Exercise(
 
 wheels_4 = Exercise(
     "wheels-4",
-    level=2,
     title="Where does the omni robot go?",
     text=THREE_WHEELS
     + TO_THE_RIGHT
@@ -544,7 +540,6 @@ wheels_4 = Exercise(
 
 wheels_5 = Exercise(
     "wheels-5",
-    level=2,
     title="In how many ways can it move?",
     text="A robot has {fixed}, {steered} and {free}.{axles}{turned} What are the robot's "
     "degrees of mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
@@ -592,7 +587,6 @@ wheels_5 = Exercise(
 
 wheels_6 = Exercise(
     "wheels-6",
-    level=3,
     title="Turn about that point",
     text="A steered wheel of radius {r} stands "
     + SPOKE
@@ -635,7 +629,6 @@ wheels_6 = Exercise(
 
 wheels_7 = Exercise(
     "wheels-7",
-    level=3,
     title="One wheel too many",
     text="An omni robot has four wheels of radius {r}, each {l} from the centre. They stand at 0°, "
     "90°, 180° and 270° from the robot's x axis, counter-clockwise. "

@@ -133,7 +133,6 @@ class Exercise:
 
     Args:
         name: stem of the topic and a number.
-        level: 1 one step, 2 several, 3 hard.
         title: of its box.
         text: Markdown-free text with `{placeholders}`: numbers of `given`, what `derive` adds, and
             `{right}`; `{x:deg}` shows degrees, `{x:.2f}` a format; "v_L" becomes a symbol; an empty
@@ -154,7 +153,6 @@ class Exercise:
     """
 
     name: str
-    level: int
     title: str
     text: str
     given: Mapping[str, Given]

@@ -16,7 +16,7 @@ const PICTURED = "In the numbers of the chapter; dashed or red is what the mista
  * An exercise in an element that holds its HTML. What is shown is what is judged: both take the
  * variant from `number`, which `show` alone sets.
  *
- * @typedef {{ name, title, level, text, solution, prompt, topic, variants: Variant[] }} Exercise
+ * @typedef {{ name, title, steps, text, solution, prompt, topic, variants: Variant[] }} Exercise
  * @typedef {{ shown: Object<string, string>, candidates: Candidate[] }} Variant shown: texts for
  *   placeholders
  * @typedef {{ course, student(): string, load(): Promise<Exercise>, kept(), keep(entry) }} ExerciseDesk

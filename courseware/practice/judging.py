@@ -57,7 +57,6 @@ def serialize_exercise(exercise: Exercise) -> dict[str, Any]:
     return {
         "name": exercise.name,
         "title": exercise.title,
-        "level": exercise.level,
         "text": exercise.text,
         "prompt": format_prompt(exercise),
         "unknowns": [vars(unknown) for unknown in exercise.unknowns],

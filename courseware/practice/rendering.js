@@ -3,7 +3,6 @@
 import { escapeHtml, fillTemplate, renderSymbols } from "../script/text.js";
 import { UNBROKEN } from "./units.js";
 
-const LEVELS = { 1: "one step", 2: "several steps", 3: "hard" };
 const TRAINING = "Numbers for training: they are not yours and do not count.";
 export const HELP_STEPS = ["Where should I look?", "Show the first step", "Show the next step", "Show the answer"];
 
@@ -49,7 +48,7 @@ const renderEntries = ({ shape: [rows, columns] = [] }) => columns ? `<details c
 export const renderExercise = (exercise, shown, solution, id = exercise.name) =>
   `<div class="rk-question" id="${id}-question">`
     + `<p class="rk-exercise-title"><strong>${escapeHtml(exercise.title)}</strong>`
-    + ` <span class="rk-level">${LEVELS[exercise.level]}</span>`
+    + ` <span class="rk-steps">${exercise.steps} step${exercise.steps > 1 ? "s" : ""}</span>`
     + ` <span class="rk-passed" hidden>passed</span></p>`
     + `<div class="rk-text">${renderParagraphs(fillTemplate(exercise.text, shown))}</div></div>`
     + `<p class="rk-training" hidden>${TRAINING} <button type="button">Back to my numbers</button></p>`

@@ -40,10 +40,15 @@ def constants() -> dict[str, Any]:
     }
 
 
+def _serialize_question(exercise: Exercise) -> dict[str, Any]:
+    steps = engine.call("courseware.splitSolution", exercise.solution_text)
+    return {**judging.serialize_exercise(exercise), "steps": len(steps)}
+
+
 def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
     solution = exercise.solution_text if solutions else ""
     return {
-        **judging.serialize_exercise(exercise),
+        **_serialize_question(exercise),
         "solution": solution,
         "topic": exercise.topic,
         "hint": _serialize_hint(exercise),
@@ -101,7 +106,7 @@ def render_box(name: str, salt: str, solutions: bool = True) -> str:
     """Render an exercise as HTML, with the numbers of somebody without a name."""
     exercise = find_exercise(name)
     texts = _fill_for_nobody(exercise, salt, exercise.text)
-    question = judging.serialize_exercise(exercise)
+    question = _serialize_question(exercise)
     inner = engine.call("courseware.renderExercise", question, texts, solutions)
     version = hashlib.sha256(render_script(exercise.topic, solutions).encode()).hexdigest()[:8]
     return (

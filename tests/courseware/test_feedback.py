@@ -154,7 +154,6 @@ def asking(*asks, right, shape=(), also=None, accept="one", wrong=None):
     """An exercise without a text, whose answer is fixed."""
     return Exercise(
         "test-1",
-        level=1,
         title="",
         text="",
         given={},

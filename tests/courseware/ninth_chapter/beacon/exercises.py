@@ -32,7 +32,6 @@ M99 = Mistake(
 
 beacon_1 = Exercise(
     "beacon-1",
-    level=1,
     title="Where does it see the beacon?",
     text="A robot stands at x = {x}, y = {y} with the heading {theta}. A beacon stands at "
     "x = {b_x}, y = {b_y}. In which direction, counted from straight ahead, does it see it?",

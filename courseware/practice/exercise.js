@@ -173,8 +173,10 @@ export class ExerciseBox {
     const kept = this.entry();
     this.opened = null; // besides what was opened before the pass
     this.input.value = kept.answer ?? "";
-    const entries = [parseTyped(this.input.value, this.exercise?.unknowns ?? [])[0].value].flat(Infinity);
-    this.element.querySelectorAll("td input").forEach((cell, k) => { cell.value = entries[k] ?? ""; });
+    const cells = [...this.element.querySelectorAll("td input")];
+    const readings = parseTyped(this.input.value, this.exercise?.unknowns ?? []).map(({ value }) => [value].flat(Infinity));
+    const entries = readings.find(({ length }) => length === cells.length) ?? readings[0];
+    cells.forEach((cell, k) => { cell.value = entries[k] ?? ""; });
     this.pass();
     this.tell(kept);
     if (this.exercise && this.number !== null) this.climb();

@@ -7,6 +7,7 @@ import re
 from datetime import UTC, datetime, timedelta
 from html import unescape
 
+import numpy as np
 import pytest
 from browser import FULL, draw_all, watched_page
 from declared import COURSE, EXERCISES, OF_EACH_KIND, table, typed
@@ -559,6 +560,19 @@ def test_a_matrix_can_be_typed_entry_by_entry(page):
     again(page)
     first = grid.get_by_label("row 1, column 1")
     assert float(first.input_value()) == pytest.approx(right[0], abs=1e-4)
+
+
+def test_a_matrix_with_decimal_commas_fills_its_entries(page):
+    """It can be read as twice as many numbers, too."""
+    sign_in(page, "Ada")
+    right = np.reshape(variant("euler-2", "Ada").candidates[0].rows[0], (3, 3))
+    lines = ("; ".join(f"{x:.4f}".replace(".", ",") for x in line) for line in right)
+    assert answer(page, "euler-2", f"[[{']; ['.join(lines)}]]") == candidates.RIGHT
+    again(page)
+    entries = (
+        box(page, "euler-2").locator("td input").evaluate_all("all => all.map((e) => +e.value)")
+    )
+    assert entries == pytest.approx([*right.flat], abs=1e-4)
 
 
 CHAPTER = "differential_drive/differential_drive.html"

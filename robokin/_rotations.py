@@ -61,11 +61,11 @@ def judged(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:
             raise RobokinError(
                 f"{name}{at_index(index)} must have 0, …, 0, 1 as its last row, got {matrix[n]}"
             )
-        mirror = bool(np.linalg.det(matrix[:n, :n]) < 0)
+        mirror = np.linalg.det(matrix[:n, :n]) < 0
+        kind, remedy = (" (a mirror: determinant < 0)", "") if mirror else ("", NEAREST)
         raise RobokinError(
-            f"{name}{at_index(index)} is not a rotation{' (a mirror: determinant < 0)' * mirror}: "
-            f"off by {np.nanmax(off):.3g} from columns of length 1, at right angles and "
-            f"right-handed; allowed {tol:.3g}{NEAREST * (not mirror)}"
+            f"{name}{at_index(index)} is not a rotation{kind}: off by {np.nanmax(off):.3g} from "
+            f"columns of length 1, at right angles and right-handed; allowed {tol:.3g}{remedy}"
         )
     return np.where(known[..., None, None], matrices, np.nan)
 

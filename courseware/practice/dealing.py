@@ -44,6 +44,7 @@ ALIKE = {  # each character, and what stands for it
     }.items()
     for odd in odds
 }
+_TO_PLAIN = str.maketrans(ALIKE)
 
 
 @dataclass(frozen=True)
@@ -57,8 +58,7 @@ class Variant:
 def fold_name(name: str) -> str:
     """Return a student's name as it is hashed."""
     whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    alike = str.maketrans(ALIKE)
-    plain = unicodedata.normalize("NFKC", whole.translate(alike)).translate(alike)
+    plain = unicodedata.normalize("NFKC", whole.translate(_TO_PLAIN)).translate(_TO_PLAIN)
     tidy = re.sub(SPACES, " ", re.sub(IGNORED, "", plain)).strip(" ")
     ordered = re.sub("^([^,]+), ?([^,]+)$", r"\2 \1", tidy)
     return unicodedata.normalize("NFC", ordered.lower())

@@ -113,6 +113,7 @@ LOCKED = $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hash
 lock: $(READY)
 	$(LOCKED) requirements.in -o requirements.txt
 	$(LOCKED) -c requirements.txt requirements-light.in -o requirements-light.txt
+	$(LOCKED) -c requirements.txt hub/requirements.in -o hub/requirements.txt
 
 # Two environments of their own, from the dependency groups in pyproject.toml: the peers that
 # robokin is timed against, and the lowest versions that the wheels say they work with.
@@ -128,7 +129,7 @@ bench: .venv-bench/.ready
 
 .venv-lowest/.ready: $(READY) $(SOURCES)
 	$(PYTHON) -m venv --clear .venv-lowest
-	$(INSTALL) --resolution lowest-direct --refresh --reinstall "./[draw]" "./courseware[engine]" ./book \
+	$(INSTALL) --resolution lowest-direct --refresh --reinstall "./[draw]" ./courseware ./book \
 		"pyparsing>=3.2,<3.3"  # newer ones warn of what the lowest Matplotlib does
 	@$(BIN)/uv pip freeze --python $(@D)/bin/python | grep -v "file:" > .venv-lowest/found.txt
 	$(INSTALL) -c .venv-lowest/found.txt --group lowest

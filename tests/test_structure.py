@@ -4,14 +4,20 @@ Read from the sources, without running them; imports for the type checker alone 
 """
 
 import ast
+import sys
 from graphlib import CycleError, TopologicalSorter
+from importlib.metadata import packages_distributions, requires
 from typing import NamedTuple
 
 import pytest
 from declared import course
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 from support import ROOT
 
 PACKAGES = ("robokin", "courseware", "classroom", "book")
+PROVIDED = packages_distributions()  # by the names of imports
+SITE = ("courseware.site", "courseware.symbols", "book._ext")  # needed where the site is built
 
 
 class Import(NamedTuple):
@@ -94,6 +100,22 @@ def chapter_of(module):
 def test_a_package_does_not_import(package, others):
     wrong = describe_imports(i for i in IMPORTS if within(i.by, package) and within(i.of, *others))
     assert not wrong, f"{package} stands alone: {wrong}"
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_a_wheel_asks_for_what_its_modules_import(package):
+    """Else it is missing where only the wheels are installed; Pyodide has a module of its own."""
+    needed, more = set(), {"robokin" if package == "robokin" else f"robokin-{package}"}
+    while more:
+        needed |= more
+        asked = (Requirement(text) for name in more for text in requires(name) or ())
+        asked = (r for r in asked if not r.marker or r.marker.evaluate({"extra": "draw"}))
+        more = {canonicalize_name(r.name) for r in asked} - needed
+    known = {*sys.stdlib_module_names, *PACKAGES, "pyodide"}
+    known |= {top for top, by in PROVIDED.items() if needed & set(map(canonicalize_name, by))}
+    own = [i for i in IMPORTS if within(i.by, package) and not within(i.by, *SITE)]
+    missing = describe_imports(i for i in own if i.of.partition(".")[0] not in known)
+    assert not missing, f"name it in pyproject.toml: {missing}"
 
 
 each_chapter = pytest.mark.parametrize("chapter", course().chapters)

@@ -190,9 +190,8 @@ class Figure:
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return the widget, the name by which a page finds the figure, and a still picture."""
-        others = {"text/plain": self.title, MIME: {"name": self.name}}
-        if engine.is_available():
-            others["image/svg+xml"] = compact_svg(self.render_svg())
+        still = compact_svg(self.render_svg())
+        others = {"text/plain": self.title, MIME: {"name": self.name}, "image/svg+xml": still}
         return self.widget.render_output(others)
 
 

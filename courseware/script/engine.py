@@ -10,7 +10,6 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from courseware.errors import CourseError
 from courseware.script import parts
 
 _loaded: list[str] = []  # parts
@@ -23,25 +22,12 @@ def _evaluate() -> Callable[[str], Any]:
         from pyodide.code import run_js  # only there
 
         return run_js
-    try:
-        from py_mini_racer import MiniRacer  # who only computes does not need it
-    except ImportError as error:
-        raise CourseError(
-            "pictures are drawn and answers are read by JavaScript, and there is no engine for it: "
-            "`pip install mini-racer`"
-        ) from error
+    from py_mini_racer import MiniRacer  # not in a browser
+
     engine = MiniRacer()
     atexit.register(engine.close)  # an engine left open keeps Python from ending
     evaluate: Callable[[str], Any] = engine.eval
     return evaluate
-
-
-def is_available() -> bool:
-    try:
-        _evaluate()
-    except CourseError:
-        return False
-    return True
 
 
 def run(code: str) -> Any:

@@ -12,6 +12,7 @@ import colab_copies
 import nbformat
 import pytest
 from browser import serving
+from declared import judge_all
 from IPython.core.inputtransformer2 import TransformerManager
 from support import ROOT, python_of
 
@@ -97,5 +98,7 @@ def test_a_copy_runs_where_the_course_is_not_installed(site, tmp_path):
     code = [cell for cell in cells if cell.cell_type == "code"]
     skipped = [cell for cell in code if "skip-execution" in cell.metadata.get("tags", ())]
     assert [cell for cell in code if not cell.execution_count] == skipped
+    judged = subprocess.run([python, "-c", judge_all()], capture_output=True, text=True)
+    assert set(json.loads(judged.stdout or "{}").values()) == {"right"}, judged.stderr
     told = [o.get("metadata", {}).get(WIDGET) for cell in code for o in cell.outputs if shows(o)]
     assert told == [{"colab": {"custom_widget_manager": {"url": MANAGER}}}] * len(told) != []

@@ -20,7 +20,9 @@ def list_places(app, page):
     name, notebook = repository.path.rpartition("/")[2], f"book/{page}.ipynb"
     found = {"In the browser": (notebook_address(page), "Nothing to install")}
     if url and hub:  # nbgitpuller fetches the newest notebooks and keeps a reader's edits
-        query = urlencode({"repo": url, "branch": branch, "urlpath": f"lab/tree/{name}/{notebook}"})
+        # without targetPath the folder is called as the url ends, with its ".git"
+        asked = {"repo": url, "branch": branch, "targetPath": name}
+        query = urlencode(asked | {"urlpath": f"lab/tree/{name}/{notebook}"})
         words = "Your university's JupyterHub"
         found["JupyterHub"] = (f"{hub}/hub/user-redirect/git-pull?{query}", words)
     if repository.netloc == "github.com":

@@ -13,6 +13,7 @@ import sys
 from html import unescape
 from pathlib import Path
 from types import SimpleNamespace
+from urllib.parse import quote
 
 import pytest
 import yaml
@@ -170,18 +171,21 @@ def run_at(chapter):
     place = f"lab%2Ftree%2Fbook%2F{chapter}%2F{chapter}.ipynb"
     return [
         "https://hub.example.org/hub/user-redirect/git-pull?"
-        f"{asked}&urlpath={place.replace('book', 'course%2Fbook')}",
+        f"{asked}&targetPath=course&urlpath={place.replace('book', 'course%2Fbook')}",
         f"https://mybinder.org/v2/gh/someone/course/main?urlpath={place}",
         f"https://colab.research.google.com/{copy.replace('.com', '', 1)}",
         "https://codespaces.new/someone/course/tree/main?quickstart=1",
     ]
 
 
-def test_a_chapter_can_be_run_where_the_addresses_lead():
-    theme, hub = {"repository_url": REPOSITORY}, ADDRESSES[" site_hub"]
+@pytest.mark.parametrize("end", ["", ".git", "/"])
+def test_a_chapter_can_be_run_where_the_addresses_lead(end):
+    """On the hub in a folder of the repository's name, however its address ends."""
+    theme, hub = {"repository_url": REPOSITORY + end}, ADDRESSES[" site_hub"]
     app = SimpleNamespace(config=SimpleNamespace(html_theme_options=theme, site_hub=hub))
     _, *others = list_places(app, "bicycle/bicycle").values()
-    assert [url for url, _ in others] == run_at("bicycle")
+    ended = quote(end, safe="") + "&"
+    assert [url.replace(ended, "&", 1) for url, _ in others] == run_at("bicycle")
 
 
 @pytest.mark.slow

@@ -135,7 +135,7 @@ def dh(theta: ArrayLike, d: ArrayLike, a: ArrayLike, alpha: ArrayLike) -> Array:
 
     References
     ----------
-    Spong, Hutchinson & Vidyasagar, Robot Modeling and Control, section 3.2.
+    Denavit & Hartenberg 1955; in this form Spong, Hutchinson & Vidyasagar, section 3.2.
 
     Examples
     --------
@@ -331,9 +331,9 @@ class FrameGraph:
                 f"({', '.join(self.frames)}) have {self._shape}: SE(2) and SE(3) do not mix, and "
                 "batches must broadcast"
             ) from error
-        way = self._ways(a).get(b) if {a, b} <= self._known.keys() else None
-        if way:
-            self._refuse_contradiction(name, T, way)
+        before = self._before(a) if {a, b} <= self._known.keys() else {}
+        if b in before:
+            self._refuse_contradiction(name, T, _trace(before, b))
         self._shape = shape
         self._known.setdefault(a, {}).setdefault(b, T.copy())
         self._known.setdefault(b, {}).setdefault(a, inverse(T))
@@ -381,23 +381,23 @@ class FrameGraph:
             if not isinstance(frame, str) or frame not in self._known:
                 known = ", ".join(self.frames) or "none yet"
                 raise RobokinError(f"unknown frame {describe(frame)}; known frames: {known}")
-        ways = self._ways(a)
-        if b not in ways:
+        before = self._before(a)
+        if b not in before:
             raise RobokinError(
                 f"no path from {a!r} to {b!r}: {a!r} is connected with "
-                f"{', '.join(ways)}; {b!r} with {', '.join(self._ways(b))}"
+                f"{', '.join(before)}; {b!r} with {', '.join(self._before(b))}"
             )
-        return ways[b]
+        return _trace(before, b)
 
-    def _ways(self, a: str) -> dict[str, list[str]]:
-        """Return for every frame connected with a, itself included, the shortest way to it."""
-        ways, queue = {a: [a]}, [a]
+    def _before(self, a: str) -> dict[str, str]:
+        """Return for each frame connected with a the one before it on the shortest way; a for a."""
+        before, queue = {a: a}, [a]
         for here in queue:  # which grows meanwhile
             for there in self._known[here]:
-                if there not in ways:
-                    ways[there] = [*ways[here], there]
+                if there not in before:
+                    before[there] = here
                     queue.append(there)
-        return ways
+        return before
 
     def _along(self, path: list[str]) -> Array:
         chain = [self._known[here][there] for here, there in pairwise(path)]
@@ -413,6 +413,14 @@ class FrameGraph:
                 f"{name} contradicts what is known along {' → '.join(path)}: off by "
                 f"{off[index]:.3g}{at_index(index)}, allowed {TOLERANCE:.3g}"
             )
+
+
+def _trace(before: dict[str, str], b: str) -> list[str]:
+    """Return the way to b, from the frame that is before itself."""
+    way = [b]
+    while before[way[-1]] != way[-1]:
+        way.append(before[way[-1]])
+    return way[::-1]
 
 
 @validated(R=Square((2, 3)), tol=positive())

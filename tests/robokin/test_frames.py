@@ -1,6 +1,7 @@
 """robokin.frames: poses as matrices, their chains, the graph of known frames."""
 
 import itertools
+import tracemalloc
 from functools import reduce
 
 import hypothesis.strategies as st
@@ -735,6 +736,18 @@ def test_the_path_is_as_short_as_a_shortest_path():
             else:
                 with pytest.raises(RobokinError, match="no path"):
                     graph.get(f"f{a}", f"f{b}")
+
+
+def test_what_a_path_needs_grows_with_its_length():
+    graph = FrameGraph()
+    for n in range(1000):
+        graph.add(f"f{n}", f"f{n + 1}", np.eye(3))
+    tracemalloc.start()
+    path = graph.path("f0", "f1000")
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert path == [f"f{n}" for n in range(1001)]
+    assert most < 500 * len(path)  # bytes: a few names and entries for each; half a million in all
 
 
 def test_m9_goes_unnoticed_in_the_figure_at_one_heading():

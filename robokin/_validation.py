@@ -9,6 +9,7 @@ warnings are silent. *Parameters* (`positive`, `finite`, …) with an impossible
 """
 
 import inspect
+from collections import UserList, deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property, wraps
@@ -162,8 +163,8 @@ def real_numbers(name: str, value: Any) -> Array:
 
 
 def has_mask(value: Any) -> bool:
-    """Return whether a value is a masked array or, as a list, holds one."""
-    if isinstance(value, list | tuple):
+    """Return whether a value is a masked array or, as a list or a queue, holds one."""
+    if isinstance(value, list | tuple | deque | UserList):
         return any(map(has_mask, value))
     return isinstance(value, np.ma.MaskedArray)
 

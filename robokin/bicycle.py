@@ -312,7 +312,7 @@ def path(
     wheelbase : array_like, shape (...)
         Distance of the axles in m, one for each path.
     dt : array_like, shape (..., N)
-        Time of each step in s, or one for all steps.
+        Time of each step in s, or one for all steps. A negative time drives the step backwards.
     method : {"exact", "midpoint", "start", "end"}, default "exact"
         As in `motion.path`.
 

@@ -43,8 +43,8 @@ class Ticks(Rule):
 
     def __call__(self, name: str, value: Any, sizes: Sizes) -> Array:
         ticks = whole(*self.core)(name, value, sizes)
-        dtype = getattr(value, "dtype", None)
-        if dtype is not None and dtype.kind == "u":
+        dtype = np.asarray(value).dtype
+        if dtype.kind == "u":
             allowed = "ticks of one step (unsigned differences wrap round: use unwrap_counter)"
             refuse(name, ticks, ticks <= np.iinfo(dtype).max // 2, allowed)
         return ticks

@@ -3,6 +3,7 @@
 import inspect
 import itertools
 import random
+from collections import UserList, deque
 from fractions import Fraction
 from functools import reduce
 from pkgutil import iter_modules
@@ -169,8 +170,14 @@ MASKED = np.ma.masked_array([0.1, 0.2, 99], mask=[False, False, True])
 
 @pytest.mark.parametrize(
     "value",
-    [MASKED, [MASKED, MASKED], [0.1, np.ma.masked, 0.2], MASKED[:2], MASKED.astype(complex)],
-    ids=["an array", "in a list", "a masked number", "nothing masked", "complex"],
+    [
+        *(MASKED, [MASKED, MASKED], deque([MASKED]), UserList([(1, 2, 3), MASKED])),
+        *([0.1, np.ma.masked, 0.2], MASKED[:2], MASKED.astype(complex)),
+    ],
+    ids=[
+        *("an array", "in a list", "in a queue", "in a list of one's own"),
+        *("a masked number", "nothing masked", "complex"),
+    ],
 )
 def test_what_is_masked_is_refused_with_the_remedy(value):
     for function in (wrap_angle, lambda track: lane_width(0.1, 2.0, track)):

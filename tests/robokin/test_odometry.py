@@ -545,6 +545,7 @@ def test_a_line_much_longer_than_wide_is_no_error():
         (lambda: path(1, 1, *ROBOT, method="rk4"), "method must be one of exact, .* got 'rk4'"),
         (lambda: velocity(1, 1, -1, *ROBOT), "dt must be zero or more and finite, got -1"),
         (lambda: travel(np.diff(np.uint16([5, 3])), 500, 0.05), "unsigned differences wrap round"),
+        (lambda: travel(list(np.diff(np.uint16([5, 3]))), 500, 0.05), "unsigned differences wrap"),
         (lambda: path(np.uint8([3, 254]), 1, *ROBOT), "ticks_left must be .* 254.0 at index 1"),
         (lambda: unwrap_counter([1, 2]), "either bits or modulus"),
         (lambda: unwrap_counter([1, 2], 8, 256), "either bits or modulus"),

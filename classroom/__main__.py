@@ -28,7 +28,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(_escape(str(error)), file=sys.stderr)
         return 2
     except OSError as error:  # a full disk, a folder that may not be written
-        print(f"{error.filename}: {error.strerror}; not finished", file=sys.stderr)
+        print(_escape(f"{error.filename}: {error.strerror}; not finished"), file=sys.stderr)
         return 2
     print(_escape(words))
     for problem in problems:

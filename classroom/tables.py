@@ -42,7 +42,8 @@ class Problems:
         first = self._first.setdefault(kind, {})
         if comment not in first and len(first) < self._keep:
             place = f"{path}, line {line}" if line else f"{path}"
-            first[comment] = ": ".join(filter(None, (place, comment)))
+            words = ": ".join(filter(None, (place, comment)))
+            first[comment] = words.replace("\n", "\\n")  # of a file's name, or of a cell
 
     def lines(self) -> list[str]:
         """Return what to print: each kind with its count, and the first of them."""

@@ -224,9 +224,11 @@ def test_a_name_that_is_nearly_in_the_key_is_told(keyed, capsys):
 def test_file_names_do_not_reach_the_terminal_as_commands(keyed, capsys):
     (keyed / "in").mkdir()
     (keyed / "in" / "a\x1b[2J.csv").write_text("student\x07,exercise,answer\n1,2,3\n")
+    (keyed / "in" / "b\nall is fine.csv").write_text("student,exercise,answer\n")
     assert run("check", "in", "--key", "key.csv") == 2
     told = capsys.readouterr().err
     assert "a\\x1b[2J.csv" in told
+    assert "b\\nall is fine.csv" in told  # no line of its own
     assert not {"\x1b", "\x07"} & set(told)
 
 

@@ -32,11 +32,11 @@ def test_a_missing_file_is_refused(folder, capsys):
 
 def test_what_the_system_refuses_is_told_without_a_traceback(keyed, capsys, monkeypatch):
     def full(*_, **__):
-        raise OSError(28, "No space left on device", "key.csv")
+        raise OSError(28, "No space left on device", "key\x1b.csv")
 
     monkeypatch.setattr(Path, "replace", full)
     assert run("key", "roster.csv", "--force", *ONLY) == 2
-    assert "key.csv: No space left on device; not finished" in capsys.readouterr().err
+    assert "key\\x1b.csv: No space left on device; not finished" in capsys.readouterr().err
     assert len(table("key.csv")) == 4  # the old one is whole
 
 

@@ -8,8 +8,8 @@ p_x = quantity("p_x", "m", -2, 2, "a point, along x")
 p_y = quantity("p_y", "m", -2, 2, "a point, along y")
 theta = quantity("theta", "rad", -3.14, 3.14, "angle by which a point is turned")
 bearing = quantity("bearing", "rad", -3.14, 3.14, "direction of a point", latex=r"\varphi")
-q_x = quantity("q_x", "m", -3, 3, "the turned point, along x", latex=r"p'_x")
-q_y = quantity("q_y", "m", -3, 3, "the turned point, along y", latex=r"p'_y")
+q_x = quantity("q_x", "m", -3, 3, "the point after the step, a turn: along x", latex=r"p'_x")
+q_y = quantity("q_y", "m", -3, 3, "the point after the step, a turn: along y", latex=r"p'_y")
 x, y = (symbol(axis, f"the {axis} axis, or a place along it") for axis in "xy")
 
 

@@ -120,7 +120,7 @@ M18 = Mistake(
     line="phi = (alpha_L + alpha_R) / 2",
     why="The three axles meet in one point. This makes the distances R − b/2, R and R + b/2 "
     "evenly spaced, and they go with the cotangents of the angles, not with the angles.",
-    unnoticed="Straight ahead. In a turn without sliding the mean is near, but never right.",
+    unnoticed="Only straight ahead. In a turn without sliding the mean is near, but never right.",
     picture=Picture(
         "wrong-car",
         "One wheel for two",

@@ -178,7 +178,7 @@ def loop_figure() -> Figure:
                 steering, -60, 60, start=30,
                 label="steering φ",
             ),
-            Slider(rate_rear, 1, 12, start=8, step=0.5, label="wheel rate Ω"),
+            Slider(rate_rear, 1, 12, start=8, step=0.5, label="wheel rate"),
             Slider.degrees(
                 y_heading, step=5,
                 label="heading ψ from the y axis, clockwise",

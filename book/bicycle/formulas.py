@@ -44,7 +44,12 @@ alpha_R = quantity("alpha_R", "rad", -1.4, 1.4, "steering angle of the right fro
 wheelbase = quantity("wheelbase", "m", 1, 10, "from the rear axle to the front axle", "L", "L")
 track = quantity("track", "m", 0.5, 2.5, "distance between the two wheels of an axle", latex="b")
 rate_rear = quantity(
-    "rate_rear", "rad/s", -20, 20, "rate of the driven rear wheels, their mean", latex=r"\Omega"
+    "rate_rear",
+    "rad/s",
+    -20,
+    20,
+    "rate of the driven rear wheels, their mean",
+    latex=r"\dot\varphi_\mathrm{rear}",
 )
 v_F = quantity("v_F", "m/s", -2, 2, "speed of the middle of the front axle")
 ahead = quantity(

@@ -4,6 +4,7 @@ TERMS = (
     "forward kinematics",
     "inverse kinematics",
     "degree of freedom|degrees of freedom",
+    "configuration",
     "end effector",
     "workspace",
     "branch",

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from sympy import Matrix, Symbol, atan, atan2, pi, sqrt
+from sympy import Matrix, atan, atan2, pi, sqrt
 
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas
@@ -232,7 +232,7 @@ LINKS = {"a2": number_range(30, 60, 5, "cm"), "a3": number_range(25, 55, 5, "cm"
 TARGET = {"p_x": BACK, "p_y": SIDE, "p_z": number_range(-30, 50, 5, "cm")}
 with as_written():
     FOREARM = apart - a2
-TURNED = tuple(Symbol(rf"\theta_{k}'") for k in (1, 2, 3))  # with the base turned round
+TURNED = tuple(formulas.away.left)
 
 EXAMPLE = {"p_x": -0.3, "p_y": 0.4, "p_z": 0.2, "a2": 0.4, "a3": 0.3}
 
@@ -338,8 +338,8 @@ elbow_arm_3 = Exercise(
     solution=Solution(
         "Look at the arm from the side. After half a turn of the base, forward is where backward "
         "was. To point in the old direction the upper link must lean over backwards, as far from "
-        "the horizontal as before. The elbow then bends to the other side. With a prime for the "
-        "new angles, which are right up to whole turns:\n\n{away}\n\n"
+        "the horizontal as before. The elbow then bends to the other side. The new angles, with "
+        "the base facing away, are right up to whole turns:\n\n{away}\n\n"
         "Check: the place of the wrist, from the shoulder. With the old angles:\n\n{old}\n\n"
         "With the new angles it is {new.value}, the same place.",
         answer=("away",),
@@ -501,7 +501,7 @@ elbow_arm_7 = Exercise(
         "The sine of θ_3 can have both signs. With the elbow up it is negative:"
         "\n\n{bend_up}\n\n{lift_up}\n\n"
         "With the base turned round, the arm leans over backwards to the same places of elbow and "
-        "wrist. With a prime for these angles:\n\n{behind_up}\n\n"
+        "wrist. These angles are:\n\n{behind_up}\n\n"
         "With the elbow down the sine of θ_3 is positive:\n\n{bend_down}\n\n{lift_down}\n\n"
         "Again with the base turned round:\n\n{behind_down}\n\n"
         "All four, as [θ_1, θ_2, θ_3] and without whole turns:\n\n{right}",

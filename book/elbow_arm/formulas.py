@@ -28,7 +28,8 @@ d_min = symbol("d_min", "least distance that the arm can do", r"d_\mathrm{min}",
 d_max = symbol("d_max", "largest distance that the arm can do", r"d_\mathrm{max}", "m")
 D = symbol("d_hat", "the distance nearest to d that the arm can do", r"\hat{d}", "m")
 NEAREST = [
-    symbol(f"near_{x}", f"the nearest point in reach, along {x}", f"p'_{x}", "m") for x in "xyz"
+    symbol(f"near_{x}", f"the nearest point in reach, along {x}", rf"\hat{{p}}_{x}", "m")
+    for x in "xyz"
 ]
 ELBOW_BOTH = [
     symbol(

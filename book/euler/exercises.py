@@ -44,7 +44,7 @@ R_x, R_y, R_z = (MatrixSymbol(name, 3, 3) for name in ("R_x", "R_y", "R_z"))
 ABOUT = {"x": formulas.turn_x, "y": formulas.turn_y, "z": formulas.turn_z}
 ENTRIES = tuple(map(str, r))  # the names of the entries of a matrix, row by row
 ANGLES = (A, B, C)
-OTHER = symbols("a' b' c'")  # the same rotation by other angles
+OTHER = symbols("a_other b_other c_other")  # the same rotation by other angles
 RENAMED = dict(zip(formulas.TURNS, ANGLES, strict=True))
 AT_LOCK = (formulas.third_first.right[1].subs(formulas.gamma, 0), asin(r[0, 2]))  # of XYZ
 

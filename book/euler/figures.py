@@ -246,7 +246,7 @@ def both_figure() -> Figure:
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
-            Readout("other", "β′ of the right die", motion.wrap(euler.OTHERS[1]), "rad", digits=0),
+            Readout("other", "β of the right die", motion.wrap(euler.OTHERS[1]), "rad", digits=0),
             Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),
         ),
         sentence=(
@@ -494,9 +494,9 @@ def sequence_figure() -> Figure:
             *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
         ),
         readouts=(
-            Readout("other_first", "other answer: α′", motion.wrap(cardan[0]), "rad"),
-            Readout("other_middle", "other answer: β′", other_middle, "rad"),
-            Readout("other_third", "other answer: γ′", motion.wrap(cardan[2]), "rad"),
+            Readout("other_first", "other answer: α", motion.wrap(cardan[0]), "rad"),
+            Readout("other_middle", "other answer: β", other_middle, "rad"),
+            Readout("other_third", "other answer: γ", motion.wrap(cardan[2]), "rad"),
             Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad"),
             Readout("whole", "the whole as one turn", angle_of(end), "rad"),
             Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad"),

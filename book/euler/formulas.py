@@ -32,8 +32,8 @@ r = Matrix(3, 3, lambda i, j: symbol(f"r_{i + 1}{j + 1}", ENTRY, f"r_{{{i + 1}{j
 n = n_x, n_y, n_z = tuple(symbol(f"n_{x}", f"axis of the one turn, along {x}") for x in "xyz")
 gamma = Symbol(r"\gamma")  # the third angle, once it is known
 OTHERS = [
-    symbol(f"{name}_other", f"{which} turn of the other answer", rf"\{name}'", "rad")
-    for name, which in {"alpha": "first", "beta": "middle", "gamma": "third"}.items()
+    symbol(f"{name}_other", f"{turn} turn of the other answer", rf"\{name}_\mathrm{{other}}", "rad")
+    for name, turn in {"alpha": "first", "beta": "middle", "gamma": "third"}.items()
 ]
 w = symbol("w", "the quaternion's first number")
 Q = [symbol(f"q_{x}", f"the quaternion's part along {x}") for x in "xyz"]

@@ -19,7 +19,7 @@ dtheta = quantity(
 )
 
 count_before = quantity("count_before", "ticks", 0, 60000, "a counter's reading", latex="c")
-count_now = quantity("count_now", "ticks", 0, 60000, "its next reading", latex="c'")
+count_now = quantity("count_now", "ticks", 0, 60000, "the reading after the step", latex="c'")
 counter_span = quantity(
     "counter_span", "ticks", 4, 1e6, "numbers that a counter of m bits can show", latex="2^m"
 )
@@ -47,7 +47,7 @@ short_turn = quantity(
 side_swing = quantity(
     "side_swing", "rad", -0.2, 0.2, "angle by which a side swings to the left", latex=r"\beta"
 )
-b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", "b'")
+b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", r"b_\mathrm{true}")
 ratio = quantity("ratio", "", 0.9, 1.1, "diameter of the right wheel by the left", latex="E_d")
 
 long_axis, short_axis = symbols(r"\sigma_1 \sigma_2")
@@ -56,7 +56,7 @@ bits = symbol("m", "bits of a counter")
 N = symbol("N", "ticks of an encoder", unit="ticks")
 rho = symbol("rho", "distance of the left wheel from the centre of the arc", r"\rho", "m")
 Sigma = symbol("Sigma", "covariance of the pose", r"\Sigma")
-Sigma_next = symbol("Sigma_next", "covariance after the sample", r"\Sigma'")
+Sigma_next = symbol("Sigma_next", "covariance after the step", r"\Sigma'")
 F = symbol("F", "derivative of the new pose with respect to the old one")
 G = symbol("G", "derivative of the new pose with respect to the travel of the wheels")
 error = symbol("pose_error", "small errors of the pose", "e")
@@ -136,7 +136,8 @@ with as_written():
     )
 
     u, chord, x_step, y_step = symbols(r"u s \Delta{x} \Delta{y}", real=True)
-    slope, w, a_L, a_R = symbols(r"\operatorname{sinc}'(u) w a_L a_R", real=True)
+    w, a_L, a_R = symbols("w a_L a_R", real=True)
+    slope = Symbol(r"\frac{\mathrm{d}}{\mathrm{d}u}\operatorname{sinc}u", real=True)
     x_by_L, y_by_L, x_by_R, y_by_R = symbols("g_{xL} g_{yL} g_{xR} g_{yR}", real=True)
     q_L, q_R = symbols("q_L q_R", real=True)
 

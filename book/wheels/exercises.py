@@ -32,7 +32,7 @@ ROW, SPEEDS, RATES, ALPHAS = (
     symbols(names) for names in ("j_1:4", "s_1:5", r"\dot\varphi_1:5", "alpha_1:4")
 )
 P_X, P_Y, D_X, D_Y, S, GROUND, SLIP = symbols("p_x p_y d_x d_y s u slip")
-BETA_2, RATE_2, MATRIX = Symbol("β'"), Symbol(r"\dot\varphi'"), Symbol("J_1")
+BETA_2, RATE_2, MATRIX = Symbol("β_other"), Symbol(r"\dot\varphi_\mathrm{other}"), Symbol("J_1")
 
 
 def row(alpha=formulas.alpha, beta=formulas.beta):

@@ -11,7 +11,7 @@ FIRST = {
     "law of cosines": "elbow_arm/elbow_arm#first-way-three-angles",
     "atan2": "elbow_arm/elbow_arm#second-way-a-cosine-the-rest-with-atan2",
     "M1": "elbow_arm/elbow_arm#M1",
-    "workspace": "elbow_arm/elbow_arm#where-it-fails",
+    "workspace": "glossary#term-workspace-reachable-workspace",
     "gimbal lock": "euler/euler",
     "M8": "euler/euler#M8",
     "euler-3": "euler/euler#euler-3",
@@ -34,7 +34,7 @@ FIRST = {
     "FrameGraph": "api#robokin.frames.FrameGraph",
     "from_matrix": "api#robokin.euler.from_matrix",
     "wrap_angle": "api#robokin.motion.wrap_angle",
-    "umbmark": "api#robokin.odometry.umbmark",
+    "umbmark": "glossary#term-UMBmark-type-A-and-type-B",
     "Moodle": "teaching#in-moodle",
     "سینماتیک معکوس": "glossary#term-inverse-kinematics",
     "ژاكوبين": "glossary#term-Jacobian",  # with the Arabic kaf and ya

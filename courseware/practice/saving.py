@@ -13,8 +13,9 @@ ANSWER_COLUMNS = (
     *("kind", "course", "version", "time", "student", "exercise", "answer"),
     *("tries", "help"),  # how often it was checked, how many hints and steps were opened
 )
-# Spreadsheets begin a cell, and so a formula, behind a semicolon, too, where that separates cells
-START, FORMULA = r"(^|[;\t\r\n])( *)", "(?='*[=+@＝＋－＠\t\r\n-])"
+# Spreadsheets begin a cell, and so a formula, behind a semicolon, too, where that separates cells,
+# also within quotation marks that they take for none
+START, FORMULA = r'(^|[;\t\r\n])([ "]*)', "(?='*[=+@＝＋－＠\t\r\n-])"
 GUARD = rf"{START}(?![+-]?[0-9.]+ *(?:[;\t\r\n]|$)){FORMULA}"  # a number may begin with a sign
 UNGUARD = rf"{START}'{FORMULA}"
 

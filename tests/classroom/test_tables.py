@@ -61,13 +61,15 @@ def test_a_saved_answer_comes_back_as_it_was(folder, cell):
         "＝1",
         "0;=cmd",
         "0; -x",
+        '0;"=cmd"',
+        '0; " " @sum',
     ],
 )
 def test_no_cell_is_a_formula(folder, cell):
     write_table("t.csv", ("student", "n"), [(cell, "-0.5")])
     with open("t.csv", encoding="utf-8-sig", newline="") as file:
         first, number = list(csv.reader(file))[1]
-    assert all(part.lstrip(" ")[0] not in "=+-@＝\t\r" for part in re.split("[;\n]", first))
+    assert all(part.lstrip(' "')[0] not in "=+-@＝\t\r" for part in re.split("[;\n]", first))
     assert number == "-0.5"
     assert table("t.csv")[0]["student"] == cell.strip()
 

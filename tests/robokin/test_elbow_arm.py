@@ -463,6 +463,7 @@ def test_the_shoulder_case_in_a_batch_of_arms():
     [
         ([1.0, 0, 0.2], r"p is out of reach by 0\.3 m: .* 1 m from .*, allowed 0\.1 to 0\.7 m"),
         ([0.0, 0, 0.23], r"p is out of reach by 0\.07 m: .* 0\.03 m from .*"),
+        ([0.7 + 2e-7, 0, 0.2], r"by 2e-07 m: .* 0\.7000002 m from .* to 0\.7 m"),
         ([[0.5, 0, 0.2], [0, 0.9, 0.2], [2, 0, 0]], r"p at index 1 is out of reach by 0\.2 m"),
         (
             [[[0.5, 0, 0.2], [0.2, 0, 0.2]], [[0.3, 0, 0.2], [0, 0, 0.2]]],

@@ -598,6 +598,7 @@ def test_a_graph_refuses_unknown_poses():
         (lambda: check_rotation(np.diag([1, 1, -1])), r"R is not a rotation \(a mirror"),
         (lambda: check_rotation(np.diag([1.0, -1.0])), r"R is not a rotation \(a mirror.* by 2 "),
         (lambda: check_rotation(np.diag([1.0, 1.5])), "R is not a rotation: off by 0.5 "),
+        (lambda: check_rotation([[0.8253, -0.5646], [0.5646, 0.8253]]), "rotation nearest to R"),
     ],
 )  # fmt: skip
 def test_messages(call, message):

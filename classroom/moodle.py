@@ -2,29 +2,37 @@
 
 Each exercise becomes a category with a question for each variant, so that a quiz can draw one at
 random. An answer of one number is "numerical", of several "embedded answers", a field for each.
-Several right answers of several numbers, which fields cannot judge, are "multiple choice": the
-right answer among those of the known mistakes.
+Where several answers are right, one of them is asked.
 """
 
-import math
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Sequence
 from pathlib import Path
 
 from classroom.answer_key import choose_exercises
+from classroom.moodle_answers import choose_row, find_answers, is_slip
 from courseware.course import course
-from courseware.practice import dealing, judging
+from courseware.practice import dealing
 from courseware.practice.bank import course_name
-from courseware.practice.candidates import RIGHT, SLIPS, Candidate, distance, is_apart, outcomes
+from courseware.practice.candidates import outcomes
 from courseware.practice.declaration import Exercise, Row, Unknown
 from courseware.practice.formatting import render_paragraphs, render_symbols
 from courseware.practice.saving import open_file
-from courseware.units import ROWS
+from courseware.units import ROWS, UNITS, Unit
 
 HOW_TO_WRITE = (
-    "Write {what} as a decimal number such as 0.5 or 1.2e-3, with the decimal sign of your "
-    "Moodle's language and the minus of the keyboard. Fractions, π and roots cannot be read."
+    "Write {what} as a decimal number such as 0.5 or 1.2e-3{unit}, with the digits 0 to 9, the "
+    "decimal sign of your Moodle's language and the minus of the keyboard. Moodle cannot read "
+    "fractions, π, roots, brackets, other digits or a copied minus."
 )
-MOST_CHOICES, FEWEST_CHOICES = 5, 3  # wrong ones
+NUMBER_RIGHT = "The number is right. If it gets no marks, its unit is missing or wrong."
+FIELD = "_" * 20  # Moodle puts the field of a numerical question here
+TYPED = {"²": ("²", "^2"), "·": ("·", "*", "")}  # what is typed for a sign in a unit
+STYLE = (  # three columns of a matrix fit on a phone, and a unit stays behind its field
+    "<style>.number-fields .form-control{display:inline-block;width:9em!important;"
+    "padding:.4em;max-width:calc(100% - 1.5em)}"
+    ".number-fields table{table-layout:fixed;width:100%;max-width:42em}</style>"
+)
 
 
 def write(out: Path, only: Sequence[str], secret: str = "", force: bool = False) -> None:
@@ -51,72 +59,97 @@ def _element(tag: str, text: str, form: str = "") -> str:
 def _render_question(exercise: Exercise, number: int, variant: dealing.Variant, mark: str) -> str:
     text = render_paragraphs(exercise.fill(exercise.text, variant.numbers))
     solution = render_paragraphs(exercise.fill(exercise.solution_text, variant.numbers))
-    if exercise.accept != "one":
-        kind, (text, own) = "multichoice", _choices(exercise, variant, text)
-    elif len(exercise.unknowns) == 1:
-        kind, (text, own) = "numerical", _numerical(exercise, variant, text)
+    hints = _hints(exercise, solution)
+    if len(exercise.unknowns) == 1:
+        kind, (own_text, own) = "numerical", _numerical(exercise, variant)
     else:
-        kind, (text, own) = "cloze", _fields(exercise, variant, text)
+        kind, own_text, own = "cloze", _fields(exercise, variant), ""
+        solution += _list_mistakes(exercise, variant)
     parts = [
         _element("name", f"{exercise.name} {number:02}: {exercise.title}"),
-        _element("questiontext", text, "html"),
-        _element("generalfeedback", solution, "html"),
+        _element("questiontext", _from_left(text + own_text), "html"),
+        _element("generalfeedback", _from_left(solution), "html"),
         "<penalty>0.3333333</penalty>",
         f"<idnumber>{exercise.name}-{number:02}</idnumber>",
         own,
-        *_hints(exercise, solution, "" if kind == "numerical" else "<shownumcorrect/>"),
+        *hints,
         f"<tags>{_element('tag', mark)}</tags>",
     ]
     return f'<question type="{kind}">\n' + "\n".join(parts) + "\n</question>\n"
 
 
-def _hints(exercise: Exercise, solution: str, options: str) -> list[str]:
+def _from_left(html: str, tag: str = "div") -> str:
+    """Keep matrices and lists in order in a Moodle whose language runs from right to left."""
+    return f'<{tag} dir="ltr" style="text-align:left">{html}</{tag}>'
+
+
+def _hints(exercise: Exercise, solution: str) -> list[str]:
     """Return two hints, for three tries: where to look, then how the solution starts."""
     look = (
         f"<p>Look into the chapter “{course().title(exercise.topic)}”. Check the unit, the sign, "
         "and that no digits were lost on the way.</p>"
     )
     start = f"<p>The solution starts like this:</p>{solution.partition('</p>')[0]}</p>"
-    hints = (_element("hint", hint, "html") for hint in (look, start))
-    return [hint.replace("</hint>", f"{options}</hint>") for hint in hints]
+    return [_element("hint", _from_left(hint), "html") for hint in (look, start)]
 
 
-def _numerical(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
-    """Ask for one number: with its unit or without, angles also in degrees."""
-    (unknown,) = exercise.unknowns
+def _numerical(exercise: Exercise, variant: dealing.Variant) -> tuple[str, str]:
+    """Ask for one number and its unit: where Moodle lets units out, it takes any wrong one."""
+    (unknown,), row = exercise.unknowns, choose_row(exercise, variant)[1]
     label = render_symbols(unknown.label)
     prompt = f"{label} in {unknown.unit}" if unknown.unit else label
     prompt += ", to four decimals" if unknown.decimals > 3 else ""
-    words = f"<p>Asked is {prompt}. {HOW_TO_WRITE.format(what='it')}"
+    unit = " with its unit" if unknown.unit else ""
+    words = f"<p>Asked is {prompt}. {HOW_TO_WRITE.format(what='it', unit=unit)}"
+    if unknown.unit:
+        words += f" The unit is {_list_units(unknown)}. Without it there are no marks."
     answers = [
         f'<answer fraction="{100 * right}" format="moodle_auto_format"><text>{value}</text>'
-        f"{_element('feedback', feedback, 'html')}<tolerance>{tolerance:g}</tolerance></answer>"
-        for right, value, tolerance, feedback in _answers(exercise, variant, 0)
+        f"{_element('feedback', _from_left(NUMBER_RIGHT if right else feedback), 'html')}"
+        f"<tolerance>{tolerance:g}</tolerance></answer>"
+        for right, value, tolerance, feedback in find_answers(exercise, variant, row, 0)
     ]
-    form = "<showunits>3</showunits>"
-    if units := unit_factors(unknown):
-        words += f" The unit may stand after it: {', '.join(units)}."
-        form = _units(units)
-    return f"{text}{words}</p>", "\n".join([*answers, form])
+    return f"{words}</p><p>{label}: {FIELD}</p>", "\n".join([*answers, _units(unknown)])
 
 
-def _units(factors: Mapping[str, float]) -> str:
+def _list_units(unknown: Unknown) -> str:
+    """Return the units of an answer, and what a keyboard has for them: "rad, ° (deg)"."""
+    names = []
+    for unit in ROWS[unknown.unit]:
+        typed = next(filter(str.isascii, _spellings(unit)), unit.name)
+        names.append(unit.name if typed == unit.name else f"{unit.name} ({typed})")
+    return ", ".join(names[:-1]) + " or " * (len(names) > 1) + names[-1]
+
+
+def _units(unknown: Unknown) -> str:
+    """Render the units; one that is wrong or missing takes all marks."""
+    if not unknown.unit:
+        return "<showunits>3</showunits>"
     units = "".join(
-        f"<unit><multiplier>{factor!r}</multiplier><unit_name>{unit}</unit_name></unit>"
-        for unit, factor in factors.items()
+        f"<unit><multiplier>{size!r}</multiplier><unit_name>{word}</unit_name></unit>"
+        for word, size in unit_sizes(unknown).items()
     )
-    form = "<unitgradingtype>0</unitgradingtype><showunits>0</showunits><unitsleft>0</unitsleft>"
-    return f"<units>{units}</units>\n{form}"
+    form = "<unitgradingtype>1</unitgradingtype><unitpenalty>1</unitpenalty>"
+    return f"<units>{units}</units>\n{form}<showunits>0</showunits><unitsleft>0</unitsleft>"
 
 
-def unit_factors(unknown: Unknown) -> dict[str, float]:
-    """Return the units that may be written, each with the size of one SI unit in it."""
-    return {u.name: u.from_si(1.0) for u in ROWS[unknown.unit]} if unknown.unit else {}
+def unit_sizes(unknown: Unknown) -> dict[str, float]:
+    """Return all that may be typed for a unit, each with the size of one SI unit in it."""
+    return {word: u.from_si(1.0) for u in ROWS[unknown.unit] for word in _spellings(u)}
 
 
-def _fields(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
-    """Put a field for each number into the text; a matrix is a table."""
-    fields = [_cloze(exercise, variant, place) for place in range(len(exercise.unknowns))]
+def _spellings(unit: Unit) -> list[str]:
+    """Return what may be typed for a unit, without the blanks, which Moodle takes out."""
+    first, sign, rest = re.findall("([^/²·]*)(.?)(.*)", unit.name)[0]
+    words = UNITS[first].words if first in UNITS else [first]
+    signs = TYPED.get(sign, (sign,))
+    return [f"{word}{sign}{rest}".replace(" ", "") for word in words for sign in signs]
+
+
+def _fields(exercise: Exercise, variant: dealing.Variant) -> str:
+    """Return a field for each number; a matrix is a table."""
+    which, row = choose_row(exercise, variant)
+    fields = [_cloze(exercise, variant, row, place) for place in range(len(row))]
     if exercise.shape:
         columns = exercise.shape[1]
         rows = (fields[k : k + columns] for k in range(0, len(fields), columns))
@@ -127,100 +160,31 @@ def _fields(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[st
             f"<p>{render_symbols(unknown.label)}: {field} {unknown.unit}</p>"
             for unknown, field in zip(exercise.unknowns, fields, strict=True)
         )
-    how = HOW_TO_WRITE.format(what="each")
-    return f"{text}{body}<p>{how} No unit is typed. Each number earns its part.</p>", ""
+    how = HOW_TO_WRITE.format(what="each", unit=" without a unit")
+    body = f'{STYLE}<div class="number-fields">{body}</div>'
+    return f"{which}{body}<p>{how} Each number earns its part.</p>"
 
 
-def _cloze(exercise: Exercise, variant: dealing.Variant, place: int) -> str:
+def _cloze(exercise: Exercise, variant: dealing.Variant, row: Row, place: int) -> str:
     """Return a field with its answers, in the grammar of the embedded answers."""
     answers = []
-    for right, value, tolerance, feedback in _answers(exercise, variant, place):
+    for right, value, tolerance, feedback in find_answers(exercise, variant, row, place):
+        feedback = _from_left(feedback, "span")
         for sign in "\\}#~":  # signs of the grammar
             feedback = feedback.replace(sign, f"\\{sign}")
-        number = value if value == "*" else f"{value}:{tolerance:g}"
-        answers.append(f"{'=' if right else ''}{number}#{feedback}")
+        answers.append(f"{'=' if right else ''}{value}:{tolerance:g}#{feedback}")
     return f"{{1:NUMERICAL:{'~'.join(answers)}}}"
 
 
-def _answers(
-    exercise: Exercise, variant: dealing.Variant, place: int
-) -> Iterator[tuple[bool, str, float, str]]:
-    """Yield the answers for one number: whether it is right, value, tolerance, feedback.
-
-    Moodle takes the first that fits. Where several mistakes give one number, all are named.
-    """
-    unknown, right = exercise.unknowns[place], variant.candidates[0].rows[0][place]
-    allowed = unknown.allowed(right)
-    for turn in (0, -2 * math.pi, 2 * math.pi) if unknown.circle else (0,):
-        yield True, _number(right + turn), allowed, RIGHT
-    wrong = [*_wrong_values(exercise, variant, place), *_values_in_other_units(unknown, right)]
-    known = set[float]()
-    for value, tolerance, _ in wrong:
-        if value not in known and distance(unknown, value, right) > allowed + tolerance:
-            known.add(value)
-            alike = [f for x, t, f in wrong if distance(unknown, value, x) <= tolerance + t]
-            yield False, _number(value), tolerance, _join_feedback(alike)
-    near = judging.find_constant("NEAR") * allowed
-    yield False, _number(right), near, judging.format_feedback("near", digits="")
-    yield False, "*", 0, judging.format_feedback("wrong")
-
-
-def _wrong_values(
-    exercise: Exercise, variant: dealing.Variant, place: int
-) -> Iterator[tuple[float, float, str]]:
-    """Yield the results of mistakes for one number, with tolerance and feedback."""
-    unknown, meanings = exercise.unknowns[place], outcomes(exercise)
-    # of one number among several a slip says too little
-    skipped = {f"slip:{name}" for name in SLIPS} if len(exercise.unknowns) > 1 else set()
+def _list_mistakes(exercise: Exercise, variant: dealing.Variant) -> str:
+    """Return what mistakes give: the words of a field show only where its mark is pointed at."""
+    found: dict[str, list[Row]] = {}
     for candidate in variant.candidates:
-        meaning, value = meanings[candidate.name], candidate.rows[0][place]
-        if meaning.result == "wrong" and candidate.name not in skipped:
-            yield value, unknown.allowed(value), meaning.feedback
-
-
-def _values_in_other_units(unknown: Unknown, right: float) -> Iterator[tuple[float, float, str]]:
-    for unit, factor in unit_factors(unknown).items():
-        if factor != 1:
-            feedback = f"The right value in {unit}. Asked is {unknown.unit}."
-            yield right * factor, unknown.allowed(right) * factor, feedback
-
-
-def _join_feedback(alike: Sequence[str]) -> str:
-    """Return the feedback for an answer that one or several mistakes give."""
-    return render_symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
-
-
-def _number(value: float) -> str:
-    return f"{value:.9f}"
-
-
-def _choices(exercise: Exercise, variant: dealing.Variant, text: str) -> tuple[str, str]:
-    """Offer the right answer, one of them or all, among the results of the mistakes."""
-    choices: dict[str, list[str]] = {}
-    for name, rows in _choose(exercise, variant)[: MOST_CHOICES + 1]:
-        feedback = outcomes(exercise)[name].feedback
-        choices.setdefault(exercise.format_rows(rows), []).append(feedback)
-    answers = [
-        f'<answer fraction="{100 * (RIGHT in alike)}" format="html">'
-        f"<text><![CDATA[{answer}]]></text>"
-        f"{_element('feedback', _join_feedback(alike), 'html')}</answer>"
-        for answer, alike in choices.items()
-    ]
-    prompt = "Which are all the answers" if exercise.accept == "all" else "Which is a right answer"
-    labels = ", ".join(render_symbols(unknown.label) for unknown in exercise.unknowns)
-    form = "<single>true</single><shuffleanswers>true</shuffleanswers>"
-    return f"{text}<p>{prompt}, as [{labels}]?</p>", "\n".join([*answers, form])
-
-
-def _choose(exercise: Exercise, variant: dealing.Variant) -> list[tuple[str, tuple[Row, ...]]]:
-    """Return the right answer and wrong ones, by name; slips where mistakes are too few."""
-    meanings, right = outcomes(exercise), variant.candidates[0]
-    found: dict[str, tuple[Row, ...]] = {}
-    for candidate in variant.candidates:
-        if meanings[candidate.name].result != "partly":
-            found.setdefault(candidate.name, candidate.rows)
-    for name, factor in (("slip:sign", -1), ("slip:half", 0.5), ("slip:twice", 2)):
-        rows = tuple(tuple(factor * x for x in row) for row in right.rows)
-        if len(found) <= FEWEST_CHOICES and is_apart(exercise, Candidate(name, rows), right):
-            found.setdefault(name, rows)
-    return list(found.items())
+        meaning = outcomes(exercise)[candidate.name]
+        if meaning.result == "wrong" and not is_slip(candidate.name):
+            found.setdefault(meaning.feedback, []).extend(candidate.rows)
+    items = (
+        f"<li>{exercise.format_rows(rows)}: {render_symbols(words.removeprefix('Not yet. '))}</li>"
+        for words, rows in found.items()
+    )
+    return f"<p>If your answer was one of these:</p><ul>{''.join(items)}</ul>" if found else ""

@@ -437,7 +437,7 @@ odometry_5 = Exercise(
         "period": one_of(10, 20, 50, 100, unit="ms"),
         "limit": one_of(0.5, 1, 2, 5, unit="°/s"),
     },
-    unknowns=(whole("C"),),
+    unknowns=(whole("C", "ticks"),),
     right=finest,
     wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
     also={

@@ -113,9 +113,9 @@ def angle(label: str) -> Unknown:
     return Unknown(label, "rad", circle=True)
 
 
-def whole(label: str) -> Unknown:
+def whole(label: str, unit: str = "") -> Unknown:
     """Ask for a whole number."""
-    return Unknown(label, tolerance=1e-9, reason="a whole number, exactly")
+    return Unknown(label, unit, tolerance=1e-9, reason="a whole number, exactly")
 
 
 def matrix(name: str, rows: int, columns: int) -> tuple[Unknown, ...]:

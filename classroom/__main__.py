@@ -46,7 +46,7 @@ def _run(options: argparse.Namespace) -> tuple[list[str], str]:
     if options.command == "grade":
         return grade(options.answers, options.key, options.out, options.force)
     if options.command == "check":
-        return check(options.answers, options.key)
+        return check(options.answers, options.key, options.out, options.force)
     written = f"written: {options.out}"
     if options.command == "sheet":
         return write_sheets(options.key, options.out, options.force), written
@@ -62,11 +62,10 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m classroom", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
 
-    def add(name: str, words: str, out: str = "") -> argparse.ArgumentParser:
+    def add(name: str, words: str, out: str | None) -> argparse.ArgumentParser:
         command = commands.add_parser(name, help=words, description=words)
-        if out:
-            command.add_argument("--out", type=Path, default=out, help=f"default {out}")
-            command.add_argument("--force", action="store_true", help="overwrite what is there")
+        command.add_argument("--out", type=Path, default=out, help=f"default {out or 'no file'}")
+        command.add_argument("--force", action="store_true", help="overwrite what is there")
         return command
 
     key = add("key", "everyone's numbers and right answers", "key.csv")
@@ -80,7 +79,7 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--only", nargs="+", default=(), help="names of exercises")
         words = "a file with a secret that draws other numbers than the page's; key makes it"
         command.add_argument("--secret", type=Path, metavar="FILE", help=words)
-    checked = add("check", "what grade would find; changes nothing")
+    checked = add("check", "what grade would find; writes nothing but all problems to --out", None)
     graded = add("grade", "right, partly, which mistake; and a look at the class", "grades.csv")
     for command in (checked, graded):
         words = "CSV with the columns student, exercise, answer; or folders, with any other files"

@@ -3,6 +3,7 @@
 import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from contextlib import nullcontext
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
@@ -27,11 +28,20 @@ MOST_FREQUENT = 15  # mistakes in the summary
 Total = tuple[str | int, ...]
 
 
-def check(answers: Sequence[Path], key: Path) -> tuple[list[str], str]:
-    """Return the problems that grading would find, and an account to print; write nothing."""
-    problems = Problems()
-    found = collect(answers, read_key(key, problems), problems)
-    return problems.lines(), "\n".join([*_account(found), "nothing was written"])
+def check(
+    answers: Sequence[Path], key: Path, out: Path | None, force: bool
+) -> tuple[list[str], str]:
+    """Return the problems that grading would find, and an account to print.
+
+    Nothing is written but all problems, into the table `out` if there is one.
+    """
+    if out:
+        refuse_same(out, key)
+    with open_table(out, PROBLEMS, force) if out else nullcontext(len) as write:
+        problems = Problems(write)
+        found = collect(answers, read_key(key, problems), problems, leave_out=[out] if out else [])
+    end = f"written: {out}" if out else "nothing was written"
+    return problems.lines(), "\n".join([*_account(found), end])
 
 
 def grade(answers: Sequence[Path], key: Path, out: Path, force: bool) -> tuple[list[str], str]:

@@ -21,38 +21,39 @@ PROBLEMS = ("problem", "file", "line", "student", "exercise", "answer", "comment
 
 
 class Problems:
-    """Lines and files that were left out or replaced, by kind: all are counted, some are kept.
+    """Lines and files that were left out or replaced, by kind and file.
 
-    `write` takes every one as a row of the table `PROBLEMS`; `keep` different ones of a kind are
-    kept to be printed.
+    `write` takes every one as a row of the table `PROBLEMS`; all are counted, and `keep` different
+    ones of a kind are kept of each file, to be printed.
     """
 
     def __init__(self, write: Write = len, keep: int = 3) -> None:
-        self.counts = Counter[str]()
+        self.counts = Counter[tuple[str, Path]]()
         self._write, self._keep = write, keep
-        self._first: dict[str, dict[str, str]] = {}
+        self._first: dict[str, dict[Path, dict[str, str]]] = {}
 
     def note(
         self, kind: str, path: Path, line: int = 0, comment: str = "", row: Mapping[str, str] = {}
     ) -> None:
         """Note a problem of a line, or of a whole file (line 0)."""
-        self.counts[kind] += 1
+        self.counts[kind, path] += 1
         who = [row.get(column, "") for column in PROBLEMS[3:6]]
         self._write((kind, path, line or "", *who, comment))
-        first = self._first.setdefault(kind, {})
+        first = self._first.setdefault(kind, {}).setdefault(path, {})
         if comment not in first and len(first) < self._keep:
             place = f"{path}, line {line}" if line else f"{path}"
             words = ": ".join(filter(None, (place, comment)))
             first[comment] = words.replace("\n", "\\n")  # of a file's name, or of a cell
 
     def lines(self) -> list[str]:
-        """Return what to print: each kind with its count, and the first of them."""
+        """Return what to print: each kind with its count, and the first of it in each file."""
         found = []
-        for kind, count in self.counts.items():
-            first = self._first[kind].values()
-            found += [f"{kind}: {count:,}", *(f"  {words}" for words in first)]
-            if count > len(first):
-                found.append(f"  … and {count - len(first):,} more")
+        for kind, files in self._first.items():
+            found.append(f"{kind}: {sum(self.counts[kind, path] for path in files):,}")
+            for path, first in files.items():
+                found += [f"  {words}" for words in first.values()]
+                if more := self.counts[kind, path] - len(first):
+                    found.append(f"  {path}: {more:,} more")
         return found
 
 
@@ -76,7 +77,8 @@ def read_rows(
             words = f"{len(cells)} cells, the heading has {len(heading)}"
             problems.note("lines with more cells than the heading", path, number, words)
         else:  # spreadsheets leave out empty cells at the end
-            values = (unguard_cell(re.sub('^="(.*)"$', r"\1", cell)).strip() for cell in cells)
+            plain = (re.sub('^="(.*)"$', r"\1", cell) for cell in cells)
+            values = (unguard_cell(cell).strip(" \t\r\n") for cell in plain)  # as the judge does
             yield number, dict(zip_longest(heading, values, fillvalue=""))
     _require(path, needed, heading)  # of an empty table, too
 

@@ -113,7 +113,7 @@ def test_problems_are_grouped_and_all_of_them_written(keyed, capsys):
     assert capsys.readouterr().err.splitlines() == [
         "answers of another course: 3,000",
         "  all.csv, line 2: the course is 'robokin-2025', the key's is 'robokin'",
-        "  … and 2,999 more",
+        "  all.csv: 2,999 more",
         "answers of students who are not in the key: 1",
         "  all.csv, line 1502: 'Eve'",
     ]
@@ -254,3 +254,26 @@ def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):
     ]
     assert "answers of students who are not in the key: 1" in told.err
     assert {path: path.stat().st_mtime_ns for path in keyed.iterdir()} == before
+
+
+def test_every_file_with_a_problem_is_told_and_all_lines_are_written(keyed, capsys):
+    """Of many bad lines in one file none hides another file; `check` writes what `grade` writes."""
+    (keyed / "in").mkdir()
+    (keyed / "in" / "Ada.csv").write_text(saved("Ada", {ONE: "7"}))
+    lines = "\n".join(f"Bob,{ONE},é{k}" for k in range(52))
+    (keyed / "in" / "old.csv").write_text(f"{HEADING}\n{lines}", encoding="cp1252")
+    for name in ("a.zip", "b.zip", "c.zip", "d.zip", "e.pdf"):
+        (keyed / "in" / name).write_bytes(b"PK")
+    assert run("check", "in", "--key", "key.csv", "--out", "found.csv") == 1
+    told = capsys.readouterr().err
+    assert "lines not in UTF-8: save the file as CSV UTF-8: 52\n" in told
+    assert "  in/old.csv: 51 more\n" in told
+    assert all(f"in/{name}.zip" in told for name in "abcd")
+    found = table("found.csv")
+    assert Counter(row["file"] for row in found)["in/old.csv"] == 52
+    assert len(found) == 57
+    assert run("grade", "in", "--key", "key.csv") == 1
+    assert capsys.readouterr().err == told
+    assert table("grades-problems.csv") == found
+    assert run("check", "in", "--key", "key.csv", "--out", "found.csv") == 2
+    assert run("check", "in", "--key", "key.csv", "--out", "key.csv", "--force") == 2

@@ -20,7 +20,7 @@ BETWEEN = {  # patterns of the text between the words of a name, for Python and 
     "·": r"[\s·⋅∙*]*",
     " ": r"[\s·⋅∙*]+",
     "²": r"(?:²|\^2|\*\*2|2)",
-    "1": r"(?:(?<!\S)1)?",
+    "1": "(?:(?<!\\S)[1١۱１])?",
 }
 LENGTH = "three decimals are enough: half a millimetre and a little"
 ANGLE = "three decimals in radians or one in degrees are enough: half of 0.1° is 8.7e-4"

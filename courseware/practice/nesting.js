@@ -27,7 +27,7 @@ const closeBracket = (start, token, level) => {
   start.inside = separateBlanks(level, start.kind);
 };
 
-// Put commas where blanks separate: between plain numbers or lists in [ ] and { }.
+// Put commas where blanks separate, and semicolons for new lines: between plain numbers or lists in [ ] and { }.
 const separateBlanks = (level, opener) => {
   const starts = [];
   for (const [i, token] of level.entries()) {
@@ -44,11 +44,8 @@ const separateBlanks = (level, opener) => {
     if (!plain || !LISTS.includes(opener)) return level;
   }
   for (const i of starts.reverse()) {
-    const token = level[i];
-    if (!LISTS.includes(token.kind) && token.gap.includes("\n")) {
-      refuse("adjacent", joinTokens(level.slice(i - 1, i + 1)));
-    }
-    level = [...level.slice(0, i), newToken(",", ",", " "), ...level.slice(i)];
+    const { kind, gap } = level[i], sign = !LISTS.includes(kind) && gap.includes("\n") ? ";" : ",";
+    level = [...level.slice(0, i), newToken(sign, sign, " "), ...level.slice(i)];
   }
   return level;
 };

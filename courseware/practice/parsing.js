@@ -6,7 +6,8 @@
 //   a division followed by such a product is refused, and so is `√2pi`. `√` takes one thing.
 // - `30°` is 30 times pi/180. `,` `،` `;` `؛` and new lines separate; the last one may be left over.
 // - Rows, `1, 2; 3, 4`, are lists in a list; rows of one number each, `1; 2; 3`, are one flat list.
-// - In `[ ]` and `{ }` blanks separate as well, where nothing but numbers and lists stands inside.
+// - In `[ ]` and `{ }` blanks separate as well, and new lines rows, where nothing but numbers and lists
+//   stands inside.
 //
 // A comma, a point or a blank between digits can be a decimal sign, separate, or mark thousands, and
 // a slash between digits of Arabic or Persian is a decimal sign, too. All that a text can say is read;
@@ -33,7 +34,7 @@ const UNIT_PATTERNS = UNITS.map((row) => row.map((unit) => ({ ...unit, typed: Re
 // A unit behind a number or a bracket that is not the start of an unknown one, such as m/s³.
 const WRITTEN = RegExp(`(?<=[\\p{Nd}.)\\]π½¼¾⅓⅔i\\s])\\s*(${
   UNITS.flat().map(({ pattern }) => pattern).filter(Boolean).join("|")
-})(?!\\p{Nd}|[^\\S\\n]*[\\p{L}/∕⁄÷^²³*·⋅∙×])`, "giu");
+})(?!\\p{Nd}|[^\\S\\n\\u2028]*[\\p{L}/∕⁄÷^²³*·⋅∙×])`, "giu");
 const UNIT_AT_END = RegExp(`${WRITTEN.source}[\\s.)\\]}]*$`, "iu");
 const PRODUCT = /[*·×/π+]|pi/i;
 const SUM = /[^\s,;([{e]\s*(?:\+|[-−–]\s)|[\p{Nd})][-−–]/iu;
@@ -106,7 +107,7 @@ export const parseAnswer = (text) => {
 
 export const parseTyped = (text, unknowns) => {
   if (!unknowns.length || [...text].length > MAX_LENGTH) return parseAnswer(text);
-  const named = trim(removeNames(text, unknowns));
+  const named = trim(removeNames(text.replace(INVISIBLE, ""), unknowns));
   const { value: taken, ...refused } = attempt(() => takeUnits(named, unknowns));
   if (refused.problem) return [{ value: null, ...refused }];
   const { units, rest } = taken, texts = new Set([rest.replace(SLASH, "."), rest]);

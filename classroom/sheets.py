@@ -13,9 +13,9 @@ from classroom.tables import Problems, Row
 from courseware.errors import CourseError
 from courseware.practice import dealing, judging
 from courseware.practice.bank import all_exercises
-from courseware.practice.formatting import render_paragraphs, render_symbols
+from courseware.practice.formatting import render_symbols
 from courseware.practice.saving import refuse_existing
-from courseware.script import parts
+from courseware.script import engine, parts
 
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{student}: {course}</title>
@@ -83,7 +83,7 @@ def _render_question(name: str, numbers: str) -> str:
     prompt = render_symbols(judging.format_prompt(exercise))
     return (
         f"<section><h2>{name}: {escape(exercise.title)}</h2>"
-        f"{render_paragraphs(text)}<p><label>Answer, "
+        f"{engine.call('courseware.renderParagraphs', text)}<p><label>Answer, "
         f'{prompt}: <input name="{name}" autocomplete="off" '
         f'autocapitalize="off" spellcheck="false"></label></p></section>'
     )

@@ -399,8 +399,9 @@ bicycle_5 = Exercise(
     text="A truck measures "
     + COMPASS
     + "With ψ = 90° it looks along x. Now ψ is {psi}. The rear wheels have a diameter of "
-    "{diameter} and turn at {wheel_rate} on average. The middle of the rear axle moves at the "
-    "speed of these wheels, their radius times their rate. The wheelbase is {L}, and the steering "
+    "{diameter}. In a curve the two turn at different rates; the mean of both is {wheel_rate}. The "
+    "middle of the rear axle moves at the speed of a wheel with this rate: its radius times the "
+    "rate. The wheelbase is {L}, and the steering "
     "angle of the bicycle model is {phi} (positive: to the left). Speed and steering angle stay "
     "constant. What is ψ after {time}?",
     given={
@@ -419,6 +420,11 @@ bicycle_5 = Exercise(
         ),
         M16: lambda psi, diameter, wheel_rate, L, phi, time: (
             psi - too_fast(wheel_rate * diameter / 2, phi, L) * time
+        ),
+    },
+    together={
+        (M32, M16): lambda psi, diameter, wheel_rate, L, phi, time: (
+            psi + too_fast(wheel_rate * diameter / 2, phi, L) * time
         ),
     },
     when=lambda diameter, wheel_rate, L, phi, time, **_: (

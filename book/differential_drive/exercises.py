@@ -3,11 +3,12 @@
 from functools import partial
 
 import numpy as np
-from sympy import pi, symbols
+from sympy import Matrix, cos, pi, sin, symbols
 
 from book.differential_drive import formulas
 from book.differential_drive.formulas import b
 from book.motion import formulas as planar
+from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
     LocalEquation,
@@ -23,6 +24,14 @@ from courseware.practice import (
 from robokin import differential_drive, motion
 
 RADIUS, TIME, DISTANCE, WORN = symbols("radius time distance worn")
+D_L, D_R, D, DTHETA = symbols(r"D_L D_R D \Delta\theta")
+with as_written():
+    MEAN_WAY = LocalEquation(D, (D_L + D_R) / 2, "m")
+    ON_ARC = LocalEquation(
+        Matrix([planar.x_next, planar.y_next]),
+        Matrix([formulas.R * sin(DTHETA), formulas.R * (1 - cos(DTHETA))]),
+        "m",
+    )
 FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
 
 ASTRAY = motion.wrap_angle(60 - np.radians(60))  # 60 radians in place of 60 degrees
@@ -104,6 +113,16 @@ def ways(formula):
     return {mistake: mistake.formula.wrap(formula) for mistake in (M12, M31)}
 
 
+def turned_ways(formula):
+    """Return a formula by M13 and M14: another heading."""
+    return {mistake: mistake.formula.wrap(formula) for mistake in (M13, M14)}
+
+
+def made_after(first, wrong):
+    """Return formulas by two mistakes: the numbers of the first, the formula of another."""
+    return {(first, other): first.formula.wrap(f) for other, f in wrong.items() if other != first}
+
+
 def centre(x, y, theta, v_L, v_R, b):
     """Return the centre of rotation in the world."""
     return motion.icr([x, y, theta], *twist(v_L, v_R, b))
@@ -177,7 +196,8 @@ differential_drive_2 = Exercise(
     given={"theta": number_range(20, 160, 5, "°"), "v_L": SPEEDS["v_L"], "v_R": SPEEDS["v_R"]},
     unknowns=(Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s")),
     right=moving,
-    wrong={M13: M13.formula.wrap(moving), M14: M14.formula.wrap(moving)},
+    wrong=turned_ways(moving),
+    together=made_after(M14, {M13: M13.formula.wrap(moving)}),
     derive=lambda theta, v_L, v_R: {"v": (v_L + v_R) / 2, "theta_deg": np.degrees(theta)},
     solution=Solution(
         "The middle moves at the mean of the two speeds, along the heading:\n\n{speed}\n\n{world}",
@@ -201,7 +221,8 @@ differential_drive_3 = Exercise(
     | SPEEDS,
     unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=centre,
-    wrong=ways(centre) | {M13: M13.formula.wrap(centre), M14: M14.formula.wrap(centre)},
+    wrong=ways(centre) | turned_ways(centre),
+    together={k: v for m in (M12, M31) for k, v in made_after(m, turned_ways(centre)).items()},
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
     also={
@@ -316,11 +337,6 @@ differential_drive_6 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=worn_end,
     wrong=ways(worn_end),
-    derive=lambda worn, distance, b: {
-        "short": (1 - worn) * distance,
-        "mean": (1 - worn / 2) * distance,
-        "turn": worn * distance / b,
-    },
     also={
         "when the robot turns to the wrong side": lambda **drive: worn_end(**drive) * [1, -1],
         "when it drives straight on by the mean of both wheels": lambda worn, distance, **_: [
@@ -329,20 +345,15 @@ differential_drive_6 = Exercise(
         ],
     },
     solution=Solution(
-        "The right wheel travels {distance}, the left one less:\n\n{short}\n\n"
+        "The right wheel travels D_R = {distance}, the left one less:\n\n{short}\n\n"
         "The middle of the axle travels their mean, and the robot turns by their difference over "
         "the wheel distance, to the left:\n\n{mean}\n\n{turn}\n\n"
-        "It ends on an arc. In a time of 1 s it would drive that far and turn that much, so the "
-        "step along an arc says where:\n\n{arc}",
-        short=Step(LocalEquation(formulas.v_L, (1 - WORN) * DISTANCE, "m")),
-        mean=Step(formulas.speed, {formulas.v_R: "distance"}, unit="m"),
-        turn=Step(formulas.turning_rate, {formulas.v_R: "distance"}, unit="rad"),
-        arc=Step(
-            planar.arc_step,
-            FROM_ORIGIN | {planar.dt: 1},
-            unit="m",
-            textbook=True,
-            part=(0, 1),
-        ),
+        "The way is an arc that turns by Δθ. So its radius is D/Δθ, and the middle of the axle "
+        "starts at the lowest point of that circle:\n\n{radius}\n\n{arc}",
+        short=Step(LocalEquation(D_L, (1 - WORN) * DISTANCE, "m")),
+        mean=Step(MEAN_WAY, {D_R: "distance"}),
+        turn=Step(LocalEquation(DTHETA, (D_R - D_L) / b, "rad"), {D_R: "distance"}),
+        radius=Step(LocalEquation(formulas.R, D / DTHETA, "m")),
+        arc=Step(ON_ARC),
     ),
 )

@@ -135,6 +135,11 @@ def wrong_way(turned):
     return M7.formula.replace(turn=turned)["turn"]
 
 
+def all_wrong_way(**turns):
+    """Return turns as M7 takes them, by their names."""
+    return {name: wrong_way(turn) for name, turn in turns.items()}
+
+
 def column(R, arrow):
     """Return an axis of B as seen from A."""
     return R[:, "xyz".index(arrow)]
@@ -331,6 +336,11 @@ euler_3 = Exercise(
         ),
         M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, wrong_way(turn)),
     },
+    together={
+        (M6, M7): lambda R_AB, axis, turn: M6.formula.evaluate(
+            R_1=one_turn(axis, wrong_way(turn)).T, R_2=QUARTERS[R_AB]
+        ),
+    },
     also={
         "when R_1 itself stands where its transpose belongs": lambda R_AB, axis, turn: (
             one_turn(axis, turn) @ QUARTERS[R_AB]
@@ -363,6 +373,11 @@ euler_4 = Exercise(
     wrong={
         M6: lambda **turns: both_ways(fixed_axes(**turns)),
         M7: lambda **turns: both_ways(left_handed(**turns)),
+    },
+    together={
+        (M6, M7): lambda first, second, a, b: both_ways(
+            fixed_axes(first, second, wrong_way(a), wrong_way(b))
+        ),
     },
     when=different,
     solution=Solution(
@@ -491,7 +506,7 @@ euler_7 = Exercise(
     right=to_zyz,
     wrong={
         M6: lambda **turns: euler.solutions("ZYZ", fixed_yaw_pitch_roll(**turns)),
-        M7: lambda **turns: to_zyz(**{name: wrong_way(turn) for name, turn in turns.items()}),
+        M7: lambda **turns: to_zyz(**all_wrong_way(**turns)),
     },
     when=lambda **turns: (
         far_from_lock("ZYZ", yaw_pitch_roll(**turns))
@@ -500,6 +515,9 @@ euler_7 = Exercise(
     also={
         "with the matrices in the wrong order in both sequences": lambda **turns: euler.solutions(
             "zyz", fixed_yaw_pitch_roll(**turns)
+        ),
+        "with left-handed turns in both sequences": lambda **turns: wrong_way(
+            to_zyz(**all_wrong_way(**turns))
         ),
         "for the way back, from B to A": lambda **angles: euler.solutions(
             "ZYZ", yaw_pitch_roll(**angles).T

@@ -268,6 +268,17 @@ def both_inverses(T_db, T_bc):
     return [numbers_of(T) for T in back]
 
 
+def one_wrong_inverse(T_db, T_bc):
+    """M10 in one of the two inverses: T_cb and T_bd, of which the one or the other is wrong."""
+    return [
+        (shifted_back(T_bc), frames.inverse(T_db)),
+        (frames.inverse(T_bc), shifted_back(T_db)),
+    ]
+
+
+ONE_BACK = "with −p in place of −Rᵀp in one of the two inverses"
+ONLY_HAND = "when only T_bc is inverted, and T_db stays as it is"
+
 frames_1 = Exercise(
     "frames-1",
     title="Seen from the other end",
@@ -367,6 +378,12 @@ frames_4 = Exercise(
         M11: by_hand(lambda T_db, T_bc: numbers_of(frames.inverse(T_db) @ frames.inverse(T_bc))),
         M30: by_hand(lambda T_db, T_bc: numbers_of(T_bc @ frames.inverse(T_db))),
     },
+    also={
+        ONE_BACK: by_hand(
+            lambda T_db, T_bc: [numbers_of(back @ to) for back, to in one_wrong_inverse(T_db, T_bc)]
+        ),
+        ONLY_HAND: by_hand(lambda T_db, T_bc: numbers_of(frames.inverse(T_bc) @ T_db)),
+    },
     derive=by_hand(lambda T_db, T_bc: {"T_db": T_db, "T_bc": T_bc}),
     solution=Solution(
         "First from the camera to the hand: the platform's pose, then the hand's, in this order."
@@ -410,6 +427,11 @@ frames_5 = Exercise(
     also={
         "with −p for −Rᵀp in the inverse of the product T_db T_bc": matrices(
             lambda T_db, T_bc, T_de: shifted_back(T_db @ T_bc) @ T_de
+        ),
+        ONE_BACK: matrices(
+            lambda T_db, T_bc, T_de: [
+                back @ to @ T_de for back, to in one_wrong_inverse(T_db, T_bc)
+            ]
         ),
         "for the object as the platform sees it": matrices(
             lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_db), T_de)

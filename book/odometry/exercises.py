@@ -216,6 +216,17 @@ def counted(theta, b, count=turned, roll=rolled, step=one_step, rule="exact", **
     return step(rule, theta=theta, b=b, **ways)
 
 
+def without_heading(_, **step):
+    """M22 as a step of `counted`."""
+    return heading_forgotten(**step)
+
+
+def half_seen_pose(**drive):
+    """M23 in the heading of the answer."""
+    *place, heading = counted(**drive)
+    return [*place, half_seen(heading)]
+
+
 def counted_from(start, theta, **drive):
     """Return the pose after one step if the heading at the start is taken for this one."""
     return counted(start, **drive)
@@ -315,6 +326,11 @@ odometry_2 = Exercise(
     wrong={
         M24: lambda before, after, C, r: rolled_per_radian(turned(before, after), C, r),
         M25: lambda before, after, C, r: rolled(jumped(before, after), C, r),
+    },
+    also={
+        "with 65535 numbers of the counter: with 0 it has 65536": lambda before, after, C, r: (
+            rolled(turned(before, after) + np.sign(after - before), C, r)
+        ),
     },
     when=lambda before, after, **_: abs(after - before) > 2**15,
     derive=lambda before, after, C, r: {
@@ -544,10 +560,17 @@ odometry_7 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=counted,
     wrong={
-        M22: lambda **drive: counted(step=lambda _, **step: heading_forgotten(**step), **drive),
-        M23: lambda **drive: [*counted(**drive)[:2], half_seen(counted(**drive)[2])],
-        M24: lambda **drive: counted(roll=rolled_per_radian, **drive),
-        M25: lambda **drive: counted(count=jumped, **drive),
+        M22: partial(counted, step=without_heading),
+        M23: half_seen_pose,
+        M24: partial(counted, roll=rolled_per_radian),
+        M25: partial(counted, count=jumped),
+    },
+    together={
+        (M22, M24): partial(counted, step=without_heading, roll=rolled_per_radian),
+        (M22, M25): partial(counted, step=without_heading, count=jumped),
+        (M23, M24): partial(half_seen_pose, roll=rolled_per_radian),
+        (M23, M25): partial(half_seen_pose, count=jumped),
+        (M24, M25): partial(counted, roll=rolled_per_radian, count=jumped),
     },
     when=lambda **drive: backward(counted(**drive)[2]) and 0.2 < abs(turn_between(**drive)) < 2.0,
     also={

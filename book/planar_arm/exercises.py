@@ -1,6 +1,7 @@
 """Exercises on the planar arm's velocities, and the mistakes that are made there."""
 
 from functools import cache, partial
+from itertools import combinations
 
 import numpy as np
 from sympy import (
@@ -201,7 +202,9 @@ def arm(l1, l2, l3, theta1, theta2, theta3, **_):
 
 
 OWN_RATES = "in ẋ and in ẏ each link turns only at the rate of its own joint"
+OWN_RATES_IN_X = "when in ẋ each link turns only at the rate of its own joint"
 OWN = WrongFormula(BOTH_ROWS, ALONE)
+OWN_IN_X = WrongFormula(X_ROW, ALONE)
 
 
 @cache
@@ -228,6 +231,16 @@ def jacobian(made, **numbers):
 def made_in(formula, *mistakes):
     """Return the formula as those have it who make a mistake: its first argument."""
     return {mistake: partial(formula, mistake.formula) for mistake in mistakes}
+
+
+def own_rates(formula):
+    """Return the same for M27 in both rows, and in the other row alone."""
+    return {OWN_RATES: partial(formula, OWN), OWN_RATES_IN_X: partial(formula, OWN_IN_X)}
+
+
+def made_together(formula, *mistakes):
+    """Return the same for those who make two mistakes."""
+    return {(a, b): partial(formula, (a.formula, b.formula)) for a, b in combinations(mistakes, 2)}
 
 
 def hand_velocity(made, q1, q2=0.0, q3=0.0, **numbers):
@@ -327,6 +340,7 @@ WRITTEN_OUT = dict((*formulas.SHORT, *formulas.BENDS))  # sines and cosines, not
 STRETCHED, FOLDED = solve(formulas.det.right, theta2)
 TOWARDS, LIMIT = Symbol("alpha"), Symbol(r"\dot\theta_\mathrm{max}")
 f_x, f_y, m = symbols("f_x f_y m")
+U, BY_TWIST = Symbol("u"), {x_dot: "v_x", y_dot: "v_y", phi_dot: "omega"}
 with as_written():
     LEVER = Matrix([-(y * rate1), x * rate1, rate1])
     ROOT = sqrt(formulas.G_xx * formulas.G_yy - formulas.G_xy**2)
@@ -382,7 +396,7 @@ planar_arm_1 = Exercise(
     unknowns=TWIST,
     right=lambda q1, **pose: planar_arm.velocity(rates=[q1, 0, 0], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
-    also={OWN_RATES: partial(hand_velocity, OWN)},
+    also=own_rates(hand_velocity),
     solution=Solution(
         "The whole arm turns about its base like one stiff body. So find first where the hand is. "
         "Each link points where all joint angles up to it add up to:\n\n{hand}\n\n"
@@ -402,12 +416,8 @@ planar_arm_2 = Exercise(
     unknowns=TWIST,
     right=lambda q1, q2, q3, **pose: planar_arm.velocity(rates=[q1, q2, q3], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
-    also={
-        "with l_2 for l_3 and a plus before its sine, two mistakes in one term": partial(
-            hand_velocity, (M28.formula, M36.formula)
-        ),
-        OWN_RATES: partial(hand_velocity, OWN),
-    },
+    together=made_together(hand_velocity, M26, M27, M28, M36),
+    also=own_rates(hand_velocity),
     derive=velocity_parts,
     solution=Solution(
         SHORT_TEXT + "Differentiate the hand's place, link by link. Each link turns with its own "
@@ -505,13 +515,17 @@ planar_arm_5 = Exercise(
         "The determinant of J:\n\n{det}\n\nIt is not zero, so J has an inverse. The joint rates "
         "are this inverse times the hand's velocity; np.linalg.solve finds them.\n\n"
         "By hand, look along link 2. The wrist moves as the hand does, but for the turning of the "
-        "last link. Link 2 moves the wrist only across itself, so along link 2 it is moved by the "
-        "first joint alone:\n\n{first}\n\nAlong link 1 it is moved by link 2 alone, which turns "
-        "with the first two joints:\n\n{second}\n\n"
+        "last link. So its speed u along link 2 is:\n\n{along}\n\nLink 2 moves the wrist only "
+        "across itself. So the elbow must have the same speed along link 2. The first joint alone "
+        "moves the elbow, at l_1 θ̇_1 across link 1; the sine of θ_2 gives its part along link 2. "
+        "So l_1 θ̇_1 sin θ_2 is u:\n\n{first}\n\nAlong link 1 the wrist is moved by link 2 alone, "
+        "which turns with the first two joints:\n\n{second}\n\n"
         "The hand turns with all three joints, so the last one gives what is missing:\n\n{third}",
         answer=(("first", "second", "third"),),
         det=Step(formulas.det, unit="m²", expected=lambda **n: np.linalg.det(jacobian(None, **n))),
-        **rate_steps({x_dot: "v_x", y_dot: "v_y", phi_dot: "omega"}),
+        along=Step(LocalEquation(U, formulas.along2, "m/s"), WRITTEN_OUT | BY_TWIST),
+        **rate_steps(BY_TWIST)
+        | {"first": Step(LocalEquation(rate1, U / (formulas.l1 * sin(theta2))))},
     ),
     example=EXAMPLE | {"v_x": 0.1, "v_y": 0.2, "omega": 0.3},
 )

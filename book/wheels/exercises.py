@@ -217,6 +217,11 @@ def ways(formula, *mistakes, **places):
     return {mistake: made(mistake) for mistake in mistakes}
 
 
+def turned_too(wrong):
+    """Return formulas of mistakes in the rows as those have them who also make M21."""
+    return {(mistake, M21): M21.formula.wrap(formula) for mistake, formula in wrong.items()}
+
+
 def itself(matrix, **_):
     """Return the rows, where these are asked for."""
     return matrix
@@ -480,6 +485,7 @@ wheels_3 = Exercise(
         **ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0),
         M21: M21.formula.wrap(rates),
     },
+    together=turned_too(ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0)),
     also={
         "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
             numbers["r"] * rates(**numbers)
@@ -511,6 +517,7 @@ wheels_4 = Exercise(
         **ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0),
         M21: M21.formula.wrap(forward),
     },
+    together=turned_too(ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0)),
     when=lambda theta, w_1, w_2, w_3, **_: abs(np.cos(theta)) > 0.1 and w_1 + w_2 + w_3 != 0,
     derive=lambda l, r, theta, w_1, w_2, w_3: {
         "rates": np.array([w_1, w_2, w_3]),

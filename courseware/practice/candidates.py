@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from courseware.practice.declaration import Exercise, Row, Unknown
+from courseware.practice.mistakes import Mistake
 from courseware.units import ROWS, TABLE
 
 RIGHT = "This check passed."
@@ -68,6 +69,9 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     for m in exercise.wrong:
         picture = m.picture.description if m.picture else ""
         found[m.name] = Outcome("wrong", NAMED.format(m.feedback), ones, m.why, picture)
+    for (one, other), name in _pair_names(exercise).items():
+        words = f"{one.feedback}, and also {other.feedback}"
+        found[name] = Outcome("wrong", NAMED.format(words), ones, f"{one.why} {other.why}")
     for words in exercise.also:
         found[f"slip:{words}"] = Outcome("wrong", NAMED.format(words), ones)
     units = " and ".join(dict.fromkeys(u.unit for u in exercise.unknowns if _other_units(u.unit)))
@@ -75,6 +79,11 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
         feedback = f"The right value, but in other units ({name}). Asked is {units}: please type "
         found[f"unit:{name}"] = Outcome("partly", feedback + "it again.", factors)
     return found | {f"slip:{s}": Outcome("wrong", words, ones) for s, words in SLIPS.items()}
+
+
+def _pair_names(exercise: Exercise) -> dict[tuple[Mistake, Mistake], str]:
+    """Return the names of the candidates of two mistakes made together."""
+    return {pair: f"slip:{pair[0].name} and {pair[1].name}" for pair in exercise.together}
 
 
 def _factors(unknowns: Sequence[Unknown]) -> dict[str, Row]:
@@ -119,7 +128,8 @@ def find_candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Can
     taken = [*right, *units]
     also = [a for a in also if a.is_finite() and all(is_apart(exercise, a, b) for b in taken)]
     known = [*right, *wrong, *units, *also]
-    for slip in _slips(exercise, right):
+    pairs = evaluate({name: exercise.together[p] for p, name in _pair_names(exercise).items()})
+    for slip in [*_slips(exercise, right), *filter(Candidate.is_finite, pairs)]:
         if all(is_apart(exercise, slip, other) for other in known):
             known.append(slip)
     return tuple(known)

@@ -144,6 +144,8 @@ class Exercise:
         solution: the way there, with such placeholders.
         also: as `wrong` for undocumented mistakes, as words that end "This is what you get …";
             where one gives the same as a mistake, both are named.
+        together: two mistakes → function → the answer of somebody who makes both; named where it
+            is apart from all other answers.
         shape: of a matrix.
         accept: which rows of `right` must be typed: "one", its only row; "any" one of them, where
             several answers are right; or "all" of them, in any order.
@@ -161,6 +163,9 @@ class Exercise:
     wrong: Mapping[Mistake, Callable[..., ArrayLike]]
     solution: Solution
     also: Mapping[str, Callable[..., ArrayLike]] = field(default_factory=dict)
+    together: Mapping[tuple[Mistake, Mistake], Callable[..., ArrayLike]] = field(
+        default_factory=dict
+    )
     shape: tuple[int, ...] = ()
     accept: str = "one"
     derive: Callable[..., Mapping[str, Any]] = field(default=lambda **_: {})
@@ -173,7 +178,12 @@ class Exercise:
             raise CourseError(
                 f"{self.name} has numbers and steps of its solution of one name: {', '.join(twice)}"
             )
-        for formula in (self.right, *self.wrong.values(), *self.also.values()):
+        for formula in (
+            self.right,
+            *self.wrong.values(),
+            *self.also.values(),
+            *self.together.values(),
+        ):
             try:
                 signature(formula).bind(**dict.fromkeys(self.given))
             except TypeError as error:

@@ -21,6 +21,8 @@ export const FEEDBACK = {
   other: "There are other right answers too.",
   digits: "Give {decimals} decimals: with fewer the check cannot tell what went wrong.",
   units: "And it is in other units ({unit}).",
+  whole: "Asked is a whole number.",
+  also: "But it is also what you get {mistake}",
 };
 const COUNTS = ["no", "one", "two", "three", "four", "five"];
 
@@ -52,8 +54,9 @@ const findRightParts = ({ accept, shape, unknowns }, right, row) =>
   accept !== "one" || shape.length ? [] : unknowns.filter((unknown, i) =>
     offBy(unknown, row[i], right[i], 1) <= toleranceOf(unknown, right[i], 1)).map((unknown) => unknown.label);
 
+const NAMED = "Not yet. This is what you get ";
 // Several mistakes may give one number: then all of them are said.
-const joinFeedback = (all) => all.join(" ").replaceAll(". Not yet. This is what you get ", ", or ");
+const joinFeedback = (all) => all.join(" ").replaceAll(`. ${NAMED}`, ", or ");
 
 const isRoundedRight = ({ decimals }, rows, wanted) =>
   [2, 3].some((digits) => digits < decimals && rows.length === wanted.length && rows.every((row, k) =>
@@ -74,6 +77,14 @@ const hasFewDecimals = ({ decimals }, text) => decimals && !RegExp(`[^\\p{Nd}\\s
 const isTooCoarse = (exercise, rows, text, right) => hasFewDecimals(exercise, text)
   && isRounded(rows, exercise.decimals - 1) && !isRounded(right, exercise.decimals - 1);
 
+// The mistake that an answer is in other units, and these; nothing if there is none.
+const findInUnits = (exercise, candidates, units, rows) => units.flatMap((unit) => {
+  const { factors } = exercise.outcomes[unit];
+  return candidates.filter(([name, wanted]) =>
+    name !== "right" && matchesRows(exercise, rows, convertRows(wanted, factors), factors))
+    .map(([name]) => [name, unit.slice(5)]);
+})[0] ?? [];
+
 // The verdict on an answer that has the right shape. text: as it was typed.
 const judgeRows = (exercise, candidates, rows, text) => {
   const { unknowns, accept, outcomes, decimals } = exercise;
@@ -86,22 +97,22 @@ const judgeRows = (exercise, candidates, rows, text) => {
   const { result, feedback } = outcomes[met[0]] ?? {};
   if (result === "right") return verdict(result, met[0], feedback, accept === "any" && FEEDBACK.other);
   if (result === "partly") return verdict(result, met[0], feedback);
-  const digits = decimals ? `, and give ${COUNTS[decimals]} decimals` : "";
-  const near = verdict("wrong", "near", fillTemplate(FEEDBACK.near, { digits })), few = hasFewDecimals(exercise, text);
-  if (right.some((wanted) => isRoundedRight(exercise, rows, wanted)
-    || (few && units.some((unit) => isRoundedInUnits(outcomes[unit].factors, rows, wanted))))) return near;
-  if (met.length) return verdict("wrong", met[0], joinFeedback(met.map((name) => outcomes[name].feedback)));
-  if (right.some((wanted) => matchesRows(exercise, rows, wanted, unknowns.map(() => 1), NEAR))) return near;
-  const wrong = candidates.filter(([name]) => name !== "right");
-  for (const unit of units) {
-    const { factors } = outcomes[unit];
-    const same = wrong.find(([, wanted]) => matchesRows(exercise, rows, convertRows(wanted, factors), factors));
-    const inUnit = fillTemplate(FEEDBACK.units, { unit: unit.slice(5) });
-    if (same) return verdict("wrong", same[0], outcomes[same[0]].feedback, inUnit);
+  const few = hasFewDecimals(exercise, text), digits = few ? `, and give ${COUNTS[decimals]} decimals` : "";
+  const near = verdict("wrong", "near", fillTemplate(FEEDBACK.near, { digits }));
+  const mistakes = joinFeedback(met.map((name) => outcomes[name].feedback));
+  const [elsewhere, unit] = findInUnits(exercise, candidates, units, rows);
+  if (right.some((wanted) => isRoundedRight(exercise, rows, wanted))) return near;
+  if (few && right.some((wanted) => units.some((each) => isRoundedInUnits(outcomes[each].factors, rows, wanted)))) {
+    const mistake = (mistakes || outcomes[elsewhere]?.feedback || "").replace(NAMED, "");
+    return mistake ? verdict("wrong", near.name, near.feedback, fillTemplate(FEEDBACK.also, { mistake })) : near;
   }
+  if (met.length) return verdict("wrong", met[0], mistakes);
+  if (right.some((wanted) => matchesRows(exercise, rows, wanted, unknowns.map(() => 1), NEAR))) return near;
+  if (elsewhere) return verdict("wrong", elsewhere, outcomes[elsewhere].feedback, fillTemplate(FEEDBACK.units, { unit }));
   const parts = findRightParts(exercise, right[0][0], rows[0]);
   return verdict("wrong", "", FEEDBACK.wrong,
     parts.length && fillTemplate(FEEDBACK.parts, { labels: parts.join(", ") }),
+    !decimals && !isRounded(rows, 0) && FEEDBACK.whole,
     isTooCoarse(exercise, rows, text, right[0]) && fillTemplate(FEEDBACK.digits, { decimals: COUNTS[decimals] }));
 };
 
@@ -117,7 +128,7 @@ const findShape = (value) => {
 // A typed number or list as rows of the numbers asked for; null if it has another shape.
 const toRows = ({ unknowns: { length: size }, accept, shape }, value, count) => {
   const single = [[size], shape.length ? shape : [size], [1, size], ...(size === 1 ? [[]] : [])];
-  const several = [[count, size], ...(size === 1 ? [[count]] : [])];
+  const several = [[count, size], [count * size]];
   const found = JSON.stringify(findShape(value));
   if (!(accept === "all" ? several : single).some((one) => JSON.stringify(one) === found)) return null;
   const flat = [value].flat(Infinity), rows = [];

@@ -74,7 +74,7 @@ def serialize_candidates(
 
     The right answers in other units are missing: the judge makes them.
     """
-    digits = [2 - math.floor(math.log10(unknown.tolerance)) for unknown in exercise.unknowns]
+    digits = [2 - math.ceil(math.log10(unknown.tolerance)) for unknown in exercise.unknowns]
     return [
         (c.name, [tuple(map(_round, row, digits)) for row in c.rows])
         for c in possible

@@ -6,7 +6,7 @@ from commands import ONE, run
 from declared import EXERCISES, table
 
 from courseware.practice import dealing
-from courseware.practice.formatting import render_paragraphs
+from courseware.script import engine
 
 
 def test_a_sheet_shows_the_numbers_of_the_key(keyed):
@@ -19,7 +19,8 @@ def test_a_sheet_shows_the_numbers_of_the_key(keyed):
             variant = dealing.variants(row["exercise"])[int(row["variant"])]
             exercise = EXERCISES[row["exercise"]]
             text = exercise.fill(exercise.text, variant.numbers)
-            assert render_paragraphs(text) in page
+            assert engine.call("courseware.renderParagraphs", text) in page
+    assert "<mtable>" in page  # no lists in lists
 
 
 def test_a_damaged_key_makes_no_sheet_and_says_why(keyed, capsys):

@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 from declared import EXERCISES, each, typed
 
+from book.odometry.exercises import resolution, rolled
 from courseware import practice
 from courseware.practice import Exercise, candidates, dealing, judging, rendering
+from courseware.practice.candidates import Candidate
 from courseware.script import engine as script
 
 each_exercise = each("exercise", "exercises", Exercise)
@@ -165,11 +167,47 @@ def test_right_answers_of_two_decimals_are_never_called_a_mistake(exercise):
 def test_words_on_digits_follow_the_tolerance(name, decimals):
     exercise = EXERCISES[name]
     assert ("to four decimals" in judging.format_prompt(exercise)) == (decimals == "four")
-    right = np.array(dealing.variants(name)[0].candidates[0].rows)
+    rights = [np.array(v.candidates[0].rows) for v in dealing.variants(name)]
+    count = max(ask.decimals for ask in exercise.unknowns)
     off = 5 * max(ask.tolerance for ask in exercise.unknowns)
-    [verdict] = judged(exercise, [(0, typed(right + off, exercise))])
-    assert verdict.name == "near"
-    assert f"give {decimals} decimals" in verdict.feedback
+    rounded = [(k, typed(np.round(right, count - 1), exercise)) for k, right in enumerate(rights)]
+    few = [v for v in judged(exercise, rounded) if v.name == "near"]
+    assert few
+    assert all(f"give {decimals} decimals" in verdict.feedback for verdict in few)
+    enough = judged(exercise, [(k, typed(right + off, exercise)) for k, right in enumerate(rights)])
+    close = [verdict.feedback for verdict in enough if verdict.name == "near"]
+    assert close  # the others may be a mistake that is as near
+    assert not any("decimals" in feedback for feedback in close)
+
+
+def test_a_zero_at_the_end_is_a_decimal():
+    exercise = EXERCISES["differential-drive-1"]
+    named = [Candidate("right", ((0.2123,),))]
+    for text, is_told in (("0.215", False), ("0.210", False), ("0.21", True), ("5.210", False)):
+        assert ("decimals" in judging.judge(exercise, named, text).feedback) == is_told, text
+
+
+def test_a_mistake_in_whole_degrees_is_said_beside_the_rounding():
+    """It may be the right angle, rounded, or the mean of two angles, which is as round."""
+    for name in ("bicycle-2", "bicycle-4"):
+        exercise = EXERCISES[name]
+        means = [
+            (k, np.degrees(c.rows[0][0]))
+            for k, v in enumerate(dealing.variants(name))
+            for c in v.candidates
+            if c.name == "M18"
+        ]
+        whole = [(k, f"{x:.0f}{sign}") for k, x in means if x % 1 < 1e-9 for sign in ("°", "")]
+        assert len(whole) > 20
+        assert all("averaged" in v.feedback for v in judged(exercise, whole))
+
+
+def test_a_whole_number_is_asked_for_where_none_is_typed():
+    exercise = EXERCISES["odometry-5"]
+    for k, variant in enumerate(dealing.variants(exercise.name)):
+        exact = resolution(rolled, **variant.numbers)
+        [verdict] = judged(exercise, [(k, f"{exact:.2f}")])
+        assert verdict.feedback.endswith("Asked is a whole number.")
 
 
 def test_two_mistakes_of_one_number_are_both_said():
@@ -207,7 +245,13 @@ def test_a_mistake_in_degrees_is_named():
         ("odometry-3", "degrees are handed"),
         ("differential-drive-3", "degrees are handed"),
         ("differential-drive-5", "degrees are handed"),
-        ("planar-arm-2", "two mistakes in one term"),
+        ("planar-arm-2", "rate of its own joint, and also with l_2 where l_3 belongs"),
+        ("planar-arm-1", "when in ẋ each link turns only at the rate of its own joint"),
+        ("euler-7", "with left-handed turns in both sequences"),
+        ("odometry-2", "with 65535 numbers"),
+        ("frames-4", "in one of the two inverses"),
+        ("frames-5", "in one of the two inverses"),
+        ("frames-4", "when only T_bc is inverted"),
         ("odometry-5", "rounded down"),
         ("odometry-7", "starts with heading 0"),
         ("odometry-7", "heading at the start is forgotten"),

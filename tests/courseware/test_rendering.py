@@ -1,7 +1,11 @@
 """Exercises as a page shows them: texts with numbers in them, and the data for the browser."""
 
+import base64
+import json
 import re
+import zlib
 from html import unescape
+from itertools import pairwise
 
 import pytest
 from declared import EXERCISES, each
@@ -22,6 +26,20 @@ def test_texts_can_be_filled(exercise):
             filled = exercise.fill(template, variant.numbers)
             assert "{" not in filled
             assert not re.search(r"\bnan\b", filled)
+
+
+@each_exercise
+def test_the_box_says_how_many_steps_the_ladder_opens(exercise):
+    """It counts them without numbers, and the ladder with them."""
+    packed = json.loads(zlib.decompress(base64.b64decode(rendering.pack([exercise]))))
+    said = packed[exercise.name]["steps"]
+    formula = re.compile(r"(?:\[[^=]*\]|\S+) = ")
+    for variant in dealing.variants(exercise.name):
+        text = exercise.fill(exercise.solution_text, variant.numbers)
+        assert len(script.call("courseware.splitSolution", text)) == said
+        kinds = [formula.match(part) is not None for part in text.split("\n\n")]
+        steps = 1 + sum(before and not now for before, now in pairwise(kinds))
+        assert steps == said
 
 
 def plain(html):

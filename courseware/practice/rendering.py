@@ -41,7 +41,9 @@ def constants() -> dict[str, Any]:
 
 
 def _serialize_question(exercise: Exercise) -> dict[str, Any]:
-    steps = engine.call("courseware.splitSolution", exercise.solution_text)
+    numbers = dealing.variants(exercise.name)[0].numbers  # some formulas depend on them
+    solution = exercise.fill(exercise.solution_text, numbers)
+    steps = engine.call("courseware.splitSolution", solution)
     return {**judging.serialize_exercise(exercise), "steps": len(steps)}
 
 

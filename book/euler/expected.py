@@ -186,7 +186,8 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         {
             "M6": [0.6155, 1.0472, 1.6627],
             "M7": [1.4789, 1.0472, 2.5261],
-            "in both sequences": [1.6627, 1.0472, 0.6155],
+            "wrong order in both sequences": [1.6627, 1.0472, 0.6155],
+            "left-handed turns in both": [-1.4789, -1.0472, -2.5261],
             "way back": [-2.5261, 1.0472, -0.4317],
         },
     ),

@@ -120,7 +120,9 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         {
             "M9": [-1.1223, 0.5882, -1.7453],
             "M10": [-0.4, 1.3, 1.7453],
-            "−p in place of −Rᵀp": [1.1223, -0.5882, 1.7453],
+            "an inverse is made with −p": [1.1223, -0.5882, 1.7453],
+            "one of the two inverses": [0.7, 1.2, 1.7453],
+            "only T_bc is inverted": [0.3, -2.4, 1.3963],
             "M11": [2.404, -0.3885, 1.7453],
             "M30": [0.7156, -1.3074, -1.3963],
         },
@@ -145,6 +147,11 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "inverse of the product": [
                 [0.766, -0.6428, 2.0484],
                 [0.6428, 0.766, -0.519],
+                [0, 0, 1],
+            ],
+            "one of the two inverses": [
+                [0.766, -0.6428, 1.7111],
+                [0.6428, 0.766, -0.24],
                 [0, 0, 1],
             ],
             "as the platform sees it": [

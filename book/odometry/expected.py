@@ -147,7 +147,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
     "odometry-2": (
         {"before": 65240, "after": 625, "C": 512, "r": 3},
-        {"M24": 0.054, "M25": -23.7884},
+        {"M24": 0.054, "M25": -23.7884, "65535 numbers": 0.3387},
     ),
     "odometry-3": (
         {"x": 3.5, "y": 1.5, "theta": 110, "D_L": 5, "D_R": 32.5, "b": 55},

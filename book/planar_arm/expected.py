@@ -214,6 +214,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "M36": [0.0693, -0.6968, -1],
             "M37": [-0.6968, -0.3264, -1],
             "in ẋ and in ẏ each": [-0.225, -0.3897, -1],
+            "when in ẋ each": [-0.225, -0.6968, -1],
         },
     ),
     "planar-arm-2": (
@@ -235,7 +236,8 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "M36": [0.2171, 0.3725, -1.4],
             "M37": [0.3725, -0.3571, -1.4],
             "in ẋ and in ẏ each": [0.245, 0.095, -1.4],
-            "two mistakes": [0.0771, 0.615, -1.4],
+            "when in ẋ each": [0.245, 0.3725, -1.4],
+            "M28 and M36": [0.0771, 0.615, -1.4],
         },
     ),
     "planar-arm-3": (

@@ -57,7 +57,9 @@ def test_each_mistake_in_an_exercise_is_told(exercise):
     place = f'FEEDBACK["{exercise.name}"] in book/{exercise.topic}/expected.py'
     words = {mistake.name: mistake.feedback for mistake in exercise.wrong}
     words |= {said: said for said in exercise.also}
+    pairs = {f"{a.name} and {b.name}": b.feedback for a, b in exercise.together}
     meant = {key: [w for name, w in words.items() if name == key or key in w] for key in examples}
+    meant |= {key: [f"and also {pairs[key]}"] for key in examples if key in pairs}
     unclear = {key: fits for key, fits in meant.items() if len(fits) != 1}
     assert not unclear, f"{place}: each key is a mistake's name or in the words of one: {unclear}"
     missing = [name for name, said in words.items() if [said] not in meant.values()]

@@ -94,10 +94,13 @@ const dropProblems = (readings) => {
   return good.length ? good : readings.slice(0, 1);
 };
 
+// Blanks round a text do not count: a table of answers does not keep them.
+const isLong = (text) => [...text.trim()].length > MAX_LENGTH;
+
 // Return all that a text can say, or one problem. Outside brackets blanks may separate as inside.
 export const parseAnswer = (text) => {
-  if ([...text].length > MAX_LENGTH) return [attempt(() => refuse("long", text))];
-  const shown = text.replace(INVISIBLE, ""), brackets = ["", ...(/\S\s+\S/.test(shown) ? ["[]"] : [])];
+  if (isLong(text)) return [attempt(() => refuse("long", text))];
+  const shown = text.replace(INVISIBLE, "").trim(), brackets = ["", ...(/\S\s+\S/.test(shown) ? ["[]"] : [])];
   return dropProblems(listMeanings(shown).flatMap((meaning) => brackets.map(([open = "", close = ""]) => attempt(() => {
     const level = nestBrackets(tokenize(open + meaning + close, open + shown + close));
     if (!level.length) refuse("empty", "");
@@ -106,8 +109,8 @@ export const parseAnswer = (text) => {
 };
 
 export const parseTyped = (text, unknowns) => {
-  if (!unknowns.length || [...text].length > MAX_LENGTH) return parseAnswer(text);
-  const named = trim(removeNames(text.replace(INVISIBLE, ""), unknowns));
+  if (!unknowns.length || isLong(text)) return parseAnswer(text);
+  const named = trim(removeNames(text.replace(INVISIBLE, "").trim(), unknowns));
   const { value: taken, ...refused } = attempt(() => takeUnits(named, unknowns));
   if (refused.problem) return [{ value: null, ...refused }];
   const { units, rest } = taken, texts = new Set([rest.replace(SLASH, "."), rest]);

@@ -335,6 +335,13 @@ def garbage(r):
     return r.choice(ENDS) + "".join(r.choices(PIECES, k=r.randrange(4))) + r.choice(ENDS)
 
 
+def test_blanks_round_a_text_do_not_make_it_long():
+    """A table of answers loses them, so that `grade` reads the text without."""
+    padded, long = read([" \n" + "0.5" + 3000 * " ", 600 * "0 "])
+    assert_read(padded, 0.5, "0.5")
+    assert long.problem == "long"
+
+
 @many
 @given(seeds)
 def test_garbage(seed):

@@ -7,8 +7,9 @@ from typing import Any
 
 from courseware.course import course
 from courseware.figures import Choice, Figure, Slider
+from courseware.symbols.live_numbers import start_text
 
-__all__ = ["digit_and_power", "get_names", "read_figure"]
+__all__ = ["digit_and_power", "get_names", "read_figure", "start_text"]
 
 
 def get_names(chapter: str) -> dict[str, Any]:

@@ -8,6 +8,8 @@ the gear at the right, *Cell Metadata*):
 A phrase must stand in the text once. The expression in braces is evaluated in the chapter's kernel
 after the cells above, with the reader's variables and the names of `book/prose.py`, and rounded
 once. Minus signs are true ones, except in an exponent of TeX.
+
+Phrases that follow a figure (`courseware/symbols/live_numbers.py`) get its numbers at the start.
 """
 
 import ast
@@ -53,13 +55,14 @@ def fill_numbers(cell: Any, where: str, answers: Answers) -> str:
     source = str(cell.source)
     for phrase in _phrases(cell):
         literals, asked = _parse_phrase(phrase)
-        new = literals[0]
+        new, pattern = literals[0], re.escape(literals[0])
         for literal in literals[1:]:
             number = texts.pop(0)
             new += (number if new.endswith("^{") else number.replace("-", "−")) + literal
+            pattern += NUMBER.join(map(re.escape, re.split(NUMBER, number))) + re.escape(literal)
         if not asked:
             raise ProseError(f"{where}: {phrase!r} has no {{expression}} to compute")
-        start, end = _find_phrase(phrase, source, where).span()
+        start, end = _find_phrase(phrase, pattern, source, where).span()
         source = source[:start] + new + source[end:]
     return source
 
@@ -80,9 +83,8 @@ def _parse_phrase(phrase: str) -> tuple[list[str], list[tuple[str, str]]]:
     return literals, asked
 
 
-def _find_phrase(phrase: str, source: str, where: str) -> re.Match[str]:
-    """Find a computed phrase in the text, with any numbers."""
-    pattern = NUMBER.join(map(re.escape, _parse_phrase(phrase)[0]))
+def _find_phrase(phrase: str, pattern: str, source: str, where: str) -> re.Match[str]:
+    """Find a computed phrase in the text, by its pattern with any numbers."""
     found = list(re.finditer(rf"(?<![\d.]){pattern}", source))
     if len(found) != 1:
         raise ProseError(
@@ -92,5 +94,12 @@ def _find_phrase(phrase: str, source: str, where: str) -> re.Match[str]:
     return found[0]
 
 
-def _phrases(cell: Any) -> Any:
-    return cell.metadata.get("numbers", {}).get("computed", [])
+def _phrases(cell: Any) -> list[str]:
+    """Return the phrases of a cell, live ones with expressions for the numbers of their figure."""
+    numbers = cell.metadata.get("numbers", {})
+    live = [
+        re.sub(r"{(\w+)}", rf"{{start_text('{figure}', '\1')}}", phrase)
+        for figure, phrases in numbers.get("live", {}).items()
+        for phrase in phrases
+    ]
+    return [*numbers.get("computed", []), *live]

@@ -39,14 +39,15 @@ export const stopClock = (live, i) => {
   if (controls[i].loops) live.resumeClock = null;
 };
 
-// A clock that loops runs while its picture is in sight, until a hand stops it.
+// A clock that loops runs while its picture is in sight and under no veil, until a hand stops it.
 export const followSight = (live) => {
   const i = live.figure.controls.findIndex(({ loops }) => loops);
   if (i < 0 || prefersReducedMotion()) return;
   let seen = false;
   live.resumeClock = () => {
-    if (seen && !live.tick) playClock(live, i, live.state[i]);
-    if (!seen) pauseClock(live);
+    const runs = seen && !live.element.matches(".rk-veiled");
+    if (runs && !live.tick) playClock(live, i, live.state[i]);
+    if (!runs) pauseClock(live);
   };
   new IntersectionObserver(([{ isIntersecting }]) => {
     seen = isIntersecting;

@@ -20,6 +20,9 @@ from courseware.practice.formatting import append_unit, format_number
 from courseware.units import UNITS, Unit, figure_unit, refuse_unknown
 
 Value = Any  # an expression, a matrix or tuple of them, or a function of no arguments
+LEFT, RIGHT = "too far to the left", "too far to the right"
+PLACED = (("", RIGHT, LEFT), ("", "too far up", "too far down"))  # along the axes of a picture
+TURNED = ("turned ", LEFT, RIGHT)
 
 
 @dataclass(frozen=True)
@@ -123,13 +126,19 @@ class Number(_Numbers):
 class Ghost(_Numbers):
     """A ghost to place in a live figure, which stands in the cell before.
 
+    A wrong place is answered with the way that it is off, "12 cm too far to the left", and another
+    try. After three tries, or 30 seconds after the first, each further one is also called warmer or
+    colder, and a button shows the answer.
+
     Args:
         figure: its name.
         places: those sliders of the figure that place the ghost; while the question is open, they
-            and their handles are all that can be moved.
+            and their handles are all that can be moved. A handle at two sliders makes the first one
+            left and right, the second one up and down; an angle is turned; another slider goes by
+            its label.
         then: the sliders' values after the answer.
         right: where the ghost belongs, a number for each slider.
-        tolerance: how far off still counts as right, in the units of the sliders.
+        tolerance: how far off each may be and still count as right, in the units of the sliders.
         assumptions: as for a number.
     """
 
@@ -162,6 +171,16 @@ class Ghost(_Numbers):
         controls = self.controls()
         return [controls[symbol][1].label or str(symbol) for symbol in self.places]
 
+    def ways(self) -> list[tuple[str, str, str]]:
+        """Return for each slider the words before an amount, and after too much and too little."""
+        found = {("rad", symbol): TURNED for symbol in self.places}
+        for handle in find_figure(self.figure).handles:
+            found |= {("m", at): way for at, way in zip(handle.at, PLACED, strict=False)}
+        return [
+            found.get((symbol.unit, symbol), (f"{label} ", "too large", "too small"))
+            for symbol, label in zip(self.places, self.labels(), strict=True)
+        ]
+
     def format_answer(self) -> str:
         pairs = zip(self.labels(), self.format(self.right), strict=True)
         return ", ".join(f"{label} {text}" for label, text in pairs)
@@ -171,9 +190,9 @@ class Ghost(_Numbers):
         controls = self.controls()
         return super().serialize() | {
             "kind": "ghost",
-            "figure": self.figure,
             "places": [controls[symbol][0] for symbol in self.places],
             "labels": self.labels(),
+            "ways": self.ways(),
             "then": {
                 controls[symbol][0]: figure_unit(symbol.unit).from_si(evaluate(value)[0])
                 for symbol, value in self.then.items()
@@ -196,6 +215,9 @@ class Prediction:
         explanation: the result in a sentence or two, Markdown with formulas.
         spoilers: words that give the answer away, besides the answer itself; a test holds that they
             stand nowhere above it in the chapter, and below it only in the fold.
+        veils: the name of a figure in the cell before, which waits for the answer: on the page its
+            picture stands still under a veil, "Answer, or show me". Without JavaScript, in print
+            and in a notebook there is no veil: the figure stands open, as at its start.
     """
 
     name: str
@@ -203,10 +225,22 @@ class Prediction:
     answers: Buttons | Number | Ghost
     explanation: str
     spoilers: tuple[str, ...] = ()
+    veils: str = ""
 
     def __post_init__(self) -> None:
         if not re.fullmatch("[a-z][a-z0-9-]*", self.name):
             raise CourseError(f"a prediction's name has small letters and dashes, got {self.name}")
+        if self.veils and isinstance(self.answers, Ghost):
+            raise CourseError(f"{self.name} asks for a ghost: its figure cannot be under a veil")
+
+    @property
+    def figure(self) -> str:
+        """The name of the figure that waits for the answer, or ""."""
+        return getattr(self.answers, "figure", self.veils)
+
+    def serialize(self) -> dict[str, Any]:
+        """Return what the script must know."""
+        return self.answers.serialize() | {"figure": self.figure}
 
 
 def evaluate(value: Value) -> list[float]:

@@ -2,7 +2,7 @@
 //
 // data: { kind: "buttons" | "number" | "ghost", right, wrong, … }, made by declaration.py. A guess
 // is the number of an option, or a list of numbers in the units that the reader sees; "shown"
-// where somebody wants to see without guessing.
+// where somebody wants to see without guessing. A figure may wait for the answer.
 
 import { STORE } from "../practice/constants.js";
 import { describeProblem } from "../practice/judging.js";
@@ -11,6 +11,8 @@ import { memory, readStored } from "../practice/storage.js";
 import { escapeHtml, formatNumber, renderSymbols, withUnit } from "../script/text.js";
 
 const SHOWN = "shown";
+const TRIES = 3; // to place a ghost, before there is more help
+const PATIENCE = 30_000; // ms, after the first try
 const GUESSES_KEY = `${STORE} guesses`;
 const GUESSES_NOT_KEPT = "This browser keeps nothing for this page: your guesses are forgotten when you leave it.";
 const GUESSES_KEPT = "Your guesses stay in this browser; nothing is sent.";
@@ -25,18 +27,29 @@ export const renderForm = ({ kind, options, units }) => `<form class="rk-guess">
     + `<button type="submit">Here</button>`
   : `<label>Your guess <input type="text" autocomplete="off" autocapitalize="off" spellcheck="false">`
     + `${units[0] ? ` ${escapeHtml(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`
-}<button type="button" class="rk-skip">Show without guessing</button></form>${renderOptions(options ?? [])}`
+}<button type="button" class="rk-skip"${kind === "ghost" ? " hidden" : ""}>Show me</button></form>${renderOptions(options ?? [])}`
   + `<p class="rk-said" role="status" tabindex="-1"></p>`;
 
 const describeGuess = ({ kind, options, labels, units }, guess) => kind === "buttons" ? options[guess]
   : guess.map((x, i) => `${labels[i]} ${withUnit(formatNumber(x, 3), units[i])}`.trim()).join(", ");
 
-// Whether a guess is what somebody else says; the direction of a ghost goes round.
-export const isSameGuess = ({ kind, near, units }, guess, other) => kind === "buttons" ? guess === other
-  : guess.every((x, i) => {
-    const off = Math.abs(x - other[i]), turn = off % 360;
-    return (kind === "ghost" && units[i] === "°" ? Math.min(turn, 360 - turn) : off) <= near;
-  });
+// By how much numbers are off; the direction of a ghost goes round.
+const offsets = ({ kind, units }, guess, other) => guess.map((x, i) => {
+  const off = x - other[i];
+  return kind === "ghost" && units[i] === "°" ? off - 360 * Math.round(off / 360) : off;
+});
+
+// Whether a guess is what somebody else says.
+export const isSameGuess = (data, guess, other) => data.kind === "buttons" ? guess === other
+  : offsets(data, guess, other).every((off) => Math.abs(off) <= data.near);
+
+// How a ghost is off: "12 cm too far to the left, turned 15° too far to the right".
+export const describeMiss = ({ near, ways, units }, offs) => offs.flatMap((off, i) => {
+  if (Math.abs(off) <= near) return [];
+  const [before, more, less] = ways[i], inCm = units[i] === "m" && near < 1;
+  const size = withUnit(formatNumber(Math.abs(off) * (inCm ? 100 : 1), 2), inCm ? "cm" : units[i]);
+  return [`${before}${size} ${off > 0 ? more : less}`];
+}).join(", ");
 
 const storeGuesses = (guesses) => memory.set(GUESSES_KEY, JSON.stringify(guesses));
 
@@ -62,36 +75,58 @@ class PredictionBox {
   constructor(element) {
     Object.assign(this, { element, name: element.id, data: JSON.parse(element.dataset.prediction) });
     this.fold = this.one(".rk-opens");
+    this.figure = document.getElementById(this.data.figure);
     this.one("form").addEventListener("submit", (event) => {
       event.preventDefault();
       this.guess();
     });
     this.buttons = [...element.querySelectorAll(".rk-guess button[value]")];
     this.buttons.forEach((button, k) => button.addEventListener("click", () => this.take(k)));
-    this.one(".rk-skip").addEventListener("click", () => {
-      this.take(SHOWN);
-      this.one(".rk-said").focus(); // the button is gone
-    });
+    this.one(".rk-skip").addEventListener("click", () => this.showMe());
+    // the figure may replace what is in it
+    this.figure?.addEventListener("click", ({ target }) => { if (target.closest(".rk-veil button")) this.showMe(); });
   }
 
   one(selector) { return this.element.querySelector(selector); }
 
-  // Work with the figure of a ghost once it can be moved.
+  // Work with the figure once it can be moved.
   withFigure(work) {
-    const figure = document.getElementById(this.data.figure);
+    const { figure } = this;
     if (figure?.courseware) work(figure.courseware);
     else figure?.addEventListener("courseware:drawn", () => setTimeout(() => work(figure.courseware)), { once: true });
+  }
+
+  showMe() {
+    this.take(this.tried ?? SHOWN);
+    this.one(".rk-said").focus(); // the button is gone
   }
 
   guess() {
     if (this.answered) return;
     const { kind, places, units } = this.data;
-    if (kind === "ghost") return this.withFigure(({ state }) => this.take(places.map((i) => state[i])));
+    if (kind === "ghost") {
+      this.patience ??= setTimeout(() => this.help(), PATIENCE);
+      return this.withFigure(({ state }) => this.place(places.map((i) => state[i])));
+    }
     const unknowns = [{ unit: units[0] }], readings = parseTyped(this.one("input").value, unknowns), [first] = readings;
     const found = readings.find(({ value }) => typeof value === "number");
     if (found) return this.take([found.value]);
     this.say(first.problem ? describeProblem(first, unknowns) : "Type one number.");
   }
+
+  // A ghost may be placed until it is right; with help, each try is compared with the last one.
+  place(guess) {
+    const { data } = this, offs = offsets(data, guess, data.right), far = Math.hypot(...offs);
+    if (this.answered || offs.every((off) => Math.abs(off) <= data.near)) return this.take(guess);
+    const trend = this.one(".rk-skip").hidden || far === this.far ? "" : far < this.far ? "Warmer: " : "Colder: ";
+    const miss = `${trend}${describeMiss(data, offs)}.`;
+    this.say(miss[0].toUpperCase() + miss.slice(1));
+    this.sayAssumption(guess);
+    Object.assign(this, { tried: guess, far, tries: this.tries + 1 });
+    if (this.tries >= TRIES) this.help();
+  }
+
+  help() { this.one(".rk-skip").hidden = false; }
 
   take(guess) {
     if (this.answered) return;
@@ -105,30 +140,36 @@ class PredictionBox {
   }
 
   open(guess) {
-    const { data, fold } = this, is = describeGuess(data, data.right);
+    const { data } = this, is = describeGuess(data, data.right);
     this.show(true, guess);
     if (guess === SHOWN) return this.say(`Shown: ${is}.`);
-    const right = isSameGuess(data, guess, data.right);
-    const wrong = right ? -1 : data.wrong.findIndex((other) => isSameGuess(data, guess, other));
-    const your = describeGuess(data, guess);
+    const right = isSameGuess(data, guess, data.right), your = describeGuess(data, guess);
     this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` Right: ${is}.`}`
       : `You said: ${your}. Right: ${is}.`);
-    if (wrong >= 0) {
-      const why = fold.querySelectorAll(".rk-assumes")[wrong].cloneNode(true);
-      why.innerHTML = why.innerHTML.replace(/“[^”]*”\? /, "");
-      this.one(".rk-said").append(why);
-    }
+    if (!right) this.sayAssumption(guess);
+  }
+
+  // What a usual wrong guess assumes.
+  sayAssumption(guess) {
+    const wrong = this.data.wrong.findIndex((other) => isSameGuess(this.data, guess, other));
+    if (wrong < 0) return;
+    const why = this.fold.querySelectorAll(".rk-assumes")[wrong].cloneNode(true);
+    why.innerHTML = why.innerHTML.replace(/“[^”]*”\? /, "");
+    this.one(".rk-said").append(why);
   }
 
   reset() {
     this.say("");
     if (this.one("input")) this.one("input").value = "";
     this.show(false, null);
+    if (this.data.kind !== "ghost") this.figure?.querySelector(".rk-reset")?.click();
   }
 
   show(answered, guess) {
     const { data, buttons, fold } = this;
-    Object.assign(this, { answered, taken: guess });
+    clearTimeout(this.patience);
+    Object.assign(this, { answered, taken: guess, tries: 0, tried: null, patience: null });
+    this.one(".rk-skip").hidden = data.kind === "ghost";
     this.element.classList.toggle("rk-answered", answered);
     fold.open = answered;
     buttons.forEach((button, k) => {
@@ -136,20 +177,31 @@ class PredictionBox {
       button.setAttribute("aria-disabled", answered);
       button.classList.toggle("rk-right", answered && k === data.right);
     });
-    if (data.kind !== "ghost") return;
-    this.showSliders();
+    if (data.kind !== "ghost") return this.veil();
+    this.lockControls();
     this.withFigure((live) => this.lockFigure(live));
+  }
+
+  // A figure that waits stands at its start under a veil.
+  veil() {
+    const { figure, answered, name } = this;
+    if (!figure) return;
+    figure.classList.toggle("rk-veiled", !answered);
+    figure.querySelectorAll(".rk-picture, .rk-panel").forEach((part) => { part.inert = !answered; });
+    figure.querySelector(".rk-veil")?.remove();
+    if (answered) return figure.courseware?.resumeClock?.();
+    figure.insertAdjacentHTML("beforeend", `<div class="rk-veil"><p><a href="#${name}">Answer</a>, or `
+      + `<button type="button">show me</button></p></div>`);
   }
 
   // While the question is open, the ghost is all that can be moved; then, all but the ghost.
   isMovable(i) { return this.data.places.includes(Number(i)) !== this.answered; }
 
-  // The sliders at once, not when the figure comes alive: what stands below it does not jump.
-  showSliders() {
-    const figure = document.getElementById(this.data.figure);
-    figure?.classList.toggle("rk-asked", !this.answered);
+  lockControls() {
+    const { figure, answered } = this;
+    figure?.querySelectorAll(".rk-readouts, .rk-buttons").forEach((part) => { part.inert = !answered; });
     figure?.querySelectorAll("[data-i]").forEach((hand) => {
-      hand.closest(".rk-control").hidden = !this.isMovable(hand.dataset.i);
+      hand.closest(".rk-control").inert = !this.isMovable(hand.dataset.i);
     });
   }
 
@@ -166,13 +218,16 @@ class PredictionBox {
   }
 }
 
-// A link to what is folded away opens it.
+// A link to what is folded away or under a veil opens it.
 const revealTarget = () => {
   const aim = document.getElementById(location.hash.slice(1).split("?")[0]), fold = aim?.closest(".rk-opens");
-  if (!fold) return;
-  fold.open = true;
-  fold.parentElement.classList.add("rk-answered");
-  aim.scrollIntoView();
+  const veil = aim?.querySelector(":scope > .rk-veil button");
+  veil?.click();
+  if (fold) {
+    fold.open = true;
+    fold.parentElement.classList.add("rk-answered");
+  }
+  if (fold || veil) aim.scrollIntoView();
 };
 
 export const startPredictions = () => {

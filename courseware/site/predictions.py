@@ -50,7 +50,7 @@ def render_prediction(renderer: Any, prediction: Prediction) -> Tag:
     explanation = markdown(prediction.explanation)
     fold = Tag("", summary, key, explanation, tag="details", data={}, classes=["rk-opens"])
     form = html(engine.call("courseware.renderForm", answers.serialize()))
-    data = {"data-prediction": json.dumps(answers.serialize(), ensure_ascii=False)}
+    data = {"data-prediction": json.dumps(prediction.serialize(), ensure_ascii=False)}
     box = Tag("", tag="div", data=data, ids=[prediction.name], classes=["rk-prediction"])
     box.extend([markdown(prediction.question), form, fold])
     return box

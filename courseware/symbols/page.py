@@ -72,7 +72,7 @@ def describe_symbol(symbol: NamedSymbol, chapter: str) -> list[str]:
 def rules() -> str:
     """Return CSS that colours letters as their quantities."""
     return "".join(
-        f'html[data-theme] :is(.katex, .highlight, .rk-named) [data-look="{kind}"] '
+        f'html[data-theme] :is(.katex, .highlight, .rk-named, p) [data-look="{kind}"] '
         f"{{ color: color-mix(in srgb, var(--rk-{kind}) 85%, currentcolor); }}\n"
         for kind in course().looks
     )

@@ -159,6 +159,22 @@ def test_computed_numbers_are_put_in():
     assert text == "Off by 12.5 and −3 cm; −40°; $10^{-7}$; {braces}."
 
 
+def test_live_numbers_are_those_of_an_untouched_figure(tmp_path):
+    live = {"tips": ["drives at {v} and {v_L};", "R is {R}."], "world": ["heading {theta}"]}
+    text = "It drives at 1 m/s and 2 m/s; R is −1 m. The heading 9°."
+    cell = new_markdown_cell(text, metadata={"numbers": {"live": live}})
+    (made,) = nbformat.reads(written(tmp_path, cell), as_version=4).cells
+    assert made.source == "It drives at 0.080 m/s and 0.040 m/s; R is 0.100 m. The heading 40°."
+
+
+def test_a_live_number_that_no_figure_shows_is_named(tmp_path):
+    cell = new_markdown_cell("At 1 m.", metadata={"numbers": {"live": {"tips": ["At {speed}"]}}})
+    with pytest.raises(
+        prose_numbers.ProseError, match=r"speed of the figure tips.* there are .*v_L"
+    ):
+        written(tmp_path, cell)
+
+
 @pytest.mark.parametrize(("phrase", "count"), [("So {v:.1f} km", 0), ("{v:.1f} cm", 2)])
 def test_a_phrase_that_does_not_stand_in_the_text_once_is_refused(phrase, count):
     cell = prose_cell("So 7.5 cm or 8.5 cm", [phrase])

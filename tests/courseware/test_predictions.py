@@ -10,7 +10,9 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
 from sympy import Float, Symbol
 
 from book.differential_drive import formulas
+from book.differential_drive.figures import guess_x, guess_y
 from book.differential_drive.formulas import b, v_L, v_R
+from book.motion.formulas import theta
 from courseware.errors import CourseError
 from courseware.figures import figure
 from courseware.predictions import Buttons, Ghost, Number, Prediction
@@ -136,15 +138,16 @@ def test_a_usual_wrong_guess_is_not_right(prediction):
 
 
 @each("prediction", "predictions", Prediction)
-def test_a_ghost_stands_in_the_figure_before(prediction):
-    if isinstance(prediction.answers, Ghost):
+def test_a_figure_that_waits_stands_before(prediction):
+    """The one of a ghost, and the one under a veil."""
+    if prediction.figure:
         chapter = course().chapters_of("predictions", Prediction)[prediction.name]
         cells = cells_of(chapter)
         place = next(i for i, cell in enumerate(cells) if prediction_of(cell) == prediction.name)
         outputs = [o.data for o in cells[place - 1].outputs if figure.MIME in o.get("data", {})]
         shown = [o[figure.MIME]["name"] for o in outputs]
-        assert shown == [prediction.answers.figure], (
-            f"show {prediction.answers.figure} in the cell before predictions.ask("
+        assert shown == [prediction.figure], (
+            f"show {prediction.figure} in the cell before predictions.ask("
             f'"{prediction.name}"), which shows {shown}'
         )
 
@@ -212,11 +215,32 @@ def test_in_a_notebook_the_answer_is_folded():
     assert data[MIME] == {"name": "rate"}
 
 
+WAYS = [
+    (("guess", guess_x, guess_y), [-0.12, 0.034], "12 cm too far to the left, 3.4 cm too far up"),
+    (("guess", guess_x, guess_y), [0.001, -0.5], "50 cm too far down"),
+    (("world", theta), [15], "turned 15° too far to the left"),
+    (("world", theta), [-170.4], "turned 170° too far to the right"),
+    (("tips", v_L), [0.02], "left wheel v_L 0.02 m/s too large"),
+]
+
+
+@pytest.mark.parametrize(("where", "offs", "told"), WAYS)
+def test_a_ghost_is_told_how_it_is_off(where, offs, told):
+    name, *places = where
+    right = formulas.speed.substitute(SPEEDS)
+    ghost = Ghost(name, tuple(places), {}, (right,) * len(places), 0.01)
+    assert engine.call("courseware.describeMiss", ghost.serialize(), offs) == told
+
+
 WRONG = {
     "a typed number": (lambda: Number("ω", "rad/s", right=0.5), "are computed"),
     "a function that types it": (lambda: Number("ω", "rad/s", right=lambda: 0.5), "are computed"),
     "one option": (lambda: Buttons(("left",), right="left"), "two to four"),
     "an unknown option": (lambda: Buttons(("left", "right"), right="up"), "up"),
+    "a ghost under a veil": (
+        lambda: Prediction("a", "", PREDICTIONS["where-after"].answers, "", veils="guess"),
+        "under a veil",
+    ),
     "a name with blanks": (lambda: Prediction("a b", "", SIDE.answers, ""), "letters and dashes"),
     "no such slider": (
         lambda: Ghost(

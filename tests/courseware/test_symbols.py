@@ -3,10 +3,12 @@
 import json
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from declared import EQUATIONS, FIGURES, course
+from sphinx.errors import ExtensionError
 from support import on_circle
 
 from courseware.course import get_members
@@ -15,9 +17,10 @@ from courseware.equations.quantities import NamedSymbol, quantity
 from courseware.equations.quantities import symbol as declare_symbol
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Slider
+from courseware.figures import figure as figures
 from courseware.script import engine
 from courseware.site.notation_page import notation_rows
-from courseware.symbols import lexicon
+from courseware.symbols import lexicon, live_numbers
 from courseware.symbols.formula_numbers import Slots, split_lines
 from courseware.symbols.lexicon import printed_tex, read_cells, read_outputs, scan_tex
 
@@ -274,3 +277,33 @@ def test_a_box_of_a_chapters_formulas_holds_all_of_them(chapter):
     ]
     for labels in boxes(chapter):
         assert labels == shown, f"run: make notebooks T={chapter}"
+
+
+def placed(text, shown="tips"):
+    """The text of a cell with a live number, as its page gets it."""
+    app = SimpleNamespace(env=SimpleNamespace(doc2path=lambda page: f"{page}.ipynb"))
+    output = {"data": {figures.MIME: {"name": shown}}}
+    metadata = {"numbers": {"live": {"tips": ["drives at {v}."]}}}
+    cells = [{"source": [text], "metadata": metadata}, {"metadata": {}, "outputs": [output]}]
+    content = [json.dumps({"cells": cells})]
+    live_numbers.place_slots(app, "differential_drive/differential_drive", content)
+    return json.loads(content[0])["cells"][0]["source"]
+
+
+def test_a_live_number_becomes_a_slot():
+    text = placed("It drives at 0.080 m/s.")
+    assert re.sub("<[^>]*>", "", text) == "It drives at 0.080 m/s."
+    assert 'data-of="tips"' in text
+    assert 'data-symbol="motion.v"' in text
+
+
+@pytest.mark.parametrize(
+    ("text", "shown", "told"),
+    [
+        ("It drives at 0.090 m/s.", "tips", "make notebooks"),
+        ("It drives at 0.080 m/s.", "world", "the figure tips, which is not there"),
+    ],
+)
+def test_a_live_number_that_is_stale_or_has_no_figure_is_refused(text, shown, told):
+    with pytest.raises(ExtensionError, match=told):
+        placed(text, shown=shown)

@@ -24,7 +24,7 @@ def visited(chromium, server, home):
     """The chapter on a first visit; it must stay quiet and at home."""
     with watched_page(chromium, server) as (page, watch):
         page.goto(home)
-        page.locator(f"#{GHOST} .rk-skip").wait_for()
+        page.locator(f"#{GHOST} form").wait_for()
         yield page
         assert not watch.errors + watch.strangers
 
@@ -34,6 +34,22 @@ def opened(chromium, server, home):
     """The chapter, which most tests share."""
     with visited(chromium, server, home) as page:
         yield page
+
+
+def place_wrongly(page, **places):
+    """Place the ghost somewhere, and return what is said of it; the question stays open."""
+    place_ghost(page, **places)
+    page.get_by_role("button", name="Here", exact=True).click()
+    assert not fold(page, GHOST).is_visible()
+    return said(page, GHOST).inner_text()
+
+
+def give_up(page, name=GHOST):
+    """Press what shows the answer; a ghost is placed three times before, where it starts."""
+    for _ in range(3 if name == GHOST else 0):
+        page.get_by_role("button", name="Here", exact=True).click()
+    page.locator(f"#{name} .rk-skip").focus()
+    page.keyboard.press("Enter")
 
 
 # as on a first visit, but for figures that are alive
@@ -87,18 +103,12 @@ def state(page):
     )
 
 
-def test_nothing_is_open_before_a_guess_and_a_ghost_is_shown_where_it_belongs(
-    chromium, server, home
-):
+def test_nothing_is_open_before_a_guess(chromium, server, home):
     with visited(chromium, server, home) as page:
         for name in (BUTTONS, NUMBER, GHOST):
             assert not fold(page, name).is_visible()
         assert page.get_by_text(INSIDE).is_hidden()  # a Markdown cell with the tag
         assert page.get_by_text("right 0.051 m/s").is_hidden()  # a code cell with the tag
-        page.locator(f"#{GHOST} .rk-skip").click()  # before its figure is alive
-        come_alive(page)
-        page.wait_for_function(f"() => Math.abs({FIGURE}.state[0] - {THERE[0]}) < 0.005")
-        assert state(page)["guess_y"] == pytest.approx(THERE[1], abs=0.005)
 
 
 def test_a_button_opens_what_belongs_to_it(page):
@@ -156,21 +166,23 @@ def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
     come_alive(page)
     labels = (
         "() => [...document.querySelectorAll('#guess .rk-control')]"
-        ".filter((c) => c.checkVisibility()).map((c) => c.querySelector('.rk-name').textContent)"
+        ".filter((c) => !c.inert).map((c) => c.querySelector('.rk-name').textContent)"
     )
-    page.wait_for_function("() => document.querySelector('#guess.rk-asked')")
+    page.wait_for_function("() => document.querySelector('#guess [inert]')")
     assert page.evaluate(labels) == ["x", "y"]
+    assert figure.locator(".rk-buttons").evaluate("(buttons) => buttons.inert")
     grip = figure.locator("circle[aria-label^='your guess']")
     grip.hover()
     box = grip.bounding_box()
     page.mouse.down()
     page.mouse.move(box["x"] + box["width"] / 2 - 40, box["y"], steps=3)
     page.mouse.up()
-    put = state(page)
+    put, height = state(page), figure.evaluate("({offsetHeight}) => offsetHeight")
     assert put["guess_x"] < 0.1  # where it was
-    page.get_by_role("button", name="Here", exact=True).click()
+    give_up(page)
     fold(page, GHOST).wait_for()
     then = state(page)
+    assert figure.evaluate("({offsetHeight}) => offsetHeight") == height
     assert {key: then[key] for key in ("guess_x", "guess_y")} == {
         key: put[key] for key in ("guess_x", "guess_y")
     }
@@ -185,15 +197,50 @@ def test_a_ghost_in_the_right_place_is_right(page):
     assert said(page, GHOST).inner_text().startswith("✓")
 
 
+def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):
+    x, y = THERE
+    assert place_wrongly(page, guess_x=x + 0.12, guess_y=y) == "12 cm too far to the right."
+    far = "10 cm too far to the left, 5 cm too far down."
+    assert place_wrongly(page, guess_x=x - 0.1, guess_y=y - 0.05).startswith(far)
+    straight = place_wrongly(page, guess_x=0, guess_y=0.15)
+    assert straight.endswith("That is straight on, as if it did not turn.")
+    assert page.evaluate("() => localStorage.getItem('robokin guesses')") in (None, "{}")
+
+
+def test_after_three_tries_it_is_warmer_or_colder_and_can_be_shown(page):
+    skip, (x, y) = page.locator(f"#{GHOST} .rk-skip"), THERE
+    for _ in range(3):
+        assert skip.is_hidden()
+        assert place_wrongly(page, guess_x=x + 0.1, guess_y=y).startswith("10 cm")
+    assert place_wrongly(page, guess_x=x, guess_y=y + 0.05) == "Warmer: 5 cm too far up."
+    assert place_wrongly(page, guess_x=x, guess_y=y + 0.07) == "Colder: 7 cm too far up."
+    skip.click()
+    assert fold(page, GHOST).is_visible()
+    assert said(page, GHOST).inner_text().startswith("You said: x −0.069 m, y 0.196 m.")
+
+
+def test_half_a_minute_after_the_first_try_there_is_the_same_help(chromium, server, home):
+    with watched_page(chromium, server) as (page, _):
+        page.clock.install(time=0)
+        page.goto(home)
+        page.clock.pause_at(60_000)
+        skip = page.locator(f"#{GHOST} .rk-skip")
+        assert place_wrongly(page, guess_x=0.1, guess_y=0.2)
+        page.clock.run_for(29_900)
+        assert skip.is_hidden()
+        page.clock.run_for(200)
+        assert skip.is_visible()
+        assert place_wrongly(page, guess_x=0.12, guess_y=0.2).startswith("Colder: ")
+
+
 def test_it_is_shown_without_a_guess_too(page):
     for again in (False, True):  # shown, forgotten, shown again
         for name in (BUTTONS, NUMBER, GHOST):
-            skip = page.locator(f"#{name} .rk-skip")
-            skip.focus()
-            page.keyboard.press("Enter")
+            come_alive(page)
+            give_up(page, name)
             assert fold(page, name).is_visible()
-            assert skip.is_hidden()
-            assert said(page, name).inner_text().startswith("Shown: ")
+            assert page.locator(f"#{name} .rk-skip").is_hidden()
+            assert said(page, name).inner_text().startswith(("Shown: ", "You said: "))
             assert page.evaluate("document.activeElement.className") == "rk-said"
         if again:
             page.reload()
@@ -206,7 +253,7 @@ def test_it_is_shown_without_a_guess_too(page):
 def test_guesses_are_kept_until_they_are_forgotten(page):
     page.get_by_role("button", name="to P", exact=True).click()
     place_ghost(page, guess_x=-0.2, guess_y=0.1)
-    page.get_by_role("button", name="Here", exact=True).click()
+    give_up(page)
     fold(page, GHOST).wait_for()
     kept = page.evaluate("() => JSON.parse(localStorage.getItem('robokin guesses'))")
     assert kept == {BUTTONS: 0, GHOST: [-0.2, 0.1]}  # as in earlier releases: who comes back has it
@@ -222,7 +269,7 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     assert not fold(page, BUTTONS).is_visible()
     assert not fold(page, GHOST).is_visible()
     page.reload()
-    page.locator(f"#{GHOST} .rk-skip").wait_for()
+    page.locator(f"#{GHOST} form").wait_for()
     assert not fold(page, BUTTONS).is_visible()
     assert page.evaluate("() => document.cookie") == ""
 

@@ -187,6 +187,21 @@ def test_the_numbers_of_a_formula_follow_the_hand(page):
         assert page.locator(results).first.text_content() == speed
 
 
+def test_a_number_in_a_sentence_follows_the_hand_in_its_own_room(page):
+    slot = page.locator(f"{STEP} p .rk-slot")
+    slider = page.locator(f'{STEP} .rk-control[data-symbol="{KEY}"] input')
+    speed = page.locator(f'{STEP} .rk-readouts [data-symbol="motion.v"] dd')
+    rooms = set()
+    for key in ("End", "Home"):
+        before = slider.get_attribute("aria-valuetext")
+        slider.press(key)
+        page.wait_for_function(FOLLOWED, arg=[STEP, KEY, before])
+        assert slot.text_content() == speed.text_content()
+        rooms.add(slot.bounding_box()["width"])
+    assert "−" in slot.text_content()
+    assert len(rooms) == 1  # with a minus, too
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_coloured_letters_can_be_read(page, scheme):
     """On the page, in a box, in code, and where they are lit: at least 4.5:1."""

@@ -1,0 +1,95 @@
+"""Numbers in sentences that follow a figure: "drives at 0.080 m/s".
+
+The text of a cell is plain, with the numbers of an untouched figure. Its metadata names the phrases
+that follow a figure, whose quantities (of its controls, readouts and named steps) stand in braces:
+
+    "numbers": {"live": {"tips": ["drives at {v}"]}}
+
+`make notebooks` writes the numbers, with their units; on the page each becomes a slot, as wide as
+the widest number that it may show, so that the sentence stands still.
+"""
+
+import json
+import re
+from html import escape
+
+from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
+
+from courseware.equations.quantities import find_kind
+from courseware.errors import CourseError
+from courseware.figures.figure import MIME, Figure, find_figure
+from courseware.script import engine
+from courseware.symbols import lexicon
+from courseware.symbols.formula_numbers import start_numbers
+
+FIELD = re.compile(r"{(\w+)}")
+# the longest text of a number at settings from all over the ranges of the controls
+WIDEST = """((figure, key, {numbersBySymbol, compute, settings}) => {
+  const spread = (k, i) => (k < 2 ? k : k * Math.sqrt(i + 1.3) % 1);
+  const choose = (k) => ({ type, options, low, high, start }, i) => type === "turns" ? start
+    : type === "choice" ? k % options.length : low + (high - low) * spread(k, i);
+  const texts = Array.from({ length: 200 }, (_, k) => {
+    const state = figure.controls.map(choose(k));
+    return numbersBySymbol(figure, state, compute(figure, settings(figure, state)))[key].text;
+  });
+  return texts.reduce((widest, text) => (text.length > widest.length ? text : widest));
+})"""
+
+
+def find_key(figure: Figure, name: str) -> str:
+    """Return the key of a quantity of a figure, by its name."""
+    keys = start_numbers(figure)
+    for key in keys:
+        if key.split(".")[1] == name:
+            return key
+    raise CourseError(
+        f"a sentence follows {name} of the figure {figure.name}, which shows no such quantity; "
+        f"there are {', '.join(keys)}"
+    )
+
+
+def start_text(figure: str, name: str) -> str:
+    """Return a quantity of an untouched figure with its unit, as a sentence shows it."""
+    found = find_figure(figure)
+    return str(start_numbers(found)[find_key(found, name)]["text"])
+
+
+def render_slot(figure: str, name: str, chapter: str) -> str:
+    """Return the number as HTML, which the script keeps up to date."""
+    found = find_figure(figure)
+    key = find_key(found, name)
+    kinds = (find_kind(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key == key)
+    widest = engine.run(f"{WIDEST}({found.code}, {json.dumps(key)}, courseware)")
+    face = f'data-symbol="{key}" data-look="{next(kinds, "")}" data-widest="{escape(widest)}"'
+    text = escape(start_text(figure, name))
+    return f'<span class="rk-slot" data-of="{figure}" data-result="1" {face}>{text}</span>'
+
+
+def place_slots(app: Sphinx, page: str, content: list[str]) -> None:
+    """Put slots in place of the live numbers of a page that is a notebook."""
+    if not app.env.doc2path(page).endswith(".ipynb"):
+        return
+    notebook = json.loads(content[0])
+    data = [output.get("data", {}) for c in notebook["cells"] for output in c.get("outputs", ())]
+    shown = {each[MIME]["name"] for each in data if MIME in each}
+    try:
+        for cell in notebook["cells"]:
+            for figure, phrases in cell["metadata"].get("numbers", {}).get("live", {}).items():
+                if figure not in shown:
+                    raise CourseError(f"a sentence follows the figure {figure}, which is not there")
+                for phrase in phrases:
+                    cell["source"] = _place(figure, phrase, "".join(cell["source"]), page)
+    except CourseError as error:
+        raise ExtensionError(f"{page}: {error}") from error
+    content[0] = json.dumps(notebook)
+
+
+def _place(figure: str, phrase: str, text: str, page: str) -> str:
+    """Replace the numbers of one phrase in a text."""
+    plain = FIELD.sub(lambda field: start_text(figure, field[1]), phrase)
+    if text.count(plain) != 1:
+        raise CourseError(f"“{plain}” does not stand there once: run `make notebooks`")
+    chapter = page.partition("/")[0]
+    slots = FIELD.sub(lambda field: render_slot(figure, field[1], chapter), phrase)
+    return text.replace(plain, slots)

@@ -38,10 +38,14 @@ class Course:
             has `light` and `dark` (its colour on a light and on a dark page), `dash` (lengths of
             line and gap), `width` and `marker` (dot, ring, cross, square or diamond).
         library: the package whose functions the chapters use.
+        materials: the `Materials` of the things in its figures.
     """
 
-    def __init__(self, package: str, name: str, looks: Mapping[str, Any], library: str) -> None:
+    def __init__(
+        self, package: str, name: str, looks: Mapping[str, Any], library: str, materials: Any
+    ) -> None:
         self.package, self.name, self.looks, self.library = package, name, looks, library
+        self.materials = materials
         self._declared: dict[tuple[str, type], dict[str, tuple[str, Any]]] = {}
 
     @cached_property
@@ -192,9 +196,11 @@ def _read_heading(notebook: Path) -> str:
 _open: list[Course] = []
 
 
-def open_course(package: str, name: str, looks: Mapping[str, Any], library: str) -> None:
+def open_course(
+    package: str, name: str, looks: Mapping[str, Any], library: str, materials: Any
+) -> None:
     """Make a course the one that `course()` returns."""
-    _open[:] = [Course(package, name, looks, library)]
+    _open[:] = [Course(package, name, looks, library, materials)]
 
 
 def course() -> Course:

@@ -16,7 +16,7 @@ from declared import each
 from courseware.course import course
 from courseware.equations import find_kind
 from courseware.equations.verification import evaluate_exactly
-from courseware.figures import Choice, Figure, QuarterTurns
+from courseware.figures import Choice, Figure, QuarterTurns, Thing
 from courseware.predictions import Ghost, Prediction
 from courseware.script import engine as script
 from courseware.units import figure_unit
@@ -246,7 +246,9 @@ def random_state(figure, random):
 
 
 def kind_of(figure, shape):
-    """Return the name of a shape's look."""
+    """Return the name of a shape's look; a thing has materials instead."""
+    if isinstance(shape, Thing):
+        return None
     symbolic = isinstance(shape.kind, sp.Symbol)
     home = HOMES[figure.name]
     return find_kind(shape.kind, home) if symbolic else shape.kind

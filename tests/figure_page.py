@@ -26,6 +26,7 @@ from figure_numbers import (
 from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, QuarterTurns
 from courseware.figures.compiler import coordinates
+from courseware.figures.figure import render_outlines
 from courseware.script import parts
 from courseware.units import figure_unit
 
@@ -219,7 +220,8 @@ def alone(chromium):
     def opened(figure, before=None, reduced_motion="reduce", **options):
         scripts = parts.bundle_page(parts.list_parts())
         start = f"<script>{scripts}courseware.startFigure({figure.code});</script>"
-        body = f"{style}{figure.render_html()}<p style='height: 3000px'>{start}"
+        body = f"{style}{render_outlines([figure])}{figure.render_html()}"
+        body += f"<p style='height: 3000px'>{start}"
         html = f"<!doctype html><meta charset='utf-8'>{body}"
         way = {"reduced_motion": reduced_motion, **options}
         with kept.page(None if before else HOME, before, **way) as (page, _):

@@ -36,6 +36,7 @@ from courseware.figures.shapes import (
     Wheel,
 )
 from courseware.figures.space import VIEW, bring_forward
+from courseware.figures.things import Gradient, Ground, Materials, Outline, Rim, Thing
 from courseware.script.parts import Part, register
 
 register(
@@ -64,17 +65,23 @@ __all__ = [
     "Disc",
     "Figure",
     "Goal",
+    "Gradient",
     "Graph",
+    "Ground",
     "Handle",
     "Label",
     "Length",
     "Line",
+    "Materials",
     "NamedSteps",
+    "Outline",
     "Point",
     "QuarterTurns",
     "Readout",
     "Recurrence",
+    "Rim",
     "Slider",
+    "Thing",
     "Trail",
     "Wheel",
     "assign",

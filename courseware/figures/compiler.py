@@ -3,10 +3,13 @@
 import json
 import math
 from collections.abc import Callable, Iterable, Sequence
+from hashlib import blake2b
+from itertools import groupby
 from typing import Any
 
 import sympy as sp
 
+from courseware.course import course
 from courseware.equations.quantities import (
     NamedSymbol,
     describe_symbols,
@@ -28,6 +31,7 @@ from courseware.figures.controls import (
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.javascript import Code, compile_javascript
 from courseware.figures.solids import Solid
+from courseware.figures.things import Outline, Rim, Thing
 from courseware.line_breaks import prevent_breaks
 from courseware.units import figure_unit
 
@@ -82,6 +86,7 @@ class Compiler:
         self.named = [symbol for symbol, _ in figure.where]
         self.known = [*self.before_where, *self.named]
         self.expressions: list[Any] = []
+        self.drawings: dict[str, list[Any]] = {}
 
     def compile_figure(self) -> dict[str, Any]:
         """Return the object that the script draws; the readouts' numbers come first."""
@@ -98,6 +103,8 @@ class Compiler:
             "controls": list(map(self.compile_control, figure.controls)),
             "readouts": list(map(self.compile_readout, figure.readouts)),
             "scene": list(map(self.compile_shape, figure.scene)),
+            "drawings": self.drawings,
+            "ground": _refuse_unknown_ground(figure.ground),
             "handles": list(map(self.compile_handle, figure.handles)),
             "goals": list(map(self.compile_goal, goals)),
             "follow": self.add(*coordinates(figure.follow)) or None,
@@ -119,6 +126,12 @@ class Compiler:
             return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
         letter = format_symbol(kind) if label is None else label
         return {"kind": find_kind(kind, self.chapter), "label": letter, "symbol": kind.key}
+
+    def find_material(self, kind: Any, label: str | None = None) -> dict[str, Any]:
+        """Return the look of a body, which may be a material, too."""
+        if kind in course().materials.tones:
+            return {"kind": kind, "label": ""}
+        return self.find_look(kind, label)
 
     def compile_control(self, control: Control) -> dict[str, Any]:
         """Return a control's data, in the unit that the reader sees."""
@@ -159,10 +172,13 @@ class Compiler:
 
     def compile_shape(self, shape: Any) -> dict[str, Any]:
         """Return a shape's data: its numbers by place, its curve as a function."""
+        if isinstance(shape, Thing):
+            return {"shape": "thing", "kind": "", "label": "", **self.compile_thing(shape)}
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
         name, numbers, fields = SHAPES[type(shape)]
-        data = self.find_look(shape.kind, getattr(shape, "label", ""))
+        find = self.find_material if isinstance(shape, Solid) else self.find_look
+        data = find(shape.kind, getattr(shape, "label", ""))
         if not data["kind"]:
             raise CourseError(
                 f"{shape.kind} has no look: add it to LOOKS in formulas.py of {self.chapter}, "
@@ -174,8 +190,37 @@ class Compiler:
         data |= {"shape": name, "at": self.add(*numbers(shape))}
         data |= {field: getattr(shape, field) for field in fields}
         for mesh in data.get("data", ()):
-            mesh["kind"] = self.find_look(mesh["kind"])["kind"]
+            mesh["kind"] = self.find_material(mesh["kind"])["kind"]
         return data | self.compile_trace(shape)
+
+    def compile_thing(self, thing: Thing, look: str = "") -> dict[str, Any]:
+        """Return a thing's data: places, and its outlines by their number in the picture."""
+        parts: list[Any] = []
+        group: Any
+        for kind, group in groupby(thing.parts, type):
+            if kind is Outline:
+                parts.append(self.find_drawing(*group))
+            else:
+                parts += [self.compile_moving(part, thing.look or look) for part in group]
+        data = {"at": self.add(*thing.at, thing.size), "parts": parts, "height": thing.height}
+        if thing.height or thing.look or look:
+            data["silhouette"] = self.find_drawing(Outline(thing.silhouette or ""))
+        return data | {"look": thing.look}
+
+    def compile_moving(self, part: Rim | Thing, look: str) -> dict[str, Any]:
+        """Return the data of a part that moves in its thing."""
+        if isinstance(part, Thing):
+            return self.compile_thing(part, look)
+        rim = [part.radius, part.count, part.thickness]
+        drawing = self.find_drawing(*part.outlines)
+        return {"at": self.add(part.roll), "rim": rim, "drawing": drawing}
+
+    def find_drawing(self, *outlines: Outline) -> str:
+        """Return the id of outlines; the same ones are drawn once."""
+        drawing = list(map(_compile_outline, outlines))
+        name = f"rk-{blake2b(repr(drawing).encode(), digest_size=4).hexdigest()}"
+        self.drawings[name] = drawing
+        return name
 
     def compile_trace(self, shape: Any) -> dict[str, Any]:
         """Return the function along a curve or a trail; nothing for other shapes."""
@@ -251,6 +296,24 @@ class Compiler:
 
     def _compile(self, expressions: Sequence[Any], **more: Sequence[sp.Symbol]) -> Code:
         return compile_javascript({"c": self.known, **more}, expressions)
+
+
+def _compile_outline(outline: Outline) -> list[Any]:
+    materials = course().materials
+    for name in filter(None, (outline.fill, outline.edge)):
+        if name not in {*materials.tones, *materials.gradients, *course().looks}:
+            raise CourseError(
+                f"there is no material {name!r}; there are {', '.join(materials.tones)}, "
+                f"{', '.join(materials.gradients)}"
+            )
+    return [outline.path, outline.fill, outline.edge, outline.width, outline.opacity]
+
+
+def _refuse_unknown_ground(name: str) -> str:
+    grounds = course().materials.grounds
+    if name and name not in grounds:
+        raise CourseError(f"there is no ground {name!r}; there are {', '.join(grounds)}")
+    return name
 
 
 def _unit(unit: str) -> dict[str, Any]:

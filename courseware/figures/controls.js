@@ -2,6 +2,7 @@
 
 import { escapeHtml, renderSymbols } from "../script/text.js";
 import { formatControl, formatReadout } from "./figure_text.js";
+import { renderAttributes } from "./nodes.js";
 import { renderTurns } from "./quarter_turns.js";
 import { renderPicture } from "./scene.js";
 import { compute, settings, startState } from "./state.js";
@@ -9,7 +10,7 @@ import { stroke, symbolData } from "./svg.js";
 
 const renderName = ({ kind, label: words }) => {
   const swatch = kind ? `<svg class="rk-swatch" width="26" height="8" aria-hidden="true">`
-    + `<path d="M0 4H26" ${stroke(kind)}/></svg>` : "";
+    + `<path d="M0 4H26" style="${stroke(kind)}"/></svg>` : "";
   const name = renderSymbols(words).replace(/(^|[^\d] )(Δ?\p{L})$/u, "$1<i>$2</i>"); // a letter at the end, no unit
   return `<span class="rk-name">${swatch}${name}</span>`;
 };
@@ -27,14 +28,14 @@ const renderButton = (kind, words, title, data = "") =>
 const renderSlider = (control, i, title) => {
   const play = control.type === "clock" ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
   const shown = formatControl(control, control.start);
-  return `<div class="rk-control"${symbolData(control)}>${play}<label>${renderName(control)}`
+  return `<div class="rk-control"${renderAttributes(symbolData(control))}>${play}<label>${renderName(control)}`
     + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
 };
 
 const renderReadout = (readout, value) =>
-  `<div${symbolData(readout)}><dt>${renderName(readout)}</dt><dd>${escapeHtml(formatReadout(readout, value))}</dd></div>`;
+  `<div${renderAttributes(symbolData(readout))}><dt>${renderName(readout)}</dt><dd>${escapeHtml(formatReadout(readout, value))}</dd></div>`;
 
 const renderGoal = ({ words }) => `<p class="rk-goal">${renderSymbols(words)} <output></output></p>`;
 

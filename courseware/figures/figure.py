@@ -1,6 +1,7 @@
 """A live figure: its declaration, its compiled form, and how a notebook shows it."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
@@ -57,6 +58,7 @@ class Figure:
         seen_from: azimuth and elevation at first, of a picture with shapes of `VIEW`: the view's
             sliders are then its last controls, and dragging its ground turns it.
         grid: whether the flat ground shows x, y in m.
+        ground: one of the course's grounds, with tiles and a scale bar instead of the grid.
         goal: a Goal for the reader or several; none is reached at the start.
         follow: a point that the view moves along with, so that it stays inside.
         size: "step" or "laboratory", or "" for a larger one. With all that stands beside the
@@ -75,6 +77,7 @@ class Figure:
     where: Where = ()
     seen_from: tuple[float, float] = (np.pi / 6, np.pi / 9)
     grid: bool = True
+    ground: str = ""
     goal: Goal | tuple[Goal, ...] = ()
     follow: Place = ()
     size: str = "step"
@@ -123,15 +126,15 @@ class Figure:
         return [symbol for control in self.controls for symbol in control.symbols]
 
     @cached_property
-    def _compiled(self) -> tuple[str, list[Any]]:
+    def _compiled(self) -> tuple[dict[str, Any], list[Any]]:
         chapter = course().chapters_of("figures", Figure).get(self.name, "")
         try:
             compiler = Compiler(self, chapter)
-            script = serialize(compiler.compile_figure())
-            self._refuse_idle_controls(script)
+            data = compiler.compile_figure()
+            self._refuse_idle_controls(serialize(data))
         except CourseError as error:
             raise CourseError(f"in the figure {self.name}, {error}") from error
-        return script, compiler.expressions
+        return data, compiler.expressions
 
     def _refuse_idle_controls(self, script: str) -> None:
         used = {int(place) for place in re.findall(r"\bc\[(\d+)\]", script)}
@@ -144,7 +147,17 @@ class Figure:
     @property
     def code(self) -> str:
         """The compiled figure: a JavaScript object, data and functions, no renderer."""
-        return self._compiled[0]
+        return serialize(self._compiled[0])
+
+    @property
+    def page_code(self) -> str:
+        """The compiled figure without its outlines, which stand once on a page."""
+        return serialize(self._compiled[0] | {"drawings": None})
+
+    @property
+    def drawings(self) -> dict[str, list[Any]]:
+        """The outlines of its things, by their ids."""
+        return dict(self._compiled[0]["drawings"])
 
     @property
     def expressions(self) -> list[Any]:
@@ -176,10 +189,10 @@ class Figure:
 
     def render_contents(self) -> str:
         """Return the picture and its panel as HTML, as before the script takes them over."""
-        return str(engine.run(f"courseware.renderFigure({self.code})"))
+        return str(engine.run(f"courseware.renderFigure({self.page_code})"))
 
     def render_html(self) -> str:
-        """Return the element that stands on a page, which the script brings to life."""
+        """Return the element that stands on a page with its outlines; the script moves it."""
         start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}"'
         return f'{start} aria-label="{escape(self.title)}">{self.render_contents()}</figure>\n'
 
@@ -195,6 +208,12 @@ class Figure:
         return self.widget.render_output(others)
 
 
+def render_outlines(figures: Iterable[Figure]) -> str:
+    """Return what a page with these figures needs once: the outlines of all their things."""
+    drawings = {name: drawing for figure in figures for name, drawing in figure.drawings.items()}
+    return str(engine.call("courseware.renderOutlines", drawings))
+
+
 def inline_colors(svg: str) -> str:
     """Replace a page's colours in a picture by their values, for where there is no style."""
     svg = re.sub(r"var\(--[\w-]+,([^)]+)\)", r"\1", svg)
@@ -203,11 +222,13 @@ def inline_colors(svg: str) -> str:
 
 def compact_svg(svg: str) -> str:
     """Inline a picture's colours, and round its lines to pixels, so that notebooks stay small."""
-    return re.sub(
+    in_metres, end, in_pixels = inline_colors(svg).rpartition("</defs>")
+    rounded = re.sub(
         r'(?<= d=")[^"]+',
         lambda line: re.sub(r"-?\d+\.\d+", lambda n: f"{float(n[0]):.0f}", line[0]),
-        inline_colors(svg),
+        in_pixels,
     )
+    return in_metres + end + rounded
 
 
 def _mix(found: re.Match[str]) -> str:

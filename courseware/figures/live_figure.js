@@ -1,6 +1,7 @@
 import { followClock, followSight, followTurns } from "./clock.js";
 import { addHandles, describeHandle, followControls, followGround, followReset, placeHandles } from "./dragging.js";
 import { describeFigure, describeState, formatControl, formatReadout, numbersBySymbol } from "./figure_text.js";
+import { updateNodes } from "./nodes.js";
 import { heightOf, renderScene, widthOf } from "./scene.js";
 import { compute, settings, startState } from "./state.js";
 import { px } from "./svg.js";
@@ -18,7 +19,8 @@ export class LiveFigure {
   constructor(element, figure, changed = () => {}) {
     Object.assign(this, { element, figure, changed });
     this.picture = element.querySelector(".rk-picture svg");
-    this.drawing = this.picture.querySelector("g");
+    this.drawing = this.picture.querySelector("[role=img]");
+    this.nodes = ""; // what is drawn
     this.inputs = this.all(":is(input, select)[data-i]");
     this.state = startState(figure);
     this.width = widthOf(figure);
@@ -79,7 +81,9 @@ export class LiveFigure {
     this.drawn = 0;
     this.computed = compute(this.figure, settings(this.figure, this.state));
     if (this.held?.view) this.computed.view = this.held.view; // a view that follows waits for a hand
-    this.drawing.innerHTML = renderScene(this.figure, this.computed, this.width, this.state);
+    const nodes = renderScene(this.figure, this.computed, this.width, this.state);
+    updateNodes(this.drawing, nodes, this.nodes);
+    this.nodes = nodes;
     this.drawHandles();
     this.writeGoals();
     this.writeReadouts();

@@ -1,12 +1,15 @@
 // The whole picture of a figure as SVG.
 
 import { escapeHtml, fillTemplate } from "../script/text.js";
-import { describeFigure, formatFixed, textsByKey } from "./figure_text.js";
-import { overlaps, placeLabels } from "./labels.js";
+import { describeFigure, textsByKey } from "./figure_text.js";
+import { renderGround, renderScale, toneOf } from "./grounds.js";
+import { placeLabels } from "./labels.js";
+import { renderNodes } from "./nodes.js";
 import { arrowToOutside, SHAPES } from "./shapes.js";
 import { drawSolid, isCovered } from "./solids.js";
 import { compute, settings, startState } from "./state.js";
-import { color, px, stroke, symbolData } from "./svg.js";
+import { px, symbolData } from "./svg.js";
+import { drawThing, renderOwnDefs } from "./things.js";
 
 // Pixels, before a page tells how wide it is.
 export const widthOf = ({ size }) => (size === "step" ? 460 : 640);
@@ -21,66 +24,47 @@ export const createProjection = (view, width) => {
 
 export const heightOf = ({ view }, width) => px(width * (view[3] - view[2]) / (view[1] - view[0]));
 
-// A number of the grid gives way to all labels.
-const renderGridNumber = (taken, x, y, words, anchor = "start") => {
-  const left = anchor === "end" ? x - 6.2 * words.length : x;
-  return taken.some(overlaps([left, y - 11, left + 6.2 * words.length, y + 3])) ? ""
-    : `<text x="${px(x)}" y="${px(y)}" text-anchor="${anchor}" `
-    + `style="fill:${color("text")};fill-opacity:.7;font:11px sans-serif">${words}</text>`;
-};
+const EDGES = { "stroke-width": 1.5, "stroke-linecap": "round" }; // of solids
+const DRAWN = { ...SHAPES, solid: drawSolid, thing: drawThing };
 
-const renderGrid = (view, to, width, height, taken) => {
-  const rough = (view[1] - view[0]) / 6, power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= rough * 0.99);
-  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  let lines = "", numbers = "";
-  for (let k = Math.ceil(view[0] / step); k * step <= view[1]; k++) {
-    const [x] = to([k * step, 0]).map(px);
-    lines += `M${x} 0V${px(height)}`;
-    if (x > 40 && x < width - 72) numbers += renderGridNumber(taken, x + 3, height - 5, formatFixed(k * step, digits));
-  }
-  for (let k = Math.ceil(view[2] / step); k * step <= view[3]; k++) {
-    const [, y] = to([0, k * step]).map(px);
-    lines += `M0 ${y}H${px(width)}`;
-    if (y > 20 && y < height - 30) numbers += renderGridNumber(taken, 4, y - 3, formatFixed(k * step, digits));
-  }
-  return `<path d="${lines}" ${stroke("grid")}/>${numbers}`
-    + renderGridNumber(taken, width - 5, height - 5, "x, y in m", "end");
-};
-
-const DRAWN = { ...SHAPES, solid: drawSolid };
-
+// Each shape is a node of its own, so that one that rests is not touched. Those with a depth change
+// places among themselves, the nearest is painted last: all stand where the first of them is.
 export const renderScene = (figure, computed, width, state) => {
-  const { view } = computed, to = createProjection(view, width);
-  const texts = textsByKey(figure, state, computed);
+  const { view, values } = computed, to = createProjection(view, width);
+  const texts = textsByKey(figure, state, computed), deep = [];
   const height = to.scale * (view[3] - view[2]);
-  const pieces = figure.scene.flatMap((declared) => {
+  let first; // of the shapes with a depth
+  const nodes = figure.scene.map((declared, i) => {
     const shape = { ...declared, label: fillTemplate(declared.label, texts) };
-    const at = shape.at.map((index) => computed.values[index]);
-    const depth = "depth" in shape ? computed.values[shape.depth] : 0;
-    if (![...at, depth].every(Number.isFinite)) return [];
+    const at = shape.at.map((index) => values[index]), isDeep = "depth" in shape;
+    const depth = isDeep ? values[shape.depth] : 0, node = ["g", symbolData(shape), []];
+    if (![...at, depth].every(Number.isFinite)) return node;
     const seen = shape.edge && shape.label && figure.grid !== false;
     const drawn = (seen && arrowToOutside(at, shape, to, [width, height]))
-      || DRAWN[shape.shape](at, shape, to, computed);
-    if (typeof drawn !== "string") return drawn; // in space, and of no quantity
-    const text = shape.symbol ? `<g${symbolData(shape)}>${drawn}</g>` : drawn;
-    return "depth" in shape ? { text, depth } : { text };
+      || DRAWN[shape.shape](at, shape, to, computed, figure);
+    if (!drawn.pieces && !isDeep) node[2] = drawn;
+    else {
+      first ??= i;
+      node[1] = EDGES; // the pieces of all stand in one of them
+      deep.push(...(drawn.pieces ?? [{ nodes: [["g", symbolData(shape), drawn]], depth }]));
+    }
+    return node;
   });
-  // those with a depth change places among themselves: the nearest is painted last
-  const deep = pieces.filter((piece) => "depth" in piece).sort((a, b) => a.depth - b.depth);
-  to.labels = to.labels.filter((one) => !isCovered(one, computed.values[one.shape.depth], deep));
-  const grips = figure.handles.map(({ at }) => to(at.map((index) => computed.values[index])));
+  to.labels = to.labels.filter((one) => !isCovered(one, values[one.shape.depth], deep));
+  const scale = renderScale(figure, view, to, height);
+  const grips = figure.handles.map(({ at }) => to(at.map((index) => values[index])));
   const [labels, taken] = placeLabels(to, grips, [width, height]);
-  const ground = figure.grid === false ? "" : renderGrid(view, to, width, height, taken);
-  return ground + pieces.map((piece) => ("depth" in piece ? deep.shift() : piece).text).join("")
-    + labels;
+  if (deep.length) nodes[first][2] = deep.sort((a, b) => a.depth - b.depth).flatMap((piece) => piece.nodes);
+  return [["g", {}, renderGround(figure, view, to, [width, height], taken)], ...nodes,
+    ["g", {}, scale], ["g", {}, labels]];
 };
 
 export const renderPicture = (figure, state = startState(figure), width = widthOf(figure)) => {
   const computed = compute(figure, settings(figure, state)), height = heightOf(figure, width);
+  const around = figure.ground ? ` style="--rk-ground:${toneOf(figure)}"` : "";
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" `
-    + `width="${width}" height="${height}">`
+    + `width="${width}" height="${height}"${around}>${renderOwnDefs(figure)}`
     + `<rect width="100%" height="100%" style="fill:var(--rk-ground,#fff)"/>`
     + `<g role="img" aria-label="${escapeHtml(describeFigure(figure, state, computed))}">`
-    + `${renderScene(figure, computed, width, state)}</g></svg>`;
+    + `${renderNodes(renderScene(figure, computed, width, state))}</g></svg>`;
 };

@@ -1,26 +1,25 @@
-// The shapes of a picture as SVG.
+// The shapes of a picture as nodes.
 
 import { KINDS } from "./constants.js";
 import { formatFixed } from "./figure_text.js";
 import { functions } from "./formula_functions.js";
 import { addLabel } from "./labels.js";
-import { color, fill, polyline, px, stroke } from "./svg.js";
+import { casing, color, fill, headCasing, path, polyline, px, stroke } from "./svg.js";
+
+const SOLID = ";stroke-dasharray:none";
+const circle = (x, y, r, style) => ["circle", { cx: px(x), cy: px(y), r: px(r), style }];
 
 const MARKERS = {
-  dot: (x, y, kind) => `<circle cx="${x}" cy="${y}" r="4.5" ${fill(kind)}/>`,
-  ring: (x, y, kind) => `<circle cx="${x}" cy="${y}" r="6" ${stroke(kind, ";stroke-width:2.5")}/>`,
-  square: (x, y, kind) => `<rect x="${px(x - 4)}" y="${px(y - 4)}" width="8" height="8" ${fill(kind)}/>`,
-  diamond: (x, y, kind) =>
-    `<path d="M${x} ${px(y - 6)}l6 6l-6 6l-6 -6z" ${fill(kind)}/>`,
-  cross: (x, y, kind) => `<path d="M${px(x - 6)} ${px(y - 6)}l12 12m0 -12l-12 12" `
-    + `${stroke(kind, ";stroke-width:3;stroke-dasharray:none")}/>`,
+  dot: (x, y, kind) => circle(x, y, 4.5, fill(kind)),
+  ring: (x, y, kind) => circle(x, y, 6, stroke(kind, ";stroke-width:2.5")),
+  square: (x, y, kind) => path(`M${px(x - 4)} ${px(y - 4)}h8v8h-8z`, fill(kind)),
+  diamond: (x, y, kind) => path(`M${px(x)} ${px(y - 6)}l6 6l-6 6l-6 -6z`, fill(kind)),
+  cross: (x, y, kind) => path(`M${px(x - 6)} ${px(y - 6)}l12 12m0 -12l-12 12`, stroke(kind, `;stroke-width:3${SOLID}`)),
 };
 
 // In space a line leaves a gap in what it passes in front of.
-const renderGap = (line, kind) => `<path d="${line}" style="fill:none;stroke:var(--rk-ground,#fff);`
-  + `stroke-width:${KINDS[kind].width + 4}"/>`;
-const strokePath = (line, shape, extra) => ("depth" in shape ? renderGap(line, shape.kind) : "")
-  + `<path d="${line}" ${stroke(shape.kind, extra)}/>`;
+const strokePath = (line, shape, extra) =>
+  [...("depth" in shape ? [path(line, casing(shape.kind))] : []), path(line, stroke(shape.kind, extra))];
 
 // A curve in space, near here and far there: pieces, each with the depth of its middle. The dashes
 // run on from piece to piece.
@@ -30,99 +29,100 @@ const cutCurve = (points, depths, kind, size = 4) => {
     const piece = points.slice(i, i + size + 1);
     const offset = KINDS[kind].dash.length ? `;stroke-dashoffset:${px(run)}` : "";
     const depth = depths[i + (piece.length >> 1)];
-    const text = strokePath(polyline(piece), { kind, depth }, offset);
-    if (Number.isFinite(depth)) pieces.push({ text, depth });
+    if (Number.isFinite(depth)) pieces.push({ nodes: strokePath(polyline(piece), { kind, depth }, offset), depth });
     piece.slice(1).forEach(([x, y], k) => {
       run += Math.sqrt((x - piece[k][0]) ** 2 + (y - piece[k][1]) ** 2);
     });
   }
-  return pieces;
+  return { pieces };
 };
 
 const toPoints = (p) => p.flatMap((x, i) => (i % 2 ? [] : [[x, p[i + 1]]]));
 
-const transformTo = (x, y, angle) =>
-  `transform="translate(${x} ${y}) rotate(${px(-angle * 180 / Math.PI)})"`;
+const place = (x, y, angle) => `translate(${px(x)} ${px(y)}) rotate(${px(-angle * 180 / Math.PI)})`;
 
 // A labelled point outside the picture: an arrowhead at the edge, on the way to it from the origin
 // (from the middle, if that is outside, too), and how far from the origin it is.
 export const arrowToOutside = (p, shape, to, [width, height]) => {
   const [x, y] = to(p), inside = (a, b) => a > 0 && a < width && b > 0 && b < height;
-  if (inside(x, y)) return "";
+  if (inside(x, y)) return null;
   const [x0, y0] = inside(...to([0, 0])) ? to([0, 0]) : [width / 2, height / 2];
   const long = Math.sqrt((x - x0) ** 2 + (y - y0) ** 2), [ux, uy] = [(x - x0) / long, (y - y0) / long];
   const across = ((ux > 0 ? width : 0) - x0) / ux, down = ((uy > 0 ? height : 0) - y0) / uy;
   const way = Math.min(ux ? across : Infinity, uy ? down : Infinity) - 3;
   const [ex, ey] = [x0 + way * ux, y0 + way * uy], off = Math.sqrt(p[0] ** 2 + p[1] ** 2);
   const away = off < 1e4 ? `${formatFixed(off, off < 1 ? 2 : off < 10 ? 1 : 0)} m` : "far away";
-  const far = { ...shape, label: `${shape.label} ${away}` };
-  return `<path class="rk-beyond" d="M${px(ex)} ${px(ey)}L${px(ex - 13 * ux - 6 * uy)} `
-    + `${px(ey - 13 * uy + 6 * ux)}L${px(ex - 13 * ux + 6 * uy)} ${px(ey - 13 * uy - 6 * ux)}z" `
-    + `${fill(shape.kind)}/>${addLabel(to, ex - 13 * ux, ey - 13 * uy, far, [-ux, -uy])}`;
+  addLabel(to, ex - 13 * ux, ey - 13 * uy, { ...shape, label: `${shape.label} ${away}` }, [-ux, -uy]);
+  const head = `M${px(ex)} ${px(ey)}L${px(ex - 13 * ux - 6 * uy)} ${px(ey - 13 * uy + 6 * ux)}`
+    + `L${px(ex - 13 * ux + 6 * uy)} ${px(ey - 13 * uy - 6 * ux)}z`;
+  return [["path", { d: head, style: fill(shape.kind), class: "rk-beyond" }]];
 };
 
 // Each shape gets its numbers (`at`, already in world units), the declaration, and `to`, which
 // takes world coordinates to pixels. Angles on the screen run the other way (y points down).
 export const SHAPES = {
   point: (p, shape, to) => {
-    const [x, y] = to(p).map(px);
-    return MARKERS[KINDS[shape.kind].marker](x, y, shape.kind)
-      + addLabel(to, x, y, shape);
+    const [x, y] = to(p);
+    addLabel(to, x, y, shape);
+    return [MARKERS[KINDS[shape.kind].marker](x, y, shape.kind)];
   },
   line: (p, shape, to) => strokePath(polyline(toPoints(p).map(to)), shape),
   arrow: (p, shape, to) => {
     const [x0, y0] = to(p), [x1, y1] = to([p[2], p[3]]);
     const long = Math.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2);
-    if (long < 0.5) return "";
-    const head = Math.min(11, long), [ux, uy] = [(x1 - x0) / long, (y1 - y0) / long];
-    const [bx, by] = [x1 - head * ux, y1 - head * uy], w = head * 0.42;
-    return strokePath(`M${px(x0)} ${px(y0)}L${px(bx)} ${px(by)}`, shape)
-      + `<path d="M${px(x1)} ${px(y1)}L${px(bx - w * uy)} ${px(by + w * ux)}`
-      + `L${px(bx + w * uy)} ${px(by - w * ux)}z" ${fill(shape.kind)}/>`
-      + addLabel(to, x1, y1, shape, [ux, uy]);
+    if (long < 0.5) return [];
+    const tip = Math.min(11, long), [ux, uy] = [(x1 - x0) / long, (y1 - y0) / long];
+    const [bx, by] = [x1 - tip * ux, y1 - tip * uy], w = tip * 0.42;
+    const stem = `M${px(x0)} ${px(y0)}L${px(bx)} ${px(by)}`;
+    const head = `M${px(x1)} ${px(y1)}L${px(bx - w * uy)} ${px(by + w * ux)}`
+      + `L${px(bx + w * uy)} ${px(by - w * ux)}z`;
+    addLabel(to, x1, y1, shape, [ux, uy]);
+    return [path(stem, casing(shape.kind)), path(head, headCasing),
+      path(stem, stroke(shape.kind)), path(head, fill(shape.kind))];
   },
   wheel: (p, shape, to) => {
-    const [x, y] = to(p).map(px), [w, h] = [shape.length * to.scale, shape.width * to.scale];
-    const gap = w / 4, shift = to.scale * p[3], treads = [0, 1, 2, 3]
+    const [w, h] = [shape.length * to.scale, shape.width * to.scale], gap = w / 4, shift = to.scale * p[3];
+    const treads = [0, 1, 2, 3]
       .map((k) => `M${px(((k * gap + shift) % w + w) % w - w / 2)} ${px(-h / 2)}v${px(h)}`);
-    return `<g ${transformTo(x, y, p[2])} style="fill:${color(shape.kind)};fill-opacity:.35;`
-      + `stroke:${color(shape.kind)};stroke-width:2"><rect x="${px(-w / 2)}" y="${px(-h / 2)}" `
-      + `width="${px(w)}" height="${px(h)}" rx="2"/>`
-      + `<path d="${w > 16 ? treads.join("") : ""}" style="stroke-width:1"/></g>`;
+    const style = `fill:${color(shape.kind)};fill-opacity:.35;stroke:${color(shape.kind)};stroke-width:2`;
+    return [["g", { transform: place(...to(p), p[2]), style }, [
+      ["rect", { x: px(-w / 2), y: px(-h / 2), width: px(w), height: px(h), rx: 2 }],
+      path(w > 16 ? treads.join("") : "", "stroke-width:1"),
+    ]]];
   },
   disc: (p, shape, to) => {
-    const [x, y] = to(p).map(px), r = shape.radius * to.scale;
+    const r = shape.radius * to.scale;
     const spokes = Array.from({ length: 5 }, (_, k) => {
       const turn = 2 * Math.PI * k / 5;
       return `M0 0L${px(r * Math.cos(turn))} ${px(-r * Math.sin(turn))}`;
     });
-    return `<g ${transformTo(x, y, p[2])} style="fill:${color(shape.kind)};fill-opacity:.15;`
-      + `stroke:${color(shape.kind)};stroke-width:2"><circle r="${px(r)}" style="stroke-width:4"/>`
-      + `<path d="${spokes.join("")}"/><circle r="4" style="fill-opacity:1"/></g>`;
+    const style = `fill:${color(shape.kind)};fill-opacity:.15;stroke:${color(shape.kind)};stroke-width:2`;
+    return [["g", { transform: place(...to(p), p[2]), style },
+      [circle(0, 0, r, "stroke-width:4"), path(spokes.join(""), ""), circle(0, 0, 4, "fill-opacity:1")]]];
   },
-  area: (p, shape, to) => `<path d="${polyline(toPoints(p).map(to))}z" style="fill:${color(shape.kind)};`
-    + `fill-opacity:.16"/>`,
+  area: (p, shape, to) => [path(`${polyline(toPoints(p).map(to))}z`, fill(shape.kind, 0.16))],
   length: (p, shape, to) => {
     const [[x0, y0], [x1, y1]] = toPoints(p).map(to), long = Math.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2);
-    if (long < 1) return "";
+    if (long < 1) return [];
     const [ux, uy] = [(x1 - x0) / long, (y1 - y0) / long], off = shape.aside * to.scale;
     const end = (x, y) => `M${px(x)} ${px(y)}L${px(x + off * uy)} ${px(y - off * ux)}`;
     const [ax, ay, bx, by] = [x0 + off * uy, y0 - off * ux, x1 + off * uy, y1 - off * ux];
-    return strokePath(`M${px(ax)} ${px(ay)}L${px(bx)} ${px(by)}`, shape)
-      + `<path d="${off ? end(x0, y0) + end(x1, y1) : ""}M${px(ax - 5 * uy)} ${px(ay + 5 * ux)}l${px(10 * uy)} `
-      + `${px(-10 * ux)}M${px(bx - 5 * uy)} ${px(by + 5 * ux)}l${px(10 * uy)} ${px(-10 * ux)}" `
-      + `${stroke(shape.kind, ";stroke-dasharray:none;stroke-width:1")}/>`
-      + addLabel(to, (ax + bx) / 2, (ay + by) / 2, shape, off < 0 ? [-uy, ux] : [uy, -ux]);
+    addLabel(to, (ax + bx) / 2, (ay + by) / 2, shape, off < 0 ? [-uy, ux] : [uy, -ux]);
+    const ends = `${off ? end(x0, y0) + end(x1, y1) : ""}M${px(ax - 5 * uy)} ${px(ay + 5 * ux)}l${px(10 * uy)} `
+      + `${px(-10 * ux)}M${px(bx - 5 * uy)} ${px(by + 5 * ux)}l${px(10 * uy)} ${px(-10 * ux)}`;
+    return [...strokePath(`M${px(ax)} ${px(ay)}L${px(bx)} ${px(by)}`, shape),
+      path(ends, stroke(shape.kind, `${SOLID};stroke-width:1`))];
   },
-  label: (p, shape, to) => addLabel(to, ...to(p), shape, [0, 0]),
+  label: (p, shape, to) => {
+    addLabel(to, ...to(p), shape, [0, 0]);
+    return [];
+  },
   body: (p, shape, to) => {
-    const [x, y] = to(p).map(px), r = px(shape.radius * to.scale);
-    return `<g ${transformTo(x, y, p[2])}>`
-      + `<circle r="${r}" style="fill:${color(shape.kind)};fill-opacity:.1;`
-      + `stroke:${color(shape.kind)};stroke-width:${KINDS[shape.kind].width}`
-      + `;stroke-dasharray:${KINDS[shape.kind].dash.join(" ") || "none"}"/>`
-      + `<path d="M${px(r * 0.55)} ${px(-r * 0.3)}L${px(r * 0.9)} 0L${px(r * 0.55)} ${px(r * 0.3)}" `
-      + `${stroke(shape.kind, ";stroke-dasharray:none")}/></g>`;
+    const r = shape.radius * to.scale, { width, dash } = KINDS[shape.kind];
+    return [["g", { transform: place(...to(p), p[2]) }, [
+      circle(0, 0, r, `fill:${color(shape.kind)};fill-opacity:.1;stroke:${color(shape.kind)};stroke-width:${width};stroke-dasharray:${dash.join(" ") || "none"}`),
+      path(`M${px(r * 0.55)} ${px(-r * 0.3)}L${px(r * 0.9)} 0L${px(r * 0.55)} ${px(r * 0.3)}`, stroke(shape.kind, SOLID)),
+    ]]];
   },
   curve: (p, shape, to, { c }) => {
     const points = [], depths = [];
@@ -137,9 +137,8 @@ export const SHAPES = {
   },
   trail: (p, shape, to, { c, trails }) => {
     const points = trails[shape.recurrence].map((state) => to(shape.point(functions, c, state)));
-    const corners = points.length > 60 || !shape.dots ? "" : points
-      .map(([x, y]) => `<circle cx="${px(x)}" cy="${px(y)}" r="3" ${fill(shape.kind)}/>`).join("");
-    return strokePath(polyline(points), shape) + corners;
+    const corners = points.length > 60 || !shape.dots ? [] : points.map(([x, y]) => circle(x, y, 3, fill(shape.kind)));
+    return [...strokePath(polyline(points), shape), ...corners];
   },
   angle: (p, shape, to) => {
     const [x, y, from, until] = p, points = [], steps = 24;
@@ -149,23 +148,21 @@ export const SHAPES = {
     }
     const [mx, my] = points[steps / 2], [cx, cy] = to(p), arc = polyline(points);
     const far = Math.sqrt((mx - cx) ** 2 + (my - cy) ** 2) || 1;
-    return `<path d="${arc}L${px(cx)} ${px(cy)}z" style="fill:${color(shape.kind)};fill-opacity:.16"/>`
-      + strokePath(arc, shape, ";stroke-dasharray:none")
-      + addLabel(to, mx, my, shape, [(mx - cx) / far, (my - cy) / far]);
+    addLabel(to, mx, my, shape, [(mx - cx) / far, (my - cy) / far]);
+    return [path(`${arc}L${px(cx)} ${px(cy)}z`, fill(shape.kind, 0.16)), ...strokePath(arc, shape, SOLID)];
   },
   // A matrix: columns in their colours, between brackets.
   bracket: ([x, y, ...entries], shape, to) => {
     const { columns, digits, kind } = shape;
     const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = 1.5 * wide + 6;
-    const number = (value, k) => {
-      const at = `x="${px(x0 + (k % 3 - 0.6) * wide)}" y="${px(y0 + (Math.floor(k / 3) - 0.7) * high)}"`;
-      return `<text ${at} text-anchor="end" style="fill:${color(columns[k % 3])};font:600 13px sans-serif">`
-        + `${formatFixed(value, digits)}</text>`;
-    };
+    const number = (value, k) => ["text", {
+      x: px(x0 + (k % 3 - 0.6) * wide), y: px(y0 + (Math.floor(k / 3) - 0.7) * high),
+      "text-anchor": "end", style: `fill:${color(columns[k % 3])};font:600 13px sans-serif`,
+    }, formatFixed(value, digits)];
     to.taken.push([x0 - half, y0 - 1.7 * high, x0 + half, y0 + 1.7 * high]);
     const edge = (side) => `M${px(x0 + side * (half - 4))} ${px(y0 - 1.6 * high)}h${4 * side}`
       + `v${px(3.2 * high)}h${-4 * side}`;
-    return `<path d="${edge(-1)}${edge(1)}" ${stroke(kind)}/>${entries.map(number).join("")}`
-      + addLabel(to, x0, y0 + 1.6 * high, shape, [0, 1]);
+    addLabel(to, x0, y0 + 1.6 * high, shape, [0, 1]);
+    return [path(edge(-1) + edge(1), stroke(kind)), ...entries.map(number)];
   },
 };

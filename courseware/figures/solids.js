@@ -2,7 +2,7 @@
 // light that stands in the room. Their pieces have depths and are sorted with all others.
 
 import { KINDS } from "./constants.js";
-import { color, px } from "./svg.js";
+import { color, paint, path, px } from "./svg.js";
 
 const LIGHT = [0.36, -0.48, 0.8];
 const SHADOW = -100; // behind all but the floor
@@ -21,23 +21,47 @@ const outlineFace = (q) => {
   return area < -0.5 ? `M${q.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join(" ")}z` : "";
 };
 
-// Lighter or darker than its kind, in steps of a twentieth.
-const shadeFace = (kind, [a, b, c]) => {
-  const up = cross(subtract(a, b), subtract(b, c));
-  const lit = up.reduce((sum, x, k) => sum + x * LIGHT[k], 0) / (Math.hypot(...up) || 1);
-  const part = 5 * Math.round(8 * lit - 1);
-  return `color-mix(in srgb,${color(kind)} ${100 - Math.abs(part)}%,${part < 0 ? "#000" : "#fff"})`;
+const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+const unit = (a) => a.map((x) => x / (Math.hypot(...a) || 1));
+const normalOf = ([a, b, c]) => unit(cross(subtract(a, b), subtract(b, c)));
+
+// Lighter or darker than its kind, in steps of a fiftieth.
+const shadeFace = (kind, normal) => {
+  const part = 2 * Math.round(20 * dot(normal, LIGHT) - 2.5);
+  return `color-mix(in srgb,${paint(kind)} ${100 - Math.abs(part)}%,${part < 0 ? "#000" : "#fff"})`;
 };
 
-// Discs in the plane of a face: its first edge and the one after it, per metre, are their axes.
-const paintDots = (discs, q, [a, b, c], paint) => {
-  const axes = [[0, 1, a, b], [1, 2, b, c]].flatMap(([i, j, s, t]) => {
-    const long = Math.hypot(...subtract(s, t));
-    return subtract(q[i], q[j]).slice(0, 2).map((x) => x / long);
-  });
+// Discs in the plane of a face, from its middle along its first edge and to the left of that.
+const paintDots = (discs, q, [a, b], normal, seen, fill) => {
+  const ahead = unit(subtract(a, b)), middle = seen([0, 0, 0]);
+  const axes = [ahead, cross(normal, ahead)].flatMap((axis) => subtract(middle, seen(axis)).slice(0, 2));
   const at = (x, y, k) => px(meanOf(q, k) + x * axes[k] + y * axes[2 + k]);
-  return discs.map(([x, y, r]) => `<circle r="${r}" style="fill:${paint}" `
-    + `transform="matrix(${axes.map(px)} ${at(x, y, 0)} ${at(x, y, 1)})"/>`).join("");
+  return discs.map(([x, y, r, tone]) => ["circle", {
+    r, style: `fill:${fill(tone)}`, transform: `matrix(${axes.map(px)} ${at(x, y, 0)} ${at(x, y, 1)})`,
+  }]);
+};
+
+const SHARP = 0.8; // of the cosine of two faces that meet: a round body has no lines between its faces
+
+// The face at the other side of each edge of each face.
+const findNeighbours = (faces) => {
+  const ends = (face, i) => [face[i], face[(i + 1) % face.length]], owner = new Map();
+  faces.forEach((face, k) => face.forEach((_, i) => owner.set(ends(face, i).join(), k)));
+  return faces.map((face) => face.map((_, i) => owner.get(ends(face, i).reverse().join())));
+};
+
+const isSmooth = (k, next, lines, normals) => lines[next] && dot(normals[k], normals[next]) > SHARP;
+
+// Its edges to faces that look away, or another way; one between two such faces is drawn once.
+const outlineEdges = (q, k, { beside }, lines, normals) => {
+  let line = "", ended = "";
+  q.forEach((from, i) => {
+    const next = beside[k][i], [start, end] = [from, q[(i + 1) % q.length]].map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`);
+    if (isSmooth(k, next, lines, normals) || (lines[next] && next < k)) return;
+    line += `${start === ended ? "" : `M${start}`}L${end}`;
+    ended = end;
+  });
+  return line;
 };
 
 // Whether a face is painted over the place of a label: then it would name what is not seen.
@@ -57,21 +81,34 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
   };
   const pieces = [], ghost = opacity < 1;
   let shadow = "";
-  for (const { kind, corners, faces, dots, smooth } of data) {
+  for (const mesh of data) {
+    const { kind, edge, corners, faces, dots } = mesh;
+    mesh.beside ??= findNeighbours(faces);
     const there = corners.map(place), points = there.map(seen);
     const flat = floor === null || se < 0 ? [] : there.map(([x, y]) => seen([x, y, floor]));
+    const worlds = faces.map((face) => face.map((i) => there[i])), normals = worlds.map(normalOf);
+    const seenFaces = faces.map((face) => face.map((i) => points[i])), lines = seenFaces.map(outlineFace);
+    const depths = seenFaces.map((q) => meanOf(q, 2) - behind), drawn = [];
     faces.forEach((face, k) => {
       if (flat.length) shadow += outlineFace(face.map((i) => flat[i]));
-      const q = face.map((i) => points[i]), line = outlineFace(q), world = face.map((i) => there[i]);
+      const q = seenFaces[k], line = lines[k];
       if (!line) return;
-      const tone = ghost ? `${color(kind)};fill-opacity:${opacity}` : shadeFace(kind, world);
-      const dashes = ghost ? `;stroke-dasharray:${KINDS[kind].dash.join(" ") || "none"}` : "";
-      const text = `<path d="${line}" style="fill:${tone};stroke:${smooth ? tone : color(kind)}${dashes}"/>`
-        + paintDots(dots[k] ?? [], q, world, ghost ? color(kind) : "var(--rk-ground,#fff)");
-      pieces.push({ text, depth: meanOf(q, 2) - behind, face: !ghost && q });
+      const tone = shadeFace(kind, normals[k]);
+      const edges = ghost ? "" : outlineEdges(q, k, mesh, lines, normals);
+      if (edges) { // above the faces beside it of the same round body
+        drawn.push({ nodes: [path(edges, `fill:none;stroke:${paint(edge || kind)}`)],
+          depth: Math.max(depths[k], ...mesh.beside[k].filter((next) => lines[next]).map((next) => depths[next])) });
+      }
+      const dashes = `;stroke-dasharray:${KINDS[kind]?.dash.join(" ") || "none"}`;
+      const nodes = [path(line, ghost ? `fill:${paint(kind)};fill-opacity:${opacity};stroke:${paint(kind)}${dashes}`
+        : `fill:${tone};stroke:${tone};stroke-width:.6`),
+      ...paintDots(dots[k] ?? [], q, worlds[k], normals[k], seen,
+        (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)")];
+      pieces.push({ nodes, depth: depths[k], face: !ghost && q });
     });
+    pieces.push(...drawn);
   }
   const dark = `fill:color-mix(in srgb,${color("grid")} 80%,#000)`;
-  if (shadow) pieces.push({ text: `<path d="${shadow}" style="${dark}"/>`, depth: SHADOW });
-  return pieces;
+  if (shadow) pieces.push({ nodes: [path(shadow, dark)], depth: SHADOW });
+  return { pieces };
 };

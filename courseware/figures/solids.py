@@ -22,15 +22,20 @@ Face = tuple[int, ...]
 class Mesh:
     """Corners, and faces as places of corners, counter-clockwise for one who looks from outside.
 
-    dots: discs printed on a face, by its place, each (along the first edge, to the left of that,
-    radius) in metres from the middle. smooth: without lines between the faces.
+    Lines are drawn where a face meets one that looks away, or quite another way.
+
+    Args:
+        kind: the tone of a material, or a look.
+        dots: discs printed on a face, by its place, each (along the first edge, to the left of
+            that, radius) in metres from the middle, or with a tone after them.
+        edge: the tone of its lines, by default its kind's.
     """
 
     kind: Kind
     corners: tuple[Point3, ...]
     faces: tuple[Face, ...]
-    dots: Mapping[int, Sequence[Point3]] = field(default_factory=dict)
-    smooth: bool = False
+    dots: Mapping[int, Sequence[tuple[Any, ...]]] = field(default_factory=dict)
+    edge: str = ""
 
 
 @dataclass(frozen=True)
@@ -85,7 +90,7 @@ def box(kind: Kind, size: Point3, at: Point3 = (0, 0, 0)) -> Mesh:
     return loft(kind, low, high)
 
 
-def cylinder(kind: Kind, radii: Point2, ends: Point2, along: str = "z", n: int = 16) -> Mesh:
+def cylinder(kind: Kind, radii: Point2, ends: Point2, along: str = "z", n: int = 24) -> Mesh:
     """Return a cylinder from one end to the other; of two radii, a piece of a cone."""
     low, high = (_circle(n, r, end) for r, end in zip(radii, ends, strict=True))
     return loft(kind, low, high, along)
@@ -103,7 +108,7 @@ def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Me
     rims = (inner, -half), (outer, -half), (outer, half), (inner, half)
     corners = _turn([corner for rim in rims for corner in _circle(n, *rim)], along)
     faces = [face for a in range(4) for face in _band(n, a, (a + 1) % 4)]
-    return Mesh(kind, corners, tuple(faces), smooth=True)
+    return Mesh(kind, corners, tuple(faces))
 
 
 def ball(kind: Kind) -> Mesh:
@@ -113,7 +118,7 @@ def ball(kind: Kind) -> Mesh:
     corners = [corner for a in angles for corner in _circle(n, sin(a), cos(a))]
     # each from its upper left corner on
     faces = [f[-1:] + f[:-1] for row in range(rows) for f in _band(n, row + 1, row)]
-    return Mesh(kind, tuple(corners), tuple(faces), smooth=True)
+    return Mesh(kind, tuple(corners), tuple(faces))
 
 
 def tiles(height: float, half: float) -> Mesh:

@@ -1,16 +1,25 @@
-// How lines, areas and texts of a kind look.
+// How lines, areas and texts of a kind look, as attributes of nodes.
 
-import { KINDS } from "./constants.js";
+import { GRADIENTS, KINDS, TONES } from "./constants.js";
 
 export const color = (kind) => `var(--rk-${kind},${KINDS[kind].light})`;
+// A material's colour; of one with form, its definition.
+export const paint = (name) => name in GRADIENTS ? `url(#rk-${name})`
+  : name in TONES ? `var(--m-${name},${TONES[name]})` : color(name);
 export const stroke = (kind, extra = "") => {
   const { dash, width } = KINDS[kind];
   const dashes = dash.length ? `;stroke-dasharray:${dash.join(" ")}` : "";
-  return `style="fill:none;stroke:${color(kind)};stroke-width:${width}${dashes}${extra}"`;
+  return `fill:none;stroke:${color(kind)};stroke-width:${width}${dashes}${extra}`;
 };
-export const fill = (kind) => `style="fill:${color(kind)};stroke:none"`;
+export const fill = (kind, opacity = 1) => `fill:${color(kind)};stroke:none`
+  + (opacity < 1 ? `;fill-opacity:${opacity}` : "");
+// A line in the ground's colour round what must be seen on all that it crosses.
+const GROUND = "var(--rk-ground,#fff)", CASING = 3.4;
+export const casing = (kind) => `fill:none;stroke:${GROUND};stroke-width:${KINDS[kind].width + CASING}`;
+export const headCasing = `fill:${GROUND};stroke:${GROUND};stroke-width:${CASING};stroke-linejoin:round`;
+export const path = (d, style) => ["path", { d, style }];
 // Mark what belongs to a quantity with its key.
-export const symbolData = ({ symbol }) => (symbol ? ` data-symbol="${symbol}"` : "");
+export const symbolData = ({ symbol }) => (symbol ? { "data-symbol": symbol } : {});
 export const px = (number) => Number(number.toFixed(2));
 
 export const polyline = (points) => points

@@ -11,7 +11,7 @@ from sphinx.application import Sphinx
 
 from courseware.course import course
 from courseware.figures.compiler import serialize
-from courseware.figures.figure import find_figure
+from courseware.figures.figure import find_figure, render_outlines
 from courseware.figures.javascript import Code
 from courseware.practice import rendering as practice
 from courseware.practice.bank import all_mistakes, all_topics, course_name
@@ -25,10 +25,13 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     body = context.get("body", "") if doctree else ""
     raws = doctree.findall(nodes.raw) if doctree else ()
     names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
+    figures = list(map(find_figure, names))
     globals_ = {
-        "coursewareFigures": [Code(find_figure(name).code) for name in names],
+        "coursewareFigures": [Code(figure.page_code) for figure in figures],
         "coursewareSymbols": symbol_facts(page),
     }
+    if figures:
+        context["body"] = render_outlines(figures) + body
     if any(globals_.values()):
         file = f"pages/{page.replace('/', '-')}.js"
         lines = (f"window.{name} = {serialize(value)};\n" for name, value in globals_.items())

@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 from figure_numbers import each_figure, kind_of
 
+from book.materials import MATERIALS
 from courseware.script import parts
 from robokin.styles import KINDS
 
@@ -74,8 +75,10 @@ def test_every_kind_stands_out(kind):
 @each_figure
 def test_labels_are_legible(figure):
     light, dark = grounds()
+    if figure.ground:
+        light, dark = MATERIALS.tones[MATERIALS.grounds[figure.ground].tone]
     for shape in figure.scene:
-        if getattr(shape, "label", "") or isinstance(shape.kind, sp.Symbol):
+        if getattr(shape, "label", "") or isinstance(getattr(shape, "kind", ""), sp.Symbol):
             style = KINDS[kind_of(figure, shape)]
             readable = min(contrast(style.light, light), contrast(style.dark, dark))
             assert readable >= 4.5, shape  # WCAG 1.4.3, for text

@@ -101,7 +101,7 @@ SIDES = [(30, 20, 3), (0, 0, 1), (90, 0, 1), (45, 0, 2), (-120, -40, 3), (10, 90
 def test_faces_that_look_away_are_not_drawn(azimuth, elevation, faces):
     figure = cubes(("body", (0, 0, 0)))
     svg = drawn(figure, azimuth=azimuth, elevation=elevation)
-    assert len(re.findall("color-mix", svg)) == faces
+    assert len(re.findall("fill:color-mix", svg)) == faces
 
 
 @pytest.mark.parametrize(("azimuth", "last"), [(0, "left"), (180, "right"), (170, "right")])

@@ -5,13 +5,12 @@ import re
 import numpy as np
 import pytest
 import sympy as sp
-from declared import FIGURES
 from figure_numbers import N
-from small_figures import painted, space_figure
+from small_figures import a, painted, small_figure, space_figure
 from support import EPS, assert_close
 
 from courseware.equations.verification import evaluate_exactly
-from courseware.figures import VIEW, Arrow, Point
+from courseware.figures import VIEW, Arrow, Line, Point
 from robokin import euler
 
 
@@ -70,13 +69,17 @@ def test_a_shape_at_no_depth_is_not_painted(depth):
 
 
 def test_what_is_in_front_leaves_a_gap():
-    """A line in space is drawn on a wider one in the colour of the ground; a flat one is not."""
+    """A line in space is drawn on a wider one in the colour of the ground, a flat one is not.
+
+    An arrow is, wherever it is: it must be seen on all things.
+    """
     gaps = r"fill:none;stroke:var\(--rk-ground"
     assert len(re.findall(gaps, space_figure(scene=VIEW.frame(sp.eye(3))).render_svg())) == 3
     assert (
         len(re.findall(gaps, space_figure(scene=(space_figure().scene[3],)).render_svg())) == 96 / 4
     )
-    assert re.findall(gaps, FIGURES["wheel-speeds"].render_svg()) == []
+    flat = small_figure(scene=(Line("path", ((0, 0), (a, 1))),))
+    assert re.findall(gaps, flat.render_svg()) == []
 
 
 def test_a_frame_in_space_is_three_arrows():

@@ -13,6 +13,7 @@ from declared import FIGURES, each
 from figure_numbers import random_state
 
 from courseware.figures import Figure
+from courseware.figures.figure import render_outlines
 from courseware.script import parts
 
 pytest_plugins = ["browser"]
@@ -42,7 +43,8 @@ FAULTS = """([name, states]) => {
 @pytest.fixture(scope="module", params=[1280, 390])
 def alive(request, chromium):
     """All figures on a page of that width."""
-    body = "".join(figure.render_html() for figure in FIGURES.values())
+    figures = FIGURES.values()
+    body = render_outlines(figures) + "".join(figure.render_html() for figure in figures)
     style = f"{parts.join_styles()} body {{ max-width: 46rem; margin: 1rem; }}"
     with watched_page(chromium, "about:blank", request.param) as (page, watch):
         page.emulate_media(reduced_motion="reduce")
@@ -50,6 +52,29 @@ def alive(request, chromium):
         scripts = [f"courseware.startFigure({figure.code});" for figure in FIGURES.values()]
         page.add_script_tag(content="\n".join([parts.bundle_page(parts.list_parts()), *scripts]))
         yield page, watch
+
+
+ANEW = """([name, states]) => {
+  const live = document.getElementById(name).courseware, found = [];
+  const template = live.drawing.cloneNode(false);
+  for (const state of states) {
+    live.set(state);
+    live.settled();
+    template.innerHTML = courseware.renderNodes(live.nodes);
+    if (template.innerHTML !== live.drawing.innerHTML) found.push(state);
+  }
+  return found;
+}"""
+
+
+@pytest.mark.browser
+@each("figure", "figures", Figure)
+def test_a_picture_that_changes_is_the_one_that_is_drawn_anew(figure, alive):
+    """Only what has changed is touched; nothing of former settings stays."""
+    page, _ = alive
+    random = np.random.default_rng(len(figure.name))
+    states = [random_state(figure, random) for _ in range(10)]
+    assert page.evaluate(ANEW, [figure.name, json.loads(json.dumps(states))]) == []
 
 
 @pytest.mark.browser

@@ -1,0 +1,87 @@
+// Things: their outlines stand once in the picture, each frame sets where they are.
+
+import { GRADIENTS, GROUNDS } from "./constants.js";
+import { renderNodes } from "./nodes.js";
+import { color, paint, px } from "./svg.js";
+
+const EDGE = 1.8, SOFT = [0.2, 1, 1.8]; // pixels; widths of the layers of a shadow
+
+// One without any paint takes that of what it is used for, as a silhouette.
+const drawOutline = ([d, fill, edge, width, opacity]) => {
+  if (!fill && !edge) return ["path", { d }];
+  const style = [`fill:${fill ? paint(fill) : "none"}`, ...(edge ? [`stroke:${paint(edge)}`] : []),
+    ...(width ? [`stroke-width:${width}`] : []), ...(opacity < 1 ? [`opacity:${opacity}`] : [])];
+  return ["path", { d, style: style.join(";") }];
+};
+
+const HATCH = '<pattern id="rk-hatch" width=".1" height=".1" patternContentUnits="objectBoundingBox" '
+  + `patternTransform="rotate(45)"><path d="M0 0V.2" style="stroke:${color("error")};stroke-width:.06"/></pattern>`;
+
+// Outlines, and the materials with form; they never change.
+const renderDefs = (drawings, grounds = []) => {
+  const used = new Set(Object.values(drawings).flat().flatMap(([, fill, edge]) => [fill, edge]));
+  grounds.forEach((ground) => used.add(ground.fill));
+  const gradients = Object.keys(GRADIENTS).filter((name) => used.has(name)).map((name) => GRADIENTS[name]);
+  const groups = Object.entries(drawings).map(([id, outlines]) => ["g", { id }, outlines.map(drawOutline)]);
+  return `<defs>${gradients.join("")}${groups.length ? HATCH : ""}${renderNodes(groups)}</defs>`;
+};
+
+// For a picture that stands alone; on a page they stand once, for all pictures.
+export const renderOwnDefs = ({ drawings, ground }) => drawings && (ground || Object.keys(drawings).length)
+  ? renderDefs(drawings, ground ? [GROUNDS[ground]] : []) : "";
+export const renderOutlines = (drawings) => '<svg class="rk-outlines" width="0" height="0" aria-hidden="true">'
+  + `${renderDefs(drawings, Object.values(GROUNDS))}</svg>`;
+
+const uses = {}; // the same node for the same drawing: what is the same is not looked at again
+const use = (id) => (uses[id] ??= ["use", { href: `#${id}` }]);
+
+const degrees = (angle) => px(-angle * 180 / Math.PI);
+const small = (number) => Number(number.toPrecision(5));
+
+// From the sides of the wheel to its top, which is nearest to the eye.
+const drawRim = ({ at, rim: [radius, count, thickness], drawing }, values) => {
+  const apart = 2 * Math.PI / count, most = Math.ceil((thickness ? 2 : 1.5) / apart), [, { href }] = use(drawing);
+  const roll = (values[at[0]] / radius % apart + apart) % apart;
+  return ["g", {}, Array.from({ length: 2 * most }, (_, k) => {
+    const angle = roll + apart * (k % 2 ? most - (k + 1) / 2 : k / 2 - most), cos = Math.cos(angle), sin = Math.sin(angle);
+    const long = thickness ? Math.hypot(cos, thickness * sin) : Math.max(0, cos);
+    return ["use", { href, transform: `matrix(${small(long)} 0 0 1 ${small(radius * sin)} 0)` }];
+  })];
+};
+
+// The nodes of a thing and of those in it; pick: those that stand for a thing itself.
+const walk = (thing, values, pick) => pick(thing).map((part) => {
+  if (typeof part === "string") return use(part);
+  if (part.rim) return drawRim(part, values);
+  const [x, y, angle, size] = part.at.map((index) => values[index]);
+  if (!Number.isFinite(x + y + angle + size)) return ["g", {}, []];
+  const scale = size === 1 ? "" : ` scale(${small(size)})`;
+  return ["g", { transform: `translate(${small(x)} ${small(y)}) rotate(${-degrees(angle)})${scale}` },
+    walk(part, values, pick)];
+});
+
+const partsOf = ({ parts }) => parts;
+const things = ({ parts }) => parts.filter((part) => part.parts);
+const silhouettes = (thing) => [thing.silhouette, ...things(thing)];
+const casting = (thing) => [thing.silhouette, ...things(thing).filter(({ height }) => height)];
+
+const drawShadow = (thing, values, place, scale) => {
+  const cast = walk(thing, values, casting), { height } = thing;
+  const style = `fill:${paint("shadow")};stroke:${paint("shadow")};stroke-linejoin:round`;
+  return ["g", { transform: place(0.7 * height * scale, height * scale), style }, SOFT.map((wide) =>
+    ["g", { style: "opacity:var(--rk-soft,.08)", "stroke-width": small(0.8 * height * wide / (values[thing.at[3]] || 1)) }, cast])];
+};
+
+export const drawThing = ([x, y, angle, size], thing, to, { values }) => {
+  const [left, top] = to([x, y]), scale = to.scale * size;
+  const place = (right, down) => `translate(${px(left + right)} ${px(top + down)}) rotate(${degrees(angle)}) `
+    + `scale(${small(scale)} ${small(-scale)})`;
+  const body = walk(thing, values, partsOf);
+  const around = { transform: place(0, 0), "stroke-width": small(EDGE / scale), "stroke-linejoin": "round", "stroke-linecap": "round" };
+  const nodes = thing.height && !thing.look ? [drawShadow(thing, values, place, to.scale)] : [];
+  if (!thing.look) return [...nodes, ["g", around, body]];
+  const lines = walk(thing, values, silhouettes);
+  const style = thing.look === "ghost" ? `fill:none;stroke:${color("ghost")}`
+    : `fill:url(#rk-hatch);stroke:${color("error")}`;
+  return [["g", around, [["g", { style: "opacity:.34" }, body], ["g", { style }, lines]]]];
+};

@@ -1,0 +1,128 @@
+"""Things: what a flat picture shows as it looks from outside, a robot, a wheel, a kerb.
+
+A thing is a function of a chapter or of the course that returns a `Thing`: outlines in metres, x
+ahead and y to the left, painted in the order of their declaration, and things in it that move::
+
+    def robot(pose, roll=0):
+        wheels = [Thing((0, y, 0), (*TYRE, Rim(0.03, 20, (TREAD,), roll))) for y in (0.05, -0.05)]
+        return Thing(pose, (BODY, *wheels, NOSE), height=0.01)
+
+Outlines are constant and enter the picture once; each frame sets the places of things only. Their
+paint is a name of the course's materials, or of its looks.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from courseware.errors import CourseError
+from courseware.figures.declaration import Expr
+
+LOOKS = ("", "ghost", "wrong")
+
+
+@dataclass(frozen=True)
+class Outline:
+    """An outline that is filled, or drawn as a line, or both.
+
+    Args:
+        path: as in SVG, in metres.
+        fill, edge: materials; without one, nothing is painted.
+        width: of the edge, in metres; 0 is as wide as outlines are in every picture.
+        opacity: below 1 what lies under it shines through.
+    """
+
+    path: str
+    fill: str = ""
+    edge: str = ""
+    width: float = 0.0
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True)
+class Rim:
+    """Copies of outlines round the rim of a wheel that is seen from above; they run as it rolls.
+
+    The wheel rolls ahead, along x.
+
+    Args:
+        radius: on which they run, m.
+        count: how many there are all round, half of them out of sight.
+        outlines: of the one on top; towards the sides it looks ever shorter.
+        roll: how far the wheel has rolled, m.
+        thickness: how thick each is, as a part of its length: so long is what is seen at the sides.
+    """
+
+    radius: float
+    count: int
+    outlines: tuple[Outline, ...]
+    roll: Expr = 0
+    thickness: float = 0.0
+
+
+@dataclass(frozen=True)
+class Thing:
+    """A thing at a place: (x, y, angle) in the picture, or in the thing that it is a part of.
+
+    Args:
+        at: its place; a place that is no number hides it.
+        parts: `Outline`s, `Rim`s and `Thing`s, from below to above.
+        height: how far it stands above the ground, m: so long is its shadow; 0: without one.
+        look: "ghost" is pale, "wrong" is red and hatched.
+        size: how many times as large as declared.
+        silhouette: the path that is its shadow and the line round a ghost; by default that of its
+            first outline; "": none.
+    """
+
+    at: tuple[Expr, Expr, Expr]
+    parts: tuple[Any, ...]
+    height: float = 0.0
+    look: str = ""
+    size: Expr = 1
+    silhouette: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.look not in LOOKS:
+            raise CourseError(f"a thing looks {self.look!r}; it can look {', '.join(LOOKS[1:])}")
+        if self.silhouette is None:
+            outlines = (part.path for part in self.parts if isinstance(part, Outline))
+            object.__setattr__(self, "silhouette", next(outlines, ""))
+
+
+@dataclass(frozen=True)
+class Gradient:
+    """A material with form: tones across it ("x"), up it ("y") or out of its middle ("r").
+
+    stops: (part of the way, tone) or (part, tone, opacity).
+    """
+
+    way: str
+    stops: tuple[tuple[Any, ...], ...]
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What a picture stands on.
+
+    Args:
+        fill: a tone or gradient.
+        tone: the tone round letters and arrows.
+        seam, light: the tones of the lines between its tiles and beside them; without: no tiles.
+    """
+
+    fill: str
+    tone: str
+    seam: str = ""
+    light: str = ""
+
+
+@dataclass(frozen=True)
+class Materials:
+    """The materials of a course.
+
+    tones: by name, a colour on a light and one on a dark page.
+    """
+
+    tones: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    gradients: Mapping[str, Gradient] = field(default_factory=dict)
+    grounds: Mapping[str, Ground] = field(default_factory=dict)

@@ -22,6 +22,7 @@ from sympy import (
     symbols,
 )
 
+from book import things
 from book.differential_drive import formulas as drive
 from book.differential_drive.exercises import (
     M12,
@@ -55,7 +56,6 @@ from courseware.figures import (
     AngleArc,
     Area,
     Arrow,
-    Body,
     Choice,
     Clock,
     Curve,
@@ -71,8 +71,8 @@ from courseware.figures import (
     Readout,
     Recurrence,
     Slider,
+    Thing,
     Trail,
-    Wheel,
     assign,
     distance,
     ramp,
@@ -109,25 +109,14 @@ s = Symbol("s")
 # The robot, and where its parts are.
 
 
-def robot(pose: Any, kind: Any = "body", time: Any = 0, rolled: Any = ()) -> tuple[Any, ...]:
-    """Return body and wheels; time: how long the wheels have rolled, or how far each of them."""
-    sides = ((v_L, 1), (v_R, -1))
-    size = {"length": 2 * RADIUS, "width": 0.014}
-    wheels = [
-        Wheel(speed, point_of(pose, 0, side * DISTANCE / 2), pose[2], **size, roll=roll)
-        for (speed, side), roll in zip(sides, rolled or (v_L * time, v_R * time), strict=True)
-    ]
-    return hull(pose, kind), *wheels
+def robot(pose: Any, time: Any = 0, rolled: Any = (), look: str = "") -> Thing:
+    """Return the robot; time: how long the wheels have rolled, or how far each of them."""
+    return things.robot(pose, rolled or (v_L * time, v_R * time), look)
 
 
-def hull(pose: Any, kind: Any) -> Body:
-    """Return the body alone."""
-    return Body(pose, pose[2], 0.065, kind)
-
-
-def mark(pose: Any, words: str = "park here") -> tuple[Body, Label]:
+def mark(pose: Any, words: str = "park here") -> tuple[Thing, Label]:
     """Return the mark on which the robot shall end."""
-    return hull(pose, "target"), Label("target", (pose[0], pose[1] - 0.085), words)
+    return things.pad(pose), Label("target", (pose[0], pose[1] - 0.085), words)
 
 
 def tip(pose: Any, speed: Any, side: int) -> tuple[Any, Any]:
@@ -205,14 +194,15 @@ def park_figure() -> Figure:
         name="park",
         title="A robot seen from above, its two wheels under your hand, and a mark to park on",
         view=(-0.34, 0.2, -0.1, 0.27),
+        ground="tiles",
         controls=(*speed_sliders(0.05, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
         where=VELOCITY,
         scene=(
             *mark(MARK),
             Curve("ghost", drive_for(s), s, 0, TIME),
-            *robot(START, "ghost"),
-            hull(end, "ghost"),
-            *robot(now, time=t),
+            robot(START, look="ghost"),
+            robot(end, look="ghost"),
+            robot(now, time=t),
             *arrows(START, middle=False),
         ),
         handles=tip_handles(),
@@ -242,11 +232,12 @@ def exercise_figure() -> Figure:
             "a short arrow forward, its right wheel an arrow twice as long"
         ),
         view=(-0.2, 0.2, -0.12, 0.18),
+        ground="tiles",
         where=given,
         scene=(
             Arrow("x_axis", ORIGIN, (0.17, 0), "x"),
             Arrow("y_axis", ORIGIN, (0, 0.16), "y"),
-            *robot(START),
+            robot(START),
             *arrows(START, middle=False),
             Point("body", ORIGIN, "P"),
             AngleArc(theta, ORIGIN, 0, theta, 0.04),
@@ -270,12 +261,13 @@ def tips_figure() -> Figure:
         name="tips",
         title="The robot's wheel arrows, and the line through their tips down to the axle's line",
         view=(-0.32, 0.17, -0.17, 0.2),
+        ground="tiles",
         controls=speed_sliders(0.04, 0.12),
         where=RADIUS_TOO,
         scene=(
             Line("icr", ((-0.4, moves), (0.2, moves))),
             Line("turning", (point_on_tips(-0.4, moves), point_on_tips(0.2, moves))),
-            *robot(START),
+            robot(START),
             *arrows(START),
             AngleArc(omega, point_on_tips(low), level, level + atan2(ARROW * omega, 1), 0.05),
             Length(R, ORIGIN, (-R, 0), aside=0.09),
@@ -295,13 +287,14 @@ def infinity_figure() -> Figure:
         name="infinity",
         title="The robot, its ICR on the axle's line, and a circle on which infinity is a point",
         view=(-0.32, 0.32, -0.18, 0.2),
+        ground="tiles",
         controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the line at ∞"),),
         where=((v_L, 0.07 * (cos(share) - turn)), (v_R, 0.07 * (cos(share) + turn)), *RADIUS_TOO),
         scene=(
             Line("icr", ((-0.4, 0), (0.4, 0))),
             way("path", -8, 8),
             Curve("ghost", (far * cos(s), -far + far * sin(s)), s, 0, 2 * pi),
-            *robot(START),
+            robot(START),
             *arrows(START, middle=False),
             Line("ghost", ((0, -2 * far), dot)),
             Line("ghost", (dot, (-R, 0))),
@@ -328,12 +321,13 @@ def world_figure() -> Figure:
         name="world",
         title="The robot's velocity and its parts along the axes of the world",
         view=(-0.14, 0.15, -0.11, 0.12),
+        ground="tiles",
         controls=(Slider.degrees(theta, start=40),),
         where=(*SPEEDS.items(), *TWIST.items(), (v_y, 0), *assign(motion.to_world)),
         scene=(
             Line("ghost", ((-0.3, 0), (0.3, 0))),
             Line("ghost", ((0, -0.3), (0, 0.3))),
-            *robot((0, 0, theta)),
+            robot((0, 0, theta)),
             AngleArc(theta, ORIGIN, 0, theta, 0.04),
             Arrow(x_dot, ORIGIN, (end[0], 0), ""),
             Arrow(y_dot, ORIGIN, (0, end[1]), ""),
@@ -368,7 +362,7 @@ def rates_figure() -> Figure:
             Clock(t, 0.0, 1.5, loops=True, label="time"),
         ),
         where=((b, DISTANCE), (r, RADIUS), *assign(drive.wheel_speeds, drive.wheel_rates)),
-        scene=(*robot(START, time=t), *arrows(START), *rows),
+        scene=(robot(START, time=t), *arrows(START), *rows),
         readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,
     )
@@ -380,6 +374,7 @@ def guess_figure() -> Figure:
         name="guess",
         title="The robot of the exercise with its wheel arrows, and your guess of where it will be",
         view=(-0.3, 0.2, -0.09, 0.3),
+        ground="tiles",
         controls=(
             Slider(guess_x, -0.25, 0.15, start=0.1, step=0.005, label="x"),
             Slider(guess_y, -0.05, 0.25, start=0.2, step=0.005, label="y"),
@@ -387,9 +382,9 @@ def guess_figure() -> Figure:
         ),
         where=(*SPEEDS.items(), *VELOCITY),
         scene=(
-            *robot(START, "ghost"),
+            robot(START, look="ghost"),
             way("path", 0, t),
-            *robot(drive_for(t), time=t),
+            robot(drive_for(t), time=t),
             *arrows(START, middle=False),
             Point("target", (guess_x, guess_y), "your guess"),
         ),
@@ -407,6 +402,7 @@ def arc_figure() -> Figure:
         name="arc",
         title="A step along an arc: the chord from the old place to the new, the middle heading",
         view=(-0.3, 0.2, -0.09, 0.3),
+        ground="tiles",
         controls=(
             Slider(omega, -1.5, 1.5, start=-0.8, step=0.05),
             Slider(dt, 0.5, 3.0, start=2.0, step=0.1),
@@ -419,12 +415,12 @@ def arc_figure() -> Figure:
         scene=(
             Area("icr", ((-R, 0), ORIGIN, end)),
             Line("icr", (ORIGIN, (-R, 0), end)),
-            *robot(START, "ghost"),
+            robot(START, look="ghost"),
             Line("ghost", (ORIGIN, (0, 0.3))),
             way("path", 0, dt),
             AngleArc(drive.u, ORIGIN, pi / 2, theta_m, 0.09),
             Arrow("middle_heading", ORIGIN, end, "c"),
-            *robot(end),
+            robot(end),
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(Handle("the end", end, {omega: 2 * half / time, dt: time}),),
@@ -456,9 +452,9 @@ def almost_figure() -> Figure:
         where=((omega, 10**-power), (v_L, FAST), (v_R, FAST), *zip(LOST, textbook, strict=False)),
         scene=(
             Line("path", (ORIGIN, exact)),
-            *robot((0, 0, SLANTED), "ghost"),
-            *robot(exact),
-            hull((*LOST, exact[2]), "approximation"),
+            robot((0, 0, SLANTED), look="ghost"),
+            robot(exact),
+            robot((*LOST, exact[2]), look="wrong"),
             Line("error", (LOST, exact)),
             *graph.shapes(),
             Curve("approximation", graph.place((tenth, errors)), s, 0, power),
@@ -511,8 +507,8 @@ def steps_figure() -> Figure:
         where=tuple(SPEEDS.items()),
         scene=(
             Curve("path", substitute(drive_for(s), TWIST), s, 0, DURATION),
-            *robot(START, "ghost"),
-            *robot(exact),
+            robot(START, look="ghost"),
+            robot(exact),
             *graph.shapes(),
             *shapes,
         ),
@@ -534,6 +530,7 @@ def sideways_figure() -> Figure:
         name="sideways",
         title="The robot, a velocity that you wish, and what its wheels can do of it",
         view=(-0.26, 0.26, -0.14, 0.24),
+        ground="tiles",
         controls=(
             Slider(wish_x, -0.08, 0.15, start=0.08, step=0.01, label="wish: ahead"),
             Slider(wish_y, -0.15, 0.15, start=0.1, step=0.01, label="wish: to the left"),
@@ -541,7 +538,7 @@ def sideways_figure() -> Figure:
         where=((v, wish_x), (v_L, wish_x), (v_R, wish_x)),
         scene=(
             Line("icr", ((-0.3, 0), (0.3, 0))),
-            *robot(START),
+            robot(START),
             Line("error", (ahead, wished)),
             Arrow("approximation", ORIGIN, wished, "wish"),
             Arrow(v, ORIGIN, ahead),
@@ -571,6 +568,7 @@ def side_figure() -> Figure:
         name="side",
         title="The robot, and a place at its side to which it drives in three parts",
         view=(-0.36, 0.22, -0.16, 0.26),
+        ground="tiles",
         controls=(
             Slider.degrees(aim, start=30, step=5, label="turn on the spot; at last back"),
             Slider(reach, 0.0, 0.25, start=0.1, step=0.01, label="between: straight on"),
@@ -583,12 +581,10 @@ def side_figure() -> Figure:
         scene=(
             *mark(SIDE),
             Line("icr", ((-0.4, 0), (0.3, 0))),
-            *robot(START, "ghost"),
+            robot(START, look="ghost"),
             Line("path", (ORIGIN, end)),
-            hull(end, "ghost"),
-            *robot(
-                now, rolled=[reach * straight + side * (first - last) for side in (-spin, spin)]
-            ),
+            robot(end, look="ghost"),
+            robot(now, rolled=[reach * straight + side * (first - last) for side in (-spin, spin)]),
             *arrows(now, middle=False),
         ),
         readouts=(Readout("off", "at the end: off the mark", distance(end, SIDE), "m"),),
@@ -608,6 +604,7 @@ def drive_figure() -> Figure:
         name="wheel-speeds",
         title="The robot in its laboratory, driven by two wheel speeds and a time",
         view=(-0.42, 0.38, -0.2, 0.28),
+        ground="tiles",
         controls=(
             *speed_sliders(SPEEDS[v_L], SPEEDS[v_R], most=0.12),
             Clock(t, 0.0, 12.0, start=2.0, label="time"),
@@ -616,9 +613,9 @@ def drive_figure() -> Figure:
         scene=(
             *mark(BAY, "bay"),
             *tracks(0, t),
-            *robot(START, "ghost"),
+            robot(START, look="ghost"),
             Line("icr", (now, centre)),
-            *robot(now, time=t),
+            robot(now, time=t),
             *arrows(now),
             *arrows(START, middle=False, letters=False),
             Point("icr", centre, label="ICR"),
@@ -669,6 +666,7 @@ def damage_figure() -> Figure:
         name="damage",
         title="The robot, and where a program with a mistake believes it to be",
         view=(-0.3, 0.3, -0.23, 0.22),
+        ground="tiles",
         controls=(
             Choice("mistake", "mistake", (believed_rate, believed_heading), options),
             Clock(t, 0.0, 2.0, start=1.5, loops=True, label="time"),
@@ -678,8 +676,8 @@ def damage_figure() -> Figure:
             Curve("path", seen, s, 0, t),
             Curve("approximation", believed, s, 0, t),
             Line("error", (now, there)),
-            *robot(now, time=t),
-            hull(there, "approximation"),
+            robot(now, time=t),
+            robot(there, look="wrong"),
         ),
         readouts=(Readout("apart", "apart", distance(now, there), "m"),),
     )
@@ -692,16 +690,17 @@ def recap_figure() -> Figure:
         name="summary",
         title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
         view=(-0.26, 0.2, -0.09, 0.22),
+        ground="tiles",
         where=(*SPEEDS.items(), *RADIUS_TOO),
         scene=(
             Line("icr", ((-R, 0), (0.1, 0))),
             Line("turning", (point_on_tips(-0.25), point_on_tips(0.12))),
-            *robot(START),
+            robot(START),
             *arrows(START),
             AngleArc(omega, (-R, 0), 0, atan2(ARROW * omega, 1), 0.06),
             way("path", 0, 2.0),
             Arrow("middle_heading", ORIGIN, end, "c"),
-            hull(end, "ghost"),
+            robot(end, look="ghost"),
             Length(R, ORIGIN, (-R, 0), aside=0.07),
             Point("icr", (-R, 0), label="ICR"),
         ),

@@ -1,0 +1,52 @@
+"""The things of the course's figures, the same in all chapters.
+
+A chapter imports this module and says `things.robot(pose)`. Where they are drawn:
+
+- `things_robots`: the small robot, its vacuum cousin, omni robot, platform; pad and dock
+- `things_wheels`: wheels of all kinds from above, and one with an encoder from the side
+- `things_vehicles`: car, bus, bicycle's wheel, shopping trolley
+- `things_arms`: the arm
+- `things_room`: camera, box, ball, bench, ruler, kerb, shelf, walls
+
+Places are (x, y, angle) in metres and radians, as numbers or expressions; so are angles of what
+turns and ways that wheels have rolled. Sizes are numbers. `look` is "", "ghost" or "wrong".
+"""
+
+from book.things_arms import arm
+from book.things_robots import dock, omni_robot, pad, platform, robot, vacuum
+from book.things_room import (
+    ball,
+    ball_stand,
+    bench,
+    board,
+    ceiling_camera,
+    cone,
+    kerb,
+    parcel,
+    road_marks,
+    ruler,
+    sheet,
+    shelf,
+    walls,
+)
+from book.things_vehicles import bicycle_wheel, bus, car, trolley
+from book.things_wheels import (
+    ball_wheel,
+    castor,
+    counter,
+    encoder_wheel,
+    light_gate,
+    mecanum_wheel,
+    omni_wheel,
+    roller_wheel,
+    steered_wheel,
+    wheel,
+)
+
+__all__ = [
+    "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus", "car",
+    "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel", "kerb", "light_gate",
+    "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "parcel", "platform", "road_marks", "robot",
+    "roller_wheel", "ruler", "sheet", "shelf", "steered_wheel", "trolley", "vacuum", "walls",
+    "wheel",
+]  # fmt: skip

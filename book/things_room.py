@@ -1,0 +1,203 @@
+"""What stands around: camera, box, ball, bench, ruler, kerb, shelf, walls."""
+
+from collections.abc import Sequence
+from math import tan
+from typing import Any
+
+from book.outlines import Point, box, curves, disc, line, polygon
+from courseware.figures import Outline, Thing
+
+
+def ceiling_camera(place: Any, tilt: Any = 0, size: float = 1) -> Thing:
+    """Return a camera from the side, its mount at a place of the ceiling, 13 cm above its lens.
+
+    tilt: the angle from straight down to where it looks.
+    """
+    lens = curves((-0.026, -0.115), [(0, -0.131), (0.026, -0.115)])
+    head = (
+        Outline(box(0.12, 0.08, 0, -0.05, 0.018), "drum_pale", "edge"),
+        Outline(box(0.068, 0.032, 0, -0.1, 0.006), "dark", "rim"),
+        Outline(lens, "glass_lit", "groove", 0.002),
+        Outline(line((-0.045, -0.055), (0.045, -0.055)), "", "shell_dark", 0.003),
+        Outline(disc(0.006, 0.043, -0.028), "tail"),
+    )
+    return Thing(
+        place,
+        (
+            Outline(box(0.1, 0.018, 0, -0.009, 0.004), "drum", "edge"),
+            Thing((0, -0.045, tilt), head, 0.02),
+            Outline(box(0.024, 0.05, 0, -0.035, 0.008), "drum", "groove", 0.002),
+            Outline(disc(0.008, 0, -0.045), "metal_dark", "groove", 0.002),
+        ),
+        height=0.02,
+        size=size,
+    )
+
+
+def cone(place: Any, long: float, half: float) -> Thing:
+    """Return the light that a camera sees by, from its lens down; half: of its angle."""
+    low, wide = -long, long * tan(half)
+    light = polygon(((-0.02, 0), (0.02, 0), (wide, low), (-wide, low)))
+    sides = line((-0.02, 0), (-wide, low)) + line((0.02, 0), (wide, low))
+    return Thing(place, (Outline(light, "beam"), Outline(sides, "", "ghost")), silhouette="")
+
+
+def parcel(pose: Any, long: float = 0.17, wide: float = 0.12, look: str = "") -> Thing:
+    """Return a box to grip, from above."""
+    tape = line((-long / 2, 0), (long / 2, 0)) + line((0, -wide / 2), (0, wide / 2))
+    parts = (
+        Outline(box(long, wide, corner=0.1 * wide), "goal", "goal_edge"),
+        Outline(tape, "", "goal_dark", 0.1 * wide),
+        Outline(
+            box(0.36 * long, 0.34 * wide, corner=0.03 * wide), "shell", "goal_dark", 0.02 * wide
+        ),
+    )
+    return Thing(pose, parts, height=0.2 * wide, look=look)
+
+
+def ball(place: Any, radius: float = 0.025, look: str = "") -> Thing:
+    """Return a ball, as it looks from everywhere."""
+    r = radius
+    glint = Outline(disc(0.5 * r, -0.28 * r, 0.32 * r), "sheen")
+    return Thing(place, (Outline(disc(r), "ball", "goal_edge"), glint), height=0.3 * r, look=look)
+
+
+def ball_stand(place: Any, high: float, radius: float = 0.025) -> Thing:
+    """Return a ball on a stand from the side, its middle at a place, `high` above the foot."""
+    r, low = radius, -high
+    foot = polygon(
+        ((-2.6 * r, low), (2.6 * r, low), (1.9 * r, low + 0.6 * r), (-1.9 * r, low + 0.6 * r))
+    )
+    cup = curves((-1.15 * r, -0.75 * r), [(0, -1.75 * r), (1.15 * r, -0.75 * r)], closed=False)
+    post = box(0.5 * r, high - 1.7 * r, 0, (low - 1.1 * r) / 2, 0.05 * r)
+    parts = (
+        Outline(post, "drum", "edge"),
+        Outline(foot, "drum", "edge"),
+        Outline(cup, "", "edge", 0.32 * r),
+        ball((0, 0, 0), r),
+    )
+    return Thing(place, parts, height=0.3 * r, silhouette=foot + post)
+
+
+def bench(left: float, right: float, top: float, bottom: float) -> Thing:
+    """Return a workbench from the side, on which all stands that is at the height of its top."""
+    wide, deep, mid = right - left, top - bottom, (left + right) / 2
+    return Thing(
+        (mid, top, 0),
+        (
+            Outline(box(wide, deep, 0, -deep / 2), "bench"),
+            Outline(_grain(wide, 0.84 * deep, -0.16 * deep), "", "wood_edge", 0.008 * deep, 0.3),
+        ),
+    )
+
+
+def _grain(wide: float, deep: float, top: float) -> str:
+    rows = [(0.2, 0.05), (0.42, -0.04), (0.61, 0.03), (0.83, -0.05)]
+    return "".join(
+        curves(
+            (-wide / 2, top - y * deep),
+            [(0, top - (y + bend * 3) * deep), (wide / 2, top - (y + bend) * deep)],
+            closed=False,
+        )
+        for y, bend in rows
+    )
+
+
+def sheet(place: Any, long: float, wide: float) -> Thing:
+    """Return a sheet of paper, from above."""
+    return Thing(
+        place,
+        (Outline(box(long, wide, corner=0.006 * long), "paper", "edge"),),
+        height=0.012 * long,
+    )
+
+
+def ruler(place: Any, unit: float, count: int, parts: int = 10) -> Thing:
+    """Return a ruler along x, from above, with `count` units, its zero at a place."""
+    high, rest = 0.2 * unit, 0.12 * unit
+    marks = []
+    for k in range(count * parts + 1):
+        long = 0.5 if k % parts == 0 else 0.34 if 2 * k % parts == 0 else 0.2
+        marks.append(line((k * unit / parts, -0.06 * high), (k * unit / parts, -long * high)))
+    thick = "".join(marks[::parts])
+    whole = box(count * unit + 2 * rest, high, count * unit / 2, -high / 2, 0.08 * high)
+    outlines = (
+        Outline(whole, "plank_lit", "wood_edge"),
+        Outline("".join(marks), "", "text", 0.004 * unit),
+        Outline(thick, "", "text", 0.009 * unit),
+    )
+    return Thing(place, outlines, height=0.03 * unit)
+
+
+def kerb(
+    place: Any, long: float, stone: float = 1.0, wide: float = 0.15, pavement: float = 2.0
+) -> Thing:
+    """Return a kerb from above, along x, its edge at a place; the pavement is to its right."""
+    count = max(1, round(long / stone))
+    stones = "".join(
+        box(0.985 * long / count, wide, (k + 0.5) * long / count, -wide / 2, 0.02)
+        for k in range(count)
+    )
+    parts = (
+        Outline(box(long, pavement, long / 2, -wide - pavement / 2), "seam"),
+        Outline(stones, "kerb", "kerb_edge"),
+    )
+    return Thing(place, parts, height=0.08, silhouette=box(long, wide, long / 2, -wide / 2))
+
+
+def road_marks(place: Any, long: float, dash: float = 1.5) -> Thing:
+    """Return the dashes in the middle of a road, along x."""
+    count = max(1, round(long / dash / 1.8))
+    step = long / count
+    dashes = "".join(box(dash, 0.12, (k + 0.5) * step, 0, 0.02) for k in range(count))
+    return Thing(place, (Outline(dashes, "paint"),), silhouette="")
+
+
+BOOKS = ("glass_lit", "accent", "shell_mid", "dark", "metal_mid", "wood_lit", "accent_dark")
+
+
+def shelf(place: Any, long: float = 0.8, wide: float = 0.17) -> Thing:
+    """Return a shelf with books, from above, its back along x through a place."""
+    books, x, k = [], -long / 2 + 0.03, 0
+    while x < long / 2 - 0.08:
+        thick, deep = 0.045 + 0.035 * (5 * k % 7) / 7, wide - 0.05 - 0.02 * (3 * k % 4)
+        books.append(
+            Outline(
+                box(thick, deep, x + thick / 2, -wide / 2, 0.005), BOOKS[3 * k % 7], "groove", 0.003
+            )
+        )
+        x, k = x + thick + 0.005, k + 1
+    parts = (
+        Outline(box(long, wide, 0, -wide / 2, 0.01), "wood", "wood_edge"),
+        Outline(box(long - 0.04, wide - 0.03, 0, -wide / 2, 0.005), "wood_dark"),
+        *books,
+    )
+    return Thing(place, parts, height=0.03)
+
+
+def board(place: Any, long: float, thick: float = 0.02) -> Thing:
+    """Return the board of a shelf from the side, its middle at a place."""
+    return Thing(
+        place, (Outline(box(long, thick, corner=0.2 * thick), "wood", "wood_edge"),), height=thick
+    )
+
+
+def walls(
+    room: tuple[float, float, float, float],
+    thick: float = 0.12,
+    doors: Sequence[tuple[Point, Point]] = (),
+) -> Thing:
+    """Return the walls round a room (x_low, x_high, y_low, y_high), from above.
+
+    doors: gaps in them, each from one corner to the opposite one.
+    """
+    x, X, y, Y = room
+    inside = polygon(((x, y), (x, Y), (X, Y), (X, y)))
+    t = thick
+    whole = polygon(((x - t, y - t), (X + t, y - t), (X + t, Y + t), (x - t, Y + t))) + inside
+    gaps = [
+        box(abs(b[0] - a[0]) + 0.02, abs(b[1] - a[1]) + 0.02, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+        for a, b in doors
+    ]
+    parts = (Outline(whole, "wall_top", "edge"), *(Outline(gap, "floor") for gap in gaps))
+    return Thing((0, 0, 0), parts, height=0.05)

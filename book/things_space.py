@@ -1,0 +1,99 @@
+"""The same things in space, as meshes that a chapter places with `VIEW.solid`."""
+
+from dataclasses import replace
+from math import acos, cos, pi, sin
+
+from courseware.figures import solids
+from courseware.figures.solids import Mesh
+
+N = 24  # of corners all round
+
+
+def link(length: float, start: float, end: float, pale: bool = False) -> tuple[Mesh, ...]:
+    """Return a tapered link along x, with covers on its joints; a pale one has a tool at its end.
+
+    start, end: radii, as of `outlines.capsule`.
+    """
+    tone, edge = ("shell", "edge") if pale else ("accent", "accent_edge")
+    k = acos((start - end) / length)
+    near = [2 * pi - k - (2 * pi - 2 * k) * i / 12 for i in range(13)][::-1]
+    far = [-k + 2 * k * i / 12 for i in range(13)]
+    corners = [(start * cos(a), start * sin(a)) for a in near]
+    corners += [(length + end * cos(a), end * sin(a)) for a in far]
+    mesh = solids.plate(tone, corners, 1.3 * end)
+    joints = ((0, start), (length, end))[: 1 if pale else 2]
+    covers = {face: _covers(mesh, face, joints) for face in (0, 1)}
+    return (replace(mesh, edge=edge, dots=covers),)
+
+
+def _covers(
+    mesh: Mesh, face: int, joints: tuple[tuple[float, float], ...]
+) -> list[tuple[object, ...]]:
+    """Return the covers of joints at places on the x axis, as discs printed on a face."""
+    corners = [mesh.corners[i] for i in mesh.faces[face]]
+    (a, b), middle = corners[:2], [sum(c[k] for c in corners) / len(corners) for k in range(3)]
+    long = ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5
+    ahead = ((b[0] - a[0]) / long, (b[1] - a[1]) / long)
+    up = 1 if face else -1  # the lower face is seen from below
+    dots: list[tuple[object, ...]] = []
+    for x, radius in joints:
+        dx, dy, r = x - middle[0], -middle[1], 0.78 * radius
+        u, v = dx * ahead[0] + dy * ahead[1], up * (dy * ahead[0] - dx * ahead[1])
+        dots += [(u, v, r, "groove"), (u, v, 0.93 * r, "metal"), (u, v, 0.64 * r, "metal_mid")]
+        dots += [(u, v, 0.59 * r, "shell"), (u, v, 0.16 * r, "dark")]
+        bolts = [(u + 0.79 * r * cos(k), v + 0.79 * r * sin(k)) for k in range(6)]
+        dots += [(*bolt, 0.08 * r, "metal_dark") for bolt in bolts]
+    return dots
+
+
+def gripper(x: float, size: float = 0.026, opening: float = 1) -> tuple[Mesh, ...]:
+    """Return a gripper at the end of a link, its two fingers in the arm's plane."""
+    s = size / 0.026
+    gap = (0.012 + 0.022 * opening) * s
+    palm = solids.box("metal_mid", (0.02 * s, 0.11 * s, 0.05 * s), (x + 0.01 * s, 0, 0))
+    fingers = [
+        solids.box("metal", (0.08 * s, 0.014 * s, 0.026 * s), (x + 0.06 * s, side * gap, 0))
+        for side in (1, -1)
+    ]
+    return tuple(replace(mesh, edge="edge") for mesh in (palm, *fingers))
+
+
+def column(high: float, radius: float = 0.09) -> tuple[Mesh, ...]:
+    """Return what an arm stands on, along z: a plate, a drum and a ring that turns with the arm."""
+    r, ring = radius, min(0.15 * high, 0.02)
+    rings = (
+        ("metal_mid", (1.6 * r, 1.6 * r), (0, 0.024)),
+        ("shell", (1.05 * r, r), (0.024, high - 2 * ring)),
+        ("dark", (1.06 * r, 1.06 * r), (high - 2 * ring, high - ring)),
+        ("accent", (0.94 * r, 0.94 * r), (high - ring, high)),
+    )
+    edges = {"accent": "accent_edge", "dark": "rim"}
+    return tuple(
+        replace(solids.cylinder(tone, radii, ends, n=N), edge=edges.get(tone, "edge"))
+        for tone, radii, ends in rings
+    )
+
+
+def camera(size: float = 1) -> tuple[Mesh, ...]:
+    """Return a camera at its lens that looks along z."""
+    s = size
+    body = solids.box("shell", (0.12 * s, 0.09 * s, 0.08 * s), (0, 0, -0.075 * s))
+    lens = solids.cylinder("dark", (0.034 * s, 0.036 * s), (-0.035 * s, 0), n=N)
+    return replace(body, edge="edge"), replace(lens, edge="rim")
+
+
+def parcel(size: tuple[float, float, float] = (0.17, 0.12, 0.1)) -> tuple[Mesh, ...]:
+    """Return a box to grip, its middle at the origin."""
+    return (replace(solids.box("goal", size), edge="goal_edge"),)
+
+
+def ball() -> tuple[Mesh, ...]:
+    """Return a ball of radius 1 m; R scales it."""
+    return (replace(solids.ball("goal"), edge="goal_edge"),)
+
+
+def stand(high: float) -> tuple[Mesh, ...]:
+    """Return the stand of a ball, its foot at the origin."""
+    foot = solids.cylinder("metal_mid", (0.06, 0.06), (0, 0.02), n=N)
+    post = solids.cylinder("metal_mid", (0.008, 0.008), (0.02, high), n=12)
+    return replace(foot, edge="edge"), replace(post, edge="edge")

@@ -1,0 +1,262 @@
+"""The things of the course's figures: all can be drawn, and their outlines stand out."""
+
+import re
+from itertools import product
+from math import pi
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from book import outlines, things, things_space
+from book.materials import GRADIENTS, GROUNDS, TONES
+from courseware.equations.quantities import quantity
+from courseware.figures import VIEW, Figure, Slider
+from courseware.figures.things import Outline, Thing
+from robokin.styles import KINDS
+
+x = quantity("x", "m", -10, 10, "anything that moves")
+pose = (x, 1 - x, 2 * x)
+# every thing, whatever can move moving
+MOVING = {
+    "wheel": lambda **k: things.wheel(pose, 0.1, 0.03, "left2", x),
+    "steered_wheel": lambda **k: things.steered_wheel(pose, x, "right2", x),
+    "castor": lambda **k: things.castor(pose, x, roll=x, **k),
+    "roller_wheel": lambda **k: things.roller_wheel(pose, 1, "left2", x, **k),
+    "omni_wheel": lambda **k: things.omni_wheel(pose, "left2", x),
+    "mecanum_wheel": lambda **k: things.mecanum_wheel(pose, "left2", x),
+    "ball_wheel": lambda **k: things.ball_wheel(pose),
+    "encoder_wheel": lambda **k: things.encoder_wheel(pose, x),
+    "light_gate": lambda **k: things.light_gate(pose),
+    "counter": lambda **k: things.counter(pose),
+    "robot": lambda **k: things.robot(pose, (x, -x), **k),
+    "pad": lambda **k: things.pad(pose),
+    "vacuum": lambda **k: things.vacuum(pose, (x, x), spin=x, **k),
+    "dock": lambda **k: things.dock(pose),
+    "omni_robot": lambda **k: things.omni_robot(pose, (x, x, x), beta=x, **k),
+    "platform": lambda **k: things.platform(pose, (x, x, x), rolled=x, **k),
+    "car": lambda **k: things.car(pose, (x, x), x, **k),
+    "bus": lambda **k: things.bus(pose, (x, x), x, **k),
+    "bicycle_wheel": lambda **k: things.bicycle_wheel(pose, x, x, **k),
+    "trolley": lambda **k: things.trolley(pose, (x, x, x, x), **k),
+    "arm": lambda **k: things.arm(pose, (x, x, x, x), (0.4, 0.3, 0.2, 0.1), opening=x, **k),
+    "ceiling_camera": lambda **k: things.ceiling_camera(pose, x),
+    "cone": lambda **k: things.cone(pose, 1, 0.4),
+    "parcel": lambda **k: things.parcel(pose, **k),
+    "ball": lambda **k: things.ball(pose, **k),
+    "ball_stand": lambda **k: things.ball_stand(pose, 0.2),
+    "bench": lambda **k: things.bench(-1, 1, 0, -0.2),
+    "board": lambda **k: things.board(pose, 1),
+    "sheet": lambda **k: things.sheet(pose, 1, 1),
+    "ruler": lambda **k: things.ruler(pose, 1, 3),
+    "kerb": lambda **k: things.kerb(pose, 10),
+    "road_marks": lambda **k: things.road_marks(pose, 10),
+    "shelf": lambda **k: things.shelf(pose),
+    "walls": lambda **k: things.walls((0, 2, 0, 1), doors=[((0.5, -0.2), (1, 0))]),
+}
+LOOKING = ("robot", "vacuum", "omni_robot", "platform", "car", "bus", "trolley", "arm", "parcel")
+
+
+def draw(thing, start=0.3):
+    """A picture with one thing, as SVG."""
+    slider = Slider(x, -10, 10, start, 0.1)
+    bar = things.wheel((x, 0, 0), 0.1, 0.1)  # what the slider moves in any case
+    figure = Figure("thing", "A thing.", (-2, 2, -2, 2), (bar, thing), (slider,), ground="tiles")
+    return figure.render_svg(400)
+
+
+def test_none_is_left_out():
+    assert set(MOVING) == set(things.__all__)
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_a_thing_is_drawn_wherever_it_moves(name):
+    for start in (-7.7, 0, 3.1):
+        svg = draw(MOVING[name](), start)
+        assert not re.search("NaN|undefined|Infinity", svg)
+
+
+@pytest.mark.parametrize(("name", "look"), [*product(LOOKING, ("ghost", "wrong"))])
+def test_a_thing_is_a_belief_or_a_mistake(name, look):
+    """With a line all round that is its own, so that it is seen on whatever it lies."""
+    kind = {"ghost": "ghost", "wrong": "error"}[look]
+    assert f"stroke:var(--rk-{kind}" in draw(MOVING[name](look=look))
+
+
+# ---- contrast
+
+
+def luminance(color):
+    """Relative luminance of `#rrggbb`, as WCAG 2.2 defines it."""
+    channels = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+
+def contrast(first, second):
+    high, low = sorted((luminance(first), luminance(second)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+def tones_of(material):
+    return [stop[1] for stop in GRADIENTS[material].stops] if material in GRADIENTS else [material]
+
+
+ON = {tone for ground in GROUNDS.values() for tone in tones_of(ground.fill)}
+
+
+def color_of(material, page):
+    return TONES[material][page] if material in TONES else getattr(KINDS[material], page)
+
+
+def edges(thing):
+    """The materials round a thing and round what stands out of it."""
+    widest = [part.edge for part in thing.parts if isinstance(part, Outline) and not part.width]
+    inner = [part for part in thing.parts if isinstance(part, Thing)]
+    return {*filter(None, widest), *(edge for part in inner for edge in edges(part))}
+
+
+@pytest.mark.parametrize("page", [0, 1], ids=["light", "dark"])
+def test_outlines_stand_out_from_every_ground(page):
+    around = set().union(*(edges(MOVING[name]()) for name in MOVING))
+    around |= {name for name in TONES if name.endswith("edge")} | {"rim"}
+    meanings = {name: (look.light, look.dark) for name, look in KINDS.items()}
+    for name in (around & TONES.keys()) | {"ghost", "error", "target"}:
+        tone = TONES.get(name) or meanings[name]
+        for ground in ON:
+            assert contrast(tone[page], TONES[ground][page]) >= 3, (name, ground)  # WCAG 1.4.11
+
+
+# ---- outlines
+
+
+def points(path):
+    """The points of a path of straight pieces."""
+    return [tuple(map(float, pair.split())) for pair in re.findall(r"[ML]([^MLz]+)", path)]
+
+
+def test_a_capsule_touches_both_of_its_discs():
+    """Its sides meet them at right angles to the radius, so that no corner shows."""
+    numbers = [float(n) for n in re.findall(r"-?[\d.]+", outlines.capsule(0.4, 0.06, 0.03))]
+    a, b = np.array(numbers[:2]), np.array(numbers[2:4])
+    assert np.linalg.norm(a) == pytest.approx(0.06, abs=1e-5)  # paths have five decimals
+    assert np.linalg.norm(b - [0.4, 0]) == pytest.approx(0.03, abs=1e-5)
+    assert np.dot(b - a, a) == pytest.approx(0, abs=1e-5)
+
+
+def test_a_mirrored_outline_is_alike_on_both_sides():
+    half = [[(2, 1)], [(1, 2), (0, 1)], [(-1, 1), (-2, 0.5), (-2, 0)]]
+    found = re.findall(r"-?[\d.]+ -?[\d.]+", outlines.mirrored((3, 0), half))
+    corners = [tuple(map(float, pair.split())) for pair in found]
+    assert corners == [(a, -b) for a, b in corners[::-1]]
+
+
+def test_a_side_is_mirrored_by_its_sign():
+    there, back = (outlines.curves((0, 1), [(2, 3)], [(4, 1)], side=s) for s in (1, -1))
+    assert points(back) == [(a, -b) for a, b in points(there)]
+
+
+def test_round_corners_stay_inside_the_straight_ones():
+    square = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+    found = re.findall(r"[LM]([-\d. ]+)", outlines.rounded(square, 0.25))
+    ends = [tuple(map(float, pair.split())) for pair in found]
+    assert {(abs(a), abs(b)) for a, b in ends} <= {(1, 0.75), (0.75, 1)}
+
+
+@pytest.mark.parametrize("corner", [0, 0.1])
+def test_a_box_closes(corner):
+    path = outlines.box(2, 1, 3, 4, corner)
+    if not corner:
+        assert points(path) == [(2, 3.5), (4, 3.5), (4, 4.5), (2, 4.5)]
+        return
+    lengths = [float(n) for n in re.findall(r"[hv](-?[\d.]+)", path)]
+    assert lengths == [1.8, 0.8, -1.8, -0.8]
+
+
+def test_a_sector_of_more_than_half_a_turn_takes_the_long_way():
+    assert " 1 1 " in outlines.sector(1, 2, 0, 1.5 * pi)
+    assert " 0 1 " in outlines.sector(1, 2, 0, 0.5 * pi)
+
+
+# ---- what moves
+
+
+def test_treads_run_ahead_as_a_wheel_rolls():
+    """By one pitch the picture is the same again; by less, the mark on top is ahead."""
+
+    def marks(roll):
+        svg = draw(things.wheel((0, 1, 0), 1, 0.3, "", roll))
+        wheel = svg[svg.rindex('<g transform="translate(') :]
+        return sorted(float(m) for m in re.findall(r"matrix\([^)]* (-?[\d.e-]+) 0\)", wheel))
+
+    pitch = 2 * pi * 0.5 / 18
+    assert marks(0) == pytest.approx(marks(pitch), abs=1e-3)  # five digits are written
+    top = min(marks(0.4 * pitch), key=abs)
+    assert top == pytest.approx(0.92 * 0.4 * pitch, rel=0.01)  # treads lie a little inside
+
+
+def test_the_pen_ends_where_the_last_link_does():
+    """So the tip that is drawn is the point that a chapter computes."""
+    arm = things.arm((0, 0, 0), (0, 0), (0.4, 0.3), tool="pen", base="")
+    link, reach = arm, 0.0
+    while inner := [part for part in link.parts if isinstance(part, Thing)]:
+        link = inner[0]
+        reach += link.at[0]
+    tip = max(px for px, _ in points(link.parts[-1].path))
+    assert reach + tip == pytest.approx(0.7, abs=1e-5)
+
+
+def test_a_gripper_closes():
+    def gap(opening):
+        arm = things.arm((0, 0, 0), (0,), (0.4,), opening=opening)
+        hand = arm.parts[-1].parts[0]
+        return [part.at[1] for part in hand.parts if isinstance(part, Thing)]
+
+    (left, right), (left_0, right_0) = gap(1), gap(0)
+    assert left > left_0 >= 0 >= right_0 > right
+    assert sp.diff(gap(x)[0], x) > 0
+
+
+# ---- in space
+
+MESHES = {
+    "link": things_space.link(0.4, 0.06, 0.04),
+    "pale": things_space.link(0.2, 0.04, 0.03, pale=True),
+    "gripper": things_space.gripper(0.2),
+    "column": things_space.column(0.2),
+    "camera": things_space.camera(),
+    "parcel": things_space.parcel(),
+    "ball": things_space.ball(),
+    "stand": things_space.stand(0.2),
+}
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_faces_look_outwards(name):
+    """Else they would be left out when they look at the reader."""
+    for mesh in MESHES[name]:
+        corners = np.array(mesh.corners)
+        for face in mesh.faces:
+            q = corners[list(face)]
+            up = sum(np.cross(a, b) for a, b in zip(q, np.roll(q, -1, axis=0), strict=True))
+            assert np.dot(up, q.mean(axis=0) - corners.mean(axis=0)) >= 0
+        assert {mesh.kind, mesh.edge} <= TONES.keys()
+
+
+@pytest.mark.parametrize("face", [0, 1])
+def test_the_covers_lie_on_the_joints(face):
+    (mesh,) = MESHES["link"]
+    q = np.array(mesh.corners)[list(mesh.faces[face])]
+    ahead = (q[1] - q[0]) / np.linalg.norm(q[1] - q[0])
+    up = np.cross([0, 0, 1 if face else -1], ahead)
+    places = [q.mean(axis=0) + dot[0] * ahead + dot[1] * up for dot in mesh.dots[face]]
+    np.testing.assert_allclose(places[0], [0, 0, q[0, 2]], atol=1e-12)  # rounding
+    np.testing.assert_allclose(places[len(places) // 2], [0.4, 0, q[0, 2]], atol=1e-12)
+
+
+def test_a_body_of_a_material_is_drawn():
+    bodies = [VIEW.solid(meshes, x * sp.eye(3)) for meshes in MESHES.values()]
+    figure = Figure("space", "All.", (-1, 1, -1, 1), tuple(bodies), (Slider(x, -10, 10, 1, 0.1),))
+    svg = figure.render_svg(400)
+    assert "NaN" not in svg
+    assert "color-mix(in srgb,var(--m-accent," in svg

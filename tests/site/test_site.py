@@ -468,6 +468,6 @@ def test_settings_are_looked_at(name, value, words):
 def test_the_teacher_s_commands_know_the_course_of_the_site(tmp_path, line, name):
     set_to(tmp_path, line)
     (tmp_path / "book").mkdir()
-    known = Course("book", "own", {}, "robokin")
+    known = Course("book", "own", {}, "robokin", None)
     known.folder = tmp_path / "book"
     assert known.settings["course_name"] == name

@@ -211,8 +211,8 @@ def test_the_view_follows_the_robot(alone):
     with alone(FIGURES["wheel-speeds"]) as live:
         live.put([0.15, 0.15, 12.0])
         box = live.picture.bounding_box()
-        wheel = live.picture.locator('[data-symbol="differential_drive.v_L"] rect').last
-        seen = wheel.bounding_box()
+        robot = live.picture.locator("use").last
+        seen = robot.bounding_box()
         assert box["y"] < seen["y"] < box["y"] + box["height"]
 
 

@@ -66,7 +66,7 @@ class Thing:
 
     Args:
         at: its place; a place that is no number hides it.
-        parts: `Outline`s, `Rim`s and `Thing`s, from below to above.
+        parts: outlines, rims and things in it, from below to above.
         height: how far it stands above the ground, m: so long is its shadow; 0: without one.
         look: "ghost" is pale, "wrong" is red and hatched.
         size: how many times as large as declared.

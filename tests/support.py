@@ -72,3 +72,18 @@ def assert_close(actual, expected, atol):
     """Numbers equal to within atol; infinities and NaN must stand in the same places."""
     assert np.shape(actual) == np.shape(expected)
     np.testing.assert_allclose(actual, expected, rtol=0, atol=atol, equal_nan=True)
+
+
+def luminance(color):
+    """Relative luminance of `#rrggbb` or `#rgb`, as WCAG 2.2 defines it."""
+    digits = color.lstrip("#")
+    digits = digits if len(digits) == 6 else "".join(2 * d for d in digits)
+    channels = [int(digits[i : i + 2], 16) / 255 for i in (0, 2, 4)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+
+def contrast(first, second):
+    """Contrast of two colours, 1 to 21."""
+    high, low = sorted((luminance(first), luminance(second)), reverse=True)
+    return (high + 0.05) / (low + 0.05)

@@ -41,7 +41,7 @@ export const renderScene = (figure, computed, width, state) => {
     if (![...at, depth].every(Number.isFinite)) return node;
     const seen = shape.edge && shape.label && figure.grid !== false;
     const drawn = (seen && arrowToOutside(at, shape, to, [width, height]))
-      || DRAWN[shape.shape](at, shape, to, computed, figure);
+      || DRAWN[shape.shape](at, shape, to, computed);
     if (!drawn.pieces && !isDeep) node[2] = drawn;
     else {
       first ??= i;

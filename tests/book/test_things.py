@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 import sympy as sp
+from support import contrast
 
 from book import outlines, things, things_space
 from book.materials import GRADIENTS, GROUNDS, TONES
@@ -84,18 +85,6 @@ def test_a_thing_is_a_belief_or_a_mistake(name, look):
 
 
 # ---- contrast
-
-
-def luminance(color):
-    """Relative luminance of `#rrggbb`, as WCAG 2.2 defines it."""
-    channels = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
-    return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
-
-
-def contrast(first, second):
-    high, low = sorted((luminance(first), luminance(second)), reverse=True)
-    return (high + 0.05) / (low + 0.05)
 
 
 def tones_of(material):

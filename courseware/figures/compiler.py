@@ -73,6 +73,8 @@ def serialize(value: Any) -> str:
         return "[" + ", ".join(map(serialize, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
+STRAIGHT = set("MLz 0123456789.-")  # of a path
+
 
 class Compiler:
     """Collect the expressions of one figure, so that all of them become one function."""
@@ -211,9 +213,10 @@ class Compiler:
         """Return the data of a part that moves in its thing."""
         if isinstance(part, Thing):
             return self.compile_thing(part, look)
-        rim = [part.radius, part.count, part.thickness]
-        drawing = self.find_drawing(*part.outlines)
-        return {"at": self.add(part.roll), "rim": rim, "drawing": drawing}
+        moving = {"at": self.add(part.roll), "rim": [part.radius, part.count, part.thickness]}
+        if len(part.outlines) == 1 and set(part.outlines[0].path) <= STRAIGHT:
+            return moving | {"lines": _compile_outline(*part.outlines)}
+        return moving | {"drawing": self.find_drawing(*part.outlines)}
 
     def find_drawing(self, *outlines: Outline) -> str:
         """Return the id of outlines; the same ones are drawn once."""

@@ -4,7 +4,7 @@ import { escapeHtml, renderSymbols } from "../script/text.js";
 import { formatControl, formatReadout } from "./figure_text.js";
 import { renderAttributes } from "./nodes.js";
 import { renderTurns } from "./quarter_turns.js";
-import { renderPicture } from "./scene.js";
+import { heightOf, renderPicture, widthOf } from "./scene.js";
 import { compute, settings, startState } from "./state.js";
 import { stroke, symbolData } from "./svg.js";
 
@@ -25,13 +25,17 @@ const renderChoice = (control, i) => {
 const renderButton = (kind, words, title, data = "") =>
   `<button type="button" class="rk-${kind}" aria-label="${words}: ${escapeHtml(title)}"${data}>${words}</button>`;
 
+// For a finger, which cannot stop at each place of a slider; keys move the slider itself.
+const renderStep = (control, i, sign, words) => `<button type="button" class="rk-step" tabindex="-1" `
+  + `data-i="${i}" data-sign="${sign}1" aria-label="${words}: ${escapeHtml(control.label)}">${sign === "-" ? "−" : "+"}</button>`;
+
 const renderSlider = (control, i, title) => {
   const play = control.type === "clock" ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
   const shown = formatControl(control, control.start);
-  return `<div class="rk-control"${renderAttributes(symbolData(control))}>${play}<label>${renderName(control)}`
+  return `<div class="rk-control"${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
     + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
-    + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label></div>`;
+    + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label>${renderStep(control, i, "+", "More")}</div>`;
 };
 
 const renderReadout = (readout, value) =>
@@ -41,7 +45,8 @@ const renderGoal = ({ words }) => `<p class="rk-goal">${renderSymbols(words)} <o
 
 export const renderFigure = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
-  const picture = `<div class="rk-picture">${renderPicture(figure)}</div>`;
+  const shape = widthOf(figure) / heightOf(figure, widthOf(figure));
+  const picture = `<div class="rk-picture" style="--shape:${shape.toFixed(3)}">${renderPicture(figure)}</div>`;
   if (!figure.controls.length) return picture;
   const turns = (_, i) => figure.viewAngles?.includes(i);
   const parts = figure.controls.map((control, i) =>

@@ -5,7 +5,7 @@ import { pauseClock, stopClock } from "./clock.js";
 import { formatControl } from "./figure_text.js";
 import { functions } from "./formula_functions.js";
 import { createProjection, heightOf } from "./scene.js";
-import { attract, clamp, compute, roundState, settings, startState, wrapAround } from "./state.js";
+import { attract, clamp, compute, roundState, settings, snap, startState, wrapAround } from "./state.js";
 
 export const followControls = (live) => live.inputs.forEach((input) => {
   const inSteps = () => { input.step = live.figure.controls[input.dataset.i].step; };
@@ -22,6 +22,27 @@ export const followControls = (live) => live.inputs.forEach((input) => {
     stopClock(live, Number(input.dataset.i));
     live.setOne(Number(input.dataset.i), Number(input.value));
   });
+});
+
+const HOLD_DELAY = 400, HOLD_EVERY = 60; // ms
+
+// One step for each tap; held down, one after another.
+export const followSteps = (live) => live.all(".rk-step").forEach((button) => {
+  const i = Number(button.dataset.i), control = live.figure.controls[i];
+  let timer;
+  const step = () => {
+    stopClock(live, i);
+    live.setOne(i, snap(control, wrapAround(control, live.state[i] + button.dataset.sign * control.step)));
+  };
+  const repeat = () => {
+    step();
+    timer = setTimeout(repeat, HOLD_EVERY);
+  };
+  button.addEventListener("click", step);
+  button.addEventListener("pointerdown", () => { timer = setTimeout(repeat, HOLD_DELAY); });
+  for (const end of ["pointerup", "pointerleave", "pointercancel"]) {
+    button.addEventListener(end, () => clearTimeout(timer));
+  }
 });
 
 export const followReset = (live) => live.element.querySelector(".rk-reset")

@@ -1,7 +1,8 @@
+import { writeText } from "../script/text.js";
 import { followClock, followSight, followTurns } from "./clock.js";
-import { addHandles, describeHandle, followControls, followGround, followReset, placeHandles } from "./dragging.js";
+import { addHandles, describeHandle, followControls, followGround, followReset, followSteps, placeHandles } from "./dragging.js";
 import { describeFigure, describeState, formatControl, formatReadout, numbersBySymbol } from "./figure_text.js";
-import { updateNodes } from "./nodes.js";
+import { setAttribute, updateNodes } from "./nodes.js";
 import { heightOf, renderScene, widthOf } from "./scene.js";
 import { compute, settings, startState } from "./state.js";
 import { px } from "./svg.js";
@@ -22,6 +23,9 @@ export class LiveFigure {
     this.drawing = this.picture.querySelector("[role=img]");
     this.nodes = ""; // what is drawn
     this.inputs = this.all(":is(input, select)[data-i]");
+    this.outputs = this.all("[data-o]");
+    this.readouts = this.all("dd");
+    this.goals = this.all(".rk-goal");
     this.state = startState(figure);
     this.width = widthOf(figure);
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
@@ -34,7 +38,7 @@ export class LiveFigure {
 
   start() {
     addHandles(this);
-    for (const follow of [followControls, followTurns, followClock, followGround, followReset,
+    for (const follow of [followControls, followSteps, followTurns, followClock, followGround, followReset,
       followSight]) follow(this);
     this.resize(this.picture.parentElement.clientWidth);
     new ResizeObserver(([{ contentRect: { width } }]) => {
@@ -99,32 +103,31 @@ export class LiveFigure {
     placeHandles(this).forEach(([x, y], k) => {
       describeHandle(this, this.figure.handles[k], this.handles[k]);
       for (const part of [this.handles[k], this.handles[k].nextSibling]) {
-        part.setAttribute("cx", px(x));
-        part.setAttribute("cy", px(y));
+        setAttribute(part, "cx", px(x));
+        setAttribute(part, "cy", px(y));
       }
     });
   }
 
   writeReadouts() {
-    this.all("dd").forEach((element, k) => {
-      element.textContent = formatReadout(this.figure.readouts[k], this.computed.values[k]);
-    });
+    this.readouts.forEach((element, k) =>
+      writeText(element, formatReadout(this.figure.readouts[k], this.computed.values[k])));
   }
 
   writeControls() {
     const shown = (i) => formatControl(this.figure.controls[i], this.state[i]);
     this.inputs.forEach((input) => {
       showPosition(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
-      if (input.type === "range") input.setAttribute("aria-valuetext", shown(input.dataset.i));
+      if (input.type === "range") setAttribute(input, "aria-valuetext", shown(input.dataset.i));
     });
-    this.all("[data-o]").forEach((output) => { output.textContent = shown(output.dataset.o); });
+    this.outputs.forEach((output) => writeText(output, shown(output.dataset.o)));
   }
 
   // Passing over a goal does not reach it; once reached it stays so until a reset.
   writeGoals() {
     const now = this.held ? [] : this.figure.goals;
     now.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
-    this.all(".rk-goal").forEach((goal, k) => {
+    this.goals.forEach((goal, k) => {
       const done = this.reached.has(k);
       if (goal.classList.contains("rk-done") === done) return;
       goal.classList.toggle("rk-done", done);

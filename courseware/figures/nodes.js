@@ -8,6 +8,10 @@ export const renderNodes = (nodes) => typeof nodes === "string" ? nodes : nodes
   .map(([tag, attributes, inside = []]) =>
     `<${tag}${renderAttributes(attributes)}>${renderNodes(inside)}</${tag}>`).join("");
 
+export const setAttribute = (element, name, value) => {
+  if (element.getAttribute(name) !== String(value)) element.setAttribute(name, value);
+};
+
 const createElement = ([tag, attributes, inside = []]) => {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
   Object.entries(attributes).forEach((attribute) => element.setAttribute(...attribute));

@@ -12,13 +12,24 @@ const subtract = (a, b) => b.map((x, k) => x - a[k]);
 const cross = (u, v) => [0, 1, 2].map((k) =>
   u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]);
 
-// The outline of a face that looks at the viewer, else nothing; y points down.
-const outlineFace = (q) => {
-  const area = q.reduce((sum, [x, y], i) => {
+// Whether a face looks at the viewer; y points down.
+const isSeen = (q) => {
+  let area = 0;
+  q.forEach(([x, y], i) => {
     const [x1, y1] = q[(i + 1) % q.length];
-    return sum + x * y1 - x1 * y;
-  }, 0);
-  return area < -0.5 ? `M${q.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join(" ")}z` : "";
+    area += x * y1 - x1 * y;
+  });
+  return area < -0.5;
+};
+
+const writePoint = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+// Not a path: what a browser knows of a path's form is its style, which is worked out anew.
+const linePiece = (points, style) => ["polyline", { points, style }];
+
+const castShadow = (faces, flat) => {
+  const texts = flat.map(writePoint);
+  return faces.filter((face) => isSeen(face.map((i) => flat[i])))
+    .map((face) => `M${face.map((i) => texts[i]).join(" ")}z`).join("");
 };
 
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
@@ -32,9 +43,9 @@ const shadeFace = (kind, normal) => {
 };
 
 // Discs in the plane of a face, from its middle along its first edge and to the left of that.
-const paintDots = (discs, q, [a, b], normal, seen, fill) => {
-  const ahead = unit(subtract(a, b)), middle = seen([0, 0, 0]);
-  const axes = [ahead, cross(normal, ahead)].flatMap((axis) => subtract(middle, seen(axis)).slice(0, 2));
+const paintDots = (discs, q, [a, b], normal, toEye, fill) => {
+  const ahead = unit(subtract(a, b)), middle = toEye([0, 0, 0]);
+  const axes = [ahead, cross(normal, ahead)].flatMap((axis) => subtract(middle, toEye(axis)).slice(0, 2));
   const at = (x, y, k) => px(meanOf(q, k) + x * axes[k] + y * axes[2 + k]);
   return discs.map(([x, y, r, tone]) => ["circle", {
     r, style: `fill:${fill(tone)}`, transform: `matrix(${axes.map(px)} ${at(x, y, 0)} ${at(x, y, 1)})`,
@@ -50,18 +61,21 @@ const findNeighbours = (faces) => {
   return faces.map((face) => face.map((_, i) => owner.get(ends(face, i).reverse().join())));
 };
 
-const isSmooth = (k, next, lines, normals) => lines[next] && dot(normals[k], normals[next]) > SHARP;
+const isSmooth = (k, next, seen, normals) => seen[next] && dot(normals[k], normals[next]) > SHARP;
 
-// Its edges to faces that look away, or another way; one between two such faces is drawn once.
-const outlineEdges = (q, k, { beside }, lines, normals) => {
-  let line = "", ended = "";
-  q.forEach((from, i) => {
-    const next = beside[k][i], [start, end] = [from, q[(i + 1) % q.length]].map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`);
-    if (isSmooth(k, next, lines, normals) || (lines[next] && next < k)) return;
-    line += `${start === ended ? "" : `M${start}`}L${end}`;
+// The lines of a face: its edges to faces that look away, or another way; one between two such faces
+// is drawn once.
+const findLines = (texts, k, { beside }, seen, normals) => {
+  const lines = [];
+  let ended;
+  texts.forEach((start, i) => {
+    const next = beside[k][i], end = texts[(i + 1) % texts.length];
+    if (isSmooth(k, next, seen, normals) || (seen[next] && next < k)) return;
+    if (start === ended) lines.push(`${lines.pop()} ${end}`);
+    else lines.push(`${start} ${end}`);
     ended = end;
   });
-  return line;
+  return lines;
 };
 
 // Whether a face is painted over the place of a label: then it would name what is not seen.
@@ -75,7 +89,7 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
   const [ca, sa, ce, se] = [0, 1].flatMap((k) => [Math.cos(p[k]), Math.sin(p[k])]);
   const place = (corner) => [0, 1, 2].map((i) =>
     corner.reduce((sum, x, k) => sum + p[2 + 3 * i + k] * x, p[11 + i]));
-  const seen = ([x, y, z]) => {
+  const toEye = ([x, y, z]) => {
     const away = x * ca + y * sa;
     return [...to([y * ca - x * sa, z * ce - away * se]), away * ce + z * se];
   };
@@ -84,29 +98,27 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
   for (const mesh of data) {
     const { kind, edge, corners, faces, dots } = mesh;
     mesh.beside ??= findNeighbours(faces);
-    const there = corners.map(place), points = there.map(seen);
-    const flat = floor === null || se < 0 ? [] : there.map(([x, y]) => seen([x, y, floor]));
-    const worlds = faces.map((face) => face.map((i) => there[i])), normals = worlds.map(normalOf);
-    const seenFaces = faces.map((face) => face.map((i) => points[i])), lines = seenFaces.map(outlineFace);
-    const depths = seenFaces.map((q) => meanOf(q, 2) - behind), drawn = [];
+    const there = corners.map(place), points = there.map(toEye), texts = points.map(writePoint);
+    const worlds = faces.map((face) => face.map((i) => there[i]));
+    const outlines = faces.map((face) => face.map((i) => points[i])), seen = outlines.map(isSeen);
+    const normals = worlds.map((world, k) => seen[k] && normalOf(world));
+    const depths = outlines.map((outline) => meanOf(outline, 2) - behind), lines = [];
+    if (floor !== null && se >= 0) shadow += castShadow(faces, there.map(([x, y]) => toEye([x, y, floor])));
     faces.forEach((face, k) => {
-      if (flat.length) shadow += outlineFace(face.map((i) => flat[i]));
-      const q = seenFaces[k], line = lines[k];
-      if (!line) return;
-      const tone = shadeFace(kind, normals[k]);
-      const edges = ghost ? "" : outlineEdges(q, k, mesh, lines, normals);
-      if (edges) { // above the faces beside it of the same round body
-        drawn.push({ nodes: [path(edges, `fill:none;stroke:${paint(edge || kind)}`)],
-          depth: Math.max(depths[k], ...mesh.beside[k].filter((next) => lines[next]).map((next) => depths[next])) });
+      if (!seen[k]) return;
+      const tone = ghost ? paint(kind) : shadeFace(kind, normals[k]), around = face.map((i) => texts[i]);
+      const style = ghost ? `fill:${tone};fill-opacity:${opacity};stroke:${tone};stroke-dasharray:${KINDS[kind]?.dash.join(" ") || "none"}`
+        : `fill:${tone};stroke:${tone};stroke-width:.6`;
+      const printed = paintDots(dots[k] ?? [], outlines[k], worlds[k], normals[k], toEye,
+        (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)");
+      pieces.push({ nodes: [linePiece([...around, around[0]].join(" "), style), ...printed], depth: depths[k], face: !ghost && outlines[k] });
+      const edges = ghost ? [] : findLines(around, k, mesh, seen, normals);
+      if (edges.length) { // above the faces beside it of the same round body
+        lines.push({ nodes: edges.map((line) => linePiece(line, `fill:none;stroke:${paint(edge || kind)}`)),
+          depth: Math.max(depths[k], ...mesh.beside[k].filter((next) => seen[next]).map((next) => depths[next])) });
       }
-      const dashes = `;stroke-dasharray:${KINDS[kind]?.dash.join(" ") || "none"}`;
-      const nodes = [path(line, ghost ? `fill:${paint(kind)};fill-opacity:${opacity};stroke:${paint(kind)}${dashes}`
-        : `fill:${tone};stroke:${tone};stroke-width:.6`),
-      ...paintDots(dots[k] ?? [], q, worlds[k], normals[k], seen,
-        (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)")];
-      pieces.push({ nodes, depth: depths[k], face: !ghost && q });
     });
-    pieces.push(...drawn);
+    pieces.push(...lines);
   }
   const dark = `fill:color-mix(in srgb,${color("grid")} 80%,#000)`;
   if (shadow) pieces.push({ nodes: [path(shadow, dark)], depth: SHADOW });

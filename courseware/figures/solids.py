@@ -107,8 +107,13 @@ def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Me
     n, half = 24, width / 2
     rims = (inner, -half), (outer, -half), (outer, half), (inner, half)
     corners = _turn([corner for rim in rims for corner in _circle(n, *rim)], along)
-    faces = [face for a in range(4) for face in _band(n, a, (a + 1) % 4)]
-    return Mesh(kind, corners, tuple(faces))
+    low, outside, high, inside = (_band(n, rim, (rim + 1) % 4) for rim in range(4))
+    flat = [  # two at a time, each from a corner of its own on
+        (f[3], f[0], f[1], g[1], g[2], f[2])
+        for side in (low, high)
+        for f, g in zip(side[::2], side[1::2], strict=True)
+    ]
+    return Mesh(kind, corners, (*outside, *inside, *flat))
 
 
 def ball(kind: Kind) -> Mesh:

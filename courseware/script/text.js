@@ -17,4 +17,7 @@ export const renderSymbols = (text, written = "<i>$1</i><sub>$2</sub>") =>
 
 export const formatNumber = (number, digits) => trueMinus(String(Number(number.toPrecision(digits))));
 
+// What stays the same is not touched: a page is laid out anew for each text that is written.
+export const writeText = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+
 export const fillTemplate = (text, values) => text.replace(/\{([\w.:]+)\}/g, (_, name) => values[name]);

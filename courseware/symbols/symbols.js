@@ -1,6 +1,6 @@
 // Hover, tap or focus of a symbol lights all its faces within the step, and a note names it.
 
-import { escapeHtml, renderSymbols, trueMinus } from "../script/text.js";
+import { escapeHtml, renderSymbols, trueMinus, writeText } from "../script/text.js";
 
 // A step is a section without the sections in it.
 const SYMBOL = "[data-symbol]";
@@ -20,10 +20,10 @@ export const formatSlot = ({ value, text }, { result, radians, guarded }) => {
   return guarded && shown[0] === "−" ? `(${shown})` : shown;
 };
 
+const slots = {}; // of each figure
 const fillSlots = ({ name, numbers }) => {
-  for (const slot of document.querySelectorAll(`[data-of="${name}"]`)) {
-    slot.textContent = formatSlot(numbers[slot.dataset.symbol], slot.dataset);
-  }
+  slots[name] ??= document.querySelectorAll(`[data-of="${name}"]`);
+  slots[name].forEach((slot) => writeText(slot, formatSlot(numbers[slot.dataset.symbol], slot.dataset)));
 };
 
 const markNames = () => {

@@ -17,15 +17,18 @@ export const pauseClock = (live) => {
 };
 
 const REST_SECONDS = 0.8; // at the end, before it starts again
+const ROUNDS = 2; // of what starts by itself; a press plays it again
 
 const playClock = (live, i, from) => {
   const control = live.figure.controls[i], began = performance.now();
   const round = control.high - control.low + REST_SECONDS * control.rate;
   const tick = (now) => {
     const gone = from + control.rate * Math.max(0, now - began) / 1000;
-    const time = clamp(control, control.loops ? control.low + (gone - control.low) % round : gone);
+    const rests = live.resumeClock && gone >= control.low + ROUNDS * round;
+    const time = clamp(control, control.loops && !rests ? control.low + (gone - control.low) % round : gone);
     live.setOne(i, time);
-    if (time >= control.high && !control.loops) pauseClock(live);
+    if (rests) live.resumeClock = null;
+    if (rests || (time >= control.high && !control.loops)) pauseClock(live);
     else live.tick = requestAnimationFrame(tick);
   };
   live.tick = requestAnimationFrame(tick);
@@ -39,7 +42,7 @@ export const stopClock = (live, i) => {
   if (controls[i].loops) live.resumeClock = null;
 };
 
-// A clock that loops runs while its picture is in sight and under no veil, until a hand stops it.
+// A clock that loops runs twice while its picture is in sight and under no veil, unless a hand stops it.
 export const followSight = (live) => {
   const i = live.figure.controls.findIndex(({ loops }) => loops);
   if (i < 0 || prefersReducedMotion()) return;

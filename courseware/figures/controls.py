@@ -61,8 +61,8 @@ class Slider:
 class Clock(Slider):
     """A slider that also plays: it runs from low to high, `rate` of its SI unit in a second.
 
-    loops: it plays by itself while the picture is in sight, again and again, for readers who like
-    motion; a hand on it stops it.
+    loops: it plays by itself while the picture is in sight, twice, for readers who like motion;
+    a hand on it stops it, a press plays it again and again.
     """
 
     start: float = 0.0

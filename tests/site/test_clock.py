@@ -3,7 +3,7 @@
 import pytest
 from declared import FIGURES
 from figure_numbers import ASKED, TYPICAL
-from figure_page import assert_shows_state
+from figure_page import SHOW, assert_shows_state
 
 from courseware.figures import Clock
 
@@ -86,3 +86,45 @@ def test_reduced_motion_steps(figure, clock, visit):
             wanted = clock.low + tenths * (clock.high - clock.low) / 10
             assert time_of(live, clock) == pytest.approx(wanted)
             assert live.root.locator(".rk-play").text_content() == "Play"
+
+
+LOOPS = [f for f in FIGURES.values() if any(isinstance(c, Clock) and c.loops for c in f.controls)]
+WAKE = "() => document.querySelectorAll('.rk-figure').forEach((e) => e.scrollIntoView())"
+COUNT = """() => {
+  window.drawn = {};
+  addEventListener("courseware:drawn", ({ target: { id } }) => { drawn[id] = (drawn[id] ?? 0) + 1; });
+}"""
+OUT_OF_SIGHT = """() => Object.keys(drawn).filter((id) => {
+  const { top, bottom } = document.getElementById(id).getBoundingClientRect();
+  return bottom < 0 || top > innerHeight;
+})"""
+RUNS = "(name) => document.getElementById(name).courseware.tick"
+
+
+@pytest.mark.parametrize("figure", LOOPS, ids=lambda figure: figure.name)
+def test_only_what_is_in_sight_runs(figure, visit):
+    """All figures of the page are alive; those that draw a frame are counted."""
+    with visit(figure, reduced_motion="no-preference") as live:
+        page = live.page
+        page.evaluate(WAKE)
+        live.picture.evaluate(SHOW)
+        page.wait_for_function(RUNS, arg=figure.name)
+        page.evaluate(COUNT)
+        page.wait_for_function("(name) => drawn[name] > 5", arg=figure.name)
+        assert page.evaluate(OUT_OF_SIGHT) == []
+        page.evaluate("() => scrollTo(0, document.body.scrollHeight)")
+        page.wait_for_function(f"(name) => !({RUNS})(name)", arg=figure.name)
+
+
+@pytest.mark.parametrize("figure", LOOPS, ids=lambda figure: figure.name)
+def test_what_starts_by_itself_rests_after_two_rounds(figure, visit):
+    with visit(figure, before=on_its_own_clock, reduced_motion="no-preference") as live:
+        live.picture.evaluate(SHOW)
+        live.page.wait_for_function(RUNS, arg=figure.name)
+        clock = next(c for c in figure.controls if isinstance(c, Clock))
+        live.page.clock.run_for(1000 * (2 * (clock.high - clock.low) / clock.rate + 3))
+        assert not live.page.evaluate(RUNS, figure.name)
+        assert time_of(live, clock) == clock.high
+        live.root.locator(".rk-play").click()  # again and again
+        live.page.clock.run_for(1000 * (4 * (clock.high - clock.low) / clock.rate + 3))
+        assert live.page.evaluate(RUNS, figure.name)

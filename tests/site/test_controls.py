@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from declared import FIGURES
 from figure_numbers import TYPICAL, WORDS, typical_handled, typical_held, typical_moved
-from figure_page import assert_shows_state, drag, nudge, slide
+from figure_page import OPENED, assert_shows_state, drag, nudge, slide
+
+from courseware.figures import Slider
 
 pytest_plugins = ["figure_page"]
 pytestmark = pytest.mark.browser
@@ -52,6 +54,32 @@ def test_keys_reach_a_word_instead_of_a_number(visit, name, values, readout, wor
                 live.press(control, *min(ways, key=len))
         assert live.readouts()[readout] == word
         assert_shows_state(live)
+
+
+@typical_moved
+def test_a_tap_moves_a_slider_by_its_step(figure, visit):
+    """No slider needs to be dragged; held down, the button goes on."""
+    sliders = [c for c in figure.controls if isinstance(c, Slider)]
+    with visit(figure, before=lambda page: page.clock.install(time=0)) as live:
+        live.page.clock.pause_at(1000)
+        for slider in sliders:
+            live.input(slider).evaluate(OPENED)
+            place = figure.controls.index(slider)
+            less, more = live.root.locator(f".rk-step[data-i='{place}']").all()
+            live.press(slider, "Home")
+            more.click()
+            more.click()
+            less.click()
+            assert live.values()[slider.key] == pytest.approx(slider.low + slider.step)
+            assert_shows_state(live)
+        more.hover()
+        live.page.mouse.down()
+        live.page.clock.run_for(1000)
+        live.page.mouse.up()
+        held = live.values()[slider.key]
+        assert held >= slider.low + 9.9 * slider.step or held == pytest.approx(slider.high)
+        live.page.clock.run_for(1000)
+        assert live.values()[slider.key] == held
 
 
 @typical_moved

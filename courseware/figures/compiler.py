@@ -73,6 +73,7 @@ def serialize(value: Any) -> str:
         return "[" + ", ".join(map(serialize, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
+
 STRAIGHT = set("MLz 0123456789.-")  # of a path
 
 

@@ -92,7 +92,8 @@ LOOPS = [f for f in FIGURES.values() if any(isinstance(c, Clock) and c.loops for
 WAKE = "() => document.querySelectorAll('.rk-figure').forEach((e) => e.scrollIntoView())"
 COUNT = """() => {
   window.drawn = {};
-  addEventListener("courseware:drawn", ({ target: { id } }) => { drawn[id] = (drawn[id] ?? 0) + 1; });
+  const count = ({ target: { id } }) => { drawn[id] = (drawn[id] ?? 0) + 1; };
+  addEventListener("courseware:drawn", count);
 }"""
 OUT_OF_SIGHT = """() => Object.keys(drawn).filter((id) => {
   const { top, bottom } = document.getElementById(id).getBoundingClientRect();

@@ -181,8 +181,13 @@ def _block(radius: float, angle: float, long: float, wide: float) -> str:
     return polygon([(c * x - s * y, s * x + c * y) for x, y in ends])
 
 
-def encoder_wheel(place: Any, roll: Any = 0, radius: float = 0.05, slots: int = 24) -> Thing:
-    """Return a wheel from the side with a slotted disc, that rolled so many metres to the right."""
+def encoder_wheel(
+    place: Any, roll: Any = 0, radius: float = 0.05, slots: int = 24, stripe: str = "left2"
+) -> Thing:
+    """Return a wheel from the side with a slotted disc, that rolled so many metres to the right.
+
+    stripe: the material of its mark.
+    """
     R, half = radius, pi / slots / 2
     turning = (
         Outline(ring(lambda a: _block(0.955 * R, a, 0.05 * R, 0.07 * R), 40), "tread"),
@@ -195,7 +200,7 @@ def encoder_wheel(place: Any, roll: Any = 0, radius: float = 0.05, slots: int = 
         ),
         Outline(disc(0.13 * R), "dark", "metal_dark", 0.012 * R),
         Outline(disc(0.05 * R), "metal"),
-        Outline(line((0.77 * R, 0), (0.97 * R, 0)), "", "left2", 0.08 * R),
+        Outline(line((0.77 * R, 0), (0.97 * R, 0)), "", stripe, 0.12 * R),
     )
     return Thing(
         place,

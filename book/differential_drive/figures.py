@@ -59,7 +59,6 @@ from courseware.figures import (
     Choice,
     Clock,
     Curve,
-    Disc,
     Figure,
     Goal,
     Graph,
@@ -344,11 +343,11 @@ def world_figure() -> Figure:
 def rates_figure() -> Figure:
     """Draw a wanted motion, and the two wheels that roll for it, seen from the side."""
     rows = []
-    for speed, rate, high in ((v_L, rate_L, 0.02), (v_R, rate_R, -0.1)):
-        far = 0.1 + speed * t
+    for speed, rate, high, stripe in ((v_L, rate_L, 0.02, "left2"), (v_R, rate_R, -0.1, "right2")):
+        far, place = 0.1 + speed * t, (0.1 + speed * t, high + RADIUS, pi / 2)
         rows += [
             Line("grid", ((0.07, high), (0.36, high))),
-            Disc(speed, (far, high + RADIUS), pi / 2 - rate * t, RADIUS),
+            things.encoder_wheel(place, rate * t * RADIUS, RADIUS, stripe=stripe),
             Length(speed, (0.1, high), (far, high), aside=-0.015, label=""),
             Label(rate, (far, high + 2.9 * RADIUS)),
         ]
@@ -356,6 +355,7 @@ def rates_figure() -> Figure:
         name="rates",
         title="A robot from above and, beside it, its two wheels from the side as they roll",
         view=(-0.1, 0.38, -0.15, 0.18),
+        ground="paper",
         controls=(
             Slider(v, 0.0, 0.1, start=0.05, step=0.005),
             Slider(omega, -1.0, 1.0, start=0.0, step=0.05),

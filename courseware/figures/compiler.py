@@ -49,7 +49,6 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Line: ("line", lambda x: coordinates(*x.points), ()),
     s.Arrow: ("arrow", lambda x: coordinates(x.tail, x.head), ()),
     s.Wheel: ("wheel", lambda x: (*coordinates(x.at), x.angle, x.roll), ("length", "width")),
-    s.Disc: ("disc", lambda x: (*coordinates(x.at), x.angle), ("radius",)),
     s.Area: ("area", lambda x: coordinates(*x.points), ()),
     s.Length: ("length", lambda x: coordinates(x.start, x.end), ("aside",)),
     s.Label: ("label", lambda x: coordinates(x.at), ()),
@@ -57,6 +56,8 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.AngleArc: ("angle", lambda x: (*coordinates(x.at), x.start, x.end), ("radius",)),
     s.Curve: ("curve", lambda x: (x.low, x.high), ("samples",)),
     s.Trail: ("trail", lambda x: (), ("dots",)),
+    s.Cloud: ("cloud", lambda x: (), ("rows",)),
+    s.Ink: ("ink", lambda x: coordinates(x.at), ()),
     s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
     Solid: ("solid", lambda x: x.numbers, ("data", "floor", "opacity", "behind")),
 }
@@ -231,6 +232,8 @@ class Compiler:
         if isinstance(shape, s.Curve):
             place = coordinates(shape.at) if shape.depth is None else [*shape.at, shape.depth]
             return {"point": self._compile(place, s=[shape.parameter])}
+        if isinstance(shape, s.Cloud):
+            return {"point": self._compile(coordinates(shape.at), s=shape.symbols)}
         if isinstance(shape, s.Trail):
             index = self.recurrences.index(shape.recurrence)
             point = self._compile(coordinates(shape.at), s=shape.recurrence.state)

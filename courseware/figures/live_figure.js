@@ -30,6 +30,7 @@ export class LiveFigure {
     this.width = widthOf(figure);
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
     this.reached = new Set(); // goals, until a reset
+    this.ink = new Map(); // places that each pen has been at, until a reset
     this.handles = [];
     this.held = this.last = null; // what a pointer moves now, and the handle that it moved last
   }
@@ -85,6 +86,7 @@ export class LiveFigure {
     this.drawn = 0;
     this.computed = compute(this.figure, settings(this.figure, this.state));
     if (this.held?.view) this.computed.view = this.held.view; // a view that follows waits for a hand
+    this.writeInk();
     const nodes = renderScene(this.figure, this.computed, this.width, this.state);
     updateNodes(this.drawing, nodes, this.nodes);
     this.nodes = nodes;
@@ -97,6 +99,15 @@ export class LiveFigure {
     }));
     clearTimeout(this.told);
     this.told = setTimeout(() => this.tell(), 400);
+  }
+
+  writeInk() {
+    this.computed.drawn = this.ink;
+    for (const { shape, at } of this.figure.scene) {
+      if (shape !== "ink") continue;
+      const line = this.ink.get(at) ?? [], place = at.map((index) => this.computed.values[index]);
+      if (String(place) !== String(line.at(-1))) this.ink.set(at, [...line, place]);
+    }
   }
 
   drawHandles() {

@@ -90,16 +90,6 @@ export const SHAPES = {
       path(w > 16 ? treads.join("") : "", "stroke-width:1"),
     ]]];
   },
-  disc: (p, shape, to) => {
-    const r = shape.radius * to.scale;
-    const spokes = Array.from({ length: 5 }, (_, k) => {
-      const turn = 2 * Math.PI * k / 5;
-      return `M0 0L${px(r * Math.cos(turn))} ${px(-r * Math.sin(turn))}`;
-    });
-    const style = `fill:${color(shape.kind)};fill-opacity:.15;stroke:${color(shape.kind)};stroke-width:2`;
-    return [["g", { transform: place(...to(p), p[2]), style },
-      [circle(0, 0, r, "stroke-width:4"), path(spokes.join(""), ""), circle(0, 0, 4, "fill-opacity:1")]]];
-  },
   area: (p, shape, to) => [path(`${polyline(toPoints(p).map(to))}z`, fill(shape.kind, 0.16))],
   length: (p, shape, to) => {
     const [[x0, y0], [x1, y1]] = toPoints(p).map(to), long = Math.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2);
@@ -140,6 +130,11 @@ export const SHAPES = {
     const corners = points.length > 60 || !shape.dots ? [] : points.map(([x, y]) => circle(x, y, 3, fill(shape.kind)));
     return [...strokePath(polyline(points), shape), ...corners];
   },
+  cloud: (p, shape, to, { c }) => {
+    const dots = shape.rows.map((row) => to(shape.point(functions, c, row)));
+    return [path(dots.map(([x, y]) => `M${px(x)} ${px(y)}h0`).join(""), stroke(shape.kind, `;stroke-width:4.5;stroke-linecap:round${SOLID}`))];
+  },
+  ink: (p, shape, to, { drawn }) => strokePath(polyline((drawn?.get(shape.at) ?? []).map(to)), shape, SOLID),
   angle: (p, shape, to) => {
     const [x, y, from, until] = p, points = [], steps = 24;
     for (let i = 0; i <= steps; i++) {

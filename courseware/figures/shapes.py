@@ -62,16 +62,6 @@ class Wheel:
 
 
 @dataclass(frozen=True)
-class Disc:
-    """A wheel from the side: a round thing whose spokes show how far it has turned."""
-
-    kind: Kind
-    at: Place
-    angle: Expr
-    radius: float
-
-
-@dataclass(frozen=True)
 class Area:
     """A filled piece of the ground, by its corners."""
 
@@ -130,6 +120,30 @@ class Trail:
     at: Place
     recurrence: Recurrence
     dots: bool = True
+
+
+@dataclass(frozen=True)
+class Cloud:
+    """Dots `at` a place for each row of a table, in one path: samples that were drawn with a seed.
+
+    symbols: of the numbers of a row, which `at` depends on beside the figure's own.
+    """
+
+    kind: Kind
+    at: Place
+    symbols: tuple[sp.Symbol, ...]
+    rows: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True)
+class Ink:
+    """The line that a pen `at` a place has drawn since the figure's start; Reset wipes it off.
+
+    A pen whose place is no number is lifted.
+    """
+
+    kind: Kind
+    at: Place
 
 
 @dataclass(frozen=True)

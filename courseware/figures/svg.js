@@ -23,5 +23,5 @@ export const symbolData = ({ symbol }) => (symbol ? { "data-symbol": symbol } : 
 export const px = (number) => Number(number.toFixed(2));
 
 export const polyline = (points) => points
-  .map(([x, y], i) => `${i && Number.isFinite(points[i - 1][0]) ? "L" : "M"}${px(x)} ${px(y)}`)
+  .map(([x, y], i) => `${points[i - 1]?.every(Number.isFinite) ? "L" : "M"}${px(x)} ${px(y)}`)
   .filter((piece) => !/NaN|Infinity/.test(piece)).join("");

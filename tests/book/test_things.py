@@ -175,8 +175,8 @@ def test_treads_run_ahead_as_a_wheel_rolls():
 
     def marks(roll):
         svg = draw(things.wheel((0, 1, 0), 1, 0.3, "", roll))
-        wheel = svg[svg.rindex('<g transform="translate(') :]
-        return sorted(float(m) for m in re.findall(r"matrix\([^)]* (-?[\d.e-]+) 0\)", wheel))
+        *_, treads = re.findall(r'd="((?:M[^"ML]+L[^"ML]+){8,})"', svg)
+        return sorted(float(m) for m in re.findall(r"M(\S+)", treads))
 
     pitch = 2 * pi * 0.5 / 18
     assert marks(0) == pytest.approx(marks(pitch), abs=1e-3)  # five digits are written

@@ -224,11 +224,11 @@ def compact_svg(svg: str) -> str:
     """Inline a picture's colours, and round its lines to pixels, so that notebooks stay small."""
     in_metres, end, in_pixels = inline_colors(svg).rpartition("</defs>")
     rounded = re.sub(
-        r'(?<= d=")[^"]+',
+        r'(?:(?<= d=")|(?<= points="))[^"]+',
         lambda line: re.sub(r"-?\d+\.\d+", lambda n: f"{float(n[0]):.0f}", line[0]),
         in_pixels,
     )
-    return in_metres + end + rounded
+    return re.sub(r"></\w+>", "/>", in_metres + end + rounded)
 
 
 def _mix(found: re.Match[str]) -> str:

@@ -148,8 +148,9 @@ def test_a_shadow_falls_straight_down_and_lies_under_all():
     assert order[0] == "grid"
     assert set(order[1:]) == {"body"}
     from_above = drawn(figure, azimuth=0, elevation=90)
-    shadow, top = re.findall('d="M([^"]+)z"', from_above)[:2]
-    assert sorted(shadow.split()) == sorted(top.split())
+    shadow, top = (re.search(f'{name}([^"z]+)', from_above)[1] for name in (' d="M', ' points="'))
+    corners = re.findall(r"\S+ \S+", top)
+    assert sorted(re.findall(r"\S+ \S+", shadow)) == sorted(corners[:-1])  # it ends where it began
     assert "grid" not in painted(figure, elevation=-30)  # through the floor one sees no shadow
 
 

@@ -127,7 +127,7 @@ def narrow(page):
 
 def faults(page, name, phone):
     """What `layout.js` finds."""
-    heights = {"step": 560} if phone else {"step": 420, "laboratory": 800}
+    heights = {"step": 560} if phone else {"step": 480, "laboratory": 800}
     options = {
         "phone": phone,
         "screens": not phone and name.partition("/")[0] in IN_STEPS,

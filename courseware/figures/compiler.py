@@ -44,6 +44,8 @@ def coordinates(*places: Place) -> list[Any]:
 
 
 # type → its name in the script, the numbers that are computed, the fields that are passed on
+STRAIGHT = set("MLz 0123456789.-")  # of a path
+
 SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] = {
     s.Point: ("point", lambda x: coordinates(x.at), ("edge",)),
     s.Line: ("line", lambda x: coordinates(*x.points), ()),
@@ -57,7 +59,7 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Curve: ("curve", lambda x: (x.low, x.high), ("samples",)),
     s.Trail: ("trail", lambda x: (), ("dots",)),
     s.Cloud: ("cloud", lambda x: (), ("rows",)),
-    s.Ink: ("ink", lambda x: coordinates(x.at), ()),
+    s.Ink: ("ink", lambda x: (), ()),
     s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
     Solid: ("solid", lambda x: x.numbers, ("data", "floor", "opacity", "behind")),
 }
@@ -73,9 +75,6 @@ def serialize(value: Any) -> str:
     if isinstance(value, list):
         return "[" + ", ".join(map(serialize, value)) + "]"
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
-
-
-STRAIGHT = set("MLz 0123456789.-")  # of a path
 
 
 class Compiler:
@@ -198,7 +197,7 @@ class Compiler:
         return data | self.compile_trace(shape)
 
     def compile_thing(self, thing: Thing, look: str = "") -> dict[str, Any]:
-        """Return a thing's data: places, and its outlines by their number in the picture."""
+        """Return a thing's data: places, and its outlines by their ids."""
         parts: list[Any] = []
         group: Any
         for kind, group in groupby(thing.parts, type):
@@ -228,12 +227,14 @@ class Compiler:
         return name
 
     def compile_trace(self, shape: Any) -> dict[str, Any]:
-        """Return the function along a curve or a trail; nothing for other shapes."""
+        """Return what makes the points of a curve, trail, cloud or line of ink; else nothing."""
         if isinstance(shape, s.Curve):
             place = coordinates(shape.at) if shape.depth is None else [*shape.at, shape.depth]
             return {"point": self._compile(place, s=[shape.parameter])}
         if isinstance(shape, s.Cloud):
             return {"point": self._compile(coordinates(shape.at), s=shape.symbols)}
+        if isinstance(shape, s.Ink):
+            return {"pen": self.add(*coordinates(shape.at))}
         if isinstance(shape, s.Trail):
             index = self.recurrences.index(shape.recurrence)
             point = self._compile(coordinates(shape.at), s=shape.recurrence.state)

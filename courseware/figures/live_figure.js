@@ -102,12 +102,13 @@ export class LiveFigure {
   }
 
   writeInk() {
-    this.computed.drawn = this.ink;
-    for (const { shape, at } of this.figure.scene) {
-      if (shape !== "ink") continue;
-      const line = this.ink.get(at) ?? [], place = at.map((index) => this.computed.values[index]);
-      if (String(place) !== String(line.at(-1))) this.ink.set(at, [...line, place]);
+    for (const { pen } of this.figure.scene) {
+      if (!pen) continue;
+      if (!this.ink.has(pen)) this.ink.set(pen, []);
+      const line = this.ink.get(pen), place = pen.map((index) => this.computed.values[index]);
+      if (String(place) !== String(line.at(-1))) line.push(place);
     }
+    this.computed.ink = this.ink;
   }
 
   drawHandles() {

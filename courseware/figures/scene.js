@@ -38,7 +38,7 @@ export const renderScene = (figure, computed, width, state) => {
     const shape = { ...declared, label: fillTemplate(declared.label, texts) };
     const at = shape.at.map((index) => values[index]), isDeep = "depth" in shape;
     const depth = isDeep ? values[shape.depth] : 0, node = ["g", symbolData(shape), []];
-    if (shape.shape !== "ink" && ![...at, depth].every(Number.isFinite)) return node;
+    if (![...at, depth].every(Number.isFinite)) return node;
     const seen = shape.edge && shape.label && figure.grid !== false;
     const drawn = (seen && arrowToOutside(at, shape, to, [width, height]))
       || DRAWN[shape.shape](at, shape, to, computed);

@@ -134,7 +134,7 @@ export const SHAPES = {
     const dots = shape.rows.map((row) => to(shape.point(functions, c, row)));
     return [path(dots.map(([x, y]) => `M${px(x)} ${px(y)}h0`).join(""), stroke(shape.kind, `;stroke-width:4.5;stroke-linecap:round${SOLID}`))];
   },
-  ink: (p, shape, to, { drawn }) => strokePath(polyline((drawn?.get(shape.at) ?? []).map(to)), shape, SOLID),
+  ink: (p, shape, to, { ink }) => strokePath(polyline((ink?.get(shape.pen) ?? []).map(to)), shape, SOLID),
   angle: (p, shape, to) => {
     const [x, y, from, until] = p, points = [], steps = 24;
     for (let i = 0; i <= steps; i++) {

@@ -5,9 +5,9 @@
  *   compute, scene, goals, size, viewAngles?, grid?, follow? }} Figure made by compiler.py
  * @typedef {{ type, key, label, unit, factor, low, high, start, step, digits }} Control in its shown unit
  * @typedef {(number | [string, number])[]} State what each control shows; of turns, see quarter_turns.js
- * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[] }} Computed
+ * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[], ink? }} Computed
  *   c: settings, last states of recurrences, named steps, which build on each other; values: those
- *   of the readouts, then those that the scene refers to by place
+ *   of the readouts, then those that the scene refers to by place; ink: the places of each pen, on a page
  */
 
 import { functions } from "./formula_functions.js";

@@ -22,8 +22,10 @@ export const formatControl = (control, shown) => control.type === "choice" ? con
   : control.type === "turns" ? describeTurns(shown[0])
   : formatReadout({ words: {}, factor: 1, digits: control.digits, unit: control.unit }, shown);
 
-// Named steps, controls and readouts, each as it is in SI and as it is shown.
-const listQuantities = (figure, state, { c, values }) => [
+// Named steps, controls and readouts, each as it is in SI and as it is shown; once for a frame.
+const listQuantities = (figure, state, computed) => (computed.quantities ??= formatAll(figure, state, computed));
+
+const formatAll = (figure, state, { c, values }) => [
   ...figure.steps.map((step) => {
     const shown = c[step.at] * step.factor;
     const text = formatNumber(Math.abs(shown) < 1e-12 ? 0 : shown, 3); // rounding

@@ -5,6 +5,7 @@ from math import pi
 from typing import Any
 
 from book.outlines import box, capsule, curves, disc, line, polygon, spots
+from courseware.errors import CourseError
 from courseware.figures import Outline, Thing
 
 THICK = 0.06  # of the first link's radius, as a part of the arm's length
@@ -31,6 +32,8 @@ def arm(
         base: "plate" as seen from above, "stand" as seen from the side, or "".
         shoulder: how high the first joint is above the foot of the stand, m.
     """
+    if len(angles) != len(lengths):
+        raise CourseError(f"an arm has a length for each angle, got {angles} and {lengths}")
     thick, last = THICK * sum(lengths), len(lengths) - 1
     radii = [thick * (1 - 0.52 * k / len(lengths)) for k in range(len(lengths) + 1)]
     at_end: Thing = TOOLS[tool](lengths[-1], radii[-1], opening)

@@ -137,6 +137,10 @@ class Readout:
             value = symbol if self.value is None else self.value
             self._set(name=str(symbol), symbol=symbol, unit=symbol.unit, value=value)
             self._set(label=self.label or default_label(symbol))
+        if self.value is None:
+            raise CourseError(
+                f"the readout {self.name} has no value: give a quantity, or a name, label and value"
+            )
         if self.digits is None:
             self._set(digits=1 if self.unit == "rad" else 3)
         refuse_other_than_si(self.unit, f"the readout {self.name}")

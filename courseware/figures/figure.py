@@ -58,11 +58,11 @@ class Figure:
         seen_from: azimuth and elevation at first, of a picture with shapes of `VIEW`: the view's
             sliders are then its last controls, and dragging its ground turns it.
         grid: whether the flat ground shows x, y in m.
-        ground: one of the course's grounds, with tiles and a scale bar instead of the grid.
+        ground: one of the course's grounds instead of the grid; tiles have a scale bar.
         goal: a Goal for the reader or several; none is reached at the start.
         follow: a point that the view moves along with, so that it stays inside.
         size: "step" or "laboratory", or "" for a larger one. With all that stands beside the
-            picture, a step is at most 420 pixels high on a laptop and 560 on a phone, a laboratory
+            picture, a step is at most 480 pixels high on a laptop and 560 on a phone, a laboratory
             800 on a laptop. Too high: make `view` flatter, or move and show less.
     """
 
@@ -88,6 +88,11 @@ class Figure:
             controls = (*own, *view_sliders(*self.seen_from))
             object.__setattr__(self, "controls", controls)
         self._refuse_wrong_names()
+        left, right, low, high = self.view
+        if not (left < right and low < high):
+            raise CourseError(
+                f"the view of {self.name} is {self.view}; it is (x_low, x_high, y_low, y_high)"
+            )
         if not self.sentence:
             numbers = [(c.label or c.key, c.key) for c in self.controls]
             numbers += [(readout.label, readout.name) for readout in self.readouts]

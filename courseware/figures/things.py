@@ -84,6 +84,8 @@ class Thing:
     def __post_init__(self) -> None:
         if self.look not in LOOKS:
             raise CourseError(f"a thing looks {self.look!r}; it can look {', '.join(LOOKS[1:])}")
+        if len(self.at) != 3:
+            raise CourseError(f"a thing stands at (x, y, angle), got {self.at}")
         if self.silhouette is None:
             outlines = (part.path for part in self.parts if isinstance(part, Outline))
             object.__setattr__(self, "silhouette", next(outlines, ""))

@@ -12,6 +12,7 @@ from support import contrast
 from book import outlines, things, things_space
 from book.materials import GRADIENTS, GROUNDS, TONES
 from courseware.equations.quantities import quantity
+from courseware.errors import CourseError
 from courseware.figures import VIEW, Figure, Slider
 from courseware.figures.things import Outline, Thing
 from robokin.styles import KINDS
@@ -193,6 +194,11 @@ def test_the_pen_ends_where_the_last_link_does():
         reach += link.at[0]
     tip = max(px for px, _ in points(link.parts[-1].path))
     assert reach + tip == pytest.approx(0.7, abs=1e-5)
+
+
+def test_an_arm_has_a_length_for_each_angle():
+    with pytest.raises(CourseError, match=r"length for each angle, got \(0,\) and \(0.4, 0.3\)"):
+        things.arm((0, 0, 0), (0,), (0.4, 0.3))
 
 
 def test_a_gripper_closes():

@@ -42,6 +42,7 @@ def test_the_small_figure_is_right():
             {"readouts": (Readout("twice", "", a, "m", words={"big": "far"}),)},
             "twice has a word for big",
         ),
+        ({"view": (-1, -1, 1, 1)}, r"view of small is .* \(x_low, x_high, y_low, y_high\)"),
         ({"sentence": "b is {b}"}, "text `sentence` of .* uses b, but there are only x, twice"),
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
@@ -66,3 +67,8 @@ def test_a_wrong_declaration_is_refused(parts, message):
 def test_a_recurrence_has_as_many_of_each(part):
     with pytest.raises(CourseError, match=rf"state \(k,\) and as `{part}` \(.*must be as many"):
         replace(LOOP, **{part: (a, a)})
+
+
+def test_a_readout_has_a_value():
+    with pytest.raises(CourseError, match="the readout d has no value: give a quantity, or"):
+        Readout("d")

@@ -4,7 +4,7 @@ import { escapeHtml, renderSymbols } from "../script/text.js";
 import { formatControl, formatReadout } from "./figure_text.js";
 import { renderAttributes } from "./nodes.js";
 import { renderTurns } from "./quarter_turns.js";
-import { heightOf, renderPicture, widthOf } from "./scene.js";
+import { renderPicture } from "./scene.js";
 import { compute, settings, startState } from "./state.js";
 import { stroke, symbolData } from "./svg.js";
 
@@ -45,7 +45,7 @@ const renderGoal = ({ words }) => `<p class="rk-goal">${renderSymbols(words)} <o
 
 export const renderFigure = (figure) => {
   const { values } = compute(figure, settings(figure, startState(figure)));
-  const shape = widthOf(figure) / heightOf(figure, widthOf(figure));
+  const [left, right, low, high] = figure.view, shape = (right - left) / (high - low);
   const picture = `<div class="rk-picture" style="--shape:${shape.toFixed(3)}">${renderPicture(figure)}</div>`;
   if (!figure.controls.length) return picture;
   const turns = (_, i) => figure.viewAngles?.includes(i);

@@ -24,7 +24,7 @@ const isSeen = (q) => {
 
 const writePoint = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 // Not a path: what a browser knows of a path's form is its style, which is worked out anew.
-const linePiece = (points, style) => ["polyline", { points, style }];
+const drawLine = (points, style) => ["polyline", { points, style }];
 
 const castShadow = (faces, flat) => {
   const texts = flat.map(writePoint);
@@ -111,10 +111,10 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
         : `fill:${tone};stroke:${tone};stroke-width:.6`;
       const printed = paintDots(dots[k] ?? [], outlines[k], worlds[k], normals[k], toEye,
         (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)");
-      pieces.push({ nodes: [linePiece([...around, around[0]].join(" "), style), ...printed], depth: depths[k], face: !ghost && outlines[k] });
+      pieces.push({ nodes: [drawLine([...around, around[0]].join(" "), style), ...printed], depth: depths[k], face: !ghost && outlines[k] });
       const edges = ghost ? [] : findLines(around, k, mesh, seen, normals);
       if (edges.length) { // above the faces beside it of the same round body
-        lines.push({ nodes: edges.map((line) => linePiece(line, `fill:none;stroke:${paint(edge || kind)}`)),
+        lines.push({ nodes: edges.map((line) => drawLine(line, `fill:none;stroke:${paint(edge || kind)}`)),
           depth: Math.max(depths[k], ...mesh.beside[k].filter((next) => seen[next]).map((next) => depths[next])) });
       }
     });

@@ -205,12 +205,16 @@ def test_a_page_from_disk(name, site, chromium):
 
 
 @pytest.mark.parametrize(
-    ("toggle", "menu"),
-    [(".primary-toggle", "nav.bd-docs-nav"), (".secondary-toggle", "nav.page-toc")],
+    ("width", "toggle", "menu"),
+    [
+        (390, ".primary-toggle", "nav.bd-docs-nav"),
+        (390, ".secondary-toggle", "nav.page-toc"),
+        (1280, ".secondary-toggle", "nav.page-toc"),
+    ],
 )
-def test_a_menu_on_a_phone(site, server, chromium, toggle, menu):
+def test_a_menu_behind_a_button(site, server, chromium, width, toggle, menu):
     """Escape, a button and a choice close it; focus returns to the button that opened it."""
-    with watched_page(chromium, server, 390) as (page, watch):
+    with watched_page(chromium, server, width) as (page, watch):
         settled(page, server + "bicycle/bicycle.html")
         button, entries = page.locator(toggle).first, page.locator(menu)
         ways = (

@@ -34,7 +34,7 @@ def read_figure(figure: str, readout: str, **settings: float | str) -> float:
             raise TypeError(
                 f"{figure}: what {control.key} shows is made of presses, not of a number"
             )
-        row.append(float(value))
+        row.append(float(str(value)))
         if not control.low <= row[-1] <= control.high:
             reach = f"from {control.low:.4g} to {control.high:.4g}"
             raise ValueError(

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 import sympy as sp
-from browser import COME_ALIVE, UNFOLD, KeptPages, pages, settled
+from browser import COME_ALIVE, UNFOLD, KeptPages, pages, settled, watched_page
 from declared import FIGURES
 from figure_numbers import (
     LETTERS,
@@ -24,7 +24,7 @@ from figure_numbers import (
 )
 
 from courseware.equations.verification import evaluate_exactly
-from courseware.figures import Choice, QuarterTurns
+from courseware.figures import Choice, QuarterTurns, Simulation
 from courseware.figures.compiler import coordinates
 from courseware.figures.figure import render_outlines
 from courseware.script import parts
@@ -97,6 +97,8 @@ class OnPage:
                 row += list(control.options.values())[shown]
             elif isinstance(control, QuarterTurns):
                 row += pressed(*shown)
+            elif isinstance(control, Simulation):
+                row += shown
             else:
                 row.append(shown * figure_unit(control.symbol.unit).factor)
         return row
@@ -235,6 +237,19 @@ def alone(chromium):
 
     yield opened
     kept.close()
+
+
+@contextmanager
+def alone_together(chromium, figures, width, reduced_motion="reduce"):
+    """Open a page with several figures and nothing else, all alive → page, what went wrong."""
+    body = render_outlines(figures) + "".join(figure.render_html() for figure in figures)
+    style = f"{parts.join_styles()} body {{ max-width: 46rem; margin: 1rem; }}"
+    with watched_page(chromium, "about:blank", width) as (page, watch):
+        page.emulate_media(reduced_motion=reduced_motion)
+        page.set_content(f"<style>{style}</style>{body}")
+        scripts = [f"courseware.startFigure({figure.code});" for figure in figures]
+        page.add_script_tag(content="\n".join([parts.bundle_page(parts.list_parts()), *scripts]))
+        yield page, watch
 
 
 def assert_shows_state(live):

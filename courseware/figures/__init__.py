@@ -8,7 +8,17 @@ pictures in space with those of `space` and `solids`.
 """
 
 from courseware.figures import looks
-from courseware.figures.controls import POINTER, Choice, Clock, Handle, QuarterTurns, Slider
+from courseware.figures.controls import (
+    POINTER,
+    TIME_STEP,
+    Button,
+    Choice,
+    Clock,
+    Handle,
+    QuarterTurns,
+    Simulation,
+    Slider,
+)
 from courseware.figures.declaration import (
     Goal,
     NamedSteps,
@@ -18,7 +28,7 @@ from courseware.figures.declaration import (
     distance,
     ramp,
 )
-from courseware.figures.figure import Figure
+from courseware.figures.figure import Figure, Scene
 from courseware.figures.graph import Graph
 from courseware.figures.shapes import (
     AngleArc,
@@ -35,6 +45,7 @@ from courseware.figures.shapes import (
     Point,
     Trail,
     Wheel,
+    when,
 )
 from courseware.figures.space import VIEW, bring_forward
 from courseware.figures.things import Gradient, Ground, Materials, Outline, Rim, Thing
@@ -54,12 +65,14 @@ register(
 
 __all__ = [
     "POINTER",
+    "TIME_STEP",
     "VIEW",
     "AngleArc",
     "Area",
     "Arrow",
     "Body",
     "Bracket",
+    "Button",
     "Choice",
     "Clock",
     "Cloud",
@@ -82,6 +95,8 @@ __all__ = [
     "Readout",
     "Recurrence",
     "Rim",
+    "Scene",
+    "Simulation",
     "Slider",
     "Thing",
     "Trail",
@@ -90,4 +105,5 @@ __all__ = [
     "bring_forward",
     "distance",
     "ramp",
+    "when",
 ]

@@ -1,5 +1,6 @@
-// Animations: the clock, and quarter turns.
+// Animations: the clock, quarter turns, and buttons that move sliders.
 
+import { functions } from "./formula_functions.js";
 import { clamp, snap } from "./state.js";
 
 const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -35,25 +36,46 @@ const playClock = (live, i, from) => {
   live.all(".rk-play").forEach((button) => nameButton(button, "Pause", live.figure));
 };
 
-// A hand on a control stops the clock; one that loops only if it is on the clock itself.
+const LONGEST = 0.1; // s, of a step of a simulation, however late a frame comes
+
+const playSimulation = (live, i) => {
+  const { step } = live.figure.controls[i];
+  let before = performance.now();
+  const tick = (now) => {
+    const gone = Math.min(LONGEST, Math.max(0, now - before) / 1000);
+    before = now;
+    live.settled();
+    live.setOne(i, step(functions, live.computed.c, [gone]));
+    live.tick = requestAnimationFrame(tick);
+  };
+  live.tick = requestAnimationFrame(tick);
+  live.all(".rk-play").forEach((button) => nameButton(button, "Pause", live.figure));
+};
+
+// A hand on a control stops the clock; one that loops only if it is on the clock itself. A
+// simulation goes on.
 export const stopClock = (live, i) => {
   const { controls } = live.figure;
+  if (controls.some(({ type }) => type === "simulation")) return;
   if (controls[i].loops || !controls.some(({ loops }) => loops)) pauseClock(live);
   if (controls[i].loops) live.resumeClock = null;
 };
 
-// A clock that loops runs twice while its picture is in sight and under no veil, unless a hand stops it.
+// What moves rests out of sight. A clock that loops runs twice by itself, under no veil, unless a
+// hand stops it.
 export const followSight = (live) => {
   const i = live.figure.controls.findIndex(({ loops }) => loops);
-  if (i < 0 || prefersReducedMotion()) return;
   let seen = false;
-  live.resumeClock = () => {
-    const runs = seen && !live.element.matches(".rk-veiled");
-    if (runs && !live.tick) playClock(live, i, live.state[i]);
-    if (!runs) pauseClock(live);
-  };
+  if (i >= 0 && !prefersReducedMotion()) {
+    live.resumeClock = () => {
+      const runs = seen && !live.element.matches(".rk-veiled");
+      if (runs && !live.tick) playClock(live, i, live.state[i]);
+      if (!runs) pauseClock(live);
+    };
+  }
   new IntersectionObserver(([{ isIntersecting }]) => {
     seen = isIntersecting;
+    if (!seen && live.tick) pauseClock(live);
     live.resumeClock?.();
   }, { threshold: 0.5 }).observe(live.picture);
 };
@@ -63,6 +85,10 @@ export const followClock = (live) => live.all(".rk-play").forEach((button) => {
     live.resumeClock = null; // from now on by hand
     if (live.tick) return pauseClock(live);
     const i = Number(button.dataset.i), control = live.figure.controls[i];
+    if (control.type === "simulation") {
+      if (!prefersReducedMotion()) return playSimulation(live, i);
+      return live.setOne(i, control.step(functions, live.computed.c, [0.5]));
+    }
     const ended = live.state[i] >= control.high, from = ended ? control.low : live.state[i];
     if (prefersReducedMotion()) {
       const step = (control.high - control.low) / 10;
@@ -72,21 +98,46 @@ export const followClock = (live) => live.all(".rk-play").forEach((button) => {
   });
 });
 
-const TURN_TIME = 600; // ms
+// Show parts from 0 to 1, in a time in ms; it ends if a control is set anew meanwhile.
+const animate = (live, time, show, isOurs) => {
+  cancelAnimationFrame(live.turning);
+  if (prefersReducedMotion()) return show(1);
+  const began = performance.now();
+  const tick = (now) => {
+    if (!isOurs()) return void (live.passing = false);
+    const part = Math.min(1, Math.max(0, now - began) / time);
+    show(part);
+    if (part < 1) live.turning = requestAnimationFrame(tick);
+  };
+  show(0);
+  live.turning = requestAnimationFrame(tick);
+};
 
 export const followTurns = (live) => live.all("[data-press]").forEach((button) => {
   button.addEventListener("click", () => {
-    const i = Number(button.closest("[data-i]").dataset.i), began = performance.now();
-    const text = live.state[i][0] + button.dataset.press;
-    cancelAnimationFrame(live.turning);
-    if (prefersReducedMotion()) return live.setOne(i, [text, 1]);
-    const tick = (now) => {
-      if (live.state[i][0] !== text) return; // set anew meanwhile
-      const part = Math.min(1, Math.max(0, now - began) / TURN_TIME);
-      live.setOne(i, [text, part]);
-      if (part < 1) live.turning = requestAnimationFrame(tick);
+    const i = Number(button.closest("[data-i]").dataset.i), text = live.state[i][0] + button.dataset.press;
+    animate(live, 600, (part) => live.setOne(i, [text, part]), () => live.state[i][0] === text);
+  });
+});
+
+export const followButtons = (live) => live.all(".rk-move").forEach((button, k) => {
+  const { sets, to } = live.figure.buttons[k];
+  button.addEventListener("click", () => {
+    pauseClock(live);
+    live.resumeClock = null;
+    live.settled();
+    const from = live.state, ends = to(functions, live.computed.c);
+    let shown = from;
+    const show = (part) => {
+      live.passing = part < 1; // goals on the way are not reached
+      const moved = 3 * part ** 2 - 2 * part ** 3;
+      shown = live.state.slice();
+      sets.forEach((i, n) => {
+        const control = live.figure.controls[i], end = clamp(control, ends[n] / control.factor);
+        shown[i] = clamp(control, from[i] + moved * (end - from[i]));
+      });
+      live.set(shown);
     };
-    live.setOne(i, [text, 0]);
-    live.turning = requestAnimationFrame(tick);
+    animate(live, 900, show, () => sets.every((i) => live.state[i] === shown[i]));
   });
 });

@@ -21,11 +21,14 @@ from courseware.errors import CourseError
 from courseware.figures import shapes as s
 from courseware.figures.controls import (
     POINTER,
+    TIME_STEP,
+    Button,
     Choice,
     Clock,
     Control,
     Handle,
     QuarterTurns,
+    Simulation,
     Slider,
 )
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
@@ -103,12 +106,13 @@ class Compiler:
             "view": list(figure.view),
             "sentence": figure.sentence,
             "grid": figure.grid and not figure.view_angles,
-            "controls": list(map(self.compile_control, figure.controls)),
             "readouts": list(map(self.compile_readout, figure.readouts)),
+            "controls": list(map(self.compile_control, figure.controls)),
             "scene": list(map(self.compile_shape, figure.scene)),
             "drawings": self.drawings,
             "ground": _refuse_unknown_ground(figure.ground),
             "handles": list(map(self.compile_handle, figure.handles)),
+            "buttons": list(map(self.compile_button, figure.buttons)),
             "goals": list(map(self.compile_goal, goals)),
             "follow": self.add(*coordinates(figure.follow)) or None,
             "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
@@ -138,10 +142,20 @@ class Compiler:
 
     def compile_control(self, control: Control) -> dict[str, Any]:
         """Return a control's data, in the unit that the reader sees."""
-        if isinstance(control, Slider):
-            return self.compile_slider(control)
         if isinstance(control, QuarterTurns):
             return {"type": "turns", "key": control.key, "start": [control.start, 1]}
+        if isinstance(control, Simulation):
+            step = self._compile(list(control.step), s=(TIME_STEP,))
+            start = list(control.start)
+            return {"type": "simulation", "key": control.key, "start": start, "step": step}
+        if isinstance(control, Choice):
+            data = self.compile_choice(control)
+        else:
+            data = self.compile_slider(control)
+        return data if control.when is True else data | {"when": self.add_condition(control.when)}
+
+    def compile_choice(self, control: Choice) -> dict[str, Any]:
+        """Return a choice's data: a list of options with their numbers."""
         _refuse_wrong_choice(control)
         return {
             "type": "choice",
@@ -260,10 +274,19 @@ class Compiler:
             "to": self._compile(list(handle.sets.values()), p=POINTER),
         }
 
+    def compile_button(self, button: Button) -> dict[str, Any]:
+        """Return a button's data: its sliders, the function to their numbers."""
+        sets = self.find_sliders(button.sets, f"the button {button.label!r}")
+        to = self._compile(list(button.sets.values()))
+        return {"label": button.label, "sets": sets, "to": to}
+
     def compile_goal(self, goal: Goal) -> dict[str, Any]:
-        """Return a goal's data: its number is 1 when it is reached, else 0."""
-        reached = sp.Piecewise((1, goal.condition), (0, True))
-        return {"words": prevent_breaks(goal.words), "at": self.add(reached)[0]}
+        """Return a goal's data."""
+        return {"words": prevent_breaks(goal.words), "at": self.add_condition(goal.condition)}
+
+    def add_condition(self, condition: Any) -> int:
+        """Add a condition; its number is 1 where it holds, else 0."""
+        return self.add(sp.Piecewise((1, condition), (0, True)))[0]
 
     def compile_recurrence(self, loop: Recurrence) -> dict[str, Any]:
         """Return a loop's functions: for its start, its step and how often."""

@@ -15,10 +15,12 @@ const renderName = ({ kind, label: words }) => {
   return `<span class="rk-name">${swatch}${name}</span>`;
 };
 
-const renderChoice = (control, i) => {
+const hidden = ({ when }, values) => (values[when] === 0 ? " hidden" : "");
+
+const renderChoice = (control, i, { values }) => {
   const options = control.options.map((option, k) =>
     `<option value="${k}"${k === control.start ? " selected" : ""}>${escapeHtml(option.label)}</option>`);
-  return `<label class="rk-control">${renderName(control)}`
+  return `<label class="rk-control"${hidden(control, values)}>${renderName(control)}`
     + `<select data-i="${i}" autocomplete="off">${options.join("")}</select></label>`;
 };
 
@@ -29,14 +31,17 @@ const renderButton = (kind, words, title, data = "") =>
 const renderStep = (control, i, sign, words) => `<button type="button" class="rk-step" tabindex="-1" `
   + `data-i="${i}" data-sign="${sign}1" aria-label="${words}: ${escapeHtml(control.label)}">${sign === "-" ? "−" : "+"}</button>`;
 
-const renderSlider = (control, i, title) => {
+const renderSlider = (control, i, { title, values }) => {
   const play = control.type === "clock" ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
   const shown = formatControl(control, control.start);
-  return `<div class="rk-control"${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
+  return `<div class="rk-control"${hidden(control, values)}${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
     + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label>${renderStep(control, i, "+", "More")}</div>`;
 };
+
+const renderSimulation = ({ key }, i, { title }) =>
+  `<div class="rk-control">${renderButton("play", "Play", title, ` data-i="${i}"`)}<span class="rk-name">${escapeHtml(key)}</span></div>`;
 
 const renderReadout = (readout, value) =>
   `<div${renderAttributes(symbolData(readout))}><dt>${renderName(readout)}</dt><dd>${escapeHtml(formatReadout(readout, value))}</dd></div>`;
@@ -50,14 +55,15 @@ export const renderFigure = (figure) => {
   if (!figure.controls.length) return picture;
   const turns = (_, i) => figure.viewAngles?.includes(i);
   const parts = figure.controls.map((control, i) =>
-    ({ choice: renderChoice, turns: renderTurns }[control.type] ?? renderSlider)(control, i, figure.title));
+    ({ choice: renderChoice, turns: renderTurns, simulation: renderSimulation }[control.type] ?? renderSlider)(control, i, { title: figure.title, values }));
   const aside = parts.filter(turns).join("");
   const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
     + `<div class="rk-controls">${aside}</div></details>`;
   return `${picture}<div class="rk-panel">${figure.goals.map(renderGoal).join("")}`
     + `<div class="rk-controls">${parts.filter((...of) => !turns(...of)).join("")}</div>`
     + `<dl class="rk-readouts">${figure.readouts.map((r, k) => renderReadout(r, values[k])).join("")}</dl>`
-    + `<div class="rk-buttons">${renderButton("reset", "Reset", figure.title)}`
+    + `<div class="rk-buttons">${figure.buttons.map(({ label }) => renderButton("move", escapeHtml(label), figure.title)).join("")}`
+    + `${renderButton("reset", "Reset", figure.title)}`
     + `${figure.size === "step" ? "" : renderButton("link", "Link to this setting", figure.title)}</div>${view}</div>`
     + `<p class="rk-says" aria-live="polite"></p>`;
 };

@@ -11,13 +11,15 @@ from courseware.equations.quantities import NamedSymbol
 from courseware.figures.declaration import Expr, Place, default_label
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
+TIME_STEP = sp.Symbol("time_step", positive=True)  # of a simulation, s
 
 
 @dataclass(frozen=True)
 class Slider:
     """A slider for one symbol. low, high, start, step in SI; its label and unit are the quantity's.
 
-    A step of type int: the symbol is always a whole number.
+    A step of type int: the symbol is always a whole number. when: a condition without which the
+    slider is not shown.
     """
 
     symbol: sp.Symbol
@@ -27,6 +29,7 @@ class Slider:
     step: float
     label: str = ""
     kind: str = ""
+    when: Expr = True
 
     def __post_init__(self) -> None:
         if not self.label and isinstance(self.symbol, NamedSymbol):
@@ -76,6 +79,7 @@ class Choice:
     """One of several named cases: each option gives every symbol its number.
 
     key: its name in addresses, links and values. start: the option at first; by default the first.
+    when: a condition without which it is not shown.
     """
 
     key: str
@@ -83,6 +87,7 @@ class Choice:
     symbols: tuple[sp.Symbol, ...]
     options: Mapping[str, tuple[float, ...]]
     start: str = ""
+    when: Expr = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", self.start or next(iter(self.options), ""))
@@ -134,7 +139,26 @@ class QuarterTurns:
         return self.own * (self.before * last) + (1 - self.own) * (last * self.before)
 
 
-Control = Slider | Choice | QuarterTurns
+@dataclass(frozen=True)
+class Simulation:
+    """What goes on from where it is while it plays: a robot that keeps driving::
+
+        Simulation("drive", (x, y, theta), (0, 0, 0), motion.arc_step.substitute({dt: TIME_STEP}))
+
+    Args:
+        key: its name in addresses, links and values, and its label.
+        symbols: of its state.
+        start: the numbers at first.
+        step: the next state, of all that the figure knows and of `TIME_STEP`, in s.
+    """
+
+    key: str
+    symbols: tuple[sp.Symbol, ...]
+    start: tuple[float, ...]
+    step: Any
+
+
+Control = Slider | Choice | QuarterTurns | Simulation
 
 
 @dataclass(frozen=True)
@@ -151,3 +175,14 @@ class Handle:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "sets", self.sets or dict(zip(self.at, POINTER, strict=False)))
+
+
+@dataclass(frozen=True)
+class Button:
+    """A button that moves sliders to expressions of all that the figure knows, in a second.
+
+    `Button("let the arm do it", {theta1: bearing, theta2: shoulder})`
+    """
+
+    label: str
+    sets: Mapping[sp.Symbol, Expr]

@@ -1,7 +1,7 @@
 """A live figure: its declaration, its compiled form, and how a notebook shows it."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
@@ -15,11 +15,12 @@ from courseware.course import course
 from courseware.equations.equation import Where
 from courseware.errors import CourseError
 from courseware.figures.compiler import Compiler, serialize
-from courseware.figures.controls import Choice, Control, Handle
+from courseware.figures.controls import Button, Choice, Control, Handle, Simulation
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.javascript import run_javascript
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
+from courseware.figures.words import translate
 from courseware.script import engine
 from courseware.script.widget import Widget, create_widget
 
@@ -50,7 +51,7 @@ class Figure:
         title: what it shows, for those who cannot see it.
         view: the window on the world, (x_low, x_high, y_low, y_high) in metres.
         scene: shapes, in the order of painting.
-        controls, readouts, handles: what is moved, read and dragged.
+        controls, readouts, handles, buttons: what is moved, read, dragged and pressed.
         sentence: about the present state, with `{name}` for controls, readouts and named steps; by
             default a list of all controls and readouts.
         where: named steps of the computation, in order, that all expressions but those of a
@@ -74,6 +75,7 @@ class Figure:
     readouts: tuple[Readout, ...] = ()
     sentence: str = ""
     handles: tuple[Handle, ...] = ()
+    buttons: tuple[Button, ...] = ()
     where: Where = ()
     seen_from: tuple[float, float] = (np.pi / 6, np.pi / 9)
     grid: bool = True
@@ -94,7 +96,8 @@ class Figure:
                 f"the view of {self.name} is {self.view}; it is (x_low, x_high, y_low, y_high)"
             )
         if not self.sentence:
-            numbers = [(c.label or c.key, c.key) for c in self.controls]
+            named = (c for c in self.controls if not isinstance(c, Simulation))
+            numbers = [(c.label or c.key, c.key) for c in named]
             numbers += [(readout.label, readout.name) for readout in self.readouts]
             listed = ", ".join(f"{label}: {{{name}}}" for label, name in numbers)
             object.__setattr__(self, "sentence", listed)
@@ -135,7 +138,7 @@ class Figure:
         chapter = course().chapters_of("figures", Figure).get(self.name, "")
         try:
             compiler = Compiler(self, chapter)
-            data = compiler.compile_figure()
+            data = translate(compiler.compile_figure(), chapter)
             self._refuse_idle_controls(serialize(data))
         except CourseError as error:
             raise CourseError(f"in the figure {self.name}, {error}") from error
@@ -150,19 +153,24 @@ class Figure:
                 )
 
     @property
+    def compiled(self) -> dict[str, Any]:
+        """The compiled figure: data, and functions as `Code`."""
+        return self._compiled[0]
+
+    @property
     def code(self) -> str:
         """The compiled figure: a JavaScript object, data and functions, no renderer."""
-        return serialize(self._compiled[0])
+        return serialize(self.compiled)
 
     @property
     def page_code(self) -> str:
         """The compiled figure without its outlines, which stand once on a page."""
-        return serialize(self._compiled[0] | {"drawings": None})
+        return serialize(self.compiled | {"drawings": None})
 
     @property
     def drawings(self) -> dict[str, list[Any]]:
         """The outlines of its things, by their ids."""
-        return dict(self._compiled[0]["drawings"])
+        return dict(self.compiled["drawings"])
 
     @property
     def expressions(self) -> list[Any]:
@@ -196,6 +204,10 @@ class Figure:
         """Return the picture and its panel as HTML, as before the script takes them over."""
         return str(engine.run(f"courseware.renderFigure({self.page_code})"))
 
+    def render_frames(self) -> str:
+        """Return three pictures side by side, of a figure that moves by itself; else ""."""
+        return str(engine.run(f"courseware.renderFrames({self.page_code})"))
+
     def render_html(self) -> str:
         """Return the element that stands on a page with its outlines; the script moves it."""
         start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}"'
@@ -211,6 +223,43 @@ class Figure:
         still = compact_svg(self.render_svg())
         others = {"text/plain": self.title, MIME: {"name": self.name}, "image/svg+xml": still}
         return self.widget.render_output(others)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The scene of a chapter, of which each figure shows some layers::
+
+        ROBOT = Scene(
+            layers={"ghost": (robot(START, look="ghost"),), "robot": (robot(now),)},
+            handles={"robot": (Handle("the robot", now),)},
+            common={"view": (-1, 1, -1, 1), "ground": "tiles", "where": VELOCITY},
+        )
+        ROBOT.figure("park", "A robot", "ghost robot", controls=(…))
+
+    Args:
+        layers: their shapes by name, in the order of painting.
+        handles: what is dragged, by name.
+        common: parts of all its figures; a figure may give others.
+    """
+
+    layers: Mapping[str, tuple[Any, ...]]
+    handles: Mapping[str, tuple[Handle, ...]]
+    common: Mapping[str, Any]
+
+    def figure(self, name: str, title: str, layers: str, drag: str = "", **parts: Any) -> Figure:
+        """Return the figure of some layers and handles, named in one text; `scene` lies on top."""
+        for given, known in ((layers, self.layers), (drag, self.handles)):
+            if unknown := set(given.split()) - set(known):
+                raise CourseError(
+                    f"the figure {name} shows {', '.join(sorted(unknown))}; its scene has "
+                    f"{', '.join(known)}"
+                )
+        shown = [
+            part for layer in self.layers if layer in layers.split() for part in self.layers[layer]
+        ]
+        handles = tuple(handle for each in drag.split() for handle in self.handles[each])
+        scene = (*shown, *parts.pop("scene", ()))
+        return Figure(name, title, **{"handles": handles, **self.common, **parts, "scene": scene})
 
 
 def render_outlines(figures: Iterable[Figure]) -> str:

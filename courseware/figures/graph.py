@@ -50,10 +50,14 @@ class Graph:
         corners = ((left, low), (right, low), (right, high), (left, high))
         beside = (right - left) / 16
         numbers = {(self.place((x, 1))[0], low - 1.2 * beside): x for x in _ticks(self.x)}
+        across = [self.place((x, self.y[0]))[0] for x in _ticks(self.x)]
+        up = [self.place((self.x[0], y))[1] for y in _ticks(self.y)]
         for y in _ticks(self.y)[1:]:  # the lowest would meet the first below the axis
             numbers[left - 1.8 * beside, self.place((1, y))[1]] = y
         return (
             Area("grid", corners),
+            *(Line("grid", ((x, low), (x, high))) for x in across),
+            *(Line("grid", ((left, y), (right, y))) for y in up),
             Line("text", ((left, high), (left, low), (right, low))),
             *(Label("text", place, _power_text(x)) for place, x in numbers.items()),
             Label("text", ((left + right) / 2, low - 3.6 * beside), self.titles[0]),

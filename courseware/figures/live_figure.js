@@ -1,5 +1,5 @@
 import { writeText } from "../script/text.js";
-import { followClock, followSight, followTurns } from "./clock.js";
+import { followButtons, followClock, followSight, followTurns } from "./clock.js";
 import { addHandles, describeHandle, followControls, followGround, followReset, followSteps, placeHandles } from "./dragging.js";
 import { describeFigure, describeState, formatControl, formatReadout, numbersBySymbol } from "./figure_text.js";
 import { setAttribute, updateNodes } from "./nodes.js";
@@ -39,7 +39,7 @@ export class LiveFigure {
 
   start() {
     addHandles(this);
-    for (const follow of [followControls, followSteps, followTurns, followClock, followGround, followReset,
+    for (const follow of [followControls, followSteps, followTurns, followButtons, followClock, followGround, followReset,
       followSight]) follow(this);
     this.resize(this.picture.parentElement.clientWidth);
     new ResizeObserver(([{ contentRect: { width } }]) => {
@@ -129,6 +129,8 @@ export class LiveFigure {
   writeControls() {
     const shown = (i) => formatControl(this.figure.controls[i], this.state[i]);
     this.inputs.forEach((input) => {
+      const { when } = this.figure.controls[input.dataset.i];
+      if (when !== undefined) input.closest(".rk-control").hidden = this.computed.values[when] !== 1;
       showPosition(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
       if (input.type === "range") setAttribute(input, "aria-valuetext", shown(input.dataset.i));
     });
@@ -137,7 +139,7 @@ export class LiveFigure {
 
   // Passing over a goal does not reach it; once reached it stays so until a reset.
   writeGoals() {
-    const now = this.held ? [] : this.figure.goals;
+    const now = this.held || this.passing ? [] : this.figure.goals;
     now.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
     this.goals.forEach((goal, k) => {
       const done = this.reached.has(k);

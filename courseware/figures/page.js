@@ -2,6 +2,7 @@
 
 import { nameButton } from "./clock.js";
 import { LiveFigure } from "./live_figure.js";
+import { renderFrames } from "./scene.js";
 import { fromValue, toText } from "./state.js";
 
 const addressOf = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
@@ -59,9 +60,19 @@ export const startFigure = (figure) => {
   }
 };
 
+const followPaper = (figures) => {
+  addEventListener("beforeprint", () => figures.forEach((figure) => {
+    const element = document.getElementById(figure.name);
+    if (element.matches(".rk-veiled, :has(.rk-frames)")) return;
+    element.querySelector(".rk-picture").insertAdjacentHTML("beforeend", renderFrames(figure));
+  }));
+  addEventListener("afterprint", () => document.querySelectorAll(".rk-frames").forEach((frames) => frames.remove()));
+};
+
 // A figure comes to life when it comes near, within a screen's height, or when the address names it.
 export const startFigures = () => {
-  const still = new Map((window.coursewareFigures ?? []).map((figure) => [figure.name, figure]));
+  const figures = window.coursewareFigures ?? [], still = new Map(figures.map((figure) => [figure.name, figure]));
+  followPaper(figures);
   const near = new IntersectionObserver((seen) => seen.forEach(({ target, isIntersecting }) => {
     if (isIntersecting) wake(target.id);
   }), { rootMargin: "100% 0px" });

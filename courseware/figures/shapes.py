@@ -4,7 +4,8 @@ In a label `{name}` is a number of the figure. Shapes are painted as declared; t
 (larger is nearer) change places among themselves: the nearest comes last.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import sympy as sp
 
@@ -168,3 +169,20 @@ class Bracket:
     columns: tuple[str, ...] = ("x_axis", "y_axis", "z_axis")
     digits: int = 0
     kind: str = "text"
+
+
+def when(condition: Any, *shapes: Any) -> tuple[Any, ...]:
+    """Return shapes and things that are there only while a condition holds."""
+    return tuple(_hide_unless(condition, shape) for shape in shapes)
+
+
+def _hide_unless(condition: Any, shape: Any) -> Any:
+    name = next(name for name in ("at", "tail", "start", "points") if hasattr(shape, name))
+    first, *others = getattr(shape, name)
+    if name == "points":
+        return replace(shape, points=(_nan_unless(condition, first), *others))
+    return replace(shape, **{name: (*_nan_unless(condition, (first,)), *others)})
+
+
+def _nan_unless(condition: Any, place: Place) -> Place:
+    return tuple(sp.Piecewise((number, condition), (sp.nan, True)) for number in place)

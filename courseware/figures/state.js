@@ -18,7 +18,8 @@ export const startState = (figure) => figure.controls.map((control) => control.s
 // For the formulas: all symbols that controls set, in SI.
 export const settings = (figure, state) => figure.controls.flatMap((control, i) =>
   control.type === "choice" ? control.options[state[i]].values
-    : control.type === "turns" ? computeTurns(state[i]) : [state[i] * control.factor]);
+    : control.type === "turns" ? computeTurns(state[i])
+    : control.type === "simulation" ? state[i] : [state[i] * control.factor]);
 
 const runRecurrence = (recurrence, c) => {
   const count = Math.min(Math.max(0, Math.round(recurrence.count(functions, c)[0])), recurrence.most);
@@ -47,10 +48,14 @@ const followView = ({ view, follow }, values) => {
 };
 
 // In addresses and notebooks a choice is the name of its option, and turns are their presses.
-export const toText = (control, shown) =>
-  control.type === "choice" ? control.options[shown].label : shown[0];
+export const toText = (control, shown) => control.type === "choice" ? control.options[shown].label
+  : control.type === "simulation" ? shown.join() : shown[0];
 
 export const fromValue = (control, value) => {
+  if (control.type === "simulation") {
+    const numbers = String(value).split(",").map(Number);
+    return numbers.length === control.start.length && numbers.every(Number.isFinite) ? numbers : control.start;
+  }
   if (control.type === "turns") return [parsePresses(value ?? control.start[0]).join(""), 1];
   if (control.type !== "choice") return Number.isFinite(value) ? clamp(control, value) : control.start;
   const i = control.options.findIndex(({ label }) => label === value);

@@ -8,13 +8,11 @@ import json
 
 import numpy as np
 import pytest
-from browser import watched_page
 from declared import FIGURES, each
 from figure_numbers import random_state
+from figure_page import alone_together
 
 from courseware.figures import Figure
-from courseware.figures.figure import render_outlines
-from courseware.script import parts
 
 pytest_plugins = ["browser"]
 
@@ -43,15 +41,8 @@ FAULTS = """([name, states]) => {
 @pytest.fixture(scope="module", params=[1280, 390])
 def alive(request, chromium):
     """All figures on a page of that width."""
-    figures = FIGURES.values()
-    body = render_outlines(figures) + "".join(figure.render_html() for figure in figures)
-    style = f"{parts.join_styles()} body {{ max-width: 46rem; margin: 1rem; }}"
-    with watched_page(chromium, "about:blank", request.param) as (page, watch):
-        page.emulate_media(reduced_motion="reduce")
-        page.set_content(f"<style>{style}</style>{body}")
-        scripts = [f"courseware.startFigure({figure.code});" for figure in FIGURES.values()]
-        page.add_script_tag(content="\n".join([parts.bundle_page(parts.list_parts()), *scripts]))
-        yield page, watch
+    with alone_together(chromium, FIGURES.values(), request.param) as opened:
+        yield opened
 
 
 ANEW = """([name, states]) => {

@@ -32,6 +32,11 @@ const read = ({ address, html }) => {
 // Where a file of the site stands that a page names.
 const fileOf = (address, { address: from }) => new URL(address, HOME + from).pathname.slice(1);
 
+// frames: pictures side by side of figures that move by themselves, by name.
+const withFrames = (article, frames) => all(article, ".rk-figure").forEach((figure) => {
+  if (frames[figure.id]) figure.querySelector(".rk-picture").innerHTML = frames[figure.id];
+});
+
 const withoutControls = (article) => {
   all(article, ".rk-control select").forEach((select) => {
     const shown = select.ownerDocument.createElement("span");
@@ -139,9 +144,10 @@ const titleOf = (heading) => {
 
 // given: [{ address, html }]; solutions: of exercises, by name. link: how a place is addressed, from
 // PAGE and ID; folder: where the site's files stand.
-const paper = (given, solutions, { link, folder, mathml, folds }) => {
+const paper = (given, solutions, frames, { link, folder, mathml, folds }) => {
   const pages = given.map(read);
   for (const page of pages) {
+    withFrames(page.article, frames);
     withoutControls(page.article);
     withSolutions(page, solutions);
     page.ids = new Set(all(page.article, "[id]").map(({ id }) => id));

@@ -3,6 +3,9 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from courseware.course import course
+from courseware.figures import Figure
+
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "_build"
@@ -38,6 +41,8 @@ def read_pages(browser, solutions, **options):
     for part in tab.evaluate("(html) => contents(html)", first):
         parts |= dict.fromkeys(part["addresses"], part["caption"])
     given = [{"address": each, "html": (SITE / each).read_text("utf-8")} for each in parts]
-    made = tab.evaluate("(all) => paper(...all)", [given, solutions, options])
+    figures = course().find_all("figures", Figure)
+    frames = {name: figure.render_frames() for name, figure in figures.items()}
+    made = tab.evaluate("(all) => paper(...all)", [given, solutions, frames, options])
     tab.close()
     return [Page(part=part, **page) for part, page in zip(parts.values(), made, strict=True)]

@@ -3,7 +3,7 @@
 from numpy.typing import ArrayLike
 
 from book.differential_drive import formulas
-from book.differential_drive.formulas import b, r, rate_L, rate_R, v_L, v_R
+from book.differential_drive.formulas import R, b, r, rate_L, rate_R, v_L, v_R
 from book.motion.formulas import omega, v
 from courseware.equations import Array, Check
 from robokin import differential_drive
@@ -23,6 +23,11 @@ def speeds_of_twist(v: ArrayLike, omega: ArrayLike, r: Array, b: Array) -> Array
     return r[..., None] * differential_drive.wheel_rates(v, omega, r, b)
 
 
+def speeds_about_icr(omega: Array, R: Array, r: Array, b: Array) -> Array:
+    """The wheel speeds [left, right] of a turn about an ICR."""
+    return speeds_of_twist(omega * R, omega, r, b)
+
+
 CHECKS = (
     Check(
         formulas.speed,
@@ -32,6 +37,14 @@ CHECKS = (
         tolerance=1e-15,
         reason="four roundings of numbers up to 1 (v = rate x radius on the way)",
         specials=(STRAIGHT, ON_THE_SPOT, STILL),
+    ),
+    Check(
+        formulas.about_icr,
+        function=speeds_about_icr,
+        arguments=(omega, R, r, b),
+        tolerance=5e-14,
+        reason="five roundings of numbers up to 6 rad/s x 10.5 m = 63 m/s",
+        specials=({omega: 0.0}, {R: 0.0}, {R: 0.05, b: 0.1}),
     ),
     Check(
         formulas.turning_rate,

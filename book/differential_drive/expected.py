@@ -32,17 +32,31 @@ def park_readouts(v_left, v_right, t):
     return off_and_turned(driven(*twist_of(v_left, v_right), 3.0), mark)
 
 
+def axle_readouts(v_left, v_right):
+    """Return v."""
+    return twist_of(v_left, v_right)[0][:, None]
+
+
 def tips_readouts(v_left, v_right):
-    """Return v, omega, R."""
+    """Return omega, R."""
     radius = differential_drive.turning_radius(v_left, v_right, DISTANCE)
-    return np.column_stack([*twist_of(v_left, v_right), radius])
+    return np.column_stack([twist_of(v_left, v_right)[1], radius])
 
 
 def infinity_readouts(share):
-    """Return v_L, v_R, R."""
-    c, s = np.cos(share), np.sin(share) * DISTANCE / 2 / 0.12  # m: how wide the map is
-    speeds = 0.07 * (c - s), 0.07 * (c + s)
-    return np.column_stack([*speeds, differential_drive.turning_radius(*speeds, DISTANCE)])
+    """Return R."""
+    c, s = np.cos(share), np.sin(share) * DISTANCE / 2 / 0.26  # m: how wide the map is
+    return differential_drive.turning_radius(c - s, c + s, DISTANCE)[:, None]
+
+
+def added_readouts(v, omega):
+    """Return v_L, v_R: the rates of wheels of 1 m."""
+    return differential_drive.wheel_rates(v, omega, 1.0, DISTANCE)
+
+
+def spokes_readouts(time):
+    """Return by how much the heading has changed."""
+    return driven(0.075, 0.5, time)[:, 2:] - UP
 
 
 def world_readouts(theta):
@@ -99,7 +113,8 @@ def damage_readouts(rate, heading, t):
 
 def drive_readouts(v_left, v_right, t):
     """Return v, omega, R, x, y, heading."""
-    return np.column_stack([tips_readouts(v_left, v_right), driven(*twist_of(v_left, v_right), t)])
+    now = driven(*twist_of(v_left, v_right), t)
+    return np.column_stack([axle_readouts(v_left, v_right), tips_readouts(v_left, v_right), now])
 
 
 STRAIGHT, BACK = {"v_L": 0.07, "v_R": 0.07}, {"v_L": -0.15, "v_R": -0.15}
@@ -108,10 +123,13 @@ DRIVES = [STRAIGHT, BACK, SPOT, STILL]
 
 READOUTS = {
     "park": park_readouts,
+    "axle": axle_readouts,
     "tips": tips_readouts,
     "infinity": infinity_readouts,
     "world": world_readouts,
+    "added": added_readouts,
     "rates": rates_readouts,
+    "spokes": spokes_readouts,
     "arc": arc_readouts,
     "digits": digits_readouts,
     "steps": steps_readouts,
@@ -123,11 +141,14 @@ READOUTS = {
 SPECIALS = {
     "park": [*DRIVES, {"v_L": 0.06, "v_R": 0.12}],
     "exercise": [],
+    "axle": DRIVES,
     "tips": DRIVES,
     "infinity": [{"share": 0.0}],
     "world": [{"theta": 0.0}, {"theta": UP}],
     "rates": [{"omega": 0.0}, {"v": 0.0}, {"v": 0.0, "omega": 0.0}],
+    "added": [{"omega": 0.0}, {"v": 0.0, "omega": 0.5}],
     "guess": [{"t": 2.0}],
+    "spokes": [{"dt": 0.0}],
     "arc": [{"omega": 0.0}, {"omega": 1e-12}],
     "digits": [{"power": 8.0}],
     "steps": [{"n": 6}, {"n": 12}],
@@ -135,11 +156,12 @@ SPECIALS = {
     "side": [{"aim": UP, "reach": 0.2, "done": 3.0}, {"done": 0.5}, {"done": 1.5}, {"done": 2.5}],
     "damage": [{"t": 0.0}, {"mistake": "Down instead of up", "t": 2.0}],
     "wheel-speeds": [*DRIVES, {**STRAIGHT, "t": 12.0}],
+    "letters": [],
     "summary": [],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("wheel-speeds", {"v_L": 0.1}, "R", "none: straight"),
-    ("tips", {"v_L": 0.0, "v_R": 0.0}, "R", "nowhere: at rest"),
+    ("tips", {"v_L": 0.0, "v_R": 0.0}, "R", "…"),
 ]
 # numbers that are shown to lose their digits, by the symbols that they come from
 LOST = {"digits": ("x_lost", "y_lost")}
@@ -194,7 +216,8 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
     "how-fast": ("7.5 cm/s", "15 cm/s", "5 cm/s"),
-    "where-to": "to the left, without end",
+    "seen-from-the-robot": "at its right",
+    "behind-on-the-left": "135°",
     "turned-view": "0.5 rad/s",
     "wheel-rate": ("3.33 rad/s", "1.67 rad/s", "0.003 rad/s"),
     "where-after": ("x −0.069 m, y 0.126 m", "0 m, 0.15 m", "0.069 m, 0.126 m"),
@@ -208,6 +231,26 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
         (
             [{"v_L": 0.0614, "v_R": 0.1186}, {"v_L": 0.066, "v_R": 0.126}],
             [{"v_L": 0.0616, "v_R": 0.1184}, {"v_L": 0.0685, "v_R": 0.1285}],
+        )
+    ],
+    "tips": [
+        (
+            [{"v_L": 0.0, "v_R": 0.05}, {"v_L": -0.002, "v_R": -0.021}],
+            [{"v_L": 0.004, "v_R": 0.05}, {"v_L": 0.0, "v_R": 0.019}],
+        ),
+        (
+            [{"v_L": -0.05, "v_R": 0.055}, {"v_L": 0.03, "v_R": -0.03}],
+            [{"v_L": -0.05, "v_R": 0.057}, {"v_L": -0.01, "v_R": 0.01}],
+        ),
+        (
+            [{"v_L": 0.07, "v_R": 0.072}, {"v_L": -0.05, "v_R": -0.05}],
+            [{"v_L": 0.07, "v_R": 0.074}, {"v_L": 0.01, "v_R": 0.01}],
+        ),
+    ],
+    "letters": [
+        (
+            [{"name_1": "R", "name_2": "ω"}],
+            [{"name_1": "ω", "name_2": "R"}, {"name_1": "R", "name_2": "c"}],
         )
     ],
     "sideways": [

@@ -9,11 +9,11 @@ from sympy import (
     Ne,
     Or,
     Piecewise,
+    Rational,
     Symbol,
     atan2,
     cos,
     log,
-    nan,
     oo,
     pi,
     sin,
@@ -56,6 +56,7 @@ from courseware.figures import (
     AngleArc,
     Area,
     Arrow,
+    Button,
     Choice,
     Clock,
     Curve,
@@ -69,12 +70,14 @@ from courseware.figures import (
     Point,
     Readout,
     Recurrence,
+    Scene,
     Slider,
     Thing,
     Trail,
     assign,
     distance,
     ramp,
+    when,
 )
 
 DISTANCE, RADIUS = 0.1, 0.03  # m, between the wheels, and of a wheel, as in the exercise
@@ -178,6 +181,50 @@ def is_parked(end: Any, mark: Any) -> Any:
     return And(distance(end, mark) < OFF / 100, angle_size(end[2] - mark[2]) < TURNED * pi / 180)
 
 
+# The scene: of what is drawn of the robot at its start, each figure shows some layers.
+
+moves = Or(Ne(v_L, 0), Ne(v_R, 0))
+turns = Ne(v_L, v_R)
+AXLE = (-0.4, 0.25)  # m: from where to where lines across the picture go
+towards = Piecewise((0, v_R > v_L), (pi, True))  # from the ICR to the robot
+
+
+def point_on_tips(right: Any) -> tuple[Any, Any]:
+    """Return the point of the line through the tips that is so far to the right of the middle."""
+    return right, ARROW * (v + omega * right)
+
+
+def across(places: Any) -> tuple[Arrow, ...]:
+    """Return pale arrows of points of the axle's line, so far to the right of the middle."""
+    return tuple(Arrow("ghost", (x, 0), point_on_tips(x), "") for x in places)
+
+
+SCENE = Scene(
+    layers={
+        "axle": when(moves, Line("icr", ((AXLE[0], 0), (AXLE[1], 0)))),
+        "everywhere": when(turns, *across(Rational(k, 40) for k in range(-12, 7) if abs(k) > 2)),
+        "tips": when(moves, Line("turning", (point_on_tips(AXLE[0]), point_on_tips(AXLE[1])))),
+        "robot": (robot(START),),
+        "between": across(Rational(k, 80) for k in (-3, -2, -1, 1, 2, 3)),
+        "wheels": arrows(START, middle=False),
+        "speed": (Arrow(v, ORIGIN, (0, ARROW * v)),),
+        "wedge": when(
+            turns,
+            AngleArc(omega, (-R, 0), towards, towards + atan2(ARROW * omega, 1), 0.06),
+        ),
+        "radius": (Length(R, ORIGIN, (-R, 0), aside=0.09),),
+        "icr": (Point("icr", (-R, 0), label="ICR"),),
+    },
+    handles={"wheels": tip_handles()},
+    common={
+        "view": (-0.26, 0.18, -0.11, 0.2),
+        "ground": "tiles",
+        "where": RADIUS_TOO,
+        "controls": speed_sliders(SPEEDS[v_L], SPEEDS[v_R]),
+    },
+)
+
+
 # Opening.
 
 TIME = 3.0  # s, of the opening's drive
@@ -246,68 +293,72 @@ def exercise_figure() -> Figure:
     )
 
 
-def point_on_tips(right: Any, high: Any = 0) -> tuple[Any, Any]:
-    """Return the point of the line through the tips that is so far to the right of the middle."""
-    return right, high + ARROW * (v + omega * right)
+def axle_figure() -> Figure:
+    """Draw the arrows of the points of the axle: it is stiff, so their tips lie on one line."""
+    return SCENE.figure(
+        "axle",
+        "The robot from above, an arrow at each wheel and smaller ones between; all end on a line",
+        "tips robot between wheels speed",
+        drag="wheels",
+        view=(-0.17, 0.17, -0.1, 0.18),
+        readouts=(Readout(v),),
+    )
 
 
 def tips_figure() -> Figure:
-    """Draw the line through the tips: its middle is v, its slope ω, the ICR on the axle."""
-    low = Piecewise((-DISTANCE / 2, v_L < v_R), (DISTANCE / 2, v_L > v_R), (nan, True))
-    level = Piecewise((0, v_R - v_L > 0), (pi, True))
-    moves = Piecewise((0, Or(Ne(v_L, 0), Ne(v_R, 0))), (nan, True))
-    return Figure(
-        name="tips",
-        title="The robot's wheel arrows, and the line through their tips down to the axle's line",
-        view=(-0.32, 0.17, -0.17, 0.2),
-        ground="tiles",
-        controls=speed_sliders(0.04, 0.12),
-        where=RADIUS_TOO,
-        scene=(
-            Line("icr", ((-0.4, moves), (0.2, moves))),
-            Line("turning", (point_on_tips(-0.4, moves), point_on_tips(0.2, moves))),
-            robot(START),
-            *arrows(START),
-            AngleArc(omega, point_on_tips(low), level, level + atan2(ARROW * omega, 1), 0.05),
-            Length(R, ORIGIN, (-R, 0), aside=0.09),
-            Point("icr", (-R, 0), label="ICR"),
+    """Draw the point that stands still, and the angle that the tips are seen under from there."""
+    moving = Max(Abs(v_L), Abs(v_R)) > 0.02
+    return SCENE.figure(
+        "tips",
+        "The line through the tips, down to the point of the axle's line that stands still",
+        "axle everywhere tips robot wheels speed wedge radius icr",
+        drag="wheels",
+        view=(-0.32, 0.17, -0.125, 0.17),
+        readouts=(Readout(omega), Readout(R, words={"inf": "none: straight", "nan": "…"})),
+        goal=(
+            Goal(And(Abs(v_L) < 0.003, moving), "Bring the ICR to the left wheel."),
+            Goal(And(Abs(v_L + v_R) < 0.006, moving), "Bring it to P: v below 3 mm/s."),
+            Goal(
+                And(Abs(v_L - v_R) < 0.003, moving),
+                "Send it away: speeds equal to 3 mm/s.",
+            ),
         ),
-        handles=tip_handles(),
-        readouts=(Readout(v), Readout(omega), Readout(R, words=NO_ICR)),
     )
 
 
 def infinity_figure() -> Figure:
     """Draw the ICR that goes out to one side and comes back from the other: infinity is a point."""
-    far = 0.06  # m: radius of the circle that touches the axle at P
+    far = 0.13  # m: radius of the circle that touches the axle at P
     dot = (-far * sin(2 * share), -far - far * cos(2 * share))
     turn = DISTANCE / (4 * far) * sin(share)
     return Figure(
         name="infinity",
-        title="The robot, its ICR on the axle's line, and a circle on which infinity is a point",
-        view=(-0.32, 0.32, -0.18, 0.2),
+        title="A small robot, the line of its axle, and below it a large circle: a map of the line",
+        view=(-0.42, 0.42, -0.3, 0.18),
         ground="tiles",
         controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the line at ∞"),),
         where=((v_L, 0.07 * (cos(share) - turn)), (v_R, 0.07 * (cos(share) + turn)), *RADIUS_TOO),
         scene=(
-            Line("icr", ((-0.4, 0), (0.4, 0))),
+            Line("icr", ((-0.5, 0), (0.5, 0))),
             way("path", -8, 8),
-            Curve("ghost", (far * cos(s), -far + far * sin(s)), s, 0, 2 * pi),
+            Curve("icr", (far * cos(s), -far + far * sin(s)), s, 0, 2 * pi),
+            Line("ghost", ((0, -2 * far), (-R, 0))),
             robot(START),
-            *arrows(START, middle=False),
-            Line("ghost", ((0, -2 * far), dot)),
-            Line("ghost", (dot, (-R, 0))),
-            AngleArc("ghost", (0, -2 * far), pi, pi - share, 0.04, label=""),
-            Point("body", ORIGIN, "P"),
-            Label("text", (far, -far), "map"),
-            Point("ghost", dot),
-            Point("icr", (0, -2 * far), label="∞", edge=False),
+            *arrows(START, middle=False, letters=False),
+            Label("text", (far * 0.45, -far), "map of the line"),
+            Point("icr", dot),
+            Point("target", (0, -2 * far), label="∞", edge=False),
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(
             Handle("the ICR on the map", dot, {share: atan2(-POINTER[0], -POINTER[1] - far) / 2}),
         ),
-        readouts=(Readout(v_L), Readout(v_R), Readout(R, words={"inf": "none: straight"})),
+        buttons=(
+            Button("to the left", {share: 1.2}),
+            Button("through ∞", {share: 0}),
+            Button("to the right", {share: -1.2}),
+        ),
+        readouts=(Readout(R, words={"inf": "none: straight"}),),
     )
 
 
@@ -340,15 +391,58 @@ def world_figure() -> Figure:
     )
 
 
+def added_figure() -> Figure:
+    """Draw driving and turning, one by one and added: what each wheel has to do."""
+    wheels = []
+    for speed, side in ((v_L, 1), (v_R, -1)):
+        part = -side * omega * b / 2
+        wheels += [
+            Arrow(v, point_of(START, 0, side * 0.042), point_of(START, ARROW * v, side * 0.042)),
+            *when(
+                Ne(omega, 0),
+                Arrow(
+                    omega,
+                    point_of(START, ARROW * v, side * 0.058),
+                    point_of(START, ARROW * (v + part), side * 0.058),
+                    "ωb/2" if side < 0 else "−ωb/2",
+                ),
+            ),
+            Arrow(
+                speed,
+                point_of(START, 0, side * 0.095),
+                point_of(START, ARROW * speed, side * 0.095),
+            ),
+        ]
+    drives, spins = TWIST[v], TWIST[omega]
+    return Figure(
+        name="added",
+        title="The robot that drives, that turns, and that does both: its wheels' arrows are added",
+        view=(-0.17, 0.17, -0.1, 0.16),
+        ground="tiles",
+        controls=(
+            Slider(v, -0.1, 0.1, start=drives, step=0.005),
+            Slider(omega, -1.0, 1.0, start=0.0, step=0.05),
+        ),
+        where=((b, DISTANCE), *assign(drive.wheel_speeds)),
+        scene=(robot(START), *wheels),
+        buttons=(
+            Button("only drive", {v: drives, omega: 0}),
+            Button("only turn", {v: 0, omega: spins}),
+            Button("both", {v: drives, omega: spins}),
+        ),
+        readouts=(Readout(v_L), Readout(v_R)),
+    )
+
+
 def rates_figure() -> Figure:
     """Draw a wanted motion, and the two wheels that roll for it, seen from the side."""
     rows = []
     for speed, rate, high, stripe in ((v_L, rate_L, 0.02, "left2"), (v_R, rate_R, -0.1, "right2")):
         far, place = 0.1 + speed * t, (0.1 + speed * t, high + RADIUS, pi / 2)
         rows += [
-            Line("grid", ((0.07, high), (0.36, high))),
+            things.ruler((0.1, high, 0), 0.1, 2),
             things.encoder_wheel(place, rate * t * RADIUS, RADIUS, stripe=stripe),
-            Length(speed, (0.1, high), (far, high), aside=-0.015, label=""),
+            Length(speed, (0.1, high), (far, high), aside=-0.028, label=""),
             Label(rate, (far, high + 2.9 * RADIUS)),
         ]
     return Figure(
@@ -357,8 +451,8 @@ def rates_figure() -> Figure:
         view=(-0.1, 0.38, -0.15, 0.18),
         ground="paper",
         controls=(
-            Slider(v, 0.0, 0.1, start=0.05, step=0.005),
-            Slider(omega, -1.0, 1.0, start=0.0, step=0.05),
+            Slider(v, 0.0, 0.1, start=TWIST[v], step=0.005),
+            Slider(omega, -1.0, 1.0, start=TWIST[omega], step=0.05),
             Clock(t, 0.0, 1.5, loops=True, label="time"),
         ),
         where=((b, DISTANCE), (r, RADIUS), *assign(drive.wheel_speeds, drive.wheel_rates)),
@@ -392,19 +486,47 @@ def guess_figure() -> Figure:
     )
 
 
+def spokes_figure() -> Figure:
+    """Draw the two arrows from the ICR to the robot, before and after the step."""
+    centre = (-TWIST[v] / TWIST[omega], 0)
+    end, turn = drive_for(dt), TWIST[omega] * dt
+    return Figure(
+        name="spokes",
+        title="From the ICR two arrows go to the robot, one before and one after the step",
+        view=(-0.24, 0.13, -0.09, 0.2),
+        ground="tiles",
+        controls=(Slider(dt, 0.0, 3.0, start=2.0, step=0.1),),
+        where=(*SPEEDS.items(), *VELOCITY),
+        scene=(
+            Area("icr", (centre, ORIGIN, end)),
+            robot(START, look="ghost"),
+            way("path", 0, dt),
+            robot(end, time=dt),
+            AngleArc("turning", centre, 0, turn, 0.045, "ωΔt"),
+            Arrow("old_heading", centre, ORIGIN, "before"),
+            Arrow("new_heading", centre, end, "after"),
+            Point("icr", centre, label="ICR"),
+        ),
+        readouts=(Readout("turn", "turned by ωΔt", turn, "rad", 0),),
+    )
+
+
 def arc_figure() -> Figure:
     """Draw the step along the arc: as far as the chord, along the middle heading."""
     end = (x_next, y_next, theta_next)
     half = atan2(-POINTER[0], POINTER[1])
     time = sqrt(POINTER[0] ** 2 + POINTER[1] ** 2) / (v * sinc(half))
     still = {v_L: v - omega * DISTANCE / 2, v_R: v + omega * DISTANCE / 2}
+    middle = (x_next / 2, y_next / 2)
+    halfway = motion.arc_step.right.subs({dt: dt / 2, x: 0, y: 0, theta: pi / 2})
+    base = Piecewise((0, omega > 0), (pi, True))  # from the ICR to the start
     return Figure(
         name="arc",
         title="A step along an arc: the chord from the old place to the new, the middle heading",
         view=(-0.3, 0.2, -0.09, 0.3),
         ground="tiles",
         controls=(
-            Slider(omega, -1.5, 1.5, start=-0.8, step=0.05),
+            Slider(omega, -1.5, 1.5, start=TWIST[omega], step=0.05),
             Slider(dt, 0.5, 3.0, start=2.0, step=0.1),
         ),
         where=(
@@ -415,12 +537,19 @@ def arc_figure() -> Figure:
         scene=(
             Area("icr", ((-R, 0), ORIGIN, end)),
             Line("icr", (ORIGIN, (-R, 0), end)),
+            Line("icr", ((-R, 0), middle)),
             robot(START, look="ghost"),
             Line("ghost", (ORIGIN, (0, 0.3))),
             way("path", 0, dt),
             AngleArc(drive.u, ORIGIN, pi / 2, theta_m, 0.09),
+            *when(Ne(omega, 0), AngleArc(drive.u, (-R, 0), base, base + omega * dt / 2, 0.07)),
+            *when(
+                Ne(omega, 0),
+                AngleArc(drive.u, (-R, 0), base + omega * dt / 2, base + omega * dt, 0.06),
+            ),
+            robot(end, look="ghost"),
             Arrow("middle_heading", ORIGIN, end, "c"),
-            robot(end),
+            Arrow("heading", halfway, point_of(halfway, 0.07), "θ_m"),
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(Handle("the end", end, {omega: 2 * half / time, dt: time}),),
@@ -448,6 +577,7 @@ def almost_figure() -> Figure:
         name="digits",
         title="Two robots, placed by the textbook's form and by the chord; the error against ω",
         view=(-0.09, 0.6, -0.12, 0.34),
+        ground="paper",
         controls=(Slider(power, 0.0, 16.0, start=6.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
         where=((omega, 10**-power), (v_L, FAST), (v_R, FAST), *zip(LOST, textbook, strict=False)),
         scene=(
@@ -503,6 +633,7 @@ def steps_figure() -> Figure:
         name="steps",
         title="A drive along an arc, cut into straight steps, and the error against the step",
         view=(-0.38, 0.41, -0.12, 0.36),
+        ground="paper",
         controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
         where=tuple(SPEEDS.items()),
         scene=(
@@ -570,8 +701,8 @@ def side_figure() -> Figure:
         view=(-0.36, 0.22, -0.16, 0.26),
         ground="tiles",
         controls=(
-            Slider.degrees(aim, start=30, step=5, label="turn on the spot; at last back"),
-            Slider(reach, 0.0, 0.25, start=0.1, step=0.01, label="between: straight on"),
+            Slider.degrees(aim, start=30, step=5, label="first: turn; at the end turn back"),
+            Slider(reach, 0.02, 0.25, start=0.1, step=0.01, label="between: drive straight on"),
             Clock(done, 0.0, 3.0, step=0.02, label="parts done", rate=0.5),
         ),
         where=tuple(
@@ -586,6 +717,16 @@ def side_figure() -> Figure:
             robot(end, look="ghost"),
             robot(now, rolled=[reach * straight + side * (first - last) for side in (-spin, spin)]),
             *arrows(now, middle=False),
+        ),
+        handles=(
+            Handle(
+                "the end of the straight way",
+                end,
+                {
+                    aim: atan2(-POINTER[0], POINTER[1]),
+                    reach: sqrt(POINTER[0] ** 2 + POINTER[1] ** 2),
+                },
+            ),
         ),
         readouts=(Readout("off", "at the end: off the mark", distance(end, SIDE), "m"),),
         goal=Goal(is_parked(end, SIDE), f"Find the way to the place at its side: within {OFF} cm."),
@@ -686,23 +827,45 @@ def damage_figure() -> Figure:
 def recap_figure() -> Figure:
     """Draw all of it at rest: speeds, line through the tips, ICR, arc, chord."""
     end = drive_for(2.0)
-    return Figure(
-        name="summary",
-        title="The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
-        view=(-0.26, 0.2, -0.09, 0.22),
-        ground="tiles",
+    return SCENE.figure(
+        "summary",
+        "The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
+        "axle tips robot wheels speed wedge radius icr",
+        view=(-0.26, 0.2, -0.12, 0.22),
+        controls=(),
         where=(*SPEEDS.items(), *RADIUS_TOO),
         scene=(
-            Line("icr", ((-R, 0), (0.1, 0))),
-            Line("turning", (point_on_tips(-0.25), point_on_tips(0.12))),
-            robot(START),
-            *arrows(START),
-            AngleArc(omega, (-R, 0), 0, atan2(ARROW * omega, 1), 0.06),
             way("path", 0, 2.0),
             Arrow("middle_heading", ORIGIN, end, "c"),
             robot(end, look="ghost"),
-            Length(R, ORIGIN, (-R, 0), aside=0.07),
-            Point("icr", (-R, 0), label="ICR"),
+        ),
+    )
+
+
+def letters_figure() -> Figure:
+    """Draw the robot with two letters that are to be put back."""
+    middle = atan2(ARROW * TWIST[omega], 1) / 2
+    places = ((-TWIST[v] / TWIST[omega] / 2, -0.06), (-0.075, 0.075 * sin(middle)))
+    options = {name: (number,) for number, name in enumerate(("?", "θ", "ω", "c", "R"))}
+    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
+    right = (options["R"][0], options["ω"][0])
+    return SCENE.figure(
+        "letters",
+        "The robot, its arrows, the line through their tips and the ICR, with the numbers 1 and 2",
+        "axle tips robot wheels speed icr",
+        view=(-0.24, 0.14, -0.11, 0.14),
+        controls=tuple(
+            Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
+        ),
+        where=(*SPEEDS.items(), *RADIUS_TOO),
+        scene=(
+            Length("icr", ORIGIN, (-R, 0), aside=0.045, label=""),
+            AngleArc("turning", (-R, 0), 0, 2 * middle, 0.06, label=""),
+            *(Label("text", place, str(k)) for k, place in enumerate(places, 1)),
+        ),
+        goal=Goal(
+            And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
+            "Put the two letters back.",
         ),
     )
 
@@ -710,11 +873,14 @@ def recap_figure() -> Figure:
 FIGURES = (
     park_figure(),
     exercise_figure(),
+    axle_figure(),
     tips_figure(),
     infinity_figure(),
     world_figure(),
+    added_figure(),
     rates_figure(),
     guess_figure(),
+    spokes_figure(),
     arc_figure(),
     almost_figure(),
     steps_figure(),
@@ -722,5 +888,6 @@ FIGURES = (
     side_figure(),
     drive_figure(),
     damage_figure(),
+    letters_figure(),
     recap_figure(),
 )

@@ -44,6 +44,13 @@ with as_written():
         source="exercise 4",
     )
 
+    about_icr = Equation(
+        name="differential_drive.about_icr",
+        left=Matrix([v_L, v_R]),
+        right=Matrix([omega * (R - b / 2), omega * (R + b / 2)]),
+        source="exercise 4",
+    )
+
     turning_rate = Equation(
         name="differential_drive.turning_rate",
         left=omega,

@@ -53,7 +53,48 @@ def halved():
     )[0]
 
 
+def seen_from_robot():
+    """Say where a thing ahead along x is for a robot that looks along y."""
+    ahead, left = motion.to_body(np.pi / 2, [1, 0, 0])[:2]
+    return min(
+        ("straight ahead of it", (1, 0)),
+        ("at its left", (0, 1)),
+        ("at its right", (0, -1)),
+        key=lambda o: np.hypot(o[1][0] - ahead, o[1][1] - left),
+    )[0]
+
+
 PREDICTIONS = (
+    Prediction(
+        "seen-from-the-robot",
+        "From frame chains: a robot looks along the world's $y$ axis. A box stands 1 m from it, "
+        "along the world's $x$ axis. Where does the robot see it?",
+        Buttons(
+            ("straight ahead of it", "at its left", "at its right"),
+            right=seen_from_robot,
+            assumptions={
+                "straight ahead of it": "Ahead is $y$: the robot looks that way.",
+                "at its left": "Left of $y$ is $-x$: the turn to the left is counter-clockwise.",
+            },
+        ),
+        explanation="Turn the world back by the heading, 90°: then $x$ points to the right.",
+        spoilers=("points to the right",),
+    ),
+    Prediction(
+        "behind-on-the-left",
+        "From the start: a point lies at $x$ = −1 m, $y$ = 1 m. Which direction does "
+        "`arctan2(1, -1)` give?",
+        Buttons(
+            ("−45°", "45°", "135°"),
+            right=lambda: f"{np.degrees(np.arctan2(1, -1)):.0f}°",
+            assumptions={
+                "−45°": "That is the arctangent of the quotient: it loses the signs.",
+                "45°": "Both signs count, and $x$ is negative.",
+            },
+        ),
+        explanation="It keeps both signs: behind the $y$ axis, on the left.",
+        spoilers=("keeps both signs",),
+    ),
     Prediction(
         "how-fast",
         "The left wheel moves at 5 cm/s, the right one at 10 cm/s. How fast does P move, the "
@@ -72,21 +113,6 @@ PREDICTIONS = (
         explanation="The axle is stiff, so the tips of all arrows along it lie on one line. In the "
         "middle the line is as high as the *mean* of its ends.",
         spoilers=("the mean of", "half the sum"),
-    ),
-    Prediction(
-        "where-to",
-        "The left wheel gets faster, up to the right wheel's speed. Where does the ICR go?",
-        Buttons(
-            ("to P", "to the right wheel", "to the left, without end"),
-            right="to the left, without end",
-            assumptions={
-                "to P": "P is where it lies when the wheels run *against* each other.",
-                "to the right wheel": "The ICR is the point that stands still; this wheel moves.",
-            },
-        ),
-        explanation="The line through the tips gets flat, and meets the axle farther and farther "
-        "away. Straight ahead the two are parallel.",
-        spoilers=("without end", "meets the axle farther"),
     ),
     Prediction(
         "turned-view",
@@ -112,7 +138,7 @@ PREDICTIONS = (
             "rad/s",
             right=rolling(r),
             assumptions={
-                "That divides by the whole width of the wheel, twice the radius.": rolling(2 * r),
+                "That divides by the wheel's diameter.": rolling(2 * r),
                 "That multiplies by the radius.": rolling(1 / r),
             },
         ),

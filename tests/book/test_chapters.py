@@ -14,13 +14,13 @@ import book  # noqa: F401 (opens the course)
 from courseware.course import course
 from courseware.practice import Exercise
 
-# in this order; between the first two come the number_range, "1 …", "2 …"
-BEFORE = ["The exercise"]
+# in this order; between them come the steps, "1 …", "2 …"
+BEFORE = ["Recall", "The exercise"]
 AFTER = [
     *("As a function", "Where it fails", "Laboratory", "Your own figure", "Your own function"),
     *("Exercises", "Find the mistake", "Recap", "A glance further"),
 ]
-OPTIONAL = {"As a function", "Where it fails", "Find the mistake", "A glance further"}
+OPTIONAL = {"Recall", "As a function", "Where it fails", "Find the mistake", "A glance further"}
 FRAMEWORK = {"courseware", "book", "figures", "equations", "predictions", "practice", "show_source"}
 CHECK = re.compile(r"^practice\.\w+\.check", re.M)  # that a student calls, too
 LONGEST = 25  # visible lines of code in a section
@@ -86,8 +86,8 @@ def test_sections_follow_the_skeleton(chapter):
         f"number the steps, `## 1 …`, `## 2 …`, or name them as one of {BEFORE + AFTER}: {steps}"
     )
     left_out = OPTIONAL - set(titles)
-    wanted = BEFORE + steps + [title for title in AFTER if title not in left_out]
-    assert titles == wanted, f"{chapter}.ipynb has the sections {titles}; it needs {wanted}"
+    present = [title for title in (*BEFORE, *steps, *AFTER) if title not in left_out]
+    assert titles == present, f"{chapter}.ipynb has the sections {titles}; it needs {present}"
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)

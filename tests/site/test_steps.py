@@ -5,13 +5,14 @@ import re
 import nbformat
 import pytest
 import sympy as sp
+from browser import draw_all, watched_page
 from declared import FIGURES, each
 from figure_numbers import point, started
-from figure_page import SHOW
+from figure_page import MADE, SHOW
 from playwright.sync_api import expect
 
 from courseware.course import course
-from courseware.figures import Clock, Figure
+from courseware.figures import Clock, Figure, QuarterTurns
 from courseware.figures.figure import MIME
 
 pytest_plugins = ["figure_page"]
@@ -26,7 +27,10 @@ def opens_with_a_figure(chapter):
     return any(MIME in output.get("data", {}) for c in opening for output in c.get("outputs", []))
 
 
-IN_STEPS = list(filter(opens_with_a_figure, course().taught))  # the chapters that are told so
+# the chapters that are told so
+IN_STEPS = [
+    c for c in filter(opens_with_a_figure, course().taught) if course().module(c, "exercises")
+]
 
 # --- Sizes ----------------------------------------------------------------------------------
 
@@ -237,3 +241,101 @@ def test_a_chapter_has_few_words(chapter):
         f"{count} words of prose, at most {WORDS} in a chapter that opens with a figure: shorten "
         f"{chapter}.ipynb, or fold what a guess opens (tag after-…)"
     )
+
+
+def figures_of(chapter):
+    """Return the figures of a chapter's notebook, in order."""
+    cells = nbformat.read(course().notebook(chapter), as_version=4).cells
+    outputs = [output.get("data", {}) for c in cells for output in c.get("outputs", [])]
+    return [FIGURES[data[MIME]["name"]] for data in outputs if MIME in data]
+
+
+@pytest.mark.parametrize("chapter", IN_STEPS)
+def test_a_chapter_has_enough_to_do(chapter):
+    figures = figures_of(chapter)
+    live = [figure for figure in figures if figure.controls]
+    goals = [goal for f in live for goal in (f.goal if isinstance(f.goal, tuple) else (f.goal,))]
+    asked = course().module(chapter, "predictions").PREDICTIONS
+    assert len(live) >= 13
+    assert 8 <= len(asked) <= 10
+    assert len(goals) >= 5
+    source = course().notebook(chapter).read_text("utf-8")
+    assert "A place to stop" in source
+    assert "## Recall" in source
+
+
+@in_browser
+@pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
+@pytest.mark.parametrize("chapter", IN_STEPS)
+def test_the_first_screen_holds_the_puzzle_and_its_keys(chapter, size, chromium, server):
+    opening = figures_of(chapter)[0]
+    with watched_page(chromium, server, size[0]) as (page, _):
+        page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+        page.goto(f"{server}{chapter}/{chapter}.html")
+        root = page.locator(f"#{opening.name}")
+        keys = root.locator(".rk-goal, .rk-control input, .rk-control select, .rk-turning button")
+        ends = [box["y"] + box["height"] for box in map(lambda key: key.bounding_box(), keys.all())]
+        assert max(ends) <= size[1]
+
+
+BUSY = """() => {
+  const busy = "figure.rk-figure, .rk-prediction, .math, .cell_input, .rk-exercise, .rk-mistake, "
+    + "img, table";
+  const ends = [...document.querySelectorAll(`.bd-article :is(${busy})`)]
+    .filter((element) => element.checkVisibility() && !element.closest("p"))
+    .map((element) => element.getBoundingClientRect()).map(({ top, bottom }) => [top, bottom])
+    .sort((a, b) => a[0] - b[0]);
+  const gaps = [];
+  let last = ends[0][1];
+  for (const [top, bottom] of ends) {
+    gaps.push(top - last);
+    last = Math.max(last, bottom);
+  }
+  return Math.max(...gaps);
+}"""
+
+
+@in_browser
+@pytest.mark.parametrize("chapter", IN_STEPS)
+def test_every_screen_has_a_picture_a_formula_or_something_to_do(chapter, chromium, server):
+    with watched_page(chromium, server) as (page, _):
+        page.goto(f"{server}{chapter}/{chapter}.html")
+        draw_all(page)
+        assert page.evaluate(BUSY) < 900
+
+
+@in_browser
+@pytest.mark.parametrize("chapter", IN_STEPS)
+def test_the_opening_is_won_by_at_most_six_acts_of_the_hand_and_by_keys(chapter, alone):
+    figure = figures_of(chapter)[0]
+    wished, _ = course().module(chapter, "expected").GOALS[figure.name][0]
+    for by_keys in (False, True):
+        with alone(figure) as live:
+            acts = win(live, wished[0], by_keys)
+            assert reached(live) == [True]
+            assert by_keys or acts <= 6
+
+
+def win(live, wished, by_keys):
+    """Bring controls to a setting on their steps → how many acts of the hand it took."""
+    acts = 0
+    for control in live.figure.controls:
+        if control.key not in wished:
+            continue
+        if isinstance(control, QuarterTurns):
+            for letter in re.findall("-?.", wished[control.key]):
+                button = live.root.locator(f"[data-press='{letter}']")
+                button.press("Enter") if by_keys else button.click()
+                live.page.wait_for_function(MADE, arg=live.figure.name)
+                acts += 1
+            continue
+        steps = round((wished[control.key] - control.start) / control.step)
+        if by_keys:
+            live.press(control, *["ArrowRight" if steps > 0 else "ArrowLeft"] * abs(steps))
+            continue
+        sets = [list(handle.sets) for handle in live.figure.handles]
+        there = live.state()
+        there[live.figure.controls.index(control)] += steps * control.step
+        drag(live, next(k for k, each in enumerate(sets) if control.symbol in each), there)
+        acts += 1
+    return acts

@@ -148,16 +148,17 @@ export const SHAPES = {
   },
   // A matrix: columns in their colours, between brackets.
   bracket: ([x, y, ...entries], shape, to) => {
-    const { columns, digits, kind } = shape;
-    const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = 1.5 * wide + 6;
+    const { columns, digits, kind } = shape, n = columns.length, middle = (n - 1) / 2;
+    const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = n / 2 * wide + 6;
     const number = (value, k) => ["text", {
-      x: px(x0 + (k % 3 - 0.6) * wide), y: px(y0 + (Math.floor(k / 3) - 0.7) * high),
-      "text-anchor": "end", style: `fill:${color(columns[k % 3])};font:600 13px sans-serif`,
+      x: px(x0 + (k % n - middle + 0.4) * wide), y: px(y0 + (Math.floor(k / n) - middle + 0.3) * high),
+      "text-anchor": "end", style: `fill:${color(columns[k % n])};font:600 13px sans-serif`,
     }, formatFixed(value, digits)];
-    to.taken.push([x0 - half, y0 - 1.7 * high, x0 + half, y0 + 1.7 * high]);
-    const edge = (side) => `M${px(x0 + side * (half - 4))} ${px(y0 - 1.6 * high)}h${4 * side}`
-      + `v${px(3.2 * high)}h${-4 * side}`;
-    addLabel(to, x0, y0 + 1.6 * high, shape, [0, 1]);
+    const tall = (n / 2 + 0.1) * high;
+    to.taken.push([x0 - half, y0 - tall - 1.7, x0 + half, y0 + tall + 1.7]);
+    const edge = (side) => `M${px(x0 + side * (half - 4))} ${px(y0 - tall)}h${4 * side}`
+      + `v${px(2 * tall)}h${-4 * side}`;
+    addLabel(to, x0, y0 + tall, shape, [0, 1]);
     return [path(edge(-1) + edge(1), stroke(kind)), ...entries.map(number)];
   },
 };

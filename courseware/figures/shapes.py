@@ -161,7 +161,7 @@ class AngleArc:
 
 @dataclass(frozen=True)
 class Bracket:
-    """A matrix (3, 3) written into the picture, its middle at `at`, its columns in three looks."""
+    """A square matrix written into the picture, its middle at `at`, each column in its look."""
 
     matrix: sp.Matrix
     at: Place

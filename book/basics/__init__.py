@@ -1,3 +1,3 @@
-"""Three tools in five minutes: directions, turns, arrays"""
+"""Four tools in ten minutes: arrows, directions, turns, arrays"""
 
 TERMS = ()

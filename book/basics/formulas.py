@@ -10,7 +10,11 @@ theta = quantity("theta", "rad", -3.14, 3.14, "angle by which a point is turned"
 bearing = quantity("bearing", "rad", -3.14, 3.14, "direction of a point", latex=r"\varphi")
 q_x = quantity("q_x", "m", -3, 3, "the point after the step, a turn: along x", latex=r"p'_x")
 q_y = quantity("q_y", "m", -3, 3, "the point after the step, a turn: along y", latex=r"p'_y")
+t = quantity("t", "s", 0, 2, "time")
+fastest = quantity("fastest", "rad/s", 0, 4, "turning rate of the robot that turns fastest")
 x, y = (symbol(axis, f"the {axis} axis, or a place along it") for axis in "xy")
+
+LOOKS = {p_x: "x_axis", p_y: "y_axis", bearing: "velocity", theta: "turning"}
 
 
 with as_written():
@@ -22,12 +26,12 @@ with as_written():
         is_angle=True,
     )
 
+    rotation = Matrix([[cos(theta), -sin(theta)], [sin(theta), cos(theta)]])
+
     turned = Equation(
         name="basics.turned",
         left=Matrix([q_x, q_y]),
         right=Matrix([p_x * cos(theta) - p_y * sin(theta), p_x * sin(theta) + p_y * cos(theta)]),
-        textbook=MatMul(
-            Matrix([[cos(theta), -sin(theta)], [sin(theta), cos(theta)]]), Matrix([p_x, p_y])
-        ),
+        textbook=MatMul(rotation, Matrix([p_x, p_y])),
         source="conventions of the exercises",
     )

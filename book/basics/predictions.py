@@ -2,7 +2,13 @@
 
 import numpy as np
 
+from book.basics.figures import SPEED, TIME
 from courseware.predictions import Buttons, Prediction
+from robokin import motion
+
+CIRCLE = "all on a circle around the start"
+LINE = "all on a straight line across"
+NEARER = "nearer to the start, the more they turn"
 
 
 def arctangent() -> str:
@@ -17,11 +23,19 @@ def turned() -> str:
     return f"({x:.2f}, {y:.2f})"
 
 
+def thousand_ends() -> str:
+    """Return where robots end that drive equally far and turn at different rates."""
+    rates = np.linspace(0, 1, 500)
+    ends = motion.arc_step([0, 0, 0], v=SPEED, omega=rates, dt=TIME)
+    away = np.diff(np.hypot(ends[:, 0], ends[:, 1]))
+    return NEARER if (away < 0).all() else CIRCLE
+
+
 PREDICTIONS = (
     Prediction(
         "behind-and-left",
-        "The point is 1 m behind you and 1 m to the left. Left is $+y$, and a turn to the left "
-        "counts as positive. What does the arctangent of $p_y/p_x$ say?",
+        "The ball is 1 m behind the robot and 1 m to its left. A turn to the left counts as "
+        "positive. What does the arctangent of $p_y/p_x$ say?",
         Buttons(
             ("135°", "45°", "−45°"),
             right=arctangent,
@@ -32,7 +46,8 @@ PREDICTIONS = (
         ),
         explanation="The angle is 135°. The arctangent says 45° to the *right and in front*: "
         "exactly the wrong way.",
-        spoilers=("exactly the wrong way",),
+        spoilers=("exactly the wrong way", "signs are lost"),
+        veils="direction",
     ),
     Prediction(
         "sine-of-90",
@@ -47,11 +62,12 @@ PREDICTIONS = (
         ),
         explanation="NumPy takes the 90 for radians: that is more than "
         f"{90 // (2 * np.pi):.0f} turns. Of 90° it is 1:",
-        spoilers=("for radians",),
+        spoilers=("for radians", "in radians"),
     ),
     Prediction(
         "turned-by-30",
-        "Where does the point one metre ahead go, when you turn it by 30°?",
+        "The tip of the red arrow lies 1 m ahead, at (1, 0). Where is it when the robot has turned "
+        "by 30° to the left?",
         Buttons(
             ("(0.87, 0.50)", "(0.50, 0.87)", "(0.87, −0.50)"),
             right=turned,
@@ -60,7 +76,24 @@ PREDICTIONS = (
                 "(0.87, −0.50)": "That is a turn to the right.",
             },
         ),
-        explanation="Ahead, and to the left.",
+        explanation="Ahead, and to the left: the cosine of 30°, and its sine.",
         spoilers=("ahead, and to the left",),
+        veils="turn",
+    ),
+    Prediction(
+        "thousand-ends",
+        "A thousand robots start here. Each drives 2 m: one nearly straight on, the others turn, "
+        "each a little faster than the one before. Where do they end?",
+        Buttons(
+            (CIRCLE, LINE, NEARER),
+            right=thousand_ends,
+            assumptions={
+                CIRCLE: "Then all would be as far from the start as they have driven.",
+                LINE: "Those that turn get less far ahead.",
+            },
+        ),
+        explanation="All have driven 2 m. But only a straight way leads 2 m away from the start.",
+        spoilers=("only a straight way",),
+        veils="thousand",
     ),
 )

@@ -1,3 +1,4 @@
 """Four tools in ten minutes: arrows, directions, turns, arrays"""
 
+LEVEL = 1
 TERMS = ()

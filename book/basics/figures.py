@@ -155,7 +155,7 @@ def thousand_figure() -> Figure:
     return Figure(
         name="thousand",
         title="A robot, and a thousand dots: where robots are that turn at a thousand rates",
-        view=(-1.2, 2.5, -1.65, 1.65),
+        view=(-1.3, 2.75, -1.55, 1.55),
         ground="tiles",
         controls=(
             Slider(fastest, 0.5, 4.0, start=1.0, step=0.1, label="fastest turn"),
@@ -168,10 +168,8 @@ def thousand_figure() -> Figure:
             *(things.vacuum(end(rate, t)) for rate in (-1, -0.5, 0, 0.5, 1)),
         ),
         readouts=(
-            Readout("straight", "the one that goes straight: from the start", SPEED * t, "m"),
-            Readout(
-                "outer", "the one that turns fastest: from the start", distance(outer, ORIGIN), "m"
-            ),
+            Readout("straight", "the straight one is away", SPEED * t, "m"),
+            Readout("outer", "the fastest turn is away", distance(outer, ORIGIN), "m"),
         ),
         sentence=(
             "Turning rates up to {fastest}, after {t}: the straight one is {straight} from the "

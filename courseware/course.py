@@ -10,6 +10,7 @@ and is found, once installed, by the entry point `courseware.course` of its `pyp
 """
 
 import json
+import re
 import sys
 from collections.abc import Iterator, Mapping
 from functools import cache, cached_property
@@ -105,6 +106,19 @@ class Course:
     def question(self, chapter: str) -> str:
         """Return the question that a chapter answers: the docstring of its package."""
         return (import_module(f"{self.package}.{chapter}").__doc__ or "").strip()
+
+    def card(self, chapter: str) -> str:
+        """Return the figure on a chapter's card, if it says another than its first: `CARD`."""
+        return str(getattr(import_module(f"{self.package}.{chapter}"), "CARD", ""))
+
+    def level(self, chapter: str) -> int:
+        """Return how hard a chapter is, 1 to 3: `LEVEL` of its package; 0 if that says nothing."""
+        return int(getattr(import_module(f"{self.package}.{chapter}"), "LEVEL", 0))
+
+    def minutes(self, chapter: str) -> str:
+        """Return how long a chapter takes, as its notebook says it: "Time: about 60 minutes"."""
+        found = re.search(r"Time: about (\d+) minutes", self.notebook(chapter).read_text("utf-8"))
+        return found[1] if found else ""
 
     @cached_property
     def library_folder(self) -> Path:

@@ -121,8 +121,9 @@ def test_a_wheel_asks_for_what_its_modules_import(package):
 each_chapter = pytest.mark.parametrize("chapter", course().chapters)
 
 
-@each_chapter
+@pytest.mark.parametrize("chapter", [c for c in course().chapters if c != "home"])
 def test_a_chapter_imports_only_what_is_shared_and_earlier_chapters(chapter):
+    """The first page shows what any chapter has."""
     later = course().chapters[course().chapters.index(chapter) + 1 :]
     mine = [each for each in IMPORTS if chapter_of(each.by) == chapter]
     wrong = describe_imports(each for each in mine if chapter_of(each.of) in later)

@@ -2,6 +2,7 @@
 
 import shutil
 import textwrap
+from importlib.metadata import version
 from pathlib import Path
 
 from docutils import nodes
@@ -29,6 +30,11 @@ def add_description(app, pagename, templatename, context, doctree):
     address = context["site_address"] = app.config.html_baseurl.rstrip("/") + "/"
     if pagename == app.config.root_doc and app.config.html_baseurl:
         context["pageurl"] = address  # the page is `index.html`, too
+
+
+def add_version(app, pagename, templatename, context, doctree):
+    """Add what the foot of a page says."""
+    context |= {"author": app.config.author, "course_version": version("robokin")}
 
 
 def repair_names(app, pagename, templatename, context, doctree):
@@ -78,6 +84,7 @@ def setup(app):
     app.add_js_file("site.js", loading_method="defer")
     app.add_node(nodes.image, override=True, html=(visit_image, None))
     app.connect("html-page-context", add_description, priority=900)
+    app.connect("html-page-context", add_version)
     app.connect("html-page-context", repair_names, priority=900)
     app.connect("build-finished", remove_unused)
     app.connect("build-finished", copy_first_page, priority=900)

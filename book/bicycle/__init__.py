@@ -1,3 +1,4 @@
 """Where does a car go when its front wheels turn?"""
 
+LEVEL = 2
 TERMS = ("instantaneous centre of rotation|ICR", "angular velocity", "twist", "nonholonomic")

@@ -1,3 +1,5 @@
 """Which turns lead from one frame to another?"""
 
+CARD = "two-frames"
+LEVEL = 2
 TERMS = ("rotation matrix", "intrinsic", "extrinsic", "gimbal lock")

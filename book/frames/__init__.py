@@ -1,3 +1,4 @@
 """Where does the hand see the object that a camera sees?"""
 
+LEVEL = 2
 TERMS = ("frame", "homogeneous transform", "inverse", "loop closure")

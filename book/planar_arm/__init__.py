@@ -1,5 +1,6 @@
 """How fast must the joints turn for the hand to follow a line?"""
 
+LEVEL = 3
 TERMS = (
     "Jacobian",
     "singularity|singularities",

@@ -3,8 +3,9 @@
 import { memory } from "./storage.js";
 import { countPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
 
-const writeBeside = (link, words) => {
+const writeBeside = (link, words, part) => {
   link.querySelector(".rk-so-far")?.remove();
+  link.style.setProperty("--passed", part);
   if (words) link.insertAdjacentHTML("beforeend", `<small class="rk-so-far">${words}</small>`);
 };
 
@@ -14,7 +15,7 @@ const showPassed = () => {
   const links = [...document.querySelectorAll("nav.bd-links a, a.site-card")];
   for (const { topic, count, passed } of progress) {
     const own = links.filter(({ pathname }) => pathname.endsWith(`/${topic}/${topic}.html`));
-    own.forEach((link) => writeBeside(link, passed ? `${passed} of ${count} passed` : ""));
+    own.forEach((link) => writeBeside(link, passed ? `${passed} of ${count} passed` : "", passed / count));
   }
   const all = sumUp(progress, "passed"), first = document.querySelector(".site-so-far");
   if (first) first.textContent = all ? `You have passed ${all} of ${sumUp(progress, "count")} exercises.` : "";

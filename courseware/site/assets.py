@@ -23,15 +23,16 @@ from courseware.symbols.page import symbol_facts
 def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any) -> None:
     """Add the scripts that a page needs, and the name of the course."""
     body = context.get("body", "") if doctree else ""
-    raws = doctree.findall(nodes.raw) if doctree else ()
+    raws = list(doctree.findall(nodes.raw)) if doctree else []
     names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
+    still = [find_figure(name) for node in raws for name in node.get("still", ())]
     figures = list(map(find_figure, names))
     globals_ = {
         "coursewareFigures": [Code(figure.page_code) for figure in figures],
         "coursewareSymbols": symbol_facts(page),
     }
-    if figures:
-        context["body"] = render_outlines(figures) + body
+    if figures or still:
+        context["body"] = render_outlines([*figures, *still]) + body
     if any(globals_.values()):
         file = f"pages/{page.replace('/', '-')}.js"
         lines = (f"window.{name} = {serialize(value)};\n" for name, value in globals_.items())

@@ -1,5 +1,6 @@
 """Directives of the first page: a live figure, cards of chapters, the course in numbers."""
 
+import re
 from html import escape
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from courseware.site.sources import note_sources
 from courseware.site.verification_page import format_power, verify_course
 
 CARD = 358  # pixels, as on a phone, for which every figure is made
+HARDEST = 3
 FILLED = 'preserveAspectRatio="xMidYMid slice"'
 
 
@@ -35,38 +37,83 @@ class Live(SphinxDirective):
 
 
 class Chapters(SphinxDirective):
-    """The chapters as cards: picture of the first figure, title, question."""
+    """Cards of the chapters that it names, or of those that no other names before it."""
+
+    optional_arguments = 1
+    final_argument_whitespace = True
 
     def run(self) -> list[nodes.Node]:
         note_sources(self.env, "__init__", "figures")
         chapters = course().chapters_of("figures", Figure)
         first = {chapter: name for name, chapter in reversed(chapters.items())}
-        cards = "".join(self._card(c, first[c]) for c in course().taught if c in first)
-        text = f'<p class="site-so-far"></p><div class="site-cards">{cards}</div>'
-        return [nodes.raw("", text, format="html")]
+        first |= {c: card for c in first if (card := course().card(c))}
+        shown = self.env.temp_data.setdefault("course_cards", [])
+        others = [c for c in course().taught if c in first and c not in shown]
+        named = self.arguments[0].split() if self.arguments else others
+        if unknown := set(named) - set(others):
+            raise self.error(f"no card for {', '.join(unknown)}; there are {', '.join(others)}")
+        so_far = "" if shown else '<p class="site-so-far"></p>'
+        shown += named
+        cards = "".join(self._card(chapter, first[chapter]) for chapter in named)
+        html = f'{so_far}<div class="site-cards">{cards}</div>'
+        still = [first[chapter] for chapter in named]
+        return [nodes.raw("", html, format="html", still=still)]
 
     def _card(self, chapter: str, figure: str) -> str:
+        self.env.note_dependency(str(course().notebook(chapter)))
         page = self.env.app.builder.get_relative_uri(self.env.docname, f"{chapter}/{chapter}")
-        picture = find_figure(figure).render_svg(CARD).replace("<svg ", f"<svg {FILLED} ", 1)
+        picture = re.sub("<defs>.*</defs>", "", find_figure(figure).render_svg(CARD))
+        picture = picture.replace("<svg ", f"<svg {FILLED} ", 1)
         return (
             f'<a class="site-card" href="{page}"><span aria-hidden="true">{picture}</span>'
+            f"<small>{course().taught.index(chapter):02}</small>"
             f"<strong>{escape(course().title(chapter))}</strong>"
-            f"<em>{escape(course().question(chapter))}</em></a>"
+            f"<em>{escape(course().question(chapter))}</em>"
+            f"<small>{render_effort(chapter)}</small></a>"
         )
 
 
+def render_effort(chapter: str) -> str:
+    """Return how long a chapter takes and how hard it is, as far as it says so."""
+    minutes, level = course().minutes(chapter), course().level(chapter)
+    dots = "●" * level + "○" * (HARDEST - level)
+    stars = f'<b role="img" aria-label="level {level} of {HARDEST}">{dots}</b>' if level else ""
+    return f"{minutes} min {stars}" if minutes else stars
+
+
 class Promise(SphinxDirective):
-    """The size of the course and its largest difference, as found by this build."""
+    """The course in numbers and its largest difference, as found by this build: three proofs."""
 
     def run(self) -> list[nodes.Node]:
         note_sources(self.env, "formulas", "checks", "figures", "exercises")
         found = verify_course(Path(self.env.app.outdir).parent)
-        lines = (
-            f"**{found.formulas}** formulas, each computed at {found.samples:,} points or more: "
-            f"they and the code are at most {format_power(found.largest)} apart ([how](checks)).",
-            f"**{len(course().find_all('figures', Figure))}** figures that you can move.",
-            f"**{len(all_exercises())}** exercises, each with {VARIANTS} sets of numbers, "
-            f"and **{len(all_mistakes())}** mistakes that they know by name "
-            "([practice](practice)).",
+        exercises, mistakes = len(all_exercises()), len(all_mistakes())
+        figures = len(course().find_all("figures", Figure))
+        proofs = (
+            (
+                found.formulas,
+                "formulas are computed",
+                f"Each at {found.samples:,} points or more, "
+                f"against the code that you run. Largest gap: {format_power(found.largest)}.",
+                "[How they are checked](checks)",
+            ),
+            (
+                mistakes,
+                "mistakes have a name",
+                f"{exercises} exercises with {VARIANTS} sets of "
+                "numbers each. They know what a wrong answer comes from.",
+                "[Try one](practice)",
+            ),
+            (
+                figures,
+                "figures answer to your hand",
+                "On a phone, without an account, without a network. Nothing is sent.",
+                '<a href="#for-students">Take them along</a>',
+            ),
         )
-        return self.parse_text_to_nodes("\n".join(f"- {line}" for line in lines))
+        boxes = (
+            f":::{{container}} site-proof\n**{count}** **{words}**\n\n{text}\n\n{link}\n:::"
+            for count, words, text, link in proofs
+        )
+        text = "\n\n".join(("::::{container} site-proofs", *boxes, "::::"))
+        return self.parse_text_to_nodes(text)

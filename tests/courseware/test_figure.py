@@ -5,12 +5,12 @@ from xml.etree import ElementTree
 
 import nbformat
 import pytest
-from declared import FIGURES
-from figure_numbers import each_figure
+from declared import FIGURES, each
 from small_figures import painted, small_figure, space_figure
 from support import ROOT
 
 from courseware.errors import CourseError
+from courseware.figures import Figure
 from courseware.figures.figure import MIME, find_figure
 
 SIZE = 30_000  # bytes for one figure, nearly all the still picture
@@ -30,7 +30,7 @@ def kept_figures():
     return found
 
 
-@each_figure
+@each("figure", "figures", Figure, only=lambda figure: figure.name != "hero")
 def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
     """What is compiled is made when the page is: the figure that the chapter declares."""
     data = kept_figures()[figure.name]

@@ -88,7 +88,7 @@ class Promise(SphinxDirective):
         note_sources(self.env, "formulas", "checks", "figures", "exercises")
         found = verify_course(Path(self.env.app.outdir).parent)
         exercises, mistakes = len(all_exercises()), len(all_mistakes())
-        figures = len(course().find_all("figures", Figure))
+        figures = sum(bool(f.controls) for f in course().find_all("figures", Figure).values())
         proofs = (
             (
                 found.formulas,

@@ -1,4 +1,4 @@
-"""Four tools in ten minutes: arrows, directions, turns, arrays"""
+"""What do all chapters use: arrows, directions, turns, arrays?"""
 
 LEVEL = 1
 TERMS = ()

@@ -164,7 +164,7 @@ def test_live_numbers_are_those_of_an_untouched_figure(tmp_path):
     text = "It drives at 1 m/s and 2 m/s; R is −1 m. The heading 9°."
     cell = new_markdown_cell(text, metadata={"numbers": {"live": live}})
     (made,) = nbformat.reads(written(tmp_path, cell), as_version=4).cells
-    assert made.source == "It drives at 0.080 m/s and 0.040 m/s; R is 0.100 m. The heading 40°."
+    assert made.source == "It drives at 0.075 m/s and 0.050 m/s; R is 0.150 m. The heading 40°."
 
 
 def test_a_live_number_that_no_figure_shows_is_named(tmp_path):

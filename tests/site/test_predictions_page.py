@@ -8,9 +8,9 @@ from browser import FULL, watched_page
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-BUTTONS, NUMBER, GHOST = "where-to", "how-fast", "where-after"
+BUTTONS, NUMBER, GHOST = "ever-straighter", "how-fast", "where-after"
 FIGURE = "document.getElementById('guess').courseware"
-INSIDE = "leaves at the left and comes back at the right"  # in what the buttons open
+INSIDE = "is no invention"  # in what the buttons open
 THERE = (-0.069, 0.126)  # where P is after 2 s
 
 
@@ -108,21 +108,21 @@ def test_nothing_is_open_before_a_guess(chromium, server, home):
         for name in (BUTTONS, NUMBER, GHOST):
             assert not fold(page, name).is_visible()
         assert page.get_by_text(INSIDE).is_hidden()  # a Markdown cell with the tag
-        assert page.get_by_text("right 0.051 m/s").is_hidden()  # a code cell with the tag
+        assert page.get_by_text("omega 1e-12: off by").is_hidden()  # a code cell with the tag
 
 
 def test_a_button_opens_what_belongs_to_it(page):
-    page.get_by_role("button", name="to the right wheel").focus()
+    page.get_by_role("button", name="it stays right").focus()
     page.keyboard.press("Enter")
     assert fold(page, BUTTONS).is_visible()
     assert page.get_by_text(INSIDE).is_visible()
     words = said(page, BUTTONS).inner_text()
-    assert words.startswith("You said: to the right wheel. Right: to the left, without end.")
-    assert "this wheel moves" in words  # what this guess assumes
+    assert words.startswith("You said: it stays right. Right: it gets worse.")
+    assert "a computer keeps 16 digits" in words  # what this guess assumes
     assert said(page, BUTTONS).get_attribute("role") == "status"
-    assert page.evaluate("() => document.activeElement.textContent") == "to the right wheel"
+    assert page.evaluate("() => document.activeElement.textContent") == "it stays right"
     pressed = page.locator(f"#{BUTTONS} [aria-pressed='true']")
-    assert pressed.inner_text() == "to the right wheel"
+    assert pressed.inner_text() == "it stays right"
     assert not fold(page, NUMBER).is_visible()
 
 
@@ -251,7 +251,7 @@ def test_it_is_shown_without_a_guess_too(page):
 
 
 def test_guesses_are_kept_until_they_are_forgotten(page):
-    page.get_by_role("button", name="to P", exact=True).click()
+    page.get_by_role("button", name="it gets better").click()
     place_ghost(page, guess_x=-0.2, guess_y=0.1)
     give_up(page)
     fold(page, GHOST).wait_for()
@@ -260,8 +260,8 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     page.reload()
     fold(page, GHOST).wait_for()
     assert said(page, BUTTONS).inner_text() == (
-        "You said: to P. Right: to the left, without end.\n\n"
-        "P is where it lies when the wheels run against each other."
+        "You said: it gets better. Right: it gets worse.\n\n"
+        "The path gets simpler, but not the computation."
     )
     come_alive(page)
     page.wait_for_function(f"() => {FIGURE}.state.includes(-0.2)")
@@ -278,7 +278,7 @@ def test_a_browser_that_keeps_nothing_is_told_of(chromium, home):
     with watched_page(chromium, home) as (page, watch):
         page.add_init_script(FULL)
         page.goto(home)
-        page.get_by_role("button", name="to P", exact=True).click()
+        page.get_by_role("button", name="it gets better").click()
         assert "keeps nothing" in page.locator(".rk-forget").inner_text()
         assert fold(page, BUTTONS).is_visible()
         assert not watch.errors
@@ -288,7 +288,7 @@ def test_broken_memory_does_no_harm(chromium, home):
     with watched_page(chromium, home) as (page, watch):
         page.add_init_script("localStorage.setItem('robokin guesses', '{broken')")
         page.goto(home)
-        page.get_by_role("button", name="to P", exact=True).click()
+        page.get_by_role("button", name="it gets better").click()
         assert fold(page, BUTTONS).is_visible()
         assert not watch.errors
 
@@ -298,11 +298,11 @@ def test_without_a_script_it_is_a_question_with_a_fold(chromium, home):
         page.goto(home)
         box = page.locator(f"#{BUTTONS}")
         assert box.get_by_role("button").count() == 0
-        assert "without end" in box.locator(".rk-plain").inner_text()
+        assert "it gets worse" in box.locator(".rk-plain").inner_text()
         assert page.get_by_text(INSIDE).is_hidden()
         box.locator("summary").first.click()
         assert page.get_by_text(INSIDE).is_visible()
-        assert "this wheel moves" in box.inner_text()
+        assert "a computer keeps 16 digits" in box.inner_text()
 
 
 def test_a_link_into_a_fold_opens_it(page):

@@ -15,7 +15,7 @@ from courseware.symbols.formula_numbers import start_numbers
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-PAGE, STEP, KEY = "differential_drive", "#one-line-three-answers", "differential_drive.v_L"
+PAGE, STEP, KEY = "differential_drive", "#the-axle-is-stiff", "differential_drive.v_L"
 SLOT = re.compile(r'<span ([^>]*data-of="[^>]*)>')
 TAG = re.compile(r"(</?span[^>]*>)")
 FACES = {  # where a symbol has a face

@@ -75,7 +75,7 @@ def test_an_answer_lifts_it_and_it_is_kept_and_forgotten(page):
     page.evaluate("() => document.querySelector('#rates').courseware.setOne(0, 0.09)")
     page.get_by_role("button", name="Forget my guesses").click()
     assert is_under_veil(page)
-    assert page.evaluate(STATE)[0] == 0.05  # as at the start
+    assert page.evaluate(STATE)[0] == 0.075  # as at the start
     page.locator(".rk-veil button").click()
     page.reload()
     page.locator(f"{QUESTION} > .rk-opens").wait_for()

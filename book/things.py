@@ -13,7 +13,7 @@ turns and ways that wheels have rolled. Sizes are numbers. `look` is "", "ghost"
 """
 
 from book.things_arms import arm
-from book.things_robots import dock, omni_robot, pad, platform, robot, vacuum
+from book.things_robots import dock, omni_robot, pad, pad_lights, platform, robot, vacuum
 from book.things_room import (
     ball,
     ball_stand,
@@ -45,8 +45,8 @@ from book.things_wheels import (
 
 __all__ = [
     "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus", "car",
-    "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel", "kerb", "light_gate",
-    "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "parcel", "platform", "road_marks", "robot",
-    "roller_wheel", "ruler", "sheet", "shelf", "steered_wheel", "trolley", "vacuum", "walls",
-    "wheel",
+    "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel", "kerb",
+    "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights", "parcel",
+    "platform", "road_marks", "robot", "roller_wheel", "ruler", "sheet", "shelf",
+    "steered_wheel", "trolley", "vacuum", "walls", "wheel",
 ]  # fmt: skip

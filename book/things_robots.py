@@ -71,6 +71,12 @@ def pad(pose: Any) -> Thing:
     )
 
 
+def pad_lights(pose: Any) -> Thing:
+    """Return the lights of the pad, for when it is reached."""
+    lights = Outline(spots(0.0738, [k * pi / 5 for k in range(10)], 0.0038), "lamp", "goal_edge")
+    return Thing(pose, (lights,))
+
+
 # ---- its vacuum cousin, 34 cm across
 
 SWEEP = "".join(

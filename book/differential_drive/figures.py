@@ -116,9 +116,10 @@ def robot(pose: Any, time: Any = 0, rolled: Any = (), look: str = "") -> Thing:
     return things.robot(pose, rolled or (v_L * time, v_R * time), look)
 
 
-def mark(pose: Any, words: str = "park here") -> tuple[Thing, Label]:
-    """Return the mark on which the robot shall end."""
-    return things.pad(pose), Label("target", (pose[0], pose[1] - 0.085), words)
+def mark(pose: Any, end: Any, words: str = "park here") -> tuple[Any, ...]:
+    """Return the mark on which the robot shall end; its lights go on when it does."""
+    lights = when(is_parked(end, pose), things.pad_lights(pose))
+    return things.pad(pose), *lights, Label("target", (pose[0], pose[1] - 0.085), words)
 
 
 def tip(pose: Any, speed: Any, side: int) -> tuple[Any, Any]:
@@ -244,7 +245,7 @@ def park_figure() -> Figure:
         controls=(*speed_sliders(0.05, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
         where=VELOCITY,
         scene=(
-            *mark(MARK),
+            *mark(MARK, end),
             Curve("ghost", drive_for(s), s, 0, TIME),
             robot(START, look="ghost"),
             robot(end, look="ghost"),
@@ -710,7 +711,7 @@ def side_figure() -> Figure:
             for speed, turn in ((v_L, -spin), (v_R, spin))
         ),
         scene=(
-            *mark(SIDE),
+            *mark(SIDE, end),
             Line("icr", ((-0.4, 0), (0.3, 0))),
             robot(START, look="ghost"),
             Line("path", (ORIGIN, end)),
@@ -752,7 +753,7 @@ def drive_figure() -> Figure:
         ),
         where=RADIUS_TOO,
         scene=(
-            *mark(BAY, "bay"),
+            *mark(BAY, now, "bay"),
             *tracks(0, t),
             robot(START, look="ghost"),
             Line("icr", (now, centre)),

@@ -102,7 +102,10 @@ class Body:
 
 @dataclass(frozen=True)
 class Curve:
-    """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too."""
+    """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too.
+
+    A circle: `Curve("path", (r * cos(s), r * sin(s)), s, 0, 2 * pi)`.
+    """
 
     kind: Kind
     at: Place

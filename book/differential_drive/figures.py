@@ -96,8 +96,10 @@ t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 100, "number of steps")
 share = quantity("share", "rad", -1.6, 1.6, "angle that shares the speed between the wheels")
 power = quantity("power", "", 0, 16, "the angular velocity is ten to the minus this", latex="p")
-guess_x = quantity("guess_x", "m", -0.3, 0.2, "where the reader guesses the robot, along x")
-guess_y = quantity("guess_y", "m", -0.1, 0.3, "where the reader guesses the robot, along y")
+guess_x = quantity("guess_x", "m", -0.3, 0.2, "your guess, along x")
+guess_y = quantity("guess_y", "m", -0.1, 0.3, "your guess, along y")
+pin_x = quantity("pin_x", "m", -0.3, 0.2, "your pin, along x")
+pin_y = quantity("pin_y", "m", -0.1, 0.2, "your pin, along y")
 believed_rate = quantity("believed_rate", "rad/s", -2, 2, "angular velocity as a mistake makes it")
 believed_heading = quantity("believed_heading", "rad", -99, 99, "heading as a mistake makes it")
 wish_x = quantity("wish_x", "m/s", -0.2, 0.2, "wished speed along the robot's own x axis")
@@ -143,11 +145,13 @@ def tip_handles() -> tuple[Handle, Handle]:
     )
 
 
-def speed_sliders(left: float, right: float, most: float = 0.15) -> tuple[Slider, Slider]:
+def speed_sliders(
+    left: float, right: float, most: float = 0.15, least: float = -0.15
+) -> tuple[Slider, Slider]:
     """Return sliders for the two wheel speeds."""
     return (
-        Slider(v_L, -most, most, start=left, step=0.005),
-        Slider(v_R, -most, most, start=right, step=0.005),
+        Slider(v_L, least, most, start=left, step=0.005),
+        Slider(v_R, least, most, start=right, step=0.005),
     )
 
 
@@ -221,7 +225,7 @@ SCENE = Scene(
         "view": (-0.26, 0.18, -0.11, 0.2),
         "ground": "tiles",
         "where": RADIUS_TOO,
-        "controls": speed_sliders(SPEEDS[v_L], SPEEDS[v_R]),
+        "controls": speed_sliders(SPEEDS[v_L], SPEEDS[v_R], least=-0.06),
     },
 )
 
@@ -306,13 +310,42 @@ def axle_figure() -> Figure:
     )
 
 
+def still_figure() -> Figure:
+    """Draw a pin to place, in a sheet that turns with the robot: one point of it stays."""
+    now, pin = drive_for(t), (pin_x, pin_y)
+    stuck, there = (  # the robot looks along y at the start
+        point_of(drive_for(time), pin_y, -pin_x) for time in (s, t)
+    )
+    return Figure(
+        name="still",
+        title="The robot of the exercise, and a pin to stick into a sheet that turns with it",
+        view=(-0.28, 0.2, -0.12, 0.19),
+        ground="tiles",
+        controls=(
+            Slider(pin_x, -0.25, 0.15, start=0.1, step=0.005, label="pin: x"),
+            Slider(pin_y, -0.1, 0.15, start=0.1, step=0.005, label="pin: y"),
+            Clock(t, 0.0, 1.5, label="time"),
+        ),
+        where=(*SPEEDS.items(), *VELOCITY),
+        scene=(
+            robot(START, look="ghost"),
+            Curve("target", stuck, s, 0, t),
+            Line("ghost", (now, there)),
+            robot(now, time=t),
+            *arrows(START, middle=False),
+            Point("target", there, "your pin"),
+        ),
+        handles=(Handle("the pin", pin),),
+    )
+
+
 def tips_figure() -> Figure:
     """Draw the point that stands still, and the angle that the tips are seen under from there."""
     moving = Max(Abs(v_L), Abs(v_R)) > 0.02
     return SCENE.figure(
         "tips",
         "The line through the tips, down to the point of the axle's line that stands still",
-        "axle everywhere tips robot wheels speed wedge radius icr",
+        "axle everywhere tips robot wheels wedge radius icr",
         drag="wheels",
         view=(-0.32, 0.17, -0.125, 0.17),
         readouts=(Readout(omega), Readout(R, words={"inf": "none: straight", "nan": "…"})),
@@ -321,7 +354,7 @@ def tips_figure() -> Figure:
             Goal(And(Abs(v_L + v_R) < 0.006, moving), "Bring it to P: v below 3 mm/s."),
             Goal(
                 And(Abs(v_L - v_R) < 0.003, moving),
-                "Send it away: speeds equal to 3 mm/s.",
+                "Send it away: the same speed, within 3 mm/s.",
             ),
         ),
     )
@@ -337,16 +370,16 @@ def infinity_figure() -> Figure:
         title="A small robot, the line of its axle, and below it a large circle: a map of the line",
         view=(-0.42, 0.42, -0.3, 0.18),
         ground="tiles",
-        controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the line at ∞"),),
+        controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the ray from ∞"),),
         where=((v_L, 0.07 * (cos(share) - turn)), (v_R, 0.07 * (cos(share) + turn)), *RADIUS_TOO),
         scene=(
             Line("icr", ((-0.5, 0), (0.5, 0))),
-            way("path", -8, 8),
+            way("path", -12, 12),
             Curve("icr", (far * cos(s), -far + far * sin(s)), s, 0, 2 * pi),
             Line("ghost", ((0, -2 * far), (-R, 0))),
             robot(START),
             *arrows(START, middle=False, letters=False),
-            Label("text", (far * 0.45, -far), "map of the line"),
+            Label("text", (far + 0.11, -1.7 * far), "map of the line"),
             Point("icr", dot),
             Point("target", (0, -2 * far), label="∞", edge=False),
             Point("icr", (-R, 0), label="ICR"),
@@ -382,8 +415,10 @@ def world_figure() -> Figure:
             AngleArc(theta, ORIGIN, 0, theta, 0.04),
             Arrow(x_dot, ORIGIN, (end[0], 0), ""),
             Arrow(y_dot, ORIGIN, (0, end[1]), ""),
-            Label(x_dot, (end[0] / 2, down)),
-            Label(y_dot, (left, end[1] / 2)),
+            *when(Abs(x_dot) > 0.004, Label(x_dot, (end[0] / 2, down))),
+            *when(Abs(y_dot) > 0.004, Label(y_dot, (left, end[1] / 2))),
+            Label("text", (0.14, -0.01), "x"),
+            Label("text", (0.01, 0.11), "y"),
             Line("ghost", ((end[0], 0), end, (0, end[1]))),
             Arrow(v, ORIGIN, end),
         ),
@@ -421,7 +456,7 @@ def added_figure() -> Figure:
         view=(-0.17, 0.17, -0.1, 0.16),
         ground="tiles",
         controls=(
-            Slider(v, -0.1, 0.1, start=drives, step=0.005),
+            Slider(v, 0.0, 0.1, start=drives, step=0.005),
             Slider(omega, -1.0, 1.0, start=0.0, step=0.05),
         ),
         where=((b, DISTANCE), *assign(drive.wheel_speeds)),
@@ -527,7 +562,7 @@ def arc_figure() -> Figure:
         view=(-0.3, 0.2, -0.09, 0.3),
         ground="tiles",
         controls=(
-            Slider(omega, -1.5, 1.5, start=TWIST[omega], step=0.05),
+            Slider(omega, -1.0, 1.0, start=TWIST[omega], step=0.05),
             Slider(dt, 0.5, 3.0, start=2.0, step=0.1),
         ),
         where=(
@@ -542,7 +577,7 @@ def arc_figure() -> Figure:
             robot(START, look="ghost"),
             Line("ghost", (ORIGIN, (0, 0.3))),
             way("path", 0, dt),
-            AngleArc(drive.u, ORIGIN, pi / 2, theta_m, 0.09),
+            *when(Abs(omega * dt) > 0.2, AngleArc(drive.u, ORIGIN, pi / 2, theta_m, 0.09)),
             *when(Ne(omega, 0), AngleArc(drive.u, (-R, 0), base, base + omega * dt / 2, 0.07)),
             *when(
                 Ne(omega, 0),
@@ -605,7 +640,7 @@ DURATION = 6.0  # s, of the drive that is cut into steps
 
 def steps_figure() -> Figure:
     """Draw one drive in n straight steps: the error against the step has slope 1, or slope 2."""
-    graph = Graph((0.17, 0.38, 0.03, 0.27), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
+    graph = Graph((0.22, 0.58, 0.0, 0.28), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
     exact, step = substitute(drive_for(DURATION), TWIST), DURATION / n
     straight = substitute(motion.euler_step.right, {**TWIST, dt: step})
     shapes, readouts, dots = [], [], []
@@ -633,7 +668,7 @@ def steps_figure() -> Figure:
     return Figure(
         name="steps",
         title="A drive along an arc, cut into straight steps, and the error against the step",
-        view=(-0.38, 0.41, -0.12, 0.36),
+        view=(-0.38, 0.62, -0.14, 0.36),
         ground="paper",
         controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
         where=tuple(SPEEDS.items()),
@@ -702,7 +737,9 @@ def side_figure() -> Figure:
         view=(-0.36, 0.22, -0.16, 0.26),
         ground="tiles",
         controls=(
-            Slider.degrees(aim, start=30, step=5, label="first: turn; at the end turn back"),
+            Slider.degrees(
+                aim, -40, 110, start=30, step=5, label="first: turn; at the end turn back"
+            ),
             Slider(reach, 0.02, 0.25, start=0.1, step=0.01, label="between: drive straight on"),
             Clock(done, 0.0, 3.0, step=0.02, label="parts done", rate=0.5),
         ),
@@ -862,7 +899,19 @@ def letters_figure() -> Figure:
         scene=(
             Length("icr", ORIGIN, (-R, 0), aside=0.045, label=""),
             AngleArc("turning", (-R, 0), 0, 2 * middle, 0.06, label=""),
-            *(Label("text", place, str(k)) for k, place in enumerate(places, 1)),
+            *(
+                label
+                for k, (place, name, wanted) in enumerate(zip(places, names, right, strict=True), 1)
+                for letter, (number,) in options.items()
+                for label in when(
+                    Abs(name - number) < 0.5,
+                    Label(
+                        "target" if number == wanted else "error" if number else "text",
+                        place,
+                        letter if number == wanted else f"{letter}: no" if number else str(k),
+                    ),
+                )
+            ),
         ),
         goal=Goal(
             And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
@@ -875,6 +924,7 @@ FIGURES = (
     park_figure(),
     exercise_figure(),
     axle_figure(),
+    still_figure(),
     tips_figure(),
     infinity_figure(),
     world_figure(),

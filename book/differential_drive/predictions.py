@@ -12,6 +12,8 @@ from book.differential_drive.figures import (
     TWIST,
     guess_x,
     guess_y,
+    pin_x,
+    pin_y,
     t,
 )
 from book.differential_drive.formulas import b, r, v_L, v_R
@@ -115,20 +117,25 @@ PREDICTIONS = (
         spoilers=("the mean of", "half the sum"),
     ),
     Prediction(
-        "turned-view",
-        "The robot looks along $y$ and turns at 0.5 rad/s. Now it looks along $-x$ and does the "
-        "same. How fast does it turn, seen from the world?",
-        Buttons(
-            ("0.5 rad/s", "−0.5 rad/s", "0"),
-            right=lambda: f"{motion.to_world(np.pi, [TWIST[v], 0, TWIST[omega]])[2]:.1f} rad/s",
+        "where-still",
+        "Think of a large sheet of paper under the robot, that turns with it. While the robot "
+        "drives, one point of the sheet stays where it is. Drag *your pin* there.",
+        Ghost(
+            "still",
+            places=(pin_x, pin_y),
+            right=(-formulas.turning_radius.substitute(EXERCISE), Float(0)),
+            then={t: Float(1.5)},
+            tolerance=0.015,
             assumptions={
-                "−0.5 rad/s": "Seen from there, the arrow points elsewhere; the turn does not.",
-                "0": "A turn has no direction in the plane that could be lost.",
+                "That is P: it drives along.": (Float(0), Float(0)),
+                "That is the left wheel: it rolls, only more slowly.": (
+                    Float(-DISTANCE / 2),
+                    Float(0),
+                ),
             },
         ),
-        explanation="A turn in the plane looks the same from everywhere. Only the arrow of the "
-        "speed gets other parts.",
-        spoilers=("the same from everywhere",),
+        explanation="The pin stays, and the robot runs round it.",
+        spoilers=("runs round it",),
     ),
     Prediction(
         "wheel-rate",
@@ -139,7 +146,8 @@ PREDICTIONS = (
             right=rolling(r),
             assumptions={
                 "That divides by the wheel's diameter.": rolling(2 * r),
-                "That multiplies by the radius.": rolling(1 / r),
+                "That multiplies by the radius, in metres.": rolling(1 / r),
+                "That multiplies by the radius, in centimetres.": rolling(1 / r) * 100**2,
             },
         ),
         explanation="In one radian a wheel rolls one radius. So its rate is its speed divided by "
@@ -188,7 +196,7 @@ PREDICTIONS = (
             ("the same", "half as far", "a quarter as far"),
             right=halved,
             assumptions={
-                "the same": "Look at the dots of the graph: both go down to the left.",
+                "the same": "Shorter steps follow the arc more closely.",
                 "a quarter as far": "That is the rule with the middle heading.",
             },
         ),

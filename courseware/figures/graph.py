@@ -77,7 +77,7 @@ def _power(number: Expr) -> Expr:
 def _ticks(ends: Range) -> Sequence[float]:
     """Return every power of ten on an axis, or some where there are many."""
     low, high = (round(log10(end)) for end in ends)
-    return [10.0**power for power in range(low, high + 1, 1 + (high - low) // 4)]
+    return [10.0**power for power in range(low, high + 1, 1 + (high - low) // 3)]
 
 
 def _power_text(number: float) -> str:

@@ -54,9 +54,13 @@ const renderLabel = ({ x, y, shape }, pieces) => ["g", { transform: `translate($
     + `stroke-linejoin:round;paint-order:stroke;${WORDS}`, ...symbolData(shape),
 }, renderPieces(pieces)]]];
 
+const BEYOND = 20; // pixels: what lies farther outside has no label
+
 // Each label takes the first place that is inside the picture and free of handles and of the labels
 // before it. → their nodes, and the boxes that are taken.
-export const placeLabels = ({ labels, taken: already }, grips, [width, height]) => {
+export const placeLabels = ({ labels: all, taken: already }, grips, [width, height]) => {
+  const labels = all.filter(({ x, y }) =>
+    Math.abs(x - width / 2) < width / 2 + BEYOND && Math.abs(y - height / 2) < height / 2 + BEYOND);
   const taken = [...already, ...grips.map(([x, y]) => [x - 10, y - 10, x + 10, y + 10])];
   const nodes = labels.map((one) => {
     const pieces = splitLetters(one.shape.label);

@@ -161,10 +161,10 @@ def test_the_site_works_from_a_stick(site, chromium, tmp_path):
         figure = page.locator("figure.rk-figure").first
         figure.scroll_into_view_if_needed()
         page.locator("figure.rk-live").first.wait_for()
-        before = figure.locator("dd").all_inner_texts()
+        before = figure.locator(".rk-value").all_inner_texts()
         figure.locator("input[type=range]").first.press("ArrowRight")
         page.wait_for_function(
-            "([figure, before]) => [...figure.querySelectorAll('dd')]"
+            "([figure, before]) => [...figure.querySelectorAll('.rk-value')]"
             ".some((shown, k) => shown.innerText !== before[k])",
             arg=[figure.element_handle(), before],
         )

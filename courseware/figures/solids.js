@@ -2,7 +2,7 @@
 // light that stands in the room. Their pieces have depths and are sorted with all others.
 
 import { KINDS } from "./constants.js";
-import { color, paint, path, px } from "./svg.js";
+import { paint, px } from "./svg.js";
 
 const LIGHT = [0.36, -0.48, 0.8];
 const SHADOW = -100; // behind all but the floor
@@ -26,10 +26,27 @@ const writePoint = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 // Not a path: what a browser knows of a path's form is its style, which is worked out anew.
 const drawLine = (points, style) => ["polyline", { points, style }];
 
-const castShadow = (faces, flat) => {
-  const texts = flat.map(writePoint);
-  return faces.filter((face) => isSeen(face.map((i) => flat[i])))
-    .map((face) => `M${face.map((i) => texts[i]).join(" ")}z`).join("");
+// The outlines of a shadow: the edges between faces that the light meets and those that it does not,
+// joined to loops. One that lies in another is a hole, by the way that it runs.
+const castShadow = (faces, flat, beside) => {
+  const lit = faces.map((face) => isSeen(face.map((i) => flat[i]))), next = new Map();
+  faces.forEach((face, k) => face.forEach((start, i) => {
+    if (!lit[k] || lit[beside[k][i]]) return;
+    next.set(start, [...(next.get(start) ?? []), face[(i + 1) % face.length]]);
+  }));
+  let loops = "";
+  for (const start of next.keys()) {
+    const loop = [];
+    for (let at = start; next.get(at)?.length; at = next.get(at).pop()) loop.push(writePoint(flat[at]));
+    if (loop.length) loops += `M${loop.join(" ")}z`;
+  }
+  return loops;
+};
+
+const HALO = [0, 5, 11]; // pixels: widths of the layers of a shadow
+const layShadow = (loops) => {
+  return ["g", { style: "stroke:#000;stroke-linejoin:round" }, HALO.map((wide) =>
+    ["path", { d: loops, style: `opacity:var(--rk-soft,.08);stroke-width:${wide}` }])];
 };
 
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
@@ -52,7 +69,7 @@ const paintDots = (discs, q, [a, b], normal, toEye, fill) => {
   }]);
 };
 
-const SHARP = 0.8; // of the cosine of two faces that meet: a round body has no lines between its faces
+const SHARP = 0.7; // of the cosine of two faces that meet: a round body has no lines between its faces
 
 // The face at the other side of each edge of each face.
 const findNeighbours = (faces) => {
@@ -103,7 +120,7 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
     const outlines = faces.map((face) => face.map((i) => points[i])), seen = outlines.map(isSeen);
     const normals = worlds.map((world, k) => seen[k] && normalOf(world));
     const depths = outlines.map((outline) => meanOf(outline, 2) - behind), lines = [];
-    if (floor !== null && se >= 0) shadow += castShadow(faces, there.map(([x, y]) => toEye([x, y, floor])));
+    if (floor !== null && se >= 0) shadow += castShadow(faces, there.map(([x, y]) => toEye([x, y, floor])), mesh.beside);
     faces.forEach((face, k) => {
       if (!seen[k]) return;
       const tone = ghost ? paint(kind) : shadeFace(kind, normals[k]), around = face.map((i) => texts[i]);
@@ -120,7 +137,6 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
     });
     pieces.push(...lines);
   }
-  const dark = `fill:color-mix(in srgb,${color("grid")} 80%,#000)`;
-  if (shadow) pieces.push({ nodes: [path(shadow, dark)], depth: SHADOW });
+  if (shadow) pieces.push({ nodes: [layShadow(shadow)], depth: SHADOW });
   return { pieces };
 };

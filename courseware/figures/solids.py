@@ -8,7 +8,8 @@ drawn, the others from far to near. So meshes are convex, or so thin that it doe
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import cos, pi, sin
+from itertools import product
+from math import atan2, cos, pi, sin
 from typing import Any
 
 from courseware.figures.declaration import Expr, Kind
@@ -160,13 +161,48 @@ PIPS: dict[int, tuple[Point2, ...]] = {
     5: ((-1, -1), (-1, 1), (0, 0), (1, -1), (1, 1)),
     6: ((-1, -1), (-1, 0), (-1, 1), (1, -1), (1, 0), (1, 1)),
 }
-FACE_NUMBERS = (4, 3, 5, 1, 2, 6)  # on −z, +z, −y, +x, +y, −x: opposite faces add up to seven
+SIDES = ((0, 0, -1), (0, 0, 1), (0, -1, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0))
+FACE_NUMBERS = (4, 3, 5, 1, 2, 6)  # on these sides: opposite faces add up to seven
 
 
-def die(kind: Kind, side: float = 1.0) -> tuple[Mesh, ...]:
-    """Return a die with 1, 2 and 3 towards x, y and z."""
+def bevelled_box(kind: Kind, size: Point3, bevel: float, at: Point3 = (0, 0, 0)) -> Mesh:
+    """Return a box without sharp edges. Faces: as of a box, then the edges and corners."""
+    corners: list[Point3] = []
+    for flat in range(3):
+        for signs in product((-1, 1), repeat=3):
+            x, y, z = (
+                middle + sign * (side / 2 - bevel * (k != flat))
+                for k, (middle, sign, side) in enumerate(zip(at, signs, size, strict=True))
+            )
+            corners.append((x, y, z))
+    others = [way for way in product((-1, 0, 1), repeat=3) if sum(map(abs, way)) > 1]
+    return Mesh(kind, tuple(corners), tuple(_outermost(corners, w) for w in (*SIDES, *others)))
+
+
+def _outermost(corners: Sequence[Point3], way: Sequence[float]) -> Face:
+    """Return the corners that lie farthest out one way, counter-clockwise for who looks at it."""
+    out = [sum(c * w for c, w in zip(corner, way, strict=True)) for corner in corners]
+    found = [k for k, far in enumerate(out) if far > max(out) - 1e-9]
+    middle = [sum(corners[k][i] for k in found) / len(found) for i in range(3)]
+    first = [c - m for c, m in zip(corners[found[0]], middle, strict=True)]
+    left = _cross(way, first)
+
+    def turned(k: int) -> float:
+        arm = [c - m for c, m in zip(corners[k], middle, strict=True)]
+        return atan2(*(sum(a * b for a, b in zip(arm, u, strict=True)) for u in (left, first)))
+
+    return tuple(sorted(found, key=lambda k: turned(k) % (2 * pi - 1e-9)))
+
+
+def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
+    return [a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)]
+
+
+def die(kind: Kind, pip: str = "", edge: str = "") -> tuple[Mesh, ...]:
+    """Return a die of side 1 m with 1, 2 and 3 towards x, y and z; pip: the tone of its dots."""
+    tone = (pip,) if pip else ()
     dots = {
-        place: [(0.27 * side * a, 0.27 * side * b, 0.1 * side) for a, b in PIPS[number]]
+        place: [(0.25 * a, 0.25 * b, 0.095, *tone) for a, b in PIPS[number]]
         for place, number in enumerate(FACE_NUMBERS)
     }
-    return (replace(box(kind, (side, side, side)), dots=dots),)
+    return (replace(bevelled_box(kind, (1, 1, 1), 0.06), dots=dots, edge=edge),)

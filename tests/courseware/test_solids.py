@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -47,7 +48,7 @@ def test_faces_look_outward(name):
     part = BODIES[name]
     inside = np.mean(part.corners, axis=0)
     volume = sum(np.dot(middle - inside, up) for middle, up in normals(part)) / 6
-    known = {"box": 6, "die": 1, "plate": 0.1, "ring": None, "ball": None, "cylinder": None}[name]
+    known = {"box": 6, "plate": 0.1}.get(name)
     assert volume > 0
     if known:
         assert volume == pytest.approx(known)
@@ -72,7 +73,7 @@ def test_a_body_is_closed(name):
 def test_opposite_faces_of_a_die_add_up_to_seven():
     middles = {
         number: tuple(np.round(middle, 6))
-        for number, (middle, _) in zip(solids.FACE_NUMBERS, normals(BODIES["die"]), strict=True)
+        for number, (middle, _) in zip(solids.FACE_NUMBERS, normals(BODIES["die"]), strict=False)
     }
     assert sorted(middles) == [1, 2, 3, 4, 5, 6]
     assert [middles[k] for k in (1, 2, 3)] == [(0.5, 0, 0), (0, 0.5, 0), (0, 0, 0.5)]
@@ -144,14 +145,26 @@ def test_a_pose_turns_and_moves_a_body():
 
 def test_a_shadow_falls_straight_down_and_lies_under_all():
     figure = cubes(("body", (0, 0, 0)), floor=-1.0)
-    order = painted(figure, elevation=30)
-    assert order[0] == "grid"
-    assert set(order[1:]) == {"body"}
+    shadow = "opacity:var(--rk-soft"
+    seen = drawn(figure, elevation=30)
+    assert 0 < seen.index(shadow) < seen.rindex(shadow) < seen.index("--rk-body")
     from_above = drawn(figure, azimuth=0, elevation=90)
-    shadow, top = (re.search(f'{name}([^"z]+)', from_above)[1] for name in (' d="M', ' points="'))
+    outline, top = (re.search(f'{name}([^"z]+)', from_above)[1] for name in (' d="M', ' points="'))
     corners = re.findall(r"\S+ \S+", top)
-    assert sorted(re.findall(r"\S+ \S+", shadow)) == sorted(corners[:-1])  # it ends where it began
-    assert "grid" not in painted(figure, elevation=-30)  # through the floor one sees no shadow
+    assert sorted(re.findall(r"\S+ \S+", outline)) == sorted(corners[:-1])  # ends where it began
+    assert shadow not in drawn(figure, elevation=-30)  # through the floor one sees no shadow
+
+
+def test_the_shadow_of_a_ring_has_a_hole():
+    """Two loops that run opposite ways: a ring's inner rim lets the light through."""
+    ring = VIEW.solid([solids.ring("body", 0.6, 0.8, 0.1, "z")], EYE, floor=-1.0)
+    loops = re.search(' d="M([^"]+)z"', drawn(space_figure(scene=(ring,)), elevation=90))[1]
+    areas = []
+    for loop in loops.split("zM"):
+        x, y = np.array(loop.split(), dtype=float).reshape(-1, 2).T
+        areas.append(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+    assert len(areas) == 2
+    assert areas[0] * areas[1] < 0
 
 
 def test_a_ghost_is_clear_and_a_floor_is_seen_from_above_only():
@@ -325,7 +338,7 @@ FOLLOW = """(hash) => new Promise((followed) => {
 
 @in_browser
 def test_a_link_keeps_the_presses_and_drops_junk(alone):
-    with alone(DIE) as live:
+    with alone(replace(DIE, size="laboratory")) as live:  # which has a link
         press(live, "Z", "-x")
         live.root.locator(".rk-link").click()
         address = live.page.evaluate("location.hash")

@@ -122,6 +122,9 @@ GRADIENTS = {
     ),
     "ball": Gradient("r", ((0, "goal"), (0.6, "goal"), (1, "goal_dark"))),
     "steel_ball": Gradient("r", ((0, "metal"), (0.55, "metal_mid"), (1, "metal_dark"))),
+    "bubble": Gradient(
+        "r", ((0, "glass_lit", 0.06), (0.7, "glass_lit", 0.2), (1, "glass_lit", 0.7))
+    ),
     "sheen": Gradient("r", ((0, "light", 0.75), (1, "light", 0))),
     "beam": Gradient("y", ((0, "lamp", 0.5), (1, "lamp", 0.08))),
     "table": Gradient("r", ((0, "plank_lit"), (1, "plank"))),

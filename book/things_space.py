@@ -97,3 +97,33 @@ def stand(high: float) -> tuple[Mesh, ...]:
     foot = solids.cylinder("metal_mid", (0.06, 0.06), (0, 0.02), n=N)
     post = solids.cylinder("metal_mid", (0.008, 0.008), (0.02, high), n=12)
     return replace(foot, edge="edge"), replace(post, edge="edge")
+
+
+def slab(height: float, half: float) -> tuple[Mesh, ...]:
+    """Return a square slab to stand on, whose upper side is so high."""
+    thick = 0.07
+    box = solids.box("floor", (2 * half, 2 * half, thick), (0, 0, height - thick / 2))
+    return (replace(box, edge="seam"),)
+
+
+def aeroplane() -> tuple[Mesh, ...]:
+    """Return an aeroplane that flies along x, its wings along y; about 1 m long."""
+    body = (
+        solids.cylinder("shell_mid", (0.04, 0.1), (-0.47, -0.1), along="x", n=8),
+        solids.cylinder("shell_mid", (0.1, 0.09), (-0.1, 0.34), along="x", n=8),
+        solids.cylinder("accent", (0.09, 0.02), (0.34, 0.52), along="x", n=8),
+    )
+    wings = [
+        [(0.0, 0.09), (0.22, 0.09), (0.0, 0.58), (-0.12, 0.58)],
+        [(-0.45, 0.05), (-0.29, 0.06), (-0.38, 0.26), (-0.46, 0.26)],
+    ]
+    flat = [solids.plate("accent", wing, 0.035) for wing in wings]
+    flat += [solids.plate("accent", [(x, -y) for x, y in wing[::-1]], 0.035) for wing in wings]
+    tail = [(0.09, -0.45), (0.28, -0.46), (0.28, -0.37), (0.09, -0.25)]
+    plates = (*flat, solids.plate("accent", tail, 0.03, "y"))
+    cabin = solids.box("glass", (0.16, 0.1, 0.06), at=(0.22, 0, 0.09))
+    return (
+        *(replace(mesh, edge="edge") for mesh in body),
+        *(replace(mesh, edge="accent_edge") for mesh in plates),
+        replace(cabin, edge="glass_lit"),
+    )

@@ -2,4 +2,14 @@
 
 CARD = "two-frames"
 LEVEL = 2
-TERMS = ("rotation matrix", "intrinsic", "extrinsic", "gimbal lock")
+TERMS = (
+    "orientation",
+    "rotation matrix",
+    "orthogonal",
+    "intrinsic",
+    "extrinsic",
+    "Tait–Bryan angles|Tait–Bryan",
+    "axis–angle",
+    "gimbal lock",
+    "representation singularity",
+)

@@ -64,6 +64,35 @@ def order_readouts(made, azimuth, elevation):
     return euler.axis_angle(apart)[1][:, None]
 
 
+def readings_readouts(first, middle, made, azimuth, elevation):
+    """Return the one turn between a product's two readings, turn by turn."""
+    one, two = np.clip(made, 0, 1), np.clip(made - 1, 0, 1)
+    own = euler.to_matrix("ZX", np.stack([one * first, two * middle], axis=-1))
+    room = euler.to_matrix("xz", np.stack([one * middle, two * first], axis=-1))
+    return euler.axis_angle(np.swapaxes(own, 1, 2) @ room)[1][:, None]
+
+
+def three_angles_readouts(first, middle, third, azimuth, elevation):
+    """Return still to turn to the ghost."""
+    ghost = euler.to_matrix("XYZ", np.radians(figures.GIVEN))
+    now = euler.to_matrix("XYZ", np.stack([first, middle, third], axis=-1))
+    return euler.axis_angle(ghost.T @ now)[1][:, None]
+
+
+def near_lock_readouts(near):
+    """Return the rate of the inner ring for 1 rad/s about the lost direction, by the Jacobian."""
+    one = np.ones_like(near)
+    R = euler.to_matrix("XY", np.stack([0 * near, np.pi / 2 - np.radians(near)], axis=-1))
+    axes = np.stack([one[:, None] * [1.0, 0, 0], one[:, None] * [0, 1.0, 0], R[..., 2]], axis=-1)
+    return np.linalg.solve(axes, np.array([0, 0, 1.0])[:, None])[:, 2]
+
+
+def one_axis_readouts(x, y, z, turn, azimuth, elevation):
+    """Return still to turn to frame B."""
+    R = euler.about(np.stack([x, y, z], axis=-1), turn)
+    return euler.axis_angle(R_AB.T @ R)[1][:, None]
+
+
 def target_readouts(first, middle, azimuth, elevation):
     """Return still to turn to frame B."""
     R = euler.to_matrix("YZ", np.stack([first, middle], axis=-1))
@@ -110,9 +139,13 @@ def mistakes_readouts(*columns):
 
 READOUTS = {
     "order": order_readouts,
+    "two-readings": readings_readouts,
     "to-b": target_readouts,
+    "read-angles": three_angles_readouts,
     "both-answers": both_readouts,
     "gimbal-rings": rings_readouts,
+    "inner-rate": near_lock_readouts,
+    "one-axis": one_axis_readouts,
     "one-turn": one_turn_readouts,
     "euler-sequence": sequence_readouts,
     "wrong-frames": mistakes_readouts,
@@ -131,9 +164,13 @@ SPECIALS = {
     "two-frames": [{"elevation": HALF}],
     "columns": [{"axis": axis, "turn": turn} for axis in "xyz" for turn in (0.0, HALF, -HALF)],
     "order": [{"made": 1.0}, {"made": 2.0}],
+    "two-readings": [{"made": made} for made in (0.0, 1.0, 1.5, 2.0)],
     "to-b": [{"first": HALF, "middle": -HALF}, {"first": 0.0, "middle": 0.0}],
+    "read-angles": [{"first": HALF}, {**LOCKED}],
     "both-answers": [{**LOCKED, "made": 3.0}, {"made": 1.0}, {"made": 2.0}, {"made": 3.0}],
     "gimbal-rings": [LOCKED, {"middle": -HALF}, {"middle": 0.0, "against": 0.0}],
+    "inner-rate": [{"near": near} for near in (0.2, 1.0, 30.0, 90.0)],
+    "one-axis": [{"axis": "two corners", "turn": 2 * np.pi / 3}, {"turn": 0.0}],
     "one-turn": [{"part": 0.5}, {"part": 1.0}, {"part": 1.0, "way": "one turn"}, {"part": 0.0}],
     "euler-sequence": [
         {"sequence": seq, **dict(zip(("first", "middle", "third"), np.radians(a), strict=True))}
@@ -193,6 +230,8 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "arm-ways": "four",
+    "third-quarter": "−135°",
     "how-many-turns": "two",
     "first-column": "(0, 0, −1)",
     "two-orders": "120° apart",
@@ -215,6 +254,7 @@ def near_b(sequence, degrees=0.0):
 
 
 TO_B = {"ZXZ": (90, 90, 180), "ZYX": (-90, 0, -90), "zyx": (-90, 90, 0)}  # degrees
+REST = {"middle": np.radians(30), "third": np.radians(-20)}  # of the ghost with three angles
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "die": [
         ([{"turns": "XYX"}, {"turns": "Z-ZXYX"}], [{"turns": "XY"}, {"turns": "XYXX"}]),
@@ -224,6 +264,33 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
         (
             [{"first": np.radians(first), "middle": -HALF} for first in (89.1, 90.9)],
             [{"first": np.radians(first), "middle": -HALF} for first in (88.9, 91.1)],
+        )
+    ],
+    "read-angles": [
+        (
+            [{"first": np.radians(first), **REST} for first in (39.1, 40.9)],
+            [{"first": np.radians(first), **REST} for first in (38.9, 41.1)],
+        )
+    ],
+    "gimbal-rings": [
+        (
+            [{**LOCKED, "against": np.radians(30)}, {**LOCKED, "against": np.radians(-30)}],
+            [{**LOCKED, "against": np.radians(25)}, {"middle": np.radians(85), "against": 1.0}],
+        )
+    ],
+    "one-axis": [
+        (
+            [{"axis": "two corners", "turn": np.radians(turn)} for turn in (119.1, 120.9)],
+            [{"axis": "two corners", "turn": np.radians(118.9)}, {"axis": "two edges"}],
+        )
+    ],
+    "rotation-recap": [
+        (
+            [{"first_column": "arrow 3", "second_column": "arrow 1"}],
+            [
+                {"first_column": "arrow 3", "second_column": "arrow 2"},
+                {"first_column": "arrow 1", "second_column": "arrow 3"},
+            ],
         )
     ],
     "euler-sequence": [

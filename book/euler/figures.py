@@ -1,13 +1,28 @@
 """The live figures of the chapter on Euler angles: dice, rings and a ball, all solid."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import permutations
 from math import pi
 from typing import Any
 
-from sympy import Abs, And, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols
+from sympy import (
+    Abs,
+    And,
+    Matrix,
+    Not,
+    Piecewise,
+    Symbol,
+    atan2,
+    cos,
+    rad,
+    sin,
+    sqrt,
+    symbols,
+)
 from sympy import pi as half_turn
 
+from book import things_space
 from book.euler import formulas as euler
 from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
@@ -15,21 +30,28 @@ from book.motion import formulas as motion
 from courseware.equations import Where, quantity, substitute
 from courseware.figures import (
     VIEW,
+    Arrow,
     Bracket,
     Choice,
     Clock,
     Curve,
     Figure,
     Goal,
+    Graph,
     Label,
+    Line,
     NamedSteps,
+    Outline,
+    Point,
     QuarterTurns,
     Readout,
     Slider,
+    Thing,
     assign,
     bring_forward,
     ramp,
     solids,
+    when,
 )
 from courseware.figures.space import AXES, ORIGIN
 
@@ -45,6 +67,8 @@ X, Y, Z = (UNTURNED[:, axis] for axis in range(3))
 
 made = quantity("made", "", 0, 3, "how many turns of a sequence are made")
 part = quantity("part", "", 0, 1, "how much of a way is made")
+near = quantity("near", "", 0.2, 90, "degrees from lock")
+PICKS = symbols("pick_1 pick_2", real=True)  # arrows that are chosen for columns
 against = quantity("against", "rad", -3.14, 3.14, "the outer ring turned on, the inner one back")
 s = Symbol("s")
 WRONG = symbols("wrong:3:3", real=True)  # the entries of a wrong matrix
@@ -69,6 +93,12 @@ def angle_of(R: Matrix) -> Any:
     return euler.turn_angle.substitute(dict(zip(euler.r, R, strict=True)))
 
 
+def pick(made: Any, *turns: Any) -> Any:
+    """Return what belongs to the turn that is being made."""
+    parts = [(each, made <= k + 1) for k, each in enumerate(turns[:-1])]
+    return Piecewise(*parts, (turns[-1], True))
+
+
 def is_aligned(R: Matrix, target: Matrix) -> Any:
     """Return whether two orientations are less than a degree apart."""
     return angle_of(target.T * R) < half_turn / 180
@@ -77,28 +107,34 @@ def is_aligned(R: Matrix, target: Matrix) -> Any:
 # Dice: 1, 2 and 3 towards x, y and z of the frame that is fixed to them.
 
 
-FLOOR, HALF = -1.1, 0.75  # m: the floor's height, and half its side
+FLOOR, HALF = -0.95, 0.75  # m: the floor's height, and half its side
+
+
+def floor(at: Sequence[Any] = ORIGIN) -> Any:
+    """Return a piece of floor, on which shadows fall."""
+    return VIEW.solid(things_space.slab(FLOOR, HALF), UNTURNED, at, behind=200.0)
 
 
 def die(
     R: Matrix,
     at: Sequence[Any] = ORIGIN,
     labels: Sequence[str] = ("x", "y", "z"),
-    kind: str = "body",
+    kind: str = "accent",
 ) -> tuple[Any, ...]:
     """Return a die on its axes, above a floor."""
     tail, head = (
-        [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.05)
+        [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.25)
     )
     stubs = map(VIEW.arrow, AXES, tail, head, labels)
-    body = VIEW.solid(solids.die(kind), R, at, floor=FLOOR)
-    return VIEW.floor(FLOOR, HALF, at), body, *stubs
+    edge = "accent_edge" if kind == "accent" else kind
+    body = VIEW.solid(solids.die(kind, "shell", edge), R, at, floor=FLOOR)
+    return floor(at), body, *stubs
 
 
 def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
     """Return the ghost onto which a die shall be brought."""
     body = VIEW.solid(solids.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
-    return VIEW.floor(FLOOR, HALF, at), body
+    return floor(at), body
 
 
 def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
@@ -130,22 +166,24 @@ def die_figure() -> Figure:
     own, away = turns.own, 2 * (1 - turns.part)
     beside = -2.35 + own * (1.6 + away) - (1 - own) * away  # from its own side
     tasks = {99: "Bring the die onto its ghost.", 3: "Do it again, in as few turns as you can."}
-    done = Piecewise((0, turns.part >= 1), (nan, True))
+    low = -1.8
     return Figure(
         name="die",
         title="A die, and beside it the ghost of a die that is turned another way",
-        view=(-3.3, 3.3, -3.1, 1.4),
-        size="laboratory",
+        view=(-3.1, 3.1, -2.85, 1.42),
+        ground="wall",
         controls=(turns,),
         scene=(
             *die(now, VIEW.right_of_origin(-1.4)),
             *ghost_die(GHOST, VIEW.right_of_origin(1.4)),
-            Bracket(turns.before, (-0.75 - 1.6 * own, -1.95), "before"),
-            Bracket(
-                turns.last_rotation(), (beside, -1.95), "the turn", columns=("icr", "icr", "icr")
+            *when(turns.count < 1, Label("text", (0, low), "no turn yet")),
+            *when(
+                turns.count > 0,
+                Bracket(turns.before, (-0.75 - 1.6 * own, low), "before"),
+                Bracket(turns.last_rotation(), (beside, low), "the turn", columns=("icr",) * 3),
+                Label("text", (0.3, low), "="),
             ),
-            Label("text", (0.3, -1.95), "="),
-            Bracket(now, (1.4 + done, -1.95), "now"),
+            *when(And(turns.count > 0, turns.part >= 1), Bracket(now, (1.4, low), "now")),
         ),
         readouts=(Readout("count", "turns made", turns.count, "", digits=0),),
         sentence="{count} turns made: {turns}.",
@@ -161,6 +199,7 @@ def exercise_figure() -> Figure:
     """Draw the two frames of the exercise."""
     return Figure(
         name="two-frames",
+        ground="wall",
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.3, 2.3, -1.6, 1.5),
         scene=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
@@ -173,11 +212,12 @@ def columns_figure() -> Figure:
     R = euler.r
     return Figure(
         name="columns",
+        ground="wall",
         title="A die turned about one axis of the room, and the matrix of the turn",
         view=(-1.5, 3.1, -1.6, 1.5),
         controls=(
             Choice.one_hot("axis", about, "xyz", label="turn about", start="z"),
-            Slider.degrees(turn, start=60, step=5),
+            Slider.degrees(turn, start=60, step=15),
         ),
         scene=(*room(), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
         sentence="A turn of {turn} about the {axis} axis.",
@@ -195,6 +235,7 @@ def order_figure() -> Figure:
     )
     return Figure(
         name="order",
+        ground="wall",
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
         view=(-2.3, 2.3, -1.6, 1.5),
         controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
@@ -205,22 +246,89 @@ def order_figure() -> Figure:
     )
 
 
+def readings_figure() -> Figure:
+    """Draw one product, read from the left about own axes, from the right about the room's."""
+    steps = NamedSteps()
+    one, two = ramp(made, 0), ramp(made, 1)
+    left = steps.add("p", euler.turned_about(Z, one * first) * euler.turned_about(X, two * middle))
+    right = steps.add("q", euler.turned_about(Z, two * first) * euler.turned_about(X, one * middle))
+    own = steps.add("u", Matrix([pick(made, p, q) for p, q in zip(Z, left[:, 0], strict=True)]))
+    of_room = steps.add("v", Matrix([pick(made, p, q) for p, q in zip(X, Z, strict=True)]))
+    return Figure(
+        name="two-readings",
+        title="Two dice: one turned about its own axes, one about the axes of the room",
+        view=(-2.3, 2.3, -1.8, 1.5),
+        ground="wall",
+        controls=(
+            Slider.degrees(first, start=60, step=15, label="α, about z", kind="z_axis"),
+            Slider.degrees(middle, start=45, step=15, label="β, about x", kind="x_axis"),
+            Clock(made, 0.0, 2.0, label="turns made", rate=0.5, loops=True),
+        ),
+        scene=(
+            *turn_axis(own, LEFT),
+            *turn_axis(of_room, RIGHT),
+            *die(left, LEFT),
+            *die(right, RIGHT),
+            Label("text", (-1.15, -1.62), "own axes: z, then x"),
+            Label("text", (1.15, -1.62), "the room’s: x, then z"),
+        ),
+        readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
+        sentence="{made} turns made, by {first} about z and {middle} about x: {apart} apart.",
+        where=steps,
+    )
+
+
 def target_figure() -> Figure:
     """Draw the exercise: two angles to bring the die to frame B."""
     R = euler.r
     return Figure(
         name="to-b",
+        ground="wall",
         title="A die turned about y, then about its new z axis; the ghost is frame B",
         view=(-2.5, 2.6, -1.6, 1.5),
         controls=(
-            Slider.degrees(first, step=5, label="α, about y", kind="y_axis"),
-            Slider.degrees(middle, step=5, label="β, about the new z", kind="z_axis"),
+            Slider.degrees(first, step=15, label="α, about y", kind="y_axis"),
+            Slider.degrees(middle, step=15, label="β, about the new z", kind="z_axis"),
         ),
         scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.right_of_origin(1.45))),
         readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
         sentence="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
         goal=Goal(is_aligned(R, R_AB), "Bring the die onto frame B."),
         where=name_entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
+    )
+
+
+GIVEN = (40, 30, -20)  # degrees: the angles of the ghost
+
+
+def three_angles_figure() -> Figure:
+    """Draw three turns, x, y and z, and a ghost whose angles stand in its matrix."""
+    steps = NamedSteps()
+    ghost = Matrix(euler.entries.subs(dict(zip(TURNS, map(rad, GIVEN), strict=True))).evalf(17))
+    two = steps.add("t", euler.turned_about(X, first) * euler.turned_about(Y, middle))
+    now = steps.add("n", two * euler.turned_about(Z, third))
+    return Figure(
+        name="read-angles",
+        title="A die turned about x, y and z, one after the other; a ghost, and its matrix",
+        view=(-2.6, 2.7, -2.75, 1.5),
+        ground="wall",
+        size="laboratory",
+        controls=(
+            Slider.degrees(first, step=10, label="first α, about x", kind="x_axis"),
+            Slider.degrees(middle, step=10, label="middle β, about the new y", kind="y_axis"),
+            Slider.degrees(third, step=10, label="third γ, about the newest z", kind="z_axis"),
+        ),
+        scene=(
+            *room(LEFT),
+            *die(now, LEFT),
+            *ghost_die(ghost, VIEW.right_of_origin(1.35)),
+            Bracket(now, (-1.15, -1.9), "the die", digits=2),
+            Bracket(ghost, (1.35, -1.9), "the ghost", digits=2),
+        ),
+        readouts=(Readout("apart", "still to the ghost", angle_of(ghost.T * now), "rad"),),
+        sentence="Turned by {first}, {middle} and {third}, {apart} from the ghost.",
+        goal=Goal(is_aligned(now, ghost), "Bring the die onto the ghost."),
+        where=steps,
     )
 
 
@@ -238,10 +346,11 @@ def both_figure() -> Figure:
     left, right = turned("p", TURNS), turned("q", euler.OTHERS)
     return Figure(
         name="both-answers",
+        ground="wall",
         title="Two dice turned about x, y and z by different angles",
         view=(-2.3, 2.3, -1.6, 1.5),
         controls=(
-            Slider.degrees(middle, start=30, step=5, kind="y_axis"),
+            Slider.degrees(middle, start=30, step=15, kind="y_axis"),
             Clock(made, 0.0, 3.0, label="turns made", rate=0.75),
         ),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
@@ -259,26 +368,21 @@ def both_figure() -> Figure:
 
 # Rings, one inside the other: an XYZ sequence as a machine.
 
-AEROPLANE = (
-    solids.cylinder("body", (0.1, 0.1), (-0.45, 0.3), along="x", n=10),
-    solids.cylinder("body", (0.1, 0.02), (0.3, 0.52), along="x", n=10),
-    solids.plate("left", [(0.0, 0.09), (0.25, 0.09), (0.02, 0.58), (-0.12, 0.58)], 0.04),
-    solids.plate("left", [(0.25, -0.09), (0.0, -0.09), (-0.12, -0.58), (0.02, -0.58)], 0.04),
-    solids.plate("left", [(-0.45, 0.08), (-0.27, 0.08), (-0.38, 0.26), (-0.46, 0.26)], 0.03),
-    solids.plate("left", [(-0.27, -0.08), (-0.45, -0.08), (-0.46, -0.26), (-0.38, -0.26)], 0.03),
-    solids.plate("right", [(0.1, -0.45), (0.28, -0.46), (0.28, -0.36), (0.1, -0.25)], 0.03, "y"),
-)
-STAND = (
-    solids.box("body", (0.1, 0.24, 1.45), at=(1.45, 0, -0.62)),
-    solids.box("body", (0.1, 0.24, 1.45), at=(-1.45, 0, -0.62)),
-    solids.box("body", (3.0, 0.5, 0.1), at=(0, 0, -1.4)),
+AEROPLANE = things_space.aeroplane()
+STAND = tuple(
+    replace(solids.box("metal_mid", size, at), edge="edge")
+    for size, at in (
+        ((0.12, 0.26, 1.45), (1.45, 0, -0.62)),
+        ((0.12, 0.26, 1.45), (-1.45, 0, -0.62)),
+        ((3.04, 0.6, 0.1), (0, 0, -1.4)),
+    )
 )
 
 
 def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[solids.Mesh, ...]:
     """Return a ring, flat towards one axis, with two pins along another that hold the next one."""
     rim = radius + 0.14
-    pins = (solids.cylinder(kind, (0.06, 0.06), x, along, n=8) for x in ((rim, end), (-end, -rim)))
+    pins = (solids.cylinder(kind, (0.06, 0.06), x, along, n=6) for x in ((rim, end), (-end, -rim)))
     return solids.ring(kind, radius, rim, 0.1, flat), *pins
 
 
@@ -290,20 +394,21 @@ def rings_figure() -> Figure:
     three = steps.add("c", two * euler.turned_about(Z, -against))
     J = substitute(substitute(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
-    floor = -1.46
+    low = -1.46
     return Figure(
         name="gimbal-rings",
+        ground="wall",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
         view=(-2.3, 3.5, -2.25, 1.5),
         seen_from=(-pi / 4, pi / 8),
         controls=(
-            Slider.degrees(middle, start=30, step=5, label="β, middle ring", kind="y_axis"),
-            Slider.degrees(against, step=5, label="outer ring on, inner ring back"),
+            Slider.degrees(middle, start=30, step=15, label="β, middle ring", kind="y_axis"),
+            Slider.degrees(against, step=15, label="outer ring on, inner ring back"),
         ),
         scene=(
-            VIEW.floor(floor, 1.55),
-            VIEW.solid(STAND, UNTURNED, floor=floor),
-            VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=floor),
+            VIEW.solid(things_space.slab(low, 1.45), UNTURNED, behind=200.0),
+            VIEW.solid(STAND, UNTURNED, floor=low),
+            VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=low),
             VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
             VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
             VIEW.solid(AEROPLANE, three),
@@ -318,7 +423,35 @@ def rings_figure() -> Figure:
             "Middle ring {middle}, outer ring on and inner ring back by {against}. det J is "
             "{det_J}; the aeroplane is turned by {whole} in all."
         ),
+        goal=Goal(
+            And(Abs(cos(middle)) < 0.02, Abs(against) > half_turn / 7),
+            "Make det J zero; then turn the outer ring on by 30° or more.",
+        ),
         where=steps,
+    )
+
+
+def near_lock_figure() -> Figure:
+    """Draw how fast the inner ring must turn, against how far the middle ring is from lock."""
+    graph = Graph(
+        (0, 3.2, 0, 1.8), x=(0.1, 100), y=(1, 1000), titles=("degrees from lock", "times as fast")
+    )
+    fast, on_curve = (1 / sin(each * half_turn / 180) for each in (near, 10**s))
+    here = graph.place((near, fast))
+    return Figure(
+        name="inner-rate",
+        title="A graph: the nearer to lock, the faster the inner ring must turn",
+        view=(-0.75, 3.5, -0.85, 2.15),
+        controls=(Slider(near, 0.2, 90.0, start=30.0, step=0.2, label="degrees from lock"),),
+        scene=(
+            *graph.shapes(),
+            Curve("z_axis", graph.place((10**s, on_curve)), s, -1, 1.95, 48),
+            Line("ghost", (graph.place((near, 1)), here, graph.place((0.1, fast)))),
+            Point("velocity", here),
+        ),
+        readouts=(Readout("fast", "the inner ring, times as fast", fast, "", 1),),
+        sentence="{near} degrees from lock the inner ring turns {fast} times as fast.",
+        grid=False,
     )
 
 
@@ -326,7 +459,12 @@ def rings_figure() -> Figure:
 
 AXIS = Matrix([-1, 1, -1]) / sqrt(3)  # of R_AB
 ANGLE = 2 * pi / 3
-BALL = 1.35  # m: the radius of the ball, half a turn
+BALL, LIFTED = 1.1, 0.2  # m: the radius of the ball, half a turn; how high its middle is
+
+
+def circle_path(x: float, y: float, r: float) -> str:
+    """Return the path of a circle."""
+    return f"M{x - r} {y}a{r} {r} 0 1 0 {2 * r} 0a{r} {r} 0 1 0 {-2 * r} 0z"
 
 
 def one_turn_figure() -> Figure:
@@ -344,7 +482,9 @@ def one_turn_figure() -> Figure:
     (a, b), once = by_two(2 * part), part * 2 * half_turn / 3
     two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
     turned = at_once * once + (1 - at_once) * (a - b)
-    middle_of = VIEW.right_of_origin(1.35)
+    x, y, _ = VIEW.right_of_origin(1.35)
+    middle_of = (x, y, LIFTED)
+    low = (x, y, 0)
 
     def put(vector: Any) -> list[Any]:
         return [BALL * each + at for each, at in zip(vector, middle_of, strict=True)]
@@ -356,25 +496,33 @@ def one_turn_figure() -> Figure:
     spoke = AXIS * 2 / 3  # of half a turn
     circles = ((cos(s), sin(s), 0), (0, cos(s), sin(s)), (sin(s), 0, cos(s)))
     here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
+    glass = Outline(circle_path(0, 0, BALL), "bubble", "glass_lit")
+    light = Outline(circle_path(-0.45, 0.5, 0.32), "sheen", opacity=0.6)
+    stand = replace(solids.cylinder("metal_mid", (0.5, 0.32), (-0.95, -0.86), n=24), edge="edge")
+    seen = VIEW.project(middle_of)
     return Figure(
         name="one-turn",
         title="A die on its way to frame B, and its way in the ball of all rotations",
-        view=(-2.45, 3.15, -1.7, 1.85),
+        view=(-2.35, 2.85, -1.5, 1.75),
+        ground="wall",
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
+            *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * half_turn) for c in circles),
             *die(euler.r, VIEW.right_of_origin(-1.3)),
-            *(way("ghost", circle, 2 * half_turn, 64) for circle in circles),
+            floor(low),
+            VIEW.solid((stand,), UNTURNED, low, floor=FLOOR),
             *(
-                VIEW.arrow(kind, put(0 * axis), put(1.2 * axis), label)
+                VIEW.arrow(kind, put(0 * axis), put(1.3 * axis), label)
                 for kind, axis, label in zip(AXES, (X, Y, Z), OF_A, strict=True)
             ),
             way("icr", s * spoke, 1),
             way("approximation", in_ball(2 * s), 1, 48),
             bring_forward(VIEW.point("target", put(spoke), "B"), 9),
             bring_forward(VIEW.point("body", put(here)), 9),
+            Thing((*seen, 0), (glass, light)),
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),
@@ -385,16 +533,73 @@ def one_turn_figure() -> Figure:
     )
 
 
+def one_axis_figure() -> Figure:
+    """Draw a die that one turn about a chosen axis shall bring to frame B."""
+    R, high = euler.r, 0.5**0.5
+    ways = {
+        "two faces": (1, 0, 0),
+        "two edges": (high, -high, 0),
+        "two corners": tuple(map(float, AXIS)),
+    }
+    return Figure(
+        name="one-axis",
+        title="A die turned about an axis through its middle; the ghost is frame B",
+        view=(-2.5, 2.6, -1.7, 1.6),
+        ground="wall",
+        controls=(
+            Choice("axis", "axis through", euler.n, ways),
+            Slider.degrees(turn, start=30, step=15),
+        ),
+        scene=(
+            *room(LEFT),
+            *turn_axis(Matrix(euler.n), LEFT),
+            *die(R, LEFT),
+            *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
+        ),
+        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
+        sentence="Turned by {turn} about an axis through {axis}, {apart} from frame B.",
+        goal=Goal(is_aligned(R, R_AB), "Bring the die onto frame B by one turn."),
+        where=name_entries(euler.turned_about(euler.n, turn)),
+    )
+
+
 def recap_figure() -> Figure:
-    """Draw all in one: columns, axes of A, the one turn."""
-    R = euler.r
+    """Draw all in one: columns, axes of A, the one turn; and arrows that want their letters."""
+    R, numbers = euler.r, (3, 1, 2)  # of the arrows x, y, z
+    ends = [[[far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.25)]
+    right = [Abs(pick - number) < 0.5 for pick, number in zip(PICKS, numbers, strict=False)]
+    right.append(And(*right))  # then the third is left
+
+    def arrow(axis: int, kind: str, label: str) -> Arrow:
+        return VIEW.arrow(kind, ends[0][axis], ends[1][axis], label)
+
+    options = {"?": (0,), "arrow 1": (1,), "arrow 2": (2,), "arrow 3": (3,)}
+    places = zip(("first", "second"), PICKS, strict=True)
     return Figure(
         name="rotation-recap",
         title="A die on its way from frame A to frame B, its matrix, and the axis of the one turn",
-        view=(-1.5, 3.1, -1.6, 1.5),
-        controls=(Clock(turn, 0.0, ANGLE, start=pi / 3, step=pi / 180, rate=0.8),),
-        scene=(*room(), *turn_axis(AXIS), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
+        view=(-1.5, 3.1, -1.7, 1.6),
+        ground="wall",
+        controls=(
+            *(Choice(f"{n}_column", f"{n} column is", (pick,), options) for n, pick in places),
+            Clock(turn, 0.0, ANGLE, start=ANGLE, step=pi / 180, rate=0.8),
+        ),
+        scene=(
+            *room(),
+            *turn_axis(AXIS),
+            *die(R, labels=())[:2],
+            *(
+                shape
+                for k, named in enumerate(right)
+                for shape in (
+                    *when(named, arrow(k, AXES[k], "xyz"[k])),
+                    *when(Not(named), arrow(k, "text", str(numbers[k]))),
+                )
+            ),
+            Bracket(R, (2.2, 0.1), digits=2, columns=("text",) * 3),
+        ),
         sentence="Turned by {turn} about the slanted axis.",
+        goal=Goal(And(*right), "Say which arrows the first and the second column are."),
         where=name_entries(euler.turned_about(AXIS, turn)),
     )
 
@@ -413,6 +618,7 @@ def mistakes_figure() -> Figure:
     R, options = Matrix(3, 3, WRONG), {n: tuple(map(int, M.doit())) for n, M in wrong.items()}
     return Figure(
         name="wrong-frames",
+        ground="wall",
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.3, 2.3, -1.6, 1.5),
         controls=(Choice("mistake", "mistake", WRONG, options),),
@@ -436,11 +642,6 @@ def sequences() -> Choice:
     options = {name: numbers(name) for name in (*SEQUENCES, *map(str.lower, SEQUENCES))}
     label = "sequence (XYZ: own axes, xyz: fixed axes)"
     return Choice("sequence", label, (*outer, *mid, *inner, fixed), options, start="ZXZ")
-
-
-def pick_current(three: Sequence[Any]) -> Any:
-    """Return the one of three that belongs to the turn that is being made."""
-    return Piecewise((three[0], made <= 1), (three[1], made <= 2), (three[2], True))
 
 
 def factors_of(steps: NamedSteps, name: str, angles: Sequence[Any]) -> list[Matrix]:
@@ -468,7 +669,7 @@ def sequence_figure() -> Figure:
         (1 - fixed) * factors[0] * mid + fixed * mid,
         (1 - fixed) * two * inner + fixed * outer,
     )
-    u = steps.add("u", Matrix([pick_current(three) for three in zip(*axes, strict=True)]))
+    u = steps.add("u", Matrix([pick(made, *three) for three in zip(*axes, strict=True)]))
     proper = outer.dot(inner)
     cosine, sine = Abs(cos(middle)), Abs(sin(middle))
     near = proper * sine + (1 - proper) * cosine
@@ -477,14 +678,15 @@ def sequence_figure() -> Figure:
     other_middle = proper * euler_[1] + (1 - proper) * motion.wrap(cardan[1])
     return Figure(
         name="euler-sequence",
+        ground="wall",
         title="A die turned about three axes, one after the other; the ghost is frame B",
         view=(-3.2, 3.2, -1.6, 1.5),
         size="laboratory",
         controls=(
             sequences(),
-            Slider.degrees(first, step=5, label="first α"),
-            Slider.degrees(middle, step=5, label="middle β"),
-            Slider.degrees(third, step=5, label="third γ"),
+            Slider.degrees(first, step=15, label="first α"),
+            Slider.degrees(middle, step=15, label="middle β"),
+            Slider.degrees(third, step=15, label="third γ"),
             Clock(made, 0.0, 3.0, start=3.0, label="turns made", rate=0.75),
         ),
         scene=(
@@ -524,9 +726,13 @@ FIGURES = (
     exercise_figure(),
     columns_figure(),
     order_figure(),
+    readings_figure(),
     target_figure(),
+    three_angles_figure(),
     both_figure(),
     rings_figure(),
+    near_lock_figure(),
+    one_axis_figure(),
     one_turn_figure(),
     sequence_figure(),
     mistakes_figure(),

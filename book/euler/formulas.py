@@ -21,7 +21,9 @@ RATES = rate_first, rate_middle, rate_third = tuple(
     quantity(f"rate_{which}", "rad/s", -1, 1, f"rate of the {which} turn", rf"\dot\{name}")
     for which, name in {"first": "alpha", "middle": "beta", "third": "gamma"}.items()
 )
-omega = symbol("omega", "angular velocity: an arrow along the axis", r"\omega", "rad/s")
+omega = symbol(
+    "omega", "angular velocity, written in {A}: an arrow along the axis", r"\omega_A", "rad/s"
+)
 J = symbol("J", "Jacobian: its columns are the axes of the turns")
 det_J = symbol("det_J", "determinant of the Jacobian", r"\det J")
 

@@ -3,7 +3,10 @@
 from collections.abc import Callable
 from itertools import product
 
+import numpy as np
+
 from courseware.predictions import Buttons, Number, Prediction
+from robokin import elbow_arm
 
 
 def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:
@@ -11,7 +14,51 @@ def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:
     return sum(map(allowed, product("XYZ", repeat=3)))
 
 
+def ways_of_the_arm() -> str:
+    """Return in how many ways the last chapter's arm reaches a place."""
+    ways = elbow_arm.inverse([0.3, 0, 0.4], a2=0.4, a3=0.3)
+    return {1: "one", 2: "two", 4: "four"}[len(np.unique(ways.round(6), axis=0))]
+
+
+def third_quarter() -> str:
+    """Return the direction of the point (−1, −1)."""
+    return f"{np.degrees(np.arctan2(-1, -1)):.0f}°".replace("-", "−")
+
+
 PREDICTIONS = (
+    Prediction(
+        "arm-ways",
+        "The wrist of the arm shall go to one place, well within its reach. In how many ways can "
+        "its three joints stand?",
+        Buttons(
+            ("one", "two", "four"),
+            right=ways_of_the_arm,
+            assumptions={
+                "one": "The elbow can be up or down, and the wrist stays.",
+                "two": "That is elbow up and down. The base can also face away from the place, and "
+                "the arm lean back to it.",
+            },
+        ),
+        explanation="Two directions of the base, each with the elbow up or down. They are the "
+        "*branches* of the inverse kinematics.",
+        spoilers=("two directions of the base",),
+    ),
+    Prediction(
+        "third-quarter",
+        "A point lies at $x$ = −1 m, $y$ = −1 m. In which direction is that, measured from the $x$ "
+        "axis?",
+        Buttons(
+            ("45°", "−45°", "−135°"),
+            right=third_quarter,
+            assumptions={
+                "45°": "So says the arctangent of $y/x$: in the quotient both signs are lost.",
+                "−45°": "There $y$ is negative, too, but $x$ is positive.",
+            },
+        ),
+        explanation="Below and to the left: `arctan2(y, x)` keeps both signs. It will find every "
+        "angle of this chapter.",
+        spoilers=("keeps both signs",),
+    ),
     Prediction(
         "how-many-turns",
         "How many quarter turns about axes of the frame does it take at least from {A} to {B}?",
@@ -21,7 +68,7 @@ PREDICTIONS = (
             assumptions={
                 "one": "A quarter turn about an axis of {A} leaves that axis where it is. Here all "
                 "three have moved.",
-                "three": "Three always do, if any angles are allowed. Here fewer are enough.",
+                "three": "Three are always enough, if any angles are allowed. Here fewer are.",
             },
         ),
         explanation="You will find the two below, and after that one single turn that does it, "
@@ -30,8 +77,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "first-column",
-        "The die is turned by 90° about $y$. What is the first column, where $x$ of the die then "
-        "points? Try it with your right hand, then with the figure.",
+        "Now the die is turned by 90° about $y$ instead. What is the first column, where $x$ of "
+        "the die points then? Try it with your right hand.",
         Buttons(
             ("(0, 0, 1)", "(0, 0, −1)", "(0, 1, 0)"),
             right="(0, 0, −1)",
@@ -41,8 +88,9 @@ PREDICTIONS = (
             },
         ),
         explanation="Thumb along $y$: the fingers of the right hand curl from $z$ to $x$. So $x$ "
-        "itself goes down. With any angle, about each axis:",
+        "itself goes down. Turn the die, and see. With any angle, about each axis:",
         spoilers=("goes down",),
+        veils="columns",
     ),
     Prediction(
         "two-orders",
@@ -51,14 +99,18 @@ PREDICTIONS = (
             ("alike", "90° apart", "120° apart", "180° apart"),
             right="120° apart",
             assumptions={
-                "alike": "So it is with numbers, and with turns about one and the same axis.",
-                "90° apart": "That takes one of the turns for the same in both.",
-                "180° apart": "Press *Play* and look at the threes.",
+                "alike": "So it is with numbers, and with turns about one and the same axis. Here "
+                "the first turn takes the axis of the second one along.",
+                "90° apart": "A quarter turn about an axis of the die leaves that axis where it "
+                "is. Follow 1, 2 and 3: on the two dice none of them shows the same way.",
+                "180° apart": "A half turn that takes a die to a die leaves one of its axes on "
+                "its line. Follow 1, 2 and 3: none of their axes lies on one line in both.",
             },
         ),
         explanation="Not alike: a product of matrices depends on the order. One single turn, "
-        "by 120°, makes them alike; how to find it is told below. Press *Play*.",
+        "by 120°, makes them alike; step 7 finds such turns. Press *Play*.",
         spoilers=("depends on the order",),
+        veils="order",
     ),
     Prediction(
         "other-answer",
@@ -67,15 +119,18 @@ PREDICTIONS = (
             ("alike", "a quarter turn apart", "half a turn apart"),
             right="alike",
             assumptions={
-                "a quarter turn apart": "Move $\\beta$: how far apart they end is always the same.",
-                "half a turn apart": "There are two half turns more, and they undo each other.",
+                "a quarter turn apart": "No angle differs by a quarter turn: the outer two differ "
+                "by 180°, the middle one by 120°. What counts is all three together.",
+                "half a turn apart": "The right die makes two half turns more, the first and the "
+                "last. Between them it lies on its other side, so the last one undoes the first.",
             },
         ),
         explanation="The first half turn lays the die on its other side, $180° - \\beta$ goes on "
         "from there, the last half turn turns it back. Press *Play*. It is so for every $\\beta$: "
         "every matrix has at least two answers; textbooks take the one with a positive "
-        "$\\cos\\beta$.",
+        "$\\cos\\beta$. The other one:",
         spoilers=("two answers",),
+        veils="both-answers",
     ),
     Prediction(
         "how-many-orders",
@@ -98,7 +153,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "ring-against-ring",
-        "The middle ring stands at 90°. The outer ring is turned on by 30° and the inner ring "
+        "Let the middle ring stand at 90°. The outer ring is turned on by 30° and the inner ring "
         "back by 30°. What does the aeroplane do?",
         Buttons(
             ("it turns by 60°", "it turns by 30°", "nothing"),
@@ -109,18 +164,19 @@ PREDICTIONS = (
             },
         ),
         explanation="The pins of the outer and the inner ring lie on one line: what one turns on, "
-        "the other turns back. Try it below. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
+        "the other turns back. Try it above. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
         spoilers=("lie on one line",),
+        veils="gimbal-rings",
     ),
     Prediction(
         "near-lock",
-        "The middle ring stands at 89°, one degree from lock. The aeroplane shall turn at 1° a "
-        "second about the direction that is almost lost. How fast must the inner ring turn?",
+        "The outer ring stands at 0°, the middle one at 89°. The aeroplane shall turn at 1° a "
+        "second about $z_A$, straight up. How fast must the inner ring turn?",
         Buttons(
             ("1° a second", "2° a second", "57° a second"),
             right="57° a second",
             assumptions={
-                "1° a second": "So it is at $\\beta$ = 0°: there its axis is that direction.",
+                "1° a second": "So it is at $\\beta$ = 0°: there its axis is $z_A$.",
                 "2° a second": "So it is at $\\beta$ = 60°: there half of its rate counts.",
             },
         ),
@@ -136,8 +192,10 @@ PREDICTIONS = (
             ("through two faces", "through two edges", "through two corners"),
             right="through two corners",
             assumptions={
-                "through two faces": "Such a turn leaves one axis of the die where it is.",
-                "through two edges": "Such a turn swaps two axes. Here all three change places.",
+                "through two faces": "Such a turn leaves one axis of the die where it is. Here all "
+                "three have moved.",
+                "through two edges": "Such a turn swaps two axes, and the third stays on its line. "
+                "Here all three lie on other lines.",
             },
         ),
         explanation="$x$ goes to $-y$, $-y$ to $z$, and $z$ to $x$: three axes in a circle, round "

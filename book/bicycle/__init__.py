@@ -1,4 +1,5 @@
 """Where does a car go when its front wheels turn?"""
 
+CARD = "bicycle-card"
 LEVEL = 2
 TERMS = ("instantaneous centre of rotation|ICR", "angular velocity", "twist", "nonholonomic")

@@ -1,5 +1,6 @@
 """Which joint angles bring the hand to a point?"""
 
+CARD = "elbow-card"
 LEVEL = 2
 TERMS = (
     "forward kinematics",

@@ -1,4 +1,5 @@
 """Where does the hand see the object that a camera sees?"""
 
+CARD = "frames-card"
 LEVEL = 2
 TERMS = ("frame", "homogeneous transform", "inverse", "loop closure")

@@ -1,5 +1,6 @@
 """Where is the robot, if it only counts turns of its wheels?"""
 
+CARD = "odometry-card"
 LEVEL = 3
 TERMS = (
     "encoder",

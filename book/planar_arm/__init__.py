@@ -1,5 +1,6 @@
 """How fast must the joints turn for the hand to follow a line?"""
 
+CARD = "planar-card"
 LEVEL = 3
 TERMS = (
     "Jacobian",

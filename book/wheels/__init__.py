@@ -1,6 +1,6 @@
 """What does each wheel allow, what does it forbid?"""
 
-CARD = "wheel-laboratory"
+CARD = "wheels-card"
 LEVEL = 3
 TERMS = (
     "rolling constraint|rolling row",

@@ -16,6 +16,7 @@ from courseware.figures.javascript import Code
 from courseware.practice import rendering as practice
 from courseware.practice.bank import all_mistakes, all_topics, course_name
 from courseware.script import parts as scripts
+from courseware.site.home_page import find_picture
 from courseware.site.mistake_pictures import draw_picture
 from courseware.symbols.page import symbol_facts
 
@@ -25,7 +26,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     body = context.get("body", "") if doctree else ""
     raws = list(doctree.findall(nodes.raw)) if doctree else []
     names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
-    still = [find_figure(name) for node in raws for name in node.get("still", ())]
+    still = [find_picture(name) for node in raws for name in node.get("still", ())]
     figures = list(map(find_figure, names))
     globals_ = {
         "coursewareFigures": [Code(figure.page_code) for figure in figures],

@@ -1,6 +1,7 @@
 """Directives of the first page: a live figure, cards of chapters, the course in numbers."""
 
 import re
+from dataclasses import replace
 from html import escape
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from courseware.site.verification_page import format_power, verify_course
 
 CARD = 358  # pixels, as on a phone, for which every figure is made
 HARDEST = 3
-FILLED = 'preserveAspectRatio="xMidYMid slice"'
+ASPECT = 1.7  # of the picture on a card
 
 
 class Live(SphinxDirective):
@@ -43,7 +44,7 @@ class Chapters(SphinxDirective):
     final_argument_whitespace = True
 
     def run(self) -> list[nodes.Node]:
-        note_sources(self.env, "__init__", "figures")
+        note_sources(self.env, "__init__", "figures", "cards")
         chapters = course().chapters_of("figures", Figure)
         first = {chapter: name for name, chapter in reversed(chapters.items())}
         first |= {c: card for c in first if (card := course().card(c))}
@@ -62,8 +63,9 @@ class Chapters(SphinxDirective):
     def _card(self, chapter: str, figure: str) -> str:
         self.env.note_dependency(str(course().notebook(chapter)))
         page = self.env.app.builder.get_relative_uri(self.env.docname, f"{chapter}/{chapter}")
-        picture = re.sub("<defs>.*</defs>", "", find_figure(figure).render_svg(CARD))
-        picture = picture.replace("<svg ", f"<svg {FILLED} ", 1)
+        shown = find_picture(figure)
+        shown = replace(shown, view=widen(shown.view))
+        picture = re.sub("<defs>.*</defs>", "", shown.render_svg(CARD))
         return (
             f'<a class="site-card" href="{page}"><span aria-hidden="true">{picture}</span>'
             f"<small>{course().taught.index(chapter):02}</small>"
@@ -71,6 +73,19 @@ class Chapters(SphinxDirective):
             f"<em>{escape(course().question(chapter))}</em>"
             f"<small>{render_effort(chapter)}</small></a>"
         )
+
+
+def find_picture(name: str) -> Figure:
+    """Return a picture for this page alone, from a `cards.py`, or else a chapter's figure."""
+    return course().find_all("cards", Figure).get(name) or find_figure(name)
+
+
+def widen(view: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    """Return the window on the world that shows all of this one, and is as wide as a card's."""
+    left, right, low, high = view
+    wide, tall = right - left, high - low
+    across, up = max(0, ASPECT * tall - wide) / 2, max(0, wide / ASPECT - tall) / 2
+    return left - across, right + across, low - up, high + up
 
 
 def render_effort(chapter: str) -> str:

@@ -43,6 +43,15 @@ def test_the_menu_opens_on_a_laptop(server, chromium):
         assert menu.get_by_role("link", name="Bicycle model").is_visible()
 
 
+def test_the_pictures_of_the_cards_are_whole_and_of_one_shape(site):
+    """Wide enough for all that they show, and without a number that could not be computed."""
+    text = (site / "index.html").read_text("utf-8")
+    cards = re.findall(r'<a class="site-card".*?</a>', text, re.DOTALL)
+    shapes = [re.search(r'viewBox="0 0 (\S+) (\S+)"', card).groups() for card in cards]
+    assert len(set(shapes)) == 1
+    assert not re.search("NaN|undefined|Infinity", "".join(cards))
+
+
 def test_each_chapter_has_a_card_with_its_time(site):
     text = (site / "index.html").read_text("utf-8")
     cards = dict(re.findall(r'site-card" href="(\w+)/.*?(\d+) min', text, re.DOTALL))

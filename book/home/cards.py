@@ -258,3 +258,20 @@ CARDS = (
     odometry_card(),
     planar_card(),
 )
+POINTER = polygon(
+    ((0, 0), (0, -17), (4, -13.5), (6.8, -19.5), (9.5, -18.3), (6.8, -12.4), (12, -12))
+)
+ROBOTS = (
+    things.robot((0.08, 0.08, pi / 2)),
+    things.pad((0.23, 0.08, 0)),
+    things.robot((0.38, 0.08, pi / 3), look="wrong"),
+)
+ARROWS = (
+    Arrow("right", (30, 8), (116, 8)),
+    Arrow("left", (30, 8), (84, 36)),
+    Thing((84, 36, 0), (Outline(POINTER, "shell", "edge"),), 1.5),
+)
+PROOFS = (
+    Figure("robots", "A robot, a charger, a wrong robot", (0, 0.46, 0, 0.16), ROBOTS, grid=False),
+    Figure("pointer", "A pointer at the tip of an arrow", (0, 132, 0, 46), ARROWS, grid=False),
+)

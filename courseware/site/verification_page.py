@@ -30,13 +30,14 @@ class FormulaChecks(SphinxDirective):
 
 @dataclass(frozen=True)
 class Verification:
-    """The entries of the page, the count of formulas, the least number of points, and the largest
-    difference."""
+    """The entries of the page, the count of formulas, the least number of points, the largest
+    difference, and the share of its tolerance that each formula takes."""
 
     entries: list[str]
     formulas: int
     samples: int
     largest: float
+    shares: list[float]
 
 
 def verify_course(folder: Path) -> Verification:
@@ -68,6 +69,7 @@ def _verify() -> Verification:
         len(results),
         min(result.samples for result in results.values()),
         max(result.difference for result in results.values()),
+        [result.difference / result.check.tolerance for result in results.values()],
     )
 
 

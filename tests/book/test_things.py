@@ -223,6 +223,8 @@ MESHES = {
     "parcel": things_space.parcel(),
     "ball": things_space.ball(),
     "stand": things_space.stand(0.2),
+    "aeroplane": things_space.aeroplane(),
+    "slab": things_space.slab(0, 1),
 }
 
 

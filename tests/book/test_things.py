@@ -33,6 +33,7 @@ MOVING = {
     "counter": lambda **k: things.counter(pose),
     "robot": lambda **k: things.robot(pose, (x, -x), **k),
     "pad": lambda **k: things.pad(pose),
+    "pad_lights": lambda **k: things.pad_lights(pose),
     "vacuum": lambda **k: things.vacuum(pose, (x, x), spin=x, **k),
     "dock": lambda **k: things.dock(pose),
     "omni_robot": lambda **k: things.omni_robot(pose, (x, x, x), beta=x, **k),

@@ -785,7 +785,7 @@ def drive_figure() -> Figure:
         view=(-0.42, 0.38, -0.2, 0.28),
         ground="tiles",
         controls=(
-            *speed_sliders(SPEEDS[v_L], SPEEDS[v_R], most=0.12),
+            *speed_sliders(SPEEDS[v_L], SPEEDS[v_R], most=0.12, least=-0.12),
             Clock(t, 0.0, 12.0, start=2.0, label="time"),
         ),
         where=RADIUS_TOO,

@@ -39,7 +39,7 @@ def opened(chromium, server, home):
 def place_wrongly(page, **places):
     """Place the ghost somewhere, and return what is said of it; the question stays open."""
     place_ghost(page, **places)
-    page.get_by_role("button", name="Here", exact=True).click()
+    page.locator(f"#{GHOST} form button", has_text="Here").click()
     assert not fold(page, GHOST).is_visible()
     return said(page, GHOST).inner_text()
 
@@ -47,7 +47,7 @@ def place_wrongly(page, **places):
 def give_up(page, name=GHOST):
     """Press what shows the answer; a ghost is placed three times before, where it starts."""
     for _ in range(3 if name == GHOST else 0):
-        page.get_by_role("button", name="Here", exact=True).click()
+        page.locator(f"#{GHOST} form button", has_text="Here").click()
     page.locator(f"#{name} .rk-skip").focus()
     page.keyboard.press("Enter")
 
@@ -192,7 +192,7 @@ def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
 
 def test_a_ghost_in_the_right_place_is_right(page):
     place_ghost(page, guess_x=THERE[0] + 0.01, guess_y=THERE[1])
-    page.get_by_role("button", name="Here", exact=True).click()
+    page.locator(f"#{GHOST} form button", has_text="Here").click()
     fold(page, GHOST).wait_for()
     assert said(page, GHOST).inner_text().startswith("✓")
 

@@ -12,7 +12,7 @@ FIRST = {
     "atan2": "elbow_arm/elbow_arm#second-way-a-cosine-the-rest-with-atan2",
     "M1": "elbow_arm/elbow_arm#M1",
     "workspace": "glossary#term-workspace-reachable-workspace",
-    "gimbal lock": "euler/euler",
+    "gimbal lock": "glossary#term-gimbal-lock",
     "M8": "euler/euler#M8",
     "euler-3": "euler/euler#euler-3",
     "quaternion": "euler/euler",

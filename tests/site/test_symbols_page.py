@@ -191,6 +191,7 @@ def test_a_number_in_a_sentence_follows_the_hand_in_its_own_room(page):
     slot = page.locator(f"{STEP} p .rk-slot")
     slider = page.locator(f'{STEP} .rk-control[data-symbol="{KEY}"] input')
     speed = page.locator(f'{STEP} .rk-readouts [data-symbol="motion.v"] dd')
+    page.locator(f'{STEP} .rk-control[data-symbol="differential_drive.v_R"] input').press("Home")
     rooms = set()
     for key in ("End", "Home"):
         before = slider.get_attribute("aria-valuetext")

@@ -253,6 +253,12 @@ def random_state(figure, random):
     return state
 
 
+def random_states(figure, count, seed):
+    """Return random states, as JSON knows them."""
+    random = np.random.default_rng(seed)
+    return json.loads(json.dumps([random_state(figure, random) for _ in range(count)]))
+
+
 def kind_of(figure, shape):
     """Return the name of a shape's look; a thing has materials instead."""
     if isinstance(shape, Thing):

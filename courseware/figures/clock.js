@@ -17,6 +17,11 @@ export const pauseClock = (live) => {
   live.all(".rk-play").forEach((button) => nameButton(button, "Play", live.figure));
 };
 
+const startTicking = (live, tick) => {
+  live.tick = requestAnimationFrame(tick);
+  live.all(".rk-play").forEach((button) => nameButton(button, "Pause", live.figure));
+};
+
 const REST_SECONDS = 0.8; // at the end, before it starts again
 const ROUNDS = 2; // of what starts by itself; a press plays it again
 
@@ -32,8 +37,7 @@ const playClock = (live, i, from) => {
     if (rests || (time >= control.high && !control.loops)) pauseClock(live);
     else live.tick = requestAnimationFrame(tick);
   };
-  live.tick = requestAnimationFrame(tick);
-  live.all(".rk-play").forEach((button) => nameButton(button, "Pause", live.figure));
+  startTicking(live, tick);
 };
 
 const LONGEST = 0.1; // s, of a step of a simulation, however late a frame comes
@@ -48,8 +52,7 @@ const playSimulation = (live, i) => {
     live.setOne(i, step(functions, live.computed.c, [gone]));
     live.tick = requestAnimationFrame(tick);
   };
-  live.tick = requestAnimationFrame(tick);
-  live.all(".rk-play").forEach((button) => nameButton(button, "Pause", live.figure));
+  startTicking(live, tick);
 };
 
 // A hand on a control stops the clock; one that loops only if it is on the clock itself. A
@@ -98,8 +101,13 @@ export const followClock = (live) => live.all(".rk-play").forEach((button) => {
   });
 });
 
-// Show parts from 0 to 1, in a time in ms; it ends if a control is set anew meanwhile.
-const animate = (live, time, show, isOurs) => {
+// Draw parts from 0 to 1, in a time in ms; it ends if a control is set anew meanwhile. Goals on the
+// way are not reached.
+const animate = (live, time, draw, isOurs) => {
+  const show = (part) => {
+    live.passing = part < 1;
+    draw(part);
+  };
   cancelAnimationFrame(live.turning);
   if (prefersReducedMotion()) return show(1);
   const began = performance.now();
@@ -123,13 +131,11 @@ export const followTurns = (live) => live.all("[data-press]").forEach((button) =
 export const followButtons = (live) => live.all(".rk-move").forEach((button, k) => {
   const { sets, to } = live.figure.buttons[k];
   button.addEventListener("click", () => {
-    pauseClock(live);
-    live.resumeClock = null;
+    sets.forEach((i) => stopClock(live, i));
     live.settled();
     const from = live.state, ends = to(functions, live.computed.c);
     let shown = from;
-    const show = (part) => {
-      live.passing = part < 1; // goals on the way are not reached
+    const draw = (part) => {
       const moved = 3 * part ** 2 - 2 * part ** 3;
       shown = live.state.slice();
       sets.forEach((i, n) => {
@@ -138,6 +144,6 @@ export const followButtons = (live) => live.all(".rk-move").forEach((button, k) 
       });
       live.set(shown);
     };
-    animate(live, 900, show, () => sets.every((i) => live.state[i] === shown[i]));
+    animate(live, 900, draw, () => sets.every((i) => live.state[i] === shown[i]));
   });
 });

@@ -4,12 +4,9 @@ Of every figure of the course at 10 settings as wide as on a page and at 10 othe
 at 200 in the long run.
 """
 
-import json
-
-import numpy as np
 import pytest
 from declared import FIGURES, each
-from figure_numbers import random_state
+from figure_numbers import random_states
 from figure_page import alone_together
 
 from courseware.figures import Figure
@@ -63,9 +60,8 @@ ANEW = """([name, states]) => {
 def test_a_picture_that_changes_is_the_one_that_is_drawn_anew(figure, alive):
     """Only what has changed is touched; nothing of former settings stays."""
     page, _ = alive
-    random = np.random.default_rng(len(figure.name))
-    states = [random_state(figure, random) for _ in range(10)]
-    assert page.evaluate(ANEW, [figure.name, json.loads(json.dumps(states))]) == []
+    states = random_states(figure, 10, len(figure.name))
+    assert page.evaluate(ANEW, [figure.name, states]) == []
 
 
 @pytest.mark.browser
@@ -73,7 +69,6 @@ def test_a_picture_that_changes_is_the_one_that_is_drawn_anew(figure, alive):
 @each("figure", "figures", Figure)
 def test_no_text_lies_on_another_or_outside(figure, count, alive):
     page, watch = alive
-    random = np.random.default_rng([page.viewport_size["width"], len(figure.name)])
-    states = [random_state(figure, random) for _ in range(count)]
-    faults = page.evaluate(FAULTS, [figure.name, json.loads(json.dumps(states))])
+    states = random_states(figure, count, [page.viewport_size["width"], len(figure.name)])
+    faults = page.evaluate(FAULTS, [figure.name, states])
     assert not faults + watch.errors

@@ -1,12 +1,10 @@
 """A figure of each kind, looked at and moved: what no chapter's figure needs yet."""
 
-import json
-
 import numpy as np
 import pytest
 from browser import ROOT
 from declared import FIGURES
-from figure_numbers import random_state
+from figure_numbers import random_states
 from figure_page import alone_together
 from six_figures import BUILDS, DRIVES, SIX
 from test_labels import FAULTS
@@ -31,12 +29,6 @@ SET = """(states) => Object.entries(states).forEach(([name, state]) => {
 })"""
 
 
-def settings_of(figure, count=5):
-    """Return random states of a figure, as JSON knows them."""
-    random = np.random.default_rng(len(figure.name))
-    return json.loads(json.dumps([random_state(figure, random) for _ in range(count)]))
-
-
 @pytest.fixture(scope="module", params=[1280, 390])
 def alive(request, chromium):
     """All six on a page of that width."""
@@ -47,7 +39,10 @@ def alive(request, chromium):
 @pytest.mark.parametrize("figure", SIX, ids=lambda figure: figure.name)
 def test_no_text_lies_on_another_or_outside_in_any_kind(figure, alive):
     page, watch = alive
-    assert not page.evaluate(FAULTS, [figure.name, settings_of(figure)]) + watch.errors
+    assert (
+        not page.evaluate(FAULTS, [figure.name, random_states(figure, 5, len(figure.name))])
+        + watch.errors
+    )
 
 
 def test_a_simulation_goes_on_from_where_it_is_and_rests_out_of_sight(chromium):
@@ -64,6 +59,7 @@ def test_a_simulation_goes_on_from_where_it_is_and_rests_out_of_sight(chromium):
             "([root]) => root.courseware.state[1] === root.courseware.state[2]",
             arg=[root.element_handle()],
         )
+        assert root.locator(".rk-play").text_content() == "Pause"
         page.evaluate("() => scrollTo(0, 2500)")
         page.wait_for_function("() => !document.getElementById('drives').courseware.tick")
         x, y, _, left, right = root.evaluate(where)
@@ -116,7 +112,7 @@ def test_contact_sheets(mode, alive):
     theme = "(dark) => { document.documentElement.dataset.theme = dark ? 'dark' : 'light'; }"
     page.evaluate(theme, mode == "dark")
     SHEETS.mkdir(parents=True, exist_ok=True)
-    states = {figure.name: settings_of(figure) for figure in SIX}
+    states = {figure.name: random_states(figure, 5, len(figure.name)) for figure in SIX}
     for k in range(6):
         if k:
             page.evaluate(SET, {name: each[k - 1] for name, each in states.items()})

@@ -103,17 +103,20 @@ class Course:
         """Return the first heading of a chapter's notebook."""
         return _read_heading(self.notebook(chapter))
 
+    def _package_of(self, chapter: str) -> ModuleType:
+        return import_module(f"{self.package}.{chapter}")
+
     def question(self, chapter: str) -> str:
         """Return the question that a chapter answers: the docstring of its package."""
-        return (import_module(f"{self.package}.{chapter}").__doc__ or "").strip()
+        return (self._package_of(chapter).__doc__ or "").strip()
 
     def card(self, chapter: str) -> str:
         """Return the figure on a chapter's card, if it says another than its first: `CARD`."""
-        return str(getattr(import_module(f"{self.package}.{chapter}"), "CARD", ""))
+        return str(getattr(self._package_of(chapter), "CARD", ""))
 
     def level(self, chapter: str) -> int:
         """Return how hard a chapter is, 1 to 3: `LEVEL` of its package; 0 if that says nothing."""
-        return int(getattr(import_module(f"{self.package}.{chapter}"), "LEVEL", 0))
+        return int(getattr(self._package_of(chapter), "LEVEL", 0))
 
     def minutes(self, chapter: str) -> str:
         """Return how long a chapter takes, as its notebook says it: "Time: about 60 minutes"."""

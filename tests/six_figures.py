@@ -6,9 +6,10 @@ import sympy as sp
 from book import things, things_space
 from book.differential_drive import formulas as drive
 from book.differential_drive.formulas import b, v_L, v_R
+from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, v, x, y
-from courseware.equations import quantity, substitute
+from courseware.equations import quantity
 from courseware.figures import (
     POINTER,
     TIME_STEP,
@@ -42,10 +43,7 @@ WIDE = 0.1  # m, between the wheels
 here = sp.symbols("here_x here_y heading", real=True)
 pose = dict(zip((x, y, theta), here, strict=True))
 rolled = sp.symbols("rolled_L rolled_R", real=True)
-left, right = (
-    (here[0] - side * WIDE / 2 * sp.sin(here[2]), here[1] + side * WIDE / 2 * sp.cos(here[2]))
-    for side in (1, -1)
-)
+left, right = (point_of(here, 0, side * WIDE / 2) for side in (1, -1))
 ROAD = Scene(
     layers={
         "tracks": (Ink("left", left), Ink("right", right)),
@@ -228,14 +226,14 @@ CLOUD = Figure(
 step = quantity("step", "s", 0.01, 10, "the step")
 s = sp.Symbol("s", positive=True)
 AXES = Graph((-0.12, 0.34, -0.1, 0.2), (0.01, 10), (1e-4, 1), ("step in s", "error in m"))
-error = substitute(0.1 * step**2 / (1 + step**2), {})
+error = 0.1 * step**2 / (1 + step**2)
 GRAPH = Figure(
     "error-of-a-step",
     "How the error of a step grows with the step",
     (-0.26, 0.4, -0.22, 0.28),
     (
         *AXES.shapes(),
-        Curve("middle_heading", AXES.place((s, 0.1 * s**2 / (1 + s**2))), s, 0.01, 10),
+        Curve("middle_heading", AXES.place((s, error.subs(step, s))), s, 0.01, 10),
         Point("error", AXES.place((step, error))),
         Arrow("velocity", (-0.2, 0), (-0.2, 0.1 * step / (1 + step))),
         Label("text", (-0.2, -0.06), "step"),

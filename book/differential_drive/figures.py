@@ -524,15 +524,14 @@ def guess_figure() -> Figure:
 
 def spokes_figure() -> Figure:
     """Draw the two arrows from the ICR to the robot, before and after the step."""
-    centre = (-TWIST[v] / TWIST[omega], 0)
-    end, turn = drive_for(dt), TWIST[omega] * dt
+    centre, end, turn = (-R, 0), drive_for(dt), omega * dt
     return Figure(
         name="spokes",
         title="From the ICR two arrows go to the robot, one before and one after the step",
         view=(-0.24, 0.13, -0.09, 0.2),
         ground="tiles",
         controls=(Slider(dt, 0.0, 3.0, start=2.0, step=0.1),),
-        where=(*SPEEDS.items(), *VELOCITY),
+        where=(*SPEEDS.items(), *RADIUS_TOO),
         scene=(
             Area("icr", (centre, ORIGIN, end)),
             robot(START, look="ghost"),
@@ -554,8 +553,8 @@ def arc_figure() -> Figure:
     time = sqrt(POINTER[0] ** 2 + POINTER[1] ** 2) / (v * sinc(half))
     still = {v_L: v - omega * DISTANCE / 2, v_R: v + omega * DISTANCE / 2}
     middle = (x_next / 2, y_next / 2)
+    turned = omega * dt / 2
     halfway = motion.arc_step.right.subs({dt: dt / 2, x: 0, y: 0, theta: pi / 2})
-    base = Piecewise((0, omega > 0), (pi, True))  # from the ICR to the start
     return Figure(
         name="arc",
         title="A step along an arc: the chord from the old place to the new, the middle heading",
@@ -577,11 +576,11 @@ def arc_figure() -> Figure:
             robot(START, look="ghost"),
             Line("ghost", (ORIGIN, (0, 0.3))),
             way("path", 0, dt),
-            *when(Abs(omega * dt) > 0.2, AngleArc(drive.u, ORIGIN, pi / 2, theta_m, 0.09)),
-            *when(Ne(omega, 0), AngleArc(drive.u, (-R, 0), base, base + omega * dt / 2, 0.07)),
+            *when(Abs(turned) > 0.1, AngleArc(drive.u, ORIGIN, pi / 2, theta_m, 0.09)),
             *when(
                 Ne(omega, 0),
-                AngleArc(drive.u, (-R, 0), base + omega * dt / 2, base + omega * dt, 0.06),
+                AngleArc(drive.u, (-R, 0), towards, towards + turned, 0.07),
+                AngleArc(drive.u, (-R, 0), towards + turned, towards + 2 * turned, 0.06),
             ),
             robot(end, look="ghost"),
             Arrow("middle_heading", ORIGIN, end, "c"),
@@ -883,7 +882,7 @@ def recap_figure() -> Figure:
 def letters_figure() -> Figure:
     """Draw the robot with two letters that are to be put back."""
     middle = atan2(ARROW * TWIST[omega], 1) / 2
-    places = ((-TWIST[v] / TWIST[omega] / 2, -0.06), (-0.075, 0.075 * sin(middle)))
+    places = ((-R / 2, -0.06), (-R / 2, R / 2 * sin(middle)))
     options = {name: (number,) for number, name in enumerate(("?", "θ", "ω", "c", "R"))}
     names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
     right = (options["R"][0], options["ω"][0])

@@ -18,7 +18,7 @@ from book.differential_drive.figures import (
 )
 from book.differential_drive.formulas import b, r, v_L, v_R
 from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
-from courseware.predictions import Buttons, Ghost, Number, Prediction
+from courseware.predictions import Buttons, Ghost, Number, Prediction, nearest_option
 from robokin import motion
 
 EXERCISE = {**SPEEDS, b: DISTANCE}
@@ -47,23 +47,13 @@ def error(steps):
 def halved():
     """Say what becomes of that error with twice as many steps."""
     ratio = error(120) / error(60)
-    return min(
-        ("the same", 1),
-        ("half as far", 1 / 2),
-        ("a quarter as far", 1 / 4),
-        key=lambda o: abs(o[1] - ratio),
-    )[0]
+    return nearest_option({"the same": 1, "half as far": 1 / 2, "a quarter as far": 1 / 4}, ratio)
 
 
 def seen_from_robot():
     """Say where a thing ahead along x is for a robot that looks along y."""
-    ahead, left = motion.to_body(np.pi / 2, [1, 0, 0])[:2]
-    return min(
-        ("straight ahead of it", (1, 0)),
-        ("at its left", (0, 1)),
-        ("at its right", (0, -1)),
-        key=lambda o: np.hypot(o[1][0] - ahead, o[1][1] - left),
-    )[0]
+    options = {"straight ahead of it": (1, 0), "at its left": (0, 1), "at its right": (0, -1)}
+    return nearest_option(options, motion.to_body(np.pi / 2, [1, 0, 0])[:2])
 
 
 PREDICTIONS = (

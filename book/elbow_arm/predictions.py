@@ -5,7 +5,7 @@ from mpmath import acos, mpf, workdps
 from sympy import pi
 
 from book.elbow_arm.figures import SHOULDER, UPPER
-from courseware.predictions import Buttons, Number, Prediction
+from courseware.predictions import Buttons, Number, Prediction, nearest_option
 from robokin import elbow_arm
 
 FOREARM = 0.3  # m
@@ -31,12 +31,8 @@ def reach(bent: float) -> float:
 def turned_round() -> str:
     """Return the change of the elbow's angle when the base turns away and the elbow stays."""
     facing, away = answers(TARGET)[[0, 2], 2]
-    return min(
-        ("no change", facing),
-        ("the other sign", -facing),
-        ("180° minus it", np.pi - facing),
-        key=lambda option: abs(option[1] - away),
-    )[0]
+    options = {"no change": facing, "the other sign": -facing, "180° minus it": np.pi - facing}
+    return nearest_option(options, away)
 
 
 def digits() -> str:

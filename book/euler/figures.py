@@ -27,6 +27,7 @@ from book.euler import formulas as euler
 from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
+from book.outlines import disc
 from courseware.equations import Where, quantity, substitute
 from courseware.figures import (
     VIEW,
@@ -462,11 +463,6 @@ ANGLE = 2 * pi / 3
 BALL, LIFTED = 1.1, 0.2  # m: the radius of the ball, half a turn; how high its middle is
 
 
-def circle_path(x: float, y: float, r: float) -> str:
-    """Return the path of a circle."""
-    return f"M{x - r} {y}a{r} {r} 0 1 0 {2 * r} 0a{r} {r} 0 1 0 {-2 * r} 0z"
-
-
 def one_turn_figure() -> Figure:
     """Draw the way from A to B by one turn and by two, as a die and in the ball of all turns."""
 
@@ -496,8 +492,8 @@ def one_turn_figure() -> Figure:
     spoke = AXIS * 2 / 3  # of half a turn
     circles = ((cos(s), sin(s), 0), (0, cos(s), sin(s)), (sin(s), 0, cos(s)))
     here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
-    glass = Outline(circle_path(0, 0, BALL), "bubble", "glass_lit")
-    light = Outline(circle_path(-0.45, 0.5, 0.32), "sheen", opacity=0.6)
+    glass = Outline(disc(BALL), "bubble", "glass_lit")
+    light = Outline(disc(0.32, -0.45, 0.5), "sheen", opacity=0.6)
     stand = replace(solids.cylinder("metal_mid", (0.5, 0.32), (-0.95, -0.86), n=24), edge="edge")
     seen = VIEW.project(middle_of)
     return Figure(

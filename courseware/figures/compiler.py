@@ -98,7 +98,6 @@ class Compiler:
         """Return the object that the script draws; the readouts' numbers come first."""
         figure = self.figure
         turned_by = f"dragging the ground of {figure.name}"
-        goals = (figure.goal,) if isinstance(figure.goal, Goal) else figure.goal
         return {
             "name": figure.name,
             "title": figure.title,
@@ -113,7 +112,7 @@ class Compiler:
             "ground": _refuse_unknown_ground(figure.ground),
             "handles": list(map(self.compile_handle, figure.handles)),
             "buttons": list(map(self.compile_button, figure.buttons)),
-            "goals": list(map(self.compile_goal, goals)),
+            "goals": list(map(self.compile_goal, figure.goals)),
             "follow": self.add(*coordinates(figure.follow)) or None,
             "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
             "steps": self.list_quantities(),

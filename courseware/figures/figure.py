@@ -123,6 +123,11 @@ class Figure:
             )
 
     @property
+    def goals(self) -> tuple[Goal, ...]:
+        """Its goals, none, one or several."""
+        return (self.goal,) if isinstance(self.goal, Goal) else self.goal
+
+    @property
     def view_angles(self) -> tuple[sp.Symbol, ...]:
         """The angles that dragging the ground changes, of a picture in space."""
         deep = (isinstance(s, Solid) or getattr(s, "depth", None) is not None for s in self.scene)

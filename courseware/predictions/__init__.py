@@ -3,7 +3,13 @@
 `Prediction` says how one is declared and shown.
 """
 
-from courseware.predictions.declaration import Buttons, Ghost, Number, Prediction
+from courseware.predictions.declaration import (
+    Buttons,
+    Ghost,
+    Number,
+    Prediction,
+    nearest_option,
+)
 from courseware.predictions.notebook import ask
 from courseware.script.parts import Part, register
 
@@ -16,4 +22,4 @@ register(
     )
 )
 
-__all__ = ["Buttons", "Ghost", "Number", "Prediction", "ask"]
+__all__ = ["Buttons", "Ghost", "Number", "Prediction", "ask", "nearest_option"]

@@ -31,7 +31,7 @@ class Buttons:
 
     Args:
         options: the words on the buttons.
-        right: one of them, or a function that finds it.
+        right: one of them, or a function that finds it, as with `nearest_option`.
         assumptions: option → the assumption of somebody who chooses it, in a sentence.
     """
 
@@ -61,6 +61,11 @@ class Buttons:
             "right": self.options.index(self.format_answer()),
             "wrong": [self.options.index(option) for option in self.assumptions],
         }
+
+
+def nearest_option(options: Mapping[str, Any], value: Any) -> str:
+    """Return the option whose number, or row of numbers, is nearest to a computed one."""
+    return min(options, key=lambda o: float(np.linalg.norm(np.subtract(options[o], value))))
 
 
 class _Numbers:

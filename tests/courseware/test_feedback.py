@@ -125,7 +125,7 @@ def test_a_ghost_is_right_within_a_distance_and_round_the_circle():
 
 @each("figure", "figures", Figure, only=lambda figure: figure.goal)
 def test_a_goal_is_just_reached_and_just_missed(figure):
-    goals = figure.goal if isinstance(figure.goal, tuple) else (figure.goal,)
+    goals = figure.goals
     home = course().chapters_of("figures", Figure)[figure.name]
     tries = GOALS.get(figure.name, ())
     assert len(tries) == len(goals), (

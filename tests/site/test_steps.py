@@ -179,9 +179,9 @@ def test_a_goal_is_not_reached_by_passing_over_it(alone):
 
 @each("figure", "figures", Figure)
 def test_a_goal_is_not_reached_at_the_start(figure):
-    goals = figure.goal if isinstance(figure.goal, tuple) else (figure.goal,)
     places = [
-        figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True))) for goal in goals
+        figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True)))
+        for goal in figure.goals
     ]
     start = figure.compute([point(figure, {})])[0, places]
     assert not start.any(), f"{figure.name}: start its controls elsewhere, or set another goal"
@@ -280,7 +280,7 @@ def figures_of(chapter):
 def test_a_chapter_has_enough_to_do(chapter):
     figures = figures_of(chapter)
     live = [figure for figure in figures if figure.controls]
-    goals = [goal for f in live for goal in (f.goal if isinstance(f.goal, tuple) else (f.goal,))]
+    goals = [goal for figure in live for goal in figure.goals]
     asked = course().module(chapter, "predictions").PREDICTIONS
     assert len(live) >= 13
     assert 8 <= len(asked) <= 10

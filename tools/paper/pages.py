@@ -41,8 +41,9 @@ def read_pages(browser, solutions, **options):
     for part in tab.evaluate("(html) => contents(html)", first):
         parts |= dict.fromkeys(part["addresses"], part["caption"])
     given = [{"address": each, "html": (SITE / each).read_text("utf-8")} for each in parts]
-    figures = course().find_all("figures", Figure)
-    frames = {name: figure.render_frames() for name, figure in figures.items()}
+    figures = course().find_all("figures", Figure).values()
+    moving = (f for f in figures if any(getattr(c, "loops", False) for c in f.controls))
+    frames = {figure.name: figure.render_frames() for figure in moving}
     made = tab.evaluate("(all) => paper(...all)", [given, solutions, frames, options])
     tab.close()
     return [Page(part=part, **page) for part, page in zip(parts.values(), made, strict=True)]

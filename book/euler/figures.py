@@ -202,7 +202,7 @@ def exercise_figure() -> Figure:
         name="two-frames",
         ground="wall",
         title="Frame A on the left; frame B on the right, turned another way",
-        view=(-2.3, 2.3, -1.6, 1.5),
+        view=(-2.4, 2.5, -1.6, 1.5),
         scene=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
         sentence="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
     )
@@ -238,7 +238,7 @@ def order_figure() -> Figure:
         name="order",
         ground="wall",
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
-        view=(-2.3, 2.3, -1.6, 1.5),
+        view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
@@ -258,7 +258,7 @@ def readings_figure() -> Figure:
     return Figure(
         name="two-readings",
         title="Two dice: one turned about its own axes, one about the axes of the room",
-        view=(-2.3, 2.3, -1.8, 1.5),
+        view=(-2.4, 2.5, -1.8, 1.5),
         ground="wall",
         controls=(
             Slider.degrees(first, start=60, step=15, label="α, about z", kind="z_axis"),
@@ -349,7 +349,7 @@ def both_figure() -> Figure:
         name="both-answers",
         ground="wall",
         title="Two dice turned about x, y and z by different angles",
-        view=(-2.3, 2.3, -1.6, 1.5),
+        view=(-2.4, 2.5, -1.6, 1.5),
         controls=(
             Slider.degrees(middle, start=30, step=15, kind="y_axis"),
             Clock(made, 0.0, 3.0, label="turns made", rate=0.75),
@@ -616,7 +616,7 @@ def mistakes_figure() -> Figure:
         name="wrong-frames",
         ground="wall",
         title="Frame B, and beside it in red the frame that a mistake makes of it",
-        view=(-2.3, 2.3, -1.6, 1.5),
+        view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Choice("mistake", "mistake", WRONG, options),),
         scene=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),

@@ -31,11 +31,15 @@ const renderButton = (kind, words, title, data = "") =>
 const renderStep = (control, i, sign, words) => `<button type="button" class="rk-step" tabindex="-1" `
   + `data-i="${i}" data-sign="${sign}1" aria-label="${words}: ${escapeHtml(control.label)}">${sign === "-" ? "−" : "+"}</button>`;
 
+// The room of the widest of some texts: a name beside them must not wrap while a slider moves.
+const keepRoom = (texts) => ` data-widest="${escapeHtml(texts.reduce((one, other) => (other.length > one.length ? other : one)))}"`;
+
 const renderSlider = (control, i, { title, values }) => {
   const play = control.type === "clock" ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
   const shown = formatControl(control, control.start);
+  const room = keepRoom([control.low, control.high].map((end) => formatControl(control, end)));
   return `<div class="rk-control"${hidden(control, values)}${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
-    + `<span class="rk-value" data-o="${i}" aria-hidden="true">${shown}</span>`
+    + `<span class="rk-value" data-o="${i}"${room} aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label>${renderStep(control, i, "+", "More")}</div>`;
 };
@@ -43,8 +47,12 @@ const renderSlider = (control, i, { title, values }) => {
 const renderSimulation = ({ key }, i, { title }) =>
   `<div class="rk-control">${renderButton("play", "Play", title, ` data-i="${i}"`)}<span class="rk-name">${escapeHtml(key)}</span></div>`;
 
-const renderReadout = (readout, value) =>
-  `<div${renderAttributes(symbolData(readout))}><dt>${renderName(readout)}</dt><dd>${escapeHtml(formatReadout(readout, value))}</dd></div>`;
+// A number may get a sign, or a word in its place.
+const renderReadout = (readout, value) => {
+  const shown = formatReadout(readout, value), signed = `−${shown.replace("−", "")}`;
+  return `<div${renderAttributes(symbolData(readout))}><dt>${renderName(readout)}</dt>`
+    + `<dd${keepRoom([signed, ...Object.values(readout.words)])}>${escapeHtml(shown)}</dd></div>`;
+};
 
 const renderGoal = ({ words }) => `<p class="rk-goal">${renderSymbols(words)} <output></output></p>`;
 

@@ -132,6 +132,26 @@ def touch_handles(finger, live):
         moves(finger, live, x, y, right=right, down=down)
 
 
+def test_two_fingers_make_a_picture_in_space_larger(server, chromium):
+    """And the view stays as it is."""
+    options = {"width": 390, "has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
+    name = next(name for name in HOMES if FIGURES[name].view_angles)
+    with watched_page(chromium, server, **options) as (page, _):
+        page.goto(f"{server}{HOMES[name]}/{HOMES[name]}.html")
+        page.evaluate("() => document.fonts.ready")
+        live = OnPage(page, FIGURES[name]).come_alive()
+        x, y = free(live)
+        x, before = 195, live.state()
+        finger, now = Finger(page), time.time()
+        for step in range(8):
+            near = 20 + 15 * step
+            kind = "touchMove" if step else "touchStart"
+            finger.send(kind, now + step / 50, (x - near, y), (x + near, y))
+        finger.send("touchEnd", now + 1)
+        page.wait_for_function("() => visualViewport.scale > 1.2")
+        assert live.state() == before
+
+
 @pytest.mark.parametrize(
     ("name", "figures"),
     [

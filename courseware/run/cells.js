@@ -16,6 +16,15 @@ const consent = (value) => {
   } catch { return null; } // no storage: asked on each page
 };
 
+// Changed code stays in the browser; run_buttons.js offers it again while its cell is the same.
+const CHANGES_KEY = `courseware-cells ${location.pathname}`;
+const keepChange = (k, change) => {
+  try {
+    const kept = JSON.parse(localStorage.getItem(CHANGES_KEY)) ?? {};
+    localStorage.setItem(CHANGES_KEY, JSON.stringify({ ...kept, [k]: change }));
+  } catch { /* refused or full */ }
+};
+
 class Cell {
   constructor(bar, k) {
     Object.assign(this, { bar, k, input: bar.parentElement, ran: null, fresh: null });
@@ -26,6 +35,7 @@ class Cell {
     this.code.append(...box.childNodes);
     box.append(this.code);
     this.first = this.code.innerHTML;
+    this.original = this.code.textContent;
     this.outputs = this.input.closest(".cell").querySelectorAll(".cell_output, .below-input");
     this.button.insertAdjacentHTML("afterend", `<button type="button" hidden>Reset</button>`);
     this.reset = this.button.nextSibling;
@@ -39,19 +49,27 @@ class Cell {
   say(text) { this.status.textContent = text; }
 
   makeEditable() {
-    this.code.contentEditable = "plaintext-only";
-    if (this.code.contentEditable !== "plaintext-only") this.code.contentEditable = "true";
+    try { this.code.contentEditable = "plaintext-only"; } catch { this.code.contentEditable = "true"; } // old Firefox
     Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox",
       ariaMultiLine: "true", ariaLabel: `Code of cell ${this.k + 1}` });
-    this.code.addEventListener("input", () => {
-      this.reset.hidden = false;
-      this.code.classList.add("rk-changed");
-    });
+    this.code.addEventListener("input", () => this.noteChange());
     this.code.addEventListener("keydown", (event) => {
       if (event.key !== "Enter" || !(event.shiftKey || event.ctrlKey)) return;
       event.preventDefault();
       if (!this.button.disabled && running === null) runThrough(this.k);
     });
+  }
+
+  noteChange() {
+    this.reset.hidden = false;
+    this.code.classList.add("rk-changed");
+    keepChange(this.k, { first: this.original, text: this.text });
+  }
+
+  bringBack(text) {
+    this.code.textContent = text;
+    this.noteChange();
+    this.button.focus();
   }
 
   begin() {
@@ -90,6 +108,7 @@ class Cell {
     this.outputs.forEach((output) => { output.hidden = false; });
     this.ran = this.fresh = null;
     this.reset.hidden = true;
+    keepChange(this.k);
     this.say("");
     this.button.focus();
   }
@@ -127,7 +146,7 @@ const waitForWorker = () => new Promise((resolve, reject) => {
       const [what, size] = data.loading;
       cells[running]?.say(`Loading ${what}${size ? `, about ${size} MB,` : ""} from ${describeSource()} …`);
       heard = setTimeout(() => cells[running]?.status.append(" It is slow; Stop ends it."), SLOW);
-    } else if (data.failed) reject(new Error(data.failed));
+    } else if (data.failed) reject(Object.assign(new Error(data.failed), data));
     else resolve(data);
   };
   worker.onmessage = on;
@@ -169,8 +188,8 @@ const runThrough = async (k) => {
     const begun = ready && await ready.then(() => true, () => false);
     stopWorker();
     cell.say(!error ? "Stopped. Python has forgotten all names; Run starts it anew."
-      : `Python cannot be loaded from ${describeSource()}: ${error.message}. The network here may block it. `
-        + "The stored results stand; Run tries again.");
+      : `Python cannot be loaded from ${describeSource()}: ${error.message}. `
+        + `${error.served ? "" : "The network here may block it. "}The stored results stand; Run tries again.`);
     if (error && begun) cell.say(`Python has stopped: ${error.message}. Run starts it anew.`);
   } finally {
     clearTimeout(heard);
@@ -199,14 +218,18 @@ const askConsent = (cell) => new Promise((resolve) => {
   buttons[0].focus();
 });
 
+// The reader wants a change back that was kept.
+export const bringBack = (bars, k, text) => {
+  cells ??= bars.map((bar, number) => new Cell(bar, number));
+  cells[k].bringBack(text);
+};
+
 // The reader presses Run (or Stop) under the cell k.
 export const pressRun = async (bars, k) => {
   if (running === k) return stop();
-  if (!settings) {
-    settings = await (await fetch(new URL(`settings.json${new URL(import.meta.url).search}`,
-      import.meta.url))).json();
-    cells = bars.map((bar, number) => new Cell(bar, number));
-  }
+  settings ??= await (await fetch(new URL(`settings.json${new URL(import.meta.url).search}`,
+    import.meta.url))).json();
+  cells ??= bars.map((bar, number) => new Cell(bar, number));
   if (!consent()) {
     if (!await askConsent(cells[k])) return;
     consent("yes");

@@ -6,6 +6,7 @@ until its name is used, so that a cell that only computes does not wait for Matp
 
 import ast
 import base64
+import builtins
 import io
 import linecache
 import os
@@ -17,7 +18,10 @@ from contextlib import redirect_stderr, redirect_stdout
 from types import ModuleType
 from typing import Any
 
-PRINT_LIMIT = 20_000  # characters, more than a page can show
+PRINT_LIMIT = 20_000  # characters of text in a run, more than a page can show
+OUTPUT_LIMIT = 40  # values and pictures in a run
+MORE = "\n… and more, which is not shown\n"
+STREAMS = ("stdout", "stderr")
 PICTURES = ("image/png", "image/svg+xml")
 # of these the first that a value has is shown
 SHOWN = (*PICTURES, "text/html", "text/latex", "text/plain")
@@ -49,21 +53,41 @@ def start(send: Callable[[str, str], None], packages: list[str]) -> "Cells":
     widgets = ModuleType("courseware.script.widget")
     vars(widgets).update(Widget=NoWidget, create_widget=NoWidget)
     sys.modules[widgets.__name__] = widgets
+    builtins.input = refuse_input
     return Cells(send, frozenset(packages))
 
 
+def refuse_input(prompt: object = "") -> str:
+    raise RuntimeError('input() does not work here: write the value into the cell, as in x = "4"')
+
+
+class Output:
+    """Sends what a run shows to the page, up to a limit: a flood would freeze it."""
+
+    def __init__(self, send: Callable[[str, str], None]) -> None:
+        self.send, self.letters, self.outputs = send, PRINT_LIMIT, OUTPUT_LIMIT
+
+    def __call__(self, kind: str, text: str) -> None:
+        if not text or min(self.letters, self.outputs) < 0:
+            return
+        plain = kind in (*STREAMS, "text/plain")
+        shown = text[: self.letters] if plain else text
+        self.letters -= len(text) if plain else 0
+        self.outputs -= kind not in STREAMS
+        if self.outputs >= 0:
+            self.send(kind, shown)
+        if min(self.letters, self.outputs) < 0:
+            self.send("stdout", MORE)
+
+
 class PrintStream(io.TextIOBase):
-    """Sends printed text to the page as it comes, up to a limit."""
+    """Sends printed text to the page as it comes."""
 
     def __init__(self, send: Callable[[str, str], None], kind: str) -> None:
-        self.send, self.kind, self.left = send, kind, PRINT_LIMIT
+        self.send, self.kind = send, kind
 
     def write(self, text: str) -> int:
-        if self.left > 0 and text:
-            self.send(self.kind, text[: self.left])
-            self.left -= len(text)
-            if self.left <= 0:
-                self.send(self.kind, "\n… and more, which is not shown\n")
+        self.send(self.kind, text)
         return len(text)
 
 
@@ -77,6 +101,7 @@ class Cells:
 
     def __init__(self, send: Callable[[str, str], None], packages: frozenset[str]) -> None:
         self.send, self.packages = send, packages
+        self.output = Output(send)  # of the present run
         self.names: dict[str, Any] = {"__name__": "__main__", "display": self.display}
         self.postponed: dict[str, ast.stmt] = {}  # imports, by the name that each binds
 
@@ -91,7 +116,8 @@ class Cells:
     def run(self, source: str, name: str) -> bool:
         """Run a cell and return whether it succeeded. name: of the cell, for tracebacks."""
         linecache.cache[name] = (len(source), None, source.splitlines(True), name)
-        out, err = PrintStream(self.send, "stdout"), PrintStream(self.send, "stderr")
+        self.output = Output(self.send)
+        out, err = (PrintStream(self.output, kind) for kind in STREAMS)
         with redirect_stdout(out), redirect_stderr(err):
             try:
                 tree, postponed = self._postpone_imports(source)
@@ -108,7 +134,7 @@ class Cells:
         for value in values:
             data = _represent(value)
             kind = next(kind for kind in SHOWN if kind in data)
-            self.send(kind, data[kind])
+            self.output(kind, data[kind])
 
     def _postpone_imports(self, source: str) -> tuple[ast.Module, dict[str, ast.stmt]]:
         """Return a cell with the imports that it uses first, and its unused imports by name."""
@@ -165,7 +191,7 @@ class Cells:
         for number in plt.get_fignums():
             file = io.BytesIO()
             plt.figure(number).savefig(file, format="png")
-            self.send("image/png", base64.b64encode(file.getvalue()).decode())
+            self.output("image/png", base64.b64encode(file.getvalue()).decode())
         plt.close("all")
 
 

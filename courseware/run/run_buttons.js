@@ -2,19 +2,31 @@
 
 import { VERSION } from "./constants.js";
 
+const readChanges = () => {
+  try { return JSON.parse(localStorage.getItem(`courseware-cells ${location.pathname}`)) ?? {}; } catch { return {}; }
+};
+
 export const addRunButtons = () => {
-  const home = document.currentScript.src;
+  const home = document.currentScript.src, kept = readChanges();
   const bars = [...document.querySelectorAll(".cell:not(.tag_interact) > .cell_input")].map((input) => {
     input.insertAdjacentHTML("beforeend",
       `<div class="rk-run"><button type="button">Run</button><p role="status"></p></div>`);
     return input.lastElementChild;
   });
-  const press = async (k) => {
+  const withCells = async (k, work) => {
     try {
-      await (await import(new URL(`../run/cells.js?v=${VERSION}`, home))).pressRun(bars, k);
+      await work(await import(new URL(`../run/cells.js?v=${VERSION}`, home)));
     } catch {
       bars[k].lastChild.textContent = "This runs where the page comes from a server, not from disk.";
     }
   };
-  bars.forEach((bar, k) => bar.firstChild.addEventListener("click", () => press(k)));
+  bars.forEach((bar, k) => {
+    bar.firstChild.addEventListener("click", () => withCells(k, ({ pressRun }) => pressRun(bars, k)));
+    if (kept[k]?.first !== bar.parentElement.querySelector("pre").textContent) return;
+    bar.lastChild.insertAdjacentHTML("beforebegin", `<button type="button">Bring back my change</button>`);
+    bar.children[1].addEventListener("click", ({ target }) => {
+      target.remove();
+      withCells(k, ({ bringBack }) => bringBack(bars, k, kept[k].text));
+    });
+  });
 };

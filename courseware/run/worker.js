@@ -16,6 +16,13 @@ const fetchBytes = async (address) => {
   return answer.arrayBuffer();
 };
 
+// A server that sends a module as another type is not a network that blocks it.
+const importModule = (address) => import(address).catch(async (error) => {
+  const kind = await fetch(address).then(({ ok, headers }) => ok && headers.get("content-type"), () => "");
+  if (!kind || kind.includes("javascript")) throw error;
+  throw Object.assign(new Error(`the server sends ${address} as ${kind}, which must be text/javascript`), { served: true });
+});
+
 const loadPython = async () => {
   postMessage({ loading: ["Python", MEGABYTES.python] });
   const { python, wheels } = settings;
@@ -25,7 +32,7 @@ const loadPython = async () => {
   packages = Object.fromEntries(Object.values(lock.packages).flatMap(({ name, imports }) =>
     imports.map((each) => [each, name])));
   const own = Promise.all([settings.cells, ...wheels].map(fetchBytes));
-  const { loadPyodide } = await import(`${python}pyodide.mjs`);
+  const { loadPyodide } = await importModule(`${python}pyodide.mjs`);
   pyodide = await loadPyodide({
     indexURL: python, lockFileContents: lock, packageBaseUrl: python, stderr: () => {},
   });
@@ -69,6 +76,6 @@ onmessage = async ({ data }) => {
     await loadPackages(data.source);
     postMessage({ cell: running, ended: cells.run(data.source, data.name) });
   } catch (error) {
-    postMessage({ failed: error.message });
+    postMessage({ failed: error.message, served: error.served });
   }
 };

@@ -25,7 +25,7 @@ import book  # noqa: F401 (opens the course)
 from courseware.course import _open as open_courses
 from courseware.course import course
 from courseware.errors import CourseError
-from courseware.run.cells import Cells, start
+from courseware.run.cells import Cells, refuse_input, start
 from courseware.script import parts
 from courseware.site import SETTINGS, run
 
@@ -186,11 +186,32 @@ def test_a_function_defined_in_a_cell_can_be_listed(page):
     assert page("show_source(double)") == [("text/plain", "def double(x):\n    return 2 * x")]
 
 
-def test_endless_output_is_cut(page):
-    said = page("for k in range(100_000):\n    print(k)")
+@pytest.mark.parametrize(
+    ("source", "most"),
+    [
+        ("for k in range(100_000):\n    print(k)", 20_000),
+        ("for k in range(100_000):\n    display(k)", 40),
+        ("'x' * 100_000", 1),
+        (
+            "class A:\n    _repr_html_ = lambda self: '<p>'\nfor k in range(999): display(A())",
+            40,
+        ),
+    ],
+)
+def test_a_flood_is_cut_whatever_it_is_made_of(page, source, most):
+    said = page(source)
     shown = len("".join(text for _, text in said))
     assert shown < 21_000, f"{shown} characters are shown, at most 20,000 and a sentence"
-    assert said[-1][1] == "\n… and more, which is not shown\n"
+    assert 1 < len(said) <= most + 1
+    assert said[-1] == ("stdout", "\n… and more, which is not shown\n")
+    assert page("1 + 1") == [("text/plain", "2")]  # the next run has room again
+
+
+def test_input_says_what_to_do_instead(page, monkeypatch):
+    monkeypatch.setattr(builtins, "input", refuse_input)  # as `start` does
+    [(kind, text)] = page("x = input('how many?')")
+    assert kind == "error"
+    assert "input() does not work here: write the value into the cell" in text
 
 
 # --- the page -------------------------------------------------------------------------------
@@ -250,6 +271,104 @@ def test_a_slash_is_typed_into_a_cell_and_ctrl_k_opens_the_search(blocked):
     page.keyboard.press("Control+k")
     page.keyboard.type("m/s")
     assert page.locator("#pst-search-dialog input").input_value() == "m/s"
+
+
+# a worker that has its Python at once: what a cell says is what it gives, in as many messages
+WORKER = """onmessage = ({ data }) => {
+  if (data.settings) return postMessage({ ready: true });
+  for (let k = 0; k < 20_000; k += 1) postMessage({ cell: data.cell, kind: "stdout", text: "x" });
+  postMessage({ cell: data.cell, ended: true });
+};"""
+
+
+@pytest.fixture
+def flooded(server, chromium):
+    """A page of a browser that agreed once, whose Python is `WORKER`."""
+    with watched_page(chromium, server) as (page, watch):
+        page.add_init_script("localStorage.setItem('courseware-run', 'yes')")
+        page.context.route(
+            "**/run/worker.js*",
+            lambda route: route.fulfill(body=WORKER, content_type="text/javascript"),
+        )
+        page.goto(server + PAGE)
+        yield page
+        assert not watch.errors + watch.strangers
+
+
+@pytest.mark.browser
+def test_all_that_a_run_may_show_leaves_the_page_alive(flooded):
+    bar = flooded.locator(".rk-run").first
+    bar.get_by_text("Run", exact=True).click()
+    fresh = flooded.locator(".rk-fresh pre").first
+    flooded.wait_for_function(
+        "(pre) => pre.innerText.length === 20_000", arg=fresh.element_handle()
+    )
+    bar.get_by_text("Reset", exact=True).click()
+    fresh.wait_for(state="detached")
+
+
+@pytest.mark.browser
+def test_a_changed_cell_comes_back_after_the_page_was_loaded_anew(flooded):
+    """As long as the cell is the same; Reset forgets it."""
+    page, mine = flooded, "print('mine')"
+    bar, code = page.locator(".rk-run").first, page.locator(".cell_input pre").first
+    back = page.get_by_text("Bring back my change")
+    bar.get_by_text("Run", exact=True).click()
+    code.locator("code[contenteditable]").fill(mine)
+    page.reload()
+    assert code.inner_text().strip() != mine
+    assert back.count() == 1
+    back.click()
+    assert code.inner_text().strip() == mine
+    page.evaluate(  # a new release has another cell in its place
+        "() => { for (const key in localStorage) if (key.startsWith('courseware-cells'))"
+        ' localStorage[key] = localStorage[key].replace(\'"first":"\', \'"first":"x\'); }'
+    )
+    page.reload()
+    bar.get_by_text("Run", exact=True).wait_for()
+    assert back.count() == 0
+    bar.get_by_text("Run", exact=True).click()
+    code.locator("code[contenteditable]").fill(mine)
+    bar.get_by_text("Reset", exact=True).click()
+    page.reload()
+    bar.get_by_text("Run", exact=True).wait_for()
+    assert back.count() == 0
+
+
+@pytest.mark.browser
+def test_where_plain_text_alone_cannot_be_asked_for_a_cell_can_be_changed(flooded):
+    """Older Firefox throws."""
+    flooded.add_init_script(
+        """const own = Object.getOwnPropertyDescriptor(HTMLElement.prototype, "contentEditable");
+        Object.defineProperty(HTMLElement.prototype, "contentEditable", { ...own, set(value) {
+          if (value === "plaintext-only") throw new DOMException("", "SyntaxError");
+          own.set.call(this, value);
+        } });"""
+    )
+    flooded.reload()
+    flooded.locator(".rk-run").first.get_by_text("Run", exact=True).click()
+    flooded.locator(".cell_input code[contenteditable=true]").first.fill("1 + 1")
+
+
+@pytest.mark.browser
+def test_a_server_that_sends_a_module_as_text_is_named_as_the_cause(server, chromium):
+    with watched_page(chromium, server) as (page, _):
+        page.add_init_script("localStorage.setItem('courseware-run', 'yes')")
+        lock = (VENDORED / "pyodide-lock.json").read_text("utf-8")
+        headers = {"Access-Control-Allow-Origin": "*"}
+        page.context.route(
+            f"{PLACE}**",
+            lambda route: route.fulfill(
+                body=lock if route.request.url.endswith("json") else "1",
+                content_type="text/plain",
+                headers=headers,
+            ),
+        )
+        page.goto(server + PAGE)
+        bar = page.locator(".rk-run").first
+        bar.get_by_text("Run", exact=True).click()
+        bar.get_by_text("as text/plain, which must be text/javascript").wait_for()
+        assert "may block it" not in bar.inner_text()
 
 
 def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):

@@ -42,6 +42,15 @@
   addEventListener("load", () => later(drawNext));
 }
 
+// The theme takes the focus off its buttons, so that their tooltips go: not from a reader with keys.
+for (const button of document.querySelectorAll(".theme-switch-button, .search-button, .sidebar-toggle")) {
+  button.blur = () => { if (!button.matches(":focus-visible")) HTMLElement.prototype.blur.call(button); };
+}
+document.getElementById("pst-search-dialog")?.addEventListener("close", () => {
+  if (document.activeElement !== document.body) return; // back where the keys had opened it
+  [...document.querySelectorAll(".search-button__button")].find((each) => each.checkVisibility())?.focus();
+});
+
 // The menus of a phone: a button closes them, so does a choice in them, and focus goes back.
 for (const which of ["primary", "secondary"]) {
   const dialog = document.getElementById(`pst-${which}-sidebar-modal`);

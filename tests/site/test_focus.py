@@ -1,7 +1,7 @@
 """Whoever goes through a page by keyboard sees where they are."""
 
 import pytest
-from browser import settled, watched_page
+from browser import draw_all, listed, settled, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -37,3 +37,73 @@ def test_the_ring_of_what_has_the_focus_is_whole(name, server, chromium):
         assert page.evaluate(CUT) == []
         page.set_viewport_size({"width": 390, "height": 844})
         assert page.evaluate(CUT) == []
+
+
+# goes through all stops; what it reaches is to be seen, and nothing may lie over all of it
+HIDDEN = """(back) => {
+  document.querySelectorAll(".bd-article details").forEach((fold) => { fold.open = true; });
+  const all = "a[href], button, input, select, textarea, summary, [tabindex='0']";
+  const stops = [...document.querySelectorAll(all)].filter((each) => each.tabIndex >= 0);
+  const places = [0.1, 0.5, 0.9];
+  const isSeen = (each) => each.checkVisibility({ opacityProperty: true, visibilityProperty: true })
+    && [...each.getClientRects()].some(({ left, top, width, height }) => width && height
+      && places.some((x) => places.some((y) => {
+        const hit = document.elementFromPoint(left + x * width, top + y * height);
+        const own = hit?.closest("label") ?? hit;
+        return own && (each.contains(hit) || own.contains(each));
+      })));
+  return (back ? stops.reverse() : stops).filter((each) => {
+    each.focus();
+    return document.activeElement === each && !isSeen(each);
+  }).map((each) => `${each.tagName}.${each.getAttribute("class")}: ${each.textContent}`);
+}"""
+SHORT = ("practice", "euler/euler")
+every_page = [pytest.param(n, marks=[pytest.mark.slow] * (n not in SHORT)) for n in listed()]
+
+
+@pytest.mark.parametrize("name", every_page)
+def test_what_has_the_focus_is_seen_and_not_covered(name, server, chromium):
+    """All stops, forth and back, on a laptop and on a phone, beside the page's bars and menus."""
+    with watched_page(chromium, server, reduced_motion="reduce") as (page, _):
+        settled(page, f"{server}{name}.html")
+        draw_all(page)
+        page.keyboard.press("Tab")
+        for width, height in ((1280, 800), (390, 844)):
+            page.set_viewport_size({"width": width, "height": height})
+            for back in (False, True):
+                assert page.evaluate(HIDDEN, back) == [], (width, back)
+
+
+@pytest.mark.parametrize("fault", ["cover", "drawer"])
+def test_what_is_hidden_is_found(fault, server, chromium):
+    """The check above can fail: a bar over the foot of the window, and links beside it."""
+    looks = {"cover": "bottom: 0; height: 120px; width: 100%", "drawer": "left: 100%; top: 0"}[
+        fault
+    ]
+    looks += "; position: fixed; z-index: 99; background: #fff"
+    html = f'<nav style="{looks}"><a href="#">x</a></nav>'
+    with watched_page(chromium, server, reduced_motion="reduce") as (page, _):
+        settled(page, f"{server}practice.html")
+        page.evaluate("(html) => document.body.insertAdjacentHTML('beforeend', html)", html)
+        assert page.evaluate(HIDDEN, False)
+
+
+FOCUSED = "(button) => button === document.activeElement"
+
+
+@pytest.mark.parametrize("width", [390, 1000, 1280])
+@pytest.mark.parametrize("name", ["index", "practice"])
+@pytest.mark.parametrize(
+    "button", ["theme-switch-button", "search-button__button", "primary-toggle"]
+)
+def test_the_focus_stays_at_the_button_or_comes_back(name, width, button, server, chromium):
+    with watched_page(chromium, server, width, reduced_motion="reduce") as (page, _):
+        settled(page, f"{server}{name}.html")
+        place = page.locator(f".{button}:visible").first
+        place.focus()
+        page.keyboard.press("Enter")
+        opened = page.locator("dialog[open]")
+        if opened.count():
+            page.keyboard.press("Escape")
+            opened.wait_for(state="detached")
+        assert place.evaluate(FOCUSED)

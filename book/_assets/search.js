@@ -2,7 +2,7 @@
 // a reader starts; from then on nothing is loaded.
 {
   const ROOT = document.documentElement.dataset.content_root;
-  const STATIC = new URL("_static/", new URL(ROOT, location.href));
+  const STATIC = new URL("_static/", new URL(ROOT, document.baseURI));
   // how much a word counts: in a title, where a chapter explains it, in prose, in code
   const FIELDS = { title: 9, terms: 9, text: 1.2, code: 0.15 };
   const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.7 };
@@ -19,7 +19,9 @@
     document.head.append(script);
   });
 
-  const loadIndex = () => (loading ??= loadScript("minisearch/minisearch.js").then(() => loadScript("search-data.js")));
+  const version = document.querySelector("meta[name=search]").content;
+  const loadIndex = () => (loading ??= loadScript(`minisearch/minisearch.js?v=${version}`)
+    .then(() => loadScript(`search-data.js?v=${version}`)));
 
   globalThis.siteSearch = {
     buildIndex(entries) {

@@ -1,3 +1,7 @@
+// A page that a browser has saved holds what its scripts had made: they make it anew.
+document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .site-results, .site-close")
+  .forEach((made) => made.remove());
+
 // What scrolls sideways, or has symbols to name, can be reached with the keyboard.
 {
   const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };

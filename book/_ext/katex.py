@@ -193,6 +193,7 @@ def setup(app):
     """Register the renderer `katex`."""
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_display, None))
     app.add_config_value("katex_macros", {}, "html", dict)
+    app.add_js_file("katex/copy-tex.min.js", loading_method="defer")
     app.add_css_file("katex/katex.min.css", priority=300)
     app.connect("doctree-resolved", keep_punctuation)
     return {"parallel_read_safe": True, "parallel_write_safe": False}

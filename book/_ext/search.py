@@ -5,6 +5,7 @@ Exercises, mistakes, functions and terms of the glossary are entries of their ow
 the data when a reader starts to search, from disk too.
 """
 
+import hashlib
 import json
 import posixpath
 import re
@@ -143,13 +144,21 @@ def collect_entries(env):
     return found
 
 
-def write_data(app, error):
-    """Write the data beside `search.js`."""
-    if error or app.builder.format != "html":
+def write_data(app, env):
+    """Write the data beside `search.js`, before the pages, which name their version."""
+    if app.builder.format != "html":
         return
-    data = json.dumps(collect_entries(app.env), ensure_ascii=False, separators=(",", ":"))
+    data = json.dumps(collect_entries(env), ensure_ascii=False, separators=(",", ":"))
     file = Path(app.outdir, "_static", "search-data.js")
+    file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(f"siteSearch.buildIndex({data});\n", "utf-8")
+    app.builder.search_version = hashlib.sha256(data.encode()).hexdigest()[:8]
+
+
+def name_version(app, pagename, templatename, context, doctree):
+    """Have a page name the version of the data: a browser may keep those of an earlier release."""
+    tag = f'<meta name="search" content="{app.builder.search_version}" />'
+    context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
 
 
 def disable_own(app):
@@ -160,6 +169,7 @@ def disable_own(app):
 def setup(app):
     """Register the search with Sphinx."""
     app.connect("builder-inited", disable_own)
-    app.connect("build-finished", write_data)
+    app.connect("env-updated", write_data)
+    app.connect("html-page-context", name_version)
     app.add_js_file("search.js", loading_method="defer")
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

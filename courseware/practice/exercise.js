@@ -157,7 +157,7 @@ export class ExerciseBox {
     const link = (place, words) => `<a href="${root}${topic}/${topic}.html#${place}">${words}</a>`;
     const see = root === undefined ? "" : ` ${link(entry.name, "See it in the chapter.")}`;
     const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escapeHtml(picture)}" `
-      + `src="${root}_static/practice/${entry.name}.svg#${theme}">`;
+      + `src="${root}_static/practice/${entry.name}.svg?${this.element.dataset.version}#${theme}">`;
     this.one(".rk-ladder").innerHTML = (why ? `<p>${renderSymbols(why)}${see}</p>` : "")
       + (picture && root !== undefined
         ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")

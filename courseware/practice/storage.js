@@ -9,7 +9,7 @@ export const memory = { // a browser may refuse to keep anything: then the page 
   set: (key, value) => { // whether the browser keeps it
     memory.data[key] = value;
     try { history.replaceState({ ...history.state, [key]: value }, ""); } catch { /* too often */ }
-    try { localStorage.setItem(key, value); } catch { memory.kept = false; }
+    try { if (localStorage.setItem(key, value) === false) throw 0; } catch { memory.kept = false; } // layout.html
     return memory.kept;
   },
 };

@@ -146,8 +146,15 @@ def settled(page, address):
     page.evaluate("() => document.fonts.ready")
 
 
+# what is made when it comes near, is also made for a printer
+MAKE_ALL = """() => ["beforeprint", "afterprint"].forEach((name) => {
+  if (document.querySelector(".site-later")) dispatchEvent(new Event(name));
+})"""
+
+
 def draw_all(page):
     """Draw also the parts far from the window, with their fonts: a page is then as it stays."""
+    page.evaluate(MAKE_ALL)
     page.add_style_tag(content="* { content-visibility: visible !important; }")
     page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
 

@@ -22,7 +22,7 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   });
 
   // A box is measured when it is drawn: what lies far from the window is laid out when it comes near.
-  const boxes = document.querySelectorAll(BOXES);
+  const boxes = [...document.querySelectorAll(BOXES)];
   const observer = new ResizeObserver((entries) => markScrollable(entries.map(({ target }) => target)));
   const observeBoxes = () => boxes.forEach((box) => {
     observer.unobserve(box);
@@ -33,6 +33,21 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   document.addEventListener("contentvisibilityautostatechange", ({ target, skipped }) => {
     if (!skipped && target.matches(BOXES)) markScrollable([target]);
   }, true);
+
+  // Of a page with very many formulas each is made when it comes near, or for a printer.
+  const places = document.querySelectorAll(".site-later:has(noscript)");
+  const make = (place) => {
+    near.unobserve(place);
+    if (!place.querySelector("noscript")) return;
+    place.innerHTML = place.firstElementChild.textContent;
+    boxes.push(...place.querySelectorAll(BOXES));
+    place.querySelectorAll(BOXES).forEach((box) => observer.observe(box));
+  };
+  const near = new IntersectionObserver((seen) => seen.forEach(({ target, isIntersecting }) => {
+    if (isIntersecting) make(target);
+  }), { rootMargin: "100% 0px" });
+  places.forEach((place) => near.observe(place));
+  addEventListener("beforeprint", () => places.forEach(make));
 
   // Formulas far below are drawn one by one when nothing else is to do: a printer waits for no font.
   const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks

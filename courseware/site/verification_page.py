@@ -16,6 +16,9 @@ from courseware.equations.declared_checks import Check, declared_checks
 from courseware.equations.verification import library_functions
 from courseware.site.sources import find_sources, note_sources
 
+# a formula is made by the page's script when it comes near: all at once are 40,000 elements
+LATER = ('<div class="site-later"><noscript>', "</noscript></div>")
+
 
 class FormulaChecks(SphinxDirective):
     """A section for each chapter with its formulas and their differences from functions."""
@@ -102,7 +105,8 @@ def _summarize(checks: list[Check]) -> str:
 
 
 def _describe(check: Check, result: equations.Result | None) -> str:
-    formula = f"$$\n{check.equation.latex(computed=True)}\n$$\n\n`{check.name}`"
+    display = f"$$\n{check.equation.latex(computed=True)}\n$$"
+    formula = f"{LATER[0]}\n\n{display}\n\n{LATER[1]}\n\n`{check.name}`"
     if result is None:
         test = check.checked_by.rpartition("::")[2]
         return f"{formula} is held by the test `{test}`: {check.reason}."
@@ -126,6 +130,7 @@ def _describe_function(check: Check) -> str:
 
 
 def format_power(number: float) -> str:
-    """Return a number as TeX with one digit and a power of ten."""
+    """Return a number with one digit and a power of ten."""
     digit, exponent = f"{number:.0e}".split("e")
-    return f"${digit} \\cdot 10^{{{int(exponent)}}}$" if number else "0"
+    power = f"{int(exponent)}".replace("-", "\u2212")
+    return f"{digit}\u00a0·\u00a010{{sup}}`{power}`" if number else "0"

@@ -5,9 +5,11 @@
 `import robokin` works, and no other registry is asked.
 
 A notebook's name there ends with letters of its digest: a new release is seen, and a copy that a
-student has changed stays beside it. Three places name one version of Pyodide, and a test compares
-them: `course_python` (`courseware/site/__init__.py`), `book/_vendor/pyodide` and
-`jupyterlite-pyodide-kernel`.
+student has changed stays beside it. Addresses lack these letters, or may have old ones: `lite.js`
+leads to the present notebook, and says what is waited for.
+
+Three places name one version of Pyodide, and a test compares them: `course_python`
+(`courseware/site/__init__.py`), `book/_vendor/pyodide` and `jupyterlite-pyodide-kernel`.
 """
 
 import hashlib
@@ -25,6 +27,7 @@ from docutils import nodes
 from sphinx.util import logging
 
 from courseware.course import course
+from courseware.practice.bank import course_name
 from courseware.site.assets import wheel_name
 from courseware.site.run import FOLDER, own_python
 
@@ -56,8 +59,9 @@ def notebook_name(page):
 
 
 def notebook_address(page):
-    """Return the address of a chapter's notebook, relative to its page."""
-    return "../" * page.count("/") + f"lite/notebooks/index.html?path={notebook_name(page)}"
+    """Return an address of a chapter's notebook that lasts, relative to its page."""
+    stem = course().notebook(page.partition("/")[0]).stem
+    return "../" * page.count("/") + f"lite/notebooks/index.html?path={stem}.ipynb"
 
 
 def write_notebooks(folder):
@@ -128,7 +132,7 @@ def make_settings(app):
         "jupyter-lite-schema-version": 0,
         "jupyter-config-data": {
             "appName": app.config.html_title,
-            "contentsStorageName": f"{course().package}-notebooks",
+            "contentsStorageName": f"{course_name()}-notebooks",
             "litePluginSettings": {KERNEL: kernel},
         },
     }
@@ -146,6 +150,14 @@ def build(app, error):
     shutil.rmtree(target, ignore_errors=True)
     run_jupyterlite(folder, target)
     shutil.copytree(folder / "packages", target / "packages")
+    add_script(target / "notebooks" / "index.html", Path(app.outdir, "_static", "lite.js"))
+
+
+def add_script(page, script):
+    """Add our script to a page of JupyterLite."""
+    version = hashlib.sha256(script.read_bytes()).hexdigest()[:8]
+    tag = f'<script src="../../_static/{script.name}?v={version}"></script>'
+    page.write_text(page.read_text("utf-8").replace("</head>", f"{tag}</head>", 1), "utf-8")
 
 
 def run_jupyterlite(folder, target):

@@ -37,4 +37,5 @@ export const downloadAnswers = (course, student, entries) => {
   link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
   link.download = `answers-${student.replace(/[^\p{L}\p{N}]+/gu, "-").slice(0, 40)}.csv`;
   link.click();
+  return link.download;
 };

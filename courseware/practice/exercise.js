@@ -9,6 +9,8 @@ import { parseTyped } from "./parsing.js";
 import { HELP_STEPS, renderParagraphs, renderHint, splitSolution } from "./rendering.js";
 
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
+const TOO_OLD = "This browser is too old to unpack your numbers, so nothing can be checked. Chrome 80, Firefox 113, "
+  + "Safari 16.4 and newer ones can.";
 const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
 const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
 
@@ -26,6 +28,7 @@ export class ExerciseBox {
     Object.assign(this, { element, desk });
     this.input = this.one("input");
     this.exercise = this.number = null; // until they are loaded and shown
+    this.stale = false; // whether its numbers are another name's, until it comes near
     this.training = 0; // how many variants beyond one's own
     this.trained = {}; // what is kept of one's own numbers is not kept of these
   }
@@ -63,14 +66,26 @@ export class ExerciseBox {
     return this;
   }
 
-  renew() {
+  // later: once it comes near, unless there is an answer to judge.
+  renew(later = false) {
     Object.assign(this, { training: 0, number: null });
+    this.setStale(later && !this.entry().unjudged);
     this.restore(); // at once: what is typed while the numbers are loaded must stay
+    return this.stale ? null : this.showMine();
+  }
+
+  showMine() {
     return this.withExercise(() => {
       this.show();
       if (this.entry().unjudged) this.check(); // from a file
       else this.climb();
     });
+  }
+
+  setStale(stale) {
+    this.stale = stale;
+    this.element.classList.toggle("rk-stale", stale);
+    if (stale) delete this.element.dataset.variant;
   }
 
   // Does something with the exercise; until it is there, the box says so in place of the question.
@@ -80,7 +95,9 @@ export class ExerciseBox {
       if (!this.exercise) text.textContent = "Your numbers are being loaded …";
       this.exercise ??= await this.desk.load();
     } catch (error) {
-      text.innerHTML = `<p>${NOT_LOADED} <button type="button">Try again</button></p>`;
+      this.setStale(false); // from now on by the button
+      const why = globalThis.DecompressionStream ? NOT_LOADED : TOO_OLD;
+      text.innerHTML = `<p>${why} <button type="button">Try again</button></p>`;
       text.querySelector("button").addEventListener("click", () => this.renew());
       return console.error(error);
     }
@@ -171,6 +188,7 @@ export class ExerciseBox {
   show() {
     const { course, student } = this.desk, { exercise, training } = this;
     this.number = (dealVariant(course, exercise.name, student()) + training) % VARIANTS;
+    this.setStale(false);
     this.one(".rk-text").innerHTML = renderParagraphs(fillTemplate(exercise.text, this.variant.shown));
     this.element.dataset.variant = this.number;
     this.one(".rk-training").hidden = !training;
@@ -191,7 +209,7 @@ export class ExerciseBox {
 }
 
 // The data of exercises are packed by rendering.py.
-export const unpack = (packed) => {
+export const unpack = async (packed) => {
   const bytes = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).json();

@@ -13,17 +13,21 @@ const describeOrphans = (count) =>
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
   + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
   + "1/3, pi/3, sqrt(3)/2, 30° where rad is asked, a list: [1, 2], or a matrix: [[1, 2], [3, 4]]. "
-  + "Whole turns more or less do not matter in an angle.";
+  + "Whole turns more or less do not matter in an angle. Safari forgets what it keeps after seven days "
+  + "without a visit: save your answers.";
+const CLEAR = "Clear my answers";
+const NO_FILE = "If no file comes, the frame that shows this page forbids it: open the page in a tab of its own.";
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 const BROKEN = "What this browser kept could not be read; it was laid aside.";
 
-export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Your name or number</label>`
-  + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false"></div>`
-  + `<p class="rk-progress" role="status"></p><p class="rk-course"></p>`
-  + `<div class="rk-row"><button type="button" class="rk-export">Save my answers (CSV)</button>`
+export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Name</label>`
+  + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false">`
+  + `<details class="rk-menu"><summary>Answers</summary><div class="rk-row">`
+  + `<button type="button" class="rk-export">Save my answers (CSV)</button>`
   + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv"></label>`
-  + `<button type="button" class="rk-clear">Clear my answers</button></div>`
-  + `<p class="rk-note">Course: <strong>${escapeHtml(course)}</strong>. ${NOTE}</p>`;
+  + `<button type="button" class="rk-clear">${CLEAR}</button></div>`
+  + `<p class="rk-note">Course: <strong>${escapeHtml(course)}</strong>. ${NOTE}</p></details></div>`
+  + `<p class="rk-progress" role="status"></p><ul class="rk-course"></ul>`;
 
 // A line that stays in sight while an exercise is.
 const BAR = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
@@ -33,7 +37,7 @@ const loadedTopics = {};
 const loadTopic = (topic, version) => loadedTopics[topic] ??= new Promise((resolve, reject) => {
   const script = document.createElement("script");
   script.src = `${document.documentElement.dataset.content_root}_static/practice/${topic}.js?${version}`;
-  script.onload = () => resolve(unpack(window.coursewarePractice[topic]));
+  script.onload = () => unpack(window.coursewarePractice[topic]).then(resolve, reject);
   script.onerror = () => { delete loadedTopics[topic]; reject(new Error(`${script.src} is missing`)); };
   document.head.append(script);
 });
@@ -66,19 +70,40 @@ class Desk {
     const press = (where, button, work) =>
       where.querySelector(button).addEventListener("click", () => work.call(this));
     press(this.element, ".rk-clear", this.clear);
+    this.element.querySelector(".rk-clear").addEventListener("blur", ({ target }) => { target.textContent = CLEAR; });
     press(this.element, ".rk-export", this.save);
     press(this.bar, ".rk-who", () => { this.element.scrollIntoView(); this.field.focus(); });
     this.element.querySelector("[type=file]").addEventListener("change", (event) => this.load(event.target));
     this.field.value = this.name = memory.get(STUDENT_KEY) ?? "";
     this.field.addEventListener("change", () => this.renew());
     (this.element.closest("article") ?? document.body).append(this.bar);
-    const near = new Set(), watch = new IntersectionObserver((seen) => {
-      seen.forEach(({ target, isIntersecting }) => near[isIntersecting ? "add" : "delete"](target));
-      this.bar.inert = !near.size; // unseen, in its place: the end of the page must not jump
-    });
-    this.boxes.forEach((box) => watch.observe(box.start().element));
+    const seen = this.watch("0px"), { element } = this;
+    this.near = this.watch("50% 0px"); // whose numbers are loaded, chapter by chapter
+    for (const box of this.boxes) {
+      box.start();
+      [seen, this.near].forEach(({ observer }) => observer.observe(box.element));
+    }
+    seen.observer.observe(element);
+    // unseen, in its place: the end of the page must not jump
+    seen.follow = () => { this.bar.inert = seen.has(element) || !seen.size; };
+    this.near.follow = () => this.boxes.forEach((box) => { if (box.stale && this.near.has(box.element)) box.showMine(); });
+    addEventListener("beforeprint", () => this.boxes.forEach((box) => { if (box.stale) box.showMine(); }));
     this.tellProgress();
-    if (this.name || Object.keys(this.mine()).length) this.boxes.forEach((box) => box.renew());
+    if (this.name || Object.keys(this.mine()).length) this.renewBoxes();
+  }
+
+  // The exercises that are in the window or so near to it.
+  watch(rootMargin) {
+    const found = new Set();
+    found.observer = new IntersectionObserver((seen) => {
+      seen.forEach(({ target, isIntersecting }) => found[isIntersecting ? "add" : "delete"](target));
+      found.follow();
+    }, { rootMargin });
+    return found;
+  }
+
+  renewBoxes() {
+    this.boxes.forEach((box) => box.renew(!this.near.has(box.element)));
   }
 
   student() { return foldName(this.name); }
@@ -89,6 +114,7 @@ class Desk {
   keep(answers) {
     const key = answersKey(this.course), all = { ...readStored(key), [this.student()]: answers };
     memory.set(key, JSON.stringify(all));
+    navigator.storage?.persist?.().catch(() => {}); // a browser may tidy up what is not asked for
     this.tellProgress();
   }
 
@@ -96,7 +122,7 @@ class Desk {
     this.name = this.field.value;
     memory.set(STUDENT_KEY, this.name);
     this.tellProgress();
-    this.boxes.forEach((box) => box.renew());
+    this.renewBoxes();
   }
 
   tell(words) {
@@ -113,8 +139,7 @@ class Desk {
       + (orphans ? `.${describeOrphans(orphans)}` : ""));
     const all = countPassed(mine), open = here.find((name) => !passed(name));
     const course = `${sumUp(all, "passed")} of ${sumUp(all, "count")} in the course`;
-    this.element.querySelector(".rk-course").textContent =
-      `${course}: ${all.map(({ title, passed, count }) => `${title} ${passed}/${count}`).join(", ")}.`;
+    this.element.querySelector(".rk-course").innerHTML = all.map((chapter) => this.renderBar(chapter)).join("");
     this.bar.querySelector(".rk-who").textContent = this.student()
       ? `${this.name.trim()} · number set ${describeNumberSet(this.course, this.name)}` : "Type your name";
     this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;
@@ -124,8 +149,23 @@ class Desk {
     dispatchEvent(new Event("courseware:kept"));
   }
 
+  // A link to the exercises of a chapter, with a bar that grows with what is passed.
+  renderBar({ title, topic, passed, count }) {
+    const first = `${topic.replaceAll("_", "-")}-1`, here = document.getElementById(first)?.closest("section");
+    const place = here ? `#${here.id}`
+      : `${document.documentElement.dataset.content_root}${topic}/${topic}.html#${first}`;
+    return `<li style="--passed:${passed / count}"><a href="${place}" title="${escapeHtml(title)}">`
+      + `<span>${escapeHtml(title)}</span> ${passed}/${count}</a></li>`;
+  }
+
+  // Without a dialog, which a frame may forbid: the button asks, and leaving it is a no.
   clear() {
-    if (!confirm(`Clear all answers of ${this.name.trim() || "this page"} in this browser?`)) return;
+    const button = this.element.querySelector(".rk-clear");
+    if (button.textContent === CLEAR) {
+      button.textContent = `Press again to clear all answers of ${this.name.trim() || "this page"}`;
+      return;
+    }
+    button.textContent = CLEAR;
     this.keep(undefined);
     this.renew();
   }
@@ -135,7 +175,7 @@ class Desk {
       this.tell(NAMELESS);
       return this.field.focus();
     }
-    downloadAnswers(this.element.dataset, this.name.trim(), this.mine());
+    this.tell(`Saved as ${downloadAnswers(this.element.dataset, this.name.trim(), this.mine())}. ${self === top ? "" : NO_FILE}`);
   }
 
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one

@@ -57,7 +57,7 @@ export const renderExercise = (exercise, shown, solution, id = exercise.name) =>
     + `<div class="rk-row"><input id="${id}-answer" type="text" autocomplete="off" autocapitalize="off" `
     + `spellcheck="false" aria-describedby="${id}-question ${id}-verdict">`
     + `<button type="submit">Check</button>`
-    + `<button type="button" class="rk-another">Another one</button></div>${renderEntries(exercise)}</form>`
+    + `<button type="button" class="rk-another">Another one</button>`
+    + `<button type="button" class="rk-help">${HELP_STEPS[0]}</button></div>${renderEntries(exercise)}</form>`
     + `<p class="rk-verdict" id="${id}-verdict" role="status"></p><p class="rk-read"></p>`
-    + `<div class="rk-ladder" aria-live="polite"></div>`
-    + `<button type="button" class="rk-help">${HELP_STEPS[0]}</button>`;
+    + `<div class="rk-ladder" aria-live="polite"></div>`;

@@ -1,6 +1,8 @@
 """Repairs of the pinned theme and its helpers, each for one defect; see the README."""
 
+import functools
 import shutil
+import subprocess
 import textwrap
 from importlib.metadata import version
 from pathlib import Path
@@ -35,6 +37,17 @@ def add_description(app, pagename, templatename, context, doctree):
 def add_version(app, pagename, templatename, context, doctree):
     """Add what the foot of a page says."""
     context |= {"author": app.config.author, "course_version": version("robokin")}
+    context["course_date"] = find_date(app.srcdir)
+
+
+@functools.cache
+def find_date(folder):
+    """Return the day of the last commit, or "" where there is no repository."""
+    command = ["git", "-C", folder, "log", "-1", "--format=%cs"]
+    try:
+        return subprocess.run(command, capture_output=True, text=True).stdout.strip()
+    except OSError:  # no Git
+        return ""
 
 
 def repair_names(app, pagename, templatename, context, doctree):

@@ -13,7 +13,8 @@ import pytest
 from browser import SITE, listed
 from declared import EXERCISES
 from paper.pages import BUILD
-from pypdf import PdfReader
+from paper.pdf import join_documents
+from pypdf import PdfReader, PdfWriter
 from support import find_command
 
 pytest_plugins = ["browser"]
@@ -88,6 +89,21 @@ def outline(pdf):
 @pytest.mark.slow
 def test_the_outline_is_the_contents_of_the_site(pdf):
     assert [(title, below) for title, _, below in outline(pdf)] == titles()
+
+
+def test_a_title_stands_once_in_the_outline(tmp_path):
+    """Chromium writes those twice that a page break has moved."""
+    text = PdfWriter()
+    text.add_blank_page(width=100, height=100)
+    above = text.add_outline_item(title="1 Dicing1 Dicing", page_number=0)
+    for title in ("RecapRecap", "Recap"):
+        text.add_outline_item(title=title, page_number=0, parent=above)
+    text.write(tmp_path / "text.pdf")
+    front = PdfReader(tmp_path / "text.pdf")
+    joined = join_documents(front, PdfReader(tmp_path / "text.pdf"), [], "A book")
+    joined.write(tmp_path / "book.pdf")
+    found = [(title, below) for title, _, below in outline(PdfReader(tmp_path / "book.pdf"))]
+    assert found == [("1 Dicing", ["Recap", "Recap"])]
 
 
 @pytest.mark.slow

@@ -11,7 +11,7 @@ from io import BytesIO
 
 from pypdf import PdfReader, PdfWriter
 from pypdf.constants import PageLabelStyle
-from pypdf.generic import ArrayObject, FloatObject, NameObject
+from pypdf.generic import ArrayObject, FloatObject, NameObject, TextStringObject
 
 from paper.pages import BUILD, HERE, read_pages
 
@@ -58,7 +58,23 @@ def read_outline(reader, entries=None, level=1):
             if level < 2:
                 yield from read_outline(reader, entry, level + 1)
         else:
-            yield level, entry.title, reader.get_destination_page_number(entry), entry.top
+            yield level, undouble(entry.title), reader.get_destination_page_number(entry), entry.top
+
+
+def undouble(title):
+    """Return a title once: Chromium writes one twice that a page break has moved."""
+    half = title[: len(title) // 2]
+    return half if title == half * 2 else title
+
+
+def repair_outline(item):
+    """Have the titles below an item of the outline once."""
+    below = item.get("/First")
+    while below:
+        entry = below.get_object()
+        entry[NameObject("/Title")] = TextStringObject(undouble(entry["/Title"]))
+        repair_outline(entry)
+        below = entry.get("/Next")
 
 
 def render_contents(entries, parts):
@@ -80,6 +96,7 @@ def join_documents(front, text, entries, title):
     """Join contents and text, and link them."""
     logging.getLogger("pypdf").setLevel(logging.ERROR)  # it warns of objects that it adds itself
     writer = PdfWriter(clone_from=text)
+    repair_outline(writer.root_object.get("/Outlines", {}))
     before = len(front.pages)
     writer.merge(0, front, import_outline=False)
     for page in writer.pages[:before]:

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 from html import unescape
+from itertools import pairwise
 from pathlib import Path
 from types import SimpleNamespace
 from urllib.parse import unquote
@@ -350,6 +351,65 @@ def test_reduced_motion(site, server, chromium):
             }).length"""
         )
         assert moving == 0
+
+
+@pytest.mark.parametrize("name", ["practice", "checks"])
+def test_a_long_page_opens_with_few_elements(name, server, chromium):
+    with watched_page(chromium, server) as (page, _):
+        settled(page, f"{server}{name}.html")
+        assert page.evaluate("() => document.querySelectorAll('*').length") <= 6000
+
+
+def test_without_javascript_all_checks_have_their_formulas(site, server, chromium):
+    with watched_page(chromium, server, java_script_enabled=False) as (page, _):
+        page.goto(f"{server}checks.html")
+        checks = page.locator(".rk-check")
+        assert checks.count() > 100
+        assert page.locator(".rk-check:has(.math-scroll)").count() == checks.count()
+
+
+SIZES = """() => ["h1", "h2", "h3", "h4", "p"].map((name) => {
+  const place = document.querySelector(".bd-article section");
+  const made = document.createElement(name);
+  place.append(made);
+  return parseFloat(getComputedStyle(made).fontSize);
+})"""
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_headings_grow_by_a_fifth_at_least(width, server, chromium):
+    with watched_page(chromium, server, width) as (page, _):
+        settled(page, f"{server}bicycle/bicycle.html")
+        *headings, least, text = page.evaluate(SIZES)
+        assert least >= text
+        for larger, smaller in pairwise([*headings, least]):
+            assert larger / smaller >= 1.2
+
+
+GROUND = """(box) => {
+  const { backgroundColor } = getComputedStyle(box);
+  return backgroundColor === "rgba(0, 0, 0, 0)" ? "none" : backgroundColor;
+}"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_questions_have_a_ground_of_their_own_and_code_has_none(scheme, server, chromium):
+    with watched_page(chromium, server, scheme=scheme) as (page, _):
+        settled(page, f"{server}bicycle/bicycle.html")
+        for box in (".cell_input", ".cell_input .highlight", ".cell_input pre"):
+            assert page.locator(f"{box}:visible").first.evaluate(GROUND) == "none", box
+        grounds = {
+            page.locator(box).first.evaluate(GROUND) for box in (".rk-exercise", ".rk-prediction")
+        }
+        assert len(grounds) == 1
+        assert not grounds & {"none", page.locator("body").evaluate(GROUND)}
+
+
+def test_the_foot_of_a_page_says_who_when_and_under_which_licence(site):
+    text = (site / "bicycle" / "bicycle.html").read_text("utf-8")
+    foot = text[text.index("bd-footer-content") :]
+    words = (r"The robokin authors", r"version \d+\.\d+\.\d+ of \d{4}-\d\d-\d\d", "CC BY 4.0")
+    assert all(re.search(each, foot) for each in words)
 
 
 @each_page

@@ -94,7 +94,8 @@ def setup(app):
     """Register the repairs with Sphinx."""
     app.add_config_value("site_description", "", "html", str)
     app.add_css_file("site.css", priority=900)
-    app.add_js_file("site.js", loading_method="defer")
+    # first: it removes what other scripts had made in a page that was saved
+    app.add_js_file("site.js", priority=200, loading_method="defer")
     app.add_node(nodes.image, override=True, html=(visit_image, None))
     app.connect("html-page-context", add_description, priority=900)
     app.connect("html-page-context", add_version)

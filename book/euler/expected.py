@@ -16,18 +16,17 @@ def letters(left, mid, right, fixed):
 
 
 def sequence_readouts(*columns):
-    """Return the other answer's angles, distance from lock, whole turn, distance from R_AB."""
+    """Return the other answer's angles, distance from lock, distance from R_AB."""
     rows = np.column_stack(columns)
     names = np.array([letters(row[:3], row[3:6], row[6:9], row[9]) for row in rows])
-    out = np.empty((len(rows), 6))
+    out = np.empty((len(rows), 5))
     for seq in set(names):
         here = names == seq
         angles = rows[here, 10:13]
         R = euler.to_matrix(seq, angles)
         out[here, :3] = other(seq, angles, R)
         out[here, 3] = from_lock(seq, R)
-        out[here, 4] = euler.axis_angle(R)[1]
-        out[here, 5] = euler.axis_angle(R_AB.T @ R)[1]
+        out[here, 4] = euler.axis_angle(R_AB.T @ R)[1]
     return out
 
 
@@ -93,10 +92,11 @@ def one_axis_readouts(x, y, z, turn, azimuth, elevation):
     return euler.axis_angle(R_AB.T @ R)[1][:, None]
 
 
-def target_readouts(first, middle, azimuth, elevation):
-    """Return still to turn to frame B."""
-    R = euler.to_matrix("YZ", np.stack([first, middle], axis=-1))
-    return euler.axis_angle(R_AB.T @ R)[1][:, None]
+def target_readouts(*columns):
+    """Return how many axes point as those of frame B, within a degree."""
+    rows = np.column_stack(columns)
+    one, two = (euler.about(rows[:, k : k + 3], rows[:, 6 + k // 3]) for k in (0, 3))
+    return np.sum((one @ two * R_AB).sum(axis=1) > np.cos(np.radians(1)), axis=1)[:, None]
 
 
 def both_readouts(middle, made, azimuth, elevation):
@@ -165,7 +165,11 @@ SPECIALS = {
     "columns": [{"axis": axis, "turn": turn} for axis in "xyz" for turn in (0.0, HALF, -HALF)],
     "order": [{"made": 1.0}, {"made": 2.0}],
     "two-readings": [{"made": made} for made in (0.0, 1.0, 1.5, 2.0)],
-    "to-b": [{"first": HALF, "middle": -HALF}, {"first": 0.0, "middle": 0.0}],
+    "to-b": [
+        {"axes": "y, then z", "first": HALF, "middle": -HALF},
+        {"axes": "x, then y", "first": -HALF},
+        {"axes": "z, then y", "first": -HALF, "middle": HALF},
+    ],
     "read-angles": [{"first": HALF}, {**LOCKED}],
     "both-answers": [{**LOCKED, "made": 3.0}, {"made": 1.0}, {"made": 2.0}, {"made": 3.0}],
     "gimbal-rings": [LOCKED, {"middle": -HALF}, {"middle": 0.0, "against": 0.0}],
@@ -262,8 +266,16 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
     ],
     "to-b": [
         (
-            [{"first": np.radians(first), "middle": -HALF} for first in (89.1, 90.9)],
-            [{"first": np.radians(first), "middle": -HALF} for first in (88.9, 91.1)],
+            [
+                {"axes": "y, then z", "first": HALF, "middle": -HALF},
+                {"axes": "x, then y", "first": -HALF, "middle": HALF},
+                {"axes": "z, then x", "first": -HALF, "middle": np.radians(-90.9)},
+            ],
+            [
+                {"axes": "y, then z", "first": np.radians(91.1), "middle": -HALF},
+                {"axes": "x, then y", "first": HALF, "middle": HALF},
+                {"axes": "z, then y", "first": -HALF, "middle": HALF},
+            ],
         )
     ],
     "read-angles": [

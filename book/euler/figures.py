@@ -156,6 +156,30 @@ def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     return tuple(bring_forward(VIEW.line("icr", pair), -0.3) for pair in (ends[1::-1], ends[2:]))
 
 
+def turn_arc(
+    letter: str,
+    angle: Any,
+    axis: Sequence[Any],
+    kind: str,
+    before: Matrix = UNTURNED,
+    at: Sequence[Any] = ORIGIN,
+) -> tuple[Any, ...]:
+    """Return the angle of a turn and its letter: the way of the next axis, x to y to z to x.
+
+    before: how the axes stood before the turn.
+    """
+    x, y, z = axis
+
+    def place(turned: Any, far: float) -> list[Any]:
+        pairs = zip((z, x, y), (y, z, x), strict=True)
+        arrow = before * Matrix([far * (b * cos(turned) + c * sin(turned)) for b, c in pairs])
+        return [a + part for a, part in zip(at, arrow, strict=True)]
+
+    here, half = place(s * angle, 1.05), place(angle / 2, 1.25)
+    arc = Curve(kind, VIEW.project(here), s, 0, 1, 24, depth=VIEW.depth(here) + 0.2)
+    return arc, *when(Abs(angle) > 0.2, Label(kind, VIEW.project(half), letter))
+
+
 LEFT, RIGHT = VIEW.right_of_origin(-1.15), VIEW.right_of_origin(1.15)
 
 
@@ -220,7 +244,12 @@ def columns_figure() -> Figure:
             Choice.one_hot("axis", about, "xyz", label="turn about", start="z"),
             Slider.degrees(turn, start=60, step=15),
         ),
-        scene=(*room(), *die(R), Bracket(R, (2.2, 0.1), digits=2)),
+        scene=(
+            *room(),
+            *die(R),
+            *turn_arc("ϑ", turn, about, "icr"),
+            Bracket(R, (2.2, 0.1), digits=2),
+        ),
         sentence="A turn of {turn} about the {axis} axis.",
         where=name_entries(euler.turned_about(about, turn)),
     )
@@ -280,22 +309,38 @@ def readings_figure() -> Figure:
 
 
 def target_figure() -> Figure:
-    """Draw the exercise: two angles to bring the die to frame B."""
-    R = euler.r
+    """Draw the exercise: two axes and two angles to bring the die to frame B."""
+    steps = NamedSteps()
+    one = steps.add("p", euler.turned_about(outer, first))
+    now = steps.add("n", one * euler.turned_about(mid, middle))
+    pairs = {
+        f"{a}, then {b}": tuple(int(each == letter) for each in (a, b) for letter in "xyz")
+        for a, b in permutations("xyz", 2)
+    }
+    alike = (R_AB[:, axis].dot(now[:, axis]) > cos(half_turn / 180) for axis in range(3))
+    in_place = sum(Piecewise((1, each), (0, True)) for each in alike)
     return Figure(
         name="to-b",
         ground="wall",
-        title="A die turned about y, then about its new z axis; the ghost is frame B",
+        title="A die turned about two of its own axes; the ghost is frame B",
+        size="laboratory",
         view=(-2.5, 2.6, -1.6, 1.5),
         controls=(
-            Slider.degrees(first, step=15, label="α, about y", kind="y_axis"),
-            Slider.degrees(middle, step=15, label="β, about the new z", kind="z_axis"),
+            Choice("axes", "its own axes", (*outer, *mid), pairs, start="y, then x"),
+            Slider.degrees(first, step=15, label="α, first turn"),
+            Slider.degrees(middle, step=15, label="β, second turn"),
         ),
-        scene=(*room(LEFT), *die(R, LEFT), *ghost_die(R_AB, VIEW.right_of_origin(1.45))),
-        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
-        sentence="Turned by {first} about y and {middle} about the new z, {apart} from frame B.",
-        goal=Goal(is_aligned(R, R_AB), "Bring the die onto frame B."),
-        where=name_entries(euler.turned_about(Y, first) * euler.turned_about(Z, middle)),
+        scene=(
+            *room(LEFT),
+            *die(now, LEFT),
+            *turn_arc("α", first, outer, "icr", at=LEFT),
+            *turn_arc("β", middle, mid, "icr", one, LEFT),
+            *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
+        ),
+        readouts=(Readout("in_place", "axes that point as in B", in_place, "", digits=0),),
+        sentence="Turned about {axes} by {first} and {middle}: {in_place} axes as in frame B.",
+        goal=Goal(is_aligned(now, R_AB), "Bring the die onto frame B."),
+        where=steps,
     )
 
 
@@ -306,7 +351,8 @@ def three_angles_figure() -> Figure:
     """Draw three turns, x, y and z, and a ghost whose angles stand in its matrix."""
     steps = NamedSteps()
     ghost = Matrix(euler.entries.subs(dict(zip(TURNS, map(rad, GIVEN), strict=True))).evalf(17))
-    two = steps.add("t", euler.turned_about(X, first) * euler.turned_about(Y, middle))
+    one = steps.add("o", euler.turned_about(X, first))
+    two = steps.add("t", one * euler.turned_about(Y, middle))
     now = steps.add("n", two * euler.turned_about(Z, third))
     return Figure(
         name="read-angles",
@@ -322,6 +368,9 @@ def three_angles_figure() -> Figure:
         scene=(
             *room(LEFT),
             *die(now, LEFT),
+            *turn_arc("α", first, X, "x_axis", at=LEFT),
+            *turn_arc("β", middle, Y, "y_axis", one, LEFT),
+            *turn_arc("γ", third, Z, "z_axis", two, LEFT),
             *ghost_die(ghost, VIEW.right_of_origin(1.35)),
             Bracket(now, (-1.15, -1.9), "the die", digits=2),
             Bracket(ghost, (1.35, -1.9), "the ghost", digits=2),
@@ -417,38 +466,48 @@ def rings_figure() -> Figure:
             Label(euler.omega, (2.75, -1)),
         ),
         readouts=(
-            Readout(euler.det_J, "det J: ±1 best, 0 locked", euler.determinant.right),
+            Readout(euler.det_J, "volume of the green body: det J", euler.determinant.right),
             Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad"),
         ),
         sentence=(
-            "Middle ring {middle}, outer ring on and inner ring back by {against}. det J is "
-            "{det_J}; the aeroplane is turned by {whole} in all."
+            "Middle ring {middle}, outer ring on and inner ring back by {against}: the aeroplane "
+            "is turned by {whole} in all, the volume of the green body is {det_J}."
         ),
         goal=Goal(
             And(Abs(cos(middle)) < 0.02, Abs(against) > half_turn / 7),
-            "Make det J zero; then turn the outer ring on by 30° or more.",
+            "Put the middle ring at 90°; then turn the outer ring on by 30° or more.",
         ),
         where=steps,
     )
 
 
 def near_lock_figure() -> Figure:
-    """Draw how fast the inner ring must turn, against how far the middle ring is from lock."""
+    """Draw how fast the inner ring must turn near lock, and why: long arrows make a short one."""
     graph = Graph(
-        (0, 3.2, 0, 1.8), x=(0.1, 100), y=(1, 1000), titles=("degrees from lock", "times as fast")
+        (0, 2.4, 0, 1.7), x=(0.1, 100), y=(1, 1000), titles=("degrees from lock", "times as fast")
     )
+    angle = rad(near)
     fast, on_curve = (1 / sin(each * half_turn / 180) for each in (near, 10**s))
     here = graph.place((near, fast))
+    left, low, high = 3.2, 0.2, 0.6  # of the wanted rate's arrow
+    tip = (left + high * cos(angle) / sin(angle), low + high)
     return Figure(
         name="inner-rate",
-        title="A graph: the nearer to lock, the faster the inner ring must turn",
-        view=(-0.75, 3.5, -0.85, 2.15),
+        title="The nearer to lock, the faster the inner ring must turn: a graph, and the rates",
+        view=(-0.7, 6.1, -0.8, 2.1),
+        ground="wall",
         controls=(Slider(near, 0.2, 90.0, start=30.0, step=0.2, label="degrees from lock"),),
         scene=(
             *graph.shapes(),
             Curve("z_axis", graph.place((10**s, on_curve)), s, -1, 1.95, 48),
             Line("ghost", (graph.place((near, 1)), here, graph.place((0.1, fast)))),
-            Point("velocity", here),
+            Point("z_axis", here),
+            Arrow("z_axis", (left, low), tip),
+            Arrow("x_axis", tip, (left, low + high)),
+            Arrow("velocity", (left, low), (left, low + high)),
+            Label("z_axis", (left + 1.2, low - 0.15), "inner ring"),
+            Label("x_axis", (left + 1.2, low + high + 0.2), "outer ring"),
+            Label("velocity", (left - 0.1, low + high + 0.2), "wanted"),
         ),
         readouts=(Readout("fast", "the inner ring, times as fast", fast, "", 1),),
         sentence="{near} degrees from lock the inner ring turns {fast} times as fast.",
@@ -506,7 +565,7 @@ def one_turn_figure() -> Figure:
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
-            *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * half_turn) for c in circles),
+            *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * half_turn, 48) for c in circles),
             *die(euler.r, VIEW.right_of_origin(-1.3)),
             floor(low),
             VIEW.solid((stand,), UNTURNED, low, floor=FLOOR),
@@ -680,9 +739,9 @@ def sequence_figure() -> Figure:
         size="laboratory",
         controls=(
             sequences(),
-            Slider.degrees(first, step=15, label="first α"),
-            Slider.degrees(middle, step=15, label="middle β"),
-            Slider.degrees(third, step=15, label="third γ"),
+            Slider.degrees(first, start=30, step=15, label="first α"),
+            Slider.degrees(middle, start=45, step=15, label="middle β"),
+            Slider.degrees(third, start=-60, step=15, label="third γ"),
             Clock(made, 0.0, 3.0, start=3.0, label="turns made", rate=0.75),
         ),
         scene=(
@@ -696,14 +755,12 @@ def sequence_figure() -> Figure:
             Readout("other_middle", "other answer: β", other_middle, "rad"),
             Readout("other_third", "other answer: γ", motion.wrap(cardan[2]), "rad"),
             Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad"),
-            Readout("whole", "the whole as one turn", angle_of(end), "rad"),
             Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad"),
         ),
         sentence=(
             "Sequence {sequence} with the angles {first}, {middle}, {third}, {made} turns made. "
             "The other answer is {other_first}, {other_middle}, {other_third}. The middle angle "
-            "is {lock} from gimbal lock. The whole is one turn of {whole} and ends {apart} from "
-            "frame B."
+            "is {lock} from gimbal lock. The die ends {apart} from frame B."
         ),
         goal=tuple(
             Goal(And(is_aligned(end, R_AB), chosen > 0), f"Reach frame B with {name}.")

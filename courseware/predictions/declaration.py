@@ -221,8 +221,8 @@ class Prediction:
         spoilers: words that give the answer away, besides the answer itself; a test holds that they
             stand nowhere above it in the chapter, and below it only in the fold.
         veils: the name of a figure in the cell before, which waits for the answer: on the page its
-            picture stands still under a veil, "Answer, or show me". Without JavaScript, in print
-            and in a notebook there is no veil: the figure stands open, as at its start.
+            picture stands still, and in place of what moves it stands "Answer, or show me". Without
+            JavaScript, in print and in a notebook the figure stands open, as at its start.
     """
 
     name: str

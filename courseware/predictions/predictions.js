@@ -182,15 +182,15 @@ class PredictionBox {
     this.withFigure((live) => this.lockFigure(live));
   }
 
-  // A figure that waits stands at its start under a veil.
+  // A figure that waits stands at its start, what moves it under a veil.
   veil() {
     const { figure, answered, name } = this;
     if (!figure) return;
     figure.classList.toggle("rk-veiled", !answered);
-    figure.querySelectorAll(".rk-picture, .rk-panel").forEach((part) => { part.inert = !answered; });
+    figure.querySelector(".rk-picture").inert = !answered;
     figure.querySelector(".rk-veil")?.remove();
     if (answered) return figure.courseware?.resumeClock?.();
-    figure.insertAdjacentHTML("beforeend", `<div class="rk-veil"><p><a href="#${name}">Answer</a>, or `
+    figure.querySelector(".rk-panel").insertAdjacentHTML("beforeend", `<div class="rk-veil"><p><a href="#${name}">Answer</a>, or `
       + `<button type="button">show me</button></p></div>`);
   }
 
@@ -221,7 +221,7 @@ class PredictionBox {
 // A link to what is folded away or under a veil opens it.
 const revealTarget = () => {
   const aim = document.getElementById(location.hash.slice(1).split("?")[0]), fold = aim?.closest(".rk-opens");
-  const veil = aim?.querySelector(":scope > .rk-veil button");
+  const veil = aim?.querySelector(":scope > .rk-panel > .rk-veil button");
   veil?.click();
   if (fold) {
     fold.open = true;

@@ -42,7 +42,7 @@ def page(chromium, server):
 def is_under_veil(page):
     """Whether nothing of the figure can be moved or read, but its picture seen."""
     figure = page.locator(FIGURE)
-    movable = figure.locator("input, .rk-panel button, .rk-handles circle")
+    movable = figure.locator("input, .rk-reset, .rk-step, .rk-handles circle")
     taken = movable.evaluate_all(f"(all) => all.map({TAKES_FOCUS})")
     veiled, read = figure.locator(".rk-veil").count(), figure.locator("dd").first.is_visible()
     assert {not veiled} == {read, *taken}

@@ -233,6 +233,9 @@ differential_drive_3 = Exercise(
         "when R is laid off to the wrong side of the robot": lambda x, y, **drive: (
             2 * np.array([x, y]) - centre(x, y, **drive)
         ),
+        "with sine and cosine exchanged": lambda theta, **drive: centre(
+            theta=np.pi / 2 - theta, **drive
+        ),
         "when R is laid off ahead of the robot": lambda x, y, theta, **speeds: centre(
             x, y, theta - np.pi / 2, **speeds
         ),

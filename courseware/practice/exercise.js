@@ -172,13 +172,14 @@ export class ExerciseBox {
     const { why, picture } = entry.tries > 1 && entry.result === "wrong" ? outcomes[entry.name] ?? {} : {};
     const root = document.documentElement.dataset.content_root; // a notebook has none
     const link = (place, words) => `<a href="${root}${topic}/${topic}.html#${place}">${words}</a>`;
+    const words = (_, name) => name, here = location.pathname.endsWith(`/${topic}.html`);
     const see = root === undefined ? "" : ` ${link(entry.name, "See it in the chapter.")}`;
     const still = (theme) => `<img class="rk-on-${theme} dark-light" loading="lazy" alt="${escapeHtml(picture)}" `
       + `src="${root}_static/practice/${entry.name}.svg?${this.element.dataset.version}#${theme}">`;
     this.one(".rk-ladder").innerHTML = (why ? `<p>${renderSymbols(why)}${see}</p>` : "")
       + (picture && root !== undefined
         ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
-      + (opened ? `<p>${renderHint(hint, root === undefined ? (_, words) => words : link)}</p>` : "")
+      + (opened ? `<p>${renderHint(hint, root === undefined ? words : link, here)}</p>` : "")
       + steps.slice(0, Math.max(0, opened - 1)).map(renderParagraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");
     button.hidden = opened > last;

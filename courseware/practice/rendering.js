@@ -23,9 +23,10 @@ export const renderParagraphs = (text) => renderMatrices(renderSymbols(joinUnbro
 const FORMULA_LINE = /^(\[[^=]*\]|\S+) = /;
 
 // The chapter, and what its formulas give; each leads to the formula, where the chapter prints it.
-export const renderHint = ({ chapter, formulas }, link) => {
+// here: the exercise stands in its own chapter.
+export const renderHint = ({ chapter, formulas }, link, here) => {
   const found = formulas.map(([gives, place]) => place ? link(place, renderSymbols(gives)) : renderSymbols(gives));
-  return `Look in the chapter “${renderSymbols(chapter)}”`
+  return `Look ${here ? "above" : `in the chapter “${renderSymbols(chapter)}”`}`
     + `${found.length ? ` for the formulas of ${found.join("; ")}` : ""}.`;
 };
 

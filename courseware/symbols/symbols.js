@@ -87,7 +87,8 @@ export const startSymbols = () => {
   addEventListener("click", (event) => {
     if (event.target.closest?.("input, select, button")) return;
     const face = faceOf(event);
-    if (face) highlight(face, "tap"); else if (lit) clearHighlight();
+    const again = lit?.by === "tap" && lit.face === face;
+    if (face && !again) highlight(face, "tap"); else if (lit) clearHighlight();
   });
   addEventListener("focusin", (event) => {
     const face = faceOf(event);

@@ -13,7 +13,7 @@ import pytest
 from browser import SITE, listed
 from declared import EXERCISES
 from paper.pages import BUILD
-from paper.pdf import join_documents
+from paper.pdf import WORK, join_documents
 from pypdf import PdfReader, PdfWriter
 from support import find_command
 
@@ -83,6 +83,12 @@ def outline(pdf):
     return entries
 
 
+def missing_drawings(html):
+    """Drawings and gradients that pictures use, and that a page does not have."""
+    used = set(re.findall(r'<use href="#([^"]+)"|url\(#([^)"]+)\)', html))
+    return {one or other for one, other in used} - set(re.findall(r' id="([^"]+)"', html))
+
+
 # --- the PDF --------------------------------------------------------------------------------
 
 
@@ -150,6 +156,14 @@ def test_figures_have_their_numbers_and_no_controls(texts):
     solutions = text.count("Solution ")
     assert solutions >= len(EXERCISES), f"{solutions} solutions, at least {len(EXERCISES)}"
     assert not [words for words in CONTROLS if words in text]
+
+
+@pytest.mark.slow
+def test_nothing_is_missing_in_a_picture(book):
+    printed = (WORK / "text.html").read_text("utf-8")
+    assert "<use " in printed
+    pages = [printed, *(text.decode() for name, text in book.items() if name.endswith(".xhtml"))]
+    assert [missing_drawings(html) for html in pages] == [set()] * len(pages)
 
 
 @pytest.mark.slow

@@ -109,9 +109,10 @@ const withLinks = (page, pages, link) => all(page.article, "a").forEach((element
   element.setAttribute("href", link.replace("PAGE", place.page).replace("ID", id));
 });
 
-// Ids are told apart by their page: the book may be one document.
+// Ids are told apart by their page: the book may be one document. Those in pictures name a drawing,
+// which is the same on every page.
 const withIds = ({ name, article }) => {
-  all(article, "[id]").forEach((element) => { element.id = `${name}.${element.id}`; });
+  all(article, "[id]:not(svg *)").forEach((element) => { element.id = `${name}.${element.id}`; });
   const others = ["for", "aria-labelledby", "aria-describedby", "headers"];
   all(article, others.map((other) => `[${other}]`).join(", ")).forEach((element) =>
     others.forEach((other) => element.removeAttribute(other)));

@@ -484,17 +484,17 @@ def rings_figure() -> Figure:
 def near_lock_figure() -> Figure:
     """Draw how fast the inner ring must turn near lock, and why: long arrows make a short one."""
     graph = Graph(
-        (0, 2.4, 0, 1.7), x=(0.1, 100), y=(1, 1000), titles=("degrees from lock", "times as fast")
+        (0, 3.6, 0, 2.3), x=(0.1, 100), y=(1, 1000), titles=("degrees from lock", "times as fast")
     )
     angle = rad(near)
     fast, on_curve = (1 / sin(each * half_turn / 180) for each in (near, 10**s))
     here = graph.place((near, fast))
-    left, low, high = 3.2, 0.2, 0.6  # of the wanted rate's arrow
+    left, low, high = 2.0, 1.35, 0.5  # of the wanted rate's arrow
     tip = (left + high * cos(angle) / sin(angle), low + high)
     return Figure(
         name="inner-rate",
         title="The nearer to lock, the faster the inner ring must turn: a graph, and the rates",
-        view=(-0.7, 6.1, -0.8, 2.1),
+        view=(-0.75, 4.4, -0.95, 2.75),
         ground="wall",
         controls=(Slider(near, 0.2, 90.0, start=30.0, step=0.2, label="degrees from lock"),),
         scene=(
@@ -505,9 +505,9 @@ def near_lock_figure() -> Figure:
             Arrow("z_axis", (left, low), tip),
             Arrow("x_axis", tip, (left, low + high)),
             Arrow("velocity", (left, low), (left, low + high)),
-            Label("z_axis", (left + 1.2, low - 0.15), "inner ring"),
-            Label("x_axis", (left + 1.2, low + high + 0.2), "outer ring"),
-            Label("velocity", (left - 0.1, low + high + 0.2), "wanted"),
+            Label("z_axis", (left + 1.1, low), "inner ring"),
+            Label("x_axis", (left + 1.1, low + high + 0.2), "outer ring"),
+            Label("velocity", (left + 0.15, low - 0.2), "wanted"),
         ),
         readouts=(Readout("fast", "the inner ring, times as fast", fast, "", 1),),
         sentence="{near} degrees from lock the inner ring turns {fast} times as fast.",

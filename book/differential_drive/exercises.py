@@ -180,6 +180,7 @@ differential_drive_1 = Exercise(
     right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
     wrong={M12: M12.formula.evaluate, M31: M31.formula.evaluate},
     when=different,
+    also={"when the wheel distance is forgotten": lambda v_L, v_R, **_: v_R - v_L},
     solution=Solution(
         "Seen from the left wheel, the right one moves at the difference of the two speeds, on a "
         "circle whose radius is the wheel distance:\n\n{omega}",
@@ -198,6 +199,11 @@ differential_drive_2 = Exercise(
     right=moving,
     wrong=turned_ways(moving),
     together=made_after(M14, {M13: M13.formula.wrap(moving)}),
+    also={
+        "with the difference of the wheel speeds in place of their mean": lambda theta, v_L, v_R: (
+            moving(theta, v_R - v_L, v_R - v_L)
+        ),
+    },
     derive=lambda theta, v_L, v_R: {"v": (v_L + v_R) / 2, "theta_deg": np.degrees(theta)},
     solution=Solution(
         "The middle moves at the mean of the two speeds, along the heading:\n\n{speed}\n\n{world}",
@@ -230,13 +236,13 @@ differential_drive_3 = Exercise(
             0, 0, 0, v_L, v_R, b
         ),
         "when the robot's own place is not added": lambda x, y, **drive: centre(0, 0, **drive),
-        "when R is laid off to the wrong side of the robot": lambda x, y, **drive: (
+        "when R is measured to the wrong side of the robot": lambda x, y, **drive: (
             2 * np.array([x, y]) - centre(x, y, **drive)
         ),
         "with sine and cosine exchanged": lambda theta, **drive: centre(
             theta=np.pi / 2 - theta, **drive
         ),
-        "when R is laid off ahead of the robot": lambda x, y, theta, **speeds: centre(
+        "when R is measured ahead of the robot": lambda x, y, theta, **speeds: centre(
             x, y, theta - np.pi / 2, **speeds
         ),
     },

@@ -167,10 +167,13 @@ WORDS = [  # figure, slider → what it shows, readout → its word
 # numbers that are shown to lose their digits, by the symbols that they come from
 LOST = {"digits": ("x_lost", "y_lost")}
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
-    "differential-drive-1": ({"b": 60, "v_L": 0.8, "v_R": 0.75}, {"M12": -0.1667, "M31": -0.0417}),
+    "differential-drive-1": (
+        {"b": 60, "v_L": 0.8, "v_R": 0.75},
+        {"M12": -0.1667, "M31": -0.0417, "distance is forgotten": -0.05},
+    ),
     "differential-drive-2": (
         {"theta": 90, "v_L": 0.55, "v_R": 0.3},
-        {"M13": [-0.1904, 0.3799], "M14": [0, -0.425]},
+        {"M13": [-0.1904, 0.3799], "M14": [0, -0.425], "with the difference": [0, -0.25]},
     ),
     "differential-drive-3": (
         {"x": 4, "y": 2, "theta": 160, "b": 45, "v_L": 0.7, "v_R": 0.2},
@@ -183,6 +186,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "own place is not added": [0.1385, 0.3806],
             "to the wrong side": [3.8615, 1.6194],
             "ahead of the robot": [4.3806, 1.8615],
+            "sine and cosine exchanged": [3.6194, 1.8615],
         },
     ),
     "differential-drive-4": (

@@ -207,7 +207,7 @@ def across(places: Any) -> tuple[Arrow, ...]:
 SCENE = Scene(
     layers={
         "axle": when(moves, Line("icr", ((AXLE[0], 0), (AXLE[1], 0)))),
-        "everywhere": when(turns, *across(Rational(k, 40) for k in range(-12, 7) if abs(k) > 2)),
+        "everywhere": when(moves, *across(Rational(k, 40) for k in range(-12, 7) if abs(k) > 2)),
         "tips": when(moves, Line("turning", (point_on_tips(AXLE[0]), point_on_tips(AXLE[1])))),
         "robot": (robot(START),),
         "between": across(Rational(k, 80) for k in (-3, -2, -1, 1, 2, 3)),
@@ -259,9 +259,7 @@ def park_figure() -> Figure:
         handles=tip_handles(),
         readouts=(
             Readout("off", "at the end: off the mark", distance(end, MARK), "m"),
-            Readout(
-                "turned", "at the end: turned wrongly by", angle_size(end[2] - MARK[2]), "rad", 0
-            ),
+            Readout("turned", "at the end: heading off by", angle_size(end[2] - MARK[2]), "rad", 0),
         ),
         goal=Goal(
             is_parked(end, MARK), f"Park the robot on the mark: within {OFF} cm and {TURNED}°."
@@ -348,7 +346,7 @@ def tips_figure() -> Figure:
         "axle everywhere tips robot wheels wedge radius icr",
         drag="wheels",
         view=(-0.32, 0.17, -0.125, 0.17),
-        readouts=(Readout(omega), Readout(R, words={"inf": "none: straight", "nan": "…"})),
+        readouts=(Readout(omega), Readout(R, words={"inf": "∞", "nan": "…"})),
         goal=(
             Goal(And(Abs(v_L) < 0.003, moving), "Bring the ICR to the left wheel."),
             Goal(And(Abs(v_L + v_R) < 0.006, moving), "Bring it to P: v below 3 mm/s."),
@@ -392,7 +390,7 @@ def infinity_figure() -> Figure:
             Button("through ∞", {share: 0}),
             Button("to the right", {share: -1.2}),
         ),
-        readouts=(Readout(R, words={"inf": "none: straight"}),),
+        readouts=(Readout(R, words={"inf": "∞"}),),
     )
 
 
@@ -485,7 +483,7 @@ def rates_figure() -> Figure:
         name="rates",
         title="A robot from above and, beside it, its two wheels from the side as they roll",
         view=(-0.1, 0.38, -0.15, 0.18),
-        ground="paper",
+        ground="wall",
         controls=(
             Slider(v, 0.0, 0.1, start=TWIST[v], step=0.005),
             Slider(omega, -1.0, 1.0, start=TWIST[omega], step=0.05),

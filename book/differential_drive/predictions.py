@@ -59,14 +59,14 @@ def seen_from_robot():
 PREDICTIONS = (
     Prediction(
         "seen-from-the-robot",
-        "From frame chains: a robot looks along the world's $y$ axis. A box stands 1 m from it, "
+        "From chapter 3: a robot looks along the world's $y$ axis. A box stands 1 m from it, "
         "along the world's $x$ axis. Where does the robot see it?",
         Buttons(
             ("straight ahead of it", "at its left", "at its right"),
             right=seen_from_robot,
             assumptions={
                 "straight ahead of it": "Ahead is $y$: the robot looks that way.",
-                "at its left": "Left of $y$ is $-x$: the turn to the left is counter-clockwise.",
+                "at its left": "If you look along $y$, your left hand points along $-x$.",
             },
         ),
         explanation="Turn the world back by the heading, 90°: then $x$ points to the right.",
@@ -74,7 +74,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "behind-on-the-left",
-        "From the start: a point lies at $x$ = −1 m, $y$ = 1 m. Which direction does "
+        "From *Before you start*: a point lies at $x$ = −1 m, $y$ = 1 m. Which direction does "
         "`arctan2(1, -1)` give?",
         Buttons(
             ("−45°", "45°", "135°"),
@@ -84,7 +84,7 @@ PREDICTIONS = (
                 "45°": "Both signs count, and $x$ is negative.",
             },
         ),
-        explanation="It keeps both signs: behind the $y$ axis, on the left.",
+        explanation="`arctan2` keeps both signs: the point lies to the left of the $y$ axis.",
         spoilers=("keeps both signs",),
     ),
     Prediction(
@@ -103,18 +103,20 @@ PREDICTIONS = (
             },
         ),
         explanation="The axle is stiff, so the tips of all arrows along it lie on one line. In the "
-        "middle the line is as high as the *mean* of its ends.",
+        "middle the arrow is as long as the *mean* of the two at the ends.",
         spoilers=("the mean of", "half the sum"),
     ),
     Prediction(
         "where-still",
         "Think of a large sheet of paper under the robot, that turns with it. While the robot "
-        "drives, one point of the sheet stays where it is. Drag *your pin* there.",
+        "drives, one point of the sheet stays where it is. Drag *your pin* there; *Play* shows how "
+        "it moves.",
         Ghost(
             "still",
             places=(pin_x, pin_y),
             right=(-formulas.turning_radius.substitute(EXERCISE), Float(0)),
             then={t: Float(1.5)},
+            free=(t,),
             tolerance=0.015,
             assumptions={
                 "That is P: it drives along.": (Float(0), Float(0)),
@@ -187,7 +189,7 @@ PREDICTIONS = (
             right=halved,
             assumptions={
                 "the same": "Shorter steps follow the arc more closely.",
-                "a quarter as far": "That is the rule with the middle heading.",
+                "a quarter as far": "So it is with another method, along the middle heading.",
             },
         ),
         explanation="The error falls with the step: slope 1 in the graph, *a method of order 1*. "
@@ -202,7 +204,8 @@ PREDICTIONS = (
             right="nowhere: no answer",
             assumptions={
                 "at P": "P stands still, and so does every other point.",
-                "infinitely far away": "So it is straight ahead; here near points rest, too.",
+                "infinitely far away": "So it is while it drives straight on. Here all points "
+                "rest, near and far.",
             },
         ),
         explanation="Every point is at rest, so none is *the* centre. The library answers `nan`: "

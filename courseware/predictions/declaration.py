@@ -142,6 +142,7 @@ class Ghost(_Numbers):
             left and right, the second one up and down; an angle is turned; another slider goes by
             its label.
         then: the sliders' values after the answer.
+        free: sliders that can be moved meanwhile, to try the guess; they must not tell the answer.
         right: where the ghost belongs, a number for each slider.
         tolerance: how far off each may be and still count as right, in the units of the sliders.
         assumptions: as for a number.
@@ -153,6 +154,7 @@ class Ghost(_Numbers):
     right: Value
     tolerance: float
     assumptions: Mapping[str, Value] = field(default_factory=dict)
+    free: tuple[sp.Symbol, ...] = ()
 
     def __post_init__(self) -> None:
         _refuse_typed(self.figure, self.right, *self.assumptions.values())
@@ -161,7 +163,7 @@ class Ghost(_Numbers):
         """Return the controls of the figure by symbol, each with its number."""
         controls = enumerate(find_figure(self.figure).controls)
         known = {c.symbol: (k, c) for k, c in controls if hasattr(c, "symbol")}
-        missing = [str(s) for s in (*self.places, *self.then) if s not in known]
+        missing = [str(s) for s in (*self.places, *self.then, *self.free) if s not in known]
         if missing:
             raise CourseError(
                 f"a prediction moves {', '.join(missing)}, but the figure {self.figure} has the "
@@ -196,6 +198,7 @@ class Ghost(_Numbers):
         return super().serialize() | {
             "kind": "ghost",
             "places": [controls[symbol][0] for symbol in self.places],
+            "free": [controls[symbol][0] for symbol in self.free],
             "labels": self.labels(),
             "ways": self.ways(),
             "then": {

@@ -144,8 +144,8 @@ class PredictionBox {
     this.show(true, guess);
     if (guess === SHOWN) return this.say(`Shown: ${is}.`);
     const right = isSameGuess(data, guess, data.right), your = describeGuess(data, guess);
-    this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` Right: ${is}.`}`
-      : `You said: ${your}. Right: ${is}.`);
+    this.say(right ? `✓ You said: ${your}.${your === is ? "" : ` The answer: ${is}.`}`
+      : `You said: ${your}. The answer: ${is}.`);
     if (!right) this.sayAssumption(guess);
   }
 
@@ -195,7 +195,10 @@ class PredictionBox {
   }
 
   // While the question is open, the ghost is all that can be moved; then, all but the ghost.
-  isMovable(i) { return this.data.places.includes(Number(i)) !== this.answered; }
+  isMovable(i) {
+    const { places, free } = this.data;
+    return free.includes(Number(i)) || places.includes(Number(i)) !== this.answered;
+  }
 
   lockControls() {
     const { figure, answered } = this;
@@ -213,8 +216,10 @@ class PredictionBox {
         grip.style.display = sets.every((i) => this.isMovable(i)) ? "" : "none";
       }
     });
+    // what is close enough moves to the exact place
+    const guess = answered && (taken === SHOWN || isSameGuess(this.data, taken, right)) ? right : taken;
     live.set(controls.map(({ start }, i) => !answered ? start
-      : places.includes(i) ? (taken === SHOWN ? right : taken)[places.indexOf(i)] : then[i] ?? live.state[i]));
+      : places.includes(i) ? guess[places.indexOf(i)] : then[i] ?? live.state[i]));
   }
 }
 

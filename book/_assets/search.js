@@ -3,9 +3,10 @@
 {
   const ROOT = document.documentElement.dataset.content_root;
   const STATIC = new URL("_static/", new URL(ROOT, document.baseURI));
-  // how much a word counts: in a title, where a chapter explains it, in prose, in code
-  const FIELDS = { title: 9, terms: 9, text: 1.2, code: 0.15 };
-  const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.7 };
+  // how much a word counts: in a title, where a chapter explains it, in what a mistake is told as, …
+  const FIELDS = { title: 9, terms: 9, feedback: 9, text: 1.2, code: 0.15 };
+  const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.4 };
+  const SLIPS = (term) => (term.length > 6 ? 2 : term.length > 4 ? 1 : 0); // letters that may differ
   const MOST_RESULTS = { dialog: 8, page: 30 };
   let index = null, loading = null;
 
@@ -35,16 +36,19 @@
         searchOptions: {
           boost: FIELDS,
           prefix: (term) => term.length > 1,
-          fuzzy: (term) => (term.length > 4 ? 0.2 : 0),
-          boostDocument: (id, term, entry) => PAGES[entry.page] ?? 1,
+          boostDocument: (id, term, { page, at, title }) => (PAGES[page] ?? 1)
+            * (/^M\d+$/.test(at) ? 0.5 : 1) // a mistake is short, so that each of its words weighs much
+            * (page === "notation" && /^\p{Script=Greek}$/u.test(term) ? 20 : 1)
+            * (!at && foldTerm(title).split(/[ -]/).includes(term) ? 2 : 1), // a page by its title
         },
       });
       index.addAll(entries.map((entry, id) => ({ id, ...entry })));
     },
-    // all words if some section has them all, else any of them
+    // what has all words; or all of them with slips of the hand; or any of them
     ask(words) {
-      const all = index.search(words, { combineWith: "AND" });
-      return all.length ? all : index.search(words);
+      const tries = [{ combineWith: "AND" }, { combineWith: "AND", fuzzy: SLIPS }, { fuzzy: SLIPS }];
+      return tries.map((how) => () => index.search(words, how))
+        .reduce((found, search) => (found.length ? found : search()), []);
     },
   };
 

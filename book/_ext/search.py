@@ -17,6 +17,7 @@ from myst_nb.sphinx_ import SelectMimeType
 from sphinx import addnodes
 
 from courseware.equations.text import GREEK
+from courseware.practice import all_mistakes
 
 NAMES = {"sin", "cos", "tan", "cot", "arctan", "det"}
 LEFT_OUT = ["checks"]  # formulas of the chapters once more
@@ -85,7 +86,9 @@ class Reader:
             self.read_term(node)
         elif isinstance(node, nodes.container) and "rk-mistake" in node["classes"]:
             words_of = [extract_text(part.astext()) for part in node.children]  # HTML and code
-            self.add(node["ids"][0], f"Mistake {node['ids'][0]}", text=join_words(words_of))
+            name = node["ids"][0]
+            feedback = all_mistakes()[name].feedback
+            self.add(name, f"Mistake {name}", feedback=feedback, text=join_words(words_of))
         elif not isinstance(node, nodes.Invisible):
             words["terms"] += [node.astext()] if isinstance(node, nodes.emphasis) else []
             for child in node.children:

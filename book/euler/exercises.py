@@ -46,7 +46,10 @@ ENTRIES = tuple(map(str, r))  # the names of the entries of a matrix, row by row
 ANGLES = (A, B, C)
 OTHER = symbols("a_other b_other c_other")  # the same rotation by other angles
 RENAMED = dict(zip(formulas.TURNS, ANGLES, strict=True))
-AT_LOCK = (formulas.third_first.right[1].subs(formulas.gamma, 0), asin(r[0, 2]))  # of XYZ
+AT_LOCK = (  # of XYZ
+    formulas.third_first.right[1].subs(formulas.gamma, 0),
+    formulas.angles_at_once.right[1],
+)
 
 M6 = Mistake(
     "M6",
@@ -73,7 +76,7 @@ M7 = Mistake(
     "R_AB = np.array(R_y) @ R_z",
     why="Point the thumb of the right hand along the axis: the fingers bend the positive way. "
     "About z it leads from x to y, about y from z to x. These matrices turn the other way.",
-    unnoticed="Where every turn is a half turn: its sine is zero.",
+    unnoticed="Where every turn is zero or a half turn: its sine is zero.",
     picture=Picture(
         "wrong-frames",
         "Matrices typed by hand",

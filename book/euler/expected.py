@@ -24,8 +24,9 @@ def sequence_readouts(*columns):
         here = names == seq
         angles = rows[here, 10:13]
         R = euler.to_matrix(seq, angles)
-        out[here, :3] = other(seq, angles, R)
         out[here, 3] = from_lock(seq, R)
+        locked = out[here, 3] < 1e-9
+        out[here, :3] = np.where(locked[:, None], np.nan, other(seq, angles, R))
         out[here, 4] = euler.axis_angle(R_AB.T @ R)[1]
     return out
 

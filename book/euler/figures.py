@@ -15,6 +15,7 @@ from sympy import (
     Symbol,
     atan2,
     cos,
+    nan,
     rad,
     sin,
     sqrt,
@@ -176,7 +177,7 @@ def turn_arc(
         return [a + part for a, part in zip(at, arrow, strict=True)]
 
     here, half = place(s * angle, 1.05), place(angle / 2, 1.25)
-    arc = Curve(kind, VIEW.project(here), s, 0, 1, 24, depth=VIEW.depth(here) + 0.2)
+    arc = Curve(kind, VIEW.project(here), s, 0, 1, 16, depth=VIEW.depth(here) + 0.2)
     return arc, *when(Abs(angle) > 0.2, Label(kind, VIEW.project(half), letter))
 
 
@@ -190,7 +191,7 @@ def die_figure() -> Figure:
     now = steps.add("n", turns.compose(last))
     own, away = turns.own, 2 * (1 - turns.part)
     beside = -2.35 + own * (1.6 + away) - (1 - own) * away  # from its own side
-    tasks = {99: "Bring the die onto its ghost.", 3: "Do it again, in as few turns as you can."}
+    tasks = {99: "Bring the die onto its ghost.", 3: "Bring it there in as few turns as you can."}
     low = -1.8
     return Figure(
         name="die",
@@ -270,7 +271,7 @@ def order_figure() -> Figure:
         view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
         scene=(*die(left, LEFT), *die(right, RIGHT)),
-        readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
+        readouts=(Readout("apart", "angle between the dice", angle_of(left.T * right), "rad"),),
         sentence="{made} turns made of each; the dice are one turn of {apart} apart.",
         where=steps,
     )
@@ -302,7 +303,7 @@ def readings_figure() -> Figure:
             Label("text", (-1.15, -1.62), "own axes: z, then x"),
             Label("text", (1.15, -1.62), "the room’s: x, then z"),
         ),
-        readouts=(Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),),
+        readouts=(Readout("apart", "angle between the dice", angle_of(left.T * right), "rad"),),
         sentence="{made} turns made, by {first} about z and {middle} about x: {apart} apart.",
         where=steps,
     )
@@ -375,7 +376,7 @@ def three_angles_figure() -> Figure:
             Bracket(now, (-1.15, -1.9), "the die", digits=2),
             Bracket(ghost, (1.35, -1.9), "the ghost", digits=2),
         ),
-        readouts=(Readout("apart", "still to the ghost", angle_of(ghost.T * now), "rad"),),
+        readouts=(Readout("apart", "angle to the ghost", angle_of(ghost.T * now), "rad"),),
         sentence="Turned by {first}, {middle} and {third}, {apart} from the ghost.",
         goal=Goal(is_aligned(now, ghost), "Bring the die onto the ghost."),
         where=steps,
@@ -406,7 +407,7 @@ def both_figure() -> Figure:
         scene=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
             Readout("other", "β of the right die", motion.wrap(euler.OTHERS[1]), "rad", digits=0),
-            Readout("apart", "between the two dice", angle_of(left.T * right), "rad"),
+            Readout("apart", "angle between the dice", angle_of(left.T * right), "rad"),
         ),
         sentence=(
             "The left die is turned by 20°, {middle}, 30°, the right one by 200°, {other}, 210°; "
@@ -453,7 +454,7 @@ def rings_figure() -> Figure:
         seen_from=(-pi / 4, pi / 8),
         controls=(
             Slider.degrees(middle, start=30, step=15, label="β, middle ring", kind="y_axis"),
-            Slider.degrees(against, step=15, label="outer ring on, inner ring back"),
+            Slider.degrees(against, step=15, label="outer ring +, inner ring −"),
         ),
         scene=(
             VIEW.solid(things_space.slab(low, 1.45), UNTURNED, behind=200.0),
@@ -462,16 +463,16 @@ def rings_figure() -> Figure:
             VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
             VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
             VIEW.solid(AEROPLANE, three),
-            VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.75)),
-            Label(euler.omega, (2.75, -1)),
+            VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.65)),
+            Label(euler.omega, (2.65, -0.85)),
         ),
         readouts=(
-            Readout(euler.det_J, "volume of the green body: det J", euler.determinant.right),
-            Readout("whole", "the aeroplane's whole turn", angle_of(three), "rad"),
+            Readout(euler.det_J, "det J (0: the green body is flat)", euler.determinant.right),
+            Readout("whole", "angle of the aeroplane", angle_of(three), "rad"),
         ),
         sentence=(
             "Middle ring {middle}, outer ring on and inner ring back by {against}: the aeroplane "
-            "is turned by {whole} in all, the volume of the green body is {det_J}."
+            "is turned by {whole} in all, det J is {det_J}."
         ),
         goal=Goal(
             And(Abs(cos(middle)) < 0.02, Abs(against) > half_turn / 7),
@@ -484,7 +485,10 @@ def rings_figure() -> Figure:
 def near_lock_figure() -> Figure:
     """Draw how fast the inner ring must turn near lock, and why: long arrows make a short one."""
     graph = Graph(
-        (0, 3.6, 0, 2.3), x=(0.1, 100), y=(1, 1000), titles=("degrees from lock", "times as fast")
+        (0, 3.6, 0, 2.3),
+        x=(0.1, 100),
+        y=(1, 1000),
+        titles=("degrees from lock", "inner / wanted rate"),
     )
     angle = rad(near)
     fast, on_curve = (1 / sin(each * half_turn / 180) for each in (near, 10**s))
@@ -509,7 +513,7 @@ def near_lock_figure() -> Figure:
             Label("x_axis", (left + 1.1, low + high + 0.2), "outer ring"),
             Label("velocity", (left + 0.15, low - 0.2), "wanted"),
         ),
-        readouts=(Readout("fast", "the inner ring, times as fast", fast, "", 1),),
+        readouts=(Readout("fast", "inner rate / wanted rate", fast, "", 1),),
         sentence="{near} degrees from lock the inner ring turns {fast} times as fast.",
         grid=False,
     )
@@ -544,7 +548,7 @@ def one_turn_figure() -> Figure:
     def put(vector: Any) -> list[Any]:
         return [BALL * each + at for each, at in zip(vector, middle_of, strict=True)]
 
-    def way(kind: str, vector: Any, high: Any, samples: int = 32) -> Curve:
+    def way(kind: str, vector: Any, high: Any, samples: int) -> Curve:
         at = put(vector)
         return Curve(kind, VIEW.project(at), s, 0, high, samples, depth=VIEW.depth(at) + 0.2)
 
@@ -558,7 +562,7 @@ def one_turn_figure() -> Figure:
     return Figure(
         name="one-turn",
         title="A die on its way to frame B, and its way in the ball of all rotations",
-        view=(-2.35, 2.85, -1.5, 1.75),
+        view=(-2.6, 2.85, -1.5, 1.85),
         ground="wall",
         controls=(
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
@@ -573,15 +577,15 @@ def one_turn_figure() -> Figure:
                 VIEW.arrow(kind, put(0 * axis), put(1.3 * axis), label)
                 for kind, axis, label in zip(AXES, (X, Y, Z), OF_A, strict=True)
             ),
-            way("icr", s * spoke, 1),
-            way("approximation", in_ball(2 * s), 1, 48),
+            way("icr", s * spoke, 1, 6),
+            way("approximation", in_ball(2 * s), 1, 24),
             bring_forward(VIEW.point("target", put(spoke), "B"), 9),
             bring_forward(VIEW.point("body", put(here)), 9),
             Thing((*seen, 0), (glass, light)),
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),
-            Readout("left", "still to B", angle_of(R_AB.T * euler.r), "rad"),
+            Readout("left", "angle to B", angle_of(R_AB.T * euler.r), "rad"),
         ),
         sentence="By {way}, {part} of the way: turned by {turned} in all, {left} left to frame B.",
         where=name_entries(at_once * euler.turned_about(AXIS, once) + (1 - at_once) * two),
@@ -611,7 +615,7 @@ def one_axis_figure() -> Figure:
             *die(R, LEFT),
             *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
         ),
-        readouts=(Readout("apart", "still to B", angle_of(R_AB.T * R), "rad"),),
+        readouts=(Readout("apart", "angle to B", angle_of(R_AB.T * R), "rad"),),
         sentence="Turned by {turn} about an axis through {axis}, {apart} from frame B.",
         goal=Goal(is_aligned(R, R_AB), "Bring the die onto frame B by one turn."),
         where=name_entries(euler.turned_about(euler.n, turn)),
@@ -678,7 +682,7 @@ def mistakes_figure() -> Figure:
         view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Choice("mistake", "mistake", WRONG, options),),
         scene=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
-        readouts=(Readout("apart", "off by one turn of", angle_of(right.T * R), "rad", digits=0),),
+        readouts=(Readout("apart", "error angle", angle_of(right.T * R), "rad", digits=0),),
         sentence="{mistake}: the wrong frame is one turn of {apart} from frame B.",
     )
 
@@ -751,11 +755,22 @@ def sequence_figure() -> Figure:
             *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
         ),
         readouts=(
-            Readout("other_first", "other answer: α", motion.wrap(cardan[0]), "rad"),
-            Readout("other_middle", "other answer: β", other_middle, "rad"),
-            Readout("other_third", "other answer: γ", motion.wrap(cardan[2]), "rad"),
-            Readout("lock", "middle angle to gimbal lock", atan2(near, far), "rad"),
-            Readout("apart", "from there to frame B", angle_of(R_AB.T * end), "rad"),
+            *(
+                Readout(
+                    f"other_{name}",
+                    f"other answer: {letter}",
+                    Piecewise((angle, near > 1e-9), (nan, True)),
+                    "rad",
+                    words={"nan": "endlessly many"},
+                )
+                for name, letter, angle in (
+                    ("first", "α", motion.wrap(cardan[0])),
+                    ("middle", "β", other_middle),
+                    ("third", "γ", motion.wrap(cardan[2])),
+                )
+            ),
+            Readout("lock", "β from gimbal lock", atan2(near, far), "rad"),
+            Readout("apart", "angle to frame B", angle_of(R_AB.T * end), "rad"),
         ),
         sentence=(
             "Sequence {sequence} with the angles {first}, {middle}, {third}, {made} turns made. "

@@ -28,8 +28,8 @@ def third_quarter() -> str:
 PREDICTIONS = (
     Prediction(
         "arm-ways",
-        "The wrist of the arm shall go to one place, well within its reach. In how many ways can "
-        "its three joints stand?",
+        "The wrist of the arm must go to one place, far from the limits of its reach. In how "
+        "many ways can its three joints stand?",
         Buttons(
             ("one", "two", "four"),
             right=ways_of_the_arm,
@@ -51,7 +51,8 @@ PREDICTIONS = (
             ("45°", "−45°", "−135°"),
             right=third_quarter,
             assumptions={
-                "45°": "So says the arctangent of $y/x$: in the quotient both signs are lost.",
+                "45°": "That is what the arctangent of $y/x$ gives: in the quotient both signs "
+                "are lost.",
                 "−45°": "There $y$ is negative, too, but $x$ is positive.",
             },
         ),
@@ -102,13 +103,13 @@ PREDICTIONS = (
                 "alike": "So it is with numbers, and with turns about one and the same axis. Here "
                 "the first turn takes the axis of the second one along.",
                 "90° apart": "A quarter turn about an axis of the die leaves that axis where it "
-                "is. Follow 1, 2 and 3: on the two dice none of them shows the same way.",
+                "is. Look at the faces with 1, 2 and 3 dots: none shows the same way on both dice.",
                 "180° apart": "A half turn that takes a die to a die leaves one of its axes on "
-                "its line. Follow 1, 2 and 3: none of their axes lies on one line in both.",
+                "its line. Look at 1, 2 and 3: none of their axes lies on one line in both.",
             },
         ),
-        explanation="Not alike: a product of matrices depends on the order. One single turn, "
-        "by 120°, makes them alike; step 7 finds such turns. Press *Play*.",
+        explanation="Not alike: a product of matrices depends on the order. Press *Play* to see it "
+        "again.",
         spoilers=("depends on the order",),
         veils="order",
     ),
@@ -122,11 +123,11 @@ PREDICTIONS = (
                 "a quarter turn apart": "No angle differs by a quarter turn: the outer two differ "
                 "by 180°, the middle one by 120°. What counts is all three together.",
                 "half a turn apart": "The right die makes two half turns more, the first and the "
-                "last. Between them it lies on its other side, so the last one undoes the first.",
+                "last. Between them it lies upside down, so the last one undoes the first.",
             },
         ),
-        explanation="The first half turn lays the die on its other side, $180° - \\beta$ goes on "
-        "from there, the last half turn turns it back. Press *Play*. It is so for every $\\beta$: "
+        explanation="The first half turn puts the die upside down, $180° - \\beta$ continues "
+        "from there, the last half turn turns it back. It is so for every $\\beta$: "
         "every matrix has at least two answers; textbooks take the one with a positive "
         "$\\cos\\beta$. The other one:",
         spoilers=("two answers",),
@@ -170,19 +171,20 @@ PREDICTIONS = (
     ),
     Prediction(
         "near-lock",
-        "The outer ring stands at 0°, the middle one at 89°. The aeroplane shall turn at 1° a "
+        "The outer ring stands at 0°, the middle one at 89°. The aeroplane must turn at 1° a "
         "second about $z_A$, straight up. How fast must the inner ring turn?",
         Buttons(
             ("1° a second", "2° a second", "57° a second"),
             right="57° a second",
             assumptions={
-                "1° a second": "So it is at $\\beta$ = 0°: there its axis is $z_A$.",
-                "2° a second": "So it is at $\\beta$ = 60°: there half of its rate counts.",
+                "1° a second": "That is right for $\\beta$ = 0°: there its axis is $z_A$.",
+                "2° a second": "That is right for $\\beta$ = 60°: there half of its rate counts.",
             },
         ),
         explanation="The axis of the inner ring lies almost along that of the outer one. Only the "
         "part $\\cos\\beta$ of its rate counts, so the ring must race, and the outer ring takes "
-        "back nearly all of it. So does the wrist of a robot near lock. For 1 rad/s about $z_A$:",
+        "back nearly all of it. The wrist of a robot near lock does the same. For 1 rad/s about "
+        "$z_A$:",
         spoilers=("must race",),
     ),
     Prediction(

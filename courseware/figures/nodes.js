@@ -5,8 +5,10 @@ export const renderAttributes = (attributes) => Object.entries(attributes)
   .map(([name, value]) => ` ${name}="${value}"`).join("");
 
 export const renderNodes = (nodes) => typeof nodes === "string" ? nodes : nodes
-  .map(([tag, attributes, inside = []]) =>
-    `<${tag}${renderAttributes(attributes)}>${renderNodes(inside)}</${tag}>`).join("");
+  .map(([tag, attributes, inside = []]) => {
+    const start = `<${tag}${renderAttributes(attributes)}`;
+    return inside.length ? `${start}>${renderNodes(inside)}</${tag}>` : `${start}/>`;
+  }).join("");
 
 export const setAttribute = (element, name, value) => {
   if (element.getAttribute(name) !== String(value)) element.setAttribute(name, value);

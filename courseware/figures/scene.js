@@ -24,7 +24,8 @@ export const createProjection = (view, width) => {
 
 export const heightOf = ({ view }, width) => px(width * (view[3] - view[2]) / (view[1] - view[0]));
 
-const EDGES = { "stroke-width": 1.5, "stroke-linecap": "round" }; // of solids
+// of solids: a face is one colour, with its rim
+const EDGES = { "stroke-width": 1.5, "stroke-linecap": "round", fill: "currentColor", stroke: "currentColor" };
 const DRAWN = { ...SHAPES, solid: drawSolid, thing: drawThing };
 
 // Each shape is a node of its own, so that one that rests is not touched. Those with a depth change

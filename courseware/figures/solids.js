@@ -22,7 +22,8 @@ const isSeen = (q) => {
   return area < -0.5;
 };
 
-const writePoint = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
+const tenths = (x) => Math.round(10 * x) / 10;
+const writePoint = ([x, y]) => `${tenths(x)} ${tenths(y)}`;
 // Not a path: what a browser knows of a path's form is its style, which is worked out anew.
 const drawLine = (points, style) => ["polyline", { points, style }];
 
@@ -45,7 +46,7 @@ const castShadow = (faces, flat, beside) => {
 
 const HALO = [0, 5, 11]; // pixels: widths of the layers of a shadow
 const layShadow = (loops) => {
-  return ["g", { style: "stroke:#000;stroke-linejoin:round" }, HALO.map((wide) =>
+  return ["g", { style: "fill:#000;stroke:#000;stroke-linejoin:round" }, HALO.map((wide) =>
     ["path", { d: loops, style: `opacity:var(--rk-soft,.08);stroke-width:${wide}` }])];
 };
 
@@ -65,7 +66,7 @@ const paintDots = (discs, q, [a, b], normal, toEye, fill) => {
   const axes = [ahead, cross(normal, ahead)].flatMap((axis) => subtract(middle, toEye(axis)).slice(0, 2));
   const at = (x, y, k) => px(meanOf(q, k) + x * axes[k] + y * axes[2 + k]);
   return discs.map(([x, y, r, tone]) => ["circle", {
-    r, style: `fill:${fill(tone)}`, transform: `matrix(${axes.map(px)} ${at(x, y, 0)} ${at(x, y, 1)})`,
+    r, style: `fill:${fill(tone)};stroke:none`, transform: `matrix(${axes.map(Math.round)} ${at(x, y, 0)} ${at(x, y, 1)})`,
   }]);
 };
 
@@ -125,7 +126,7 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
       if (!seen[k]) return;
       const tone = ghost ? paint(kind) : shadeFace(kind, normals[k]), around = face.map((i) => texts[i]);
       const style = ghost ? `fill:${tone};fill-opacity:${opacity};stroke:${tone};stroke-dasharray:${KINDS[kind]?.dash.join(" ") || "none"}`
-        : `fill:${tone};stroke:${tone};stroke-width:.6`;
+        : `color:${tone};stroke-width:.6`;
       const printed = paintDots(dots[k] ?? [], outlines[k], worlds[k], normals[k], toEye,
         (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)");
       pieces.push({ nodes: [drawLine([...around, around[0]].join(" "), style), ...printed], depth: depths[k], face: !ghost && outlines[k] });

@@ -105,7 +105,7 @@ def plate(kind: Kind, outline: Sequence[Point2], thick: float, along: str = "z")
 
 def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Mesh:
     """Return a flat ring about an axis."""
-    n, half = 20, width / 2
+    n, half = 18, width / 2
     rims = (inner, -half), (outer, -half), (outer, half), (inner, half)
     corners = _turn([corner for rim in rims for corner in _circle(n, *rim)], along)
     low, outside, high, inside = (_band(n, rim, (rim + 1) % 4) for rim in range(4))
@@ -119,7 +119,7 @@ def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Me
 
 def ball(kind: Kind) -> Mesh:
     """Return a ball of radius 1 m, of faces between circles of latitude."""
-    n, rows = 14, 7
+    n, rows = 12, 6
     angles = [pi * k / rows for k in range(rows + 1)]
     corners = [corner for a in angles for corner in _circle(n, sin(a), cos(a))]
     # each from its upper left corner on

@@ -132,7 +132,14 @@ class PredictionBox {
     if (this.answered) return;
     const kept = storeGuesses({ ...readStored(GUESSES_KEY), [this.name]: guess });
     this.open(guess);
+    this.play();
     this.showForgetLine(this, kept);
+  }
+
+  // What waited for the answer moves now.
+  play() {
+    const button = this.data.kind !== "ghost" && this.figure?.querySelector(".rk-play");
+    if (button?.textContent === "Play" && !matchMedia("(prefers-reduced-motion: reduce)").matches) button.click();
   }
 
   say(words) {

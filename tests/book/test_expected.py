@@ -60,7 +60,7 @@ def test_a_word_instead_of_a_number(name, values, readout, word):
     """As the script writes it where the controls stand at a setting."""
     controls = [replace(c, start=values.get(c.key, c.start)) for c in FIGURES[name].controls]
     figure = replace(FIGURES[name], controls=tuple(controls))
-    texts = map(unescape, re.findall("<dd>(.*?)</dd>", figure.render_contents()))
+    texts = map(unescape, re.findall("<dd.*?>(.*?)</dd>", figure.render_contents()))
     assert dict(zip([r.name for r in figure.readouts], texts, strict=True))[readout] == word
 
 

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.browser
 
 BUTTONS, NUMBER, GHOST = "ever-straighter", "how-fast", "where-after"
 FIGURE = "document.getElementById('guess').courseware"
-INSIDE = "is no invention"  # in what the buttons open
+INSIDE = "happens in real programs"  # in what the buttons open
 THERE = (-0.069, 0.126)  # where P is after 2 s
 
 
@@ -117,7 +117,7 @@ def test_a_button_opens_what_belongs_to_it(page):
     assert fold(page, BUTTONS).is_visible()
     assert page.get_by_text(INSIDE).is_visible()
     words = said(page, BUTTONS).inner_text()
-    assert words.startswith("You said: it stays right. Right: it gets worse.")
+    assert words.startswith("You said: it stays right. The answer: it gets worse.")
     assert "a computer keeps 16 digits" in words  # what this guess assumes
     assert said(page, BUTTONS).get_attribute("role") == "status"
     assert page.evaluate("() => document.activeElement.textContent") == "it stays right"
@@ -129,9 +129,10 @@ def test_a_button_opens_what_belongs_to_it(page):
 TYPED = {
     "7.5": "✓ You said: 7.5 cm/s.",
     "15/2": "✓ You said: 7.5 cm/s.",
-    "7.6": "✓ You said: 7.6 cm/s. Right: 7.5 cm/s.",  # near enough
-    "5": "You said: 5 cm/s. Right: 7.5 cm/s.\n\nThat is the difference: the robot turns by it.",
-    "9": "You said: 9 cm/s. Right: 7.5 cm/s.",
+    "7.6": "✓ You said: 7.6 cm/s. The answer: 7.5 cm/s.",  # near enough
+    "5": "You said: 5 cm/s. The answer: 7.5 cm/s.\n\n"
+    "That is the difference: the robot turns by it.",
+    "9": "You said: 9 cm/s. The answer: 7.5 cm/s.",
 }
 
 
@@ -260,7 +261,7 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     page.reload()
     fold(page, GHOST).wait_for()
     assert said(page, BUTTONS).inner_text() == (
-        "You said: it gets better. Right: it gets worse.\n\n"
+        "You said: it gets better. The answer: it gets worse.\n\n"
         "The path gets simpler, but not the computation."
     )
     come_alive(page)

@@ -4,15 +4,24 @@
   const ROOT = document.documentElement.dataset.content_root;
   const STATIC = new URL("_static/", new URL(ROOT, document.baseURI));
   // how much a word counts: in a title, where a chapter explains it, in what a mistake is told as, …
-  const FIELDS = { title: 9, terms: 9, feedback: 9, text: 1.2, code: 0.15 };
+  const FIELDS = { title: 9, terms: 9, feedback: 3, text: 1.2, code: 0.15 };
   const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.4 };
   const SLIPS = (term) => (term.length > 6 ? 2 : term.length > 4 ? 1 : 0); // letters that may differ
   const MOST_RESULTS = { dialog: 8, page: 30 };
   let index = null, loading = null;
 
-  // one letter for what looks alike: case, Arabic and Persian ya and kaf, joiners, accents
-  const foldTerm = (term) => term.normalize("NFKD").toLowerCase()
-    .replace(/[\p{M}\u200c\u200d]/gu, "").replace(/ي/g, "ی").replace(/ك/g, "ک");
+  const EMPTY = new Set(["a", "an", "the", "of", "or", "and", "to", "in", "is", "for", "with", "vs"]);
+  // one letter for what looks alike: case, Arabic and Persian ya and kaf, joiners, accents; one word
+  // for one and many; none for words that say nothing
+  const foldTerm = (term) => {
+    const folded = term.normalize("NFKD").toLowerCase()
+      .replace(/[\p{M}\u200c\u200d]/gu, "").replace(/ي/g, "ی").replace(/ك/g, "ک");
+    return EMPTY.has(folded) ? "" : folded.replace(/(?<=[a-z]{3}[^su])s$/, "");
+  };
+  // the name of a function is a word as well as its parts
+  const splitWords = (text) => text.match(/\w+_\w+|[\p{L}\p{M}\p{N}\u200c]+/gu)
+    ?.flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : word)) ?? [];
+  const listTerms = (text) => splitWords(text).map(foldTerm).filter(Boolean);
 
   const loadScript = (name) => new Promise((done, failed) => {
     const script = document.createElement("script");
@@ -29,17 +38,13 @@
       index = new MiniSearch({
         fields: Object.keys(FIELDS),
         storeFields: ["page", "at", "title", "of", "text", "code"],
-        // the name of a function is a word as well as its parts
-        tokenize: (text) => text.match(/\w+_\w+|[\p{L}\p{M}\p{N}\u200c]+/gu)
-          ?.flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : word)) ?? [],
+        tokenize: splitWords,
         processTerm: (term) => foldTerm(term) || null,
         searchOptions: {
           boost: FIELDS,
           prefix: (term) => term.length > 1,
-          boostDocument: (id, term, { page, at, title }) => (PAGES[page] ?? 1)
-            * (/^M\d+$/.test(at) ? 0.5 : 1) // a mistake is short, so that each of its words weighs much
-            * (page === "notation" && /^\p{Script=Greek}$/u.test(term) ? 20 : 1)
-            * (!at && foldTerm(title).split(/[ -]/).includes(term) ? 2 : 1), // a page by its title
+          boostDocument: (id, term, { page }) => (PAGES[page] ?? 1)
+            * (page === "notation" && /^\p{Script=Greek}$/u.test(term) ? 20 : 1),
         },
       });
       index.addAll(entries.map((entry, id) => ({ id, ...entry })));
@@ -47,8 +52,14 @@
     // what has all words; or all of them with slips of the hand; or any of them
     ask(words) {
       const tries = [{ combineWith: "AND" }, { combineWith: "AND", fuzzy: SLIPS }, { fuzzy: SLIPS }];
-      return tries.map((how) => () => index.search(words, how))
+      const found = tries.map((how) => () => index.search(words, how))
         .reduce((found, search) => (found.length ? found : search()), []);
+      // what has all of them in its title counts more, a page most
+      const weigh = ({ score, terms, page, at, title }) => {
+        const known = new Set(listTerms(title)), all = terms.length && terms.every((term) => known.has(term));
+        return score * (!all || page in PAGES ? 1 : at ? 2 : 3);
+      };
+      return found.map((one) => [weigh(one), one]).sort(([a], [b]) => b - a).map(([, one]) => one);
     },
   };
 

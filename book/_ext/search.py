@@ -88,7 +88,7 @@ class Reader:
             words_of = [extract_text(part.astext()) for part in node.children]  # HTML and code
             name = node["ids"][0]
             feedback = all_mistakes()[name].feedback
-            self.add(name, f"Mistake {name}", feedback=feedback, text=join_words(words_of))
+            self.add(name, f"Mistake {name}", feedback=feedback, code=join_words(words_of))
         elif not isinstance(node, nodes.Invisible):
             words["terms"] += [node.astext()] if isinstance(node, nodes.emphasis) else []
             for child in node.children:

@@ -445,7 +445,8 @@ def rings_figure() -> Figure:
     three = steps.add("c", two * euler.turned_about(Z, -against))
     J = substitute(substitute(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
-    low = -1.46
+    low, is_locked = -1.46, Abs(cos(middle)) < 0.02
+    across = Matrix([0, -sin(against), cos(against)])  # to the axes of the outer and middle ring
     return Figure(
         name="gimbal-rings",
         ground="wall",
@@ -463,6 +464,7 @@ def rings_figure() -> Figure:
             VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
             VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
             VIEW.solid(AEROPLANE, three),
+            *when(is_locked, VIEW.arrow("error", 0.4 * across, 1.6 * across, "lost")),
             VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.65)),
             Label(euler.omega, (2.65, -0.85)),
         ),
@@ -475,7 +477,7 @@ def rings_figure() -> Figure:
             "is turned by {whole} in all, det J is {det_J}."
         ),
         goal=Goal(
-            And(Abs(cos(middle)) < 0.02, Abs(against) > half_turn / 7),
+            And(is_locked, Abs(against) > half_turn / 7),
             "Put the middle ring at 90°; then turn the outer ring on by 30° or more.",
         ),
         where=steps,

@@ -287,7 +287,7 @@ def compact_svg(svg: str) -> str:
         lambda line: re.sub(r"-?\d+\.\d+", lambda n: f"{float(n[0]):.0f}", line[0]),
         in_pixels,
     )
-    return re.sub(r"<(\w+)([^<>]*)></\1>", r"<\1\2/>", in_metres + end + rounded)
+    return in_metres + end + rounded
 
 
 def _mix(found: re.Match[str]) -> str:

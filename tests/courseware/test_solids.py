@@ -102,7 +102,7 @@ SIDES = [(30, 20, 3), (0, 0, 1), (90, 0, 1), (45, 0, 2), (-120, -40, 3), (10, 90
 def test_faces_that_look_away_are_not_drawn(azimuth, elevation, faces):
     figure = cubes(("body", (0, 0, 0)))
     svg = drawn(figure, azimuth=azimuth, elevation=elevation)
-    assert len(re.findall("fill:color-mix", svg)) == faces
+    assert len(re.findall("color:color-mix", svg)) == faces
 
 
 @pytest.mark.parametrize(("azimuth", "last"), [(0, "left"), (180, "right"), (170, "right")])
@@ -116,7 +116,7 @@ def test_the_nearer_body_is_painted_over_the_other(azimuth, last):
 
 def shades(svg):
     """How much of its own colour each face keeps, + if lighter, in the order of painting."""
-    found = re.findall(r"fill:color-mix\(in srgb,var\(--rk-body,#\w+\) (\d+)%,#(\w)", svg)
+    found = re.findall(r"color:color-mix\(in srgb,var\(--rk-body,#\w+\) (\d+)%,#(\w)", svg)
     return [(100 - int(part)) * (1 if other == "f" else -1) for part, other in found]
 
 

@@ -18,6 +18,7 @@ from types import SimpleNamespace
 import pytest
 from browser import settled, watched_page
 from jupyterlite_pyodide_kernel.constants import PYODIDE_CDN_URL
+from playwright.sync_api import expect
 from pyodide import PLACE, VERSION
 from support import ROOT
 
@@ -319,7 +320,7 @@ def test_a_changed_cell_comes_back_after_the_page_was_loaded_anew(flooded):
     assert code.inner_text().strip() != mine
     assert back.count() == 1
     back.click()
-    assert code.inner_text().strip() == mine
+    expect(code).to_have_text(mine)
     page.evaluate(  # a new release has another cell in its place
         "() => { for (const key in localStorage) if (key.startsWith('courseware-cells'))"
         ' localStorage[key] = localStorage[key].replace(\'"first":"\', \'"first":"x\'); }'

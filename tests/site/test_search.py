@@ -31,7 +31,7 @@ FIRST = {
     "rotation matrix": "basics/basics#a-turn-is-a-matrix",
     "quaternion": f"{EULER}#",
     "homogeneous transform": f"{FRAMES}#a-pose-as-a-matrix",
-    "loop closure": f"{FRAMES}#the-same-with-matrices",
+    "loop closure": f"{FRAMES}#loop-closure-as-a-test",
     "camera": f"{FRAMES}#a-camera-that-looks-down",
     "ICR": f"{TERM}ICR-instantaneous-centre-of-rotation",
     "nonholonomic": f"{DRIVE}#where-it-fails",
@@ -47,7 +47,7 @@ FIRST = {
     "null space": f"{PLANAR}#a-glance-further",
     "manipulability": f"{PLANAR}#how-near-is-it",
     "damped least squares": f"{TERM}damped-least-squares",
-    "degree of freedom": f"{TERM}degree-of-freedom",
+    "degree of freedom": f"{ARM}#the-exercise",
     "pseudoinverse": f"{TERM}pseudoinverse",
     # symbols
     "φ": "notation#wheel-constraints-and-the-omni-robot",

@@ -571,7 +571,7 @@ def one_turn_figure() -> Figure:
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
-            *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * half_turn, 48) for c in circles),
+            *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * half_turn, 36) for c in circles),
             *die(euler.r, VIEW.right_of_origin(-1.3)),
             floor(low),
             VIEW.solid((stand,), UNTURNED, low, floor=FLOOR),

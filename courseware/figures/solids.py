@@ -105,7 +105,7 @@ def plate(kind: Kind, outline: Sequence[Point2], thick: float, along: str = "z")
 
 def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Mesh:
     """Return a flat ring about an axis."""
-    n, half = 18, width / 2
+    n, half = 16, width / 2
     rims = (inner, -half), (outer, -half), (outer, half), (inner, half)
     corners = _turn([corner for rim in rims for corner in _circle(n, *rim)], along)
     low, outside, high, inside = (_band(n, rim, (rim + 1) % 4) for rim in range(4))

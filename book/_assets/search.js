@@ -3,7 +3,7 @@
 {
   const ROOT = document.documentElement.dataset.content_root;
   const STATIC = new URL("_static/", new URL(ROOT, document.baseURI));
-  // how much a word counts: in a title, where a chapter explains it, in what a mistake is told as, …
+  // how much a word counts: in a title, where a chapter explains it, in what names a mistake, in prose, in code
   const FIELDS = { title: 9, terms: 9, feedback: 3, text: 1.2, code: 0.15 };
   const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.4 };
   const SLIPS = (term) => (term.length > 6 ? 2 : term.length > 4 ? 1 : 0); // letters that may differ
@@ -52,8 +52,8 @@
     // what has all words; or all of them with slips of the hand; or any of them
     ask(words) {
       const tries = [{ combineWith: "AND" }, { combineWith: "AND", fuzzy: SLIPS }, { fuzzy: SLIPS }];
-      const found = tries.map((how) => () => index.search(words, how))
-        .reduce((found, search) => (found.length ? found : search()), []);
+      let found = [];
+      for (const how of tries) if (!found.length) found = index.search(words, how);
       // what has all of them in its title counts more, a page most
       const weigh = ({ score, terms, page, at, title }) => {
         const known = new Set(listTerms(title)), all = terms.length && terms.every((term) => known.has(term));

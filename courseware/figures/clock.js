@@ -3,7 +3,7 @@
 import { functions } from "./formula_functions.js";
 import { clamp, snap } from "./state.js";
 
-const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+export const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 // Screen readers say which figure the button belongs to.
 export const nameButton = (button, words, { title }) => {

@@ -24,8 +24,8 @@ export const createProjection = (view, width) => {
 
 export const heightOf = ({ view }, width) => px(width * (view[3] - view[2]) / (view[1] - view[0]));
 
-// of solids: a face is one colour, with its rim
-const EDGES = { "stroke-width": 1.5, "stroke-linecap": "round", fill: "currentColor", stroke: "currentColor" };
+// a face of a solid, and its rim, have its colour
+const SOLIDS = { "stroke-width": 1.5, "stroke-linecap": "round", fill: "currentColor", stroke: "currentColor" };
 const DRAWN = { ...SHAPES, solid: drawSolid, thing: drawThing };
 
 // Each shape is a node of its own, so that one that rests is not touched. Those with a depth change
@@ -46,7 +46,7 @@ export const renderScene = (figure, computed, width, state) => {
     if (!drawn.pieces && !isDeep) node[2] = drawn;
     else {
       first ??= i;
-      node[1] = EDGES; // the pieces of all stand in one of them
+      node[1] = SOLIDS; // the pieces of all stand in one of them
       deep.push(...(drawn.pieces ?? [{ nodes: [["g", symbolData(shape), drawn]], depth }]));
     }
     return node;

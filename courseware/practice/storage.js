@@ -9,7 +9,9 @@ export const memory = { // a browser may refuse to keep anything: then the page 
   set: (key, value) => { // whether the browser keeps it
     memory.data[key] = value;
     try { history.replaceState({ ...history.state, [key]: value }, ""); } catch { /* too often */ }
-    try { if (localStorage.setItem(key, value) === false) throw 0; } catch { memory.kept = false; } // layout.html
+    try { // the stand-in of layout.html says false where it stores nothing
+      if (localStorage.setItem(key, value) === false) memory.kept = false;
+    } catch { memory.kept = false; }
     return memory.kept;
   },
 };

@@ -4,6 +4,7 @@
 // is the number of an option, or a list of numbers in the units that the reader sees; "shown"
 // where somebody wants to see without guessing. A figure may wait for the answer.
 
+import { prefersReducedMotion } from "../figures/clock.js";
 import { STORE } from "../practice/constants.js";
 import { describeProblem } from "../practice/judging.js";
 import { parseTyped } from "../practice/parsing.js";
@@ -139,7 +140,7 @@ class PredictionBox {
   // What waited for the answer moves now.
   play() {
     const button = this.data.kind !== "ghost" && this.figure?.querySelector(".rk-play");
-    if (button?.textContent === "Play" && !matchMedia("(prefers-reduced-motion: reduce)").matches) button.click();
+    if (button?.textContent === "Play" && !prefersReducedMotion()) button.click();
   }
 
   say(words) {

@@ -16,18 +16,10 @@ const consent = (value) => {
   } catch { return null; } // no storage: asked on each page
 };
 
-// Changed code stays in the browser; run_buttons.js offers it again while its cell is the same.
-const CHANGES_KEY = `courseware-cells ${location.pathname}`;
-const keepChange = (k, change) => {
-  try {
-    const kept = JSON.parse(localStorage.getItem(CHANGES_KEY)) ?? {};
-    localStorage.setItem(CHANGES_KEY, JSON.stringify({ ...kept, [k]: change }));
-  } catch { /* refused or full */ }
-};
-
+// keep: what keeps a change of a cell in the browser.
 class Cell {
-  constructor(bar, k) {
-    Object.assign(this, { bar, k, input: bar.parentElement, ran: null, fresh: null });
+  constructor(bar, k, keep) {
+    Object.assign(this, { bar, k, keep, input: bar.parentElement, ran: null, fresh: null });
     this.mayFail = this.input.closest(".tag_raises-exception") !== null; // no other cell needs it
     [this.button, this.status] = [bar.firstChild, bar.lastChild];
     const box = this.input.querySelector("pre"); // the theme says whether it can have the focus
@@ -63,7 +55,7 @@ class Cell {
   noteChange() {
     this.reset.hidden = false;
     this.code.classList.add("rk-changed");
-    keepChange(this.k, { first: this.original, text: this.text });
+    this.keep(this.k, { first: this.original, text: this.text });
   }
 
   bringBack(text) {
@@ -108,7 +100,7 @@ class Cell {
     this.outputs.forEach((output) => { output.hidden = false; });
     this.ran = this.fresh = null;
     this.reset.hidden = true;
-    keepChange(this.k);
+    this.keep(this.k);
     this.say("");
     this.button.focus();
   }
@@ -218,18 +210,20 @@ const askConsent = (cell) => new Promise((resolve) => {
   buttons[0].focus();
 });
 
+const makeCells = (bars, keep) => { cells ??= bars.map((bar, k) => new Cell(bar, k, keep)); };
+
 // The reader wants a change back that was kept.
-export const bringBack = (bars, k, text) => {
-  cells ??= bars.map((bar, number) => new Cell(bar, number));
+export const bringBack = (bars, k, keep, text) => {
+  makeCells(bars, keep);
   cells[k].bringBack(text);
 };
 
 // The reader presses Run (or Stop) under the cell k.
-export const pressRun = async (bars, k) => {
+export const pressRun = async (bars, k, keep) => {
   if (running === k) return stop();
   settings ??= await (await fetch(new URL(`settings.json${new URL(import.meta.url).search}`,
     import.meta.url))).json();
-  cells ??= bars.map((bar, number) => new Cell(bar, number));
+  makeCells(bars, keep);
   if (!consent()) {
     if (!await askConsent(cells[k])) return;
     consent("yes");

@@ -2,12 +2,15 @@
 
 import { VERSION } from "./constants.js";
 
-const readChanges = () => {
-  try { return JSON.parse(localStorage.getItem(`courseware-cells ${location.pathname}`)) ?? {}; } catch { return {}; }
-};
-
 export const addRunButtons = () => {
-  const home = document.currentScript.src, kept = readChanges();
+  const home = document.currentScript.src;
+  // Changed code stays in the browser, and is offered again while its cell is the same.
+  const key = `courseware-cells ${location.pathname}`;
+  const read = () => { try { return JSON.parse(localStorage.getItem(key)) ?? {}; } catch { return {}; } };
+  const keep = (k, change) => {
+    try { localStorage.setItem(key, JSON.stringify({ ...read(), [k]: change })); } catch { /* full */ }
+  };
+  const kept = read();
   const bars = [...document.querySelectorAll(".cell:not(.tag_interact) > .cell_input")].map((input) => {
     input.insertAdjacentHTML("beforeend",
       `<div class="rk-run"><button type="button">Run</button><p role="status"></p></div>`);
@@ -21,12 +24,12 @@ export const addRunButtons = () => {
     }
   };
   bars.forEach((bar, k) => {
-    bar.firstChild.addEventListener("click", () => withCells(k, ({ pressRun }) => pressRun(bars, k)));
+    bar.firstChild.addEventListener("click", () => withCells(k, ({ pressRun }) => pressRun(bars, k, keep)));
     if (kept[k]?.first !== bar.parentElement.querySelector("pre").textContent) return;
     bar.lastChild.insertAdjacentHTML("beforebegin", `<button type="button">Bring back my change</button>`);
     bar.children[1].addEventListener("click", ({ target }) => {
       target.remove();
-      withCells(k, ({ bringBack }) => bringBack(bars, k, kept[k].text));
+      withCells(k, ({ bringBack }) => bringBack(bars, k, keep, kept[k].text));
     });
   });
 };

@@ -5,6 +5,7 @@ import re
 import subprocess
 from collections import Counter
 from html import unescape
+from unicodedata import normalize
 from xml.etree import ElementTree
 from zipfile import ZipFile
 
@@ -34,8 +35,8 @@ def plain(html):
 
 
 def letters(text):
-    """A text without blanks."""
-    return re.sub(r"[\s\u200b]", "", text)
+    """A text without blanks and ligatures."""
+    return re.sub(r"[\s\u200b]", "", normalize("NFKC", text))
 
 
 def page_of(name):

@@ -198,6 +198,20 @@ def test_a_ghost_in_the_right_place_is_right(page):
     assert said(page, GHOST).inner_text().startswith("✓")
 
 
+def test_a_guess_may_be_tried_and_one_that_is_near_goes_to_the_right_place(page):
+    """The pin of step 2: the time may be moved meanwhile."""
+    figure, live = page.locator("#still"), "document.getElementById('still').courseware"
+    figure.scroll_into_view_if_needed()
+    page.wait_for_function(f"() => {live}")
+    time = figure.locator("input[type=range]").nth(2)
+    time.press("End")
+    assert page.evaluate(f"() => {live}.state[2]") == float(time.get_attribute("max"))
+    page.evaluate(f"() => {live}.set([-0.14, 0.005, 0])")  # as near as is enough
+    page.locator("#where-still form button", has_text="Here").click()
+    fold(page, "where-still").wait_for()
+    assert page.evaluate(f"() => {live}.state.slice(0, 2)") == pytest.approx([-0.15, 0])
+
+
 def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):
     x, y = THERE
     assert place_wrongly(page, guess_x=x + 0.12, guess_y=y) == "12 cm too far to the right."

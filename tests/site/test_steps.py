@@ -254,19 +254,17 @@ FOLD = re.compile("<details>.*?</details>", re.DOTALL)
 
 def told(chapter):
     """Return a chapter's words outside and inside folds, without exercises and mistakes."""
-    cells = nbformat.read(course().notebook(chapter), as_version=4).cells
-    outside, inside = "", ""
-    for cell in cells:
+    outside, inside = [], []
+    for cell in nbformat.read(course().notebook(chapter), as_version=4).cells:
         if cell.cell_type != "markdown":
             continue
-        folds = FOLD.findall(cell.source)
         if any(tag.startswith("after-") for tag in cell.metadata.get("tags", [])):
-            folds = [cell.source]
-        inside += " ".join(folds) + " "
-        outside += (FOLD.sub("", cell.source) if folds != [cell.source] else "") + " "
-    asked = course().module(chapter, "predictions").PREDICTIONS
-    inside += " ".join(each.explanation for each in asked)
-    return outside.split(), inside.split()
+            inside.append(cell.source)
+        else:
+            inside += FOLD.findall(cell.source)
+            outside.append(FOLD.sub("", cell.source))
+    inside += [p.explanation for p in course().module(chapter, "predictions").PREDICTIONS]
+    return " ".join(outside).split(), " ".join(inside).split()
 
 
 @pytest.mark.parametrize("chapter", IN_STEPS)

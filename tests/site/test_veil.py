@@ -4,6 +4,7 @@ from contextlib import contextmanager
 
 import pytest
 from browser import watched_page
+from playwright.sync_api import expect
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -116,3 +117,14 @@ def test_without_a_script_there_is_none(chromium, server):
         page.goto(f"{server}differential_drive/differential_drive.html")
         assert page.locator(f"{FIGURE} svg[role], {FIGURE} .rk-picture > svg").first.is_visible()
         assert page.locator(".rk-veil").count() == 0
+
+
+@pytest.mark.parametrize(("motion", "shown"), [("no-preference", "Pause"), ("reduce", "Play")])
+def test_what_waited_plays_once_it_is_answered(motion, shown, chromium, server):
+    with watched_page(chromium, server, reduced_motion=motion) as (page, _):
+        page.goto(f"{server}euler/euler.html")
+        figure = page.locator("#order")
+        figure.scroll_into_view_if_needed()
+        page.wait_for_function("() => document.querySelector('#order').courseware")
+        page.locator("#two-orders").get_by_role("button", name="alike").click()
+        expect(figure.locator(".rk-play")).to_have_text(shown)

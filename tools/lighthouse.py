@@ -1,6 +1,6 @@
 """Lighthouse on the built site: its phone profile, the median of three runs, a row a page.
 
-    PYTHONPATH=tests .venv/bin/python tools/lighthouse.py          every chapter, the longest pages
+    PYTHONPATH=tests .venv/bin/python tools/lighthouse.py          every page of the book
     PYTHONPATH=tests .venv/bin/python tools/lighthouse.py euler    pages with that in their names
 
 It needs Node 18 or newer, whose `npx` fetches Lighthouse, and Chromium. The site is served as by
@@ -71,12 +71,11 @@ def run_lighthouse(address):
 def main():
     """Print a row for each page."""
     part = sys.argv[1] if len(sys.argv) > 1 else ""
-    names = [name for name in listed() if "/" in name or name in ("intro", "practice", "checks")]
     handler = functools.partial(Compressing, directory=str(SITE))
     print(f"{'':42}{''.join(f'{name:>16}' for name in (*SCORES, *TIMES))}", flush=True)
     with Server(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        for name in filter(lambda name: part in name, names):
+        for name in filter(lambda name: part in name, listed()):
             page = "index" if name == "intro" else name
             runs = [
                 run_lighthouse(f"http://127.0.0.1:{server.server_port}/{page}.html")

@@ -18,6 +18,8 @@ FIRST_SHEETS = ("_static/basic.css", "_static/styles/pydata-sphinx-theme.css")
 LAST_SCRIPTS = ("_static/scripts/bootstrap.js", "_static/scripts/pydata-sphinx-theme.js")
 PAGE_SCRIPTS = ("_static/pages/", "_static/courseware/")
 PRIORITY = attrgetter("priority")  # Sphinx sorts by it, but later than this
+# The theme measures every box of a page, and would have those laid out that are far away.
+MEASURED = "e.tabIndex=e.scrollWidth>e.clientWidth||e.scrollHeight>e.clientHeight?0:-1"
 GROUPS = ("media", "supports", "layer", "container")
 
 
@@ -38,7 +40,10 @@ def link_bundles(app, pagename, templatename, context, doctree):
 def write_bundles(folder, sheets, scripts):
     """Write both, once in a build, so that pages can name their versions."""
     (folder / "_static" / SHEET).write_text(join_files(folder, sheets), "utf-8")
-    (folder / "_static" / SCRIPT).write_text(join_files(folder, scripts, ";"), "utf-8")
+    script = join_files(folder, scripts, ";")
+    assert MEASURED in script, "the theme finds scrollable boxes otherwise now"
+    script = script.replace(MEASURED, f"e.checkVisibility({{contentVisibilityAuto:true}})&&({MEASURED})")
+    (folder / "_static" / SCRIPT).write_text(script, "utf-8")
 
 
 def join_files(folder, names, end=""):

@@ -21,6 +21,7 @@ from courseware.practice.notebook import answers, example, exercise, export, mis
 from courseware.practice.solution_steps import LocalEquation, Step
 from courseware.practice.solutions import Solution
 from courseware.practice.wrong_formula import WrongFormula
+from courseware.programs.notebook import program
 from courseware.script.parts import Part, register
 from courseware.units import unit_constants
 
@@ -67,6 +68,7 @@ __all__ = [
     "mistake",
     "number_range",
     "one_of",
+    "program",
     "student",
     "whole",
 ]

@@ -1,0 +1,92 @@
+"""How a program exercise is declared: once, to be shown, judged and handed to graders."""
+
+import ast
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from courseware.course import course
+from courseware.equations.quantities import NamedSymbol
+from courseware.errors import CourseError
+from courseware.practice.declaration import Unknown
+from courseware.practice.mistakes import Mistake
+
+Function = Callable[..., Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """A function that students write, in a chapter's `programs.py`.
+
+    The functions below take the arguments of the student's function, in its order. An answer that
+    is right in several ways is judged by what it does.
+
+    Args:
+        name: stem of the topic, "p" and a number: "bicycle-p1".
+        title: of its box.
+        text: what the function has to do, free of Markdown.
+        starter: the code that the student begins with; in it one function is defined. One with a
+            mistake in it is to be mended.
+        symbols: what inputs are drawn for: each has a range and a unit.
+        answer: the numbers of the answer, row by row.
+        right: function → the right answer.
+        solution: code as a student may write it.
+        arguments: function of the symbols' numbers → the arguments, if they are not these numbers.
+        ranges: symbol → its range here, where its own is too wide.
+        whole: symbols that are whole numbers.
+        when: function → whether an input may be drawn.
+        specials: words → symbol → its number in a special case: "straight ahead": {phi: 0}.
+        wrong: mistake → function → the answer of somebody who makes it.
+        also: likewise for undocumented mistakes, as words that end "This is what you get …".
+        does: where several answers are right, what is compared instead: an expression of `answer`,
+            the arguments' names, `np` and the library's modules.
+        shape: of a matrix.
+        hints: the first says least.
+    """
+
+    name: str
+    title: str
+    text: str
+    starter: str
+    symbols: tuple[NamedSymbol, ...]
+    answer: tuple[Unknown, ...]
+    right: Function
+    solution: str
+    hints: tuple[str, ...]
+    arguments: Function = field(default=lambda *numbers: numbers)
+    ranges: Mapping[NamedSymbol, tuple[float, float]] = field(default_factory=dict)
+    whole: tuple[NamedSymbol, ...] = ()
+    when: Callable[..., bool] = field(default=lambda *_: True)
+    specials: Mapping[str, Mapping[NamedSymbol, float]] = field(default_factory=dict)
+    wrong: Mapping[Mistake, Function] = field(default_factory=dict)
+    also: Mapping[str, Function] = field(default_factory=dict)
+    does: str = ""
+    shape: tuple[int, ...] = ()
+
+    def __post_init__(self) -> None:
+        for words, special in self.specials.items():
+            if extra := special.keys() - set(self.symbols):
+                raise CourseError(f"{self.name}: {words!r} sets {extra}, not among its symbols")
+
+    @property
+    def topic(self) -> str:
+        """The stem of the chapter: "differential_drive"."""
+        return self.name.rsplit("-", 1)[0].replace("-", "_")
+
+    @cached_property
+    def definition(self) -> ast.FunctionDef:
+        """The student's function as the starter defines it."""
+        found = [n for n in ast.parse(self.starter).body if isinstance(n, ast.FunctionDef)]
+        if len(found) != 1:
+            raise CourseError(f"{self.name}: the starter must define one function")
+        return found[0]
+
+
+def all_programs() -> dict[str, Program]:
+    """Return every program by name, in the course's order."""
+    return course().find_all("programs", Program)
+
+
+def find_program(name: str) -> Program:
+    return course().find("programs", Program, name)

@@ -1,0 +1,390 @@
+"""The judge of programs: runs a student's function on stored inputs and says what is wrong with it.
+
+It needs nothing but NumPy, and the numbers that `storing.py` has written. A function is refused
+with the simplest input on which it is wrong; where its answers are those of a known mistake on all
+ordinary inputs, that is named.
+"""
+
+import ast
+import dis
+import importlib
+import inspect
+import io
+import linecache
+import sys
+import textwrap
+import time
+import traceback
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import redirect_stdout
+from dataclasses import dataclass
+from html import escape
+from types import CodeType, FrameType, FunctionType, ModuleType
+from typing import Any
+
+import numpy as np
+
+Stored = Mapping[str, Any]
+TELLING = 20  # inputs on which a mistake must be far from right, before it is named
+FAR = 10  # tolerances
+STEPS = 300_000  # of Python in one call: more is an endless loop
+REVEALED = 3  # right values shown; then only whether a number is too large or too small
+LIBRARY = "robokin"
+KNOWN = "This is what you get {}."
+SLIPS: dict[str, Callable[[Any, Stored], Any]] = {
+    "with the sign the other way round": lambda right, _: -right,
+    "with twice the right value": lambda right, _: 2 * right,
+    "with half the right value": lambda right, _: right / 2,
+    "when the angle is returned in degrees": lambda right, stored: np.where(
+        stored["angles"], np.degrees(right), right
+    ),
+    "with the numbers in the opposite order": lambda right, _: right[::-1],
+    "with rows and columns exchanged": lambda right, stored: (
+        right.reshape(stored["shape"]).T.ravel() if len(stored["shape"]) == 2 else right
+    ),
+}
+
+
+class Slip(Exception):
+    """What a programmer did that gives no numbers to compare, in words for the student."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The judgement of a program. Its text is for the student.
+
+    lines: of the text; those that begin with a blank are code. mistakes: names, M15, or words.
+    revealed: whether a right value stands in the text. case: the input on which it is wrong.
+    """
+
+    right: bool
+    lines: tuple[str, ...]
+    mistakes: tuple[str, ...] = ()
+    revealed: bool = False
+    case: int = -1
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines)
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        parts = (
+            f"<pre>{escape(line.strip())}</pre>" if line[0] == " " else f"<p>{escape(line)}</p>"
+            for line in self.lines
+        )
+        kind = "right" if self.right else "wrong"
+        return f'<div class="rk-verdict rk-{kind}" role="status">{"".join(parts)}</div>'
+
+
+def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
+    """Judge a function. revealed: how many right values have been shown before."""
+    if not isinstance(function, FunctionType):
+        name = stored["function"]
+        return Verdict(False, (f"Give the function itself: check({name}), without a call.",))
+    with redirect_stdout(io.StringIO()), np.errstate(all="ignore"):
+        try:
+            refuse_notebook_names(function)
+        except Slip as slip:
+            return Verdict(False, (f"Not yet. {slip}",))
+        for place, case in enumerate(stored["cases"]):
+            try:
+                came = call(function, case, stored)
+                problem = "" if agrees(came, case, stored) else describe(came, case, stored)
+            except Slip as slip:
+                return refuse(stored, place, [str(slip)])
+            if problem:
+                return refuse_answer(function, stored, place, came, revealed)
+        return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
+
+
+# --- one call --------------------------------------------------------------------------------
+
+
+def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
+    """Return the answer to an input as a flat array; raise Slip if it is none."""
+    given, kept = arguments(case), arguments(case)
+    steps = 0
+
+    def trace(frame: FrameType, event: str, _: Any) -> Any:
+        nonlocal steps
+        steps += 1
+        module = frame.f_globals.get("__name__", "")
+        if event == "call" and module.partition(".")[0] == LIBRARY:
+            raise Slip(
+                f"It calls {module}.{frame.f_code.co_name}: write down yourself what that does."
+            )
+        if steps > STEPS:
+            raise Slip(f"It does not end: stopped after {STEPS:,} steps. Does its loop come to one?")
+        frame.f_trace_opcodes = True  # `while True: pass` has no lines
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        answer = function(*given)
+    except Slip:
+        raise
+    except Exception as error:
+        raise Slip(describe_error(error, function)) from error
+    finally:
+        sys.settrace(before)
+    if not all(map(np.array_equal, given, kept)):
+        raise Slip("It changes an array that it was given: make a copy first, with np.array(…).")
+    return to_numbers(answer, stored)
+
+
+def arguments(case: Stored) -> list[Any]:
+    """Return an input as the function gets it: lists are arrays."""
+    return [np.array(x) if isinstance(x, list) else x for x in case["arguments"]]
+
+
+def to_numbers(answer: Any, stored: Stored) -> Any:
+    """Return an answer as a flat array of numbers; raise Slip if it is none."""
+    shape = tuple(stored["shape"])
+    asked = f"an array of shape {shape}" if shape else "one number"
+    if answer is None:
+        raise Slip("It returns nothing: its last line should be `return …`.")
+    try:
+        numbers = np.asarray(answer)
+    except ValueError:
+        raise Slip(f"It returns lists of different lengths. Asked is {asked}.") from None
+    if numbers.dtype.kind not in "biuf":
+        kind = "text" if numbers.dtype.kind in "US" else type(answer).__name__
+        raise Slip(f"It returns {kind}, {shorten(answer)}. Asked is {asked}.")
+    if numbers.shape != shape and not (numbers.size == 1 and not shape):
+        raise Slip(f"It returns an array of shape {numbers.shape}. Asked is {asked}.")
+    return numbers.astype(float).ravel()
+
+
+def agrees(came: Any, case: Stored, stored: Stored) -> bool:
+    """Return whether an answer is right: one of the right ones, or one that does the same."""
+    if not stored["does"]:
+        return any(near(came, np.array(row), stored) for row in case["right"])
+    return same_deed(came, np.array(case["right"][0]), case, stored)
+
+
+def near(came: Any, right: Any, stored: Stored, factor: float = 1.0) -> bool:
+    """Return whether two answers are the same within the tolerance, angles on the circle."""
+    return bool(np.all(apart(came, right, stored) <= factor * np.array(stored["tolerance"])))
+
+
+def apart(came: Any, right: Any, stored: Stored) -> Any:
+    """Return how far two answers are apart, number by number; NaN meets NaN."""
+    difference = came - right
+    turned = np.where(stored["circle"], np.remainder(difference + np.pi, 2 * np.pi) - np.pi, difference)
+    same = (came == right) | (np.isnan(came) & np.isnan(right))
+    return np.where(same, 0.0, np.nan_to_num(np.abs(turned), nan=np.inf))
+
+
+def same_deed(came: Any, right: Any, case: Stored, stored: Stored) -> bool:
+    """Return whether two answers do the same, by the expression that is declared for it."""
+    modules = {name: importlib.import_module(f"{LIBRARY}.{name}") for name in stored["modules"]}
+    names = {"np": np, **modules, **dict(zip(stored["parameters"], arguments(case), strict=True))}
+    shape = tuple(stored["shape"])
+    try:
+        one, other = (
+            np.asarray(eval(stored["does"], {**names, "answer": x.reshape(shape)}), dtype=float)
+            for x in (came, right)
+        )
+    except ValueError:
+        return False  # the library refuses the answer
+    return np.allclose(one, other, rtol=0, atol=1e-6 * max(1e-3, np.abs(other).max()))
+
+
+# --- what is wrong ---------------------------------------------------------------------------
+
+
+def refuse(stored: Stored, place: int, lines: list[str], **more: Any) -> Verdict:
+    """Return the verdict of a wrong program: the input first."""
+    case = stored["cases"][place]
+    where = f" ({case['special']})" if case["special"] else ""
+    shown = ", ".join(format_argument(x) for x in case["arguments"])
+    first = f"Not yet. This is the simplest input on which it is wrong{where}:"
+    return Verdict(False, (first, f" {stored['function']}({shown})", *lines), case=place, **more)
+
+
+def refuse_answer(
+    function: Callable[..., Any], stored: Stored, place: int, came: Any, revealed: int
+) -> Verdict:
+    """Return the verdict of a program whose answer is another: by how much, and why."""
+    case = stored["cases"][place]
+    lines, shows = [describe(came, case, stored)], revealed < REVEALED
+    if shows:
+        rights = (format_answer(np.array(row), stored) for row in case["right"][:2])
+        lines.append(f"Right is {' or '.join(rights)}.")
+    else:
+        lines.append(describe_sides(came, np.array(case["right"][0]), stored))
+    ordinary = all_answers(function, stored)
+    known = find_known(function, ordinary, stored)
+    lines += [entry["feedback"] for entry in known]
+    if case["special"] and ordinary is not None and not known:
+        lines.append("On all ordinary inputs it is right: give this case a branch of its own, or "
+                     "find a form without it.")
+    return refuse(stored, place, lines, mistakes=tuple(k["name"] for k in known), revealed=shows)
+
+
+def describe(came: Any, case: Stored, stored: Stored) -> str:
+    """Say what came."""
+    words = f"It gives {format_answer(came, stored)}."
+    if np.isnan(came).any() and not np.isnan(case["right"]).any():
+        words += " nan is what comes of 0/0, of a square root of a negative number, or of inf − inf."
+    return words
+
+
+def describe_sides(came: Any, right: Any, stored: Stored) -> str:
+    """Say of each number whether it is too large or too small, and not by how much."""
+    far = apart(came, right, stored) > stored["tolerance"]
+    sides = [
+        f"{label} is too {'large' if a > b else 'small'}"
+        for label, a, b, bad in zip(stored["labels"], came, right, far, strict=True)
+        if bad
+    ]
+    return ", ".join(sides or ["It is not right"]) + "."
+
+
+def ordinary(stored: Stored) -> list[Stored]:
+    return [case for case in stored["cases"] if not case["special"]]
+
+
+def all_answers(function: Callable[..., Any], stored: Stored) -> Any:
+    """Return the answers to all ordinary inputs (n, numbers), or None if one has none."""
+    try:
+        return np.array([call(function, case, stored) for case in ordinary(stored)])
+    except Slip:
+        return None
+
+
+def find_known(function: Any, answers: Any, stored: Stored) -> list[Stored]:
+    """Return the known mistakes whose answers these are, on all ordinary inputs."""
+    if answers is None:
+        return []
+    rights = np.array([case["right"][0] for case in ordinary(stored)])
+    candidates = [(known, np.array(known["answers"])) for known in stored["known"]]
+    for words, slip in SLIPS.items():
+        entry = {"name": words, "feedback": KNOWN.format(words)}
+        candidates.append((entry, np.array([slip(right, stored) for right in rights])))
+    found = [known for known, its in candidates if is_named(answers, its, rights, stored)]
+    if not found and divides_whole(function, stored):
+        found = [{"name": "//", "feedback": "Its // drops all that comes after the point: "
+                  "with / it is right."}]
+    return found
+
+
+def is_named(answers: Any, its: Any, rights: Any, stored: Stored) -> bool:
+    """Return whether answers are a mistake's own, and far from right on enough inputs."""
+    telling = (apart(its, rights, stored) > FAR * np.array(stored["tolerance"])).any(axis=1).sum()
+    return bool(telling >= TELLING) and near(answers, its, stored)
+
+
+def divides_whole(function: Any, stored: Stored) -> bool:
+    """Return whether the function is right once its // are divisions."""
+    try:
+        tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
+    except (OSError, SyntaxError):
+        return False
+    places = [n for n in ast.walk(tree) if isinstance(getattr(n, "op", 0), ast.FloorDiv)]
+    for node in places:
+        node.op = ast.Div()  # type: ignore[attr-defined]
+    names = dict(function.__globals__)
+    exec(compile(tree, "<with />", "exec"), names)
+    answers = all_answers(names[function.__name__], stored) if places else None
+    cases = ordinary(stored)
+    return answers is not None and all(map(lambda a, c: agrees(a, c, stored), answers, cases))
+
+
+def refuse_notebook_names(function: FunctionType) -> None:
+    """Raise Slip if a function takes a number from the notebook, where a cell defines it."""
+    lines = linecache.getlines(function.__code__.co_filename)
+    own = {
+        node.id
+        for statement in parse("".join(lines)).body
+        if isinstance(statement, ast.Assign | ast.AnnAssign)
+        for node in ast.walk(statement)
+        if isinstance(node, ast.Name)
+    }
+    for name in sorted(set(read_globals(function.__code__)) - own):
+        value = function.__globals__.get(name)
+        if value is not None and not isinstance(value, ModuleType) and not callable(value):
+            raise Slip(
+                f"It uses {name}, which only your notebook knows, outside of the function: "
+                "take it as an argument, or compute it inside."
+            )
+
+
+def parse(source: str) -> ast.Module:
+    try:
+        return ast.parse(source)
+    except SyntaxError:
+        return ast.Module([], [])
+
+
+def read_globals(code: CodeType) -> Iterator[str]:
+    """Yield the names that code, and functions in it, take from outside."""
+    for instruction in dis.get_instructions(code):
+        if instruction.opname in ("LOAD_GLOBAL", "LOAD_NAME"):
+            yield instruction.argval
+    for inner in code.co_consts:
+        if isinstance(inner, CodeType):
+            yield from read_globals(inner)
+
+
+def describe_error(error: Exception, function: Any) -> str:
+    """Return the student's line in which an error was raised, and Python's message."""
+    file = function.__code__.co_filename
+    steps = [s for s in traceback.extract_tb(error.__traceback__) if s.filename == file]
+    where = f"Line {steps[-1].lineno}, {steps[-1].line}: " if steps and steps[-1].line else ""
+    return f"{where}{type(error).__name__}: {error}"
+
+
+# --- right -----------------------------------------------------------------------------------
+
+
+def describe_success(stored: Stored) -> str:
+    specials = list(dict.fromkeys(case["special"] for case in stored["cases"] if case["special"]))
+    tried = f", also {', '.join(specials)}" if specials else ""
+    return f"Right on all {len(stored['cases'])} inputs{tried}."
+
+
+def describe_arrays(function: Any, stored: Stored) -> list[str]:
+    """Say whether the function takes arrays of inputs too, and how much faster that is."""
+    if not stored["arrays"]:
+        return []
+    cases = ordinary(stored)
+    stacks = [np.array(each) for each in zip(*(case["arguments"] for case in cases), strict=True)]
+    start = time.perf_counter()
+    for case in cases:
+        function(*arguments(case))
+    alone = time.perf_counter() - start
+    start = time.perf_counter()
+    try:
+        answers = np.asarray(function(*stacks), dtype=float)
+    except Exception as error:
+        return [f"Level 2, arrays of inputs: not yet. {describe_error(error, function)}"]
+    ratio = alone / (time.perf_counter() - start)
+    if answers.shape != (len(cases), *stored["shape"]):
+        return [f"Level 2, arrays of {len(cases)} inputs: not yet. It gives shape {answers.shape}, "
+                f"asked is {(len(cases), *stored['shape'])}."]
+    rows = answers.reshape(len(cases), -1)
+    if not all(map(lambda row, case: agrees(row, case, stored), rows, cases)):
+        return ["Level 2, arrays of inputs: not yet. It gives other numbers than one by one."]
+    return [f"Level 2, arrays of inputs: right, too. {len(cases)} at once are {ratio:.0f} times as "
+            "fast as one by one."]
+
+
+# --- texts -----------------------------------------------------------------------------------
+
+
+def format_argument(value: Any) -> str:
+    return f"np.array({value})" if isinstance(value, list) else repr(value)
+
+
+def format_answer(came: Any, stored: Stored) -> str:
+    """Return an answer as text."""
+    digits = [float(f"{x:.7g}") + 0.0 for x in came]
+    return str(np.reshape(digits, stored["shape"]).tolist())
+
+
+def shorten(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) < 60 else f"{text[:57]}…"

@@ -1,0 +1,60 @@
+"""Programs in a notebook: what is asked, hints and a solution, and the check."""
+
+import json
+from collections import Counter
+from html import escape
+from typing import Any
+
+from courseware.practice.formatting import render_paragraphs
+from courseware.programs import judge
+from courseware.programs.declaration import Program, find_program
+from courseware.programs.storing import store
+
+MIME = "application/vnd.courseware.program+json"
+_revealed = Counter[str]()  # right values shown in this session, by program
+
+
+class ProgramBox:
+    """A program exercise. Shown in a notebook, it says what is asked."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+
+    def check(self, function: Any) -> judge.Verdict:
+        """Judge a function, with the simplest input on which it is wrong."""
+        name = self.program.name
+        verdict = judge.check(function, store(self.program), _revealed[name])
+        _revealed[name] += verdict.revealed
+        return verdict
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        p = self.program
+        return {
+            "text/plain": f"{p.title}\n\n{p.text}",
+            "text/html": render(p),
+            MIME: {"name": p.name},
+        }
+
+
+def program(name: str) -> ProgramBox:
+    """Show a program exercise: `program("bicycle-p1")`; `.check(step)` judges your function."""
+    return ProgramBox(find_program(name))
+
+
+def render(program: Program) -> str:
+    """Render what is asked; each hint opens the way to the next, the last one to a solution."""
+    fold = (
+        f"<details><summary>A solution</summary><pre>{escape(program.solution.strip())}</pre></details>"
+    )
+    for k, hint in reversed([*enumerate(program.hints, 1)]):
+        fold = f"<details><summary>Hint {k}</summary>{render_paragraphs(hint)}{fold}</details>"
+    return (
+        f'<div class="admonition rk-program" id="{program.name}">'
+        f'<p class="admonition-title">Write it yourself: {escape(program.title)}</p>'
+        f"{render_paragraphs(program.text)}{fold}</div>"
+    )
+
+
+def serialize(program: Program) -> str:
+    """Return what the judge knows of a program, as JSON."""
+    return json.dumps(store(program), ensure_ascii=False, separators=(",", ":"))

@@ -1,0 +1,143 @@
+"""The inputs of a program and all that can come of them, as the numbers that `judge` reads."""
+
+import math
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+
+from courseware.course import course
+from courseware.equations.quantities import NamedSymbol
+from courseware.errors import CourseError
+from courseware.practice import dealing
+from courseware.practice.bank import all_exercises
+from courseware.programs.declaration import Function, Program
+from courseware.programs.judge import KNOWN
+
+ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case
+PLAIN = [float(f"{digit}e{power}") for power in range(-3, 6) for digit in (1, 2, 3, 4, 5, 6, 7, 8)]
+SIZE = 1e-6  # a tolerance as a part of the answer's size
+
+Numbers = dict[NamedSymbol, float]
+
+
+@cache
+def store(program: Program) -> dict[str, Any]:
+    """Return all that the judge knows of a program: drawn by a fixed seed, the same every time."""
+    cases = [*draw_cases(program)]
+    given = [[_plain(x) for x in program.arguments(*n.values())] for _, n in cases]
+    rights = [_flat(program, program.right, each) for each in given]
+    ordinary = [k for k, (special, _) in enumerate(cases) if not special]
+    circle = np.array([unknown.circle for unknown in program.answer])
+    size = np.median(np.abs([rights[k] for k in ordinary]), axis=0)
+    known = {
+        **{m.name: (f"{KNOWN.format(m.feedback)} {m.why}", f) for m, f in program.wrong.items()},
+        **{words: (KNOWN.format(words), f) for words, f in program.also.items()},
+    }
+    entries = [
+        {"name": name, "feedback": words, "answers": [_flat(program, f, given[k]) for k in ordinary]}
+        for name, (words, f) in known.items()
+    ]
+    entries += _take_for_degrees(program, [cases[k][1] for k in ordinary])
+    return {
+        "name": program.name,
+        "function": program.definition.name,
+        "parameters": [argument.arg for argument in program.definition.args.args],
+        "labels": [unknown.label for unknown in program.answer],
+        "shape": program.shape or ((len(program.answer),) if len(program.answer) > 1 else ()),
+        "circle": circle.tolist(),
+        "angles": [unknown.unit == "rad" for unknown in program.answer],
+        "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, 1e-3)).tolist(),
+        "does": program.does,
+        "modules": [m.rpartition(".")[2] for m in course().library_modules if _uses(program, m)],
+        "arrays": not program.whole and not any(isinstance(x, str) for x in given[0]),
+        "cases": [
+            {"special": special, "arguments": each, "right": [right]}
+            for (special, _), each, right in zip(cases, given, rights, strict=True)
+        ],
+        "known": entries,
+    }
+
+
+def _uses(program: Program, module: str) -> bool:
+    return re.search(rf"\b{module.rpartition('.')[2]}\.", program.does) is not None
+
+
+def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:
+    """Yield (special case or "", the symbols' numbers), the simplest first."""
+    draw = np.random.default_rng(crc32(program.name.encode()))
+    dealt = _dealt_numbers(program.topic)
+    for special, count, simple in (
+        ("", ROUND, True),
+        *((special, EACH, True) for special in program.specials),
+        ("", RANDOM, False),
+    ):
+        for _ in range(count):
+            yield special, _draw(program, draw, special, simple, dealt)
+
+
+def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -> Numbers:
+    for _ in range(1000):
+        numbers = {symbol: _draw_number(program, symbol, draw, simple) for symbol in program.symbols}
+        numbers |= program.specials.get(special, {})
+        free = [abs(x) for s, x in numbers.items() if s not in program.specials.get(special, ())]
+        distinct = not simple or len(set(free)) == len(free)
+        is_dealt = any(each <= {round(x, 9) for x in numbers.values()} for each in dealt)
+        if distinct and not is_dealt and (special or program.when(*numbers.values())):
+            return numbers
+    raise CourseError(f"{program.name}: no input is found {special}; widen its ranges")
+
+
+def _draw_number(program: Program, symbol: NamedSymbol, draw: Any, simple: bool) -> float:
+    low, high = program.ranges.get(symbol, (symbol.low, symbol.high))
+    if symbol in program.whole:
+        return int(draw.integers(math.ceil(low), math.floor(high) + 1))
+    if simple and (plain := [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high]):
+        near = [x for x in plain if abs(x) >= 0.05 * max(abs(low), abs(high))] or plain
+        return float(near[int(draw.integers(len(near)))])
+    return float(f"{draw.uniform(low, high):.4g}")
+
+
+@cache
+def _dealt_numbers(topic: str) -> list[set[float]]:
+    """Return the numbers of each variant that a student may have: a program must not answer it."""
+    found = []
+    for exercise in all_exercises().values():
+        if exercise.topic == topic:
+            for variant in dealing.variants(exercise.name):
+                numbers = {round(x, 9) for x in variant.numbers.values() if isinstance(x, float | int)}
+                found += [numbers] * (len(numbers) > 1)
+    return found
+
+
+def _plain(value: Any) -> Any:
+    """Return an argument as JSON has it."""
+    if isinstance(value, str | int | float):
+        return value
+    return np.asarray(value, dtype=float).tolist()
+
+
+def _flat(program: Program, function: Function, given: list[Any]) -> list[float]:
+    """Return the answer of a function as a list of numbers."""
+    fresh = [np.array(x) if isinstance(x, list) else x for x in given]
+    with np.errstate(all="ignore"):
+        answer = np.asarray(function(*fresh), dtype=float).ravel()
+    if answer.shape != (len(program.answer),):
+        raise CourseError(f"{program.name}: {answer.size} numbers, asked are {len(program.answer)}")
+    return [float(f"{x:.13g}") for x in answer]
+
+
+def _take_for_degrees(program: Program, cases: list[Numbers]) -> Iterator[dict[str, Any]]:
+    """Yield what somebody gets who takes an angle that is given, or all of them, for degrees."""
+    angles = [symbol for symbol in program.symbols if symbol.unit == "rad"]
+    which = {f"when {symbol.code or symbol} is taken for degrees": [symbol] for symbol in angles}
+    if len(angles) > 1:
+        which["when all angles are taken for degrees"] = angles
+    for words, some in which.items():
+        scaled = [[math.radians(x) if s in some else x for s, x in n.items()] for n in cases]
+        given = [[_plain(x) for x in program.arguments(*each)] for each in scaled]
+        answers = [_flat(program, program.right, each) for each in given]
+        yield {"name": words, "feedback": KNOWN.format(words), "answers": answers}

@@ -80,8 +80,8 @@ class Verdict:
 def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
     """Judge a function. revealed: how many right values have been shown before."""
     if not isinstance(function, FunctionType):
-        name = stored["function"]
-        return Verdict(False, (f"Give the function itself: check({name}), without a call.",))
+        words = f"Not yet. Judged is a function {stored['function']}, itself and not a call of it"
+        return Verdict(False, (f"{words}; got {shorten(function)}.",))
     with redirect_stdout(io.StringIO()), np.errstate(all="ignore"):
         try:
             refuse_notebook_names(function)

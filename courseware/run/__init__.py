@@ -1,7 +1,7 @@
 """Code that runs in the page: *Run* under each cell, by Python in the browser (Pyodide).
 
 Until it is pressed a page has only `run_buttons.js`, which adds the buttons. Then come `cells.js`
-(cells to edit, run and reset), `worker.js` (loads Python, off the page's thread) and `cells.py`
+(cells to run and reset), `editor.js` (CodeMirror, once the reader is in a cell), `worker.js` (loads Python, off the page's thread) and `cells.py`
 (runs a cell in it). `courseware.site.run` puts these files into the site.
 
 A page runs the cells that it shows: a test refuses a name that only a cell with `remove-input`
@@ -18,7 +18,7 @@ from importlib.resources import files
 
 from courseware.script.parts import Part, register
 
-FETCHED = ("cells.js", "worker.js", "cells.py")
+FETCHED = ("cells.js", "editor.js", "worker.js", "cells.py")
 
 
 def read_files() -> dict[str, str]:

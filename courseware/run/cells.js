@@ -19,48 +19,58 @@ const consent = (value) => {
 // keep: what keeps a change of a cell in the browser.
 class Cell {
   constructor(bar, k, keep) {
-    Object.assign(this, { bar, k, keep, input: bar.parentElement, ran: null, fresh: null });
-    this.mayFail = this.input.closest(".tag_raises-exception") !== null; // no other cell needs it
+    Object.assign(this, { bar, k, keep, input: bar.parentElement, ran: null, fresh: null, revealed: 0 });
+    const tags = [...this.input.parentElement.classList].map((name) => name.replace("tag_", ""));
+    this.program = tags.find((tag) => tag.startsWith("program-"))?.slice(8);
+    this.mayFail = this.program || tags.includes("raises-exception"); // no other cell needs it
     [this.button, this.status] = [bar.firstChild, bar.lastChild];
-    const box = this.input.querySelector("pre"); // the theme says whether it can have the focus
-    this.code = document.createElement("code");
-    this.code.append(...box.childNodes);
-    box.append(this.code);
-    this.first = this.code.innerHTML;
-    this.original = this.code.textContent;
+    this.code = this.input.querySelector("pre");
+    this.original = this.text;
     this.outputs = this.input.closest(".cell").querySelectorAll(".cell_output, .below-input");
     this.button.insertAdjacentHTML("afterend", `<button type="button" hidden>Reset</button>`);
     this.reset = this.button.nextSibling;
     this.reset.addEventListener("click", () => this.restore());
-    this.button.ariaLabel = `Run cell ${k + 1}`;
+    this.button.ariaLabel = `${this.button.textContent} cell ${k + 1}`;
     this.reset.ariaLabel = `Reset cell ${k + 1}`;
   }
 
-  get text() { return this.code.innerText.replaceAll("\u00a0", " ").replace(/\n$/, ""); }
+  get text() { return this.editor?.text ?? this.code.textContent.replace(/\n$/, ""); }
 
   say(text) { this.status.textContent = text; }
 
+  // The editor takes the place of the code once the reader is in it.
   makeEditable() {
-    try { this.code.contentEditable = "plaintext-only"; } catch { this.code.contentEditable = "true"; } // old Firefox
-    Object.assign(this.code, { spellcheck: false, autocapitalize: "off", role: "textbox",
-      ariaMultiLine: "true", ariaLabel: `Code of cell ${this.k + 1}` });
-    this.code.addEventListener("input", () => this.noteChange());
-    this.code.addEventListener("keydown", (event) => {
-      if (event.key !== "Enter" || !(event.shiftKey || event.ctrlKey)) return;
-      event.preventDefault();
-      if (!this.button.disabled && running === null) runThrough(this.k);
+    this.code.tabIndex = 0;
+    let point;
+    this.code.addEventListener("mousedown", ({ x, y }) => { point = { x, y }; });
+    this.code.addEventListener("focus", async () => { (await this.edit()).focus(point); });
+  }
+
+  async edit() {
+    const [{ createEditor }, parts] = await Promise.all(
+      [`editor.js${new URL(import.meta.url).search}`, settings.editor].map((name) => import(new URL(name, import.meta.url))));
+    this.editor ??= createEditor(parts, {
+      parent: this.code.parentElement,
+      text: this.text,
+      label: `Code of cell ${this.k + 1}`,
+      onChange: () => this.noteChange(),
+      onRun: () => { if (!this.button.disabled && running === null) this.button.click(); },
     });
+    this.code.hidden = true;
+    return this.editor;
   }
 
   noteChange() {
     this.reset.hidden = false;
-    this.code.classList.add("rk-changed");
-    this.keep(this.k, { first: this.original, text: this.text });
+    const text = this.text === this.original ? undefined : this.text;
+    this.keep(this.k, { first: this.code.textContent, text, revealed: this.revealed });
   }
 
-  bringBack(text) {
-    this.code.textContent = text;
-    this.noteChange();
+  async write(text) { (await this.edit()).text = text; }
+
+  async bringBack({ text, revealed }) {
+    this.revealed = revealed ?? 0;
+    await this.write(text);
     this.button.focus();
   }
 
@@ -94,13 +104,11 @@ class Cell {
   }
 
   restore() {
-    this.code.innerHTML = this.first;
-    this.code.classList.remove("rk-changed");
+    if (this.editor) this.editor.text = this.original;
     this.fresh?.remove();
     this.outputs.forEach((output) => { output.hidden = false; });
     this.ran = this.fresh = null;
     this.reset.hidden = true;
-    this.keep(this.k);
     this.say("");
     this.button.focus();
   }
@@ -147,18 +155,29 @@ const waitForWorker = () => new Promise((resolve, reject) => {
 });
 
 const updateButtons = () => cells.forEach((cell, k) => {
-  cell.button.textContent = running === k ? "Stop" : "Run";
+  cell.button.textContent = running === k ? "Stop" : cell.program ? "Check" : "Run";
   cell.button.disabled = cell.reset.disabled = running !== null && running !== k;
 });
+
+const fetchText = async (name) => {
+  const answer = await fetch(new URL(name, import.meta.url), { cache: "no-cache" });
+  if (!answer.ok) throw new Error(`${name} answers ${answer.status}`);
+  return answer.text();
+};
 
 const runCell = async (cell) => {
   cell.begin();
   cell.ran = cell.text;
   cells.slice(cell.k + 1).forEach((below) => { below.ran = null; });
-  const end = waitForWorker();
-  worker.postMessage({ cell: cell.k, source: cell.ran, name: `cell ${cell.k + 1}` });
-  const { ended } = await end;
+  const end = waitForWorker(), { k, program, revealed } = cell;
+  const stored = program && await fetchText(`../programs/${program}.json`);
+  worker.postMessage({ cell: k, source: cell.ran, name: `cell ${k + 1}`, stored, revealed });
+  const { ended, shown } = await end;
   if (!ended) cell.ran = null;
+  if (shown) {
+    cell.revealed += 1;
+    cell.noteChange();
+  }
   return ended;
 };
 
@@ -170,7 +189,7 @@ const runThrough = async (k) => {
     if (!worker) startWorker();
     await ready;
     for (const each of cells.slice(0, k + 1)) {
-      if (each !== cell && (each.ran === each.text || each.mayFail)) continue;
+      if (each !== cell && (cell.program || each.ran === each.text || each.mayFail)) continue;
       cell.say(each === cell ? "Running …" : `Running cell ${each.k + 1}, above, first …`);
       const ended = await runCell(each);
       cell.say(ended || each === cell ? "" : `Cell ${each.k + 1}, above, stops with an error.`);
@@ -210,24 +229,32 @@ const askConsent = (cell) => new Promise((resolve) => {
   buttons[0].focus();
 });
 
-const makeCells = (bars, keep) => { cells ??= bars.map((bar, k) => new Cell(bar, k, keep)); };
+const makeCells = async (bars, keep) => {
+  settings ??= JSON.parse(await fetchText(`settings.json${new URL(import.meta.url).search}`));
+  if (cells) return;
+  cells = bars.map((bar, k) => new Cell(bar, k, keep));
+  cells.forEach((cell) => cell.makeEditable());
+};
 
 // The reader wants a change back that was kept.
-export const bringBack = (bars, k, keep, text) => {
-  makeCells(bars, keep);
-  cells[k].bringBack(text);
+export const bringBack = async (bars, k, keep, change) => {
+  await makeCells(bars, keep);
+  await cells[k].bringBack(change);
+};
+
+// The reader wants to write a program.
+export const write = async (bars, k, keep) => {
+  await makeCells(bars, keep);
+  (await cells[k].edit()).focus();
 };
 
 // The reader presses Run (or Stop) under the cell k.
 export const pressRun = async (bars, k, keep) => {
   if (running === k) return stop();
-  settings ??= await (await fetch(new URL(`settings.json${new URL(import.meta.url).search}`,
-    import.meta.url))).json();
-  makeCells(bars, keep);
+  await makeCells(bars, keep);
   if (!consent()) {
     if (!await askConsent(cells[k])) return;
     consent("yes");
   }
-  if (!cells[0].code.isContentEditable) cells.forEach((cell) => cell.makeEditable());
   await runThrough(k);
 };

@@ -12,8 +12,9 @@ export const addRunButtons = () => {
   };
   const kept = read();
   const bars = [...document.querySelectorAll(".cell:not(.tag_interact) > .cell_input")].map((input) => {
+    const word = input.closest("[class*=tag_program-]") ? "Check" : "Run";
     input.insertAdjacentHTML("beforeend",
-      `<div class="rk-run"><button type="button">Run</button><p role="status"></p></div>`);
+      `<div class="rk-run"><button type="button">${word}</button><p role="status"></p></div>`);
     return input.lastElementChild;
   });
   const withCells = async (k, work) => {
@@ -25,11 +26,16 @@ export const addRunButtons = () => {
   };
   bars.forEach((bar, k) => {
     bar.firstChild.addEventListener("click", () => withCells(k, ({ pressRun }) => pressRun(bars, k, keep)));
-    if (kept[k]?.first !== bar.parentElement.querySelector("pre").textContent) return;
+    const code = bar.parentElement.querySelector("pre");
+    if (bar.firstChild.textContent === "Check") {
+      code.tabIndex = 0;
+      code.addEventListener("focus", () => withCells(k, ({ write }) => write(bars, k, keep)), { once: true });
+    }
+    if (!kept[k]?.text || kept[k].first !== code.textContent) return;
     bar.lastChild.insertAdjacentHTML("beforebegin", `<button type="button">Bring back my change</button>`);
     bar.children[1].addEventListener("click", ({ target }) => {
       target.remove();
-      withCells(k, ({ bringBack }) => bringBack(bars, k, keep, kept[k].text));
+      withCells(k, ({ bringBack }) => bringBack(bars, k, keep, kept[k]));
     });
   });
 };

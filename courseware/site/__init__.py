@@ -49,6 +49,11 @@ SETTINGS = {  # name → default, allowed values, example
         "an address with a slash at its end, in quotes",
         '"https://cdn.jsdelivr.net/pyodide/v314.0.6/full/"',
     ),
+    "course_editor": (
+        "",
+        "the name of a file in the site's `_static`, in quotes",
+        '"codemirror.js"',
+    ),
     "course_katex": ("", "the name of a file in the site's `_static`, in quotes", '"katex.min.js"'),
     "course_lock": ("requirements.txt", "the name of a file, in quotes", '"requirements.txt"'),
 }

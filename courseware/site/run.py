@@ -1,4 +1,4 @@
-"""Files that *Run* fetches when it is pressed: settings, the course's wheels, its own scripts.
+"""Files that *Run* fetches when it is pressed: settings, programs, wheels, its own scripts.
 
 `course_python` is the public address of Pyodide. If the environment's PYODIDE names a folder with
 an unpacked release, that is copied into the site, and no other site is asked.
@@ -16,6 +16,8 @@ from sphinx.application import Sphinx
 
 from courseware import run
 from courseware.errors import CourseError
+from courseware.programs.declaration import all_programs
+from courseware.programs.notebook import serialize
 from courseware.site.assets import wheel_name, write_static
 
 NEEDED = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
@@ -56,10 +58,13 @@ def write_files(app: Sphinx, env: Any) -> None:
     settings = {
         "python": f"../{FOLDER}/" if folder else app.config.course_python,
         "katex": f"../{katex}" if katex else "",
+        "editor": f"../{app.config.course_editor}",
         "cells": f"cells.py?v={run.version()}",
         "wheels": [f"../../_sources/{name}" for name in wheels],
     }
     write_static(app, "run/settings.json", json.dumps(settings))
+    for name, program in all_programs().items():
+        write_static(app, f"programs/{name}.json", serialize(program))
     if folder:
         copy_python(folder, Path(app.outdir) / "_static" / FOLDER)
 

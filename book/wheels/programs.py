@@ -1,0 +1,280 @@
+"""Programs that students write on wheels and the omni robot."""
+# ruff: noqa: E741  (l is the field's own name)
+
+import numpy as np
+
+from book.motion.formulas import omega, theta, v, v_y, x_dot, y_dot
+from book.wheels.exercises import (
+    M19,
+    M20,
+    M21,
+    M34,
+    M35,
+    THREE,
+    forward,
+    forward_by,
+    rates,
+    rates_by,
+    ways,
+    wrong_rows,
+)
+from book.wheels.formulas import alpha, beta, gamma, l, omni_rates, r
+from courseware.practice import Unknown
+from courseware.programs.declaration import Program
+from robokin import motion, wheels
+
+RATES = tuple(Unknown(f"wheel {k}", "rad/s") for k in (1, 2, 3))
+VELOCITY = (Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s"), Unknown("ω", "rad/s"))
+SIZES = {l: (0.1, 0.5), r: (0.02, 0.1)}
+STILL = {x_dot: 0.0, y_dot: 0.0, omega: 0.0}
+ON_SPOKES = {"alpha": THREE, "beta": 0.0}  # the places of the three wheels
+
+
+def of_robot(function):
+    """Return a function of the exercises' numbers, for the arguments of the first program."""
+    return lambda wanted, theta, spoke, r: function(
+        l=spoke, r=r, theta=theta, **dict(zip(("x_dot", "y_dot", "omega"), wanted, strict=True))
+    )
+
+
+def of_rates(function):
+    """Return one for the arguments of the third program."""
+    return lambda rates, theta, spoke, r: function(
+        l=spoke, r=r, theta=theta, **dict(zip(("w_1", "w_2", "w_3"), rates, strict=True))
+    )
+
+
+# --- p1 --------------------------------------------------------------------------------------
+
+OMNI_TEXT = (
+    "You can tell the motion from the rates. Go back: which rates give a motion that is wanted in "
+    "the world? The three wheels of the omni robot stand at 0°, 120° and 240°, each with its axle "
+    "along its spoke. The rows of Stack the rows have all that you need. At rest, on the spot and "
+    "without a turn it must work, too."
+)
+OMNI = '''\
+def omni_rates(wanted, theta, spoke, r):
+    """Return the rates of the omni robot's three wheels in rad/s.
+
+    wanted: array of x_dot, y_dot [m/s] and omega [rad/s], in the world;
+    theta: heading [rad]; spoke: from the centre to a wheel [m]; r: radius of
+    a wheel [m].
+    """
+    ...
+'''
+OMNI_HINTS = (
+    "The rolling rows know the motion in the body frame only. What comes first?",
+    "First turn x_dot and y_dot from the world to the robot. Then each wheel has its row: "
+    "sin α, −cos α and −spoke, times forward speed, sideways speed and angular velocity.",
+    "Forward speed is cos θ x_dot + sin θ y_dot, sideways speed is −sin θ x_dot + cos θ y_dot. Row "
+    "times motion is how fast a wheel rolls, in m/s; over r it is the rate.",
+)
+OMNI_SOLUTION = """\
+def omni_rates(wanted, theta, spoke, r):
+    x_dot, y_dot, omega = np.transpose(wanted)
+    c, s = np.cos(theta), np.sin(theta)
+    ahead, left = c * x_dot + s * y_dot, c * y_dot - s * x_dot
+    at = np.radians([0, 120, 240])
+    rolls = [np.sin(a) * ahead - np.cos(a) * left - spoke * omega for a in at]
+    return np.transpose(np.array(rolls) / r)
+"""
+OMNI_SPECIALS = {
+    "at rest": STILL,
+    "on the spot": {x_dot: 0.0, y_dot: 0.0},
+    "without a turn": {omega: 0.0},
+    "with the heading 0": {theta: 0.0},
+}
+OMNI_MISTAKES = {
+    **ways(rates_by, M19, M20, M34, M35, **ON_SPOKES),
+    M21: M21.formula.wrap(rates),
+}
+OMNI_SLIPS = {
+    "when the heading is forgotten": lambda theta, **numbers: rates(theta=0.0, **numbers),
+    "for the speeds of the wheels; the division by r is missing": lambda r, **numbers: (
+        r * rates(r=r, **numbers)
+    ),
+    "when wheels 2 and 3 are exchanged": lambda **numbers: rates(**numbers)[[0, 2, 1]],
+    "when the turn of the robot is forgotten": lambda omega, **numbers: rates(omega=0.0, **numbers),
+    "when the spoke is forgotten": lambda l, omega, **numbers: rates(l, omega=omega / l, **numbers),
+}
+
+wheels_p1 = Program(
+    "wheels-p1",
+    title="Drive the omni robot",
+    text=OMNI_TEXT,
+    starter=OMNI,
+    symbols=(x_dot, y_dot, omega, theta, l, r),
+    arguments=lambda x_dot, y_dot, omega, theta, l, r: ([x_dot, y_dot, omega], theta, l, r),
+    ranges=SIZES,
+    specials=OMNI_SPECIALS,
+    answer=RATES,
+    right=of_robot(rates),
+    wrong={mistake: of_robot(function) for mistake, function in OMNI_MISTAKES.items()},
+    also={words: of_robot(function) for words, function in OMNI_SLIPS.items()},
+    hints=OMNI_HINTS,
+    solution=OMNI_SOLUTION,
+)
+
+
+# --- p2 --------------------------------------------------------------------------------------
+
+
+def swedish(twist, l, alpha, beta, gamma, r):
+    """Return the rate of a Swedish wheel."""
+    return wheels.inverse([wheels.swedish(l, alpha, beta, r, gamma)], twist)[0]
+
+
+def swedish_by(mistake):
+    """Return the rate by a mistake in the rolling row, which is turned by gamma."""
+    return lambda twist, l, alpha, beta, gamma, r: (
+        wrong_rows(mistake, l, alpha, beta + gamma, 0.0)[0] @ twist / (r * np.cos(gamma))
+    )
+
+
+SWEDISH_TEXT = (
+    "A Swedish wheel stands anywhere on a robot: l, α and β say where, and γ is the angle of the "
+    "axis of its roller on the ground from the rolling direction. How fast does it turn while the "
+    "robot moves? With γ = 0 it must give the rate of the omni robot's wheels. (With γ = ±90° the "
+    "wheel turns as it likes; this is not asked.)"
+)
+SWEDISH = '''\
+def swedish_rate(twist, l, alpha, beta, gamma, r):
+    """Return the rate of a Swedish wheel in rad/s.
+
+    twist: array of v, v_y [m/s] and omega [rad/s], in the body frame;
+    l: from the centre to the wheel [m]; alpha, beta, gamma [rad];
+    r: radius of the wheel [m].
+    """
+    ...
+'''
+SWEDISH_HINTS = (
+    "Begin with the rolling row of an ordinary wheel. What does γ change in it?",
+    "All three entries of the row are turned by γ: put β + γ where β stands. And of the speed r "
+    "times rate only a part counts.",
+    "Row times twist equals r cos γ times the rate. The row is sin(α + β + γ), −cos(α + β + γ), "
+    "−l cos(β + γ).",
+)
+SWEDISH_SOLUTION = """\
+def swedish_rate(twist, l, alpha, beta, gamma, r):
+    v, v_y, omega = np.transpose(twist)
+    along = alpha + beta + gamma
+    rolls = np.sin(along) * v - np.cos(along) * v_y - l * np.cos(beta + gamma) * omega
+    return rolls / (r * np.cos(gamma))
+"""
+SWEDISH_SPECIALS = {
+    "with γ = 0": {gamma: 0.0},
+    "with the axle along the spoke": {beta: 0.0},
+    "at rest": {v: 0.0, v_y: 0.0, omega: 0.0},
+    "on the spot": {v: 0.0, v_y: 0.0},
+    "at the centre": {l: 0.0},
+}
+SWEDISH_SLIPS = {
+    "when γ is forgotten": lambda twist, l, alpha, beta, gamma, r: swedish(
+        twist, l, alpha, beta, 0.0, r
+    ),
+    "when γ has the other sign": lambda twist, l, alpha, beta, gamma, r: swedish(
+        twist, l, alpha, beta, -gamma, r
+    ),
+    "when the whole speed of the rim counts: cos γ is missing": lambda *given: (
+        np.cos(given[4]) * swedish(*given)
+    ),
+    "when the row is not turned by γ": lambda twist, l, alpha, beta, gamma, r: (
+        swedish(twist, l, alpha, beta, 0.0, r) / np.cos(gamma)
+    ),
+    "when γ is missing in the last entry of the row": lambda twist, l, alpha, beta, gamma, r: (
+        swedish([*twist[:2], 0], l, alpha, beta, gamma, r)
+        + swedish([0, 0, twist[2]], l, alpha, beta, 0.0, r) / np.cos(gamma)
+    ),
+    "for the speed; the division by r is missing": lambda *given: given[-1] * swedish(*given),
+}
+
+wheels_p2 = Program(
+    "wheels-p2",
+    title="A wheel with rollers at any angle",
+    text=SWEDISH_TEXT,
+    starter=SWEDISH,
+    symbols=(v, v_y, omega, l, alpha, beta, gamma, r),
+    arguments=lambda v, v_y, omega, *wheel: ([v, v_y, omega], *wheel),
+    ranges=SIZES,
+    specials=SWEDISH_SPECIALS,
+    answer=(Unknown("rate", "rad/s"),),
+    right=swedish,
+    wrong={mistake: swedish_by(mistake) for mistake in (M19, M34, M35)},
+    also=SWEDISH_SLIPS,
+    hints=SWEDISH_HINTS,
+    solution=SWEDISH_SOLUTION,
+)
+
+
+# --- p3 --------------------------------------------------------------------------------------
+
+MOTION_TEXT = (
+    "This program computes how the omni robot moves in the world, from the rates of its three "
+    "wheels at 0°, 120° and 240°. The program is wrong. Find the mistake, and mend it. At rest, "
+    "on the spot and with the heading 0 it must work, too."
+)
+MOTION = '''\
+def omni_motion(rates, theta, spoke, r):
+    """Return [x_dot, y_dot, omega] in the world, in m/s, m/s and rad/s.
+
+    rates: array of three rates [rad/s]; theta: heading [rad];
+    spoke: from the centre to a wheel [m]; r: radius of a wheel [m].
+    """
+    at = np.radians([0, 120, 240])
+    J_1 = np.transpose([np.sin(at), -np.cos(at), [-spoke] * 3])
+    twist = np.linalg.solve(J_1, r * rates)
+    c, s = np.cos(theta), np.sin(theta)
+    R = np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    return R @ twist
+'''
+MOTION_HINTS = (
+    "With the heading 0 the answers are right. So the three rows are right, too. Which lines have "
+    "to do with the heading?",
+    "R leads from the world to the robot, as in the chapter. Which way must the twist go?",
+    "The twist goes from the robot to the world, so with the inverse of R. Of a rotation matrix "
+    "this is the transposed one, R.T.",
+)
+MOTION_SOLUTION = """\
+def omni_motion(rates, theta, spoke, r):
+    s_1, s_2, s_3 = r * np.transpose(rates)  # how fast each wheel rolls
+    ahead, left = (s_2 - s_3) / np.sqrt(3), (s_2 + s_3 - 2 * s_1) / 3
+    omega = -(s_1 + s_2 + s_3) / (3 * spoke)
+    c, s = np.cos(theta), np.sin(theta)
+    return np.transpose([c * ahead - s * left, s * ahead + c * left, omega])
+"""
+MOTION_SPECIALS = {
+    "at rest": dict.fromkeys(omni_rates, 0.0),
+    "on the spot": dict.fromkeys(omni_rates, 2.0),
+    "with the heading 0": {theta: 0.0},
+    "past half a turn": {theta: -3.1},
+}
+MOTION_MISTAKES = {
+    **ways(forward_by, M19, M20, M34, **ON_SPOKES),
+    M21: lambda theta, **numbers: motion.to_body(theta, forward(theta=0.0, **numbers)),
+}
+MOTION_SLIPS = {
+    "when the heading is forgotten": lambda theta, **numbers: forward(theta=0.0, **numbers),
+    "when wheels 2 and 3 are exchanged": lambda w_2, w_3, **numbers: forward(
+        w_2=w_3, w_3=w_2, **numbers
+    ),
+    "when the rates are taken for the speeds of the wheels: r is missing": lambda r, **numbers: (
+        forward(r=1.0, **numbers)
+    ),
+}
+
+wheels_p3 = Program(
+    "wheels-p3",
+    title="Mend the omni robot",
+    text=MOTION_TEXT,
+    starter=MOTION,
+    symbols=(*omni_rates, theta, l, r),
+    arguments=lambda w_1, w_2, w_3, theta, l, r: ([w_1, w_2, w_3], theta, l, r),
+    ranges=SIZES,
+    specials=MOTION_SPECIALS,
+    answer=VELOCITY,
+    right=of_rates(forward),
+    wrong={mistake: of_rates(function) for mistake, function in MOTION_MISTAKES.items()},
+    also={words: of_rates(function) for words, function in MOTION_SLIPS.items()},
+    hints=MOTION_HINTS,
+    solution=MOTION_SOLUTION,
+)

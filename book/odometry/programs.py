@@ -1,0 +1,305 @@
+"""Programs that students write on odometry."""
+
+import numpy as np
+
+from book.differential_drive.exercises import M12, M13
+from book.differential_drive.formulas import b, r
+from book.motion.formulas import theta, x, y
+from book.odometry.exercises import (
+    M22,
+    M23,
+    M24,
+    M25,
+    degrees_step,
+    half_seen_heading,
+    half_seen_step,
+    heading_forgotten,
+    jumped,
+    one_step,
+    rolled,
+    rolled_per_radian,
+)
+from book.odometry.formulas import (
+    N_L,
+    N_R,
+    C,
+    count_before,
+    count_now,
+    counter_span,
+    side,
+    x_ccw,
+    x_cw,
+    y_ccw,
+    y_cw,
+)
+from courseware.practice import Unknown, angle
+from courseware.programs.declaration import Program
+from robokin import odometry
+
+POSE = (Unknown("x", "m"), Unknown("y", "m"), angle("θ"))
+
+
+# --- p1 --------------------------------------------------------------------------------------
+
+
+def calibrate(end_cw, end_ccw, side, b):
+    """Return the wheel distance and the ratio of the wheels, from one run each way."""
+    return odometry.umbmark([end_cw], [end_ccw], side, b)
+
+
+def bent(end_cw, end_ccw, side, b, corner=1.0, ratio_b=lambda true, _: true):
+    """Return the same by formulas, with a mistake: part of the corner, the distance in the ratio.
+
+    Exchanging the parts x and y of the second end exchanges the two angles.
+    """
+    true, _ = calibrate(corner * end_cw, corner * end_ccw, side, b)
+    beta = (end_ccw[0] - end_ccw[1] - end_cw.sum()) / (8 * side)
+    bulge = ratio_b(true, b) * np.sin(beta / 2)
+    return true, (side + bulge) / (side - bulge)
+
+
+SQUARES_TEXT = (
+    "Write the test of Drive two squares: from the two ends to the true wheel distance and to the "
+    "ratio of the wheels. A robot that comes home exactly must work, too."
+)
+SQUARES = '''\
+def calibrate(end_cw, end_ccw, side, b):
+    """Return the true wheel distance [m] and the wheels' ratio, right by left.
+
+    end_cw, end_ccw: arrays of x, y [m], where the squares really end;
+    side: of the square [m]; b: the wheel distance that was believed [m].
+    """
+    ...
+'''
+SQUARES_HINTS = (
+    "Two angles come first: by α each corner is too short, by β each side swings to the left. The "
+    "sum and the difference of the ends separate them.",
+    "Both angles have 8 L below. Above, α has y_ccw − x_ccw − x_cw − y_cw, and β has x_ccw − y_ccw "
+    "− x_cw − y_cw.",
+    "The wheel distance is π b/(π − 2α). With this new one, not with b, the bulge is b_true "
+    "sin(β/2), and the ratio is side plus bulge over side minus bulge.",
+)
+SQUARES_SOLUTION = """\
+def calibrate(end_cw, end_ccw, side, b):
+    (x_cw, y_cw), (x_ccw, y_ccw) = np.transpose(end_cw), np.transpose(end_ccw)
+    alpha = (y_ccw - x_ccw - x_cw - y_cw) / (8 * side)  # a corner is too short
+    beta = (x_ccw - y_ccw - x_cw - y_cw) / (8 * side)  # a side swings
+    b_true = np.pi * b / (np.pi - 2 * alpha)
+    bulge = b_true * np.sin(beta / 2)
+    return np.transpose([b_true, (side + bulge) / (side - bulge)])
+"""
+SQUARES_SPECIALS = {
+    "with no error": {x_cw: 0.0, y_cw: 0.0, x_ccw: 0.0, y_ccw: 0.0},
+    "with equal wheels": {x_cw: -0.1, y_cw: -0.1, x_ccw: -0.1, y_ccw: 0.1},
+    "with the right wheel distance": {x_cw: -0.1, y_cw: -0.1, x_ccw: 0.1, y_ccw: -0.1},
+}
+SQUARES_SLIPS = {
+    "when the two runs are exchanged": lambda cw, ccw, side, b: calibrate(ccw, cw, side, b),
+    "when the two angles are exchanged": lambda cw, ccw, side, b: calibrate(cw, ccw[::-1], side, b),
+    "with the ratio of the left wheel by the right one": lambda *given: (
+        np.array(calibrate(*given)) ** [1, -1]
+    ),
+    "with the believed wheel distance in the ratio": lambda *given: bent(
+        *given, ratio_b=lambda _, b: b
+    ),
+    "when a corner loses α once: two wheels make it 2α": lambda *given: bent(*given, corner=0.5),
+    "with 4 L below, where 8 L belongs": lambda cw, ccw, side, b: bent(2 * cw, 2 * ccw, side, b),
+}
+
+odometry_p1 = Program(
+    "odometry-p1",
+    title="The test of two squares",
+    text=SQUARES_TEXT,
+    starter=SQUARES,
+    symbols=(x_cw, y_cw, x_ccw, y_ccw, side, b),
+    arguments=lambda x_cw, y_cw, x_ccw, y_ccw, *sizes: ([x_cw, y_cw], [x_ccw, y_ccw], *sizes),
+    ranges={side: (2, 5)},
+    specials=SQUARES_SPECIALS,
+    answer=(Unknown("wheel distance", "m"), Unknown("ratio")),
+    right=calibrate,
+    also=SQUARES_SLIPS,
+    hints=SQUARES_HINTS,
+    solution=SQUARES_SOLUTION,
+)
+
+
+# --- p2 --------------------------------------------------------------------------------------
+
+
+def between(before, after, span):
+    """Return the ticks between two readings."""
+    return odometry.unwrap_counter([before, after], modulus=span)[0]
+
+
+def often_round(before, after, span):
+    """Return whether a counter has these readings, of which nearly half pass its end or 0."""
+    apart = abs(after - before) / span
+    return max(before, after) < int(span) and apart > 0.25 and abs(apart - 0.5) > 0.01
+
+
+COUNTER_TEXT = (
+    "Write the counter that wraps round: how many ticks are between two readings? It counts up "
+    "when the wheel rolls forward, down when it rolls backward. After its last number it shows 0, "
+    "and below 0 its last number again. The shorter way round is meant. (Two ways that are equally "
+    "long are not asked.)"
+)
+COUNTER = '''\
+def ticks_between(before, after, span):
+    """Return the ticks between two readings, forward positive.
+
+    before, after: readings of the counter; span: how many numbers it can show:
+    0, 1, … up to span − 1. Whole numbers.
+    """
+    ...
+'''
+COUNTER_HINTS = (
+    "The difference of the readings is right, as long as the counter has not passed its end. How "
+    "large can it be then?",
+    "A difference of more than half the span is the longer way round. Then a whole span has to be "
+    "added or taken away: there are two cases.",
+    "All in one line: add half the span to the difference, take the rest of the division by the "
+    "span (%), and take the half away again.",
+)
+COUNTER_SOLUTION = """\
+def ticks_between(before, after, span):
+    return (after - before + span / 2) % span - span / 2
+"""
+COUNTER_SPECIALS = {
+    "past the last number": {count_before: 990, count_now: 20, counter_span: 1000},
+    "below 0": {count_before: 20, count_now: 990, counter_span: 1000},
+    "almost half round": {count_before: 0, count_now: 499, counter_span: 1000},
+    "a little more than half round": {count_before: 0, count_now: 501, counter_span: 1000},
+    "the same reading": {count_before: 70, count_now: 70},
+}
+COUNTER_SLIPS = {
+    "when the counter is taken to have one number less: with 0 it has span numbers": (
+        lambda before, after, span: (
+            jumped(before, after) - (span - 1) * np.rint((after - before) / span)
+        )
+    ),
+    "when a wheel never rolls backward": lambda before, after, span: (after - before) % span,
+    "when a wheel never rolls forward": lambda before, after, span: -((before - after) % span),
+    "without the sign": lambda *readings: abs(between(*readings)),
+    "when only the end of the numbers is seen, not 0": lambda before, after, span: (
+        jumped(before, after) if after > before else between(before, after, span)
+    ),
+    "when only 0 is seen, not the end of the numbers": lambda before, after, span: (
+        jumped(before, after) if after < before else between(before, after, span)
+    ),
+}
+
+odometry_p2 = Program(
+    "odometry-p2",
+    title="A counter that wraps round",
+    text=COUNTER_TEXT,
+    starter=COUNTER,
+    symbols=(count_before, count_now, counter_span),
+    arguments=lambda *readings: [int(n) for n in readings],
+    ranges={count_before: (0, 5000), count_now: (0, 5000), counter_span: (1000, 8000)},
+    when=often_round,
+    specials=COUNTER_SPECIALS,
+    answer=(Unknown("ticks", "ticks"),),
+    right=between,
+    wrong={M25: lambda before, after, span: jumped(before, after)},
+    also=COUNTER_SLIPS,
+    hints=COUNTER_HINTS,
+    solution=COUNTER_SOLUTION,
+)
+
+
+# --- p3 --------------------------------------------------------------------------------------
+
+
+def sampled(step, roll=rolled):
+    """Return a step of the exercises as a function of ticks."""
+
+    def of_ticks(pose, N_L, N_R, C, r, b):
+        x, y, theta = pose
+        return step(theta=theta, D_L=roll(N_L, C, r), D_R=roll(N_R, C, r), b=b, x=x, y=y)
+
+    return of_ticks
+
+
+def new_heading(**step):
+    """Return the pose by the rule of the new heading."""
+    return one_step("end", **step)
+
+
+SAMPLE_TEXT = (
+    "This program adds a sample to the pose, by the rule of the new heading: the robot first "
+    "turns, and then drives straight on. The heading is to stay between −180° and 180°. On many "
+    "drives the program is right, on others it is wrong. Find the mistake, and mend it. Every "
+    "heading must work, a turn on the spot, and a sample without ticks. (A heading that is more "
+    "by whole turns counts as the same.)"
+)
+SAMPLE = '''\
+def add_sample(pose, N_L, N_R, C, r, b):
+    """Return the pose [x, y, theta] after a sample, by the new heading.
+
+    pose: array of x, y [m], theta [rad]; N_L, N_R: ticks; C: ticks of a turn;
+    r: wheel radius [m]; b: wheel distance [m].
+    """
+    x, y, theta = pose
+    D_L, D_R = 2 * np.pi * r * N_L / C, 2 * np.pi * r * N_R / C
+    D = (D_L + D_R) / 2
+    theta = theta + (D_R - D_L) / b
+    theta = np.arctan(np.sin(theta) / np.cos(theta))
+    return np.array([x + D * np.cos(theta), y + D * np.sin(theta), theta])
+'''
+SAMPLE_HINTS = (
+    "Into which directions does the robot look where the program is wrong?",
+    "Try a robot that looks along −x, with the heading π, and drives straight on. Which heading "
+    "does the program give?",
+    "sin/cos is the same for opposite directions, so np.arctan never looks backward. np.arctan2 "
+    "takes the sine and the cosine one by one, in this order.",
+)
+SAMPLE_SOLUTION = """\
+def add_sample(pose, N_L, N_R, C, r, b):
+    x, y, theta = np.transpose(pose)
+    D_L, D_R = 2 * np.pi * r * N_L / C, 2 * np.pi * r * N_R / C
+    D = (D_L + D_R) / 2
+    turned = theta + (D_R - D_L) / b
+    theta = np.arctan2(np.sin(turned), np.cos(turned))
+    return np.transpose([x + D * np.cos(theta), y + D * np.sin(theta), theta])
+"""
+SAMPLE_SPECIALS = {
+    "without ticks": {N_L: 0, N_R: 0},
+    "straight ahead": {N_L: 200, N_R: 200},
+    "on the spot": {N_L: -100, N_R: 100},
+    "looking backward": {theta: 3.0, N_L: 200, N_R: 200},
+    "across 180°": {theta: 3.1, N_L: 100, N_R: 200, C: 500, r: 0.05, b: 0.5},
+    "across −180°": {theta: -3.1, N_L: 200, N_R: 100, C: 500, r: 0.05, b: 0.5},
+}
+SAMPLE_MISTAKES = {
+    M12: sampled(M12.formula.wrap(new_heading)),
+    M13: sampled(degrees_step),
+    M22: sampled(heading_forgotten),
+    M23: sampled(half_seen_step),
+    M24: sampled(new_heading, roll=rolled_per_radian),
+}
+SAMPLE_SLIPS = {
+    "by the rule of the old heading": sampled(lambda **step: one_step("start", **step)),
+    "by the rule of the middle heading": sampled(lambda **step: one_step("midpoint", **step)),
+    "along the exact arc": sampled(lambda **step: one_step("exact", **step)),
+    "when only the heading that is answered is taken as tan⁻¹(sin/cos)": sampled(half_seen_heading),
+    "when left and right are exchanged": lambda pose, N_L, N_R, *robot: sampled(new_heading)(
+        pose, N_R, N_L, *robot
+    ),
+}
+
+odometry_p3 = Program(
+    "odometry-p3",
+    title="Mend the sample",
+    text=SAMPLE_TEXT,
+    starter=SAMPLE,
+    symbols=(x, y, theta, N_L, N_R, C, r, b),
+    arguments=lambda x, y, theta, N_L, N_R, *robot: ([x, y, theta], int(N_L), int(N_R), *robot),
+    ranges={N_L: (-400, 400), N_R: (-400, 400), C: (200, 2000), r: (0.02, 0.1), b: (0.1, 0.6)},
+    specials=SAMPLE_SPECIALS,
+    answer=POSE,
+    right=sampled(new_heading),
+    wrong=SAMPLE_MISTAKES,
+    also=SAMPLE_SLIPS,
+    hints=SAMPLE_HINTS,
+    solution=SAMPLE_SOLUTION,
+)

@@ -10,7 +10,6 @@ from courseware.programs import judge
 from courseware.programs.declaration import Program, find_program
 from courseware.programs.storing import store
 
-MIME = "application/vnd.courseware.program+json"
 _revealed = Counter[str]()  # right values shown in this session, by program
 
 
@@ -29,11 +28,7 @@ class ProgramBox:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         p = self.program
-        return {
-            "text/plain": f"{p.title}\n\n{p.text}",
-            "text/html": render(p),
-            MIME: {"name": p.name},
-        }
+        return {"text/plain": f"{p.title}\n\n{p.text}", "text/html": render(p)}
 
 
 def program(name: str) -> ProgramBox:
@@ -50,7 +45,7 @@ def render(program: Program) -> str:
         fold = f"<details><summary>Hint {k}</summary>{render_paragraphs(hint)}{fold}</details>"
     return (
         f'<div class="admonition rk-program" id="{program.name}">'
-        f'<p class="admonition-title">Write it yourself: {escape(program.title)}</p>'
+        f'<p class="admonition-title">{escape(program.title)}</p>'
         f"{render_paragraphs(program.text)}{fold}</div>"
     )
 

@@ -51,7 +51,9 @@ class Cells:
         return self.page.locator(".rk-run").nth(k)
 
     def code(self, k):
-        return self.page.locator(".cell_input pre code").nth(k)
+        """The code of a cell, in its editor if the reader has been there."""
+        input = self.bar(k).locator("xpath=..")
+        return input.locator(".cm-content, pre:not([hidden])").first
 
     def cell(self, k):
         return self.bar(k).locator("xpath=ancestor::div[starts-with(@class, 'cell ')][1]")
@@ -79,7 +81,8 @@ class Cells:
         self.page.evaluate(RAN, timeout)
 
     def write(self, k, source):
-        self.code(k).fill(source)
+        self.code(k).click()
+        self.bar(k).locator("xpath=..").locator(".cm-content").fill(source)
 
     def run(self, k, source=None):
         if source is not None:

@@ -1,4 +1,4 @@
-"""The teacher's commands: key, sheet, check, grade, moodle."""
+"""The teacher's commands: key, sheet, check, grade, moodle, assignment."""
 
 import argparse
 import io
@@ -9,6 +9,7 @@ from pathlib import Path
 
 from classroom import moodle
 from classroom.answer_key import read_secret, write_key
+from classroom.assignments import write_assignment
 from classroom.grading import check, grade
 from classroom.sheets import write_sheets
 from courseware.errors import CourseError
@@ -48,6 +49,10 @@ def _run(options: argparse.Namespace) -> tuple[list[str], str]:
     if options.command == "check":
         return check(options.answers, options.key, options.out, options.force)
     written = f"written: {options.out}"
+    if options.command == "assignment":
+        out = options.out or Path(options.chapter)
+        files = write_assignment(options.chapter, options.grader, out, options.force)
+        return [], "written: " + ", ".join(map(str, files))
     if options.command == "sheet":
         return write_sheets(options.key, options.out, options.force), written
     secret = read_secret(options.secret, make=options.command == "key")
@@ -75,6 +80,12 @@ def _parser() -> argparse.ArgumentParser:
     sheet = add("sheet", "a page for each student, without answers", "sheets/")
     sheet.add_argument("key", type=Path, help="the table that key wrote")
     questions = add("moodle", "all variants as questions, to import as Moodle XML", "moodle.xml")
+    programs = add("assignment", "the programs of a chapter for a grader of code", None)
+    programs.add_argument("chapter", help="its folder: differential_drive")
+    words = "who grades: nbgrader, otter (and Gradescope), or github (its Classroom)"
+    programs.add_argument(
+        "--for", dest="grader", choices=("nbgrader", "otter", "github"), required=True, help=words
+    )
     for command in (key, questions):
         command.add_argument("--only", nargs="+", default=(), help="names of exercises")
         words = "a file with a secret that draws other numbers than the page's; key makes it"

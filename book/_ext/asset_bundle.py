@@ -42,7 +42,9 @@ def write_bundles(folder, sheets, scripts):
     (folder / "_static" / SHEET).write_text(join_files(folder, sheets), "utf-8")
     script = join_files(folder, scripts, ";")
     assert MEASURED in script, "the theme finds scrollable boxes otherwise now"
-    script = script.replace(MEASURED, f"e.checkVisibility({{contentVisibilityAuto:true}})&&({MEASURED})")
+    script = script.replace(
+        MEASURED, f"e.checkVisibility({{contentVisibilityAuto:true}})&&({MEASURED})"
+    )
     (folder / "_static" / SCRIPT).write_text(script, "utf-8")
 
 

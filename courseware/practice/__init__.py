@@ -3,6 +3,8 @@
 In a notebook: `practice.exercise("differential-drive-1")`. For teachers: `python -m classroom`.
 """
 
+from typing import Any
+
 from courseware.line_breaks import UNBROKEN
 from courseware.practice import rendering
 from courseware.practice.bank import all_exercises, all_mistakes, all_topics
@@ -21,9 +23,16 @@ from courseware.practice.notebook import answers, example, exercise, export, mis
 from courseware.practice.solution_steps import LocalEquation, Step
 from courseware.practice.solutions import Solution
 from courseware.practice.wrong_formula import WrongFormula
-from courseware.programs.notebook import program
 from courseware.script.parts import Part, register
 from courseware.units import unit_constants
+
+
+def program(name: str) -> Any:
+    """Show a program exercise: `program("bicycle-p1")`; `.check(step)` judges your function."""
+    from courseware.programs.notebook import ProgramBox  # it needs this package
+
+    return ProgramBox(name)
+
 
 register(
     Part(

@@ -10,7 +10,9 @@ import dis
 import importlib
 import inspect
 import io
+import json
 import linecache
+import runpy
 import sys
 import textwrap
 import time
@@ -19,6 +21,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import redirect_stdout
 from dataclasses import dataclass
 from html import escape
+from pathlib import Path
 from types import CodeType, FrameType, FunctionType, ModuleType
 from typing import Any
 
@@ -98,6 +101,20 @@ def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
         return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
 
 
+def read_and_check(name: str, function: Any) -> Verdict:
+    """Judge a function by the numbers of the file `name.json` beside this one."""
+    return check(function, json.loads(Path(__file__).with_name(f"{name}.json").read_text("utf-8")))
+
+
+def main() -> int:
+    """Judge a file: `python judge.py bicycle-p1 bicycle_p1.py` fails unless it is right."""
+    name, file = sys.argv[1:]
+    stored = json.loads(Path(__file__).with_name(f"{name}.json").read_text("utf-8"))
+    verdict = check(runpy.run_path(file).get(stored["function"]), stored)
+    print(f"{name}: {verdict}")
+    return 0 if verdict.right else 1
+
+
 # --- one call --------------------------------------------------------------------------------
 
 
@@ -115,7 +132,9 @@ def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
                 f"It calls {module}.{frame.f_code.co_name}: write down yourself what that does."
             )
         if steps > STEPS:
-            raise Slip(f"It does not end: stopped after {STEPS:,} steps. Does its loop come to one?")
+            raise Slip(
+                f"It does not end: stopped after {STEPS:,} steps. Does its loop come to one?"
+            )
         frame.f_trace_opcodes = True  # `while True: pass` has no lines
         return trace
 
@@ -172,7 +191,9 @@ def near(came: Any, right: Any, stored: Stored, factor: float = 1.0) -> bool:
 def apart(came: Any, right: Any, stored: Stored) -> Any:
     """Return how far two answers are apart, number by number; NaN meets NaN."""
     difference = came - right
-    turned = np.where(stored["circle"], np.remainder(difference + np.pi, 2 * np.pi) - np.pi, difference)
+    turned = np.where(
+        stored["circle"], np.remainder(difference + np.pi, 2 * np.pi) - np.pi, difference
+    )
     same = (came == right) | (np.isnan(came) & np.isnan(right))
     return np.where(same, 0.0, np.nan_to_num(np.abs(turned), nan=np.inf))
 
@@ -219,8 +240,10 @@ def refuse_answer(
     known = find_known(function, ordinary, stored)
     lines += [entry["feedback"] for entry in known]
     if case["special"] and ordinary is not None and not known:
-        lines.append("On all ordinary inputs it is right: give this case a branch of its own, or "
-                     "find a form without it.")
+        lines.append(
+            "On all ordinary inputs it is right: give this case a branch of its own, or "
+            "find a form without it."
+        )
     return refuse(stored, place, lines, mistakes=tuple(k["name"] for k in known), revealed=shows)
 
 
@@ -228,7 +251,9 @@ def describe(came: Any, case: Stored, stored: Stored) -> str:
     """Say what came."""
     words = f"It gives {format_answer(came, stored)}."
     if np.isnan(came).any() and not np.isnan(case["right"]).any():
-        words += " nan is what comes of 0/0, of a square root of a negative number, or of inf − inf."
+        words += (
+            " nan is what comes of 0/0, of a square root of a negative number, or of inf − inf."
+        )
     return words
 
 
@@ -266,8 +291,12 @@ def find_known(function: Any, answers: Any, stored: Stored) -> list[Stored]:
         candidates.append((entry, np.array([slip(right, stored) for right in rights])))
     found = [known for known, its in candidates if is_named(answers, its, rights, stored)]
     if not found and divides_whole(function, stored):
-        found = [{"name": "//", "feedback": "Its // drops all that comes after the point: "
-                  "with / it is right."}]
+        found = [
+            {
+                "name": "//",
+                "feedback": "Its // drops all that comes after the point: with / it is right.",
+            }
+        ]
     return found
 
 
@@ -363,13 +392,17 @@ def describe_arrays(function: Any, stored: Stored) -> list[str]:
         return [f"Level 2, arrays of inputs: not yet. {describe_error(error, function)}"]
     ratio = alone / (time.perf_counter() - start)
     if answers.shape != (len(cases), *stored["shape"]):
-        return [f"Level 2, arrays of {len(cases)} inputs: not yet. It gives shape {answers.shape}, "
-                f"asked is {(len(cases), *stored['shape'])}."]
+        return [
+            f"Level 2, arrays of {len(cases)} inputs: not yet. It gives shape {answers.shape}, "
+            f"asked is {(len(cases), *stored['shape'])}."
+        ]
     rows = answers.reshape(len(cases), -1)
     if not all(map(lambda row, case: agrees(row, case, stored), rows, cases)):
         return ["Level 2, arrays of inputs: not yet. It gives other numbers than one by one."]
-    return [f"Level 2, arrays of inputs: right, too. {len(cases)} at once are {ratio:.0f} times as "
-            "fast as one by one."]
+    return [
+        f"Level 2, arrays of inputs: right, too. {len(cases)} at once are {ratio:.0f} times as "
+        "fast as one by one."
+    ]
 
 
 # --- texts -----------------------------------------------------------------------------------
@@ -388,3 +421,7 @@ def format_answer(came: Any, stored: Stored) -> str:
 def shorten(value: Any) -> str:
     text = repr(value)
     return text if len(text) < 60 else f"{text[:57]}…"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -16,8 +16,8 @@ _revealed = Counter[str]()  # right values shown in this session, by program
 class ProgramBox:
     """A program exercise. Shown in a notebook, it says what is asked."""
 
-    def __init__(self, program: Program) -> None:
-        self.program = program
+    def __init__(self, name: str) -> None:
+        self.program = find_program(name)
 
     def check(self, function: Any) -> judge.Verdict:
         """Judge a function, with the simplest input on which it is wrong."""
@@ -31,16 +31,9 @@ class ProgramBox:
         return {"text/plain": f"{p.title}\n\n{p.text}", "text/html": render(p)}
 
 
-def program(name: str) -> ProgramBox:
-    """Show a program exercise: `program("bicycle-p1")`; `.check(step)` judges your function."""
-    return ProgramBox(find_program(name))
-
-
 def render(program: Program) -> str:
     """Render what is asked; each hint opens the way to the next, the last one to a solution."""
-    fold = (
-        f"<details><summary>A solution</summary><pre>{escape(program.solution.strip())}</pre></details>"
-    )
+    fold = f"<details><summary>A solution</summary><pre>{escape(program.solution.strip())}</pre></details>"
     for k, hint in reversed([*enumerate(program.hints, 1)]):
         fold = f"<details><summary>Hint {k}</summary>{render_paragraphs(hint)}{fold}</details>"
     return (

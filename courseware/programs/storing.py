@@ -38,7 +38,11 @@ def store(program: Program) -> dict[str, Any]:
         **{words: (KNOWN.format(words), f) for words, f in program.also.items()},
     }
     entries = [
-        {"name": name, "feedback": words, "answers": [_flat(program, f, given[k]) for k in ordinary]}
+        {
+            "name": name,
+            "feedback": words,
+            "answers": [_flat(program, f, given[k]) for k in ordinary],
+        }
         for name, (words, f) in known.items()
     ]
     entries += _take_for_degrees(program, [cases[k][1] for k in ordinary])
@@ -81,7 +85,9 @@ def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:
 
 def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -> Numbers:
     for _ in range(1000):
-        numbers = {symbol: _draw_number(program, symbol, draw, simple) for symbol in program.symbols}
+        numbers = {
+            symbol: _draw_number(program, symbol, draw, simple) for symbol in program.symbols
+        }
         numbers |= program.specials.get(special, {})
         free = [abs(x) for s, x in numbers.items() if s not in program.specials.get(special, ())]
         distinct = not simple or len(set(free)) == len(free)
@@ -108,7 +114,9 @@ def _dealt_numbers(topic: str) -> list[set[float]]:
     for exercise in all_exercises().values():
         if exercise.topic == topic:
             for variant in dealing.variants(exercise.name):
-                numbers = {round(x, 9) for x in variant.numbers.values() if isinstance(x, float | int)}
+                numbers = {
+                    round(x, 9) for x in variant.numbers.values() if isinstance(x, float | int)
+                }
                 found += [numbers] * (len(numbers) > 1)
     return found
 

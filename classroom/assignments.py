@@ -1,0 +1,136 @@
+"""The programs of a chapter as an assignment for nbgrader, otter-grader or GitHub Classroom.
+
+An assignment needs NumPy, and the library where an answer is compared by what it does: the judge
+and its numbers stand in it as files.
+"""
+
+import inspect
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from courseware.course import course
+from courseware.errors import CourseError
+from courseware.practice.saving import refuse_existing
+from courseware.programs import judge
+from courseware.programs.declaration import Program, all_programs
+from courseware.programs.notebook import serialize
+
+Cell = dict[str, Any]
+IMPORTS = "import numpy as np\n\nfrom judge import read_and_check"
+CHECK = (
+    'verdict = read_and_check("{name}", {function})\nassert verdict.right, verdict\nprint(verdict)'
+)
+
+
+def write_assignment(chapter: str, grader: str, folder: Path, force: bool) -> list[Path]:
+    """Write an assignment and return its files."""
+    programs = [p for p in all_programs().values() if p.topic == chapter]
+    if not programs:
+        chapters = ", ".join(dict.fromkeys(p.topic for p in all_programs().values()))
+        raise CourseError(f"{chapter} has no programs; there are those of {chapters}")
+    files = {"judge.py": inspect.getsource(judge)}
+    files |= {f"{p.name}.json": serialize(p) for p in programs}
+    cells = {"nbgrader": write_nbgrader, "otter": write_otter}.get(grader)
+    if cells:
+        files[f"{chapter}.ipynb"] = write_notebook([*cells(chapter, programs)])
+    else:
+        files |= {f"{p.name.replace('-', '_')}.py": write_file(p) for p in programs}
+        files["check.sh"] = write_script(programs)
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in files:
+        refuse_existing(folder / name, force)
+    for name, text in files.items():
+        (folder / name).write_text(text, "utf-8")
+    return [folder / name for name in files]
+
+
+def write_nbgrader(chapter: str, programs: list[Program]) -> Iterator[Cell]:
+    """Yield the cells of nbgrader's source version: a locked one tests each function."""
+    yield markdown(f"# {course().title(chapter)}")
+    yield code(IMPORTS)
+    for p in programs:
+        yield markdown(f"## {p.title}\n\n{p.text}")
+        yield code(p.starter.rstrip())
+        nbgrader = {"grade": True, "grade_id": p.name, "locked": True, "points": 1}
+        nbgrader |= {"schema_version": 3, "solution": False, "task": False, "cell_type": "code"}
+        yield code(check_line(p), nbgrader=nbgrader)
+
+
+def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
+    """Yield the cells of otter's master version, from which `otter assign` makes both others."""
+    files = ["judge.py", *(f"{p.name}.json" for p in programs)]
+    listed = "\n".join(f"  - {name}" for name in files)
+    yield raw(
+        f"# ASSIGNMENT CONFIG\nname: {chapter}\nfiles:\n{listed}\ngenerate: true\n"
+        "tests:\n  ok_format: false"
+    )
+    yield markdown(f"# {course().title(chapter)}")
+    yield code(IMPORTS)
+    for p in programs:
+        name = p.name.replace("-", "_")
+        yield raw(f"# BEGIN QUESTION\nname: {name}\npoints: 1")
+        yield markdown(f"## {p.title}\n\n{p.text}")
+        yield raw("# BEGIN PROMPT")
+        yield code(p.starter.rstrip())
+        yield raw("# END PROMPT")
+        yield raw("# BEGIN SOLUTION")
+        yield code(p.solution.rstrip())
+        yield raw("# END SOLUTION")
+        yield raw("# BEGIN TESTS")
+        lines = "\n".join(
+            f"    {line}" for line in (IMPORTS.splitlines()[-1], *check_line(p).split("\n"))
+        )
+        yield code(f"def test_{name}({p.definition.name}):\n{lines}")
+        yield raw("# END TESTS")
+        yield raw("# END QUESTION")
+
+
+def check_line(program: Program) -> str:
+    return CHECK.format(name=program.name, function=program.definition.name)
+
+
+def write_file(program: Program) -> str:
+    """Return the file that a student completes."""
+    lines = "\n".join(f"# {line}" for line in program.text.split("\n"))
+    return f"# {program.title}\n{lines}\n\nimport numpy as np\n\n\n{program.starter}"
+
+
+def write_script(programs: list[Program]) -> str:
+    """Return the command of GitHub Classroom's test: it fails where a program is wrong."""
+    lines = [f"python judge.py {p.name} {p.name.replace('-', '_')}.py || wrong=1" for p in programs]
+    return "\n".join(["wrong=0", *lines, "exit $wrong", ""])
+
+
+def markdown(text: str) -> Cell:
+    return {"cell_type": "markdown", "metadata": {}, "source": text}
+
+
+def raw(text: str) -> Cell:
+    return {"cell_type": "raw", "metadata": {}, "source": text}
+
+
+def code(text: str, **metadata: Any) -> Cell:
+    return {
+        **{"cell_type": "code", "metadata": metadata, "source": text},
+        **{"outputs": [], "execution_count": None},
+    }
+
+
+def write_notebook(cells: list[Cell]) -> str:
+    """Return a notebook as a text."""
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    language = {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"}
+    for k, cell in enumerate(cells):
+        cell["id"] = f"cell-{k}"
+    return json.dumps(
+        {
+            "cells": cells,
+            "metadata": {"kernelspec": kernel, "language_info": language},
+            "nbformat": 4,
+            "nbformat_minor": 5,
+        },
+        indent=1,
+        ensure_ascii=False,
+    )

@@ -32,8 +32,8 @@ def on_circle(pose, v, phi, L, dt):
 STEP_TEXT = (
     "Write the exact step of Hold the steering: where is the middle of the rear axle after dt "
     "seconds, at constant speed v and steering angle φ? Straight ahead and at rest it must work, "
-    "too, and where the car goes almost straight, with a steering angle of 1e-12, no digits may be "
-    "lost."
+    "too. Where the car goes almost straight, with a steering angle of 1e-5 or of 1e-12, no digits "
+    "may be lost."
 )
 STEP = '''\
 def car_step(pose, v, phi, L, dt):

@@ -27,7 +27,7 @@ def by_mistakes(function, *names, mistakes=(M12, M31)):
 # --- p1 --------------------------------------------------------------------------------------
 
 
-def arc_rates(place, dt, r, b, part=1.0, way=lambda chord, half: chord / np.sinc(half / np.pi)):
+def arc_rates(place, dt, r, b, *, part=1.0, way=lambda chord, half: chord / np.sinc(half / np.pi)):
     """Return the rates of an arc to a place; the part of its turn, and its length by the chord."""
     half, chord = np.arctan2(place[1], place[0]), np.hypot(*place)
     return differential_drive.wheel_rates(way(chord, half) / dt, part * 2 * half / dt, r, b)
@@ -108,7 +108,7 @@ differential_drive_p1 = Program(
 # --- p2 --------------------------------------------------------------------------------------
 
 
-def slowed(v, omega, r, b, top, largest=lambda rates: np.abs(rates).max(), above=1.0):
+def slowed(v, omega, r, b, top, *, largest=lambda rates: np.abs(rates).max(), above=1.0):
     """Return rates that are slowed down by one factor, where the largest is above the top rate."""
     rates = differential_drive.wheel_rates(v, omega, r, b)
     size = largest(rates)

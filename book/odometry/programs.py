@@ -47,7 +47,7 @@ def calibrate(end_cw, end_ccw, side, b):
     return odometry.umbmark([end_cw], [end_ccw], side, b)
 
 
-def bent(end_cw, end_ccw, side, b, corner=1.0, ratio_b=lambda true, _: true):
+def bent(end_cw, end_ccw, side, b, *, corner=1.0, ratio_b=lambda true, _: true):
     """Return the same by formulas, with a mistake: part of the corner, the distance in the ratio.
 
     Exchanging the parts x and y of the second end exchanges the two angles.
@@ -263,12 +263,12 @@ def add_sample(pose, N_L, N_R, C, r, b):
     return np.transpose([x + D * np.cos(theta), y + D * np.sin(theta), theta])
 """
 SAMPLE_SPECIALS = {
-    "without ticks": {N_L: 0, N_R: 0},
-    "straight ahead": {N_L: 200, N_R: 200},
-    "on the spot": {N_L: -100, N_R: 100},
-    "looking backward": {theta: 3.0, N_L: 200, N_R: 200},
-    "across 180°": {theta: 3.1, N_L: 100, N_R: 200, C: 500, r: 0.05, b: 0.5},
-    "across −180°": {theta: -3.1, N_L: 200, N_R: 100, C: 500, r: 0.05, b: 0.5},
+    "without ticks": {N_L: 0.0, N_R: 0.0},
+    "straight ahead": {N_L: 200.0, N_R: 200.0},
+    "on the spot": {N_L: -100.0, N_R: 100.0},
+    "looking backward": {theta: 3.0, N_L: 200.0, N_R: 200.0},
+    "across 180°": {theta: 3.1, N_L: 100.0, N_R: 200.0, C: 500.0, r: 0.05, b: 0.5},
+    "across −180°": {theta: -3.1, N_L: 200.0, N_R: 100.0, C: 500.0, r: 0.05, b: 0.5},
 }
 SAMPLE_MISTAKES = {
     M12: sampled(M12.formula.wrap(new_heading)),

@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from book.differential_drive.formulas import r
 from book.motion.formulas import omega, theta, v, v_y, x_dot, y_dot
 from book.wheels.exercises import (
     M19,
@@ -18,7 +19,7 @@ from book.wheels.exercises import (
     ways,
     wrong_rows,
 )
-from book.wheels.formulas import alpha, beta, gamma, l, omni_rates, r
+from book.wheels.formulas import alpha, beta, gamma, l, omni_rates
 from courseware.practice import Unknown
 from courseware.programs.declaration import Program
 from robokin import motion, wheels
@@ -132,17 +133,17 @@ def swedish_by(mistake):
 
 
 SWEDISH_TEXT = (
-    "A Swedish wheel stands anywhere on a robot: l, α and β say where, and γ is the angle of the "
-    "axis of its roller on the ground from the rolling direction. How fast does it turn while the "
-    "robot moves? With γ = 0 it must give the rate of the omni robot's wheels. (With γ = ±90° the "
-    "wheel turns as it likes; this is not asked.)"
+    "A Swedish wheel stands anywhere on a robot: spoke, α and β say where, and γ is the angle of "
+    "the axis of its roller on the ground from the rolling direction. How fast does it turn while "
+    "the robot moves? With γ = 0 it must give the rate of the omni robot's wheels. (With γ = ±90° "
+    "the wheel turns as it likes; this is not asked.)"
 )
 SWEDISH = '''\
-def swedish_rate(twist, l, alpha, beta, gamma, r):
+def swedish_rate(twist, spoke, alpha, beta, gamma, r):
     """Return the rate of a Swedish wheel in rad/s.
 
     twist: array of v, v_y [m/s] and omega [rad/s], in the body frame;
-    l: from the centre to the wheel [m]; alpha, beta, gamma [rad];
+    spoke: from the centre to the wheel [m]; alpha, beta, gamma [rad];
     r: radius of the wheel [m].
     """
     ...
@@ -152,13 +153,13 @@ SWEDISH_HINTS = (
     "All three entries of the row are turned by γ: put β + γ where β stands. And of the speed r "
     "times rate only a part counts.",
     "Row times twist equals r cos γ times the rate. The row is sin(α + β + γ), −cos(α + β + γ), "
-    "−l cos(β + γ).",
+    "−spoke cos(β + γ).",
 )
 SWEDISH_SOLUTION = """\
-def swedish_rate(twist, l, alpha, beta, gamma, r):
+def swedish_rate(twist, spoke, alpha, beta, gamma, r):
     v, v_y, omega = np.transpose(twist)
     along = alpha + beta + gamma
-    rolls = np.sin(along) * v - np.cos(along) * v_y - l * np.cos(beta + gamma) * omega
+    rolls = np.sin(along) * v - np.cos(along) * v_y - spoke * np.cos(beta + gamma) * omega
     return rolls / (r * np.cos(gamma))
 """
 SWEDISH_SPECIALS = {

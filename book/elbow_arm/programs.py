@@ -24,12 +24,12 @@ CORNERS = {
     "on the base axis": {p_x: 0.0, p_y: 0.0, p_z: 0.6, d1: 0.1},
     "straight behind": {p_x: -0.7, p_y: 0.0, p_z: 0.2, d1: 0.1},
     "stretched": {p_x: 0.48, p_y: 0.64, p_z: 0.1, a2: 0.5, a3: 0.3, d1: 0.1},
-    "folded": {p_x: 0.3, p_y: 0.0, p_z: 0.1, a2: 0.8, a3: 0.5, d1: 0.1},
+    "folded": {p_x: 0.32, p_y: 0.0, p_z: 0.12, a2: 0.83, a3: 0.51, d1: 0.12},
     "folded back to the shoulder": {p_x: 0.0, p_y: 0.0, p_z: 0.1, a2: 0.6, a3: 0.6, d1: 0.1},
 }
 STRAIGHT = {
-    "straight ahead": {p_x: 0.7, p_y: 0.0, p_z: 0.3},
-    "straight behind": {p_x: -0.7, p_y: 0.0, p_z: 0.3},
+    "straight ahead": {p_x: 0.7, p_y: 0.0, p_z: 0.33},
+    "straight behind": {p_x: -0.7, p_y: 0.0, p_z: 0.33},
     "straight above the shoulder": {p_x: 0.0, p_y: 0.0, p_z: 0.7},
 }
 

@@ -267,8 +267,8 @@ SAMPLE_SPECIALS = {
     "straight ahead": {N_L: 200.0, N_R: 200.0},
     "on the spot": {N_L: -100.0, N_R: 100.0},
     "looking backward": {theta: 3.0, N_L: 200.0, N_R: 200.0},
-    "across 180°": {theta: 3.1, N_L: 100.0, N_R: 200.0, C: 500.0, r: 0.05, b: 0.5},
-    "across −180°": {theta: -3.1, N_L: 200.0, N_R: 100.0, C: 500.0, r: 0.05, b: 0.5},
+    "across 180°": {theta: 3.1, N_L: 100.0, N_R: 200.0, C: 700.0, r: 0.05, b: 0.5},
+    "across −180°": {theta: -3.1, N_L: 200.0, N_R: 100.0, C: 700.0, r: 0.05, b: 0.5},
 }
 SAMPLE_MISTAKES = {
     M12: sampled(M12.formula.wrap(new_heading)),

@@ -38,7 +38,7 @@ class Program:
         when: function → whether an input may be drawn.
         specials: words → symbol → its number in a special case: "straight ahead": {phi: 0}.
         wrong: mistake → function → the answer of somebody who makes it.
-        also: likewise for undocumented mistakes, as words that end "This is what you get …".
+        also: likewise for undocumented mistakes; words that end "This is what you get …".
         does: where several answers are right, what is compared instead: an expression of `answer`,
             the arguments' names, `np` and the library's modules.
         shape: of a matrix.
@@ -81,6 +81,11 @@ class Program:
         if len(found) != 1:
             raise CourseError(f"{self.name}: the starter must define one function")
         return found[0]
+
+    @property
+    def is_new(self) -> bool:
+        """Whether the function is to be written, not to be mended."""
+        return ast.unparse(self.definition.body[-1]) == "..."
 
 
 def all_programs() -> dict[str, Program]:

@@ -30,7 +30,7 @@ import numpy as np
 Stored = Mapping[str, Any]
 TELLING = 20  # inputs on which a mistake must be far from right, before it is named
 FAR = 10  # tolerances
-STEPS = 300_000  # of Python in one call: more is an endless loop
+STEPS = 2_000_000  # of Python in one call: more is an endless loop
 REVEALED = 3  # right values shown; then only whether a number is too large or too small
 LIBRARY = "robokin"
 KNOWN = "This is what you get {}."
@@ -126,11 +126,8 @@ def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
     def trace(frame: FrameType, event: str, _: Any) -> Any:
         nonlocal steps
         steps += 1
-        module = frame.f_globals.get("__name__", "")
-        if event == "call" and module.partition(".")[0] == LIBRARY:
-            raise Slip(
-                f"It calls {module}.{frame.f_code.co_name}: write down yourself what that does."
-            )
+        if event == "call" and frame.f_globals.get("__name__", "").split(".")[0] == LIBRARY:
+            raise Slip(f"It calls {LIBRARY}: write down yourself what that function does.")
         if steps > STEPS:
             raise Slip(
                 f"It does not end: stopped after {STEPS:,} steps. Does its loop come to one?"
@@ -177,40 +174,40 @@ def to_numbers(answer: Any, stored: Stored) -> Any:
 
 
 def agrees(came: Any, case: Stored, stored: Stored) -> bool:
-    """Return whether an answer is right: one of the right ones, or one that does the same."""
+    """Return whether an answer is right."""
+    return same(came, np.array(case["right"]), case, stored)
+
+
+def same(came: Any, other: Any, case: Stored, stored: Stored, factor: float = 1.0) -> bool:
+    """Return whether two answers to an input are the same, within a number of tolerances.
+
+    Where several answers are right, what they do is compared.
+    """
     if not stored["does"]:
-        return any(near(came, np.array(row), stored) for row in case["right"])
-    return same_deed(came, np.array(case["right"][0]), case, stored)
-
-
-def near(came: Any, right: Any, stored: Stored, factor: float = 1.0) -> bool:
-    """Return whether two answers are the same within the tolerance, angles on the circle."""
-    return bool(np.all(apart(came, right, stored) <= factor * np.array(stored["tolerance"])))
+        return bool(np.all(apart(came, other, stored) <= factor * np.array(stored["tolerance"])))
+    try:
+        one, two = (find_deed(answer, case, stored) for answer in (came, other))
+    except ValueError:
+        return False  # the library refuses an answer
+    size = max(1e-3, np.abs(two).max())
+    return bool(np.allclose(one, two, rtol=0, atol=factor * 1e-6 * size, equal_nan=True))
 
 
 def apart(came: Any, right: Any, stored: Stored) -> Any:
     """Return how far two answers are apart, number by number; NaN meets NaN."""
     difference = came - right
-    turned = np.where(
-        stored["circle"], np.remainder(difference + np.pi, 2 * np.pi) - np.pi, difference
-    )
-    same = (came == right) | (np.isnan(came) & np.isnan(right))
-    return np.where(same, 0.0, np.nan_to_num(np.abs(turned), nan=np.inf))
+    turned = np.remainder(difference + np.pi, 2 * np.pi) - np.pi
+    size = np.abs(np.where(stored["circle"], turned, difference))
+    alike = (came == right) | (np.isnan(came) & np.isnan(right))
+    return np.where(alike, 0.0, np.nan_to_num(size, nan=np.inf))
 
 
-def same_deed(came: Any, right: Any, case: Stored, stored: Stored) -> bool:
-    """Return whether two answers do the same, by the expression that is declared for it."""
+def find_deed(answer: Any, case: Stored, stored: Stored) -> Any:
+    """Return what an answer does, by the expression that is declared for it."""
     modules = {name: importlib.import_module(f"{LIBRARY}.{name}") for name in stored["modules"]}
-    names = {"np": np, **modules, **dict(zip(stored["parameters"], arguments(case), strict=True))}
-    shape = tuple(stored["shape"])
-    try:
-        one, other = (
-            np.asarray(eval(stored["does"], {**names, "answer": x.reshape(shape)}), dtype=float)
-            for x in (came, right)
-        )
-    except ValueError:
-        return False  # the library refuses the answer
-    return np.allclose(one, other, rtol=0, atol=1e-6 * max(1e-3, np.abs(other).max()))
+    given = dict(zip(stored["parameters"], arguments(case), strict=True))
+    names = {"np": np, **modules, **given, "answer": answer.reshape(stored["shape"])}
+    return np.asarray(eval(stored["does"], names), dtype=float)
 
 
 # --- what is wrong ---------------------------------------------------------------------------
@@ -232,14 +229,14 @@ def refuse_answer(
     case = stored["cases"][place]
     lines, shows = [describe(came, case, stored)], revealed < REVEALED
     if shows:
-        rights = (format_answer(np.array(row), stored) for row in case["right"][:2])
-        lines.append(f"Right is {' or '.join(rights)}.")
+        example = ", for example," if stored["does"] else ""
+        lines.append(f"Right is{example} {format_answer(case['right'], stored)}.")
     else:
-        lines.append(describe_sides(came, np.array(case["right"][0]), stored))
-    ordinary = all_answers(function, stored)
-    known = find_known(function, ordinary, stored)
+        lines.append(describe_sides(came, np.array(case["right"]), stored))
+    answers = all_answers(function, stored)
+    known = find_known(function, answers, stored)
     lines += [entry["feedback"] for entry in known]
-    if case["special"] and ordinary is not None and not known:
+    if case["special"] and all_right(answers, stored):
         lines.append(
             "On all ordinary inputs it is right: give this case a branch of its own, or "
             "find a form without it."
@@ -280,30 +277,35 @@ def all_answers(function: Callable[..., Any], stored: Stored) -> Any:
         return None
 
 
+def all_right(answers: Any, stored: Stored) -> bool:
+    cases = ordinary(stored)
+    return answers is not None and all(map(lambda a, c: agrees(a, c, stored), answers, cases))
+
+
 def find_known(function: Any, answers: Any, stored: Stored) -> list[Stored]:
     """Return the known mistakes whose answers these are, on all ordinary inputs."""
     if answers is None:
         return []
-    rights = np.array([case["right"][0] for case in ordinary(stored)])
+    rights = np.array([case["right"] for case in ordinary(stored)])
     candidates = [(known, np.array(known["answers"])) for known in stored["known"]]
     for words, slip in SLIPS.items():
         entry = {"name": words, "feedback": KNOWN.format(words)}
         candidates.append((entry, np.array([slip(right, stored) for right in rights])))
-    found = [known for known, its in candidates if is_named(answers, its, rights, stored)]
+    found = [known for known, its in candidates if is_named(answers, its, stored)]
     if not found and divides_whole(function, stored):
-        found = [
-            {
-                "name": "//",
-                "feedback": "Its // drops all that comes after the point: with / it is right.",
-            }
-        ]
+        words = "Its // drops all that comes after the point: with / it is right."
+        found = [{"name": "//", "feedback": words}]
     return found
 
 
-def is_named(answers: Any, its: Any, rights: Any, stored: Stored) -> bool:
+def is_named(answers: Any, its: Any, stored: Stored) -> bool:
     """Return whether answers are a mistake's own, and far from right on enough inputs."""
-    telling = (apart(its, rights, stored) > FAR * np.array(stored["tolerance"])).any(axis=1).sum()
-    return bool(telling >= TELLING) and near(answers, its, stored)
+    cases = ordinary(stored)
+    if not all(map(lambda a, b, case: same(a, b, case, stored), answers, its, cases)):
+        return False
+    rights = (np.array(case["right"]) for case in cases)
+    near = map(lambda a, right, case: same(a, right, case, stored, FAR), its, rights, cases)
+    return len(cases) - sum(near) >= TELLING
 
 
 def divides_whole(function: Any, stored: Stored) -> bool:
@@ -317,9 +319,7 @@ def divides_whole(function: Any, stored: Stored) -> bool:
         node.op = ast.Div()  # type: ignore[attr-defined]
     names = dict(function.__globals__)
     exec(compile(tree, "<with />", "exec"), names)
-    answers = all_answers(names[function.__name__], stored) if places else None
-    cases = ordinary(stored)
-    return answers is not None and all(map(lambda a, c: agrees(a, c, stored), answers, cases))
+    return bool(places) and all_right(all_answers(names[function.__name__], stored), stored)
 
 
 def refuse_notebook_names(function: FunctionType) -> None:

@@ -33,7 +33,8 @@ class ProgramBox:
 
 def render(program: Program) -> str:
     """Render what is asked; each hint opens the way to the next, the last one to a solution."""
-    fold = f"<details><summary>A solution</summary><pre>{escape(program.solution.strip())}</pre></details>"
+    solution = escape(program.solution.strip())
+    fold = f"<details><summary>A solution</summary><pre>{solution}</pre></details>"
     for k, hint in reversed([*enumerate(program.hints, 1)]):
         fold = f"<details><summary>Hint {k}</summary>{render_paragraphs(hint)}{fold}</details>"
     return (

@@ -12,7 +12,6 @@ import numpy as np
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
-from courseware.practice import dealing
 from courseware.practice.bank import all_exercises
 from courseware.programs.declaration import Function, Program
 from courseware.programs.judge import KNOWN
@@ -57,9 +56,9 @@ def store(program: Program) -> dict[str, Any]:
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, 1e-3)).tolist(),
         "does": program.does,
         "modules": [m.rpartition(".")[2] for m in course().library_modules if _uses(program, m)],
-        "arrays": not program.whole and not any(isinstance(x, str) for x in given[0]),
+        "arrays": program.is_new and not any(isinstance(x, str) for x in given[0]),
         "cases": [
-            {"special": special, "arguments": each, "right": [right]}
+            {"special": special, "arguments": each, "right": right}
             for (special, _), each, right in zip(cases, given, rights, strict=True)
         ],
         "known": entries,
@@ -73,7 +72,7 @@ def _uses(program: Program, module: str) -> bool:
 def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:
     """Yield (special case or "", the symbols' numbers), the simplest first."""
     draw = np.random.default_rng(crc32(program.name.encode()))
-    dealt = _dealt_numbers(program.topic)
+    dealt = _dealt_numbers(program)
     for special, count, simple in (
         ("", ROUND, True),
         *((special, EACH, True) for special in program.specials),
@@ -91,7 +90,7 @@ def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -
         numbers |= program.specials.get(special, {})
         free = [abs(x) for s, x in numbers.items() if s not in program.specials.get(special, ())]
         distinct = not simple or len(set(free)) == len(free)
-        is_dealt = any(each <= {round(x, 9) for x in numbers.values()} for each in dealt)
+        is_dealt = any(could_be_dealt(numbers, each) for each in dealt)
         if distinct and not is_dealt and (special or program.when(*numbers.values())):
             return numbers
     raise CourseError(f"{program.name}: no input is found {special}; widen its ranges")
@@ -99,26 +98,33 @@ def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -
 
 def _draw_number(program: Program, symbol: NamedSymbol, draw: Any, simple: bool) -> float:
     low, high = program.ranges.get(symbol, (symbol.low, symbol.high))
-    if symbol in program.whole:
-        return int(draw.integers(math.ceil(low), math.floor(high) + 1))
-    if simple and (plain := [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high]):
+    kind = int if symbol in program.whole else float
+    plain = [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high and kind(x) == x]
+    if simple and plain:
         near = [x for x in plain if abs(x) >= 0.05 * max(abs(low), abs(high))] or plain
-        return float(near[int(draw.integers(len(near)))])
-    return float(f"{draw.uniform(low, high):.4g}")
+        return kind(near[int(draw.integers(len(near)))])
+    drawn = draw.uniform(low, high)
+    return round(drawn) if kind is int else float(f"{drawn:.4g}")
 
 
-@cache
-def _dealt_numbers(topic: str) -> list[set[float]]:
-    """Return the numbers of each variant that a student may have: a program must not answer it."""
+def _dealt_numbers(program: Program) -> list[list[set[float]]]:
+    """Return, of each exercise of the chapter, the options of its numbers.
+
+    Of fewer than three numbers some would be in every input.
+    """
     found = []
     for exercise in all_exercises().values():
-        if exercise.topic == topic:
-            for variant in dealing.variants(exercise.name):
-                numbers = {
-                    round(x, 9) for x in variant.numbers.values() if isinstance(x, float | int)
-                }
-                found += [numbers] * (len(numbers) > 1)
+        given = [g for g in exercise.given.values() if not isinstance(g.options[0], str)]
+        if exercise.topic == program.topic and len(given) >= min(3, len(program.symbols)):
+            found.append([{round(g.to_si(option), 9) for option in g.options} for g in given])
     return found
+
+
+def could_be_dealt(numbers: Numbers, options: list[set[float]]) -> bool:
+    """Return whether an input has the numbers of an exercise, whose answer it would give away."""
+    drawn = {round(x, 9) for x in numbers.values()}
+    hit = [drawn & each for each in options]
+    return all(hit) and len(set.union(*hit)) >= len(options)
 
 
 def _plain(value: Any) -> Any:
@@ -147,5 +153,10 @@ def _take_for_degrees(program: Program, cases: list[Numbers]) -> Iterator[dict[s
     for words, some in which.items():
         scaled = [[math.radians(x) if s in some else x for s, x in n.items()] for n in cases]
         given = [[_plain(x) for x in program.arguments(*each)] for each in scaled]
-        answers = [_flat(program, program.right, each) for each in given]
+        if any(np.ndim(x) > 1 for x in given[0]):
+            return  # a matrix has no angles that could be taken for anything
+        try:
+            answers = [_flat(program, program.right, each) for each in given]
+        except ValueError:
+            continue  # outside of what the library takes
         yield {"name": words, "feedback": KNOWN.format(words), "answers": answers}

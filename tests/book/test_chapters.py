@@ -13,11 +13,12 @@ from stored_outputs import PLUMBING
 import book  # noqa: F401 (opens the course)
 from courseware.course import course
 from courseware.practice import Exercise
+from courseware.programs.declaration import all_programs
 
 # in this order; between them come the steps, "1 …", "2 …"
 BEFORE = ["Recall", "The exercise"]
 AFTER = [
-    *("As a function", "Where it fails", "Laboratory", "Your own figure", "Your own function"),
+    *("As a function", "Where it fails", "Laboratory", "Your own figure", "Write it yourself"),
     *("Exercises", "Find the mistake", "Recap", "A glance further"),
 ]
 OPTIONAL = {"Recall", "As a function", "Where it fails", "Find the mistake", "A glance further"}
@@ -149,7 +150,7 @@ def test_plumbing_is_short(chapter):
             )
 
 
-# --- cells to try: Your own figure, Your own function ---------------------------------------------
+# --- cells to try: Your own figure, Write it yourself ---------------------------------------------
 
 
 class Kernel:
@@ -255,17 +256,18 @@ def test_own_figure_moves_in_a_kernel(chapter, kernel):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_own_function_is_compared(chapter, kernel):
-    assert not errors(kernel.run(imports(chapter).source))
-    function, comparison, solution = code(section(chapter, "Your own function"))
-    assert_tagged(function, "skip-execution", "nbval-skip")
-    assert_tagged(comparison, "skip-execution", "nbval-skip", "raises-exception")
-    assert_tagged(solution, "hide-cell")
-    (definition,) = ast.parse(function.source).body
-    assert ast.get_docstring(definition), f"say in a docstring what `{definition.name}` returns"
-    assert ast.unparse(definition.body[-1]) == "...", "end the function with `...`, to be replaced"
-    assert not errors(kernel.run(function.source))
-    assert errors(kernel.run(comparison.source)), "an empty function passes"
-    assert not errors(kernel.run(solution.source))
-    kernel.run(f"{definition.name} = solution")
-    assert not errors(kernel.run(comparison.source))
+def test_programs_wait_to_be_filled_in(chapter):
+    """For each: what is asked, its starter, and the check, which the page has as a button."""
+    programs = [p for p in all_programs().values() if p.topic == chapter]
+    cells = code(section(chapter, "Write it yourself"))
+    assert len(programs) >= 3
+    assert len(cells) == 3 * len(programs)
+    for p, asked, starter, check in zip(
+        programs, cells[::3], cells[1::3], cells[2::3], strict=True
+    ):
+        call, function = f'practice.program("{p.name}")', p.definition.name
+        assert (asked.source, starter.source) == (call, p.starter.rstrip("\n"))
+        assert check.source == f"{call}.check({function})"
+        assert_tagged(asked, "remove-input")
+        assert_tagged(starter, "skip-execution", "nbval-skip", f"program-{p.name}")
+        assert_tagged(check, "skip-execution", "nbval-skip", "raises-exception", "remove-cell")

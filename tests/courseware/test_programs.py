@@ -1,0 +1,208 @@
+"""Programs that students write: right ones pass, wrong ones get their input and their name."""
+
+import ast
+import linecache
+import re
+
+import numpy as np
+import pytest
+from program_mutants import mutants
+
+import book  # noqa: F401 (opens the course)
+from courseware import practice
+from courseware.errors import CourseError
+from courseware.programs import judge
+from courseware.programs.declaration import all_programs
+from courseware.programs.storing import could_be_dealt, store
+
+PROGRAMS = all_programs()
+STEP = PROGRAMS["bicycle-p1"]
+EACH = pytest.mark.parametrize("name", PROGRAMS)
+
+
+def load(source, function, file="<program>"):
+    """A function from the text of a cell."""
+    linecache.cache[file] = (len(source), None, source.splitlines(True), file)
+    names = {"np": np}
+    exec(compile(source, file, "exec"), names)
+    return names[function]
+
+
+def judged(program, source, revealed=0):
+    return judge.check(load(source, program.definition.name), store(program), revealed)
+
+
+def step(*lines):
+    """A verdict on `car_step` with these lines."""
+    body = "".join(f"    {line}\n" for line in lines)
+    return judged(STEP, f"def car_step(pose, v, phi, L, dt):\n{body}")
+
+
+# --- all that are declared ------------------------------------------------------------------
+
+
+@EACH
+def test_the_solution_is_right(name):
+    verdict = judged(PROGRAMS[name], PROGRAMS[name].solution)
+    assert verdict.right, verdict
+    for special in PROGRAMS[name].specials:
+        assert special in str(verdict)
+
+
+@EACH
+def test_a_starter_returns_nothing_or_makes_a_mistake_that_is_named(name):
+    program = PROGRAMS[name]
+    verdict = judged(program, program.starter)
+    if program.is_new:
+        assert "It returns nothing" in str(verdict)
+    else:
+        assert {m.name for m in program.wrong} & set(verdict.mistakes), verdict
+
+
+@EACH
+def test_each_mistake_is_named_by_its_answers(name):
+    """What has a name is far from right on enough inputs, and another only beside it."""
+    stored = store(PROGRAMS[name])
+    function = load(PROGRAMS[name].solution, PROGRAMS[name].definition.name)
+    for known in stored["known"]:
+        found = judge.find_known(function, np.array(known["answers"]), stored)
+        if "taken for degrees" not in known["name"]:
+            assert known["name"] in [each["name"] for each in found], known["name"]
+
+
+@pytest.mark.slow
+@EACH
+def test_small_changes_of_a_solution_are_refused(name):
+    """Of sign, function, number, name: those that are left compute the same."""
+    program = PROGRAMS[name]
+    changed = [*mutants(program.solution)]
+    left = [source for source in changed if judged(program, source).right]
+    assert len(left) <= 0.05 * len(changed), "\n\n".join(left)
+
+
+# --- the verdict ----------------------------------------------------------------------------
+
+TURN = "turn = v * dt / L * np.tan(phi)"
+HEAD = ("x, y, theta = pose", TURN, "m, u = theta + turn / 2, turn / 2 / np.pi")
+END = "w = v * dt * np.sinc(u); return [x + w * np.cos(m), y + w * np.sin(m), theta + turn]"
+
+
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        (["pass"], "It returns nothing"),
+        (["print(pose)"], "It returns nothing"),
+        (['return "0.5, 1, 2"'], "It returns text, '0.5, 1, 2'. Asked is an array of shape (3,)."),
+        (["return [1, 2]"], "It returns an array of shape (2,). Asked is an array of shape (3,)."),
+        (["return [[1], [2, 3], 4]"], "It returns lists of different lengths"),
+        (["return [1, 2, 3j]"], "It returns list, [1, 2, 3j]"),
+        (["pose[2] += 1", "return pose"], "It changes an array that it was given"),
+        (["while True: pass"], "It does not end"),
+        (["n = 0", "while n < 1: n -= 1"], "It does not end"),
+        (["return pose + heading"], "Line 2, return pose + heading: NameError"),
+        (["return car_step(pose, v, phi, L, dt)"], "RecursionError"),
+        (
+            ["from robokin import bicycle", "return bicycle.path(pose, v, phi, L, dt)[-1]"],
+            "It calls robokin: write down yourself what that function does.",
+        ),
+        ([*HEAD[:2], HEAD[2].replace("turn / 2,", "turn // 2,"), END], "Its // drops all"),
+        ([*HEAD[:2], HEAD[2], END.replace("[x", "[-x")], "x is"),
+    ],
+)
+def test_slips_of_programmers(lines, words):
+    revealed = 3 if words == "x is" else 0
+    body = "".join(f"    {line}\n" for line in lines)
+    source = f"def car_step(pose, v, phi, L, dt):\n{body}"
+    verdict = judged(STEP, source, revealed)
+    assert not verdict.right
+    assert words in str(verdict), verdict
+
+
+def test_a_special_case_alone_is_named():
+    """The textbook's arc divides by zero straight ahead."""
+    verdict = step(*HEAD[:2], "R = v * dt / turn", "t = theta + turn",
+                   "return [x + R * (np.sin(t) - np.sin(theta)),"
+                   " y - R * (np.cos(t) - np.cos(theta)), t]")  # fmt: skip
+    assert "wrong (straight ahead):" in str(verdict)
+    assert "nan is what comes of 0/0" in str(verdict)
+    assert "On all ordinary inputs it is right" in str(verdict)
+
+
+def test_what_is_wrong_on_few_ordinary_inputs_is_not_called_right_on_all():
+    verdict = step(*HEAD, "if x < -1.5: return pose", "if phi == 0: return pose", END)
+    assert not verdict.right
+    assert "On all ordinary inputs it is right" not in str(verdict)
+
+
+def test_names_of_the_notebook_are_not_known_to_the_function():
+    names = {"np": np, "L_car": 2.5}
+    source = "def car_step(pose, v, phi, L, dt):\n    return pose + L_car\n"
+    exec(compile(source, "<cell>", "exec"), names)
+    assert "It uses L_car, which only your notebook knows" in str(
+        judge.check(names["car_step"], store(STEP))
+    )
+    own = "TURN = 2 * np.pi\n" + STEP.solution.replace("return", "return 0 * TURN +")
+    assert judged(STEP, own).right, "what the cell itself defines is its own"
+
+
+def test_an_input_that_an_exercise_deals_is_none():
+    x, y, L = STEP.symbols[0], STEP.symbols[1], STEP.symbols[5]
+    dealt = [{1.0, 2.0}, {2.0, 3.0}]
+    assert could_be_dealt({x: 1.0, y: 3.0, L: 7.0}, dealt)
+    assert not could_be_dealt({x: 2.0, y: 5.0, L: 7.0}, dealt), "one number is not two"
+
+
+def test_what_is_no_function_is_said_so():
+    assert "Judged is a function car_step" in str(judge.check(3, store(STEP)))
+
+
+def test_three_right_values_are_shown():
+    """Then only on which side a number is."""
+    box = practice.program("bicycle-p1")
+    wrong = load(STEP.solution.replace("y + chord", "y - chord"), "car_step")
+    shown = [str(box.check(wrong)) for _ in range(4)]
+    assert ["Right is [" in words for words in shown] == [True, True, True, False]
+    assert re.search("y is too (large|small)", shown[3])
+
+
+def test_arrays_of_inputs_are_the_second_level():
+    assert "Level 2, arrays of inputs: right, too." in str(judged(STEP, STEP.solution))
+    loop = step("x, y, theta = [float(p) for p in pose]", *HEAD[1:], END)
+    assert loop.right
+    assert "Level 2, arrays of inputs: not yet." in str(loop)
+
+
+def test_all_right_answers_are_right_where_there_are_several():
+    program = PROGRAMS["euler-p1"]
+    other = program.solution + (
+        "\n\nfirst = yaw_pitch_roll\n\ndef yaw_pitch_roll(R):\n"
+        "    a, b, c = np.moveaxis(first(R), -1, 0)\n"
+        "    return np.stack([a + np.pi, np.pi - b, c + np.pi], axis=-1)\n"
+    )
+    assert judged(program, other).right
+
+
+def test_the_verdict_is_for_a_page_too():
+    html = judged(STEP, STEP.starter)._repr_html_()
+    assert "<pre>car_step(np.array([" in html
+    assert html.startswith('<div class="rk-verdict rk-wrong" role="status">')
+
+
+def test_what_is_asked_has_hints_that_open_one_another():
+    html = practice.program("bicycle-p1")._repr_mimebundle_()["text/html"]
+    assert re.findall("<summary>(.*?)</summary>", html) == [
+        "Hint 1",
+        "Hint 2",
+        "Hint 3",
+        "A solution",
+    ]
+
+
+def test_a_name_that_there_is_not_is_refused():
+    with pytest.raises(CourseError, match="there is no program 'bicycle-p9'"):
+        practice.program("bicycle-p9")
+
+
+def test_the_mutants_are_many():
+    found = [*mutants("def f(x, y):\n    return np.sin(x) + 2 * y\n")]
+    assert len(found) == len({ast.unparse(ast.parse(each)) for each in found}) == 5

@@ -5,6 +5,7 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
 // What scrolls sideways, or has symbols to name, can be reached with the keyboard.
 {
   const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };
+  const FAR = ".bd-article section section > :is(p, ul, ol, details), .bd-article section section .cell > div > *";
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 
   // All are measured before one is changed: else the page is laid out anew for each.
@@ -49,9 +50,9 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   places.forEach((place) => near.observe(place));
   addEventListener("beforeprint", () => places.forEach(make));
 
-  // Formulas far below are drawn one by one when nothing else is to do: a printer waits for no font.
+  // What is far below is drawn piece by piece when nothing else is to do: a printer waits for no font.
   const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
-  const waiting = [...document.querySelectorAll(".math-scroll")];
+  const waiting = [...document.querySelectorAll(`.math-scroll, ${FAR}`)];
   const drawNext = () => {
     const box = waiting.shift();
     if (!box) return;

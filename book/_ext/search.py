@@ -108,10 +108,13 @@ class Reader:
     def read_html(self, source, text):
         """Add an exercise as an entry, and the description of a figure to the text."""
         soup = BeautifulSoup(source, "html.parser")
-        exercise, figure = soup.select_one(".rk-exercise[id]"), soup.find("figure")
+        exercise = soup.select_one(":is(.rk-exercise, .rk-program)[id]")
+        figure = soup.find("figure")
         if exercise:
-            name = exercise["id"]
-            self.add(name, f"Exercise {name}", text=join_words([extract_text(exercise)]))
+            name, kind = exercise["id"], exercise["class"][0].removeprefix("rk-").title()
+            for hint in soup.select(".rk-program > details"):
+                hint.decompose()
+            self.add(name, f"{kind} {name}", text=join_words([extract_text(exercise)]))
         elif figure:
             shown = figure.select_one("[role=img][aria-label], [role=group][aria-label]")
             text.append(shown["aria-label"] if shown else "")

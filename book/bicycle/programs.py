@@ -122,8 +122,8 @@ STEER_TEXT = (
     "Go back: with which steering angle does a car reach a place on one arc? The place is given "
     "as the car sees it: x ahead of the middle of its rear axle, y to the left. This point, not "
     "the front axle, must come through the place. (Programs that follow a path do this many times "
-    "a second, with a point of the path a few metres ahead: pure pursuit.) Places straight ahead "
-    "and at the side of the car must work, too."
+    "a second, with a point of the path a few metres ahead: pure pursuit.) Places straight ahead, "
+    "at the side of the car and behind it must work, too."
 )
 STEER = '''\
 def steer_to(place, L):

@@ -14,7 +14,7 @@ VELOCITY = (Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s"), Unknown("ω", "rad/s")
 ROBOT = {r: (0.02, 0.1), b: (0.1, 0.5)}
 
 
-def by_mistakes(function, *names, mistakes=(M12, M31)):
+def by_mistakes(function, *names, mistakes=(M12,)):
     """Return a function of these arguments by each mistake."""
 
     def made(mistake):
@@ -22,6 +22,14 @@ def by_mistakes(function, *names, mistakes=(M12, M31)):
         return lambda *given: wrong(**dict(zip(names, given, strict=True)))
 
     return {mistake: made(mistake) for mistake in mistakes}
+
+
+def with_whole_distance(function):
+    """Return a function of arguments of which the fourth is the wheel distance, doubled."""
+    return lambda *given: function(*given[:3], 2 * given[3], *given[4:])
+
+
+WHOLE = "when each wheel gets ωb more or less than v, where it is ωb/2"
 
 
 # --- p1 --------------------------------------------------------------------------------------
@@ -37,7 +45,7 @@ PLACE_TEXT = (
     "You can compute where the robot will be. Go back: which wheel rates bring P to a given place "
     "in the time dt, on one arc? The place is seen from the robot as it stands at the start. "
     "Places straight ahead, almost straight ahead and at the robot's side must work, too. Any arc "
-    "that ends there is right."
+    "that ends there, and is no more than a circle, is right."
 )
 PLACE = '''\
 def rates_to(place, dt, r, b):
@@ -99,7 +107,7 @@ differential_drive_p1 = Program(
     does="motion.arc_step([0, 0, 0], "
     "*differential_drive.body_twist(answer[0], answer[1], r, b)[[0, 2]], dt)[:2]",
     wrong=by_mistakes(arc_rates, "place", "dt", "r", "b"),
-    also=PLACE_SLIPS,
+    also=PLACE_SLIPS | {WHOLE: with_whole_distance(arc_rates)},
     hints=PLACE_HINTS,
     solution=PLACE_SOLUTION,
 )
@@ -177,7 +185,7 @@ differential_drive_p2 = Program(
     answer=RATES,
     right=slowed,
     wrong=by_mistakes(slowed, "v", "omega", "r", "b", "top"),
-    also=LIMIT_SLIPS,
+    also=LIMIT_SLIPS | {WHOLE: with_whole_distance(slowed)},
     hints=LIMIT_HINTS,
     solution=LIMIT_SOLUTION,
 )

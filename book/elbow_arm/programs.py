@@ -25,6 +25,14 @@ CORNERS = {
     "straight behind": {p_x: -0.7, p_y: 0.0, p_z: 0.2, d1: 0.1},
     "stretched": {p_x: 0.48, p_y: 0.64, p_z: 0.1, a2: 0.5, a3: 0.3, d1: 0.1},
     "folded": {p_x: 0.32, p_y: 0.0, p_z: 0.12, a2: 0.83, a3: 0.51, d1: 0.12},
+    "folded, where rounding goes below −1": {
+        p_x: 0.06,
+        p_y: 0.0,
+        p_z: 0.08,
+        a2: 0.3,
+        a3: 0.2,
+        d1: 0.0,
+    },
     "folded back to the shoulder": {p_x: 0.0, p_y: 0.0, p_z: 0.1, a2: 0.6, a3: 0.6, d1: 0.1},
 }
 STRAIGHT = {
@@ -130,8 +138,7 @@ elbow_arm_p2 = Program(
     right=lambda p, a2, a3, d1: elbow_arm.inverse(p, a2, a3, d1)[0],
     does="elbow_arm.forward(answer, a2, a3, d1)",
     wrong={mistake: from_base(formula) for mistake, formula in WAYS.items()},
-    also={f"{m.feedback} (elbow down)": from_base(formula, 1) for m, formula in WAYS.items()}
-    | {
+    also={
         f"{M2.feedback}, although with atan2": from_base(without_x_by_atan2),
         "when p_z is taken as measured from the shoulder": lambda *n: elbow_arm.inverse(*n[:3])[0],
     },
@@ -160,15 +167,12 @@ FOUR_ARMS = '''\
 def four_arms(p, a2, a3):
     """Return the joint angles of all four arms that reach p: (4, 3), in rad.
 
-    Rows: facing p with the elbow up, facing with the elbow down, facing away
-    with the elbow up, facing away with the elbow down.
+    Rows: facing p, elbow up and elbow down; facing away, elbow up and down.
     p: array [x, y, z] of the wrist, from the shoulder; a2, a3: links. In m.
     """
-    x, y, z = p
-    r = np.sqrt(x**2 + y**2)
-    theta1 = np.arctan2(y, x)
+    (x, y, z), facing, away = p, [], []
+    r, theta1 = np.hypot(x, y), np.arctan2(y, x)
     bend = np.arccos((r**2 + z**2 - a2**2 - a3**2) / (2 * a2 * a3))
-    facing, away = [], []
     for theta3 in [-bend, bend]:
         lead = np.arctan2(a3 * np.sin(theta3), a2 + a3 * np.cos(theta3))
         theta2 = np.arctan2(z, r) - lead

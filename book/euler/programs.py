@@ -95,7 +95,7 @@ euler_p1 = Program(
     does='euler.to_matrix("ZYX", answer)',
     wrong={M6: lambda R: euler.from_matrix("zyx", R)},
     also={
-        "with arctan in place of atan2, which knows only half of the circle": cut_in_half,
+        "with arctan, which knows half of the circle; arctan2 knows all of it": cut_in_half,
         "with the pitch of the other sign": lambda R: euler.from_matrix("ZYX", R) * [1, -1, 1],
         "with the formulas of the sequence XYZ": lambda R: euler.from_matrix("XYZ", R),
         "for the transposed matrix, A as seen from B": lambda R: euler.from_matrix("ZYX", R.T),
@@ -104,11 +104,10 @@ euler_p1 = Program(
         "Multiply the three matrices on paper: R_z R_y R_x. Which of the nine entries is the "
         "simplest?",
         "The bottom left entry is −sin(pitch). The rest of the first column holds the sine and "
-        "the cosine of the yaw, the rest of the last row those of the roll. All four are "
-        "multiplied by cos(pitch).",
+        "the cosine of the yaw, the rest of the last row those of the roll. All four have "
+        "the factor cos(pitch).",
         "Take cos(pitch) as positive: it is the length of the upper part of the first column, "
-        "np.hypot(R[0, 0], R[1, 0]). Then every angle is an arctan2 of a sine and a cosine. For "
-        "the yaw: np.arctan2(R[1, 0], R[0, 0]).",
+        "np.hypot(R[0, 0], R[1, 0]). Then every angle is an arctan2 of its sine and cosine.",
     ),
     solution="""\
 def yaw_pitch_roll(R):
@@ -150,8 +149,6 @@ euler_p2 = Program(
     hints=(
         "At gimbal lock the first and the last turn are about the same direction. So one of them "
         "can be anything: take γ = 0. What is left to find?",
-        "Write the matrix of XYZ with γ = 0: the third turn drops out, and the second column is "
-        "that of the first turn alone.",
         "With γ = 0 the second column is [0, cos α, sin α]. And β is +90° or −90°, as R[0, 2] "
         "says.",
     ),
@@ -163,14 +160,16 @@ def angles_at_lock(R):
 """,
 )
 
-TURNED = '''\
-def turned(alpha, beta, gamma):
+TURNED_DOC = '''\
     """Return the rotation matrix R_AB of the sequence ZYX, (3, 3).
 
     B is turned by alpha about z, then by beta about its new y axis, then by
     gamma about its newest x axis. Angles in rad.
     """
-    ca, cb, cc = np.cos([alpha, beta, gamma])
+'''
+TURNED = f"""\
+def turned(alpha, beta, gamma):
+{TURNED_DOC}    ca, cb, cc = np.cos([alpha, beta, gamma])
     sa, sb, sc = np.sin([alpha, beta, gamma])
     R_z = np.array([[ca, -sa, 0], [sa, ca, 0], [0, 0, 1]])
     R_y = np.array([[cb, 0, sb], [0, 1, 0], [-sb, 0, cb]])
@@ -179,7 +178,7 @@ def turned(alpha, beta, gamma):
     for R in [R_z, R_y, R_x]:
         R_AB = R @ R_AB
     return R_AB
-'''
+"""
 
 euler_p3 = Program(
     "euler-p3",
@@ -208,5 +207,5 @@ euler_p3 = Program(
         "what comes after two turns.",
         "A turn about an axis of the turned frame is multiplied on the right of what is there.",
     ),
-    solution=TURNED.replace("R @ R_AB", "R_AB @ R"),
+    solution=TURNED.replace(TURNED_DOC, "").replace("R @ R_AB", "R_AB @ R"),
 )

@@ -80,7 +80,7 @@ frames_p1 = Program(
     also={
         "when x and y are added although the axes of b are turned": along_d,
         "with the two poses in the opposite order": of_matrices(lambda db, bc: bc @ db),
-        "when c is turned about b the wrong way, clockwise": turned_backwards,
+        "with the sine of the wrong sign: c is turned about b by minus its turn": turned_backwards,
     },
     hints=(
         "Draw it: from the origin of d to that of b, and on to c. Along which axes are the x and "
@@ -151,7 +151,8 @@ def for_hand(bc, db, de):
     array of x and y in m and the turn in rad.
     """
     T_bc, T_db, T_de = [
-        np.array([[np.cos(t), -np.sin(t), x], [np.sin(t), np.cos(t), y], [0, 0, 1]])
+        np.array([[np.cos(t), -np.sin(t), x],
+                  [np.sin(t), np.cos(t), y], [0, 0, 1]])
         for x, y, t in [bc, db, de]
     ]
     T_dc_inverted = np.linalg.inv(T_db) @ np.linalg.inv(T_bc)

@@ -60,7 +60,9 @@ def bent(end_cw, end_ccw, side, b, *, corner=1.0, ratio_b=lambda true, _: true):
 
 SQUARES_TEXT = (
     "Write the test of Drive two squares: from the two ends to the true wheel distance and to the "
-    "ratio of the wheels. A robot that comes home exactly must work, too."
+    "ratio of the wheels. Both squares begin at (0, 0), and their first side lies on the x axis. "
+    "Use the step's formulas: the mean of what x and y tell, and for the radius the chord. A robot "
+    "that comes home exactly must work, too."
 )
 SQUARES = '''\
 def calibrate(end_cw, end_ccw, side, b):

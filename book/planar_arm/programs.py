@@ -212,8 +212,7 @@ planar_arm_p2 = Program(
     right=row(both_arms, 0),
     does="np.hstack([planar_arm.forward(answer, lengths)[:2], "
     "np.cos(answer.sum()), np.sin(answer.sum())])",
-    also={words: row(formula, 0) for words, formula in ASTRAY.items()}
-    | {f"{words} (θ_2 negative)": row(formula, 1) for words, formula in ASTRAY.items()},
+    also={words: row(formula, 0) for words, formula in ASTRAY.items()},
     hints=(
         "The pose tells where the hand is and where it points. So where is the wrist, at the other "
         "end of the third link?",

@@ -133,10 +133,10 @@ def swedish_by(mistake):
 
 
 SWEDISH_TEXT = (
-    "A Swedish wheel stands anywhere on a robot: spoke, α and β say where, and γ is the angle of "
-    "the axis of its roller on the ground from the rolling direction. How fast does it turn while "
-    "the robot moves? With γ = 0 it must give the rate of the omni robot's wheels. (With γ = ±90° "
-    "the wheel turns as it likes; this is not asked.)"
+    "A Swedish wheel stands anywhere on a robot: spoke, α and β say where, and γ is the angle, "
+    "counter-clockwise, from the rolling direction to the axis of its roller on the ground. How "
+    "fast does it turn while the robot moves? With γ = 0 it must give the rate of the omni robot's "
+    "wheels. (With γ = ±90° the wheel turns as it likes; this is not asked.)"
 )
 SWEDISH = '''\
 def swedish_rate(twist, spoke, alpha, beta, gamma, r):

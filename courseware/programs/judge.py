@@ -30,9 +30,10 @@ import numpy as np
 Stored = Mapping[str, Any]
 TELLING = 20  # inputs on which a mistake must be far from right, before it is named
 FAR = 10  # tolerances
+NEAR = 1000  # tolerances: digits are missing, the formula is right
+LEVEL = "Done. Level 2, as an extra, is to take arrays of many inputs at once:"
 STEPS = 2_000_000  # of Python in one call: more is an endless loop
 REVEALED = 3  # right values shown; then only whether a number is too large or too small
-LIBRARY = "robokin"
 KNOWN = "This is what you get {}."
 SLIPS: dict[str, Callable[[Any, Stored], Any]] = {
     "with the sign the other way round": lambda right, _: -right,
@@ -77,14 +78,14 @@ class Verdict:
             for line in self.lines
         )
         kind = "right" if self.right else "wrong"
-        return f'<div class="rk-verdict rk-{kind}" role="status">{"".join(parts)}</div>'
+        return f'<div class="rk-judged rk-{kind}" role="status">{"".join(parts)}</div>'
 
 
 def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
     """Judge a function. revealed: how many right values have been shown before."""
     if not isinstance(function, FunctionType):
-        words = f"Not yet. Judged is a function {stored['function']}, itself and not a call of it"
-        return Verdict(False, (f"{words}; got {shorten(function)}.",))
+        words = f"There is no function {stored['function']} here, but {shorten(function)}."
+        return Verdict(False, (f"Not yet. {words} Give its name alone, without brackets.",))
     with redirect_stdout(io.StringIO()), np.errstate(all="ignore"):
         try:
             refuse_notebook_names(function)
@@ -93,10 +94,9 @@ def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
         for place, case in enumerate(stored["cases"]):
             try:
                 came = call(function, case, stored)
-                problem = "" if agrees(came, case, stored) else describe(came, case, stored)
             except Slip as slip:
                 return refuse(stored, place, [str(slip)])
-            if problem:
+            if not agrees(came, case, stored):
                 return refuse_answer(function, stored, place, came, revealed)
         return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
 
@@ -126,11 +126,13 @@ def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
     def trace(frame: FrameType, event: str, _: Any) -> Any:
         nonlocal steps
         steps += 1
-        if event == "call" and frame.f_globals.get("__name__", "").split(".")[0] == LIBRARY:
-            raise Slip(f"It calls {LIBRARY}: write down yourself what that function does.")
+        module = frame.f_globals.get("__name__", "").partition(".")[0]
+        if event == "call" and module == stored["library"]:
+            raise Slip(f"It calls {module}: write down yourself what that function does.")
         if steps > STEPS:
             raise Slip(
-                f"It does not end: stopped after {STEPS:,} steps. Does its loop come to one?"
+                f"It does not end: stopped after {STEPS:,} steps. Does the condition of its loop "
+                "ever become false?"
             )
         frame.f_trace_opcodes = True  # `while True: pass` has no lines
         return trace
@@ -158,18 +160,21 @@ def arguments(case: Stored) -> list[Any]:
 def to_numbers(answer: Any, stored: Stored) -> Any:
     """Return an answer as a flat array of numbers; raise Slip if it is none."""
     shape = tuple(stored["shape"])
-    asked = f"an array of shape {shape}" if shape else "one number"
+    asked = f"{np.prod(shape)} numbers, in the shape {shape}" if shape else "one number"
     if answer is None:
-        raise Slip("It returns nothing: its last line should be `return …`.")
+        raise Slip(
+            "It returns nothing: here it comes to its end without a `return` (`print` only shows)."
+        )
     try:
         numbers = np.asarray(answer)
     except ValueError:
-        raise Slip(f"It returns lists of different lengths. Asked is {asked}.") from None
+        raise Slip(f"It returns lists of different lengths. Asked: {asked}.") from None
     if numbers.dtype.kind not in "biuf":
-        kind = "text" if numbers.dtype.kind in "US" else type(answer).__name__
-        raise Slip(f"It returns {kind}, {shorten(answer)}. Asked is {asked}.")
+        kind = "text" if numbers.dtype.kind in "US" else f"a {type(answer).__name__}"
+        raise Slip(f"It returns {kind}, {shorten(answer)}. Asked: {asked}.")
     if numbers.shape != shape and not (numbers.size == 1 and not shape):
-        raise Slip(f"It returns an array of shape {numbers.shape}. Asked is {asked}.")
+        count = f"{numbers.size} number{'s' * (numbers.size != 1)}"
+        raise Slip(f"It returns {count}, in the shape {numbers.shape}. Asked: {asked}.")
     return numbers.astype(float).ravel()
 
 
@@ -204,7 +209,9 @@ def apart(came: Any, right: Any, stored: Stored) -> Any:
 
 def find_deed(answer: Any, case: Stored, stored: Stored) -> Any:
     """Return what an answer does, by the expression that is declared for it."""
-    modules = {name: importlib.import_module(f"{LIBRARY}.{name}") for name in stored["modules"]}
+    modules = {
+        name: importlib.import_module(f"{stored['library']}.{name}") for name in stored["modules"]
+    }
     given = dict(zip(stored["parameters"], arguments(case), strict=True))
     names = {"np": np, **modules, **given, "answer": answer.reshape(stored["shape"])}
     return np.asarray(eval(stored["does"], names), dtype=float)
@@ -227,16 +234,25 @@ def refuse_answer(
 ) -> Verdict:
     """Return the verdict of a program whose answer is another: by how much, and why."""
     case = stored["cases"][place]
-    lines, shows = [describe(came, case, stored)], revealed < REVEALED
+    right = np.array(case["right"])
+    shows, is_near = revealed < REVEALED, same(came, right, case, stored, NEAR)
+    digits = 13 if is_near else 7
+    lines = [describe(came, case, stored, digits)]
     if shows:
         example = ", for example," if stored["does"] else ""
-        lines.append(f"Right is{example} {format_answer(case['right'], stored)}.")
+        lines.append(f"Right is{example} {format_answer(right, stored, digits)}.")
     else:
-        lines.append(describe_sides(came, np.array(case["right"]), stored))
+        lines.append(describe_sides(came, right, stored))
     answers = all_answers(function, stored)
     known = find_known(function, answers, stored)
     lines += [entry["feedback"] for entry in known]
-    if case["special"] and all_right(answers, stored):
+    if is_near and not known:
+        lines.append(
+            "It is nearly right, but about seven digits are asked. Digits get lost where almost "
+            "equal numbers are subtracted, in a branch for small numbers that is too wide, by "
+            "rounding, and by approximation."
+        )
+    elif case["special"] and all_right(answers, stored):
         lines.append(
             "On all ordinary inputs it is right: give this case a branch of its own, or "
             "find a form without it."
@@ -244,12 +260,14 @@ def refuse_answer(
     return refuse(stored, place, lines, mistakes=tuple(k["name"] for k in known), revealed=shows)
 
 
-def describe(came: Any, case: Stored, stored: Stored) -> str:
+def describe(came: Any, case: Stored, stored: Stored, digits: int) -> str:
     """Say what came."""
-    words = f"It gives {format_answer(came, stored)}."
+    words = f"It gives {format_answer(came, stored, digits)}."
     if np.isnan(came).any() and not np.isnan(case["right"]).any():
         words += (
-            " nan is what comes of 0/0, of a square root of a negative number, or of inf − inf."
+            " nan means: no number. It comes of 0/0, inf/inf, 0·inf or inf − inf (look for a "
+            "division by 0), of a root of a negative number, and of an arccos or arcsin beyond ±1, "
+            "to which rounding is enough (np.clip limits a number)."
         )
     return words
 
@@ -288,10 +306,13 @@ def find_known(function: Any, answers: Any, stored: Stored) -> list[Stored]:
         return []
     rights = np.array([case["right"] for case in ordinary(stored)])
     candidates = [(known, np.array(known["answers"])) for known in stored["known"]]
-    for words, slip in SLIPS.items():
-        entry = {"name": words, "feedback": KNOWN.format(words)}
-        candidates.append((entry, np.array([slip(right, stored) for right in rights])))
-    found = [known for known, its in candidates if is_named(answers, its, stored)]
+    slips = [
+        ({"name": words, "feedback": KNOWN.format(words)}, [slip(r, stored) for r in rights])
+        for words, slip in SLIPS.items()
+    ]
+    found: list[Stored] = []
+    for some in (candidates, slips):  # a slip of any answer only where no mistake is met
+        found = found or [known for known, its in some if is_named(answers, its, stored)]
     if not found and divides_whole(function, stored):
         words = "Its // drops all that comes after the point: with / it is right."
         found = [{"name": "//", "feedback": words}]
@@ -362,8 +383,8 @@ def describe_error(error: Exception, function: Any) -> str:
     """Return the student's line in which an error was raised, and Python's message."""
     file = function.__code__.co_filename
     steps = [s for s in traceback.extract_tb(error.__traceback__) if s.filename == file]
-    where = f"Line {steps[-1].lineno}, {steps[-1].line}: " if steps and steps[-1].line else ""
-    return f"{where}{type(error).__name__}: {error}"
+    where = f"Line {steps[-1].lineno}, `{steps[-1].line}`: " if steps and steps[-1].line else ""
+    return f"{where}{type(error).__name__}: {error}."
 
 
 # --- right -----------------------------------------------------------------------------------
@@ -371,7 +392,7 @@ def describe_error(error: Exception, function: Any) -> str:
 
 def describe_success(stored: Stored) -> str:
     specials = list(dict.fromkeys(case["special"] for case in stored["cases"] if case["special"]))
-    tried = f", also {', '.join(specials)}" if specials else ""
+    tried = f", also: {'; '.join(specials)}" if specials else ""
     return f"Right on all {len(stored['cases'])} inputs{tried}."
 
 
@@ -389,20 +410,14 @@ def describe_arrays(function: Any, stored: Stored) -> list[str]:
     try:
         answers = np.asarray(function(*stacks), dtype=float)
     except Exception as error:
-        return [f"Level 2, arrays of inputs: not yet. {describe_error(error, function)}"]
-    ratio = alone / (time.perf_counter() - start)
-    if answers.shape != (len(cases), *stored["shape"]):
-        return [
-            f"Level 2, arrays of {len(cases)} inputs: not yet. It gives shape {answers.shape}, "
-            f"asked is {(len(cases), *stored['shape'])}."
-        ]
+        return [f"{LEVEL} not yet. {describe_error(error, function)}"]
+    ratio, asked = alone / (time.perf_counter() - start), (len(cases), *stored["shape"])
+    if answers.shape != asked:
+        return [f"{LEVEL} not yet. It gives the shape {answers.shape}, asked is {asked}."]
     rows = answers.reshape(len(cases), -1)
     if not all(map(lambda row, case: agrees(row, case, stored), rows, cases)):
-        return ["Level 2, arrays of inputs: not yet. It gives other numbers than one by one."]
-    return [
-        f"Level 2, arrays of inputs: right, too. {len(cases)} at once are {ratio:.0f} times as "
-        "fast as one by one."
-    ]
+        return [f"{LEVEL} not yet. It gives other numbers than with each input alone."]
+    return [f"{LEVEL} right, too. {len(cases)} inputs at once are {ratio:.0f} times as fast."]
 
 
 # --- texts -----------------------------------------------------------------------------------
@@ -412,10 +427,10 @@ def format_argument(value: Any) -> str:
     return f"np.array({value})" if isinstance(value, list) else repr(value)
 
 
-def format_answer(came: Any, stored: Stored) -> str:
+def format_answer(came: Any, stored: Stored, digits: int) -> str:
     """Return an answer as text."""
-    digits = [float(f"{x:.7g}") + 0.0 for x in came]
-    return str(np.reshape(digits, stored["shape"]).tolist())
+    texts = [f"{x + 0.0:.{digits}g}" for x in came]
+    return str(np.reshape(texts, stored["shape"]).tolist()).replace("'", "")
 
 
 def shorten(value: Any) -> str:

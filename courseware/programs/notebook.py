@@ -10,6 +10,7 @@ from courseware.programs import judge
 from courseware.programs.declaration import Program, find_program
 from courseware.programs.storing import store
 
+MIME = "application/vnd.courseware.program+json"
 _revealed = Counter[str]()  # right values shown in this session, by program
 
 
@@ -28,18 +29,22 @@ class ProgramBox:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         p = self.program
-        return {"text/plain": f"{p.title}\n\n{p.text}", "text/html": render(p)}
+        return {
+            "text/plain": f"{p.title}\n\n{p.text}",
+            "text/html": render(p),
+            MIME: {"name": p.name},
+        }
 
 
-def render(program: Program) -> str:
+def render(program: Program, solution: bool = True) -> str:
     """Render what is asked; each hint opens the way to the next, the last one to a solution."""
-    solution = escape(program.solution.strip())
-    fold = f"<details><summary>A solution</summary><pre>{solution}</pre></details>"
+    code = escape(program.solution.strip())
+    fold = f"<details><summary>A solution</summary><pre>{code}</pre></details>" if solution else ""
     for k, hint in reversed([*enumerate(program.hints, 1)]):
         fold = f"<details><summary>Hint {k}</summary>{render_paragraphs(hint)}{fold}</details>"
     return (
-        f'<div class="admonition rk-program" id="{program.name}">'
-        f'<p class="admonition-title">{escape(program.title)}</p>'
+        f'<div class="rk-program" id="{program.name}">'
+        f"<p><strong>{escape(program.title)}</strong></p>"
         f"{render_paragraphs(program.text)}{fold}</div>"
     )
 

@@ -17,6 +17,7 @@ from courseware.programs.declaration import Function, Program
 from courseware.programs.judge import KNOWN
 
 ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case
+MANY = 60  # from which the simplest are taken
 PLAIN = [float(f"{digit}e{power}") for power in range(-3, 6) for digit in (1, 2, 3, 4, 5, 6, 7, 8)]
 SIZE = 1e-6  # a tolerance as a part of the answer's size
 
@@ -55,6 +56,7 @@ def store(program: Program) -> dict[str, Any]:
         "angles": [unknown.unit == "rad" for unknown in program.answer],
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, 1e-3)).tolist(),
         "does": program.does,
+        "library": course().library,
         "modules": [m.rpartition(".")[2] for m in course().library_modules if _uses(program, m)],
         "arrays": program.is_new and not any(isinstance(x, str) for x in given[0]),
         "cases": [
@@ -73,8 +75,10 @@ def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:
     """Yield (special case or "", the symbols' numbers), the simplest first."""
     draw = np.random.default_rng(crc32(program.name.encode()))
     dealt = _dealt_numbers(program)
+    rounds = [_draw(program, draw, "", True, dealt) for _ in range(MANY)]
+    for numbers in sorted(rounds, key=lambda numbers: len(str([*numbers.values()])))[:ROUND]:
+        yield "", numbers  # few digits, no signs
     for special, count, simple in (
-        ("", ROUND, True),
         *((special, EACH, True) for special in program.specials),
         ("", RANDOM, False),
     ):

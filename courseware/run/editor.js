@@ -4,6 +4,14 @@ const KINDS = { // of a word: the class that Pygments gives it
   keyword: "k", bool: "kc", null: "kc", string: "s1", number: "mi", comment: "c1", operator: "o", className: "nc",
 };
 
+const LOOK = {
+  "&": { borderRadius: "5px" },
+  "&.cm-focused": { outline: "3px solid var(--rk-accent)", outlineOffset: "-3px" },
+  ".cm-scroller": { font: ".875rem/1.3 var(--pst-font-family-monospace, monospace)" },
+  ".cm-gutters": { background: "none", color: "inherit", border: 0, opacity: .5 },
+  ".cm-cursor": { borderColor: "currentcolor" },
+};
+
 // parts: the vendored CodeMirror. onRun: what Shift and Enter do.
 export const createEditor = (parts, { parent, text, label, onChange, onRun }) => {
   const { EditorView, keymap, tags, python } = parts;
@@ -19,6 +27,7 @@ export const createEditor = (parts, { parent, text, label, onChange, onRun }) =>
       parts.StreamLanguage.define(python),
       parts.syntaxHighlighting(parts.tagHighlighter(classes)),
       keymap.of([...parts.defaultKeymap, ...parts.historyKeymap, parts.indentWithTab]),
+      EditorView.theme(LOOK),
       EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocapitalize: "off" }),
       EditorView.updateListener.of(({ docChanged }) => { if (docChanged) onChange(); }),
     ],

@@ -22,6 +22,8 @@ from courseware.practice.bank import course_name, find_mistake
 from courseware.practice.notebook import MISTAKE, render_judgement
 from courseware.predictions.declaration import find_prediction
 from courseware.predictions.notebook import MIME as PREDICTION
+from courseware.programs import notebook as programs
+from courseware.programs.declaration import find_program
 from courseware.script import engine
 from courseware.site.predictions import render_prediction
 from courseware.site.sources import note_sources
@@ -88,6 +90,13 @@ def render_figure(name: str) -> nodes.raw:
     return nodes.raw("", find_figure(name).render_html(), format="html", figure=name)
 
 
+def render_program(renderer: Any, data: Any) -> list[nodes.Element]:
+    """Return what a program has to do, with hints and, if the site shows them, a solution."""
+    solution = renderer.sphinx_env.config.course_solutions
+    html = programs.render(find_program(data.content["name"]), solution)
+    return [nodes.raw("", html, format="html")]
+
+
 Renderer = Callable[[Any, Any], list[nodes.Element]]
 # by MIME type: the modules that the output depends on, and its renderer
 RENDERERS: dict[str, tuple[tuple[str, ...], Renderer]] = {
@@ -99,6 +108,7 @@ RENDERERS: dict[str, tuple[tuple[str, ...], Renderer]] = {
         lambda renderer, data: [render_exercise(renderer.sphinx_env, data.content["name"])],
     ),
     MISTAKE: (("exercises",), render_mistake),
+    programs.MIME: (("programs", "exercises"), render_program),
     PREDICTION: (
         ("predictions", "formulas", "figures"),
         lambda renderer, data: [render_prediction(renderer, find_prediction(data.content["name"]))],

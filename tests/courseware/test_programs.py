@@ -92,14 +92,20 @@ END = "w = v * dt * np.sinc(u); return [x + w * np.cos(m), y + w * np.sin(m), th
     [
         (["pass"], "It returns nothing"),
         (["print(pose)"], "It returns nothing"),
-        (['return "0.5, 1, 2"'], "It returns text, '0.5, 1, 2'. Asked is an array of shape (3,)."),
-        (["return [1, 2]"], "It returns an array of shape (2,). Asked is an array of shape (3,)."),
+        (
+            ['return "0.5, 1, 2"'],
+            "It returns text, '0.5, 1, 2'. Asked: 3 numbers, in the shape (3,).",
+        ),
+        (
+            ["return [1, 2]"],
+            "It returns 2 numbers, in the shape (2,). Asked: 3 numbers, in the shape (3,).",
+        ),
         (["return [[1], [2, 3], 4]"], "It returns lists of different lengths"),
-        (["return [1, 2, 3j]"], "It returns list, [1, 2, 3j]"),
+        (["return [1, 2, 3j]"], "It returns a list, [1, 2, 3j]"),
         (["pose[2] += 1", "return pose"], "It changes an array that it was given"),
         (["while True: pass"], "It does not end"),
         (["n = 0", "while n < 1: n -= 1"], "It does not end"),
-        (["return pose + heading"], "Line 2, return pose + heading: NameError"),
+        (["return pose + heading"], "Line 2, `return pose + heading`: NameError"),
         (["return car_step(pose, v, phi, L, dt)"], "RecursionError"),
         (
             ["from robokin import bicycle", "return bicycle.path(pose, v, phi, L, dt)[-1]"],
@@ -124,7 +130,7 @@ def test_a_special_case_alone_is_named():
                    "return [x + R * (np.sin(t) - np.sin(theta)),"
                    " y - R * (np.cos(t) - np.cos(theta)), t]")  # fmt: skip
     assert "wrong (straight ahead):" in str(verdict)
-    assert "nan is what comes of 0/0" in str(verdict)
+    assert "nan means: no number. It comes of 0/0" in str(verdict)
     assert "On all ordinary inputs it is right" in str(verdict)
 
 
@@ -153,7 +159,7 @@ def test_an_input_that_an_exercise_deals_is_none():
 
 
 def test_what_is_no_function_is_said_so():
-    assert "Judged is a function car_step" in str(judge.check(3, store(STEP)))
+    assert "There is no function car_step here, but 3." in str(judge.check(3, store(STEP)))
 
 
 def test_three_right_values_are_shown():
@@ -166,10 +172,10 @@ def test_three_right_values_are_shown():
 
 
 def test_arrays_of_inputs_are_the_second_level():
-    assert "Level 2, arrays of inputs: right, too." in str(judged(STEP, STEP.solution))
+    assert "arrays of many inputs at once: right, too." in str(judged(STEP, STEP.solution))
     loop = step("x, y, theta = [float(p) for p in pose]", *HEAD[1:], END)
     assert loop.right
-    assert "Level 2, arrays of inputs: not yet." in str(loop)
+    assert "arrays of many inputs at once: not yet." in str(loop)
 
 
 def test_all_right_answers_are_right_where_there_are_several():
@@ -185,7 +191,7 @@ def test_all_right_answers_are_right_where_there_are_several():
 def test_the_verdict_is_for_a_page_too():
     html = judged(STEP, STEP.starter)._repr_html_()
     assert "<pre>car_step(np.array([" in html
-    assert html.startswith('<div class="rk-verdict rk-wrong" role="status">')
+    assert html.startswith('<div class="rk-judged rk-wrong" role="status">')
 
 
 def test_what_is_asked_has_hints_that_open_one_another():

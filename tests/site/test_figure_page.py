@@ -44,6 +44,7 @@ def test_without_javascript_the_picture_is_there_and_why_it_stands_still(
         page.goto(server + page_of[figure.name])
         live = OnPage(page, figure)
         live.unfold()
+        live.root.scroll_into_view_if_needed()
         picture, whole = live.picture.bounding_box(), live.root.bounding_box()
         assert picture["height"] > 200
         # below it one to four lines, of 26 px each, which say why

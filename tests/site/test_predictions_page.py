@@ -274,6 +274,8 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     assert kept == {BUTTONS: 0, GHOST: [-0.2, 0.1]}  # as in earlier releases: who comes back has it
     page.reload()
     fold(page, GHOST).wait_for()
+    said(page, BUTTONS).scroll_into_view_if_needed()
+    page.wait_for_function("(said) => said.innerText", arg=said(page, BUTTONS).element_handle())
     assert said(page, BUTTONS).inner_text() == (
         "You said: it gets better. The answer: it gets worse.\n\n"
         "The path gets simpler, but not the computation."
@@ -313,6 +315,9 @@ def test_without_a_script_it_is_a_question_with_a_fold(chromium, home):
         page.goto(home)
         box = page.locator(f"#{BUTTONS}")
         assert box.get_by_role("button").count() == 0
+        box.scroll_into_view_if_needed()
+        plain = box.locator(".rk-plain")
+        page.wait_for_function("(plain) => plain.innerText", arg=plain.element_handle())
         assert "it gets worse" in box.locator(".rk-plain").inner_text()
         assert page.get_by_text(INSIDE).is_hidden()
         box.locator("summary").first.click()

@@ -84,7 +84,7 @@ euler_p1 = Program(
     title="Yaw, pitch and roll of a matrix",
     text="Read the angles of the sequence ZYX from a rotation matrix: yaw about z, then pitch "
     "about the new y axis, then roll about the newest x axis. There are two answers, and either "
-    "is right. Angles beyond a quarter turn must come out right, too.",
+    "is right. All angles must come out right.",
     starter=YAW_PITCH_ROLL,
     symbols=TURNS,
     arguments=lambda *turns: (readable("ZYX", *turns),),
@@ -202,7 +202,7 @@ euler_p3 = Program(
         ),
     },
     hints=(
-        "Try it with one angle that is not zero, then with two. With which does it go wrong?",
+        "Try it with one angle that is not zero, then with two.",
         "The three matrices are right, each by itself. In which order are they multiplied? Print "
         "what comes after two turns.",
         "A turn about an axis of the turned frame is multiplied on the right of what is there.",

@@ -150,15 +150,15 @@ def for_hand(bc, db, de):
     bc: c seen from b; db: b seen from d; de: e seen from d. A pose is an
     array of x and y in m and the turn in rad.
     """
-    T_bc, T_db, T_de = [
-        np.array([[np.cos(t), -np.sin(t), x],
-                  [np.sin(t), np.cos(t), y], [0, 0, 1]])
-        for x, y, t in [bc, db, de]
-    ]
+
+    def matrix(x, y, t):
+        c, s = np.cos(t), np.sin(t)
+        return np.array([[c, -s, x], [s, c, y], [0, 0, 1]])
+
+    T_bc, T_db, T_de = matrix(*bc), matrix(*db), matrix(*de)
     T_dc_inverted = np.linalg.inv(T_db) @ np.linalg.inv(T_bc)
     T_ce = T_dc_inverted @ T_de
-    turn = np.arctan2(T_ce[1, 0], T_ce[0, 0])
-    return np.array([T_ce[0, 2], T_ce[1, 2], turn])
+    return np.array([*T_ce[:2, 2], np.arctan2(T_ce[1, 0], T_ce[0, 0])])
 '''
 
 frames_p3 = Program(

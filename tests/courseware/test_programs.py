@@ -73,11 +73,14 @@ def test_each_mistake_is_named_by_its_answers(name):
 @pytest.mark.slow
 @EACH
 def test_small_changes_of_a_solution_are_refused(name):
-    """Of sign, function, number, name: those that are left compute the same."""
+    """Of sign, function, number, name: those that are left compute the same.
+
+    One always may: half a span more or less is the same on a counter that wraps round.
+    """
     program = PROGRAMS[name]
     changed = [*mutants(program.solution)]
     left = [source for source in changed if judged(program, source).right]
-    assert len(left) <= 0.05 * len(changed), "\n\n".join(left)
+    assert len(left) <= max(1, 0.05 * len(changed)), "\n\n".join(left)
 
 
 # --- the verdict ----------------------------------------------------------------------------

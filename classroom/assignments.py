@@ -36,7 +36,7 @@ def write_assignment(chapter: str, grader: str, folder: Path, force: bool) -> li
     if cells:
         files[f"{chapter}.ipynb"] = write_notebook([*cells(chapter, programs)])
     else:
-        files |= {f"{p.name.replace('-', '_')}.py": write_file(p) for p in programs}
+        files |= {f"{variable(p)}.py": write_file(p) for p in programs}
         files["check.sh"] = write_script(programs)
     folder.mkdir(parents=True, exist_ok=True)
     for name in files:
@@ -48,10 +48,9 @@ def write_assignment(chapter: str, grader: str, folder: Path, force: bool) -> li
 
 def write_nbgrader(chapter: str, programs: list[Program]) -> Iterator[Cell]:
     """Yield the cells of nbgrader's source version: a locked one tests each function."""
-    yield markdown(f"# {course().title(chapter)}")
-    yield code(IMPORTS)
+    yield from write_opening(chapter)
     for p in programs:
-        yield markdown(f"## {p.title}\n\n{p.text}")
+        yield write_question(p)
         yield code(p.starter.rstrip())
         nbgrader = {"grade": True, "grade_id": p.name, "locked": True, "points": 1}
         nbgrader |= {"schema_version": 3, "solution": False, "task": False, "cell_type": "code"}
@@ -66,12 +65,11 @@ def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
         f"# ASSIGNMENT CONFIG\nname: {chapter}\nfiles:\n{listed}\ngenerate: true\n"
         "tests:\n  ok_format: false"
     )
-    yield markdown(f"# {course().title(chapter)}")
-    yield code(IMPORTS)
+    yield from write_opening(chapter)
     for p in programs:
-        name = p.name.replace("-", "_")
+        name = variable(p)
         yield raw(f"# BEGIN QUESTION\nname: {name}\npoints: 1")
-        yield markdown(f"## {p.title}\n\n{p.text}")
+        yield write_question(p)
         yield raw("# BEGIN PROMPT")
         yield code(p.starter.rstrip())
         yield raw("# END PROMPT")
@@ -87,6 +85,21 @@ def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
         yield raw("# END QUESTION")
 
 
+def write_opening(chapter: str) -> Iterator[Cell]:
+    """Yield the cells above the programs."""
+    yield markdown(f"# {course().title(chapter)}")
+    yield code(IMPORTS)
+
+
+def write_question(program: Program) -> Cell:
+    return markdown(f"## {program.title}\n\n{program.text}")
+
+
+def variable(program: Program) -> str:
+    """Return the program's name as Python takes it: "bicycle_p1"."""
+    return program.name.replace("-", "_")
+
+
 def check_line(program: Program) -> str:
     return CHECK.format(name=program.name, function=program.definition.name)
 
@@ -99,7 +112,7 @@ def write_file(program: Program) -> str:
 
 def write_script(programs: list[Program]) -> str:
     """Return the command of GitHub Classroom's test: it fails where a program is wrong."""
-    lines = [f"python judge.py {p.name} {p.name.replace('-', '_')}.py || wrong=1" for p in programs]
+    lines = [f"python judge.py {p.name} {variable(p)}.py || wrong=1" for p in programs]
     return "\n".join(["wrong=0", *lines, "exit $wrong", ""])
 
 
@@ -112,10 +125,8 @@ def raw(text: str) -> Cell:
 
 
 def code(text: str, **metadata: Any) -> Cell:
-    return {
-        **{"cell_type": "code", "metadata": metadata, "source": text},
-        **{"outputs": [], "execution_count": None},
-    }
+    cell = {"cell_type": "code", "metadata": metadata, "source": text}
+    return {**cell, "outputs": [], "execution_count": None}
 
 
 def write_notebook(cells: list[Cell]) -> str:

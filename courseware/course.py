@@ -185,6 +185,11 @@ class Course:
         return self._declared[part, kind]
 
 
+def topic_of(name: str) -> str:
+    """Return the chapter of an exercise or a program: "differential_drive" of its "-1" or "-p1"."""
+    return name.rsplit("-", 1)[0].replace("-", "_")
+
+
 def list_documents(contents: Any) -> Iterator[str]:
     """Yield the documents of a table of contents, in order."""
     if isinstance(contents, list):

@@ -5,6 +5,7 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
 // What scrolls sideways, or has symbols to name, can be reached with the keyboard.
 {
   const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };
+  // as in site.css
   const FAR = ".bd-article section section > :is(p, ul, ol, details), .bd-article section section .cell > div > *";
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 

@@ -131,8 +131,8 @@ euler_p2 = Program(
     "euler-p2",
     title="Angles at gimbal lock",
     text="Each R of this exercise is at gimbal lock of the sequence XYZ: its middle turn β is +90° "
-    "or −90°. Find three angles that make R. There are infinitely many answers, and each of them "
-    "is right.",
+    "or −90°. Find three angles that make "
+    "R: any of the infinitely many.",
     starter=AT_LOCK,
     symbols=TURNS,
     arguments=lambda *turns: (locked_near(*turns),),
@@ -184,7 +184,7 @@ euler_p3 = Program(
     "euler-p3",
     title="Mend it: three turns in one matrix",
     text="This function is to return the matrix R_AB of three turns, each about an axis of the "
-    "frame as it is turned so far. It is wrong. Find the mistake and mend it.",
+    "frame as it is turned so far. It is wrong: mend it.",
     starter=TURNED,
     symbols=TURNS,
     specials={

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from courseware.course import topic_of
 from courseware.errors import CourseError, describe
 from courseware.practice.formatting import append_unit, format_number
 from courseware.practice.mistakes import Mistake
@@ -201,7 +202,7 @@ class Exercise:
     @property
     def topic(self) -> str:
         """The stem of module, chapter and test: "differential_drive"."""
-        return self.name.rsplit("-", 1)[0].replace("-", "_")
+        return topic_of(self.name)
 
     @cached_property
     def solution_text(self) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from courseware.course import course
+from courseware.course import course, topic_of
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
 from courseware.practice.declaration import Unknown
@@ -72,7 +72,7 @@ class Program:
     @property
     def topic(self) -> str:
         """The stem of the chapter: "differential_drive"."""
-        return self.name.rsplit("-", 1)[0].replace("-", "_")
+        return topic_of(self.name)
 
     @cached_property
     def definition(self) -> ast.FunctionDef:

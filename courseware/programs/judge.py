@@ -32,6 +32,7 @@ TELLING = 20  # inputs on which a mistake must be far from right, before it is n
 FAR = 10  # tolerances
 NEAR = 1000  # tolerances: digits are missing, the formula is right
 LEVEL = "Done. Level 2, as an extra, is to take arrays of many inputs at once:"
+SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
 STEPS = 2_000_000  # of Python in one call: more is an endless loop
 REVEALED = 3  # right values shown; then only whether a number is too large or too small
 KNOWN = "This is what you get {}."
@@ -58,14 +59,13 @@ class Verdict:
     """The judgement of a program. Its text is for the student.
 
     lines: of the text; those that begin with a blank are code. mistakes: names, M15, or words.
-    revealed: whether a right value stands in the text. case: the input on which it is wrong.
+    revealed: whether a right value stands in the text.
     """
 
     right: bool
     lines: tuple[str, ...]
     mistakes: tuple[str, ...] = ()
     revealed: bool = False
-    case: int = -1
 
     def __str__(self) -> str:
         return "\n".join(self.lines)
@@ -102,14 +102,20 @@ def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
 
 
 def read_and_check(name: str, function: Any) -> Verdict:
-    """Judge a function by the numbers of the file `name.json` beside this one."""
-    return check(function, json.loads(Path(__file__).with_name(f"{name}.json").read_text("utf-8")))
+    """Judge a function by the numbers of its file."""
+    return check(function, read_stored(name))
+
+
+def read_stored(name: str) -> Stored:
+    """Return what the file `name.json` beside this one has."""
+    stored: Stored = json.loads(Path(__file__).with_name(f"{name}.json").read_text("utf-8"))
+    return stored
 
 
 def main() -> int:
     """Judge a file: `python judge.py bicycle-p1 bicycle_p1.py` fails unless it is right."""
     name, file = sys.argv[1:]
-    stored = json.loads(Path(__file__).with_name(f"{name}.json").read_text("utf-8"))
+    stored = read_stored(name)
     verdict = check(runpy.run_path(file).get(stored["function"]), stored)
     print(f"{name}: {verdict}")
     return 0 if verdict.right else 1
@@ -120,7 +126,7 @@ def main() -> int:
 
 def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
     """Return the answer to an input as a flat array; raise Slip if it is none."""
-    given, kept = arguments(case), arguments(case)
+    given, kept = (as_arguments(case["arguments"]) for _ in range(2))
     steps = 0
 
     def trace(frame: FrameType, event: str, _: Any) -> Any:
@@ -152,9 +158,9 @@ def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
     return to_numbers(answer, stored)
 
 
-def arguments(case: Stored) -> list[Any]:
+def as_arguments(stored: list[Any]) -> list[Any]:
     """Return an input as the function gets it: lists are arrays."""
-    return [np.array(x) if isinstance(x, list) else x for x in case["arguments"]]
+    return [np.array(x) if isinstance(x, list) else x for x in stored]
 
 
 def to_numbers(answer: Any, stored: Stored) -> Any:
@@ -194,8 +200,8 @@ def same(came: Any, other: Any, case: Stored, stored: Stored, factor: float = 1.
         one, two = (find_deed(answer, case, stored) for answer in (came, other))
     except ValueError:
         return False  # the library refuses an answer
-    size = max(1e-3, np.abs(two).max())
-    return bool(np.allclose(one, two, rtol=0, atol=factor * 1e-6 * size, equal_nan=True))
+    size = max(LEAST, np.abs(two).max())
+    return bool(np.allclose(one, two, rtol=0, atol=factor * SIZE * size, equal_nan=True))
 
 
 def apart(came: Any, right: Any, stored: Stored) -> Any:
@@ -212,7 +218,7 @@ def find_deed(answer: Any, case: Stored, stored: Stored) -> Any:
     modules = {
         name: importlib.import_module(f"{stored['library']}.{name}") for name in stored["modules"]
     }
-    given = dict(zip(stored["parameters"], arguments(case), strict=True))
+    given = dict(zip(stored["parameters"], as_arguments(case["arguments"]), strict=True))
     names = {"np": np, **modules, **given, "answer": answer.reshape(stored["shape"])}
     return np.asarray(eval(stored["does"], names), dtype=float)
 
@@ -226,7 +232,7 @@ def refuse(stored: Stored, place: int, lines: list[str], **more: Any) -> Verdict
     where = f" ({case['special']})" if case["special"] else ""
     shown = ", ".join(format_argument(x) for x in case["arguments"])
     first = f"Not yet. This is the simplest input on which it is wrong{where}:"
-    return Verdict(False, (first, f" {stored['function']}({shown})", *lines), case=place, **more)
+    return Verdict(False, (first, f" {stored['function']}({shown})", *lines), **more)
 
 
 def refuse_answer(
@@ -346,13 +352,12 @@ def divides_whole(function: Any, stored: Stored) -> bool:
 def refuse_notebook_names(function: FunctionType) -> None:
     """Raise Slip if a function takes a number from the notebook, where a cell defines it."""
     lines = linecache.getlines(function.__code__.co_filename)
-    own = {
-        node.id
-        for statement in parse("".join(lines)).body
-        if isinstance(statement, ast.Assign | ast.AnnAssign)
-        for node in ast.walk(statement)
-        if isinstance(node, ast.Name)
-    }
+    own = set[str]()
+    for statement in parse("".join(lines)).body:
+        if isinstance(statement, ast.Assign | ast.AnnAssign):
+            own |= {node.id for node in ast.walk(statement) if isinstance(node, ast.Name)}
+        elif isinstance(statement, ast.ImportFrom):  # from math import pi
+            own |= {alias.asname or alias.name for alias in statement.names}
     for name in sorted(set(read_globals(function.__code__)) - own):
         value = function.__globals__.get(name)
         if value is not None and not isinstance(value, ModuleType) and not callable(value):
@@ -404,7 +409,7 @@ def describe_arrays(function: Any, stored: Stored) -> list[str]:
     stacks = [np.array(each) for each in zip(*(case["arguments"] for case in cases), strict=True)]
     start = time.perf_counter()
     for case in cases:
-        function(*arguments(case))
+        function(*as_arguments(case["arguments"]))
     alone = time.perf_counter() - start
     start = time.perf_counter()
     try:
@@ -415,7 +420,7 @@ def describe_arrays(function: Any, stored: Stored) -> list[str]:
     if answers.shape != asked:
         return [f"{LEVEL} not yet. It gives the shape {answers.shape}, asked is {asked}."]
     rows = answers.reshape(len(cases), -1)
-    if not all(map(lambda row, case: agrees(row, case, stored), rows, cases)):
+    if not all_right(rows, stored):
         return [f"{LEVEL} not yet. It gives other numbers than with each input alone."]
     return [f"{LEVEL} right, too. {len(cases)} inputs at once are {ratio:.0f} times as fast."]
 

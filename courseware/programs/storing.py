@@ -14,12 +14,11 @@ from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
 from courseware.practice.bank import all_exercises
 from courseware.programs.declaration import Function, Program
-from courseware.programs.judge import KNOWN
+from courseware.programs.judge import KNOWN, LEAST, SIZE, as_arguments
 
 ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case
 MANY = 60  # from which the simplest are taken
 PLAIN = [float(f"{digit}e{power}") for power in range(-3, 6) for digit in (1, 2, 3, 4, 5, 6, 7, 8)]
-SIZE = 1e-6  # a tolerance as a part of the answer's size
 
 Numbers = dict[NamedSymbol, float]
 
@@ -54,7 +53,7 @@ def store(program: Program) -> dict[str, Any]:
         "shape": program.shape or ((len(program.answer),) if len(program.answer) > 1 else ()),
         "circle": circle.tolist(),
         "angles": [unknown.unit == "rad" for unknown in program.answer],
-        "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, 1e-3)).tolist(),
+        "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, LEAST)).tolist(),
         "does": program.does,
         "library": course().library,
         "modules": [m.rpartition(".")[2] for m in course().library_modules if _uses(program, m)],
@@ -140,9 +139,8 @@ def _plain(value: Any) -> Any:
 
 def _flat(program: Program, function: Function, given: list[Any]) -> list[float]:
     """Return the answer of a function as a list of numbers."""
-    fresh = [np.array(x) if isinstance(x, list) else x for x in given]
     with np.errstate(all="ignore"):
-        answer = np.asarray(function(*fresh), dtype=float).ravel()
+        answer = np.asarray(function(*as_arguments(given)), dtype=float).ravel()
     if answer.shape != (len(program.answer),):
         raise CourseError(f"{program.name}: {answer.size} numbers, asked are {len(program.answer)}")
     return [float(f"{x:.13g}") for x in answer]

@@ -24,13 +24,14 @@ class Cell {
     this.program = tags.find((tag) => tag.startsWith("program-"))?.slice(8);
     this.mayFail = this.program || tags.includes("raises-exception"); // no other cell needs it
     [this.button, this.status] = [bar.firstChild, bar.lastChild];
+    this.word = this.button.textContent;
     this.code = this.input.querySelector("pre");
     this.original = this.text;
     this.outputs = this.input.closest(".cell").querySelectorAll(".cell_output, .below-input");
     this.button.insertAdjacentHTML("afterend", `<button type="button" hidden>Reset</button>`);
     this.reset = this.button.nextSibling;
     this.reset.addEventListener("click", () => this.restore());
-    this.button.ariaLabel = `${this.button.textContent} cell ${k + 1}`;
+    this.button.ariaLabel = `${this.word} cell ${k + 1}`;
     this.reset.ariaLabel = `Reset cell ${k + 1}`;
   }
 
@@ -57,6 +58,7 @@ class Cell {
       onRun: () => { if (!this.button.disabled && running === null) this.button.click(); },
     });
     this.code.hidden = true;
+    this.input.querySelector(".copybtn")?.remove(); // it copies what stood there
     return this.editor;
   }
 
@@ -66,11 +68,9 @@ class Cell {
     this.keep(this.k, { first: this.code.textContent, text, revealed: this.revealed });
   }
 
-  async write(text) { (await this.edit()).text = text; }
-
   async bringBack({ text, revealed }) {
     this.revealed = revealed ?? 0;
-    await this.write(text);
+    (await this.edit()).text = text;
     this.button.focus();
   }
 
@@ -155,7 +155,7 @@ const waitForWorker = () => new Promise((resolve, reject) => {
 });
 
 const updateButtons = () => cells.forEach((cell, k) => {
-  cell.button.textContent = running === k ? "Stop" : cell.program ? "Check" : "Run";
+  cell.button.textContent = running === k ? "Stop" : cell.word;
   cell.button.disabled = cell.reset.disabled = running !== null && running !== k;
 });
 

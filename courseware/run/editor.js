@@ -27,6 +27,7 @@ export const createEditor = (parts, { parent, text, label, onChange, onRun }) =>
       parts.StreamLanguage.define(python),
       parts.syntaxHighlighting(parts.tagHighlighter(classes)),
       keymap.of([...parts.defaultKeymap, ...parts.historyKeymap, parts.indentWithTab]),
+      EditorView.lineWrapping,
       EditorView.theme(LOOK),
       EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocapitalize: "off" }),
       EditorView.updateListener.of(({ docChanged }) => { if (docChanged) onChange(); }),

@@ -152,6 +152,8 @@ def test_names_of_the_notebook_are_not_known_to_the_function():
     )
     own = "TURN = 2 * np.pi\n" + STEP.solution.replace("return", "return 0 * TURN +")
     assert judged(STEP, own).right, "what the cell itself defines is its own"
+    imported = "from math import pi\n" + STEP.solution.replace("np.pi", "pi")
+    assert judged(STEP, imported).right, "and what it imports"
 
 
 def test_an_input_that_an_exercise_deals_is_none():

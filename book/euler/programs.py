@@ -131,8 +131,7 @@ euler_p2 = Program(
     "euler-p2",
     title="Angles at gimbal lock",
     text="Each R of this exercise is at gimbal lock of the sequence XYZ: its middle turn β is +90° "
-    "or −90°. Find three angles that make "
-    "R: any of the infinitely many.",
+    "or −90°. Find three angles that make R: any of the infinitely many.",
     starter=AT_LOCK,
     symbols=TURNS,
     arguments=lambda *turns: (locked_near(*turns),),

@@ -1,8 +1,11 @@
 """The arm: any number of links, with a gripper or a pen, from above or from the side."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from math import pi
 from typing import Any
+
+from sympy import atan2, sqrt
 
 from book.outlines import box, capsule, curves, disc, line, polygon, spots
 from courseware.errors import CourseError
@@ -59,6 +62,17 @@ def _link(long: float, start: float, end: float, pale: bool) -> tuple[Outline, .
     groove = line((low, 0), (high, 0))
     marks = (Outline(groove, "", lit, 0.8 * end, 0.9), Outline(groove, "", slot, 0.64 * end))
     return (whole, *marks * (high > low + end))
+
+
+def links(places: Sequence[Any], look: str = "") -> tuple[Thing, ...]:
+    """Return an arm whose joints and hand are at these places, whatever lengths that takes."""
+    found = []
+    for (x, y), (to_x, to_y) in pairwise(places):
+        along, up = to_x - x, to_y - y
+        parts = (*_link(1, 0.1, 0.08, False), *_cover(0.075))
+        at, size = (x, y, atan2(up, along)), sqrt(along**2 + up**2)
+        found.append(Thing(at, parts, 0.03, look, size))
+    return tuple(found)
 
 
 def _cover(r: float, x: float = 0) -> tuple[Outline, ...]:

@@ -209,7 +209,7 @@ def platform(
     wheels = [
         wheel((x, y, 0), 0.13, 0.045, "", rolled) for x in (-0.12, 0.12) for y in (-0.152, 0.152)
     ]
-    on_top = (arm((0, 0, 0), angles, lengths, opening=opening),) * bool(angles)
+    on_top = (arm((0, 0, 0), angles, lengths, opening=opening),) if len(angles) else ()
     bolts = "".join(disc(0.008, x, y) for x in (-0.16, 0.16) for y in (-0.1, 0.1))
     parts = (
         *wheels,

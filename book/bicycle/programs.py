@@ -1,10 +1,15 @@
 """Programs that students write on the bicycle model."""
 
-import numpy as np
+from dataclasses import replace
 
+import numpy as np
+from sympy import Symbol, atan2, cos, pi, sin, sinc, sqrt, tan
+
+from book import things
 from book.bicycle.exercises import M15, M16, M17, M32, M33, same_sines, too_fast
 from book.bicycle.formulas import steering, wheelbase, y_heading
-from book.motion.formulas import dt, theta, v, x, y
+from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
+from courseware.figures import Curve, Point
 from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
 from robokin import bicycle, motion
@@ -15,12 +20,21 @@ DRIVE = {v: (-5, 5), dt: (0.1, 3), wheelbase: (1, 5)}
 AHEAD, REST = {steering: 0.0}, {v: 0.0}
 
 
+def car(pose, phi, L, look=""):
+    """Draw a car of any wheelbase."""
+    return replace(things.car(pose, (phi, phi), look=look), size=L / 2.5)
+
+
 # --- p1 --------------------------------------------------------------------------------------
 
 
 def stepped(method="exact"):
     """Return the step by a rule of `motion.path`."""
     return lambda pose, v, phi, L, dt: bicycle.path(pose, v, phi, L, dt, method)[-1]
+
+
+def draw_step(right, came, pose, v, phi, L, dt):
+    return car(pose, phi, L, "ghost"), car(right, phi, L), car(came, phi, L, "wrong")
 
 
 def on_circle(pose, v, phi, L, dt):
@@ -100,6 +114,8 @@ bicycle_p1 = Program(
     specials=STEP_SPECIALS,
     answer=POSE,
     right=stepped(),
+    picture=draw_step,
+    extent=3,
     wrong={
         M15: on_circle,
         M16: lambda pose, v, phi, L, dt: motion.arc_step(pose, v, too_fast(v, phi, L), dt),
@@ -116,6 +132,24 @@ bicycle_p1 = Program(
 def steer_by(radius, mistaken=np.arctan):
     """Return the steering for a circle whose radius is a function of the place."""
     return lambda place, L: mistaken(L / radius(*place))
+
+
+def draw_steering(right, came, place, L):
+    half, part = atan2(place[1], place[0]), Symbol("part", real=True)
+    way = sqrt(place[0] ** 2 + place[1] ** 2) / sinc(half)
+
+    def after(phi, part):
+        turns = {x: 0, y: 0, theta: 0, v: way, omega: way * tan(phi) / L}
+        return arc_step.substitute({**turns, dt: part})
+
+    return (
+        car((0, 0, 0), right, L, "ghost"),
+        Curve("path", after(right, part), part, 0, 1),
+        Curve("error", after(came, part), part, 0, 1),
+        car(after(right, 1), right, L),
+        car(after(came, 1), came, L, "wrong"),
+        Point("target", place),
+    )
 
 
 STEER_TEXT = (
@@ -178,6 +212,8 @@ bicycle_p2 = Program(
     specials=STEER_SPECIALS,
     answer=(angle("φ"),),
     right=lambda place, L: bicycle.steering(place @ place, 2 * place[1], L),
+    picture=draw_steering,
+    extent=3,
     also=STEER_SLIPS,
     hints=STEER_HINTS,
     solution=STEER_SOLUTION,
@@ -200,6 +236,15 @@ def compass_step(velocity=None, turn=None, sense=-1):
         return pose + dt * np.array([x_dot, y_dot, sense * omega])
 
     return step
+
+
+def draw_front(right, came, pose, v, phi, L, dt):
+    def bus(of, look=""):
+        x, y, psi = of
+        rear = x - L * sin(psi), y - L * cos(psi), pi / 2 - psi
+        return replace(things.bus(rear, (phi, phi), look=look), size=L / 7)
+
+    return bus(pose, "ghost"), bus(right), bus(came, "wrong")
 
 
 def nose(theta, v_F, phi):
@@ -282,6 +327,8 @@ bicycle_p3 = Program(
     specials=COMPASS_SPECIALS,
     answer=COMPASS_POSE,
     right=compass_step(),
+    picture=draw_front,
+    extent=7,
     wrong=COMPASS_MISTAKES,
     also=COMPASS_SLIPS,
     hints=COMPASS_HINTS,

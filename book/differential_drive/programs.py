@@ -1,10 +1,14 @@
 """Programs that students write on the differential drive."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from book import things
 from book.differential_drive.exercises import M12, M13, M14, M31
-from book.differential_drive.formulas import b, r, rate_L, rate_R
-from book.motion.formulas import dt, omega, theta, v, x, y
+from book.differential_drive.formulas import b, body_twist, r, rate_L, rate_R
+from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
+from courseware.figures import Arrow, Point
 from courseware.practice import Unknown
 from courseware.programs.declaration import Program
 from robokin import differential_drive, motion
@@ -32,6 +36,18 @@ def with_whole_distance(function):
 WHOLE = "when each wheel gets ωb more or less than v, where it is ωb/2"
 
 
+def robot(pose, distance, look=""):
+    """Draw a robot of any wheel distance."""
+    return replace(things.robot(pose, look=look), size=distance / 0.1)
+
+
+def drive(rates, seconds, radius, distance):
+    """Return the pose after a drive from the origin, of symbols."""
+    given = {rate_L: rates[0], rate_R: rates[1], r: radius, b: distance}
+    v_made, _, omega_made = body_twist.substitute(given)
+    return arc_step.substitute({x: 0, y: 0, theta: 0, v: v_made, omega: omega_made, dt: seconds})
+
+
 # --- p1 --------------------------------------------------------------------------------------
 
 
@@ -39,6 +55,12 @@ def arc_rates(place, dt, r, b, *, part=1.0, way=lambda chord, half: chord / np.s
     """Return the rates of an arc to a place; the part of its turn, and its length by the chord."""
     half, chord = np.arctan2(place[1], place[0]), np.hypot(*place)
     return differential_drive.wheel_rates(way(chord, half) / dt, part * 2 * half / dt, r, b)
+
+
+def draw_place(right, came, place, dt, r, b):
+    poses = (drive(rates, dt, r, b) for rates in (right, came))
+    start = robot((0, 0, 0), b, "ghost")
+    return start, *map(robot, poses, (b, b), ("", "wrong")), Point("target", place)
 
 
 PLACE_TEXT = (
@@ -104,6 +126,8 @@ differential_drive_p1 = Program(
     specials=PLACE_SPECIALS,
     answer=RATES,
     right=arc_rates,
+    picture=draw_place,
+    extent=0.08,
     does="motion.arc_step([0, 0, 0], "
     "*differential_drive.body_twist(answer[0], answer[1], r, b)[[0, 2]], dt)[:2]",
     wrong=by_mistakes(arc_rates, "place", "dt", "r", "b"),
@@ -126,6 +150,12 @@ def slowed(v, omega, r, b, top, *, largest=lambda rates: np.abs(rates).max(), ab
 def cut(v, omega, r, b, top):
     """Return rates of which each is cut off at the top rate alone."""
     return np.clip(differential_drive.wheel_rates(v, omega, r, b), -top, top)
+
+
+def draw_limit(right, came, v, omega, r, b, top):
+    """Draw where the robot is after half a second."""
+    poses = (drive(rates, 0.5, r, b) for rates in (right, came))
+    return robot((0, 0, 0), b, "ghost"), *map(robot, poses, (b, b), ("", "wrong"))
 
 
 LIMIT_TEXT = (
@@ -184,6 +214,8 @@ differential_drive_p2 = Program(
     specials=LIMIT_SPECIALS,
     answer=RATES,
     right=slowed,
+    picture=draw_limit,
+    extent=0.08,
     wrong=by_mistakes(slowed, "v", "omega", "r", "b", "top"),
     also=LIMIT_SLIPS | {WHOLE: with_whole_distance(slowed)},
     hints=LIMIT_HINTS,
@@ -197,6 +229,18 @@ differential_drive_p2 = Program(
 def moving(rate_L, rate_R, theta, r, b):
     """Return the velocity in the world."""
     return motion.to_world(theta, differential_drive.body_twist(rate_L, rate_R, r, b))
+
+
+def draw_velocity(right, came, rate_L, rate_R, theta, r, b):
+    """Draw the velocity as the way of a second, and where the robot would look after it."""
+    start = np.array([0, 0, theta])
+    return (
+        robot(start, b, "ghost"),
+        robot(start + right, b),
+        robot(start + came, b, "wrong"),
+        Arrow("velocity", (0, 0), right[:2]),
+        Arrow("error", (0, 0), came[:2]),
+    )
 
 
 WORLD_TEXT = (
@@ -263,6 +307,8 @@ differential_drive_p3 = Program(
     specials=WORLD_SPECIALS,
     answer=VELOCITY,
     right=moving,
+    picture=draw_velocity,
+    extent=0.08,
     wrong=WORLD_MISTAKES,
     also=WORLD_SLIPS,
     hints=WORLD_HINTS,

@@ -1,10 +1,16 @@
 """Programs that students write on the three-joint elbow arm."""
 
-import numpy as np
+from dataclasses import replace
+from itertools import chain
 
+import numpy as np
+from sympy import Matrix, cos, sin
+
+from book import things_space
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm.exercises import M2, M4, WAYS, four_alike, possible, without_x_by_atan2
 from book.elbow_arm.formulas import a2, a3, d1, p_z, theta1, theta2, theta3
+from courseware.figures import VIEW
 from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
 from robokin import elbow_arm
@@ -40,6 +46,56 @@ STRAIGHT = {
     "straight behind": {p_x: -0.7, p_y: 0.0, p_z: 0.33},
     "straight above the shoulder": {p_x: 0.0, p_y: 0.0, p_z: 0.7},
 }
+
+
+def joints(theta, a2, a3, d1=0):
+    """Return the places of base, shoulder, elbow and wrist, of symbols."""
+    theta1, theta2, theta3 = theta
+    ahead = np.array([cos(theta1), sin(theta1), 0])
+    ways = ((a2, theta2), (a3, theta2 + theta3))
+    parts = [[0, 0, d1], *(a * (cos(way) * ahead + [0, 0, sin(way)]) for a, way in ways)]
+    return np.vstack([[0, 0, 0], np.cumsum(parts, axis=0)])
+
+
+def draw_link(start, end, theta1, kind):
+    """Draw a link in the vertical plane of an arm."""
+    along, side = Matrix(end - start), Matrix([-sin(theta1), cos(theta1), 0])
+    R = Matrix.hstack(along, side.cross(along), side * along.norm())
+    edge = "accent_edge" if kind == "accent" else kind
+    link = things_space.link(1, 0.09, 0.07)
+    bare = [replace(mesh, kind=kind, edge=edge, dots={}) for mesh in link]
+    return VIEW.solid(bare, R, start)
+
+
+def draw_arm(places, theta1, kind):
+    """Draw an arm in space by the places of its joints."""
+    base, shoulder, elbow, wrist = places
+    return (
+        VIEW.line("text", (base, shoulder)),
+        draw_link(shoulder, elbow, theta1, kind),
+        draw_link(elbow, wrist, theta1, kind),
+        VIEW.point("error" if kind == "error" else "body", wrist),
+    )
+
+
+def draw_places(right, came, theta, *_):
+    return *draw_arm(right, theta[0], "accent"), *draw_arm(came, theta[0], "error")
+
+
+def draw_reach(right, came, p, *arm):
+    kinds = (("accent", right), ("error", came))
+    arms = (draw_arm(joints(theta, *arm), theta[0], kind) for kind, theta in kinds)
+    return *chain(*arms), VIEW.point("target", p)
+
+
+def draw_four(right, came, p, *links):
+    """Draw all arms that are right, pale, and those that came."""
+    arms = [
+        VIEW.line(kind, joints(theta, *links))
+        for kind, rows in (("ghost", right), ("error", came))
+        for theta in rows
+    ]
+    return *arms, VIEW.point("target", p)
 
 
 def forearm_from_level(theta, a2, a3, d1):
@@ -87,6 +143,8 @@ elbow_arm_p1 = Program(
     answer=PLACES,
     shape=(4, 3),
     right=elbow_arm.joint_positions,
+    picture=draw_places,
+    extent=0.05,
     also={
         "when θ_3 is measured from the level, not from the upper link": forearm_from_level,
         "without the height of the shoulder": lambda *n: elbow_arm.joint_positions(*n[:3]),
@@ -136,6 +194,8 @@ elbow_arm_p2 = Program(
     specials=CORNERS,
     answer=ANGLES,
     right=lambda p, a2, a3, d1: elbow_arm.inverse(p, a2, a3, d1)[0],
+    picture=draw_reach,
+    extent=0.05,
     does="elbow_arm.forward(answer, a2, a3, d1)",
     wrong={mistake: from_base(formula) for mistake, formula in WAYS.items()},
     also={
@@ -195,6 +255,8 @@ elbow_arm_p3 = Program(
     answer=ANGLES * 4,
     shape=(4, 3),
     right=elbow_arm.inverse,
+    picture=draw_four,
+    extent=0.05,
     wrong={m: from_shoulder(formula) for m, formula in WAYS.items()}
     | {M4: from_shoulder(four_alike)},
     also={"with −θ_2 where the arm faces away, not π − θ_2": not_leaning_back},

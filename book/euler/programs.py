@@ -1,6 +1,7 @@
 """Programs that students write on Euler angles."""
 
 import numpy as np
+from sympy import Matrix, prod
 
 from book.euler.exercises import (
     M6,
@@ -13,7 +14,8 @@ from book.euler.exercises import (
     regular,
     yaw_pitch_roll,
 )
-from book.euler.formulas import first, middle, third
+from book.euler.figures import LEFT, RIGHT, X, Y, Z, die
+from book.euler.formulas import first, middle, third, turned_about
 from courseware.practice import angle, matrix
 from courseware.programs.declaration import Program
 from robokin import euler
@@ -55,6 +57,16 @@ def locked_near(first, middle, third):
     return readable("XYZ", first, np.copysign(np.pi / 2, middle), third)
 
 
+def draw_dice(right, came):
+    """Draw a die as it should be turned, and as it is turned."""
+    return *die(Matrix(right), LEFT), *die(Matrix(came), RIGHT, kind="error")
+
+
+def draw_turns(*axes):
+    """Draw a die as the matrix has it, and as the angles turn it about its own axes."""
+    return lambda right, came, R: draw_dice(R, prod(map(turned_about, axes, came)))
+
+
 def cut_in_half(R):
     """Return yaw, pitch and roll by arctan of quotients, which knows half of the circle."""
     return np.arctan(R[1, 0] / R[0, 0]), -np.arcsin(R[2, 0]), np.arctan(R[2, 1] / R[2, 2])
@@ -92,6 +104,8 @@ euler_p1 = Program(
     specials=AXES_TO_AXES,
     answer=(angle("yaw"), angle("pitch"), angle("roll")),
     right=lambda R: euler.from_matrix("ZYX", R),
+    picture=draw_turns(Z, Y, X),
+    extent=1.2,
     does='euler.to_matrix("ZYX", answer)',
     wrong={M6: lambda R: euler.from_matrix("zyx", R)},
     also={
@@ -138,6 +152,8 @@ euler_p2 = Program(
     specials=QUARTERS_LEFT,
     answer=(angle("α"), angle("β"), angle("γ")),
     right=lambda R: euler.from_matrix("XYZ", R),
+    picture=draw_turns(X, Y, Z),
+    extent=1.2,
     does='euler.to_matrix("XYZ", answer)',
     wrong={M8: lambda R: [*regular("XYZ", R), 0.0]},
     also={
@@ -194,6 +210,8 @@ euler_p3 = Program(
     answer=matrix("R_AB", 3, 3),
     shape=(3, 3),
     right=lambda *turns: euler.to_matrix("ZYX", turns),
+    picture=lambda right, came, *turns: draw_dice(right, came),
+    extent=1.2,
     wrong={M6: fixed_yaw_pitch_roll, M7: left_handed},
     also={
         "with the first turn about x and the last about z": lambda *turns: euler.to_matrix(

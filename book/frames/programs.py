@@ -1,5 +1,6 @@
 """Programs that students write on chains of frames."""
 
+from book import outlines, things
 from book.frames.exercises import M9, M10, M11, M30, ONLY_HAND, POSE, numbers_of, shifted_back
 from book.frames.formulas import (
     bc_turn,
@@ -12,6 +13,7 @@ from book.frames.formulas import (
     de_x,
     de_y,
 )
+from courseware.figures import Outline, Thing
 from courseware.programs.declaration import Program
 from robokin import frames
 
@@ -51,6 +53,30 @@ def way_there(db):
     return [-x, -y, turn]
 
 
+def camera(pose, look=""):
+    """Draw the camera from above: it looks along its x axis."""
+    body = Outline(outlines.box(0.16, 0.12, -0.08, 0, 0.03), "drum_pale", "edge")
+    lens = Outline(outlines.box(0.05, 0.07, 0.02, 0, 0.01), "dark", "rim")
+    return Thing(pose, (body, lens), 0.03, look)
+
+
+def hand(pose, look=""):
+    """Draw a gripper, whose x axis goes between its fingers."""
+    return things.arm(pose, (0,), (0.25,), base="", look=look)
+
+
+def draw_joined(right, came, db, bc):
+    return camera((0, 0, 0)), things.platform(db), hand(right), hand(came, "wrong")
+
+
+def draw_back(right, came, db):
+    return things.platform((0, 0, 0)), camera(right), camera(came, "wrong")
+
+
+def draw_object(right, came, bc, db, de):
+    return hand((0, 0, 0)), things.parcel(right), things.parcel(came, look="wrong")
+
+
 JOINED = '''\
 def joined(db, bc):
     """Return the pose of c seen from d, [x, y, turn].
@@ -77,6 +103,8 @@ frames_p1 = Program(
     },
     answer=POSE,
     right=of_matrices(frames.compose),
+    picture=draw_joined,
+    extent=0.3,
     also={
         "when x and y are added although the axes of b are turned": along_d,
         "with the two poses in the opposite order": of_matrices(lambda db, bc: bc @ db),
@@ -122,6 +150,8 @@ frames_p2 = Program(
     },
     answer=POSE,
     right=of_matrices(frames.inverse),
+    picture=draw_back,
+    extent=0.3,
     wrong={M10: of_matrices(shifted_back)},
     also={
         "with −R p in place of −Rᵀp": to_world,
@@ -173,6 +203,8 @@ frames_p3 = Program(
     specials=AT_ONE_PLACE,
     answer=POSE,
     right=of_matrices(lambda bc, db, de: frames.inverse(bc) @ frames.inverse(db) @ de),
+    picture=draw_object,
+    extent=0.3,
     wrong={
         M9: of_matrices(lambda bc, db, de: db @ bc @ de),
         M10: of_matrices(lambda bc, db, de: shifted_back(bc) @ shifted_back(db) @ de),

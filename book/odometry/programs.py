@@ -1,7 +1,12 @@
 """Programs that students write on odometry."""
 
-import numpy as np
+from dataclasses import replace
 
+import numpy as np
+from sympy import Symbol, cos, sin
+from sympy import pi as half_turn
+
+from book import things
 from book.differential_drive.exercises import M12, M13
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import theta, x, y
@@ -32,6 +37,7 @@ from book.odometry.formulas import (
     y_ccw,
     y_cw,
 )
+from courseware.figures import Arrow, Curve
 from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
 from robokin import odometry
@@ -56,6 +62,24 @@ def bent(end_cw, end_ccw, side, b, *, corner=1.0, ratio_b=lambda true, _: true):
     beta = (end_ccw[0] - end_ccw[1] - end_cw.sum()) / (8 * side)
     bulge = ratio_b(true, b) * np.sin(beta / 2)
     return true, (side + bulge) / (side - bulge)
+
+
+def draw_wheels(right, came, end_cw, end_ccw, side, b):
+    """Draw the wheels of two robots, one above the other."""
+
+    def wheels(found, y, look=""):
+        distance, ratio = found
+        sides = ((1, "left2", 1), (-1, "right2", ratio))
+        return [
+            replace(
+                things.wheel((y, way * distance / 2, 0), 0.6, 0.18, stripe),
+                look=look,
+                size=b * size,
+            )
+            for way, stripe, size in sides
+        ]
+
+    return *wheels(right, 0), *wheels(came, 1.2 * b, "wrong")
 
 
 SQUARES_TEXT = (
@@ -119,6 +143,8 @@ odometry_p1 = Program(
     specials=SQUARES_SPECIALS,
     answer=(Unknown("wheel distance", "m"), Unknown("ratio")),
     right=calibrate,
+    picture=draw_wheels,
+    extent=0.4,
     also=SQUARES_SLIPS,
     hints=SQUARES_HINTS,
     solution=SQUARES_SOLUTION,
@@ -137,6 +163,26 @@ def often_round(before, after, span):
     """Return whether a counter has these readings, of which nearly half pass its end or 0."""
     apart = abs(after - before) / span
     return max(before, after) < int(span) and apart > 0.25 and abs(apart - 0.5) > 0.01
+
+
+def draw_counter(right, came, before, after, span):
+    """Draw the numbers of the counter on a circle, 0 at the right, and the way on it."""
+    part = Symbol("part", real=True)
+
+    def at(ticks, radius):
+        way = 2 * half_turn * ticks / span
+        return radius * cos(way), radius * sin(way)
+
+    ways = (
+        Curve(kind, at(before + part * ticks, radius + 0.1 * part), part, 0, 1, 200)
+        for kind, ticks, radius in (("path", right, 0.8), ("error", came, 1.05))
+    )
+    readings = (("text", before), ("target", after))
+    return (
+        Curve("ghost", at(part, 0.7), part, 0, span),
+        *(Arrow(kind, (0, 0), at(ticks, 0.65)) for kind, ticks in readings),
+        *ways,
+    )
 
 
 COUNTER_TEXT = (
@@ -202,6 +248,8 @@ odometry_p2 = Program(
     specials=COUNTER_SPECIALS,
     answer=(Unknown("ticks", "ticks"),),
     right=between,
+    picture=draw_counter,
+    extent=0,
     wrong={M25: lambda before, after, span: jumped(before, after)},
     also=COUNTER_SLIPS,
     hints=COUNTER_HINTS,
@@ -225,6 +273,13 @@ def sampled(step, roll=rolled):
 def new_heading(**step):
     """Return the pose by the rule of the new heading."""
     return one_step("end", **step)
+
+
+def draw_sample(right, came, pose, N_L, N_R, C, r, b):
+    def robot(at, look=""):
+        return replace(things.vacuum(at, look=look), size=b / 0.244)
+
+    return robot(pose, "ghost"), robot(right), robot(came, "wrong")
 
 
 SAMPLE_TEXT = (
@@ -300,6 +355,8 @@ odometry_p3 = Program(
     specials=SAMPLE_SPECIALS,
     answer=POSE,
     right=sampled(new_heading),
+    picture=draw_sample,
+    extent=0.18,
     wrong=SAMPLE_MISTAKES,
     also=SAMPLE_SLIPS,
     hints=SAMPLE_HINTS,

@@ -1,7 +1,9 @@
 """Programs that students write on the planar arm with three links."""
 
 import numpy as np
+from sympy import cos, sin
 
+from book import things
 from book.planar_arm.exercises import (
     M26,
     M27,
@@ -38,9 +40,52 @@ from book.planar_arm.formulas import (
     y,
     y_dot,
 )
+from courseware.figures import Arrow, Point
 from courseware.practice import angle
 from courseware.programs.declaration import Program
 from robokin import planar_arm
+
+SHOWN = 0.2  # s, of a motion in a picture
+
+
+def joints(theta, lengths):
+    """Return the places of the joints and of the hand, of symbols."""
+    ways = np.cumsum(theta)
+    links = [[long * cos(way), long * sin(way)] for long, way in zip(lengths, ways, strict=True)]
+    return np.vstack([[0, 0], np.cumsum(links, axis=0)])
+
+
+def draw_arms(right, came, lengths):
+    """Draw the arm with angles as they should be, and as they are."""
+    return *things.links(joints(right, lengths)), *things.links(joints(came, lengths), "wrong")
+
+
+def draw_rates(right, came, theta, twist, lengths):
+    start = joints(theta, lengths)
+    hand = start[-1]
+    return (
+        *things.links(start, "ghost"),
+        *draw_arms(theta + SHOWN * right, theta + SHOWN * came, lengths),
+        Arrow("velocity", hand, hand + SHOWN * twist[:2]),
+    )
+
+
+def draw_pose(right, came, pose, lengths):
+    ahead = 0.15 * np.array([cos(pose[2]), sin(pose[2])])
+    wanted = Arrow("target", pose[:2] - ahead, pose[:2])
+    return *draw_arms(right, came, lengths), wanted, Point("target", pose[:2])
+
+
+def draw_hand(right, came, theta, rates, lengths):
+    """Draw how the hand moves, and on as it turns."""
+    places = joints(theta, lengths)
+    start = np.array([*places[-1], sum(theta)])
+    moved = {"": start + SHOWN * right, "wrong": start + SHOWN * came}
+    hands = (things.arm(at, (0,), (0.12,), base="", look=look) for look, at in moved.items())
+    kinds = zip(("velocity", "error"), moved.values(), strict=True)
+    arrows = (Arrow(kind, places[-1], at[:2]) for kind, at in kinds)
+    return *things.links(places, "ghost"), *hands, *arrows
+
 
 IN_VELOCITY = (M26, M27, M28, M36, M37)
 IN_ROWS = {f"when {OWN_RATES}": OWN, OWN_RATES_IN_X: OWN_IN_X}
@@ -159,6 +204,8 @@ planar_arm_p1 = Program(
     },
     answer=RATES,
     right=planar_arm.joint_rates,
+    picture=draw_rates,
+    extent=0.1,
     wrong={m: rates_by(m.formula) for m in (*IN_VELOCITY, M29)},
     also={words: rates_by(made) for words, made in IN_ROWS.items()} | STILL,
     hints=(
@@ -210,6 +257,8 @@ planar_arm_p2 = Program(
     specials=AT_LIMITS,
     answer=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     right=row(both_arms, 0),
+    picture=draw_pose,
+    extent=0.1,
     does="np.hstack([planar_arm.forward(answer, lengths)[:2], "
     "np.cos(answer.sum()), np.sin(answer.sum())])",
     also={words: row(formula, 0) for words, formula in ASTRAY.items()},
@@ -269,6 +318,8 @@ planar_arm_p3 = Program(
     },
     answer=TWIST,
     right=planar_arm.velocity,
+    picture=draw_hand,
+    extent=0.1,
     wrong={m: velocity_by(m.formula) for m in IN_VELOCITY},
     also={words: velocity_by(made) for words, made in IN_ROWS.items()},
     hints=(

@@ -1,8 +1,13 @@
 """Programs that students write on wheels and the omni robot."""
 # ruff: noqa: E741  (l is the field's own name)
 
-import numpy as np
+from dataclasses import replace
 
+import numpy as np
+from sympy import cos, sin
+from sympy import pi as half_turn
+
+from book import things
 from book.differential_drive.formulas import r
 from book.motion.formulas import omega, theta, v, v_y, x_dot, y_dot
 from book.wheels.exercises import (
@@ -19,7 +24,8 @@ from book.wheels.exercises import (
     ways,
     wrong_rows,
 )
-from book.wheels.formulas import alpha, beta, gamma, l, omni_rates
+from book.wheels.formulas import alpha, beta, gamma, l, omni_rates, omni_world
+from courseware.figures import Arrow
 from courseware.practice import Unknown
 from courseware.programs.declaration import Program
 from robokin import motion, wheels
@@ -45,7 +51,31 @@ def of_rates(function):
     )
 
 
+def omni_robot(pose, spoke, look=""):
+    """Draw the omni robot with spokes of any length."""
+    return replace(things.omni_robot(pose, look=look), size=spoke / 0.18)
+
+
+def draw_motion(right, came, theta, spoke):
+    """Draw a velocity in the world as the way of half a second."""
+    start = np.array([0, 0, theta])
+    return (
+        omni_robot(start, spoke, "ghost"),
+        omni_robot(start + right / 2, spoke),
+        omni_robot(start + came / 2, spoke, "wrong"),
+        Arrow("velocity", (0, 0), right[:2] / 2),
+        Arrow("error", (0, 0), came[:2] / 2),
+    )
+
+
 # --- p1 --------------------------------------------------------------------------------------
+
+
+def draw_wanted(right, came, wanted, heading, spoke, radius):
+    """Draw the motion that rates make."""
+    made = dict(zip(omni_rates, came, strict=True)) | {theta: heading, l: spoke, r: radius}
+    return draw_motion(wanted, np.array(omni_world.substitute(made)).ravel(), heading, spoke)
+
 
 OMNI_TEXT = (
     "You can tell the motion from the rates. Go back: which rates give a motion that is wanted in "
@@ -110,6 +140,8 @@ wheels_p1 = Program(
     specials=OMNI_SPECIALS,
     answer=RATES,
     right=of_robot(rates),
+    picture=draw_wanted,
+    extent=0.26,
     wrong={mistake: of_robot(function) for mistake, function in OMNI_MISTAKES.items()},
     also={words: of_robot(function) for words, function in OMNI_SLIPS.items()},
     hints=OMNI_HINTS,
@@ -129,6 +161,18 @@ def swedish_by(mistake):
     """Return the rate by a mistake in the rolling row, which is turned by gamma."""
     return lambda twist, l, alpha, beta, gamma, r: (
         wrong_rows(mistake, l, alpha, beta + gamma, 0.0)[0] @ twist / (r * np.cos(gamma))
+    )
+
+
+def draw_wheel(right, came, twist, spoke, alpha, beta, gamma, r):
+    """Draw how far the wheel rolls in a second, along its rolling direction."""
+    x, y, way = spoke * cos(alpha), spoke * sin(alpha), alpha + beta - half_turn / 2
+    ends = [(x + r * rate * cos(way), y + r * rate * sin(way)) for rate in (right, came)]
+    return (
+        omni_robot((0, 0, 0), spoke, "ghost"),
+        replace(things.wheel((x, y, way), 0.1, 0.04, "left2"), size=r / 0.05),
+        Arrow("velocity", (x, y), ends[0]),
+        Arrow("error", (x, y), ends[1]),
     )
 
 
@@ -200,6 +244,8 @@ wheels_p2 = Program(
     specials=SWEDISH_SPECIALS,
     answer=(Unknown("rate", "rad/s"),),
     right=swedish,
+    picture=draw_wheel,
+    extent=0.26,
     wrong={mistake: swedish_by(mistake) for mistake in (M19, M34, M35)},
     also=SWEDISH_SLIPS,
     hints=SWEDISH_HINTS,
@@ -274,6 +320,8 @@ wheels_p3 = Program(
     specials=MOTION_SPECIALS,
     answer=VELOCITY,
     right=of_rates(forward),
+    picture=lambda right, came, rates, theta, spoke, r: draw_motion(right, came, theta, spoke),
+    extent=0.26,
     wrong={mistake: of_rates(function) for mistake, function in MOTION_MISTAKES.items()},
     also={words: of_rates(function) for words, function in MOTION_SLIPS.items()},
     hints=MOTION_HINTS,

@@ -98,7 +98,7 @@ class Compiler:
         """Return the object that the script draws; the readouts' numbers come first."""
         figure = self.figure
         turned_by = f"dragging the ground of {figure.name}"
-        return {
+        data = {
             "name": figure.name,
             "title": figure.title,
             "size": figure.size,
@@ -114,12 +114,14 @@ class Compiler:
             "buttons": list(map(self.compile_button, figure.buttons)),
             "goals": list(map(self.compile_goal, figure.goals)),
             "follow": self.add(*coordinates(figure.follow)) or None,
+            "contain": self.add(*coordinates(*figure.contain)) or None,
             "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
             "steps": self.list_quantities(),
             "recurrences": list(map(self.compile_recurrence, self.recurrences)),
             "where": compile_javascript({"c": self.before_where}, self.named, figure.where),
             "compute": self._compile(self.expressions),
         }
+        return {key: value for key, value in data.items() if value is not None}
 
     def add(self, *expressions: Any) -> list[int]:
         """Add expressions to be computed; return their places in the list of values."""

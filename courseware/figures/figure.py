@@ -62,6 +62,7 @@ class Figure:
         ground: one of the course's grounds instead of the grid; tiles have a scale bar.
         goal: a Goal for the reader or several; none is reached at the start.
         follow: a point that the view moves along with, so that it stays inside.
+        contain: places that the view fits round; then `view` is its form.
         size: "step" or "laboratory", or "" for a larger one. With all that stands beside the
             picture, a step is at most 480 pixels high on a laptop and 560 on a phone, a laboratory
             800 on a laptop. Too high: make `view` flatter, or move and show less.
@@ -82,6 +83,7 @@ class Figure:
     ground: str = ""
     goal: Goal | tuple[Goal, ...] = ()
     follow: Place = ()
+    contain: tuple[Place, ...] = ()
     size: str = "step"
 
     def __post_init__(self) -> None:

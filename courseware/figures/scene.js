@@ -79,3 +79,9 @@ export const renderPicture = (figure, state = startState(figure), width = widthO
     + `<g role="img" aria-label="${escapeHtml(describeFigure(figure, state, computed))}">`
     + `${renderNodes(renderScene(figure, computed, width, state))}</g></svg>`;
 };
+
+// For a program's verdict: the figure has one choice, with one option, all numbers.
+export const renderAnswer = (figure, numbers) => {
+  figure.controls[0].options[0].values = numbers;
+  return `<figure class="rk-answer">${renderPicture(figure)}<figcaption>${figure.title}</figcaption></figure>`;
+};

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{ name, title, view, controls, handles, readouts, sentence, steps, recurrences, where,
- *   compute, scene, goals, size, viewAngles?, grid?, follow? }} Figure made by compiler.py
+ *   compute, scene, goals, size, viewAngles?, grid?, follow?, contain? }} Figure made by compiler.py
  * @typedef {{ type, key, label, unit, factor, low, high, start, step, digits }} Control in its shown unit
  * @typedef {(number | [string, number])[]} State what each control shows; of turns, see quarter_turns.js
  * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[], ink? }} Computed
@@ -34,17 +34,26 @@ export const compute = (figure, given) => {
   const ended = given.concat(...trails.map((states) => states[states.length - 1]));
   const c = ended.concat(figure.where(functions, ended));
   const values = figure.compute(functions, c);
-  return { c, trails, values, view: followView(figure, values) };
+  return { c, trails, values, view: findView(figure, values) };
 };
 
-// The window on the world: it moves along with a point, once that comes near an edge.
-const followView = ({ view, follow }, values) => {
+// The window on the world: it fits places into it, or moves along with a point that comes near an edge.
+const findView = ({ view, follow, contain }, values) => {
+  if (contain) return fitView(view, contain.map((index) => values[index]));
   if (!follow) return view;
   return view.map((edge, k) => {
     const axis = k >> 1, [low, high] = view.slice(2 * axis, 2 * axis + 2), free = 0.2 * (high - low);
     const at = values[follow[axis]];
     return edge + at - Math.min(high - free, Math.max(low + free, at));
   });
+};
+
+// The form of the window stays.
+const fitView = (view, at) => {
+  const ends = [0, 1].map((axis) => at.filter((_, k) => k % 2 === axis)).map((all) => [Math.min(...all), Math.max(...all)]);
+  const sizes = [view[1] - view[0], view[3] - view[2]];
+  const times = 1.2 * Math.max(...ends.map(([low, high], axis) => (high - low) / sizes[axis]));
+  return ends.flatMap(([low, high], axis) => [-1, 1].map((side) => (low + high + side * times * sizes[axis]) / 2));
 };
 
 // In addresses and notebooks a choice is the name of its option, and turns are their presses.

@@ -42,6 +42,9 @@ class Program:
         does: where several answers are right, what is compared instead: an expression of `answer`,
             the arguments' names, `np` and the library's modules.
         shape: of a matrix.
+        picture: function of the right answer, the student's, and the arguments, all as arrays of
+            symbols → the shapes and things of the picture that shows both.
+        extent: how far a thing in it reaches from its place, in its own metres.
         hints: the first says least.
     """
 
@@ -52,6 +55,8 @@ class Program:
     symbols: tuple[NamedSymbol, ...]
     answer: tuple[Unknown, ...]
     right: Function
+    picture: Function
+    extent: float
     solution: str
     hints: tuple[str, ...]
     arguments: Function = field(default=lambda *numbers: numbers)

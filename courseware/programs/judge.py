@@ -59,13 +59,17 @@ class Verdict:
     """The judgement of a program. Its text is for the student.
 
     lines: of the text; those that begin with a blank are code. mistakes: names, M15, or words.
-    revealed: whether a right value stands in the text.
+    revealed: whether a right value stands in the text. numbers: of the picture that shows what is
+    wrong: the right answer, the one that came, the input; none where one is no number. picture: of
+    these, as HTML, where there is something that draws.
     """
 
     right: bool
     lines: tuple[str, ...]
     mistakes: tuple[str, ...] = ()
     revealed: bool = False
+    numbers: tuple[float, ...] = ()
+    picture: str = ""
 
     def __str__(self) -> str:
         return "\n".join(self.lines)
@@ -78,7 +82,8 @@ class Verdict:
             for line in self.lines
         )
         kind = "right" if self.right else "wrong"
-        return f'<div class="rk-judged rk-{kind}" role="status">{"".join(parts)}</div>'
+        text = f'<div class="rk-judged rk-{kind}" role="status">{"".join(parts)}</div>'
+        return text + self.picture
 
 
 def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
@@ -263,7 +268,15 @@ def refuse_answer(
             "On all ordinary inputs it is right: give this case a branch of its own, or "
             "find a form without it."
         )
-    return refuse(stored, place, lines, mistakes=tuple(k["name"] for k in known), revealed=shows)
+    numbers = np.hstack([right, came, *map(np.ravel, case["arguments"])])
+    return refuse(
+        stored,
+        place,
+        lines,
+        mistakes=tuple(k["name"] for k in known),
+        revealed=shows,
+        numbers=tuple(numbers.tolist()) if np.isfinite(numbers).all() else (),
+    )
 
 
 def describe(came: Any, case: Stored, stored: Stored, digits: int) -> str:

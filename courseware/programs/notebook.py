@@ -2,12 +2,14 @@
 
 import json
 from collections import Counter
+from dataclasses import replace
 from html import escape
 from typing import Any
 
 from courseware.practice.formatting import render_paragraphs
 from courseware.programs import judge
 from courseware.programs.declaration import Program, find_program
+from courseware.programs.picture import render_answer
 from courseware.programs.storing import store
 
 MIME = "application/vnd.courseware.program+json"
@@ -25,6 +27,8 @@ class ProgramBox:
         name = self.program.name
         verdict = judge.check(function, store(self.program), _revealed[name])
         _revealed[name] += verdict.revealed
+        if verdict.numbers:
+            verdict = replace(verdict, picture=render_answer(self.program, verdict.numbers))
         return verdict
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:

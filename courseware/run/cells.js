@@ -83,8 +83,14 @@ class Cell {
     this.reset.hidden = false;
   }
 
+  async showAnswer(numbers) {
+    const out = this.fresh, { default: figure } = await import(`../programs/${this.program}.js`);
+    out.insertAdjacentHTML("beforeend", courseware.renderAnswer(figure, numbers));
+  }
+
   show(kind, text) {
     const out = this.fresh;
+    if (kind === "answer") return this.showAnswer(JSON.parse(text));
     if (kind === "text/html" || kind === "image/svg+xml") {
       out.insertAdjacentHTML("beforeend", `<div class="output">${text}</div>`);
     } else if (kind === "image/png") {

@@ -23,6 +23,7 @@ PRINT_LIMIT = 20_000  # characters of text in a run, more than a page can show
 OUTPUT_LIMIT = 40  # values and pictures in a run
 MORE = "\n… and more, which is not shown\n"
 STREAMS = ("stdout", "stderr")
+ANSWER = "answer"  # the numbers of a wrong answer's picture, which the page draws
 PICTURES = ("image/png", "image/svg+xml")
 # of these the first that a value has is shown
 SHOWN = (*PICTURES, "text/html", "text/latex", "text/plain")
@@ -143,6 +144,8 @@ class Cells:
         program = json.loads(stored)
         verdict = judge.check(alone.names.get(program["function"]), program, revealed)
         alone.display(verdict)
+        if verdict.numbers:
+            alone.output(ANSWER, json.dumps(verdict.numbers))
         return True, verdict.revealed
 
     def display(self, *values: Any) -> None:

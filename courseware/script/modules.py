@@ -12,7 +12,8 @@ from courseware.errors import CourseError
 IMPORT = re.compile(r'^import \{([^}]*)\} from "([^"]+)";\n', re.MULTILINE)
 DECLARATION = re.compile(r"^(export )?(?:const|let|class|(?:async )?function) (\w+)", re.MULTILINE)
 OTHER = re.compile(r"^(?:import|export)\b(?! (?:const|let|class|async|function) ).*", re.MULTILINE)
-COMMENT = re.compile(r"^ *(?://.*|/\*\*(?:.|\n)*?\*/)?\n", re.MULTILINE)  # or an empty line
+# what the browser does not need: comments, empty lines, the space before others
+SPARE = re.compile(r"^ *(?://.*|/\*\*(?:.|\n)*?\*/)?\n|^ +", re.MULTILINE)
 
 
 def join_modules(entries: Iterable[str], read: Callable[[str], str]) -> str:
@@ -54,7 +55,7 @@ class _Joined:
             self._refuse_missing(names.replace(",", " ").split(), target, path)
         body = IMPORT.sub("", text)
         self._declare(path, body)
-        self.bodies.append(COMMENT.sub("", re.sub("^export ", "", body, flags=re.MULTILINE)))
+        self.bodies.append(SPARE.sub("", re.sub("^export ", "", body, flags=re.MULTILINE)))
 
     def _refuse_missing(self, names: list[str], target: str, path: str) -> None:
         if missing := ", ".join(name for name in names if name not in self.exports[target]):

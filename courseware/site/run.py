@@ -18,6 +18,7 @@ from courseware import run
 from courseware.errors import CourseError
 from courseware.programs.declaration import all_programs
 from courseware.programs.notebook import serialize
+from courseware.programs.picture import answer_figure
 from courseware.site.assets import wheel_name, write_static
 
 NEEDED = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
@@ -65,6 +66,8 @@ def write_files(app: Sphinx, env: Any) -> None:
     write_static(app, "run/settings.json", json.dumps(settings))
     for name, program in all_programs().items():
         write_static(app, f"programs/{name}.json", serialize(program))
+        code = answer_figure(program).code
+        write_static(app, f"programs/{name}.js", f"export default {code};\n")
     if folder:
         copy_python(folder, Path(app.outdir) / "_static" / FOLDER)
 

@@ -13,7 +13,9 @@ from courseware import practice
 from courseware.errors import CourseError
 from courseware.programs import judge
 from courseware.programs.declaration import all_programs
+from courseware.programs.picture import answer_figure, render_answer
 from courseware.programs.storing import could_be_dealt, store
+from courseware.script import engine
 
 PROGRAMS = all_programs()
 STEP = PROGRAMS["bicycle-p1"]
@@ -68,6 +70,51 @@ def test_each_mistake_is_named_by_its_answers(name):
         found = judge.find_known(function, np.array(known["answers"]), stored)
         if "taken for degrees" not in known["name"]:
             assert known["name"] in [each["name"] for each in found], known["name"]
+
+
+@EACH
+def test_a_picture_shows_the_right_answer_and_the_one_that_came(name):
+    """All that it draws is in its window."""
+    program = PROGRAMS[name]
+    right, came, given = wrong_answer(program)
+    drawn, good = (render_answer(program, (*right, *each, *given)) for each in (came, right))
+    assert drawn != good
+    assert "NaN" not in drawn
+    shown = engine.run(
+        "((figure, numbers) => { courseware.renderAnswer(figure, numbers); const state = "
+        "courseware.startState(figure); return courseware.compute(figure, "
+        "courseware.settings(figure, state)); })"
+        f"({answer_figure(program).code}, {[*right, *came, *given]})"
+    )
+    x_low, x_high, y_low, y_high = shown["view"]
+    at = np.take(shown["values"], answer_figure(program).compiled["contain"]).reshape(-1, 2)
+    assert (at > [x_low, y_low]).all()
+    assert (at < [x_high, y_high]).all()
+
+
+def wrong_answer(program):
+    """Right numbers, those of a known mistake, and an input on which they are far apart."""
+    stored = store(program)
+    for known in stored["known"]:
+        for case, came in zip(judge.ordinary(stored), known["answers"], strict=True):
+            right = np.array(case["right"])
+            if not judge.same(np.array(came), right, case, stored, 1e4):
+                return case["right"], came, np.hstack([*map(np.ravel, case["arguments"])]).tolist()
+    raise AssertionError("no mistake is wrong")
+
+
+def test_a_verdict_has_the_numbers_of_its_picture():
+    wrong = judged(STEP, STEP.solution.replace("y + chord", "y - chord"))
+    case = store(STEP)["cases"][0]
+    assert wrong.numbers[:3] == tuple(case["right"])
+    assert wrong.numbers[6:] == (*case["arguments"][0], *case["arguments"][1:])
+    assert judged(STEP, STEP.starter).numbers == (), "nothing came"
+    assert step("return pose / 0").numbers == (), "no number came"
+    assert judged(STEP, STEP.solution).numbers == ()
+    shown = practice.program("bicycle-p1").check(load(STEP.starter, "car_step"))
+    assert "rk-answer" not in shown._repr_html_()
+    shown = practice.program("bicycle-p1").check(lambda pose, v, phi, L, dt: pose)
+    assert 'class="rk-answer"><svg' in shown._repr_html_()
 
 
 @pytest.mark.slow

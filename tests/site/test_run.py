@@ -12,6 +12,7 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -275,26 +276,53 @@ def test_a_slash_is_typed_into_a_cell_and_ctrl_k_opens_the_search(blocked):
     assert page.locator("#pst-search-dialog input").input_value() == "m/s"
 
 
-# a worker that has its Python at once: what a cell says is what it gives, in as many messages
+# a worker that has its Python at once, and what it says of a cell
 WORKER = """onmessage = ({ data }) => {
   if (data.settings) return postMessage({ ready: true });
-  for (let k = 0; k < 20_000; k += 1) postMessage({ cell: data.cell, kind: "stdout", text: "x" });
+  const say = (kind, text) => postMessage({ cell: data.cell, kind, text });
+  SAYS;
   postMessage({ cell: data.cell, ended: true });
 };"""
 
 
-@pytest.fixture
-def flooded(server, chromium):
-    """A page of a browser that agreed once, whose Python is `WORKER`."""
+@contextmanager
+def with_worker(server, chromium, says):
+    """A page of a browser that agreed once, whose Python says this of every cell."""
     with watched_page(chromium, server) as (page, watch):
         page.add_init_script("localStorage.setItem('courseware-run', 'yes')")
         page.context.route(
             "**/run/worker.js*",
-            lambda route: route.fulfill(body=WORKER, content_type="text/javascript"),
+            lambda route: route.fulfill(
+                body=WORKER.replace("SAYS", says), content_type="text/javascript"
+            ),
         )
-        page.goto(server + PAGE)
         yield page
         assert not watch.errors + watch.strangers
+
+
+@pytest.fixture
+def flooded(server, chromium):
+    with with_worker(
+        server, chromium, "for (let k = 0; k < 20_000; k++) say('stdout', 'x')"
+    ) as page:
+        page.goto(server + PAGE)
+        yield page
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("width", [390, 1280])
+def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium, width):
+    """By the page's own script, in its colours; the picture is no wider than the page."""
+    numbers = [2, 1, 0.5, 2, -1, 0.5, 0, 0, 0, 1, 0.2, 2.5, 1]  # right, came; pose, v, phi, L, dt
+    with with_worker(server, chromium, f"say('answer', '{numbers}')") as page:
+        page.set_viewport_size({"width": width, "height": 800})
+        page.goto(f"{server}bicycle/bicycle.html")
+        page.get_by_role("button", name="Check cell").first.click()
+        answer = page.locator(".rk-fresh .rk-answer")
+        answer.get_by_text("What is right, and in red what came.").wait_for()
+        box = answer.locator("svg").bounding_box()
+        assert 0 < box["x"] < box["x"] + box["width"] < width
+        assert answer.locator("[style*='#rk-hatch']").count() == 1
 
 
 @pytest.mark.browser

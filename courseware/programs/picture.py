@@ -14,7 +14,7 @@ from courseware.programs.declaration import Program
 from courseware.programs.storing import store
 from courseware.script import engine
 
-WORDS = "What is right, and in red what came."
+WORDS = "What is right, and in red what your function gives."
 
 
 @cache

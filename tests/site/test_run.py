@@ -317,9 +317,9 @@ def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium, width):
     with with_worker(server, chromium, f"say('answer', '{numbers}')") as page:
         page.set_viewport_size({"width": width, "height": 800})
         page.goto(f"{server}bicycle/bicycle.html")
-        page.get_by_role("button", name="Check cell").first.click()
+        page.get_by_text("Check", exact=True).first.click()
         answer = page.locator(".rk-fresh .rk-answer")
-        answer.get_by_text("What is right, and in red what came.").wait_for()
+        answer.get_by_text("What is right, and in red what your function gives.").wait_for()
         box = answer.locator("svg").bounding_box()
         assert 0 < box["x"] < box["x"] + box["width"] < width
         assert answer.locator("[style*='#rk-hatch']").count() == 1

@@ -305,6 +305,11 @@ COMPASS_MISTAKES = {
     M33: compass_step(lambda theta, v_F, phi: 2 * [v_F * np.cos(theta + phi)]),
 }
 COMPASS_SLIPS = {
+    "when the direction of the front wheel is changed, along ψ + φ, where the turn is wrong": (
+        compass_step(
+            lambda theta, v_F, phi: [v_F * np.cos(theta - phi), v_F * np.sin(theta - phi)], sense=1
+        )
+    ),
     "when the front wheel points to the wrong side, along ψ + φ": compass_step(
         lambda theta, v_F, phi: [v_F * np.cos(theta - phi), v_F * np.sin(theta - phi)]
     ),

@@ -112,6 +112,9 @@ PLACE_SLIPS = {
     "for the speeds of the wheels; the division by r is missing": lambda place, dt, r, b: (
         r * arc_rates(place, dt, r, b)
     ),
+    "with x and y exchanged in arctan2: y comes first": lambda place, *given: arc_rates(
+        place[::-1], *given
+    ),
     "when it takes one second, whatever dt is": lambda place, dt, r, b: arc_rates(place, 1, r, b),
 }
 
@@ -145,6 +148,12 @@ def slowed(v, omega, r, b, top, *, largest=lambda rates: np.abs(rates).max(), ab
     rates = differential_drive.wheel_rates(v, omega, r, b)
     size = largest(rates)
     return rates * (top / size if size > above * top else 1.0)
+
+
+def only_speed(v, omega, r, b, top):
+    """Return rates of which v alone was slowed down."""
+    largest = np.abs(differential_drive.wheel_rates(v, omega, r, b)).max()
+    return differential_drive.wheel_rates(v * min(1, top / largest), omega, r, b)
 
 
 def cut(v, omega, r, b, top):
@@ -193,6 +202,7 @@ LIMIT_SPECIALS = {
     "one wheel at rest": {v: 0.25, omega: 1.0, b: 0.5},
 }
 LIMIT_SLIPS = {
+    "when only v is slowed down: the path gets another shape": only_speed,
     "when each wheel is cut off alone: the path gets another shape": cut,
     "when slow wheels are made faster, up to the top rate": lambda *given: slowed(*given, above=0),
     "when a wheel that turns backwards is never too fast": lambda *given: slowed(

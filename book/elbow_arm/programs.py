@@ -132,7 +132,8 @@ elbow_arm_p1 = Program(
     "elbow-arm-p1",
     title="Where are the joints?",
     text="Where are the four points of the arm? Each row of the answer is a point [x, y, z]: "
-    "the base at the origin, the shoulder above it, the elbow, the wrist.",
+    "the base at the origin, the shoulder above it, the elbow, the wrist. θ_2 is 0 where the upper "
+    "link is level, θ_3 is 0 where the arm is straight; both grow upwards.",
     starter=PLACES_OF,
     symbols=(theta1, theta2, theta3, a2, a3, d1),
     arguments=lambda theta1, theta2, theta3, a2, a3, d1: ([theta1, theta2, theta3], a2, a3, d1),
@@ -183,7 +184,8 @@ elbow_arm_p2 = Program(
     "elbow-arm-p2",
     title="One arm that reaches the point",
     text="Write the way back: which joint angles bring the wrist to p? There are several answers, "
-    "and each of them is right. Every p is within reach. A stretched arm, a folded arm and a point "
+    "and each of them is right. The angles are those of Where are the joints? Every p is within "
+    "reach. A stretched arm, a folded arm and a point "
     "on the base axis must work, too. On the way, rounding can make a cosine of "
     "1.0000000000000002, which no angle has.",
     starter=JOINT_ANGLES,

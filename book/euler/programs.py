@@ -77,6 +77,11 @@ def as_at_plus(R):
     return [np.arctan2(R[1, 0], R[1, 1]), R[0, 2] * np.pi / 2, 0.0]
 
 
+def by_entry(*turns):
+    """Return the product of each entry of three matrices."""
+    return np.prod([euler.to_matrix("ZYX", turns * only) for only in np.eye(3)], axis=0)
+
+
 def left_handed(alpha, beta, gamma):
     """M7 in three turns."""
     return yaw_pitch_roll(**all_wrong_way(yaw=alpha, pitch=beta, roll=gamma))
@@ -110,6 +115,9 @@ euler_p1 = Program(
     wrong={M6: lambda R: euler.from_matrix("zyx", R)},
     also={
         "with arctan, which knows half of the circle; arctan2 knows all of it": cut_in_half,
+        "with sine and cosine exchanged in arctan2: the sine comes first": lambda R: (
+            np.pi / 2 - euler.from_matrix("ZYX", R)
+        ),
         "with the pitch of the other sign": lambda R: euler.from_matrix("ZYX", R) * [1, -1, 1],
         "with the formulas of the sequence XYZ": lambda R: euler.from_matrix("XYZ", R),
         "for the transposed matrix, A as seen from B": lambda R: euler.from_matrix("ZYX", R.T),
@@ -217,6 +225,7 @@ euler_p3 = Program(
         "with the first turn about x and the last about z": lambda *turns: euler.to_matrix(
             "XYZ", turns
         ),
+        "when matrices are multiplied entry by entry: * does that, @ is their product": by_entry,
     },
     hints=(
         "Try it with one angle that is not zero, then with two.",

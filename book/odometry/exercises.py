@@ -107,9 +107,10 @@ M25 = Mistake(
     feedback="when the counter wrapped round and its jump is taken for a huge step the other way",
     formula=WrongFormula(formulas.counter_step, instead=DIFFERENCE),
     line="D = 2 * np.pi * r / C * (after - before)",
-    why="A counter of 16 bits shows 0 after 65535, as a clock shows 0:00 after 23:59. "
-    "The difference then lacks 65536 ticks: a small step forward looks like a huge step back. "
-    "Turning backward past 0 it has 65536 too many. Of the two ways round, take the shorter.",
+    why="After its last number a counter shows 0, as a clock shows 0:00 after 23:59. Then the "
+    "difference lacks a whole round, 65536 ticks in a counter of 16 bits: a small step forward "
+    "looks like a huge step back. Backward past 0 it has a round too many. Of the two ways round, "
+    "take the shorter.",
     unnoticed="As long as the counter does not pass its end: in every short test.",
     picture=Picture(
         "wrong-poses",

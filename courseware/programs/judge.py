@@ -36,6 +36,13 @@ SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the le
 STEPS = 2_000_000  # of Python in one call: more is an endless loop
 REVEALED = 3  # right values shown; then only whether a number is too large or too small
 KNOWN = "This is what you get {}."
+ERRORS = {
+    ZeroDivisionError: "Something is divided by 0: has this input a case of its own?",
+    RecursionError: "The function calls itself without an end.",
+    TypeError: "What the line works on is of another kind than it takes: often None, or a list in "
+    "place of an array.",
+    IndexError: "There are fewer places than that; the first has the number 0.",
+}
 SLIPS: dict[str, Callable[[Any, Stored], Any]] = {
     "with the sign the other way round": lambda right, _: -right,
     "with twice the right value": lambda right, _: 2 * right,
@@ -251,7 +258,8 @@ def refuse_answer(
     lines = [describe(came, case, stored, digits)]
     if shows:
         example = ", for example," if stored["does"] else ""
-        lines.append(f"Right is{example} {format_answer(right, stored, digits)}.")
+        right_is = f"Right is{example} {format_answer(right, stored, digits)}."
+        lines.append(right_is + describe_rows(came, right, stored))
     else:
         lines.append(describe_sides(came, right, stored))
     answers = all_answers(function, stored)
@@ -289,6 +297,17 @@ def describe(came: Any, case: Stored, stored: Stored, digits: int) -> str:
             "to which rounding is enough (np.clip limits a number)."
         )
     return words
+
+
+def describe_rows(came: Any, right: Any, stored: Stored) -> str:
+    """Say which rows of a matrix are wrong, unless all are, or another answer could be right."""
+    if len(stored["shape"]) < 2 or stored["does"]:
+        return ""
+    far = apart(came, right, stored) > stored["tolerance"]
+    wrong = np.flatnonzero(far.reshape(stored["shape"]).any(axis=1))
+    if len(wrong) == stored["shape"][0]:
+        return ""
+    return f" Wrong: row{'s' * (len(wrong) > 1)} {', '.join(map(str, wrong))}, counted from 0."
 
 
 def describe_sides(came: Any, right: Any, stored: Stored) -> str:
@@ -402,7 +421,8 @@ def describe_error(error: Exception, function: Any) -> str:
     file = function.__code__.co_filename
     steps = [s for s in traceback.extract_tb(error.__traceback__) if s.filename == file]
     where = f"Line {steps[-1].lineno}, `{steps[-1].line}`: " if steps and steps[-1].line else ""
-    return f"{where}{type(error).__name__}: {error}."
+    words = [words for kind, words in ERRORS.items() if isinstance(error, kind)]
+    return " ".join([f"{where}{type(error).__name__}: {error}.", *words])
 
 
 # --- right -----------------------------------------------------------------------------------

@@ -111,9 +111,9 @@ def test_a_verdict_has_the_numbers_of_its_picture():
     assert judged(STEP, STEP.starter).numbers == (), "nothing came"
     assert step("return pose / 0").numbers == (), "no number came"
     assert judged(STEP, STEP.solution).numbers == ()
-    shown = practice.program("bicycle-p1").check(load(STEP.starter, "car_step"))
-    assert "rk-answer" not in shown._repr_html_()
-    shown = practice.program("bicycle-p1").check(lambda pose, v, phi, L, dt: pose)
+    box = practice.program("odometry-p2")
+    assert "rk-answer" not in box.check(lambda before, after, span: None)._repr_html_()
+    shown = box.check(lambda before, after, span: after - before)
     assert 'class="rk-answer"><svg' in shown._repr_html_()
 
 
@@ -208,6 +208,26 @@ def test_an_input_that_an_exercise_deals_is_none():
     dealt = [{1.0, 2.0}, {2.0, 3.0}]
     assert could_be_dealt({x: 1.0, y: 3.0, L: 7.0}, dealt)
     assert not could_be_dealt({x: 2.0, y: 5.0, L: 7.0}, dealt), "one number is not two"
+
+
+def test_the_rows_of_a_matrix_that_are_wrong_are_told():
+    program = PROGRAMS["elbow-arm-p1"]
+    wrong = program.solution.replace("z3 = r2 +", "z3 = r2 -").replace("z2 + a3", "z2 - a3", 1)
+    assert "Wrong: row 3, counted from 0." in str(judged(program, wrong))
+    assert "Wrong: row" not in str(judged(program, "def places(theta, *_): return np.ones((4, 3))"))
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("return 1 / 0", "has this input a case of its own?"),
+        ("return car_step(pose, v, phi, L, dt)", "calls itself without an end"),
+        ("return pose + None", "of another kind than it takes"),
+        ("return pose[3]", "the first has the number 0"),
+    ],
+)
+def test_usual_errors_are_explained(line, words):
+    assert words in str(step(line))
 
 
 def test_what_is_no_function_is_said_so():

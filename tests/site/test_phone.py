@@ -6,6 +6,9 @@ import re
 import pytest
 from browser import ROOT, wait_until_drawn, watched_page
 
+import book  # noqa: F401 (opens the course)
+from courseware.course import course
+
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
@@ -27,6 +30,23 @@ WRAPPED = """
     return [{ torn, far: (place.left - places[0].left) / places[0].width }];
   });
 })
+"""
+
+
+# chapters whose cells draw; two of them each time
+PICTURED = [
+    pytest.param(name, marks=[pytest.mark.slow] * (name not in ("odometry", "elbow_arm")))
+    for name in course().taught
+    if "image/png" in course().notebook(name).read_text("utf-8")
+]
+# of each: width by height, as it is shown and as it was drawn; whether it fits
+SQUEEZED = """
+() => Promise.all([...document.querySelectorAll(".cell_output img")].map(async (img) => {
+  img.loading = "eager";
+  await img.decode();
+  const { width, height } = img.getBoundingClientRect();
+  return [width / height, img.naturalWidth / img.naturalHeight, width <= innerWidth];
+}))
 """
 
 
@@ -79,3 +99,13 @@ def test_a_link_leads_to_its_place_at_once_and_stays_there(place, chromium, serv
         assert head <= page.evaluate(FROM_TOP, place) < head + 20
         wait_until_drawn(page)
         assert head <= page.evaluate(FROM_TOP, place) < head + 20
+
+
+@pytest.mark.parametrize("name", PICTURED)
+def test_the_pictures_of_cells_keep_their_shape(name, page, server):
+    page.goto(f"{server}{name}/{name}.html")
+    found = page.evaluate(SQUEEZED)
+    assert found
+    for shape, drawn, fits in found:
+        assert shape == pytest.approx(drawn, rel=0.01)
+        assert fits

@@ -528,6 +528,33 @@ def test_answers_are_taken_along(page, chromium, server, tmp_path):
         box(other, "euler-1").get_by_text("Not yet").wait_for()
 
 
+def test_two_courses_on_one_host_share_no_answers(page, chromium, server):
+    """Their names tell them apart, for answers and for the numbers that are dealt."""
+    sign_in(page, "Ada")
+    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
+    answer(page, FIRST, right)
+    assert page.inner_text(".rk-progress").startswith("1 of ")
+    other = page.context.new_page()
+
+    def rename(route):
+        text = route.fetch().text()
+        route.fulfill(
+            body=text.replace(f'"{COURSE}"', '"another-course"'), content_type="text/html"
+        )
+
+    other.route("**/practice.html", rename)
+    other.goto(server + "practice.html")
+    other.fill("#rk-student", "Ada")
+    other.keyboard.press("Tab")
+    box(other, FIRST).scroll_into_view_if_needed()
+    number = dealing.deal("another-course", FIRST, "Ada")
+    assert number != dealing.deal(COURSE, FIRST, "Ada")
+    other.locator(f"#{FIRST}[data-variant='{number}']").wait_for()
+    assert other.inner_text(".rk-progress").startswith("0 of ")
+    assert box(other, FIRST).locator(".rk-row input").input_value() == ""
+    other.close()
+
+
 KEPT = "() => JSON.parse(localStorage.getItem('robokin answers robokin')).ada"
 
 

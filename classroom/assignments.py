@@ -1,13 +1,13 @@
 """The programs of a chapter as an assignment for nbgrader, otter-grader or GitHub Classroom.
 
-An assignment needs NumPy, and the library where an answer is compared by what it does: the judge
-and its numbers stand in it as files.
+An assignment needs NumPy alone: the judge and its numbers stand in it as files.
 """
 
 import inspect
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from textwrap import indent
 from typing import Any
 
 from courseware.course import course
@@ -18,10 +18,19 @@ from courseware.programs.declaration import Program, all_programs
 from courseware.programs.notebook import serialize
 
 Cell = dict[str, Any]
-IMPORTS = "import numpy as np\n\nfrom judge import read_and_check"
-CHECK = (
-    'verdict = read_and_check("{name}", {function})\nassert verdict.right, verdict\nprint(verdict)'
-)
+CHECK = """\
+from judge import read_and_check
+
+verdict = read_and_check("{name}", {function})
+assert verdict.right, verdict
+print(verdict)"""
+ANSWER = """\
+# BEGIN SOLUTION NO PROMPT
+{solution}
+# END SOLUTION
+''' # BEGIN PROMPT
+{starter}
+''' # END PROMPT"""
 
 
 def write_assignment(chapter: str, grader: str, folder: Path, force: bool) -> list[Path]:
@@ -54,7 +63,7 @@ def write_nbgrader(chapter: str, programs: list[Program]) -> Iterator[Cell]:
         yield code(p.starter.rstrip())
         nbgrader = {"grade": True, "grade_id": p.name, "locked": True, "points": 1}
         nbgrader |= {"schema_version": 3, "solution": False, "task": False, "cell_type": "code"}
-        yield code(check_line(p), nbgrader=nbgrader)
+        yield code(check_lines(p), nbgrader=nbgrader)
 
 
 def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
@@ -63,24 +72,18 @@ def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
     listed = "\n".join(f"  - {name}" for name in files)
     yield raw(
         f"# ASSIGNMENT CONFIG\nname: {chapter}\nfiles:\n{listed}\ngenerate: true\n"
-        "tests:\n  ok_format: false"
+        "requirements:\n  - numpy\ntests:\n  ok_format: false"
     )
     yield from write_opening(chapter)
     for p in programs:
         name = variable(p)
         yield raw(f"# BEGIN QUESTION\nname: {name}\npoints: 1")
         yield write_question(p)
-        yield raw("# BEGIN PROMPT")
-        yield code(p.starter.rstrip())
-        yield raw("# END PROMPT")
         yield raw("# BEGIN SOLUTION")
-        yield code(p.solution.rstrip())
+        yield code(ANSWER.format(solution=p.solution.rstrip(), starter=p.starter.rstrip()))
         yield raw("# END SOLUTION")
         yield raw("# BEGIN TESTS")
-        lines = "\n".join(
-            f"    {line}" for line in (IMPORTS.splitlines()[-1], *check_line(p).split("\n"))
-        )
-        yield code(f"def test_{name}({p.definition.name}):\n{lines}")
+        yield code(f"def test_{name}({p.definition.name}):\n{indent(check_lines(p), '    ')}")
         yield raw("# END TESTS")
         yield raw("# END QUESTION")
 
@@ -88,7 +91,7 @@ def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
 def write_opening(chapter: str) -> Iterator[Cell]:
     """Yield the cells above the programs."""
     yield markdown(f"# {course().title(chapter)}")
-    yield code(IMPORTS)
+    yield code("import numpy as np")
 
 
 def write_question(program: Program) -> Cell:
@@ -100,7 +103,7 @@ def variable(program: Program) -> str:
     return program.name.replace("-", "_")
 
 
-def check_line(program: Program) -> str:
+def check_lines(program: Program) -> str:
     return CHECK.format(name=program.name, function=program.definition.name)
 
 
@@ -112,7 +115,7 @@ def write_file(program: Program) -> str:
 
 def write_script(programs: list[Program]) -> str:
     """Return the command of GitHub Classroom's test: it fails where a program is wrong."""
-    lines = [f"python judge.py {p.name} {variable(p)}.py || wrong=1" for p in programs]
+    lines = [f"python3 judge.py {p.name} {variable(p)}.py || wrong=1" for p in programs]
     return "\n".join(["wrong=0", *lines, "exit $wrong", ""])
 
 

@@ -131,8 +131,7 @@ differential_drive_p1 = Program(
     right=arc_rates,
     picture=draw_place,
     extent=0.08,
-    does="motion.arc_step([0, 0, 0], "
-    "*differential_drive.body_twist(answer[0], answer[1], r, b)[[0, 2]], dt)[:2]",
+    does=lambda rates, place, *robot: drive(rates, *robot)[:2],
     wrong=by_mistakes(arc_rates, "place", "dt", "r", "b"),
     also=PLACE_SLIPS | {WHOLE: with_whole_distance(arc_rates)},
     hints=PLACE_HINTS,

@@ -198,7 +198,7 @@ elbow_arm_p2 = Program(
     right=lambda p, a2, a3, d1: elbow_arm.inverse(p, a2, a3, d1)[0],
     picture=draw_reach,
     extent=0.05,
-    does="elbow_arm.forward(answer, a2, a3, d1)",
+    does=lambda theta, p, *arm: joints(theta, *arm)[-1],
     wrong={mistake: from_base(formula) for mistake, formula in WAYS.items()},
     also={
         f"{M2.feedback}, although with atan2": from_base(without_x_by_atan2),

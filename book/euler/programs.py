@@ -62,9 +62,14 @@ def draw_dice(right, came):
     return *die(Matrix(right), LEFT), *die(Matrix(came), RIGHT, kind="error")
 
 
+def turned(axes, turns):
+    """Return the matrix of turns about axes of the turned frame, of symbols."""
+    return prod(map(turned_about, axes, turns))
+
+
 def draw_turns(*axes):
-    """Draw a die as the matrix has it, and as the angles turn it about its own axes."""
-    return lambda right, came, R: draw_dice(R, prod(map(turned_about, axes, came)))
+    """Draw a die as the matrix has it, and as the angles turn it."""
+    return lambda right, came, R: draw_dice(R, turned(axes, came))
 
 
 def cut_in_half(R):
@@ -111,7 +116,7 @@ euler_p1 = Program(
     right=lambda R: euler.from_matrix("ZYX", R),
     picture=draw_turns(Z, Y, X),
     extent=1.2,
-    does='euler.to_matrix("ZYX", answer)',
+    does=lambda turns, R: turned((Z, Y, X), turns),
     wrong={M6: lambda R: euler.from_matrix("zyx", R)},
     also={
         "with arctan, which knows half of the circle; arctan2 knows all of it": cut_in_half,
@@ -162,7 +167,7 @@ euler_p2 = Program(
     right=lambda R: euler.from_matrix("XYZ", R),
     picture=draw_turns(X, Y, Z),
     extent=1.2,
-    does='euler.to_matrix("XYZ", answer)',
+    does=lambda turns, R: turned((X, Y, Z), turns),
     wrong={M8: lambda R: [*regular("XYZ", R), 0.0]},
     also={
         "with r_21 as sin α: its sign is right at +90° only": as_at_plus,

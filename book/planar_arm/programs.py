@@ -259,8 +259,11 @@ planar_arm_p2 = Program(
     right=row(both_arms, 0),
     picture=draw_pose,
     extent=0.1,
-    does="np.hstack([planar_arm.forward(answer, lengths)[:2], "
-    "np.cos(answer.sum()), np.sin(answer.sum())])",
+    does=lambda theta, pose, lengths: [
+        *joints(theta, lengths)[-1],
+        cos(sum(theta)),
+        sin(sum(theta)),
+    ],
     also={words: row(formula, 0) for words, formula in ASTRAY.items()},
     hints=(
         "The pose tells where the hand is and where it points. So where is the wrist, at the other "

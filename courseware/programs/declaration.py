@@ -39,8 +39,8 @@ class Program:
         specials: words → symbol → its number in a special case: "straight ahead": {phi: 0}.
         wrong: mistake → function → the answer of somebody who makes it.
         also: likewise for undocumented mistakes; words that end "This is what you get …".
-        does: where several answers are right, what is compared instead: an expression of `answer`,
-            the arguments' names, `np` and the library's modules.
+        does: where several answers are right, function of an answer and the arguments, as arrays of
+            symbols → what is compared instead.
         shape: of a matrix.
         picture: function of the right answer, the student's, and the arguments, all as arrays of
             symbols → the shapes and things of the picture that shows both.
@@ -66,7 +66,7 @@ class Program:
     specials: Mapping[str, Mapping[NamedSymbol, float]] = field(default_factory=dict)
     wrong: Mapping[Mistake, Function] = field(default_factory=dict)
     also: Mapping[str, Function] = field(default_factory=dict)
-    does: str = ""
+    does: Function | None = None
     shape: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:

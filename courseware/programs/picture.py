@@ -11,7 +11,7 @@ from courseware.figures import VIEW, Choice, Curve, Figure, Thing
 from courseware.figures.figure import inline_colors
 from courseware.figures.solids import Solid
 from courseware.programs.declaration import Program
-from courseware.programs.storing import store
+from courseware.programs.storing import name_numbers, store
 from courseware.script import engine
 
 WORDS = "What is right, and in red what your function gives."
@@ -23,7 +23,7 @@ def answer_figure(program: Program) -> Figure:
     stored = store(program)
     case, shape = stored["cases"][0], stored["shape"]
     given = [np.reshape(case["right"], shape)] * 2 + [*map(np.asarray, case["arguments"])]
-    parts = [_name(f"given_{k}_", each.shape) for k, each in enumerate(given)]
+    parts = [name_numbers(f"part_{k}_", each) for k, each in enumerate(given)]
     symbols = tuple(np.hstack([np.ravel(part) for part in parts]))
     numbers = tuple(np.hstack([np.ravel(each) for each in given]).tolist())
     scene = tuple(program.picture(*parts))
@@ -38,13 +38,6 @@ def answer_figure(program: Program) -> Figure:
         contain=places,
         ground="wall" if any(isinstance(shape, Solid) for shape in scene) else "tiles",
     )
-
-
-def _name(stem: str, shape: tuple[int, ...]) -> Any:
-    """Return an array of symbols; one symbol for a number."""
-    if not shape:
-        return sp.Symbol(stem, real=True)
-    return np.array(sp.symbols(f"{stem}:{np.prod(shape)}", real=True)).reshape(shape)
 
 
 def _places(shape: Any, extent: float) -> Iterator[Any]:

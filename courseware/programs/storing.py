@@ -1,13 +1,14 @@
 """The inputs of a program and all that can come of them, as the numbers that `judge` reads."""
 
 import math
-import re
 from collections.abc import Iterator
 from functools import cache
 from typing import Any
 from zlib import crc32
 
 import numpy as np
+import sympy as sp
+from sympy.printing.numpy import NumPyPrinter
 
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
@@ -48,15 +49,13 @@ def store(program: Program) -> dict[str, Any]:
     return {
         "name": program.name,
         "function": program.definition.name,
-        "parameters": [argument.arg for argument in program.definition.args.args],
         "labels": [unknown.label for unknown in program.answer],
         "shape": program.shape or ((len(program.answer),) if len(program.answer) > 1 else ()),
         "circle": circle.tolist(),
         "angles": [unknown.unit == "rad" for unknown in program.answer],
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, LEAST)).tolist(),
-        "does": program.does,
+        "does": _write_deed(program, rights[0], given[0]),
         "library": course().library,
-        "modules": [m.rpartition(".")[2] for m in course().library_modules if _uses(program, m)],
         "arrays": program.is_new and not any(isinstance(x, str) for x in given[0]),
         "cases": [
             {"special": special, "arguments": each, "right": right}
@@ -66,8 +65,23 @@ def store(program: Program) -> dict[str, Any]:
     }
 
 
-def _uses(program: Program, module: str) -> bool:
-    return re.search(rf"\b{module.rpartition('.')[2]}\.", program.does) is not None
+def name_numbers(stem: str, like: Any) -> Any:
+    """Return an array of symbols of a shape; one symbol for a number."""
+    shape = np.shape(like)
+    if not shape:
+        return sp.Symbol(stem, real=True)
+    return np.array(sp.symbols(f"{stem}:{np.prod(shape)}", real=True)).reshape(shape)
+
+
+def _write_deed(program: Program, right: list[float], given: list[Any]) -> str:
+    """Return what an answer does as Python: of `given`, all numbers of answer and arguments."""
+    if not program.does:
+        return ""
+    parts = [name_numbers(f"part_{k}_", each) for k, each in enumerate((right, *given))]
+    symbols = np.hstack([np.ravel(part) for part in parts])
+    code = {symbol: sp.Symbol(f"given[{k}]", real=True) for k, symbol in enumerate(symbols)}
+    numbers = [sp.sympify(x).subs(code) for x in np.ravel(program.does(*parts))]
+    return str(NumPyPrinter().doprint(numbers))
 
 
 def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:

@@ -29,6 +29,9 @@ STUDENTS = {
     "joe": (MEND, "psi - phi", "psi + phi", "the front wheel points to the wrong side"),
 }
 
+BLANK = "zoe"  # hands in what she was given
+POINTS = {name: 3 if name == "ada" else 2 for name in STUDENTS} | {BLANK: 0}
+
 
 def solutions(student):
     """The function and the text of each program as a student hands it in."""
@@ -82,6 +85,23 @@ def test_a_file_is_judged_by_an_exit_code_with_numpy_alone(place, student):
     assert re.search(words, said.stdout), said.stdout
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("import sys\nsys.exit(0)", "cannot be run.\nSystemExit: 0"),
+        ("def car_step(pose, v", "cannot be run.\n  File"),
+        ("def step(pose): return pose", "no function car_step here: has it another name?"),
+    ],
+)
+def test_a_file_that_gives_no_function_fails(place, text, words):
+    assert run("assignment", "bicycle", "--for", "github", "--out", "work") == 0
+    (place / "work" / "bicycle_p1.py").write_text(text, "utf-8")
+    command = [sys.executable, "judge.py", STEP, "bicycle_p1.py"]
+    said = subprocess.run(command, cwd=place / "work", capture_output=True, text=True)
+    assert said.returncode == 1
+    assert words in said.stdout
+
+
 # --- as graders run them --------------------------------------------------------------------
 
 
@@ -114,19 +134,20 @@ def test_nbgrader_grades_ten(place, graders):
     assert run("assignment", "bicycle", "--for", "nbgrader", "--out", "source/bicycle") == 0
     Path("nbgrader_config.py").write_text("get_config().CourseDirectory.course_id = 'robots'\n")
     graders(place, "nbgrader", "generate_assignment", "bicycle")
-    for student in STUDENTS:
+    for student in (*STUDENTS, BLANK):
         folder = place / "submitted" / student / "bicycle"
         folder.mkdir(parents=True)
         notebook = place / "release" / "bicycle" / "bicycle.ipynb"
         (folder / notebook.name).write_bytes(notebook.read_bytes())
-        complete(folder / notebook.name, student)
+        if student != BLANK:
+            complete(folder / notebook.name, student)
     for command in ("autograde", "generate_feedback"):
         graders(place, "nbgrader", command, "bicycle")
-    graders(place, "nbgrader", "export")
-    rows = [line.split(",") for line in Path("grades.csv").read_text().splitlines()]
+    graders(place, "nbgrader", "export", "--to", "points.csv")
+    rows = [line.split(",") for line in Path("points.csv").read_text().splitlines()]
     student, score = rows[0].index("student_id"), rows[0].index("score")
     points = {row[student]: float(row[score]) for row in rows[1:]}
-    assert points == {name: 3.0 if name == "ada" else 2.0 for name in STUDENTS}
+    assert points == POINTS
     for name in STUDENTS:
         page = place / "feedback" / name / "bicycle" / "bicycle.html"
         assert_told(name, re.sub("<[^>]+>", "", page.read_text("utf-8")).replace("&#39;", "'"))
@@ -138,13 +159,15 @@ def test_otter_grades_ten(place, graders):
     graders(place / "master", "otter", "assign", "bicycle.ipynb", "dist")
     dist = place / "master" / "dist"
     (archive,) = dist.glob("autograder/*.zip")
-    for student in STUDENTS:
+    for student in (*STUDENTS, BLANK):
         folder = place / student
         folder.mkdir()
         notebook = folder / "bicycle.ipynb"
         notebook.write_bytes((dist / "student" / "bicycle.ipynb").read_bytes())
-        complete(notebook, student)
+        if student != BLANK:
+            complete(notebook, student)
         graders(folder, "otter", "run", "-a", str(archive), "bicycle.ipynb")
         tests = json.loads((folder / "results.json").read_text("utf-8"))["tests"]
-        assert sum(test.get("score", 0) for test in tests) == (3 if student == "ada" else 2)
-        assert_told(student, "\n".join(test["output"] for test in tests))
+        assert sum(test.get("score", 0) for test in tests) == POINTS[student]
+        if student != BLANK:
+            assert_told(student, "\n".join(test["output"] for test in tests))

@@ -232,6 +232,7 @@ def test_usual_errors_are_explained(line, words):
 
 def test_what_is_no_function_is_said_so():
     assert "There is no function car_step here, but 3." in str(judge.check(3, store(STEP)))
+    assert "There is no function car_step here: has it" in str(judge.check(None, store(STEP)))
 
 
 def test_three_right_values_are_shown():

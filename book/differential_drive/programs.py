@@ -3,17 +3,18 @@
 from dataclasses import replace
 
 import numpy as np
+from sympy import Symbol
 
 from book import things
 from book.differential_drive.exercises import M12, M13, M14, M31
 from book.differential_drive.formulas import b, body_twist, r, rate_L, rate_R
 from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
-from courseware.figures import Arrow, Point
+from courseware.figures import Arrow, Curve, Point
 from courseware.practice import Unknown
 from courseware.programs.declaration import Program
 from robokin import differential_drive, motion
 
-RATES = (Unknown("left", "rad/s"), Unknown("right", "rad/s"))
+RATES = (Unknown("left rate", "rad/s"), Unknown("right rate", "rad/s"))
 VELOCITY = (Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s"), Unknown("ω", "rad/s"))
 ROBOT = {r: (0.02, 0.1), b: (0.1, 0.5)}
 
@@ -59,15 +60,22 @@ def arc_rates(place, dt, r, b, *, part=1.0, way=lambda chord, half: chord / np.s
 
 def draw_place(right, came, place, dt, r, b):
     poses = (drive(rates, dt, r, b) for rates in (right, came))
-    start = robot((0, 0, 0), b, "ghost")
-    return start, *map(robot, poses, (b, b), ("", "wrong")), Point("target", place)
+    part = Symbol("part", real=True)
+    return (
+        robot((0, 0, 0), b, "ghost"),
+        Curve("path", drive(right, part * dt, r, b), part, 0, 1),
+        Curve("error", drive(came, part * dt, r, b), part, 0, 1),
+        *map(robot, poses, (b, b), ("", "wrong")),
+        Point("target", place),
+    )
 
 
 PLACE_TEXT = (
     "You can compute where the robot will be. Go back: which wheel rates bring P to a given place "
     "in the time dt, on one arc? The place is seen from the robot as it stands at the start. "
-    "Places straight ahead, almost straight ahead and at the robot's side must work, too. Any arc "
-    "that ends there, and is no more than a circle, is right."
+    "Places straight ahead, almost straight ahead, at the robot's side and behind it must work, "
+    "too, but none straight behind. There are several such arcs: each that is no more than a "
+    "circle is right."
 )
 PLACE = '''\
 def rates_to(place, dt, r, b):
@@ -95,11 +103,15 @@ def rates_to(place, dt, r, b):
     return np.transpose([(v - omega * b / 2) / r, (v + omega * b / 2) / r])
 """
 PLACE_SPECIALS = {
-    "straight ahead": {y: 0.0},
-    "almost straight ahead": {y: 1e-9},
+    "straight ahead": {x: 0.7, y: 0.0},
+    "almost straight ahead": {x: 0.7, y: 1e-9},
+    "behind, to the left": {x: -0.4, y: 0.5},
     "at the side": {x: 0.0},
 }
 PLACE_SLIPS = {
+    "when the turn is taken to be the direction of the place: it is twice that": lambda *given: (
+        arc_rates(*given, part=0.5, way=lambda chord, half: chord / np.sinc(half / 2 / np.pi))
+    ),
     "when the robot turns only as far as the chord does: half of the turn is missing": (
         lambda *given: arc_rates(*given, part=0.5)
     ),
@@ -125,7 +137,8 @@ differential_drive_p1 = Program(
     starter=PLACE,
     symbols=(x, y, dt, r, b),
     arguments=lambda x, y, dt, r, b: ([x, y], dt, r, b),
-    ranges=ROBOT | {x: (0.1, 2), dt: (0.5, 5)},
+    ranges=ROBOT | {dt: (0.5, 5)},
+    when=lambda x, y, *_: x > -2 * abs(y),
     specials=PLACE_SPECIALS,
     answer=RATES,
     right=arc_rates,
@@ -185,7 +198,7 @@ LIMIT_HINTS = (
     "First compute both rates without a limit. Which of the two decides?",
     "The one that is larger, without its sign. Both rates are multiplied by the same factor.",
     "The factor is top over the larger absolute value, and never more than 1. Do not divide by "
-    "the rates themselves: at rest they are 0. np.maximum(1, largest / top) can stand below.",
+    "the rates themselves: at rest they are 0. Divide both by np.maximum(1, largest / top).",
 )
 LIMIT_SOLUTION = """\
 def safe_rates(v, omega, r, b, top):
@@ -201,6 +214,12 @@ LIMIT_SPECIALS = {
     "one wheel at rest": {v: 0.25, omega: 1.0, b: 0.5},
 }
 LIMIT_SLIPS = {
+    "when a wheel is cut off only where it turns forwards: the path gets another shape": (
+        lambda *given: np.minimum(slowed(*given[:4], np.inf), given[4])
+    ),
+    "for the speeds of the wheels; the division by r is missing": lambda v, omega, r, b, top: (
+        slowed(v, omega, 1.0, b, top)
+    ),
     "when only v is slowed down: the path gets another shape": only_speed,
     "when each wheel is cut off alone: the path gets another shape": cut,
     "when slow wheels are made faster, up to the top rate": lambda *given: slowed(*given, above=0),

@@ -89,10 +89,10 @@ def draw_reach(right, came, p, *arm):
 
 
 def draw_four(right, came, p, *links):
-    """Draw all arms that are right, pale, and those that came."""
+    """Draw all arms that are right, and those that came."""
     arms = [
         VIEW.line(kind, joints(theta, *links))
-        for kind, rows in (("ghost", right), ("error", came))
+        for kind, rows in (("path", right), ("error", came))
         for theta in rows
     ]
     return *arms, VIEW.point("target", p)

@@ -66,15 +66,16 @@ def hand(pose, look=""):
 
 
 def draw_joined(right, came, db, bc):
-    return camera((0, 0, 0)), things.platform(db), hand(right), hand(came, "wrong")
+    given = camera((0, 0, 0), "ghost"), things.platform(db, look="ghost")
+    return *given, hand(right), hand(came, "wrong")
 
 
 def draw_back(right, came, db):
-    return things.platform((0, 0, 0)), camera(right), camera(came, "wrong")
+    return things.platform((0, 0, 0), look="ghost"), camera(right), camera(came, "wrong")
 
 
 def draw_object(right, came, bc, db, de):
-    return hand((0, 0, 0)), things.parcel(right), things.parcel(came, look="wrong")
+    return hand((0, 0, 0), "ghost"), things.parcel(right), things.parcel(came, look="wrong")
 
 
 JOINED = '''\

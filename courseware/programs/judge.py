@@ -11,6 +11,7 @@ import inspect
 import io
 import json
 import linecache
+import re
 import runpy
 import sys
 import textwrap
@@ -31,7 +32,11 @@ Stored = Mapping[str, Any]
 TELLING = 20  # inputs on which a mistake must be far from right, before it is named
 FAR = 10  # tolerances
 NEAR = 1000  # tolerances: digits are missing, the formula is right
-LEVEL = "That is all. An extra, level 2, is to take arrays of many inputs at once:"
+LEVEL = "An extra, if you like, is to take arrays of many inputs at once."
+BORDER = {
+    True: "#2e8b57",
+    False: "#c2344b",
+}  # of a right and of a wrong one, on light and dark pages
 SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
 STEPS = 2_000_000  # of Python in one call: more is an endless loop
 REVEALED = 3  # right values shown; then only whether a number is too large or too small
@@ -85,11 +90,11 @@ class Verdict:
 
     def _repr_html_(self) -> str:
         parts = (
-            f"<pre>{escape(line.strip())}</pre>" if line[0] == " " else f"<p>{escape(line)}</p>"
+            f"<pre>{escape(line.strip())}</pre>" if line[0] == " " else f"<p>{quote_code(line)}</p>"
             for line in self.lines
         )
-        kind = "right" if self.right else "wrong"
-        text = f'<div class="rk-judged rk-{kind}" role="status">{"".join(parts)}</div>'
+        style = f"padding: .5rem .9rem; border-left: 4px solid {BORDER[self.right]}"
+        text = f'<div class="rk-judged" style="{style}" role="status">{"".join(parts)}</div>'
         return text + self.picture
 
 
@@ -281,7 +286,7 @@ def refuse_answer(
     elif case["special"] and all_right(answers, stored):
         lines.append(
             "On all ordinary inputs it is right: give this case a branch of its own, or "
-            "find a form without it."
+            "find a formula that needs none."
         )
     numbers = np.hstack([right, came, *map(np.ravel, case["arguments"])])
     return refuse(
@@ -300,8 +305,8 @@ def describe(came: Any, case: Stored, stored: Stored, digits: int) -> str:
     if np.isnan(came).any() and not np.isnan(case["right"]).any():
         words += (
             " nan means: no number. It comes of 0/0, inf/inf, 0·inf or inf − inf (look for a "
-            "division by 0), of a root of a negative number, and of an arccos or arcsin beyond ±1, "
-            "to which rounding is enough (np.clip limits a number)."
+            "division by 0), of a root of a negative number, and of arccos or arcsin of a number "
+            "beyond ±1. Rounding can lead there, and np.clip limits a number."
         )
     return words
 
@@ -318,14 +323,14 @@ def describe_rows(came: Any, right: Any, stored: Stored) -> str:
 
 
 def describe_sides(came: Any, right: Any, stored: Stored) -> str:
-    """Say of each number whether it is too large or too small, and not by how much."""
-    far = apart(came, right, stored) > stored["tolerance"]
-    sides = [
-        f"{label} is too {'large' if a > b else 'small'}"
-        for label, a, b, bad in zip(stored["labels"], came, right, far, strict=True)
-        if bad
-    ]
-    return ", ".join(sides or ["It is not right"]) + "."
+    """Say which numbers are too large or too small, and not by how much."""
+    words = [f"You have seen {REVEALED} right answers; no more are shown."]
+    if not stored["does"]:  # or another answer could be meant
+        far = apart(came, right, stored) > stored["tolerance"]
+        for side, are in (("large", came > right), ("small", came < right)):
+            if (places := np.flatnonzero(far & are)).size:
+                words.append(f"Too {side}: {', '.join(stored['labels'][k] for k in places)}.")
+    return " ".join(words)
 
 
 def ordinary(stored: Stored) -> list[Stored]:
@@ -438,7 +443,7 @@ def describe_error(error: Exception, function: Any) -> str:
 def describe_success(stored: Stored) -> str:
     specials = list(dict.fromkeys(case["special"] for case in stored["cases"] if case["special"]))
     tried = f", also: {'; '.join(specials)}" if specials else ""
-    return f"Right on all {len(stored['cases'])} inputs{tried}."
+    return f"✓ Right on all {len(stored['cases'])} inputs{tried}."
 
 
 def describe_arrays(function: Any, stored: Stored) -> list[str]:
@@ -455,14 +460,14 @@ def describe_arrays(function: Any, stored: Stored) -> list[str]:
     try:
         answers = np.asarray(function(*stacks), dtype=float)
     except Exception as error:
-        return [f"{LEVEL} not yet. {describe_error(error, function)}"]
+        return [f"{LEVEL} So far it does not: {describe_error(error, function)}"]
     ratio, asked = alone / (time.perf_counter() - start), (len(cases), *stored["shape"])
     if answers.shape != asked:
-        return [f"{LEVEL} not yet. It gives the shape {answers.shape}, asked is {asked}."]
+        return [f"{LEVEL} So far it gives the shape {answers.shape}, asked is {asked}."]
     rows = answers.reshape(len(cases), -1)
     if not all_right(rows, stored):
-        return [f"{LEVEL} not yet. It gives other numbers than with each input alone."]
-    return [f"{LEVEL} right, too. {len(cases)} inputs at once are {ratio:.0f} times as fast."]
+        return [f"{LEVEL} So far it gives other numbers than with each input alone."]
+    return [f"It takes arrays, too: {len(cases)} inputs at once are {ratio:.0f} times as fast."]
 
 
 # --- texts -----------------------------------------------------------------------------------
@@ -476,6 +481,11 @@ def format_answer(came: Any, stored: Stored, digits: int) -> str:
     """Return an answer as text."""
     texts = [f"{x + 0.0:.{digits}g}" for x in came]
     return str(np.reshape(texts, stored["shape"]).tolist()).replace("'", "")
+
+
+def quote_code(text: str) -> str:
+    """Return a text as HTML, what stands in `…` as code."""
+    return re.sub("`([^`]+)`", r"<code>\1</code>", escape(text))
 
 
 def shorten(value: Any) -> str:

@@ -14,7 +14,7 @@ from courseware.programs.declaration import Program
 from courseware.programs.storing import name_numbers, store
 from courseware.script import engine
 
-WORDS = "What is right, and in red what your function gives."
+WORDS = "In full colour: what is right. Red: what your function gives. Pale: what is given."
 
 
 @cache

@@ -176,7 +176,9 @@ const runCell = async (cell) => {
   cell.ran = cell.text;
   cells.slice(cell.k + 1).forEach((below) => { below.ran = null; });
   const end = waitForWorker(), { k, program, revealed } = cell;
-  const stored = program && await fetchText(`../programs/${program}.json`);
+  const stored = program && await fetchText(`../programs/${program}.json`).catch((error) => {
+    throw Object.assign(error, { gone: true });
+  });
   worker.postMessage({ cell: k, source: cell.ran, name: `cell ${k + 1}`, stored, revealed });
   const { ended, shown } = await end;
   if (!ended) cell.ran = null;
@@ -201,7 +203,9 @@ const runThrough = async (k) => {
       cell.say(ended || each === cell ? "" : `Cell ${each.k + 1}, above, stops with an error.`);
       if (!ended) break;
     }
+    if (cell.program) cell.fresh.scrollIntoView({ block: "nearest" });
   } catch (error) {
+    if (error?.gone) return cell.say("This site has changed since: load the page again. What you typed is kept.");
     const begun = ready && await ready.then(() => true, () => false);
     stopWorker();
     cell.say(!error ? "Stopped. Python has forgotten all names; Run starts it anew."
@@ -249,9 +253,9 @@ export const bringBack = async (bars, k, keep, change) => {
 };
 
 // The reader wants to write a program.
-export const write = async (bars, k, keep) => {
+export const write = async (bars, k, keep, point) => {
   await makeCells(bars, keep);
-  (await cells[k].edit()).focus();
+  (await cells[k].edit()).focus(point);
 };
 
 // The reader presses Run (or Stop) under the cell k.

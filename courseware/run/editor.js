@@ -7,6 +7,7 @@ const KINDS = { // of a word: the class that Pygments gives it
 const LOOK = {
   "&": { borderRadius: "5px" },
   "&.cm-focused": { outline: "3px solid var(--rk-accent)", outlineOffset: "-3px" },
+  ".cm-content": { padding: "1rem 0" }, // as the code that it stands for
   ".cm-scroller": { font: ".875rem/1.3 var(--pst-font-family-monospace, monospace)" },
   ".cm-gutters": { background: "none", color: "inherit", border: 0, opacity: .5 },
   ".cm-cursor": { borderColor: "currentcolor" },

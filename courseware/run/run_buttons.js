@@ -28,8 +28,10 @@ export const addRunButtons = () => {
     bar.firstChild.addEventListener("click", () => withCells(k, ({ pressRun }) => pressRun(bars, k, keep)));
     const code = bar.parentElement.querySelector("pre");
     if (bar.firstChild.textContent === "Check") {
-      code.tabIndex = 0;
-      code.addEventListener("focus", () => withCells(k, ({ write }) => write(bars, k, keep)), { once: true });
+      let at;
+      bar.lastChild.textContent = "Write into the code above.";
+      Object.assign(code, { tabIndex: 0, onmousedown: (event) => { at = event; } });
+      code.addEventListener("focus", () => withCells(k, ({ write }) => write(bars, k, keep, at)), { once: true });
     }
     if (!kept[k]?.text || kept[k].first !== code.textContent) return;
     bar.lastChild.insertAdjacentHTML("beforebegin", `<button type="button">Bring back my change</button>`);

@@ -21,11 +21,11 @@ STUDENTS = {
     "bob": (STEP, "np.tan(phi)", "np.tan(phi) / np.cos(phi)", "the front axle's speed"),
     "cyd": (STEP, "np.tan(phi)", "phi", "with φ where tan φ belongs"),
     "dan": (STEP, "np.tan(phi)", "np.tan(-phi)", "turns to the right for a positive φ"),
-    "eve": (STEP, "theta + turn / 2", "theta", "y is|It gives"),
+    "eve": (STEP, "theta + turn / 2", "theta", "It gives"),
     "fay": (STEER, "2 * L * y", "L * y", "with half the curvature"),
     "guy": (STEER, "np.arctan(", "(", "with the tangent of the angle for the angle itself"),
     "hal": (STEER, "    x, y =", "    y, x =", "with x and y exchanged"),
-    "ivy": (MEND, "psi - omega", "psi + omega", "grows in a left turn"),
+    "ivy": (MEND, "v / np.cos(phi)", "v", "with the speed of the rear axle"),
     "joe": (MEND, "psi - phi", "psi + phi", "the front wheel points to the wrong side"),
 }
 

@@ -319,7 +319,9 @@ def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium, width):
         page.goto(f"{server}bicycle/bicycle.html")
         page.get_by_text("Check", exact=True).first.click()
         answer = page.locator(".rk-fresh .rk-answer")
-        answer.get_by_text("What is right, and in red what your function gives.").wait_for()
+        answer.get_by_text(
+            "In full colour: what is right. Red: what your function gives."
+        ).wait_for()
         box = answer.locator("svg").bounding_box()
         assert 0 < box["x"] < box["x"] + box["width"] < width
         assert answer.locator("[style*='#rk-hatch']").count() == 1

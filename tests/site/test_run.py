@@ -296,15 +296,16 @@ def with_worker(server, chromium, says):
                 body=WORKER.replace("SAYS", says), content_type="text/javascript"
             ),
         )
-        yield page
+        yield page, watch
         assert not watch.errors + watch.strangers
 
 
 @pytest.fixture
 def flooded(server, chromium):
-    with with_worker(
-        server, chromium, "for (let k = 0; k < 20_000; k++) say('stdout', 'x')"
-    ) as page:
+    with with_worker(server, chromium, "for (let k = 0; k < 20_000; k++) say('stdout', 'x')") as (
+        page,
+        _,
+    ):
         page.goto(server + PAGE)
         yield page
 
@@ -314,7 +315,7 @@ def flooded(server, chromium):
 def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium, width):
     """By the page's own script, in its colours; the picture is no wider than the page."""
     numbers = [2, 1, 0.5, 2, -1, 0.5, 0, 0, 0, 1, 0.2, 2.5, 1]  # right, came; pose, v, phi, L, dt
-    with with_worker(server, chromium, f"say('answer', '{numbers}')") as page:
+    with with_worker(server, chromium, f"say('answer', '{numbers}')") as (page, _):
         page.set_viewport_size({"width": width, "height": 800})
         page.goto(f"{server}bicycle/bicycle.html")
         page.get_by_text("Check", exact=True).first.click()
@@ -337,6 +338,31 @@ def test_all_that_a_run_may_show_leaves_the_page_alive(flooded):
     )
     bar.get_by_text("Reset", exact=True).click()
     fresh.wait_for(state="detached")
+
+
+@pytest.mark.browser
+def test_a_page_of_an_older_site_says_that_it_must_be_loaded_again(server, chromium):
+    """Its program may have gone: what was typed is kept, and Python goes on."""
+    with with_worker(server, chromium, "") as (page, watch):
+        page.route("**/programs/*.json", lambda route: route.fulfill(status=404))
+        page.goto(f"{server}bicycle/bicycle.html")
+        page.get_by_text("Check", exact=True).first.click()
+        page.get_by_text("This site has changed since: load the page again.").wait_for()
+        assert {"404" in error for error in watch.errors} == {True}
+        watch.errors.clear()
+
+
+@pytest.mark.browser
+def test_a_program_is_written_where_it_is_first_clicked(flooded):
+    flooded.goto(flooded.url.replace(PAGE, "bicycle/bicycle.html"))
+    code = flooded.locator("[class*=tag_program-] pre").first
+    code.get_by_text("...").click()
+    line = flooded.locator(".cm-activeLine, .cm-line", has_text="...").first
+    line.wait_for()
+    expect(flooded.locator(".cm-content").first).to_be_focused()
+    flooded.keyboard.press("Home")
+    flooded.keyboard.type("# here ")
+    expect(flooded.locator(".cm-line", has_text="# here ...")).to_have_count(1)
 
 
 def change(page, source):

@@ -215,7 +215,7 @@ LIMIT_SPECIALS = {
 }
 LIMIT_SLIPS = {
     "when a wheel is cut off only where it turns forwards: the path gets another shape": (
-        lambda *given: np.minimum(slowed(*given[:4], np.inf), given[4])
+        lambda v, omega, r, b, top: np.minimum(differential_drive.wheel_rates(v, omega, r, b), top)
     ),
     "for the speeds of the wheels; the division by r is missing": lambda v, omega, r, b, top: (
         slowed(v, omega, 1.0, b, top)

@@ -33,10 +33,7 @@ TELLING = 20  # inputs on which a mistake must be far from right, before it is n
 FAR = 10  # tolerances
 NEAR = 1000  # tolerances: digits are missing, the formula is right
 LEVEL = "An extra, if you like, is to take arrays of many inputs at once."
-BORDER = {
-    True: "#2e8b57",
-    False: "#c2344b",
-}  # of a right and of a wrong one, on light and dark pages
+BORDER = {True: "#2e8b57", False: "#c2344b"}  # of a right one and of others; pages may be dark
 SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
 STEPS = 2_000_000  # of Python in one call: more is an endless loop
 REVEALED = 3  # right values shown; then only whether a number is too large or too small

@@ -51,7 +51,7 @@ def store(program: Program) -> dict[str, Any]:
     if not program.is_new:  # the name would leave nothing to find
         answers = [_flat(program, _function(program), given[k]) for k in ordinary]
         for entry in entries:
-            if np.allclose(entry["answers"], answers, equal_nan=True):
+            if np.allclose(np.array(entry["answers"]), answers, equal_nan=True):
                 entry["feedback"] = AS_GIVEN
     return {
         "name": program.name,
@@ -63,7 +63,7 @@ def store(program: Program) -> dict[str, Any]:
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, LEAST)).tolist(),
         "does": _write_deed(program, rights[0], given[0]),
         "library": course().library,
-        "arrays": program.is_new and not any(isinstance(x, str) for x in given[0]),
+        "arrays": program.is_new,
         "cases": [
             {"special": special, "arguments": each, "right": right}
             for (special, _), each, right in zip(cases, given, rights, strict=True)
@@ -161,7 +161,7 @@ def could_be_dealt(numbers: Numbers, options: list[set[float]]) -> bool:
 
 def _plain(value: Any) -> Any:
     """Return an argument as JSON has it."""
-    if isinstance(value, str | int | float):
+    if isinstance(value, int | float):
         return value
     return np.asarray(value, dtype=float).tolist()
 

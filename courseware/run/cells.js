@@ -85,7 +85,7 @@ class Cell {
 
   async showAnswer(numbers) {
     const out = this.fresh, { default: figure } = await import(`../programs/${this.program}.js`);
-    out.insertAdjacentHTML("beforeend", courseware.renderAnswer(figure, numbers));
+    out.insertAdjacentHTML("beforeend", globalThis.courseware.renderAnswer(figure, numbers));
   }
 
   show(kind, text) {

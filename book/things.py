@@ -12,7 +12,7 @@ Places are (x, y, angle) in metres and radians, as numbers or expressions; so ar
 turns and ways that wheels have rolled. Sizes are numbers. `look` is "", "ghost" or "wrong".
 """
 
-from book.things_arms import arm, links
+from book.things_arms import arm
 from book.things_robots import dock, omni_robot, pad, pad_lights, platform, robot, vacuum
 from book.things_room import (
     ball,
@@ -46,7 +46,7 @@ from book.things_wheels import (
 __all__ = [
     "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus", "car",
     "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel", "kerb",
-    "light_gate", "links", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights",
+    "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights",
     "parcel", "platform", "road_marks", "robot", "roller_wheel", "ruler", "sheet", "shelf",
     "steered_wheel", "trolley", "vacuum", "walls", "wheel",
 ]  # fmt: skip

@@ -18,9 +18,9 @@
       .replace(/[\p{M}\u200c\u200d]/gu, "").replace(/ي/g, "ی").replace(/ك/g, "ک");
     return EMPTY.has(folded) ? "" : folded.replace(/(?<=[a-z]{3}[^su])s$/, "");
   };
-  // the name of a function is a word as well as its parts
-  const splitWords = (text) => text.match(/\w+_\w+|[\p{L}\p{M}\p{N}\u200c]+/gu)
-    ?.flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : word)) ?? [];
+  // the name of a function, and what is written with a hyphen, is a word as well as its parts
+  const splitWords = (text) => text.match(/\w+_\w+|[\p{L}\p{M}\p{N}\u200c]+(?:-[\p{L}\p{N}]+)*/gu)
+    ?.flatMap((word) => (/[-_]/.test(word) ? [word.replaceAll("-", ""), ...word.split(/[-_]/)] : word)) ?? [];
   const listTerms = (text) => splitWords(text).map(foldTerm).filter(Boolean);
 
   const loadScript = (name) => new Promise((done, failed) => {
@@ -54,10 +54,14 @@
       const tries = [{ combineWith: "AND" }, { combineWith: "AND", fuzzy: SLIPS }, { fuzzy: SLIPS }];
       let found = [];
       for (const how of tries) if (!found.length) found = index.search(words, how);
-      // what has all of them in its title counts more, a page most
-      const weigh = ({ score, terms, page, at, title }) => {
+      // what has all of them in its title counts more, a page most; more, too, a section that has the
+      // words one after the other; a summary counts less than what it sums up
+      const said = words.toLowerCase();
+      const weigh = ({ score, terms, page, at, title, text = "" }) => {
         const known = new Set(listTerms(title)), all = terms.length && terms.every((term) => known.has(term));
-        return score * (!all || page in PAGES ? 1 : at ? 2 : 3);
+        const phrase = at && said.includes(" ") && text.toLowerCase().includes(said);
+        return score * (!all || page in PAGES ? 1 : at ? 2 : 3) * (phrase ? 1.4 : 1)
+          * (title === "Recap" ? 0.5 : 1);
       };
       return found.map((one) => [weigh(one), one]).sort(([a], [b]) => b - a).map(([, one]) => one);
     },

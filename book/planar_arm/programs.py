@@ -40,6 +40,7 @@ from book.planar_arm.formulas import (
     y,
     y_dot,
 )
+from book.things_arms import links
 from courseware.figures import Arrow, Point
 from courseware.practice import angle
 from courseware.programs.declaration import Program
@@ -57,14 +58,14 @@ def joints(theta, lengths):
 
 def draw_arms(right, came, lengths):
     """Draw the arm with angles as they should be, and as they are."""
-    return *things.links(joints(right, lengths)), *things.links(joints(came, lengths), "wrong")
+    return *links(joints(right, lengths)), *links(joints(came, lengths), "wrong")
 
 
 def draw_rates(right, came, theta, twist, lengths):
     start = joints(theta, lengths)
     hand = start[-1]
     return (
-        *things.links(start, "ghost"),
+        *links(start, "ghost"),
         *draw_arms(theta + SHOWN * right, theta + SHOWN * came, lengths),
         Arrow("velocity", hand, hand + SHOWN * twist[:2]),
     )
@@ -84,7 +85,7 @@ def draw_hand(right, came, theta, rates, lengths):
     hands = (things.arm(at, (0,), (0.12,), base="", look=look) for look, at in moved.items())
     kinds = zip(("velocity", "error"), moved.values(), strict=True)
     arrows = (Arrow(kind, places[-1], at[:2]) for kind, at in kinds)
-    return *things.links(places, "ghost"), *hands, *arrows
+    return *links(places, "ghost"), *hands, *arrows
 
 
 IN_VELOCITY = (M26, M27, M28, M36, M37)

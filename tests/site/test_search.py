@@ -49,6 +49,8 @@ FIRST = {
     "damped least squares": f"{TERM}damped-least-squares",
     "degree of freedom": f"{ARM}#the-exercise",
     "pseudoinverse": f"{TERM}pseudoinverse",
+    "offtracking": f"{TERM}off-tracking",
+    "sinc": f"{DRIVE}#where-will-it-be",
     # symbols
     "φ": "notation#wheel-constraints-and-the-omni-robot",
     "v_L": f"{DRIVE}#the-point-that-stands-still",

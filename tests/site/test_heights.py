@@ -2,12 +2,14 @@
 
 import pytest
 from browser import COME_ALIVE, UNFOLD, settled, watched_page
-from figure_numbers import HOMES
+
+import book  # noqa: F401 (opens the course)
+from courseware.course import course
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
-CHAPTERS = sorted({f"{chapter}/{chapter}" for chapter in HOMES.values()})
+CHAPTERS = [f"{chapter}/{chapter}" for chapter in course().taught]
 # each control through its range, in forty steps; the figure's heights
 HEIGHTS = """(figure) => {
   const found = new Set(), { courseware } = figure;

@@ -3,12 +3,12 @@
 from dataclasses import replace
 
 import numpy as np
-from sympy import Symbol, atan2, cos, pi, sin, sinc, sqrt, tan
+from sympy import Symbol, atan2, cos, pi, sin, sinc, sqrt
 
 from book import things
 from book.bicycle.exercises import M15, M16, M17, M32, M33, same_sines, too_fast
-from book.bicycle.formulas import steering, wheelbase, y_heading
-from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
+from book.bicycle.formulas import arc_step, steering, wheelbase, y_heading
+from book.motion.formulas import dt, theta, v, x, y
 from courseware.figures import Curve, Point
 from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
@@ -139,8 +139,8 @@ def draw_steering(right, came, place, L):
     way = sqrt(place[0] ** 2 + place[1] ** 2) / sinc(half)
 
     def after(phi, part):
-        turns = {x: 0, y: 0, theta: 0, v: way, omega: way * tan(phi) / L}
-        return arc_step.substitute({**turns, dt: part})
+        start = {x: 0, y: 0, theta: 0}
+        return arc_step.substitute(start | {v: way, steering: phi, wheelbase: L, dt: part})
 
     return (
         car((0, 0, 0), right, L, "ghost"),

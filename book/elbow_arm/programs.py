@@ -9,7 +9,7 @@ from sympy import Matrix, cos, sin
 from book import things_space
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm.exercises import M2, M4, WAYS, four_alike, possible, without_x_by_atan2
-from book.elbow_arm.formulas import a2, a3, d1, p_z, theta1, theta2, theta3
+from book.elbow_arm.formulas import a2, a3, d1, forward, p_z, theta1, theta2, theta3
 from courseware.figures import VIEW
 from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
@@ -48,13 +48,11 @@ STRAIGHT = {
 }
 
 
-def joints(theta, a2, a3, d1=0):
+def joints(theta, upper, lower, height=0):
     """Return the places of base, shoulder, elbow and wrist, of symbols."""
-    theta1, theta2, theta3 = theta
-    ahead = np.array([cos(theta1), sin(theta1), 0])
-    ways = ((a2, theta2), (a3, theta2 + theta3))
-    parts = [[0, 0, d1], *(a * (cos(way) * ahead + [0, 0, sin(way)]) for a, way in ways)]
-    return np.vstack([[0, 0, 0], np.cumsum(parts, axis=0)])
+    arm = dict(zip((theta1, theta2, theta3), theta, strict=True)) | {d1: height}
+    ends = (arm | {a2: a, a3: b} for a, b in ((0, 0), (upper, 0), (upper, lower)))
+    return np.vstack([[0, 0, 0], *(np.ravel(forward.right.subs(end)) for end in ends)])
 
 
 def draw_link(start, end, theta1, kind):

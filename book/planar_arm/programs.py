@@ -24,6 +24,7 @@ from book.planar_arm.exercises import (
 from book.planar_arm.formulas import (
     ANGLES,
     LENGTHS,
+    forward,
     l1,
     l2,
     l3,
@@ -41,19 +42,21 @@ from book.planar_arm.formulas import (
     y_dot,
 )
 from book.things_arms import links
+from courseware.equations import substitute
 from courseware.figures import Arrow, Point
 from courseware.practice import angle
 from courseware.programs.declaration import Program
 from robokin import planar_arm
 
+HAND = substitute(forward.right, dict(forward.where))
 SHOWN = 0.2  # s, of a motion in a picture
 
 
 def joints(theta, lengths):
     """Return the places of the joints and of the hand, of symbols."""
-    ways = np.cumsum(theta)
-    links = [[long * cos(way), long * sin(way)] for long, way in zip(lengths, ways, strict=True)]
-    return np.vstack([[0, 0], np.cumsum(links, axis=0)])
+    angles = dict(zip(ANGLES, theta, strict=True))
+    arms = (dict(zip(LENGTHS, [*lengths[:k], 0, 0, 0], strict=False)) for k in range(4))
+    return np.array([[*HAND.subs(angles | arm)[:2]] for arm in arms])
 
 
 def draw_arms(right, came, lengths):

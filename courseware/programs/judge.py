@@ -33,7 +33,8 @@ TELLING = 20  # inputs on which a mistake must be far from right, before it is n
 FAR = 10  # tolerances
 NEAR = 1000  # tolerances: digits are missing, the formula is right
 LEVEL = "An extra, if you like, is to take arrays of many inputs at once."
-BORDER = {True: "#2e8b57", False: "#c2344b"}  # of a right one and of others; pages may be dark
+BORDER = "padding: .5rem .9rem; border-left: 4px solid {}"
+COLORS = {True: "#2e8b57", False: "#c2344b"}  # of right and of wrong; pages may be dark
 SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
 STEPS = 2_000_000  # of Python in one call: more is an endless loop
 REVEALED = 3  # right values shown; then only whether a number is too large or too small
@@ -90,9 +91,9 @@ class Verdict:
             f"<pre>{escape(line.strip())}</pre>" if line[0] == " " else f"<p>{quote_code(line)}</p>"
             for line in self.lines
         )
-        style = f"padding: .5rem .9rem; border-left: 4px solid {BORDER[self.right]}"
-        text = f'<div class="rk-judged" style="{style}" role="status">{"".join(parts)}</div>'
-        return text + self.picture
+        kind, style = "right" if self.right else "wrong", BORDER.format(COLORS[self.right])
+        head = f'<div class="rk-judged rk-{kind}" role="status" style="{style}">'
+        return f"{head}{''.join(parts)}</div>{self.picture}"
 
 
 def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
@@ -235,8 +236,13 @@ def apart(came: Any, right: Any, stored: Stored) -> Any:
 
 def find_deed(answer: Any, case: Stored, stored: Stored) -> Any:
     """Return what an answer does, by the formulas that are stored for it."""
-    given = np.hstack([answer, *map(np.ravel, case["arguments"])])
-    return np.array(eval(read_formulas(stored["does"]), {"numpy": np, "given": given}))
+    names = {"numpy": np, "given": join_numbers(answer, *case["arguments"])}
+    return np.array(eval(read_formulas(stored["does"]), names))
+
+
+def join_numbers(*parts: Any) -> Any:
+    """Return all numbers of these numbers and arrays in a row."""
+    return np.hstack([np.ravel(part) for part in parts])
 
 
 @cache
@@ -285,7 +291,7 @@ def refuse_answer(
             "On all ordinary inputs it is right: give this case a branch of its own, or "
             "find a formula that needs none."
         )
-    numbers = np.hstack([right, came, *map(np.ravel, case["arguments"])])
+    numbers = join_numbers(right, came, *case["arguments"])
     return refuse(
         stored,
         place,

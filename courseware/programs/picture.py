@@ -11,6 +11,7 @@ from courseware.figures import VIEW, Choice, Curve, Figure, Thing
 from courseware.figures.figure import inline_colors
 from courseware.figures.solids import Solid
 from courseware.programs.declaration import Program
+from courseware.programs.judge import join_numbers
 from courseware.programs.storing import name_numbers, store
 from courseware.script import engine
 
@@ -22,10 +23,10 @@ def answer_figure(program: Program) -> Figure:
     """Return the figure of a program: its numbers are those of `Verdict.numbers`."""
     stored = store(program)
     case, shape = stored["cases"][0], stored["shape"]
-    given = [np.reshape(case["right"], shape)] * 2 + [*map(np.asarray, case["arguments"])]
-    parts = [name_numbers(f"part_{k}_", each) for k, each in enumerate(given)]
-    symbols = tuple(np.hstack([np.ravel(part) for part in parts]))
-    numbers = tuple(np.hstack([np.ravel(each) for each in given]).tolist())
+    right = np.reshape(case["right"], shape)
+    given = (right, right, *case["arguments"])
+    parts = name_numbers(*given)
+    symbols, numbers = (tuple(join_numbers(*each).tolist()) for each in (parts, given))
     scene = tuple(program.picture(*parts))
     places = tuple(place for shape in scene for place in _places(shape, program.extent))
     return Figure(

@@ -15,7 +15,7 @@ from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
 from courseware.practice.bank import all_exercises
 from courseware.programs.declaration import Function, Program
-from courseware.programs.judge import KNOWN, LEAST, SIZE, as_arguments
+from courseware.programs.judge import KNOWN, LEAST, SIZE, as_arguments, join_numbers
 
 ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case
 MANY = 60  # from which the simplest are taken
@@ -49,7 +49,8 @@ def store(program: Program) -> dict[str, Any]:
     ]
     entries += _take_for_degrees(program, [cases[k][1] for k in ordinary])
     if not program.is_new:  # the name would leave nothing to find
-        answers = [_flat(program, _function(program), given[k]) for k in ordinary]
+        starter = _starter_function(program)
+        answers = [_flat(program, starter, given[k]) for k in ordinary]
         for entry in entries:
             if np.allclose(np.array(entry["answers"]), answers, equal_nan=True):
                 entry["feedback"] = AS_GIVEN
@@ -72,17 +73,19 @@ def store(program: Program) -> dict[str, Any]:
     }
 
 
-def _function(program: Program) -> Function:
-    """Return the function of the starter."""
+def _starter_function(program: Program) -> Function:
     names: dict[str, Any] = {"np": np}
     exec(program.starter, names)
     function: Function = names[program.definition.name]
     return function
 
 
-def name_numbers(stem: str, like: Any) -> Any:
-    """Return an array of symbols of a shape; one symbol for a number."""
-    shape = np.shape(like)
+def name_numbers(*parts: Any) -> list[Any]:
+    """Return arrays of symbols of the shapes of these; one symbol for a number."""
+    return [_name_part(f"part_{k}_", np.shape(part)) for k, part in enumerate(parts)]
+
+
+def _name_part(stem: str, shape: tuple[int, ...]) -> Any:
     if not shape:
         return sp.Symbol(stem, real=True)
     return np.array(sp.symbols(f"{stem}:{np.prod(shape)}", real=True)).reshape(shape)
@@ -92,9 +95,9 @@ def _write_deed(program: Program, right: list[float], given: list[Any]) -> str:
     """Return what an answer does as Python: of `given`, all numbers of answer and arguments."""
     if not program.does:
         return ""
-    parts = [name_numbers(f"part_{k}_", each) for k, each in enumerate((right, *given))]
-    symbols = np.hstack([np.ravel(part) for part in parts])
-    code = {symbol: sp.Symbol(f"given[{k}]", real=True) for k, symbol in enumerate(symbols)}
+    parts = name_numbers(right, *given)
+    places = enumerate(join_numbers(*parts))
+    code = {symbol: sp.Symbol(f"given[{k}]", real=True) for k, symbol in places}
     numbers = [sp.sympify(x).subs(code) for x in np.ravel(program.does(*parts))]
     return str(NumPyPrinter().doprint(numbers))
 
@@ -131,12 +134,17 @@ def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -
 def _draw_number(program: Program, symbol: NamedSymbol, draw: Any, simple: bool) -> float:
     low, high = program.ranges.get(symbol, (symbol.low, symbol.high))
     kind = int if symbol in program.whole else float
-    plain = [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high and kind(x) == x]
-    if simple and plain:
-        near = [x for x in plain if abs(x) >= 0.05 * max(abs(low), abs(high))] or plain
-        return kind(near[int(draw.integers(len(near)))])
+    if simple and (plain := list_plain(kind, low, high)):
+        return kind(plain[int(draw.integers(len(plain)))])
     drawn = draw.uniform(low, high)
     return round(drawn) if kind is int else float(f"{drawn:.4g}")
+
+
+@cache
+def list_plain(kind: type, low: float, high: float) -> list[float]:
+    """Return the plain numbers in a range, of these the ones that are not small there."""
+    plain = [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high and kind(x) == x]
+    return [x for x in plain if abs(x) >= 0.05 * max(abs(low), abs(high))] or plain
 
 
 def _dealt_numbers(program: Program) -> list[list[set[float]]]:

@@ -167,7 +167,7 @@ const updateButtons = () => cells.forEach((cell, k) => {
 
 const fetchText = async (name) => {
   const answer = await fetch(new URL(name, import.meta.url), { cache: "no-cache" });
-  if (!answer.ok) throw new Error(`${name} answers ${answer.status}`);
+  if (!answer.ok) throw Object.assign(new Error(`${name} answers ${answer.status}`), { gone: answer.status === 404 });
   return answer.text();
 };
 
@@ -176,9 +176,7 @@ const runCell = async (cell) => {
   cell.ran = cell.text;
   cells.slice(cell.k + 1).forEach((below) => { below.ran = null; });
   const end = waitForWorker(), { k, program, revealed } = cell;
-  const stored = program && await fetchText(`../programs/${program}.json`).catch((error) => {
-    throw Object.assign(error, { gone: true });
-  });
+  const stored = program && await fetchText(`../programs/${program}.json`);
   worker.postMessage({ cell: k, source: cell.ran, name: `cell ${k + 1}`, stored, revealed });
   const { ended, shown } = await end;
   if (!ended) cell.ran = null;

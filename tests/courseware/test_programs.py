@@ -3,6 +3,7 @@
 import ast
 import linecache
 import re
+from collections import Counter
 
 import numpy as np
 import pytest
@@ -41,6 +42,10 @@ def step(*lines):
 
 
 # --- all that are declared ------------------------------------------------------------------
+
+
+def test_each_chapter_has_three():
+    assert min(Counter(program.topic for program in PROGRAMS.values()).values()) >= 3
 
 
 @EACH
@@ -264,7 +269,7 @@ def test_all_right_answers_are_right_where_there_are_several():
 def test_the_verdict_is_for_a_page_too():
     html = judged(STEP, STEP.starter)._repr_html_()
     assert "<pre>car_step(np.array([" in html
-    assert html.startswith('<div class="rk-judged" style="padding')
+    assert html.startswith('<div class="rk-judged rk-wrong" role="status"')
     assert "without a <code>return</code>" in html
 
 

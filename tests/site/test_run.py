@@ -285,6 +285,9 @@ WORKER = """onmessage = ({ data }) => {
 };"""
 
 
+FLOOD = "for (let k = 0; k < 20_000; k += 1) say('stdout', 'x')"
+
+
 @contextmanager
 def with_worker(server, chromium, says):
     """A page of a browser that agreed once, whose Python says this of every cell."""
@@ -302,10 +305,7 @@ def with_worker(server, chromium, says):
 
 @pytest.fixture
 def flooded(server, chromium):
-    with with_worker(server, chromium, "for (let k = 0; k < 20_000; k++) say('stdout', 'x')") as (
-        page,
-        _,
-    ):
+    with with_worker(server, chromium, FLOOD) as (page, _):
         page.goto(server + PAGE)
         yield page
 

@@ -3,8 +3,9 @@
 {
   const ROOT = document.documentElement.dataset.content_root;
   const STATIC = new URL("_static/", new URL(ROOT, document.baseURI));
-  // how much a word counts: in a title, where a chapter explains it, in what names a mistake, in prose, in code
-  const FIELDS = { title: 9, terms: 9, feedback: 3, text: 1.2, code: 0.15 };
+  // how much a word counts: in a title, where a chapter explains it, in search_words.toml, in what
+  // names a mistake, in prose, in code
+  const FIELDS = { title: 9, terms: 9, also: 0.5, feedback: 3, text: 1.2, code: 0.15 };
   const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.4 };
   const SLIPS = (term) => (term.length > 6 ? 2 : term.length > 4 ? 1 : 0); // letters that may differ
   const MOST_RESULTS = { dialog: 8, page: 30 };
@@ -37,7 +38,7 @@
     buildIndex(entries) {
       index = new MiniSearch({
         fields: Object.keys(FIELDS),
-        storeFields: ["page", "at", "title", "of", "text", "code"],
+        storeFields: ["page", "at", "title", "of", "text", "code", "also"],
         tokenize: splitWords,
         processTerm: (term) => foldTerm(term) || null,
         searchOptions: {
@@ -55,13 +56,15 @@
       let found = [];
       for (const how of tries) if (!found.length) found = index.search(words, how);
       // what has all of them in its title counts more, a page most; more, too, a section that has the
-      // words one after the other; a summary counts less than what it sums up
+      // words one after the other, most if search_words.toml has just them; a summary counts less than
+      // what it sums up
       const said = words.toLowerCase();
-      const weigh = ({ score, terms, page, at, title, text = "" }) => {
-        const known = new Set(listTerms(title)), all = terms.length && terms.every((term) => known.has(term));
+      const weigh = ({ score, terms, match, page, at, title, text = "", also = "" }) => {
+        const known = new Set(listTerms(title)), own = terms.filter((term) => match[term].join() !== "also");
+        const all = own.length >= listTerms(words).length && own.every((term) => known.has(term));
         const phrase = at && said.includes(" ") && text.toLowerCase().includes(said);
-        return score * (!all || page in PAGES ? 1 : at ? 2 : 3) * (phrase ? 1.4 : 1)
-          * (title === "Recap" ? 0.5 : 1);
+        return score * (!all || page in PAGES ? 1 : at ? 2 : 3) * (also.split(", ").includes(said) ? 8 : phrase ? 1.4 : 1)
+          * (/^(Recap|Exercise|Program)\b/.test(title) ? 0.5 : 1);
       };
       return found.map((one) => [weigh(one), one]).sort(([a], [b]) => b - a).map(([, one]) => one);
     },

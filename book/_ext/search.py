@@ -1,14 +1,16 @@
 """Data for the search by section, which MiniSearch does in the page.
 
 Titles, text and code are separate fields: titles count more than prose, and prose more than code.
-Exercises, mistakes, functions and terms of the glossary are entries of their own. `search.js` loads
-the data when a reader starts to search, from disk too.
+Exercises, mistakes, functions and terms of the glossary are entries of their own. What readers
+type and a section does not say is in `search_words.toml`. `search.js` loads the data when a reader
+starts to search, from disk too.
 """
 
 import hashlib
 import json
 import posixpath
 import re
+import tomllib
 from pathlib import Path
 
 from bs4 import BeautifulSoup
@@ -20,7 +22,8 @@ from courseware.equations.text import GREEK
 from courseware.practice import all_mistakes
 
 NAMES = {"sin", "cos", "tan", "cot", "arctan", "det"}
-LEFT_OUT = ["checks"]  # formulas of the chapters once more
+WORDS = Path(__file__).with_name("search_words.toml")
+UNREAD = ["checks"]  # formulas of the chapters once more
 UNSEEN = "style, script, svg, button, label, [hidden]"
 
 
@@ -141,13 +144,30 @@ class Reader:
 def collect_entries(env):
     """Return the entries of all pages."""
     found = []
-    for page in sorted(env.found_docs - set(LEFT_OUT)):
+    for page in sorted(env.found_docs):
         document = env.get_doctree(page)
         SelectMimeType(document).run()  # one form of each output
         reader = Reader(page, env.titles)
-        reader.read_section(document.next_node(nodes.section), top=True)
+        if page in UNREAD:
+            reader.add("", reader.title)
+        else:
+            reader.read_section(document.next_node(nodes.section), top=True)
         found += reader.entries
-    return found
+    return add_words(found, tomllib.loads(WORDS.read_text("utf-8")))
+
+
+def add_words(entries, words):
+    """Return the entries, with what they are also found by: {page: {anchor: words}}."""
+    missing = {(page, at) for page, sections in words.items() for at in sections}
+    for entry in entries:
+        place = entry["page"], entry.get("at", "")
+        if place in missing:
+            entry["also"] = words[place[0]][place[1]]
+            missing.remove(place)
+    if missing:
+        places = ", ".join(f"{page}#{at}" for page, at in sorted(missing))
+        raise ValueError(f"{WORDS.name} has words for what is no section: {places}")
+    return entries
 
 
 def write_data(app, env):

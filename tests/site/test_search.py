@@ -1,10 +1,13 @@
 """The search: what must come first, results while typing, and by keyboard."""
 
+import tomllib
+from collections import Counter
+
 import pytest
+import search
 from browser import watched_page
 
 pytest_plugins = ["browser"]
-pytestmark = pytest.mark.browser
 
 # What a reader types, and the page or section that must come first.
 ARM, EULER, FRAMES = "elbow_arm/elbow_arm", "euler/euler", "frames/frames"
@@ -87,6 +90,7 @@ FIRST = {
 ASK = "(q) => siteSearch.ask(q).slice(0, 1).map(({page, at}) => at ? `${page}#${at}` : page)[0]"
 
 
+@pytest.mark.browser
 def test_what_comes_first(site, server, chromium):
     """Sixty questions, over http; "page#" is any section of a page."""
     with watched_page(chromium, server) as (page, watch):
@@ -102,6 +106,7 @@ def test_what_comes_first(site, server, chromium):
     assert not wrong
 
 
+@pytest.mark.browser
 def test_a_result_leads_to_its_section(site, chromium):
     """From disk: typed in the dialog, chosen with the arrows."""
     home = site.as_uri() + "/"
@@ -116,3 +121,19 @@ def test_a_result_leads_to_its_section(site, chromium):
         page.keyboard.press("Enter")
         page.wait_for_url("**/wheels.html#the-rolling-row")
         assert not watch.errors + watch.strangers
+
+
+def test_words_lead_to_one_place_each():
+    pages = tomllib.loads(search.WORDS.read_text("utf-8"))
+    listed = [words.split(", ") for sections in pages.values() for words in sections.values()]
+    counts = Counter(words for each in listed for words in each)
+    assert not [words for words, count in counts.items() if count > 1 or words != words.lower()]
+
+
+def test_words_for_what_is_no_section_are_refused():
+    entry = {"page": "wheels", "at": "castor", "title": "Castors"}
+    assert search.add_words([dict(entry)], {"wheels": {"castor": "trolley"}}) == [
+        entry | {"also": "trolley"}
+    ]
+    with pytest.raises(ValueError, match=r"search_words\.toml .* no section: wheels#caster"):
+        search.add_words([entry], {"wheels": {"caster": "trolley"}})

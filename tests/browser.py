@@ -152,21 +152,17 @@ MAKE_ALL = """() => ["beforeprint", "afterprint"].forEach((name) => {
 })"""
 
 
+DRAW_ALL = """() => {
+  document.head.insertAdjacentHTML(
+    "beforeend", "<style>* { content-visibility: visible !important; }</style>");
+  return document.body.offsetHeight && document.fonts.ready.then(() => true);
+}"""
+
+
 def draw_all(page):
     """Draw also the parts far from the window, with their fonts: a page is then as it stays."""
     page.evaluate(MAKE_ALL)
-    page.add_style_tag(content="* { content-visibility: visible !important; }")
-    page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
-
-
-ALL_DRAWN = """() => [...document.querySelectorAll(".math-scroll")]
-  .every((box) => box.style.contentVisibility === "visible")"""
-
-
-def wait_until_drawn(page):
-    """Wait until a page has drawn its far formulas, as it does one by one in its idle time."""
-    page.wait_for_function(ALL_DRAWN)
-    page.evaluate("() => document.body.offsetHeight && document.fonts.ready")
+    page.evaluate(DRAW_ALL)
 
 
 # opens the folds around an element and in it, but not a figure's own; predictions as answered

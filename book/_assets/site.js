@@ -6,7 +6,7 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
 {
   const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };
   // as in site.css
-  const FAR = ".bd-article section section > :is(p, ul, ol, details), .bd-article section section .cell > div > *";
+  const FAR = ".bd-article section section > :is(p, ul, ol, details), .bd-article section section .cell > div > :not(.rk-run)";
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 
   // All are measured before one is changed: else the page is laid out anew for each.
@@ -52,11 +52,12 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   addEventListener("beforeprint", () => places.forEach(make));
 
   // What is far below is drawn piece by piece when nothing else is to do: a printer waits for no font.
+  // Then its height is known, and it rests: a page of which all is drawn moves its figures slowly.
   const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
-  const waiting = [...document.querySelectorAll(`.math-scroll, ${FAR}`)];
+  const drawn = document.querySelectorAll(`.math-scroll, ${FAR}`), waiting = [...drawn];
   const drawNext = () => {
     const box = waiting.shift();
-    if (!box) return;
+    if (!box) return drawn.forEach(({ style }) => { style.contentVisibility = ""; });
     box.style.contentVisibility = "visible";
     later(drawNext);
   };

@@ -85,7 +85,8 @@ class ClassCollector(HTMLParser):
 def filter_rules(css, names):
     """Return the rules for elements with these classes, without the icon font.
 
-    `site.css` replaces that.
+    `site.css` replaces that. Left out are also corners of cells that depend on what is beside them:
+    whatever a figure changes, a browser would look for such cells around it.
     """
     kept = []
     for rule in parse_stylesheet(css, skip_comments=True, skip_whitespace=True):
@@ -99,7 +100,9 @@ def filter_rules(css, names):
         group = rule.type == "at-rule" and rule.at_keyword in GROUPS
         body = filter_rules(rule.content, names) if group else serialize(rule.content or ()).strip()
         icon = head.startswith(".fa-") and ".fas" not in head and "--icon" not in body  # ours
-        if head and body and not icon and not (head == "@font-face" and "Awesome" in body):
+        slow = head.startswith("div.cell:has(> *")
+        font = head == "@font-face" and "Awesome" in body
+        if head and body and not (icon or slow or font):
             kept.append(f"{head}{{{body}}}")
     return "\n".join(kept)
 

@@ -13,7 +13,7 @@ import urllib.error
 import urllib.request
 
 import pytest
-from browser import ALL_DRAWN, UNFOLD, listed
+from browser import DRAW_ALL, UNFOLD, listed
 from declared import FIGURES
 from support import find_command
 
@@ -185,7 +185,7 @@ GRIP = """(name) => {
 def test_a_page_and_its_figures(name, browser, server):
     browser.call("Navigate", {"url": f"{server}{name}.html"})
     assert browser.run(WEIGHT) == "700"  # the style has come
-    until(lambda: browser.run(ALL_DRAWN))  # then nothing moves any more
+    browser.run(DRAW_ALL)  # then nothing moves any more
     ids = browser.run("() => [...document.querySelectorAll('.rk-figure')].map(({id}) => id)")
     for figure in ids:
         browser.run(f"(name) => ({UNFOLD})(document.getElementById(name))", figure)

@@ -5,7 +5,7 @@ import statistics
 
 import numpy as np
 import pytest
-from browser import settled, wait_until_drawn, watched_page
+from browser import draw_all, settled, watched_page
 from figure_numbers import (
     ALLOWED,
     each_figure,
@@ -111,7 +111,7 @@ def test_the_page_does_not_jump_when_the_script_takes_over(
         settled(page, server + page_of[figure.name])
         live = OnPage(page, figure)
         live.unfold()
-        wait_until_drawn(page)
+        draw_all(page)
         live.picture.evaluate(SHOW)
         below = live.root.evaluate(BELOW)
         page.evaluate(SHIFTS)

@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from browser import ROOT, wait_until_drawn, watched_page
+from browser import ROOT, draw_all, watched_page
 
 import book  # noqa: F401 (opens the course)
 from courseware.course import course
@@ -97,7 +97,7 @@ def test_a_link_leads_to_its_place_at_once_and_stays_there(place, chromium, serv
         page.goto(f"{server}wheels/wheels.html#{place}")
         head = page.locator(".bd-header-article").bounding_box()["height"]
         assert head <= page.evaluate(FROM_TOP, place) < head + 20
-        wait_until_drawn(page)
+        draw_all(page)
         assert head <= page.evaluate(FROM_TOP, place) < head + 20
 
 

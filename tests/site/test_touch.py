@@ -6,7 +6,7 @@ With real touches: on the typical figures, and on every figure of every page in 
 import time
 
 import pytest
-from browser import wait_until_drawn, watched_page
+from browser import draw_all, watched_page
 from declared import FIGURES
 from figure_numbers import HOMES, TYPICAL
 from figure_page import SHOW, OnPage
@@ -169,7 +169,7 @@ def test_a_finger_scrolls_or_moves_but_never_both(name, figures, site, server, c
     options = {"width": 390, "has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
     with watched_page(chromium, server, **options) as (page, watch):
         page.goto(f"{server}{name}.html")
-        wait_until_drawn(page)  # what is drawn above moves the page
+        draw_all(page)  # what is drawn above moves the page
         finger = Finger(page)
         ids = page.locator(figures).evaluate_all("(all) => all.map(({id}) => id)")
         assert ids

@@ -12,6 +12,7 @@ export const nameButton = (button, words, { title }) => {
 };
 
 export const pauseClock = (live) => {
+  if (!live.tick) return;
   cancelAnimationFrame(live.tick);
   live.tick = 0;
   live.all(".rk-play").forEach((button) => nameButton(button, "Play", live.figure));

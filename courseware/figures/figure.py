@@ -217,7 +217,8 @@ class Figure:
 
     def render_html(self) -> str:
         """Return the element that stands on a page with its outlines; the script moves it."""
-        start = f'<figure class="rk-figure" id="{self.name}" data-size="{self.size}"'
+        size = self.size if self.controls else "still"
+        start = f'<figure class="rk-figure" id="{self.name}" data-size="{size}"'
         return f'{start} aria-label="{escape(self.title)}">{self.render_contents()}</figure>\n'
 
     @cached_property

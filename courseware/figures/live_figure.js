@@ -141,6 +141,7 @@ export class LiveFigure {
   writeGoals() {
     const now = this.held || this.passing ? [] : this.figure.goals;
     now.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
+    this.element.classList.toggle("rk-reached", this.reached.size > 0);
     this.goals.forEach((goal, k) => {
       const done = this.reached.has(k);
       if (goal.classList.contains("rk-done") === done) return;

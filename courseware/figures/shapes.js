@@ -4,7 +4,7 @@ import { KINDS } from "./constants.js";
 import { formatFixed } from "./figure_text.js";
 import { functions } from "./formula_functions.js";
 import { addLabel } from "./labels.js";
-import { casing, color, fill, headCasing, path, polyline, px, stroke } from "./svg.js";
+import { casing, color, drawLine, fill, headCasing, path, px, stroke } from "./svg.js";
 
 const SOLID = ";stroke-dasharray:none";
 const circle = (x, y, r, style) => ["circle", { cx: px(x), cy: px(y), r: px(r), style }];
@@ -18,8 +18,8 @@ const MARKERS = {
 };
 
 // In space a line leaves a gap in what it passes in front of.
-const strokePath = (line, shape, extra) =>
-  [...("depth" in shape ? [path(line, casing(shape.kind))] : []), path(line, stroke(shape.kind, extra))];
+const strokeLine = (points, shape, extra) =>
+  [...("depth" in shape ? [drawLine(points, casing(shape.kind))] : []), drawLine(points, stroke(shape.kind, extra))];
 
 // A curve in space, near here and far there: pieces, each with the depth of its middle. The dashes
 // run on from piece to piece.
@@ -29,7 +29,7 @@ const cutCurve = (points, depths, kind, size = 4) => {
     const piece = points.slice(i, i + size + 1);
     const offset = KINDS[kind].dash.length ? `;stroke-dashoffset:${px(run)}` : "";
     const depth = depths[i + (piece.length >> 1)];
-    if (Number.isFinite(depth)) pieces.push({ nodes: strokePath(polyline(piece), { kind, depth }, offset), depth });
+    if (Number.isFinite(depth)) pieces.push({ nodes: strokeLine(piece, { kind, depth }, offset), depth });
     piece.slice(1).forEach(([x, y], k) => {
       run += Math.sqrt((x - piece[k][0]) ** 2 + (y - piece[k][1]) ** 2);
     });
@@ -66,19 +66,18 @@ export const SHAPES = {
     addLabel(to, x, y, shape);
     return [MARKERS[KINDS[shape.kind].marker](x, y, shape.kind)];
   },
-  line: (p, shape, to) => strokePath(polyline(toPoints(p).map(to)), shape),
+  line: (p, shape, to) => strokeLine(toPoints(p).map(to), shape),
   arrow: (p, shape, to) => {
     const [x0, y0] = to(p), [x1, y1] = to([p[2], p[3]]);
     const long = Math.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2);
     if (long < 0.5) return [];
     const tip = Math.min(11, long), [ux, uy] = [(x1 - x0) / long, (y1 - y0) / long];
     const [bx, by] = [x1 - tip * ux, y1 - tip * uy], w = tip * 0.42;
-    const stem = `M${px(x0)} ${px(y0)}L${px(bx)} ${px(by)}`;
-    const head = `M${px(x1)} ${px(y1)}L${px(bx - w * uy)} ${px(by + w * ux)}`
-      + `L${px(bx + w * uy)} ${px(by - w * ux)}z`;
+    const stem = [[x0, y0], [bx, by]], left = [bx - w * uy, by + w * ux], right = [bx + w * uy, by - w * ux];
+    const head = [[x1, y1], left, right, [x1, y1]];
     addLabel(to, x1, y1, shape, [ux, uy]);
-    return [path(stem, casing(shape.kind)), path(head, headCasing),
-      path(stem, stroke(shape.kind)), path(head, fill(shape.kind))];
+    return [drawLine(stem, casing(shape.kind)), drawLine(head, headCasing),
+      drawLine(stem, stroke(shape.kind)), drawLine(head, fill(shape.kind))];
   },
   wheel: (p, shape, to) => {
     const [w, h] = [shape.length * to.scale, shape.width * to.scale], gap = w / 4, shift = to.scale * p[3];
@@ -90,7 +89,7 @@ export const SHAPES = {
       path(w > 16 ? treads.join("") : "", "stroke-width:1"),
     ]]];
   },
-  area: (p, shape, to) => [path(`${polyline(toPoints(p).map(to))}z`, fill(shape.kind, 0.16))],
+  area: (p, shape, to) => [drawLine(toPoints(p).map(to), fill(shape.kind, 0.16))],
   length: (p, shape, to) => {
     const [[x0, y0], [x1, y1]] = toPoints(p).map(to), long = Math.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2);
     if (long < 1) return [];
@@ -100,7 +99,7 @@ export const SHAPES = {
     addLabel(to, (ax + bx) / 2, (ay + by) / 2, shape, off < 0 ? [-uy, ux] : [uy, -ux]);
     const ends = `${off ? end(x0, y0) + end(x1, y1) : ""}M${px(ax - 5 * uy)} ${px(ay + 5 * ux)}l${px(10 * uy)} `
       + `${px(-10 * ux)}M${px(bx - 5 * uy)} ${px(by + 5 * ux)}l${px(10 * uy)} ${px(-10 * ux)}`;
-    return [...strokePath(`M${px(ax)} ${px(ay)}L${px(bx)} ${px(by)}`, shape),
+    return [...strokeLine([[ax, ay], [bx, by]], shape),
       path(ends, stroke(shape.kind, `${SOLID};stroke-width:1`))];
   },
   label: (p, shape, to) => {
@@ -122,29 +121,29 @@ export const SHAPES = {
       points.push(to([x, y]));
       depths.push(depth);
     }
-    if (depths[0] === undefined) return strokePath(polyline(points), shape);
+    if (depths[0] === undefined) return strokeLine(points, shape);
     return cutCurve(points, depths, shape.kind);
   },
   trail: (p, shape, to, { c, trails }) => {
     const points = trails[shape.recurrence].map((state) => to(shape.point(functions, c, state)));
     const corners = points.length > 60 || !shape.dots ? [] : points.map(([x, y]) => circle(x, y, 3, fill(shape.kind)));
-    return [...strokePath(polyline(points), shape), ...corners];
+    return [...strokeLine(points, shape), ...corners];
   },
   cloud: (p, shape, to, { c }) => {
     const dots = shape.rows.map((row) => to(shape.point(functions, c, row)));
     return [path(dots.map(([x, y]) => `M${px(x)} ${px(y)}h0`).join(""), stroke(shape.kind, `;stroke-width:4.5;stroke-linecap:round${SOLID}`))];
   },
-  ink: (p, shape, to, { ink }) => strokePath(polyline((ink?.get(shape.pen) ?? []).map(to)), shape, SOLID),
+  ink: (p, shape, to, { ink }) => strokeLine((ink?.get(shape.pen) ?? []).map(to), shape, SOLID),
   angle: (p, shape, to) => {
     const [x, y, from, until] = p, points = [], steps = 24;
     for (let i = 0; i <= steps; i++) {
       const a = from + (until - from) * i / steps;
       points.push(to([x + shape.radius * Math.cos(a), y + shape.radius * Math.sin(a)]));
     }
-    const [mx, my] = points[steps / 2], [cx, cy] = to(p), arc = polyline(points);
+    const [mx, my] = points[steps / 2], [cx, cy] = to(p);
     const far = Math.sqrt((mx - cx) ** 2 + (my - cy) ** 2) || 1;
     addLabel(to, mx, my, shape, [(mx - cx) / far, (my - cy) / far]);
-    return [path(`${arc}L${px(cx)} ${px(cy)}z`, fill(shape.kind, 0.16)), ...strokePath(arc, shape, SOLID)];
+    return [drawLine([...points, [cx, cy]], fill(shape.kind, 0.16)), ...strokeLine(points, shape, SOLID)];
   },
   // A matrix: columns in their colours, between brackets.
   bracket: ([x, y, ...entries], shape, to) => {

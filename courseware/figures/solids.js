@@ -24,8 +24,7 @@ const isSeen = (q) => {
 
 const tenths = (x) => Math.round(10 * x) / 10;
 const writePoint = ([x, y]) => `${tenths(x)} ${tenths(y)}`;
-// Not a path: what a browser knows of a path's form is its style, which is worked out anew.
-const drawLine = (points, style) => ["polyline", { points, style }];
+const joinPoints = (points, style) => ["polyline", { points: points.join(" "), style }];
 
 // The outlines of a shadow: the edges between faces that the light meets and those that it does not,
 // joined to loops. One that lies in another is a hole, by the way that it runs.
@@ -51,7 +50,10 @@ const layShadow = (loops) => {
 };
 
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
-const unit = (a) => a.map((x) => x / (Math.hypot(...a) || 1));
+const unit = (a) => {
+  const long = Math.sqrt(dot(a, a)) || 1;
+  return a.map((x) => x / long);
+};
 const normalOf = ([a, b, c]) => unit(cross(subtract(a, b), subtract(b, c)));
 
 // Lighter or darker than its kind, in steps of a fiftieth.
@@ -89,8 +91,8 @@ const findLines = (texts, k, { beside }, seen, normals) => {
   texts.forEach((start, i) => {
     const next = beside[k][i], end = texts[(i + 1) % texts.length];
     if (isSmooth(k, next, seen, normals) || (seen[next] && next < k)) return;
-    if (start === ended) lines.push(`${lines.pop()} ${end}`);
-    else lines.push(`${start} ${end}`);
+    if (start === ended) lines.at(-1).push(end);
+    else lines.push([start, end]);
     ended = end;
   });
   return lines;
@@ -105,8 +107,8 @@ export const isCovered = ({ x, y }, depth, pieces) => pieces.some(({ face, depth
 
 export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
   const [ca, sa, ce, se] = [0, 1].flatMap((k) => [Math.cos(p[k]), Math.sin(p[k])]);
-  const place = (corner) => [0, 1, 2].map((i) =>
-    corner.reduce((sum, x, k) => sum + p[2 + 3 * i + k] * x, p[11 + i]));
+  const place = ([x, y, z]) => [0, 1, 2].map((i) =>
+    p[2 + 3 * i] * x + p[3 + 3 * i] * y + p[4 + 3 * i] * z + p[11 + i]);
   const toEye = ([x, y, z]) => {
     const away = x * ca + y * sa;
     return [...to([y * ca - x * sa, z * ce - away * se]), away * ce + z * se];
@@ -127,12 +129,12 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
       const tone = ghost ? paint(kind) : shadeFace(kind, normals[k]), around = face.map((i) => texts[i]);
       const style = ghost ? `fill:${tone};fill-opacity:${opacity};stroke:${tone};stroke-dasharray:${KINDS[kind]?.dash.join(" ") || "none"}`
         : `color:${tone};stroke-width:.6`;
-      const printed = paintDots(dots[k] ?? [], outlines[k], worlds[k], normals[k], toEye,
+      const printed = !dots[k] ? [] : paintDots(dots[k], outlines[k], worlds[k], normals[k], toEye,
         (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)");
-      pieces.push({ nodes: [drawLine([...around, around[0]].join(" "), style), ...printed], depth: depths[k], face: !ghost && outlines[k] });
+      pieces.push({ nodes: [joinPoints([...around, around[0]], style), ...printed], depth: depths[k], face: !ghost && outlines[k] });
       const edges = ghost ? [] : findLines(around, k, mesh, seen, normals);
       if (edges.length) { // above the faces beside it of the same round body
-        lines.push({ nodes: edges.map((line) => drawLine(line, `fill:none;stroke:${paint(edge || kind)}`)),
+        lines.push({ nodes: edges.map((line) => joinPoints(line, `fill:none;stroke:${paint(edge || kind)}`)),
           depth: Math.max(depths[k], ...mesh.beside[k].filter((next) => seen[next]).map((next) => depths[next])) });
       }
     });

@@ -35,7 +35,8 @@ def test_a_pen_leaves_ink_until_a_reset(alone):
     with alone(small_figure(scene=(PEN,))) as live:
 
         def drawn():
-            return live.picture.locator("path[style*='--rk-path']").first.get_attribute("d")
+            line = live.picture.locator(":is(path, polyline)[style*='--rk-path']").first
+            return line.evaluate("(line) => line.getAttribute('d') ?? line.getAttribute('points')")
 
         for x in (0.1, 0.2, 0.2, 0.9, 0.3):
             live.put([x])
@@ -47,4 +48,4 @@ def test_a_pen_leaves_ink_until_a_reset(alone):
         assert corners == pytest.approx(np.column_stack([1 + x, 1 - x**2]) * scale, abs=0.006)
         live.root.locator(".rk-reset").click()
         live.state()
-        assert re.findall("[ML]", drawn()) == ["M"]
+        assert len(drawn().split()) == 2

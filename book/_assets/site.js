@@ -5,8 +5,6 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
 // What scrolls sideways, or has symbols to name, can be reached with the keyboard.
 {
   const LABELS = { "math-scroll": "Equation", "pst-scrollable-table-container": "Table" };
-  // as in site.css
-  const FAR = ".bd-article section section > :is(p, ul, ol, details), .bd-article section section .cell > div > :not(.rk-run)";
   const BOXES = Object.keys(LABELS).map((name) => `.bd-article .${name}`).join(", ");
 
   // All are measured before one is changed: else the page is laid out anew for each.
@@ -51,17 +49,28 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   places.forEach((place) => near.observe(place));
   addEventListener("beforeprint", () => places.forEach(make));
 
-  // What is far below is drawn piece by piece when nothing else is to do: a printer waits for no font.
-  // Then its height is known, and it rests: a page of which all is drawn moves its figures slowly.
+  // A printer waits for no font, and the formulas that need those of large brackets may be far below.
   const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
-  const drawn = document.querySelectorAll(`.math-scroll, ${FAR}`), waiting = [...drawn];
-  const drawNext = () => {
-    const box = waiting.shift();
-    if (!box) return drawn.forEach(({ style }) => { style.contentVisibility = ""; });
-    box.style.contentVisibility = "visible";
-    later(drawNext);
+  const loadBrackets = () => [1, 2, 3, 4].forEach((size) => document.fonts.load(`1em KaTeX_Size${size}`));
+
+  // When a reader starts to scroll, what is far away is drawn piece by piece as soon as nothing else is
+  // to do, and then rests: its height is known, so nothing jumps when it comes near.
+  const drawFar = () => {
+    const parts = [...document.querySelectorAll(".math-scroll, .bd-article section > *, .cell > div > *")];
+    const far = parts.filter((part) => getComputedStyle(part).contentVisibility === "auto"), waiting = [...far];
+    const drawNext = () => {
+      const part = waiting.shift();
+      if (!part) return far.forEach(({ style }) => { style.contentVisibility = ""; });
+      part.style.contentVisibility = "visible";
+      later(drawNext);
+    };
+    drawNext();
   };
-  addEventListener("load", () => later(drawNext));
+  addEventListener("load", () => {
+    if (document.querySelector(".katex .delimsizing")) later(loadBrackets);
+    if (scrollY) later(drawFar);
+    else addEventListener("scroll", () => later(drawFar), { once: true });
+  });
 }
 
 // The theme takes the focus off its buttons, so that their tooltips go: not from a reader with keys.

@@ -87,17 +87,22 @@ def test_what_wraps_is_copied_as_it_was_typed(page, server):
     assert max(map(len, copied.splitlines())) > 60  # a line that wraps
 
 
+TALL = "document.documentElement.scrollHeight"
 FROM_TOP = "(place) => document.getElementById(place).getBoundingClientRect().top"
 
 
 @pytest.mark.parametrize("place", ["wheels-5", "equation-wheels-mobility"])
 def test_a_link_leads_to_its_place_at_once_and_stays_there(place, chromium, server):
-    """Behind it formulas are drawn, which are not quite as high as was reckoned."""
+    """What is around it is drawn meanwhile, which is not quite as high as was reckoned."""
     with watched_page(chromium, server, 390) as (page, _):
+        page.goto(f"{server}wheels/wheels.html")
+        draw_all(page)
+        tall = page.evaluate(TALL)
+        page.goto(f"{server}glossary.html")
         page.goto(f"{server}wheels/wheels.html#{place}")
         head = page.locator(".bd-header-article").bounding_box()["height"]
         assert head <= page.evaluate(FROM_TOP, place) < head + 20
-        draw_all(page)
+        page.wait_for_function(f"(tall) => {TALL} === tall", arg=tall)
         assert head <= page.evaluate(FROM_TOP, place) < head + 20
 
 

@@ -1,5 +1,6 @@
 """A figure on its chapter's page: the still picture, the script that takes it over, colours."""
 
+import io
 import re
 import statistics
 
@@ -17,6 +18,7 @@ from figure_numbers import (
     typical_moved,
 )
 from figure_page import SHOW, OnPage, drag, neighbours, nudge, slide
+from PIL import Image
 from support import assert_close
 
 from courseware.figures import Choice, Slider
@@ -52,6 +54,20 @@ def test_without_javascript_the_picture_is_there_and_why_it_stands_still(
         why = "(figure) => getComputedStyle(figure, '::after').content"
         assert "JavaScript is off" in live.root.evaluate(why)
         assert live.root.locator("button, input, select, dd").filter(visible=True).count() == 0
+
+
+def test_the_frame_of_a_reached_goal_is_not_cut_off_at_the_side(server, chromium):
+    """What lies far away is not painted, nor would be what juts out of it."""
+    with watched_page(chromium, server) as (page, _):
+        page.goto(f"{server}wheels/wheels.html")
+        figure = page.locator(".cell_output > .rk-figure").first
+        figure.scroll_into_view_if_needed()
+        figure.evaluate("(figure) => figure.classList.add('rk-reached')")
+        box = figure.locator(".rk-picture").bounding_box()
+        left = {"x": box["x"] - 2, "y": box["y"] + 50, "width": 2, "height": 1}
+        image = Image.open(io.BytesIO(page.screenshot(clip=left))).convert("RGB")
+    target = KINDS["target"].light
+    assert {f"#{r:02x}{g:02x}{b:02x}" for _, (r, g, b) in image.getcolors()} == {target}
 
 
 def broken(figure, told):

@@ -51,7 +51,8 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
 
   // A printer waits for no font, and the formulas that need those of large brackets may be far below.
   const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
-  const loadBrackets = () => [1, 2, 3, 4].forEach((size) => document.fonts.load(`1em KaTeX_Size${size}`));
+  const loadBrackets = () => [1, 2, 3, 4].filter((size) => document.querySelector(`.delimsizing.size${size}`))
+    .forEach((size) => document.fonts.load(`1em KaTeX_Size${size}`));
 
   // When a reader starts to scroll, what is far away is drawn piece by piece as soon as nothing else is
   // to do, and then rests: its height is known, so nothing jumps when it comes near.
@@ -67,7 +68,7 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
     drawNext();
   };
   addEventListener("load", () => {
-    if (document.querySelector(".katex .delimsizing")) later(loadBrackets);
+    later(loadBrackets);
     if (scrollY) later(drawFar);
     else addEventListener("scroll", () => later(drawFar), { once: true });
   });

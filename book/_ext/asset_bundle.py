@@ -40,7 +40,7 @@ def link_bundles(app, pagename, templatename, context, doctree):
 def write_bundles(folder, sheets, scripts):
     """Write both, once in a build, so that pages can name their versions."""
     (folder / "_static" / SHEET).write_text(join_files(folder, sheets), "utf-8")
-    script = join_files(folder, scripts, ";")
+    script = re.sub(r"(?m)^ *//.*\n", "", join_files(folder, scripts, ";"))  # without comments
     assert MEASURED in script, "the theme finds scrollable boxes otherwise now"
     script = script.replace(
         MEASURED, f"e.checkVisibility({{contentVisibilityAuto:true}})&&({MEASURED})"

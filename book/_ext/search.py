@@ -109,7 +109,7 @@ class Reader:
         return node.astext()
 
     def read_html(self, source, text):
-        """Add an exercise as an entry, and the description of a figure to the text."""
+        """Add an exercise as an entry, with text in its chapter; of a figure, what it shows."""
         soup = BeautifulSoup(source, "html.parser")
         exercise = soup.select_one(":is(.rk-exercise, .rk-program)[id]")
         figure = soup.find("figure")
@@ -117,7 +117,8 @@ class Reader:
             name, kind = exercise["id"], exercise["class"][0].removeprefix("rk-").title()
             for hint in soup.select(".rk-program > details"):
                 hint.decompose()
-            self.add(name, f"{kind} {name}", text=join_words([extract_text(exercise)]))
+            text = "" if self.page == "practice" else join_words([extract_text(exercise)])
+            self.add(name, f"{kind} {name}", text=text)
         elif figure:
             shown = figure.select_one("[role=img][aria-label], [role=group][aria-label]")
             text.append(shown["aria-label"] if shown else "")
@@ -125,9 +126,11 @@ class Reader:
             text.append(extract_text(soup))
 
     def read_function(self, desc):
-        """Add a function or a class of the library."""
+        """Add a function or a class; of those for authors what it does, without its arguments."""
         signature = desc.next_node(addnodes.desc_signature)
         content = desc.next_node(addnodes.desc_content)
+        if self.page == "declarations":
+            content = content.next_node(nodes.paragraph) or content
         if signature["ids"]:
             name = signature["ids"][0].removeprefix("robokin.")
             self.add(signature["ids"][0], name, text=join_words([content.astext()]))

@@ -67,6 +67,7 @@ def visited(chromium, server, **options):
     with watched_page(chromium, server, **options) as (page, watch):
         page.goto(f"{server}{PAGE}/{PAGE}.html")
         page.locator(STEP).evaluate(UNFOLD)  # what predictions open
+        draw_all(page)  # then nothing moves any more
         page.locator(f"{STEP} .rk-figure").first.scroll_into_view_if_needed()
         page.wait_for_selector(f"{STEP} .rk-live")
         yield page
@@ -121,7 +122,6 @@ def test_every_face_lights_all_of_them(page):
 def test_a_tap_lights_and_a_tap_elsewhere_clears(chromium, server):
     with visited(chromium, server, width=390, has_touch=True) as page:
         note, height = page.locator(".rk-named"), "() => document.documentElement.scrollHeight"
-        draw_all(page)
         before = page.evaluate(height)
         page.locator(faces("formula")).first.tap()
         assert lit(page) == set(FACES)

@@ -191,6 +191,7 @@ COME_ALIVE = """async (figure) => {
 }"""
 
 # a script for a page whose browser keeps nothing more
+TALL = "document.documentElement.scrollHeight"
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 
 # --- what a page does -----------------------------------------------------------------------

@@ -32,7 +32,8 @@
 
   const version = document.querySelector("meta[name=search]").content;
   const loadIndex = () => (loading ??= loadScript(`minisearch/minisearch.js?v=${version}`)
-    .then(() => loadScript(`search-data.js?v=${version}`)));
+    .then(() => loadScript(`search-data.js?v=${version}`))
+    .then(() => siteSearch.indexed));
 
   globalThis.siteSearch = {
     buildIndex(entries) {
@@ -48,7 +49,8 @@
             * (page === "notation" && /^\p{Script=Greek}$/u.test(term) ? 20 : 1),
         },
       });
-      index.addAll(entries.map((entry, id) => ({ id, ...entry })));
+      // piece by piece, or a phone would take no letter meanwhile
+      this.indexed = index.addAllAsync(entries.map((entry, id) => ({ id, ...entry })));
     },
     // what has all words; or all of them with slips of the hand; or any of them
     ask(words) {

@@ -49,26 +49,35 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   places.forEach((place) => near.observe(place));
   addEventListener("beforeprint", () => places.forEach(make));
 
-  // A printer waits for no font, and the formulas that need those of large brackets may be far below.
+  // One part after the other, each when nothing else is to do.
   const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
-  const loadBrackets = () => [1, 2, 3, 4].filter((size) => document.querySelector(`.delimsizing.size${size}`))
-    .forEach((size) => document.fonts.load(`1em KaTeX_Size${size}`));
+  const takeTurns = ([part, ...rest], act, end = () => {}) => {
+    if (!part) return end();
+    act(part);
+    later(() => takeTurns(rest, act, end));
+  };
 
-  // When a reader starts to scroll, what is far away is drawn piece by piece as soon as nothing else is
-  // to do, and then rests: its height is known, so nothing jumps when it comes near.
+  // A printer waits for no font, and the formula that needs it may be far below: a letter of each kind
+  // tells the font.
+  const LETTERS = [".mathbf", ".boldsymbol", ".mathbb", ".mathcal", ".amsrm", ".small-op", ".large-op",
+    ...[1, 2, 3, 4].map((size) => `.delimsizing.size${size}`)];
+  const loadFont = (letter) => {
+    const { fontStyle, fontWeight, fontFamily } = getComputedStyle(letter);
+    document.fonts.load(`${fontStyle} ${fontWeight} 1em ${fontFamily}`, letter.textContent);
+  };
+  const loadFonts = () => takeTurns(
+    LETTERS.map((letter) => document.querySelector(`.katex ${letter}`)).filter(Boolean), loadFont);
+
+  // When a reader starts to scroll, what is far away is drawn piece by piece and then rests: its height
+  // is known, so nothing jumps when it comes near.
   const drawFar = () => {
     const parts = [...document.querySelectorAll(".math-scroll, .bd-article section > *, .cell > div > *")];
-    const far = parts.filter((part) => getComputedStyle(part).contentVisibility === "auto"), waiting = [...far];
-    const drawNext = () => {
-      const part = waiting.shift();
-      if (!part) return far.forEach(({ style }) => { style.contentVisibility = ""; });
-      part.style.contentVisibility = "visible";
-      later(drawNext);
-    };
-    drawNext();
+    const far = parts.filter((part) => getComputedStyle(part).contentVisibility === "auto");
+    takeTurns(far, ({ style }) => { style.contentVisibility = "visible"; },
+      () => far.forEach(({ style }) => { style.contentVisibility = ""; }));
   };
   addEventListener("load", () => {
-    later(loadBrackets);
+    later(loadFonts);
     if (scrollY) later(drawFar);
     else addEventListener("scroll", () => later(drawFar), { once: true });
   });

@@ -1,4 +1,4 @@
-"""One style sheet and one script for all pages; rules that no page uses are left out.
+"""One style sheet and one script for all pages; rules and letters that no page uses are left out.
 
 Pages name the version of both before the sheet is reduced: it changes with the parts.
 """
@@ -10,7 +10,10 @@ from itertools import pairwise
 from operator import attrgetter
 from pathlib import Path
 
+from fontTools import subset
 from tinycss2 import parse_stylesheet, serialize
+
+from courseware.script.modules import SPARE
 
 SHEET, SCRIPT = "all.css", "all.js"
 # loaded by the theme's templates, so that Sphinx does not list them
@@ -18,8 +21,18 @@ FIRST_SHEETS = ("_static/basic.css", "_static/styles/pydata-sphinx-theme.css")
 LAST_SCRIPTS = ("_static/scripts/bootstrap.js", "_static/scripts/pydata-sphinx-theme.js")
 PAGE_SCRIPTS = ("_static/pages/", "_static/courseware/")
 PRIORITY = attrgetter("priority")  # Sphinx sorts by it, but later than this
-# The theme measures every box of a page, and would have those laid out that are far away.
+# Where the theme has a page laid out while it loads, and what stands there instead.
 MEASURED = "e.tabIndex=e.scrollWidth>e.clientWidth||e.scrollHeight>e.clientHeight?0:-1"
+LAYOUTS = {
+    # it measures every box of a page: not those that are far away
+    MEASURED: f"e.checkVisibility({{contentVisibilityAuto:true}})&&({MEASURED})",
+    # and where its second header bar ends, which `layout.html` leaves out
+    'document.getElementsByClassName("bd-header")[0].getBoundingClientRect()': "{bottom:0}",
+}
+# the fonts of formulas that most pages need, and their paths
+FONT = re.compile(
+    r"@font-face\{[^}]*url\((katex/fonts/KaTeX_(?:AMS|Main|Math)-(?:Regular|Bold|Italic))\.woff2\)[^}]*"
+)
 GROUPS = ("media", "supports", "layer", "container")
 
 
@@ -40,11 +53,10 @@ def link_bundles(app, pagename, templatename, context, doctree):
 def write_bundles(folder, sheets, scripts):
     """Write both, once in a build, so that pages can name their versions."""
     (folder / "_static" / SHEET).write_text(join_files(folder, sheets), "utf-8")
-    script = re.sub(r"(?m)^ *//.*\n", "", join_files(folder, scripts, ";"))  # without comments
-    assert MEASURED in script, "the theme finds scrollable boxes otherwise now"
-    script = script.replace(
-        MEASURED, f"e.checkVisibility({{contentVisibilityAuto:true}})&&({MEASURED})"
-    )
+    script = SPARE.sub("", join_files(folder, scripts, ";"))
+    for code, instead in LAYOUTS.items():
+        assert code in script, f"the theme's scripts do not hold this any more: {code}"
+        script = script.replace(code, instead)
     (folder / "_static" / SCRIPT).write_text(script, "utf-8")
 
 
@@ -59,15 +71,47 @@ def reduce_sheet(app, error):
     if error or not hasattr(app.builder, "sheets"):  # no page was written
         return
     folder = Path(app.outdir)
-    found, pages = ClassCollector(), folder.rglob("*.html")
+    found, letters, pages = ClassCollector(), set(), folder.rglob("*.html")
     for page in (page for page in pages if not page.is_relative_to(folder / "lite")):
-        found.feed(page.read_text("utf-8"))
+        text = page.read_text("utf-8")
+        found.feed(text)
+        letters.update(text)
     own = (SCRIPT, "courseware/*.js", "courseware.css", "site.css")  # scripts join some names
     for file in (file for name in own for file in folder.glob(f"_static/{name}")):
         found.names.update(re.findall(r"[\w-]+", file.read_text("utf-8")))
+    for file in folder.glob("_static/pages/*.js"):
+        letters.update(file.read_text("utf-8"))
     css = filter_rules(join_files(folder, app.builder.sheets), found.names)
     css = css.replace("url(fonts/", "url(katex/fonts/")
+    css = FONT.sub(lambda rule: split_font(folder / "_static", rule, letters), css)
     (folder / "_static" / SHEET).write_text(css, "utf-8")
+
+
+def split_font(static, rule, letters):
+    """Write a font with these letters only, half as heavy; return the rules for it and the whole.
+
+    The whole one comes for another letter, which only a reader's own program shows.
+    """
+    name = rule[1]
+    options = subset.Options(flavor="woff2", layout_features=["*"], name_IDs=["*"])
+    font = subset.load_font(static / f"{name}.woff2", options)
+    known = font.getBestCmap().keys()
+    used = known & set(map(ord, letters))
+    subsetter = subset.Subsetter(options)
+    subsetter.populate(unicodes=used)
+    subsetter.subset(font)
+    subset.save_font(font, static / f"{name}-used.woff2", options)
+    return (
+        f"{rule[0]};unicode-range:{write_ranges(known - used)}}}\n"
+        f"{rule[0].replace(name, f'{name}-used')};unicode-range:{write_ranges(used)}"
+    )
+
+
+def write_ranges(codes):
+    """Return codes of letters as a style sheet names them."""
+    starts = sorted(code for code in codes if code - 1 not in codes)
+    ends = sorted(code for code in codes if code + 1 not in codes)
+    return ",".join(f"U+{start:X}-{end:X}" for start, end in zip(starts, ends, strict=True))
 
 
 class ClassCollector(HTMLParser):

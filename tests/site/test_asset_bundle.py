@@ -4,7 +4,7 @@ import re
 
 import asset_bundle
 import pytest
-from browser import draw_all, listed, pages, settled, watched_page
+from browser import TALL, draw_all, listed, pages, settled, watched_page
 from bs4 import BeautifulSoup
 
 pytest_plugins = ["browser"]
@@ -82,7 +82,6 @@ WAIT = """(all) => all.filter(({ firstElementChild }) => {
   return !firstElementChild.checkVisibility({ contentVisibilityAuto: true });
 }).length"""
 SHOWN = "[...document.querySelectorAll('.math-scroll')].filter((box) => box.checkVisibility())"
-TALL = "document.documentElement.scrollHeight"
 
 
 @pytest.mark.browser
@@ -101,12 +100,41 @@ def test_a_formula_far_below_waits_and_has_its_place(server, chromium, width):
         assert sum(drawn) == pytest.approx(sum(waiting), rel=0.05)
 
 
+LOADED = """[...document.fonts].filter((font) => font.status === "loaded")
+  .map(({ family, style, weight }) => [family, style, weight].join(" ")).sort().join()"""
+
+
 @pytest.mark.browser
-def test_the_fonts_of_far_brackets_come_before_one_prints(server, chromium):
+@pytest.mark.parametrize("name", ["euler", "frames", "wheels"])
+def test_the_fonts_of_far_formulas_come_before_one_prints(name, server, chromium):
     with watched_page(chromium, server, 390) as (page, watch):
-        page.goto(f"{server}euler/euler.html")
-        page.wait_for_function("() => document.fonts.check('1em KaTeX_Size4')")  # of a matrix
+        page.goto(f"{server}{name}/{name}.html")
+        draw_all(page)
+        page.evaluate("() => document.fonts.ready")
+        fonts = page.evaluate(LOADED)
+        page.reload()
+        page.wait_for_function(f"(fonts) => {LOADED} === fonts", arg=fonts)
         assert page.evaluate(f"({WAIT})({SHOWN})")
+        assert not watch.errors
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("name", [name for name in listed() if "/" in name])
+def test_the_fonts_hold_the_letters_of_a_page_and_others_come_when_needed(name, server, chromium):
+    with watched_page(chromium, server, 390) as (page, watch):
+        asked = []
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(f"{server}{name}.html")
+        draw_all(page)
+        whole = [
+            url
+            for url in asked
+            if re.search(r"KaTeX_(AMS|Main|Math)-(Regular|Bold|Italic)\.woff2", url)
+        ]
+        assert not whole
+        assert any("KaTeX_Main-Regular-used.woff2" in url for url in asked)
+        with page.expect_request("**/KaTeX_Main-Regular.woff2"):  # a letter of no page
+            page.evaluate("() => document.fonts.load('1em KaTeX_Main', 'Ξ')")
         assert not watch.errors
 
 

@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from browser import ROOT, draw_all, watched_page
+from browser import ROOT, TALL, draw_all, watched_page
 
 import book  # noqa: F401 (opens the course)
 from courseware.course import course
@@ -87,7 +87,6 @@ def test_what_wraps_is_copied_as_it_was_typed(page, server):
     assert max(map(len, copied.splitlines())) > 60  # a line that wraps
 
 
-TALL = "document.documentElement.scrollHeight"
 FROM_TOP = "(place) => document.getElementById(place).getBoundingClientRect().top"
 
 

@@ -9,7 +9,7 @@ from html import unescape
 
 import numpy as np
 import pytest
-from browser import FULL, draw_all, watched_page
+from browser import FULL, TALL, draw_all, watched_page
 from declared import COURSE, EXERCISES, OF_EACH_KIND, table, typed
 from PIL import Image
 from playwright.sync_api import expect
@@ -500,7 +500,7 @@ def test_the_bar_says_who_and_how_far(page):
 def test_the_bar_comes_and_the_end_of_a_chapter_stays(chromium, server):
     with watched_page(chromium, server) as (page, watch):
         page.goto(f"{server}bicycle/bicycle.html")
-        bar, height = page.locator(".rk-bar"), "() => document.documentElement.scrollHeight"
+        bar, height = page.locator(".rk-bar"), TALL
         expect(bar).to_have_attribute("inert", "")
         expect(bar).to_be_hidden()
         draw_all(page)

@@ -1,7 +1,7 @@
 """Pictures of every page, to look at, in _build/screenshots; CONTRIBUTING.md has the command."""
 
 import pytest
-from browser import ROOT, draw_all, listed, watched_page
+from browser import ROOT, TALL, draw_all, listed, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -29,7 +29,7 @@ def test_screenshots_of_a_page(name, width, server, chromium):
             page.wait_for_function(COME)
             page.evaluate("() => scrollTo(0, 0)")
             page.evaluate("() => document.fonts.ready")
-            height = page.evaluate("() => document.documentElement.scrollHeight")
+            height = page.evaluate(TALL)
             for number, top in enumerate(range(0, height, SLICE), start=1):
                 part = {"x": 0, "y": top, "width": width, "height": min(SLICE, height - top)}
                 file = f"{name.replace('/', '-')}-{width}-{scheme}-{number}.png"

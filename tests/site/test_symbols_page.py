@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from html import unescape
 
 import pytest
-from browser import UNFOLD, draw_all, watched_page
+from browser import TALL, UNFOLD, draw_all, watched_page
 from declared import FIGURES
 from test_asset_bundle import each_page, named
 
@@ -121,7 +121,7 @@ def test_every_face_lights_all_of_them(page):
 
 def test_a_tap_lights_and_a_tap_elsewhere_clears(chromium, server):
     with visited(chromium, server, width=390, has_touch=True) as page:
-        note, height = page.locator(".rk-named"), "() => document.documentElement.scrollHeight"
+        note, height = page.locator(".rk-named"), TALL
         before = page.evaluate(height)
         page.locator(faces("formula")).first.tap()
         assert lit(page) == set(FACES)

@@ -11,7 +11,8 @@
   const MOST_RESULTS = { dialog: 8, page: 30 };
   let index = null, loading = null;
 
-  const EMPTY = new Set(["a", "an", "the", "of", "or", "and", "to", "in", "is", "for", "with", "vs"]);
+  const EMPTY = new Set(["a", "an", "the", "of", "or", "and", "to", "in", "is", "for", "with", "vs", "how", "what", "why",
+    "which", "when", "do", "does", "did", "are", "was", "be", "i", "my", "me", "you", "your", "by", "on", "from", "at"]);
   // one letter for what looks alike: case, Arabic and Persian ya and kaf, joiners, accents; one word
   // for one and many; none for words that say nothing
   const foldTerm = (term) => {
@@ -52,20 +53,19 @@
       // piece by piece, or a phone would take no letter meanwhile
       this.indexed = index.addAllAsync(entries.map((entry, id) => ({ id, ...entry })));
     },
-    // what has all words; or all of them with slips of the hand; or any of them
     ask(words) {
-      const tries = [{ combineWith: "AND" }, { combineWith: "AND", fuzzy: SLIPS }, { fuzzy: SLIPS }];
-      let found = [];
-      for (const how of tries) if (!found.length) found = index.search(words, how);
-      // what has all of them in its title counts more, a page most; more, too, a section that has the
-      // words one after the other, most if search_words.toml has just them; a summary counts less than
-      // what it sums up
+      const found = index.search(words, { fuzzy: SLIPS, weights: { fuzzy: 0.1, prefix: 0.375 } });
+      const asked = listTerms(words).length;
+      // what lacks one of the words counts less; what has all of them in its title counts more, a page
+      // most; more, too, a section that has the words one after the other, most if search_words.toml has
+      // just them; a summary counts less than what it sums up
       const said = words.toLowerCase();
-      const weigh = ({ score, terms, match, page, at, title, text = "", also = "" }) => {
+      const weigh = ({ score, queryTerms, terms, match, page, at, title, text = "", also = "" }) => {
         const known = new Set(listTerms(title)), own = terms.filter((term) => match[term].join() !== "also");
-        const all = own.length >= listTerms(words).length && own.every((term) => known.has(term));
+        const all = own.length >= asked && own.every((term) => known.has(term));
         const phrase = at && said.includes(" ") && text.toLowerCase().includes(said);
-        return score * (!all || page in PAGES ? 1 : at ? 2 : 3) * (also.split(", ").includes(said) ? 8 : phrase ? 1.4 : 1)
+        return score * (queryTerms.length / asked) ** 4 * (!all || page in PAGES ? 1 : at ? 2 : 3)
+          * (also.split(", ").includes(said) ? 8 : phrase ? 1.4 : 1)
           * (/^(Recap|Exercise|Program)\b/.test(title) ? 0.5 : 1);
       };
       return found.map((one) => [weigh(one), one]).sort(([a], [b]) => b - a).map(([, one]) => one);

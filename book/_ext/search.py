@@ -29,7 +29,7 @@ UNSEEN = "style, script, svg, button, label, [hidden]"
 
 def simplify_tex(tex):
     """Return TeX as a reader would type it: θ for a Greek letter, a/b for a fraction."""
-    tex = re.sub(r"\\(begin|end)\{\w+\}|\[\d+pt\]", " ", tex)
+    tex = re.sub(r"\\(begin|end)\{\w+\}|\\htmlData\{[^{}]*\}|\[\d+pt\]", " ", tex)
     text = re.sub(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", r"\1/\2", tex)
     text = re.sub(r"\\([A-Za-z]+)", lambda m: GREEK.get(m[1], m[1] if m[1] in NAMES else " "), text)
     return re.sub(r"\\.|[{}&^]", " ", text)

@@ -123,6 +123,11 @@ def test_a_result_leads_to_its_section(site, chromium):
         assert not watch.errors + watch.strangers
 
 
+def test_formulas_are_read_as_a_reader_sees_them(site):
+    data = (site / "_static" / "search-data.js").read_text("utf-8")
+    assert "symbol=" not in data  # which marks a symbol in TeX
+
+
 def test_words_lead_to_one_place_each():
     pages = tomllib.loads(search.WORDS.read_text("utf-8"))
     listed = [words.split(", ") for sections in pages.values() for words in sections.values()]

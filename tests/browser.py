@@ -190,8 +190,8 @@ COME_ALIVE = """async (figure) => {
   figure.courseware.settled();
 }"""
 
-# a script for a page whose browser keeps nothing more
 TALL = "document.documentElement.scrollHeight"
+# a script for a page whose browser keeps nothing more
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"
 
 # --- what a page does -----------------------------------------------------------------------

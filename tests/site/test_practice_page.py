@@ -500,15 +500,15 @@ def test_the_bar_says_who_and_how_far(page):
 def test_the_bar_comes_and_the_end_of_a_chapter_stays(chromium, server):
     with watched_page(chromium, server) as (page, watch):
         page.goto(f"{server}bicycle/bicycle.html")
-        bar, height = page.locator(".rk-bar"), TALL
+        bar = page.locator(".rk-bar")
         expect(bar).to_have_attribute("inert", "")
         expect(bar).to_be_hidden()
         draw_all(page)
-        high = page.evaluate(height)
+        high = page.evaluate(TALL)
         expect(bar).to_be_hidden()
         box(page, "bicycle-4").scroll_into_view_if_needed()
         expect(bar).to_be_visible()
-        assert page.evaluate(height) == high
+        assert page.evaluate(TALL) == high
         assert not watch.errors + watch.strangers
 
 

@@ -121,11 +121,10 @@ def test_every_face_lights_all_of_them(page):
 
 def test_a_tap_lights_and_a_tap_elsewhere_clears(chromium, server):
     with visited(chromium, server, width=390, has_touch=True) as page:
-        note, height = page.locator(".rk-named"), TALL
-        before = page.evaluate(height)
+        note, before = page.locator(".rk-named"), page.evaluate(TALL)
         page.locator(faces("formula")).first.tap()
         assert lit(page) == set(FACES)
-        assert page.evaluate(height) == before  # nothing moves
+        assert page.evaluate(TALL) == before  # nothing moves
         box = note.bounding_box()
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= 390

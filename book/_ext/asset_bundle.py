@@ -67,7 +67,7 @@ def join_files(folder, names, end=""):
 
 
 def reduce_sheet(app, error):
-    """Write the sheet without rules for classes that no page names, nor a file of ours; and fonts."""
+    """Write the sheet without rules for classes that no page or file of ours names, and fonts."""
     if error or not hasattr(app.builder, "sheets"):  # no page was written
         return
     folder = Path(app.outdir)

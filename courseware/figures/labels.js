@@ -28,7 +28,7 @@ const splitLetters = (text) => {
 const wordWidth = (word) => [...word].reduce((sum, sign) =>
   sum + (/[ .,:()'|lijtfr]/.test(sign) ? 5 : /[mwMW∞]/.test(sign) ? 13 : /[^a-z]/.test(sign) ? 9.5 : 8.5), 0);
 const textWidth = (pieces) => pieces.reduce((sum, { letter, index, word }) =>
-  sum + (letter ? 13 + 7.5 * index.length : wordWidth(word)), 0);
+  sum + (letter ? 13 + 7.5 * index.length : wordWidth(word)), 1);
 
 const WORDS = "font:14px system-ui,sans-serif", UPRIGHT = "KaTeX_Main,'Latin Modern Roman',serif";
 const MATH = "font:italic 17px KaTeX_Math,'Latin Modern Math','STIX Two Math',serif";

@@ -78,8 +78,7 @@ async ({ phone, screens, heights, sizes }) => {
     const { left, right, height } = box(figure), svg = figure.querySelector(".rk-picture svg");
     const scale = box(svg).width / svg.viewBox.baseVal.width, texts = all("text", svg);
     const letters = all("text, tspan", svg).map((t) => scale * parseFloat(getComputedStyle(t).fontSize));
-    // by a pixel they may: a letter has space at its sides, and browsers set it differently wide
-    const meet = (a, b) => a.left + 1 < b.right && b.left + 1 < a.right && a.top < b.bottom && b.top < a.bottom;
+    const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
     const faults = tornNumbers(figure).map((told) => `${told.textContent} is torn`);
     if (height > heights[sizes[figure.id]]) faults.push(`${height} px high, at most ${heights[sizes[figure.id]]}: flatten its view, or tell less`);
     if (left < 0 || right > innerWidth) faults.push("beside the page");

@@ -25,9 +25,7 @@ FAULTS = """([name, states]) => {
       if (a.left < outer.left || a.right > outer.right || a.top < outer.top
         || a.bottom > outer.bottom) found.add(`${words} leaves at ${state}`);
       for (const { words: other, box: b } of texts.slice(i + 1)) {
-        // a letter has space at its sides, and browsers set it differently wide
-        if (a.left + 1 < b.right && b.left + 1 < a.right
-          && a.top + 2 < b.bottom && b.top + 2 < a.bottom) {
+        if (a.left < b.right && b.left < a.right && a.top + 2 < b.bottom && b.top + 2 < a.bottom) {
           found.add(`${words} and ${other} at ${state}`);
         }
       }

@@ -61,12 +61,13 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   // tells the font.
   const LETTERS = [".mathbf", ".boldsymbol", ".mathbb", ".mathcal", ".amsrm", ".small-op", ".large-op",
     ...[1, 2, 3, 4].map((size) => `.delimsizing.size${size}`)];
-  const loadFont = (letter) => {
+  const loadFont = (kind) => {
+    const letter = document.querySelector(`.katex ${kind}`); // now: figures replace their formulas
+    if (!letter) return;
     const { fontStyle, fontWeight, fontFamily } = getComputedStyle(letter);
     document.fonts.load(`${fontStyle} ${fontWeight} 1em ${fontFamily}`, letter.textContent);
   };
-  const loadFonts = () => takeTurns(
-    LETTERS.map((letter) => document.querySelector(`.katex ${letter}`)).filter(Boolean), loadFont);
+  const loadFonts = () => takeTurns(LETTERS, loadFont);
 
   // When a reader starts to scroll, what is far away is drawn piece by piece and then rests: its height
   // is known, so nothing jumps when it comes near.

@@ -118,6 +118,25 @@ def test_the_fonts_of_far_formulas_come_before_one_prints(name, server, chromium
         assert not watch.errors
 
 
+# before each idle turn all formulas are printed anew, as those of figures are at any time
+ANEW = """() => {
+  const later = requestIdleCallback;
+  globalThis.requestIdleCallback = (act) => later((deadline) => {
+    document.querySelectorAll(".katex").forEach((each) => each.replaceWith(each.cloneNode(true)));
+    act(deadline);
+  });
+}"""
+
+
+@pytest.mark.browser
+def test_the_fonts_come_though_formulas_are_printed_anew_meanwhile(server, chromium):
+    with watched_page(chromium, server, 390) as (page, watch):
+        page.add_init_script(f"({ANEW})()")
+        page.goto(f"{server}bicycle/bicycle.html")
+        page.wait_for_function("() => document.fonts.check('1em KaTeX_Size4')")
+        assert not watch.errors
+
+
 @pytest.mark.browser
 @pytest.mark.parametrize("name", [name for name in listed() if "/" in name])
 def test_the_fonts_hold_the_letters_of_a_page_and_others_come_when_needed(name, server, chromium):

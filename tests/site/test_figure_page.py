@@ -6,7 +6,7 @@ import statistics
 
 import numpy as np
 import pytest
-from browser import draw_all, settled, watched_page
+from browser import COME_ALIVE, draw_all, settled, watched_page
 from figure_numbers import (
     ALLOWED,
     each_figure,
@@ -61,7 +61,7 @@ def test_the_frame_of_a_reached_goal_is_not_cut_off_at_the_side(server, chromium
     with watched_page(chromium, server) as (page, _):
         page.goto(f"{server}wheels/wheels.html")
         figure = page.locator(".cell_output > .rk-figure").first
-        figure.scroll_into_view_if_needed()
+        figure.evaluate(COME_ALIVE)  # or it may, when it does, take the class away again
         figure.evaluate("(figure) => figure.classList.add('rk-reached')")
         box = figure.locator(".rk-picture").bounding_box()
         left = {"x": box["x"] - 2, "y": box["y"] + 50, "width": 2, "height": 1}

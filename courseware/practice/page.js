@@ -20,6 +20,11 @@ const NO_FILE = "If no file comes, the frame that shows this page forbids it: op
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 const BROKEN = "What this browser kept could not be read; it was laid aside.";
 
+// A bar for each chapter grows with what is passed; findPlace leads to the chapter's exercises.
+const renderBars = (chapters, findPlace = () => "") => chapters.map(({ title, topic, passed, count }) =>
+  `<li style="--passed:${passed / count}"><a href="${findPlace(topic)}" title="${escapeHtml(title)}">`
+    + `<span>${escapeHtml(title)}</span> ${passed}/${count}</a></li>`).join("");
+
 export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Name</label>`
   + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false">`
   + `<details class="rk-menu"><summary>Answers</summary><div class="rk-row">`
@@ -27,7 +32,13 @@ export const renderDesk = (course) => `<div class="rk-row"><label for="rk-studen
   + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv"></label>`
   + `<button type="button" class="rk-clear">${CLEAR}</button></div>`
   + `<p class="rk-note">Course: <strong>${escapeHtml(course)}</strong>. ${NOTE}</p></details></div>`
-  + `<p class="rk-progress" role="status"></p><ul class="rk-course"></ul>`;
+  + `<p class="rk-progress" role="status">&nbsp;</p><ul class="rk-course">${renderBars(countPassed({}))}</ul>`;
+
+// Where a chapter's exercises are: on this page, or on its own.
+const findExercises = (topic) => {
+  const first = `${topic.replaceAll("_", "-")}-1`, here = document.getElementById(first)?.closest("section");
+  return here ? `#${here.id}` : `${document.documentElement.dataset.content_root}${topic}/${topic}.html#${first}`;
+};
 
 // A line that stays in sight while an exercise is.
 const BAR = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
@@ -139,7 +150,7 @@ class Desk {
       + (orphans ? `.${describeOrphans(orphans)}` : ""));
     const all = countPassed(mine), open = here.find((name) => !passed(name));
     const course = `${sumUp(all, "passed")} of ${sumUp(all, "count")} in the course`;
-    this.element.querySelector(".rk-course").innerHTML = all.map((chapter) => this.renderBar(chapter)).join("");
+    this.element.querySelector(".rk-course").innerHTML = renderBars(all, findExercises);
     this.bar.querySelector(".rk-who").textContent = this.student()
       ? `${this.name.trim()} · number set ${describeNumberSet(this.course, this.name)}` : "Type your name";
     this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;
@@ -147,15 +158,6 @@ class Desk {
     next.hidden = !open;
     if (open) next.href = `#${open}`;
     dispatchEvent(new Event("courseware:kept"));
-  }
-
-  // A link to the exercises of a chapter, with a bar that grows with what is passed.
-  renderBar({ title, topic, passed, count }) {
-    const first = `${topic.replaceAll("_", "-")}-1`, here = document.getElementById(first)?.closest("section");
-    const place = here ? `#${here.id}`
-      : `${document.documentElement.dataset.content_root}${topic}/${topic}.html#${first}`;
-    return `<li style="--passed:${passed / count}"><a href="${place}" title="${escapeHtml(title)}">`
-      + `<span>${escapeHtml(title)}</span> ${passed}/${count}</a></li>`;
   }
 
   // Without a dialog, which a frame may forbid: the button asks, and leaving it is a no.

@@ -412,6 +412,34 @@ def test_the_foot_of_a_page_says_who_when_and_under_which_licence(site):
     assert all(re.search(each, foot) for each in words)
 
 
+SHIFTS = """
+window.shifts = [];
+new PerformanceObserver((list) => {
+  for (const { value } of list.getEntries()) shifts.push(value);
+}).observe({ type: "layout-shift", buffered: true });
+"""
+PAINTED = "() => performance.getEntriesByName('first-contentful-paint').length"
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("name", ["index", "practice", "own_course", "teaching", "euler/euler"])
+def test_a_page_does_not_jump_when_its_scripts_come(name, width, server, chromium):
+    """What is painted first stays where it is."""
+    with watched_page(chromium, server, width) as (page, watch):
+        held = []
+        page.add_init_script(SHIFTS)
+        page.route("**/*.js*", lambda route: held.append(route))  # no builtin: Playwright marks it
+        page.goto(f"{server}{name}.html", wait_until="commit")
+        page.wait_for_function(PAINTED)
+        for route in held:
+            route.continue_()
+        page.unroute("**/*.js*")
+        page.wait_for_load_state()
+        page.evaluate("() => new Promise((done) => requestIdleCallback(done))")
+        assert page.evaluate("shifts") == []
+        assert not watch.errors
+
+
 @each_page
 def test_a_page_has_a_description(name, site):
     """Search engines and link previews get a sentence that they show whole."""

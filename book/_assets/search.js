@@ -5,7 +5,7 @@
   const STATIC = new URL("_static/", new URL(ROOT, document.baseURI));
   // how much a word counts: in a title, where a chapter explains it, in search_words.toml, in what
   // names a mistake, in prose, in code
-  const FIELDS = { title: 9, terms: 9, also: 0.5, feedback: 3, text: 1.2, code: 0.15 };
+  const FIELDS = { title: 9, terms: 9, also: 1, feedback: 3, text: 1.2, code: 0.15 };
   const PAGES = { glossary: 0.55, api: 0.3, declarations: 0.2, notation: 0.4, practice: 0.4, errata: 0.4 };
   const SLIPS = (term) => (term.length > 6 ? 2 : term.length > 4 ? 1 : 0); // letters that may differ
   const MOST_RESULTS = { dialog: 8, page: 30 };

@@ -41,7 +41,7 @@
     const { host } = new URL(address), from = host === location.host ? "this site" : host;
     const why = `Python cannot be loaded from ${from}: the network here may block it. No cell runs here; `
       + "the stored results stand. Load this page again to try once more.";
-    say(`Loading Python, about 13 MB, from ${from} …`);
+    say(`Loading Python from ${from}, a large download the first time …`);
     try {
       const answer = await fetch(address, { signal: AbortSignal.timeout(PATIENCE / 6) });
       if (!answer.ok) throw new Error(answer.status);

@@ -46,6 +46,7 @@ def test_without_javascript_the_picture_is_there_and_why_it_stands_still(
         page.goto(server + page_of[figure.name])
         live = OnPage(page, figure)
         live.unfold()
+        draw_all(page)  # until it is, a figure's height is guessed
         live.root.scroll_into_view_if_needed()
         picture, whole = live.picture.bounding_box(), live.root.bounding_box()
         assert picture["height"] > 200
@@ -61,10 +62,11 @@ def test_the_frame_of_a_reached_goal_is_not_cut_off_at_the_side(server, chromium
     with watched_page(chromium, server) as (page, _):
         page.goto(f"{server}wheels/wheels.html")
         figure = page.locator(".cell_output > .rk-figure").first
-        figure.evaluate(COME_ALIVE)  # or it may, when it does, take the class away again
-        figure.evaluate("(figure) => figure.classList.add('rk-reached')")
+        figure.evaluate(COME_ALIVE)
+        figure.evaluate("({ courseware }) => { courseware.reached.add(0); courseware.draw(); }")
+        figure.locator(".rk-picture svg").evaluate(SHOW)
         box = figure.locator(".rk-picture").bounding_box()
-        left = {"x": box["x"] - 2, "y": box["y"] + 50, "width": 2, "height": 1}
+        left = {"x": box["x"] - 2, "y": box["y"] + box["height"] / 2, "width": 2, "height": 1}
         image = Image.open(io.BytesIO(page.screenshot(clip=left))).convert("RGB")
     target = KINDS["target"].light
     assert {f"#{r:02x}{g:02x}{b:02x}" for _, (r, g, b) in image.getcolors()} == {target}

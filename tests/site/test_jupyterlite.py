@@ -69,7 +69,7 @@ def test_it_says_what_it_waits_for_and_that_nothing_comes(server, chromium):
             f"{PLACE}**", lambda route: route.abort() if blocked else held.append(route)
         )
         page.goto(f"{server}lite/notebooks/index.html?path=bicycle.ipynb")
-        page.get_by_text("Loading Python, about 13 MB, from cdn.jsdelivr.net …").wait_for()
+        page.get_by_text("Loading Python from cdn.jsdelivr.net, a large download").wait_for()
         page.locator(".jp-Notebook .jp-CodeCell").first.wait_for()
         blocked.append(True)
         for route in held:

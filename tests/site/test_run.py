@@ -367,7 +367,9 @@ def test_a_program_is_written_where_it_is_first_clicked(flooded):
 
 def change(page, source):
     """Write something else into the first cell of a page."""
-    page.locator(".cell_input pre").first.click()
+    code = page.locator(".cell_input pre").first
+    expect(code).to_have_attribute("tabindex", "0")  # once what Run loads is there
+    code.click()
     page.locator(".cell_input .cm-content").first.fill(source)
 
 

@@ -190,6 +190,14 @@ COME_ALIVE = """async (figure) => {
   figure.courseware.settled();
 }"""
 
+# in `shifts`, how far what a page shows has jumped since this ran
+SHIFTS = """
+window.shifts = [];
+new PerformanceObserver((list) => {
+  for (const { value } of list.getEntries()) shifts.push(value);
+}).observe({ type: "layout-shift" });
+"""
+
 TALL = "document.documentElement.scrollHeight"
 # a script for a page whose browser keeps nothing more
 FULL = "Storage.prototype.setItem = (key) => { if (key.startsWith('robokin')) throw new Error(); }"

@@ -6,7 +6,7 @@ import statistics
 
 import numpy as np
 import pytest
-from browser import COME_ALIVE, draw_all, settled, watched_page
+from browser import COME_ALIVE, SHIFTS, draw_all, settled, watched_page
 from figure_numbers import (
     ALLOWED,
     each_figure,
@@ -102,12 +102,6 @@ def test_a_broken_figure_stays_still_and_alone(figure, server, chromium, page_of
     assert f"The figure {figure.name} cannot be moved: Error: on purpose" in watch.errors[0]
 
 
-SHIFTS = """
-window.shifts = [];
-new PerformanceObserver((list) => {
-  for (const entry of list.getEntries()) shifts.push(entry.value);
-}).observe({type: "layout-shift"});
-"""
 BELOW = "(element) => element.getBoundingClientRect().bottom"
 
 

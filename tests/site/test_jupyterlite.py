@@ -69,7 +69,8 @@ def test_it_says_what_it_waits_for_and_that_nothing_comes(server, chromium):
             f"{PLACE}**", lambda route: route.abort() if blocked else held.append(route)
         )
         page.goto(f"{server}lite/notebooks/index.html?path=bicycle.ipynb")
-        page.get_by_text("Loading Python from cdn.jsdelivr.net, a large download").wait_for()
+        words = "Loading Python from cdn.jsdelivr.net, a large download the first time …"
+        page.get_by_text(words).wait_for()
         page.locator(".jp-Notebook .jp-CodeCell").first.wait_for()
         blocked.append(True)
         for route in held:

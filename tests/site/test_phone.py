@@ -68,6 +68,7 @@ def test_a_line_of_code_that_wraps_hangs_and_tears_no_name(name, page, server):
     wrapped = page.evaluate(WRAPPED)
     assert len(wrapped) > 20  # there are more
     assert not [each for each in wrapped if re.fullmatch(r"\w\w", each["torn"])]
+    assert {round(each["far"]) for each in wrapped} == {6}
 
 
 def test_what_wraps_is_copied_as_it_was_typed(page, server):

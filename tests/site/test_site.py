@@ -13,7 +13,7 @@ from types import SimpleNamespace
 from urllib.parse import unquote
 
 import pytest
-from browser import COME_ALIVE, ROOT, UNFOLD, draw_all, listed, pages, settled, watched_page
+from browser import COME_ALIVE, ROOT, SHIFTS, UNFOLD, draw_all, listed, pages, settled, watched_page
 from declared import FIGURES
 from PIL import Image
 from test_steps import IN_STEPS
@@ -412,12 +412,6 @@ def test_the_foot_of_a_page_says_who_when_and_under_which_licence(site):
     assert all(re.search(each, foot) for each in words)
 
 
-SHIFTS = """
-window.shifts = [];
-new PerformanceObserver((list) => {
-  for (const { value } of list.getEntries()) shifts.push(value);
-}).observe({ type: "layout-shift", buffered: true });
-"""
 PAINTED = "() => performance.getEntriesByName('first-contentful-paint').length"
 
 

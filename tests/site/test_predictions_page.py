@@ -4,6 +4,7 @@ from contextlib import contextmanager
 
 import pytest
 from browser import FULL, watched_page
+from playwright.sync_api import expect
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -316,9 +317,7 @@ def test_without_a_script_it_is_a_question_with_a_fold(chromium, home):
         box = page.locator(f"#{BUTTONS}")
         assert box.get_by_role("button").count() == 0
         box.scroll_into_view_if_needed()
-        plain = box.locator(".rk-plain")
-        page.wait_for_function("(plain) => plain.innerText", arg=plain.element_handle())
-        assert "it gets worse" in box.locator(".rk-plain").inner_text()
+        expect(box.locator(".rk-plain")).to_contain_text("it gets worse", use_inner_text=True)
         assert page.get_by_text(INSIDE).is_hidden()
         box.locator("summary").first.click()
         assert page.get_by_text(INSIDE).is_visible()

@@ -1,7 +1,10 @@
 """The same things in space, as meshes that a chapter places with `VIEW.solid`."""
 
 from dataclasses import replace
+from itertools import product
 from math import acos, cos, pi, sin
+
+import numpy as np
 
 from courseware.figures import solids
 from courseware.figures.solids import Mesh
@@ -127,3 +130,43 @@ def aeroplane() -> tuple[Mesh, ...]:
         *(replace(mesh, edge="accent_edge") for mesh in plates),
         replace(cabin, edge="glass_lit"),
     )
+
+
+PIPS: dict[int, tuple[tuple[float, float], ...]] = {
+    1: ((0, 0),),
+    2: ((-1, -1), (1, 1)),
+    3: ((-1, -1), (0, 0), (1, 1)),
+    4: ((-1, -1), (-1, 1), (1, -1), (1, 1)),
+    5: ((-1, -1), (-1, 1), (0, 0), (1, -1), (1, 1)),
+    6: ((-1, -1), (-1, 0), (-1, 1), (1, -1), (1, 0), (1, 1)),
+}
+SIDES = ((0, 0, -1), (0, 0, 1), (0, -1, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0))
+FACE_NUMBERS = (4, 3, 5, 1, 2, 6)  # on these sides: opposite faces add up to seven
+
+
+def die(tone: str, pip: str = "", edge: str = "") -> tuple[Mesh, ...]:
+    """Return a die of side 1 m with 1, 2 and 3 towards x, y and z; pip: the tone of its dots."""
+    half, bevel = 0.5, 0.06
+    corners = np.array(
+        [
+            [sign * (half - bevel * (k != side)) for k, sign in enumerate(signs)]
+            for side in range(3)
+            for signs in product((-1, 1), repeat=3)
+        ]
+    )
+    bevels = (way for way in product((-1, 0, 1), repeat=3) if np.abs(way).sum() > 1)
+    dots = {
+        face: [(0.25 * a, 0.25 * b, 0.095, *([pip] if pip else [])) for a, b in PIPS[number]]
+        for face, number in enumerate(FACE_NUMBERS)
+    }
+    faces = tuple(_outermost(corners, np.array(way)) for way in (*SIDES, *bevels))
+    return (Mesh(tone, tuple(map(tuple, corners.tolist())), faces, dots, edge),)
+
+
+def _outermost(corners: np.ndarray, way: np.ndarray) -> tuple[int, ...]:
+    """Return the corners that lie farthest out one way, counter-clockwise for who looks at it."""
+    out = corners @ way
+    found = np.flatnonzero(out > out.max() - 1e-9)
+    arms = corners[found] - corners[found].mean(axis=0)
+    angles = np.arctan2(arms @ np.cross(way, arms[0]), arms @ arms[0]).round(9) % (2 * pi)
+    return tuple(found[np.argsort(angles)].tolist())

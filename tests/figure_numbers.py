@@ -17,6 +17,7 @@ from courseware.course import course
 from courseware.equations import find_kind
 from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, Figure, QuarterTurns, Simulation, Thing
+from courseware.figures.compiler import Compiler
 from courseware.predictions import Ghost, Prediction
 from courseware.script import engine as script
 from courseware.units import figure_unit
@@ -134,6 +135,14 @@ def point(figure, values):
         else:
             row += value if isinstance(control, Simulation) else [value]
     return row
+
+
+@cache
+def expressions(figure):
+    """Return what a figure computes: the readouts, then all coordinates of the scene."""
+    compiler = Compiler(figure, HOMES.get(figure.name, ""))
+    compiler.compile_figure()
+    return compiler.expressions
 
 
 @cache

@@ -379,7 +379,7 @@ def infinity_figure() -> Figure:
             *arrows(START, middle=False, letters=False),
             Label("text", (far + 0.11, -1.7 * far), "map of the line"),
             Point("icr", dot),
-            Point("target", (0, -2 * far), label="∞", edge=False),
+            Point("target", (0, -2 * far), label="∞"),
             Point("icr", (-R, 0), label="ICR"),
         ),
         handles=(

@@ -13,6 +13,7 @@ from typing import Any
 from sympy import Matrix, Max, Min, Or, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt, symbols
 from sympy import pi as half_turn
 
+from book import things_space
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import M1, M2, M3, M4, M5
@@ -329,7 +330,7 @@ def mistakes_figure() -> Figure:
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),
         scene=(
-            VIEW.floor(0, 0.7),
+            VIEW.solid(things_space.slab(0, 0.7), eye(3), behind=200.0),
             VIEW.solid([solids.cylinder("body", (0.08, 0.05), (0, 0.27))], eye(3), floor=0),
             VIEW.arrow("text", (0, 0, 0), (0.7, 0, 0), "x"),
             VIEW.arrow("text", (0, 0, 0), (0, 0.7, 0), "y"),

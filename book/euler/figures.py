@@ -129,13 +129,13 @@ def die(
     )
     stubs = map(VIEW.arrow, AXES, tail, head, labels)
     edge = "accent_edge" if kind == "accent" else kind
-    body = VIEW.solid(solids.die(kind, "shell", edge), R, at, floor=FLOOR)
+    body = VIEW.solid(things_space.die(kind, "shell", edge), R, at, floor=FLOOR)
     return floor(at), body, *stubs
 
 
 def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
     """Return the ghost onto which a die shall be brought."""
-    body = VIEW.solid(solids.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
+    body = VIEW.solid(things_space.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
     return floor(at), body
 
 

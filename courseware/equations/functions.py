@@ -1,6 +1,6 @@
 """The few functions beyond SymPy's own that an expression may call.
 
-Each is written twice: in 50-digit arithmetic here, in JavaScript in `figures/formula_functions.js`.
+Each is written twice: in 50-digit arithmetic here, in JavaScript in `functions.js`.
 `tests/courseware/test_javascript.py` compares both with NumPy.
 """
 

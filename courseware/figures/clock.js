@@ -1,6 +1,6 @@
 // Animations: the clock, quarter turns, and buttons that move sliders.
 
-import { functions } from "./formula_functions.js";
+import { functions } from "../equations/functions.js";
 import { clamp, snap } from "./state.js";
 
 export const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -4,12 +4,13 @@ import json
 import math
 from collections.abc import Callable, Iterable, Sequence
 from hashlib import blake2b
-from itertools import groupby
+from itertools import chain, groupby
 from typing import Any
 
 import sympy as sp
 
 from courseware.course import course
+from courseware.equations.javascript import Code, compile_javascript
 from courseware.equations.quantities import (
     NamedSymbol,
     describe_symbols,
@@ -32,7 +33,6 @@ from courseware.figures.controls import (
     Slider,
 )
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
-from courseware.figures.javascript import Code, compile_javascript
 from courseware.figures.solids import Solid
 from courseware.figures.things import Outline, Rim, Thing
 from courseware.line_breaks import prevent_breaks
@@ -46,11 +46,11 @@ def coordinates(*places: Place) -> list[Any]:
     return [x for place in places for x in place[:2]]
 
 
-# type → its name in the script, the numbers that are computed, the fields that are passed on
 STRAIGHT = set("MLz 0123456789.-")  # of a path
 
+# type → its name in the script, the numbers that are computed, the fields that are passed on
 SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] = {
-    s.Point: ("point", lambda x: coordinates(x.at), ("edge",)),
+    s.Point: ("point", lambda x: coordinates(x.at), ()),
     s.Line: ("line", lambda x: coordinates(*x.points), ()),
     s.Arrow: ("arrow", lambda x: coordinates(x.tail, x.head), ()),
     s.Wheel: ("wheel", lambda x: (*coordinates(x.at), x.angle, x.roll), ("length", "width")),
@@ -64,7 +64,6 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Cloud: ("cloud", lambda x: (), ("rows",)),
     s.Ink: ("ink", lambda x: (), ()),
     s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
-    Solid: ("solid", lambda x: x.numbers, ("data", "floor", "opacity", "behind")),
 }
 
 
@@ -135,12 +134,6 @@ class Compiler:
         letter = format_symbol(kind) if label is None else label
         return {"kind": find_kind(kind, self.chapter), "label": letter, "symbol": kind.key}
 
-    def find_material(self, kind: Any, label: str | None = None) -> dict[str, Any]:
-        """Return the look of a body, which may be a material, too."""
-        if kind in course().materials.tones:
-            return {"kind": kind, "label": ""}
-        return self.find_look(kind, label)
-
     def compile_control(self, control: Control) -> dict[str, Any]:
         """Return a control's data, in the unit that the reader sees."""
         if isinstance(control, QuarterTurns):
@@ -192,11 +185,12 @@ class Compiler:
         """Return a shape's data: its numbers by place, its curve as a function."""
         if isinstance(shape, Thing):
             return {"shape": "thing", "kind": "", "label": "", **self.compile_thing(shape)}
+        if isinstance(shape, Solid):
+            return {"shape": "solid", "kind": "", "label": "", **self.compile_solid(shape)}
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
         name, numbers, fields = SHAPES[type(shape)]
-        find = self.find_material if isinstance(shape, Solid) else self.find_look
-        data = find(shape.kind, getattr(shape, "label", ""))
+        data = self.find_look(shape.kind, getattr(shape, "label", ""))
         if not data["kind"]:
             raise CourseError(
                 f"{shape.kind} has no look: add it to LOOKS in formulas.py of {self.chapter}, "
@@ -207,9 +201,15 @@ class Compiler:
             data["depth"] = self.add(depth)[0]
         data |= {"shape": name, "at": self.add(*numbers(shape))}
         data |= {field: getattr(shape, field) for field in fields}
-        for mesh in data.get("data", ()):
-            mesh["kind"] = self.find_material(mesh["kind"])["kind"]
         return data | self.compile_trace(shape)
+
+    def compile_solid(self, solid: Solid) -> dict[str, Any]:
+        """Return a body's data: its pose and the view by place, its meshes as they are."""
+        for mesh in solid.meshes:
+            printed = (tone for dots in mesh.dots.values() for _, _, _, *tone in dots)
+            _refuse_unknown_paint(mesh.kind, mesh.edge, *chain.from_iterable(printed))
+        fields = {name: getattr(solid, name) for name in ("data", "floor", "opacity", "behind")}
+        return {"at": self.add(*solid.numbers), **fields}
 
     def compile_thing(self, thing: Thing, look: str = "") -> dict[str, Any]:
         """Return a thing's data: places, and its outlines by their ids."""
@@ -330,14 +330,18 @@ class Compiler:
         return compile_javascript({"c": self.known, **more}, expressions)
 
 
-def _compile_outline(outline: Outline) -> list[Any]:
+def _refuse_unknown_paint(*names: str) -> None:
     materials = course().materials
-    for name in filter(None, (outline.fill, outline.edge)):
+    for name in filter(None, names):
         if name not in {*materials.tones, *materials.gradients, *course().looks}:
             raise CourseError(
                 f"there is no material {name!r}; there are {', '.join(materials.tones)}, "
                 f"{', '.join(materials.gradients)}"
             )
+
+
+def _compile_outline(outline: Outline) -> list[Any]:
+    _refuse_unknown_paint(outline.fill, outline.edge)
     return [outline.path, outline.fill, outline.edge, outline.width, outline.opacity]
 
 

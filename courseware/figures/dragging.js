@@ -3,7 +3,7 @@
 import { escapeHtml } from "../script/text.js";
 import { pauseClock, stopClock } from "./clock.js";
 import { formatControl } from "./figure_text.js";
-import { functions } from "./formula_functions.js";
+import { functions } from "../equations/functions.js";
 import { createProjection, heightOf } from "./scene.js";
 import { attract, clamp, compute, roundState, settings, snap, startState, wrapAround } from "./state.js";
 

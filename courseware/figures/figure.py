@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from courseware.course import course
 from courseware.equations.equation import Where
+from courseware.equations.javascript import run_javascript
 from courseware.errors import CourseError
 from courseware.figures.compiler import Compiler, serialize
 from courseware.figures.controls import Button, Choice, Control, Handle, Simulation
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
-from courseware.figures.javascript import run_javascript
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
 from courseware.figures.words import translate
@@ -141,15 +141,15 @@ class Figure:
         return [symbol for control in self.controls for symbol in control.symbols]
 
     @cached_property
-    def _compiled(self) -> tuple[dict[str, Any], list[Any]]:
+    def compiled(self) -> dict[str, Any]:
+        """The compiled figure: data, and functions as `Code`."""
         chapter = course().chapters_of("figures", Figure).get(self.name, "")
         try:
-            compiler = Compiler(self, chapter)
-            data = translate(compiler.compile_figure(), chapter)
+            data: dict[str, Any] = translate(Compiler(self, chapter).compile_figure(), chapter)
             self._refuse_idle_controls(serialize(data))
         except CourseError as error:
             raise CourseError(f"in the figure {self.name}, {error}") from error
-        return data, compiler.expressions
+        return data
 
     def _refuse_idle_controls(self, script: str) -> None:
         used = {int(place) for place in re.findall(r"\bc\[(\d+)\]", script)}
@@ -160,11 +160,6 @@ class Figure:
                 )
 
     @property
-    def compiled(self) -> dict[str, Any]:
-        """The compiled figure: data, and functions as `Code`."""
-        return self._compiled[0]
-
-    @property
     def code(self) -> str:
         """The compiled figure: a JavaScript object, data and functions, no renderer."""
         return serialize(self.compiled)
@@ -173,16 +168,6 @@ class Figure:
     def page_code(self) -> str:
         """The compiled figure without its outlines, which stand once on a page."""
         return serialize(self.compiled | {"drawings": None})
-
-    @property
-    def drawings(self) -> dict[str, list[Any]]:
-        """The outlines of its things, by their ids."""
-        return dict(self.compiled["drawings"])
-
-    @property
-    def expressions(self) -> list[Any]:
-        """The expressions that it computes: the readouts, then all coordinates of the scene."""
-        return self._compiled[1]
 
     def compute(self, points: ArrayLike) -> NDArray[np.float64]:
         """Compute all numbers at many settings (n, settings), in one call → (n, values)."""
@@ -272,7 +257,9 @@ class Scene:
 
 def render_outlines(figures: Iterable[Figure]) -> str:
     """Return what a page with these figures needs once: the outlines of all their things."""
-    drawings = {name: drawing for figure in figures for name, drawing in figure.drawings.items()}
+    drawings: dict[str, Any] = {}
+    for figure in figures:
+        drawings |= figure.compiled["drawings"]
     return str(engine.call("courseware.renderOutlines", drawings))
 
 

@@ -23,18 +23,16 @@ export const formatControl = (control, shown) => control.type === "choice" ? con
   : formatReadout({ words: {}, factor: 1, digits: control.digits, unit: control.unit }, shown);
 
 // Named steps, controls and readouts, each as it is in SI and as it is shown; once for a frame.
-const listQuantities = (figure, state, computed) => (computed.quantities ??= formatAll(figure, state, computed));
-
-const formatAll = (figure, state, { c, values }) => [
+const listQuantities = (figure, state, computed) => computed.quantities ??= [
   ...figure.steps.map((step) => {
-    const shown = c[step.at] * step.factor;
+    const value = computed.c[step.at], shown = value * step.factor;
     const text = formatNumber(Math.abs(shown) < 1e-12 ? 0 : shown, 3); // rounding
-    return { ...step, value: c[step.at], text: withUnit(text, step.unit) };
+    return { ...step, value, text: withUnit(text, step.unit) };
   }),
   ...figure.controls.map((control, i) =>
     ({ ...control, value: state[i] * control.factor, text: formatControl(control, state[i]) })),
   ...figure.readouts.map((readout, k) =>
-    ({ ...readout, value: values[k], text: formatReadout(readout, values[k]) })),
+    ({ ...readout, value: computed.values[k], text: formatReadout(readout, computed.values[k]) })),
 ];
 
 export const numbersBySymbol = (figure, state, computed) => Object.fromEntries(

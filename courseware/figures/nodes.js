@@ -1,5 +1,5 @@
-// A picture as nodes, [tag, attributes, children]: written as text, or put into the page so that
-// only what has changed is touched. Children are nodes, or markup that is put in as it is.
+// A picture as nodes, [tag, attributes, children]: written as text; on a page only what has changed is
+// touched. Children are nodes, or markup that is put in as it is.
 
 export const renderAttributes = (attributes) => Object.entries(attributes)
   .map(([name, value]) => ` ${name}="${value}"`).join("");
@@ -14,13 +14,6 @@ export const setAttribute = (element, name, value) => {
   if (element.getAttribute(name) !== String(value)) element.setAttribute(name, value);
 };
 
-const createElement = ([tag, attributes, inside = []]) => {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  Object.entries(attributes).forEach((attribute) => element.setAttribute(...attribute));
-  updateNodes(element, inside, []);
-  return element;
-};
-
 const updateElement = (element, [, now, inside = []], [, before, were = []]) => {
   for (const name in now) if (now[name] !== before[name]) element.setAttribute(name, now[name]);
   for (const name in before) if (!(name in now)) element.removeAttribute(name);
@@ -31,16 +24,15 @@ const updateElement = (element, [, now, inside = []], [, before, were = []]) => 
 export const updateNodes = (element, nodes, before) => {
   if (nodes === before) return;
   if (typeof nodes === "string" || typeof before === "string") {
-    if (typeof nodes === "string") element.innerHTML = nodes;
-    else element.replaceChildren(...nodes.map(createElement));
+    element.innerHTML = renderNodes(nodes);
     return;
   }
-  nodes.forEach((node, i) => {
-    const old = before[i];
+  before.forEach((old, i) => {
+    const node = nodes[i];
     if (node === old) return;
-    if (!old) element.append(createElement(node));
-    else if (old[0] !== node[0]) element.children[i].replaceWith(createElement(node));
+    if (!node) element.lastElementChild.remove();
+    else if (node[0] !== old[0]) element.children[i].outerHTML = renderNodes([node]);
     else updateElement(element.children[i], node, old);
   });
-  for (let i = before.length; i > nodes.length; i--) element.lastElementChild.remove();
+  if (nodes.length > before.length) element.insertAdjacentHTML("beforeend", renderNodes(nodes.slice(before.length)));
 };

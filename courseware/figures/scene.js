@@ -40,8 +40,8 @@ export const renderScene = (figure, computed, width, state) => {
     const at = shape.at.map((index) => values[index]), isDeep = "depth" in shape;
     const depth = isDeep ? values[shape.depth] : 0, node = ["g", symbolData(shape), []];
     if (![...at, depth].every(Number.isFinite)) return node;
-    const seen = shape.edge && shape.label && figure.grid !== false;
-    const drawn = (seen && arrowToOutside(at, shape, to, [width, height]))
+    const isNamed = shape.shape === "point" && shape.label && figure.grid !== false;
+    const drawn = (isNamed && arrowToOutside(at, shape, to, [width, height]))
       || DRAWN[shape.shape](at, shape, to, computed);
     if (!drawn.pieces && !isDeep) node[2] = drawn;
     else {

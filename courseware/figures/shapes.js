@@ -2,7 +2,7 @@
 
 import { KINDS } from "./constants.js";
 import { formatFixed } from "./figure_text.js";
-import { functions } from "./formula_functions.js";
+import { functions } from "../equations/functions.js";
 import { addLabel } from "./labels.js";
 import { casing, color, drawLine, fill, headCasing, path, px, stroke } from "./svg.js";
 

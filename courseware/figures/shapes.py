@@ -16,15 +16,14 @@ from courseware.figures.declaration import Expr, Kind, Place, Recurrence
 class Point:
     """A marker, its form given by the kind.
 
-    A labelled one that leaves a flat picture is shown at its edge with its distance from the
-    origin in metres, unless `edge` is False.
+    A labelled one that leaves a flat picture with a grid is shown at its edge with its distance
+    from the origin in metres.
     """
 
     kind: Kind
     at: Place
     label: str | None = None
     depth: Expr = None
-    edge: bool = True
 
 
 @dataclass(frozen=True)

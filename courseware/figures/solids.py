@@ -7,9 +7,8 @@ drawn, the others from far to near. So meshes are convex, or so thin that it doe
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from itertools import product
-from math import atan2, cos, pi, sin
+from dataclasses import dataclass, field
+from math import cos, pi, sin
 from typing import Any
 
 from courseware.figures.declaration import Expr, Kind
@@ -54,11 +53,6 @@ class Solid:
     floor: float | None = None
     opacity: float = 1.0
     behind: float = 0.0
-
-    @property
-    def kind(self) -> Kind:
-        """The look of its first mesh."""
-        return self.meshes[0].kind
 
     @property
     def numbers(self) -> list[Expr]:
@@ -127,15 +121,6 @@ def ball(kind: Kind) -> Mesh:
     return Mesh(kind, tuple(corners), tuple(faces))
 
 
-def tiles(height: float, half: float) -> Mesh:
-    """Return a square of 4 × 4 tiles that look up."""
-    n = 4
-    ends = [half * (2 * k / n - 1) for k in range(n + 1)]
-    corners = tuple((x, y, height) for y in ends for x in ends)
-    starts = (k for k in range(n * (n + 1)) if k % (n + 1) < n)
-    return Mesh("grid", corners, tuple((k, k + 1, k + n + 2, k + n + 1) for k in starts))
-
-
 def _turn(corners: Sequence[Point3], along: str) -> tuple[Point3, ...]:
     """Lay the third axis of corners along x, y or z."""
     i, j, k = {"x": (2, 0, 1), "y": (1, 2, 0), "z": (0, 1, 2)}[along]
@@ -151,58 +136,3 @@ def _band(n: int, a: int, b: int) -> list[Face]:
     """Return the faces between two of several circles of n corners each."""
     pairs = ((k, (k + 1) % n) for k in range(n))
     return [(n * a + k, n * a + next_, n * b + next_, n * b + k) for k, next_ in pairs]
-
-
-PIPS: dict[int, tuple[Point2, ...]] = {
-    1: ((0, 0),),
-    2: ((-1, -1), (1, 1)),
-    3: ((-1, -1), (0, 0), (1, 1)),
-    4: ((-1, -1), (-1, 1), (1, -1), (1, 1)),
-    5: ((-1, -1), (-1, 1), (0, 0), (1, -1), (1, 1)),
-    6: ((-1, -1), (-1, 0), (-1, 1), (1, -1), (1, 0), (1, 1)),
-}
-SIDES = ((0, 0, -1), (0, 0, 1), (0, -1, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0))
-FACE_NUMBERS = (4, 3, 5, 1, 2, 6)  # on these sides: opposite faces add up to seven
-
-
-def bevelled_box(kind: Kind, size: Point3, bevel: float, at: Point3 = (0, 0, 0)) -> Mesh:
-    """Return a box without sharp edges. Faces: as of a box, then the edges and corners."""
-    corners: list[Point3] = []
-    for flat in range(3):
-        for signs in product((-1, 1), repeat=3):
-            x, y, z = (
-                middle + sign * (side / 2 - bevel * (k != flat))
-                for k, (middle, sign, side) in enumerate(zip(at, signs, size, strict=True))
-            )
-            corners.append((x, y, z))
-    others = [way for way in product((-1, 0, 1), repeat=3) if sum(map(abs, way)) > 1]
-    return Mesh(kind, tuple(corners), tuple(_outermost(corners, w) for w in (*SIDES, *others)))
-
-
-def _outermost(corners: Sequence[Point3], way: Sequence[float]) -> Face:
-    """Return the corners that lie farthest out one way, counter-clockwise for who looks at it."""
-    out = [sum(c * w for c, w in zip(corner, way, strict=True)) for corner in corners]
-    found = [k for k, far in enumerate(out) if far > max(out) - 1e-9]
-    middle = [sum(corners[k][i] for k in found) / len(found) for i in range(3)]
-    first = [c - m for c, m in zip(corners[found[0]], middle, strict=True)]
-    left = _cross(way, first)
-
-    def turned(k: int) -> float:
-        arm = [c - m for c, m in zip(corners[k], middle, strict=True)]
-        return atan2(*(sum(a * b for a, b in zip(arm, u, strict=True)) for u in (left, first)))
-
-    return tuple(sorted(found, key=lambda k: turned(k) % (2 * pi - 1e-9)))
-
-
-def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:
-    return [a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)]
-
-
-def die(kind: Kind, pip: str = "", edge: str = "") -> tuple[Mesh, ...]:
-    """Return a die of side 1 m with 1, 2 and 3 towards x, y and z; pip: the tone of its dots."""
-    tone = (pip,) if pip else ()
-    dots = {
-        place: [(0.25 * a, 0.25 * b, 0.095, *tone) for a, b in PIPS[number]]
-        for place, number in enumerate(FACE_NUMBERS)
-    }
-    return (replace(bevelled_box(kind, (1, 1, 1), 0.06), dots=dots, edge=edge),)

@@ -79,10 +79,6 @@ class View:
         """Return a body at a pose, with `floor`, `opacity` and `behind` as in `Solid`."""
         return solids.Solid(tuple(meshes), R, at, self.angles, **more)
 
-    def floor(self, height: float, half: float, at: Triple = ORIGIN) -> solids.Solid:
-        """Return a floor of square tiles, for shadows to fall on; it is not seen from below."""
-        return self.solid([solids.tiles(height, half)], sp.eye(3), at, opacity=0.5, behind=200.0)
-
     def right_of_origin(self, distance: Expr) -> Triple:
         """Return the place so far to the right in the picture, from wherever one looks."""
         return -distance * sp.sin(self.azimuth), distance * sp.cos(self.azimuth), 0

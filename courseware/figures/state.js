@@ -10,7 +10,7 @@
  *   of the readouts, then those that the scene refers to by place; ink: the places of each pen, on a page
  */
 
-import { functions } from "./formula_functions.js";
+import { functions } from "../equations/functions.js";
 import { computeTurns, parsePresses } from "./quarter_turns.js";
 
 export const startState = (figure) => figure.controls.map((control) => control.start);

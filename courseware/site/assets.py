@@ -10,9 +10,9 @@ from hatchling.builders.wheel import WheelBuilder
 from sphinx.application import Sphinx
 
 from courseware.course import course
+from courseware.equations.javascript import Code
 from courseware.figures.compiler import serialize
 from courseware.figures.figure import find_figure, render_outlines
-from courseware.figures.javascript import Code
 from courseware.practice import rendering as practice
 from courseware.practice.bank import all_mistakes, all_topics, course_name
 from courseware.script import parts as scripts

@@ -1,6 +1,7 @@
 """From a declaration to JavaScript: every number of every figure, in the engine."""
 
 import re
+from itertools import compress
 
 import numpy as np
 import sympy as sp
@@ -10,6 +11,7 @@ from figure_numbers import (
     each_figure,
     each_number,
     exact,
+    expressions,
     keeps_its_digits,
     points,
     sizes,
@@ -19,21 +21,19 @@ from small_figures import a, small_figure
 from support import EPS, assert_close
 
 from book.motion import formulas as motion_formulas
+from courseware.equations.javascript import run_javascript
 from courseware.equations.verification import differences
 from courseware.figures import Curve, Point, Readout, Recurrence, Slider, Trail
 from courseware.figures.compiler import coordinates
-from courseware.figures.javascript import run_javascript
 from courseware.script import engine as script
 
 
 @each_number
 @each_figure
 def test_every_number_in_50_digits(figure, n):
-    kept = [keeps_its_digits(figure, e) for e in figure.expressions]
+    kept = [keeps_its_digits(figure, e) for e in expressions(figure)]
     computed = figure.compute(points(figure, n))[:, kept]
-    wanted = exact(
-        figure, n, [e for e, keeps in zip(figure.expressions, kept, strict=True) if keeps]
-    )
+    wanted = exact(figure, n, list(compress(expressions(figure), kept)))
     worst = (differences(computed, wanted) / sizes(wanted)).max()
     print(f"{figure.name}: {computed.shape[1]} numbers, largest difference {worst:.1e}")
     assert worst <= ALLOWED

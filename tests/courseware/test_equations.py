@@ -19,6 +19,7 @@ from courseware import equations
 from courseware.course import course, get_members
 from courseware.equations.declared_checks import Check, declared_checks
 from courseware.equations.equation import Equation, as_written
+from courseware.equations.javascript import compile_javascript
 from courseware.equations.latex import render_latex
 from courseware.equations.notebook import MIME
 from courseware.equations.quantities import NamedSymbol, quantity
@@ -34,7 +35,6 @@ from courseware.equations.verification import (
 from courseware.errors import CourseError
 from courseware.figures import Figure, Slider
 from courseware.figures.compiler import Compiler
-from courseware.figures.javascript import compile_javascript
 from courseware.site.verification_page import verify_course
 from robokin import motion
 

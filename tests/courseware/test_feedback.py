@@ -132,13 +132,12 @@ def test_a_goal_is_just_reached_and_just_missed(figure):
         f'add to GOALS["{figure.name}"] in book/{home}/expected.py for each of its {len(goals)} '
         "goals settings that just reach it, and settings that just miss it"
     )
-    for goal, settings in zip(goals, tries, strict=True):
-        place = figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True)))
+    for goal, compiled, settings in zip(goals, figure.compiled["goals"], tries, strict=True):
         for reaches, some in zip((True, False), settings, strict=True):
             assert some, f"{goal.words} no settings that {'reach' if reaches else 'miss'} it"
             for setting in some:
                 [values] = figure.compute([point(figure, setting)])
-                assert values[place] == reaches, f"{goal.words} {setting}"
+                assert values[compiled["at"]] == reaches, f"{goal.words} {setting}"
 
 
 # --- Thresholds of the judge --------------------------------------------------------------------

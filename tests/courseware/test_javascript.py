@@ -16,10 +16,10 @@ from support import assert_angles
 from book.motion import formulas as arc
 from courseware.equations.equation import as_written
 from courseware.equations.functions import null_projector, rank, solve
+from courseware.equations.javascript import compile_javascript, run_javascript
 from courseware.equations.verification import differences, evaluate_exactly
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Recurrence, Slider, Trail
-from courseware.figures.javascript import compile_javascript, run_javascript
 from robokin import elbow_arm, euler, motion, wheels
 
 N = 1000

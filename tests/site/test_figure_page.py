@@ -10,6 +10,7 @@ from browser import COME_ALIVE, SHIFTS, draw_all, settled, watched_page
 from figure_numbers import (
     ALLOWED,
     each_figure,
+    expressions,
     keeps_its_digits,
     kind_of,
     own_controls,
@@ -34,7 +35,7 @@ def test_the_page_holds_the_still_picture(figure, site, page_of):
     text = (site / page_of[figure.name]).read_text("utf-8")
     alone = re.sub("<defs>.*</defs>", "", figure.render_svg())
     assert re.search(f'<div class="rk-picture"[^>]*>{re.escape(alone)}</div>', text)
-    assert {text.count(f'id="{name}"') for name in figure.drawings} <= {1}
+    assert {text.count(f'id="{name}"') for name in figure.compiled["drawings"]} <= {1}
     assert len(re.findall(f'id="{figure.name}"', text)) == 1
 
 
@@ -148,7 +149,7 @@ def test_the_browser_computes_as_the_engine_does(figure, visit):
             }""",
             [figure.name, rows.tolist()],
         )
-    kept = [keeps_its_digits(figure, e) for e in figure.expressions]
+    kept = [keeps_its_digits(figure, e) for e in expressions(figure)]
     there, here = np.array(found, dtype=float)[:, kept], figure.compute(rows)[:, kept]
     assert_close(there, here, atol=ALLOWED)
     finite = np.isfinite(here)

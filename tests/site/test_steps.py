@@ -4,7 +4,6 @@ import re
 
 import nbformat
 import pytest
-import sympy as sp
 from browser import draw_all, watched_page
 from declared import FIGURES, each
 from figure_numbers import point, started
@@ -179,10 +178,7 @@ def test_a_goal_is_not_reached_by_passing_over_it(alone):
 
 @each("figure", "figures", Figure)
 def test_a_goal_is_not_reached_at_the_start(figure):
-    places = [
-        figure.expressions.index(sp.Piecewise((1, goal.condition), (0, True)))
-        for goal in figure.goals
-    ]
+    places = [goal["at"] for goal in figure.compiled["goals"]]
     start = figure.compute([point(figure, {})])[0, places]
     assert not start.any(), f"{figure.name}: start its controls elsewhere, or set another goal"
 

@@ -1,4 +1,4 @@
-// The functions beyond Math that a formula may call: see equations/functions.py.
+// The functions beyond Math that a formula may call: see functions.py.
 
 const RANK_TOLERANCE = 1e-9; // relative to the largest singular value, as in Python
 

@@ -38,7 +38,7 @@ class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
 
     def _print_Function(self, expr: sp.Expr) -> str:
         name = expr.func.__name__
-        if name in MPMATH:  # each has its JavaScript in formula_functions.js
+        if name in MPMATH:  # each has its JavaScript in functions.js
             return f"f.{name}({', '.join(self._print(a) for a in expr.args)})"
         if name not in self.known_functions:
             raise CourseError(f"no JavaScript for {name}; see courseware/equations/functions.py")

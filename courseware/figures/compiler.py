@@ -53,7 +53,7 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Point: ("point", lambda x: coordinates(x.at), ()),
     s.Line: ("line", lambda x: coordinates(*x.points), ()),
     s.Arrow: ("arrow", lambda x: coordinates(x.tail, x.head), ()),
-    s.Wheel: ("wheel", lambda x: (*coordinates(x.at), x.angle, x.roll), ("length", "width")),
+    s.Wheel: ("wheel", lambda x: (*coordinates(x.at), x.angle), ("length", "width")),
     s.Area: ("area", lambda x: coordinates(*x.points), ()),
     s.Length: ("length", lambda x: coordinates(x.start, x.end), ("aside",)),
     s.Label: ("label", lambda x: coordinates(x.at), ()),

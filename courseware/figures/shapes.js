@@ -80,9 +80,8 @@ export const SHAPES = {
       drawLine(stem, stroke(shape.kind)), drawLine(head, fill(shape.kind))];
   },
   wheel: (p, shape, to) => {
-    const [w, h] = [shape.length * to.scale, shape.width * to.scale], gap = w / 4, shift = to.scale * p[3];
-    const treads = [0, 1, 2, 3]
-      .map((k) => `M${px(((k * gap + shift) % w + w) % w - w / 2)} ${px(-h / 2)}v${px(h)}`);
+    const [w, h] = [shape.length * to.scale, shape.width * to.scale], gap = w / 4;
+    const treads = [0, 1, 2, 3].map((k) => `M${px(k * gap - w / 2)} ${px(-h / 2)}v${px(h)}`);
     const style = `fill:${color(shape.kind)};fill-opacity:.35;stroke:${color(shape.kind)};stroke-width:2`;
     return [["g", { transform: place(...to(p), p[2]), style }, [
       ["rect", { x: px(-w / 2), y: px(-h / 2), width: px(w), height: px(h), rx: 2 }],

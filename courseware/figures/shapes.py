@@ -48,17 +48,13 @@ class Arrow:
 
 @dataclass(frozen=True)
 class Wheel:
-    """A wheel from above, rolling along `angle`; length and width in metres.
-
-    roll: how far it has rolled, which its treads show.
-    """
+    """A wheel from above, rolling along `angle`; length and width in metres."""
 
     kind: Kind
     at: Place
     angle: Expr
     length: float
     width: float
-    roll: Expr = 0
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from courseware.equations import find_kind
 from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, Figure, QuarterTurns, Simulation, Thing
 from courseware.figures.compiler import Compiler
+from courseware.figures.solids import Solid
 from courseware.predictions import Ghost, Prediction
 from courseware.script import engine as script
 from courseware.units import figure_unit
@@ -269,8 +270,8 @@ def random_states(figure, count, seed):
 
 
 def kind_of(figure, shape):
-    """Return the name of a shape's look; a thing has materials instead."""
-    if isinstance(shape, Thing):
+    """Return the name of a shape's look; what has materials instead has none."""
+    if isinstance(shape, Thing | Solid):
         return None
     symbolic = isinstance(shape.kind, sp.Symbol)
     home = HOMES[figure.name]

@@ -174,13 +174,14 @@ class OnPage:
 
 # a figure and its page as they were at first
 AS_AT_FIRST = """() => {
+  document.activeElement.blur();
   for (const { courseware } of document.querySelectorAll(".rk-figure.rk-live")) {
     courseware.element.querySelector(".rk-reset")?.click();
     courseware.last = null;
     courseware.settled();
+    courseware.tell(); // now, not a moment later
   }
   history.replaceState(null, "", location.pathname);
-  document.activeElement.blur();
   scrollTo({ top: 0, behavior: "instant" });
 }"""
 

@@ -659,7 +659,10 @@ def recap_figure() -> Figure:
             ),
             Bracket(R, (2.2, 0.1), digits=2, columns=("text",) * 3),
         ),
-        sentence="Turned by {turn} about the slanted axis.",
+        sentence=(
+            "Turned by {turn} about the slanted axis. You say that the first column is "
+            "{first_column}, the second {second_column}."
+        ),
         goal=Goal(And(*right), "Say which arrows the first and the second column are."),
         where=name_entries(euler.turned_about(AXIS, turn)),
     )

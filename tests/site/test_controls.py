@@ -5,7 +5,15 @@ import json
 import numpy as np
 import pytest
 from declared import FIGURES
-from figure_numbers import TYPICAL, WORDS, typical_handled, typical_held, typical_moved
+from figure_numbers import (
+    TYPICAL,
+    WORDS,
+    own_controls,
+    typical,
+    typical_handled,
+    typical_held,
+    typical_moved,
+)
 from figure_page import OPENED, assert_shows_state, drag, nudge, slide
 
 from courseware.figures import Slider
@@ -23,7 +31,7 @@ def test_twenty_settings_by_mouse_and_keys(figure, visit):
             (slide, drag, nudge)[turn % 3](live, random)
             assert_shows_state(live)
             seen.add(json.dumps(live.state()))
-    assert len(seen) >= 10  # some keys, as Home at the lower end, change nothing
+    assert len(seen) >= 7  # each of the drags ends elsewhere; Home at the lower end changes nothing
 
 
 @typical_held
@@ -56,7 +64,7 @@ def test_keys_reach_a_word_instead_of_a_number(visit, name, values, readout, wor
         assert_shows_state(live)
 
 
-@typical_moved
+@typical(lambda figure: any(isinstance(c, Slider) for c in own_controls(figure)))
 def test_a_tap_moves_a_slider_by_its_step(figure, visit):
     """No slider needs to be dragged; held down, the button goes on."""
     sliders = [c for c in figure.controls if isinstance(c, Slider)]

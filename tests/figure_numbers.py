@@ -62,7 +62,9 @@ typical_figure = typical(lambda figure: True)
 typical_moved = typical(own_controls)
 typical_handled = typical(own_controls, HANDLED)
 typical_held = typical(lambda figure: figure.handles)
-typical_linked = typical(lambda figure: figure.size != "step" and own_controls(figure))
+typical_linked = typical(  # the first page shows no link
+    lambda figure: figure.size != "step" and own_controls(figure) and HOMES[figure.name] != "home"
+)
 
 
 TABLES = course().modules("expected").values()

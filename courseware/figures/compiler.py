@@ -207,7 +207,7 @@ class Compiler:
         """Return a body's data: its pose and the view by place, its meshes as they are."""
         for mesh in solid.meshes:
             printed = (tone for dots in mesh.dots.values() for _, _, _, *tone in dots)
-            _refuse_unknown_paint(mesh.kind, mesh.edge, *chain.from_iterable(printed))
+            _refuse_unknown_paint((mesh.kind, mesh.edge, *chain.from_iterable(printed)))
         fields = {name: getattr(solid, name) for name in ("data", "floor", "opacity", "behind")}
         return {"at": self.add(*solid.numbers), **fields}
 
@@ -330,18 +330,15 @@ class Compiler:
         return compile_javascript({"c": self.known, **more}, expressions)
 
 
-def _refuse_unknown_paint(*names: str) -> None:
-    materials = course().materials
+def _refuse_unknown_paint(names: Iterable[str], gradients: Iterable[str] = ()) -> None:
+    known = [*course().materials.tones, *gradients]
     for name in filter(None, names):
-        if name not in {*materials.tones, *materials.gradients, *course().looks}:
-            raise CourseError(
-                f"there is no material {name!r}; there are {', '.join(materials.tones)}, "
-                f"{', '.join(materials.gradients)}"
-            )
+        if name not in {*known, *course().looks}:
+            raise CourseError(f"there is no material {name!r}; there are {', '.join(known)}")
 
 
 def _compile_outline(outline: Outline) -> list[Any]:
-    _refuse_unknown_paint(outline.fill, outline.edge)
+    _refuse_unknown_paint((outline.fill, outline.edge), course().materials.gradients)
     return [outline.path, outline.fill, outline.edge, outline.width, outline.opacity]
 
 

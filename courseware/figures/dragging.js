@@ -1,9 +1,9 @@
 // Moving a figure by hand: its controls, its handles, the ground of a picture in space.
 
+import { functions } from "../equations/functions.js";
 import { escapeHtml } from "../script/text.js";
 import { pauseClock, stopClock } from "./clock.js";
 import { formatControl } from "./figure_text.js";
-import { functions } from "../equations/functions.js";
 import { createProjection, heightOf } from "./scene.js";
 import { attract, clamp, compute, roundState, settings, snap, startState, wrapAround } from "./state.js";
 

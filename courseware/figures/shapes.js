@@ -1,8 +1,8 @@
 // The shapes of a picture as nodes.
 
+import { functions } from "../equations/functions.js";
 import { KINDS } from "./constants.js";
 import { formatFixed } from "./figure_text.js";
-import { functions } from "../equations/functions.js";
 import { addLabel } from "./labels.js";
 import { casing, color, drawLine, fill, headCasing, path, px, stroke } from "./svg.js";
 

@@ -108,7 +108,7 @@ def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Me
         for side in (low, high)
         for f, g in zip(side[::2], side[1::2], strict=True)
     ]
-    return Mesh(kind, corners, (*flat, *outside, *inside))  # a face is first to draw its lines
+    return Mesh(kind, corners, (*flat, *outside, *inside))  # the first of two draws their line
 
 
 def ball(kind: Kind) -> Mesh:

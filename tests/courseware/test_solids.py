@@ -183,9 +183,13 @@ def test_what_is_printed_on_a_face_goes_with_it():
     assert counts == {1, 2, 3, 4, 5, 6}
 
 
-def test_an_unknown_look_of_a_part_is_refused():
+@pytest.mark.parametrize(
+    "part", [{"kind": "gold"}, {"edge": "gold"}, {"dots": {0: [(0, 0, 0.1, "gold")]}}]
+)
+def test_an_unknown_material_of_a_part_is_refused(part):
+    body = replace(solids.box("body", (1, 1, 1)), **part)
     with pytest.raises(CourseError, match="no material 'gold'; there are"):
-        _ = cubes(("gold", (0, 0, 0))).code
+        _ = space_figure(scene=(VIEW.solid([body], EYE),)).code
 
 
 def test_shades_are_plain_colours_in_a_notebook():

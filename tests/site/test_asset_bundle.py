@@ -199,13 +199,14 @@ def whole_sheet(static):
     return css.replace("url(fonts/", "url(katex/fonts/")
 
 
-# what can be seen of an element: where it is, and all its styles
+# what can be seen of an element: where it is, and all its styles; the theme says a moment later
+# which link is active
 SEEN = """() => [...document.querySelectorAll("body *:not(svg *)")].map((element) => {
   const { x, y, width, height } = element.getBoundingClientRect();
   const style = getComputedStyle(element), all = [x, y, width, height];
   for (const name of style) if (!name.startsWith("--")) all.push(style.getPropertyValue(name));
   const hash = [...all.join()].reduce((sum, sign) => (31 * sum + sign.charCodeAt()) | 0, 7);
-  return `${element.tagName} ${element.className} ${hash}`;
+  return `${element.tagName} ${element.classList.value.replace("active", "")} ${hash}`;
 })"""
 
 

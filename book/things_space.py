@@ -1,13 +1,17 @@
 """The same things in space, as meshes that a chapter places with `VIEW.solid`."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
 from math import acos, cos, pi, sin
+from typing import Any
 
 import numpy as np
+import sympy as sp
 
-from courseware.figures import solids
+from courseware.figures import VIEW, solids
 from courseware.figures.solids import Mesh
+from courseware.figures.space import ORIGIN
 
 N = 24  # of corners all round
 
@@ -107,6 +111,11 @@ def slab(height: float, half: float) -> tuple[Mesh, ...]:
     thick = 0.07
     box = solids.box("floor", (2 * half, 2 * half, thick), (0, 0, height - thick / 2))
     return (replace(box, edge="seam"),)
+
+
+def floor(height: float, half: float, at: Sequence[Any] = ORIGIN) -> solids.Solid:
+    """Return a slab behind all else, on which shadows fall."""
+    return VIEW.solid(slab(height, half), sp.eye(3), at, behind=200.0)
 
 
 def aeroplane() -> tuple[Mesh, ...]:

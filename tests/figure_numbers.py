@@ -62,9 +62,14 @@ typical_figure = typical(lambda figure: True)
 typical_moved = typical(own_controls)
 typical_handled = typical(own_controls, HANDLED)
 typical_held = typical(lambda figure: figure.handles)
-typical_linked = typical(  # the first page shows no link
-    lambda figure: figure.size != "step" and own_controls(figure) and HOMES[figure.name] != "home"
-)
+
+
+def has_address(figure):
+    """Return whether an address can hold a setting of it."""
+    return figure.size != "step" and own_controls(figure)
+
+
+typical_linked = typical(has_address)
 
 
 TABLES = course().modules("expected").values()
@@ -273,8 +278,11 @@ def random_states(figure, count, seed):
 
 def kind_of(figure, shape):
     """Return the name of a shape's look; what has materials instead has none."""
-    if isinstance(shape, Thing | Solid):
+    if isinstance(shape, Thing):
         return None
+    if isinstance(shape, Solid):
+        kind = shape.meshes[0].kind
+        return kind if kind in course().looks else None
     symbolic = isinstance(shape.kind, sp.Symbol)
     home = HOMES[figure.name]
     return find_kind(shape.kind, home) if symbolic else shape.kind

@@ -109,7 +109,7 @@ GRIPS = Figure(
     "An arm on its column, and a ball on a stand",
     (-0.62, 0.62, -0.24, 0.72),
     (
-        VIEW.solid(things_space.slab(0, 0.6), sp.eye(3), behind=200.0),
+        things_space.floor(0, 0.6),
         VIEW.solid(things_space.column(HIGH), sp.eye(3), floor=0),
         VIEW.solid(things_space.link(UPPER, 0.06, 0.045), *UPPER_AT, floor=0),
         VIEW.solid(

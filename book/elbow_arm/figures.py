@@ -330,7 +330,7 @@ def mistakes_figure() -> Figure:
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),
         scene=(
-            VIEW.solid(things_space.slab(0, 0.7), eye(3), behind=200.0),
+            things_space.floor(0, 0.7),
             VIEW.solid([solids.cylinder("body", (0.08, 0.05), (0, 0.27))], eye(3), floor=0),
             VIEW.arrow("text", (0, 0, 0), (0.7, 0, 0), "x"),
             VIEW.arrow("text", (0, 0, 0), (0, 0.7, 0), "y"),

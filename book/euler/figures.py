@@ -114,7 +114,7 @@ FLOOR, HALF = -0.95, 0.75  # m: the floor's height, and half its side
 
 def floor(at: Sequence[Any] = ORIGIN) -> Any:
     """Return a piece of floor, on which shadows fall."""
-    return VIEW.solid(things_space.slab(FLOOR, HALF), UNTURNED, at, behind=200.0)
+    return things_space.floor(FLOOR, HALF, at)
 
 
 def die(
@@ -458,7 +458,7 @@ def rings_figure() -> Figure:
             Slider.degrees(against, step=15, label="outer ring +, inner ring −"),
         ),
         scene=(
-            VIEW.solid(things_space.slab(low, 1.45), UNTURNED, behind=200.0),
+            things_space.floor(low, 1.45),
             VIEW.solid(STAND, UNTURNED, floor=low),
             VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=low),
             VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),

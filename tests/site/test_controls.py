@@ -27,11 +27,11 @@ def test_twenty_settings_by_mouse_and_keys(figure, visit):
     random = np.random.default_rng(20)
     seen = set()
     with visit(figure) as live:
-        for turn in range(20):
+        for turn in range(40 if len(figure.controls) == 1 else 20):
             (slide, drag, nudge)[turn % 3](live, random)
             assert_shows_state(live)
             seen.add(json.dumps(live.state()))
-    assert len(seen) >= 7  # each of the drags ends elsewhere; Home at the lower end changes nothing
+    assert len(seen) >= 10  # some keys, as Home at the lower end, change nothing
 
 
 @typical_held

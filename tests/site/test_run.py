@@ -320,8 +320,10 @@ def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium, width):
         page.goto(f"{server}bicycle/bicycle.html")
         page.locator(".rk-run").get_by_text("Check", exact=True).first.click()
         answer = page.locator(".rk-fresh .rk-answer")
-        expect(answer).to_contain_text("In full colour: what is right. Red: what your function")
+        words = answer.get_by_text("In full colour: what is right. Red: what your function gives.")
+        words.wait_for(state="attached")
         answer.scroll_into_view_if_needed()
+        words.wait_for()
         box = answer.locator("svg").bounding_box()
         assert 0 < box["x"] < box["x"] + box["width"] < width
         assert answer.locator("[style*='#rk-hatch']").count() == 1

@@ -24,8 +24,8 @@ def turned() -> str:
 
 
 def thousand_ends() -> str:
-    """Return where robots end that drive equally far and turn at different rates."""
-    rates = np.linspace(0, 1, 500)
+    """Return where robots end that drive equally far and turn by up to half a turn."""
+    rates = np.linspace(0, np.pi / TIME, 1000)
     ends = motion.arc_step([0, 0, 0], v=SPEED, omega=rates, dt=TIME)
     away = np.diff(np.hypot(ends[:, 0], ends[:, 1]))
     return NEARER if (away < 0).all() else CIRCLE
@@ -82,8 +82,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "thousand-ends",
-        "A thousand robots start here. Each drives 2 m: one nearly straight on, the others turn, "
-        "each a little faster than the one before. Where do they end?",
+        "A thousand robots start here. Each drives 2 m: one straight on, the others turn as they "
+        "drive, each a little more than the one before, the last by half a turn. Where do they end?",
         Buttons(
             (CIRCLE, LINE, NEARER),
             right=thousand_ends,

@@ -161,7 +161,7 @@ SPECIALS = {
     "summary": [],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
-    ("wheel-speeds", {"v_L": 0.1}, "R", "none: straight"),
+    ("wheel-speeds", {"v_L": 0.1}, "R", "at infinity"),
     ("tips", {"v_L": 0.0, "v_R": 0.0}, "R", "…"),
 ]
 # numbers that are shown to lose their digits, by the symbols that they come from

@@ -88,7 +88,7 @@ TWIST = {  # and so of the robot; rounded, as 0.05 + 0.1 has a last digit too ma
 }
 ARROW = 1  # s: an arrow is as long as the way in this time, so that a slope is an ω
 ORIGIN, START = (0, 0), (0, 0, pi / 2)  # the robot looks along the world's y axis
-NO_ICR = {"inf": "none: straight", "nan": "nowhere: at rest"}
+NO_ICR = {"inf": "at infinity", "nan": "nowhere: at rest"}
 VELOCITY = ((b, DISTANCE), *assign(drive.speed, drive.turning_rate))
 RADIUS_TOO = (*VELOCITY, *assign(drive.turning_radius))
 

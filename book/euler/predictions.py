@@ -28,8 +28,8 @@ def third_quarter() -> str:
 PREDICTIONS = (
     Prediction(
         "arm-ways",
-        "The wrist of the arm must go to one place, far from the limits of its reach. In how "
-        "many ways can its three joints stand?",
+        "The wrist of the arm must go to one place, beside the axis of the base and far from the "
+        "limits of its reach. In how many ways can its three joints stand?",
         Buttons(
             ("one", "two", "four"),
             right=ways_of_the_arm,
@@ -56,8 +56,8 @@ PREDICTIONS = (
                 "−45°": "There $y$ is negative, too, but $x$ is positive.",
             },
         ),
-        explanation="Below and to the left: `arctan2(y, x)` keeps both signs. It will find every "
-        "angle of this chapter.",
+        explanation="Below and to the left: `arctan2(y, x)` keeps both signs. It will find most "
+        "angles of this chapter.",
         spoilers=("keeps both signs",),
     ),
     Prediction(

@@ -175,8 +175,8 @@ euler_p2 = Program(
         "when β is −90° every time": lambda R: [euler.from_matrix("XYZ", R)[0], -np.pi / 2, 0.0],
     },
     hints=(
-        "At gimbal lock the first and the last turn are about the same direction. So one of them "
-        "can be anything: take γ = 0. What is left to find?",
+        "At gimbal lock the axes of the first and the last turn lie on one line. So one of the "
+        "two angles can be anything: take γ = 0. What is left to find?",
         "With γ = 0 the second column is [0, cos α, sin α]. And β is +90° or −90°, as R[0, 2] "
         "says.",
     ),

@@ -41,27 +41,16 @@ class Live(SphinxDirective):
 
 
 class Chapters(SphinxDirective):
-    """Cards of the chapters that it names, or of those that no other names before it."""
-
-    optional_arguments = 1
-    final_argument_whitespace = True
+    """Cards of all chapters, in the order of `_toc.yml`."""
 
     def run(self) -> list[nodes.Node]:
         note_sources(self.env, "__init__", "figures", "cards")
         chapters = course().chapters_of("figures", Figure)
         first = {chapter: name for name, chapter in reversed(chapters.items())}
-        first |= {c: card for c in first if (card := course().card(c))}
-        shown = self.env.temp_data.setdefault("course_cards", [])
-        others = [c for c in course().taught if c in first and c not in shown]
-        named = self.arguments[0].split() if self.arguments else others
-        if unknown := set(named) - set(others):
-            raise self.error(f"no card for {', '.join(unknown)}; there are {', '.join(others)}")
-        so_far = "" if shown else '<p class="site-so-far"></p>'
-        shown += named
-        cards = "".join(self._card(chapter, first[chapter]) for chapter in named)
-        html = f'{so_far}<div class="site-cards">{cards}</div>'
-        still = [first[chapter] for chapter in named]
-        return [nodes.raw("", html, format="html", still=still)]
+        shown = {c: course().card(c) or first[c] for c in course().taught if c in first}
+        cards = "".join(self._card(chapter, figure) for chapter, figure in shown.items())
+        html = f'<p class="site-so-far"></p><div class="site-cards">{cards}</div>'
+        return [nodes.raw("", html, format="html", still=list(shown.values()))]
 
     def _card(self, chapter: str, figure: str) -> str:
         self.env.note_dependency(str(course().notebook(chapter)))

@@ -113,7 +113,6 @@ LOCKED = $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hash
 lock: $(READY)
 	$(LOCKED) requirements.in -o requirements.txt
 	$(LOCKED) -c requirements.txt requirements-light.in -o requirements-light.txt
-	$(LOCKED) -c requirements.txt hub/requirements.in -o hub/requirements.txt
 
 # Two environments of their own, from the dependency groups in pyproject.toml: the peers that
 # robokin is timed against, and the lowest versions that the wheels say they work with.

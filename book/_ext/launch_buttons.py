@@ -9,8 +9,6 @@ from urllib.parse import quote, urlencode, urlsplit
 
 from jupyterlite import notebook_address
 
-COPIES = "hosted"  # the branch with the notebooks that install the course: tools/colab_copies.py
-
 
 def list_places(app, page):
     """Return address and description of each place where the notebook of a page runs, by name."""
@@ -27,14 +25,8 @@ def list_places(app, page):
         found["JupyterHub"] = (f"{hub}/hub/user-redirect/git-pull?{query}", words)
     if repository.netloc == "github.com":
         path, place = repository.path.strip("/"), quote(f"lab/tree/{notebook}", safe="")
-        # Colab has no environment of the course: it opens a copy of the notebook that installs it
-        copy = f"{path}/blob/{COPIES}/{page.rpartition('/')[2]}.ipynb"
         binder = f"https://mybinder.org/v2/gh/{path}/{quote(branch, safe='')}?urlpath={place}"
-        colab = f"https://colab.research.google.com/github/{copy}"
-        codespaces = f"https://codespaces.new/{path}/tree/{branch}?quickstart=1"
         found["Binder"] = (binder, "Free, no account; starts in minutes")
-        found["Colab"] = (colab, "With a Google account")
-        found["Codespaces"] = (codespaces, "An editor with a GitHub account")
     return found
 
 

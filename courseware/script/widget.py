@@ -16,7 +16,7 @@ class Widget(anywidget.AnyWidget):
     state = traitlets.Dict().tag(sync=True)
 
     def render_output(self, others: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return an output by MIME type, with others in it, and what Colab must know."""
+        """Return an output by MIME type, with others in it, and its metadata."""
         data, metadata = self._repr_mimebundle_() or ({}, {})
         return {**data, **others}, metadata
 

@@ -166,15 +166,12 @@ def test_a_page_that_is_not_there_has_links_from_the_site_s_own_address(site):
 
 def run_at(chapter):
     """The addresses at which a chapter can be run, but that in the browser."""
-    copy = f"github.com/someone/course/blob/hosted/{chapter}.ipynb"
     asked = "repo=https%3A%2F%2Fgithub.com%2Fsomeone%2Fcourse&branch=main"
     place = f"lab%2Ftree%2Fbook%2F{chapter}%2F{chapter}.ipynb"
     return [
         "https://hub.example.org/hub/user-redirect/git-pull?"
         f"{asked}&targetPath=course&urlpath={place.replace('book', 'course%2Fbook')}",
         f"https://mybinder.org/v2/gh/someone/course/main?urlpath={place}",
-        f"https://colab.research.google.com/{copy.replace('.com', '', 1)}",
-        "https://codespaces.new/someone/course/tree/main?quickstart=1",
     ]
 
 

@@ -26,7 +26,7 @@ pytestmark = pytest.mark.browser
 
 WHEELS = ("robokin", "robokin-courseware", "robokin-book")
 DEVELOPERS = {"jupyter-book", "sphinx", "playwright", "pytest", "ruff", "mypy", "uv"}
-LOCKS = ("requirements.txt", "requirements-light.txt", "hub/requirements.txt")
+LOCKS = ("requirements.txt", "requirements-light.txt")
 INSTALLS = 900  # seconds at most for pip, on a slow line
 RUNS = 300  # seconds at most for a notebook
 

@@ -2,7 +2,6 @@
 
 import argparse
 import io
-import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,9 +12,6 @@ from classroom.assignments import write_assignment
 from classroom.grading import check, grade
 from classroom.sheets import write_sheets
 from courseware.errors import CourseError
-from courseware.practice.bank import course_name
-
-CONTROLS = "[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -26,20 +22,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         problems, words = _run(_parser().parse_args(arguments))
     except CourseError as error:
-        print(_escape(str(error)), file=sys.stderr)
+        print(error, file=sys.stderr)
         return 2
     except OSError as error:  # a full disk, a folder that may not be written
-        print(_escape(f"{error.filename}: {error.strerror}; not finished"), file=sys.stderr)
+        print(f"{error.filename}: {error.strerror}; not finished", file=sys.stderr)
         return 2
-    print(_escape(words))
+    print(words)
     for problem in problems:
-        print(_escape(problem), file=sys.stderr)
+        print(problem, file=sys.stderr)
     return 1 if problems else 0
-
-
-def _escape(text: str) -> str:
-    """Return a text without characters that a terminal obeys: names of files may have them."""
-    return re.sub(CONTROLS, lambda control: ascii(control[0])[1:-1], text)
 
 
 def _run(options: argparse.Namespace) -> tuple[list[str], str]:
@@ -47,7 +38,7 @@ def _run(options: argparse.Namespace) -> tuple[list[str], str]:
     if options.command == "grade":
         return grade(options.answers, options.key, options.out, options.force)
     if options.command == "check":
-        return check(options.answers, options.key, options.out, options.force)
+        return check(options.answers, options.key)
     written = f"written: {options.out}"
     if options.command == "assignment":
         out = options.out or Path(options.chapter)
@@ -58,7 +49,7 @@ def _run(options: argparse.Namespace) -> tuple[list[str], str]:
     secret = read_secret(options.secret, make=options.command == "key")
     arguments = options.only, secret, options.force
     if options.command == "key":
-        return write_key(options.roster, options.out, options.course, *arguments), written
+        return write_key(options.roster, options.out, *arguments), written
     moodle.write(options.out, *arguments)
     return [], written
 
@@ -69,14 +60,12 @@ def _parser() -> argparse.ArgumentParser:
 
     def add(name: str, words: str, out: str | None) -> argparse.ArgumentParser:
         command = commands.add_parser(name, help=words, description=words)
-        command.add_argument("--out", type=Path, default=out, help=f"default {out or 'no file'}")
+        command.add_argument("--out", type=Path, default=out, help=f"default {out or 'CHAPTER/'}")
         command.add_argument("--force", action="store_true", help="overwrite what is there")
         return command
 
     key = add("key", "everyone's numbers and right answers", "key.csv")
     key.add_argument("roster", type=Path, help="CSV with a column student")
-    words = "the course's name, which takes part in picking the numbers; default: that of the site"
-    key.add_argument("--course", default=course_name(), help=words)
     sheet = add("sheet", "a page for each student, without answers", "sheets/")
     sheet.add_argument("key", type=Path, help="the table that key wrote")
     questions = add("moodle", "all variants as questions, to import as Moodle XML", "moodle.xml")
@@ -90,7 +79,8 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--only", nargs="+", default=(), help="names of exercises")
         words = "a file with a secret that draws other numbers than the page's; key makes it"
         command.add_argument("--secret", type=Path, metavar="FILE", help=words)
-    checked = add("check", "what grade would find; writes nothing but all problems to --out", None)
+    words = "what grade would find; writes nothing"
+    checked = commands.add_parser("check", help=words, description=words)
     graded = add("grade", "right, partly, which mistake; and a look at the class", "grades.csv")
     for command in (checked, graded):
         words = "CSV with the columns student, exercise, answer; or folders, with any other files"

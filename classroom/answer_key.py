@@ -4,38 +4,34 @@ import hashlib
 import json
 import re
 import secrets
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from itertools import product
 from pathlib import Path
 
-from classroom.tables import UNDECODED, Problems, Row, read_lines, read_rows
+from classroom.tables import Problems, Row, read_lines, read_rows
 from courseware.errors import CourseError
 from courseware.practice import dealing
-from courseware.practice.bank import all_exercises, find_exercise
+from courseware.practice.bank import all_exercises, course_name, find_exercise
 from courseware.practice.declaration import Exercise
 from courseware.practice.saving import open_table
 
-COLUMNS = ("kind", "course", "version", "student", "exercise", "variant", "numbers", "answer")
+COLUMNS = ("course", "version", "student", "exercise", "variant", "numbers", "answer")
 NEEDED = ("course", "version", "student", "exercise", "numbers")
 UNUSABLE = "lines of the key that cannot be used"
 SECRET_LENGTH = 16
-PLATFORM_ROWS = {"points possible", "test student"}  # what rosters of Canvas have below the heading
 
 Task = tuple[str, str]  # a student, as names are compared, and an exercise
 
 folded = lru_cache(10_000)(dealing.fold_name)
 
 
-def write_key(
-    roster: Path, out: Path, course: str, only: Sequence[str], secret: str, force: bool
-) -> list[str]:
+def write_key(roster: Path, out: Path, only: Sequence[str], secret: str, force: bool) -> list[str]:
     """Write everyone's numbers and right answers, and return the problems of the roster."""
-    problems = Problems(keep=sys.maxsize)
+    problems = Problems()
     students = _read_roster(roster, problems)
-    refuse_same(out, roster)
+    course = course_name()
     salt = course + secret
     if secret:  # answers to other numbers must not count
         course += f", secret {hashlib.sha256(secret.encode()).hexdigest()[:6]}"
@@ -45,7 +41,7 @@ def write_key(
         for student, name in asked:
             number = dealing.deal(salt, name, student) % len(dealing.variants(name, secret))
             row = (student, name, number, *_deal(name, number, secret))
-            write(("key", course, dealing.version(), *row))
+            write((course, dealing.version(), *row))
     return problems.lines()
 
 
@@ -63,8 +59,6 @@ def _read_roster(path: Path, problems: Problems) -> list[str]:
         alike = folded(row["student"])
         if not alike:
             problems.note("lines without a student's name", path, line)
-        elif alike in PLATFORM_ROWS:
-            problems.note("lines of the learning platform, no students", path, line, row["student"])
         elif alike in names:
             first, other = names[alike]
             words = f"{row['student']!r} is one name with {other!r} in line {first}: no second key"
@@ -79,12 +73,6 @@ def _read_roster(path: Path, problems: Problems) -> list[str]:
 def choose_exercises(only: Sequence[str]) -> dict[str, Exercise]:
     """Return the exercises with these names; all if none is named."""
     return {name: find_exercise(name) for name in only} or all_exercises()
-
-
-def refuse_same(out: Path, read: Path) -> None:
-    """Refuse to write a table over the one that is read."""
-    if out.resolve() == read.resolve():
-        raise CourseError(f"{out} is the input file: give another name to write to")
 
 
 def _refuse_other_secret(out: Path, course: str) -> None:
@@ -105,7 +93,7 @@ def read_secret(path: Path | None, make: bool) -> str:
             raise CourseError(f"there is no file {path}; `key --secret` makes one")
         path.write_text(secrets.token_hex(SECRET_LENGTH) + "\n", encoding="utf-8")
     secret = re.sub(dealing.IGNORED, "", "".join(read_lines(path))).strip()  # as editors save it
-    if len(secret.split()) != 1 or len(secret) < SECRET_LENGTH or UNDECODED.search(secret):
+    if len(secret.split()) != 1 or len(secret) < SECRET_LENGTH:
         raise CourseError(
             f"{path} must hold one word of {SECRET_LENGTH} characters or more, which nobody "
             "guesses: give another file, `key --secret` makes it"
@@ -122,8 +110,8 @@ class Key:
 
     def __post_init__(self) -> None:
         self.students = {student: row["student"] for (student, _), (_, row) in self.rows.items()}
-        self.courses = {row["course"] for _, row in self.rows.values()}
-        self.versions = {row["version"] for _, row in self.rows.values()}
+        _, first = next(iter(self.rows.values()))
+        self.course, self.version = first["course"], first["version"]
 
 
 def read_key(path: Path, problems: Problems) -> Key:
@@ -133,9 +121,6 @@ def read_key(path: Path, problems: Problems) -> Key:
         task = folded(row["student"]), row["exercise"]
         if row["exercise"] not in all_exercises():
             problems.note(UNUSABLE, path, line, f"there is no exercise {row['exercise']!r}", row)
-        elif task in rows:
-            words = f"{row['student']} has {row['exercise']} in line {rows[task][0]} already"
-            problems.note(UNUSABLE, path, line, words, row)
         else:
             rows[task] = (line, row)
     if not rows:

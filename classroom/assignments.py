@@ -4,11 +4,16 @@ An assignment needs NumPy alone: the judge and its numbers stand in it as files.
 """
 
 import inspect
-import json
 from collections.abc import Iterator
 from pathlib import Path
 from textwrap import indent
-from typing import Any
+
+import nbformat
+from nbformat import NotebookNode
+from nbformat.v4 import new_code_cell as code
+from nbformat.v4 import new_markdown_cell as markdown
+from nbformat.v4 import new_notebook
+from nbformat.v4 import new_raw_cell as raw
 
 from courseware.course import course
 from courseware.errors import CourseError
@@ -17,7 +22,6 @@ from courseware.programs import judge
 from courseware.programs.declaration import Program, all_programs
 from courseware.programs.notebook import serialize
 
-Cell = dict[str, Any]
 CHECK = """\
 from judge import read_and_check
 
@@ -55,18 +59,18 @@ def write_assignment(chapter: str, grader: str, folder: Path, force: bool) -> li
     return [folder / name for name in files]
 
 
-def write_nbgrader(chapter: str, programs: list[Program]) -> Iterator[Cell]:
+def write_nbgrader(chapter: str, programs: list[Program]) -> Iterator[NotebookNode]:
     """Yield the cells of nbgrader's source version: a locked one tests each function."""
     yield from write_opening(chapter)
     for p in programs:
-        yield write_question(p)
+        yield markdown(write_question(p))
         yield code(p.starter.rstrip())
         nbgrader = {"grade": True, "grade_id": p.name, "locked": True, "points": 1}
         nbgrader |= {"schema_version": 3, "solution": False, "task": False, "cell_type": "code"}
-        yield code(check_lines(p), nbgrader=nbgrader)
+        yield code(check_lines(p), metadata={"nbgrader": nbgrader})
 
 
-def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
+def write_otter(chapter: str, programs: list[Program]) -> Iterator[NotebookNode]:
     """Yield the cells of otter's master version, from which `otter assign` makes both others."""
     files = ["judge.py", *(f"{p.name}.json" for p in programs)]
     listed = "\n".join(f"  - {name}" for name in files)
@@ -78,7 +82,7 @@ def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
     for p in programs:
         name = variable(p)
         yield raw(f"# BEGIN QUESTION\nname: {name}\npoints: 1")
-        yield write_question(p)
+        yield markdown(write_question(p))
         yield raw("# BEGIN SOLUTION")
         yield code(ANSWER.format(solution=p.solution.rstrip(), starter=p.starter.rstrip()))
         yield raw("# END SOLUTION")
@@ -88,14 +92,14 @@ def write_otter(chapter: str, programs: list[Program]) -> Iterator[Cell]:
         yield raw("# END QUESTION")
 
 
-def write_opening(chapter: str) -> Iterator[Cell]:
+def write_opening(chapter: str) -> Iterator[NotebookNode]:
     """Yield the cells above the programs."""
     yield markdown(f"# {course().title(chapter)}")
     yield code("import numpy as np")
 
 
-def write_question(program: Program) -> Cell:
-    return markdown(f"## {program.title}\n\n{program.text}")
+def write_question(program: Program) -> str:
+    return f"## {program.title}\n\n{program.text}"
 
 
 def variable(program: Program) -> str:
@@ -119,32 +123,10 @@ def write_script(programs: list[Program]) -> str:
     return "\n".join(["wrong=0", *lines, "exit $wrong", ""])
 
 
-def markdown(text: str) -> Cell:
-    return {"cell_type": "markdown", "metadata": {}, "source": text}
-
-
-def raw(text: str) -> Cell:
-    return {"cell_type": "raw", "metadata": {}, "source": text}
-
-
-def code(text: str, **metadata: Any) -> Cell:
-    cell = {"cell_type": "code", "metadata": metadata, "source": text}
-    return {**cell, "outputs": [], "execution_count": None}
-
-
-def write_notebook(cells: list[Cell]) -> str:
+def write_notebook(cells: list[NotebookNode]) -> str:
     """Return a notebook as a text."""
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
-    language = {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"}
     for k, cell in enumerate(cells):
-        cell["id"] = f"cell-{k}"
-    return json.dumps(
-        {
-            "cells": cells,
-            "metadata": {"kernelspec": kernel, "language_info": language},
-            "nbformat": 4,
-            "nbformat_minor": 5,
-        },
-        indent=1,
-        ensure_ascii=False,
-    )
+        cell.id = f"cell-{k}"
+    notebook = new_notebook(cells=cells, metadata={"kernelspec": kernel})
+    return str(nbformat.writes(notebook))

@@ -15,7 +15,7 @@ from courseware.practice.bank import all_exercises, all_mistakes
 from courseware.practice.declaration import Exercise
 from courseware.practice.formatting import render_symbols
 
-MOST_SHOWN = 25  # mistakes; their table has all
+MOST_SHOWN = 25  # mistakes
 RESULTS = ("right", "partly", "wrong", "unread", "missing")
 SIGNS = dict(zip(RESULTS, "✓≈✗?·", strict=True))
 
@@ -74,7 +74,7 @@ th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width
 <h2>Exercises</h2><div><table><thead><tr><th>exercise{heads}<th></thead><tbody>
 {exercises}
 </tbody></table></div>
-<h2>Mistakes</h2><p>{frequent}</p>
+<h2>Mistakes</h2><p>The {most} most frequent, as a share of those who answered.</p>
 <div class="few"><table><thead><tr><th class="n">students<th class="n">of<th><th>exercise<th>mistake
 </thead><tbody>
 {mistakes}
@@ -86,7 +86,7 @@ th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width
 """
 
 
-def render(course_name: str, graded: Sequence[Graded], counts: Sequence[Count]) -> str:
+def render(course_name: str, graded: Sequence[Graded]) -> str:
     """Render the page as HTML."""
     students: dict[str, dict[str, Graded]] = {}
     results: dict[str, Counter[str]] = {}
@@ -105,19 +105,25 @@ def render(course_name: str, graded: Sequence[Graded], counts: Sequence[Count]) 
         totals=", ".join(f"{totals[result]:,} {result}" for result in RESULTS),
         heads="".join(heads),
         exercises="\n".join(_exercise(e, results[e.name]) for e in known),
-        frequent=_frequent(len(counts)),
-        mistakes="\n".join(map(_mistake, counts[:MOST_SHOWN])),
+        most=MOST_SHOWN,
+        mistakes="\n".join(map(_mistake, _count_mistakes(graded)[:MOST_SHOWN])),
         topics="".join(titles),
         lines="\n".join(_student(name, found, topics.values()) for name, found in students.items()),
     )
 
 
-def _frequent(count: int) -> str:
-    """Return the sentence above the mistakes."""
-    if not count:
-        return "No answer was wrong."
-    some = f"The most frequent {MOST_SHOWN} of {count:,}; as" if count > MOST_SHOWN else "As"
-    return f"{some} a share of those who answered."
+def _count_mistakes(graded: Iterable[Graded]) -> list[Count]:
+    """Count the students who made each mistake in each exercise, the most frequent first."""
+    answered, made, comments = Counter[str](), Counter[tuple[str, str]](), {}
+    for each in graded:
+        answered[each.exercise] += each.result != "missing"
+        if each.result in ("wrong", "partly"):
+            made[each.exercise, each.mistake] += 1
+            comments[each.exercise, each.mistake] = each.comment
+    return [
+        Count(name, mistake or "none known", count, answered[name], comments[name, mistake])
+        for (name, mistake), count in made.most_common()
+    ]
 
 
 def _bar(parts: Iterable[tuple[str, float]]) -> str:

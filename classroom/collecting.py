@@ -17,11 +17,7 @@ from courseware.errors import CourseError
 
 NEEDED = {"student", "exercise", "answer"}
 OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
-COLUMNS_OF_OTHER_TABLES = {
-    "numbers",
-    "problem",
-    "result",
-}  # columns of a key, of problems and of grades
+COLUMNS_OF_OTHER_TABLES = {"numbers", "problem", "result"}  # of a key, problems and grades
 SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answer
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
     re.IGNORECASE,
@@ -48,17 +44,12 @@ class Answer:
 
 @dataclass
 class Collected:
-    """The answers that count, and how many lines the files, courses and versions had."""
+    """The answers that count, and the files in which there are answers."""
 
     key: Key
     problems: Problems
     answers: dict[Task, Answer] = field(default_factory=dict)
-    files: Counter[Path] = field(default_factory=Counter)  # how many answers each gave
-    courses: Counter[str] = field(default_factory=Counter)
-    versions: Counter[str] = field(default_factory=Counter)
-
-    def __post_init__(self) -> None:
-        self._courses = {"", *map(folded, self.key.courses)}
+    files: set[Path] = field(default_factory=set)
 
     @property
     def silent(self) -> list[str]:
@@ -68,7 +59,7 @@ class Collected:
 
     def read(self, path: Path) -> None:
         """Take the answers of a file; one that cannot be read does not stop the others."""
-        others, before = Counter[str](), self.problems.counts.total()
+        others, before = Counter[str](), len(self.problems)
         try:
             for line, row in read_rows(path, self.problems):
                 if row.keys() >= NEEDED and not row.keys() & COLUMNS_OF_OTHER_TABLES:
@@ -80,22 +71,19 @@ class Collected:
         for columns, count in others.items():
             words = f"columns {columns}, {count:,} lines"
             self.problems.note("tables that are no answers, left out", path, comment=words)
-        if path not in self.files and self.problems.counts.total() == before:
+        if path not in self.files and len(self.problems) == before:
             self.problems.note("files without an answer", path)
 
     def _take(self, path: Path, line: int, row: Row) -> None:
         """Take an answer that fits a line of the key; note another."""
-        self.files[path] += 0  # it has answers, if perhaps none that fits
-        self.courses[row.get("course", "")] += 1
+        self.files.add(path)
         problem, comment = self._find_problem(row)
         if problem:
             self.problems.note(problem, path, line, comment, row)
             return
-        self.files[path] += 1
         version = row.get("version", "")
-        self.versions[version] += 1
-        if version not in {"", *self.key.versions}:
-            words = f"version {version}, the key's is {_quote(self.key.versions)}"
+        if version not in ("", self.key.version):
+            words = f"version {version}, the key's is {self.key.version}"
             self.problems.note(OF_ANOTHER_VERSION, path, line, words, row)
         counts = row.get("tries", ""), row.get("help", "")
         answer = Answer(row["answer"], self._read_time(path, line, row), path, line, *counts)
@@ -106,8 +94,8 @@ class Collected:
         student, name, exercise = folded(row["student"]), row["student"], row["exercise"]
         if not student:
             return "answers without a name", ""
-        if folded(row.get("course", "")) not in self._courses:
-            words = f"the course is {row['course']!r}, the key's is {_quote(self.key.courses)}"
+        if folded(row.get("course", "")) not in ("", folded(self.key.course)):
+            words = f"the course is {row['course']!r}, the key's is {self.key.course!r}"
             return "answers of another course", words
         if student not in self.key.students:
             words = repr(name)
@@ -145,10 +133,6 @@ class Collected:
         return time if time.tzinfo else time.replace(tzinfo=UTC)
 
 
-def _quote(names: set[str]) -> str:
-    return ", ".join(map(repr, sorted(names)))
-
-
 def collect(
     paths: Sequence[Path], key: Key, problems: Problems, leave_out: Sequence[Path] = ()
 ) -> Collected:
@@ -173,9 +157,7 @@ def _find_tables(path: Path, problems: Problems) -> Iterator[Path]:
     for file in sorted(path.rglob("*")):
         if any(map(SYSTEM_FILES.match, file.relative_to(path).parts)):
             continue
-        if file.is_symlink():
-            problems.note("links, which are not followed", file, comment="copy the target here")
-        elif file.is_file() and file.suffix.lower() in (".csv", ".tsv", ".txt"):
+        if file.is_file() and file.suffix.lower() in (".csv", ".tsv", ".txt"):
             yield file
         elif not file.is_dir():
             words = f"{file.suffix or 'no suffix'}: unpack archives, save spreadsheets as CSV"

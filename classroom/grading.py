@@ -1,92 +1,69 @@
-"""Grades of what students handed in: each answer's result, totals, the mistakes of the class."""
+"""Grades of what students handed in: each answer's result, and totals."""
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from contextlib import nullcontext
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
 
 from classroom import class_page
-from classroom.answer_key import UNUSABLE, Key, Task, read_key, refuse_same
-from classroom.class_page import RESULTS, Count, Graded
+from classroom.answer_key import UNUSABLE, Key, Task, read_key
+from classroom.class_page import RESULTS, Graded
 from classroom.collecting import NEVER, Answer, Collected, collect
-from classroom.tables import PROBLEMS, Problems
+from classroom.tables import Problem, Problems
 from courseware.errors import CourseError
 from courseware.practice import dealing, judging
-from courseware.practice.bank import all_exercises, all_mistakes
+from courseware.practice.bank import all_exercises
 from courseware.practice.candidates import Candidate, find_candidates
-from courseware.practice.saving import open_table, refuse_existing, write_table
+from courseware.practice.saving import refuse_existing, write_table
 
 TOTALS = ("student", *RESULTS)
-ENDINGS = ("-students.csv", "-mistakes.csv", "-problems.csv", ".html")  # of files beside the grades
+ENDINGS = ("-students.csv", "-problems.csv", ".html")  # of files beside the grades
 NOTHING = Answer("", NEVER, Path(), 0)
 MISSING = judging.Verdict("missing", "", "")
-MOST_FREQUENT = 15  # mistakes in the summary
-
-Total = tuple[str | int, ...]
 
 
-def check(
-    answers: Sequence[Path], key: Path, out: Path | None, force: bool
-) -> tuple[list[str], str]:
-    """Return the problems that grading would find, and an account to print.
-
-    Nothing is written but all problems, into the table `out` if there is one.
-    """
-    if out:
-        refuse_same(out, key)
-    with open_table(out, PROBLEMS, force) if out else nullcontext(len) as write:
-        problems = Problems(write)
-        found = collect(answers, read_key(key, problems), problems, leave_out=[out] if out else [])
-    end = f"written: {out}" if out else "nothing was written"
-    return problems.lines(), "\n".join([*_account(found), end])
+def check(answers: Sequence[Path], key: Path) -> tuple[list[str], str]:
+    """Return the problems that grading would find, and an account to print. Write nothing."""
+    problems = Problems()
+    found = collect(answers, read_key(key, problems), problems)
+    return problems.lines(), "\n".join([*_account(found), "nothing was written"])
 
 
 def grade(answers: Sequence[Path], key: Path, out: Path, force: bool) -> tuple[list[str], str]:
     """Grade files and folders of answers; return their problems, and a summary to print.
 
-    Beside `out` come the students' totals, the class's mistakes, all problems, and a page that
-    shows the class.
+    Beside `out` come the students' totals, all problems, and a page that shows the class.
     """
-    if not out.name or out.suffix == ".html":
+    if out.suffix == ".html":
         raise CourseError(f"{out} is no name for a table: give one that ends in .csv")
     paths = [out, *(out.with_name(out.stem + ending) for ending in ENDINGS)]
     for path in paths:
-        refuse_same(path, key)
         refuse_existing(path, force)
-    with open_table(paths[3], PROBLEMS, force) as write:
-        problems = Problems(write)
-        collected = collect(answers, read_key(key, problems), problems, leave_out=paths)
-        graded = _grade(collected, problems)
-        write_table(paths[0], Graded._fields, graded, force)
-        totals, counts = _total(graded), _count_mistakes(graded)
-        write_table(paths[1], TOTALS, totals, force)
-        write_table(paths[2], Count._fields, counts, force)
-    course = ", ".join(sorted(collected.key.courses))
-    paths[4].write_text(class_page.render(course, graded, counts), encoding="utf-8")
-    lines = [*_account(collected), "", *_summarize(collected.key, totals, counts), ""]
+    problems = Problems()
+    collected = collect(answers, read_key(key, problems), problems, leave_out=paths)
+    graded = _grade(collected, problems)
+    write_table(paths[0], Graded._fields, graded, force)
+    write_table(paths[1], TOTALS, _total(graded), force)
+    write_table(paths[2], Problem._fields, problems, force)
+    paths[3].write_text(class_page.render(collected.key.course, graded), encoding="utf-8")
+    lines = [*_account(collected), "", *_summarize(collected.key, graded), ""]
     return problems.lines(), "\n".join([*lines, *(f"written: {path}" for path in paths)])
 
 
 def _account(found: Collected) -> list[str]:
-    """Say whose answers were found, in which files, of which courses and versions."""
-    key, strangers = found.key, [str(path) for path, count in found.files.items() if not count]
-    asked = {name for _, name in key.rows}
+    """Say whose answers were found, and whose were not."""
+    key, asked = found.key, {name for _, name in found.key.rows}
     lines = [
         f"the key: students: {len(key.students):,}; exercises: {len(asked)}; "
-        f"course {', '.join(sorted(key.courses))}, version {', '.join(sorted(key.versions))}",
+        f"course {key.course}, version {key.version}",
         f"answers that count: {len(found.answers):,}; students: "
         f"{len(key.students) - len(found.silent):,}; files: {len(found.files):,}",
     ]
-    for what, counts in (("course", found.courses), ("version", found.versions)):
-        lines += [f"  lines of {what} {name or '(none)'}: {n:,}" for name, n in counts.items()]
-    for what, names in (
-        ("students without an answer", found.silent),
-        ("files without an answer of these students", strangers),
-    ):
-        lines += [f"{what}: {len(names):,}", *(f"  {name}" for name in names)] if names else []
+    if found.silent:
+        lines += [f"students without an answer: {len(found.silent):,}"]
+        lines += [f"  {name}" for name in found.silent]
     return lines
 
 
@@ -134,38 +111,21 @@ def _candidates(
     return found
 
 
-def _total(graded: Iterable[Graded]) -> list[Total]:
+def _total(graded: Iterable[Graded]) -> Iterator[tuple[str | int, ...]]:
+    """Yield each student's name and counts of results."""
     results: dict[str, Counter[str]] = {}
     for each in graded:
         results.setdefault(each.student, Counter())[each.result] += 1
-    return [(student, *(count[r] for r in RESULTS)) for student, count in results.items()]
+    for student, count in results.items():
+        yield student, *(count[r] for r in RESULTS)
 
 
-def _count_mistakes(graded: Iterable[Graded]) -> list[Count]:
-    """Count the students who made each mistake in each exercise, the most frequent first."""
-    answered, made, comments = Counter[str](), Counter[tuple[str, str]](), {}
-    for each in graded:
-        answered[each.exercise] += each.result != "missing"
-        if each.result in ("wrong", "partly"):
-            made[each.exercise, each.mistake] += 1
-            comments[each.exercise, each.mistake] = each.comment
-    return [
-        Count(name, mistake or "none known", count, answered[name], comments[name, mistake])
-        for (name, mistake), count in made.most_common()
-    ]
-
-
-def _summarize(key: Key, totals: Sequence[Total], counts: Sequence[Count]) -> list[str]:
-    sums = [f"{sum(int(row[k]) for row in totals):,} {TOTALS[k]}" for k in range(1, len(TOTALS))]
-    lines = [", ".join(sums), ""]
-    if key.versions - {dealing.version()}:
-        lines += [
-            f"The key is of version {', '.join(sorted(key.versions))} of the exercises, this is "
-            f"{dealing.version()}. The students' numbers are the key's, the answers are this "
-            "version's.",
-            "",
-        ]
-    for exercise, name, count, of, comment in counts[:MOST_FREQUENT]:
-        known = all_mistakes()[name].feedback if name in all_mistakes() else comment
-        lines.append(f"{count:5} of {of:5}  {exercise:24} {name:14} {known}")
+def _summarize(key: Key, graded: Iterable[Graded]) -> list[str]:
+    counts = Counter(each.result for each in graded)
+    lines = [", ".join(f"{counts[result]:,} {result}" for result in RESULTS)]
+    if key.version != dealing.version():
+        lines.append(
+            f"The key is of version {key.version} of the exercises, this is {dealing.version()}. "
+            "The students' numbers are the key's, the answers are this version's."
+        )
     return lines

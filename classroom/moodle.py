@@ -39,13 +39,13 @@ def write(out: Path, only: Sequence[str], secret: str = "", force: bool = False)
     """Write the questions; with a secret, of other numbers than the page's."""
     with open_file(out, force) as file:
         mark = f"{course_name()} {dealing.version()}{' secret' if secret else ''}"
-        top = "$course$/top/" + mark.replace("/", "//")
+        top = f"$course$/top/{mark.replace('/', '//')}"
         file.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
         for exercise in choose_exercises(only).values():
             category = _element("category", f"{top}/{exercise.topic}/{exercise.name}")
             file.write(f'<question type="category">{category}</question>\n')
             for number, variant in enumerate(dealing.variants(exercise.name, secret)):
-                file.write(_render_question(exercise, number, variant, mark))
+                file.write(_render_question(exercise, number, variant))
         file.write("</quiz>\n")
 
 
@@ -56,7 +56,7 @@ def _element(tag: str, text: str, form: str = "") -> str:
     return f"<{tag}{form}><text><![CDATA[{inside}]]></text></{tag}>"
 
 
-def _render_question(exercise: Exercise, number: int, variant: dealing.Variant, mark: str) -> str:
+def _render_question(exercise: Exercise, number: int, variant: dealing.Variant) -> str:
     text = render_paragraphs(exercise.fill(exercise.text, variant.numbers))
     solution = render_paragraphs(exercise.fill(exercise.solution_text, variant.numbers))
     hints = _hints(exercise, solution)
@@ -70,10 +70,8 @@ def _render_question(exercise: Exercise, number: int, variant: dealing.Variant, 
         _element("questiontext", _from_left(text + own_text), "html"),
         _element("generalfeedback", _from_left(solution), "html"),
         "<penalty>0.3333333</penalty>",
-        f"<idnumber>{exercise.name}-{number:02}</idnumber>",
         own,
         *hints,
-        f"<tags>{_element('tag', mark)}</tags>",
     ]
     return f'<question type="{kind}">\n' + "\n".join(parts) + "\n</question>\n"
 

@@ -3,13 +3,13 @@
 import csv
 import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import zip_longest
 from pathlib import Path
+from typing import NamedTuple
 
 from courseware.errors import CourseError
-from courseware.practice.saving import Write, unguard_cell
+from courseware.practice.saving import unguard_cell
 
 Row = dict[str, str]
 
@@ -17,43 +17,47 @@ UNDECODED = re.compile("[\udc80-\udcff]")
 NOT_CSV = (
     f"a quotation mark is not closed, or a cell has over {csv.field_size_limit():,} characters"
 )
-PROBLEMS = ("problem", "file", "line", "student", "exercise", "answer", "comment")
+SHOWN = 3  # problems of a kind in a file, when they are printed
 
 
-class Problems:
-    """Lines and files that were left out or replaced, by kind and file.
+class Problem(NamedTuple):
+    """A line that was left out or replaced, or a whole file, which has no line."""
 
-    `write` takes every one as a row of the table `PROBLEMS`; all are counted, and `keep` different
-    ones of a kind are kept of each file, to be printed.
-    """
+    problem: str
+    file: Path
+    line: int | str
+    student: str
+    exercise: str
+    answer: str
+    comment: str
 
-    def __init__(self, write: Write = len, keep: int = 3) -> None:
-        self.counts = Counter[tuple[str, Path]]()
-        self._write, self._keep = write, keep
-        self._first: dict[str, dict[Path, dict[str, str]]] = {}
+    def __str__(self) -> str:
+        place = f"{self.file}, line {self.line}" if self.line else f"{self.file}"
+        return f"{place}: {self.comment}" if self.comment else place
+
+
+class Problems(list[Problem]):
+    """All problems, in the order in which they were found."""
 
     def note(
         self, kind: str, path: Path, line: int = 0, comment: str = "", row: Mapping[str, str] = {}
     ) -> None:
         """Note a problem of a line, or of a whole file (line 0)."""
-        self.counts[kind, path] += 1
-        who = [row.get(column, "") for column in PROBLEMS[3:6]]
-        self._write((kind, path, line or "", *who, comment))
-        first = self._first.setdefault(kind, {}).setdefault(path, {})
-        if comment not in first and len(first) < self._keep:
-            place = f"{path}, line {line}" if line else f"{path}"
-            words = ": ".join(filter(None, (place, comment)))
-            first[comment] = words.replace("\n", "\\n")  # of a file's name, or of a cell
+        student, exercise, answer = (row.get(n, "") for n in ("student", "exercise", "answer"))
+        self.append(Problem(kind, path, line or "", student, exercise, answer, comment))
 
     def lines(self) -> list[str]:
         """Return what to print: each kind with its count, and the first of it in each file."""
+        kinds: dict[str, dict[Path, list[Problem]]] = {}
+        for each in self:
+            kinds.setdefault(each.problem, {}).setdefault(each.file, []).append(each)
         found = []
-        for kind, files in self._first.items():
-            found.append(f"{kind}: {sum(self.counts[kind, path] for path in files):,}")
-            for path, first in files.items():
-                found += [f"  {words}" for words in first.values()]
-                if more := self.counts[kind, path] - len(first):
-                    found.append(f"  {path}: {more:,} more")
+        for kind, files in kinds.items():
+            found.append(f"{kind}: {sum(map(len, files.values())):,}")
+            for path, all_here in files.items():
+                found += [f"  {each}" for each in all_here[:SHOWN]]
+                if len(all_here) > SHOWN:
+                    found.append(f"  {path}: {len(all_here) - SHOWN:,} more")
         return found
 
 
@@ -77,8 +81,7 @@ def read_rows(
             words = f"{len(cells)} cells, the heading has {len(heading)}"
             problems.note("lines with more cells than the heading", path, number, words)
         else:  # spreadsheets leave out empty cells at the end
-            plain = (re.sub('^="(.*)"$', r"\1", cell) for cell in cells)
-            values = (unguard_cell(cell).strip(" \t\r\n") for cell in plain)  # as the judge does
+            values = (unguard_cell(cell).strip(" \t\r\n") for cell in cells)  # as the judge does
             yield number, dict(zip_longest(heading, values, fillvalue=""))
     _require(path, needed, heading)  # of an empty table, too
 
@@ -98,8 +101,6 @@ def _read_cells(path: Path, problems: Problems) -> Iterator[tuple[int, list[str]
             words = f"{NOT_CSV}; read on after line {reader.line_num}"
             problems.note("lines that are no CSV", path, number, words)
             continue
-        if len(cells) == 1 and separator in first:  # the whole line was quoted
-            cells = next(csv.reader(cells, delimiter=separator))
         if any(map(str.strip, cells)):
             yield number, cells
 
@@ -126,7 +127,6 @@ def read_lines(path: Path) -> Iterator[str]:
         encoding, errors = ("utf-16", "replace") if is_utf_16 else ("utf-8", "surrogateescape")
         with path.open(encoding=encoding, errors=errors) as text:
             for line in text:
-                remark = line.lower().startswith("sep=")  # a spreadsheet's own
-                yield "\n" if remark else line.replace("\0", "").replace("\ufeff", "")
+                yield line.replace("\ufeff", "")  # also where files were joined
     except OSError as error:
         raise CourseError(f"{path} cannot be read: {error.strerror}") from error

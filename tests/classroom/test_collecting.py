@@ -72,10 +72,10 @@ def test_key_roster_and_old_grades_are_no_answers(keyed, capsys):
     (keyed / "answers-Bob.zip").write_bytes(b"PK")
     assert run("grade", ".", "--key", "key.csv", "--out", "second.csv") == 1
     told = capsys.readouterr().err
-    assert "tables that are no answers, left out: 7" in told
+    assert "tables that are no answers, left out: 6" in told
     told_of = {row["file"]: row["comment"] for row in table("second-problems.csv")}
-    assert told_of["old-key.csv"].startswith("columns kind, course, version, student, exercise")
-    assert told_of.keys() >= {f"grades-{n}.csv" for n in ("mistakes", "problems", "students")}
+    assert told_of["old-key.csv"].startswith("columns course, version, student, exercise")
+    assert told_of.keys() >= {f"grades-{n}.csv" for n in ("problems", "students")}
     assert "unpack archives" in told
     assert (keyed / "second.csv").read_bytes() == (keyed / "grades.csv").read_bytes()
 
@@ -112,8 +112,11 @@ def test_problems_are_grouped_and_all_of_them_written(keyed, capsys):
     assert run("grade", "all.csv", "--key", "key.csv") == 1
     assert capsys.readouterr().err.splitlines() == [
         "answers of another course: 3,000",
-        "  all.csv, line 2: the course is 'robokin-2025', the key's is 'robokin'",
-        "  all.csv: 2,999 more",
+        *(
+            f"  all.csv, line {line}: the course is 'robokin-2025', the key's is 'robokin'"
+            for line in (2, 3, 4)
+        ),
+        "  all.csv: 2,997 more",
         "answers of students who are not in the key: 1",
         "  all.csv, line 1502: 'Eve'",
     ]
@@ -151,11 +154,10 @@ def test_nothing_handed_in_is_refused(keyed, capsys, files):
 
 def test_one_bad_file_does_not_stop_the_others(keyed, capsys):
     (keyed / "answers" / "Bob").mkdir(parents=True)
-    good = f"sep=;\nstudent;exercise;answer\nBob;{ONE};7\n"
+    good = f"student;exercise;answer\nBob;{ONE};7\n"
     (keyed / "answers" / "Bob" / "ANSWERS.CSV").write_text(good)
     (keyed / "answers" / "empty.csv").write_text("")
     (keyed / "answers" / "sheet.xlsx").write_bytes(b"PK")
-    (keyed / "answers" / "odd.csv").write_bytes(b"\xff" * 3_000_000 + b"\n\0")
     open_quote = f'{HEADING}\nAda,{ONE},"0.5\nAda,{ONE},"1, 2"\nAda,differential-drive-2,"1, 2"'
     (keyed / "answers" / "open.csv").write_text(open_quote)
     for force in ((), ("--force",)):  # a second time, with the first grades beside the answers
@@ -171,9 +173,7 @@ def test_one_bad_file_does_not_stop_the_others(keyed, capsys):
         assert graded["Ada", "differential-drive-2"] == "1, 2"
 
 
-@pytest.mark.parametrize(
-    "left", [".DS_Store", "~$answers-Ada.csv", "__MACOSX/._answers-Ada.csv", "Thumbs.db"]
-)
+@pytest.mark.parametrize("left", [".DS_Store", "~$answers-Ada.csv", "__MACOSX/._answers-Ada.csv"])
 def test_what_a_system_leaves_in_a_folder_is_passed_over(keyed, capsys, left):
     """An unpacked archive, a file that is open in a spreadsheet: they hide no real problem."""
     (keyed / "answers" / left).parent.mkdir(parents=True)
@@ -181,30 +181,6 @@ def test_what_a_system_leaves_in_a_folder_is_passed_over(keyed, capsys, left):
     (keyed / "answers" / left).write_bytes(b"\0\5\x16\7\xff")
     assert run("grade", "answers", "--key", "key.csv") == 0
     assert not capsys.readouterr().err
-
-
-def test_a_hidden_table_is_read_like_any_other(keyed):
-    (keyed / "answers").mkdir()
-    (keyed / "answers" / ".answers-Ada.CSV").write_text(saved("Ada", {ONE: "7"}))
-    assert run("grade", "answers", "--key", "key.csv") == 0
-    assert {(r["student"], r["answer"]) for r in table("grades.csv")} >= {("Ada", "7")}
-
-
-def test_nothing_handed_in_vanishes(keyed, capsys):
-    """A student's own folder may begin with a dot; links and downloads are told of."""
-    for folder in (".Ada Lovelace", "._Bob", ".git"):
-        (keyed / "in" / folder).mkdir(parents=True)
-        (keyed / "in" / folder / "answers.csv").write_text(saved("Ada", {ONE: "7"}))
-    (keyed / "in" / "answers.csv.part").write_text("half")
-    (keyed / "outside.csv").write_text(saved("Bob", {ONE: "7"}))
-    (keyed / "in" / "link.csv").symlink_to(keyed / "outside.csv")
-    (keyed / "in" / "dangling").symlink_to(keyed / "nowhere")
-    (keyed / "in" / "folder").symlink_to(keyed)
-    assert run("grade", "in", "--key", "key.csv") == 1
-    told = capsys.readouterr().err
-    assert {row["student"] for row in table("grades.csv") if row["answer"]} == {"Ada"}
-    assert "links, which are not followed: 3" in told
-    assert "in/answers.csv.part: .part" in told
 
 
 def test_lines_that_spreadsheets_cut_short_are_whole(keyed):
@@ -221,17 +197,6 @@ def test_a_name_that_is_nearly_in_the_key_is_told(keyed, capsys):
     assert "line 4: 'Zoe'\n" in told
 
 
-def test_file_names_do_not_reach_the_terminal_as_commands(keyed, capsys):
-    (keyed / "in").mkdir()
-    (keyed / "in" / "a\x1b[2J.csv").write_text("student\x07,exercise,answer\n1,2,3\n")
-    (keyed / "in" / "b\nall is fine.csv").write_text("student,exercise,answer\n")
-    assert run("check", "in", "--key", "key.csv") == 2
-    told = capsys.readouterr().err
-    assert "a\\x1b[2J.csv" in told
-    assert "b\\nall is fine.csv" in told  # no line of its own
-    assert not {"\x1b", "\x07"} & set(told)
-
-
 def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):
     (keyed / "Ada.csv").write_text(saved("Ada", {ONE: "7"}))
     (keyed / "Eve.csv").write_text(saved("Eve", {ONE: "7"}))
@@ -242,14 +207,8 @@ def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):
     assert told.out.splitlines() == [
         f"the key: students: 2; exercises: 2; course robokin, version {dealing.version()}",
         "answers that count: 1; students: 1; files: 3",
-        "  lines of course robokin: 2",
-        "  lines of course robokin-2025: 1",
-        f"  lines of version {dealing.version()}: 1",
         "students without an answer: 1",
         "  Bob",
-        "files without an answer of these students: 2",
-        "  Eve.csv",
-        "  old.csv",
         "nothing was written",
     ]
     assert "answers of students who are not in the key: 1" in told.err
@@ -257,23 +216,18 @@ def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):
 
 
 def test_every_file_with_a_problem_is_told_and_all_lines_are_written(keyed, capsys):
-    """Of many bad lines in one file none hides another file; `check` writes what `grade` writes."""
+    """Of many bad lines in one file none hides another file."""
     (keyed / "in").mkdir()
     (keyed / "in" / "Ada.csv").write_text(saved("Ada", {ONE: "7"}))
     lines = "\n".join(f"Bob,{ONE},é{k}" for k in range(52))
     (keyed / "in" / "old.csv").write_text(f"{HEADING}\n{lines}", encoding="cp1252")
     for name in ("a.zip", "b.zip", "c.zip", "d.zip", "e.pdf"):
         (keyed / "in" / name).write_bytes(b"PK")
-    assert run("check", "in", "--key", "key.csv", "--out", "found.csv") == 1
+    assert run("grade", "in", "--key", "key.csv") == 1
     told = capsys.readouterr().err
     assert "lines not in UTF-8: save the file as CSV UTF-8: 52\n" in told
-    assert "  in/old.csv: 51 more\n" in told
+    assert "  in/old.csv: 49 more\n" in told
     assert all(f"in/{name}.zip" in told for name in "abcd")
-    found = table("found.csv")
+    found = table("grades-problems.csv")
     assert Counter(row["file"] for row in found)["in/old.csv"] == 52
     assert len(found) == 57
-    assert run("grade", "in", "--key", "key.csv") == 1
-    assert capsys.readouterr().err == told
-    assert table("grades-problems.csv") == found
-    assert run("check", "in", "--key", "key.csv", "--out", "found.csv") == 2
-    assert run("check", "in", "--key", "key.csv", "--out", "key.csv", "--force") == 2

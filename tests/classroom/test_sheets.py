@@ -1,8 +1,6 @@
 """Sheets with the numbers of a key."""
 
-import re
-
-from commands import ONE, run
+from commands import run
 from declared import EXERCISES, table
 
 from courseware.practice import dealing
@@ -21,12 +19,3 @@ def test_a_sheet_shows_the_numbers_of_the_key(keyed):
             text = exercise.fill(exercise.text, variant.numbers)
             assert engine.call("courseware.renderParagraphs", text) in page
     assert "<mtable>" in page  # no lists in lists
-
-
-def test_a_damaged_key_makes_no_sheet_and_says_why(keyed, capsys):
-    key = (keyed / "key.csv").read_text("utf-8")
-    for damaged in (key.replace("{", "{,"), re.sub(r'""\w+"": ', '""none"": ', key)):
-        assert damaged != key
-        (keyed / "damaged.csv").write_text(damaged, "utf-8")
-        assert run("sheet", "damaged.csv", "--force") == 2
-        assert f"numbers of {ONE} that cannot be used" in capsys.readouterr().err

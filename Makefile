@@ -1,7 +1,7 @@
 # make book    set everything up and build the site        make test          all tests
 # make serve   look at the site                            make test T=motion   one topic
 # make lab     open the notebooks in JupyterLab            make test-slow     what takes long
-# make paper   the book as PDF and EPUB; make book after it links them
+# make paper   the book as PDF; make book after it links it
 # make notebooks, check, lock, bench, test-install, clean: see CONTRIBUTING.md
 
 PYTHON ?= python3
@@ -17,7 +17,7 @@ READY := .venv/.ready
 SITE := _build/html/.built
 SOURCES := _config.yml _toc.yml $(shell find book robokin courseware -type f \
 	-not -path '*/__pycache__/*' -not -path '*/.ipynb_checkpoints/*') \
-	$(wildcard _build/robokin*.pdf _build/robokin.epub)
+	$(wildcard _build/robokin*.pdf)
 
 # what other projects have set would change what is installed here, and what runs
 unexport PIP_PREFIX PIP_REQUIRE_HASHES PIP_TARGET PIP_USER UV_NO_BUILD UV_REQUIRE_HASHES

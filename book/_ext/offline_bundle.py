@@ -1,7 +1,7 @@
 """Two zips for use without a network: the notebooks as a kit, and the site itself.
 
 `robokin-kit.zip` holds `book/_kit`, the notebooks numbered as the chapters, the wheels and the list
-of packages. `robokin-site.zip` holds every page that needs no server, and the PDF and EPUB if
+of packages. `robokin-site.zip` holds every page that needs no server, and the PDFs if
 `make paper` has written them, because the first page links them. Equal books give equal bytes.
 """
 

@@ -1,4 +1,4 @@
-"""Links to the book as PDF and EPUB on its first page, if `make paper` has written them.
+"""Links to the book as PDF on its first page, if `make paper` has written them.
 
 The directive `{paper}` links the files beside the folder of the site, which are copied into it.
 """
@@ -12,7 +12,6 @@ from sphinx.util.docutils import SphinxDirective
 FILES = {
     "robokin.pdf": "PDF",
     "robokin-without-answers.pdf": "PDF without answers",
-    "robokin.epub": "EPUB",
 }
 
 
@@ -34,7 +33,7 @@ def render_line(folder):
         for name, kind in FILES.items()
         if (folder / name).is_file()
     )
-    words = "The whole book to print, or for an e-reader"
+    words = "The whole book to print"
     return f'<p class="site-paper">{words}: {links}</p>\n' if links else ""
 
 

@@ -1,13 +1,9 @@
-"""The book as PDF and EPUB, as `make paper` has written them; `make test-slow` does both."""
+"""The book as PDF, as `make paper` has written it; `make test-slow` does both."""
 
-import posixpath
 import re
-import subprocess
 from collections import Counter
 from html import unescape
 from unicodedata import normalize
-from xml.etree import ElementTree
-from zipfile import ZipFile
 
 import paper_links
 import pytest
@@ -16,12 +12,11 @@ from declared import EXERCISES
 from paper.pages import BUILD
 from paper.pdf import WORK, join_documents
 from pypdf import PdfReader, PdfWriter
-from support import find_command
 
 pytest_plugins = ["browser"]
 
 
-PDF, EPUB = BUILD / "robokin.pdf", BUILD / "robokin.epub"
+PDF = BUILD / "robokin.pdf"
 WITHOUT_ANSWERS = BUILD / "robokin-without-answers.pdf"
 CONTROLS = ("Link to this setting", "That is my guess", "Where should I look?")
 HEADING = re.compile(r"<h[12]>(.*?)<a class=\"headerlink\"", re.S)
@@ -62,15 +57,6 @@ def pdf():
 def texts(pdf):
     """The text of each page."""
     return [page.extract_text() for page in pdf.pages]
-
-
-@pytest.fixture(scope="module")
-def book():
-    """The files of the EPUB's book: name → text, or bytes."""
-    assert EPUB.exists(), "run `make paper` first"
-    with ZipFile(EPUB) as file:
-        names = [name for name in file.namelist() if name.startswith("book/")]
-        return {name.removeprefix("book/"): file.read(name) for name in names}
 
 
 def outline(pdf):
@@ -160,11 +146,10 @@ def test_figures_have_their_numbers_and_no_controls(texts):
 
 
 @pytest.mark.slow
-def test_nothing_is_missing_in_a_picture(book):
+def test_nothing_is_missing_in_a_picture():
     printed = (WORK / "text.html").read_text("utf-8")
     assert "<use " in printed
-    pages = [printed, *(text.decode() for name, text in book.items() if name.endswith(".xhtml"))]
-    assert [missing_drawings(html) for html in pages] == [set()] * len(pages)
+    assert missing_drawings(printed) == set()
 
 
 @pytest.mark.slow
@@ -191,47 +176,6 @@ def test_the_other_pdf_leaves_the_answers_out(pdf, texts):
     assert not [page for page in without.pages if "Solution " in page.extract_text()]
 
 
-# --- the EPUB -------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-def test_epubcheck_finds_nothing():
-    command = find_command("epubcheck", "epubcheck")
-    run = subprocess.run(["java", "-jar", command, EPUB], capture_output=True, text=True)
-    assert run.returncode == 0, run.stdout + run.stderr
-    assert "0 fatals / 0 errors / 0 warnings" in run.stdout
-
-
-@pytest.mark.slow
-def test_links_of_the_epub_lead_somewhere(book):
-    trees = {name: ElementTree.fromstring(t) for name, t in book.items() if name.endswith("xhtml")}
-    ids = {name: {each.get("id") for each in tree.iter()} for name, tree in trees.items()}
-    inner = 0
-    for name, tree in trees.items():
-        for each in tree.iter():
-            address = each.get("href") or each.get("src") or ""
-            if not address or address.startswith(("http://", "https://")):
-                continue
-            file, _, place = address.partition("#")
-            file = posixpath.normpath(file) if file else name
-            assert file in book, (name, address)
-            assert not place or place in ids[file], (name, address)
-            inner += 1
-    assert inner > 300, f"{inner} links lead into the EPUB, at least 301: links were lost"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", listed())
-def test_a_page_of_the_epub(name, book):
-    """It has its title, all formulas of the site as MathML, and nothing that needs a script."""
-    text, site = book[f"{name.rpartition('/')[2]}.xhtml"].decode(), page_of(name)
-    title = plain(HEADING.search(site)[1])
-    assert f"<title>{title}</title>" in unescape(text)
-    assert not re.search(r"<(script|form|input|button|select|output)\b|katex-html|var\(--", text)
-    formulas = text.count("<math "), site.count('class="katex-mathml"')
-    assert formulas[0] >= formulas[1], f"{formulas[0]} formulas; the page has {formulas[1]}"
-
-
 # --- on the site ----------------------------------------------------------------------------
 
 
@@ -239,12 +183,12 @@ def test_a_page_of_the_epub(name, book):
 def test_the_first_page_links_what_was_made(site):
     """The site was built anew after `make paper`."""
     for page in ("index", "intro"):
-        for file in (PDF, WITHOUT_ANSWERS, EPUB):
+        for file in (PDF, WITHOUT_ANSWERS):
             assert f'<a href="{file.name}" download>' in page_of(page)
             assert (site / file.name).read_bytes() == file.read_bytes()
 
 
-@pytest.mark.parametrize("made", [[], ["robokin.epub"], [*paper_links.FILES]])
+@pytest.mark.parametrize("made", [[], ["robokin.pdf"], [*paper_links.FILES]])
 def test_only_what_was_made_is_linked(tmp_path, made):
     for name in made:
         (tmp_path / name).write_bytes(b"x" * 250_000)

@@ -1,59 +1,36 @@
-"""Write the book as an EPUB and two PDFs, from the built site (`make paper`).
+"""Write the book as two PDFs, from the built site (`make paper`).
 
-Folded parts of the site (answers, solutions, long code) are open in one PDF and left out of the
-other. In the EPUB they stay folded.
+Folded parts of the site (answers, solutions, long code) are open in one and left out of the other.
 """
 
 import time
-from dataclasses import dataclass
+from html import escape
 
 import chromium
 import yaml
 
-import book
+import book  # noqa: F401 - opens the course
 from courseware.practice import rendering
 from courseware.practice.bank import all_exercises, course_name
-from paper import epub, pdf
+from paper import pdf
 from paper.pages import BUILD, ROOT
 
 
-@dataclass(frozen=True)
-class Book:
-    """Texts of the first page, and the worked solutions as HTML, by the exercise's name."""
-
-    title: str
-    author: str
-    claim: str
-    rights: str
-    version: str
-    solutions: dict
-
-
-def read_settings():
-    """Return the book with the texts of its settings."""
+def main():
     settings = yaml.safe_load((ROOT / "_config.yml").read_text("utf-8"))
     site = settings["sphinx"]["config"]
+    front = {"title": settings["title"], "claim": site["site_description"]}
+    front = {name: escape(text) for name, text in front.items()}
+    front["rights"] = site["html_theme_options"]["extra_footer"]
     solved = all_exercises() if site["course_solutions"] else ()
-    return Book(
-        title=settings["title"],
-        author=settings["author"],
-        claim=site["site_description"],
-        rights=site["html_theme_options"]["extra_footer"],
-        version=book.__version__,
-        solutions={name: rendering.render_solution(name, course_name()) for name in solved},
-    )
-
-
-def main():
-    settings = read_settings()
+    solutions = {name: rendering.render_solution(name, course_name()) for name in solved}
     with chromium.launch() as browser:
-        for write, name in (
-            (epub.write, "robokin.epub"),
-            (pdf.write_with_answers, "robokin.pdf"),
-            (pdf.write_without_answers, "robokin-without-answers.pdf"),
+        for name, shown, folds_open in (
+            ("robokin.pdf", solutions, True),
+            ("robokin-without-answers.pdf", {}, False),
         ):
             file, began = BUILD / name, time.monotonic()
-            count = write(browser, settings, file)
+            count = pdf.write(browser, front, file, shown, folds_open)
             megabytes, seconds = file.stat().st_size / 1e6, time.monotonic() - began
             print(f"_build/{name}: {count} pages, {megabytes:.1f} MB, {seconds:.0f} s", flush=True)
 

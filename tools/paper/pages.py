@@ -16,24 +16,18 @@ SITE = BUILD / "html"
 class Page:
     """A page of the book. name: the last part of its address; part: of the contents, or "".
 
-    titles: its headings of the first two levels, [{title, level, id}]; body: XHTML.
-    styles: the style sheets that it links.
+    styles: the style sheets that it links; body: HTML.
     """
 
     name: str
     part: str
-    titles: list
+    title: str
     styles: list
     body: str
 
-    @property
-    def title(self):
-        """The title of the page, with its number."""
-        return self.titles[0]["title"]
 
-
-def read_pages(browser, solutions, **options):
-    """Return all pages in order. solutions, options: of `paper` in pages.js."""
+def read_pages(browser, solutions, folds_open):
+    """Return all pages in order. solutions: as HTML, by the exercise's name."""
     tab = browser.new_page()
     tab.add_script_tag(path=HERE / "pages.js")
     first = (SITE / "index.html").read_text("utf-8")
@@ -44,6 +38,6 @@ def read_pages(browser, solutions, **options):
     figures = course().find_all("figures", Figure).values()
     moving = (f for f in figures if any(getattr(c, "loops", False) for c in f.controls))
     frames = {figure.name: figure.render_frames() for figure in moving}
-    made = tab.evaluate("(all) => paper(...all)", [given, solutions, frames, options])
+    made = tab.evaluate("(all) => paper(...all)", [given, solutions, frames, folds_open])
     tab.close()
     return [Page(part=part, **page) for part, page in zip(parts.values(), made, strict=True)]

@@ -31,6 +31,8 @@ FRONT = """<section class="bd-article" id="front"><h1>{title}</h1><p>{claim}</p>
 <section class="bd-article" id="contents"><h1>Contents</h1><div>
 {lines}
 </div></section>"""
+
+
 # the title of a page runs at its heads: a page of paper has its name
 HEAD = (
     '#{name} {{ page: {name}; }} @page {name} {{ @top-right {{ content: "{title}"; }} }}\n'
@@ -113,33 +115,20 @@ def join_documents(front, text, entries, title):
     return writer
 
 
-def write_with_answers(browser, book, file):
-    """Write the PDF with folds open and solutions; return the number of its pages."""
-    return write(browser, book, file, book.solutions, "open")
-
-
-def write_without_answers(browser, book, file):
-    """Write the PDF without folded parts; return the number of its pages."""
-    return write(browser, book, file, {}, "gone")
-
-
-def write(browser, book, file, solutions, folds):
-    """Write a PDF and return the number of its pages."""
-    title = book.title
-    options = {"link": "#ID", "folder": "../html/", "mathml": False, "folds": folds}
-    given = read_pages(browser, solutions, **options)
+def write(browser, front, file, solutions, folds_open):
+    """Write a PDF and return the number of its pages. front: title, claim and rights."""
+    given = read_pages(browser, solutions, folds_open)
     links = max((page.styles for page in given), key=len)
     links = "\n".join(f'<link rel="stylesheet" href="{escape(each)}"/>' for each in links)
     own = (HERE / "pdf.css").read_text("utf-8")
     heads = "\n".join(HEAD.format(name=p.name, title=re.sub(r'["\\]', "", p.title)) for p in given)
     body = "\n".join(page.body for page in given)
+    title = front["title"]
     text = print_document(browser, "text", title=title, links=links, style=own + heads, body=body)
     entries = list(read_outline(text))
     lines = render_contents(entries, [page.part for page in given])
-    body = FRONT.format(
-        title=escape(title), claim=escape(book.claim), rights=book.rights, lines=lines
-    )
-    front = print_document(browser, "front", title=title, links=links, style=own, body=body)
-    writer = join_documents(front, text, entries, title)
+    body = FRONT.format(**front, lines=lines)
+    contents = print_document(browser, "front", title=title, links=links, style=own, body=body)
+    writer = join_documents(contents, text, entries, title)
     writer.write(file)
     return len(writer.pages)

@@ -20,7 +20,6 @@ from courseware.figures.controls import Button, Choice, Control, Handle, Simulat
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
-from courseware.figures.words import translate
 from courseware.script import engine
 from courseware.script.widget import Widget, create_widget
 
@@ -145,7 +144,7 @@ class Figure:
         """The compiled figure: data, and functions as `Code`."""
         chapter = course().chapters_of("figures", Figure).get(self.name, "")
         try:
-            data: dict[str, Any] = translate(Compiler(self, chapter).compile_figure(), chapter)
+            data: dict[str, Any] = Compiler(self, chapter).compile_figure()
             self._refuse_idle_controls(serialize(data))
         except CourseError as error:
             raise CourseError(f"in the figure {self.name}, {error}") from error

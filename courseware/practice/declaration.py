@@ -78,7 +78,6 @@ class Unknown:
         unit: SI; an answer that is typed with another unit of this size is converted.
         circle: whether it is an angle, compared up to whole turns.
         tolerance, reason: how far off an answer may be instead, in the unit, and why.
-        relative: the same as a part of the answer.
     """
 
     label: str
@@ -86,7 +85,7 @@ class Unknown:
     circle: bool = False
     tolerance: float = -1.0
     reason: str = ""
-    relative: float = 0.0
+    relative: float = field(default=0.0, init=False)
 
     def __post_init__(self) -> None:
         refuse_other_than_si(self.unit, f"the answer {self.label}")

@@ -34,7 +34,6 @@ class Program:
         solution: code as a student may write it.
         arguments: function of the symbols' numbers → the arguments, if they are not these numbers.
         ranges: symbol → its range here, where its own is too wide.
-        whole: symbols that are whole numbers.
         when: function → whether an input may be drawn.
         specials: words → symbol → its number in a special case: "straight ahead": {phi: 0}.
         wrong: mistake → function → the answer of somebody who makes it.
@@ -61,7 +60,6 @@ class Program:
     hints: tuple[str, ...]
     arguments: Function = field(default=lambda *numbers: numbers)
     ranges: Mapping[NamedSymbol, tuple[float, float]] = field(default_factory=dict)
-    whole: tuple[NamedSymbol, ...] = ()
     when: Callable[..., bool] = field(default=lambda *_: True)
     specials: Mapping[str, Mapping[NamedSymbol, float]] = field(default_factory=dict)
     wrong: Mapping[Mistake, Function] = field(default_factory=dict)

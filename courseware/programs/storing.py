@@ -133,17 +133,15 @@ def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -
 
 def _draw_number(program: Program, symbol: NamedSymbol, draw: Any, simple: bool) -> float:
     low, high = program.ranges.get(symbol, (symbol.low, symbol.high))
-    kind = int if symbol in program.whole else float
-    if simple and (plain := list_plain(kind, low, high)):
-        return kind(plain[int(draw.integers(len(plain)))])
-    drawn = draw.uniform(low, high)
-    return round(drawn) if kind is int else float(f"{drawn:.4g}")
+    if simple and (plain := list_plain(low, high)):
+        return plain[int(draw.integers(len(plain)))]
+    return float(f"{draw.uniform(low, high):.4g}")
 
 
 @cache
-def list_plain(kind: type, low: float, high: float) -> list[float]:
+def list_plain(low: float, high: float) -> list[float]:
     """Return the plain numbers in a range, of these the ones that are not small there."""
-    plain = [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high and kind(x) == x]
+    plain = [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high]
     return [x for x in plain if abs(x) >= 0.05 * max(abs(low), abs(high))] or plain
 
 

@@ -19,7 +19,6 @@ CHECKS = (
         formulas.direction,
         function=np.arctan2,
         arguments=(p_y, p_x),
-        compared_with="NumPy's `arctan2`",
         tolerance=1e-15,
         reason="one rounding of a number up to pi, and that of the input",
         specials=({p_x: -1.0, p_y: 1.0}, {p_x: -1.0, p_y: -1.0}, {p_x: 0.0, p_y: 1.0}),

@@ -22,7 +22,6 @@ with as_written():
         name="basics.direction",
         left=bearing,
         right=atan2(p_y, p_x),
-        source="conventions of the exercises",
         is_angle=True,
     )
 
@@ -33,5 +32,4 @@ with as_written():
         left=Matrix([q_x, q_y]),
         right=Matrix([p_x * cos(theta) - p_y * sin(theta), p_x * sin(theta) + p_y * cos(theta)]),
         textbook=MatMul(rotation, Matrix([p_x, p_y])),
-        source="conventions of the exercises",
     )

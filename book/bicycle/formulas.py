@@ -77,7 +77,6 @@ with as_written():
         name="bicycle.tangents",
         left=Matrix([tan(alpha_L), tan(alpha_R), tan(steering)]),
         right=Matrix([wheelbase / (R - track / 2), wheelbase / (R + track / 2), wheelbase / R]),
-        source="exercise 5",
     )
 
     together = sin(alpha_L + alpha_R)
@@ -90,14 +89,12 @@ with as_written():
             (nan, True),
         ),
         textbook=2 / (cot(alpha_L) + cot(alpha_R)),
-        source="exercise 5",
     )
 
     equivalent_by_tangents = Equation(
         name="bicycle.equivalent_by_tangents",
         left=tan(steering),
         right=2 * tan(alpha_L) * tan(alpha_R) / (tan(alpha_L) + tan(alpha_R)),
-        source="exercise 5",
     )
 
     across, forth = wheelbase * sin(steering), wheelbase * cos(steering)
@@ -111,21 +108,18 @@ with as_written():
                 atan(across / (forth + half * sin(steering))),
             ]
         ),
-        source="exercise 5",
     )
 
     ackermann_condition = Equation(
         name="bicycle.ackermann_condition",
         left=cot(alpha_R) - cot(alpha_L),
         right=track / wheelbase,
-        source="exercise 5",
     )
 
     steepest_steering = Equation(
         name="bicycle.steepest_steering",
         left=steepest_angle,
         right=atan(2 * wheelbase / track),
-        source="exercise 5, |R| > b/2",
     )
 
     turning_radius = Equation(
@@ -133,21 +127,18 @@ with as_written():
         left=R,
         right=Piecewise((wheelbase / tan(steering), Ne(steering, 0)), (oo, True)),
         textbook=wheelbase / tan(steering),
-        source="exercise 5",
     )
 
     rear_speed = Equation(
         name="bicycle.rear_speed",
         left=v,
         right=r * rate_rear,
-        source="exercise 5 (seed 004)",
     )
 
     world = Equation(
         name="bicycle.world",
         left=Matrix([x_dot, y_dot, theta_dot]),
         right=Matrix([v * cos(theta), v * sin(theta), v / wheelbase * tan(steering)]),
-        source="exercise 5",
     )
 
     icr = Equation(
@@ -169,7 +160,6 @@ with as_written():
                 y + wheelbase / tan(steering) * cos(theta),
             ]
         ),
-        source="exercise 5",
     )
 
     rear_speeds = Equation(
@@ -181,21 +171,18 @@ with as_written():
                 v * (1 + track * tan(steering) / (2 * wheelbase)),
             ]
         ),
-        source="exercise 5 (seed 004)",
     )
 
     front_point = Equation(
         name="bicycle.front_point",
         left=Matrix([x_F, y_F]),
         right=Matrix([x + wheelbase * cos(theta), y + wheelbase * sin(theta)]),
-        source="exercise 5 (seed 004)",
     )
 
     front_speed = Equation(
         name="bicycle.front_speed",
         left=v_F,
         right=v / cos(steering),
-        source="exercise 5",
     )
 
     front_world = Equation(
@@ -213,7 +200,6 @@ with as_written():
                 v / cos(steering) * sin(theta + steering),
             ]
         ),
-        source="exercise 5",
     )
 
     point_world = Equation(
@@ -225,14 +211,12 @@ with as_written():
                 v * (sin(theta) + ahead * tan(steering) * cos(theta)),
             ]
         ),
-        source="exercise 5",
     )
 
     front_rate = Equation(
         name="bicycle.front_rate",
         left=omega,
         right=v_F * sin(steering) / wheelbase,
-        source="exercise 5",
     )
 
     y_axis = Equation(
@@ -247,7 +231,6 @@ with as_written():
                 -(v / wheelbase) * tan(steering),
             ]
         ),
-        source="exercise 5 (seed 004), corrected",
     )
 
     driven = v * dt
@@ -269,21 +252,18 @@ with as_written():
                 theta + turned,
             ]
         ),
-        source="exercise 5",
     )
 
     euler_step = Equation(
         name="bicycle.euler_step",
         left=Matrix([x_next, y_next, theta_next]),
         right=Matrix([x + v * cos(theta) * dt, y + v * sin(theta) * dt, theta + turned]),
-        source="exercise 5 (seed 004)",
     )
 
     cut = Equation(
         name="bicycle.corner_cut",
         left=corner_cut,
         right=wheelbase * tan(Abs(steering) / 2),
-        source="exercise 5, what follows from it",
     )
 
     outer = Abs(R) + track / 2
@@ -296,5 +276,4 @@ with as_written():
             (nan, True),  # the ICR lies under the car: no lane
         ),
         textbook=reach - (Abs(R) - track / 2),
-        source="exercise 5, what follows from it",
     )

@@ -41,21 +41,18 @@ with as_written():
         name="differential_drive.speed",
         left=v,
         right=(v_R + v_L) / 2,
-        source="exercise 4",
     )
 
     about_icr = Equation(
         name="differential_drive.about_icr",
         left=Matrix([v_L, v_R]),
         right=Matrix([omega * (R - b / 2), omega * (R + b / 2)]),
-        source="exercise 4",
     )
 
     turning_rate = Equation(
         name="differential_drive.turning_rate",
         left=omega,
         right=(v_R - v_L) / b,
-        source="exercise 4",
     )
 
     turning_radius = Equation(
@@ -67,26 +64,22 @@ with as_written():
             (nan, True),
         ),
         textbook=b / 2 * ((v_R + v_L) / (v_R - v_L)),
-        source="exercise 5",
     )
 
     body_twist = Equation(
         name="differential_drive.body_twist",
         left=Matrix([v, v_y, omega]),
         right=Matrix([r * (rate_R + rate_L) / 2, 0, r * (rate_R - rate_L) / b]),
-        source="exercise 4",
     )
 
     wheel_speeds = Equation(
         name="differential_drive.wheel_speeds",
         left=Matrix([v_L, v_R]),
         right=Matrix([v - omega * b / 2, v + omega * b / 2]),
-        source="exercise 7 (seed 003)",
     )
 
     wheel_rates = Equation(
         name="differential_drive.wheel_rates",
         left=Matrix([rate_L, rate_R]),
         right=Matrix([(v - omega * b / 2) / r, (v + omega * b / 2) / r]),
-        source="exercise 7 (seed 003)",
     )

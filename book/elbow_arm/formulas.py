@@ -78,14 +78,12 @@ with as_written():
                 d1 + a2 * sin(theta2) + a3 * sin(raised),
             ]
         ),
-        source="exercise 1",
     )
 
     base = Equation(
         name="elbow_arm.base",
         left=Matrix([SIDES["facing1"], SIDES["away1"]]),
         right=Matrix([atan2(p_y, p_x), atan2(p_y, p_x) + pi]),
-        source="exercise 1",
         is_angle=True,
     )
 
@@ -94,7 +92,6 @@ with as_written():
         left=Matrix([out, high, apart]),
         right=Matrix([sqrt(p_x**2 + p_y**2), p_z - d1, sqrt(out**2 + high**2)]),
         where=((out, sqrt(p_x**2 + p_y**2)), (high, p_z - d1)),
-        source="exercise 1",
     )
 
     square = out**2 + high**2
@@ -108,7 +105,6 @@ with as_written():
         left=Matrix([phi1, phi2, phi3]),
         right=Matrix([angle for _, angle in TRIANGLE]),
         where=((apart, sqrt(square)),),
-        source="exercise 1 (seed 000)",
     )
 
     first_way = Equation(
@@ -123,14 +119,12 @@ with as_written():
         ),
         right=Matrix([phi3 + phi1, phi2 - pi, phi3 - phi1, pi - phi2]),
         where=((apart, sqrt(square)), *TRIANGLE),
-        source="exercise 1 (seed 000)",
     )
 
     cosine = Equation(
         name="elbow_arm.cosine",
         left=A,
         right=(p_x**2 + p_y**2 + high**2 - a2**2 - a3**2) / (2 * a2 * a3),
-        source="exercise 1 (seed 001)",
     )
 
     COSINE = (A, (square - a2**2 - a3**2) / (2 * a2 * a3))
@@ -139,7 +133,6 @@ with as_written():
         left=Matrix(ELBOW_BOTH),
         right=Matrix([atan2(sqrt(1 - A**2), A), atan2(-sqrt(1 - A**2), A)]),
         where=(COSINE,),
-        source="exercise 1 (seed 001)",
     )
 
     shoulder = Equation(
@@ -152,7 +145,6 @@ with as_written():
             ]
         ),
         where=(COSINE, (theta3, atan2(sqrt(1 - A**2), A))),
-        source="exercise 1 (seed 001)",
         is_angle=True,
     )
 
@@ -167,14 +159,12 @@ with as_written():
                 2 * atan2(sqrt(room * span), sqrt(near * far)),
             ]
         ),
-        source="exercise 1",
     )
 
     away = Equation(
         name="elbow_arm.away",
         left=Matrix([SIDES[f"away{k}"] for k in (1, 2, 3)]),
         right=Matrix([theta1 + pi, pi - theta2, -theta3]),
-        source="exercise 1",
         is_angle=True,
     )
 
@@ -182,7 +172,6 @@ with as_written():
         name="elbow_arm.reach",
         left=Matrix([d_min, d_max]),
         right=Matrix([Abs(a2 - a3), a2 + a3]),
-        source="exercise 1",
     )
 
     nearest = Equation(
@@ -193,7 +182,6 @@ with as_written():
             (apart, sqrt(p_x**2 + p_y**2 + (p_z - d1) ** 2)),
             (D, Max(Abs(a2 - a3), Min(apart, a2 + a3))),
         ),
-        source="exercise 1",
     )
 
     dh_step = Equation(
@@ -217,7 +205,6 @@ with as_written():
                 [0, 0, 0, 1],
             ]
         ),
-        source="exercise 1 (seed 000 names it)",
     )
 
     dh_wrist = Equation(
@@ -232,5 +219,4 @@ with as_written():
             ]
         ),
         where=tuple(zip((p_x, p_y, p_z), forward.right, strict=True)),
-        source="exercise 1",
     )

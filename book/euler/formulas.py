@@ -87,7 +87,6 @@ with as_written():
             name=f"euler.turn_{letter}",
             left=Symbol(rf"{{R_{letter}}}(\vartheta)"),
             right=Matrix(rows),
-            source="exercise 2",
         )
         for letter, rows in {
             "x": [[1, 0, 0], [0, cos(turn), -sin(turn)], [0, sin(turn), cos(turn)]],
@@ -108,7 +107,6 @@ with as_written():
                 [s_a * s_c - c_a * s_b * c_c, s_a * c_c + c_a * s_b * s_c, c_a * c_b],
             ]
         ),
-        source="exercise 2",
         where=steps,
     )
 
@@ -122,7 +120,6 @@ with as_written():
                 [-s_b, c_b * s_c, c_b * c_c],
             ]
         ),
-        source="exercise 2",
         where=steps,
     )
 
@@ -139,7 +136,6 @@ with as_written():
             ]
         ),
         textbook=MatMul(axes, Matrix(RATES)),
-        source="exercise 2",
         where=steps,
     )
 
@@ -147,7 +143,6 @@ with as_written():
         name="euler.determinant",
         left=det_J,
         right=cb,
-        source="exercise 2",
     )
 
     angles_at_once = Equation(
@@ -160,7 +155,6 @@ with as_written():
                 atan2(-r[0, 1], r[0, 0]),
             ]
         ),
-        source="exercise 2",
         where=MADE,
         is_angle=True,
     )
@@ -178,7 +172,6 @@ with as_written():
                 atan2(r[0, 2], sqrt(r[0, 0] ** 2 + r[0, 1] ** 2)),
             ]
         ),
-        source="exercise 2",
         where=(*MADE, (gamma, atan2(-r[0, 1], r[0, 0]))),
         is_angle=True,
     )
@@ -187,7 +180,6 @@ with as_written():
         name="euler.other_cardan",
         left=Matrix(OTHERS),
         right=Matrix([first + half_turn, half_turn - middle, third + half_turn]),
-        source="exercise 2",
         is_angle=True,
     )
 
@@ -195,7 +187,6 @@ with as_written():
         name="euler.other_proper",
         left=other_cardan.left,
         right=Matrix([first + half_turn, -middle, third + half_turn]),
-        source="exercise 2",
         is_angle=True,
     )
 
@@ -203,7 +194,6 @@ with as_written():
         name="euler.rodrigues",
         left=r,
         right=turned_about(n, turn),
-        source="exercise 2",
         where=DIRECTION,
     )
 
@@ -211,7 +201,6 @@ with as_written():
         name="euler.turn_vector",
         left=Matrix([2 * sin(turn) * part for part in n]),
         right=Matrix([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]),
-        source="exercise 2",
         where=MADE,
     )
 
@@ -221,7 +210,6 @@ with as_written():
         name="euler.turn_cosine",
         left=2 * cos(turn),
         right=diagonal,
-        source="exercise 2",
         where=MADE,
     )
 
@@ -232,7 +220,6 @@ with as_written():
             sqrt(Add(*(difference**2 for difference in turn_vector.right))),
             diagonal,
         ),
-        source="exercise 2",
         where=MADE,
     )
 
@@ -240,6 +227,5 @@ with as_written():
         name="euler.quaternion",
         left=Matrix([w, *Q]),
         right=Matrix([cos(turn / 2), *(part * sin(turn / 2) for part in n)]),
-        source="exercise 2",
         where=DIRECTION,
     )

@@ -74,7 +74,6 @@ with as_written():
                 [0, 0, 1],
             ]
         ),
-        source="exercise 3",
     )
 
     hand_pose = Equation(
@@ -87,7 +86,6 @@ with as_written():
                 alpha + beta + gamma,
             ]
         ),
-        source="exercise 3",
     )
 
     turned_round = Equation(
@@ -100,7 +98,6 @@ with as_written():
                 -db_turn,
             ]
         ),
-        source="exercise 3",
         is_angle=True,
     )
 
@@ -120,7 +117,6 @@ with as_written():
             (r[2, 1], cos(pitch) * sin(roll)),
             (r[2, 2], cos(pitch) * cos(roll)),
         ),
-        source="exercise 3",
     )
 
     object_seen = Equation(
@@ -133,7 +129,6 @@ with as_written():
                 de_turn - db_turn,
             ]
         ),
-        source="exercise 3",
         is_angle=True,
     )
 
@@ -147,7 +142,6 @@ with as_written():
                 db_turn + bc_turn,
             ]
         ),
-        source="exercise 3",
         is_angle=True,
     )
 
@@ -162,12 +156,10 @@ with as_written():
                 [0, 0, 0, 1],
             ]
         ),
-        source="exercise 3",
     )
 
     miss = Equation(
         name="frames.miss",
         left=missed,
         right=2 * lever * Abs(sin(error / 2)),
-        source="exercise 3",
     )

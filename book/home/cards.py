@@ -271,7 +271,16 @@ ARROWS = (
     Arrow("left", (30, 8), (84, 36)),
     Thing((84, 36, 0), (Outline(POINTER, "shell", "edge"),), 1.5),
 )
+WAVE = (6 + 120 * s, 23 + 15 * sin(2 * pi * s))
+SAMPLES = tuple(Point("icr", tuple(each.subs(s, k / 12) for each in WAVE)) for k in range(13))
 PROOFS = (
+    Figure(
+        name="samples",
+        title="A curve, and points on it",
+        view=(0, 132, 0, 46),
+        scene=(Curve("path", WAVE, s, 0, 1), *SAMPLES),
+        grid=False,
+    ),
     Figure("robots", "A robot, a charger, a wrong robot", (0, 0.46, 0, 0.16), ROBOTS, grid=False),
     Figure("pointer", "A pointer at the tip of an arrow", (0, 132, 0, 46), ARROWS, grid=False),
 )

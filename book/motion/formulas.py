@@ -37,7 +37,6 @@ with as_written():
         left=Matrix([x_dot, y_dot, theta_dot]),
         right=Matrix([v * cos(theta) - v_y * sin(theta), v * sin(theta) + v_y * cos(theta), omega]),
         textbook=MatMul(rotation, Matrix([v, v_y, omega])),
-        source="exercise 4",
     )
 
     to_body = Equation(
@@ -51,7 +50,6 @@ with as_written():
             ]
         ),
         textbook=MatMul(rotation_back, Matrix([x_dot, y_dot, theta_dot])),
-        source="exercise 4",
     )
 
     icr = Equation(
@@ -64,7 +62,6 @@ with as_written():
             ]
         ),
         textbook=Matrix([x - v / omega * sin(theta), y + v / omega * cos(theta)]),
-        source="exercise 5",
     )
 
     arc_step = Equation(
@@ -84,28 +81,24 @@ with as_written():
                 theta + omega * dt,
             ]
         ),
-        source="exercise 5",
     )
 
     chord = Equation(
         name="motion.chord",
         left=Matrix([chord_length, theta_m]),
         right=Matrix([v * dt * sinc(omega * dt / 2), theta + omega * dt / 2]),
-        source="exercise 5",
     )
 
     euler_step = Equation(
         name="motion.euler_step",
         left=Matrix([x_next, y_next, theta_next]),
         right=Matrix([x + v * cos(theta) * dt, y + v * sin(theta) * dt, theta + omega * dt]),
-        source="exercise 5 (seed 004)",
     )
 
     wrap_angle = Equation(
         name="motion.wrap_angle",
         left=wrapped,
         right=angle - 2 * pi * ceiling((angle - pi) / (2 * pi)),
-        source="conventions",
     )
 
 

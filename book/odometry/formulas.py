@@ -71,7 +71,6 @@ def one_sample(name: str, heading: Any) -> Equation:
         name=f"odometry.{name}",
         left=Matrix([x_next, y_next, theta_next]),
         right=Matrix([x + D * cos(heading), y + D * sin(heading), theta + dtheta]),
-        source="exercise 7 (seed 003)",
     )
 
 
@@ -80,28 +79,24 @@ with as_written():
         name="odometry.travel",
         left=Matrix([D_L, D_R]),
         right=Matrix([2 * pi * r * N_L / C, 2 * pi * r * N_R / C]),
-        source="exercise 7 (seed 003)",
     )
 
     distance = Equation(
         name="odometry.distance",
         left=D,
         right=(D_R + D_L) / 2,
-        source="exercise 7 (seed 003)",
     )
 
     turn = Equation(
         name="odometry.turn",
         left=dtheta,
         right=(D_R - D_L) / b,
-        source="exercise 7 (seed 003)",
     )
 
     velocity = Equation(
         name="odometry.velocity",
         left=Matrix([v, omega]),
         right=Matrix([(D_R + D_L) / (2 * dt), (D_R - D_L) / (b * dt)]),
-        source="exercise 7 (seed 003)",
     )
 
     old_heading = one_sample("old_heading", theta)
@@ -125,14 +120,12 @@ with as_written():
                 theta + dtheta,
             ]
         ),
-        source="exercise 7, exercise 5",
     )
 
     counter_step = Equation(
         name="odometry.counter_step",
         left=dN,
         right=Mod(count_now - count_before + counter_span / 2, counter_span) - counter_span / 2,
-        source="exercise 7",
     )
 
     u, chord, x_step, y_step = symbols(r"u s \Delta{x} \Delta{y}", real=True)
@@ -181,7 +174,6 @@ with as_written():
             ]
         ),
         where=(*of_the_wheels, *of_the_heading),
-        source="exercise 7; Siegwart et al., section 5.2.4",
     )  # fmt: skip
 
     half_trace, spread = symbols("m d", real=True)
@@ -198,7 +190,6 @@ with as_written():
             (half_trace, (p_xx + p_yy) / 2),
             (spread, sqrt(((p_xx - p_yy) / 2) ** 2 + p_xy**2)),
         ),
-        source="eigenvalues of a symmetric 2 by 2 matrix",
     )
 
     calibration_angles = Equation(
@@ -210,7 +201,6 @@ with as_written():
                 (x_ccw - y_ccw - x_cw - y_cw) / (8 * side),
             ]
         ),
-        source="Borenstein & Feng 1996",
     )
 
     calibration = Equation(
@@ -223,5 +213,4 @@ with as_written():
             ]
         ),
         where=((b_true, pi * b / (pi - 2 * short_turn)),),
-        source="Borenstein & Feng 1996",
     )

@@ -100,7 +100,6 @@ with as_written():
         left=Matrix(POSE),
         right=Matrix([ahead, above, sum123]),
         where=SHORT,
-        source="exercise 8 (seed 004)",
     )
 
     velocity = Equation(
@@ -114,7 +113,6 @@ with as_written():
             ]
         ),
         where=SHORT,
-        source="exercise 8 (seed 004)",
     )
 
     jacobian = Equation(
@@ -128,14 +126,12 @@ with as_written():
             ]
         ),
         where=SHORT,
-        source="exercise 8 (seed 004)",
     )
 
     det = Equation(
         name="planar_arm.determinant",
         left=det_J,
         right=l1 * l2 * sin(theta2),
-        source="exercise 8",
     )
 
     along2 = x_dot * c12 + y_dot * s12 + l3 * phi_dot * s3
@@ -151,7 +147,6 @@ with as_written():
         left=Matrix(RATES),
         right=Matrix(rates),
         where=(*SHORT, *BENDS, (rate1, rates[0]), (rate2, rates[1])),
-        source="exercise 8",
     )
 
     distance = sqrt(l1**2 + l2**2 + 2 * l1 * l2 * cos(theta2))  # of the wrist from the base
@@ -162,7 +157,6 @@ with as_written():
         left=rate2,
         right=Piecewise((elbow_speed, Abs(sin(theta2)) > ROUNDING), (nan, True)),
         textbook=elbow_speed,
-        source="exercise 8",
     )
 
     manipulability = Equation(
@@ -174,7 +168,6 @@ with as_written():
             + (l2 * l3 * s3) ** 2
         ),
         where=BENDS,
-        source="exercise 8; Siciliano et al., section 3.9",
     )
 
     GRAM = (
@@ -190,7 +183,6 @@ with as_written():
         left=Matrix([large, small]),
         right=Matrix([longest, w / large]),
         where=(*POSITION_ROWS, *BENDS, (w, manipulability.right), (large, longest)),
-        source="exercise 8; Siciliano et al., section 3.9",
     )
 
     ellipse_tilt = Equation(
@@ -198,7 +190,6 @@ with as_written():
         left=2 * tilt,
         right=atan2(2 * G_xy, G_xx - G_yy),
         where=POSITION_ROWS,
-        source="exercise 8",
         is_angle=True,
     )
 
@@ -207,7 +198,6 @@ with as_written():
         left=Symbol(r"\left(J^{\top} J + \lambda^{2} I\right) \dot{\theta}"),
         right=Matrix([x_dot * J[0, j] + y_dot * J[1, j] + phi_dot * J[2, j] for j in range(3)]),
         where=(*SHORT, *zip(J, jacobian.right, strict=True)),
-        source="exercise 8; Siciliano et al., section 3.5.2",
     )
     command = Equation(
         name="planar_arm.command",
@@ -219,14 +209,12 @@ with as_written():
                 omega_d + gain * (phi_d - phi_hand),
             ]
         ),
-        source="exercise 8; Siciliano et al., section 3.7",
     )
 
     wrist = Equation(
         name="planar_arm.wrist",
         left=Matrix([x_w, y_w]),
         right=Matrix([x - l3 * cos(phi_hand), y - l3 * sin(phi_hand)]),
-        source="exercise 8",
     )
 
     ELBOW = 2 * atan2(sqrt((l1 + l2 - d) * (l1 + l2 + d)), sqrt((d - l1 + l2) * (d + l1 - l2)))
@@ -242,7 +230,6 @@ with as_written():
             (theta2, ELBOW),
             (theta1, SHOULDER),
         ),
-        source="exercise 8",
         is_angle=True,
     )
 

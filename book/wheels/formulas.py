@@ -101,7 +101,6 @@ with as_written():
         name="wheels.contact_velocity",
         left=Matrix([contact_x, contact_y]),
         right=Matrix([v - omega * l * sin(alpha), v_y + omega * l * cos(alpha)]),
-        source="exercise 6",
     )
 
     rolling = Equation(
@@ -109,7 +108,6 @@ with as_written():
         left=r * rate,
         right=v * sin(alpha + beta) - v_y * cos(alpha + beta) - omega * l * cos(beta),
         textbook=MatMul(Matrix([rolling_row(l, alpha, beta)]), Matrix([v, v_y, omega])),
-        source="exercise 6",
     )
 
     sliding = Equation(
@@ -117,14 +115,12 @@ with as_written():
         left=across,
         right=v * cos(alpha + beta) + v_y * sin(alpha + beta) + omega * l * sin(beta),
         textbook=MatMul(Matrix([sliding_row(l, alpha, beta)]), Matrix([v, v_y, omega])),
-        source="exercise 6",
     )
 
     castor = Equation(
         name="wheels.castor",
         left=-d * beta_dot,
         right=v * cos(alpha + beta) + v_y * sin(alpha + beta) + omega * (d + l * sin(beta)),
-        source="exercise 6",
     )
 
     swedish = Equation(
@@ -136,7 +132,6 @@ with as_written():
         textbook=MatMul(
             Matrix([[sin(SUM), -cos(SUM), -l * cos(beta + gamma)]]), Matrix([v, v_y, omega])
         ),
-        source="exercise 6",
     )
 
     rate1, rate2, rate3 = omni_rates
@@ -156,7 +151,6 @@ with as_written():
             ]
         ),
         textbook=MatMul(J1, Matrix([v, v_y, omega])),
-        source="exercise 6",
     )
 
     omni_twist = Equation(
@@ -164,7 +158,6 @@ with as_written():
         left=Matrix([v, v_y, omega]),
         right=Matrix([omni_v, omni_v_y, omni_omega]),
         textbook=MatMul(J1_inverse, rolled_by_rates),
-        source="exercise 6",
     )
 
     omni_world = Equation(
@@ -178,7 +171,6 @@ with as_written():
             ]
         ),
         textbook=MatMul(rotation, J1_inverse, rolled_by_rates),
-        source="exercise 6",
     )
 
     mobility = Equation(
@@ -186,5 +178,4 @@ with as_written():
         left=Matrix([delta_s, delta_m, delta_M]),
         right=Matrix([STEERABLE, 3 - rank_fixed - delta_s, delta_m + delta_s]),
         where=((delta_s, STEERABLE), (delta_m, 3 - rank_fixed - delta_s)),
-        source="exercise 6",
     )

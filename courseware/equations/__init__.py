@@ -4,7 +4,7 @@ from courseware.equations.declared_checks import Check
 from courseware.equations.equation import Equation, Where, as_written, find_equation, substitute
 from courseware.equations.notebook import show, show_again
 from courseware.equations.quantities import find_kind, quantity, symbol
-from courseware.equations.verification import Array, Result, verify, verify_all
+from courseware.equations.verification import Array, Result, verify
 
 __all__ = [
     "Array",
@@ -21,5 +21,4 @@ __all__ = [
     "substitute",
     "symbol",
     "verify",
-    "verify_all",
 ]

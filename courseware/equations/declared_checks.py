@@ -6,7 +6,6 @@ beside the check adapt it. The page of checks prints the first line of their doc
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -25,44 +24,34 @@ class Check:
 
     Args:
         equation: the formula.
-        reason: why the tolerance has its size.
-        tolerance: the largest difference allowed, absolute in the unit of the left side.
         function, arguments, component: `function(*arguments)[..., component]` must agree with the
             right side. Arguments are expressions, or tuples of them, stacked on the last axis; all
             symbols of the formula are in them. The function is the library's, or adapts it.
-        compared_with: in words, the code that computes, where that is not the library.
-        checked_by: instead of a function, the test that proves the formula.
+        tolerance: the largest difference allowed, absolute in the unit of the left side.
+        reason: why the tolerance has its size.
         specials: points that are always compared; symbols that they leave out are drawn.
         ranges: for symbols whose own range is too wide, the range that they are drawn from.
         whole: symbols that are whole numbers only.
     """
 
     equation: Equation
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...]
+    tolerance: float
     reason: str
-    tolerance: float = 0.0
-    function: Callable[..., Any] | None = None
-    arguments: tuple[Any, ...] = ()
     component: int | None = None
-    compared_with: str = ""
-    checked_by: str = ""
     specials: tuple[Mapping[sp.Symbol, float], ...] = ()
     ranges: Mapping[sp.Symbol, tuple[float, float]] = field(default_factory=dict)
     whole: tuple[sp.Symbol, ...] = ()
 
     def __post_init__(self) -> None:
-        if (self.function is None) == (not self.checked_by):
+        if not self.reason or self.tolerance <= 0:
             raise CourseError(
-                f"the check of {self.name} must name either a `function` or a test (`checked_by`)"
-            )
-        if not self.reason or (self.function is not None) != (self.tolerance > 0):
-            raise CourseError(
-                f"the check of {self.name} needs a `reason`, and a `tolerance` above 0 if it names "
-                "a function"
+                f"the check of {self.name} needs a `tolerance` above 0 and a `reason` for it"
             )
         refuse_namesakes(self.symbols, f"the check of {self.name}")
-        if self.function is not None:
-            given = free_symbols(self.arguments)
-            self._refuse("is in the formula", self.equation.symbols, given, "`arguments`")
+        given = free_symbols(self.arguments)
+        self._refuse("is in the formula", self.equation.symbols, given, "`arguments`")
         special = {symbol for setting in self.specials for symbol in setting}
         for what, some in {"specials": special, "ranges": self.ranges, "whole": self.whole}.items():
             self._refuse(f"is in `{what}`", some, self.symbols, "the formula and `arguments`")
@@ -83,14 +72,6 @@ class Check:
     def symbols(self) -> list[sp.Symbol]:
         """The symbols of the formula and the arguments, sorted."""
         return sort_symbols({*self.equation.symbols, *free_symbols(self.arguments)})
-
-    @property
-    def adapter(self) -> str:
-        """The first line of the docstring of an adapting function; '' without one."""
-        called = self.function.func if isinstance(self.function, partial) else self.function
-        if getattr(called, "__module__", None) in {None, "numpy", *course().library_modules}:
-            return ""
-        return (called.__doc__ or "").partition("\n")[0].strip()
 
 
 def declared_checks() -> dict[str, Check]:

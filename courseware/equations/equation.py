@@ -36,7 +36,6 @@ class Equation:
     Args:
         name: `chapter.what`, with the chapter that declares it.
         left, right: the two sides, scalar or column; the right one in the form that keeps digits.
-        source: where it comes from.
         textbook: the right side as books print it, where that reads better; a test proves the two
             equal, and this one is shown.
         where: named steps that the right side is written in, each a symbol and its expression.
@@ -46,7 +45,6 @@ class Equation:
     name: str
     left: Any
     right: Any
-    source: str
     textbook: Any = None
     where: Where = ()
     is_angle: bool = False

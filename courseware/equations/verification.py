@@ -1,11 +1,9 @@
 """Comparison of formulas with functions: at generated and special points, in 50 digits."""
 
-import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import inf, isfinite
-from types import FrameType
 from typing import Any
 from zlib import crc32
 
@@ -14,14 +12,13 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from courseware.course import course
-from courseware.equations.declared_checks import Check, declared_checks
+from courseware.equations.declared_checks import Check
 from courseware.equations.equation import Where
 from courseware.equations.functions import MPMATH
 from courseware.errors import CourseError
 
 Array = NDArray[np.float64]
-SAMPLES = 1000
+SAMPLES = 100
 DIGITS = 50
 
 
@@ -38,10 +35,12 @@ class Result:
     def agrees(self) -> bool:
         return self.difference <= self.check.tolerance
 
-
-def verify_all(samples: int = SAMPLES) -> list[Result]:
-    """Verify every formula whose check names a function."""
-    return [verify(c, samples) for c in declared_checks().values() if c.function is not None]
+    def __str__(self) -> str:
+        point = ", ".join(f"{name} = {value:.6g}" for name, value in self.worst.items())
+        return (
+            f"{self.check.name} and its function are {self.difference:.1g} apart, "
+            f"allowed {self.check.tolerance:.1g}, at {point}"
+        )
 
 
 def verify(check: Check, samples: int = SAMPLES) -> Result:
@@ -113,35 +112,10 @@ def _real(value: Any) -> Any:
 
 def call_function(check: Check, points: Array) -> Array:
     """Call the function at the points: (n, components)."""
-    assert check.function is not None
     found = np.asarray(check.function(*_arguments(check, points)), dtype=float)
     if check.component is not None:
         found = found[..., check.component]
     return found.reshape(len(points), -1)
-
-
-def library_functions(check: Check) -> list[str]:
-    """Return the public functions of the library that a check calls, as `robokin.motion.icr`."""
-    arguments = _arguments(check, draw_points(check, 1))
-    public = course().library_modules
-    found: dict[str, None] = {}
-    depth = 0
-
-    def note(frame: FrameType, event: str, _: Any) -> None:
-        nonlocal depth
-        module, name = frame.f_globals.get("__name__", ""), frame.f_code.co_name
-        if module in public and name[0] not in "_<":
-            if event == "call" and depth == 0:  # not the functions that it calls itself
-                found[f"{module}.{name}"] = None
-            depth += {"call": 1, "return": -1}.get(event, 0)
-
-    sys.setprofile(note)
-    try:
-        if check.function is not None:
-            check.function(*arguments)
-    finally:
-        sys.setprofile(None)
-    return list(found)
 
 
 def _arguments(check: Check, points: Array) -> list[Array]:

@@ -1,79 +1,37 @@
-"""The page of checks: every formula, the function it is compared with, and their difference."""
+"""The page of checks: every formula, and the function that a test compares it with."""
 
-import hashlib
-import json
-from dataclasses import asdict, dataclass
+import ast
+import inspect
+from collections.abc import Iterator
+from functools import partial
 from itertools import groupby
-from pathlib import Path
+from typing import Any
 
 from docutils import nodes
-from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from courseware import equations
 from courseware.course import course
 from courseware.equations.declared_checks import Check, declared_checks
-from courseware.equations.verification import library_functions
-from courseware.site.sources import find_sources, note_sources
+from courseware.equations.verification import SAMPLES
 
 # a formula is made by the page's script when it comes near: all at once are 40,000 elements
 LATER = ('<div class="site-later"><noscript>', "</noscript></div>")
 
 
 class FormulaChecks(SphinxDirective):
-    """A section for each chapter with its formulas and their differences from functions."""
+    """A section for each chapter with its formulas and the functions that they agree with."""
 
     def run(self) -> list[nodes.Node]:
-        """Verify all formulas; a difference over its tolerance fails the build."""
-        note_sources(self.env, "formulas", "checks")
-        entries = verify_course(Path(self.env.app.outdir).parent).entries
-        text = "\n\n".join(["## In numbers", *entries])  # what has no heading comes last
+        text = "\n\n".join(describe_checks(declared_checks()))
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
-@dataclass(frozen=True)
-class Verification:
-    """The entries of the page, the count of formulas, the least number of points, the largest
-    difference, and the share of its tolerance that each formula takes."""
-
-    entries: list[str]
-    formulas: int
-    samples: int
-    largest: float
-    shares: list[float]
-
-
-def verify_course(folder: Path) -> Verification:
-    """Verify all formulas, or read the result of the same sources from `folder`."""
-    sources = find_sources("formulas", "checks")
-    key = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
-    file = folder / f"formula-checks-{key}.json"
-    if not file.exists():
-        for old in folder.glob("formula-checks-*.json"):
-            old.unlink()
-        file.write_text(json.dumps(asdict(_verify())), encoding="utf-8")
-    return Verification(**json.loads(file.read_text(encoding="utf-8")))
-
-
-def _verify() -> Verification:
-    checks, results = declared_checks(), {r.check.name: r for r in equations.verify_all()}
-    wrong = [r for r in results.values() if not r.agrees]
-    if wrong:
-        lines = "\n".join(map(_describe_disagreement, wrong))
-        raise ExtensionError(f"formulas and functions disagree:\n{lines}")
-    entries = [_summarize(list(checks.values()))]
-    for chapter, group in groupby(checks.items(), lambda item: item[0].partition(".")[0]):
-        entries.append(f"## {_title(chapter)}")
-        for name, check in group:
-            entry = _describe(check, results.get(name))
-            entries.append(f":::{{container}} rk-check\n{entry}\n:::")
-    return Verification(
-        entries,
-        len(results),
-        min(result.samples for result in results.values()),
-        max(result.difference for result in results.values()),
-        [result.difference / result.check.tolerance for result in results.values()],
-    )
+def describe_checks(checks: dict[str, Check]) -> list[str]:
+    """Return the page as Markdown: the counts, then each chapter's title and formulas."""
+    entries = ["## In numbers", _summarize(list(checks.values()))]  # what has no heading comes last
+    for chapter, group in groupby(checks.values(), lambda check: check.name.partition(".")[0]):
+        entries += [f"## {_title(chapter)}", *map(_describe, group)]
+    return entries
 
 
 def _title(chapter: str) -> str:
@@ -82,55 +40,59 @@ def _title(chapter: str) -> str:
     return course().title(chapter) if is_taught else chapter.replace("_", " ").capitalize()
 
 
-def _describe_disagreement(result: equations.Result) -> str:
-    point = ", ".join(f"{name} = {value:.6g}" for name, value in result.worst.items())
-    return (
-        f"{result.check.name} by {result.difference:.1g}, "
-        f"allowed {result.check.tolerance:.1g}, at {point}"
-    )
-
-
 def _summarize(checks: list[Check]) -> str:
-    computed = [c for c in checks if c.function and not c.compared_with]
-    other = [f"`{c.name}`" for c in checks if c.compared_with]
-    tested = [f"`{c.name}`" for c in checks if c.checked_by]
-    directly = sum(not c.adapter for c in computed)
+    adapted = sum(_is_adapter(_called(check)) for check in checks)
     return (
-        f"There are {len(checks)} formulas. {directly} are compared with a function of the library "
-        f"or a chapter as it is, {len(computed) - directly} with functions by way of a few lines "
-        "that put arguments and answers in order (in italics: how). Compared with something else, "
-        f"which is named: {', '.join(other) or 'none'}. Held by a test of its own, because no "
-        f"function computes it: {', '.join(tested) or 'none'}."
+        f"There are {len(checks)} formulas, each compared at {SAMPLES} points and at its special "
+        f"ones: {len(checks) - adapted} with a function as it is, {adapted} by way of a few lines "
+        "that put arguments and answers in order (in italics: how)."
     )
 
 
-def _describe(check: Check, result: equations.Result | None) -> str:
+def _describe(check: Check) -> str:
     display = f"$$\n{check.equation.latex(computed=True)}\n$$"
-    formula = f"{LATER[0]}\n\n{display}\n\n{LATER[1]}\n\n`{check.name}`"
-    if result is None:
-        test = check.checked_by.rpartition("::")[2]
-        return f"{formula} is held by the test `{test}`: {check.reason}."
     return (
-        f"{formula} at {result.samples:,} points, compared with {_describe_function(check)}: "
-        f"at most {format_power(result.difference)} apart, "
-        f"allowed {format_power(check.tolerance)} ({check.reason})."
+        f":::{{container}} rk-check\n{LATER[0]}\n\n{display}\n\n{LATER[1]}\n\n"
+        f"`{check.name}` is compared with {describe_function(check)}: at most "
+        f"{format_power(check.tolerance)} apart ({check.reason}).\n:::"
     )
 
 
-def _describe_function(check: Check) -> str:
-    names = " and ".join(f"`{name}`" for name in library_functions(check))
-    if check.compared_with:
-        return check.compared_with
-    if not names:
-        raise ExtensionError(
-            f"the check of {check.name} calls no function of {course().library}: say in its "
-            "`compared_with` what computes instead"
-        )
-    return f"{names} (*{check.adapter.rstrip('.')}*)" if check.adapter else names
+def describe_function(check: Check) -> str:
+    """Return what computes: a function, or the library's functions in one that adapts them."""
+    called = _called(check)
+    is_adapter = _is_adapter(called)
+    computing = _library_functions(called) if is_adapter else [called]
+    names = " and ".join(dict.fromkeys(f"`{f.__module__}.{f.__name__}`" for f in computing))
+    how = "*" + (called.__doc__ or "").partition("\n")[0].rstrip(".") + "*"
+    return f"{names} ({how})" if names and is_adapter else names or how
+
+
+def _called(check: Check) -> Any:
+    """Return the function, without arguments that are given already."""
+    return check.function.func if isinstance(check.function, partial) else check.function
+
+
+def _is_adapter(function: Any) -> bool:
+    home = function.__module__
+    return home.startswith(f"{course().package}.") and home not in course().library_modules
+
+
+def _library_functions(adapter: Any) -> Iterator[Any]:
+    """Yield the library's functions that the code of a function names."""
+    known = adapter.__globals__
+    for node in ast.walk(ast.parse(inspect.getsource(adapter))):
+        named = known.get(node.id) if isinstance(node, ast.Name) else None
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            named = getattr(known.get(node.value.id), node.attr, None)
+        if inspect.isfunction(named) and named.__module__ in course().library_modules:
+            yield named
+        elif inspect.isfunction(named) and _is_adapter(named):
+            yield from _library_functions(named)
 
 
 def format_power(number: float) -> str:
     """Return a number with one digit and a power of ten."""
     digit, exponent = f"{number:.0e}".split("e")
     power = f"{int(exponent)}".replace("-", "\u2212")
-    return f"{digit}\u00a0·\u00a010{{sup}}`{power}`" if number else "0"
+    return f"{digit}\u00a0·\u00a010{{sup}}`{power}`"

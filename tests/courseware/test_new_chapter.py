@@ -224,7 +224,7 @@ def test_the_machine_s_tests_hold_it(tree, site):
     assert notebook.returncode == 0, notebook.stdout[-3000:]
 
 
-COLLECT = "import book; from courseware import equations, practice, course; "
+COLLECT = "import book; from courseware import course, equations; "
 IN_TESTS = "import sys; sys.path += ['tests', 'tests/book', 'tests/courseware', 'tools']; "
 FORGOTTEN = {
     "the line of the table of contents": (
@@ -234,7 +234,7 @@ FORGOTTEN = {
     ),
     "a formula's check": (
         lambda tree: (tree / "book/beacon/checks.py").unlink(),
-        COLLECT + "equations.verify_all()",
+        COLLECT + "equations.declared_checks.declared_checks()",
         r"beacon.distance has no check: add `Check\(formulas.distance, .*checks.py",
     ),
     "the folder's package": (

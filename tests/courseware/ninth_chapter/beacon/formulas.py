@@ -16,12 +16,10 @@ with as_written():
         name="beacon.distance",
         left=d,
         right=sqrt((b_x - x) ** 2 + (b_y - y) ** 2),
-        source="the ninth chapter",
     )
     direction = Equation(
         name="beacon.direction",
         left=bearing,
         right=atan2(b_y - y, b_x - x) - theta,
-        source="the ninth chapter",
         is_angle=True,
     )

@@ -1,8 +1,4 @@
-"""What every figure of the course must show, and the settings that it is tried at.
-
-A new figure needs two entries in `book/<topic>/expected.py`: what its readouts must say, computed
-by `robokin`, and its special settings.
-"""
+"""The settings that every figure of the course is tried at, and what it must show there."""
 
 import json
 from decimal import ROUND_HALF_UP, Decimal
@@ -14,7 +10,7 @@ import sympy as sp
 from declared import each
 
 from courseware.course import course
-from courseware.equations import find_kind
+from courseware.equations import Equation, find_kind
 from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, Figure, QuarterTurns, Simulation, Thing
 from courseware.figures.compiler import Compiler
@@ -73,26 +69,35 @@ typical_linked = typical(has_address)
 
 
 TABLES = course().modules("expected").values()
-READOUTS = {name: by for table in TABLES for name, by in table.READOUTS.items()}
-SPECIALS = {name: special for table in TABLES for name, special in table.SPECIALS.items()}
-LOST = {name: lost for table in TABLES for name, lost in getattr(table, "LOST", {}).items()}
-WORDS = [row for table in TABLES for row in table.WORDS]  # settings as a slider shows them
-TITLES = {
-    figure: titles for table in TABLES for figure, titles in getattr(table, "TITLES", {}).items()
-}
+WORDS = [row for table in TABLES for row in getattr(table, "WORDS", ())]  # as a slider shows them
+
+
+def expected(table):
+    """Return a table of all chapters, by figure."""
+    return {name: x for module in TABLES for name, x in getattr(module, table, {}).items()}
+
+
+READOUTS, SPECIALS, LOST, TITLES = map(expected, ("READOUTS", "SPECIALS", "LOST", "TITLES"))
 
 
 def readouts(figure, points):
-    """Return the readouts by `robokin`: (n, settings) → (n, readouts)."""
-    rows = np.asarray(points, dtype=float)
-    if computes(figure):
-        return READOUTS[figure.name](*rows.T)
-    return rows[:, [figure.control_symbols.index(readout.value) for readout in figure.readouts]]
+    """Return the readouts as the engine computes them: (n, settings) → (n, readouts)."""
+    return figure.compute(np.asarray(points, dtype=float))[:, : len(figure.readouts)]
 
 
-def computes(figure):
-    """Return whether its readouts are more than its settings."""
-    return any(readout.value not in figure.control_symbols for readout in figure.readouts)
+COMPARED = {  # with functions of the library, and with 50 digits in the script
+    part
+    for equation in course().find_all("formulas", Equation).values()
+    for part in (*sp.Matrix([equation.right]), *dict(equation.where).values())
+}
+
+
+def is_formula(figure, value):
+    """Return whether a number is a setting, or comes from settings by formulas as declared."""
+    step = sp.sympify(dict(figure.where).get(value, value))
+    if step in figure.control_symbols or step.is_number:
+        return True
+    return step in COMPARED and all(is_formula(figure, symbol) for symbol in step.free_symbols)
 
 
 LETTERS = [sign + letter for sign in ("", "-") for letter in "xyzXYZ"]  # of presses
@@ -156,7 +161,7 @@ def expressions(figure):
 @cache
 def points(figure, n=N):
     """Return special settings, ends of ranges, then n random settings: (…, settings)."""
-    special = [{}, *SPECIALS[figure.name]]
+    special = [{}, *SPECIALS.get(figure.name, ())]
     special += [{c.key: end} for c in figure.controls for end in ends(c)]
     rows = np.array([point(figure, values) for values in special], dtype=float)
     random = np.random.default_rng(len(figure.name))

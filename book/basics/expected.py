@@ -6,17 +6,17 @@ from robokin import motion
 
 
 def direction_readouts(x, y):
-    """Return the direction by atan2, and by the arctangent, which has no answer at x = 0."""
+    """Return the direction by the arctangent, which has no answer at x = 0."""
     quotient = np.full_like(x, np.nan)
     np.divide(y, x, out=quotient, where=x != 0)
-    return np.column_stack([np.arctan2(y, x), np.arctan(quotient)])
+    return {"wrong": np.arctan(quotient)}
 
 
 def thousand_readouts(fastest, t):
     """Return how far from the start the straight one and the fastest-turning one are."""
     rates = np.stack([np.zeros_like(fastest), fastest])
     ends = motion.arc_step([0, 0, 0], v=1.0, omega=rates, dt=t)
-    return np.hypot(ends[..., 0], ends[..., 1]).T
+    return dict(zip(("straight", "outer"), np.hypot(ends[..., 0], ends[..., 1]), strict=True))
 
 
 READOUTS = {"direction": direction_readouts, "thousand": thousand_readouts}

@@ -7,11 +7,9 @@ from robokin import bicycle, motion
 
 
 def ackermann_readouts(phi, wheelbase, track):
-    """Return left, right, mean, tangent, radius."""
     left, right = bicycle.ackermann(phi, wheelbase, track).T
     tangent = np.tan(bicycle.equivalent_steering(left, right))
-    radius = bicycle.turning_radius(phi, wheelbase)
-    return np.column_stack([left, right, (left + right) / 2, tangent, radius])
+    return {"mean": (left + right) / 2, "tangent": tangent}
 
 
 def followed(paths, theta, ahead):
@@ -27,7 +25,7 @@ def directions(heading):
 
 
 def steps_readouts(count, phi, rate, psi, ahead):
-    """Return apart, pace, ratio, x, y. The loop steps the followed point along its own velocity."""
+    """Step the followed point along its own velocity."""
     theta, v = np.pi / 2 - psi, RADIUS * rate
     start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
     whole = bicycle.path(start, v[:, None], phi[:, None], LENGTH, DURATION)
@@ -44,14 +42,13 @@ def steps_readouts(count, phi, rate, psi, ahead):
         pace[one] = dt * np.hypot(body[:, 0], body[:, 1])
         ends[one] = dt * motion.to_world(headings, body[:, None])[..., :2].sum(axis=1)
     apart = np.hypot(*(ends - exact).T)
-    return np.column_stack([apart, pace, apart / pace, exact])
+    return dict(apart=apart, pace=pace, ratio=apart / pace, x=exact[:, 0], y=exact[:, 1])
 
 
 def lane_readouts(phi, wheelbase, track, t):
-    """Return lane, more, cut; no lane where the ICR lies under the car."""
+    """Return by how much the lane is wider than the car; nan where the ICR lies under that."""
     under = np.abs(bicycle.turning_radius(phi, wheelbase)) < track / 2
-    lane = np.where(under, np.nan, bicycle.lane_width(phi, wheelbase, track))
-    return np.column_stack([lane, lane - track, bicycle.corner_cut(phi, wheelbase)])
+    return {"more": np.where(under, np.nan, bicycle.lane_width(phi, wheelbase, track) - track)}
 
 
 def moved(*columns):
@@ -75,10 +72,9 @@ def moved(*columns):
 
 
 def mistakes_readouts(*columns):
-    """Return apart, off."""
     real, believed = moved(*columns)
     off = believed - real
-    return np.column_stack([np.hypot(*off[:, :2].T), motion.wrap_angle(off[:, 2])])
+    return {"apart": np.hypot(*off[:, :2].T), "off": motion.wrap_angle(off[:, 2])}
 
 
 def goes_straight(*columns):

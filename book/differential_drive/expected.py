@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from book.differential_drive.figures import DISTANCE, RADIUS
-from robokin import differential_drive, motion, wheels
+from book.differential_drive.figures import DISTANCE
+from robokin import differential_drive, motion
 
 UP = np.pi / 2  # the heading at the start
 
@@ -23,60 +23,17 @@ def driven(v, omega, time, heading=UP):
 def off_and_turned(pose, mark):
     """Return how far from a mark, and turned against it."""
     off = np.hypot(*(pose - mark)[..., :2].T)
-    return np.column_stack([off, np.abs(motion.wrap_angle(pose[..., 2] - mark[2]))])
+    return {"off": off, "turned": np.abs(motion.wrap_angle(pose[..., 2] - mark[2]))}
 
 
 def park_readouts(v_left, v_right, t):
-    """Return off, turned."""
     mark = driven(np.float64(0.09), np.float64(0.6), 3.0)
     return off_and_turned(driven(*twist_of(v_left, v_right), 3.0), mark)
 
 
-def axle_readouts(v_left, v_right):
-    """Return v."""
-    return twist_of(v_left, v_right)[0][:, None]
-
-
-def tips_readouts(v_left, v_right):
-    """Return omega, R."""
-    radius = differential_drive.turning_radius(v_left, v_right, DISTANCE)
-    return np.column_stack([twist_of(v_left, v_right)[1], radius])
-
-
 def infinity_readouts(share):
-    """Return R."""
     c, s = np.cos(share), np.sin(share) * DISTANCE / 2 / 0.26  # m: how wide the map is
-    return differential_drive.turning_radius(c - s, c + s, DISTANCE)[:, None]
-
-
-def added_readouts(v, omega):
-    """Return v_L, v_R: the rates of wheels of 1 m."""
-    return differential_drive.wheel_rates(v, omega, 1.0, DISTANCE)
-
-
-def spokes_readouts(time):
-    """Return by how much the heading has changed."""
-    return driven(0.075, 0.5, time)[:, 2:] - UP
-
-
-def world_readouts(theta):
-    """Return x_dot, y_dot."""
-    return motion.to_world(theta, [0.075, 0, 0.5])[:, :2]
-
-
-def rates_readouts(v, omega, t):
-    """Return rate_L, rate_R."""
-    return differential_drive.wheel_rates(v, omega, RADIUS, DISTANCE)
-
-
-def arc_readouts(omega, dt):
-    """Return x_next, y_next, theta_next."""
-    return driven(0.075, omega, dt)
-
-
-def digits_readouts(power):
-    """Return omega, and the error, which is what is lost."""
-    return np.column_stack([10.0**-power, np.nan * power])
+    return {"R": differential_drive.turning_radius(c - s, c + s, DISTANCE)}
 
 
 def steps_readouts(count):
@@ -86,35 +43,24 @@ def steps_readouts(count):
         drive = np.full(n, 0.075), np.full(n, 0.5), np.full(n, 6 / n)
         ends = [motion.path([0, 0, UP], *drive, method=m)[-1, :2] for m in ("start", "midpoint")]
         errors.append([np.hypot(*(end - driven(0.075, 0.5, 6.0)[:2])) for end in ends])
-    return np.array(errors)
-
-
-def sideways_readouts(ahead, left):
-    """Return v, lost: along and across a wheel that neither slips nor slides."""
-    wheel = [wheels.fixed(DISTANCE / 2, np.pi / 2, 0.0, RADIUS)]
-    wish = np.stack([ahead, left, 0 * ahead])
-    return np.vstack([wheels.rolling(wheel) @ wish, wheels.sliding(wheel) @ wish]).T
+    return dict(zip(("error_0", "error_1"), np.transpose(errors), strict=True))
 
 
 def side_readouts(aim, reach, done):
-    """Return off."""
     turned = driven(0 * aim, aim, 1.0)
     there = motion.arc_step(turned, reach, 0 * aim, 1.0)
     end = motion.arc_step(there, 0 * aim, -aim, 1.0)
-    return off_and_turned(end, np.array([-0.2, 0.0, UP]))[:, :1]
+    return {"off": off_and_turned(end, np.array([-0.2, 0.0, UP]))["off"]}
 
 
 def damage_readouts(rate, heading, t):
-    """Return apart."""
     v, omega = twist_of(0.12, 0.08)
     places = driven(v, omega + 0 * rate, t, np.pi / 3), driven(v, rate, t, heading)
-    return np.hypot(*(places[0] - places[1])[:, :2].T)[:, None]
+    return {"apart": np.hypot(*(places[0] - places[1])[:, :2].T)}
 
 
 def drive_readouts(v_left, v_right, t):
-    """Return v, omega, R, x, y, heading."""
-    now = driven(*twist_of(v_left, v_right), t)
-    return np.column_stack([axle_readouts(v_left, v_right), tips_readouts(v_left, v_right), now])
+    return dict(zip(("x", "y", "heading"), driven(*twist_of(v_left, v_right), t).T, strict=True))
 
 
 STRAIGHT, BACK = {"v_L": 0.07, "v_R": 0.07}, {"v_L": -0.15, "v_R": -0.15}
@@ -123,24 +69,16 @@ DRIVES = [STRAIGHT, BACK, SPOT, STILL]
 
 READOUTS = {
     "park": park_readouts,
-    "axle": axle_readouts,
-    "tips": tips_readouts,
     "infinity": infinity_readouts,
-    "world": world_readouts,
-    "added": added_readouts,
-    "rates": rates_readouts,
-    "spokes": spokes_readouts,
-    "arc": arc_readouts,
-    "digits": digits_readouts,
+    "spokes": lambda time: {"turn": 0.5 * time},
+    "digits": lambda power: {"omega": 10.0**-power},
     "steps": steps_readouts,
-    "sideways": sideways_readouts,
     "side": side_readouts,
     "damage": damage_readouts,
     "wheel-speeds": drive_readouts,
 }
 SPECIALS = {
     "park": [*DRIVES, {"v_L": 0.06, "v_R": 0.12}],
-    "exercise": [],
     "axle": DRIVES,
     "still": [{"pin_x": -0.15, "pin_y": 0.0, "t": 1.5}],
     "tips": DRIVES,
@@ -157,8 +95,6 @@ SPECIALS = {
     "side": [{"aim": UP, "reach": 0.2, "done": 3.0}, {"done": 0.5}, {"done": 1.5}, {"done": 2.5}],
     "damage": [{"t": 0.0}, {"mistake": "Down instead of up", "t": 2.0}],
     "wheel-speeds": [*DRIVES, {**STRAIGHT, "t": 12.0}],
-    "letters": [],
-    "summary": [],
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("wheel-speeds", {"v_L": 0.1}, "R", "at infinity"),

@@ -9,14 +9,14 @@ ROWS = {(1, 1): 0, (1, -1): 1, (-1, 1): 2, (-1, -1): 3}  # of the answers of `in
 
 
 def readouts(p_x, p_y, p_z, a3, face, bend, *_view):
-    """Return theta1, theta2, theta3, d, missed."""
     p = np.stack([p_x, p_y, p_z], axis=-1)
     answers = elbow_arm.inverse(p, UPPER, a3, SHOULDER, unreachable="nan")
     which = [ROWS[pair] for pair in zip(face.astype(int), bend.astype(int), strict=True)]
     chosen = answers[np.arange(len(p)), which]
     distance = np.linalg.norm(p - [0, 0, SHOULDER], axis=-1)
     best = elbow_arm.nearest_reachable(p, UPPER, a3, SHOULDER)
-    return np.column_stack([chosen, distance, np.linalg.norm(p - best, axis=-1)])
+    angles = dict(zip(("theta1", "theta2", "theta3"), chosen.T, strict=True))
+    return {**angles, "d": distance, "missed": np.linalg.norm(p - best, axis=-1)}
 
 
 def target_and_wrist(*columns):
@@ -40,10 +40,9 @@ def target_and_wrist(*columns):
 
 
 def mistakes_readouts(*columns):
-    """Return d, reach, off."""
     p, wrist = target_and_wrist(*columns)
-    ways = p - [0, 0, 0.3], wrist - [0, 0, 0.3], wrist - p
-    return np.column_stack([np.linalg.norm(way, axis=-1) for way in ways])
+    ways = {"d": p - [0, 0, 0.3], "reach": wrist - [0, 0, 0.3], "off": wrist - p}
+    return {name: np.linalg.norm(way, axis=-1) for name, way in ways.items()}
 
 
 def mirrored(*columns):
@@ -57,12 +56,12 @@ def never_behind(*columns):
 
 
 def same_reach(*columns):
-    return np.ptp(mistakes_readouts(*columns)[:, 1]) < 1e-9
+    return np.ptp(mistakes_readouts(*columns)["reach"]) < 1e-9
 
 
 def too_far(*columns):
-    distance, reach, _ = mistakes_readouts(*columns).T
-    return reach > distance + 0.01
+    found = mistakes_readouts(*columns)
+    return found["reach"] > found["d"] + 0.01
 
 
 def opposite(*columns):

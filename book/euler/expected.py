@@ -16,7 +16,6 @@ def letters(left, mid, right, fixed):
 
 
 def sequence_readouts(*columns):
-    """Return the other answer's angles, distance from lock, distance from R_AB."""
     rows = np.column_stack(columns)
     names = np.array([letters(row[:3], row[3:6], row[6:9], row[9]) for row in rows])
     out = np.empty((len(rows), 5))
@@ -28,7 +27,8 @@ def sequence_readouts(*columns):
         locked = out[here, 3] < 1e-9
         out[here, :3] = np.where(locked[:, None], np.nan, other(seq, angles, R))
         out[here, 4] = euler.axis_angle(R_AB.T @ R)[1]
-    return out
+    names = "other_first", "other_middle", "other_third", "lock", "apart"
+    return dict(zip(names, out.T, strict=True))
 
 
 def other(seq, angles, R):
@@ -61,7 +61,7 @@ def order_readouts(made, azimuth, elevation):
     """Return the one turn between the same turns in two orders."""
     angles = HALF * np.clip(np.stack([made, made - 1], axis=-1), 0, 1)
     apart = np.swapaxes(euler.to_matrix("ZX", angles), 1, 2) @ euler.to_matrix("XZ", angles)
-    return euler.axis_angle(apart)[1][:, None]
+    return {"apart": euler.axis_angle(apart)[1]}
 
 
 def readings_readouts(first, middle, made, azimuth, elevation):
@@ -69,14 +69,14 @@ def readings_readouts(first, middle, made, azimuth, elevation):
     one, two = np.clip(made, 0, 1), np.clip(made - 1, 0, 1)
     own = euler.to_matrix("ZX", np.stack([one * first, two * middle], axis=-1))
     room = euler.to_matrix("xz", np.stack([one * middle, two * first], axis=-1))
-    return euler.axis_angle(np.swapaxes(own, 1, 2) @ room)[1][:, None]
+    return {"apart": euler.axis_angle(np.swapaxes(own, 1, 2) @ room)[1]}
 
 
 def three_angles_readouts(first, middle, third, azimuth, elevation):
     """Return still to turn to the ghost."""
     ghost = euler.to_matrix("XYZ", np.radians(figures.GIVEN))
     now = euler.to_matrix("XYZ", np.stack([first, middle, third], axis=-1))
-    return euler.axis_angle(ghost.T @ now)[1][:, None]
+    return {"apart": euler.axis_angle(ghost.T @ now)[1]}
 
 
 def near_lock_readouts(near):
@@ -84,20 +84,21 @@ def near_lock_readouts(near):
     one = np.ones_like(near)
     R = euler.to_matrix("XY", np.stack([0 * near, np.pi / 2 - np.radians(near)], axis=-1))
     axes = np.stack([one[:, None] * [1.0, 0, 0], one[:, None] * [0, 1.0, 0], R[..., 2]], axis=-1)
-    return np.linalg.solve(axes, np.array([0, 0, 1.0])[:, None])[:, 2]
+    return {"fast": np.linalg.solve(axes, np.array([0, 0, 1.0])[:, None])[:, 2, 0]}
 
 
 def one_axis_readouts(x, y, z, turn, azimuth, elevation):
     """Return still to turn to frame B."""
     R = euler.about(np.stack([x, y, z], axis=-1), turn)
-    return euler.axis_angle(R_AB.T @ R)[1][:, None]
+    return {"apart": euler.axis_angle(R_AB.T @ R)[1]}
 
 
 def target_readouts(*columns):
     """Return how many axes point as those of frame B, within a degree."""
     rows = np.column_stack(columns)
     one, two = (euler.about(rows[:, k : k + 3], rows[:, 6 + k // 3]) for k in (0, 3))
-    return np.sum((one @ two * R_AB).sum(axis=1) > np.cos(np.radians(1)), axis=1)[:, None]
+    aligned = (one @ two * R_AB).sum(axis=1) > np.cos(np.radians(1))
+    return {"in_place": np.sum(aligned, axis=1)}
 
 
 def both_readouts(middle, made, azimuth, elevation):
@@ -107,18 +108,13 @@ def both_readouts(middle, made, azimuth, elevation):
     done = np.clip(made[:, None] - np.arange(3), 0, 1)
     R, S = (euler.to_matrix("XYZ", done * angles) for angles in (left, right))
     apart = euler.axis_angle(np.swapaxes(R, 1, 2) @ S)[1]
-    return np.column_stack([motion.wrap_angle(np.pi - middle), apart])
+    return {"other": motion.wrap_angle(np.pi - middle), "apart": apart}
 
 
 def rings_readouts(middle, against, azimuth, elevation):
-    """Return determinant of the three axes, whole turn."""
-    zero = 0 * against
-    outer = np.stack([zero + 1, zero, zero], axis=-1)
-    mid = euler.to_matrix("X", against[:, None])[..., 1]
-    inner = euler.to_matrix("XY", np.stack([against, middle], axis=-1))[..., 2]
-    determinant = np.linalg.det(np.stack([outer, mid, inner], axis=-1))
-    whole = euler.axis_angle(euler.to_matrix("XYZ", np.stack([against, middle, -against], -1)))[1]
-    return np.column_stack([determinant, whole])
+    """Return the one turn that the three turns make."""
+    turned = euler.to_matrix("XYZ", np.stack([against, middle, -against], -1))
+    return {"whole": euler.axis_angle(turned)[1]}
 
 
 def one_turn_readouts(at_once, part, azimuth, elevation):
@@ -128,14 +124,14 @@ def one_turn_readouts(at_once, part, azimuth, elevation):
     by_two = euler.to_matrix("YZ", two * [HALF, -HALF])
     R = np.where(at_once[:, None, None] > 0, euler.about(axis, part * angle), by_two)
     turned = np.where(at_once > 0, part * angle, two.sum(axis=1) * HALF)
-    return np.column_stack([turned, euler.axis_angle(R_AB.T @ R)[1]])
+    return {"turned": turned, "left": euler.axis_angle(R_AB.T @ R)[1]}
 
 
 def mistakes_readouts(*columns):
     """Return how far a wrong frame is from frame B."""
     R = np.stack(columns[:9], axis=-1).reshape(-1, 3, 3)
     right = euler.to_matrix("YZ", [HALF, HALF])
-    return euler.axis_angle(right.T @ R)[1][:, None]
+    return {"apart": euler.axis_angle(right.T @ R)[1]}
 
 
 READOUTS = {
@@ -183,9 +179,7 @@ SPECIALS = {
     ]
     + [{"first": 0.0, "middle": 0.0, "third": 0.0}, {"made": 1.0}, {"made": 2.0}],
     "rotation-recap": [{"turn": HALF}],
-    "wrong-frames": [],
 }
-WORDS = []
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "euler-1": (
         {"a": 60, "first": "y", "b": -45, "second": "x", "arrow": "z"},

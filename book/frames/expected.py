@@ -27,8 +27,9 @@ def chain_readouts(x_b, y_b, turn_b, alpha, beta, gamma, x_e, y_e, turn_e):
     graph.add("b", "c", frames.se2(*wrist(alpha, beta).T, alpha + beta + gamma))
     graph.add("d", "e", frames.se2(x_e, y_e, turn_e))
     found = pose_of(graph.get("c", "e"))
-    far = np.hypot(*found[:, :2].T)
-    return np.column_stack([found, far, pose_of(graph.get("b", "c"))])
+    names = "x", "y", "turn", "hand_x", "hand_y", "hand_turn"
+    poses = np.hstack([found, pose_of(graph.get("b", "c"))])
+    return {**dict(zip(names, poses.T, strict=True)), "far": np.hypot(*found[:, :2].T)}
 
 
 def turned(angle):
@@ -46,12 +47,15 @@ def above_readouts(turn, high, heading, alpha, beta, gamma, low, azimuth, elevat
     graph.add("room", "e", frames.se3(np.eye(3), thing))
     place = np.column_stack([wrist(alpha, beta), ground])
     graph.add("b", "c", frames.se3(turned(alpha + beta + gamma), place))
-    ways = ("f", "b"), ("f", "e"), ("c", "e")
-    return np.column_stack([graph.get(*way)[:, :3, 3] for way in ways])
+    ways = {"_b": ("f", "b"), "_e": ("f", "e"), "": ("c", "e")}
+    places = {of: graph.get(*way)[:, :3, 3] for of, way in ways.items()}
+    found = {axis + of: at[:, k] for of, at in places.items() for k, axis in enumerate("xyz")}
+    del found["z_b"]  # the camera's height, as it is set
+    return found
 
 
 def mistakes_readouts(*columns):
-    """Return apart, off: where the object is taken to be, and how it lies there."""
+    """Return how far off the object is taken to be, and how far turned."""
     *made, turn = columns
     still = np.zeros_like(turn)
     angles = [still + angle for angle in (-np.pi / 2, 7 * np.pi / 12, np.pi / 4)]
@@ -70,7 +74,7 @@ def mistakes_readouts(*columns):
     )
     T_ce = sum(one[:, None, None] * way for one, way in zip(made, ways, strict=True))
     found = pose_of(frames.compose(T_db, T_bc, T_ce)) - [-0.3, 0.6, -np.pi / 3]
-    return np.column_stack([np.hypot(*found[:, :2].T), motion.wrap_angle(found[:, 2])])
+    return {"apart": np.hypot(*found[:, :2].T), "off": motion.wrap_angle(found[:, 2])}
 
 
 READOUTS = {
@@ -96,7 +100,6 @@ SPECIALS = {
 # each names the step that is wrong, and claims nothing of the picture
 NAMES = "No inverse", "Inverses by hand", "Two inverses", "One inverse"
 TITLES = {"wrong-object": dict.fromkeys(NAMES)}
-WORDS = []
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "frames-1": (
         {"x_b": 1.2, "y_b": -1, "theta_b": -110},

@@ -272,7 +272,7 @@ ARROWS = (
     Thing((84, 36, 0), (Outline(POINTER, "shell", "edge"),), 1.5),
 )
 WAVE = (6 + 120 * s, 23 + 15 * sin(2 * pi * s))
-SAMPLES = tuple(Point("icr", tuple(each.subs(s, k / 12) for each in WAVE)) for k in range(13))
+SAMPLES = tuple(Point("velocity", tuple(each.subs(s, k / 12) for each in WAVE)) for k in range(13))
 PROOFS = (
     Figure(
         name="samples",

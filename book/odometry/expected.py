@@ -23,7 +23,8 @@ def rules_readouts(count, turned):
             drive = odometry.path(*ticks, *ROBOT, method=method)
             errors.append(np.hypot(*(drive - true)[:, :2].T))
         row[:] = [*np.max(errors, axis=1), errors[1][-1], errors[3][-1]]
-    return found
+    names = "exact", "old", "new", "middle", "old_end", "middle_end"
+    return dict(zip(names, found.T, strict=True))
 
 
 def ellipse_readouts(wheel_error, drive, turned):
@@ -34,7 +35,8 @@ def ellipse_readouts(wheel_error, drive, turned):
     last = odometry.covariance(*ticks, *ROBOT, wheel_error**2)[:, -1]
     short, long = np.sqrt(np.linalg.eigvalsh(last[:, :2, :2])).T
     holds_95 = np.sqrt(-2 * np.log(0.05))
-    return np.column_stack([holds_95 * long, holds_95 * short, np.sqrt(last[:, 2, 2])])
+    heading = np.sqrt(last[:, 2, 2])
+    return {"long_axis": holds_95 * long, "short_axis": holds_95 * short, "heading": heading}
 
 
 def square_end(b_true, ratio, turns):
@@ -54,14 +56,14 @@ def square_readouts(b_true, ratio):
     """Return the ends of the clockwise and the counter-clockwise run, and the calibration."""
     cw, ccw = (square_end(b_true, ratio, turns) for turns in (-1, 1))
     found = odometry.umbmark(cw[:, None], ccw[:, None], 1.0, BASE)
-    return np.column_stack([cw, ccw, *found])
+    names = "x_cw", "y_cw", "x_ccw", "y_ccw", "found_b", "found_ratio"
+    return dict(zip(names, (*cw.T, *ccw.T, *found), strict=True))
 
 
 def wrong_poses_readouts(*columns):
-    """Return apart, turned."""
     real, told = wrong_poses(*columns)
     off = told - real
-    return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
+    return {"apart": np.hypot(off[:, 0], off[:, 1]), "turned": off[:, 2]}
 
 
 def wrong_poses(*columns):
@@ -108,7 +110,7 @@ def hardly_moves(*columns):
 
 
 def leaps_in_sample_9(*columns):
-    apart = wrong_poses_readouts(*columns)[:, 0]
+    apart = wrong_poses_readouts(*columns)["apart"]
     return np.where(columns[4] < 9, apart < 1e-9, apart > 0.3)
 
 
@@ -139,7 +141,6 @@ TITLES = {
         LEAP: leaps_in_sample_9,
     }
 }
-WORDS = []  # every readout has a number
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "odometry-1": (
         {"C": 512, "r": 7.5, "N": 450},

@@ -10,15 +10,13 @@ LINKS, START = np.array(figures.LINKS), np.array(figures.START, dtype=float)
 
 
 def levers_readouts(turns1, turns2, turns3, theta2, theta3):
-    """Return length, x_dot, y_dot."""
     theta = np.column_stack([np.full_like(theta2, START[0]), theta2, theta3])
     rates = np.column_stack([turns1, turns2, turns3])
-    velocity = planar_arm.velocity(theta, rates, LINKS)[:, :2]
-    return np.column_stack([np.hypot(*velocity.T), velocity])
+    x_dot, y_dot = planar_arm.velocity(theta, rates, LINKS)[:, :2].T
+    return {"length": np.hypot(x_dot, y_dot), "x_dot": x_dot, "y_dot": y_dot}
 
 
 def joints_readouts(theta1, theta2, theta3):
-    """Return x, y, phi, det, w, long, short, elbow, near."""
     theta = np.column_stack([theta1, theta2, theta3])
     wrist = planar_arm.joint_positions(theta, LINKS)[:, 2]
     outward = np.zeros_like(theta)
@@ -27,9 +25,10 @@ def joints_readouts(theta1, theta2, theta3):
     det = np.linalg.det(planar_arm.jacobian(theta, LINKS))
     bend = np.abs(np.sin(theta2))
     near = np.where(bend <= 1e-9, np.inf, np.where(bend < 0.1, np.nan, bend))
-    sizes = planar_arm.ellipse(theta, LINKS)[0]
+    x, y, _ = planar_arm.forward(theta, LINKS).T
+    long, short = planar_arm.ellipse(theta, LINKS)[0].T
     w = planar_arm.manipulability(theta, LINKS)
-    return np.column_stack([planar_arm.forward(theta, LINKS), det, w, sizes, elbow, near])
+    return dict(x=x, y=y, det=det, w=w, long=long, short=short, elbow=elbow, near=near)
 
 
 def followed(t, steps, gain, damping, line):
@@ -51,7 +50,6 @@ def followed(t, steps, gain, damping, line):
 
 
 def line_readouts(t, steps, gain, damping, line_x, line_y):
-    """Return off, turned, rates, room."""
     line = np.column_stack([line_x, line_y, 0 * line_x])
     theta, wanted, rates = followed(t, steps, gain, damping, line)
     hand = planar_arm.forward(theta, LINKS)
@@ -60,16 +58,18 @@ def line_readouts(t, steps, gain, damping, line_x, line_y):
     reached = ~np.isnan(planar_arm.inverse(line, LINKS, unreachable="nan")[:, 0, 0])
     off = np.hypot(*(hand - wanted)[:, :2].T)
     speed = np.linalg.norm(rates, axis=1)
-    return np.column_stack([off, hand[:, 2], speed, np.where(reached, room, np.nan)])
+    room = np.where(reached, room, np.nan)
+    return {"off": off, "turned": hand[:, 2], "rates": speed, "room": room}
 
 
 def elbows_readouts(x, y, phi):
-    """Return distance, the joint angles of both arms, missed."""
     pose = np.column_stack([x, y, phi])
     both = planar_arm.inverse(pose, LINKS, unreachable="nan")
     wrist = np.hypot(x - LINKS[2] * np.cos(phi), y - LINKS[2] * np.sin(phi))
     missed = np.maximum(0, np.maximum(wrist - LINKS[0] - LINKS[1], LINKS[0] - LINKS[1] - wrist))
-    return np.column_stack([wrist, both.reshape(-1, 6), missed])
+    names = [f"{line}{joint}" for line in ("solid", "dashed") for joint in (1, 2, 3)]
+    angles = dict(zip(names, both.reshape(-1, 6).T, strict=True))
+    return {**angles, "distance": wrist, "missed": missed}
 
 
 def wrong_arm(*columns):
@@ -95,16 +95,15 @@ def wrong_arm(*columns):
 
 
 def wrong_arm_readouts(*columns):
-    """Return apart, turned."""
     real, believed = wrong_arm(*columns)
     off = believed - real
-    return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
+    return {"apart": np.hypot(off[:, 0], off[:, 1]), "turned": off[:, 2]}
 
 
 def stays_but_turns(*columns):
     """Whether the hand is in its place, but turned."""
-    apart, turned = wrong_arm_readouts(*columns).T
-    return (apart < 0.01) & (turned < np.radians(-2))
+    found = wrong_arm_readouts(*columns)
+    return (found["apart"] < 0.01) & (found["turned"] < np.radians(-2))
 
 
 def leaves_the_line(*columns):

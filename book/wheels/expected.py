@@ -9,8 +9,8 @@ OMNI = wheels.omni_robot(0.2, 0.05)
 
 
 def kinds_readouts(*columns):
-    """Return rolled, aside."""
-    return np.array([of_kind(*row) for row in zip(*columns, strict=True)])
+    found = np.array([of_kind(*row) for row in zip(*columns, strict=True)])
+    return {"rolled": found[:, 0], "aside": found[:, 1]}
 
 
 def of_kind(fixed, castor, straight, slanted, ball, course):
@@ -27,8 +27,9 @@ def of_kind(fixed, castor, straight, slanted, ball, course):
 
 
 def laboratory_readouts(*columns):
-    """Return rank, now, mobility, steerability, both, v, v_y, omega."""
-    return np.array([laboratory(row) for row in zip(*columns, strict=True)])
+    found = np.array([laboratory(row) for row in zip(*columns, strict=True)])
+    names = "rank", "now", "mobility", "steerability", "both", "v", "v_y", "omega"
+    return dict(zip(names, found.T, strict=True))
 
 
 def laboratory(row):
@@ -60,20 +61,19 @@ def wheel(numbers, shift, ahead, left):
 
 
 def omni_readouts(rate1, rate2, rate3, theta, t):
-    """Return v, v_y, turning, x_dot, y_dot, x, y, heading."""
     rates = np.stack([rate1, rate2, rate3], axis=-1)
     twist = wheels.forward(OMNI, rates)
     start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
     pose = motion.move(start, twist, t)
     world = wheels.forward(OMNI, rates, theta=pose[:, 2])
-    return np.column_stack([twist, world[:, :2], pose])
+    names = "v", "v_y", "turning", "x_dot", "y_dot", "x", "y", "heading"
+    return dict(zip(names, np.column_stack([twist, world[:, :2], pose]).T, strict=True))
 
 
 def wrong_rates_readouts(*columns):
-    """Return apart, turned."""
     real, believed = wrong_rates(*columns)
     off = believed - real
-    return np.column_stack([np.hypot(off[:, 0], off[:, 1]), off[:, 2]])
+    return {"apart": np.hypot(off[:, 0], off[:, 1]), "turned": off[:, 2]}
 
 
 def wrong_rates(*columns):
@@ -163,7 +163,6 @@ TITLES = {
         "Its direction varies": lambda *columns: depends_on_heading(directions(*columns)),
     }
 }
-WORDS = []
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "wheels-1": (
         {"l": 40, "alpha": -150, "beta": 75, "theta": 90},

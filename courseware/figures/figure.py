@@ -35,9 +35,9 @@ class Figure:
     `remove-input`, shows it. A test tries it at a thousand settings against the tables in the
     chapter's `expected.py`, by its name:
 
-    - `READOUTS`: a function from its settings, an array each in the order of its controls, to its
-      readouts as the library computes them, one a column
-    - `SPECIALS`: settings that are always tried too, a list that may be empty
+    - `READOUTS`: a function from its settings, an array each in the order of its controls, to
+      those readouts by name, as the library computes them, that are no formula of the chapter
+    - `SPECIALS`: settings that are always tried too
     - `WORDS`, a list: (figure, slider → its shown number, readout, the word that stands there)
     - `TITLES`, of a choice "mistake" beside sliders: title → function from all settings to whether
       the title is true, or None if it claims nothing about the picture

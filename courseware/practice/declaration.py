@@ -85,17 +85,18 @@ class Unknown:
     circle: bool = False
     tolerance: float = -1.0
     reason: str = ""
-    relative: float = field(default=0.0, init=False)
+    relative: float = field(init=False)
 
     def __post_init__(self) -> None:
         refuse_other_than_si(self.unit, f"the answer {self.label}")
         if (self.tolerance < 0) == bool(self.reason):
             raise CourseError(f"{self.label}: a tolerance and its reason come together")
+        is_absolute = self.circle or self.tolerance >= 0
+        object.__setattr__(self, "relative", 0.0 if is_absolute else RELATIVE)
         if self.tolerance < 0:
             unit = UNITS[self.unit]
             object.__setattr__(self, "tolerance", unit.tolerance)
             object.__setattr__(self, "reason", unit.reason)
-            object.__setattr__(self, "relative", 0.0 if self.circle else RELATIVE)
 
     def allowed(self, value: float, factor: float = 1.0) -> float:
         """Return how far off an answer may be from a value in a unit of this size."""

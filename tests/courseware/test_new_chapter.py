@@ -245,8 +245,8 @@ FORGOTTEN = {
     "what a figure must tell": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),
         IN_TESTS + "import test_expected as t; "
-        "t.test_what_a_figure_must_show_is_expected(t.FIGURES['beacon'])",
-        r"add 'beacon' to SPECIALS and READOUTS in book/beacon/expected.py",
+        "t.test_readouts_that_are_no_formula_against_robokin(t.FIGURES['beacon'])",
+        r"in READOUTS of book/beacon/expected.py the function of 'beacon' must return ",
     ),
     "what a mistake gives": (
         lambda tree: (tree / "book/beacon/expected.py").unlink(),

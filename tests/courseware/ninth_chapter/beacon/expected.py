@@ -9,14 +9,14 @@ def beacon_readouts(b_x, b_y, theta, *guess):
     still = np.zeros_like(theta)
     pose = np.column_stack([still, still, still])
     seen = range_and_bearing(pose, np.column_stack([b_x, b_y]))
-    return np.column_stack([seen[:, 0], seen[:, 1] - theta])
+    return {"distance": seen[:, 0], "bearing": seen[:, 1] - theta}
 
 
 def mistake_readouts(believed, theta):
     """Return how far beside the beacon it looks."""
     still = np.zeros_like(theta)
     seen = range_and_bearing(np.column_stack([still, still, still]), [0.6, 0.4])
-    return (believed - (seen[:, 1] - theta))[:, None]
+    return {"apart": believed - (seen[:, 1] - theta)}
 
 
 READOUTS = {
@@ -26,7 +26,6 @@ READOUTS = {
 }
 BEACON = [{"b_x": 0.0}, {"b_y": 0.0, "b_x": -1.0}]
 SPECIALS = {"beacon": BEACON, "beacon-guess": BEACON, "wrong-beacon": [{"theta": 0.0}]}
-WORDS = []
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "beacon-1": ({"x": 0, "y": 0, "theta": 30, "b_x": 1, "b_y": 1}, {"M99": 0.7854}),
 }

@@ -1,4 +1,3 @@
 """What do all chapters use: arrows, directions, turns, arrays?"""
 
 LEVEL = 1
-TERMS = ()

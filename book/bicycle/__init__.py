@@ -2,4 +2,3 @@
 
 CARD = "bicycle-card"
 LEVEL = 2
-TERMS = ("instantaneous centre of rotation|ICR", "angular velocity", "twist", "nonholonomic")

@@ -2,14 +2,3 @@
 
 CARD = "two-frames"
 LEVEL = 2
-TERMS = (
-    "orientation",
-    "rotation matrix",
-    "orthogonal",
-    "intrinsic",
-    "extrinsic",
-    "Tait–Bryan angles|Tait–Bryan",
-    "axis–angle",
-    "gimbal lock",
-    "representation singularity",
-)

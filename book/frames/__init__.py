@@ -2,4 +2,3 @@
 
 CARD = "frames-card"
 LEVEL = 2
-TERMS = ("frame", "homogeneous transform", "inverse", "loop closure")

@@ -2,10 +2,3 @@
 
 CARD = "odometry-card"
 LEVEL = 3
-TERMS = (
-    "encoder",
-    "dead reckoning",
-    "covariance matrix|covariance",
-    "random error",
-    "systematic error",
-)

@@ -2,12 +2,3 @@
 
 CARD = "planar-card"
 LEVEL = 3
-TERMS = (
-    "Jacobian",
-    "singularity|singularities",
-    "manipulability",
-    "workspace",
-    "damped least squares|damp",
-    "resolved-rate control",
-    "null space",
-)

@@ -313,25 +313,6 @@ def test_half_a_check_is_refused(changes, message):
         replace(CHECKS["differential_drive.speed"], **changes)
 
 
-def test_a_formula_without_a_check_is_told_where_to_write_it(monkeypatch):
-    declared = dict(course()._declared["checks", Check])
-    del declared["odometry.travel"]
-    monkeypatch.setitem(course()._declared, ("checks", Check), declared)
-    line = (
-        r"odometry.travel has no check: add `Check\(formulas.travel, function=…, .*` to CHECKS in "
-    )
-    with pytest.raises(CourseError, match=rf"{line}.*odometry.checks\.py"):
-        declared_checks()
-
-
-def test_a_check_without_a_formula_is_told(monkeypatch):
-    stray = replace(CHECKS["motion.icr"], equation=replace(EQUATIONS["motion.icr"], name="a.b"))
-    declared = {**course()._declared["checks", Check], "a.b": ("motion", stray)}
-    monkeypatch.setitem(course()._declared, ("checks", Check), declared)
-    with pytest.raises(CourseError, match=r"a check of a\.b, but no formula: declare it in a form"):
-        declared_checks()
-
-
 # A symbol belongs to the module that declares it
 
 

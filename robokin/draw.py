@@ -1,7 +1,7 @@
 """Still figures of robots with matplotlib, in the colours of `robokin.styles`; computes nothing.
 
 `kind` is one of `styles.KINDS`, which gives colour, line and marker; a function that is given
-another raises a `RobokinError`. `ax` is what `axes` or `space` returns. Points and poses have no
+another raises a `RobokinError`. `ax` is what `axes` returns. Points and poses have no
 batch dimensions.
 
 Examples
@@ -29,17 +29,13 @@ __all__ = [
     "arrow",
     "axes",
     "frame",
-    "frame_in_space",
     "path",
     "point",
     "robot",
-    "seen",
-    "space",
     "wheel",
 ]
 
 Vector = Sequence[float] | NDArray[np.float64]
-VIEW = (np.pi / 6, np.pi / 9)  # azimuth and elevation: x, y and z all point a little forward
 READABLE = 12  # points: a digit is 8 px high where a phone shows five inches as 358 px
 MARKERS = {"dot": "o", "ring": "o", "cross": "x", "square": "s", "diamond": "D"}
 
@@ -75,70 +71,6 @@ def axes(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
     ax.grid(color=style("grid").light)
     ax.set_axisbelow(True)
     return ax
-
-
-def space(x: Sequence[float], y: Sequence[float], width: float = 5.0) -> Axes:
-    """Make empty axes for a picture in space: as `axes`, but nothing is written along them.
-
-    Parameters
-    ----------
-    x, y : sequence of float, shape (2,)
-        Lowest and highest value shown, in m.
-    width : float, default 5.0
-        Width of the picture in inches.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        Axes of a new figure.
-    """
-    ax = axes(x, y, width)
-    ax.axis("off")
-    return ax
-
-
-def seen(points: Sequence[Vector] | NDArray[np.float64], view: Vector = VIEW) -> Any:
-    """Return where a picture shows points in space.
-
-    Parameters
-    ----------
-    points : array_like, shape (..., 3)
-        Points in m.
-    view : array_like, shape (2,), default (π/6, π/9)
-        Azimuth and elevation of a viewer far away, in rad.
-
-    Returns
-    -------
-    ndarray, shape (..., 2)
-        Points in the picture, to the right and up, in m.
-    """
-    (ca, ce), (sa, se) = np.cos(view), np.sin(view)
-    return np.asarray(points) @ np.array([[-sa, -se * ca], [ca, -se * sa], [0.0, ce]])
-
-
-def frame_in_space(
-    ax: Axes, R: Any, at: Vector = (0, 0), labels: Sequence[str] = "xyz", view: Vector = VIEW
-) -> None:
-    """Draw the x, y and z axes of a frame, of length 1: the columns of R.
-
-    Parameters
-    ----------
-    ax : matplotlib.axes.Axes
-        Where to draw.
-    R : array_like, shape (3, 3)
-        Rotation matrix.
-    at : array_like, shape (2,), default (0, 0)
-        Where in the picture its origin is.
-    labels : sequence of str, default "xyz"
-        Labels at the axes' ends.
-    view : array_like, shape (2,), default (π/6, π/9)
-        As in `seen`.
-    """
-    heads = seen(np.asarray(R).T, view)
-    for kind, head, label in zip(("x_axis", "y_axis", "z_axis"), heads, labels, strict=True):
-        arrow(ax, at, at + head, kind)
-        place = at + 1.22 * head
-        _write(ax, label, place, style(kind), ha="center", va="center")
 
 
 def arrow(ax: Axes, tail: Vector, head: Vector, kind: str, label: str = "") -> None:
@@ -290,10 +222,8 @@ def _placed(ax: Axes, pose: Vector) -> Transform:
 
 def _label(ax: Axes, at: Vector, text: str, look: Style) -> None:
     x, y, *_ = at
-    _write(ax, text, (x, y), look, xytext=(6, 4), textcoords="offset points")
-
-
-def _write(ax: Axes, text: str, at: Any, look: Style, **place: Any) -> None:
-    """A text that lines behind it do not strike through."""
-    halo = withStroke(linewidth=3, foreground="white")
-    ax.annotate(text, at, color=look.light, fontsize=13, path_effects=[halo], **place)
+    halo = withStroke(linewidth=3, foreground="white")  # lines behind it do not strike it through
+    ax.annotate(
+        text, (x, y), xytext=(6, 4), textcoords="offset points",
+        color=look.light, fontsize=13, path_effects=[halo],
+    )  # fmt: skip

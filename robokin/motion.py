@@ -18,10 +18,8 @@ __all__ = [
     "icr",
     "move",
     "path",
-    "point_velocity",
     "to_body",
     "to_world",
-    "twist_path",
     "wrap_angle",
 ]
 
@@ -203,76 +201,6 @@ def path(
         `[x, y, theta]` in m and rad.
     """
     return follow(pose, v * dt, omega * dt, method)
-
-
-@validated(pose=data(3), twists=data(STEPS, 3), dt=finite(STEPS))
-def twist_path(pose: ArrayLike, twists: ArrayLike, dt: ArrayLike) -> Array:
-    """Return all poses along N steps of constant twist, the first included.
-
-    Each step is that of `move`: an omnidirectional robot drives sideways, too. A NaN goes into all
-    places from its step on.
-
-    Parameters
-    ----------
-    pose : array_like, shape (..., 3)
-        `[x, y, theta]` at the start, in m and rad.
-    twists : array_like, shape (..., N, 3)
-        `[v_x, v_y, omega]` of each step in m/s and rad/s, or one (3,) for all steps.
-    dt : array_like, shape (..., N)
-        Time of each step in s, or one for all steps. A negative time drives the step backwards.
-
-    Returns
-    -------
-    ndarray, shape (..., N+1, 3)
-        `[x, y, theta]` in m and rad.
-
-    References
-    ----------
-    Lynch & Park, section 13.4, step by step.
-
-    Examples
-    --------
-    >>> twist_path([0, 0, 0], [[0, 1, 0], [1, 0, np.pi / 2]], dt=1.0).round(3)
-    array([[0.   , 0.   , 0.   ],
-           [0.   , 1.   , 0.   ],
-           [0.637, 1.637, 1.571]])
-    """
-    v_x, v_y, omega = parts(twists)
-    turn = omega * dt
-    along = follow(pose, v_x * dt, turn, "exact")
-    aside = follow(vector(0, 0, pose[..., 2]), v_y * dt, turn, "exact")
-    x, y, theta = parts(along)
-    return vector(x - aside[..., 1], y + aside[..., 0], theta)
-
-
-@validated(twist=data(3), point=data(2))
-def point_velocity(twist: ArrayLike, point: ArrayLike) -> Array:
-    """Return the velocity of a point that moves with the robot: a sensor, or a wheel's hub.
-
-    Parameters
-    ----------
-    twist : array_like, shape (..., 3)
-        `[v_x, v_y, omega]` of the reference point in m/s and rad/s.
-    point : array_like, shape (..., 2)
-        `[x, y]` of the point in the robot's frame, in m.
-
-    Returns
-    -------
-    ndarray, shape (..., 2)
-        `[v_x, v_y]` in the robot's frame, in m/s.
-
-    References
-    ----------
-    Lynch & Park, section 3.3.2, ṗ = v + ω × p, in the plane.
-
-    Examples
-    --------
-    >>> point_velocity([1.0, 0.0, 0.5], [0.2, 0.0])
-    array([1. , 0.1])
-    """
-    v_x, v_y, omega = parts(twist)
-    x, y = parts(point)
-    return vector(v_x - omega * y, v_y + omega * x)
 
 
 @validated(pose=data(3), v=data(), omega=data())

@@ -27,10 +27,8 @@ from robokin.errors import RobokinError, at_index
 
 __all__ = [
     "covariance",
-    "covariance_from_travel",
     "ellipse",
     "path",
-    "path_from_travel",
     "travel",
     "umbmark",
     "unwrap_counter",
@@ -51,7 +49,6 @@ class Ticks(Rule):
 
 
 TICKS = {"ticks_left": Ticks((STEPS,)), "ticks_right": Ticks((STEPS,))}
-TRAVEL = {"travel_left": data(STEPS), "travel_right": data(STEPS), "wheel_distance": positive()}
 WHEEL = {"ticks_per_turn": positive(), "wheel_radius": positive()}
 ROBOT = {**WHEEL, "wheel_distance": positive()}
 BITS = Rule((), lambda n: (n == np.rint(n)) & (n >= 1) & (n <= 52), "1, 2, … or 52")
@@ -189,55 +186,6 @@ def path(
     return follow(pose, length, angle * difference, method, turned)
 
 
-@validated(**TRAVEL, pose=data(3), method=METHOD)
-def path_from_travel(
-    travel_left: ArrayLike,
-    travel_right: ArrayLike,
-    wheel_distance: ArrayLike,
-    pose: ArrayLike = (0, 0, 0),
-    method: str = "exact",
-) -> Array:
-    """Return all poses along a drive of N steps, from how far each wheel rolled in each of them.
-
-    For wheels of different radii, and for encoders that give radians or metres. A NaN makes the
-    path NaN from its step on.
-
-    Parameters
-    ----------
-    travel_left, travel_right : array_like, shape (..., N)
-        Travel of each wheel in each step in m, as from `travel`.
-    wheel_distance : array_like, shape (...)
-        Distance between the wheels in m.
-    pose : array_like, shape (..., 3), default (0, 0, 0)
-        `[x, y, theta]` at the start, in m and rad.
-    method : {"exact", "midpoint", "start", "end"}, default "exact"
-        As in `motion.path`.
-
-    Returns
-    -------
-    ndarray, shape (..., N+1, 3)
-        `[x, y, theta]` in m and rad.
-
-    References
-    ----------
-    Siegwart et al., section 5.2.4, Δs = (D_R + D_L)/2, Δθ = (D_R − D_L)/b.
-
-    Examples
-    --------
-    A calibration by `umbmark` says how many times as large the right wheel is; their mean stays.
-
-    >>> radius, ratio = 0.05, 1.002
-    >>> left = travel([0, 250], ticks_per_turn=1000, wheel_radius=2 * radius / (1 + ratio))
-    >>> right = travel([250, 250], 1000, wheel_radius=2 * radius * ratio / (1 + ratio))
-    >>> path_from_travel(left, right, wheel_distance=0.2).round(4)
-    array([[0.    , 0.    , 0.    ],
-           [0.0383, 0.0076, 0.3931],
-           [0.1108, 0.0377, 0.3939]])
-    """
-    turn = (travel_right - travel_left) / wheel_distance[..., None]
-    return follow(pose, (travel_left + travel_right) / 2, turn, method)
-
-
 @validated(ticks_left=Ticks(), ticks_right=Ticks(), dt=not_negative(), **ROBOT)
 def velocity(
     ticks_left: ArrayLike,
@@ -328,67 +276,7 @@ def covariance(
     """
     per_tick = _per_tick(ticks_per_turn, wheel_radius)[..., None]
     turn = per_tick / wheel_distance[..., None] * (ticks_right - ticks_left)
-    travels = per_tick * ticks_left, per_tick * ticks_right
-    return _covariance(*travels, turn, wheel_distance, (noise, noise), pose, start)
-
-
-@validated(
-    **TRAVEL,
-    noise=not_negative(),
-    noise_right=not_negative(),
-    pose=data(3),
-    start=data(3, 3),
-)
-def covariance_from_travel(
-    travel_left: ArrayLike,
-    travel_right: ArrayLike,
-    wheel_distance: ArrayLike,
-    noise: ArrayLike,
-    noise_right: ArrayLike | None = None,
-    pose: ArrayLike = (0, 0, 0),
-    start: ArrayLike | None = None,
-) -> Array:
-    """Return how uncertain each pose of `path_from_travel` is, as `covariance` does.
-
-    Parameters
-    ----------
-    travel_left, travel_right : array_like, shape (..., N)
-        Travel of each wheel in each step in m, as from `travel`.
-    wheel_distance : array_like, shape (...)
-        Distance between the wheels in m.
-    noise : array_like, shape (...)
-        Variance of a wheel's travel for each metre travelled, in m, not negative.
-    noise_right : array_like, shape (...), optional
-        The same of the right wheel, if it differs from that of the left.
-    pose : array_like, shape (..., 3), default (0, 0, 0)
-        `[x, y, theta]` at the start, in m and rad.
-    start : array_like, shape (..., 3, 3), optional
-        Covariance of the first pose in m², m rad and rad²; zero if not given.
-
-    Returns
-    -------
-    ndarray, shape (..., N+1, 3, 3)
-        Covariances in m², m rad and rad².
-
-    References
-    ----------
-    Siegwart et al., section 5.2.4, with a k_l for the left and a k_r for the right wheel.
-    """
-    turn = (travel_right - travel_left) / wheel_distance[..., None]
-    noises = noise, noise if noise_right is None else noise_right
-    return _covariance(travel_left, travel_right, turn, wheel_distance, noises, pose, start)
-
-
-def _covariance(
-    left: Array,
-    right: Array,
-    turn: Array,
-    wheel_distance: Array,
-    noises: tuple[Array, Array],
-    pose: Array,
-    start: Array | None,
-) -> Array:
-    """Return the covariances from the travel of both wheels and the turn of each step."""
+    left, right = per_tick * ticks_left, per_tick * ticks_right
     half, length = turn / 2, (left + right) / 2
     heading = pose[..., 2:] + turn.cumsum(axis=-1) - half  # in the middle of each step
     ahead, chord = np.exp(1j * heading), sinc(half)  # x + iy for all that lies in the plane
@@ -398,10 +286,8 @@ def _covariance(
     across = ahead * length * (sinc_slope(half) + 1j * chord) / 2 - 1j * place  # at the origin
     turns = np.array([-1.0, 1.0]) / wheel_distance[..., None, None]
     moved = along[..., None] + across[..., None] * turns
-    errors = vector(moved.real, moved.imag, turns).swapaxes(-1, -2)
-    errors = (
-        errors * np.sqrt(vector(*noises)[..., None, :] * np.abs(vector(left, right)))[..., None, :]
-    )
+    spread = np.sqrt(noise[..., None, None] * np.abs(vector(left, right)))
+    errors = vector(moved.real, moved.imag, turns).swapaxes(-1, -2) * spread[..., None, :]
     return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place.real, place.imag)
 
 
@@ -463,7 +349,8 @@ def umbmark(
     wheel_distance : ndarray, shape (...)
         Corrected distance between the wheels in m.
     ratio : ndarray, shape (...)
-        Diameter of the right wheel divided by that of the left; `path_from_travel` shows its use.
+        Diameter of the right wheel divided by that of the left: with their mean radius r they have
+        the radii 2r/(1 + ratio) on the left and 2r·ratio/(1 + ratio) on the right.
 
     Raises
     ------

@@ -9,8 +9,7 @@ import pytest
 from matplotlib.colors import to_hex
 from matplotlib.patches import Circle, FancyArrowPatch, Rectangle
 
-from courseware.figures.space import VIEW, azimuth, elevation
-from robokin import draw, euler
+from robokin import draw
 from robokin.errors import RobokinError
 from robokin.styles import KINDS
 
@@ -77,26 +76,6 @@ def test_frame_has_two_axes(ax):
     draw.frame(ax, [0, 0, 0.3], size=0.2, name="$A$")
     colors = [to_hex(patch.get_edgecolor()) for patch in patches(ax, FancyArrowPatch)]
     assert colors == [KINDS["x_axis"].light, KINDS["y_axis"].light]
-
-
-def test_a_frame_in_space_is_seen_as_in_the_live_figures(ax):
-    R = euler.to_matrix("XYZ", [0.3, -0.5, 1.1])
-    draw.frame_in_space(ax, R, at=(0.2, 0.1), labels=["$x$", "$y$", "$z$"], view=(0.4, 0.7))
-    arrows = patches(ax, FancyArrowPatch)
-    kinds = ("x_axis", "y_axis", "z_axis")
-    assert [to_hex(a.get_edgecolor()) for a in arrows] == [KINDS[kind].light for kind in kinds]
-    assert [text.get_text() for text in ax.texts] == ["", "$x$", "", "$y$", "", "$z$"]
-    for column, text in zip(R.T, ax.texts[::2], strict=True):
-        right, up = (
-            float(e.evalf(subs={azimuth: 0.4, elevation: 0.7})) for e in VIEW.project(column)
-        )
-        np.testing.assert_allclose(text.xy, [0.2 + right, 0.1 + up], atol=1e-12)  # roundings
-
-
-def test_axes_in_space_have_no_numbers():
-    ax = draw.space(x=(-1, 1), y=(-1, 1))
-    assert not ax.axison
-    plt.close(ax.figure)
 
 
 def test_an_unknown_kind_is_refused(ax):

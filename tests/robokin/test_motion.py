@@ -16,7 +16,6 @@ from support import (
     poses,
     reals,
     twists,
-    vectors,
 )
 
 from robokin.errors import RobokinError
@@ -25,10 +24,8 @@ from robokin.motion import (
     icr,
     move,
     path,
-    point_velocity,
     to_body,
     to_world,
-    twist_path,
     wrap_angle,
 )
 
@@ -135,36 +132,6 @@ def test_an_exact_path_is_one_arc_after_the_other(pose, drive):
         assert_close(poses_along[k + 1], arc_step(poses_along[k], v, omega, dt), atol=4 * ATOL)
 
 
-@given(poses, st.lists(st.tuples(twists, times), min_size=1, max_size=8))
-def test_a_path_of_twists_is_one_move_after_the_other(pose, steps):
-    along = twist_path(pose, [twist for twist, _ in steps], [dt for _, dt in steps])
-    for k, (twist, dt) in enumerate(steps):
-        assert_close(along[k + 1], move(along[k], twist, dt), atol=4 * ATOL)  # 8 steps of 8 m
-
-
-@given(poses, drives)
-def test_without_sideways_speed_a_path_of_twists_is_a_path(pose, drive):
-    v, omega, dt = drive
-    along = twist_path(pose, np.stack([v, 0 * v, omega], axis=-1), dt)
-    np.testing.assert_array_equal(along, path(pose, v, omega, dt))
-
-
-@given(twists, vectors(2, -3, 3), vectors(2, -3, 3))
-def test_the_points_of_a_body_keep_their_distance(twist, p, q):
-    apart = np.subtract(p, q)
-    off = np.dot(point_velocity(twist, p) - point_velocity(twist, q), apart)
-    assert abs(off) <= 32 * EPS * 3 * (3 + 9) * 2  # speeds of up to 12 m/s, rounded, over 6 m
-
-
-@given(poses, twists, vectors(2, -3, 3))
-def test_a_point_moves_as_its_velocity_says(pose, twist, point):
-    h = 1e-6
-    there, back = (seen_from(move(pose, twist, dt), [*point, 0.0])[:2] for dt in (h, -h))
-    wanted = to_world(pose[2], [*point_velocity(twist, point), 0.0])[:2]
-    # rounding of 20 m: 20 EPS/h; third derivatives: ω³ · 5 m · h²/6
-    assert_close((there - back) / (2 * h), wanted, atol=2e-8)
-
-
 @given(poses, drives, st.sampled_from(METHODS))
 def test_a_path_looks_the_same_wherever_it_starts(pose, drive, method):
     here, there = path([0, 0, 0], *drive, method), path(pose, *drive, method)
@@ -245,20 +212,6 @@ def test_a_quarter_circle_sideways():
 def test_one_step_of_a_quarter_turn_by_each_rule(method, end):
     poses_along = path([0, 0, 0], 1.0, np.pi / 2, 1.0, method)
     assert_close(poses_along, [[0, 0, 0], [*end, np.pi / 2]], atol=2 * EPS)
-
-
-def test_sideways_then_round_by_hand():
-    # 1 m to the left; then a quarter circle of 1 m radius that ends 1 m up and 1 m to the right
-    along = twist_path([0, 0, 0], [[0, 1, 0], [np.pi / 2, 0, np.pi / 2]], [1.0, 1.0])
-    assert_close(along, [[0, 0, 0], [0, 1, 0], [1, 2, np.pi / 2]], atol=2 * EPS)
-    # all the way round, always looking to the centre 1 m to the left of its side
-    along = twist_path([0, 0, 0], [0, 1, 1], np.full(4, np.pi / 2))
-    assert_close(along[1:, :2], [[-1, 1], [-2, 0], [-1, -1], [0, 0]], atol=8 * EPS)
-
-
-def test_the_velocity_of_a_point_by_hand():
-    # 1 m/s ahead and half a radian a second: 0.2 m ahead 0.1 m/s to the left, the ICR at rest
-    assert_close(point_velocity([1, 0, 0.5], [[0.2, 0], [0, 2]]), [[1, 0.1], [0, 0]], atol=EPS)
 
 
 def test_two_steps_of_a_square():

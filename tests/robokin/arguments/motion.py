@@ -16,12 +16,5 @@ ROWS = {
         dt=number([0.1, 0.2, 0.1, 0.3], (4,)),
         method=METHOD,
     ),
-    "twist_path": row(
-        [(5, 3)],
-        pose=data(POSE),
-        twists=steps([TWIST, POSE, [0.0, 1.0, 0.0], TWIST]),
-        dt=number([0.1, 0.2, 0.1, 0.3], (4,)),
-    ),
-    "point_velocity": row([(2,)], twist=data(TWIST), point=data([0.2, -0.1])),
     "icr": row([(2,)], limit_at_infinity=("omega",), pose=data(POSE), v=data(0.5), omega=data(0.2)),
 }

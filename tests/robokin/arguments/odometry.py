@@ -10,13 +10,11 @@ from arguments import (
     modulus,
     not_negative,
     row,
-    steps,
     tick_steps,
     ticks,
 )
 
 ENCODER = {"ticks_per_turn": length(1000), **WHEELS}
-TRAVEL = {"travel_left": steps([0.3, 0.5, -0.2, 0.4]), "travel_right": steps([0.4, 0.1, 0.2, 0.7])}
 TICKS = {"ticks_left": tick_steps([3, 5, -2, 4]), "ticks_right": tick_steps([4, 1, 2, 7])}
 START = data([[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.2]])
 
@@ -29,9 +27,6 @@ ROWS = {
         [(4,)], counts=tick_steps([250, 3, 7, 254, 1]), modulus=modulus(300), nan_beside=True
     ),
     "path": row([(5, 3)], **TICKS, **ENCODER, pose=data(POSE), method=METHOD),
-    "path_from_travel": row(
-        [(5, 3)], **TRAVEL, wheel_distance=length(0.1), pose=data(POSE), method=METHOD
-    ),
     "velocity": row(
         [(), ()], ticks_left=ticks(5), ticks_right=ticks(7), dt=not_negative(0.1), **ENCODER
     ),
@@ -40,15 +35,6 @@ ROWS = {
         **TICKS,
         **ENCODER,
         noise=not_negative(0.01),
-        pose=data(POSE),
-        start=START,
-    ),
-    "covariance_from_travel": row(
-        [(5, 3, 3)],
-        **TRAVEL,
-        wheel_distance=length(0.1),
-        noise=not_negative(0.01),
-        noise_right=not_negative(0.02),
         pose=data(POSE),
         start=START,
     ),

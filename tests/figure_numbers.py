@@ -12,7 +12,7 @@ from declared import each
 from courseware.course import course
 from courseware.equations import Equation, find_kind
 from courseware.equations.verification import evaluate_exactly
-from courseware.figures import Choice, Figure, QuarterTurns, Simulation, Thing
+from courseware.figures import Choice, Figure, QuarterTurns, Thing
 from courseware.figures.compiler import Compiler
 from courseware.figures.solids import Solid
 from courseware.predictions import Ghost, Prediction
@@ -117,8 +117,6 @@ def random_values(control, random, size):
         texts = ["".join(random.choice(LETTERS, random.integers(6))) for _ in range(20)]
         rows = [pressed(text, float(part)) for text in texts for part in (0, 0.3, 1) if text]
         return random.choice(rows, size)
-    if isinstance(control, Simulation):
-        return random.normal(control.start, 0.1, (size, len(control.start)))
     if isinstance(control.step, int):
         return random.integers(control.low, control.high + 1, (size, 1)).astype(float)
     return random.uniform(control.low, control.high, (size, 1))
@@ -130,8 +128,6 @@ def ends(control):
         return list(control.options)
     if isinstance(control, QuarterTurns):
         return ["", "x", "-Z"]
-    if isinstance(control, Simulation):
-        return [control.start]
     return [control.low, control.high]
 
 
@@ -146,7 +142,7 @@ def point(figure, values):
         elif isinstance(control, Choice):
             row += control.options[value]
         else:
-            row += value if isinstance(control, Simulation) else [value]
+            row.append(value)
     return row
 
 
@@ -265,8 +261,6 @@ def random_state(figure, random):
             state.append(int(random.integers(len(control.options))))
         elif isinstance(control, QuarterTurns):
             state.append([str(random.choice(["", "x", "Zx-Y"])), 1])
-        elif isinstance(control, Simulation):
-            state.append(random_values(control, random, 1)[0].tolist())
         elif isinstance(control.step, int):
             state.append(int(random.integers(control.low, control.high + 1)))
         else:

@@ -24,7 +24,7 @@ from figure_numbers import (
 )
 
 from courseware.equations.verification import evaluate_exactly
-from courseware.figures import Choice, QuarterTurns, Simulation
+from courseware.figures import Choice, QuarterTurns
 from courseware.figures.compiler import coordinates
 from courseware.figures.figure import render_outlines
 from courseware.script import parts
@@ -96,8 +96,6 @@ class OnPage:
                 row += list(control.options.values())[shown]
             elif isinstance(control, QuarterTurns):
                 row += pressed(*shown)
-            elif isinstance(control, Simulation):
-                row += shown
             else:
                 row.append(shown * figure_unit(control.symbol.unit).factor)
         return row

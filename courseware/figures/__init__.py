@@ -10,13 +10,11 @@ pictures in space with those of `space` and `solids`.
 from courseware.figures import looks
 from courseware.figures.controls import (
     POINTER,
-    TIME_STEP,
     Button,
     Choice,
     Clock,
     Handle,
     QuarterTurns,
-    Simulation,
     Slider,
 )
 from courseware.figures.declaration import (
@@ -38,7 +36,6 @@ from courseware.figures.shapes import (
     Bracket,
     Cloud,
     Curve,
-    Ink,
     Label,
     Length,
     Line,
@@ -65,7 +62,6 @@ register(
 
 __all__ = [
     "POINTER",
-    "TIME_STEP",
     "VIEW",
     "AngleArc",
     "Area",
@@ -83,7 +79,6 @@ __all__ = [
     "Graph",
     "Ground",
     "Handle",
-    "Ink",
     "Label",
     "Length",
     "Line",
@@ -96,7 +91,6 @@ __all__ = [
     "Recurrence",
     "Rim",
     "Scene",
-    "Simulation",
     "Slider",
     "Thing",
     "Trail",

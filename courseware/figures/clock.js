@@ -18,11 +18,6 @@ export const pauseClock = (live) => {
   live.all(".rk-play").forEach((button) => nameButton(button, "Play", live.figure));
 };
 
-const startTicking = (live, tick) => {
-  live.tick = requestAnimationFrame(tick);
-  live.all(".rk-play").forEach((button) => nameButton(button, "Pause", live.figure));
-};
-
 const REST_SECONDS = 0.8; // at the end, before it starts again
 const ROUNDS = 2; // of what starts by itself; a press plays it again
 
@@ -38,29 +33,13 @@ const playClock = (live, i, from) => {
     if (rests || (time >= control.high && !control.loops)) pauseClock(live);
     else live.tick = requestAnimationFrame(tick);
   };
-  startTicking(live, tick);
+  live.tick = requestAnimationFrame(tick);
+  live.all(".rk-play").forEach((button) => nameButton(button, "Pause", live.figure));
 };
 
-const LONGEST = 0.1; // s, of a step of a simulation, however late a frame comes
-
-const playSimulation = (live, i) => {
-  const { step } = live.figure.controls[i];
-  let before = performance.now();
-  const tick = (now) => {
-    const gone = Math.min(LONGEST, Math.max(0, now - before) / 1000);
-    before = now;
-    live.settled();
-    live.setOne(i, step(functions, live.computed.c, [gone]));
-    live.tick = requestAnimationFrame(tick);
-  };
-  startTicking(live, tick);
-};
-
-// A hand on a control stops the clock; one that loops only if it is on the clock itself. A
-// simulation goes on.
+// A hand on a control stops the clock; one that loops only if it is on the clock itself.
 export const stopClock = (live, i) => {
   const { controls } = live.figure;
-  if (controls.some(({ type }) => type === "simulation")) return;
   if (controls[i].loops || !controls.some(({ loops }) => loops)) pauseClock(live);
   if (controls[i].loops) live.resumeClock = null;
 };
@@ -89,10 +68,6 @@ export const followClock = (live) => live.all(".rk-play").forEach((button) => {
     live.resumeClock = null; // from now on by hand
     if (live.tick) return pauseClock(live);
     const i = Number(button.dataset.i), control = live.figure.controls[i];
-    if (control.type === "simulation") {
-      if (!prefersReducedMotion()) return playSimulation(live, i);
-      return live.setOne(i, control.step(functions, live.computed.c, [0.5]));
-    }
     const ended = live.state[i] >= control.high, from = ended ? control.low : live.state[i];
     if (prefersReducedMotion()) {
       const step = (control.high - control.low) / 10;

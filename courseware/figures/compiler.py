@@ -22,14 +22,12 @@ from courseware.errors import CourseError
 from courseware.figures import shapes as s
 from courseware.figures.controls import (
     POINTER,
-    TIME_STEP,
     Button,
     Choice,
     Clock,
     Control,
     Handle,
     QuarterTurns,
-    Simulation,
     Slider,
 )
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
@@ -62,7 +60,6 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Curve: ("curve", lambda x: (x.low, x.high), ("samples",)),
     s.Trail: ("trail", lambda x: (), ("dots",)),
     s.Cloud: ("cloud", lambda x: (), ("rows",)),
-    s.Ink: ("ink", lambda x: (), ()),
     s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
 }
 
@@ -138,15 +135,9 @@ class Compiler:
         """Return a control's data, in the unit that the reader sees."""
         if isinstance(control, QuarterTurns):
             return {"type": "turns", "key": control.key, "start": [control.start, 1]}
-        if isinstance(control, Simulation):
-            step = self._compile(list(control.step), s=(TIME_STEP,))
-            start = list(control.start)
-            return {"type": "simulation", "key": control.key, "start": start, "step": step}
         if isinstance(control, Choice):
-            data = self.compile_choice(control)
-        else:
-            data = self.compile_slider(control)
-        return data if control.when is True else data | {"when": self.add_condition(control.when)}
+            return self.compile_choice(control)
+        return self.compile_slider(control)
 
     def compile_choice(self, control: Choice) -> dict[str, Any]:
         """Return a choice's data: a list of options with their numbers."""
@@ -242,14 +233,12 @@ class Compiler:
         return name
 
     def compile_trace(self, shape: Any) -> dict[str, Any]:
-        """Return what makes the points of a curve, trail, cloud or line of ink; else nothing."""
+        """Return what makes the points of a curve, trail or cloud; else nothing."""
         if isinstance(shape, s.Curve):
             place = coordinates(shape.at) if shape.depth is None else [*shape.at, shape.depth]
             return {"point": self._compile(place, s=[shape.parameter])}
         if isinstance(shape, s.Cloud):
             return {"point": self._compile(coordinates(shape.at), s=shape.symbols)}
-        if isinstance(shape, s.Ink):
-            return {"pen": self.add(*coordinates(shape.at))}
         if isinstance(shape, s.Trail):
             index = self.recurrences.index(shape.recurrence)
             point = self._compile(coordinates(shape.at), s=shape.recurrence.state)

@@ -15,12 +15,10 @@ const renderName = ({ kind, label: words }) => {
   return `<span class="rk-name">${swatch}${name}</span>`;
 };
 
-const hidden = ({ when }, values) => (values[when] === 0 ? " hidden" : "");
-
-const renderChoice = (control, i, { values }) => {
+const renderChoice = (control, i) => {
   const options = control.options.map((option, k) =>
     `<option value="${k}"${k === control.start ? " selected" : ""}>${escapeHtml(option.label)}</option>`);
-  return `<label class="rk-control"${hidden(control, values)}>${renderName(control)}`
+  return `<label class="rk-control">${renderName(control)}`
     + `<select data-i="${i}" autocomplete="off">${options.join("")}</select></label>`;
 };
 
@@ -34,18 +32,15 @@ const renderStep = (control, i, sign, words) => `<button type="button" class="rk
 // The room of the widest of some texts: a name beside them must not wrap while a slider moves.
 const keepRoom = (texts) => ` data-widest="${escapeHtml(texts.reduce((one, other) => (other.length > one.length ? other : one)))}"`;
 
-const renderSlider = (control, i, { title, values }) => {
+const renderSlider = (control, i, title) => {
   const play = control.type === "clock" ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
   const shown = formatControl(control, control.start);
   const room = keepRoom([control.low, control.high].map((end) => formatControl(control, end)));
-  return `<div class="rk-control"${hidden(control, values)}${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
+  return `<div class="rk-control"${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
     + `<span class="rk-value" data-o="${i}"${room} aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label>${renderStep(control, i, "+", "More")}</div>`;
 };
-
-const renderSimulation = ({ key }, i, { title }) =>
-  `<div class="rk-control">${renderButton("play", "Play", title, ` data-i="${i}"`)}<span class="rk-name">${escapeHtml(key)}</span></div>`;
 
 // A number may get a sign, or a word in its place.
 const renderReadout = (readout, value) => {
@@ -63,7 +58,7 @@ export const renderFigure = (figure) => {
   if (!figure.controls.length) return picture;
   const turns = (_, i) => figure.viewAngles?.includes(i);
   const parts = figure.controls.map((control, i) =>
-    ({ choice: renderChoice, turns: renderTurns, simulation: renderSimulation }[control.type] ?? renderSlider)(control, i, { title: figure.title, values }));
+    ({ choice: renderChoice, turns: renderTurns }[control.type] ?? renderSlider)(control, i, figure.title));
   const aside = parts.filter(turns).join("");
   const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
     + `<div class="rk-controls">${aside}</div></details>`;

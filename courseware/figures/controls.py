@@ -11,15 +11,13 @@ from courseware.equations.quantities import NamedSymbol
 from courseware.figures.declaration import Expr, Place, default_label
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
-TIME_STEP = sp.Symbol("time_step", positive=True)  # of a simulation, s
 
 
 @dataclass(frozen=True)
 class Slider:
     """A slider for one symbol. low, high, start, step in SI; its label and unit are the quantity's.
 
-    A step of type int: the symbol is always a whole number. when: a condition without which the
-    slider is not shown.
+    A step of type int: the symbol is always a whole number.
     """
 
     symbol: sp.Symbol
@@ -29,7 +27,6 @@ class Slider:
     step: float
     label: str = ""
     kind: str = ""
-    when: Expr = True
 
     def __post_init__(self) -> None:
         if not self.label and isinstance(self.symbol, NamedSymbol):
@@ -79,7 +76,6 @@ class Choice:
     """One of several named cases: each option gives every symbol its number.
 
     key: its name in addresses, links and values. start: the option at first; by default the first.
-    when: a condition without which it is not shown.
     """
 
     key: str
@@ -87,7 +83,6 @@ class Choice:
     symbols: tuple[sp.Symbol, ...]
     options: Mapping[str, tuple[float, ...]]
     start: str = ""
-    when: Expr = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", self.start or next(iter(self.options), ""))
@@ -139,26 +134,7 @@ class QuarterTurns:
         return self.own * (self.before * last) + (1 - self.own) * (last * self.before)
 
 
-@dataclass(frozen=True)
-class Simulation:
-    """What goes on from where it is while it plays: a robot that keeps driving::
-
-        Simulation("drive", (x, y, theta), (0, 0, 0), motion.arc_step.substitute({dt: TIME_STEP}))
-
-    Args:
-        key: its name in addresses, links and values, and its label.
-        symbols: of its state.
-        start: the numbers at first.
-        step: the next state, of all that the figure knows and of `TIME_STEP`, in s.
-    """
-
-    key: str
-    symbols: tuple[sp.Symbol, ...]
-    start: tuple[float, ...]
-    step: Any
-
-
-Control = Slider | Choice | QuarterTurns | Simulation
+Control = Slider | Choice | QuarterTurns
 
 
 @dataclass(frozen=True)

@@ -56,7 +56,6 @@ export const followReset = (live) => live.element.querySelector(".rk-reset")
   ?.addEventListener("click", () => {
     pauseClock(live);
     live.reached.clear();
-    live.ink.clear();
     live.set(startState(live.figure));
     live.resumeClock?.();
   });

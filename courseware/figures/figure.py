@@ -16,7 +16,7 @@ from courseware.equations.equation import Where
 from courseware.equations.javascript import run_javascript
 from courseware.errors import CourseError
 from courseware.figures.compiler import Compiler, serialize
-from courseware.figures.controls import Button, Choice, Control, Handle, Simulation
+from courseware.figures.controls import Button, Choice, Control, Handle
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
@@ -97,8 +97,7 @@ class Figure:
                 f"the view of {self.name} is {self.view}; it is (x_low, x_high, y_low, y_high)"
             )
         if not self.sentence:
-            named = (c for c in self.controls if not isinstance(c, Simulation))
-            numbers = [(c.label or c.key, c.key) for c in named]
+            numbers = [(c.label or c.key, c.key) for c in self.controls]
             numbers += [(readout.label, readout.name) for readout in self.readouts]
             listed = ", ".join(f"{label}: {{{name}}}" for label, name in numbers)
             object.__setattr__(self, "sentence", listed)
@@ -144,7 +143,7 @@ class Figure:
         """The compiled figure: data, and functions as `Code`."""
         chapter = course().chapters_of("figures", Figure).get(self.name, "")
         try:
-            data: dict[str, Any] = Compiler(self, chapter).compile_figure()
+            data = Compiler(self, chapter).compile_figure()
             self._refuse_idle_controls(serialize(data))
         except CourseError as error:
             raise CourseError(f"in the figure {self.name}, {error}") from error

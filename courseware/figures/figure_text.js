@@ -19,7 +19,7 @@ export const formatReadout = (readout, value) => {
 };
 
 export const formatControl = (control, shown) => control.type === "choice" ? control.options[shown].label
-  : control.type === "turns" ? describeTurns(shown[0]) : control.type === "simulation" ? ""
+  : control.type === "turns" ? describeTurns(shown[0])
   : formatReadout({ words: {}, factor: 1, digits: control.digits, unit: control.unit }, shown);
 
 // Named steps, controls and readouts, each as it is in SI and as it is shown; once for a frame.

@@ -30,7 +30,6 @@ export class LiveFigure {
     this.width = widthOf(figure);
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer
     this.reached = new Set(); // goals, until a reset
-    this.ink = new Map(); // places that each pen has been at, until a reset
     this.handles = [];
     this.held = this.last = null; // what a pointer moves now, and the handle that it moved last
   }
@@ -86,7 +85,6 @@ export class LiveFigure {
     this.drawn = 0;
     this.computed = compute(this.figure, settings(this.figure, this.state));
     if (this.held?.view) this.computed.view = this.held.view; // a view that follows waits for a hand
-    this.writeInk();
     const nodes = renderScene(this.figure, this.computed, this.width, this.state);
     updateNodes(this.drawing, nodes, this.nodes);
     this.nodes = nodes;
@@ -99,16 +97,6 @@ export class LiveFigure {
     }));
     clearTimeout(this.told);
     this.told = setTimeout(() => this.tell(), 400);
-  }
-
-  writeInk() {
-    for (const { pen } of this.figure.scene) {
-      if (!pen) continue;
-      if (!this.ink.has(pen)) this.ink.set(pen, []);
-      const line = this.ink.get(pen), place = pen.map((index) => this.computed.values[index]);
-      if (String(place) !== String(line.at(-1))) line.push(place);
-    }
-    this.computed.ink = this.ink;
   }
 
   drawHandles() {
@@ -129,8 +117,6 @@ export class LiveFigure {
   writeControls() {
     const shown = (i) => formatControl(this.figure.controls[i], this.state[i]);
     this.inputs.forEach((input) => {
-      const { when } = this.figure.controls[input.dataset.i];
-      if (when !== undefined) input.closest(".rk-control").hidden = this.computed.values[when] !== 1;
       showPosition(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
       if (input.type === "range") setAttribute(input, "aria-valuetext", shown(input.dataset.i));
     });

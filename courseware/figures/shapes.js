@@ -132,7 +132,6 @@ export const SHAPES = {
     const dots = shape.rows.map((row) => to(shape.point(functions, c, row)));
     return [path(dots.map(([x, y]) => `M${px(x)} ${px(y)}h0`).join(""), stroke(shape.kind, `;stroke-width:4.5;stroke-linecap:round${SOLID}`))];
   },
-  ink: (p, shape, to, { ink }) => strokeLine((ink?.get(shape.pen) ?? []).map(to), shape, SOLID),
   angle: (p, shape, to) => {
     const [x, y, from, until] = p, points = [], steps = 24;
     for (let i = 0; i <= steps; i++) {

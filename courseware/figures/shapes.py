@@ -135,17 +135,6 @@ class Cloud:
 
 
 @dataclass(frozen=True)
-class Ink:
-    """The line that a pen `at` a place has drawn since the figure's start; Reset wipes it off.
-
-    A pen whose place is no number is lifted.
-    """
-
-    kind: Kind
-    at: Place
-
-
-@dataclass(frozen=True)
 class AngleArc:
     """An angle around a point: its arc, and the sector in it."""
 

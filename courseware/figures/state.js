@@ -5,9 +5,9 @@
  *   compute, scene, goals, size, viewAngles?, grid?, follow?, contain? }} Figure made by compiler.py
  * @typedef {{ type, key, label, unit, factor, low, high, start, step, digits }} Control in its shown unit
  * @typedef {(number | [string, number])[]} State what each control shows; of turns, see quarter_turns.js
- * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[], ink? }} Computed
+ * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[] }} Computed
  *   c: settings, last states of recurrences, named steps, which build on each other; values: those
- *   of the readouts, then those that the scene refers to by place; ink: the places of each pen, on a page
+ *   of the readouts, then those that the scene refers to by place
  */
 
 import { functions } from "../equations/functions.js";
@@ -18,8 +18,7 @@ export const startState = (figure) => figure.controls.map((control) => control.s
 // For the formulas: all symbols that controls set, in SI.
 export const settings = (figure, state) => figure.controls.flatMap((control, i) =>
   control.type === "choice" ? control.options[state[i]].values
-    : control.type === "turns" ? computeTurns(state[i])
-    : control.type === "simulation" ? state[i] : [state[i] * control.factor]);
+    : control.type === "turns" ? computeTurns(state[i]) : [state[i] * control.factor]);
 
 const runRecurrence = (recurrence, c) => {
   const count = Math.min(Math.max(0, Math.round(recurrence.count(functions, c)[0])), recurrence.most);
@@ -57,14 +56,10 @@ const fitView = (view, at) => {
 };
 
 // In addresses and notebooks a choice is the name of its option, and turns are their presses.
-export const toText = (control, shown) => control.type === "choice" ? control.options[shown].label
-  : control.type === "simulation" ? shown.join() : shown[0];
+export const toText = (control, shown) =>
+  control.type === "choice" ? control.options[shown].label : shown[0];
 
 export const fromValue = (control, value) => {
-  if (control.type === "simulation") {
-    const numbers = String(value).split(",").map(Number);
-    return numbers.length === control.start.length && numbers.every(Number.isFinite) ? numbers : control.start;
-  }
   if (control.type === "turns") return [parsePresses(value ?? control.start[0]).join(""), 1];
   if (control.type !== "choice") return Number.isFinite(value) ? clamp(control, value) : control.start;
   const i = control.options.findIndex(({ label }) => label === value);

@@ -304,20 +304,23 @@ def test_without_javascript_figures_say_why_they_stand_still(server, chromium):
 
 
 def test_on_paper(site, server, chromium):
-    """What is folded lies open, unless it shall not; from dark to light; and all comes back."""
+    """What is folded lies open, unless it shall not; from dark to light; what moves by itself is
+    three pictures; and all comes back.
+    """
     state = """(event) => {
       dispatchEvent(new Event(event));
-      const folds = [...document.querySelectorAll("details")];
-      return [document.documentElement.dataset.theme, folds.filter((fold) => fold.open).length];
+      const count = (all) => document.querySelectorAll(all).length;
+      const { theme } = document.documentElement.dataset;
+      return [theme, count("details[open]"), count(".rk-frames svg")];
     }"""
     with watched_page(chromium, server, scheme="dark") as (page, watch):
         settled(page, server + "bicycle/bicycle.html")
         folds = page.locator("details").count()
-        assert page.evaluate(state, "beforeprint") == ["light", folds]
-        assert page.evaluate(state, "afterprint") == ["dark", 0]
+        assert page.evaluate(state, "beforeprint") == ["light", folds, 3]
+        assert page.evaluate(state, "afterprint") == ["dark", 0, 0]
         page.evaluate("() => { window.print = () => {}; }")
         page.locator("[data-print=shut]").press("Enter")  # by key: what comes near may still move
-        assert page.evaluate(state, "beforeprint") == ["light", 0]
+        assert page.evaluate(state, "beforeprint") == ["light", 0, 3]
         page.emulate_media(media="print")
         assert not page.locator(".bd-sidebar-primary, .bd-header-article").first.is_visible()
         assert page.locator(".rk-readouts dd").first.is_visible()

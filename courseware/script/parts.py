@@ -7,7 +7,6 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-from courseware.errors import CourseError
 from courseware.script.modules import join_modules
 from courseware.units import UNITS
 
@@ -62,14 +61,14 @@ def find_needed(text: str) -> list[str]:
 
 def bundle_page(names: list[str]) -> str:
     """Return the script of a page that needs these parts: all that they export, and their start."""
-    entries, starts = zip(*(_part(name).page.split(":") for name in names), strict=True)
+    entries, starts = zip(*(_parts[name].page.split(":") for name in names), strict=True)
     calls = "".join(f"courseware.{start}();\n" for start in starts)
     return f"globalThis.courseware = {bundle(*entries)};\n{calls}"
 
 
 def bundle_widget(name: str) -> str:
     """Return what shows a part in a notebook, as a JavaScript expression."""
-    entry, function = _part(name).widget.split(":")
+    entry, function = _parts[name].widget.split(":")
     return f"({bundle(entry)}).{function}"
 
 
@@ -88,15 +87,9 @@ def bundle(*entries: str) -> str:
 def join_styles(*names: str) -> str:
     """Return the style sheet of parts, or of all: the colours that all share, and their rules."""
     texts = [_read("courseware/script/theme.css")]
-    for part in map(_part, names or list_parts()):
-        texts += [*map(_read, part.styles), part.rules()]
+    for name in names or list_parts():
+        texts += [*map(_read, _parts[name].styles), _parts[name].rules()]
     return "".join(texts)
-
-
-def _part(name: str) -> Part:
-    if name not in _parts:
-        raise CourseError(f"no part {name!r} is registered; there are {', '.join(list_parts())}")
-    return _parts[name]
 
 
 def _read(path: str) -> str:

@@ -281,24 +281,16 @@ class Compiler:
     def compile_recurrence(self, loop: Recurrence) -> dict[str, Any]:
         """Return a loop's functions: for its start, its step and how often."""
         given = {"c": self.figure.control_symbols}
-        try:
-            return {
-                "start": compile_javascript(given, loop.start),
-                "step": compile_javascript({**given, "s": loop.state}, loop.step),
-                "count": compile_javascript(given, [loop.count]),
-                "most": loop.most,
-            }
-        except CourseError as error:
-            raise CourseError(f"in a recurrence, which comes before `where`, {error}") from error
+        return {
+            "start": compile_javascript(given, loop.start),
+            "step": compile_javascript({**given, "s": loop.state}, loop.step),
+            "count": compile_javascript(given, [loop.count]),
+            "most": loop.most,
+        }
 
     def compile_readout(self, readout: Readout) -> dict[str, Any]:
         """Return a readout's data; its number comes at its own place in the list of values."""
         self.add(readout.value)
-        if unknown := set(readout.words) - set(_JS_NAMES):
-            raise CourseError(
-                f"the readout {readout.name} has a word for {', '.join(unknown)}; words can stand "
-                f"for {', '.join(_JS_NAMES)}"
-            )
         return {
             "key": readout.name,
             **self.find_look(readout.symbol or "", readout.label),
@@ -356,9 +348,6 @@ def _refuse_wrong_choice(choice: Choice) -> None:
                 f"the option {option!r} of {choice.key} must give a number to each of "
                 f"{', '.join(map(str, choice.symbols))}, got {len(values)}"
             )
-    if choice.start not in choice.options:
-        known = ", ".join(choice.options)
-        raise CourseError(f"{choice.key} must start at one of {known}, got {choice.start!r}")
 
 
 def _refuse_wrong_slider(x: Slider) -> None:

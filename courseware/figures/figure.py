@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import sympy as sp
@@ -17,13 +17,12 @@ from courseware.equations.javascript import run_javascript
 from courseware.errors import CourseError
 from courseware.figures.compiler import Compiler, serialize
 from courseware.figures.controls import Button, Choice, Control, Handle
-from courseware.figures.declaration import Goal, Place, Readout, Recurrence
+from courseware.figures.declaration import Goal, Place, Readout
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
 from courseware.script import engine
 from courseware.script.widget import Widget, create_widget
 
-SIZES = ("step", "laboratory", "")
 MIME = "application/vnd.courseware.figure+json"
 
 
@@ -83,7 +82,7 @@ class Figure:
     goal: Goal | tuple[Goal, ...] = ()
     follow: Place = ()
     contain: tuple[Place, ...] = ()
-    size: str = "step"
+    size: Literal["step", "laboratory", ""] = "step"
 
     def __post_init__(self) -> None:
         if self.view_angles:
@@ -101,20 +100,11 @@ class Figure:
             numbers += [(readout.label, readout.name) for readout in self.readouts]
             listed = ", ".join(f"{label}: {{{name}}}" for label, name in numbers)
             object.__setattr__(self, "sentence", listed)
-        if self.size not in SIZES:
-            raise CourseError(
-                f"the size of {self.name} is {self.size!r}; there are {', '.join(map(repr, SIZES))}"
-            )
 
     def _refuse_wrong_names(self) -> None:
         names = [*(c.key for c in self.controls), *(readout.name for readout in self.readouts)]
         if len(set(names)) < len(names):
             raise CourseError(f"the figure {self.name} has two controls or readouts of one name")
-        if any(isinstance(step, Recurrence) for step in self.where):
-            raise CourseError(
-                f"`where` of {self.name} has a Recurrence: give it to a Trail of the scene, which "
-                "draws its states; the figure finds it there"
-            )
         names += [str(symbol) for symbol, _ in self.where]
         if unknown := set(re.findall(r"{(\w+)}", self.sentence)) - set(names):
             raise CourseError(
@@ -239,15 +229,8 @@ class Scene:
 
     def figure(self, name: str, title: str, layers: str, drag: str = "", **parts: Any) -> Figure:
         """Return the figure of some layers and handles, named in one text; `scene` lies on top."""
-        for given, known in ((layers, self.layers), (drag, self.handles)):
-            if unknown := set(given.split()) - set(known):
-                raise CourseError(
-                    f"the figure {name} shows {', '.join(sorted(unknown))}; its scene has "
-                    f"{', '.join(known)}"
-                )
-        shown = [
-            part for layer in self.layers if layer in layers.split() for part in self.layers[layer]
-        ]
+        in_order = sorted(layers.split(), key=list(self.layers).index)
+        shown = [part for layer in in_order for part in self.layers[layer]]
         handles = tuple(handle for each in drag.split() for handle in self.handles[each])
         scene = (*shown, *parts.pop("scene", ()))
         return Figure(name, title, **{"handles": handles, **self.common, **parts, "scene": scene})

@@ -109,10 +109,9 @@ class QuarterTurns:
     a part is made, which grows from 0 to 1 after its press.
     """
 
-    key: str = "turns"
-    start: str = ""
-    label: str = "turns"
-
+    key: ClassVar[str] = "turns"
+    start: ClassVar[str] = ""
+    label: ClassVar[str] = "turns"
     before: ClassVar[sp.Matrix] = sp.Matrix(3, 3, sp.symbols("before:3:3", real=True))
     # the zero vector before the first turn
     axis: ClassVar[sp.Matrix] = sp.Matrix(sp.symbols("turn_axis:3", real=True))

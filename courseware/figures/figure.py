@@ -133,19 +133,9 @@ class Figure:
         """The compiled figure: data, and functions as `Code`."""
         chapter = course().chapters_of("figures", Figure).get(self.name, "")
         try:
-            data = Compiler(self, chapter).compile_figure()
-            self._refuse_idle_controls(serialize(data))
+            return Compiler(self, chapter).compile_figure()
         except CourseError as error:
             raise CourseError(f"in the figure {self.name}, {error}") from error
-        return data
-
-    def _refuse_idle_controls(self, script: str) -> None:
-        used = {int(place) for place in re.findall(r"\bc\[(\d+)\]", script)}
-        for control in self.controls:
-            if used.isdisjoint(map(self.control_symbols.index, control.symbols)):
-                raise CourseError(
-                    f"the control {control.key} moves nothing: use it in the scene, or take it out"
-                )
 
     @property
     def code(self) -> str:

@@ -85,7 +85,7 @@ export const SHAPES = {
     const style = `fill:${color(shape.kind)};fill-opacity:.35;stroke:${color(shape.kind)};stroke-width:2`;
     return [["g", { transform: place(...to(p), p[2]), style }, [
       ["rect", { x: px(-w / 2), y: px(-h / 2), width: px(w), height: px(h), rx: 2 }],
-      path(w > 16 ? treads.join("") : "", "stroke-width:1"),
+      path(treads.join(""), "stroke-width:1"),
     ]]];
   },
   area: (p, shape, to) => [drawLine(toPoints(p).map(to), fill(shape.kind, 0.16))],

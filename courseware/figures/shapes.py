@@ -5,7 +5,7 @@ In a label `{name}` is a number of the figure. Shapes are painted as declared; t
 """
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import sympy as sp
 
@@ -155,7 +155,7 @@ class Bracket:
     label: str = ""
     columns: tuple[str, ...] = ("x_axis", "y_axis", "z_axis")
     digits: int = 0
-    kind: str = "text"
+    kind: ClassVar[str] = "text"
 
 
 def when(condition: Any, *shapes: Any) -> tuple[Any, ...]:

@@ -6,7 +6,6 @@ import pytest
 from small_figures import LOOP, a, loose, small_figure
 from support import assert_close
 
-from book.motion import formulas as motion_formulas
 from courseware.errors import CourseError
 from courseware.figures import POINTER, Choice, Curve, Handle, Point, Readout, Slider, Trail
 
@@ -39,10 +38,6 @@ def test_the_small_figure_is_right():
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
         ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
-        (
-            {"controls": (Slider(a, 0, 1, 0, 0.1), Slider(motion_formulas.y, 0, 1, 0, 0.1))},
-            "in the figure small, the control y moves nothing",
-        ),
         (
             {"where": ((loose, a / 2),), "scene": (Trail("path", (a, 0), LOOP),)},
             "in the figure small, an expression uses loose",

@@ -58,7 +58,7 @@ def _element(tag: str, text: str, form: str = "") -> str:
 
 def _render_question(exercise: Exercise, number: int, variant: dealing.Variant) -> str:
     text = render_paragraphs(exercise.fill(exercise.text, variant.numbers))
-    solution = render_paragraphs(exercise.fill(exercise.solution_text, variant.numbers))
+    solution = render_paragraphs(exercise.fill(exercise.solution.text, variant.numbers))
     hints = _hints(exercise, solution)
     if len(exercise.unknowns) == 1:
         kind, (own_text, own) = "numerical", _numerical(exercise, variant)

@@ -251,7 +251,7 @@ def loop(n):
     )
 
 
-NEAR_MEAN = "four decimals are asked for: the mean of the two angles can be as near as 0.001"
+FINE = 1e-4  # rad, for four decimals: the mean of the two angles can be as near as 0.001
 CAR = number_range(2.4, 3, 0.1, "m")
 STEERING = one_of(*(sign * size for sign in (1, -1) for size in (15, 20, 25, 30, 35, 40)), unit="°")
 
@@ -305,7 +305,7 @@ bicycle_2 = Exercise(
     + MIDDLE
     + "By which angle φ is its front wheel turned?",
     given={"alpha_L": number_range(18, 42, 1, "°"), "alpha_R": number_range(14, 36, 1, "°")},
-    unknowns=(Unknown("φ", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
+    unknowns=(Unknown("φ", "rad", circle=True, tolerance=FINE),),
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
     wrong={M18: M18.formula.evaluate},
     when=lambda alpha_L, alpha_R: 0.3 < spread(alpha_L, alpha_R) < 0.9,
@@ -373,7 +373,7 @@ bicycle_4 = Exercise(
     + "By which angle α_R must the right front wheel of the car then be turned to the left, so "
     "that no wheel slips?",
     given={"alpha_L": number_range(18, 42, 1, "°"), "phi": number_range(16, 39, 1, "°")},
-    unknowns=(Unknown("α_R", "rad", circle=True, tolerance=1e-4, reason=NEAR_MEAN),),
+    unknowns=(Unknown("α_R", "rad", circle=True, tolerance=FINE),),
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
     wrong={M18: lambda alpha_L, phi: 2 * phi - alpha_L},
     when=lambda alpha_L, phi: phi < alpha_L and 0.3 < other_track(alpha_L, phi) < 0.9,

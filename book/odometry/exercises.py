@@ -318,11 +318,8 @@ odometry_2 = Exercise(
         "C": one_of(360, 500, 512, 1000),
         "r": number_range(2, 8, 1, "cm"),
     },
-    unknowns=(
-        Unknown(
-            "D", "m", tolerance=6e-5, reason="four decimals; less than half a tick: 65535 shows"
-        ),
-    ),
+    # four decimals, less than half a tick: so 65535 in place of 65536 shows
+    unknowns=(Unknown("D", "m", tolerance=6e-5),),
     right=lambda before, after, C, r: rolled(turned(before, after), C, r),
     wrong={
         M24: lambda before, after, C, r: rolled_per_radian(turned(before, after), C, r),

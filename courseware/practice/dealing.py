@@ -8,7 +8,6 @@ Arabic that look like Persian ones, each run of spaces one; "Curie, Marie" is "M
 
 import hashlib
 import json
-import math
 import random
 import re
 import unicodedata
@@ -23,7 +22,7 @@ import numpy as np
 from courseware.errors import CourseError
 from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.candidates import Candidate, find_candidates, find_clash
-from courseware.practice.declaration import Exercise, Unknown
+from courseware.practice.declaration import Exercise
 
 VARIANTS = 64
 ATTEMPTS = 200  # for each variant: an exercise that needs more should draw otherwise
@@ -57,8 +56,7 @@ class Variant:
 
 def fold_name(name: str) -> str:
     """Return a student's name as it is hashed."""
-    whole = name.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    plain = unicodedata.normalize("NFKC", whole.translate(_TO_PLAIN)).translate(_TO_PLAIN)
+    plain = unicodedata.normalize("NFKC", name.translate(_TO_PLAIN)).translate(_TO_PLAIN)
     tidy = re.sub(SPACES, " ", re.sub(IGNORED, "", plain)).strip(" ")
     ordered = re.sub("^([^,]+), ?([^,]+)$", r"\2 \1", tidy)
     return unicodedata.normalize("NFC", ordered.lower())
@@ -127,36 +125,15 @@ def _make_variant(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Varia
 
 @cache
 def version() -> str:
-    """Return the bank's version, which changes when any text, number or answer does."""
-    parts = [(exercise.name, *_contents(exercise)) for exercise in all_exercises().values()]
-    text = json.dumps(parts, ensure_ascii=True)
-    return hashlib.sha256(text.encode()).hexdigest()[:8]
-
-
-def _contents(exercise: Exercise) -> list[Any]:
-    """Return all that a student can see of an exercise, or be judged by.
-
-    Answers in other units, and slips, follow from the right ones.
-    """
-    unknowns = [(u.label, u.unit, u.tolerance, u.relative) for u in exercise.unknowns]
-    own = {"right", *(mistake.name for mistake in exercise.wrong)}
-    own |= {f"slip:{words}" for words in exercise.also}
-    dealt = variants(exercise.name)
-    answers = [
-        (c.name, [digits for row in c.rows for digits in map(_digits, exercise.unknowns, row)])
-        for variant in dealt
-        for c in variant.candidates
-        if c.name in own
+    """Return the bank's version, which changes when any text, number or tolerance does."""
+    parts = [
+        (
+            exercise.name,
+            exercise.text,
+            exercise.solution.text,
+            [vars(unknown) for unknown in exercise.unknowns],
+            [exercise.format_given(variant.numbers) for variant in variants(exercise.name)],
+        )
+        for exercise in all_exercises().values()
     ]
-    given = [list(exercise.format_given(variant.numbers).values()) for variant in dealt]
-    return [exercise.text, exercise.solution_text, unknowns, given, answers]
-
-
-def _digits(unknown: Unknown, value: float) -> list[str]:
-    """Return a computed number as text that does not depend on its last bits.
-
-    Six digits of it times √2: answers often lie where digits end, and so on a rounding border,
-    but then √2 times them does not. An angle is told by its cosine and sine, which have no jump.
-    """
-    parts = (math.cos(value), math.sin(value)) if unknown.circle else (value,)
-    return [f"{math.sqrt(2) * part:.6g}" if abs(part) > 1e-9 else "0" for part in parts]
+    return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:8]

@@ -12,7 +12,6 @@ import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from inspect import signature
 from typing import Any
 
@@ -77,26 +76,20 @@ class Unknown:
         label: its letter or name.
         unit: SI; an answer that is typed with another unit of this size is converted.
         circle: whether it is an angle, compared up to whole turns.
-        tolerance, reason: how far off an answer may be instead, in the unit, and why.
+        tolerance: how far off an answer may be instead, in the unit.
     """
 
     label: str
     unit: str = ""
     circle: bool = False
-    tolerance: float = -1.0
-    reason: str = ""
-    relative: float = field(init=False)
+    tolerance: float = 0.0
+    relative: float = field(init=False)  # the same as a part of the answer
 
     def __post_init__(self) -> None:
         refuse_other_than_si(self.unit, f"the answer {self.label}")
-        if (self.tolerance < 0) == bool(self.reason):
-            raise CourseError(f"{self.label}: a tolerance and its reason come together")
-        is_absolute = self.circle or self.tolerance >= 0
-        object.__setattr__(self, "relative", 0.0 if is_absolute else RELATIVE)
-        if self.tolerance < 0:
-            unit = UNITS[self.unit]
-            object.__setattr__(self, "tolerance", unit.tolerance)
-            object.__setattr__(self, "reason", unit.reason)
+        relative = 0.0 if self.tolerance or self.circle else RELATIVE
+        object.__setattr__(self, "relative", relative)
+        object.__setattr__(self, "tolerance", self.tolerance or UNITS[self.unit].tolerance)
 
     def allowed(self, value: float, factor: float = 1.0) -> float:
         """Return how far off an answer may be from a value in a unit of this size."""
@@ -116,7 +109,7 @@ def angle(label: str) -> Unknown:
 
 def whole(label: str, unit: str = "") -> Unknown:
     """Ask for a whole number."""
-    return Unknown(label, unit, tolerance=1e-9, reason="a whole number, exactly")
+    return Unknown(label, unit, tolerance=1e-9)
 
 
 def matrix(name: str, rows: int, columns: int) -> tuple[Unknown, ...]:
@@ -203,11 +196,6 @@ class Exercise:
     def topic(self) -> str:
         """The stem of module, chapter and test: "differential_drive"."""
         return topic_of(self.name)
-
-    @cached_property
-    def solution_text(self) -> str:
-        """The worked solution with placeholders for all that depends on the numbers."""
-        return self.solution.template(PLACEHOLDER)
 
     def evaluate(
         self, formula: Callable[..., ArrayLike], numbers: Mapping[str, Any]

@@ -42,13 +42,13 @@ def constants() -> dict[str, Any]:
 
 def _serialize_question(exercise: Exercise) -> dict[str, Any]:
     numbers = dealing.variants(exercise.name)[0].numbers  # some formulas depend on them
-    solution = exercise.fill(exercise.solution_text, numbers)
+    solution = exercise.fill(exercise.solution.text, numbers)
     steps = engine.call("courseware.splitSolution", solution)
     return {**judging.serialize_exercise(exercise), "steps": len(steps)}
 
 
 def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
-    solution = exercise.solution_text if solutions else ""
+    solution = exercise.solution.text if solutions else ""
     return {
         **_serialize_question(exercise),
         "solution": solution,
@@ -121,6 +121,6 @@ def render_box(name: str, salt: str, solutions: bool = True) -> str:
 def render_solution(name: str, salt: str) -> str:
     """Render the worked solution in the numbers of `render_box`."""
     exercise = find_exercise(name)
-    text = exercise.solution_text
+    text = exercise.solution.text
     texts = _fill_for_nobody(exercise, salt, text)
     return str(engine.call("courseware.renderSolution", text, texts))

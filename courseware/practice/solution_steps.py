@@ -92,13 +92,13 @@ class SolvedLine(NamedTuple):
         text = format_number(self.value, spec) if spec else format_result(self.value)
         return text if spec == "deg" else append_unit(text, self.unit)
 
-    def format_rest(self) -> str:
-        """Return the text behind the formula: numbers, unless they are too long, and the result."""
+    def format_whole(self) -> str:
+        """Return the formula, its numbers, unless they are too long, and the result."""
         texts, symbols = "", free_symbols(self.right)
         if symbols and symbols <= self.numbers[0].keys():  # else named steps, or numbers already
             texts = format_with_numbers(self.right, *self.numbers)
         is_shown = texts and len(texts) <= LONGEST and texts != format_result(self.value)
-        return f"{texts} = {self.format()}" if is_shown else self.format()
+        return " = ".join([self.formula, *[texts] * bool(is_shown), self.format()])
 
 
 @dataclass(frozen=True)
@@ -109,17 +109,14 @@ class SolvedStep:
     results: dict[str, Any]
 
     def format(self, part: str, spec: str) -> str:
-        """Return the text of a placeholder: `all`, the rest of line `0`, `formula` or `value`."""
-        if part == "all":
-            return "\n\n".join(f"{line.formula} = {line.format_rest()}" for line in self.lines)
-        if part == "formula":
-            return "\n\n".join(line.formula for line in self.lines)
+        """Return the text of a placeholder: the whole step, its `formula` or its `value`."""
         if part == "value":
             values = [line.value for line in self.lines]
             units = {line.unit for line in self.lines}
             unit = units.pop() if len(units) == 1 else ""
             return SolvedLine("", values if len(values) > 1 else values[0], unit).format(spec)
-        return self.lines[int(part)].format_rest()
+        lines = (line.formula if part else line.format_whole() for line in self.lines)
+        return "\n\n".join(lines)
 
 
 def solve_step(
@@ -215,13 +212,6 @@ def _prepare(step: Step, formula: Any, known: frozenset[str]) -> StepForm:
     units = (unit,) * len(sides) if isinstance(unit, str) else unit
     lines = tuple((f"{format_formula(a)} = {format_formula(b)}", b) for a, b in sides)
     return StepForm(left, full, lines, units)
-
-
-def fixed_formulas(step: Step) -> list[str]:
-    """Return a step's formulas in letters, if they are the same for all numbers; else none."""
-    if not isinstance(step.formula, Equation | LocalEquation):
-        return []
-    return [formula for formula, _ in step_form(step, {}).lines]
 
 
 def _is_column(left: Any) -> bool:

@@ -23,11 +23,10 @@ A formula's named steps on the way (its `where`) are taken from earlier steps if
 results, and otherwise substituted.
 """
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
-from courseware.practice.solution_steps import SolvedStep, Step, fixed_formulas, solve_step
+from courseware.practice.solution_steps import SolvedStep, Step, solve_step
 
 
 class Solution:
@@ -36,21 +35,6 @@ class Solution:
     def __init__(self, text: str, answer: tuple[Any, ...] = (), **steps: Step) -> None:
         self.text, self.steps = text, steps
         self.answer = answer or tuple(steps)[-1:]
-
-    def template(self, placeholder: str) -> str:
-        """Return the text, with each `{step}` as its formula and a placeholder for the rest."""
-
-        def expand(match: re.Match[str]) -> str:
-            name, _, part = match[1].partition(".")
-            if name not in self.steps or part not in ("", "formula"):
-                return match[0]
-            formulas = fixed_formulas(self.steps[name])
-            if part:
-                return "\n\n".join(formulas) or match[0]
-            lines = (f"{formula} = {{{name}.{k}}}" for k, formula in enumerate(formulas))
-            return "\n\n".join(lines) or f"{{{name}.all}}"
-
-        return re.sub(placeholder, expand, self.text)
 
     def solve(
         self, numbers: Mapping[str, Any], given: Mapping[str, str] = {}

@@ -284,27 +284,19 @@ GIVEN = {"a": 3.0, "b": -0.5}
 def print_solution(solution, shown=None):
     """A solution's text with `GIVEN` in it."""
     steps = solution.solve(GIVEN, shown or {})
-    template = solution.template(r"{([\w.:]+)}")
 
     def put(match):
         name, _, spec = match[1].partition(":")
         step, _, part = name.partition(".")
         return steps[step].format(part, spec)
 
-    return re.sub(r"{([\w.:]+)}", put, template)
+    return re.sub(r"{([\w.:]+)}", put, solution.text)
 
 
 def test_a_step_is_told_with_letters_numbers_and_result():
     with sp.evaluate(False):
         solution = Solution("So {c}.", c=Step(LocalEquation(sp.Symbol("c"), (a - b) / 2, "m")))
     assert print_solution(solution) == "So c = (a − b)/2 = (3 − (−0.5))/2 = 1.75 m."
-
-
-def test_a_number_alone_is_told_once():
-    c, d = (Step(LocalEquation(sp.Symbol("c"), -number, "m")) for number in (a, b))
-    assert (
-        print_solution(Solution("{c}; {d}", c=c, d=d)) == "c = −a = −3 m; c = −b = −(−0.5) = 0.5 m"
-    )
 
 
 def test_degrees_stand_only_inside_functions_of_an_angle():
@@ -368,9 +360,9 @@ def test_each_line_of_a_column_has_its_unit():
 def test_numbers_that_stand_in_a_formula_are_not_said_twice():
     solution = Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), sp.Pow(2, 4, evaluate=False))))
     assert print_solution(solution) == "c = 2^4 = 16"
+    c, d = (Step(LocalEquation(sp.Symbol("c"), -number, "m")) for number in (a, b))
     assert (
-        print_solution(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), b, "m"))))
-        == "c = b = −0.5 m"
+        print_solution(Solution("{c}; {d}", c=c, d=d)) == "c = −a = −3 m; c = −b = −(−0.5) = 0.5 m"
     )
 
 
@@ -391,13 +383,6 @@ def test_small_numbers_keep_five_digits():
     ]
 
 
-def test_each_line_has_the_unit_of_its_own_left_side():
-    left = sp.Matrix([quantity("v", "m/s", 0, 1, "a speed"), quantity("w", "1/s", 0, 1, "a rate")])
-    p = Step(LocalEquation(left, sp.Matrix([a, b])))
-    assert print_solution(Solution("{p}", p=p)) == "v = a = 3 m/s\n\nw = b = −0.5 1/s"
-    assert print_solution(Solution("{p.value}", p=p)) == "[3, −0.5]"
-
-
 P, Q, R = (sp.MatrixSymbol(name, 2, 2) for name in "PQR")
 GIVEN |= {"P": np.array([[0.0, -1.0], [1.0, 0.0]]), "Q": np.array([[1.0, 2.0], [0.0, 1.0]])}
 
@@ -414,21 +399,9 @@ def test_a_matrix_is_one_letter_and_can_name_its_entries():
     ]
 
 
-def test_products_of_matrices_are_misread_in_every_way():
-    assert set(flips(P.T * Q)) == {Q * P.T, P * Q, -P.T * Q}
-    assert set(flips(P * sp.Matrix([1, 2]))) == {-P * sp.Matrix([1, 2])}  # no other order fits
-
-
 def test_a_step_can_be_told_by_its_formula_alone():
     solution = Solution("{c.formula}: {c.value}", c=Step(LocalEquation(sp.Symbol("c"), a + b)))
     assert print_solution(solution) == "c = a + b: 2.5"
-
-
-def test_a_result_that_is_already_there_is_not_told_twice():
-    assert (
-        print_solution(Solution("{c}", c=Step(LocalEquation(sp.Symbol("c"), -a, "m"))))
-        == "c = −a = −3 m"
-    )
 
 
 def test_what_is_not_known_is_named():

@@ -90,7 +90,6 @@ PREDICTIONS = (
         "The more the car steers, the nearer comes the ICR. At which $\\varphi$ does it reach the "
         "inner rear wheel?",
         Number(
-            "φ",
             "°",
             right=formulas.steepest_steering.substitute(CAR),
             assumptions={
@@ -124,7 +123,6 @@ PREDICTIONS = (
         "how-wide",
         "Our vehicle is 1.5 m wide. How wide is its lane at a steering of 30°?",
         Number(
-            "w",
             "m",
             right=formulas.lane.substitute({**LONG, R: bicycle.turning_radius(np.pi / 6, LENGTH)}),
             assumptions={

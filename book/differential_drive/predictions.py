@@ -92,7 +92,6 @@ PREDICTIONS = (
         "The left wheel moves at 5 cm/s, the right one at 10 cm/s. How fast does P move, the "
         "middle of the axle?",
         Number(
-            "v",
             "cm/s",
             right=formulas.speed.substitute(EXERCISE),
             assumptions={
@@ -133,7 +132,6 @@ PREDICTIONS = (
         "wheel-rate",
         "The right wheel, of radius 3 cm, rolls at 10 cm/s. How fast does it turn on its axle?",
         Number(
-            "rate",
             "rad/s",
             right=rolling(r),
             assumptions={

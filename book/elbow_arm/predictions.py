@@ -61,7 +61,6 @@ PREDICTIONS = (
         "how-bent",
         "By how many degrees must the elbow bend away from straight?",
         Number(
-            "the bend",
             "°",
             right=bend,
             assumptions={

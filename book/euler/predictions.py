@@ -137,7 +137,6 @@ PREDICTIONS = (
         "how-many-orders",
         "How many orders are there?",
         Number(
-            "orders",
             "",
             right=lambda: orders(lambda p: p[0] != p[1] != p[2]),
             assumptions={

@@ -13,7 +13,6 @@ import { escapeHtml, formatNumber, renderSymbols, withUnit } from "../script/tex
 
 const SHOWN = "shown";
 const TRIES = 3; // to place a ghost, before there is more help
-const PATIENCE = 30_000; // ms, after the first try
 const GUESSES_KEY = `${STORE} guesses`;
 const GUESSES_NOT_KEPT = "This browser keeps nothing for this page: your guesses are forgotten when you leave it.";
 const GUESSES_KEPT = "Your guesses stay in this browser; nothing is sent.";
@@ -105,10 +104,7 @@ class PredictionBox {
   guess() {
     if (this.answered) return;
     const { kind, places, units } = this.data;
-    if (kind === "ghost") {
-      this.patience ??= setTimeout(() => this.help(), PATIENCE);
-      return this.withFigure(({ state }) => this.place(places.map((i) => state[i])));
-    }
+    if (kind === "ghost") return this.withFigure(({ state }) => this.place(places.map((i) => state[i])));
     const unknowns = [{ unit: units[0] }], readings = parseTyped(this.one("input").value, unknowns), [first] = readings;
     const found = readings.find(({ value }) => typeof value === "number");
     if (found) return this.take([found.value]);
@@ -124,10 +120,8 @@ class PredictionBox {
     this.say(miss[0].toUpperCase() + miss.slice(1));
     this.sayAssumption(guess);
     Object.assign(this, { tried: guess, far, tries: this.tries + 1 });
-    if (this.tries >= TRIES) this.help();
+    if (this.tries >= TRIES) this.one(".rk-skip").hidden = false;
   }
-
-  help() { this.one(".rk-skip").hidden = false; }
 
   take(guess) {
     if (this.answered) return;
@@ -175,8 +169,7 @@ class PredictionBox {
 
   show(answered, guess) {
     const { data, buttons, fold } = this;
-    clearTimeout(this.patience);
-    Object.assign(this, { answered, taken: guess, tries: 0, tried: null, patience: null });
+    Object.assign(this, { answered, taken: guess, tries: 0, tried: null });
     this.one(".rk-skip").hidden = data.kind === "ghost";
     this.element.classList.toggle("rk-answered", answered);
     fold.open = answered;

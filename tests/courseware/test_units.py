@@ -123,7 +123,7 @@ DECLARED = {  # who declares a unit, and how the message calls it
 SHOWN = {  # the same of a unit that only the reader sees
     "a given number": (lambda unit: one_of(1, 2, unit=unit), r"number drawn from \(1, 2\)"),
     "given numbers": (lambda unit: number_range(1, 2, 1, unit), r"the number drawn from \(1, 2\)"),
-    "a guess": (lambda unit: Number("width", unit, lambda: len(unit)), "the guess of width"),
+    "a guess": (lambda unit: Number(unit, 1.0), "a guess"),
 }
 
 

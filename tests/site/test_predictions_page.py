@@ -236,20 +236,6 @@ def test_after_three_tries_it_is_warmer_or_colder_and_can_be_shown(page):
     assert said(page, GHOST).inner_text().startswith("You said: x −0.069 m, y 0.196 m.")
 
 
-def test_half_a_minute_after_the_first_try_there_is_the_same_help(chromium, server, home):
-    with watched_page(chromium, server) as (page, _):
-        page.clock.install(time=0)
-        page.goto(home)
-        page.clock.pause_at(60_000)
-        skip = page.locator(f"#{GHOST} .rk-skip")
-        assert place_wrongly(page, guess_x=0.1, guess_y=0.2)
-        page.clock.run_for(29_900)
-        assert skip.is_hidden()
-        page.clock.run_for(200)
-        assert skip.is_visible()
-        assert place_wrongly(page, guess_x=0.12, guess_y=0.2).startswith("Colder: ")
-
-
 def test_it_is_shown_without_a_guess_too(page):
     for again in (False, True):  # shown, forgotten, shown again
         for name in (BUTTONS, NUMBER, GHOST):

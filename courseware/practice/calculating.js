@@ -1,8 +1,7 @@
 // Turns nested tokens into numbers and lists.
 
 import {
-  FRACTIONS, FUNCTIONS, LISTS, NOT_FINITE, PAIRS, PI, refuse, SIGNS, joinTokens,
-  WRAPPERS,
+  FRACTIONS, FUNCTIONS, LISTS, PAIRS, PI, refuse, SIGNS, joinTokens, WRAPPERS,
 } from "./tokenizing.js";
 import { DEGREES } from "./units.js";
 
@@ -28,7 +27,7 @@ const split = (level, separators) => {
 };
 
 // Whether a name is no unit; sin30 and atan2 are functions as well.
-const isKnownName = (name) => [...PI, ...WRAPPERS, ...NOT_FINITE.keys()].includes(name)
+const isKnownName = (name) => [...PI, ...WRAPPERS].includes(name)
   || FUNCTIONS.includes(name.replace(/[0-9]+$/, ""));
 
 // One item, read from left to right: a list, or a sum of products of signed factors.
@@ -132,7 +131,6 @@ class Expression {
       this.i += 1;
       return evaluateGroup(next.inside, "(", next.shown);
     }
-    if (NOT_FINITE.has(text)) refuse(NOT_FINITE.get(text), shown);
     if (kind === "name" && (called || isKnownName(text))) refuse("function", shown);
     if (SIGNS.includes(kind)) refuse("missing", shown);
     return refuse(kind === "power" ? "power" : "unknown", shown);

@@ -41,13 +41,6 @@ export class ExerciseBox {
       this.check();
     });
     this.one("form").addEventListener("change", () => this.keepTyped());
-    // a field holds no line breaks: of pasted rows each begins with a separator of lines, which it keeps
-    this.input.addEventListener("paste", (event) => {
-      const rows = event.clipboardData.getData("text").trim().split(/\s*[\r\n]\s*/);
-      if (rows.length < 2) return;
-      event.preventDefault();
-      document.execCommand("insertText", false, rows.join(" \u2028"));
-    });
     this.one(".rk-grid")?.addEventListener("input", () => {
       const rows = [...this.element.querySelectorAll("tr")].map((row) =>
         `[${[...row.querySelectorAll("input")].map((cell) => cell.value.replace(/,/g, ".")).join(", ")}]`);

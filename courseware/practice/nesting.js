@@ -10,7 +10,7 @@ export const nestBrackets = (flat) => {
       level.push(newToken(";", ";", " "));
     }
     if (PAIRS.has(token.kind)) {
-      if (opened.length === MAX_DEPTH) refuse("deep", token.shown);
+      if (opened.length === MAX_DEPTH) refuse("unknown", token.shown);
       level.push(token);
       opened.push(token);
       levels.push([]);

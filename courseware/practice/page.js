@@ -2,7 +2,7 @@
 
 import { escapeHtml } from "../script/text.js";
 import { downloadAnswers, parseAnswers } from "./answer_file.js";
-import { describeNumberSet, foldName } from "./dealing.js";
+import { foldName } from "./dealing.js";
 import { ExerciseBox, unpack } from "./exercise.js";
 import { memory, readStored } from "./storage.js";
 import { answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
@@ -18,7 +18,6 @@ const NOTE = "For checking yourself. Your name picks your numbers; it and your a
 const CLEAR = "Clear my answers";
 const NO_FILE = "If no file comes, the frame that shows this page forbids it: open the page in a tab of its own.";
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
-const BROKEN = "What this browser kept could not be read; it was laid aside.";
 
 // A bar for each chapter grows with what is passed; findPlace leads to the chapter's exercises.
 const renderBars = (chapters, findPlace = () => "") => chapters.map(({ title, topic, passed, count }) =>
@@ -145,14 +144,13 @@ class Desk {
     const here = this.sections.map(({ dataset }) => dataset.exercise), done = here.filter(passed);
     const nameless = done.length && !this.student() ? `. ${NAMELESS}` : "";
     const orphans = this.student() ? Object.values(readAnswers(this.course, "")).filter(({ answer }) => answer).length : 0;
-    const storage = !memory.kept ? ` ${NOTHING_KEPT}` : memory.broken ? ` ${BROKEN}` : "";
+    const storage = memory.kept ? "" : ` ${NOTHING_KEPT}`;
     this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`
       + (orphans ? `.${describeOrphans(orphans)}` : ""));
     const all = countPassed(mine), open = here.find((name) => !passed(name));
     const course = `${sumUp(all, "passed")} of ${sumUp(all, "count")} in the course`;
     this.element.querySelector(".rk-course").innerHTML = renderBars(all, findExercises);
-    this.bar.querySelector(".rk-who").textContent = this.student()
-      ? `${this.name.trim()} · number set ${describeNumberSet(this.course, this.name)}` : "Type your name";
+    this.bar.querySelector(".rk-who").textContent = this.name.trim() || "Type your name";
     this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;
     const next = this.bar.querySelector("a");
     next.hidden = !open;

@@ -3,8 +3,6 @@ export const PROBLEMS = {
   empty: "Nothing is typed yet. Type a number or a list, for example 0.5 or [1, 2, 3].",
   long: "The text “{about}…” is too long: at most 1000 characters are read. Type a number or a list, for"
     + " example 0.5 or [1, 2, 3].",
-  deep: "Too many brackets inside each other at “{about}”: at most 20 are read. A matrix needs two, for"
-    + " example [[1, 2], [3, 4]].",
   brackets: "The bracket “{about}” has no partner. Close each bracket with its own kind, for example [1, 2]"
     + " or (1 + 2)/3.",
   missing: "A number is missing at “{about}”. For example, type 1 + 2 or [1, 2, 3].",
@@ -27,8 +25,6 @@ export const PROBLEMS = {
   root: "The calculation “{about}” takes the square root of a negative number, so it has no real value. An"
     + " example that has one: sqrt(2).",
   overflow: "The number in “{about}” is too large. Numbers up to 1e308 can be read.",
-  nan: "The word “{about}” is not a number. Type a number, for example 0.5.",
-  infinity: "“{about}” is not a finite number. Type a number, for example 0.5.",
   unknown: "The part “{about}” cannot be read. Type a number or a list, for example 0.5, pi/2, sqrt(3)/2 or"
     + " [1, 2, 3].",
 };

@@ -1,4 +1,4 @@
-// The browser's storage, which may refuse, be full, or hold what cannot be parsed.
+// The browser's storage, which may refuse or be full.
 
 export const memory = { // a browser may refuse to keep anything: then the page alone remembers
   data: {},
@@ -16,15 +16,7 @@ export const memory = { // a browser may refuse to keep anything: then the page 
   },
 };
 
-// Parse what is stored under a key; what cannot be parsed is laid aside.
+// Parse what is stored under a key; what cannot be parsed is nothing.
 export const readStored = (key) => {
-  const text = memory.get(key);
-  try {
-    const found = JSON.parse(text || "{}");
-    if (found && typeof found === "object") return found;
-  } catch { /* as below */ }
-  memory.set(`${key} unreadable`, text);
-  memory.set(key, "{}");
-  memory.broken = true;
-  return {};
+  try { return JSON.parse(memory.get(key)) ?? {}; } catch { return {}; }
 };

@@ -8,8 +8,6 @@ export const LISTS = ["[", "{"];
 export const SIGNS = ["+", "-", "*", "/"];
 export const PI = ["pi", "π"];
 export const FRACTIONS = new Map([["½", 1 / 2], ["¼", 1 / 4], ["¾", 3 / 4], ["⅓", 1 / 3], ["⅔", 2 / 3]]);
-export const NOT_FINITE = new Map(
-  [["nan", "nan"], ["inf", "infinity"], ["infinity", "infinity"], ["∞", "infinity"]]);
 export const WRAPPERS = ["array", "asarray", "matrix", "float", "int", "float64", "float32", "int64", "int32"];
 export const FUNCTIONS = ["sin", "cos", "tan", "cot", "asin", "acos", "atan", "arcsin", "arccos",
   "arctan", "sinh", "cosh", "tanh", "exp", "log", "ln", "abs", "hypot", "pow"];
@@ -42,7 +40,7 @@ const LETTERS = "a-zµ\\u00c0-\\u02af\\u0370-\\u058f\\u05d0-\\u05ea"
 const TOKEN = new RegExp(
   "(?<gap>[ \\n]+)"
   + "|(?<number>\\.*[0-9][0-9.]*(?:'[0-9][0-9.]*)*(?:e[+-]?[0-9]+)?)"
-  + `|(?:(?:np|numpy|math)\\.)?(?<name>sqrt|[π∞]|[${LETTERS}][${LETTERS}0-9]*)`
+  + `|(?:(?:np|numpy|math)\\.)?(?<name>sqrt|π|[${LETTERS}][${LETTERS}0-9]*)`
   + "|(?<power>\\*\\*|[\\^²³¹\\u2070-\\u207f])"
   + "|(?<sign>.)", "gsu");
 const MARKED = /^[1-9][0-9]{0,2}(?:'[0-9]{3})+(?:\.[0-9]*)?(?:e.*)?$/; // 1'000.5

@@ -119,14 +119,9 @@ ABOUT = [
     ("  v = 0.5", "v ="),
     ("0.5 m/s, 1", "m/s"),
     ("[1, 2 \u00a0kg\u200b²]", "kg²"),
-    ("1 + sin(30)", "sin"),
     ("[1, (2, 3]", "]"),
-    ("[1, (2, 3)", "["),
     ("[1,  2  3]", "2  3"),
-    ("1 / 2 π", "1 / 2 π"),
-    ("۱٬۰", "۱٬۰"),
     ("1.2.3", "1.2.3"),
-    ("0 + 😀", "😀"),
     ("1 " + "ab" * 20, "ab" * 10),
 ]
 
@@ -139,7 +134,7 @@ def test_a_problem_names_the_piece_as_it_was_typed():
 def test_a_message_names_what_it_is_about():
     for code, message in PROBLEMS.items():
         assert message.count("{about}") == (code != "empty"), code
-        shown = message.format(about="{1, 2} $&", point="", whole="", units="")
+        shown = message.format(about="{1, 2} $&", units="")
         assert "{1, 2} $&" in shown or code == "empty"
 
 
@@ -149,7 +144,7 @@ def test_nothing_typed_is_run():
     assert not re.search(r"\b(eval|Function)\b", code)
 
 
-# Every character, and 10,000 texts that hypothesis makes up: 4,000, 2,000 and 4,000, and more
+# Every character, and 4,000 calculations
 
 
 def test_every_character_of_the_basic_plane():
@@ -259,80 +254,16 @@ def test_calculations(seed):
             assert_read(found, value, text)
 
 
-def matrix(r):
-    """One to four rows of decimals, as texts."""
-    height, width = r.randrange(1, 5), r.randrange(2, 5)
-    tails = ["0", "5", "25", "0625"]
-    return [
-        [f"{r.choice(['', '-'])}{r.randrange(1000)}.{r.choice(tails)}" for _ in range(width)]
-        for _ in range(height)
-    ]
+SOME = (
+    "0|1|000|5|.5|0,5|1e3|1e308|½|π|2π|۵|+|-|−|*|/|^|²|=|°|deg|√|sqrt(|array(|np.|nan|sin|m|e|'|_"
+)
+SOME += "|,|, |;|،|؛|.|٫|(|)|[|]|{|}| |\n|\u200b"
+PIECES = st.lists(st.sampled_from(SOME.split("|"))).map("".join)
 
 
-def rows(start, between, end, comma=", ", point="."):
-    """A way to type a matrix."""
-
-    def typed(matrix):
-        lines = [comma.join(x.replace(".", point) for x in row) for row in matrix]
-        return start + between.join(lines) + end
-
-    return typed
-
-
-WAYS = [
-    rows("[[", "], [", "]]"),
-    rows("[[", "],[", "]]", ","),
-    rows("((", "),\n (", "))"),
-    rows("{{", "}, {", "}}"),
-    rows("np.array([[", "],\n          [", "]])"),
-    rows("[[", "]\n [", "]]", " "),
-    rows("[", "; ", "]", " "),
-    rows("[", ";", "]", ","),
-    rows("[", "; ", "; ]"),
-    rows("[[", "], [", "]]", point=","),
-    rows("[", "; ", "]", "، ", "٫"),
-]
-BARE = [
-    rows("", "; ", ""),
-    rows("", "\n", "\n"),
-    rows("", "; ", ";", point=","),
-    rows("", "؛", "", "،"),
-]
-
-
-@many
-@given(seeds)
-def test_matrices(seed):
-    r = random.Random(seed)
-    made = [(matrix(r), r.choice(WAYS + BARE)) for _ in range(50)]
-    texts = [way(entries) for entries, way in made]
-    for text, (entries, _), found in zip(texts, made, read(texts), strict=True):
-        value = [[float(x) for x in row] for row in entries]
-        if len(value) == 1 and "[[" not in text and "{{" not in text:
-            value = value[0]  # one row alone is a flat list
-        assert_read(found, value, text)
-
-
-SOME = "0|1|12|000|5|.5|0,5|1e3|1e-320|1e308|½|⅓|pi|π|2π|۵|+|-|−|*|/|^|**|²|=|°|deg|√|sqrt|sqrt(|"
-SOME += "array(|np.|nan|inf|sin|m|rad|e|'|_|٬|,|, |;|،|؛|.|٫|(|)|[|]|{|}|(|)|[|]| | | |\n|\t|\u200b"
-PIECES = SOME.split("|")
-ENDS = ["", "", "", "(" * 20, "[" * 21, "√" * 900, "-" * 990, "9" * 400, "[" * 600]
-
-
-def characters(r, highest):
-    return "".join(chr(r.randrange(highest)) for _ in range(r.randrange(12)))
-
-
-def garbage(r):
-    """Pieces in any order; characters of any kind, lone surrogates as well; long and deep texts."""
-    kind = r.randrange(6)
-    if kind < 3:
-        return "".join(r.choices(PIECES, k=r.randrange(15)))
-    if kind == 3:
-        return characters(r, r.choice([0x80, 0x700, 0x10000, 0x110000]))
-    if kind == 4:
-        return characters(r, 0x80) + chr(r.randrange(0xD800, 0xE000)) + r.choice(PIECES)
-    return r.choice(ENDS) + "".join(r.choices(PIECES, k=r.randrange(4))) + r.choice(ENDS)
+@given(st.lists(PIECES | st.text(), max_size=20))
+def test_any_text_is_read_or_refused(texts):
+    read(texts)
 
 
 def test_blanks_round_a_text_do_not_make_it_long():
@@ -340,18 +271,6 @@ def test_blanks_round_a_text_do_not_make_it_long():
     padded, long = read([" \n" + "0.5" + 3000 * " ", 600 * "0 "])
     assert_read(padded, 0.5, "0.5")
     assert long.problem == "long"
-
-
-@many
-@given(seeds)
-def test_garbage(seed):
-    r = random.Random(seed)
-    read([garbage(r) for _ in range(100)])
-
-
-@given(st.lists(st.text(), max_size=10))
-def test_texts_that_shrink(texts):
-    read(texts)
 
 
 # --- an answer with more than was asked -----------------------------------------------------------
@@ -367,56 +286,38 @@ POSE = [*POINT, ("θ", "rad")]
     ("text", "asks", "value"),
     [
         ("2.191.", RATE, 2.191),
-        ("۲٫۱۹۱. ", RATE, 2.191),
         ("0.5 rad/s", RATE, 0.5),
-        ("pi/2rad/s", RATE, math.pi / 2),
         ("3 m²", [("w", "m²")], 3),
         ("ω = 0.5", RATE, 0.5),
         ("omega≈0.5 rad/s", RATE, 0.5),
-        ("θ̇_1 = 3", [("θ̇_1", "rad/s")], 3),
         ("0.1 m/s, 0.2 rad/s", TWIST, [0.1, 0.2]),
-        ("v = 0.1, ω = 0.2", TWIST, [0.1, 0.2]),
         ("x=1 m, y=2 m", POINT, [1, 2]),
         ("[1, 2] m", POINT, [1, 2]),
-        ("1 m + 2 m", WIDTH, 3),
         ("1 mm, 2 m", POINT, [0.001, 2]),
         ("[1 m -200 cm]", POINT, [1, -2]),
         ("[[100, 200], [300, 400]] cm", POINT, [[1, 2], [3, 4]]),
-        ("1 m, 2 cm; 3 m, 4 cm", POINT, [[1, 0.02], [3, 0.04]]),
         ("v = 18 km/h, ω = 180 °/s", TWIST, [5, math.pi]),
-        ("1 m, 200 cm, 30°", POSE, [1, 2, math.pi / 6]),
         ("1, 2, 30°", POSE, [1, 2, math.pi / 6]),
         ("90° + 0.5 rad", [("θ", "rad")], math.pi / 2 + 0.5),
         ("0,5 cm", WIDTH, 0.005),
-        ("0,5 cm, 1,5 cm", POINT, [0.005, 0.015]),
         ("1/2 cm", WIDTH, 0.005),
-        ("½ cm", WIDTH, 0.005),
-        ("2e-3 km", WIDTH, 2),
         ("۱٫۵ cm", WIDTH, 0.015),
         ("0.51/s", RATE, 0.51),
         ("0.5 1/s", RATE, 0.5),
         ("۰٫۵ ۱/s", RATE, 0.5),
         ("\u200fω = 0.5", RATE, 0.5),
-        ("0.5*60°", WIDTH, math.pi / 6),
         ("30 deg", [("", "°")], 30),
         ("0.5 rad", [("", "°")], 90 / math.pi),
         ("۲/۱۹۱", RATE, 2.191),
-        ("۰/۵", RATE, 0.5),
-        ("۲/۰۵، ۱٫۵", POINT, [2.05, 1.5]),
         ("1/3", RATE, 1 / 3),
         ("۱/۳", RATE, 1 / 3),
         ("۱/۳", RATE, 1.3),
-        ("π*۷۰/۱۹۱", RATE, math.pi * 70 / 191),
         ("≈ 2.191", RATE, 2.191),
-        ("= 2.191", RATE, 2.191),
         ("ω: 2,191", RATE, 2.191),
-        ("x: 1, y: 2", POINT, [1, 2]),
         ("x = 0,5; y = 1,5", POINT, [0.5, 1.5]),
         ("-0,043 0,246", POINT, [-0.043, 0.246]),
-        ("-4,77 °/s", RATE, -math.radians(4.77)),
         ("0.5 rad / s", RATE, 0.5),
         ("0.5 radians/s", RATE, 0.5),
-        ("2,191 radians", [("θ", "rad")], 2.191),
         ("1,234.5 cm", WIDTH, 12.345),
     ],
 )
@@ -429,18 +330,12 @@ def test_what_is_meant_is_among_the_readings(text, asks, value):
     [
         ("0.5 m/s", RATE, "unit"),
         ("0.5 rad", RATE, "unit"),
-        ("3 m", [("w", "m²")], "unit"),
         ("0.2 rad/s, 0.1 m/s", TWIST, "unit"),  # in the order of the question, or of the units?
         ("50 cm, 1", POINT, "units"),
-        ("1 m, 2 m, 0.5", POSE, "units"),
         ("1 m + 2 cm", WIDTH, "units"),
-        ("2 - 3 cm", WIDTH, "units"),
         ("2-3 cm", WIDTH, "units"),
-        ("1 m + 2 cm, 3", POINT, "units"),
         ("30°, 1 m", POINT, "unit"),
         ("ω = 0.1, v = 0.2", TWIST, "equals"),
-        ("v = ω = 3", RATE, "equals"),
-        ("2.1.9", RATE, "unknown"),
     ],
 )
 def test_what_cannot_be_meant_is_refused(text, asks, problem):

@@ -480,8 +480,7 @@ def test_the_bar_says_who_and_how_far(page):
     box(page, FIRST).scroll_into_view_if_needed()
     bar = page.locator(".rk-bar")
     bar.wait_for()
-    who = bar.locator("button").inner_text()
-    assert re.fullmatch(r"ADA · number set \d{4}", who)
+    assert bar.locator("button").inner_text() == "ADA"
     assert f"0 of {len(EXERCISES)} in the course" in bar.inner_text()
     right = typed(variant(FIRST, "ada").candidates[0].rows, EXERCISES[FIRST])
     assert answer(page, FIRST, right) == candidates.RIGHT  # the same student
@@ -493,7 +492,6 @@ def test_the_bar_says_who_and_how_far(page):
     assert page.url.endswith("#differential-drive")
     bar = page.locator(".rk-bar")
     sign_in(page, " ada")
-    assert bar.locator("button").text_content().split("set ")[1] == who.split("set ")[1]
     assert page.inner_text(".rk-progress").startswith("1 of ")
 
 
@@ -617,21 +615,6 @@ def test_a_full_browser_is_told_of(chromium, server):
         assert ONE_PASSED in page.inner_text(".rk-progress")
         for place in (".rk-progress", ".rk-bar"):
             assert "keeps nothing more" in page.inner_text(place)
-        assert not watch.errors
-
-
-def test_broken_memory_is_laid_aside(chromium, server):
-    with watched_page(chromium, server) as (page, watch):
-        page.add_init_script(
-            "localStorage.getItem('robokin answers robokin unreadable') ?? "
-            "localStorage.setItem('robokin answers robokin', '{oh')"
-        )
-        page.goto(server + "practice.html")
-        assert "laid aside" in page.inner_text(".rk-progress")
-        right = typed(variant(FIRST, "").candidates[0].rows, EXERCISES[FIRST])
-        assert answer(page, FIRST, right) == candidates.RIGHT
-        kept = page.evaluate("() => localStorage.getItem('robokin answers robokin unreadable')")
-        assert kept == "{oh"
         assert not watch.errors
 
 

@@ -6,9 +6,8 @@
 const BLOCK = `<div class="output text_plain highlight-myst-ansi notranslate">`
   + `<div class="highlight"><pre></pre></div></div>`;
 const CONSENT_KEY = "courseware-run"; // in the browser's storage: a reader is asked once
-const SLOW = 20_000; // ms without a word, after which the reader is told that it still loads
 
-let cells, settings, worker, ready, running = null, heard, stop;
+let cells, settings, worker, ready, running = null, stop;
 
 const consent = (value) => {
   try {
@@ -146,13 +145,11 @@ const stopWorker = () => {
 // The end of what the worker does now; meanwhile outputs and progress are shown.
 const waitForWorker = () => new Promise((resolve, reject) => {
   const on = ({ data }) => {
-    clearTimeout(heard);
     if (data.kind) return cells[data.cell].show(data.kind, data.text);
     if (data.loading) {
       const [what, size] = data.loading;
       cells[running]?.say(`Loading ${what}${size ? `, about ${size} MB,` : ""} from ${describeSource()} …`);
-      heard = setTimeout(() => cells[running]?.status.append(" It is slow; Stop ends it."), SLOW);
-    } else if (data.failed) reject(Object.assign(new Error(data.failed), data));
+    } else if (data.failed) reject(new Error(data.failed));
     else resolve(data);
   };
   worker.onmessage = on;
@@ -167,7 +164,7 @@ const updateButtons = () => cells.forEach((cell, k) => {
 
 const fetchText = async (name) => {
   const answer = await fetch(new URL(name, import.meta.url), { cache: "no-cache" });
-  if (!answer.ok) throw Object.assign(new Error(`${name} answers ${answer.status}`), { gone: answer.status === 404 });
+  if (!answer.ok) throw new Error(`${name} answers ${answer.status}`);
   return answer.text();
 };
 
@@ -203,15 +200,13 @@ const runThrough = async (k) => {
     }
     if (cell.program) cell.fresh.scrollIntoView({ block: "nearest" });
   } catch (error) {
-    if (error?.gone) return cell.say("This site has changed since: load the page again. What you typed is kept.");
     const begun = ready && await ready.then(() => true, () => false);
     stopWorker();
     cell.say(!error ? "Stopped. Python has forgotten all names; Run starts it anew."
       : `Python cannot be loaded from ${describeSource()}: ${error.message}. `
-        + `${error.served ? "" : "The network here may block it. "}The stored results stand; Run tries again.`);
+        + "The network here may block it. The stored results stand; Run tries again.");
     if (error && begun) cell.say(`Python has stopped: ${error.message}. Run starts it anew.`);
   } finally {
-    clearTimeout(heard);
     running = null;
     updateButtons();
     cell.bar.dispatchEvent(new Event("courseware:ran"));

@@ -6,7 +6,6 @@ until its name is used, so that a cell that only computes does not wait for Matp
 
 import ast
 import base64
-import builtins
 import io
 import json
 import linecache
@@ -55,12 +54,7 @@ def start(send: Callable[[str, str], None], packages: list[str]) -> "Cells":
     widgets = ModuleType("courseware.script.widget")
     vars(widgets).update(Widget=NoWidget, create_widget=NoWidget)
     sys.modules[widgets.__name__] = widgets
-    builtins.input = refuse_input
     return Cells(send, frozenset(packages))
-
-
-def refuse_input(prompt: object = "") -> str:
-    raise RuntimeError('input() does not work here: write the value into the cell, as in x = "4"')
 
 
 class Output:

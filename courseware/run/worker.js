@@ -17,13 +17,6 @@ const fetchBytes = async (address) => {
   return answer.arrayBuffer();
 };
 
-// A server that sends a module as another type is not a network that blocks it.
-const importModule = (address) => import(address).catch(async (error) => {
-  const kind = await fetch(address).then(({ ok, headers }) => ok && headers.get("content-type"), () => "");
-  if (!kind || kind.includes("javascript")) throw error;
-  throw Object.assign(new Error(`the server sends ${address} as ${kind}, which must be text/javascript`), { served: true });
-});
-
 const loadPython = async () => {
   postMessage({ loading: ["Python", MEGABYTES.python] });
   const { python, wheels } = settings;
@@ -33,7 +26,7 @@ const loadPython = async () => {
   packages = Object.fromEntries(Object.values(lock.packages).flatMap(({ name, imports }) =>
     imports.map((each) => [each, name])));
   const own = Promise.all([settings.cells, ...wheels].map(fetchBytes));
-  const { loadPyodide } = await importModule(`${python}pyodide.mjs`);
+  const { loadPyodide } = await import(`${python}pyodide.mjs`);
   pyodide = await loadPyodide({
     indexURL: python, lockFileContents: lock, packageBaseUrl: python, stderr: () => {},
   });
@@ -79,6 +72,6 @@ onmessage = async ({ data }) => {
     const found = stored ? cells.check(source, name, stored, revealed).toJs() : [cells.run(source, name), false];
     postMessage({ cell: running, ended: found[0], shown: found[1] });
   } catch (error) {
-    postMessage({ failed: error.message, served: error.served });
+    postMessage({ failed: error.message });
   }
 };

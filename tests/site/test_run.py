@@ -27,7 +27,7 @@ import book  # noqa: F401 (opens the course)
 from courseware.course import _open as open_courses
 from courseware.course import course
 from courseware.errors import CourseError
-from courseware.run.cells import Cells, refuse_input, start
+from courseware.run.cells import Cells, start
 from courseware.script import parts
 from courseware.site import SETTINGS, run
 
@@ -209,13 +209,6 @@ def test_a_flood_is_cut_whatever_it_is_made_of(page, source, most):
     assert page("1 + 1") == [("text/plain", "2")]  # the next run has room again
 
 
-def test_input_says_what_to_do_instead(page, monkeypatch):
-    monkeypatch.setattr(builtins, "input", refuse_input)  # as `start` does
-    [(kind, text)] = page("x = input('how many?')")
-    assert kind == "error"
-    assert "input() does not work here: write the value into the cell" in text
-
-
 # --- the page -------------------------------------------------------------------------------
 
 
@@ -342,18 +335,6 @@ def test_all_that_a_run_may_show_leaves_the_page_alive(flooded):
 
 
 @pytest.mark.browser
-def test_a_page_of_an_older_site_says_that_it_must_be_loaded_again(server, chromium):
-    """Its program may have gone: what was typed is kept, and Python goes on."""
-    with with_worker(server, chromium, "") as (page, watch):
-        page.route("**/programs/*.json", lambda route: route.fulfill(status=404))
-        page.goto(f"{server}bicycle/bicycle.html")
-        page.locator(".rk-run").get_by_text("Check", exact=True).first.click()
-        page.get_by_text("This site has changed since: load the page again.").wait_for()
-        assert {"404" in error for error in watch.errors} == {True}
-        watch.errors.clear()
-
-
-@pytest.mark.browser
 def test_a_program_is_written_where_it_is_first_clicked(flooded):
     flooded.goto(flooded.url.replace(PAGE, "bicycle/bicycle.html"))
     code = flooded.locator("[class*=tag_program-] pre").first
@@ -400,27 +381,6 @@ def test_a_changed_cell_comes_back_after_the_page_was_loaded_anew(flooded):
     page.reload()
     bar.get_by_text("Run", exact=True).wait_for()
     assert back.count() == 0
-
-
-@pytest.mark.browser
-def test_a_server_that_sends_a_module_as_text_is_named_as_the_cause(server, chromium):
-    with watched_page(chromium, server) as (page, _):
-        page.add_init_script("localStorage.setItem('courseware-run', 'yes')")
-        lock = (VENDORED / "pyodide-lock.json").read_text("utf-8")
-        headers = {"Access-Control-Allow-Origin": "*"}
-        page.context.route(
-            f"{PLACE}**",
-            lambda route: route.fulfill(
-                body=lock if route.request.url.endswith("json") else "1",
-                content_type="text/plain",
-                headers=headers,
-            ),
-        )
-        page.goto(server + PAGE)
-        bar = page.locator(".rk-run").first
-        bar.get_by_text("Run", exact=True).click()
-        bar.get_by_text("as text/plain, which must be text/javascript").wait_for()
-        assert "may block it" not in bar.inner_text()
 
 
 def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):

@@ -19,7 +19,7 @@ from courseware.practice.declaration import (
 )
 from courseware.practice.formatting import format_number
 from courseware.practice.mistakes import Mistake, Picture
-from courseware.practice.notebook import answers, example, exercise, export, mistake, student
+from courseware.practice.notebook import example, exercise, export, mistake, student
 from courseware.practice.solution_steps import LocalEquation, Step
 from courseware.practice.solutions import Solution
 from courseware.practice.wrong_formula import WrongFormula
@@ -68,7 +68,6 @@ __all__ = [
     "all_mistakes",
     "all_topics",
     "angle",
-    "answers",
     "example",
     "exercise",
     "export",

@@ -74,7 +74,7 @@ th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width
 <h2>Exercises</h2><div><table><thead><tr><th>exercise{heads}<th></thead><tbody>
 {exercises}
 </tbody></table></div>
-<h2>Mistakes</h2><p>The {most} most frequent, as a share of those who answered.</p>
+<h2>Mistakes</h2><p>The most frequent, {most} at most, as a share of those who answered.</p>
 <div class="few"><table><thead><tr><th class="n">students<th class="n">of<th><th>exercise<th>mistake
 </thead><tbody>
 {mistakes}

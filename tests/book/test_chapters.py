@@ -139,19 +139,6 @@ def test_a_section_has_few_visible_lines(chapter):
         )
 
 
-@pytest.mark.parametrize("chapter", TAUGHT)
-def test_plumbing_is_short(chapter):
-    """VS Code cannot fold it."""
-    for cell in code(itertools.chain(*sections(chapter))):
-        if "remove-input" in tags(cell):
-            statements = ast.parse(cell.source).body
-            several = [ast.unparse(s) for s in statements if not isinstance(s, ast.ImportFrom)]
-            assert len(several) <= 1, (
-                f"a cell tagged `remove-input` has {len(several)} statements, at most 1 beside "
-                f"imports: split it: {several}"
-            )
-
-
 # --- cells to try: Your own figure, Write it yourself ---------------------------------------------
 
 

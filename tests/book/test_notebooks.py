@@ -2,7 +2,6 @@
 
 import base64
 import io
-import json
 import re
 import shutil
 import subprocess
@@ -20,7 +19,6 @@ from support import ROOT
 
 BOOK = ROOT / "book"
 NOTEBOOKS = sorted(BOOK.glob("*/*.ipynb"))
-DRIVE = BOOK / "differential_drive" / "differential_drive.ipynb"
 FRAMES = BOOK / "frames" / "frames.ipynb"
 PAGES = sorted(BOOK.glob("*.md"))
 MARKS = {"definition", "derivation", "mistake"}
@@ -39,10 +37,6 @@ def nbval(path):
     command = [sys.executable, "-m", "pytest", "--nbval", "-q", "-p", "no:cacheprovider"]
     command += ["-c", str(ROOT / "pyproject.toml"), str(path)]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-
-
-def test_there_are_notebooks():
-    assert NOTEBOOKS
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -109,20 +103,6 @@ def test_formulas_come_from_the_equations(path):
 def test_pages_hold_no_formula_typed_by_hand(path):
     found = FORMULA.search(path.read_text(encoding="utf-8"))
     assert not found, f"{path.name} has a formula typed by hand: {found[0] if found else ''}"
-
-
-@pytest.mark.parametrize(
-    ("text", "found"),
-    [
-        ("the rate $\\omega = v/R$ is", True),
-        ("$$\nx\n$$", True),
-        ("\\begin{align}", True),
-        ("a symbol $v_L$, or $v/\\omega$, and b = 3", False),
-        ("both $a$ and $b$ cost $5, so x = 1", False),
-    ],
-)
-def test_what_counts_as_a_formula(text, found):
-    assert bool(FORMULA.search(text)) == found
 
 
 # Numbers in the prose
@@ -246,41 +226,21 @@ def test_a_light_picture_keeps_its_main_colours():
 # nbval bites
 
 
-@pytest.fixture
-def copy(tmp_path):
-    """A copy of a notebook to tamper with: a function that writes it."""
-    path = tmp_path / DRIVE.name
-    shutil.copy(ROOT / "conftest.py", tmp_path)
-
-    def write(change):
-        notebook = nbformat.read(DRIVE, as_version=4)
-        notebook.cells = notebook.cells[:20]
-        change(notebook)
-        nbformat.write(notebook, path)
-        return path
-
-    return write
-
-
-def test_nbval_sees_a_wrong_digit_a_changed_formula_or_picture_and_stale_prose(copy):
+def test_nbval_sees_a_changed_picture_and_stale_prose(tmp_path):
     """In one run: most of its time is the kernel's start."""
-    printed = []
-
-    def tamper(notebook):
-        notebook.update(changed_formula(notebook))
-        printed.append(one_digit_wrong(notebook))
-        notebook.cells += [
-            *painted_over(FRAMES),
-            prose_cell("So 3.1 cm/s.", ["So {np.pi:.1f} cm/s"]),
-            prose_cell("So 3.2 cm/s.", ["So {np.pi:.1f} cm/s"]),
-            prose_cell("So 3.1 cm/s.", ["So {v_none:.1f} cm/s"]),
-            prose_cell("So 3.1 km/s.", ["So {np.pi:.1f} cm/s"]),
-        ]
-
-    run = nbval(copy(tamper))
+    notebook = nbformat.read(FRAMES, as_version=4)
+    notebook.cells = [
+        *painted_over(notebook),
+        prose_cell("So 3.1 cm/s.", ["So {np.pi:.1f} cm/s"]),
+        prose_cell("So 3.2 cm/s.", ["So {np.pi:.1f} cm/s"]),
+        prose_cell("So 3.1 cm/s.", ["So {v_none:.1f} cm/s"]),
+        prose_cell("So 3.1 km/s.", ["So {np.pi:.1f} cm/s"]),
+    ]
+    path = tmp_path / FRAMES.name
+    nbformat.write(notebook, path)
+    shutil.copy(ROOT / "conftest.py", tmp_path)
+    run = nbval(path)
     assert run.returncode == 1
-    assert printed[0] in run.stdout
-    assert "v_{R} - v_{L}" in run.stdout
     assert "the stored output differs in image/png" in run.stdout
     stale = set(re.findall(r"cell \d+: numbers in the text are stale", run.stdout))
     assert len(stale) == 1  # a CI's pytest says it again in its summary
@@ -289,24 +249,9 @@ def test_nbval_sees_a_wrong_digit_a_changed_formula_or_picture_and_stale_prose(c
     assert "the computed phrase 'So {np.pi:.1f} cm/s' stands in the text 0" in run.stdout
 
 
-def changed_formula(notebook):
-    """With a minus in place of a plus, wherever a formula is stored."""
-    text = json.dumps(notebook)
-    assert "v_{R} + v_{L}" in text
-    return nbformat.from_dict(json.loads(text.replace("v_{R} + v_{L}", "v_{R} - v_{L}")))
-
-
-def one_digit_wrong(notebook):
-    """The first number that a cell printed, raised by one in its first digit; what then stands."""
-    outputs = [output for cell in notebook.cells for output in cell.get("outputs", ())]
-    output = next(o for o in outputs if re.search(r"\d", o.get("text", "")))
-    output.text = re.sub(r"\d", lambda digit: str((int(digit[0]) + 1) % 10), output.text, count=1)
-    return output.text.strip()
-
-
-def painted_over(path):
+def painted_over(notebook):
     """The cells of a notebook as far as its first drawn picture, and that one black."""
-    cells = [c for c in nbformat.read(path, as_version=4).cells if c.cell_type == "code"]
+    cells = [c for c in notebook.cells if c.cell_type == "code"]
     drawn = next(k for k, cell in enumerate(cells) if "image/png" in str(cell.outputs))
     data = next(o.data for o in cells[drawn].outputs if "image/png" in o.data)
     picture = Image.open(io.BytesIO(base64.b64decode(data["image/png"])))
@@ -314,18 +259,4 @@ def painted_over(path):
     file = io.BytesIO()
     picture.save(file, "PNG")
     data["image/png"] = base64.b64encode(file.getvalue()).decode()
-    for cell in cells:
-        cell.id = f"{path.stem}-{cell.id}"  # as others stand before them
     return cells[: drawn + 1]
-
-
-def test_a_stripped_copy_fails(copy):
-    """nbval has nothing to compare in it and passes: the first test of this file does not."""
-
-    def strip(notebook):
-        for cell in notebook.cells:
-            if cell.cell_type == "code":
-                cell.outputs, cell.execution_count = [], None
-
-    with pytest.raises(AssertionError):
-        test_every_cell_has_run_in_order_without_error(copy(strip))

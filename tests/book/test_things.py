@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from support import contrast
 
-from book import outlines, things, things_space
+from book import things, things_space
 from book.materials import GRADIENTS, GROUNDS, TONES
 from courseware.equations.quantities import quantity
 from courseware.errors import CourseError
@@ -118,58 +118,12 @@ def test_outlines_stand_out_from_every_ground(page):
             assert contrast(tone[page], TONES[ground][page]) >= 3, (name, ground)  # WCAG 1.4.11
 
 
-# ---- outlines
+# ---- what moves
 
 
 def points(path):
     """The points of a path of straight pieces."""
     return [tuple(map(float, pair.split())) for pair in re.findall(r"[ML]([^MLz]+)", path)]
-
-
-def test_a_capsule_touches_both_of_its_discs():
-    """Its sides meet them at right angles to the radius, so that no corner shows."""
-    numbers = [float(n) for n in re.findall(r"-?[\d.]+", outlines.capsule(0.4, 0.06, 0.03))]
-    a, b = np.array(numbers[:2]), np.array(numbers[2:4])
-    assert np.linalg.norm(a) == pytest.approx(0.06, abs=1e-5)  # paths have five decimals
-    assert np.linalg.norm(b - [0.4, 0]) == pytest.approx(0.03, abs=1e-5)
-    assert np.dot(b - a, a) == pytest.approx(0, abs=1e-5)
-
-
-def test_a_mirrored_outline_is_alike_on_both_sides():
-    half = [[(2, 1)], [(1, 2), (0, 1)], [(-1, 1), (-2, 0.5), (-2, 0)]]
-    found = re.findall(r"-?[\d.]+ -?[\d.]+", outlines.mirrored((3, 0), half))
-    corners = [tuple(map(float, pair.split())) for pair in found]
-    assert corners == [(a, -b) for a, b in corners[::-1]]
-
-
-def test_a_side_is_mirrored_by_its_sign():
-    there, back = (outlines.curves((0, 1), [(2, 3)], [(4, 1)], side=s) for s in (1, -1))
-    assert points(back) == [(a, -b) for a, b in points(there)]
-
-
-def test_round_corners_stay_inside_the_straight_ones():
-    square = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
-    found = re.findall(r"[LM]([-\d. ]+)", outlines.rounded(square, 0.25))
-    ends = [tuple(map(float, pair.split())) for pair in found]
-    assert {(abs(a), abs(b)) for a, b in ends} <= {(1, 0.75), (0.75, 1)}
-
-
-@pytest.mark.parametrize("corner", [0, 0.1])
-def test_a_box_closes(corner):
-    path = outlines.box(2, 1, 3, 4, corner)
-    if not corner:
-        assert points(path) == [(2, 3.5), (4, 3.5), (4, 4.5), (2, 4.5)]
-        return
-    lengths = [float(n) for n in re.findall(r"[hv](-?[\d.]+)", path)]
-    assert lengths == [1.8, 0.8, -1.8, -0.8]
-
-
-def test_a_sector_of_more_than_half_a_turn_takes_the_long_way():
-    assert " 1 1 " in outlines.sector(1, 2, 0, 1.5 * pi)
-    assert " 0 1 " in outlines.sector(1, 2, 0, 0.5 * pi)
-
-
-# ---- what moves
 
 
 def test_treads_run_ahead_as_a_wheel_rolls():
@@ -202,17 +156,6 @@ def test_an_arm_has_a_length_for_each_angle():
         things.arm((0, 0, 0), (0,), (0.4, 0.3))
 
 
-def test_a_gripper_closes():
-    def gap(opening):
-        arm = things.arm((0, 0, 0), (0,), (0.4,), opening=opening)
-        hand = arm.parts[-1].parts[0]
-        return [part.at[1] for part in hand.parts if isinstance(part, Thing)]
-
-    (left, right), (left_0, right_0) = gap(1), gap(0)
-    assert left > left_0 >= 0 >= right_0 > right
-    assert sp.diff(gap(x)[0], x) > 0
-
-
 # ---- in space
 
 MESHES = {
@@ -239,17 +182,6 @@ def test_faces_look_outwards(name):
             up = sum(np.cross(a, b) for a, b in zip(q, np.roll(q, -1, axis=0), strict=True))
             assert np.dot(up, q.mean(axis=0) - corners.mean(axis=0)) >= 0
         assert {mesh.kind, mesh.edge} <= TONES.keys()
-
-
-@pytest.mark.parametrize("face", [0, 1])
-def test_the_covers_lie_on_the_joints(face):
-    (mesh,) = MESHES["link"]
-    q = np.array(mesh.corners)[list(mesh.faces[face])]
-    ahead = (q[1] - q[0]) / np.linalg.norm(q[1] - q[0])
-    up = np.cross([0, 0, 1 if face else -1], ahead)
-    places = [q.mean(axis=0) + dot[0] * ahead + dot[1] * up for dot in mesh.dots[face]]
-    np.testing.assert_allclose(places[0], [0, 0, q[0, 2]], atol=1e-12)  # rounding
-    np.testing.assert_allclose(places[len(places) // 2], [0.4, 0, q[0, 2]], atol=1e-12)
 
 
 def test_a_body_of_a_material_is_drawn():

@@ -8,11 +8,11 @@ from html import unescape
 from itertools import pairwise
 
 import pytest
-from declared import EXERCISES, each
+from declared import each
 
 from courseware import practice
 from courseware.line_breaks import prevent_breaks
-from courseware.practice import Exercise, dealing, judging, rendering
+from courseware.practice import Exercise, dealing, rendering
 from courseware.practice.formatting import render_paragraphs, render_symbols
 from courseware.script import engine as script
 
@@ -79,10 +79,3 @@ def test_the_data_of_a_topic_are_light_and_not_in_clear(topic):
     )
     assert "right" not in text
     assert len(rendering.render_script(topic, solutions=False)) < len(text)
-
-
-def test_a_unit_that_all_numbers_have_is_said_once():
-    assert judging.format_prompt(EXERCISES["elbow-arm-3"]) == "3 numbers: θ_1, θ_2, θ_3 in rad"
-    assert judging.format_prompt(EXERCISES["wheels-6"]).startswith(
-        "2 numbers: β in rad, φ̇ in rad/s"
-    )

@@ -22,7 +22,7 @@ from courseware.practice.candidates import Candidate
 from courseware.practice.formatting import append_unit
 from courseware.predictions import Number
 from courseware.script import engine
-from courseware.units import TABLE, UNITS, figure_unit
+from courseware.units import TABLE, UNITS
 
 SI = [row[0] for row in TABLE]
 SIZES = {  # of the words in names; SciPy's
@@ -95,11 +95,6 @@ def test_one_spelling_is_one_unit_of_a_size():
     assert len(typed) == len(set(typed))
 
 
-@given(st.sampled_from(list(UNITS.values())), st.floats(-1e9, 1e9))
-def test_there_and_back(unit, number):
-    assert np.isclose(unit.from_si(unit.to_si(number)), number, rtol=1e-15, atol=1e-300)
-
-
 def test_three_decimals_are_enough_and_one_of_an_angle_in_degrees():
     for unit in SI:
         assert 5e-4 < unit.tolerance < 1e-3
@@ -127,7 +122,7 @@ SHOWN = {  # the same of a unit that only the reader sees
 }
 
 
-@pytest.mark.parametrize("unit", ["furlong", "km/hr", "M", " m", None, ["m"]])
+@pytest.mark.parametrize("unit", ["furlong", "M", None])
 @pytest.mark.parametrize(("declare", "who"), [*DECLARED.values(), *SHOWN.values()])
 def test_an_unknown_unit_is_refused_with_those_that_are_known(declare, who, unit):
     got = re.escape(repr(unit))
@@ -211,11 +206,6 @@ def test_a_speed_is_graded_in_the_unit_that_is_typed(typed, result):
         assert "a unit that fits: m/s, cm/s, mm/s, km/h" in verdict.feedback
 
 
-def test_signs_that_few_keyboards_have_are_named_in_two_ways():
-    assert ": rad, °, deg, turns" in judge_one("5 furlong", "rad", 5).feedback
-    assert ": m², m^2, cm², cm^2, mm², mm^2" in judge_one("5 furlong", "m²", 5).feedback
-
-
 # Printing
 
 
@@ -229,8 +219,3 @@ def test_no_line_ends_between_a_number_and_its_unit():
     for unit in UNITS:
         kept = unit and unit[0] != "1"
         assert (" " in prevent_breaks(f"5 {unit}".rstrip())[:2]) == (not kept and unit != ""), unit
-
-
-def test_figures_show_angles_in_degrees_and_all_else_as_declared():
-    shown = {unit: figure_unit(unit).name for unit in UNITS}
-    assert shown == {unit: unit for unit in UNITS} | {"rad": "°"}

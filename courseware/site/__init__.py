@@ -40,43 +40,27 @@ from courseware.site.verification_page import FormulaChecks
 from courseware.symbols.live_numbers import place_slots
 from courseware.symbols.page import mark_formulas
 
-SETTINGS = {  # name → default, allowed values, example
-    "course_name": ("", "a text, in quotes", '"kinematics-2026"'),
-    "course_solutions": (True, "true or false, without quotes", "true"),
-    "course_wheels": ([], "a list of folders", "[., courseware, book]"),
-    "course_python": (
-        "https://cdn.jsdelivr.net/pyodide/v314.0.6/full/",
-        "an address with a slash at its end, in quotes",
-        '"https://cdn.jsdelivr.net/pyodide/v314.0.6/full/"',
-    ),
-    "course_editor": (
-        "",
-        "the name of a file in the site's `_static`, in quotes",
-        '"codemirror.js"',
-    ),
-    "course_katex": ("", "the name of a file in the site's `_static`, in quotes", '"katex.min.js"'),
-    "course_lock": ("requirements.txt", "the name of a file, in quotes", '"requirements.txt"'),
+SETTINGS: dict[str, Any] = {  # name → default
+    "course_name": "",
+    "course_solutions": True,
+    "course_wheels": [],
+    "course_python": "https://cdn.jsdelivr.net/pyodide/v314.0.6/full/",
+    "course_editor": "",
+    "course_katex": "",
+    "course_lock": "requirements.txt",
 }
+MEANT = {str: "a text, in quotes", bool: "true or false, without quotes", list: "a list"}
 
 
 def _open_course(app: Sphinx, config: Any) -> None:
     """Check the settings and open the course."""
-    for name, (default, words, example) in SETTINGS.items():
+    for name, default in SETTINGS.items():
         value = getattr(config, name)
-        texts = value if isinstance(value, list) else [""]
-        if type(value) is not type(default) or not all(isinstance(text, str) for text in texts):
-            _refuse(name, f"is {value!r}: it must be {words}, such as `{name}: {example}`")
-    root = course().folder.parent
-    for name in ("course_wheels", "course_lock"):
-        value = getattr(config, name)
-        for file in value if isinstance(value, list) else [value]:
-            if not (root / file).exists():
-                _refuse(name, f"names {file!r}, which is not in {root}")
-
-
-def _refuse(setting: str, words: str) -> None:
-    """End the build with a sentence; for an error Jupyter Book shows a traceback."""
-    raise SystemExit(f"{setting} in _config.yml {words}")
+        if type(value) is not type(default):  # for an error Jupyter Book shows a traceback
+            raise SystemExit(
+                f"{name} in _config.yml is {value!r}: it must be {MEANT[type(default)]}"
+            )
+    course()
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -84,7 +68,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     for directive in (Chapters, Desk, Errata, Library, Live, Notation, Practice, Promise):
         app.add_directive(directive.__name__.lower(), directive)
     app.add_directive("formula-checks", FormulaChecks)
-    for name, (default, *_) in SETTINGS.items():
+    for name, default in SETTINGS.items():
         # with text allowed, Sphinx leaves "no" as it is: without, it would be true
         app.add_config_value(name, default, "env", (type(default), str))
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB

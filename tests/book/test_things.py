@@ -96,10 +96,6 @@ def tones_of(material):
 ON = {tone for ground in GROUNDS.values() for tone in tones_of(ground.fill)}
 
 
-def color_of(material, page):
-    return TONES[material][page] if material in TONES else getattr(KINDS[material], page)
-
-
 def edges(thing):
     """The materials round a thing and round what stands out of it."""
     widest = [part.edge for part in thing.parts if isinstance(part, Outline) and not part.width]

@@ -406,7 +406,7 @@ def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):
 
 def test_one_version_of_python_is_named_everywhere():
     """By the pages, by the list of packages, and by JupyterLite's kernel."""
-    assert SETTINGS["course_python"][0] == PLACE
+    assert SETTINGS["course_python"] == PLACE
     assert f"# Pyodide {VERSION}:" in (VENDORED / "README.md").read_text("utf-8")
     listed = hashlib.sha256((VENDORED / "pyodide-lock.json").read_bytes()).hexdigest()
     assert listed in (VENDORED / "README.md").read_text("utf-8")

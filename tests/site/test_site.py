@@ -523,24 +523,19 @@ def test_a_setting_that_cannot_be_meant_ends_the_build_with_a_sentence(tmp_path)
     run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert run.returncode == 1
     assert run.stderr.strip().splitlines() == [
-        "course_solutions in _config.yml is 'no': it must be true or false, without quotes, "
-        "such as `course_solutions: true`"
+        "course_solutions in _config.yml is 'no': it must be true or false, without quotes"
     ]
 
 
 @pytest.mark.parametrize(
     ("name", "value", "words"),
     [
-        ("course_name", 2026, 'is 2026: it must be a text, in quotes, such as `course_name: "kin'),
+        ("course_name", 2026, "is 2026: it must be a text, in quotes"),
         ("course_name", None, "is None: it must be a text, in quotes"),
-        ("course_wheels", [".", "gone"], "names 'gone', which is not in "),
-        ("course_wheels", [1], "is [1]: it must be a list of folders"),
-        ("course_lock", "gone.txt", "names 'gone.txt', which is not in "),
     ],
 )
 def test_settings_are_looked_at(name, value, words):
-    settings = {setting: default for setting, (default, *_) in SETTINGS.items()}
-    settings = SimpleNamespace(**{**settings, name: value})
+    settings = SimpleNamespace(**{**SETTINGS, name: value})
     with pytest.raises(SystemExit, match=re.escape(f"{name} in _config.yml {words}")):
         look_at(None, settings)
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import sympy as sp
 from declared import each
+from verification import evaluate_exactly
 
 from courseware.course import course
 from courseware.equations import Equation, find_kind
-from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, Figure, QuarterTurns, Thing
 from courseware.figures.compiler import Compiler
 from courseware.figures.solids import Solid

@@ -22,8 +22,8 @@ from figure_numbers import (
     readouts,
     rounded,
 )
+from verification import evaluate_exactly
 
-from courseware.equations.verification import evaluate_exactly
 from courseware.figures import Choice, QuarterTurns
 from courseware.figures.compiler import coordinates
 from courseware.figures.figure import render_outlines

@@ -1,16 +1,14 @@
 """Formulas, each declared once: printed in chapters, compared with code, drawn from."""
 
-from courseware.equations.declared_checks import Check
+from courseware.equations.declared_checks import Array, Check
 from courseware.equations.equation import Equation, Where, as_written, find_equation, substitute
 from courseware.equations.notebook import show, show_again
 from courseware.equations.quantities import find_kind, quantity, symbol
-from courseware.equations.verification import Array, Result, verify
 
 __all__ = [
     "Array",
     "Check",
     "Equation",
-    "Result",
     "Where",
     "as_written",
     "find_equation",
@@ -20,5 +18,4 @@ __all__ = [
     "show_again",
     "substitute",
     "symbol",
-    "verify",
 ]

@@ -8,12 +8,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
 import sympy as sp
+from numpy.typing import NDArray
 
 from courseware.course import course
 from courseware.equations.equation import Equation, free_symbols
 from courseware.equations.quantities import describe_symbols, refuse_namesakes, sort_symbols
 from courseware.errors import CourseError
+
+Array = NDArray[np.float64]
+SAMPLES = 100  # points at which a test compares, beside special ones
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""Equations: declared once, then printed, verified and drawn from.
+"""Equations: declared once, then printed, tested and drawn from.
 
 The two sides are written inside `with as_written():`, so that SymPy keeps (v_R + v_L)/2 as typed.
 """

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from sympy.printing.jscode import JavascriptCodePrinter
 
 from courseware.equations.equation import Where, as_written
-from courseware.equations.functions import MPMATH
+from courseware.equations.functions import IN_SCRIPT
 from courseware.equations.latex import OrderedPrinter
 from courseware.equations.quantities import describe_symbols
 from courseware.errors import CourseError
@@ -38,7 +38,7 @@ class _JavaScript(OrderedPrinter, JavascriptCodePrinter):  # type: ignore[misc]
 
     def _print_Function(self, expr: sp.Expr) -> str:
         name = expr.func.__name__
-        if name in MPMATH:  # each has its JavaScript in functions.js
+        if name in IN_SCRIPT:
             return f"f.{name}({', '.join(self._print(a) for a in expr.args)})"
         if name not in self.known_functions:
             raise CourseError(f"no JavaScript for {name}; see courseware/equations/functions.py")

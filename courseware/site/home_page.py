@@ -9,8 +9,7 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
-from courseware.equations.declared_checks import declared_checks
-from courseware.equations.verification import SAMPLES
+from courseware.equations.declared_checks import SAMPLES, declared_checks
 from courseware.errors import CourseError
 from courseware.figures import Figure
 from courseware.figures.figure import find_figure

@@ -11,8 +11,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
-from courseware.equations.declared_checks import Check, declared_checks
-from courseware.equations.verification import SAMPLES
+from courseware.equations.declared_checks import SAMPLES, Check, declared_checks
 
 # a formula is made by the page's script when it comes near: all at once are 40,000 elements
 LATER = ('<div class="site-later"><noscript>', "</noscript></div>")

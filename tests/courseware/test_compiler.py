@@ -19,10 +19,10 @@ from figure_numbers import (
 )
 from small_figures import a, small_figure
 from support import EPS, assert_close
+from verification import differences
 
 from book.motion import formulas as motion_formulas
 from courseware.equations.javascript import run_javascript
-from courseware.equations.verification import differences
 from courseware.figures import Curve, Point, Readout, Recurrence, Slider, Trail
 from courseware.figures.compiler import coordinates
 from courseware.script import engine as script

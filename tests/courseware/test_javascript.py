@@ -7,10 +7,10 @@ import declared  # noqa: F401  (opens the course, whose packages register their 
 import numpy as np
 import pytest
 import sympy as sp
+from verification import differences, evaluate_exactly
 
 from courseware.equations.functions import null_projector, rank, solve
 from courseware.equations.javascript import compile_javascript, run_javascript
-from courseware.equations.verification import differences, evaluate_exactly
 from courseware.errors import CourseError
 
 N = 100

@@ -8,8 +8,8 @@ import sympy as sp
 from figure_numbers import N
 from small_figures import a, painted, small_figure, space_figure
 from support import EPS, assert_close
+from verification import evaluate_exactly
 
-from courseware.equations.verification import evaluate_exactly
 from courseware.figures import VIEW, Arrow, Line, Point
 from robokin import euler
 

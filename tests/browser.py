@@ -12,7 +12,7 @@ import sys
 import threading
 import time
 from collections import defaultdict
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -211,7 +211,7 @@ class Watch:
     def __init__(self, page, home):
         self.home = home
         self.errors, self.strangers = [], []
-        self.kinds, self.weights = {}, defaultdict(int)
+        self.kinds = {}
         page.on("console", self.on_console)
         page.on("pageerror", lambda error: self.errors.append(str(error)))
         page.on("request", self.on_request)
@@ -266,33 +266,3 @@ def watched_page(browser, home, width=1280, scheme="light", **options):
         yield page, Watch(page, home)
     finally:
         context.close()
-
-
-class KeptPages:
-    """Pages that stay open from test to test, and whose console must stay empty."""
-
-    def __init__(self, browser, home):
-        self.browser, self.home, self.kept = browser, home, {}
-
-    @contextmanager
-    def page(self, name, before=None, **options):
-        """Yield a page and whether it is new. name: of a page to keep, None for one to close."""
-        key = (name, *options.items())
-        with ExitStack() as stack:
-            is_new = key not in self.kept
-            if is_new:
-                page, watch = stack.enter_context(watched_page(self.browser, self.home, **options))
-                if before:
-                    before(page)
-            else:
-                page, watch, others = self.kept.pop(key)
-                stack.push(others)
-            yield page, is_new
-            assert not watch.errors + watch.strangers
-            if name:
-                self.kept[key] = page, watch, stack.pop_all()  # a test that fails closes its page
-
-    def close(self):
-        """Close them all."""
-        for *_, stack in self.kept.values():
-            stack.close()

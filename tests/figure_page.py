@@ -1,7 +1,7 @@
-"""A live figure on a page in the browser, and the pages on which tests move it.
+"""A live figure in the browser, on a page with nothing else.
 
-`visit` opens the chapter's page, `alone` a page with nothing else: there a figure does what it does
-on its chapter's page, which takes ten times as long to open and twice as long to draw.
+There it does what it does on its chapter's page, which takes ten times as long to open and twice as
+long to draw.
 """
 
 import re
@@ -10,9 +10,9 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 import sympy as sp
-from browser import COME_ALIVE, UNFOLD, KeptPages, pages, settled, watched_page
-from declared import FIGURES
+from browser import COME_ALIVE, UNFOLD, watched_page
 from figure_numbers import (
+    HOMES,
     LETTERS,
     MINUS,
     keeps_its_digits,
@@ -33,16 +33,10 @@ from courseware.units import figure_unit
 pytest_plugins = ["browser"]
 
 
-@pytest.fixture(scope="session")
-def page_of(site):
-    """Return figure → its page; `index.html` is the first page once more."""
-    texts = {name: (site / name).read_text("utf-8") for name in pages(site)}
-    found = {}
-    for figure in FIGURES:
-        place = f'class="rk-figure" id="{figure}"'
-        found[figure] = [n for n, t in texts.items() if n != "index.html" and place in t]
-        assert len(found[figure]) == 1, f"{figure} stands on {found[figure]}"
-    return {figure: names[0] for figure, names in found.items()}
+def page_of(figure):
+    """Return the name of a figure's page."""
+    home = HOMES[figure.name]
+    return "index.html" if home == "home" else f"{home}/{home}.html"
 
 
 SHOW = """(svg) => new Promise((standing) => {
@@ -170,81 +164,47 @@ class OnPage:
         return self.picture.locator("[role=img]").get_attribute("aria-label")
 
 
-# a figure and its page as they were at first
-AS_AT_FIRST = """() => {
-  document.activeElement.blur();
-  for (const { courseware } of document.querySelectorAll(".rk-figure.rk-live")) {
-    courseware.element.querySelector(".rk-reset")?.click();
-    courseware.last = null;
-    courseware.settled();
-    courseware.tell(); // now, not a moment later
-  }
-  history.replaceState(null, "", location.pathname);
-  scrollTo({ top: 0, behavior: "instant" });
-}"""
-
-
-@pytest.fixture(scope="session")
-def visit(chromium, server, page_of):
-    """Open the page of a figure; one that is kept is as at first again."""
-    kept = KeptPages(chromium, server)
-
-    @contextmanager
-    def opened(figure, address="", before=None, fresh=False, reduced_motion="reduce", **options):
-        home = server + page_of[figure.name]
-        keep = not (fresh or address or before) and reduced_motion == "reduce"
-        way = {"reduced_motion": reduced_motion, **options}
-        with kept.page(home if keep else None, before, **way) as (page, is_new):
-            if is_new:
-                settled(page, home + address)  # else the page still moves
-                page.add_style_tag(content="html { scroll-behavior: auto !important; }")
-            else:
-                page.mouse.move(0, 0)
-                page.evaluate(AS_AT_FIRST)
-            yield OnPage(page, figure).come_alive()
-
-    yield opened
-    kept.close()
-
-
 HOME = "http://alone.test/"
 
 
-@pytest.fixture(scope="session")
+STYLE = "body { max-width: 46rem; margin: 1rem; }"
+
+
+@pytest.fixture
 def alone(chromium):
     """Open a figure on a page without anything else, which can be scrolled."""
-    kept = KeptPages(chromium, HOME)
-    style = f"<style>{parts.join_styles()} body {{ max-width: 46rem; margin: 1rem; }}</style>"
 
     @contextmanager
-    def opened(figure, before=None, reduced_motion="reduce", **options):
+    def opened(figure, address="", before=None, reduced_motion="reduce", **options):
         scripts = parts.bundle_page(parts.list_parts())
-        start = f"<script>{scripts}courseware.startFigure({figure.code});</script>"
-        body = f"{style}{render_outlines([figure])}{figure.render_html()}"
-        body += f"<p style='height: 3000px'>{start}"
-        html = f"<!doctype html><meta charset='utf-8'>{body}"
-        way = {"reduced_motion": reduced_motion, **options}
-        with kept.page(None if before else HOME, before, **way) as (page, _):
-            page.unroute_all()
+        html = (
+            "<!doctype html><meta charset='utf-8'>"
+            "<meta name='viewport' content='width=device-width'>"
+            f"<style>{parts.join_styles()} {STYLE}</style>"
+            f"{render_outlines([figure])}{figure.render_html()}<p style='height: 3000px'>"
+            f"<script>{scripts}courseware.startFigure({figure.code});</script>"
+        )
+        options["reduced_motion"] = reduced_motion
+        with watched_page(chromium, HOME, **options) as (page, watch):
+            if before:
+                before(page)
             page.route(
                 f"{HOME}**", lambda route: route.fulfill(body=html, content_type="text/html")
             )
-            page.goto(HOME)
+            page.goto(HOME + address)
             yield OnPage(page, figure).come_alive()
-            page.goto("about:blank")  # else it plays on, and takes time from other tests
+            assert not watch.errors + watch.strangers
 
-    yield opened
-    kept.close()
+    return opened
 
 
 @contextmanager
 def alone_together(chromium, figures, width, reduced_motion="reduce"):
     """Open a page with several figures and nothing else, all alive → page, what went wrong."""
     body = render_outlines(figures) + "".join(figure.render_html() for figure in figures)
-    style = f"{parts.join_styles()} body {{ max-width: 46rem; margin: 1rem; }}"
     with watched_page(chromium, "about:blank", width) as (page, watch):
         page.emulate_media(reduced_motion=reduced_motion)
-        page.set_content(f"<style>{style}</style>{body}")
+        page.set_content(f"<style>{parts.join_styles()} {STYLE}</style>{body}")
         scripts = [f"courseware.startFigure({figure.code});" for figure in figures]
         page.add_script_tag(content="\n".join([parts.bundle_page(parts.list_parts()), *scripts]))
         yield page, watch
@@ -275,12 +235,6 @@ def assert_slider_shows(live, control, shown):
     digits = len(number.partition(".")[2])
     assert number.replace("-", MINUS) == rounded(shown, digits)
     assert float(number) == pytest.approx(shown, abs=control.step / figure_unit(known).factor)
-
-
-def neighbours(live):
-    """Return the other figures on the page, alive."""
-    ids = live.page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
-    return [OnPage(live.page, FIGURES[i]).come_alive() for i in ids if i != live.figure.name]
 
 
 SEEN = """(root) => {

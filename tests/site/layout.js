@@ -78,15 +78,11 @@ async ({ phone, screens, heights, sizes }) => {
     const { left, right, height } = box(figure), svg = figure.querySelector(".rk-picture svg");
     const scale = box(svg).width / svg.viewBox.baseVal.width, texts = all("text", svg);
     const letters = all("text, tspan", svg).map((t) => scale * parseFloat(getComputedStyle(t).fontSize));
-    const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
     const faults = tornNumbers(figure).map((told) => `${told.textContent} is torn`);
     if (height > heights[sizes[figure.id]]) faults.push(`${height} px high, at most ${heights[sizes[figure.id]]}: flatten its view, or tell less`);
     if (left < 0 || right > innerWidth) faults.push("beside the page");
     if (!texts.length) faults.push("no text");
     if (Math.min(...letters) < 11 - 0.05) faults.push(`letters of ${Math.min(...letters)} px`); // rounded
-    texts.forEach((one, i) => texts.slice(i + 1).forEach((other) => {
-      if (meet(box(one), box(other))) faults.push(`${one.textContent} on ${other.textContent}`);
-    }));
     return faults.map((fault) => `${figure.id}: ${fault}`);
   };
 

@@ -2,8 +2,9 @@
 
 import pytest
 from declared import FIGURES
-from figure_numbers import ASKED, TYPICAL
-from figure_page import SHOW, assert_shows_state
+from figure_numbers import ASKED, TYPICAL, started
+from figure_page import assert_shows_state
+from playwright.sync_api import expect
 
 from courseware.figures import Clock
 
@@ -33,9 +34,9 @@ def on_its_own_clock(page):
 
 
 @each_clock
-def test_play_pause_and_the_end(figure, clock, visit):
+def test_play_pause_and_the_end(figure, clock, alone):
     """On a clock of the test's own: seconds pass when it says so."""
-    with visit(figure, before=on_its_own_clock, reduced_motion="no-preference") as live:
+    with alone(figure, before=on_its_own_clock, reduced_motion="no-preference") as live:
         live.page.clock.pause_at(60_000)
         live.press(clock, "Home")
         button = live.root.locator(".rk-play")
@@ -61,9 +62,9 @@ def test_play_pause_and_the_end(figure, clock, visit):
 
 
 @each_clock
-def test_scrubbing_takes_over_from_playing(figure, clock, visit):
+def test_scrubbing_takes_over_from_playing(figure, clock, alone):
     """In real time."""
-    with visit(figure, reduced_motion="no-preference") as live:
+    with alone(figure, reduced_motion="no-preference") as live:
         live.root.locator(".rk-play").click()
         live.page.wait_for_function(
             "([name, i, low]) => document.getElementById(name).courseware.state[i] > low",
@@ -76,9 +77,9 @@ def test_scrubbing_takes_over_from_playing(figure, clock, visit):
 
 
 @each_clock
-def test_reduced_motion_steps(figure, clock, visit):
+def test_reduced_motion_steps(figure, clock, alone):
     """Nothing runs: each press of the button is a tenth of the time."""
-    with visit(figure, reduced_motion="reduce") as live:
+    with alone(figure, reduced_motion="reduce") as live:
         live.press(clock, "Home")
         for turn in range(1, 12):
             live.root.locator(".rk-play").click()
@@ -88,44 +89,51 @@ def test_reduced_motion_steps(figure, clock, visit):
             assert live.root.locator(".rk-play").text_content() == "Play"
 
 
-LOOPS = [f for f in FIGURES.values() if any(isinstance(c, Clock) and c.loops for c in f.controls)]
-WAKE = "() => document.querySelectorAll('.rk-figure').forEach((e) => e.scrollIntoView())"
-COUNT = """() => {
-  window.drawn = {};
-  const count = ({ target: { id } }) => { drawn[id] = (drawn[id] ?? 0) + 1; };
-  addEventListener("courseware:drawn", count);
-}"""
-OUT_OF_SIGHT = """() => Object.keys(drawn).filter((id) => {
-  const { top, bottom } = document.getElementById(id).getBoundingClientRect();
-  return bottom < 0 || top > innerHeight;
-})"""
-RUNS = "(name) => document.getElementById(name).courseware.tick"
+# --- What plays by itself -------------------------------------------------------------------
+
+PARK = FIGURES["park"]
+LOOP = next(c for c in PARK.controls if isinstance(c, Clock))
+TIME = f"document.getElementById('park').courseware.state[{PARK.controls.index(LOOP)}]"
 
 
-@pytest.mark.parametrize("figure", LOOPS, ids=lambda figure: figure.name)
-def test_only_what_is_in_sight_runs(figure, visit):
-    """All figures of the page are alive; those that draw a frame are counted."""
-    with visit(figure, reduced_motion="no-preference") as live:
-        page = live.page
-        page.evaluate(WAKE)
-        live.picture.evaluate(SHOW)
-        page.wait_for_function(RUNS, arg=figure.name)
-        page.evaluate(COUNT)
-        page.wait_for_function("(name) => drawn[name] > 5", arg=figure.name)
-        assert page.evaluate(OUT_OF_SIGHT) == []
-        page.evaluate("() => scrollTo(0, document.body.scrollHeight)")
-        page.wait_for_function(f"(name) => !({RUNS})(name)", arg=figure.name)
+def test_motion_loops_in_sight_and_rests_out_of_it(alone):
+    place = PARK.controls.index(LOOP)
+    with alone(PARK, reduced_motion="no-preference") as live:
+        live.picture.scroll_into_view_if_needed()
+        live.page.wait_for_function(f"() => {TIME} > {LOOP.low + 0.2}")
+        highest = 0.9 * LOOP.high
+        live.root.evaluate("({courseware}, [i, t]) => courseware.setOne(i, t)", [place, highest])
+        live.page.wait_for_function(f"() => {TIME} > {highest}")
+        live.page.wait_for_function(f"() => {TIME} < {highest}")  # and again
+        live.press(PARK.controls[0], "End")  # another hand does not stop it …
+        before = live.state()[place]
+        live.page.wait_for_function(f"() => {TIME} !== {before}")
+        live.page.evaluate("() => scrollTo(0, document.body.scrollHeight)")
+        button = live.root.locator(".rk-play")
+        expect(button).to_have_text("Play")
+        live.picture.scroll_into_view_if_needed()
+        expect(button).to_have_text("Pause")  # in sight again
+        button.click()  # … and the button does
+        expect(button).to_have_text("Play")
+        button.click()
+        expect(button).to_have_text("Pause")
 
 
-@pytest.mark.parametrize("figure", LOOPS, ids=lambda figure: figure.name)
-def test_what_starts_by_itself_rests_after_two_rounds(figure, visit):
-    with visit(figure, before=on_its_own_clock, reduced_motion="no-preference") as live:
-        live.picture.evaluate(SHOW)
-        live.page.wait_for_function(RUNS, arg=figure.name)
-        clock = next(c for c in figure.controls if isinstance(c, Clock))
-        live.page.clock.run_for(1000 * (2 * (clock.high - clock.low) / clock.rate + 3))
-        assert not live.page.evaluate(RUNS, figure.name)
-        assert time_of(live, clock) == clock.high
+def test_it_rests_after_two_rounds(alone):
+    ticks = "({courseware}) => courseware.tick"
+    with alone(PARK, before=on_its_own_clock, reduced_motion="no-preference") as live:
+        round = (LOOP.high - LOOP.low) / LOOP.rate
+        live.page.wait_for_function(f"() => ({ticks})(document.getElementById('park'))")
+        live.page.clock.run_for(1000 * (2 * round + 3))
+        assert not live.root.evaluate(ticks)
+        assert time_of(live, LOOP) == LOOP.high
         live.root.locator(".rk-play").click()  # again and again
-        live.page.clock.run_for(1000 * (4 * (clock.high - clock.low) / clock.rate + 3))
-        assert live.page.evaluate(RUNS, figure.name)
+        live.page.clock.run_for(1000 * (4 * round + 3))
+        assert live.root.evaluate(ticks)
+
+
+def test_nothing_plays_by_itself_for_those_who_want_no_motion(alone):
+    with alone(PARK) as live:
+        live.picture.scroll_into_view_if_needed()
+        assert live.root.locator(".rk-play").text_content() == "Play"
+        assert live.state() == started(PARK)

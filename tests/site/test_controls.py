@@ -23,20 +23,20 @@ pytestmark = pytest.mark.browser
 
 
 @typical_handled
-def test_twenty_settings_by_mouse_and_keys(figure, visit):
+def test_settings_by_mouse_and_keys(figure, alone):
     random = np.random.default_rng(20)
     seen = set()
-    with visit(figure) as live:
-        for turn in range(40 if len(figure.controls) == 1 else 20):
+    with alone(figure) as live:
+        for turn in range(9):
             (slide, drag, nudge)[turn % 3](live, random)
             assert_shows_state(live)
             seen.add(json.dumps(live.state()))
-    assert len(seen) >= 10  # some keys, as Home at the lower end, change nothing
+    assert len(seen) >= 4  # some keys, as Home at the lower end, change nothing
 
 
 @typical_held
-def test_a_handle_taken_at_its_edge_does_not_jump(figure, visit):
-    with visit(figure) as live:
+def test_a_handle_taken_at_its_edge_does_not_jump(figure, alone):
+    with alone(figure) as live:
         start = live.state()
         x, y = live.spot(len(figure.handles) - 1, live.values())
         live.page.mouse.move(x + 6, y + 6)
@@ -50,10 +50,10 @@ def test_a_handle_taken_at_its_edge_does_not_jump(figure, visit):
     ("name", "values", "readout", "word"),
     [pytest.param(*row, marks=[pytest.mark.slow] * (row[0] not in TYPICAL)) for row in WORDS],
 )
-def test_keys_reach_a_word_instead_of_a_number(visit, name, values, readout, word):
+def test_keys_reach_a_word_instead_of_a_number(alone, name, values, readout, word):
     """From the nearer end of the slider step by step."""
     figure = FIGURES[name]
-    with visit(figure) as live:
+    with alone(figure) as live:
         for control in figure.controls:
             if control.key in values:
                 up = round((values[control.key] - control.low) / control.step)
@@ -65,10 +65,10 @@ def test_keys_reach_a_word_instead_of_a_number(visit, name, values, readout, wor
 
 
 @typical(lambda figure: any(isinstance(c, Slider) for c in own_controls(figure)))
-def test_a_tap_moves_a_slider_by_its_step(figure, visit):
+def test_a_tap_moves_a_slider_by_its_step(figure, alone):
     """No slider needs to be dragged; held down, the button goes on."""
     sliders = [c for c in figure.controls if isinstance(c, Slider)]
-    with visit(figure, before=lambda page: page.clock.install(time=0)) as live:
+    with alone(figure, before=lambda page: page.clock.install(time=0)) as live:
         live.page.clock.pause_at(1000)
         for slider in sliders:
             live.input(slider).evaluate(OPENED)
@@ -91,8 +91,8 @@ def test_a_tap_moves_a_slider_by_its_step(figure, visit):
 
 
 @typical_moved
-def test_reset_restores_the_start(figure, visit):
-    with visit(figure) as live:
+def test_reset_restores_the_start(figure, alone):
+    with alone(figure) as live:
         start = live.state()
         for control in figure.controls:
             live.press(control, "End")

@@ -1,7 +1,4 @@
-"""What a hand does to the live figures, and what a phone shows of a page.
-
-On three figures that differ; on all of them in the long run.
-"""
+"""What a hand does to the live figures, and what a phone shows of one."""
 
 import numpy as np
 import pytest
@@ -13,18 +10,11 @@ pytest_plugins = ["figure_page"]
 pytestmark = pytest.mark.browser
 
 
-WAYS = {  # a handle, and a way of it in pixels that meets at most one magnet
-    "wheel-speeds": (1, (0, 120)),
-    "ackermann-steering": (0, (85, 0)),
-}
-
-
-@pytest.mark.parametrize("name", WAYS)
-def test_dragging_is_continuous(name, alone):
-    place, way = WAYS[name]
-    with alone(FIGURES[name]) as live:
-        start = live.centre(place)
-        found = states_on_the_way(live, start, start + np.array(way), 40)
+def test_dragging_is_continuous(alone):
+    with alone(FIGURES["wheel-speeds"]) as live:
+        start = live.centre(1)
+        # on the way it meets at most one magnet
+        found = states_on_the_way(live, start, start + np.array([0, 120]), 40)
     assert len(set(map(tuple, found))) >= 35
 
 
@@ -61,17 +51,6 @@ def test_what_keys_leave_is_what_is_shown(alone):
             before = right
 
 
-def test_the_ring_of_the_focus_comes_with_the_first_key(alone):
-    """After a drag it would only hide the label."""
-    look = "(grip) => getComputedStyle(grip).outlineStyle"
-    with alone(FIGURES["wheel-speeds"]) as live:
-        start = live.centre(1)
-        states_on_the_way(live, start, start + np.array([0, 37]), 3)
-        assert live.handles.nth(1).evaluate(look) == "none"
-        live.page.keyboard.press("ArrowUp")
-        assert live.handles.nth(1).evaluate(look) == "solid"
-
-
 def test_the_thumb_follows_and_keys_go_in_steps(alone):
     figure = FIGURES["wheel-speeds"]
     with alone(figure) as live:
@@ -92,28 +71,23 @@ MEASURED = """({courseware}, states) => states.map((state) => {
   courseware.set(state);
   courseware.settled();
   return [...courseware.picture.querySelectorAll(".rk-handles ellipse")].map((ring) => {
-    const box = ring.getBoundingClientRect(), style = getComputedStyle(ring);
+    const box = ring.getBoundingClientRect();
     const target = ring.previousSibling.getBoundingClientRect();
-    return {
-      x: box.x + box.width / 2, y: box.y + box.height / 2, wide: box.width, target: target.width,
-      opacity: style.strokeOpacity * style.opacity,
-    };
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2, target: target.width };
   });
 })"""
 
 
 @typical_figure
-def test_handles_are_small_and_apart(figure, visit):
-    """Over settings at random, inside the picture; the target is larger than the ring."""
+def test_handles_are_apart(figure, alone):
+    """Over settings at random, inside the picture, and large enough for a finger."""
     random = np.random.default_rng(5)
-    with visit(figure, width=390) as live:
+    with alone(figure, width=390) as live:
         picture = live.picture.bounding_box()
         states = [random_state(figure, random) for _ in range(30)]
         for rings in live.root.evaluate(MEASURED, states):
             for k, ring in enumerate(rings):
-                assert ring["wide"] <= 20
-                assert ring["target"] >= 24
-                assert ring["opacity"] == 1  # the accent's contrast is tested where it is declared
+                assert ring["target"] >= 24  # WCAG 2.5.8
                 assert ring["x"] < -50 or picture["x"] < ring["x"] < picture["x"] + picture["width"]
                 for other in rings[:k]:
                     far = np.hypot(ring["x"] - other["x"], ring["y"] - other["y"])
@@ -152,9 +126,9 @@ def test_a_cancelled_drag_has_not_been(alone):
 # --- What is outside the picture ------------------------------------------------------------
 
 
-def test_the_icr_outside_is_told_at_the_edge(visit):
+def test_the_icr_outside_is_told_at_the_edge(alone):
     """Nearly straight: the ICR is 3.2 m away; on a phone, too, its words are in the picture."""
-    with visit(FIGURES["wheel-speeds"], width=390) as live:
+    with alone(FIGURES["wheel-speeds"], width=390) as live:
         marker = live.picture.locator(".rk-beyond")
         assert marker.count() == 0
         live.put([0.0945, 0.0975, 1.5])
@@ -174,8 +148,8 @@ def test_the_icr_outside_is_told_at_the_edge(visit):
 
 
 @typical(own_controls, ["wheel-laboratory"])  # with more sliders than a phone has room for
-def test_on_a_phone_the_picture_stays_with_its_sliders(figure, visit):
-    with visit(figure, width=390) as live:
+def test_on_a_phone_the_picture_stays_with_its_sliders(figure, alone):
+    with alone(figure, width=390) as live:
         last = live.root.locator(".rk-controls :is(input, select, button):not(details *)").last
         last.evaluate("(e) => e.scrollIntoView({block: 'end', behavior: 'instant'})")
         picture, slider = live.root.locator(".rk-picture").bounding_box(), last.bounding_box()

@@ -1,6 +1,6 @@
 """A finger on the live figures of a phone: what it scrolls, and what it moves.
 
-With real touches: on the typical figures, and on every figure of every page in the long run.
+With real touches: on a typical figure, and on every figure of every page in the long run.
 """
 
 import time
@@ -8,12 +8,11 @@ import time
 import pytest
 from browser import draw_all, listed, watched_page
 from declared import FIGURES
-from figure_numbers import HOMES, TYPICAL
 from figure_page import SHOW, OnPage
 
 from courseware.figures import Choice, QuarterTurns
 
-pytest_plugins = ["browser"]
+pytest_plugins = ["figure_page"]
 pytestmark = pytest.mark.browser
 
 FAR = 120  # pixels that a finger goes
@@ -131,46 +130,44 @@ def touch_handles(finger, live):
         moves(finger, live, x, y, right=right, down=down)
 
 
-def test_two_fingers_make_a_picture_in_space_larger(server, chromium):
+PHONE = {"width": 390, "has_touch": True, "is_mobile": True}
+
+
+def test_two_fingers_make_a_picture_in_space_larger(alone):
     """And the view stays as it is."""
-    options = {"width": 390, "has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
-    name = next(name for name in HOMES if FIGURES[name].view_angles)
-    with watched_page(chromium, server, **options) as (page, _):
-        page.goto(f"{server}{HOMES[name]}/{HOMES[name]}.html")
-        page.evaluate("() => document.fonts.ready")
-        live = OnPage(page, FIGURES[name]).come_alive()
-        x, y = free(live)
-        x, before = 195, live.state()
-        finger, now = Finger(page), time.time()
+    with alone(next(figure for figure in FIGURES.values() if figure.view_angles), **PHONE) as live:
+        (_, y), x, before = free(live), 195, live.state()
+        finger, now = Finger(live.page), time.time()
         for step in range(8):
             near = 20 + 15 * step
             kind = "touchMove" if step else "touchStart"
             finger.send(kind, now + step / 50, (x - near, y), (x + near, y))
         finger.send("touchEnd", now + 1)
-        page.wait_for_function("() => visualViewport.scale > 1.2")
+        live.page.wait_for_function("() => visualViewport.scale > 1.2")
         assert live.state() == before
 
 
-@pytest.mark.parametrize(
-    ("name", "figures"),
-    [
-        *((f"{HOMES[figure]}/{HOMES[figure]}", f"#{figure}") for figure in TYPICAL),
-        *(
-            pytest.param(name, ".rk-figure", marks=pytest.mark.slow)
-            for name in ("index", *filter(lambda name: "/" in name, listed()))
-        ),
-    ],
-)
-def test_a_finger_scrolls_or_moves_but_never_both(name, figures, site, server, chromium):
-    options = {"width": 390, "has_touch": True, "is_mobile": True, "reduced_motion": "reduce"}
-    with watched_page(chromium, server, **options) as (page, watch):
+def scroll_or_move(live):
+    """All that a finger may touch of a figure."""
+    finger = Finger(live.page)
+    touch_sliders(finger, live)
+    touch_handles(finger, live)
+    touch_ground(finger, live)
+
+
+def test_a_finger_scrolls_or_moves_but_never_both(alone):
+    with alone(FIGURES["wheel-speeds"], **PHONE) as live:
+        scroll_or_move(live)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["index", *filter(lambda name: "/" in name, listed())])
+def test_so_it_is_on_every_page(name, server, chromium):
+    with watched_page(chromium, server, reduced_motion="reduce", **PHONE) as (page, watch):
         page.goto(f"{server}{name}.html")
         draw_all(page)  # what is drawn above moves the page
-        finger = Finger(page)
-        ids = page.locator(figures).evaluate_all("(all) => all.map(({id}) => id)")
+        ids = page.locator(".rk-figure").evaluate_all("(all) => all.map(({id}) => id)")
         assert ids
-        for live in (OnPage(page, FIGURES[i]).come_alive() for i in ids):
-            touch_sliders(finger, live)
-            touch_handles(finger, live)
-            touch_ground(finger, live)
+        for each in ids:
+            scroll_or_move(OnPage(page, FIGURES[each]).come_alive())
         assert not watch.errors + watch.strangers

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from figure_page import CANCEL, states_on_the_way
+from figure_page import CANCEL
 from small_figures import a, space_figure
 
 from courseware.figures import POINTER, Handle, Readout, Slider
@@ -91,14 +91,6 @@ def swipe(page, start, end):
         kind = ["touchStart", *["touchMove"] * 4, "touchEnd"][step]
         touches = [] if kind == "touchEnd" else [{"x": x, "y": y}]
         finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
-
-
-def test_turning_is_continuous(alone):
-    with alone(TURNED) as live:
-        box = live.picture.bounding_box()
-        start = np.array([box["x"] + 60, box["y"] + 60], dtype=float)
-        found = states_on_the_way(live, start, start + np.array([-70, 20]), 40)
-    assert len(set(map(tuple, found))) >= 35
 
 
 def test_a_cancelled_turn_has_not_been(alone):

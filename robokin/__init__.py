@@ -15,7 +15,6 @@ One module a topic, named as its chapter. `import robokin` needs NumPy only; sti
 
 from importlib import import_module
 from pkgutil import iter_modules
-from types import ModuleType
 
 __version__ = "0.1.0"
 _DRAWING = ("draw", "styles")
@@ -26,14 +25,5 @@ __all__ = [
     for module in iter_modules(__path__)
     if not module.name.startswith("_") and module.name not in _DRAWING
 ]
-
-
-def __getattr__(name: str) -> ModuleType:
-    """Import a module when it is first used."""
-    if name in __all__:
-        return import_module(f"{__name__}.{name}")
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-
-
-def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+for _name in __all__:
+    import_module(f"{__name__}.{_name}")

@@ -3,10 +3,10 @@
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike
-from robokin._validation import STEPS, Check, data, finite, one_of
+from robokin._validation import data, finite, one_of
 
 METHOD = one_of("exact", "midpoint", "start", "end")
-PATH: dict[str, Check] = {"pose": data(3), "dt": finite(STEPS), "method": METHOD}
+PATH = {"pose": data(3), "dt": finite(), "method": METHOD}
 
 
 def follow(
@@ -14,8 +14,8 @@ def follow(
 ) -> Array:
     """Return the poses (…, N+1, 3) from the first one on.
 
-    pose: (…, 3); length, turn: of each step, (…, N) together; turned: (…, N) since the start,
-    where it is known better than by summing the turns.
+    pose: (…, 3); length, turn: of each step, (…, N) together, or one for all; turned: (…, N) since
+    the start, where it is known better than by summing the turns.
     """
     steps = np.broadcast(pose[..., :1], length, turn).shape
     turn = np.broadcast_to(turn, steps)

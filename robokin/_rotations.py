@@ -1,11 +1,12 @@
 """Rotations and poses as matrices: whether a matrix is one, and its parts."""
 
 from functools import reduce
+from typing import Any
 
 import numpy as np
 
-from robokin._arrays import Array, ArrayLike, Shape, entries, first
-from robokin._validation import Rule, Sizes
+from robokin._arrays import Array, entries, first
+from robokin._validation import Rule, Sizes, real_numbers
 from robokin.errors import RobokinError, at_index
 
 TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
@@ -13,35 +14,31 @@ NEAREST = ". With U, _, Vh = np.linalg.svd(R), the rotation nearest to R is U @ 
 BLOCK = 4000  # matrices judged together, which fit the processor's cache: twice as fast
 
 
-class Square(Rule):
-    """Square matrices of one or two sizes."""
+def square(*sides: int) -> Rule:
+    """Return the rule for square matrices of one or two sizes."""
 
-    def check_shape(self, name: str, shape: Shape, sizes: Sizes) -> None:
-        if shape[-2:] not in [(n, n) for n in self.core]:
-            allowed = " or ".join(f"(…, {n}, {n})" for n in dict.fromkeys(self.core))
-            raise RobokinError(f"{name} must have shape {allowed}, got {shape}")
-        n = shape[-1] - 1  # what a pose of this size moves: points (…, n)
-        if sizes.setdefault("n", n) != n:
-            raise RobokinError(f"SE(2) and SE(3) do not mix: {name} is SE({n})")
+    def check(name: str, value: Any, sizes: Sizes) -> Array:
+        matrices = real_numbers(name, value)
+        if matrices.shape[-2:] not in [(n, n) for n in sides]:
+            allowed = " or ".join(f"(…, {n}, {n})" for n in sides)
+            raise RobokinError(f"{name} must have shape {allowed}, got {matrices.shape}")
+        return matrices
 
-
-class Rotation(Square):
-    """Matrices that are rotations."""
-
-    rows_below = 0
-
-    def __call__(self, name: str, value: ArrayLike, sizes: Sizes) -> Array:
-        matrices = super().__call__(name, value, sizes)
-        return judged(name, matrices, matrices.shape[-1] - self.rows_below)
+    return check
 
 
-class Pose(Rotation):
-    """Matrices that are poses: a rotation, a position, and the row 0, …, 0, 1."""
+def rigid(*sides: int, below: int) -> Rule:
+    """Return the rule for rotations or, with a row 0, …, 0, 1 below, for poses."""
 
-    rows_below = 1
+    def check(name: str, value: Any, sizes: Sizes) -> Array:
+        matrices = square(*sides)(name, value, sizes)
+        n = sizes["n"] = matrices.shape[-1] - below  # of the plane 2, of space 3
+        return judged(name, matrices, n)
+
+    return check
 
 
-A_ROTATION, A_PLANAR_POSE, A_POSE = Rotation((3, 3)), Pose((3, 3)), Pose((3, 4))
+A_ROTATION, A_PLANAR_POSE, A_POSE = rigid(3, below=0), rigid(3, below=1), rigid(3, 4, below=1)
 
 
 def judged(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:

@@ -1,19 +1,16 @@
-"""Validation of arguments: one decorator above each public function.
+"""Validation of arguments: a decorator above each public function, whose body is the formula.
 
     @validated(theta=data(3), a2=positive(), unreachable=one_of("raise", "nan"))
     def inverse(theta, a2, unreachable="raise"): …
 
-Inside the function these arguments are arrays of floats whose batch shapes broadcast, and NumPy's
-warnings are silent. *Parameters* (`positive`, `finite`, …) with an impossible value are refused.
-*Data* are refused for their shape or type only: NaN and infinity go through the arithmetic.
+Inside the function these arguments are arrays of floats, and NumPy's warnings are silent.
+*Parameters* (`positive`, `finite`, …) with an impossible value are refused. *Data* are refused for
+their shape or type only: NaN and infinity go through the arithmetic.
 """
 
-import inspect
-from collections import UserList, deque
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cached_property, wraps
-from itertools import combinations
+from collections.abc import Callable
+from functools import wraps
+from inspect import signature
 from typing import Any, TypeAlias, TypeVar, cast
 
 import numpy as np
@@ -23,77 +20,85 @@ from robokin.errors import RobokinError, at_index, describe
 
 F = TypeVar("F", bound=Callable[..., Any])
 Sizes: TypeAlias = dict[Any, int]  # what the letters in the shapes stand for in one call
-Check: TypeAlias = Callable[[str, Any, Sizes], Any]  # an argument's name, its value, the sizes
+Rule: TypeAlias = Callable[[str, Any, Sizes], Any]  # an argument's name, its value, the sizes
 
-MOST_AXES = 24  # NumPy's own limit is 32 in places, and a result may have more axes than its data
-STEPS = "N"  # along this axis an argument may also be a single number, for all steps of a path
 quiet = np.errstate(all="ignore")
 
 
-@dataclass(frozen=True)
-class Rule:
-    """An argument that is an array: the shape of one item, and what is allowed of its numbers."""
+def validated(**rules: Rule) -> Callable[[F], F]:
+    """Decorate a public function with a rule for each argument; they are applied in this order."""
 
-    core: tuple[int | str, ...] = ()  # a letter: a size that arguments have in common
-    ok: Callable[[Array], Bools] | None = None
-    allowed: str = ""
+    def decorate(function: F) -> F:
+        parameters = signature(function).parameters
+        defaults = {n: p.default for n, p in parameters.items() if p.default is not p.empty}
+        optional = {name for name, default in defaults.items() if default is None}
+        defaults |= {n: rules[n](n, defaults[n], {}) for n in defaults.keys() - optional}
 
-    @cached_property
-    def has_steps(self) -> bool:
-        """Whether the argument belongs to the steps of a path."""
-        return self.core[:1] == (STEPS,)
+        @wraps(function)
+        @quiet
+        def wrapper(*args: Any, **kwargs: Any) -> Any:
+            given = dict(zip(parameters, args, strict=False)) | kwargs
+            if len(given) < len(args) + len(kwargs):
+                return function(*args, **kwargs)  # raises Python's own error
+            sizes: Sizes = {}
+            for name, rule in rules.items():
+                if name in given and (given[name] is not None or name not in optional):
+                    given[name] = rule(name, given[name], sizes)
+            try:
+                result = function(**(defaults | given))
+            except RobokinError:
+                raise
+            except ValueError as error:
+                arrays = {n: a for n, a in given.items() if isinstance(a, np.ndarray)}
+                got = ", ".join(f"{name} {a.shape}" for name, a in arrays.items())
+                raise RobokinError(f"leading dimensions must be equal or 1, got {got}") from error
+            return result[()] if isinstance(result, np.ndarray) else result
 
-    def __call__(self, name: str, value: Any, sizes: Sizes) -> Array:
+        return cast(F, wrapper)
+
+    return decorate
+
+
+def data(*core: int | str, ok: Callable[[Array], Bools] | None = None, allowed: str = "") -> Rule:
+    """Return the rule for poses, angles, rates: any numbers, NaN and infinity among them.
+
+    core: the shape of one item; a letter is a size that arguments have in common. ok: whether each
+    number is allowed.
+    """
+
+    def check(name: str, value: Any, sizes: Sizes) -> Array:
         array = real_numbers(name, value)
-        if self.has_steps and array.ndim < len(self.core):
-            array = array[None]
-        if self.core and self.core != (STEPS,):
-            self.check_shape(name, array.shape, sizes)
-        if self.ok:
-            refuse(name, array, self.ok(array), self.allowed)
+        if core:
+            check_shape(name, array.shape, core, sizes)
+        if ok:
+            refuse(name, array, ok(array), allowed)
         return array
 
-    def check_shape(self, name: str, shape: Shape, sizes: Sizes) -> None:
-        """Refuse a shape that does not end in the core; learn the letters not yet known."""
-        letters = self.core[self.has_steps :]  # the numbers of steps broadcast
-        last = shape[-len(letters) :]
-        if last == letters:
-            return
-        core = [sizes.get(n, n) for n in letters]
-        pairs = zip(core, last, strict=False)
-        if len(last) < len(core) or any(m != n and (isinstance(n, int) or m < 1) for n, m in pairs):
-            wanted = ", ".join(["…", *(f"{n}" if isinstance(n, int) else f"{n} ≥ 1" for n in core)])
-            raise RobokinError(f"{name} must have shape ({wanted}), got {shape}")
-        sizes.update(zip(letters, last, strict=True))
-
-
-def data(*core: int | str) -> Rule:
-    """Return the rule for poses, angles, rates: any numbers, NaN and infinity among them."""
-    return Rule(core)
+    return check
 
 
 def whole(*core: int | str) -> Rule:
     """Return the rule for data in whole numbers: ticks."""
     allowed = "whole numbers (NaN where a reading is missing)"
-    return Rule(core, lambda a: (np.rint(a) == a) | np.isnan(a), allowed)
+    return data(*core, ok=lambda a: (np.rint(a) == a) | np.isnan(a), allowed=allowed)
 
 
 def positive(*core: int | str) -> Rule:
     """Return the rule for a parameter greater than zero: a length."""
-    return Rule(core, lambda a: (a > 0) & (a < np.inf), "positive and finite")
+    return data(*core, ok=lambda a: (a > 0) & (a < np.inf), allowed="positive and finite")
 
 
 def not_negative(*core: int | str) -> Rule:
     """Return the rule for a parameter that may be zero."""
-    return Rule(core, lambda a: (a >= 0) & (a < np.inf), "zero or more and finite")
+    return data(*core, ok=lambda a: (a >= 0) & (a < np.inf), allowed="zero or more and finite")
 
 
 def finite(*core: int | str) -> Rule:
     """Return the rule for a parameter that may be any finite number."""
-    return Rule(core, np.isfinite, "finite")
+    return data(*core, ok=np.isfinite, allowed="finite")
 
 
-def one_of(*allowed: str) -> Check:
+def one_of(*allowed: str) -> Rule:
     """Return the rule for a name that must be one of a few."""
 
     def check(name: str, value: Any, sizes: Sizes) -> str:
@@ -104,69 +109,39 @@ def one_of(*allowed: str) -> Check:
     return check
 
 
-def validated(**rules: Check) -> Callable[[F], F]:
-    """Decorate a public function with a rule for each argument; they are applied in this order."""
-
-    def decorate(function: F) -> F:
-        parameters = inspect.signature(function).parameters
-        defaults = {n: p.default for n, p in parameters.items() if p.default is not p.empty}
-        required = [name for name in parameters if defaults.get(name, ...) is not None]
-
-        @wraps(function)
-        @quiet
-        def wrapper(*args: Any, **kwargs: Any) -> Any:
-            passed = dict(zip(parameters, args, strict=False)) | kwargs
-            given = defaults | passed  # Signature.bind takes longer than most of the formulas
-            if len(passed) < len(args) + len(kwargs) or given.keys() != parameters.keys():
-                return function(*args, **kwargs)  # raises Python's own error
-            validate(given, {n: rules[n] for n in rules if given[n] is not None or n in required})
-            result = function(**given)
-            return result[()] if isinstance(result, np.ndarray) else result
-
-        return cast(F, wrapper)
-
-    return decorate
-
-
-def validate(given: dict[str, Any], rules: Mapping[str, Check]) -> None:
-    """Put arrays that broadcast in place of the arguments, or refuse one of them."""
-    sizes: Sizes = {}
-    batches: dict[Shape, str] = {}  # each batch shape, and the first argument that has it
-    lengths: dict[Shape, str] = {}  # likewise the numbers of steps
-    for name, rule in rules.items():
-        array = given[name] = rule(name, given[name], sizes)
-        if isinstance(rule, Rule):
-            axes = array.ndim - len(rule.core)
-            batches.setdefault(array.shape[:axes], name)
-            if rule.has_steps:
-                lengths.setdefault(array.shape[axes : axes + 1], name)
-    for shapes in batches, lengths:
-        for s, t in combinations(shapes, 2):
-            if any(m != n and 1 not in (m, n) for m, n in zip(s[::-1], t[::-1], strict=False)):
-                raise RobokinError(f"shapes do not broadcast: {shapes[s]} {s}, {shapes[t]} {t}")
+def check_shape(name: str, shape: Shape, core: tuple[int | str, ...], sizes: Sizes) -> None:
+    """Refuse a shape that does not end in the core; learn the letters not yet known."""
+    last = shape[-len(core) :]
+    if last == core:
+        return
+    wanted = [sizes.get(n, n) for n in core]
+    fits = (m == n or (m > 0 and isinstance(n, str)) for m, n in zip(last, wanted, strict=False))
+    if len(last) < len(core) or not all(fits):
+        sides = ", ".join(["…", *(f"{n} ≥ 1" if isinstance(n, str) else f"{n}" for n in wanted)])
+        raise RobokinError(f"{name} must have shape ({sides}), got {shape}")
+    sizes.update(zip(core, last, strict=True))
 
 
 def real_numbers(name: str, value: Any) -> Array:
     """Return an array of floats; refuse masked arrays, strings, objects, complex, ragged lists."""
-    try:
-        masked = has_mask(value)
-        array = np.asarray(0.0 if masked else value)
-    except Exception as error:  # whatever a ragged list or a strange object does in there
-        raise RobokinError(f"{name} must be a regular array, got {describe(value)}") from error
-    if masked:
+    if isinstance(value, float):
+        return cast(Array, np.float64(value))  # a quick call for most numbers
+    if has_mask(value):
         raise RobokinError(f"{name} must not be masked; .filled(np.nan) makes masked values NaN")
+    try:
+        array = np.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise RobokinError(f"{name} must be a regular array, got {describe(value)}") from error
     if array.dtype.kind not in "iuf":
         raise RobokinError(f"{name} must be real numbers, got {array.dtype} in {describe(value)}")
-    if array.ndim > MOST_AXES:
-        raise RobokinError(f"{name} must have at most {MOST_AXES} axes, got {array.ndim}")
     return array.astype(np.float64, copy=False)[()]  # a single one as a number, which is faster
 
 
 def has_mask(value: Any) -> bool:
-    """Return whether a value is a masked array or, as a list or a queue, holds one."""
-    if isinstance(value, list | tuple | deque | UserList):
+    """Return whether a value is a masked array, or a list that holds one."""
+    if isinstance(value, list | tuple):
         return any(map(has_mask, value))
-    return isinstance(value, np.ma.MaskedArray)
+    return hasattr(value, "mask")  # without numpy.ma, which takes 50 ms to import
 
 
 def refuse(name: str, array: Array, ok: Bools, allowed: str) -> None:

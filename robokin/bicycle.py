@@ -11,7 +11,7 @@ import numpy as np
 
 from robokin._arrays import Array, ArrayLike, vector
 from robokin._paths import PATH, follow
-from robokin._validation import STEPS, data, positive, validated
+from robokin._validation import data, positive, validated
 
 __all__ = [
     "ackermann",
@@ -290,7 +290,7 @@ def front_twist(v: ArrayLike, phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     return vector(v, v * slope, v * slope / wheelbase)
 
 
-@validated(v=data(STEPS), phi=data(STEPS), wheelbase=positive(), **PATH)
+@validated(v=data(), phi=data(), wheelbase=positive(), **PATH)
 def path(
     pose: ArrayLike,
     v: ArrayLike,

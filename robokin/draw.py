@@ -116,9 +116,7 @@ def point(ax: Axes, at: Vector, kind: str, label: str = "") -> None:
     _label(ax, at, label, look)
 
 
-def path(
-    ax: Axes, points: Sequence[Vector] | NDArray[np.float64], kind: str = "path", label: str = ""
-) -> None:
+def path(ax: Axes, points: Sequence[Vector] | NDArray[np.float64], kind: str = "path") -> None:
     """Draw a line through points.
 
     Parameters
@@ -129,16 +127,14 @@ def path(
         Points in m: x and y are the first two columns.
     kind : str, default "path"
         Kind of the line.
-    label : str, default ""
-        Text for a legend.
     """
     look = style(kind)
     dash: Any = (0, look.dash) if look.dash else "-"
     columns = np.asarray(points).T
-    ax.plot(columns[0], columns[1], color=look.light, linestyle=dash, label=label or None)
+    ax.plot(columns[0], columns[1], color=look.light, linestyle=dash)
 
 
-def frame(ax: Axes, pose: Vector, size: float, name: str = "") -> None:
+def frame(ax: Axes, pose: Vector, size: float) -> None:
     """Draw the x and y axes of a frame.
 
     Parameters
@@ -149,8 +145,6 @@ def frame(ax: Axes, pose: Vector, size: float, name: str = "") -> None:
         `[x, y, theta]` in m and rad.
     size : float
         Length of the axes in m.
-    name : str, default ""
-        Text.
     """
     place = _placed(ax, pose)
     for kind, x, y in (("x_axis", size, 0), ("y_axis", 0, size)):
@@ -160,7 +154,6 @@ def frame(ax: Axes, pose: Vector, size: float, name: str = "") -> None:
                 arrowstyle="-|>", mutation_scale=12, shrinkA=0, shrinkB=0,
             )
         )  # fmt: skip
-    _label(ax, pose, name, style("text"))
 
 
 def robot(
@@ -186,12 +179,7 @@ def robot(
     side = [-0.2 * wheel_distance, 0, 0.2 * wheel_distance]
     ax.plot(nose, side, color=look.light, linewidth=1.5, transform=place)
     for wheel, y in (("left", wheel_distance / 2), ("right", -wheel_distance / 2)):
-        width = 0.14 * wheel_distance
-        corner = (-wheel_radius, y - width / 2)
-        color = style(wheel).light
-        paint: Any = {"edgecolor": color, "facecolor": color + "66", "linewidth": 1.5}
-        size = (2 * wheel_radius, width)
-        ax.add_patch(Rectangle(corner, *size, transform=place, **paint))
+        _wheel(ax, place, (2 * wheel_radius, 0.14 * wheel_distance), y, wheel)
 
 
 def wheel(ax: Axes, pose: Vector, wheel_radius: float, kind: str = "body") -> None:
@@ -208,10 +196,14 @@ def wheel(ax: Axes, pose: Vector, wheel_radius: float, kind: str = "body") -> No
     kind : str, default "body"
         Kind of the wheel.
     """
-    look, width = style(kind), 0.6 * wheel_radius
-    paint: Any = {"edgecolor": look.light, "facecolor": look.light + "66", "linewidth": 1.5}
-    corner, size = (-wheel_radius, -width / 2), (2 * wheel_radius, width)
-    ax.add_patch(Rectangle(corner, *size, transform=_placed(ax, pose), **paint))
+    _wheel(ax, _placed(ax, pose), (2 * wheel_radius, 0.6 * wheel_radius), 0.0, kind)
+
+
+def _wheel(ax: Axes, place: Transform, size: tuple[float, float], y: float, kind: str) -> None:
+    color, (length, width) = style(kind).light, size
+    paint: Any = {"edgecolor": color, "facecolor": color + "66", "linewidth": 1.5}
+    corner = (-length / 2, y - width / 2)
+    ax.add_patch(Rectangle(corner, length, width, transform=place, **paint))
 
 
 def _placed(ax: Axes, pose: Vector) -> Transform:

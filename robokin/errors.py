@@ -1,9 +1,10 @@
 """The errors that robokin raises, one family: `except RobokinError` catches all."""
 
 import reprlib
-from typing import Any
 
 __all__ = ["RobokinError", "SingularError", "UnreachableError"]
+
+describe = reprlib.repr  # a value cut short, for a message
 
 
 class RobokinError(ValueError):
@@ -21,11 +22,3 @@ class SingularError(RobokinError):
 def at_index(index: tuple[int, ...]) -> str:
     """Return which element of a batch is meant, as a message says it."""
     return f" at index {', '.join(map(str, index))}" if index else ""
-
-
-def describe(value: Any) -> str:
-    """Return a value cut short for a message; some objects cannot even be printed."""
-    try:
-        return reprlib.repr(value)
-    except Exception:
-        return f"a {type(value).__name__}"

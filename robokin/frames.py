@@ -11,8 +11,8 @@ from itertools import pairwise
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike, Shape, entries, first, matrix, times, vector, wrap
-from robokin._rotations import A_PLANAR_POSE, A_POSE, A_ROTATION, TOLERANCE, Square, judged
-from robokin._validation import data, positive, quiet, refuse, validate, validated
+from robokin._rotations import A_PLANAR_POSE, A_POSE, A_ROTATION, TOLERANCE, judged, square
+from robokin._validation import data, positive, quiet, refuse, validated
 from robokin.errors import RobokinError, at_index, describe
 
 __all__ = [
@@ -27,6 +27,7 @@ __all__ = [
     "transform",
 ]
 
+FIT = "SE(2) and SE(3) do not mix, and batches must broadcast"
 FAR = 1e-3  # positions are compared by the metre, from 1 km on by the kilometre
 
 
@@ -226,10 +227,12 @@ def compose(*transforms: ArrayLike) -> Array:
     """
     if not transforms:
         raise RobokinError("compose needs at least one transform, got none")
-    chain = {f"transforms[{n}]": T for n, T in enumerate(transforms)}
-    validate(chain, dict.fromkeys(chain, A_POSE))
-    first_pose, *others = chain.values()
-    return reduce(np.matmul, others, first_pose.copy())
+    first_pose, *others = (A_POSE(f"transforms[{n}]", T, {}) for n, T in enumerate(transforms))
+    try:
+        return reduce(np.matmul, others, first_pose.copy())
+    except ValueError as error:
+        shapes = ", ".join(f"{np.shape(T)}" for T in transforms)
+        raise RobokinError(f"transforms have shapes {shapes}: {FIT}") from error
 
 
 @validated(T=A_POSE, points=data("n"))
@@ -328,8 +331,7 @@ class FrameGraph:
         except ValueError as error:
             raise RobokinError(
                 f"{name} has shape {T.shape}, the poses of the known frames "
-                f"({', '.join(self.frames)}) have {self._shape}: SE(2) and SE(3) do not mix, and "
-                "batches must broadcast"
+                f"({', '.join(self.frames)}) have {self._shape}: {FIT}"
             ) from error
         before = self._before(a) if {a, b} <= self._known.keys() else {}
         if b in before:
@@ -423,7 +425,7 @@ def _trace(before: dict[str, str], b: str) -> list[str]:
     return way[::-1]
 
 
-@validated(R=Square((2, 3)), tol=positive())
+@validated(R=square(2, 3), tol=positive())
 def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """Raise if a matrix is not a rotation: columns of length 1, at right angles, right-handed.
 

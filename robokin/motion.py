@@ -11,7 +11,7 @@ import numpy as np
 
 from robokin._arrays import Array, ArrayLike, parts, vector
 from robokin._paths import PATH, cos_sin_of_sum, follow, sinc
-from robokin._validation import STEPS, data, finite, validated
+from robokin._validation import data, finite, validated
 
 __all__ = [
     "arc_step",
@@ -176,7 +176,7 @@ def move(pose: ArrayLike, twist: ArrayLike, dt: ArrayLike) -> Array:
     return vector(x + scale * (c * v_x - s * v_y), y + scale * (s * v_x + c * v_y), theta + turn)
 
 
-@validated(v=data(STEPS), omega=data(STEPS), **PATH)
+@validated(v=data(), omega=data(), **PATH)
 def path(
     pose: ArrayLike, v: ArrayLike, omega: ArrayLike, dt: ArrayLike, method: str = "exact"
 ) -> Array:

@@ -11,18 +11,8 @@ import numpy as np
 
 from robokin._arrays import Array, ArrayLike, entries, first, matrix, parts, vector
 from robokin._paths import METHOD, follow, sinc, sinc_slope
-from robokin._rotations import Square
-from robokin._validation import (
-    STEPS,
-    Rule,
-    Sizes,
-    data,
-    not_negative,
-    positive,
-    refuse,
-    validated,
-    whole,
-)
+from robokin._rotations import square
+from robokin._validation import Sizes, data, not_negative, positive, refuse, validated, whole
 from robokin.errors import RobokinError, at_index
 
 __all__ = [
@@ -36,23 +26,19 @@ __all__ = [
 ]
 
 
-class Ticks(Rule):
-    """Whole numbers; unsigned ones only where they cannot be differences that wrapped round."""
-
-    def __call__(self, name: str, value: Any, sizes: Sizes) -> Array:
-        ticks = whole(*self.core)(name, value, sizes)
-        dtype = np.asarray(value).dtype
-        if dtype.kind == "u":
-            allowed = "ticks of one step (unsigned differences wrap round: use unwrap_counter)"
-            refuse(name, ticks, ticks <= np.iinfo(dtype).max // 2, allowed)
-        return ticks
+def _ticks(name: str, value: Any, sizes: Sizes) -> Array:
+    """Validate whole numbers; unsigned ones must not be differences that wrapped round."""
+    ticks = whole()(name, value, sizes)
+    dtype = np.asarray(value).dtype
+    if dtype.kind == "u":
+        allowed = "ticks of one step (unsigned differences wrap round: use unwrap_counter)"
+        refuse(name, ticks, ticks <= np.iinfo(dtype).max // 2, allowed)
+    return ticks
 
 
-TICKS = {"ticks_left": Ticks((STEPS,)), "ticks_right": Ticks((STEPS,))}
+TICKS = {"ticks_left": _ticks, "ticks_right": _ticks}
 WHEEL = {"ticks_per_turn": positive(), "wheel_radius": positive()}
 ROBOT = {**WHEEL, "wheel_distance": positive()}
-BITS = Rule((), lambda n: (n == np.rint(n)) & (n >= 1) & (n <= 52), "1, 2, … or 52")
-MODULUS = Rule((), lambda n: (n == np.rint(n)) & (n >= 2) & (n <= 2**52), "2, 3, … or 2**52")
 UMBMARK_LIMIT = 0.25  # rad; the first-order theory is off by more than half from there
 ROUNDING = 1e-12  # of the variances, between numbers that should be the same
 
@@ -62,7 +48,7 @@ def _per_tick(ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
     return 2 * np.pi * wheel_radius / ticks_per_turn
 
 
-@validated(ticks=Ticks(), **WHEEL)
+@validated(ticks=_ticks, **WHEEL)
 def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike) -> Array:
     """Return how far a wheel has rolled.
 
@@ -90,7 +76,11 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
     return _per_tick(ticks_per_turn, wheel_radius) * ticks
 
 
-@validated(bits=BITS, modulus=MODULUS, counts=whole(STEPS))
+@validated(
+    bits=data(ok=lambda n: (n == np.rint(n)) & (n >= 1) & (n <= 52), allowed="1, 2, … or 52"),
+    modulus=data(ok=lambda n: (n == np.rint(n)) & (n >= 2) & (n <= 2**52), allowed="2, … or 2**52"),
+    counts=whole(),
+)
 def unwrap_counter(
     counts: ArrayLike, bits: ArrayLike | None = None, modulus: ArrayLike | None = None
 ) -> Array:
@@ -128,6 +118,7 @@ def unwrap_counter(
     """
     if (bits is None) == (modulus is None):
         raise RobokinError("unwrap_counter needs either bits or modulus, got both or neither")
+    counts = np.atleast_1d(counts)
     span = (np.asarray(modulus) if bits is None else 2.0**bits)[..., None]
     outside = (counts < -span / 2) | (counts >= span)
     allowed = "from -modulus/2 to modulus - 1 (modulus: 2**bits)"
@@ -186,7 +177,7 @@ def path(
     return follow(pose, length, angle * difference, method, turned)
 
 
-@validated(ticks_left=Ticks(), ticks_right=Ticks(), dt=not_negative(), **ROBOT)
+@validated(**TICKS, dt=not_negative(), **ROBOT)
 def velocity(
     ticks_left: ArrayLike,
     ticks_right: ArrayLike,
@@ -288,10 +279,19 @@ def covariance(
     moved = along[..., None] + across[..., None] * turns
     spread = np.sqrt(noise[..., None, None] * np.abs(vector(left, right)))
     errors = vector(moved.real, moved.imag, turns).swapaxes(-1, -2) * spread[..., None, :]
-    return _carried(_summed(errors @ errors.swapaxes(-1, -2), start), place.real, place.imag)
+    steps = errors @ errors.swapaxes(-1, -2)
+    total = np.zeros((*steps.shape[:-3], steps.shape[-3] + 1, 3, 3))  # at the origin, too
+    np.cumsum(steps, axis=-3, out=total[..., 1:, :, :])
+    if start is not None:
+        total = total + start[..., None, :, :]
+    lever = np.zeros((*place.shape[:-1], place.shape[-1] + 1, 3))  # from there to each place
+    lever[..., 1:, 0], lever[..., 1:, 1] = -place.imag, place.real
+    half_row = total[..., 2:, :] + 0.5 * total[..., 2:, 2:] * lever[..., None, :]
+    carried = lever[..., None] * half_row
+    return total + (carried + carried.swapaxes(-1, -2))
 
 
-@validated(covariance=Square((2, 3)))
+@validated(covariance=square(2, 3))
 def ellipse(covariance: ArrayLike) -> tuple[Array, Array]:
     """Return the error ellipse of a position: how uncertain it is, and in which direction.
 
@@ -380,19 +380,3 @@ def umbmark(
             "from a wheel_distance that is nearly right"
         )
     return corrected, (side + bulge) / (side - bulge)
-
-
-def _summed(steps: Array, start: Array | None) -> Array:
-    """Return covariances (…, N+1, 3, 3) from that of the first pose and what each step adds."""
-    total = np.zeros((*steps.shape[:-3], steps.shape[-3] + 1, 3, 3))
-    np.cumsum(steps, axis=-3, out=total[..., 1:, :, :])
-    return total if start is None else total + start[..., None, :, :]
-
-
-def _carried(total: Array, x: Array, y: Array) -> Array:
-    """Take covariances at the origin from there to the first place, (0, 0), and to (x, y)."""
-    lever = np.zeros((*x.shape[:-1], x.shape[-1] + 1, 3))
-    lever[..., 1:, 0], lever[..., 1:, 1] = -y, x
-    half_row = total[..., 2:, :] + 0.5 * total[..., 2:, 2:] * lever[..., None, :]
-    carried = lever[..., None] * half_row
-    return total + (carried + carried.swapaxes(-1, -2))

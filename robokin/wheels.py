@@ -12,6 +12,7 @@ Introduction to Autonomous Mobile Robots, sections 3.2 and 3.3; Campion, Bastin 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from inspect import unwrap
 from math import cos, isfinite
 from typing import Any, NamedTuple
 
@@ -374,7 +375,7 @@ def forward(
     >>> forward(omni_robot(0.2, 0.05), [1, 1, 1]).round(6) + 0.0
     array([ 0.  ,  0.  , -0.25])
     """
-    return to_world(theta, _body_twist(wheels, rates, steering))
+    return unwrap(to_world)(theta, _body_twist(wheels, rates, steering))  # all is validated
 
 
 @validated(wheels=_wheels, rates=data("k"), steering=data("s"))
@@ -447,7 +448,7 @@ def inverse(
     >>> inverse(omni_robot(0.2, 0.05), [0, 0, -0.25])
     array([1., 1., 1.])
     """
-    body = to_body(theta, twist)
+    body = unwrap(to_body)(theta, twist)  # both are validated
     slid = times(sliding(wheels, steering), body)
     rates = times(rolling(wheels, steering), body) / _layout(wheels, DRIVEN).per_radian
     slips = _slips(wheels, body, slid, slipping)

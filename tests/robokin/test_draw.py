@@ -67,13 +67,13 @@ def test_arrow_point_and_path(ax):
     assert [text.get_text() for text in ax.texts] == ["$v$"]
     draw.point(ax, [0.1, 0.2], "icr", "ICR")
     assert ax.lines[-1].get_marker() == "x"
-    draw.path(ax, np.array([[0, 0, 0], [1, 2, 0.1]]), "approximation", "steps")
+    draw.path(ax, np.array([[0, 0, 0], [1, 2, 0.1]]), "approximation")
     np.testing.assert_array_equal(ax.lines[-1].get_xydata(), [[0, 0], [1, 2]])
     assert ax.lines[-1].get_linestyle() == "--"
 
 
 def test_frame_has_two_axes(ax):
-    draw.frame(ax, [0, 0, 0.3], size=0.2, name="$A$")
+    draw.frame(ax, [0, 0, 0.3], size=0.2)
     colors = [to_hex(patch.get_edgecolor()) for patch in patches(ax, FancyArrowPatch)]
     assert colors == [KINDS["x_axis"].light, KINDS["y_axis"].light]
 

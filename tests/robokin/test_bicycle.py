@@ -21,7 +21,6 @@ from robokin.bicycle import (
     steering,
     turning_radius,
 )
-from robokin.errors import RobokinError
 
 METHODS = ["exact", "midpoint", "start", "end"]
 QUARTER = np.pi / 2
@@ -169,37 +168,6 @@ def test_a_path_turns_as_the_body_twist_says(pose, drive, wheelbase, method):
     omega = body_twist(v, phi, wheelbase)[:, 2]
     wanted = motion.path(pose, v, omega, dt, method)
     assert_close(path(pose, v, phi, wheelbase, dt, method), wanted, atol=2e-13)
-
-
-@given(st.integers(1, 4), st.integers(0, 4), st.sampled_from(METHODS))
-def test_a_batch_is_each_item(robots, n, method):
-    rng = np.random.default_rng(10 * robots + n)
-    pose, wheelbase = rng.normal(size=(robots, 3)), rng.uniform(1, 3, robots)
-    v, phi, dt = rng.normal(size=(robots, n)), rng.uniform(-1, 1, n), rng.uniform(0, 1, n)
-    along = path(pose, v, phi, wheelbase, dt, method)
-    assert along.shape == (robots, n + 1, 3)
-    a, b = rng.uniform(-1, 1, (2, robots))
-    together = [
-        np.stack([equivalent_steering(a, b), turning_radius(a, wheelbase)], axis=-1),
-        ackermann(a, wheelbase, b**2 + 0.1),
-        ackermann_error(a, b, wheelbase, b**2 + 0.1)[:, None],
-        body_twist(b, a, wheelbase),
-        front_twist(b, a, wheelbase),
-    ]
-    for k in range(robots):
-        w, t = wheelbase[k], b[k] ** 2 + 0.1
-        # NumPy's vector sines may differ from its single ones in the last digit
-        one = path(pose[k], v[k], phi, w, dt, method)
-        np.testing.assert_allclose(along[k], one, rtol=1e-13, atol=ATOL)
-        single = [
-            [equivalent_steering(a[k], b[k]), turning_radius(a[k], w)],
-            ackermann(a[k], w, t),
-            [ackermann_error(a[k], b[k], w, t)],
-            body_twist(b[k], a[k], w),
-            front_twist(b[k], a[k], w),
-        ]
-        for many, alone in zip(together, single, strict=True):
-            np.testing.assert_allclose(many[k], alone, rtol=1e-13, atol=ATOL)
 
 
 @given(reals(0.01, 1.57), wheelbases, tracks)
@@ -435,43 +403,6 @@ def test_the_front_wheel_across_sweeps_a_disc_about_the_rear_axle(phi):
     assert_close(corner_cut(phi, 2.5), 2.5, atol=ATOL)
 
 
-# Errors
-
-
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: equivalent_steering("a", 0.1), "alpha_left must be real numbers"),
-        (lambda: equivalent_steering(0.1, 1j), "alpha_right must be real numbers"),
-        (lambda: equivalent_steering([1, 2], [1, 2, 3]), r"alpha_left \(2,\), alpha_right \(3,\)"),
-        (lambda: ackermann(0.1, 0.0, 1.5), "wheelbase must be positive and finite, got 0.0"),
-        (lambda: ackermann(0.1, 2.5, [1.5, -1]), "track must be .*, got -1.0 at index 1"),
-        (lambda: ackermann([1, 2], [1, 2, 3], 1.5), "do not broadcast"),
-        (lambda: turning_radius(None, 2.5), "phi must be real numbers"),
-        (lambda: turning_radius(0.1, np.inf), "wheelbase must be positive and finite, got inf"),
-        (lambda: ackermann_error(0.1, 0.1, np.nan, 1), "wheelbase must be .* got nan"),
-        (lambda: ackermann_error(0.1, 0.1, 1, "1"), "track must be real numbers"),
-        (lambda: ackermann_error(0.1, "x", 1, 1), "alpha_right must be real numbers"),
-        (lambda: ackermann_error("x", 0.1, 1, 1), "alpha_left must be real numbers"),
-        (lambda: ackermann("x", 1, 1), "phi must be real numbers"),
-        (lambda: body_twist("1", 0.1, 1), "v must be real numbers"),
-        (lambda: body_twist(1, 0.1, -1), "wheelbase must be .* got -1"),
-        (lambda: front_twist(1, [[1], [2, 3]], 1), "phi must be a regular array"),
-        (lambda: path([0, 0], 1, 0, 1, 1), r"pose must have shape \(…, 3\), got \(2,\)"),
-        (lambda: path([0, 0, 0], 1, 0, 0, 1), "wheelbase must be .* got 0"),
-        (lambda: path([0, 0, 0], 1, 0, 1, [1, np.nan]), "dt must be finite, got nan at index 1"),
-        (lambda: path([0, 0, 0], [[1], [2, 3]], 0, 1, 1), "v must be a regular array"),
-        (lambda: path([0, 0, 0], 1, True, 1, 1), "phi must be real numbers, got bool"),
-        (lambda: path([0, 0, 0], [1, 2], [1, 2, 3], 1, 1), r"v \(2,\), phi \(3,\)"),
-        (lambda: path(np.zeros((2, 3)), 1, 0, [1, 2, 3], 1), "do not broadcast"),
-        (lambda: path([0, 0, 0], 1, 0, 1, 1, "euler"), "exact, midpoint, start, end, got 'euler'"),
-    ],
-)
-def test_what_is_refused(call, message):
-    with pytest.raises(RobokinError, match=message):
-        call()
-
-
 # Independent oracles
 
 
@@ -562,17 +493,6 @@ def test_a_path_against_scipys_integrator():
         solution = solve_ivp(motion_law, (0, dt[k]), pose, rtol=1e-12, atol=1e-12)
         pose = solution.y[:, -1]
         assert_close(along[k + 1], pose, atol=1e-10)  # the integrator's own error
-
-
-@pytest.mark.parametrize(("method", "order"), [("start", 1), ("end", 1), ("midpoint", 2)])
-def test_the_errors_of_the_step_rules_fall_with_their_order(method, order):
-    def error(n):
-        # largest along the path: at the end of a whole circle every rule closes
-        exact = path([0, 0, 0], 1.0, 0.6, 2.5, np.full(n, 4.0 / n))
-        return np.abs(path([0, 0, 0], 1.0, 0.6, 2.5, np.full(n, 4.0 / n), method) - exact).max()
-
-    # halving the step: 2 or 4 times smaller, up to terms of the next order (1 % at 100 steps)
-    assert_close(error(100) / error(200), 2.0**order, atol=0.05)
 
 
 def test_room_against_fifty_digits():

@@ -7,7 +7,6 @@ from hypothesis import given
 from support import EPS, NEAR_ZERO, assert_close, reals
 
 from robokin.differential_drive import body_twist, turning_radius, wheel_rates
-from robokin.errors import RobokinError
 from robokin.motion import arc_step, icr, to_world
 
 rates = reals(-50, 50)
@@ -140,54 +139,11 @@ def test_standing_still():
     np.testing.assert_array_equal(wheel_rates(0, 0, RADIUS, DISTANCE), [0, 0])
 
 
-def test_batches_of_rates_and_of_robots():
-    rates_left, rates_right = np.ones((4, 1)), np.arange(3.0)
-    assert body_twist(rates_left, rates_right, RADIUS, DISTANCE).shape == (4, 3, 3)
-    robots = body_twist(1.0, 2.0, [0.1, 0.2], [[0.5], [1.0]])
-    assert robots.shape == (2, 2, 3)
-    assert_close(robots[1, 0], body_twist(1.0, 2.0, 0.1, 1.0), atol=0)
-    assert_close(robots[0, 1], body_twist(1.0, 2.0, 0.2, 0.5), atol=0)
-    wheels = wheel_rates(1.0, 2.0, [0.1, 0.2], [[0.5], [1.0]])
-    assert wheels.shape == (2, 2, 2)
-    assert_close(wheels[1, 0], wheel_rates(1.0, 2.0, 0.1, 1.0), atol=0)
-    assert_close(wheels[0, 1], wheel_rates(1.0, 2.0, 0.2, 0.5), atol=0)
-
-
 @pytest.mark.parametrize("rate", [2.0, -2.0, 5e-324])
 def test_straight_ahead_and_straight_back_the_radius_is_plus_infinity(rate):
     assert turning_radius(rate, rate, DISTANCE) == np.inf
     assert np.isnan(turning_radius(0, 0, DISTANCE))
     np.testing.assert_array_equal(turning_radius([1, rate], [3, rate], 1.0), [1, np.inf])
-
-
-# Errors
-
-
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: body_twist("1", 2, 0.1, 0.1), "rate_left must be real numbers, got <U1 in '1'"),
-        (lambda: body_twist(1, 2j, 0.1, 0.1), "rate_right must be real numbers, got complex128"),
-        (lambda: body_twist(1, 2, None, 0.1), "wheel_radius must be real numbers, got object"),
-        (lambda: body_twist(1, 2, 0.1, [[1], [1, 2]]), "wheel_distance must be a reg"),
-        (lambda: wheel_rates([True], 2, 0.1, 0.1), r"v must be real numbers, got bool in \[True\]"),
-        (lambda: wheel_rates(1, {}, 0.1, 0.1), r"omega must be real numbers, got object in \{\}"),
-        (
-            lambda: body_twist([1, 2], [1, 2, 3], 0.1, 0.1),
-            r"do not broadcast: rate_left \(2,\), rate_right \(3,\)",
-        ),
-        (
-            lambda: wheel_rates([1, 2], 1, [0.1, 0.1, 0.1], 0.1),
-            r"do not broadcast: v \(2,\), wheel_radius \(3,\)$",
-        ),
-        (lambda: wheel_rates(1, [1, 2], 0.1, [1, 2, 3]), r"omega \(2,\), wheel_distance \(3,\)"),
-        (lambda: body_twist([1, 2], 1, 0.1, [1, 2, 3]), r"rate_left \(2,\), wheel_distance \(3,\)"),
-        (lambda: body_twist([1, 2], 1, [1, 2, 3], 0.1), r"rate_left \(2,\), wheel_radius \(3,\)"),
-    ],
-)
-def test_bad_input_is_named(call, message):
-    with pytest.raises(RobokinError, match=message):
-        call()
 
 
 # Independent oracles

@@ -1,13 +1,11 @@
 """robokin.euler: turns about the axes, all 24 sequences; axis and angle."""
 
 import itertools
-import re
 
 import hypothesis.strategies as st
 import mpmath
 import numpy as np
 import pytest
-import sympy
 from hypothesis import given
 from scipy.spatial.transform import Rotation
 from support import (
@@ -17,7 +15,6 @@ from support import (
     assert_angles,
     assert_close,
     floats,
-    on_circle,
     reals,
     rotations,
     vectors,
@@ -401,17 +398,6 @@ def test_is_locked_includes_the_tolerance():
     assert is_locked("xyz", np.eye(3), 1.0)  # cos(0) = 1
 
 
-def test_no_warning_even_for_those_who_ask_for_all():
-    with np.errstate(all="raise"):
-        for seq in ALL:
-            tiny = to_matrix(seq, [1e-200, 1e-200, -1e-200])
-            assert_close(steps(seq, [1e-200, 1e-200, -1e-200])[3], tiny, atol=0)
-            assert_close(from_matrix(seq, tiny), solutions(seq, tiny)[0], atol=0)
-            assert is_locked(seq, tiny) == is_proper(seq)
-        axis_angle(tiny)
-        axis_angle(np.eye(3))
-
-
 @pytest.mark.parametrize("k", range(17))
 def test_small_angles_keep_their_digits(k):
     rng = np.random.default_rng(k)
@@ -498,38 +484,6 @@ def test_no_rotation_is_about_z():
     assert angle == pytest.approx(1e-200, rel=EPS)
 
 
-def test_empty_batches_and_broadcasting():
-    assert to_matrix("XYZ", np.zeros((0, 3))).shape == (0, 3, 3)
-    assert steps("XY", np.zeros((2, 0, 2))).shape == (2, 0, 3, 3, 3)
-    for batch in [(0,), (3, 0), (), (2,), (2, 3), (2, 3, 4)]:
-        R = np.broadcast_to(R_AB, (*batch, 3, 3))
-        assert from_matrix("XYZ", R).shape == (*batch, 3)
-        assert solutions("XYZ", R).shape == (*batch, 2, 3)
-        assert is_locked("XYZ", R).shape == batch
-        axis, angle = axis_angle(R)
-        assert (axis.shape, angle.shape) == ((*batch, 3), batch)
-    assert is_locked("XYZ", R_AB, [[1e-9], [1e-3]]).shape == (2, 1)
-
-
-@pytest.mark.parametrize("seq", ["XYZ", "zxz", "YXY", "xzy"])
-def test_an_item_of_a_batch_is_as_alone(seq):
-    turns = np.random.default_rng(2).uniform(-4, 4, (2, 3, 4, 3))
-    R = to_matrix(seq, turns)
-    R[0, 0, 0], R[0, 1, 0], R[1, 0, 0] = np.eye(3), R_AB, np.diag([-1, 1, -1])
-    axis, angle = axis_angle(R)
-    for index in np.ndindex(2, 3, 4):
-        # the same turns by themselves: the vector sine may round otherwise
-        if index[2]:  # the others were replaced
-            assert_close(to_matrix(seq, turns[index]), R[index], atol=4 * EPS)
-        assert_close(from_matrix(seq, R)[index], from_matrix(seq, R[index]), atol=8 * EPS)
-        assert_close(solutions(seq, R)[index], solutions(seq, R[index]), atol=8 * EPS)
-        assert_close(steps(seq, turns)[index], steps(seq, turns[index]), atol=4 * EPS)
-        assert is_locked(seq, R)[index] == is_locked(seq, R[index])
-        alone = axis_angle(R[index])
-        assert_close(axis[index], alone[0], atol=4 * EPS)
-        assert_close(angle[index], alone[1], atol=4 * EPS)
-
-
 @pytest.mark.parametrize("angle", NEAR_ZERO)
 def test_a_small_turn_keeps_its_digits(angle):
     R = about([2, 0, 0], angle)
@@ -549,82 +503,18 @@ def test_axes_of_any_length_but_none():
 # Errors
 
 
-TAKES_ANGLES = [to_matrix, steps]
-TAKES_MATRIX = [from_matrix, solutions, is_locked]
-BAD_SEQS = [
-    "",
-    "W",
-    "XYZX",
-    "XXY",
-    "XYY",
-    "xx",
-    "Xy",
-    "XyZ",
-    "xyw",
-    "12",
-    " x",
-    None,
-    3,
-    ["x"],
-    b"x",
-]
+@pytest.mark.parametrize("seq", ["", "W", "XYZX", "XXY", "Xy", "xyw", None, ["x"]])
+def test_a_bad_sequence_is_refused(seq):
+    for function, data in ((to_matrix, np.zeros(3)), (from_matrix, np.eye(3))):
+        message = r"1 to 3 letters, all of XYZ \(intrinsic\) or all of xyz \(extrinsic\), no axis"
+        with pytest.raises(RobokinError, match=message):
+            function(seq, data)
 
 
-@pytest.mark.parametrize("function", TAKES_ANGLES + TAKES_MATRIX)
-@pytest.mark.parametrize("seq", BAD_SEQS)
-def test_a_bad_sequence_is_refused(function, seq):
-    data = np.eye(3) if function in TAKES_MATRIX else np.zeros(3)
-    message = "1 to 3 letters, all of XYZ (intrinsic) or all of xyz (extrinsic), no axis twice in"
-    with pytest.raises(RobokinError, match=re.escape(message) + rf".* got {re.escape(repr(seq))}"):
-        function(seq, data)
-
-
-@pytest.mark.parametrize("function", TAKES_MATRIX)
-@pytest.mark.parametrize("seq", ["X", "zy"])
-def test_a_short_sequence_is_refused_where_three_angles_are_asked_for(function, seq):
-    with pytest.raises(RobokinError, match=f"seq must have three letters here, got '{seq}'"):
-        function(seq, np.eye(3))
-
-
-@pytest.mark.parametrize(
-    "function", [*(lambda R, f=f: f("XYZ", R) for f in TAKES_MATRIX), axis_angle]
-)
-@pytest.mark.parametrize(
-    ("R", "message"),
-    [
-        (np.diag([1, 1, -1]), r"R is not a rotation \(a mirror: determinant < 0\): off by 2 "),
-        (-np.eye(3), r"R is not a rotation \(a mirror"),
-        (np.diag([1, 1, 1.001]), "R is not a rotation: off by 0.001 "),
-        (np.eye(3) + 2e-6 * np.eye(3, k=1), "off by 2e-06 .* allowed 1e-06"),
-        ([np.eye(3), np.zeros((3, 3))], "R at index 1 is not a rotation: off by 1 "),
-        (np.eye(4), r"R must have shape \(…, 3, 3\), got \(4, 4\)"),
-        ([1.0, 2.0, 3.0], r"R must have shape \(…, 3, 3\), got \(3,\)"),
-        ("R", "R must be real numbers"),
-        (1j * np.eye(3), "R must be real numbers"),
-        (None, "R must be real numbers"),
-        ([[1, 2], [3]], "R must be a regular array"),
-    ],
-)
-def test_what_is_not_a_rotation_is_refused(function, R, message):
-    with pytest.raises(RobokinError, match=message):
-        function(R)
-
-
-@pytest.mark.parametrize("function", TAKES_ANGLES)
-@pytest.mark.parametrize(
-    ("seq", "turns", "message"),
-    [
-        ("XYZ", [1, 2], r"angles must have shape \(…, 3\), got \(2,\)"),
-        ("X", [1, 2], r"angles must have shape \(…, 1\), got \(2,\)"),
-        ("X", 1.0, r"angles must have shape \(…, 1\), got \(\)"),
-        ("XY", ["a", "b"], "angles must be real numbers"),
-        ("XY", [1j, 0], "angles must be real numbers"),
-        ("XY", [[1], [1, 2]], "angles must be a regular array"),
-    ],
-)
-def test_bad_angles_are_refused(function, seq, turns, message):
-    with pytest.raises(RobokinError, match=message):
-        function(seq, turns)
+@pytest.mark.parametrize("function", [from_matrix, solutions, is_locked])
+def test_a_short_sequence_is_refused_where_three_angles_are_asked_for(function):
+    with pytest.raises(RobokinError, match="seq must have three letters here, got 'zy'"):
+        function("zy", np.eye(3))
 
 
 # Independent oracles
@@ -672,37 +562,10 @@ def test_at_lock_scipy_takes_the_third_angle_as_zero_too():
         assert_angles(from_matrix(seq, R_AB), Rotation.from_matrix(R_AB).as_euler(seq), atol=1e-7)
 
 
-def test_matrices_against_symbolic_products():
-    a, b, c = sympy.symbols("a b c")
-    numbers = {a: sympy.Rational(3, 7), b: sympy.Rational(-11, 5), c: sympy.Rational(17, 4)}
-    planar = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}
-    for seq in ALL:
-        R = sympy.eye(3)
-        for axis, angle in zip(seq, (a, b, c), strict=True):
-            one = sympy.zeros(3)
-            p, q, r = planar[axis.lower()]
-            one[p, p] = one[q, q] = sympy.cos(angle)
-            one[q, p], one[p, q], one[r, r] = sympy.sin(angle), -sympy.sin(angle), 1
-            R = R * one if seq.isupper() else one * R
-        expected = np.array(R.subs(numbers).evalf(30).tolist(), dtype=float)
-        angles = [float(numbers[symbol]) for symbol in (a, b, c)]
-        assert_close(to_matrix(seq, angles), expected, atol=8 * EPS)  # the angles are rounded too
-
-
 def test_axis_and_angle_against_scipy():
     rotations = Rotation.random(2000, rng=np.random.default_rng(6))
     axis, angle = axis_angle(rotations.as_matrix())
     assert_close(axis * angle[:, None], rotations.as_rotvec(), atol=2e-14)  # SciPy's near π
-
-
-def test_the_axis_is_an_eigenvector():
-    for R in Rotation.random(50, rng=np.random.default_rng(7)).as_matrix():
-        values, vectors = np.linalg.eig(R)
-        eigenvector = np.real(vectors[:, np.argmin(np.abs(values - 1))])
-        axis, angle = axis_angle(R)
-        assert_close(abs(axis @ eigenvector), 1.0, atol=4 * EPS)
-        # eigenvalues 1, e^(±i angle); eig is good to some ten EPS
-        assert on_circle(np.abs(np.angle(values)).max() - angle) <= 20 * EPS
 
 
 def test_about_against_scipy():

@@ -149,36 +149,6 @@ def test_the_covariance_turns_with_the_robot(drive, noise, pose, turn):
     assert_close(there, R @ here @ R.T, atol=1e-12 * np.abs(here).max() + 1e-300)
 
 
-@given(st.integers(1, 4), st.integers(0, 5), st.sampled_from(METHODS))
-def test_a_batch_is_each_item(count, n, method):
-    rng = np.random.default_rng(10 * count + n)
-    left, right = rng.integers(-50, 100, (count, n)), rng.integers(-50, 100, n)
-    per_turn, radius = rng.integers(100, 900, count), rng.uniform(0.02, 0.1, count)
-    pose, start = rng.normal(size=(count, 3)), rng.normal(size=(count, 3, 3))
-    start, noise = start @ np.swapaxes(start, -1, -2), rng.uniform(0, 0.1, count)
-    robot = per_turn, radius, 0.3
-    many = [
-        path(left, right, *robot, pose, method),
-        covariance(left, right, *robot, noise, pose, start),
-        np.stack(velocity(left, right, 0.1, per_turn[:, None], radius[:, None], 0.3), axis=-1),
-    ]
-    assert [a.shape[1:] for a in many] == [(n + 1, 3), (n + 1, 3, 3), (n, 2)]
-    for k in range(count):
-        robot = per_turn[k], radius[k], 0.3
-        single = [
-            path(left[k], right, *robot, pose[k], method),
-            covariance(left[k], right, *robot, noise[k], pose[k], start[k]),
-            np.stack(velocity(left[k], right, 0.1, *robot), axis=-1),
-        ]
-        for a, b in zip(many, single, strict=True):
-            # NumPy's vector sines may differ from its single ones in the last digit
-            assert_close(a[k], b, atol=1e-12)
-    counts = rng.integers(0, 256, (count, n + 1))
-    np.testing.assert_array_equal(
-        unwrap_counter(counts, np.full(count, 8)), [unwrap_counter(c, 8) for c in counts]
-    )
-
-
 @given(reals(0.01, 2), reals(0, 1), reals(-1.5, 1.5))
 def test_the_ellipse_of_a_covariance_is_what_it_was_made_of(large, part, angle):
     c, s = np.cos(angle), np.sin(angle)
@@ -367,28 +337,6 @@ def test_half_way_round_counts_backwards(bits):
     np.testing.assert_array_equal(steps, [half - 1, 1 - half])
 
 
-def test_a_missing_reading_spoils_what_comes_after_it():
-    left, right = np.array([3.0, 5, NAN, 4]), np.array([4.0, NAN, 2, 7])
-    good = path([3, 5, 2, 4], [4, 6, 2, 7], *ROBOT)
-    for method in METHODS:
-        along = path(left, [4, 6, 2, 7], *ROBOT, method=method)
-        wanted = path([3, 5, 2, 4], [4, 6, 2, 7], *ROBOT, method=method)
-        np.testing.assert_array_equal(along[:3], wanted[:3])
-        assert np.isnan(along[3:]).all()
-        both = path(left, right, *ROBOT, method=method)
-        np.testing.assert_array_equal(both[:2], wanted[:2])
-        assert np.isnan(both[2:]).all()
-    assert np.isfinite(good).all()
-    sigma = covariance(left, [4, 6, 2, 7], *ROBOT, 0.01)
-    wanted = covariance([3, 5, 2, 4], [4, 6, 2, 7], *ROBOT, 0.01)
-    np.testing.assert_array_equal(sigma[:3], wanted[:3])
-    assert np.isnan(sigma[3:]).all()
-
-
-def test_a_missing_reading_of_a_counter_spoils_the_steps_beside_it():
-    np.testing.assert_array_equal(unwrap_counter([250, NAN, 4, 9, np.inf], 8), [NAN, NAN, 5, NAN])
-
-
 def test_straight_on_and_on_the_spot():
     np.testing.assert_array_equal(
         path([5, 5], [5, 5], 10, 0.5 / np.pi, 0.3)[:, 1:], np.zeros((3, 2))
@@ -417,22 +365,6 @@ def test_no_steps_and_single_readings():
     assert path(5, 6, *ROBOT).shape == (2, 3)
     assert covariance(5, 6, *ROBOT, 0.01).shape == (2, 3, 3)
     assert unwrap_counter([5], 8).shape == unwrap_counter([], 8).shape == (0,)
-    assert unwrap_counter(np.empty((0, 5)), 8).shape == (0, 4)
-    assert path(np.empty((0, 5)), np.empty((0, 5)), *ROBOT).shape == (0, 6, 3)
-    assert path(3, [4, 5], *ROBOT, np.empty((0, 3))).shape == (0, 3, 3)
-    assert covariance(np.empty((0, 5)), 1, *ROBOT, 0.01).shape == (0, 6, 3, 3)
-    assert travel([], 500, 0.05).shape == velocity([], [], 1, *ROBOT)[1].shape == (0,)
-    assert umbmark(np.empty((0, 2, 2)), [[1, 1]], 4.0, 0.3)[0].shape == (0,)
-
-
-def test_parameters_for_each_path():
-    along = path([[3, 4]], [[5, 7]], [500, 1000], 0.05, [0.3, 0.6, 0.9][:2])
-    np.testing.assert_array_equal(along[0], path([3, 4], [5, 7], 500, 0.05, 0.3))
-    np.testing.assert_array_equal(along[1], path([3, 4], [5, 7], 1000, 0.05, 0.6))
-    sigma = covariance([3, 4], [5, 7], *ROBOT, [0.01, 0.02, 0.0])
-    assert sigma.shape == (3, 3, 3, 3)
-    assert_close(sigma[1], 2 * sigma[0], atol=EPS)
-    np.testing.assert_array_equal(sigma[2], np.zeros((3, 3, 3)))
 
 
 def test_ellipses_that_are_a_circle_a_line_or_a_point():
@@ -466,64 +398,16 @@ def test_a_line_much_longer_than_wide_is_no_error():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: travel(0.5, 500, 0.05), r"ticks must be whole numbers .*, got 0.5$"),
-        (lambda: travel(1, 0, 0.05), "ticks_per_turn must be positive and finite, got 0"),
-        (lambda: travel(1, 500, -1), "wheel_radius must be positive and finite, got -1"),
-        (lambda: travel("1", 500, 1), "ticks must be real numbers"),
-        (lambda: travel(1, [1, 2], [1, 2, 3]), "do not broadcast"),
-        (lambda: unwrap_counter([1, 2.5], 8), r"counts must be whole .*, got 2.5 at index 1"),
         (lambda: unwrap_counter([1, 256], 8), r"counts must be from .*, got 256.0 at index 1"),
         (lambda: unwrap_counter([[1], [-129]], 8), r"counts must be .* -129.0 at index 1, 0"),
-        (lambda: unwrap_counter([1, 2], 0), "bits must be 1, 2, … or 52, got 0"),
-        (lambda: unwrap_counter([1, 2], 53), "bits must be 1, 2, … or 52, got 53"),
         (lambda: unwrap_counter([1, 2], [8, 1]), "counts must be .* got 2.0 at index 1, 1"),
-        (lambda: unwrap_counter([1, 2], 7.5), "bits must be 1, 2, … or 52, got 7.5"),
-        (
-            lambda: unwrap_counter([1, 2], [8, NAN]),
-            "bits must be .* or 52, got nan at index 1",
-        ),
-        (lambda: unwrap_counter(np.ones((2, 3)), [8] * 3), "do not broadcast"),
-        (lambda: unwrap_counter(["1"], 8), "counts must be real numbers"),
-        (lambda: path([1, 1.5], [1, 1], *ROBOT), "ticks_left must be whole .* 1.5 at index 1"),
-        (lambda: path([1, 1], [1, -1e-9], *ROBOT), "ticks_right must be whole .* at index 1"),
-        (lambda: path([1, 1], [1, 1, 1], *ROBOT), r"ticks_left \(2,\), ticks_right \(3,\)"),
-        (lambda: path([[1], [2, 3]], 1, *ROBOT), "ticks_left must be a regular"),
-        (lambda: path(1, 1, NAN, 0.05, 0.3), "ticks_per_turn must be .* got nan"),
-        (lambda: path(1, 1, 500, np.inf, 0.3), "wheel_radius must be .* got inf"),
-        (lambda: path(1, 1, 500, 0.05, [0.3, 0]), "wheel_distance must be .* at index 1"),
-        (lambda: path(1, 1, *ROBOT, [0, 0]), r"pose must have shape \(…, 3\), got \(2,\)"),
-        (lambda: path(1, 1, *ROBOT, method="rk4"), "method must be one of exact, .* got 'rk4'"),
-        (lambda: velocity(1, 1, -1, *ROBOT), "dt must be zero or more and finite, got -1"),
+        (lambda: unwrap_counter([0, 4000], modulus=4000), "counts must be .* 4000.0 at index 1"),
+        (lambda: unwrap_counter([1, 2]), "either bits or modulus"),
+        (lambda: unwrap_counter([1, 2], 8, 256), "either bits or modulus"),
         (lambda: travel(np.diff(np.uint16([5, 3])), 500, 0.05), "unsigned differences wrap round"),
         (lambda: travel(list(np.diff(np.uint16([5, 3]))), 500, 0.05), "unsigned differences wrap"),
         (lambda: path(np.uint8([3, 254]), 1, *ROBOT), "ticks_left must be .* 254.0 at index 1"),
-        (lambda: unwrap_counter([1, 2]), "either bits or modulus"),
-        (lambda: unwrap_counter([1, 2], 8, 256), "either bits or modulus"),
-        (lambda: unwrap_counter([0, 4000], modulus=4000), "counts must be .* 4000.0 at index 1"),
-        (lambda: velocity(1.5, 1, 1, *ROBOT), "ticks_left must be whole"),
-        (lambda: velocity(1, 1.5, 1, *ROBOT), "ticks_right must be whole"),
-        (lambda: velocity(1, 1, 1, 0, 1, 1), "ticks_per_turn must be"),
-        (lambda: velocity(1, 1, 1, 1, 0, 1), "wheel_radius must be"),
-        (lambda: velocity(1, 1, 1, 1, 1, 0), "wheel_distance must be"),
-        (lambda: velocity([1, 2], [1, 2, 3], 1, *ROBOT), r"ticks_left \(2,\), ticks_right \(3,\)"),
-        (
-            lambda: covariance(1, 1, *ROBOT, -1e-9),
-            "noise must be zero or more.* got -1e-09",
-        ),
-        (lambda: covariance(1, 1, *ROBOT, NAN), "noise must be zero or more and finite, got nan"),
-        (lambda: covariance(1, 0.5, *ROBOT, 0.1), "ticks_right must be whole"),
-        (lambda: covariance(1, 1, *ROBOT, 0.1, [1]), r"pose must have shape \(…, 3\)"),
-        (lambda: covariance(1, 1, *ROBOT, 0.1, start=[1, 2, 3]), r"start must have shape"),
-        (lambda: covariance(np.ones((2, 1)), 1, *ROBOT, [1, 1, 1]), "do not broadcast"),
-        (
-            lambda: umbmark([1, 2], [[1, 2]], 4, 0.3),
-            r"ends_cw must have .* n ≥ 1, 2.*, got \(2,\)",
-        ),
-        (lambda: umbmark([[1, 2]], [[1, 2, 3]], 4, 0.3), r"ends_ccw .* got \(1, 3\)"),
         (lambda: umbmark(np.ones((0, 2)), [[1, 2]], 4, 0.3), r"ends_cw .* got \(0, 2\)"),
-        (lambda: umbmark([[1, 2]], [[1j, 2]], 4, 0.3), "ends_ccw must be real numbers"),
-        (lambda: umbmark([[1, 2]], [[1, 2]], 0, 0.3), "side must be positive"),
-        (lambda: umbmark([[1, 2]], [[1, 2]], 4, -0.3), "wheel_distance must be positive"),
         # ends in cm; a side in m typed as one in dm; a wheel distance in mm
         (lambda: umbmark([[-12, -13]], [[-12, 13]], 4, 0.3), r"bent by 1\.56 rad, allowed 0\.25"),
         (lambda: umbmark([ENDS, [[9, 9]]], [ENDS] * 2, 4, 0.3), "at index 1 mean that a corner"),
@@ -697,23 +581,6 @@ def test_what_umbmark_misses_falls_with_the_square_of_the_errors():
 
     # halved errors leave a quarter, up to the third order (the errors are 3 % of a radian)
     assert_close(missed(0.5) / missed(0.25), [4, 4], atol=0.3)
-
-
-@pytest.mark.parametrize(("method", "order"), [("start", 1), ("end", 1), ("midpoint", 2)])
-def test_the_errors_of_the_step_rules_fall_with_their_order(method, order):
-    def error(n):
-        # the same arc of 3 rad in n samples, largest error along the path
-        left, right = np.full(n, 12_000 // n), np.full(n, 36_000 // n)
-        robot = 12_000, 1 / (2 * np.pi), 2 / 3
-        exact = path(left, right, *robot)
-        return np.abs(path(left, right, *robot, method=method) - exact).max()
-
-    # halving the step: 2 or 4 times smaller, up to terms of the next order
-    assert_close(error(100) / error(200), 2.0**order, atol=0.05)
-    left, right = np.full(100, 120), np.full(100, 360)
-    once = path(12_000, 36_000, 12_000, 1 / (2 * np.pi), 2 / 3)[-1]
-    # the exact rule does not care about the number of samples: 100 sums of a few roundings
-    assert_close(path(left, right, 12_000, 1 / (2 * np.pi), 2 / 3)[-1], once, atol=20 * EPS)
 
 
 def test_the_ellipse_against_eigenvalues():

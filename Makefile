@@ -44,7 +44,7 @@ $(READY): requirements.txt $(wildcard pyproject.toml */pyproject.toml)
 	$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r .venv/uv.txt
 	$(INSTALL) --require-hashes -r requirements.txt || { \
 		test -w "$$HOME" || echo "$$HOME cannot be written to: make HOME=/tmp"; exit 1; }
-	$(INSTALL) --no-deps --no-build-isolation -e . -e courseware -e classroom -e book
+	$(INSTALL) --no-deps --no-build-isolation -e . -e courseware -e book
 	@$(BIN)/python $(STAMP) > $(READY)
 
 # which Python the pages load, if not from its public address; changes with it
@@ -85,10 +85,10 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: $(if $(T),,check) $(LIBRARY)/.ready
-	$(PYTEST) $(FILES) $(if $(T),-k $(T)) tests book
+	$(PYTEST) $(FILES) $(if $(T),-k $(T)) tests courseware/tests book
 
 test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)
-	$(PYTEST) worksteal -m slow -rs $(if $(T),-k $(T)) tests book
+	$(PYTEST) worksteal -m slow -rs $(if $(T),-k $(T)) tests courseware/tests book
 
 test-install: $(LIBRARY)/.ready .venv-lowest/.ready
 	$(PYTEST) worksteal -m install -rs tests
@@ -100,7 +100,7 @@ check: $(READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/codespell
-	$(BIN)/oxlint courseware classroom book/_assets
+	$(BIN)/oxlint courseware book/_assets
 
 notebooks: $(READY)
 	$(BIN)/python tools/notebooks.py $(T)

@@ -95,6 +95,11 @@ class Course:
         found: dict[str, Any] = self._read_yaml("_config.yml").get("sphinx", {}).get("config", {})
         return found
 
+    @property
+    def salt(self) -> str:
+        """The name that takes part in picking numbers: the settings' `course_name`, or its own."""
+        return str(self.settings.get("course_name") or self.name)
+
     def notebook(self, chapter: str) -> Path:
         """Return the path of a chapter's notebook, which need not exist."""
         return self.folder / chapter / f"{chapter}.ipynb"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import book  # noqa: F401  (opens the course)
-from classroom import tables
+from courseware.classroom import tables
 from courseware.course import course
 from courseware.equations import Check, Equation
 from courseware.figures import Figure

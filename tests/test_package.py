@@ -21,7 +21,7 @@ print(*(differential_drive.body_twist(5 / 3, 10 / 3, 0.03, 0.1) + 0.0).round(6))
 print(*motion.arc_step([0, 0, 0], 1.0, 0.0, 2.0))
 print(robokin.__file__)
 """
-PROJECTS = {"robokin": ROOT} | {name: ROOT / name for name in ("courseware", "classroom", "book")}
+PROJECTS = {"robokin": ROOT} | {name: ROOT / name for name in ("courseware", "book")}
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +47,6 @@ def sources(package, suffixes, left_out=()):
     [
         ("robokin", [".py"], []),
         ("courseware", [".py", ".js", ".css", ".txt"], []),
-        ("classroom", [".py", ".js"], []),
         ("book", [".py", ".ipynb"], ["book/_*/*", "test_*.py", "expected.py"]),
     ],
 )

@@ -15,7 +15,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 from support import ROOT
 
-PACKAGES = ("robokin", "courseware", "classroom", "book")
+PACKAGES = ("robokin", "courseware", "book")
 PROVIDED = packages_distributions()  # by the names of imports
 SITE = ("courseware.site", "courseware.symbols", "book._ext")  # needed where the site is built
 
@@ -91,10 +91,9 @@ def chapter_of(module):
 @pytest.mark.parametrize(
     ("package", "others"),
     [
-        ("robokin", ("courseware", "classroom", "book")),
-        ("courseware", ("robokin", "classroom", "book")),
-        ("classroom", ("robokin", "book")),
-        ("book", ("classroom",)),
+        ("robokin", ("courseware", "book")),
+        ("courseware", ("robokin", "book")),
+        ("book", ("courseware.classroom",)),
     ],
 )
 def test_a_package_does_not_import(package, others):
@@ -142,7 +141,7 @@ def test_formulas_are_declared_without_the_library(chapter):
     assert not wrong, f"{wrong}: only tests need it"
 
 
-@pytest.mark.parametrize("part", ["robokin", "courseware", "classroom", "book", *course().chapters])
+@pytest.mark.parametrize("part", ["robokin", "courseware", "book", *course().chapters])
 def test_no_two_modules_need_each_other(part):
     """Among those that a part needs, its own and others."""
     graph = {}

@@ -27,7 +27,6 @@ from docutils import nodes
 from sphinx.util import logging
 
 from courseware.course import course
-from courseware.practice.bank import course_name
 from courseware.site.assets import wheel_name
 from courseware.site.run import FOLDER, own_python
 
@@ -132,7 +131,7 @@ def make_settings(app):
         "jupyter-lite-schema-version": 0,
         "jupyter-config-data": {
             "appName": app.config.html_title,
-            "contentsStorageName": f"{course_name()}-notebooks",
+            "contentsStorageName": f"{course().salt}-notebooks",
             "litePluginSettings": {KERNEL: kernel},
         },
     }

@@ -4,7 +4,7 @@ import re
 
 from docutils import nodes
 
-from courseware.line_breaks import prevent_breaks
+from courseware.units.line_breaks import prevent_breaks
 
 ENDS_IN_NUMBER = re.compile(r"\d\W*$")
 AS_TYPED = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.raw)

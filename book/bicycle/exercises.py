@@ -9,6 +9,7 @@ from sympy import Add, atan, cos, cot, sin, tan
 from book.bicycle import formulas
 from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
+from courseware.answers import Unknown, angle
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -17,9 +18,7 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     number_range,
     one_of,
 )

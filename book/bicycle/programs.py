@@ -9,8 +9,8 @@ from book import things
 from book.bicycle.exercises import M15, M16, M17, M32, M33, same_sines, too_fast
 from book.bicycle.formulas import arc_step, steering, wheelbase, y_heading
 from book.motion.formulas import dt, theta, v, x, y
+from courseware.answers import Unknown, angle
 from courseware.figures import Curve, Point
-from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
 from robokin import bicycle, motion
 

@@ -8,6 +8,7 @@ from sympy import Matrix, cos, pi, sin, symbols
 from book.differential_drive import formulas
 from book.differential_drive.formulas import b
 from book.motion import formulas as planar
+from courseware.answers import Unknown, angle
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -16,9 +17,7 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     number_range,
 )
 from robokin import differential_drive, motion

@@ -9,8 +9,8 @@ from book import things
 from book.differential_drive.exercises import M12, M13, M14, M31
 from book.differential_drive.formulas import b, body_twist, r, rate_L, rate_R
 from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
+from courseware.answers import Unknown
 from courseware.figures import Arrow, Curve, Point
-from courseware.practice import Unknown
 from courseware.programs.declaration import Program
 from robokin import differential_drive, motion
 

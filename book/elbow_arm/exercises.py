@@ -9,6 +9,7 @@ from sympy import Matrix, atan, atan2, pi, sqrt
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
+from courseware.answers import Unknown, angle
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -17,9 +18,7 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     number_range,
     one_of,
 )

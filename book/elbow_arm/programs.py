@@ -10,8 +10,8 @@ from book import things_space
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm.exercises import M2, M4, WAYS, four_alike, possible, without_x_by_atan2
 from book.elbow_arm.formulas import a2, a3, d1, forward, p_z, theta1, theta2, theta3
+from courseware.answers import Unknown, angle
 from courseware.figures import VIEW
-from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
 from robokin import elbow_arm
 

@@ -19,6 +19,7 @@ from sympy import (
 
 from book.euler import formulas
 from book.euler.formulas import r
+from courseware.answers import Unknown, angle, matrix
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -27,11 +28,8 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     format_number,
-    matrix,
     one_of,
 )
 from robokin import euler

@@ -6,6 +6,7 @@ from sympy import Matrix, MatrixSymbol, atan2, symbols
 from book.frames import formulas
 from book.frames.formulas import sought
 from book.motion.formulas import theta
+from courseware.answers import Unknown, angle
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -14,9 +15,7 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     number_range,
     one_of,
 )

@@ -9,6 +9,7 @@ from book.differential_drive import formulas as drive
 from book.differential_drive.exercises import M12, M13
 from book.motion import formulas as planar
 from book.odometry import formulas
+from courseware.answers import Unknown, angle, integer
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -17,12 +18,9 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     number_range,
     one_of,
-    whole,
 )
 from robokin import motion, odometry
 
@@ -451,7 +449,7 @@ odometry_5 = Exercise(
         "period": one_of(10, 20, 50, 100, unit="ms"),
         "limit": one_of(0.5, 1, 2, 5, unit="°/s"),
     },
-    unknowns=(whole("C", "ticks"),),
+    unknowns=(integer("C", "ticks"),),
     right=finest,
     wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
     also={

@@ -37,8 +37,8 @@ from book.odometry.formulas import (
     y_ccw,
     y_cw,
 )
+from courseware.answers import Unknown, angle
 from courseware.figures import Arrow, Curve
-from courseware.practice import Unknown, angle
 from courseware.programs.declaration import Program
 from robokin import odometry
 

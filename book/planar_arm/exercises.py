@@ -20,6 +20,7 @@ from sympy import (
 
 from book.planar_arm import formulas
 from book.planar_arm.formulas import J, phi_dot, rate1, rate2, rate3, theta2, x, x_dot, y, y_dot
+from courseware.answers import Unknown, angle
 from courseware.equations import as_written, substitute
 from courseware.practice import (
     Exercise,
@@ -28,9 +29,7 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     number_range,
     one_of,
 )

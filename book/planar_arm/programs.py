@@ -42,9 +42,9 @@ from book.planar_arm.formulas import (
     y_dot,
 )
 from book.things_arms import links
+from courseware.answers import angle
 from courseware.equations import substitute
 from courseware.figures import Arrow, Point
-from courseware.practice import angle
 from courseware.programs.declaration import Program
 from robokin import planar_arm
 

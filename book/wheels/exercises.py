@@ -9,6 +9,7 @@ from sympy import Add, Integer, Matrix, Symbol, atan2, cos, pi, sin, symbols
 from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
 from book.wheels import formulas
+from courseware.answers import Unknown, angle, integer
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -17,12 +18,9 @@ from courseware.practice import (
     Picture,
     Solution,
     Step,
-    Unknown,
     WrongFormula,
-    angle,
     number_range,
     one_of,
-    whole,
 )
 from robokin import motion, wheels
 
@@ -551,7 +549,7 @@ wheels_5 = Exercise(
     text="A robot has {fixed}, {steered} and {free}.{axles}{turned} What are the robot's "
     "degrees of mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
     given={"fixed": one_of(*FIXED), "steered": one_of(*STEERED), "free": one_of(*FREE)},
-    unknowns=(whole("δ_m"), whole("δ_s"), whole("δ_M")),
+    unknowns=(integer("δ_m"), integer("δ_s"), integer("δ_M")),
     right=lambda fixed, steered, free: wheels.mobility(built(fixed, steered, free)),
     wrong={},
     when=instructive,

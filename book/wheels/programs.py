@@ -25,8 +25,8 @@ from book.wheels.exercises import (
     wrong_rows,
 )
 from book.wheels.formulas import alpha, beta, gamma, l, omni_rates, omni_world
+from courseware.answers import Unknown
 from courseware.figures import Arrow
-from courseware.practice import Unknown
 from courseware.programs.declaration import Program
 from robokin import motion, wheels
 

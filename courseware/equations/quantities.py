@@ -68,7 +68,7 @@ def quantity(
 
     Args:
         name: as SymPy's; Greek letters are spelled.
-        unit: SI, from the table in `courseware/units.py`.
+        unit: SI, from the table in `courseware/units/table.py`.
         low, high: the range of the points at which formulas are compared with the library.
         meaning: in a few words; a name may stand first, before a colon: "heading: …".
         latex: how it prints, where that is not SymPy's own way.

@@ -33,8 +33,8 @@ from courseware.figures.controls import (
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
 from courseware.figures.things import Outline, Rim, Thing
-from courseware.line_breaks import prevent_breaks
 from courseware.units import figure_unit
+from courseware.units.line_breaks import prevent_breaks
 
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
 

@@ -1,6 +1,6 @@
 // The whole figure as HTML: the same text on the page before and after the script takes over.
 
-import { escapeHtml, renderSymbols } from "../script/text.js";
+import { escapeHtml, renderSymbols } from "../units/text.js";
 import { formatControl, formatReadout } from "./figure_text.js";
 import { renderAttributes } from "./nodes.js";
 import { renderTurns } from "./quarter_turns.js";

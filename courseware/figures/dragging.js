@@ -1,7 +1,7 @@
 // Moving a figure by hand: its controls, its handles, the ground of a picture in space.
 
 import { functions } from "../equations/functions.js";
-import { escapeHtml } from "../script/text.js";
+import { escapeHtml } from "../units/text.js";
 import { pauseClock, stopClock } from "./clock.js";
 import { formatControl } from "./figure_text.js";
 import { createProjection, heightOf } from "./scene.js";

@@ -1,6 +1,6 @@
 // The numbers of a figure as text.
 
-import { fillTemplate, formatNumber, trueMinus, withUnit } from "../script/text.js";
+import { fillTemplate, formatNumber, trueMinus, withUnit } from "../units/text.js";
 import { describeTurns } from "./quarter_turns.js";
 
 // Digits after the point; -2: two digits and a power of ten.

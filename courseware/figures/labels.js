@@ -1,6 +1,6 @@
 // Labels, which get out of each other's way.
 
-import { escapeHtml } from "../script/text.js";
+import { escapeHtml } from "../units/text.js";
 import { color, px, symbolData } from "./svg.js";
 
 // A label beside a place in pixels; toward: where it stands if that is free, in steps around it,

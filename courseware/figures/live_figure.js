@@ -1,4 +1,4 @@
-import { writeText } from "../script/text.js";
+import { writeText } from "../units/text.js";
 import { followButtons, followClock, followSight, followTurns } from "./clock.js";
 import { addHandles, describeHandle, followControls, followGround, followReset, followSteps, placeHandles } from "./dragging.js";
 import { describeFigure, describeState, formatControl, formatReadout, numbersBySymbol } from "./figure_text.js";

@@ -1,6 +1,6 @@
 // The whole picture of a figure as SVG.
 
-import { escapeHtml, fillTemplate } from "../script/text.js";
+import { escapeHtml, fillTemplate } from "../units/text.js";
 import { describeFigure, textsByKey } from "./figure_text.js";
 import { renderGround, renderScale, toneOf } from "./grounds.js";
 import { placeLabels } from "./labels.js";

@@ -32,8 +32,3 @@ def find_mistake(name: str) -> Mistake:
 def all_topics() -> list[str]:
     """Return the chapters that have exercises, in the course's order."""
     return list(dict.fromkeys(exercise.topic for exercise in all_exercises().values()))
-
-
-def course_name() -> str:
-    """Return the name that the site's settings give the course, or its own: the default salt."""
-    return str(course().settings.get("course_name") or course().name)

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from courseware.practice.declaration import Exercise, Row, Unknown
+from courseware.answers import Unknown
+from courseware.practice.declaration import Exercise, Row
 from courseware.practice.mistakes import Mistake
 from courseware.units import ROWS, TABLE
 

@@ -1,11 +1,11 @@
 // The box of an exercise, which takes answers and gives help.
 
-import { escapeHtml, fillTemplate, renderSymbols } from "../script/text.js";
+import { escapeHtml, fillTemplate, renderSymbols } from "../units/text.js";
 import { now } from "./answer_file.js";
 import { VARIANTS } from "./constants.js";
 import { dealVariant } from "./dealing.js";
-import { judgeAnswer } from "./judging.js";
-import { parseTyped } from "./parsing.js";
+import { judgeAnswer } from "../answers/judging.js";
+import { parseTyped } from "../answers/parsing.js";
 import { HELP_STEPS, renderParagraphs, renderHint, splitSolution } from "./rendering.js";
 
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";

@@ -13,14 +13,14 @@ import numpy as np
 
 from courseware.equations.notebook import Output
 from courseware.errors import CourseError
-from courseware.line_breaks import prevent_breaks
 from courseware.practice import dealing, judging, rendering
-from courseware.practice.bank import all_exercises, course_name, find_exercise, find_mistake
+from courseware.practice.bank import all_exercises, find_exercise, find_mistake
 from courseware.practice.declaration import Exercise
-from courseware.practice.formatting import render_marked, render_symbols
 from courseware.practice.mistakes import Mistake
 from courseware.practice.saving import ANSWER_COLUMNS, write_table
 from courseware.script.widget import Widget, create_widget
+from courseware.units.formatting import render_marked, render_symbols
+from courseware.units.line_breaks import prevent_breaks
 
 WIDTH = 42  # of a line of code, for phones
 MISTAKE = "application/vnd.courseware.mistake+json"
@@ -113,7 +113,7 @@ def exercise(name: str, student: str | int | None = None, course: str | None = N
     """
     who = _session["student"] if student is None else str(student)
     where = _session["course"] if course is None else str(course)
-    return Box(find_exercise(name), who, where or course_name())
+    return Box(find_exercise(name), who, where or find_course().salt)
 
 
 def export(path: str | Path = "answers.csv", force: bool = False) -> Path:

@@ -1,10 +1,10 @@
 // On a web page: one desk for all exercises, the student's name and answers in the browser.
 
-import { escapeHtml } from "../script/text.js";
+import { escapeHtml } from "../units/text.js";
 import { downloadAnswers, parseAnswers } from "./answer_file.js";
 import { foldName } from "./dealing.js";
 import { ExerciseBox, unpack } from "./exercise.js";
-import { memory, readStored } from "./storage.js";
+import { memory, readStored } from "../answers/storage.js";
 import { answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
 
 const NAMELESS = "Type your name first: it picks your numbers.";

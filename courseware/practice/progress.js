@@ -1,6 +1,6 @@
 // In the menu and on the first page: how many exercises of each chapter are passed in this browser.
 
-import { memory } from "./storage.js";
+import { memory } from "../answers/storage.js";
 import { countPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
 
 const writeBeside = (link, words, part) => {

@@ -1,7 +1,7 @@
 // Exercises and solutions as HTML.
 
-import { escapeHtml, fillTemplate, renderSymbols } from "../script/text.js";
-import { UNBROKEN } from "./units.js";
+import { escapeHtml, fillTemplate, renderSymbols } from "../units/text.js";
+import { UNBROKEN } from "../units/constants.js";
 
 const TRAINING = "Numbers for training: they are not yours and do not count.";
 export const HELP_STEPS = ["Where should I look?", "Show the first step", "Show the next step", "Show the answer"];

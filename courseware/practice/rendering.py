@@ -18,7 +18,7 @@ from courseware.equations.equation import Equation
 from courseware.equations.notebook import equation_anchor, equation_label, shown_equations
 from courseware.equations.text import format_formula
 from courseware.practice import dealing, judging
-from courseware.practice.bank import all_exercises, course_name, find_exercise
+from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.declaration import Exercise
 from courseware.practice.saving import GUARD, UNGUARD
 from courseware.script import engine
@@ -35,7 +35,6 @@ def constants() -> dict[str, Any]:
         **shared,
         "GUARD": GUARD,
         "UNGUARD": UNGUARD,
-        "STORE": " ".join(dict.fromkeys((course().name, course_name()))),  # two on one host
         "TOPICS": chapters,
     }
 

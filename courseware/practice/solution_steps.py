@@ -12,8 +12,8 @@ import sympy as sp
 from courseware.equations.equation import Equation, free_symbols, substitute
 from courseware.equations.text import format_formula, format_with_numbers
 from courseware.errors import CourseError
-from courseware.practice.formatting import append_unit, format_number
 from courseware.units import refuse_other_than_si
+from courseware.units.formatting import append_unit, format_number
 
 LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
 

@@ -1,8 +1,9 @@
 // The answers of a student in this browser, and how many exercises of each chapter are passed.
 
-import { STORE, TOPICS } from "./constants.js";
+import { STORE } from "../answers/constants.js";
+import { TOPICS } from "./constants.js";
 import { foldName } from "./dealing.js";
-import { readStored } from "./storage.js";
+import { readStored } from "../answers/storage.js";
 
 export const answersKey = (course) => `${STORE} answers ${course}`;
 export const STUDENT_KEY = `${STORE} student`;

@@ -16,8 +16,8 @@ import sympy as sp
 from courseware.course import course
 from courseware.errors import CourseError
 from courseware.figures.figure import find_figure
-from courseware.practice.formatting import append_unit, format_number
 from courseware.units import UNITS, Unit, figure_unit, refuse_unknown
+from courseware.units.formatting import append_unit, format_number
 
 Value = Any  # an expression, a matrix or tuple of them, or a function of no arguments
 LEFT, RIGHT = "too far to the left", "too far to the right"

@@ -5,11 +5,11 @@
 // where somebody wants to see without guessing. A figure may wait for the answer.
 
 import { prefersReducedMotion } from "../figures/clock.js";
-import { STORE } from "../practice/constants.js";
-import { describeProblem } from "../practice/judging.js";
-import { parseTyped } from "../practice/parsing.js";
-import { memory, readStored } from "../practice/storage.js";
-import { escapeHtml, formatNumber, renderSymbols, withUnit } from "../script/text.js";
+import { STORE } from "../answers/constants.js";
+import { describeProblem } from "../answers/judging.js";
+import { parseTyped } from "../answers/parsing.js";
+import { memory, readStored } from "../answers/storage.js";
+import { escapeHtml, formatNumber, renderSymbols, withUnit } from "../units/text.js";
 
 const SHOWN = "shown";
 const TRIES = 3; // to place a ghost, before there is more help

@@ -1,6 +1,13 @@
 """Programs that students write, judged by the simplest input on which they are wrong.
 
+In a notebook: `programs.show("bicycle-p1")`, and `.check(step)` judges a function.
+
 `declaration` declares one in a chapter's `programs.py`; `storing` draws its inputs and computes
-what is right and what known mistakes give; `notebook` shows it. `judge` runs a student's function
-on these numbers: it needs NumPy alone, in a notebook, on the page and beside a grader.
+what is right and what known mistakes give; `notebook` shows it; `courseware/judge.py` runs a
+student's function on these numbers.
 """
+
+from courseware.programs.declaration import Program, all_programs
+from courseware.programs.notebook import ProgramBox as show
+
+__all__ = ["Program", "all_programs", "show"]

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+from courseware.answers import Unknown
 from courseware.course import course, topic_of
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
-from courseware.practice.declaration import Unknown
 from courseware.practice.mistakes import Mistake
 
 Function = Callable[..., Any]

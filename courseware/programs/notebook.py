@@ -6,11 +6,11 @@ from dataclasses import replace
 from html import escape
 from typing import Any
 
-from courseware.practice.formatting import render_paragraphs
-from courseware.programs import judge
+from courseware import judge
 from courseware.programs.declaration import Program, find_program
 from courseware.programs.picture import render_answer
 from courseware.programs.storing import store
+from courseware.units.formatting import render_paragraphs
 
 MIME = "application/vnd.courseware.program+json"
 _revealed = Counter[str]()  # right values shown in this session, by program

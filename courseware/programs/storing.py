@@ -13,9 +13,9 @@ from sympy.printing.numpy import NumPyPrinter
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
+from courseware.judge import KNOWN, LEAST, SIZE, as_arguments, join_numbers
 from courseware.practice.bank import all_exercises
 from courseware.programs.declaration import Function, Program
-from courseware.programs.judge import KNOWN, LEAST, SIZE, as_arguments, join_numbers
 
 ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case
 MANY = 60  # from which the simplest are taken

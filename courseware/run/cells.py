@@ -129,7 +129,7 @@ class Cells:
         """Judge a program, and say whether it ran and whether a right value was shown."""
         import numpy as np
 
-        from courseware.programs import judge
+        from courseware import judge
 
         alone = Cells(self.send, self.packages)
         alone.names["np"] = np

@@ -8,7 +8,6 @@ from importlib.resources import files
 from typing import Any
 
 from courseware.script.modules import join_modules
-from courseware.units import UNITS
 
 Constants = Callable[[], Mapping[str, Any]]
 
@@ -37,17 +36,19 @@ class Part:
     constants: Mapping[str, Constants] = field(default_factory=dict)
 
 
-TIGHT_UNITS = "".join(name for name, unit in UNITS.items() if unit.joined)  # for `text.js`
 _parts: dict[str, Part] = {}
-_constants: dict[str, Constants] = {
-    "courseware/script/constants.js": lambda: {"TIGHT_UNITS": TIGHT_UNITS}
-}
+_constants: dict[str, Constants] = {}
 
 
 def register(part: Part) -> None:
     """Make a part known, under its name."""
     _parts[part.name] = part
     _constants.update(part.constants)
+
+
+def provide(path: str, constants: Constants) -> None:
+    """Make a module of constants known that several parts import."""
+    _constants[path] = constants
 
 
 def list_parts() -> list[str]:

@@ -22,7 +22,8 @@ from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
 
 from courseware.course import course
-from courseware.site import predictions, run
+from courseware.predictions import page as predictions
+from courseware.site import run
 from courseware.site.assets import add_assets, write_assets, write_downloads
 from courseware.site.directives import (
     Desk,

@@ -14,7 +14,7 @@ from courseware.equations.javascript import Code
 from courseware.figures.compiler import serialize
 from courseware.figures.figure import find_figure, render_outlines
 from courseware.practice import rendering as practice
-from courseware.practice.bank import all_mistakes, all_topics, course_name
+from courseware.practice.bank import all_mistakes, all_topics
 from courseware.script import parts as scripts
 from courseware.site.home_page import find_picture
 from courseware.site.mistake_pictures import draw_picture
@@ -44,7 +44,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         file = f"courseware/{'-'.join(parts)}.js"
         write_static(app, file, scripts.bundle_page(parts))
         app.add_js_file(file, loading_method="defer")
-    name = escape(course_name(), quote=True)
+    name = escape(course().salt, quote=True)
     tag = f'<meta name="course" content="{name}" />'
     context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
 

@@ -7,10 +7,10 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
 from courseware.practice.bank import all_exercises, all_mistakes, all_topics
-from courseware.practice.formatting import render_marked, render_symbols
 from courseware.practice.mistakes import Mistake
 from courseware.site.outputs import render_desk, render_exercise
 from courseware.site.sources import note_sources
+from courseware.units.formatting import render_marked, render_symbols
 
 
 class Practice(SphinxDirective):

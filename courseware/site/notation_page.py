@@ -5,9 +5,9 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
-from courseware.practice.formatting import render_symbols
 from courseware.site.sources import note_sources
 from courseware.symbols import lexicon
+from courseware.units.formatting import render_symbols
 
 
 class Notation(SphinxDirective):

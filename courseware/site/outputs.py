@@ -10,6 +10,7 @@ from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
+from courseware.course import course
 from courseware.equations.equation import find_equation
 from courseware.equations.notebook import AGAIN, equation_anchor, equation_label, render_label
 from courseware.equations.notebook import MIME as EQUATION
@@ -18,14 +19,14 @@ from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find_figure
 from courseware.practice import dealing
 from courseware.practice import rendering as practice
-from courseware.practice.bank import course_name, find_mistake
+from courseware.practice.bank import find_mistake
 from courseware.practice.notebook import MISTAKE, render_judgement
 from courseware.predictions.declaration import find_prediction
 from courseware.predictions.notebook import MIME as PREDICTION
+from courseware.predictions.page import render_prediction
 from courseware.programs import notebook as programs
 from courseware.programs.declaration import find_program
 from courseware.script import engine
-from courseware.site.predictions import render_prediction
 from courseware.site.sources import note_sources
 from courseware.symbols.formula_numbers import Slots
 
@@ -149,7 +150,7 @@ def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
 def render_exercise(env: BuildEnvironment, name: str) -> nodes.raw:
     """Return the box of an exercise, after the desk if it is the first on its page."""
     note_sources(env, "exercises")
-    html = practice.render_box(name, course_name(), env.config.course_solutions)
+    html = practice.render_box(name, course().salt, env.config.course_solutions)
     return nodes.raw("", render_desk(env) + html, format="html")
 
 
@@ -158,6 +159,6 @@ def render_desk(env: BuildEnvironment) -> str:
     if env.temp_data.get("practice_desk"):
         return ""
     env.temp_data["practice_desk"] = True
-    inner = engine.call("courseware.renderDesk", course_name())
-    data = f'data-course="{escape(course_name(), quote=True)}" data-version="{dealing.version()}"'
+    inner = engine.call("courseware.renderDesk", course().salt)
+    data = f'data-course="{escape(course().salt, quote=True)}" data-version="{dealing.version()}"'
     return f'{NO_SCRIPT}<div class="rk-desk" {data}>{inner}</div>\n'

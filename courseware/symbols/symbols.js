@@ -1,6 +1,6 @@
 // Hover, tap or focus of a symbol lights all its faces within the step, and a note names it.
 
-import { escapeHtml, renderSymbols, trueMinus, writeText } from "../script/text.js";
+import { escapeHtml, renderSymbols, trueMinus, writeText } from "../units/text.js";
 
 // A step is a section without the sections in it.
 const SYMBOL = "[data-symbol]";

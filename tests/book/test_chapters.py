@@ -254,7 +254,7 @@ def test_programs_wait_to_be_filled_in(chapter):
     for p, asked, starter, check in zip(
         programs, cells[::3], cells[1::3], cells[2::3], strict=True
     ):
-        call, function = f'practice.program("{p.name}")', p.definition.name
+        call, function = f'programs.show("{p.name}")', p.definition.name
         assert (asked.source, starter.source) == (call, p.starter.rstrip("\n"))
         assert check.source == f"{call}.check({function})"
         assert_tagged(asked, "remove-input")

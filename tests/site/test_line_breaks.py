@@ -6,8 +6,8 @@ import pytest
 from browser import watched_page
 from declared import course
 
-from courseware.line_breaks import UNBROKEN, prevent_breaks
 from courseware.script import engine as script
+from courseware.units.line_breaks import UNBROKEN, prevent_breaks
 
 pytest_plugins = ["browser"]
 

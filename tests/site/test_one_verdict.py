@@ -5,8 +5,8 @@ from browser import watched_page
 from declared import EXERCISES, OF_EACH_KIND, table, typed
 from test_practice_page import printed, sign_in
 
-from classroom.__main__ import main
 from courseware import practice
+from courseware.classroom.__main__ import main
 from courseware.practice import dealing
 
 pytest_plugins = ["browser"]

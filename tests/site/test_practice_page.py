@@ -16,10 +16,10 @@ from playwright.sync_api import expect
 from test_dealing import DEAL, dealt_in_python, names
 
 from book.differential_drive.exercises import M12
-from classroom.__main__ import main
 from courseware import practice
+from courseware.classroom.__main__ import main
 from courseware.practice import candidates, dealing, judging
-from courseware.practice.formatting import render_symbols
+from courseware.units.formatting import render_symbols
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser

@@ -10,8 +10,9 @@ import chromium
 import yaml
 
 import book  # noqa: F401 - opens the course
+from courseware.course import course
 from courseware.practice import rendering
-from courseware.practice.bank import all_exercises, course_name
+from courseware.practice.bank import all_exercises
 from paper import pdf
 from paper.pages import BUILD, ROOT
 
@@ -23,7 +24,7 @@ def main():
     front = {name: escape(text) for name, text in front.items()}
     front["rights"] = site["html_theme_options"]["extra_footer"]
     solved = all_exercises() if site["course_solutions"] else ()
-    solutions = {name: rendering.render_solution(name, course_name()) for name in solved}
+    solutions = {name: rendering.render_solution(name, course().salt) for name in solved}
     with chromium.launch() as browser:
         for name, shown, folds_open in (
             ("robokin.pdf", solutions, True),

@@ -1,8 +1,0 @@
-"""Deal exercises to a class, collect and grade its answers: `python -m classroom --help`.
-
-`answer_key` (everyone's numbers and right answers), `sheets` (a page to print for each student),
-`collecting` (answers in files and folders), `grading`, `class_page` (a look at the class), `moodle`
-(the exercises as questions), `tables` (CSV, as spreadsheets write it). Students do not need it.
-"""
-
-__version__ = "0.1.0"

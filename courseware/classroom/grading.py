@@ -1,0 +1,131 @@
+"""Grades of what students handed in: each answer's result, and totals."""
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
+from operator import itemgetter
+from pathlib import Path
+
+from courseware.classroom import class_page
+from courseware.classroom.answer_key import UNUSABLE, Key, Task, read_key
+from courseware.classroom.class_page import RESULTS, Graded
+from courseware.classroom.collecting import NEVER, Answer, Collected, collect
+from courseware.classroom.tables import Problem, Problems
+from courseware.errors import CourseError
+from courseware.practice import dealing, judging
+from courseware.practice.bank import all_exercises
+from courseware.practice.candidates import Candidate, find_candidates
+from courseware.practice.saving import refuse_existing, write_table
+
+TOTALS = ("student", *RESULTS)
+ENDINGS = ("-students.csv", "-problems.csv", ".html")  # of files beside the grades
+NOTHING = Answer("", NEVER, Path(), 0)
+MISSING = judging.Verdict("missing", "", "")
+
+
+def check(answers: Sequence[Path], key: Path) -> tuple[list[str], str]:
+    """Return the problems that grading would find, and an account to print. Write nothing."""
+    problems = Problems()
+    found = collect(answers, read_key(key, problems), problems)
+    return problems.lines(), "\n".join([*_account(found), "nothing was written"])
+
+
+def grade(answers: Sequence[Path], key: Path, out: Path, force: bool) -> tuple[list[str], str]:
+    """Grade files and folders of answers; return their problems, and a summary to print.
+
+    Beside `out` come the students' totals, all problems, and a page that shows the class.
+    """
+    if out.suffix == ".html":
+        raise CourseError(f"{out} is no name for a table: give one that ends in .csv")
+    paths = [out, *(out.with_name(out.stem + ending) for ending in ENDINGS)]
+    for path in paths:
+        refuse_existing(path, force)
+    problems = Problems()
+    collected = collect(answers, read_key(key, problems), problems, leave_out=paths)
+    graded = _grade(collected, problems)
+    write_table(paths[0], Graded._fields, graded, force)
+    write_table(paths[1], TOTALS, _total(graded), force)
+    write_table(paths[2], Problem._fields, problems, force)
+    paths[3].write_text(class_page.render(collected.key.course, graded), encoding="utf-8")
+    lines = [*_account(collected), "", *_summarize(collected.key, graded), ""]
+    return problems.lines(), "\n".join([*lines, *(f"written: {path}" for path in paths)])
+
+
+def _account(found: Collected) -> list[str]:
+    """Say whose answers were found, and whose were not."""
+    key, asked = found.key, {name for _, name in found.key.rows}
+    lines = [
+        f"the key: students: {len(key.students):,}; exercises: {len(asked)}; "
+        f"course {key.course}, version {key.version}",
+        f"answers that count: {len(found.answers):,}; students: "
+        f"{len(key.students) - len(found.silent):,}; files: {len(found.files):,}",
+    ]
+    if found.silent:
+        lines += [f"students without an answer: {len(found.silent):,}"]
+        lines += [f"  {name}" for name in found.silent]
+    return lines
+
+
+def _grade(collected: Collected, problems: Problems) -> list[Graded]:
+    """Grade each line of the key, all answers to an exercise together."""
+    rows, exercise = collected.key.rows, itemgetter(1)
+    found: dict[Task, Graded] = {}
+    for name, tasks in groupby(sorted(rows, key=exercise), exercise):
+        found |= _grade_exercise(name, list(tasks), collected, problems)
+    return [found[task] for task in rows if task in found]
+
+
+def _grade_exercise(
+    name: str, tasks: Sequence[Task], collected: Collected, problems: Problems
+) -> dict[Task, Graded]:
+    key = collected.key
+    variants = _candidates(name, tasks, key, problems)
+    places = {numbers: place for place, numbers in enumerate(variants)}
+    rows = {p: row for p in tasks if (row := key.rows[p][1])["numbers"] in places}
+    answers = {p: collected.answers[p] for p in rows if p in collected.answers}
+    typed = [(places[rows[task]["numbers"]], each.answer) for task, each in answers.items()]
+    judged = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
+    verdicts = dict.fromkeys(rows, MISSING) | dict(zip(answers, judged, strict=True))
+    found = {}
+    for task, v in verdicts.items():
+        a, student = answers.get(task, NOTHING), rows[task]["student"]
+        judgement = v.result, v.name, v.feedback
+        found[task] = Graded(student, name, a.answer, *judgement, a.tries, a.help)
+    return found
+
+
+def _candidates(
+    name: str, tasks: Iterable[Task], key: Key, problems: Problems
+) -> dict[str, tuple[Candidate, ...]]:
+    """Return the candidates for each set of numbers; note rows with strange numbers."""
+    found: dict[str, tuple[Candidate, ...]] = {}
+    for line, row in map(key.rows.__getitem__, tasks):
+        numbers = row["numbers"]
+        try:
+            if numbers not in found:
+                found[numbers] = find_candidates(all_exercises()[name], json.loads(numbers))
+        except Exception as error:  # a formula may raise anything on numbers that are not its own
+            words = f"{name} cannot be computed from {numbers}: {type(error).__name__}: {error}"
+            problems.note(UNUSABLE, key.path, line, words, row)
+    return found
+
+
+def _total(graded: Iterable[Graded]) -> Iterator[tuple[str | int, ...]]:
+    """Yield each student's name and counts of results."""
+    results: dict[str, Counter[str]] = {}
+    for each in graded:
+        results.setdefault(each.student, Counter())[each.result] += 1
+    for student, count in results.items():
+        yield student, *(count[r] for r in RESULTS)
+
+
+def _summarize(key: Key, graded: Iterable[Graded]) -> list[str]:
+    counts = Counter(each.result for each in graded)
+    lines = [", ".join(f"{counts[result]:,} {result}" for result in RESULTS)]
+    if key.version != dealing.version():
+        lines.append(
+            f"The key is of version {key.version} of the exercises, this is {dealing.version()}. "
+            "The students' numbers are the key's, the answers are this version's."
+        )
+    return lines

@@ -1,0 +1,292 @@
+"""Programs that students write: right ones pass, wrong ones get their input and their name."""
+
+import ast
+import linecache
+import re
+from collections import Counter
+
+import numpy as np
+import pytest
+from program_mutants import mutants
+
+import book  # noqa: F401 (opens the course)
+from courseware import judge, programs
+from courseware.errors import CourseError
+from courseware.programs.declaration import all_programs
+from courseware.programs.picture import answer_figure, render_answer
+from courseware.programs.storing import could_be_dealt, store
+from courseware.script import engine
+
+PROGRAMS = all_programs()
+STEP = PROGRAMS["bicycle-p1"]
+EACH = pytest.mark.parametrize("name", PROGRAMS)
+
+
+def load(source, function, file="<program>"):
+    """A function from the text of a cell."""
+    linecache.cache[file] = (len(source), None, source.splitlines(True), file)
+    names = {"np": np}
+    exec(compile(source, file, "exec"), names)
+    return names[function]
+
+
+def judged(program, source, revealed=0):
+    return judge.check(load(source, program.definition.name), store(program), revealed)
+
+
+def step(*lines):
+    """A verdict on `car_step` with these lines."""
+    body = "".join(f"    {line}\n" for line in lines)
+    return judged(STEP, f"def car_step(pose, v, phi, L, dt):\n{body}")
+
+
+# --- all that are declared ------------------------------------------------------------------
+
+
+def test_each_chapter_has_three():
+    assert min(Counter(program.topic for program in PROGRAMS.values()).values()) >= 3
+
+
+@EACH
+def test_the_solution_is_right(name):
+    verdict = judged(PROGRAMS[name], PROGRAMS[name].solution)
+    assert verdict.right, verdict
+    for special in PROGRAMS[name].specials:
+        assert special in str(verdict)
+
+
+@EACH
+def test_a_starter_returns_nothing_or_makes_a_mistake_that_is_named(name):
+    program = PROGRAMS[name]
+    verdict = judged(program, program.starter)
+    if program.is_new:
+        assert "It returns nothing" in str(verdict)
+    else:
+        assert {m.name for m in program.wrong} & set(verdict.mistakes), verdict
+
+
+@EACH
+def test_each_mistake_is_named_by_its_answers(name):
+    """What has a name is far from right on enough inputs, and another only beside it."""
+    stored = store(PROGRAMS[name])
+    function = load(PROGRAMS[name].solution, PROGRAMS[name].definition.name)
+    for known in stored["known"]:
+        found = judge.find_known(function, np.array(known["answers"]), stored)
+        if "taken for degrees" not in known["name"]:
+            assert known["name"] in [each["name"] for each in found], known["name"]
+
+
+@EACH
+def test_a_picture_shows_the_right_answer_and_the_one_that_came(name):
+    """All that it draws is in its window."""
+    program = PROGRAMS[name]
+    right, came, given = wrong_answer(program)
+    drawn, good = (render_answer(program, (*right, *each, *given)) for each in (came, right))
+    assert drawn != good
+    assert "NaN" not in drawn
+    shown = engine.run(
+        "((figure, numbers) => { courseware.renderAnswer(figure, numbers); const state = "
+        "courseware.startState(figure); return courseware.compute(figure, "
+        "courseware.settings(figure, state)); })"
+        f"({answer_figure(program).code}, {[*right, *came, *given]})"
+    )
+    x_low, x_high, y_low, y_high = shown["view"]
+    at = np.take(shown["values"], answer_figure(program).compiled["contain"]).reshape(-1, 2)
+    assert (at > [x_low, y_low]).all()
+    assert (at < [x_high, y_high]).all()
+
+
+def wrong_answer(program):
+    """Right numbers, those of a known mistake, and an input on which they are far apart."""
+    stored = store(program)
+    for known in stored["known"]:
+        for case, came in zip(judge.ordinary(stored), known["answers"], strict=True):
+            right = np.array(case["right"])
+            if not judge.same(np.array(came), right, case, stored, 1e4):
+                return case["right"], came, np.hstack([*map(np.ravel, case["arguments"])]).tolist()
+    raise AssertionError("no mistake is wrong")
+
+
+def test_a_verdict_has_the_numbers_of_its_picture():
+    wrong = judged(STEP, STEP.solution.replace("y + chord", "y - chord"))
+    case = store(STEP)["cases"][0]
+    assert wrong.numbers[:3] == tuple(case["right"])
+    assert wrong.numbers[6:] == (*case["arguments"][0], *case["arguments"][1:])
+    assert judged(STEP, STEP.starter).numbers == (), "nothing came"
+    assert step("return pose / 0").numbers == (), "no number came"
+    assert judged(STEP, STEP.solution).numbers == ()
+    box = programs.show("odometry-p2")
+    assert "rk-answer" not in box.check(lambda before, after, span: None)._repr_html_()
+    shown = box.check(lambda before, after, span: after - before)
+    assert 'class="rk-answer"><svg' in shown._repr_html_()
+
+
+@pytest.mark.slow
+@EACH
+def test_small_changes_of_a_solution_are_refused(name):
+    """Of sign, function, number, name: those that are left compute the same.
+
+    One always may: half a span more or less is the same on a counter that wraps round.
+    """
+    program = PROGRAMS[name]
+    changed = [*mutants(program.solution)]
+    left = [source for source in changed if judged(program, source).right]
+    assert len(left) <= max(1, 0.05 * len(changed)), "\n\n".join(left)
+
+
+# --- the verdict ----------------------------------------------------------------------------
+
+TURN = "turn = v * dt / L * np.tan(phi)"
+HEAD = ("x, y, theta = pose", TURN, "m, u = theta + turn / 2, turn / 2 / np.pi")
+END = "w = v * dt * np.sinc(u); return [x + w * np.cos(m), y + w * np.sin(m), theta + turn]"
+
+
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        (["pass"], "It returns nothing"),
+        (["print(pose)"], "It returns nothing"),
+        (
+            ['return "0.5, 1, 2"'],
+            "It returns text, '0.5, 1, 2'. Asked: 3 numbers, in the shape (3,).",
+        ),
+        (
+            ["return [1, 2]"],
+            "It returns 2 numbers, in the shape (2,). Asked: 3 numbers, in the shape (3,).",
+        ),
+        (["return [[1], [2, 3], 4]"], "It returns lists of different lengths"),
+        (["return [1, 2, 3j]"], "It returns a list, [1, 2, 3j]"),
+        (["pose[2] += 1", "return pose"], "It changes an array that it was given"),
+        (["while True: pass"], "It does not end"),
+        (["n = 0", "while n < 1: n -= 1"], "It does not end"),
+        (["return pose + heading"], "Line 2, `return pose + heading`: NameError"),
+        (["return car_step(pose, v, phi, L, dt)"], "RecursionError"),
+        (
+            ["from robokin import bicycle", "return bicycle.path(pose, v, phi, L, dt)[-1]"],
+            "It calls robokin: write down yourself what that function does.",
+        ),
+        ([*HEAD[:2], HEAD[2].replace("turn / 2,", "turn // 2,"), END], "Its // drops all"),
+        ([*HEAD[:2], HEAD[2], END.replace("[x", "[-x")], "Too small: x."),
+    ],
+)
+def test_slips_of_programmers(lines, words):
+    revealed = 3 if words == "Too small: x." else 0
+    body = "".join(f"    {line}\n" for line in lines)
+    source = f"def car_step(pose, v, phi, L, dt):\n{body}"
+    verdict = judged(STEP, source, revealed)
+    assert not verdict.right
+    assert words in str(verdict), verdict
+
+
+def test_a_special_case_alone_is_named():
+    """The textbook's arc divides by zero straight ahead."""
+    verdict = step(*HEAD[:2], "R = v * dt / turn", "t = theta + turn",
+                   "return [x + R * (np.sin(t) - np.sin(theta)),"
+                   " y - R * (np.cos(t) - np.cos(theta)), t]")  # fmt: skip
+    assert "wrong (straight ahead):" in str(verdict)
+    assert "nan means: no number. It comes of 0/0" in str(verdict)
+    assert "On all ordinary inputs it is right" in str(verdict)
+
+
+def test_what_is_wrong_on_few_ordinary_inputs_is_not_called_right_on_all():
+    verdict = step(*HEAD, "if x < -1.5: return pose", "if phi == 0: return pose", END)
+    assert not verdict.right
+    assert "On all ordinary inputs it is right" not in str(verdict)
+
+
+def test_names_of_the_notebook_are_not_known_to_the_function():
+    names = {"np": np, "L_car": 2.5}
+    source = "def car_step(pose, v, phi, L, dt):\n    return pose + L_car\n"
+    exec(compile(source, "<cell>", "exec"), names)
+    assert "It uses L_car, which only your notebook knows" in str(
+        judge.check(names["car_step"], store(STEP))
+    )
+    own = "TURN = 2 * np.pi\n" + STEP.solution.replace("return", "return 0 * TURN +")
+    assert judged(STEP, own).right, "what the cell itself defines is its own"
+    imported = "from math import pi\n" + STEP.solution.replace("np.pi", "pi")
+    assert judged(STEP, imported).right, "and what it imports"
+
+
+def test_an_input_that_an_exercise_deals_is_none():
+    x, y, L = STEP.symbols[0], STEP.symbols[1], STEP.symbols[5]
+    dealt = [{1.0, 2.0}, {2.0, 3.0}]
+    assert could_be_dealt({x: 1.0, y: 3.0, L: 7.0}, dealt)
+    assert not could_be_dealt({x: 2.0, y: 5.0, L: 7.0}, dealt), "one number is not two"
+
+
+def test_the_rows_of_a_matrix_that_are_wrong_are_told():
+    program = PROGRAMS["elbow-arm-p1"]
+    wrong = program.solution.replace("z3 = r2 +", "z3 = r2 -").replace("z2 + a3", "z2 - a3", 1)
+    assert "Wrong: row 3, counted from 0." in str(judged(program, wrong))
+    assert "Wrong: row" not in str(judged(program, "def places(theta, *_): return np.ones((4, 3))"))
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("return 1 / 0", "has this input a case of its own?"),
+        ("return car_step(pose, v, phi, L, dt)", "calls itself without an end"),
+        ("return pose + None", "of another kind than it takes"),
+        ("return pose[3]", "the first has the number 0"),
+    ],
+)
+def test_usual_errors_are_explained(line, words):
+    assert words in str(step(line))
+
+
+def test_what_is_no_function_is_said_so():
+    assert "There is no function car_step here, but 3." in str(judge.check(3, store(STEP)))
+    assert "There is no function car_step here: has it" in str(judge.check(None, store(STEP)))
+
+
+def test_three_right_values_are_shown():
+    """Then only on which side a number is."""
+    box = programs.show("bicycle-p1")
+    wrong = load(STEP.solution.replace("y + chord", "y - chord"), "car_step")
+    shown = [str(box.check(wrong)) for _ in range(4)]
+    assert ["Right is [" in words for words in shown] == [True, True, True, False]
+    assert re.search("Too (large|small): y.", shown[3])
+
+
+def test_arrays_of_inputs_are_the_second_level():
+    assert "It takes arrays, too:" in str(judged(STEP, STEP.solution))
+    loop = step("x, y, theta = [float(p) for p in pose]", *HEAD[1:], END)
+    assert loop.right
+    assert "arrays of many inputs at once. So far" in str(loop)
+
+
+def test_all_right_answers_are_right_where_there_are_several():
+    program = PROGRAMS["euler-p1"]
+    other = program.solution + (
+        "\n\nfirst = yaw_pitch_roll\n\ndef yaw_pitch_roll(R):\n"
+        "    a, b, c = np.moveaxis(first(R), -1, 0)\n"
+        "    return np.stack([a + np.pi, np.pi - b, c + np.pi], axis=-1)\n"
+    )
+    assert judged(program, other).right
+
+
+def test_the_verdict_is_for_a_page_too():
+    html = judged(STEP, STEP.starter)._repr_html_()
+    assert "<pre>car_step(np.array([" in html
+    assert html.startswith('<div class="rk-judged rk-wrong" role="status"')
+    assert "without a <code>return</code>" in html
+
+
+def test_what_is_asked_has_hints_that_open_one_another():
+    html = programs.show("bicycle-p1")._repr_mimebundle_()["text/html"]
+    assert re.findall("<summary>(.*?)</summary>", html) == [
+        "Hint 1",
+        "Hint 2",
+        "Hint 3",
+        "A solution",
+    ]
+
+
+def test_a_name_that_there_is_not_is_refused():
+    with pytest.raises(CourseError, match="there is no program 'bicycle-p9'"):
+        programs.show("bicycle-p9")
+
+
+def test_the_mutants_are_many():
+    found = [*mutants("def f(x, y):\n    return np.sin(x) + 2 * y\n")]
+    assert len(found) == len({ast.unparse(ast.parse(each)) for each in found}) == 5

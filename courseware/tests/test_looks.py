@@ -9,6 +9,7 @@ from figure_numbers import each_figure, kind_of
 from support import contrast
 
 from book.materials import MATERIALS
+from courseware.course import course
 from courseware.script import parts
 from robokin.styles import KINDS
 
@@ -68,6 +69,14 @@ def test_labels_are_legible(figure):
             style = KINDS[kind_of(figure, shape)]
             readable = min(contrast(style.light, light), contrast(style.dark, dark))
             assert readable >= 4.5, shape  # WCAG 1.4.3, for text
+
+
+def test_letters_can_be_read_where_they_are_lit():
+    light, dark = re.findall(r"--rk-lit: (#\w+)", parts.join_styles())
+    tables = (getattr(module, "LOOKS", {}) for module in course().modules("formulas").values())
+    for kind in {kind for table in tables for kind in table.values()}:
+        readable = min(contrast(KINDS[kind].light, light), contrast(KINDS[kind].dark, dark))
+        assert readable >= 4.5, kind  # WCAG 1.4.3, for text
 
 
 @each_figure

@@ -11,12 +11,10 @@ import numpy as np
 import pytest
 from browser import FULL, TALL, draw_all, watched_page
 from declared import COURSE, EXERCISES, OF_EACH_KIND, table, typed
-from PIL import Image
 from playwright.sync_api import expect
 from test_dealing import DEAL, dealt_in_python, names
 
 from book.differential_drive.exercises import M12
-from courseware import practice
 from courseware.classroom.__main__ import main
 from courseware.practice import candidates, dealing, judging
 from courseware.units.formatting import render_symbols
@@ -154,15 +152,6 @@ def test_every_candidate_of_each_kind_of_answer_is_named_on_the_page(page, name)
     assert_every_candidate_is_named(page, EXERCISES[name.partition(":")[2]])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("topic", practice.all_topics())
-def test_every_candidate_is_named_on_the_page(page, topic):
-    sign_in(page, "Ada")
-    for exercise in EXERCISES.values():
-        if exercise.topic == topic:
-            assert_every_candidate_is_named(page, exercise)
-
-
 def test_the_browser_deals_as_python_does(page):
     """A thousand names: accents, composed and not, Persian, emoji, spaces of all kinds."""
     people = names(1000)
@@ -216,31 +205,26 @@ OUTSIDE = """() => {
   return [...document.querySelectorAll(desk), ...parts].filter((each) => !each.checkVisibility()
     || each.getBoundingClientRect().bottom > innerHeight).map((each) => each.outerHTML);
 }"""
-LINES = """() => [...document.querySelectorAll(".rk-exercise")].map((box) =>
-  new Set([...box.querySelectorAll(".rk-row button")].map((each) => each.offsetTop)).size)"""
 
 
-@pytest.mark.parametrize(("width", "height"), [(1280, 800), (390, 844)])
-def test_practice_opens_with_an_exercise(width, height, server, chromium):
-    """Name, bars and the first exercise with its box on the first screen; one line of buttons."""
+def test_practice_opens_with_an_exercise(server, chromium):
+    """Name, bars and the first exercise with its box on the first screen."""
     with watched_page(chromium, server, reduced_motion="reduce") as (page, _):
-        page.set_viewport_size({"width": width, "height": height})
         page.goto(server + "practice.html")
         page.locator(".rk-live").first.wait_for()
-        assert page.locator(".rk-course a").count() == 8
-        assert page.evaluate(OUTSIDE) == []
-        assert {*page.evaluate(LINES)} == {1}
+        for width, height in ((1280, 800), (390, 844)):
+            page.set_viewport_size({"width": width, "height": height})
+            assert page.evaluate(OUTSIDE) == []
 
 
-def test_with_a_name_the_numbers_come_chapter_by_chapter(site, server, chromium):
-    """At most 300 kB at once, and never another name's numbers without a word."""
+def test_with_a_name_the_numbers_come_chapter_by_chapter(server, chromium):
+    """Never another name's numbers without a word."""
     with watched_page(chromium, server) as (page, watch):
         page.goto(server + "practice.html")
         sign_in_first = page.locator(".rk-exercise").first.get_attribute("id")
         page.fill("#rk-student", "Ada")
         page.keyboard.press("Tab")
         page.locator(f"#{sign_in_first}[data-variant]").wait_for()
-        assert sum(watch.weight(site).values()) < 300_000
         last = page.locator(".rk-exercise").last
         assert "rk-stale" in last.get_attribute("class")
         page.emulate_media(media="print")
@@ -372,12 +356,6 @@ def test_what_was_not_checked_is_saved_too(page, tmp_path):
     again(page)
     assert page.inner_text(".rk-progress").startswith("1 of ")
     assert saved(page, tmp_path) == wanted
-
-
-def test_the_desk_names_the_course_before_all_chapters(page):
-    order = ".rk-desk, article section h2"
-    assert page.locator(order).first.get_attribute("class") == "rk-desk"
-    assert "Course: robokin." in menu(page).inner_text()
 
 
 def test_nobody_saves_no_answers(page):
@@ -697,22 +675,12 @@ def test_a_matrix_with_decimal_commas_fills_its_entries(page):
     assert entries == pytest.approx([*right.flat], abs=1e-4)
 
 
-CHAPTER = "differential_drive/differential_drive.html"
-
-
-@pytest.mark.parametrize(
-    ("place", "scheme"),
-    [
-        ("practice.html", "light"),
-        pytest.param(CHAPTER, "dark", marks=pytest.mark.slow),
-        ("from disk", "dark"),
-    ],
-)
-def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, place, scheme):
+@pytest.mark.parametrize(("from_disk", "scheme"), [(False, "light"), (True, "dark")])
+def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, from_disk, scheme):
     """In the colours of the page; it is not loaded before."""
-    home = site.as_uri() + "/" if place == "from disk" else server
+    home = site.as_uri() + "/" if from_disk else server
     with watched_page(chromium, home, scheme=scheme) as (page, watch):
-        page.goto(home + (place if place.endswith("html") else CHAPTER))
+        page.goto(f"{home}differential_drive/differential_drive.html")
         sign_in(page, "Ada")
         wrong = next(c for c in variant(FIRST, "Ada").candidates if c.name == "M12")
         assert "half the wheel distance" in answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
@@ -724,6 +692,4 @@ def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, pla
         expect(still).to_have_attribute("src", re.compile(rf"/M12\.svg\?\w+#{scheme}$"))
         still.scroll_into_view_if_needed()
         page.wait_for_function("(image) => image.naturalWidth > 300", arg=still.element_handle())
-        ground = Image.open(io.BytesIO(still.screenshot())).convert("L").getpixel((12, 12))
-        assert ground < 60 if scheme == "dark" else ground > 220
         assert not watch.errors + watch.strangers

@@ -193,11 +193,6 @@ def test_a_function_defined_in_a_cell_can_be_listed(page):
     [
         ("for k in range(100_000):\n    print(k)", 20_000),
         ("for k in range(100_000):\n    display(k)", 40),
-        ("'x' * 100_000", 1),
-        (
-            "class A:\n    _repr_html_ = lambda self: '<p>'\nfor k in range(999): display(A())",
-            40,
-        ),
     ],
 )
 def test_a_flood_is_cut_whatever_it_is_made_of(page, source, most):
@@ -304,12 +299,11 @@ def flooded(server, chromium):
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("width", [390, 1280])
-def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium, width):
+def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium):
     """By the page's own script, in its colours; the picture is no wider than the page."""
     numbers = [2, 1, 0.5, 2, -1, 0.5, 0, 0, 0, 1, 0.2, 2.5, 1]  # right, came; pose, v, phi, L, dt
     with with_worker(server, chromium, f"say('answer', '{numbers}')") as (page, _):
-        page.set_viewport_size({"width": width, "height": 800})
+        page.set_viewport_size({"width": 390, "height": 800})
         page.goto(f"{server}bicycle/bicycle.html")
         page.locator(".rk-run").get_by_text("Check", exact=True).first.click()
         answer = page.locator(".rk-fresh .rk-answer")
@@ -318,7 +312,7 @@ def test_a_wrong_answer_is_drawn_below_its_verdict(server, chromium, width):
         answer.scroll_into_view_if_needed()
         words.wait_for()
         box = answer.locator("svg").bounding_box()
-        assert 0 < box["x"] < box["x"] + box["width"] < width
+        assert 0 < box["x"] < box["x"] + box["width"] < 390
         assert answer.locator("[style*='#rk-hatch']").count() == 1
 
 

@@ -83,12 +83,6 @@ def test_an_answer_lifts_it_and_it_is_kept_and_forgotten(page):
     assert page.locator(".rk-veil").count() == 0
 
 
-def test_its_link_leads_to_the_question(page):
-    page.locator(".rk-veil").get_by_role("link", name="Answer").click()
-    page.wait_for_function(f"() => document.querySelector('{QUESTION}:target')")
-    assert is_under_veil(page)
-
-
 def test_a_link_to_a_setting_lifts_it(chromium, server):
     with visited(chromium, server, f"{FIGURE}?v=0.08") as page:
         assert not is_under_veil(page)
@@ -96,6 +90,7 @@ def test_a_link_to_a_setting_lifts_it(chromium, server):
 
 
 def test_a_screen_reader_hears_the_title_and_the_way_out_only(page):
+    """And the way leads to the question. On paper there is no veil."""
     reader = page.context.new_cdp_session(page)
     place = {"expression": f"document.querySelector('{FIGURE}')"}
     figure = reader.send("Runtime.evaluate", place)["result"]["objectId"]
@@ -104,19 +99,12 @@ def test_a_screen_reader_hears_the_title_and_the_way_out_only(page):
     assert "two wheels from the side" in heard
     assert "show me" in heard
     assert "rad/s" not in heard
-
-
-def test_on_paper_there_is_none(page):
+    page.locator(".rk-veil").get_by_role("link", name="Answer").click()
+    page.wait_for_function(f"() => document.querySelector('{QUESTION}:target')")
+    assert is_under_veil(page)
     page.emulate_media(media="print")
     assert page.locator(".rk-veil").is_hidden()
     assert page.locator(f"{FIGURE} dd").first.is_visible()
-
-
-def test_without_a_script_there_is_none(chromium, server):
-    with watched_page(chromium, server, java_script_enabled=False) as (page, _):
-        page.goto(f"{server}differential_drive/differential_drive.html")
-        assert page.locator(f"{FIGURE} svg[role], {FIGURE} .rk-picture > svg").first.is_visible()
-        assert page.locator(".rk-veil").count() == 0
 
 
 @pytest.mark.parametrize(("motion", "shown"), [("no-preference", "Pause"), ("reduce", "Play")])

@@ -17,7 +17,6 @@ from support import ROOT
 
 PACKAGES = ("robokin", "courseware", "book")
 PROVIDED = packages_distributions()  # by the names of imports
-SITE = ("courseware.site", "courseware.symbols", "book._ext")  # needed where the site is built
 
 
 class Import(NamedTuple):
@@ -35,8 +34,17 @@ def name_of(path):
 
 
 MODULES = {
-    name_of(path): path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py"))
+    name_of(path): path
+    for package in PACKAGES
+    for path in sorted((ROOT / package).rglob("*.py"))
+    if "tests" not in path.relative_to(ROOT).parts
 }
+# of courseware: each part uses those before it, and can be used without those after it
+LAYERS = (
+    *("errors", "script", "course", "units", "source_listing", "equations", "figures", "answers"),
+    *("practice", "judge", "programs", "predictions", "symbols", "run", "site", "classroom"),
+    "new_chapter",
+)
 
 
 def imports_of(name, source):
@@ -77,6 +85,12 @@ def within(module, *packages):
     return any(module == p or module.startswith(f"{p}.") for p in packages)
 
 
+def is_for_the_site(module):
+    """Whether a module is needed only where the site is built, or by teachers."""
+    parts = ("courseware.site", "courseware.symbols", "courseware.classroom", "book._ext")
+    return within(module, *parts) or module.endswith(".page")
+
+
 def describe_imports(imports):
     """Imports as a reader finds them."""
     return [f"{each.by}, line {each.line}, imports {each.of}" for each in imports]
@@ -101,6 +115,26 @@ def test_a_package_does_not_import(package, others):
     assert not wrong, f"{package} stands alone: {wrong}"
 
 
+def part_of(module):
+    """The part of the framework that a module belongs to, or None."""
+    package, _, rest = module.partition(".")
+    return rest.partition(".")[0] if package == "courseware" and rest else None
+
+
+def test_each_part_of_the_framework_uses_only_those_below():
+    parts = {part_of(name) for name in MODULES} - {None}
+    assert parts == set(LAYERS), "name its place in LAYERS"
+    between = [i for i in IMPORTS if part_of(i.by) and part_of(i.of)]
+    wrong = [i for i in between if LAYERS.index(part_of(i.by)) < LAYERS.index(part_of(i.of))]
+    assert not wrong, describe_imports(wrong)
+
+
+def test_the_judge_needs_numpy_alone():
+    """It is handed to graders as one file."""
+    tops = {i.of.partition(".")[0] for i in IMPORTS if i.by == "courseware.judge"}
+    assert tops - set(sys.stdlib_module_names) == {"numpy"}
+
+
 @pytest.mark.parametrize("package", PACKAGES)
 def test_a_wheel_asks_for_what_its_modules_import(package):
     """Else it is missing where only the wheels are installed; Pyodide has a module of its own."""
@@ -112,7 +146,7 @@ def test_a_wheel_asks_for_what_its_modules_import(package):
         more = {canonicalize_name(r.name) for r in asked} - needed
     known = {*sys.stdlib_module_names, *PACKAGES, "pyodide"}
     known |= {top for top, by in PROVIDED.items() if needed & set(map(canonicalize_name, by))}
-    own = [i for i in IMPORTS if within(i.by, package) and not within(i.by, *SITE)]
+    own = [i for i in IMPORTS if within(i.by, package) and not is_for_the_site(i.by)]
     missing = describe_imports(i for i in own if i.of.partition(".")[0] not in known)
     assert not missing, f"name it in pyproject.toml: {missing}"
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from courseware.course import course as opened
 from courseware.equations.notebook import Output
 from courseware.errors import CourseError
 from courseware.practice import dealing, judging, rendering
@@ -113,7 +114,7 @@ def exercise(name: str, student: str | int | None = None, course: str | None = N
     """
     who = _session["student"] if student is None else str(student)
     where = _session["course"] if course is None else str(course)
-    return Box(find_exercise(name), who, where or find_course().salt)
+    return Box(find_exercise(name), who, where or opened().salt)
 
 
 def export(path: str | Path = "answers.csv", force: bool = False) -> Path:

@@ -154,18 +154,27 @@ class Course:
         return {name: thing for name, (_, thing) in self._find_all(part, kind).items()}
 
     def find(self, part: str, kind: type[T], name: object) -> T:
-        """Return the declaration of a type and a name, importing as few chapters as possible."""
-        for chapter in sorted(self.chapters, key=self._is_new):
-            module = self.module(chapter, part)
-            thing: Any
-            for thing in get_members(module, kind) if module else ():
-                if thing.name == name:
-                    return cast(T, thing)
+        """Return the declaration of a type and a name."""
+        for _, thing in self._locate(part, kind, name):
+            return thing
         raise CourseError(
             f"there is no {kind.__name__.lower()} {name!r}; there are "
             f"{', '.join(self.find_all(part, kind))}, declared in the chapters' {part}.py, "
             "under a name of their own or in a tuple"
         )
+
+    def find_chapter(self, part: str, kind: type, name: object) -> str:
+        """Return the chapter that declares a name, or "" if none does."""
+        return next((chapter for chapter, _ in self._locate(part, kind, name)), "")
+
+    def _locate(self, part: str, kind: type[T], name: object) -> Iterator[tuple[str, T]]:
+        """Yield chapter and declaration, importing as few chapters as possible."""
+        for chapter in sorted(self.chapters, key=self._is_new):
+            module = self.module(chapter, part)
+            thing: Any
+            for thing in get_members(module, kind) if module else ():
+                if thing.name == name:
+                    yield chapter, cast(T, thing)
 
     def _is_new(self, chapter: str) -> bool:
         return f"{self.package}.{chapter}" not in sys.modules

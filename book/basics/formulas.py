@@ -2,7 +2,9 @@
 
 from sympy import MatMul, Matrix, atan2, cos, sin
 
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 p_x = quantity("p_x", "m", -2, 2, "a point, along x")
 p_y = quantity("p_y", "m", -2, 2, "a point, along y")

@@ -34,7 +34,9 @@ from book.motion.formulas import (
     y_icr,
     y_next,
 )
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 steering = quantity(
     "steering", "rad", -1.2, 1.2, "steering angle of the bicycle, to the left", r"\varphi", "phi"

@@ -50,7 +50,7 @@ from book.motion.formulas import (
     y_dot,
     y_next,
 )
-from courseware.equations import quantity, substitute
+from courseware.equations import declarations, substitute
 from courseware.figures import (
     POINTER,
     AngleArc,
@@ -79,6 +79,8 @@ from courseware.figures import (
     ramp,
     when,
 )
+
+quantity, _ = declarations(__name__)
 
 DISTANCE, RADIUS = 0.1, 0.03  # m, between the wheels, and of a wheel, as in the exercise
 SPEEDS = {v_L: 0.05, v_R: 0.1}  # m/s, of the exercise's wheels

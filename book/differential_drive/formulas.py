@@ -3,7 +3,9 @@
 from sympy import Matrix, Ne, Piecewise, nan, oo
 
 from book.motion.formulas import omega, theta, theta_m, v, v_y, x_dot, y_dot
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 rate_L = quantity(
     "rate_L", "rad/s", -20, 20, "left rate: how fast the left wheel turns", latex=r"\dot\varphi_L"

@@ -3,7 +3,9 @@
 from sympy import Abs, Matrix, Max, Min, acos, atan2, cos, pi, sin, sqrt
 
 from book.basics.formulas import p_x, p_y
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 theta1 = quantity("theta1", "rad", -3.14, 3.14, "angle of joint 1", latex=r"\theta_1")
 theta2 = quantity("theta2", "rad", -3.14, 3.14, "angle of joint 2", latex=r"\theta_2")

@@ -29,7 +29,7 @@ from book.euler.exercises import M7
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.outlines import disc
-from courseware.equations import Where, quantity, substitute
+from courseware.equations import Where, declarations, substitute
 from courseware.figures import (
     VIEW,
     Arrow,
@@ -56,6 +56,8 @@ from courseware.figures import (
     when,
 )
 from courseware.figures.space import AXES, ORIGIN
+
+quantity, _ = declarations(__name__)
 
 R_AB = Matrix([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # the exercise
 GHOST = Matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]])  # of the opening: three quarter turns away

@@ -9,7 +9,9 @@ from typing import Any
 from sympy import Add, MatMul, Matrix, Symbol, atan2, cos, sin, sqrt
 from sympy import pi as half_turn
 
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 first = quantity("first", "rad", -3.14, 3.14, "first turn of a sequence", r"\alpha", "alpha")
 middle = quantity("middle", "rad", -3.14, 3.14, "middle turn of a sequence", r"\beta", "beta")

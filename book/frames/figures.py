@@ -28,7 +28,7 @@ from book.frames.formulas import (
     l_2,
 )
 from book.motion import formulas as motion
-from courseware.equations import as_written, quantity, substitute
+from courseware.equations import as_written, declarations, substitute
 from courseware.figures import (
     POINTER,
     VIEW,
@@ -46,6 +46,8 @@ from courseware.figures import (
     Slider,
     distance,
 )
+
+quantity, _ = declarations(__name__)
 
 LINKS = {l_1: 0.3, l_2: 0.4}  # m, as in the exercise
 RADIUS, AXIS = 0.2, 0.22  # m, of the platform; how long the axes of a frame are drawn

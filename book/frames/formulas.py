@@ -3,7 +3,9 @@
 from sympy import Abs, MatMul, Matrix, cos, sin
 
 from book.motion.formulas import theta
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 TURN = (-3.14, 3.14)
 

@@ -4,7 +4,9 @@ from typing import Any
 
 from sympy import MatMul, Matrix, Ne, Piecewise, ceiling, cos, nan, oo, pi, sin, sinc
 
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 x = quantity("x", "m", -2, 2, "position of the robot in the world")
 y = quantity("y", "m", -2, 2, "position of the robot in the world")

@@ -25,7 +25,7 @@ from book.odometry.formulas import (
     noise,
     ratio,
 )
-from courseware.equations import Equation, as_written, quantity, substitute
+from courseware.equations import Equation, as_written, declarations, substitute
 from courseware.figures import (
     POINTER,
     Body,
@@ -42,6 +42,8 @@ from courseware.figures import (
     Trail,
     distance,
 )
+
+quantity, _ = declarations(__name__)
 
 # the robot of the exercise
 TICKS, RADIUS, BASE = 512, 0.05, 0.2  # ticks a turn, wheel radius, wheel distance [m]

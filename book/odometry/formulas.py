@@ -6,7 +6,9 @@ from sympy import Abs, Matrix, Mod, Piecewise, Symbol, cos, pi, sin, sinc, sqrt,
 
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import dt, omega, theta, theta_next, v, x, x_next, y, y_next
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 N_L = quantity("N_L", "ticks", -1000, 1000, "ticks of the left encoder in a sample")
 N_R = quantity("N_R", "ticks", -1000, 1000, "ticks of the right encoder in a sample")

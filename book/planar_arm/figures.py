@@ -53,7 +53,7 @@ from book.planar_arm.formulas import (
     x,
     y,
 )
-from courseware.equations import Where, as_written, quantity, substitute
+from courseware.equations import Where, as_written, declarations, substitute
 from courseware.equations.functions import solve
 from courseware.figures import (
     POINTER,
@@ -73,6 +73,8 @@ from courseware.figures import (
     distance,
 )
 from robokin._triangle import TOLERANCE
+
+quantity, _ = declarations(__name__)
 
 LINKS = (0.4, 0.3, 0.2)  # m, as in the exercise
 START = (pi / 6, pi / 3, -pi / 2)  # rad, as in the exercise

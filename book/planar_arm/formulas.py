@@ -2,8 +2,10 @@
 
 from sympy import Abs, Add, Matrix, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt
 
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
 from courseware.equations.functions import solve
+
+quantity, symbol = declarations(__name__)
 
 l1 = quantity("l1", "m", 0.1, 1, "length of the first link", latex="l_1")
 l2 = quantity("l2", "m", 0.1, 1, "length of the second link", latex="l_2")

@@ -13,7 +13,7 @@ from book.motion.formulas import dt, omega, theta, theta_dot, v, v_y, x, x_dot, 
 from book.wheels import formulas as wheels
 from book.wheels.exercises import M19, M20, M21, M34, M35
 from book.wheels.formulas import alpha, beta, l, omni_rates, rolling_row, sliding_row
-from courseware.equations import as_written, quantity
+from courseware.equations import as_written, declarations
 from courseware.equations.functions import null_projector, rank
 from courseware.figures import (
     POINTER,
@@ -32,6 +32,8 @@ from courseware.figures import (
     Wheel,
     distance,
 )
+
+quantity, _ = declarations(__name__)
 
 ORIGIN = (0, 0)
 QUARTER = pi / 2

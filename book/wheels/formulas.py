@@ -16,7 +16,9 @@ from book.motion.formulas import (
     x_dot,
     y_dot,
 )
-from courseware.equations import Equation, as_written, quantity, symbol
+from courseware.equations import Equation, as_written, declarations
+
+quantity, symbol = declarations(__name__)
 
 l = quantity("wheel_l", "m", 0, 1, "distance of a wheel from the robot's centre", latex="l")
 alpha = quantity(

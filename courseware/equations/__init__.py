@@ -3,7 +3,7 @@
 from courseware.equations.declared_checks import Array, Check
 from courseware.equations.equation import Equation, Where, as_written, find_equation, substitute
 from courseware.equations.notebook import show, show_again
-from courseware.equations.quantities import find_kind, quantity, symbol
+from courseware.equations.quantities import declarations, find_kind
 
 __all__ = [
     "Array",
@@ -11,11 +11,10 @@ __all__ = [
     "Equation",
     "Where",
     "as_written",
+    "declarations",
     "find_equation",
     "find_kind",
-    "quantity",
     "show",
     "show_again",
     "substitute",
-    "symbol",
 ]

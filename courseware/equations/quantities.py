@@ -6,8 +6,9 @@ on the page of notation, and its letters, sliders, readouts and names in code li
 """
 
 import math
-import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import partial
+from itertools import count
 from typing import Any
 
 import sympy as sp
@@ -15,6 +16,8 @@ import sympy as sp
 from courseware.course import course
 from courseware.errors import CourseError
 from courseware.units import refuse_other_than_si
+
+_places = count()
 
 
 class NamedSymbol(sp.Symbol):  # type: ignore[misc]
@@ -27,7 +30,27 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
     latex: str
     code: str
     module: str
-    line: int
+    place: int  # among all that are declared
+
+    @classmethod
+    def declare(
+        cls,
+        module: str,
+        name: str,
+        unit: str,
+        span: tuple[float, float],
+        meaning: str,
+        latex: str,
+        code: str,
+    ) -> "NamedSymbol":
+        """Return a new symbol of a module."""
+        refuse_other_than_si(unit, f"the symbol {name}")
+        # past SymPy's cache, which knows symbols by name alone
+        new: NamedSymbol = cls.__xnew__(cls, name, real=True)
+        new.module, new.place, new.unit, new.meaning = module, next(_places), unit, meaning
+        new.low, new.high = map(float, span)
+        new.latex, new.code = latex or sp.latex(sp.Symbol(name)), code or name
+        return new
 
     @property
     def has_range(self) -> bool:
@@ -49,11 +72,6 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
         """The value of `data-symbol` wherever it stands on a page."""
         return f"{self.chapter}.{self.name}"
 
-    @property
-    def location(self) -> str:
-        """Module and line of its declaration, for errors."""
-        return f"{self.module}, line {self.line}"
-
     def _hashable_content(self) -> tuple[Any, ...]:
         return (*super()._hashable_content(), self.module)
 
@@ -61,12 +79,34 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
         return self.latex
 
 
-def quantity(
-    name: str, unit: str, low: float, high: float, meaning: str, latex: str = "", code: str = ""
+Declare = Callable[..., NamedSymbol]
+
+
+def declarations(module: str) -> tuple[Declare, Declare]:
+    """Return `quantity` and `symbol` for a module that gives its name.
+
+    ::
+
+        quantity, symbol = declarations(__name__)
+        v = quantity("v", "m/s", -2, 2, "speed")
+    """
+    return partial(declare_quantity, module), partial(declare_symbol, module)
+
+
+def declare_quantity(
+    module: str,
+    name: str,
+    unit: str,
+    low: float,
+    high: float,
+    meaning: str,
+    latex: str = "",
+    code: str = "",
 ) -> NamedSymbol:
-    """Declare a quantity of a chapter.
+    """Declare a quantity of a chapter: `quantity(name, unit, …)` in its modules.
 
     Args:
+        module: that declares it.
         name: as SymPy's; Greek letters are spelled.
         unit: SI, from the table in `courseware/units/table.py`.
         low, high: the range of the points at which formulas are compared with the library.
@@ -74,25 +114,14 @@ def quantity(
         latex: how it prints, where that is not SymPy's own way.
         code: its name in the code of the chapter's notebook, where that differs.
     """
-    return _declare(name, unit, (low, high), meaning, latex, code)
+    return NamedSymbol.declare(module, name, unit, (low, high), meaning, latex, code)
 
 
-def symbol(name: str, meaning: str, latex: str = "", unit: str = "", code: str = "") -> NamedSymbol:
-    """Declare a symbol without a range: a named step, a matrix, a point, a letter in the text."""
-    return _declare(name, unit, (math.nan, math.nan), meaning, latex, code)
-
-
-def _declare(
-    name: str, unit: str, span: tuple[float, float], meaning: str, latex: str, code: str
+def declare_symbol(
+    module: str, name: str, meaning: str, latex: str = "", unit: str = "", code: str = ""
 ) -> NamedSymbol:
-    refuse_other_than_si(unit, f"the symbol {name}")
-    # past SymPy's cache, which knows symbols by name alone
-    new: NamedSymbol = NamedSymbol.__xnew__(NamedSymbol, name, real=True)
-    new.unit, new.meaning, (new.low, new.high) = unit, meaning, map(float, span)
-    new.latex, new.code = latex or sp.latex(sp.Symbol(name)), code or name
-    caller = sys._getframe(2)
-    new.module, new.line = caller.f_globals["__name__"], caller.f_lineno
-    return new
+    """Declare a symbol without a range: a named step, a matrix, a point, a letter in the text."""
+    return NamedSymbol.declare(module, name, unit, (math.nan, math.nan), meaning, latex, code)
 
 
 def find_kind(symbol: NamedSymbol, chapter: str = "") -> str:
@@ -138,4 +167,4 @@ def refuse_namesakes(symbols: Iterable[sp.Symbol], who: str) -> None:
 
 
 def _location(symbol: sp.Symbol) -> str:
-    return getattr(symbol, "location", "a plain SymPy symbol")
+    return getattr(symbol, "module", "a plain SymPy symbol")

@@ -131,7 +131,7 @@ class Figure:
     @cached_property
     def compiled(self) -> dict[str, Any]:
         """The compiled figure: data, and functions as `Code`."""
-        chapter = course().chapters_of("figures", Figure).get(self.name, "")
+        chapter = course().find_chapter("figures", Figure, self.name)
         try:
             return Compiler(self, chapter).compile_figure()
         except CourseError as error:

@@ -13,13 +13,15 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from courseware.equations.quantities import quantity
+from courseware.equations.quantities import declarations
 from courseware.figures import solids
 from courseware.figures.controls import Slider
 from courseware.figures.declaration import Expr, Place
 from courseware.figures.shapes import Arrow, Line, Point
 
 Triple = Sequence[Any]
+
+quantity, _ = declarations(__name__)
 
 azimuth = quantity("azimuth", "rad", -3.14, 3.14, "where a viewer stands: about z, from x")
 elevation = quantity("elevation", "rad", -1.57, 1.57, "where a viewer stands: above the x, y plane")

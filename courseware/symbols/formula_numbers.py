@@ -93,7 +93,7 @@ class Slots:
         if symbol.key not in self.numbers:
             raise CourseError(
                 f"the numbers of {self.equation.name} follow the figure {self.figure.name}, which "
-                f"shows none for {symbol} ({symbol.location}): give it {what} with this symbol; "
+                f"shows none for {symbol} ({symbol.module}): give it {what} with this symbol; "
                 f"there are {', '.join(self.numbers)}"
             )
 

@@ -38,7 +38,7 @@ def symbols_of(chapter: str) -> dict[str, NamedSymbol]:
         if other != symbol:
             raise CourseError(
                 f"{symbol.latex} stands for two symbols in the chapter {chapter}: "
-                f"{other} ({other.location}) and {symbol} ({symbol.location}); "
+                f"{other} ({other.module}) and {symbol} ({symbol.module}); "
                 "give one of them another letter"
             )
     return dict(sorted(known.items(), key=lambda item: (-len(item[0]), item[0])))
@@ -72,7 +72,7 @@ def printed_symbols(chapter: str) -> list[NamedSymbol]:
     """Return the symbols in that TeX, the chapter's own first, as declared."""
     pieces = (piece for tex in printed_tex(chapter) for piece in scan_tex(chapter, tex))
     found = {symbol for _, symbol, _ in pieces if symbol}
-    return sorted(found, key=lambda s: (s.chapter != chapter, s.module, s.line, s.name))
+    return sorted(found, key=lambda s: (s.chapter != chapter, s.module, s.place, s.name))
 
 
 def assigned_names(chapter: str) -> set[str]:

@@ -14,7 +14,7 @@ from scipy import constants
 from sympy import symbols
 
 from courseware.answers import Unknown
-from courseware.equations import quantity, symbol
+from courseware.equations.quantities import declarations
 from courseware.errors import CourseError
 from courseware.figures import Readout, Slider
 from courseware.practice import LocalEquation, Step, judging, number_range, one_of
@@ -24,6 +24,8 @@ from courseware.script import engine
 from courseware.units import TABLE, UNITS
 from courseware.units.formatting import append_unit
 from courseware.units.line_breaks import prevent_breaks
+
+quantity, symbol = declarations(__name__)
 
 SI = [row[0] for row in TABLE]
 SIZES = {  # of the words in names; SciPy's

@@ -24,12 +24,14 @@ from courseware.equations.equation import Equation, as_written
 from courseware.equations.javascript import compile_javascript
 from courseware.equations.latex import render_latex
 from courseware.equations.notebook import MIME
-from courseware.equations.quantities import NamedSymbol, quantity
+from courseware.equations.quantities import NamedSymbol, declarations
 from courseware.errors import CourseError
 from courseware.figures import Figure, Slider
 from courseware.figures.compiler import Compiler
 from courseware.site.verification_page import describe_checks, describe_function
 from robokin import motion
+
+quantity, _ = declarations(__name__)
 
 each_equation = each("equation", "formulas", Equation)
 each_check = each("check", "checks", Check)
@@ -273,9 +275,9 @@ each_chapter = pytest.mark.parametrize("chapter", course().chapters)
 @each_chapter
 def test_quantities_are_described(chapter):
     for symbol in quantities(chapter):
-        assert symbol.meaning, f"{symbol.location}: say what {symbol} is, as `meaning`"
+        assert symbol.meaning, f"{symbol.module}: say what {symbol} is, as `meaning`"
         assert not symbol.has_range or symbol.low < symbol.high, (
-            f"{symbol.location}: {symbol} ranges from {symbol.low} to {symbol.high}: swap them"
+            f"{symbol.module}: {symbol} ranges from {symbol.low} to {symbol.high}: swap them"
         )
 
 
@@ -284,9 +286,7 @@ def test_a_module_declares_a_symbol_once(chapter):
     found = {}
     for symbol in quantities(chapter):
         first = found.setdefault(symbol, symbol)
-        assert first is symbol, (
-            f"{symbol} is declared twice: {first.location} and {symbol.location}"
-        )
+        assert first is symbol, f"{symbol} is declared twice: {first.module} and {symbol.module}"
 
 
 def test_declaring_half_is_refused():

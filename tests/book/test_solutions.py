@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from declared import each, typed
 
-from courseware.equations import Equation, quantity
+from courseware.equations import Equation, declarations
 from courseware.equations.text import split_sign
 from courseware.errors import CourseError
 from courseware.practice import (
@@ -24,6 +24,8 @@ from courseware.practice import (
 )
 from courseware.practice.solution_steps import format_result, solve_step, step_form
 from courseware.units.formatting import format_number
+
+quantity, _ = declarations(__name__)
 
 each_exercise = each("exercise", "exercises", Exercise)
 EXACT = 1e-9  # of the value or of 1: two ways to compute the same, a few dozen roundings apart

@@ -11,7 +11,7 @@ from sphinx.errors import ExtensionError
 from support import on_circle
 
 from courseware.equations.notebook import AGAIN, MIME, equation_label
-from courseware.equations.quantities import symbol as declare_symbol
+from courseware.equations.quantities import declarations
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Slider
 from courseware.figures import figure as figures
@@ -20,6 +20,8 @@ from courseware.site.notation_page import notation_rows
 from courseware.symbols import lexicon, live_numbers
 from courseware.symbols.formula_numbers import Slots, split_lines
 from courseware.symbols.lexicon import printed_tex, read_cells, read_outputs, scan_tex
+
+_, declare_symbol = declarations(__name__)
 
 CHAPTERS = course().taught
 each_chapter = pytest.mark.parametrize("chapter", CHAPTERS)
@@ -71,9 +73,9 @@ def test_every_symbol_of_a_shown_formula_is_found_in_its_tex(chapter):
 def test_the_notation_page_has_a_row_for_each(chapter):
     text = "\n".join(notation_rows(chapter))
     for symbol in lexicon.printed_symbols(chapter):
-        assert symbol.meaning, f"{symbol.location}: say what {symbol} is, as `meaning`"
+        assert symbol.meaning, f"{symbol.module}: say what {symbol} is, as `meaning`"
         several = symbol.name[-1].isdigit() or "entry" in symbol.meaning
-        assert several or f"${symbol.latex}$" in text, f"{symbol.location}: {symbol} has no row"
+        assert several or f"${symbol.latex}$" in text, f"{symbol.module}: {symbol} has no row"
 
 
 @pytest.mark.parametrize(

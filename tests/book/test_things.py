@@ -11,11 +11,13 @@ from support import contrast
 
 from book import things, things_space
 from book.materials import GRADIENTS, GROUNDS, TONES
-from courseware.equations.quantities import quantity
+from courseware.equations.quantities import declarations
 from courseware.errors import CourseError
 from courseware.figures import VIEW, Figure, Slider
 from courseware.figures.things import Outline, Thing
 from robokin.styles import KINDS
+
+quantity, _ = declarations(__name__)
 
 x = quantity("x", "m", -10, 10, "anything that moves")
 pose = (x, 1 - x, 2 * x)

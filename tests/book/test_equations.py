@@ -322,11 +322,11 @@ def test_two_symbols_of_one_name_are_told_apart():
     other = quantity(str(x), "m", 0, 1, "another one")
     assert other != x
     assert len({x, other}) == 2
-    with pytest.raises(CourseError, match=r"x: book.*, line \d+ and tests.*, line \d+; use"):
+    with pytest.raises(CourseError, match=r"x: book.* and tests.*; use"):
         replace(ARC, name="test.namesakes", right=x + other)
     drive = CHECKS["differential_drive.speed"]
     left = quantity("v_L", "m/s", 0, 1, "another one")
-    with pytest.raises(CourseError, match=r"check of .* symbols v_L: .*line \d+ and .*line \d+"):
+    with pytest.raises(CourseError, match=r"check of .* symbols v_L: book.* and tests.*; use"):
         replace(drive, arguments=(*drive.arguments, left))
 
 

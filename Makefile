@@ -52,9 +52,9 @@ _build/pyodide: FORCE
 	@mkdir -p _build; echo "$(PYODIDE)" | cmp -s - $@ || echo "$(PYODIDE)" > $@
 
 $(SITE): $(READY) $(SOURCES) requirements.txt pyproject.toml _build/pyodide
-	PYTHONPATH="$$PWD" PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --config _config.yml \
-		--toc "$$PWD/_toc.yml" --path-output . -W -n --keep-going || { \
-		echo "Not built, see above. If data are truncated or too short there: make clean"; exit 1; }
+	rm -rf _build/html
+	PYTHONPATH="$$PWD" PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --all \
+		--config _config.yml --toc "$$PWD/_toc.yml" --path-output . -W -n --keep-going
 	@touch $(SITE)
 
 book: $(SITE)

@@ -2,7 +2,6 @@
 // a reader starts; from then on nothing is loaded.
 {
   const ROOT = document.documentElement.dataset.content_root;
-  const STATIC = new URL("_static/", new URL(ROOT, document.baseURI));
   // how much a word counts: in a title, where a chapter explains it, in search_words.toml, in what
   // names a mistake, in prose, in code
   const FIELDS = { title: 9, terms: 9, also: 1, feedback: 3, text: 1.2, code: 0.15 };
@@ -25,15 +24,14 @@
     ?.flatMap((word) => (/[-_]/.test(word) ? [word.replaceAll("-", ""), ...word.split(/[-_]/)] : word)) ?? [];
   const listTerms = (text) => splitWords(text).map(foldTerm).filter(Boolean);
 
-  const loadScript = (name) => new Promise((done, failed) => {
+  const loadScript = ({ src }) => new Promise((done, failed) => {
     const script = document.createElement("script");
-    Object.assign(script, { src: new URL(name, STATIC), onload: done, onerror: failed });
+    Object.assign(script, { src, onload: done, onerror: failed });
     document.head.append(script);
   });
-
-  const version = document.querySelector("meta[name=search]").content;
-  const loadIndex = () => (loading ??= loadScript(`minisearch/minisearch.js?v=${version}`)
-    .then(() => loadScript(`search-data.js?v=${version}`))
+  // named on each page with their versions, but not loaded with it
+  const [library, data] = document.querySelectorAll("script[type='text/search']");
+  const loadIndex = () => (loading ??= loadScript(library).then(() => loadScript(data))
     .then(() => siteSearch.indexed));
 
   globalThis.siteSearch = {

@@ -49,39 +49,17 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
   places.forEach((place) => near.observe(place));
   addEventListener("beforeprint", () => places.forEach(make));
 
-  // One part after the other, each when nothing else is to do.
-  const later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
-  const takeTurns = ([part, ...rest], act, end = () => {}) => {
-    if (!part) return end();
-    act(part);
-    later(() => takeTurns(rest, act, end));
-  };
-
-  // A printer waits for no font, and the formula that needs it may be far below: a letter of each kind
-  // tells the font.
-  const LETTERS = [".mathbf", ".boldsymbol", ".mathbb", ".mathcal", ".amsrm", ".small-op", ".large-op",
-    ...[1, 2, 3, 4].map((size) => `.delimsizing.size${size}`)];
-  const loadFont = (kind) => {
-    const letter = document.querySelector(`.katex ${kind}`); // now: figures replace their formulas
-    if (!letter) return;
-    const { fontStyle, fontWeight, fontFamily } = getComputedStyle(letter);
-    document.fonts.load(`${fontStyle} ${fontWeight} 1em ${fontFamily}`, letter.textContent);
-  };
-  const loadFonts = () => takeTurns(LETTERS, loadFont);
-
-  // When a reader starts to scroll, what is far away is drawn piece by piece and then rests: its height
-  // is known, so nothing jumps when it comes near.
+  // From a reader's first move on, formulas far away are drawn one by one: so their heights are known,
+  // and their fonts come, for which a printer does not wait.
+  const waiting = [...boxes], later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
   const drawFar = () => {
-    const parts = [...document.querySelectorAll(".math-scroll, .bd-article section > *, .cell > div > *")];
-    const far = parts.filter((part) => getComputedStyle(part).contentVisibility === "auto");
-    takeTurns(far, ({ style }) => { style.contentVisibility = "visible"; },
-      () => far.forEach(({ style }) => { style.contentVisibility = ""; }));
+    const box = waiting.shift();
+    if (!box) return;
+    box.style.contentVisibility = "visible";
+    markScrollable([box]);
+    later(drawFar);
   };
-  addEventListener("load", () => {
-    later(loadFonts);
-    if (scrollY) later(drawFar);
-    else addEventListener("scroll", () => later(drawFar), { once: true });
-  });
+  for (const move of ["scroll", "pointermove", "keydown"]) addEventListener(move, () => later(drawFar), { once: true });
 }
 
 // The theme takes the focus off its buttons, so that their tooltips go: not from a reader with keys.

@@ -4,9 +4,8 @@
 (Pyodide) comes from `course_python`. The lock file for Pyodide lists the course's packages too: so
 `import robokin` works, and no other registry is asked.
 
-A notebook's name there ends with letters of its digest: a new release is seen, and a copy that a
-student has changed stays beside it. Addresses lack these letters, or may have old ones: `lite.js`
-leads to the present notebook, and says what is waited for.
+A browser keeps what a student has changed, in a place of its own for each course and version: else
+an edited copy would hide every later notebook of that name.
 
 Three places name one version of Pyodide, and a test compares them: `course_python`
 (`courseware/site/__init__.py`), `book/_vendor/pyodide` and `jupyterlite-pyodide-kernel`.
@@ -14,16 +13,14 @@ Three places name one version of Pyodide, and a test compares them: `course_pyth
 
 import hashlib
 import json
-import os
 import shutil
 import subprocess
 import sys
 import zipfile
-from importlib.metadata import distribution
+from importlib.metadata import distribution, version
 from pathlib import Path
 
 import nbformat
-from docutils import nodes
 from sphinx.util import logging
 
 from courseware.course import course
@@ -33,7 +30,6 @@ from courseware.site.run import FOLDER, own_python
 logger = logging.getLogger(__name__)
 
 LOCK = Path(__file__).parents[1] / "_vendor" / "pyodide" / "pyodide-lock.json"
-DATE = 1767225600  # of all files, 1 January 2026, whenever the site is built
 KERNEL = "@jupyterlite/pyodide-kernel-extension:kernel"
 KERNELSPEC = {"name": "python", "display_name": "Python (Pyodide)", "language": "python"}
 # packages for widgets that Pyodide lacks, taken from this environment, with their dependencies
@@ -50,15 +46,8 @@ COURSE = {  # our packages by the names of imports, with their dependencies
 }
 
 
-def notebook_name(page):
-    """Return the name of a chapter's notebook, with a digest of its content."""
-    file = course().notebook(page.partition("/")[0])
-    digest = hashlib.sha256(file.read_bytes()).hexdigest()[:6]
-    return f"{file.stem}-{digest}.ipynb"
-
-
 def notebook_address(page):
-    """Return an address of a chapter's notebook that lasts, relative to its page."""
+    """Return the address of a chapter's notebook, relative to its page."""
     stem = course().notebook(page.partition("/")[0]).stem
     return "../" * page.count("/") + f"lite/notebooks/index.html?path={stem}.ipynb"
 
@@ -67,10 +56,10 @@ def write_notebooks(folder):
     """Write all notebooks with the name of the kernel; another name would open a dialog."""
     folder.mkdir(parents=True)
     for chapter in course().taught:
-        notebook = nbformat.read(course().notebook(chapter), as_version=4)  # joins lines
+        file = course().notebook(chapter)
+        notebook = nbformat.read(file, as_version=4)  # joins lines
         notebook["metadata"]["kernelspec"] = KERNELSPEC
-        text = json.dumps(notebook, ensure_ascii=False)
-        (folder / notebook_name(chapter)).write_text(text, "utf-8")
+        (folder / file.name).write_text(json.dumps(notebook, ensure_ascii=False), "utf-8")
 
 
 def build_wheel(name, folder):
@@ -131,7 +120,7 @@ def make_settings(app):
         "jupyter-lite-schema-version": 0,
         "jupyter-config-data": {
             "appName": app.config.html_title,
-            "contentsStorageName": f"{course().salt}-notebooks",
+            "contentsStorageName": f"{course().salt} {version('robokin')}",
             "litePluginSettings": {KERNEL: kernel},
         },
     }
@@ -139,24 +128,15 @@ def make_settings(app):
 
 def build(app, error):
     """Build JupyterLite into the site."""
-    if error or app._warncount or app.builder.name != "html":
+    if error or app.builder.name != "html":
         return
     folder, target = Path(app.outdir).parent / "lite", Path(app.outdir) / "lite"
     shutil.rmtree(folder, ignore_errors=True)
     write_notebooks(folder / "notebooks")
     write_packages(app, folder / "packages")
     (folder / "jupyter-lite.json").write_text(json.dumps(make_settings(app)), "utf-8")
-    shutil.rmtree(target, ignore_errors=True)
     run_jupyterlite(folder, target)
     shutil.copytree(folder / "packages", target / "packages")
-    add_script(target / "notebooks" / "index.html", Path(app.outdir, "_static", "lite.js"))
-
-
-def add_script(page, script):
-    """Add our script to a page of JupyterLite."""
-    version = hashlib.sha256(script.read_bytes()).hexdigest()[:8]
-    tag = f'<script src="../../_static/{script.name}?v={version}"></script>'
-    page.write_text(page.read_text("utf-8").replace("</head>", f"{tag}</head>", 1), "utf-8")
 
 
 def run_jupyterlite(folder, target):
@@ -166,31 +146,12 @@ def run_jupyterlite(folder, target):
     command += ["--contents", str(folder / "notebooks"), "--output-dir", str(target)]
     command += ["--apps", "notebooks", "--apps", "tree", "--no-sourcemaps"]
     command += ["--no-unused-shared-packages", "--force"]
-    env = {**os.environ, "SOURCE_DATE_EPOCH": str(DATE)}
-    run = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True)
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if run.returncode:
         logger.warning("JupyterLite is not built:\n%s", run.stdout + run.stderr)
 
 
-def is_interactive(node):
-    """Return whether a node is a cell with widgets."""
-    return isinstance(node, nodes.container) and "tag_interact" in node["classes"]
-
-
-def add_link(app, doctree, page):
-    """Add a link to JupyterLite below each cell with widgets (tagged `interact`)."""
-    if app.builder.name != "html":  # on paper nothing moves
-        return
-    for cell in list(doctree.findall(is_interactive)):
-        link = nodes.reference("", "in the browser", refuri=notebook_address(page))
-        words = nodes.Text("This cell moves in JupyterLab, and ")
-        cell.parent.insert(
-            cell.parent.index(cell) + 1, nodes.paragraph("", "", words, link, nodes.Text(" too."))
-        )
-
-
 def setup(app):
     """Register with Sphinx, after the wheels are written."""
-    app.connect("doctree-resolved", add_link)
     app.connect("build-finished", build, priority=910)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

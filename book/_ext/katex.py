@@ -8,6 +8,7 @@ import atexit
 import functools
 import html
 import re
+from itertools import chain
 from pathlib import Path
 
 from docutils import nodes
@@ -36,8 +37,6 @@ PLAIN = re.compile(r"(?<=x-tex\")>.*?</annotation>", re.DOTALL)
 ALIGNED = re.compile(r"\\begin\{aligned\}((?:(?!\\begin).)*)\\end\{aligned\}", re.DOTALL)
 LINE_END = re.compile(r"\\\\\s*(?:\[\d+pt\])?")
 BIG = r"\displaystyle "
-HEIGHT = re.compile(r'katex-strut" style="height:([\d.]+)em')
-ALONE, LINE, GAP = 1.3, 1.6, 0.7  # em: least height of a single line, of one of several; gap
 SHORT = 40  # characters of TeX that fit on a line of a phone
 SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
@@ -127,29 +126,17 @@ def render_html(writer, node, tex, display, plain=None):
 
 
 def render_display(writer, node):
-    """Return a display and its height in em, which keeps its place until it is drawn.
+    """Return the HTML of a display.
 
     Each side of each line is a cell of its own, so that a long one can be broken.
     """
     lines = split_lines(get_display_tex(node))
     plain = split_lines(align_lines(node.astext().strip()))
     if not lines or len(lines) != len(plain):
-        formula = render_html(writer, node, get_display_tex(node), True)
-        return formula, measure_height(formula)
-    rows = [
-        "".join(
-            f"<div>{render_html(writer, node, BIG + side, False, copied)}</div>"
-            for side, copied in zip(line, same, strict=True)
-        )
-        for line, same in zip(lines, plain, strict=True)
-    ]
-    high = sum(max(LINE, measure_height(row)) for row in rows) + GAP * (len(rows) - 1)
-    return f'<div class="math-lines">{"".join(rows)}</div>', high
-
-
-def measure_height(formula):
-    """Return the height of a formula in one line, in em."""
-    return max(ALONE, *map(float, HEIGHT.findall(formula)))
+        return render_html(writer, node, get_display_tex(node), True)
+    sides = zip(chain(*lines), chain(*plain), strict=True)
+    cells = (render_html(writer, node, BIG + side, False, copied) for side, copied in sides)
+    return f'<div class="math-lines"><div>{"</div><div>".join(cells)}</div></div>'
 
 
 def visit_inline(writer, node):
@@ -178,9 +165,8 @@ def keep_punctuation(app, doctree, docname):
 
 def visit_display(writer, node):
     """Write a display: the formula in a box that scrolls, its number beside it."""
-    formula, high = render_display(writer, node)
     writer.body.append(writer.starttag(node, "div", CLASS="math notranslate nohighlight"))
-    writer.body.append(f'<div class="math-scroll" style="--high:{high:.3g}">{formula}</div>')
+    writer.body.append(f'<div class="math-scroll">{render_display(writer, node)}</div>')
     if node["number"]:
         writer.body.append(f'<span class="eqno">({get_node_equation_number(writer, node)})')
         writer.add_permalink_ref(node, "Link to this equation")

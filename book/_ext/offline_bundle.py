@@ -1,8 +1,9 @@
-"""Two zips for use without a network: the notebooks as a kit, and the site itself.
+"""What the first page offers: two zips for use without a network, and the book on paper.
 
 `robokin-kit.zip` holds `book/_kit`, the notebooks numbered as the chapters, the wheels and the list
-of packages. `robokin-site.zip` holds every page that needs no server, and the PDFs if
-`make paper` has written them, because the first page links them. Equal books give equal bytes.
+of packages. `robokin-site.zip` holds every page that needs no server. The PDFs are in both the
+site and its zip if `make paper` has written them; the first page links them with `{only} paper`.
+Equal books give equal bytes.
 """
 
 from pathlib import Path
@@ -11,13 +12,21 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 from courseware.site.assets import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
+PAPER = ("robokin.pdf", "robokin-without-answers.pdf", "robokin.epub")
 # JupyterLite and Python in the page need a server; names with a dot belong to the build
 LEFT_OUT = ("lite/", "_static/python/", "robokin-site.zip", ".")
 
 
+def offer_paper(app, config):
+    """Take the PDFs and the EPUB into the site, and have the first page link them."""
+    files = [Path(app.outdir).parent / name for name in PAPER]
+    if all(map(Path.is_file, files)):
+        app.tags.add("paper")
+        config.html_extra_path = list(map(str, files))
+
+
 def write_zip(target, files):
     """Write a zip of files, by their names in it, in a folder of its own name."""
-    target.unlink(missing_ok=True)
     with ZipFile(target, "w") as archive:
         for name in sorted(files):
             entry = ZipInfo(f"{target.stem}/{name}")  # its date is always the same
@@ -67,5 +76,6 @@ def write_zips(app, error):
 
 def setup(app):
     """Register with Sphinx, after everything that writes into the site."""
+    app.connect("config-inited", offer_paper)
     app.connect("build-finished", write_zips, priority=999)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -6,7 +6,6 @@ type and a section does not say is in `search_words.toml`. `search.js` loads the
 starts to search, from disk too.
 """
 
-import hashlib
 import json
 import posixpath
 import re
@@ -92,7 +91,7 @@ class Reader:
             name = node["ids"][0]
             feedback = all_mistakes()[name].feedback
             self.add(name, f"Mistake {name}", feedback=feedback, code=join_words(words_of))
-        elif not isinstance(node, nodes.Invisible):
+        elif not isinstance(node, nodes.Invisible | addnodes.only):
             words["terms"] += [node.astext()] if isinstance(node, nodes.emphasis) else []
             for child in node.children:
                 self.read(child, words)
@@ -174,20 +173,13 @@ def add_words(entries, words):
 
 
 def write_data(app, env):
-    """Write the data beside `search.js`, before the pages, which name their version."""
+    """Write the data, before the pages name their version."""
     if app.builder.format != "html":
         return
     data = json.dumps(collect_entries(env), ensure_ascii=False, separators=(",", ":"))
     file = Path(app.outdir, "_static", "search-data.js")
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(f"siteSearch.buildIndex({data});\n", "utf-8")
-    app.builder.search_version = hashlib.sha256(data.encode()).hexdigest()[:8]
-
-
-def name_version(app, pagename, templatename, context, doctree):
-    """Have a page name the version of the data: a browser may keep those of an earlier release."""
-    tag = f'<meta name="search" content="{app.builder.search_version}" />'
-    context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
 
 
 def disable_own(app):
@@ -199,6 +191,7 @@ def setup(app):
     """Register the search with Sphinx."""
     app.connect("builder-inited", disable_own)
     app.connect("env-updated", write_data)
-    app.connect("html-page-context", name_version)
+    for file in ("minisearch/minisearch.js", "search-data.js"):
+        app.add_js_file(file, type="text/search")  # no type of a script: a browser leaves it
     app.add_js_file("search.js", loading_method="defer")
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

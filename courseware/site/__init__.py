@@ -36,7 +36,6 @@ from courseware.site.directives import (
 from courseware.site.home_page import Chapters, Live, Promise
 from courseware.site.notation_page import Notation
 from courseware.site.outputs import Outputs, refuse_names_of_headings
-from courseware.site.sources import list_files
 from courseware.site.verification_page import FormulaChecks
 from courseware.symbols.live_numbers import place_slots
 from courseware.symbols.page import mark_formulas
@@ -74,7 +73,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
         app.add_config_value(name, default, "env", (type(default), str))
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
-    app.connect("builder-inited", list_files)
     app.connect("autodoc-skip-member", skip_fields)
     app.connect("object-description-transform", keep_quotes)
     app.connect("source-read", place_slots)

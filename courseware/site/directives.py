@@ -9,7 +9,6 @@ from courseware.course import course
 from courseware.practice.bank import all_exercises, all_mistakes, all_topics
 from courseware.practice.mistakes import Mistake
 from courseware.site.outputs import render_desk, render_exercise
-from courseware.site.sources import note_sources
 from courseware.units.formatting import render_marked, render_symbols
 
 
@@ -41,7 +40,6 @@ class Library(SphinxDirective):
     """A section for each module of the library and for the functions of chapters."""
 
     def run(self) -> list[nodes.Node]:
-        note_sources(self.env, "functions")
         text = "\n".join(
             f"## {name}\n\n```{{eval-rst}}\n.. automodule:: {name}\n   :members:\n```\n"
             for name in course().library_modules
@@ -64,7 +62,6 @@ class Errata(SphinxDirective):
     """The mistakes that stand in the source documents."""
 
     def run(self) -> list[nodes.Node]:
-        note_sources(self.env, "exercises")
         found = sorted(
             (m for m in all_mistakes().values() if m.document), key=lambda m: (m.document, m.nth)
         )

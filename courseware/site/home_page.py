@@ -16,7 +16,6 @@ from courseware.figures.figure import find_figure
 from courseware.practice.bank import all_exercises, all_mistakes
 from courseware.practice.dealing import VARIANTS
 from courseware.site.outputs import render_figure
-from courseware.site.sources import note_sources
 from courseware.site.verification_page import format_power
 
 CARD = 358  # pixels, as on a phone, for which every figure is made
@@ -31,7 +30,6 @@ class Live(SphinxDirective):
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        note_sources(self.env, "figures")
         try:
             return [render_figure(self.arguments[0])]
         except CourseError as error:
@@ -42,7 +40,6 @@ class Chapters(SphinxDirective):
     """Cards of all chapters, in the order of `_toc.yml`."""
 
     def run(self) -> list[nodes.Node]:
-        note_sources(self.env, "__init__", "figures", "cards")
         chapters = course().chapters_of("figures", Figure)
         first = {chapter: name for name, chapter in reversed(chapters.items())}
         shown = {c: course().card(c) or first[c] for c in course().taught if c in first}
@@ -51,7 +48,6 @@ class Chapters(SphinxDirective):
         return [nodes.raw("", html, format="html", still=list(shown.values()))]
 
     def _card(self, chapter: str, figure: str) -> str:
-        self.env.note_dependency(str(course().notebook(chapter)))
         page = self.env.app.builder.get_relative_uri(self.env.docname, f"{chapter}/{chapter}")
         shown = find_picture(figure)
         shown = replace(shown, view=widen(shown.view))
@@ -92,7 +88,6 @@ class Promise(SphinxDirective):
     required_arguments = 3
 
     def run(self) -> list[nodes.Node]:
-        note_sources(self.env, "formulas", "checks", "figures", "exercises", "cards")
         checks = declared_checks().values()
         largest = format_power(max(check.tolerance for check in checks))
         exercises, mistakes = len(all_exercises()), len(all_mistakes())

@@ -5,7 +5,6 @@ from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
-from courseware.site.sources import note_sources
 from courseware.symbols import lexicon
 from courseware.units.formatting import render_symbols
 
@@ -14,9 +13,6 @@ class Notation(SphinxDirective):
     """A table of the symbols that a chapter prints, under the title of each chapter."""
 
     def run(self) -> list[nodes.Node]:
-        note_sources(self.env, "formulas", "figures")
-        for chapter in course().chapters:
-            self.env.note_dependency(str(course().notebook(chapter)))
         head = "| symbol | meaning | unit | range | in code |\n|---|---|---|---|---|"
         tables = {c: "\n".join([head, *notation_rows(c)]) for c in course().taught}
         parts = (

@@ -27,7 +27,6 @@ from courseware.predictions.page import render_prediction
 from courseware.programs import notebook as programs
 from courseware.programs.declaration import find_program
 from courseware.script import engine
-from courseware.site.sources import note_sources
 from courseware.symbols.formula_numbers import Slots
 
 WITH = '<p class="rk-with">With the numbers of the figure:</p>'
@@ -56,7 +55,6 @@ def _render_numbers(
     name: str, computed: bool, figure: str, env: BuildEnvironment
 ) -> list[nodes.Element]:
     """Return the formula with the numbers of a figure, which the script keeps up to date."""
-    note_sources(env, "figures")
     chapter = env.docname.partition("/")[0]
     slots = Slots(find_equation(name), find_figure(figure), chapter)
     tex = slots.render_tex(computed)
@@ -99,21 +97,18 @@ def render_program(renderer: Any, data: Any) -> list[nodes.Element]:
 
 
 Renderer = Callable[[Any, Any], list[nodes.Element]]
-# by MIME type: the modules that the output depends on, and its renderer
-RENDERERS: dict[str, tuple[tuple[str, ...], Renderer]] = {
-    EQUATION: (("formulas",), render_equation),
-    AGAIN: (("formulas",), render_equations_again),
-    FIGURE: (("figures",), lambda _, data: [render_figure(data.content["name"])]),
-    practice.MIME: (
-        ("exercises",),
-        lambda renderer, data: [render_exercise(renderer.sphinx_env, data.content["name"])],
-    ),
-    MISTAKE: (("exercises",), render_mistake),
-    programs.MIME: (("programs", "exercises"), render_program),
-    PREDICTION: (
-        ("predictions", "formulas", "figures"),
-        lambda renderer, data: [render_prediction(renderer, find_prediction(data.content["name"]))],
-    ),
+RENDERERS: dict[str, Renderer] = {
+    EQUATION: render_equation,
+    AGAIN: render_equations_again,
+    FIGURE: lambda _, data: [render_figure(data.content["name"])],
+    practice.MIME: lambda renderer, data: [
+        render_exercise(renderer.sphinx_env, data.content["name"])
+    ],
+    MISTAKE: render_mistake,
+    programs.MIME: render_program,
+    PREDICTION: lambda renderer, data: [
+        render_prediction(renderer, find_prediction(data.content["name"]))
+    ],
 }
 
 
@@ -127,10 +122,8 @@ class Outputs:
         """Return the page elements of one of our outputs; None leaves others to MyST-NB."""
         if data.mime_type not in RENDERERS:
             return None
-        parts, render = RENDERERS[data.mime_type]
-        note_sources(renderer.renderer.sphinx_env, *parts)
         try:
-            return render(renderer.renderer, data)
+            return RENDERERS[data.mime_type](renderer.renderer, data)
         except CourseError as error:  # of a name that is not declared, for example
             raise ExtensionError(str(error)) from error
 
@@ -149,7 +142,6 @@ def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
 
 def render_exercise(env: BuildEnvironment, name: str) -> nodes.raw:
     """Return the box of an exercise, after the desk if it is the first on its page."""
-    note_sources(env, "exercises")
     html = practice.render_box(name, course().salt, env.config.course_solutions)
     return nodes.raw("", render_desk(env) + html, format="html")
 

@@ -37,15 +37,14 @@ def own_python() -> Path | None:
     return Path(name).resolve() if name else None
 
 
-def read_setting(app: Sphinx, config: Any) -> None:
-    """Make the folder a setting, so that pages are read again when it changes."""
+def check_folder(app: Sphinx, config: Any) -> None:
+    """Refuse a folder that is no release of Pyodide."""
     folder = own_python()
     if folder and (missing := [name for name in (*NEEDED, LOCK) if not (folder / name).exists()]):
         raise SystemExit(
             f"PYODIDE={folder} has no {', '.join(missing)}: it must be the folder `pyodide` of a "
             "release of Pyodide, unpacked"
         )
-    config.course_folder = str(folder or "")
 
 
 def write_files(app: Sphinx, env: Any) -> None:
@@ -95,6 +94,5 @@ def with_dependencies(packages: Mapping[str, Any], names: Iterable[str]) -> list
 
 
 def setup(app: Sphinx) -> None:
-    app.add_config_value("course_folder", "", "html", str)
-    app.connect("config-inited", read_setting)
+    app.connect("config-inited", check_folder)
     app.connect("env-updated", write_files)

@@ -115,7 +115,7 @@ def prose_cell(text, computed=()):
 def test_the_first_page_names_the_python_that_is_needed():
     settings = tomllib.loads((ROOT / "courseware" / "pyproject.toml").read_text("utf-8"))
     python = settings["project"]["requires-python"].removeprefix(">=")
-    assert f"Python {python} or newer" in (BOOK / "intro.md").read_text("utf-8")
+    assert f"Python {python} or newer" in (BOOK / "index.md").read_text("utf-8")
 
 
 def answered(*texts):

@@ -5,7 +5,6 @@ what needs more is left out, and the skip says so.
 """
 
 import ast
-import json
 import re
 import time
 from types import SimpleNamespace
@@ -293,7 +292,7 @@ def test_a_chapter_runs_in_jupyterlite(chapter, page, server, monkeypatch):
     _, lacking = what_can_run(code_cells(chapter), monkeypatch)
     if lacking:
         pytest.skip(f"{chapter} needs {', '.join(lacking)}")
-    page.goto(f"{server}lite/notebooks/index.html?path={lite_name(chapter)}")
+    page.goto(f"{server}lite/notebooks/index.html?path={chapter}.ipynb")
     wait_for_notebook(page)
     page.get_by_text("Run", exact=True).click()
     page.get_by_text("Run All Cells", exact=True).click()
@@ -304,40 +303,3 @@ def test_a_chapter_runs_in_jupyterlite(chapter, page, server, monkeypatch):
     kinds = [kind for c in code_cells(chapter) for o in c["outputs"] for kind in o.get("data", ())]
     widgets = [kind for kind in kinds if kind in MOVING]
     expect(page.locator(".rk-live")).to_have_count(len(widgets))
-
-
-def lite_name(chapter):
-    """What a chapter's notebook is called there."""
-    text = (ROOT / "_build/html/lite/api/contents/all.json").read_text("utf-8")
-    names = [entry["name"] for entry in json.loads(text)["content"]]
-    return next(name for name in names if name.startswith(f"{chapter}-"))
-
-
-def test_a_new_release_is_seen_and_a_changed_copy_kept(page, server):
-    """A chapter that says something else has another name there; the reader's copy stays."""
-    old = lite_name("differential_drive")
-    new = "differential_drive-000000.ipynb"
-    page.goto(f"{server}lite/notebooks/index.html?path={old}")
-    wait_for_notebook(page)
-    page.locator(".jp-CodeCell .cm-content").first.fill("mine = 1")
-    page.keyboard.press("ControlOrMeta+S")
-    page.locator("body").press("ControlOrMeta+S")
-    page.wait_for_function("() => !document.title.startsWith('*')")
-
-    def renamed(route):
-        reply = route.fetch()
-        route.fulfill(response=reply, body=reply.text().replace(old, new))
-
-    def found(route):
-        route.fulfill(response=route.fetch(url=route.request.url.replace(new, old)))
-
-    page.context.route("**/api/contents/all.json*", renamed)
-    page.context.route(f"**/files/{new}*", found)
-    page.goto(f"{server}lite/notebooks/index.html?path={new}")
-    first = page.locator(".jp-CodeCell .cm-content").first
-    first.filter(has_text="import matplotlib").wait_for(timeout=START)
-    page.goto(f"{server}lite/notebooks/index.html?path={old}")
-    page.get_by_text("mine = 1").wait_for(timeout=START)
-    page.goto(f"{server}lite/tree/index.html")
-    for name in (old, new):
-        page.get_by_text(name, exact=True).first.wait_for(timeout=START)

@@ -383,7 +383,7 @@ def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):
     release.mkdir()
     monkeypatch.setenv("PYODIDE", str(release))
     with pytest.raises(SystemExit, match=r"has no pyodide\.mjs, .*: it must be the folder"):
-        run.read_setting(None, SimpleNamespace())
+        run.check_folder(None, SimpleNamespace())
     for name in run.NEEDED:
         (release / name).write_text(name)
     packages = json.loads((VENDORED / run.LOCK).read_text("utf-8"))["packages"]

@@ -31,7 +31,7 @@ def read_pages(browser, solutions, folds_open):
     tab = browser.new_page()
     tab.add_script_tag(path=HERE / "pages.js")
     first = (SITE / "index.html").read_text("utf-8")
-    parts = {"intro.html": ""}
+    parts = {"index.html": ""}
     for part in tab.evaluate("(html) => contents(html)", first):
         parts |= dict.fromkeys(part["addresses"], part["caption"])
     given = [{"address": each, "html": (SITE / each).read_text("utf-8")} for each in parts]

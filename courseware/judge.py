@@ -37,7 +37,6 @@ BORDER = "padding: .5rem .9rem; border-left: 4px solid {}"
 COLORS = {True: "#2e8b57", False: "#c2344b"}  # of right and of wrong; pages may be dark
 SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
 STEPS = 2_000_000  # of Python in one call: more is an endless loop
-REVEALED = 3  # right values shown; then only whether a number is too large or too small
 KNOWN = "This is what you get {}."
 ERRORS = {
     ZeroDivisionError: "Something is divided by 0: has this input a case of its own?",
@@ -68,16 +67,13 @@ class Slip(Exception):
 class Verdict:
     """The judgement of a program. Its text is for the student.
 
-    lines: of the text; those that begin with a blank are code. mistakes: names, M15, or words.
-    revealed: whether a right value stands in the text. numbers: of the picture that shows what is
-    wrong: the right answer, the one that came, the input; none where one is no number. picture: of
-    these, as HTML, where there is something that draws.
+    lines: of the text; those that begin with a blank are code. numbers: of the picture that shows
+    what is wrong: the right answer, the one that came, the input; none where one is no number.
+    picture: of these, as HTML, where there is something that draws.
     """
 
     right: bool
     lines: tuple[str, ...]
-    mistakes: tuple[str, ...] = ()
-    revealed: bool = False
     numbers: tuple[float, ...] = ()
     picture: str = ""
 
@@ -96,8 +92,8 @@ class Verdict:
         return f"{head}{''.join(parts)}</div>{self.picture}"
 
 
-def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
-    """Judge a function. revealed: how many right values have been shown before."""
+def check(function: Any, stored: Stored) -> Verdict:
+    """Judge a function."""
     if not isinstance(function, FunctionType):
         words = f"Not yet. There is no function {stored['function']} here"
         if function is None:
@@ -115,7 +111,7 @@ def check(function: Any, stored: Stored, revealed: int = 0) -> Verdict:
             except Slip as slip:
                 return refuse(stored, place, [str(slip)])
             if not agrees(came, case, stored):
-                return refuse_answer(function, stored, place, came, revealed)
+                return refuse_answer(function, stored, place, came)
         return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
 
 
@@ -262,21 +258,15 @@ def refuse(stored: Stored, place: int, lines: list[str], **more: Any) -> Verdict
     return Verdict(False, (first, f" {stored['function']}({shown})", *lines), **more)
 
 
-def refuse_answer(
-    function: Callable[..., Any], stored: Stored, place: int, came: Any, revealed: int
-) -> Verdict:
+def refuse_answer(function: Callable[..., Any], stored: Stored, place: int, came: Any) -> Verdict:
     """Return the verdict of a program whose answer is another: by how much, and why."""
     case = stored["cases"][place]
     right = np.array(case["right"])
-    shows, is_near = revealed < REVEALED, same(came, right, case, stored, NEAR)
+    is_near = same(came, right, case, stored, NEAR)
     digits = 13 if is_near else 7
-    lines = [describe(came, case, stored, digits)]
-    if shows:
-        example = ", for example," if stored["does"] else ""
-        right_is = f"Right is{example} {format_answer(right, stored, digits)}."
-        lines.append(right_is + describe_rows(came, right, stored))
-    else:
-        lines.append(describe_sides(came, right, stored))
+    example = ", for example," if stored["does"] else ""
+    right_is = f"Right is{example} {format_answer(right, stored, digits)}."
+    lines = [describe(came, case, stored, digits), right_is + describe_rows(came, right, stored)]
     answers = all_answers(function, stored)
     known = find_known(function, answers, stored)
     lines += [entry["feedback"] for entry in known]
@@ -296,8 +286,6 @@ def refuse_answer(
         stored,
         place,
         lines,
-        mistakes=tuple(k["name"] for k in known),
-        revealed=shows,
         numbers=tuple(numbers.tolist()) if np.isfinite(numbers).all() else (),
     )
 
@@ -323,17 +311,6 @@ def describe_rows(came: Any, right: Any, stored: Stored) -> str:
     if len(wrong) == stored["shape"][0]:
         return ""
     return f" Wrong: row{'s' * (len(wrong) > 1)} {', '.join(map(str, wrong))}, counted from 0."
-
-
-def describe_sides(came: Any, right: Any, stored: Stored) -> str:
-    """Say which numbers are too large or too small, and not by how much."""
-    words = [f"You have seen {REVEALED} right answers; no more are shown."]
-    if not stored["does"]:  # or another answer could be meant
-        far = apart(came, right, stored) > stored["tolerance"]
-        for side, are in (("large", came > right), ("small", came < right)):
-            if (places := np.flatnonzero(far & are)).size:
-                words.append(f"Too {side}: {', '.join(stored['labels'][k] for k in places)}.")
-    return " ".join(words)
 
 
 def ordinary(stored: Stored) -> list[Stored]:

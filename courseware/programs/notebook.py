@@ -1,7 +1,6 @@
 """Programs in a notebook: what is asked, hints and a solution, and the check."""
 
 import json
-from collections import Counter
 from dataclasses import replace
 from html import escape
 from typing import Any
@@ -13,7 +12,6 @@ from courseware.programs.storing import store
 from courseware.units.formatting import render_paragraphs
 
 MIME = "application/vnd.courseware.program+json"
-_revealed = Counter[str]()  # right values shown in this session, by program
 
 
 class ProgramBox:
@@ -24,9 +22,7 @@ class ProgramBox:
 
     def check(self, function: Any) -> judge.Verdict:
         """Judge a function, with the simplest input on which it is wrong."""
-        name = self.program.name
-        verdict = judge.check(function, store(self.program), _revealed[name])
-        _revealed[name] += verdict.revealed
+        verdict = judge.check(function, store(self.program))
         if verdict.numbers:
             verdict = replace(verdict, picture=render_answer(self.program, verdict.numbers))
         return verdict

@@ -57,7 +57,6 @@ def store(program: Program) -> dict[str, Any]:
     return {
         "name": program.name,
         "function": program.definition.name,
-        "labels": [unknown.label for unknown in program.answer],
         "shape": program.shape or ((len(program.answer),) if len(program.answer) > 1 else ()),
         "circle": circle.tolist(),
         "angles": [unknown.unit == "rad" for unknown in program.answer],

@@ -18,7 +18,7 @@ const consent = (value) => {
 // keep: what keeps a change of a cell in the browser.
 class Cell {
   constructor(bar, k, keep) {
-    Object.assign(this, { bar, k, keep, input: bar.parentElement, ran: null, fresh: null, revealed: 0 });
+    Object.assign(this, { bar, k, keep, input: bar.parentElement, ran: null, fresh: null });
     const tags = [...this.input.parentElement.classList].map((name) => name.replace("tag_", ""));
     this.program = tags.find((tag) => tag.startsWith("program-"))?.slice(8);
     this.mayFail = this.program || tags.includes("raises-exception"); // no other cell needs it
@@ -64,11 +64,10 @@ class Cell {
   noteChange() {
     this.reset.hidden = false;
     const text = this.text === this.original ? undefined : this.text;
-    this.keep(this.k, { first: this.code.textContent, text, revealed: this.revealed });
+    this.keep(this.k, { first: this.code.textContent, text });
   }
 
-  async bringBack({ text, revealed }) {
-    this.revealed = revealed ?? 0;
+  async bringBack({ text }) {
     (await this.edit()).text = text;
     this.button.focus();
   }
@@ -172,15 +171,11 @@ const runCell = async (cell) => {
   cell.begin();
   cell.ran = cell.text;
   cells.slice(cell.k + 1).forEach((below) => { below.ran = null; });
-  const end = waitForWorker(), { k, program, revealed } = cell;
+  const end = waitForWorker(), { k, program } = cell;
   const stored = program && await fetchText(`../programs/${program}.json`);
-  worker.postMessage({ cell: k, source: cell.ran, name: `cell ${k + 1}`, stored, revealed });
-  const { ended, shown } = await end;
+  worker.postMessage({ cell: k, source: cell.ran, name: `cell ${k + 1}`, stored });
+  const { ended } = await end;
   if (!ended) cell.ran = null;
-  if (shown) {
-    cell.revealed += 1;
-    cell.noteChange();
-  }
   return ended;
 };
 

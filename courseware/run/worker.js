@@ -1,8 +1,8 @@
 // Python (Pyodide) in a worker: loads it, and what a cell needs, runs cells, tells what they show.
 //
-// In: { settings }, then { cell, source, name } for each run; { stored, revealed } of a program that is
-// to be judged. Out: { loading: [what, MB] }, { ready }, { cell, kind, text } for each output,
-// { cell, ended: true or false, shown: whether a right value was shown }, { failed: words }.
+// In: { settings }, then { cell, source, name } for each run; { stored } of a program that is to be
+// judged. Out: { loading: [what, MB] }, { ready }, { cell, kind, text } for each output,
+// { cell, ended: true or false }, { failed: words }.
 
 const PATIENCE = 15_000; // ms for the first answer; the page shall say within 20 s that none comes
 
@@ -68,9 +68,8 @@ onmessage = async ({ data }) => {
     }
     running = data.cell;
     await loadPackages(data.stored ? `import numpy\n${data.source}` : data.source);
-    const { source, name, stored, revealed } = data;
-    const found = stored ? cells.check(source, name, stored, revealed).toJs() : [cells.run(source, name), false];
-    postMessage({ cell: running, ended: found[0], shown: found[1] });
+    const { source, name, stored } = data;
+    postMessage({ cell: running, ended: stored ? cells.check(source, name, stored) : cells.run(source, name) });
   } catch (error) {
     postMessage({ failed: error.message });
   }

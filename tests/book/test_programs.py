@@ -30,8 +30,8 @@ def load(source, function, file="<program>"):
     return names[function]
 
 
-def judged(program, source, revealed=0):
-    return judge.check(load(source, program.definition.name), store(program), revealed)
+def judged(program, source):
+    return judge.check(load(source, program.definition.name), store(program))
 
 
 def step(*lines):
@@ -62,7 +62,7 @@ def test_a_starter_returns_nothing_or_makes_a_mistake_that_is_named(name):
     if program.is_new:
         assert "It returns nothing" in str(verdict)
     else:
-        assert {m.name for m in program.wrong} & set(verdict.mistakes), verdict
+        assert "its mistake is still in it" in str(verdict)
 
 
 @EACH
@@ -166,14 +166,12 @@ END = "w = v * dt * np.sinc(u); return [x + w * np.cos(m), y + w * np.sin(m), th
             "It calls robokin: write down yourself what that function does.",
         ),
         ([*HEAD[:2], HEAD[2].replace("turn / 2,", "turn // 2,"), END], "Its // drops all"),
-        ([*HEAD[:2], HEAD[2], END.replace("[x", "[-x")], "Too small: x."),
     ],
 )
 def test_slips_of_programmers(lines, words):
-    revealed = 3 if words == "Too small: x." else 0
     body = "".join(f"    {line}\n" for line in lines)
     source = f"def car_step(pose, v, phi, L, dt):\n{body}"
-    verdict = judged(STEP, source, revealed)
+    verdict = judged(STEP, source)
     assert not verdict.right
     assert words in str(verdict), verdict
 
@@ -237,15 +235,6 @@ def test_usual_errors_are_explained(line, words):
 def test_what_is_no_function_is_said_so():
     assert "There is no function car_step here, but 3." in str(judge.check(3, store(STEP)))
     assert "There is no function car_step here: has it" in str(judge.check(None, store(STEP)))
-
-
-def test_three_right_values_are_shown():
-    """Then only on which side a number is."""
-    box = programs.show("bicycle-p1")
-    wrong = load(STEP.solution.replace("y + chord", "y - chord"), "car_step")
-    shown = [str(box.check(wrong)) for _ in range(4)]
-    assert ["Right is [" in words for words in shown] == [True, True, True, False]
-    assert re.search("Too (large|small): y.", shown[3])
 
 
 def test_arrays_of_inputs_are_the_second_level():

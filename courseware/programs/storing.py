@@ -13,8 +13,6 @@ from sympy.printing.numpy import NumPyPrinter
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
-from courseware.judge import KNOWN, LEAST, SIZE, as_arguments, join_numbers
-from courseware.practice.bank import all_exercises
 from courseware.programs.declaration import Function, Program
 
 ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case
@@ -104,8 +102,7 @@ def _write_deed(program: Program, right: list[float], given: list[Any]) -> str:
 def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:
     """Yield (special case or "", the symbols' numbers), the simplest first."""
     draw = np.random.default_rng(crc32(program.name.encode()))
-    dealt = _dealt_numbers(program)
-    rounds = [_draw(program, draw, "", True, dealt) for _ in range(MANY)]
+    rounds = [_draw(program, draw, "", True) for _ in range(MANY)]
     for numbers in sorted(rounds, key=lambda numbers: len(str([*numbers.values()])))[:ROUND]:
         yield "", numbers  # few digits, no signs
     for special, count, simple in (
@@ -113,10 +110,10 @@ def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:
         ("", RANDOM, False),
     ):
         for _ in range(count):
-            yield special, _draw(program, draw, special, simple, dealt)
+            yield special, _draw(program, draw, special, simple)
 
 
-def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -> Numbers:
+def _draw(program: Program, draw: Any, special: str, simple: bool) -> Numbers:
     for _ in range(1000):
         numbers = {
             symbol: _draw_number(program, symbol, draw, simple) for symbol in program.symbols
@@ -124,8 +121,7 @@ def _draw(program: Program, draw: Any, special: str, simple: bool, dealt: Any) -
         numbers |= program.specials.get(special, {})
         free = [abs(x) for s, x in numbers.items() if s not in program.specials.get(special, ())]
         distinct = not simple or len(set(free)) == len(free)
-        is_dealt = any(could_be_dealt(numbers, each) for each in dealt)
-        if distinct and not is_dealt and (special or program.when(*numbers.values())):
+        if distinct and (special or program.when(*numbers.values())):
             return numbers
     raise CourseError(f"{program.name}: no input is found {special}; widen its ranges")
 
@@ -142,26 +138,6 @@ def list_plain(low: float, high: float) -> list[float]:
     """Return the plain numbers in a range, of these the ones that are not small there."""
     plain = [s * x for x in PLAIN for s in (1, -1) if low <= s * x <= high]
     return [x for x in plain if abs(x) >= 0.05 * max(abs(low), abs(high))] or plain
-
-
-def _dealt_numbers(program: Program) -> list[list[set[float]]]:
-    """Return, of each exercise of the chapter, the options of its numbers.
-
-    Of fewer than three numbers some would be in every input.
-    """
-    found = []
-    for exercise in all_exercises().values():
-        given = [g for g in exercise.given.values() if not isinstance(g.options[0], str)]
-        if exercise.topic == program.topic and len(given) >= min(3, len(program.symbols)):
-            found.append([{round(g.to_si(option), 9) for option in g.options} for g in given])
-    return found
-
-
-def could_be_dealt(numbers: Numbers, options: list[set[float]]) -> bool:
-    """Return whether an input has the numbers of an exercise, whose answer it would give away."""
-    drawn = {round(x, 9) for x in numbers.values()}
-    hit = [drawn & each for each in options]
-    return all(hit) and len(set.union(*hit)) >= len(options)
 
 
 def _plain(value: Any) -> Any:

@@ -14,7 +14,7 @@ from courseware import judge, programs
 from courseware.errors import CourseError
 from courseware.programs.declaration import all_programs
 from courseware.programs.picture import answer_figure, render_answer
-from courseware.programs.storing import could_be_dealt, store
+from courseware.programs.storing import store
 from courseware.script import engine
 
 PROGRAMS = all_programs()
@@ -203,13 +203,6 @@ def test_names_of_the_notebook_are_not_known_to_the_function():
     assert judged(STEP, own).right, "what the cell itself defines is its own"
     imported = "from math import pi\n" + STEP.solution.replace("np.pi", "pi")
     assert judged(STEP, imported).right, "and what it imports"
-
-
-def test_an_input_that_an_exercise_deals_is_none():
-    x, y, L = STEP.symbols[0], STEP.symbols[1], STEP.symbols[5]
-    dealt = [{1.0, 2.0}, {2.0, 3.0}]
-    assert could_be_dealt({x: 1.0, y: 3.0, L: 7.0}, dealt)
-    assert not could_be_dealt({x: 2.0, y: 5.0, L: 7.0}, dealt), "one number is not two"
 
 
 def test_the_rows_of_a_matrix_that_are_wrong_are_told():

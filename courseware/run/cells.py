@@ -160,7 +160,7 @@ class Cells:
             if not imports:
                 body.append(statement)
             for name, single in imports:
-                if name in used or not self._is_available(single):
+                if name in (*used, "*") or not self._is_available(single):
                     body.append(single)
                 else:
                     postponed[name] = single

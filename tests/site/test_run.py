@@ -181,6 +181,8 @@ def test_an_import_waits_until_its_name_is_used(page):
     assert "sp" not in page.cells.names
     page("sp.Integer(4)")
     assert page.cells.names["sp"].Integer(4) == 4
+    assert page("from math import *\ny = 2")[:] == []
+    assert page("round(pi, 2)") == [("text/plain", "3.14")]
 
 
 def test_a_function_defined_in_a_cell_can_be_listed(page):

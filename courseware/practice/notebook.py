@@ -64,11 +64,6 @@ class Box:
         """The question, with the numbers in it."""
         return self.exercise.fill(self.exercise.text, self.variant.numbers)
 
-    @property
-    def solution(self) -> str:
-        """The worked solution, with the same numbers."""
-        return self.exercise.fill(self.exercise.solution.text, self.variant.numbers)
-
     def check(self, answer: Any) -> judging.Verdict:
         """Judge an answer: a number, a list, an array, or text as it would be typed."""
         typed = answer if isinstance(answer, str) else _type_answer(answer)

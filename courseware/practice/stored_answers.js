@@ -9,11 +9,7 @@ export const answersKey = (course) => `${STORE} answers ${course}`;
 export const STUDENT_KEY = `${STORE} student`;
 
 // The answers under a name, however it is written.
-export const readAnswers = (course, name) => {
-  const all = readStored(answersKey(course)), student = foldName(name);
-  const [alike] = Object.keys(all).filter((other) => foldName(other) === student);
-  return all[student] ?? all[alike] ?? {};
-};
+export const readAnswers = (course, name) => readStored(answersKey(course))[foldName(name)] ?? {};
 
 export const isPassed = (answers, exercise) => answers[exercise]?.result === "right";
 

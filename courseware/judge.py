@@ -3,27 +3,31 @@
 It needs nothing but NumPy, and the numbers that `storing.py` has written. A function is refused
 with the simplest input on which it is wrong; where its answers are those of a known mistake on all
 ordinary inputs, that is named.
+
+On Linux, and so in graders and hubs, all this happens in a process of its own: whatever a function
+does ends there. A page has its worker for that.
 """
 
-import ast
 import dis
 import inspect
-import io
 import json
 import linecache
+import os
 import re
 import runpy
+import select
+import signal
 import sys
-import textwrap
 import time
 import traceback
+import warnings
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from functools import cache
 from html import escape
 from pathlib import Path
-from types import CodeType, FrameType, FunctionType, ModuleType
+from types import CodeType, FrameType
 from typing import Any
 
 import numpy as np
@@ -36,7 +40,8 @@ LEVEL = "An extra, if you like, is to take arrays of many inputs at once."
 BORDER = "padding: .5rem .9rem; border-left: 4px solid {}"
 COLORS = {True: "#2e8b57", False: "#c2344b"}  # of right and of wrong; pages may be dark
 SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
-STEPS = 2_000_000  # of Python in one call: more is an endless loop
+STEPS = 2_000_000  # of the student's own code in one call: more is an endless loop
+PATIENCE = 60  # seconds for a verdict, where no step is counted
 KNOWN = "This is what you get {}."
 ERRORS = {
     ZeroDivisionError: "Something is divided by 0: has this input a case of its own?",
@@ -59,8 +64,11 @@ SLIPS: dict[str, Callable[[Any, Stored], Any]] = {
 }
 
 
-class Slip(Exception):
-    """What a programmer did that gives no numbers to compare, in words for the student."""
+class Slip(BaseException):
+    """What a programmer did that gives no numbers to compare, in words for the student.
+
+    It is raised inside the function, too, and no `except Exception` there shall take it.
+    """
 
 
 @dataclass(frozen=True)
@@ -94,25 +102,7 @@ class Verdict:
 
 def check(function: Any, stored: Stored) -> Verdict:
     """Judge a function."""
-    if not isinstance(function, FunctionType):
-        words = f"Not yet. There is no function {stored['function']} here"
-        if function is None:
-            return Verdict(False, (f"{words}: has it another name?",))
-        words += f", but {shorten(function)}. Give its name alone, without brackets."
-        return Verdict(False, (words,))
-    with redirect_stdout(io.StringIO()), np.errstate(all="ignore"):
-        try:
-            refuse_notebook_names(function)
-        except Slip as slip:
-            return Verdict(False, (f"Not yet. {slip}",))
-        for place, case in enumerate(stored["cases"]):
-            try:
-                came = call(function, case, stored)
-            except Slip as slip:
-                return refuse(stored, place, [str(slip)])
-            if not agrees(came, case, stored):
-                return refuse_answer(function, stored, place, came)
-        return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
+    return judge_apart(lambda: judge(function, stored))
 
 
 def read_and_check(name: str, function: Any) -> Verdict:
@@ -129,16 +119,96 @@ def read_stored(name: str) -> Stored:
 def main() -> int:
     """Judge a file: `python judge.py bicycle-p1 bicycle_p1.py` fails unless it is right."""
     name, file = sys.argv[1:]
-    stored = read_stored(name)
-    try:
-        names = runpy.run_path(file)
-    except BaseException as error:  # also SystemExit, which would pass
-        print(f"{name}: Not yet. {file} cannot be run.")
-        traceback.print_exception(error, limit=0, file=sys.stdout)
-        return 1
-    verdict = check(names.get(stored["function"]), stored)
+    verdict = judge_apart(lambda: judge_file(file, read_stored(name)))
     print(f"{name}: {verdict}")
     return 0 if verdict.right else 1
+
+
+def judge_apart(work: Callable[[], Verdict]) -> Verdict:
+    """Return the verdict of a process of its own; elsewhere NumPy and threads bear no fork."""
+    if sys.platform != "linux":
+        return work()
+    read, write = os.pipe()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # of threads, which a child has not
+        child = os.fork()
+    if not child:
+        try:
+            verdict = work()
+            with open(write, "w", encoding="utf-8") as pipe:
+                json.dump([verdict.right, verdict.lines, verdict.numbers], pipe)
+        finally:
+            os._exit(0)  # whatever still runs
+    os.close(write)
+    with open(read, "rb") as pipe:
+        try:
+            in_time, *_ = select.select([pipe], [], [], PATIENCE)
+            text = pipe.read() if in_time else b""
+        finally:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+    if text:
+        right, lines, numbers = json.loads(text)
+        return Verdict(right, tuple(lines), tuple(numbers))
+    why = (
+        "It ends Python itself, or makes it crash."
+        if in_time
+        else (f"It does not end: stopped after {PATIENCE} seconds.")
+    )
+    return Verdict(False, (f"Not yet. {why}",))
+
+
+def judge_file(file: str, stored: Stored) -> Verdict:
+    """Judge the function in a file."""
+    try:
+        with silence():
+            names = runpy.run_path(file)
+    except BaseException as error:  # also SystemExit, which would pass
+        words = "".join(traceback.format_exception(error, limit=0)).rstrip()
+        return Verdict(False, (f"Not yet. {file} cannot be run.\n{words}",))
+    return judge(names.get(stored["function"]), stored)
+
+
+def judge(function: Any, stored: Stored) -> Verdict:
+    """Judge a function in this process."""
+    with silence(), np.errstate(all="ignore"):
+        try:
+            refuse_function(function, stored)
+        except Slip as slip:
+            return Verdict(False, (f"Not yet. {slip}",))
+        for place, case in enumerate(stored["cases"]):
+            try:
+                came = call(function, case, stored)
+            except Slip as slip:
+                return refuse(stored, place, [str(slip)])
+            if not agrees(came, case, stored):
+                return refuse_answer(function, stored, place, came)
+        return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
+
+
+@contextmanager
+def silence() -> Iterator[None]:
+    """Drop what is printed, which may be without end."""
+    with open(os.devnull, "w", encoding="utf-8") as no, redirect_stdout(no), redirect_stderr(no):
+        yield
+
+
+def refuse_function(function: Any, stored: Stored) -> None:
+    """Raise Slip if this is no function that takes such arguments."""
+    name = stored["function"]
+    if function is None:
+        raise Slip(f"There is no function {name} here: has it another name?")
+    if not callable(function):
+        words = f"There is no function {name} here, but {shorten(function)}"
+        raise Slip(f"{words}. Give its name alone, without brackets.")
+    try:
+        takes = inspect.signature(function)
+    except ValueError:
+        return  # it is not written in Python
+    try:
+        takes.bind(*stored["cases"][0]["arguments"])
+    except TypeError:
+        raise Slip(f"{name} takes {takes}, but must take ({stored['parameters']}).") from None
 
 
 # --- one call --------------------------------------------------------------------------------
@@ -147,19 +217,23 @@ def main() -> int:
 def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
     """Return the answer to an input as a flat array; raise Slip if it is none."""
     given, kept = (as_arguments(case["arguments"]) for _ in range(2))
-    steps = 0
+    steps, stopped = 0, ""
 
     def trace(frame: FrameType, event: str, _: Any) -> Any:
-        nonlocal steps
-        steps += 1
+        nonlocal steps, stopped
         module = frame.f_globals.get("__name__", "").partition(".")[0]
         if event == "call" and module == stored["library"]:
-            raise Slip(f"It calls {module}: write down yourself what that function does.")
+            stopped = f"It calls {module}: write down yourself what that function does."
+            raise Slip(stopped)
+        if not is_own(frame):
+            return None
+        steps += 1
         if steps > STEPS:
-            raise Slip(
+            stopped = (
                 f"It does not end: stopped after {STEPS:,} steps. Does the condition of its loop "
                 "ever become false?"
             )
+            raise Slip(stopped)
         frame.f_trace_opcodes = True  # `while True: pass` has no lines
         return trace
 
@@ -167,15 +241,22 @@ def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
     sys.settrace(trace)
     try:
         answer = function(*given)
-    except Slip:
+    except (Slip, KeyboardInterrupt):
         raise
-    except Exception as error:
-        raise Slip(describe_error(error, function)) from error
+    except BaseException as error:  # also SystemExit
+        raise Slip(describe_error(error)) from error
     finally:
         sys.settrace(before)
+    if stopped:  # and the function took the Slip for an error
+        raise Slip(stopped)
     if not all(map(np.array_equal, given, kept)):
         raise Slip("It changes an array that it was given: make a copy first, with np.array(…).")
     return to_numbers(answer, stored)
+
+
+def is_own(frame: FrameType) -> bool:
+    """Return whether code is the student's: of no module that was imported."""
+    return frame.f_globals.get("__spec__") is None and frame.f_globals is not globals()
 
 
 def as_arguments(stored: list[Any]) -> list[Any]:
@@ -268,8 +349,8 @@ def refuse_answer(function: Callable[..., Any], stored: Stored, place: int, came
     right_is = f"Right is{example} {format_answer(right, stored, digits)}."
     lines = [describe(came, case, stored, digits), right_is + describe_rows(came, right, stored)]
     answers = all_answers(function, stored)
-    known = find_known(function, answers, stored)
-    lines += [entry["feedback"] for entry in known]
+    known = find_known(answers, stored)
+    lines += [entry["feedback"] for entry in known] or find_hints(function)
     if is_near and not known:
         lines.append(
             "It is nearly right, but about seven digits are asked. Digits get lost where almost "
@@ -330,7 +411,7 @@ def all_right(answers: Any, stored: Stored) -> bool:
     return answers is not None and all(map(lambda a, c: agrees(a, c, stored), answers, cases))
 
 
-def find_known(function: Any, answers: Any, stored: Stored) -> list[Stored]:
+def find_known(answers: Any, stored: Stored) -> list[Stored]:
     """Return the known mistakes whose answers these are, on all ordinary inputs."""
     if answers is None:
         return []
@@ -343,9 +424,6 @@ def find_known(function: Any, answers: Any, stored: Stored) -> list[Stored]:
     found: list[Stored] = []
     for some in (candidates, slips):  # a slip of any answer only where no mistake is met
         found = found or [known for known, its in some if is_named(answers, its, stored)]
-    if not found and divides_whole(function, stored):
-        words = "Its // drops all that comes after the point: with / it is right."
-        found = [{"name": "//", "feedback": words}]
     return found
 
 
@@ -359,60 +437,31 @@ def is_named(answers: Any, its: Any, stored: Stored) -> bool:
     return len(cases) - sum(near) >= TELLING
 
 
-def divides_whole(function: Any, stored: Stored) -> bool:
-    """Return whether the function is right once its // are divisions."""
-    try:
-        tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
-    except (OSError, SyntaxError):
-        return False
-    places = [n for n in ast.walk(tree) if isinstance(getattr(n, "op", 0), ast.FloorDiv)]
-    for node in places:
-        node.op = ast.Div()  # type: ignore[attr-defined]
-    names = dict(function.__globals__)
-    exec(compile(tree, "<with />", "exec"), names)
-    return bool(places) and all_right(all_answers(names[function.__name__], stored), stored)
+def find_hints(function: Any) -> list[str]:
+    """Say what in a function may be meant otherwise: `//`, and numbers from outside."""
+    code, words = getattr(function, "__code__", None), list[str]()
+    for each in dis.get_instructions(code) if code else ():
+        if each.argrepr in ("//", "//="):
+            words.append("Its // drops all that comes after the point: should it be / ?")
+        if each.opname == "LOAD_GLOBAL":
+            value = function.__globals__.get(each.argval)
+            if isinstance(value, float | np.ndarray) and np.any(value != np.pi):
+                words.append(
+                    f"It takes {each.argval} from outside of the function: should that be an "
+                    "argument, or be computed inside?"
+                )
+    return list(dict.fromkeys(words))
 
 
-def refuse_notebook_names(function: FunctionType) -> None:
-    """Raise Slip if a function takes a number from the notebook, where a cell defines it."""
-    lines = linecache.getlines(function.__code__.co_filename)
-    own = set[str]()
-    for statement in parse("".join(lines)).body:
-        if isinstance(statement, ast.Assign | ast.AnnAssign):
-            own |= {node.id for node in ast.walk(statement) if isinstance(node, ast.Name)}
-        elif isinstance(statement, ast.ImportFrom):  # from math import pi
-            own |= {alias.asname or alias.name for alias in statement.names}
-    for name in sorted(set(read_globals(function.__code__)) - own):
-        value = function.__globals__.get(name)
-        if value is not None and not isinstance(value, ModuleType) and not callable(value):
-            raise Slip(
-                f"It uses {name}, which only your notebook knows, outside of the function: "
-                "take it as an argument, or compute it inside."
-            )
-
-
-def parse(source: str) -> ast.Module:
-    try:
-        return ast.parse(source)
-    except SyntaxError:
-        return ast.Module([], [])
-
-
-def read_globals(code: CodeType) -> Iterator[str]:
-    """Yield the names that code, and functions in it, take from outside."""
-    for instruction in dis.get_instructions(code):
-        if instruction.opname in ("LOAD_GLOBAL", "LOAD_NAME"):
-            yield instruction.argval
-    for inner in code.co_consts:
-        if isinstance(inner, CodeType):
-            yield from read_globals(inner)
-
-
-def describe_error(error: Exception, function: Any) -> str:
+def describe_error(error: BaseException) -> str:
     """Return the student's line in which an error was raised, and Python's message."""
-    file = function.__code__.co_filename
-    steps = [s for s in traceback.extract_tb(error.__traceback__) if s.filename == file]
-    where = f"Line {steps[-1].lineno}, `{steps[-1].line}`: " if steps and steps[-1].line else ""
+    if isinstance(error, SystemExit):
+        return "It ends the program: a function gives its answer back with `return`."
+    frames = [step for step in traceback.walk_tb(error.__traceback__) if is_own(step[0])]
+    where = ""
+    for frame, number in frames[-1:]:
+        line = linecache.getline(frame.f_code.co_filename, number).strip()
+        where = f"Line {number}, `{line}`: " if line else ""
     words = [words for kind, words in ERRORS.items() if isinstance(error, kind)]
     return " ".join([f"{where}{type(error).__name__}: {error}.", *words])
 
@@ -439,8 +488,8 @@ def describe_arrays(function: Any, stored: Stored) -> list[str]:
     start = time.perf_counter()
     try:
         answers = np.asarray(function(*stacks), dtype=float)
-    except Exception as error:
-        return [f"{LEVEL} So far it does not: {describe_error(error, function)}"]
+    except (Exception, SystemExit) as error:
+        return [f"{LEVEL} So far it does not: {describe_error(error)}"]
     ratio, asked = alone / (time.perf_counter() - start), (len(cases), *stored["shape"])
     if answers.shape != asked:
         return [f"{LEVEL} So far it gives the shape {answers.shape}, asked is {asked}."]

@@ -1,5 +1,6 @@
 """The inputs of a program and all that can come of them, as the numbers that `judge` reads."""
 
+import ast
 import math
 from collections.abc import Iterator
 from functools import cache
@@ -55,6 +56,7 @@ def store(program: Program) -> dict[str, Any]:
     return {
         "name": program.name,
         "function": program.definition.name,
+        "parameters": ast.unparse(program.definition.args),
         "shape": program.shape or ((len(program.answer),) if len(program.answer) > 1 else ()),
         "circle": circle.tolist(),
         "angles": [unknown.unit == "rad" for unknown in program.answer],

@@ -69,9 +69,8 @@ def test_a_starter_returns_nothing_or_makes_a_mistake_that_is_named(name):
 def test_each_mistake_is_named_by_its_answers(name):
     """What has a name is far from right on enough inputs, and another only beside it."""
     stored = store(PROGRAMS[name])
-    function = load(PROGRAMS[name].solution, PROGRAMS[name].definition.name)
     for known in stored["known"]:
-        found = judge.find_known(function, np.array(known["answers"]), stored)
+        found = judge.find_known(np.array(known["answers"]), stored)
         if "taken for degrees" not in known["name"]:
             assert known["name"] in [each["name"] for each in found], known["name"]
 
@@ -165,7 +164,10 @@ END = "w = v * dt * np.sinc(u); return [x + w * np.cos(m), y + w * np.sin(m), th
             ["from robokin import bicycle", "return bicycle.path(pose, v, phi, L, dt)[-1]"],
             "It calls robokin: write down yourself what that function does.",
         ),
-        ([*HEAD[:2], HEAD[2].replace("turn / 2,", "turn // 2,"), END], "Its // drops all"),
+        (
+            [*HEAD[:2], HEAD[2].replace("turn / 2,", "turn // 2,"), END],
+            "Its // drops all that comes after the point",
+        ),
     ],
 )
 def test_slips_of_programmers(lines, words):
@@ -192,17 +194,64 @@ def test_what_is_wrong_on_few_ordinary_inputs_is_not_called_right_on_all():
     assert "On all ordinary inputs it is right" not in str(verdict)
 
 
-def test_names_of_the_notebook_are_not_known_to_the_function():
+def test_a_number_from_outside_is_asked_about():
+    """It may be a cell's above: where it is right all the same, nothing is said."""
     names = {"np": np, "L_car": 2.5}
     source = "def car_step(pose, v, phi, L, dt):\n    return pose + L_car\n"
     exec(compile(source, "<cell>", "exec"), names)
-    assert "It uses L_car, which only your notebook knows" in str(
-        judge.check(names["car_step"], store(STEP))
+    told = str(judge.check(names["car_step"], store(STEP)))
+    assert "It takes L_car from outside of the function" in told
+
+
+RETURN = STEP.solution.partition("\n")[2]
+ORDINARY = {
+    "a star import": f"from numpy import *\n{STEP.solution.replace('np.pi', 'pi')}",
+    "an import of a name": f"from math import pi\n{STEP.solution.replace('np.pi', 'pi')}",
+    "an import inside": STEP.solution.replace(
+        "    turn", "    import wave, this\n    from math import pi\n    turn", 1
+    ),
+    "a constant in if, for, try": "if True:\n    ONE = 1\nfor TWO in [2]:\n    pass\n"
+    "try:\n    THREE = 3\nfinally:\n    pass\n"
+    + STEP.solution.replace("return", "return TWO * ONE * 3 / THREE / 2 *"),
+    "a decorator": "from functools import wraps\n\n\ndef same(f):\n    @wraps(f)\n"
+    "    def inner(*given):\n        return f(*given)\n    return inner\n\n\n@same\n"
+    + STEP.solution,
+    "a helper": f"def of(pose, v, phi, L, dt):\n{RETURN}\n\ncar_step = lambda *given: of(*given)",
+    "a callable": f"class Step:\n  def __call__(self, pose, v, phi, L, dt):\n{RETURN}\n"
+    "car_step = Step()",
+}
+
+
+@pytest.mark.parametrize("source", ORDINARY.values(), ids=ORDINARY)
+def test_ordinary_python_is_right(source):
+    verdict = judged(STEP, source)
+    assert verdict.right, verdict
+
+
+ENDS = {
+    "import sys; sys.exit(0)": "It ends the program",
+    "raise SystemExit": "It ends the program",
+    "import os; os._exit(0)": "It ends Python itself, or makes it crash.",
+    "import os; os.kill(os.getpid(), 9)": "It ends Python itself, or makes it crash.",
+    "import threading; threading.Thread(target=threading.Event().wait).start()": "returns nothing",
+    "while True:\n  try: 1 / 0\n  except Exception: continue": "It does not end",
+    "while True:\n  try:\n    while True: pass\n  except: pass": "stopped after 3 seconds",
+    "while True: print(pose)": "It does not end",
+}
+
+
+@pytest.mark.parametrize("code", ENDS)
+def test_whatever_a_function_does_ends_with_it(code, monkeypatch):
+    monkeypatch.setattr(judge, "PATIENCE", 3)
+    assert ENDS[code] in str(step(*code.split("\n")))
+
+
+@pytest.mark.parametrize("takes", ["pose, v", "", "*, pose", "a, b, c, d, e, f"])
+def test_other_parameters_are_told(takes):
+    verdict = judged(STEP, f"def car_step({takes}): return 1")
+    assert str(verdict) == (
+        f"Not yet. car_step takes ({takes}), but must take (pose, v, phi, L, dt)."
     )
-    own = "TURN = 2 * np.pi\n" + STEP.solution.replace("return", "return 0 * TURN +")
-    assert judged(STEP, own).right, "what the cell itself defines is its own"
-    imported = "from math import pi\n" + STEP.solution.replace("np.pi", "pi")
-    assert judged(STEP, imported).right, "and what it imports"
 
 
 def test_the_rows_of_a_matrix_that_are_wrong_are_told():

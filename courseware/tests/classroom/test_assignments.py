@@ -27,6 +27,8 @@ STUDENTS = {
     "hal": (STEER, "    x, y =", "    y, x =", "with x and y exchanged"),
     "ivy": (MEND, "v / np.cos(phi)", "v", "with the speed of the rear axle"),
     "joe": (MEND, "psi - phi", "psi + phi", "the front wheel points to the wrong side"),
+    "kim": (STEP, "    x, y, theta", "    exit()\n    x, y, theta", "It ends "),
+    "lea": (STEP, "    x, y, theta", "    import os\n    os._exit(0)\n    x, y, theta", "It ends "),
 }
 
 BLANK = "zoe"  # hands in what she was given
@@ -90,6 +92,7 @@ def test_a_file_is_judged_by_an_exit_code_with_numpy_alone(place, student):
     [
         ("import sys\nsys.exit(0)", "cannot be run.\nSystemExit: 0"),
         ("def car_step(pose, v", "cannot be run.\n  File"),
+        ("import os\nos._exit(0)", "It ends Python itself, or makes it crash."),
         ("def step(pose): return pose", "no function car_step here: has it another name?"),
     ],
 )
@@ -130,7 +133,7 @@ def assert_told(student, told):
 
 
 @pytest.mark.install
-def test_nbgrader_grades_ten(place, graders):
+def test_nbgrader_grades_a_class(place, graders):
     assert run("assignment", "bicycle", "--for", "nbgrader", "--out", "source/bicycle") == 0
     Path("nbgrader_config.py").write_text("get_config().CourseDirectory.course_id = 'robots'\n")
     graders(place, "nbgrader", "generate_assignment", "bicycle")
@@ -154,7 +157,7 @@ def test_nbgrader_grades_ten(place, graders):
 
 
 @pytest.mark.install
-def test_otter_grades_ten(place, graders):
+def test_otter_grades_a_class(place, graders):
     assert run("assignment", "bicycle", "--for", "otter", "--out", "master") == 0
     graders(place / "master", "otter", "assign", "bicycle.ipynb", "dist")
     dist = place / "master" / "dist"

@@ -14,6 +14,7 @@ from sympy.printing.numpy import NumPyPrinter
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
+from courseware.judge import KNOWN, LEAST, SIZE, as_arguments, join_numbers
 from courseware.programs.declaration import Function, Program
 
 ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case

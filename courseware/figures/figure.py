@@ -186,8 +186,8 @@ class Figure:
 
     @cached_property
     def widget(self) -> Widget:
-        """The widget in a notebook; its state are the settings in SI units, by name."""
-        return create_widget("figures", self.code, {c.key: c.start for c in self.controls})
+        """The widget in a notebook; its state is what its controls show."""
+        return create_widget("figures", self.code, {})
 
     def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return the widget, the name by which a page finds the figure, and a still picture."""

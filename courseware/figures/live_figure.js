@@ -48,10 +48,9 @@ export class LiveFigure {
     return this;
   }
 
-  // quiet: the new state came from outside, which need not be told.
-  set(state, quiet = false) {
+  set(state) {
     this.state = state;
-    if (!quiet) this.changed(state);
+    this.changed(state);
     this.drawn ||= requestAnimationFrame(() => this.draw());
   }
 

@@ -2,21 +2,32 @@
 
 import { nameButton } from "./clock.js";
 import { LiveFigure } from "./live_figure.js";
+import { parsePresses } from "./quarter_turns.js";
 import { renderFrames } from "./scene.js";
-import { fromValue, toText } from "./state.js";
+import { clamp } from "./state.js";
+
+// A choice is the name of its option, and turns are their presses.
+const toText = (control, shown) => control.type === "choice" ? control.options[shown].label
+  : control.type === "turns" ? shown[0] : Number(shown.toFixed(6));
+
+const fromText = (control, text) => {
+  if (control.type === "turns") return [parsePresses(text ?? "").join(""), 1];
+  if (control.type === "choice") {
+    const place = control.options.findIndex(({ label }) => label === text);
+    return place < 0 ? control.start : place;
+  }
+  const number = text ? Number(text) : NaN;
+  return Number.isFinite(number) ? clamp(control, number) : control.start;
+};
 
 const addressOf = (figure, state) => `#${figure.name}?` + figure.controls.map((control, i) =>
-  `${control.key}=${encodeURIComponent("factor" in control ? Number(state[i].toFixed(6))
-    : toText(control, state[i]))}`).join("&");
+  `${control.key}=${encodeURIComponent(toText(control, state[i]))}`).join("&");
 
 const readAddress = (figure, address) => {
   const [name, query] = address.replace(/^#/, "").split("?");
   if (name !== figure.name || !query) return null;
   const given = new URLSearchParams(query);
-  return figure.controls.map((control) => {
-    const text = given.get(control.key), isNumber = text && "factor" in control;
-    return fromValue(control, isNumber ? Number(text) : text);
-  });
+  return figure.controls.map((control) => fromText(control, given.get(control.key)));
 };
 
 const followLink = (live) => {

@@ -11,7 +11,7 @@
  */
 
 import { functions } from "../equations/functions.js";
-import { computeTurns, parsePresses } from "./quarter_turns.js";
+import { computeTurns } from "./quarter_turns.js";
 
 export const startState = (figure) => figure.controls.map((control) => control.start);
 
@@ -53,17 +53,6 @@ const fitView = (view, at) => {
   const sizes = [view[1] - view[0], view[3] - view[2]];
   const times = 1.2 * Math.max(...ends.map(([low, high], axis) => (high - low) / sizes[axis]));
   return ends.flatMap(([low, high], axis) => [-1, 1].map((side) => (low + high + side * times * sizes[axis]) / 2));
-};
-
-// In addresses and notebooks a choice is the name of its option, and turns are their presses.
-export const toText = (control, shown) =>
-  control.type === "choice" ? control.options[shown].label : shown[0];
-
-export const fromValue = (control, value) => {
-  if (control.type === "turns") return [parsePresses(value ?? control.start[0]).join(""), 1];
-  if (control.type !== "choice") return Number.isFinite(value) ? clamp(control, value) : control.start;
-  const i = control.options.findIndex(({ label }) => label === value);
-  return i < 0 ? control.start : i;
 };
 
 export const clamp = (control, shown) => {

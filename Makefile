@@ -6,7 +6,6 @@
 
 PYTHON ?= python3
 T ?=
-PYODIDE ?=
 
 BIN := .venv/bin
 # uv asks the index that pip is set to, if there is one
@@ -47,13 +46,9 @@ $(READY): requirements.txt $(wildcard pyproject.toml */pyproject.toml)
 	$(INSTALL) --no-deps --no-build-isolation -e . -e courseware -e book
 	@$(BIN)/python $(STAMP) > $(READY)
 
-# which Python the pages load, if not from its public address; changes with it
-_build/pyodide: FORCE
-	@mkdir -p _build; echo "$(PYODIDE)" | cmp -s - $@ || echo "$(PYODIDE)" > $@
-
-$(SITE): $(READY) $(SOURCES) requirements.txt pyproject.toml _build/pyodide
+$(SITE): $(READY) $(SOURCES) requirements.txt pyproject.toml
 	rm -rf _build/html
-	PYTHONPATH="$$PWD" PYODIDE="$(PYODIDE)" "$(BIN)/jupyter-book" build book --all \
+	PYTHONPATH="$$PWD" "$(BIN)/jupyter-book" build book --all \
 		--config _config.yml --toc "$$PWD/_toc.yml" --path-output . -W -n --keep-going
 	@touch $(SITE)
 

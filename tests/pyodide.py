@@ -20,9 +20,15 @@ from tempfile import TemporaryDirectory
 from urllib.error import URLError
 from urllib.request import urlopen
 
+from packaging.utils import canonicalize_name
 from support import ROOT
 
-from courseware.site.run import LOCK, PACKAGES, with_dependencies
+LOCK = "pyodide-lock.json"
+# imported by chapters and by JupyterLite's kernel
+PACKAGES = (
+    *("numpy", "pyyaml", "sympy", "matplotlib"),
+    *("ipython", "jedi", "micropip", "typing-extensions"),
+)
 
 VERSION = "314.0.6"
 PLACE = f"https://cdn.jsdelivr.net/pyodide/v{VERSION}/full/"
@@ -39,6 +45,17 @@ def reached():
             return True
     except (URLError, TimeoutError):
         return False
+
+
+def with_dependencies(packages, names):
+    """The names of packages and of all their dependencies."""
+    found, wanted = set(), list(names)
+    while wanted:
+        name = canonicalize_name(wanted.pop())
+        if name not in found:
+            found.add(name)
+            wanted += packages[name]["depends"]
+    return sorted(found)
 
 
 @cache

@@ -24,8 +24,7 @@ import nbformat
 from sphinx.util import logging
 
 from courseware.course import course
-from courseware.site.assets import wheel_name
-from courseware.site.run import FOLDER, own_python
+from courseware.run.page import wheel_name
 
 logger = logging.getLogger(__name__)
 
@@ -79,7 +78,7 @@ def write_packages(app, folder):
     """Write the wheels of course and widgets, and the lock file of all packages."""
     folder.mkdir(parents=True)
     lock = json.loads(LOCK.read_text("utf-8"))
-    place = (own_python() and f"../../_static/{FOLDER}/") or app.config.course_python
+    place = app.config.course_python
     for entry in lock["packages"].values():
         entry["file_name"] = place + entry["file_name"]
     for name, needs in WIDGETS.items():
@@ -110,7 +109,7 @@ def describe_wheel(wheel, imported, needs):
 
 def make_settings(app):
     """Return the settings that JupyterLite reads when it starts."""
-    python = f"./../_static/{FOLDER}/" if own_python() else app.config.course_python
+    python = app.config.course_python
     kernel = {
         "pyodideUrl": f"{python}pyodide.mjs",
         "disablePyPIFallback": True,  # nothing is loaded from elsewhere

@@ -9,7 +9,7 @@ Equal books give equal bytes.
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from courseware.site.assets import wheel_name
+from courseware.run.page import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
 PAPER = ("robokin.pdf", "robokin-without-answers.pdf", "robokin.epub")

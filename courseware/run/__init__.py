@@ -3,7 +3,7 @@
 Until it is pressed a page has only `run_buttons.js`, which adds the buttons. Then come `cells.js`
 (cells to run and reset), `editor.js` (CodeMirror, once the reader is in a cell), `worker.js` (loads
 Python, off the page's thread) and `cells.py` (runs a cell in it, and judges a program).
-`courseware.site.run` puts these files into the site.
+`courseware.run.page` puts these files into the site.
 
 A page runs the cells that it shows: a test refuses a name that only a cell with `remove-input`
 defines. Another test runs them all and compares with the stored outputs.

@@ -23,7 +23,7 @@ from sphinx.application import Sphinx
 
 from courseware.course import course
 from courseware.predictions import page as predictions
-from courseware.site import run
+from courseware.run import page as run
 from courseware.site.assets import add_assets, write_assets, write_downloads
 from courseware.site.directives import (
     Desk,

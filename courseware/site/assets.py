@@ -15,7 +15,9 @@ from courseware.figures.compiler import serialize
 from courseware.figures.figure import find_figure, render_outlines
 from courseware.practice import rendering as practice
 from courseware.practice.bank import all_mistakes, all_topics
+from courseware.run.page import project_path
 from courseware.script import parts as scripts
+from courseware.script.page import write_static
 from courseware.site.home_page import find_picture
 from courseware.site.mistake_pictures import draw_picture
 from courseware.symbols.page import symbol_facts
@@ -62,28 +64,11 @@ def write_assets(app: Sphinx, env: Any) -> None:
             write_static(app, f"practice/{mistake.name}.svg", draw_picture(mistake.picture))
 
 
-def write_static(app: Sphinx, name: str, text: str) -> None:
-    """Write a file in the site's `_static`."""
-    file = Path(app.outdir) / "_static" / name
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(text, encoding="utf-8")
-
-
 def write_downloads(app: Sphinx, error: Exception | None) -> None:
     """Write the wheels and the locked requirements beside the notebooks."""
     if error or app.builder.format != "html":
         return
     beside = Path(app.outdir) / "_sources"
     for project in app.config.course_wheels:
-        next(WheelBuilder(str(_project_path(project))).build(directory=str(beside)))
-    shutil.copy(_project_path(app.config.course_lock), beside)
-
-
-def _project_path(name: str) -> Path:
-    return course().folder.parent / name
-
-
-def wheel_name(project: str) -> str:
-    metadata = WheelBuilder(str(_project_path(project))).metadata
-    name = metadata.core.name.replace("-", "_")
-    return f"{name}-{metadata.version}-py3-none-any.whl"
+        next(WheelBuilder(str(project_path(project))).build(directory=str(beside)))
+    shutil.copy(project_path(app.config.course_lock), beside)

@@ -17,7 +17,6 @@ from support import ROOT
 from test_run import CHAPTERS, PAGE, code_cells, names, shown_cells, stored
 
 from courseware.run import cells as in_page
-from courseware.site.run import with_dependencies
 
 pytest_plugins = ["browser"]
 pytestmark = [pytest.mark.browser, pytest.mark.install]
@@ -212,7 +211,7 @@ def what_can_run(shown, monkeypatch):
         for each in statements:
             needs = cells.needs(imports + ast.unparse(each))
             lacks = missing.intersection(
-                with_dependencies(packages, [provided[name] for name in needs])
+                pyodide.with_dependencies(packages, [provided[name] for name in needs])
             )
             if imported(each) or not (lacks or names(each, ast.Load) & unmade):
                 body.append(ast.unparse(each))

@@ -14,7 +14,6 @@ import subprocess
 import sys
 from contextlib import contextmanager
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from browser import settled, watched_page
@@ -26,10 +25,9 @@ from support import ROOT
 import book  # noqa: F401 (opens the course)
 from courseware.course import _open as open_courses
 from courseware.course import course
-from courseware.errors import CourseError
 from courseware.run.cells import Cells, start
 from courseware.script import parts
-from courseware.site import SETTINGS, run
+from courseware.site import SETTINGS
 
 pytest_plugins = ["browser"]
 
@@ -377,27 +375,6 @@ def test_a_changed_cell_comes_back_after_the_page_was_loaded_anew(flooded):
     page.reload()
     bar.get_by_text("Run", exact=True).wait_for()
     assert back.count() == 0
-
-
-def test_a_folder_with_python_is_copied_into_the_site(tmp_path, monkeypatch):
-    """All that is needed of it, or a sentence on what it has not; pages may load nothing else."""
-    release, site = tmp_path / "release", tmp_path / "site"
-    release.mkdir()
-    monkeypatch.setenv("PYODIDE", str(release))
-    with pytest.raises(SystemExit, match=r"has no pyodide\.mjs, .*: it must be the folder"):
-        run.check_folder(None, SimpleNamespace())
-    for name in run.NEEDED:
-        (release / name).write_text(name)
-    packages = json.loads((VENDORED / run.LOCK).read_text("utf-8"))["packages"]
-    (release / run.LOCK).write_text(json.dumps({"packages": packages}))
-    with pytest.raises(CourseError, match=r"has no \S+\.whl: it must be a whole release"):
-        run.copy_python(release, site)
-    for package in packages.values():
-        (release / package["file_name"]).write_text(package["name"])
-    run.copy_python(release, site)
-    copied = {file.name.partition("-")[0] for file in site.glob("*.whl")}
-    assert {"numpy", "pillow", "prompt_toolkit"} <= copied
-    assert "scipy" not in copied
 
 
 def test_one_version_of_python_is_named_everywhere():

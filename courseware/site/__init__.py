@@ -35,7 +35,7 @@ from courseware.site.directives import (
 )
 from courseware.site.home_page import Chapters, Live, Promise
 from courseware.site.notation_page import Notation
-from courseware.site.outputs import Outputs, refuse_names_of_headings
+from courseware.site.outputs import Outputs
 from courseware.site.verification_page import FormulaChecks
 from courseware.symbols.live_numbers import place_slots
 from courseware.symbols.page import mark_formulas
@@ -76,7 +76,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("autodoc-skip-member", skip_fields)
     app.connect("object-description-transform", keep_quotes)
     app.connect("source-read", place_slots)
-    app.connect("doctree-read", refuse_names_of_headings)
     app.connect("doctree-resolved", mark_formulas)
     app.connect("html-page-context", add_assets)
     predictions.setup(app)

@@ -6,7 +6,6 @@ from typing import Any
 
 from docutils import nodes
 from sphinx.addnodes import pending_xref
-from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
@@ -126,18 +125,6 @@ class Outputs:
             return RENDERERS[data.mime_type](renderer.renderer, data)
         except CourseError as error:  # of a name that is not declared, for example
             raise ExtensionError(str(error)) from error
-
-
-def refuse_names_of_headings(app: Sphinx, doctree: nodes.document) -> None:
-    """Refuse a heading with the name of a figure, which is the figure's place on the page."""
-    figures = {node["figure"] for node in doctree.findall(nodes.raw) if "figure" in node}
-    for section in doctree.findall(nodes.section):
-        for name in figures.intersection(section["ids"]):
-            raise ExtensionError(
-                f"{app.env.docname}: the figure {name!r} and the heading “{section[0].astext()}” "
-                "have the same place in the page's address: give the figure another name, or the "
-                "heading other words"
-            )
 
 
 def render_exercise(env: BuildEnvironment, name: str) -> nodes.raw:

@@ -32,7 +32,6 @@ SIZES = {  # of the words in names; SciPy's
     **{"cm": constants.centi, "mm": constants.milli, "km": constants.kilo},
     **{"ms": constants.milli, "min": constants.minute, "h": constants.hour},
     **{"°": constants.degree, "turns": 2 * constants.pi, "%": constants.centi},
-    **{"kB": constants.kilo / constants.mega, "GB": constants.giga / constants.mega},
 }
 BETWEEN = {
     **{"/": ["/", " / ", "÷", " per "], "·": ["·", "*", " ", ""], " ": [" ", "*"]},

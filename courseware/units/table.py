@@ -115,11 +115,7 @@ TABLE = (
     ),
     (Unit("N", spellings="newton newtons"),),
     (Unit("N·m"),),
-    (Unit("kg"),),
-    (Unit("Hz"),),
     (Unit("ticks", spellings="tick"),),
-    (Unit("bits", spellings="bit"),),
-    (Unit("MB"), Unit("kB", by=1000), Unit("GB", 1000)),
 )
 UNITS = {unit.name: unit for row in TABLE for unit in row}
 ROWS = {unit.name: row for row in TABLE for unit in row}

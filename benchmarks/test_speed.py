@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from arguments import TABLE, bind
 from computations import COMPUTATIONS
+from obvious import OBVIOUS, inputs
 
 SIZES = (1, 1_000, 100_000)
 NAMES = ("computation", "items", "library")
@@ -33,6 +34,29 @@ def test_computation(benchmark, computation, items, library):
     if library != "robokin":
         assert distance(calls["robokin"](), calls[library]()) <= tolerance
     benchmark(calls[library])
+
+
+def apart(ours, theirs):
+    """The largest difference, angles round the circle; axes and directions have two signs."""
+    if isinstance(ours, tuple):
+        return max(apart(abs(a), abs(b)) for a, b in zip(ours, theirs, strict=True))
+    return np.abs(np.exp(1j * ours) - np.exp(1j * theirs)).max()
+
+
+make_inputs = lru_cache(inputs)
+
+
+@pytest.mark.parametrize(
+    NAMES, [(name, 100_000, library) for name in OBVIOUS for library in ("robokin", "numpy")]
+)
+def test_obvious(benchmark, computation, items, library):
+    """Beside what a user would write, which should be at least half as slow."""
+    x = make_inputs(items)
+    ours, theirs = OBVIOUS[computation]
+    if library == "numpy" and (result := ours(x)) is not None:
+        # steps of the textbook's covariance are straight: that is 1e-5 of it
+        assert apart(result, theirs(x)) <= (1e-4 if "covariance" in computation else 1e-8)
+    benchmark({"robokin": ours, "numpy": theirs}[library], x)
 
 
 @pytest.mark.parametrize(NAMES, [(label, 1, "robokin") for label in TABLE])

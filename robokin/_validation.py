@@ -77,12 +77,6 @@ def data(*core: int | str, ok: Callable[[Array], Bools] | None = None, allowed: 
     return check
 
 
-def whole(*core: int | str) -> Rule:
-    """Return the rule for data in whole numbers: ticks."""
-    allowed = "whole numbers (NaN where a reading is missing)"
-    return data(*core, ok=lambda a: (np.rint(a) == a) | np.isnan(a), allowed=allowed)
-
-
 def positive(*core: int | str) -> Rule:
     """Return the rule for a parameter greater than zero: a length."""
     return data(*core, ok=lambda a: (a > 0) & (a < np.inf), allowed="positive and finite")
@@ -107,6 +101,15 @@ def one_of(*allowed: str) -> Rule:
         return value
 
     return check
+
+
+def whole(name: str, value: Any, sizes: Sizes) -> Array:
+    """Validate data in whole numbers: ticks."""
+    array = real_numbers(name, value)
+    if np.asarray(value).dtype.kind == "f":
+        allowed = "whole numbers (NaN where a reading is missing)"
+        refuse(name, array, (np.rint(array) == array) | np.isnan(array), allowed)
+    return array
 
 
 def check_shape(name: str, shape: Shape, core: tuple[int | str, ...], sizes: Sizes) -> None:

@@ -37,8 +37,7 @@ def _rolling(v: Array, phi: Array) -> tuple[Array, Array]:
 
 def _axle_angle(y: Array, x: Array) -> Array:
     """Return the angle in (-π/2, π/2] of the line along (x, y), which has no front and back."""
-    sign = np.copysign(1.0, x)
-    angle = np.arctan2(sign * y, sign * x)
+    angle = np.arctan(y / x)
     return np.where(angle <= -np.pi / 2, np.pi / 2, angle)
 
 
@@ -46,7 +45,7 @@ def _axle_angle(y: Array, x: Array) -> Array:
 def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
     """Return the steering angle of the bicycle that turns like the car.
 
-    All axles meet in one point: cot φ = (cot α_L + cot α_R)/2, multiplied by sin α_L sin α_R.
+    All axles meet in one point: cot φ = (cot α_L + cot α_R)/2, multiplied by tan α_L tan α_R.
 
     Parameters
     ----------
@@ -64,8 +63,11 @@ def equivalent_steering(alpha_left: ArrayLike, alpha_right: ArrayLike) -> Array:
     >>> round(float(equivalent_steering(np.radians(35), np.radians(29))), 6)
     0.55411
     """
-    s_left, s_right = np.sin(alpha_left), np.sin(alpha_right)
-    return _axle_angle(2 * s_left * s_right, np.sin(alpha_left + alpha_right))
+    left, right = np.tan(alpha_left), np.tan(alpha_right)
+    both, product = left + right, left * right
+    by_sum = np.tan(alpha_left + alpha_right) * (1 - product)  # keeps the digits that both loses
+    both = np.where(both * both < -product, by_sum, both)
+    return _axle_angle(2 * product, np.where(left == 0, 1.0, both)) + 0.0  # no -0.0
 
 
 @validated(phi=data(), wheelbase=positive(), track=positive())
@@ -92,9 +94,8 @@ def ackermann(phi: ArrayLike, wheelbase: ArrayLike, track: ArrayLike) -> Array:
     >>> np.degrees(ackermann(np.radians(30), wheelbase=2.5, track=1.5)).round(3)
     array([34.927, 26.202])
     """
-    forth, across = wheelbase * np.cos(phi), wheelbase * np.sin(phi)
-    half = track / 2 * np.sin(phi)
-    return vector(_axle_angle(across, forth - half), _axle_angle(across, forth + half))
+    across, half = wheelbase * np.tan(phi), track / 2 * np.tan(phi)
+    return vector(_axle_angle(across, wheelbase - half), _axle_angle(across, wheelbase + half))
 
 
 @validated(phi=data(), wheelbase=positive())
@@ -143,7 +144,8 @@ def corner_cut(phi: ArrayLike, wheelbase: ArrayLike) -> Array:
     >>> round(float(corner_cut(np.radians(30), wheelbase=7.0)), 3)
     1.876
     """
-    return wheelbase * np.abs(np.sin(phi)) / (1 + np.abs(np.cos(phi)))
+    slope = np.abs(np.tan(phi))
+    return wheelbase * slope / (1 + np.sqrt(1 + slope * slope))
 
 
 @validated(phi=data(), wheelbase=positive(), track=positive())
@@ -182,7 +184,7 @@ def ackermann_error(
 ) -> Array:
     """Return how far two steering angles are from a turn without slip: 0 where the axles meet.
 
-    It is cot α_R − cot α_L − b/L; the cotangents' difference is sin(α_L − α_R)/(sin α_L sin α_R).
+    It is cot α_R − cot α_L − b/L.
 
     Parameters
     ----------
@@ -197,10 +199,9 @@ def ackermann_error(
         Error, without unit: 0 if both are straight ahead (parallel axles meet nowhere), +inf if
         only the right one is, −inf if only the left one is.
     """
-    alpha_left, alpha_right = alpha_left + 0.0, alpha_right + 0.0  # no -0.0: 1/-0.0 is -inf
-    difference = np.sin(alpha_left - alpha_right) / np.sin(alpha_left) / np.sin(alpha_right)
-    straight = (alpha_left == 0) & (alpha_right == 0)
-    return np.where(straight, 0.0, difference - track / wheelbase)
+    left, right = np.tan(alpha_left) + 0.0, np.tan(alpha_right) + 0.0  # no -0.0: 1/-0.0 is -inf
+    straight = (left == 0) & (right == 0)
+    return np.where(straight, 0.0, 1 / right - 1 / left - track / wheelbase)
 
 
 @validated(v=data(), phi=data(), wheelbase=positive())
@@ -262,8 +263,8 @@ def steering(v: ArrayLike, omega: ArrayLike, wheelbase: ArrayLike) -> Array:
     >>> round(float(steering(2.0, 0.8, wheelbase=2.5)), 6)
     0.785398
     """
-    angle = np.arctan2(np.copysign(1.0, v) * wheelbase * omega, np.abs(v)) + 0.0
-    return np.where((v == 0) & (omega != 0), np.nan, angle)
+    angle = np.arctan(wheelbase * omega / v) + 0.0
+    return np.where(v == 0, np.where(omega == 0, 0.0, np.nan), angle)
 
 
 @validated(v=data(), phi=data(), wheelbase=positive())

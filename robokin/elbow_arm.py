@@ -190,14 +190,16 @@ def nearest_reachable(p: ArrayLike, a2: ArrayLike, a3: ArrayLike, d1: ArrayLike 
     >>> nearest_reachable([3, 0, 4], a2=0.4, a3=0.1).round(6)
     array([0.3, 0. , 0.4])
     """
-    shoulder = vector(0, 0, d1)
-    ray = p - shoulder
-    size = np.abs(ray).max(axis=-1, keepdims=True)  # so that no square overflows or vanishes
-    ray = np.where(size == 0, [1.0, 0.0, 0.0], ray / size)
-    length = np.sqrt((ray * ray).sum(axis=-1, keepdims=True))
-    d, low, high = size * length, np.abs(a2 - a3)[..., None], (a2 + a3)[..., None]
+    x, y, z = parts(p)
+    h = z - d1
+    size = np.maximum(np.maximum(np.abs(x), np.abs(y)), np.abs(h))  # no square may overflow
+    at = size == 0  # p is the shoulder itself: along x
+    x, y, h = (x + at) / (size + at), y / (size + at), h / (size + at)
+    length = np.sqrt(x * x + y * y + h * h)
+    d, low, high = size * length, np.abs(a2 - a3), a2 + a3
+    scale = np.clip(d, low, high) / length
     within = (low <= d) & (d <= high)
-    return np.where(within, p, shoulder + ray / length * np.clip(d, low, high))
+    return np.where(within[..., None], p, vector(x * scale, y * scale, d1 + h * scale))
 
 
 @validated(p=data(3), tol=positive())

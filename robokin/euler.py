@@ -327,14 +327,18 @@ def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
     return axis, 2 * np.arctan2(length, np.where(half, 0.0, np.abs(w)))
 
 
-def _quaternion(R: Array) -> Array:
+def _quaternion(R: Array) -> list[Array]:
     """Return w, x, y, z, not yet of length 1: the row of 4 q qᵀ with the largest diagonal."""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = entries(R)
     wx, wy, wz, ww = zy - yz, xz - zx, yx - xy, 1.0 + xx + yy + zz
     xy, yz, zx = xy + yx, yz + zy, zx + xz
     xx, yy, zz = 1.0 + xx - yy - zz, 1.0 - xx + yy - zz, 1.0 - xx - yy + zz
-    Q = [[ww, wx, wy, wz], [wx, xx, xy, zx], [wy, xy, yy, yz], [wz, zx, yz, zz]]
-    return np.choose(np.argmax([ww, xx, yy, zz], axis=0), np.array(Q))
+    largest = np.maximum(np.maximum(ww, xx), np.maximum(yy, zz))
+    columns = (ww, wx, wy, wz), (wx, xx, xy, zx), (wy, xy, yy, yz), (wz, zx, yz, zz)
+    return [
+        np.where(ww == largest, a, np.where(xx == largest, b, np.where(yy == largest, c, d)))
+        for a, b, c, d in columns
+    ]
 
 
 def _third(M: list[list[Array]], seq: str) -> tuple[Array, Array, Array]:

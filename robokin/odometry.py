@@ -28,7 +28,7 @@ __all__ = [
 
 def _ticks(name: str, value: Any, sizes: Sizes) -> Array:
     """Validate whole numbers; unsigned ones must not be differences that wrapped round."""
-    ticks = whole()(name, value, sizes)
+    ticks = whole(name, value, sizes)
     dtype = np.asarray(value).dtype
     if dtype.kind == "u":
         allowed = "ticks of one step (unsigned differences wrap round: use unwrap_counter)"
@@ -79,7 +79,7 @@ def travel(ticks: ArrayLike, ticks_per_turn: ArrayLike, wheel_radius: ArrayLike)
 @validated(
     bits=data(ok=lambda n: (n == np.rint(n)) & (n >= 1) & (n <= 52), allowed="1, 2, … or 52"),
     modulus=data(ok=lambda n: (n == np.rint(n)) & (n >= 2) & (n <= 2**52), allowed="2, … or 2**52"),
-    counts=whole(),
+    counts=whole,
 )
 def unwrap_counter(
     counts: ArrayLike, bits: ArrayLike | None = None, modulus: ArrayLike | None = None
@@ -123,7 +123,8 @@ def unwrap_counter(
     outside = (counts < -span / 2) | (counts >= span)
     allowed = "from -modulus/2 to modulus - 1 (modulus: 2**bits)"
     refuse("counts", counts, ~(outside & np.isfinite(counts)), allowed)
-    return (np.diff(counts) + span / 2) % span - span / 2
+    ticks = np.diff(counts)
+    return ticks - span * (ticks >= span / 2) + span * (ticks < -span / 2)
 
 
 @validated(**TICKS, **ROBOT, pose=data(3), method=METHOD)

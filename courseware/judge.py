@@ -76,7 +76,7 @@ class Verdict:
     """The judgement of a program. Its text is for the student.
 
     lines: of the text; those that begin with a blank are code. numbers: of the picture that shows
-    what is wrong: the right answer, the one that came, the input; none where one is no number.
+    what is wrong: the right answer, the student's answer, the input; none where one is no number.
     picture: of these, as HTML, where there is something that draws.
     """
 
@@ -178,11 +178,11 @@ def judge(function: Any, stored: Stored) -> Verdict:
             return Verdict(False, (f"Not yet. {slip}",))
         for place, case in enumerate(stored["cases"]):
             try:
-                came = call(function, case, stored)
+                answer = call(function, case, stored)
             except Slip as slip:
                 return refuse(stored, place, [str(slip)])
-            if not agrees(came, case, stored):
-                return refuse_answer(function, stored, place, came)
+            if not agrees(answer, case, stored):
+                return refuse_answer(function, stored, place, answer)
         return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
 
 
@@ -285,36 +285,36 @@ def to_numbers(answer: Any, stored: Stored) -> Any:
     return numbers.astype(float).ravel()
 
 
-def agrees(came: Any, case: Stored, stored: Stored) -> bool:
+def agrees(answer: Any, case: Stored, stored: Stored) -> bool:
     """Return whether an answer is right."""
-    return same(came, np.array(case["right"]), case, stored)
+    return same(answer, np.array(case["right"]), case, stored)
 
 
-def same(came: Any, other: Any, case: Stored, stored: Stored, factor: float = 1.0) -> bool:
+def same(answer: Any, other: Any, case: Stored, stored: Stored, factor: float = 1.0) -> bool:
     """Return whether two answers to an input are the same, within a number of tolerances.
 
     Where several answers are right, what they do is compared.
     """
-    if not stored["does"]:
-        return bool(np.all(apart(came, other, stored) <= factor * np.array(stored["tolerance"])))
-    one, two = (find_deed(answer, case, stored) for answer in (came, other))
+    if not stored["compared_value"]:
+        return bool(np.all(apart(answer, other, stored) <= factor * np.array(stored["tolerance"])))
+    one, two = (compute_compared_value(each, case, stored) for each in (answer, other))
     size = max(LEAST, np.abs(two).max())
     return bool(np.allclose(one, two, rtol=0, atol=factor * SIZE * size, equal_nan=True))
 
 
-def apart(came: Any, right: Any, stored: Stored) -> Any:
+def apart(answer: Any, right: Any, stored: Stored) -> Any:
     """Return how far two answers are apart, number by number; NaN meets NaN."""
-    difference = came - right
+    difference = answer - right
     turned = np.remainder(difference + np.pi, 2 * np.pi) - np.pi
     size = np.abs(np.where(stored["circle"], turned, difference))
-    alike = (came == right) | (np.isnan(came) & np.isnan(right))
+    alike = (answer == right) | (np.isnan(answer) & np.isnan(right))
     return np.where(alike, 0.0, np.nan_to_num(size, nan=np.inf))
 
 
-def find_deed(answer: Any, case: Stored, stored: Stored) -> Any:
+def compute_compared_value(answer: Any, case: Stored, stored: Stored) -> Any:
     """Return what an answer does, by the formulas that are stored for it."""
     names = {"numpy": np, "given": join_numbers(answer, *case["arguments"])}
-    return np.array(eval(read_formulas(stored["does"]), names))
+    return np.array(eval(read_formulas(stored["compared_value"]), names))
 
 
 def join_numbers(*parts: Any) -> Any:
@@ -339,15 +339,18 @@ def refuse(stored: Stored, place: int, lines: list[str], **more: Any) -> Verdict
     return Verdict(False, (first, f" {stored['function']}({shown})", *lines), **more)
 
 
-def refuse_answer(function: Callable[..., Any], stored: Stored, place: int, came: Any) -> Verdict:
+def refuse_answer(function: Callable[..., Any], stored: Stored, place: int, answer: Any) -> Verdict:
     """Return the verdict of a program whose answer is another: by how much, and why."""
     case = stored["cases"][place]
     right = np.array(case["right"])
-    is_near = same(came, right, case, stored, NEAR)
+    is_near = same(answer, right, case, stored, NEAR)
     digits = 13 if is_near else 7
-    example = ", for example," if stored["does"] else ""
+    example = ", for example," if stored["compared_value"] else ""
     right_is = f"Right is{example} {format_answer(right, stored, digits)}."
-    lines = [describe(came, case, stored, digits), right_is + describe_rows(came, right, stored)]
+    lines = [
+        describe(answer, case, stored, digits),
+        right_is + describe_rows(answer, right, stored),
+    ]
     answers = all_answers(function, stored)
     known = find_known(answers, stored)
     lines += [entry["feedback"] for entry in known] or find_hints(function)
@@ -362,7 +365,7 @@ def refuse_answer(function: Callable[..., Any], stored: Stored, place: int, came
             "On all ordinary inputs it is right: give this case a branch of its own, or "
             "find a formula that needs none."
         )
-    numbers = join_numbers(right, came, *case["arguments"])
+    numbers = join_numbers(right, answer, *case["arguments"])
     return refuse(
         stored,
         place,
@@ -371,10 +374,10 @@ def refuse_answer(function: Callable[..., Any], stored: Stored, place: int, came
     )
 
 
-def describe(came: Any, case: Stored, stored: Stored, digits: int) -> str:
-    """Say what came."""
-    words = f"It gives {format_answer(came, stored, digits)}."
-    if np.isnan(came).any() and not np.isnan(case["right"]).any():
+def describe(answer: Any, case: Stored, stored: Stored, digits: int) -> str:
+    """Say what answer."""
+    words = f"It gives {format_answer(answer, stored, digits)}."
+    if np.isnan(answer).any() and not np.isnan(case["right"]).any():
         words += (
             " nan means: no number. It comes of 0/0, inf/inf, 0·inf or inf − inf (look for a "
             "division by 0), of a root of a negative number, and of arccos or arcsin of a number "
@@ -383,11 +386,11 @@ def describe(came: Any, case: Stored, stored: Stored, digits: int) -> str:
     return words
 
 
-def describe_rows(came: Any, right: Any, stored: Stored) -> str:
+def describe_rows(answer: Any, right: Any, stored: Stored) -> str:
     """Say which rows of a matrix are wrong, unless all are, or another answer could be right."""
-    if len(stored["shape"]) < 2 or stored["does"]:
+    if len(stored["shape"]) < 2 or stored["compared_value"]:
         return ""
-    far = apart(came, right, stored) > stored["tolerance"]
+    far = apart(answer, right, stored) > stored["tolerance"]
     wrong = np.flatnonzero(far.reshape(stored["shape"]).any(axis=1))
     if len(wrong) == stored["shape"][0]:
         return ""
@@ -506,9 +509,9 @@ def format_argument(value: Any) -> str:
     return f"np.array({value})" if isinstance(value, list) else repr(value)
 
 
-def format_answer(came: Any, stored: Stored, digits: int) -> str:
+def format_answer(answer: Any, stored: Stored, digits: int) -> str:
     """Return an answer as text."""
-    texts = [f"{x + 0.0:.{digits}g}" for x in came]
+    texts = [f"{x + 0.0:.{digits}g}" for x in answer]
     return str(np.reshape(texts, stored["shape"]).tolist()).replace("'", "")
 
 

@@ -33,7 +33,7 @@ def rigid(*sides: int, below: int) -> Rule:
     def check(name: str, value: Any, sizes: Sizes) -> Array:
         matrices = square(*sides)(name, value, sizes)
         n = sizes["n"] = matrices.shape[-1] - below  # of the plane 2, of space 3
-        return judged(name, matrices, n)
+        return validate_rotations(name, matrices, n)
 
     return check
 
@@ -41,7 +41,7 @@ def rigid(*sides: int, below: int) -> Rule:
 A_ROTATION, A_PLANAR_POSE, A_POSE = rigid(3, below=0), rigid(3, below=1), rigid(3, 4, below=1)
 
 
-def judged(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:
+def validate_rotations(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:
     """Refuse the first matrix whose n × n rotation, or the row below it, is wrong by over tol.
 
     A matrix with a NaN or infinite entry is not judged: it comes back with NaN in all entries.

@@ -11,7 +11,14 @@ from itertools import pairwise
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike, Shape, entries, first, matrix, times, vector, wrap
-from robokin._rotations import A_PLANAR_POSE, A_POSE, A_ROTATION, TOLERANCE, judged, square
+from robokin._rotations import (
+    A_PLANAR_POSE,
+    A_POSE,
+    A_ROTATION,
+    TOLERANCE,
+    square,
+    validate_rotations,
+)
 from robokin._validation import data, positive, quiet, refuse, validated
 from robokin.errors import RobokinError, at_index, describe
 
@@ -451,7 +458,7 @@ def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """
     if np.ndim(tol):
         raise RobokinError(f"tol must be one number, got {describe(tol)}")
-    judged("R", R, R.shape[-1], tol)
+    validate_rotations("R", R, R.shape[-1], tol)
 
 
 def _parts_of(T: Array) -> tuple[Array, Array]:

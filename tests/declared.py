@@ -14,7 +14,7 @@ from courseware.classroom import tables
 from courseware.course import course
 from courseware.equations import Check, Equation
 from courseware.figures import Figure
-from courseware.practice import Exercise, Mistake, dealing
+from courseware.practice import Exercise, Mistake, variants
 from courseware.predictions import Prediction
 
 EQUATIONS = course().find_all("formulas", Equation)
@@ -60,7 +60,10 @@ def typed(rows, exercise):
 
 def judge_all():
     """A program for another Python: it has a right answer to each exercise judged."""
-    deals = {name: dealing.variants(name)[dealing.deal(COURSE, name, "Ada")] for name in EXERCISES}
+    deals = {
+        name: variants.all_variants(name)[variants.choose_variant(COURSE, name, "Ada")]
+        for name in EXERCISES
+    }
     answers = {name: typed(v.candidates[0].rows, EXERCISES[name]) for name, v in deals.items()}
     return f"""
 import json, book

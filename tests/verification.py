@@ -57,7 +57,7 @@ def draw_points(check, samples):
     low, high = np.array([check.ranges.get(s, (s.low, s.high)) for s in symbols]).T
     random = np.random.default_rng(crc32(check.name.encode()))
     points = random.uniform(low, high, (len(check.specials) + samples, len(symbols)))
-    whole = [symbols.index(symbol) for symbol in check.whole]
+    whole = [symbols.index(symbol) for symbol in check.integers]
     points[:, whole] = np.rint(points[:, whole])
     for row, special in zip(points, check.specials, strict=False):
         for symbol, value in special.items():

@@ -47,7 +47,7 @@ PREDICTIONS = (
         explanation="The angle is 135°. The arctangent says 45° to the *right and in front*: "
         "exactly the wrong way.",
         spoilers=("exactly the wrong way", "signs are lost"),
-        veils="direction",
+        covers="direction",
     ),
     Prediction(
         "sine-of-90",
@@ -78,7 +78,7 @@ PREDICTIONS = (
         ),
         explanation="Ahead, and to the left: the cosine of 30°, and its sine.",
         spoilers=("ahead, and to the left",),
-        veils="turn",
+        covers="turn",
     ),
     Prediction(
         "thousand-ends",
@@ -95,6 +95,6 @@ PREDICTIONS = (
         ),
         explanation="All have driven 2 m. But only a straight way leads 2 m away from the start.",
         spoilers=("only a straight way",),
-        veils="thousand",
+        covers="thousand",
     ),
 )

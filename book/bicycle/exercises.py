@@ -279,7 +279,7 @@ bicycle_1 = Exercise(
     unknowns=(Unknown("ω", "rad/s"),),
     right=lambda L, phi, v_front: rate(v_front * np.cos(phi), phi, L),
     wrong={M16: lambda L, phi, v_front: too_fast(v_front * np.cos(phi), phi, L)},
-    also={
+    likely_slips={
         "with the cosine where the sine belongs": lambda v_front, phi, L: v_front * np.cos(phi) / L,
     },
     solution=Solution(
@@ -308,7 +308,7 @@ bicycle_2 = Exercise(
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
     wrong={M18: M18.formula.evaluate},
     when=lambda alpha_L, alpha_R: 0.3 < spread(alpha_L, alpha_R) < 0.9,
-    also={
+    likely_slips={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, alpha_R: np.arctan(
             (np.tan(alpha_L) + np.tan(alpha_R)) / 2
         ),
@@ -341,7 +341,7 @@ bicycle_3 = Exercise(
     right=lambda theta, v, phi: motion.to_world(theta, bicycle.front_twist(v, phi, 1.0))[:2],
     wrong={mistake: at_front(mistake) for mistake in (M17, M33)},
     derive=lambda theta, v, phi: {"v_front": v / np.cos(phi)},
-    also={
+    likely_slips={
         "with the speed of the rear axle": lambda theta, v, phi: [
             v * np.cos(theta + phi),
             v * np.sin(theta + phi),
@@ -376,7 +376,7 @@ bicycle_4 = Exercise(
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
     wrong={M18: lambda alpha_L, phi: 2 * phi - alpha_L},
     when=lambda alpha_L, phi: phi < alpha_L and 0.3 < other_track(alpha_L, phi) < 0.9,
-    also={
+    likely_slips={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, phi: np.arctan(
             2 * np.tan(phi) - np.tan(alpha_L)
         ),
@@ -432,7 +432,7 @@ bicycle_5 = Exercise(
     derive=lambda psi, diameter, wheel_rate, L, phi, time: {
         "v": wheel_rate * diameter / 2,
     },
-    also={
+    likely_slips={
         "with the diameter where the radius belongs": lambda diameter, **drive: compass(
             diameter=2 * diameter, **drive
         ),
@@ -484,7 +484,7 @@ bicycle_6 = Exercise(
         "R": bicycle.turning_radius(phi, L),
         "turned": theta + rate(v, phi, L) * time,
     },
-    also={
+    likely_slips={
         "with φ where tan φ belongs": lambda phi, **drive: arc_end(phi=np.arctan(phi), **drive),
         "when the front axle's speed turns the car, on the circle of the right R": front_on_circle,
         "when the heading at the start is forgotten": lambda theta, **drive: arc_end(0, **drive),
@@ -547,7 +547,7 @@ bicycle_7 = Exercise(
         ),
         M33: lambda **numbers: np.full(2, front_looped(**numbers)[0]),
     },
-    also={
+    likely_slips={
         "for the real place of O, on its arc; asked is what the program computes": lambda **drive: (
             front_looped(method="exact", **drive)
         ),

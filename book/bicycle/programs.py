@@ -33,8 +33,8 @@ def stepped(method="exact"):
     return lambda pose, v, phi, L, dt: bicycle.path(pose, v, phi, L, dt, method)[-1]
 
 
-def draw_step(right, came, pose, v, phi, L, dt):
-    return car(pose, phi, L, "ghost"), car(right, phi, L), car(came, phi, L, "wrong")
+def draw_step(right, answer, pose, v, phi, L, dt):
+    return car(pose, phi, L, "ghost"), car(right, phi, L), car(answer, phi, L, "wrong")
 
 
 def on_circle(pose, v, phi, L, dt):
@@ -120,7 +120,7 @@ bicycle_p1 = Program(
         M15: on_circle,
         M16: lambda pose, v, phi, L, dt: motion.arc_step(pose, v, too_fast(v, phi, L), dt),
     },
-    also=STEP_SLIPS,
+    likely_slips=STEP_SLIPS,
     hints=STEP_HINTS,
     solution=STEP_SOLUTION,
 )
@@ -134,7 +134,7 @@ def steer_by(radius, mistaken=np.arctan):
     return lambda place, L: mistaken(L / radius(*place))
 
 
-def draw_steering(right, came, place, L):
+def draw_steering(right, answer, place, L):
     half, part = atan2(place[1], place[0]), Symbol("part", real=True)
     way = sqrt(place[0] ** 2 + place[1] ** 2) / sinc(half)
 
@@ -145,9 +145,9 @@ def draw_steering(right, came, place, L):
     return (
         car((0, 0, 0), right, L, "ghost"),
         Curve("path", after(right, part), part, 0, 1),
-        Curve("error", after(came, part), part, 0, 1),
+        Curve("error", after(answer, part), part, 0, 1),
         car(after(right, 1), right, L),
-        car(after(came, 1), came, L, "wrong"),
+        car(after(answer, 1), answer, L, "wrong"),
         Point("target", place),
     )
 
@@ -214,7 +214,7 @@ bicycle_p2 = Program(
     right=lambda place, L: bicycle.steering(place @ place, 2 * place[1], L),
     picture=draw_steering,
     extent=3,
-    also=STEER_SLIPS,
+    likely_slips=STEER_SLIPS,
     hints=STEER_HINTS,
     solution=STEER_SOLUTION,
 )
@@ -238,13 +238,13 @@ def compass_step(velocity=None, turn=None, sense=-1):
     return step
 
 
-def draw_front(right, came, pose, v, phi, L, dt):
+def draw_front(right, answer, pose, v, phi, L, dt):
     def bus(of, look=""):
         x, y, psi = of
         rear = x - L * sin(psi), y - L * cos(psi), pi / 2 - psi
         return replace(things.bus(rear, (phi, phi), look=look), size=L / 7)
 
-    return bus(pose, "ghost"), bus(right), bus(came, "wrong")
+    return bus(pose, "ghost"), bus(right), bus(answer, "wrong")
 
 
 def nose(theta, v_F, phi):
@@ -335,7 +335,7 @@ bicycle_p3 = Program(
     picture=draw_front,
     extent=7,
     wrong=COMPASS_MISTAKES,
-    also=COMPASS_SLIPS,
+    likely_slips=COMPASS_SLIPS,
     hints=COMPASS_HINTS,
     solution=COMPASS_SOLUTION,
 )

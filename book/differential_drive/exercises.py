@@ -179,7 +179,7 @@ differential_drive_1 = Exercise(
     right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
     wrong={M12: M12.formula.evaluate, M31: M31.formula.evaluate},
     when=different,
-    also={"when the wheel distance is forgotten": lambda v_L, v_R, **_: v_R - v_L},
+    likely_slips={"when the wheel distance is forgotten": lambda v_L, v_R, **_: v_R - v_L},
     solution=Solution(
         "Seen from the left wheel, the right one moves at the difference of the two speeds, on a "
         "circle whose radius is the wheel distance:\n\n{omega}",
@@ -198,7 +198,7 @@ differential_drive_2 = Exercise(
     right=moving,
     wrong=turned_ways(moving),
     together=made_after(M14, {M13: M13.formula.wrap(moving)}),
-    also={
+    likely_slips={
         "with the difference of the wheel speeds in place of their mean": lambda theta, v_L, v_R: (
             moving(theta, v_R - v_L, v_R - v_L)
         ),
@@ -230,7 +230,7 @@ differential_drive_3 = Exercise(
     together={k: v for m in (M12, M31) for k, v in made_after(m, turned_ways(centre)).items()},
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
-    also={
+    likely_slips={
         "with the ICR as the robot sees it, not as the world does": lambda v_L, v_R, b, **_: centre(
             0, 0, 0, v_L, v_R, b
         ),
@@ -274,7 +274,7 @@ differential_drive_4 = Exercise(
         "omega": 2 * np.pi / time,
         "v": radius * 2 * np.pi / time,
     },
-    also={
+    likely_slips={
         "for the speeds of the wheels; the division by r is missing": lambda **circle: (
             circle["r"] * rates_on_circle(**circle)
         ),
@@ -304,7 +304,7 @@ differential_drive_5 = Exercise(
         "omega": (v_R - v_L) / b,
         "turn": (v_R - v_L) / b * time,
     },
-    also={
+    likely_slips={
         M13.feedback: degrees_end,
         "when the left and the right wheel are exchanged": lambda v_L, v_R, b, time: end(
             v_R, v_L, b, time
@@ -345,7 +345,7 @@ differential_drive_6 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=worn_end,
     wrong=ways(worn_end),
-    also={
+    likely_slips={
         "when the robot turns to the wrong side": lambda **drive: worn_end(**drive) * [1, -1],
         "when it drives straight on by the mean of both wheels": lambda worn, distance, **_: [
             (1 - worn / 2) * distance,

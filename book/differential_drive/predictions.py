@@ -143,7 +143,7 @@ PREDICTIONS = (
         explanation="In one radian a wheel rolls one radius. So its rate is its speed divided by "
         "$r$.",
         spoilers=("one radius", "speed divided by"),
-        veils="rates",
+        covers="rates",
     ),
     Prediction(
         "where-after",

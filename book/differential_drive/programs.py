@@ -58,13 +58,13 @@ def arc_rates(place, dt, r, b, *, part=1.0, way=lambda chord, half: chord / np.s
     return differential_drive.wheel_rates(way(chord, half) / dt, part * 2 * half / dt, r, b)
 
 
-def draw_place(right, came, place, dt, r, b):
-    poses = (drive(rates, dt, r, b) for rates in (right, came))
+def draw_place(right, answer, place, dt, r, b):
+    poses = (drive(rates, dt, r, b) for rates in (right, answer))
     part = Symbol("part", real=True)
     return (
         robot((0, 0, 0), b, "ghost"),
         Curve("path", drive(right, part * dt, r, b), part, 0, 1),
-        Curve("error", drive(came, part * dt, r, b), part, 0, 1),
+        Curve("error", drive(answer, part * dt, r, b), part, 0, 1),
         *map(robot, poses, (b, b), ("", "wrong")),
         Point("target", place),
     )
@@ -144,9 +144,9 @@ differential_drive_p1 = Program(
     right=arc_rates,
     picture=draw_place,
     extent=0.08,
-    does=lambda rates, place, *robot: drive(rates, *robot)[:2],
+    compared_value=lambda rates, place, *robot: drive(rates, *robot)[:2],
     wrong=by_mistakes(arc_rates, "place", "dt", "r", "b"),
-    also=PLACE_SLIPS | {WHOLE: with_whole_distance(arc_rates)},
+    likely_slips=PLACE_SLIPS | {WHOLE: with_whole_distance(arc_rates)},
     hints=PLACE_HINTS,
     solution=PLACE_SOLUTION,
 )
@@ -173,9 +173,9 @@ def cut(v, omega, r, b, top):
     return np.clip(differential_drive.wheel_rates(v, omega, r, b), -top, top)
 
 
-def draw_limit(right, came, v, omega, r, b, top):
+def draw_limit(right, answer, v, omega, r, b, top):
     """Draw where the robot is after half a second."""
-    poses = (drive(rates, 0.5, r, b) for rates in (right, came))
+    poses = (drive(rates, 0.5, r, b) for rates in (right, answer))
     return robot((0, 0, 0), b, "ghost"), *map(robot, poses, (b, b), ("", "wrong"))
 
 
@@ -245,7 +245,7 @@ differential_drive_p2 = Program(
     picture=draw_limit,
     extent=0.08,
     wrong=by_mistakes(slowed, "v", "omega", "r", "b", "top"),
-    also=LIMIT_SLIPS | {WHOLE: with_whole_distance(slowed)},
+    likely_slips=LIMIT_SLIPS | {WHOLE: with_whole_distance(slowed)},
     hints=LIMIT_HINTS,
     solution=LIMIT_SOLUTION,
 )
@@ -259,15 +259,15 @@ def moving(rate_L, rate_R, theta, r, b):
     return motion.to_world(theta, differential_drive.body_twist(rate_L, rate_R, r, b))
 
 
-def draw_velocity(right, came, rate_L, rate_R, theta, r, b):
+def draw_velocity(right, answer, rate_L, rate_R, theta, r, b):
     """Draw the velocity as the way of a second, and where the robot would look after it."""
     start = np.array([0, 0, theta])
     return (
         robot(start, b, "ghost"),
         robot(start + right, b),
-        robot(start + came, b, "wrong"),
+        robot(start + answer, b, "wrong"),
         Arrow("velocity", (0, 0), right[:2]),
-        Arrow("error", (0, 0), came[:2]),
+        Arrow("error", (0, 0), answer[:2]),
     )
 
 
@@ -338,7 +338,7 @@ differential_drive_p3 = Program(
     picture=draw_velocity,
     extent=0.08,
     wrong=WORLD_MISTAKES,
-    also=WORLD_SLIPS,
+    likely_slips=WORLD_SLIPS,
     hints=WORLD_HINTS,
     solution=WORLD_SOLUTION,
 )

@@ -280,7 +280,7 @@ elbow_arm_2 = Exercise(
         M3: lambda **numbers: cubed(**numbers)[1, 1],
     },
     when=possible,
-    also={
+    likely_slips={
         "for the angle inside the triangle, between the links": lambda p_x, p_y, p_z, **links: (
             np.pi - elbow_arm.inverse([p_x, p_y, p_z], **links)[1, 2]
         ),
@@ -322,7 +322,7 @@ elbow_arm_3 = Exercise(
     when=lambda theta2, theta3, a2, a3, **_: (
         a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3) > 0.1
     ),
-    also={
+    likely_slips={
         "when both angles only change their sign": lambda theta1, theta2, theta3, a2, a3: [
             theta1 + np.pi,
             -theta2,
@@ -377,7 +377,7 @@ elbow_arm_4 = Exercise(
     right=lambda d1, a2, **p: length(**p | {"p_z": p["p_z"] - d1}) - a2,
     wrong={M2: lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2},
     when=lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2 > 0.05,
-    also={
+    likely_slips={
         "for the distance alone; the upper link is not taken away": lambda d1, a2, p_z, **p: length(
             p_z=p_z - d1, **p
         ),
@@ -411,7 +411,7 @@ elbow_arm_5 = Exercise(
     right=lambda p_z, a2, a3: elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:],
     wrong={M3: lambda p_z, a2, a3: cubed(0, 0, p_z, a2, a3)},
     when=lambda p_z, a2, a3: bent(p_z, a2, a3) and bent(p_z, a2, a3, 3),
-    also={
+    likely_slips={
         "for the angle inside the triangle, between the links": lambda p_z, a2, a3: [
             [theta2, theta3 - np.copysign(np.pi, theta3)]
             for theta2, theta3 in elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:]
@@ -452,7 +452,7 @@ elbow_arm_6 = Exercise(
     right=lambda p_x, p_y, p_z, a2, a3, d1: elbow_arm.inverse([p_x, p_y, p_z], a2, a3, d1)[0],
     wrong={mistake: first(formula) for mistake, formula in WAYS.items()},
     when=possible,
-    also={
+    likely_slips={
         f"{M2.feedback}, although with atan2": first(without_x_by_atan2),
         "with the elbow below": lambda p_x, p_y, p_z, d1, **links: elbow_arm.inverse(
             [p_x, p_y, p_z], **links, d1=d1

@@ -11,7 +11,7 @@ from math import pi
 from typing import Any
 
 from sympy import Matrix, Max, Min, Or, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt, symbols
-from sympy import pi as half_turn
+from sympy import pi as exact_pi
 
 from book import things_space
 from book.basics.formulas import p_x, p_y
@@ -101,7 +101,7 @@ def if_within_reach(value: Any) -> Any:
 
 def joint_readouts() -> tuple[Readout, ...]:
     """Return the chosen answer, and the target's distances from shoulder and from the reachable."""
-    away = (1 - face) / 2 * half_turn
+    away = (1 - face) / 2 * exact_pi
     turn2 = Piecewise((0, d <= 0), (motion.wrap(away + face * raised), True))
     return (
         Readout("theta1", "base θ_1", if_within_reach(motion.wrap(beta + away)), "rad", words=NONE),
@@ -156,7 +156,7 @@ def ring(centre: Sequence[Any], radius: Any, low: float = 0, high: float = 2 * p
 def two_views_figure() -> Figure:
     """Draw the target under the hand, from above and from the side, with all answers."""
     cuts = [sqrt(Max(0, limit**2 - z**2)) for limit in (least, most)]  # at the target's height
-    back = (1 - face) / 2 * half_turn
+    back = (1 - face) / 2 * exact_pi
     mid = from_the_side((0, 0))
     floor = -SHOULDER
     return Figure(

@@ -76,21 +76,21 @@ def draw_arm(places, theta1, kind):
     )
 
 
-def draw_places(right, came, theta, *_):
-    return *draw_arm(right, theta[0], "accent"), *draw_arm(came, theta[0], "error")
+def draw_places(right, answer, theta, *_):
+    return *draw_arm(right, theta[0], "accent"), *draw_arm(answer, theta[0], "error")
 
 
-def draw_reach(right, came, p, *arm):
-    kinds = (("accent", right), ("error", came))
+def draw_reach(right, answer, p, *arm):
+    kinds = (("accent", right), ("error", answer))
     arms = (draw_arm(joints(theta, *arm), theta[0], kind) for kind, theta in kinds)
     return *chain(*arms), VIEW.point("target", p)
 
 
-def draw_four(right, came, p, *links):
-    """Draw all arms that are right, and those that came."""
+def draw_four(right, answer, p, *links):
+    """Draw all arms that are right, and those that answer."""
     arms = [
         VIEW.line(kind, joints(theta, *links))
-        for kind, rows in (("path", right), ("error", came))
+        for kind, rows in (("path", right), ("error", answer))
         for theta in rows
     ]
     return *arms, VIEW.point("target", p)
@@ -144,7 +144,7 @@ elbow_arm_p1 = Program(
     right=elbow_arm.joint_positions,
     picture=draw_places,
     extent=0.05,
-    also={
+    likely_slips={
         "when θ_3 is measured from the level, not from the upper link": forearm_from_level,
         "without the height of the shoulder": lambda *n: elbow_arm.joint_positions(*n[:3]),
     },
@@ -196,9 +196,9 @@ elbow_arm_p2 = Program(
     right=lambda p, a2, a3, d1: elbow_arm.inverse(p, a2, a3, d1)[0],
     picture=draw_reach,
     extent=0.05,
-    does=lambda theta, p, *arm: joints(theta, *arm)[-1],
+    compared_value=lambda theta, p, *arm: joints(theta, *arm)[-1],
     wrong={mistake: from_base(formula) for mistake, formula in WAYS.items()},
-    also={
+    likely_slips={
         f"{M2.feedback}, although with atan2": from_base(without_x_by_atan2),
         "when p_z is taken as measured from the shoulder": lambda *n: elbow_arm.inverse(*n[:3])[0],
     },
@@ -259,7 +259,7 @@ elbow_arm_p3 = Program(
     extent=0.05,
     wrong={m: from_shoulder(formula) for m, formula in WAYS.items()}
     | {M4: from_shoulder(four_alike)},
-    also={"with −θ_2 where the arm faces away, not π − θ_2": not_leaning_back},
+    likely_slips={"with −θ_2 where the arm faces away, not π − θ_2": not_leaning_back},
     hints=(
         "Which rows are wrong? Put each row into the formulas of the way forward, and look where "
         "the wrist is.",

@@ -280,7 +280,7 @@ euler_1 = Exercise(
         M7: lambda arrow, **turns: column(left_handed(**turns), arrow),
     },
     when=different,
-    also={
+    likely_slips={
         "with a row of the matrix where its column belongs": lambda arrow, **turns: column(
             two_turns(**turns).T, arrow
         ),
@@ -342,7 +342,7 @@ euler_3 = Exercise(
             R_1=one_turn(axis, wrong_way(turn)).T, R_2=QUARTERS[R_AB]
         ),
     },
-    also={
+    likely_slips={
         "when R_1 itself stands where its transpose belongs": lambda R_AB, axis, turn: (
             one_turn(axis, turn) @ QUARTERS[R_AB]
         ),
@@ -422,7 +422,7 @@ euler_5 = Exercise(
         "R": yaw_pitch_roll(**turns),
         **named(yaw_pitch_roll(**turns)),
     },
-    also={
+    likely_slips={
         "for the matrix with rows and columns swapped": lambda **angles: euler.solutions(
             "ZYX", yaw_pitch_roll(**angles).T
         ),
@@ -513,7 +513,7 @@ euler_7 = Exercise(
         far_from_lock("ZYZ", yaw_pitch_roll(**turns))
         and far_from_lock("ZYZ", fixed_yaw_pitch_roll(**turns))
     ),
-    also={
+    likely_slips={
         "with the matrices in the wrong order in both sequences": lambda **turns: euler.solutions(
             "zyz", fixed_yaw_pitch_roll(**turns)
         ),

@@ -21,7 +21,7 @@ from sympy import (
     sqrt,
     symbols,
 )
-from sympy import pi as half_turn
+from sympy import pi as exact_pi
 
 from book import things_space
 from book.euler import formulas as euler
@@ -105,7 +105,7 @@ def pick(made: Any, *turns: Any) -> Any:
 
 def is_aligned(R: Matrix, target: Matrix) -> Any:
     """Return whether two orientations are less than a degree apart."""
-    return angle_of(target.T * R) < half_turn / 180
+    return angle_of(target.T * R) < exact_pi / 180
 
 
 # Dice: 1, 2 and 3 towards x, y and z of the frame that is fixed to them.
@@ -260,7 +260,7 @@ def columns_figure() -> Figure:
 
 def order_figure() -> Figure:
     """Draw the same two quarter turns in two orders."""
-    a, b = (ramp(made, k) * half_turn / 2 for k in (0, 1))
+    a, b = (ramp(made, k) * exact_pi / 2 for k in (0, 1))
     steps = NamedSteps()
     left, right = (
         steps.add(name, euler.turned_about(one, a) * euler.turned_about(two, b))
@@ -320,7 +320,7 @@ def target_figure() -> Figure:
         f"{a}, then {b}": tuple(int(each == letter) for each in (a, b) for letter in "xyz")
         for a, b in permutations("xyz", 2)
     }
-    alike = (R_AB[:, axis].dot(now[:, axis]) > cos(half_turn / 180) for axis in range(3))
+    alike = (R_AB[:, axis].dot(now[:, axis]) > cos(exact_pi / 180) for axis in range(3))
     in_place = sum(Piecewise((1, each), (0, True)) for each in alike)
     return Figure(
         name="to-b",
@@ -387,9 +387,7 @@ def three_angles_figure() -> Figure:
 
 def both_figure() -> Figure:
     """Draw both answers of XYZ, turn by turn."""
-    steps = NamedSteps(
-        ((first, half_turn / 9), (third, half_turn / 6), *assign(euler.other_cardan))
-    )
+    steps = NamedSteps(((first, exact_pi / 9), (third, exact_pi / 6), *assign(euler.other_cardan)))
 
     def turned(name: str, angles: Sequence[Any]) -> Any:
         a, b, c = (ramp(made, k) * each for k, each in enumerate(angles))
@@ -479,7 +477,7 @@ def rings_figure() -> Figure:
             "is turned by {whole} in all, det J is {det_J}."
         ),
         goal=Goal(
-            And(is_locked, Abs(against) > half_turn / 7),
+            And(is_locked, Abs(against) > exact_pi / 7),
             "Put the middle ring at 90°; then turn the outer ring on by 30° or more.",
         ),
         where=steps,
@@ -495,7 +493,7 @@ def near_lock_figure() -> Figure:
         titles=("degrees from lock", "inner / wanted rate"),
     )
     angle = rad(near)
-    fast, on_curve = (1 / sin(each * half_turn / 180) for each in (near, 10**s))
+    fast, on_curve = (1 / sin(each * exact_pi / 180) for each in (near, 10**s))
     here = graph.place((near, fast))
     left, low, high = 2.0, 1.35, 0.5  # of the wanted rate's arrow
     tip = (left + high * cos(angle) / sin(angle), low + high)
@@ -534,15 +532,15 @@ def one_turn_figure() -> Figure:
     """Draw the way from A to B by one turn and by two, as a die and in the ball of all turns."""
 
     def by_two(turns: Any) -> tuple[Any, Any]:
-        return ramp(turns, 0) * half_turn / 2, -ramp(turns, 1) * half_turn / 2
+        return ramp(turns, 0) * exact_pi / 2, -ramp(turns, 1) * exact_pi / 2
 
     def in_ball(turns: Any) -> Matrix:
         a, b = (each / 2 for each in by_two(turns))
         vector = Matrix([sin(a) * sin(b), sin(a) * cos(b), cos(a) * sin(b)])
         long = sqrt(vector.dot(vector))
-        return vector * 2 * atan2(long, cos(a) * cos(b)) / (long + 1e-300) / half_turn
+        return vector * 2 * atan2(long, cos(a) * cos(b)) / (long + 1e-300) / exact_pi
 
-    (a, b), once = by_two(2 * part), part * 2 * half_turn / 3
+    (a, b), once = by_two(2 * part), part * 2 * exact_pi / 3
     two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
     turned = at_once * once + (1 - at_once) * (a - b)
     x, y, _ = VIEW.right_of_origin(1.35)
@@ -573,7 +571,7 @@ def one_turn_figure() -> Figure:
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
         scene=(
-            *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * half_turn, 36) for c in circles),
+            *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * exact_pi, 36) for c in circles),
             *die(euler.r, VIEW.right_of_origin(-1.3)),
             floor(low),
             VIEW.solid((stand,), UNTURNED, low, floor=FLOOR),
@@ -672,7 +670,7 @@ def recap_figure() -> Figure:
 
 def mistakes_figure() -> Figure:
     """Draw another frame B, of two quarter turns, and the frames that three mistakes make of it."""
-    quarter = {turn: half_turn / 2}
+    quarter = {turn: exact_pi / 2}
     y_turn, z_turn = euler.turn_y.substitute(quarter), euler.turn_z.substitute(quarter)
     by_hand = M7.formula.transfer(euler.turn_z)
     wrong = {

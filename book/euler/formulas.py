@@ -6,8 +6,7 @@ is written in them is checked where three angles, or two for the vector, make th
 
 from typing import Any
 
-from sympy import Add, MatMul, Matrix, Symbol, atan2, cos, sin, sqrt
-from sympy import pi as half_turn
+from sympy import Add, MatMul, Matrix, Symbol, atan2, cos, pi, sin, sqrt
 
 from courseware.equations import Equation, as_written, declarations
 
@@ -181,14 +180,14 @@ with as_written():
     other_cardan = Equation(
         name="euler.other_cardan",
         left=Matrix(OTHERS),
-        right=Matrix([first + half_turn, half_turn - middle, third + half_turn]),
+        right=Matrix([first + pi, pi - middle, third + pi]),
         is_angle=True,
     )
 
     other_proper = Equation(
         name="euler.other_proper",
         left=other_cardan.left,
-        right=Matrix([first + half_turn, -middle, third + half_turn]),
+        right=Matrix([first + pi, -middle, third + pi]),
         is_angle=True,
     )
 

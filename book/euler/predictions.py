@@ -91,7 +91,7 @@ PREDICTIONS = (
         explanation="Thumb along $y$: the fingers of the right hand curl from $z$ to $x$. So $x$ "
         "itself goes down. Turn the die, and see. With any angle, about each axis:",
         spoilers=("goes down",),
-        veils="columns",
+        covers="columns",
     ),
     Prediction(
         "two-orders",
@@ -111,7 +111,7 @@ PREDICTIONS = (
         explanation="Not alike: a product of matrices depends on the order. Press *Play* to see it "
         "again.",
         spoilers=("depends on the order",),
-        veils="order",
+        covers="order",
     ),
     Prediction(
         "other-answer",
@@ -131,7 +131,7 @@ PREDICTIONS = (
         "every matrix has at least two answers; textbooks take the one with a positive "
         "$\\cos\\beta$. The other one:",
         spoilers=("two answers",),
-        veils="both-answers",
+        covers="both-answers",
     ),
     Prediction(
         "how-many-orders",
@@ -166,7 +166,7 @@ PREDICTIONS = (
         explanation="The pins of the outer and the inner ring lie on one line: what one turns on, "
         "the other turns back. Try it above. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
         spoilers=("lie on one line",),
-        veils="gimbal-rings",
+        covers="gimbal-rings",
     ),
     Prediction(
         "near-lock",

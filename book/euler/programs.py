@@ -57,9 +57,9 @@ def locked_near(first, middle, third):
     return readable("XYZ", first, np.copysign(np.pi / 2, middle), third)
 
 
-def draw_dice(right, came):
+def draw_dice(right, answer):
     """Draw a die as it should be turned, and as it is turned."""
-    return *die(Matrix(right), LEFT), *die(Matrix(came), RIGHT, kind="error")
+    return *die(Matrix(right), LEFT), *die(Matrix(answer), RIGHT, kind="error")
 
 
 def turned(axes, turns):
@@ -69,7 +69,7 @@ def turned(axes, turns):
 
 def draw_turns(*axes):
     """Draw a die as the matrix has it, and as the angles turn it."""
-    return lambda right, came, R: draw_dice(R, turned(axes, came))
+    return lambda right, answer, R: draw_dice(R, turned(axes, answer))
 
 
 def cut_in_half(R):
@@ -116,9 +116,9 @@ euler_p1 = Program(
     right=lambda R: euler.from_matrix("ZYX", R),
     picture=draw_turns(Z, Y, X),
     extent=1.2,
-    does=lambda turns, R: turned((Z, Y, X), turns),
+    compared_value=lambda turns, R: turned((Z, Y, X), turns),
     wrong={M6: lambda R: euler.from_matrix("zyx", R)},
-    also={
+    likely_slips={
         "with arctan, which knows half of the circle; arctan2 knows all of it": cut_in_half,
         "with sine and cosine exchanged in arctan2: the sine comes first": lambda R: (
             np.pi / 2 - euler.from_matrix("ZYX", R)
@@ -167,9 +167,9 @@ euler_p2 = Program(
     right=lambda R: euler.from_matrix("XYZ", R),
     picture=draw_turns(X, Y, Z),
     extent=1.2,
-    does=lambda turns, R: turned((X, Y, Z), turns),
+    compared_value=lambda turns, R: turned((X, Y, Z), turns),
     wrong={M8: lambda R: [*regular("XYZ", R), 0.0]},
-    also={
+    likely_slips={
         "with r_21 as sin α: its sign is right at +90° only": as_at_plus,
         "when β is +90° every time": lambda R: [euler.from_matrix("XYZ", R)[0], np.pi / 2, 0.0],
         "when β is −90° every time": lambda R: [euler.from_matrix("XYZ", R)[0], -np.pi / 2, 0.0],
@@ -223,10 +223,10 @@ euler_p3 = Program(
     answer=matrix("R_AB", 3, 3),
     shape=(3, 3),
     right=lambda *turns: euler.to_matrix("ZYX", turns),
-    picture=lambda right, came, *turns: draw_dice(right, came),
+    picture=lambda right, answer, *turns: draw_dice(right, answer),
     extent=1.2,
     wrong={M6: fixed_yaw_pitch_roll, M7: left_handed},
-    also={
+    likely_slips={
         "with the first turn about x and the last about z": lambda *turns: euler.to_matrix(
             "XYZ", turns
         ),

@@ -287,7 +287,7 @@ frames_1 = Exercise(
     unknowns=POSE,
     right=posed(lambda T_db: frames.inverse(T_db)),
     wrong={M10: posed(lambda T_db: shifted_back(T_db))},
-    also={
+    likely_slips={
         "for the platform as the camera sees it: nothing is turned back": posed(lambda T_db: T_db),
     },
     solution=Solution(
@@ -337,7 +337,7 @@ frames_3 = Exercise(
         M9: posed(lambda T_db, T_de: T_db @ T_de),
         M10: posed(lambda T_db, T_de: shifted_back(T_db) @ T_de),
     },
-    also={
+    likely_slips={
         "along the camera's axes; asked are the platform's": lambda x_b, y_b, x_e, y_e, **turns: [
             x_e - x_b,
             y_e - y_b,
@@ -377,7 +377,7 @@ frames_4 = Exercise(
         M11: by_hand(lambda T_db, T_bc: numbers_of(frames.inverse(T_db) @ frames.inverse(T_bc))),
         M30: by_hand(lambda T_db, T_bc: numbers_of(T_bc @ frames.inverse(T_db))),
     },
-    also={
+    likely_slips={
         ONE_BACK: by_hand(
             lambda T_db, T_bc: [numbers_of(back @ to) for back, to in one_wrong_inverse(T_db, T_bc)]
         ),
@@ -423,7 +423,7 @@ frames_5 = Exercise(
         M30: from_hand(M30),
     },
     derive=planar,
-    also={
+    likely_slips={
         "with −p for −Rᵀp in the inverse of the product T_db T_bc": matrices(
             lambda T_db, T_bc, T_de: shifted_back(T_db @ T_bc) @ T_de
         ),
@@ -484,7 +484,7 @@ frames_6 = Exercise(
         M9: from_above(lambda T_fb, p: frames.transform(T_fb, p)),
         M10: from_above(lambda T_fb, p: frames.transform(shifted_back(T_fb), p)),
     },
-    also={
+    likely_slips={
         "along the camera's axes; asked are the platform's": from_above(
             lambda T_fb, p: p - T_fb[:3, 3]
         ),
@@ -514,7 +514,7 @@ frames_7 = Exercise(
         M10: posed(lambda T_de, T_bc: T_de @ shifted_back(T_bc)),
         M30: posed(lambda T_de, T_bc: T_de @ T_bc),
     },
-    also={
+    likely_slips={
         "for the camera as the platform sees it": posed(
             lambda T_de, T_bc: frames.compose(T_bc, frames.inverse(T_de))
         ),

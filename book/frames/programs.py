@@ -65,17 +65,17 @@ def hand(pose, look=""):
     return things.arm(pose, (0,), (0.25,), base="", look=look)
 
 
-def draw_joined(right, came, db, bc):
+def draw_joined(right, answer, db, bc):
     given = camera((0, 0, 0), "ghost"), things.platform(db, look="ghost")
-    return *given, hand(right), hand(came, "wrong")
+    return *given, hand(right), hand(answer, "wrong")
 
 
-def draw_back(right, came, db):
-    return things.platform((0, 0, 0), look="ghost"), camera(right), camera(came, "wrong")
+def draw_back(right, answer, db):
+    return things.platform((0, 0, 0), look="ghost"), camera(right), camera(answer, "wrong")
 
 
-def draw_object(right, came, bc, db, de):
-    return hand((0, 0, 0), "ghost"), things.parcel(right), things.parcel(came, look="wrong")
+def draw_object(right, answer, bc, db, de):
+    return hand((0, 0, 0), "ghost"), things.parcel(right), things.parcel(answer, look="wrong")
 
 
 JOINED = '''\
@@ -106,7 +106,7 @@ frames_p1 = Program(
     right=of_matrices(frames.compose),
     picture=draw_joined,
     extent=0.3,
-    also={
+    likely_slips={
         "when x and y are added although the axes of b are turned": along_d,
         "with the two poses in the opposite order": of_matrices(lambda db, bc: bc @ db),
         "with the sine of the wrong sign: c is turned about b by minus its turn": turned_backwards,
@@ -154,7 +154,7 @@ frames_p2 = Program(
     picture=draw_back,
     extent=0.3,
     wrong={M10: of_matrices(shifted_back)},
-    also={
+    likely_slips={
         "with −R p in place of −Rᵀp": to_world,
         "with Rᵀp in place of −Rᵀp": way_there,
         "for b as d sees it: nothing is turned back": lambda db: db,
@@ -212,7 +212,7 @@ frames_p3 = Program(
         M11: of_matrices(lambda bc, db, de: frames.inverse(db) @ frames.inverse(bc) @ de),
         M30: of_matrices(lambda bc, db, de: bc @ frames.inverse(db) @ de),
     },
-    also={ONLY_HAND: of_matrices(lambda bc, db, de: frames.inverse(bc) @ db @ de)},
+    likely_slips={ONLY_HAND: of_matrices(lambda bc, db, de: frames.inverse(bc) @ db @ de)},
     hints=(
         "Read the letters of the product from left to right. Where do two that meet differ?",
         "T_ce must begin with c and end with e. Write the letters of each inverse below it: the "

@@ -283,7 +283,7 @@ odometry_1 = Exercise(
     unknowns=(Unknown("D", "m"),),
     right=lambda C, r, N: rolled(N, C, r),
     wrong={M24: lambda C, r, N: rolled_per_radian(N, C, r)},
-    also={
+    likely_slips={
         "with the diameter where the radius belongs": lambda C, r, N: rolled(N, C, 2 * r),
         "when ticks and ticks a turn are exchanged": lambda C, r, N: rolled(C, N, r),
     },
@@ -323,7 +323,7 @@ odometry_2 = Exercise(
         M24: lambda before, after, C, r: rolled_per_radian(turned(before, after), C, r),
         M25: lambda before, after, C, r: rolled(jumped(before, after), C, r),
     },
-    also={
+    likely_slips={
         "with 65535 numbers of the counter: with 0 it has 65536": lambda before, after, C, r: (
             rolled(turned(before, after) + np.sign(after - before), C, r)
         ),
@@ -379,7 +379,7 @@ odometry_3 = Exercise(
         "D": (D_L + D_R) / 2,
         "dtheta": (D_R - D_L) / b,
     },
-    also={
+    likely_slips={
         "by the rule of the old heading": lambda **step: one_step("start", **step),
         "by the rule of the middle heading": lambda **step: one_step("midpoint", **step),
         "along the exact arc": lambda **step: one_step("exact", **step),
@@ -419,7 +419,7 @@ odometry_4 = Exercise(
     right=lambda r, C, n, N_R: rolled(2 * N_R, C, r) / (2 * np.pi * n),
     wrong={M24: lambda r, C, n, N_R: rolled_per_radian(2 * N_R, C, r) / (2 * np.pi * n)},
     when=lambda r, C, n, N_R: 0.15 < 2 * r * N_R / (C * n) < 0.8,
-    also={
+    likely_slips={
         "for one full turn; the robot made several": lambda r, C, n, N_R: (
             rolled(2 * N_R, C, r) / (2 * np.pi)
         ),
@@ -452,7 +452,7 @@ odometry_5 = Exercise(
     unknowns=(integer("C", "ticks"),),
     right=finest,
     wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
-    also={
+    likely_slips={
         "when it is rounded down: with one tick less the change is more than allowed": (
             lambda **design: np.floor(resolution(rolled, **design))
         ),
@@ -503,7 +503,7 @@ odometry_6 = Exercise(
     unknowns=(Unknown("error", "m"),),
     right=lambda D, turn, theta: gap(turn, D, theta, theta),
     wrong={M22: lambda D, turn, theta: gap(turn, D, turn, theta)},
-    also={
+    likely_slips={
         "by the rule of the middle heading": lambda D, turn, theta: gap(
             turn, D, theta + turn / 2, theta
         ),
@@ -569,7 +569,7 @@ odometry_7 = Exercise(
         (M24, M25): partial(counted, roll=rolled_per_radian, count=jumped),
     },
     when=lambda **drive: backward(counted(**drive)[2]) and 0.2 < abs(turn_between(**drive)) < 2.0,
-    also={
+    likely_slips={
         "by the rule of the old heading": partial(counted, rule="start"),
         "by the rule of the new heading": partial(counted, rule="end"),
         "by the rule of the middle heading": partial(counted, rule="midpoint"),

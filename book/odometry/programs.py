@@ -3,8 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
-from sympy import Symbol, cos, sin
-from sympy import pi as half_turn
+from sympy import Symbol, cos, pi, sin
 
 from book import things
 from book.differential_drive.exercises import M12, M13
@@ -64,7 +63,7 @@ def bent(end_cw, end_ccw, side, b, *, corner=1.0, ratio_b=lambda true, _: true):
     return true, (side + bulge) / (side - bulge)
 
 
-def draw_wheels(right, came, end_cw, end_ccw, side, b):
+def draw_wheels(right, answer, end_cw, end_ccw, side, b):
     """Draw the wheels of two robots, one above the other."""
 
     def wheels(found, y, look=""):
@@ -79,7 +78,7 @@ def draw_wheels(right, came, end_cw, end_ccw, side, b):
             for way, stripe, size in sides
         ]
 
-    return *wheels(right, 0), *wheels(came, 1.2 * b, "wrong")
+    return *wheels(right, 0), *wheels(answer, 1.2 * b, "wrong")
 
 
 SQUARES_TEXT = (
@@ -145,7 +144,7 @@ odometry_p1 = Program(
     right=calibrate,
     picture=draw_wheels,
     extent=0.4,
-    also=SQUARES_SLIPS,
+    likely_slips=SQUARES_SLIPS,
     hints=SQUARES_HINTS,
     solution=SQUARES_SOLUTION,
 )
@@ -165,17 +164,17 @@ def often_round(before, after, span):
     return max(before, after) < int(span) and apart > 0.25 and abs(apart - 0.5) > 0.01
 
 
-def draw_counter(right, came, before, after, span):
+def draw_counter(right, answer, before, after, span):
     """Draw the numbers of the counter on a circle, 0 at the right, and the way on it."""
     part = Symbol("part", real=True)
 
     def at(ticks, radius):
-        way = 2 * half_turn * ticks / span
+        way = 2 * pi * ticks / span
         return radius * cos(way), radius * sin(way)
 
     ways = (
         Curve(kind, at(before + part * ticks, radius + 0.1 * part), part, 0, 1, 200)
-        for kind, ticks, radius in (("path", right, 0.8), ("error", came, 1.05))
+        for kind, ticks, radius in (("path", right, 0.8), ("error", answer, 1.05))
     )
     readings = (("text", before), ("target", after))
     return (
@@ -251,7 +250,7 @@ odometry_p2 = Program(
     picture=draw_counter,
     extent=0,
     wrong={M25: lambda before, after, span: jumped(before, after)},
-    also=COUNTER_SLIPS,
+    likely_slips=COUNTER_SLIPS,
     hints=COUNTER_HINTS,
     solution=COUNTER_SOLUTION,
 )
@@ -275,11 +274,11 @@ def new_heading(**step):
     return one_step("end", **step)
 
 
-def draw_sample(right, came, pose, N_L, N_R, C, r, b):
+def draw_sample(right, answer, pose, N_L, N_R, C, r, b):
     def robot(at, look=""):
         return replace(things.vacuum(at, look=look), size=b / 0.244)
 
-    return robot(pose, "ghost"), robot(right), robot(came, "wrong")
+    return robot(pose, "ghost"), robot(right), robot(answer, "wrong")
 
 
 SAMPLE_TEXT = (
@@ -358,7 +357,7 @@ odometry_p3 = Program(
     picture=draw_sample,
     extent=0.18,
     wrong=SAMPLE_MISTAKES,
-    also=SAMPLE_SLIPS,
+    likely_slips=SAMPLE_SLIPS,
     hints=SAMPLE_HINTS,
     solution=SAMPLE_SOLUTION,
 )

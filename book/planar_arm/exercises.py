@@ -395,7 +395,7 @@ planar_arm_1 = Exercise(
     unknowns=TWIST,
     right=lambda q1, **pose: planar_arm.velocity(rates=[q1, 0, 0], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
-    also=own_rates(hand_velocity),
+    likely_slips=own_rates(hand_velocity),
     solution=Solution(
         "The whole arm turns about its base like one stiff body. So find first where the hand is. "
         "Each link points where all joint angles up to it add up to:\n\n{hand}\n\n"
@@ -416,7 +416,7 @@ planar_arm_2 = Exercise(
     right=lambda q1, q2, q3, **pose: planar_arm.velocity(rates=[q1, q2, q3], **arm(**pose)),
     wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
     together=made_together(hand_velocity, M26, M27, M28, M36),
-    also=own_rates(hand_velocity),
+    likely_slips=own_rates(hand_velocity),
     derive=velocity_parts,
     solution=Solution(
         SHORT_TEXT + "Differentiate the hand's place, link by link. Each link turns with its own "
@@ -475,7 +475,7 @@ planar_arm_4 = Exercise(
     unknowns=tuple(Unknown(f"τ_{i}", "N·m") for i in (1, 2, 3)),
     right=partial(torques, None),
     wrong=made_in(torques, M26, M27, M28, M36, M37),
-    also={
+    likely_slips={
         "with J where its transpose belongs": lambda f_x, f_y, m, **numbers: (
             jacobian(None, **numbers) @ [f_x, f_y, m]
         ),
@@ -505,7 +505,7 @@ planar_arm_5 = Exercise(
         "J": jacobian(None, **pose),
         "twist": np.array([v_x, v_y, omega]),
     },
-    also={
+    likely_slips={
         "with the transpose where the inverse belongs": lambda v_x, v_y, omega, **numbers: (
             jacobian(None, **numbers).T @ [v_x, v_y, omega]
         ),
@@ -542,7 +542,7 @@ planar_arm_6 = Exercise(
     unknowns=(Unknown("v", "m/s"),),
     right=partial(top_speed, None),
     wrong=made_in(top_speed, M26, M27, M29, M37),
-    also={
+    likely_slips={
         "when the rates together, as a vector, reach the limit": lambda limit, **numbers: (
             limit / np.linalg.norm(straight_rates(**numbers))
         ),
@@ -577,7 +577,7 @@ planar_arm_7 = Exercise(
     unknowns=(Unknown("w", "m²"),),
     right=lambda **pose: planar_arm.manipulability(**arm(**pose)),
     wrong=made_in(manipulability, M27, M28, M36),
-    also={
+    likely_slips={
         "without the root": lambda **numbers: manipulability(None, **numbers) ** 2,
         "with all three rows of J": lambda **numbers: abs(np.linalg.det(jacobian(None, **numbers))),
     },

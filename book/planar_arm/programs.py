@@ -59,32 +59,32 @@ def joints(theta, lengths):
     return np.array([[*HAND.subs(angles | arm)[:2]] for arm in arms])
 
 
-def draw_arms(right, came, lengths):
+def draw_arms(right, answer, lengths):
     """Draw the arm with angles as they should be, and as they are."""
-    return *links(joints(right, lengths)), *links(joints(came, lengths), "wrong")
+    return *links(joints(right, lengths)), *links(joints(answer, lengths), "wrong")
 
 
-def draw_rates(right, came, theta, twist, lengths):
+def draw_rates(right, answer, theta, twist, lengths):
     start = joints(theta, lengths)
     hand = start[-1]
     return (
         *links(start, "ghost"),
-        *draw_arms(theta + SHOWN * right, theta + SHOWN * came, lengths),
+        *draw_arms(theta + SHOWN * right, theta + SHOWN * answer, lengths),
         Arrow("velocity", hand, hand + SHOWN * twist[:2]),
     )
 
 
-def draw_pose(right, came, pose, lengths):
+def draw_pose(right, answer, pose, lengths):
     ahead = 0.15 * np.array([cos(pose[2]), sin(pose[2])])
     wanted = Arrow("target", pose[:2] - ahead, pose[:2])
-    return *draw_arms(right, came, lengths), wanted, Point("target", pose[:2])
+    return *draw_arms(right, answer, lengths), wanted, Point("target", pose[:2])
 
 
-def draw_hand(right, came, theta, rates, lengths):
+def draw_hand(right, answer, theta, rates, lengths):
     """Draw how the hand moves, and on as it turns."""
     places = joints(theta, lengths)
     start = np.array([*places[-1], sum(theta)])
-    moved = {"": start + SHOWN * right, "wrong": start + SHOWN * came}
+    moved = {"": start + SHOWN * right, "wrong": start + SHOWN * answer}
     hands = (things.arm(at, (0,), (0.12,), base="", look=look) for look, at in moved.items())
     kinds = zip(("velocity", "error"), moved.values(), strict=True)
     arrows = (Arrow(kind, places[-1], at[:2]) for kind, at in kinds)
@@ -211,7 +211,7 @@ planar_arm_p1 = Program(
     picture=draw_rates,
     extent=0.1,
     wrong={m: rates_by(m.formula) for m in (*IN_VELOCITY, M29)},
-    also={words: rates_by(made) for words, made in IN_ROWS.items()} | STILL,
+    likely_slips={words: rates_by(made) for words, made in IN_ROWS.items()} | STILL,
     hints=(
         "The hand's velocity is J times the rates. You know the velocity and want the rates. "
         "What must be done with J?",
@@ -263,12 +263,12 @@ planar_arm_p2 = Program(
     right=row(both_arms, 0),
     picture=draw_pose,
     extent=0.1,
-    does=lambda theta, pose, lengths: [
+    compared_value=lambda theta, pose, lengths: [
         *joints(theta, lengths)[-1],
         cos(sum(theta)),
         sin(sum(theta)),
     ],
-    also={words: row(formula, 0) for words, formula in ASTRAY.items()},
+    likely_slips={words: row(formula, 0) for words, formula in ASTRAY.items()},
     hints=(
         "The pose tells where the hand is and where it points. So where is the wrist, at the other "
         "end of the third link?",
@@ -328,7 +328,7 @@ planar_arm_p3 = Program(
     picture=draw_hand,
     extent=0.1,
     wrong={m: velocity_by(m.formula) for m in IN_VELOCITY},
-    also={words: velocity_by(made) for words, made in IN_ROWS.items()},
+    likely_slips={words: velocity_by(made) for words, made in IN_ROWS.items()},
     hints=(
         "Test it with simple arms: let one joint turn, or make one link very short. With which "
         "links does the answer change?",

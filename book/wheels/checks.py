@@ -176,7 +176,7 @@ CHECKS = (
         formulas.mobility,
         function=mobility_of,
         arguments=(rank_fixed, rank_steered),
-        whole=(rank_fixed, rank_steered),
+        integers=(rank_fixed, rank_steered),
         tolerance=1e-12,
         reason="whole numbers",
     ),

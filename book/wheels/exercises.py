@@ -425,7 +425,7 @@ wheels_1 = Exercise(
     unknowns=(Unknown("number for v"), Unknown("number for v_y"), Unknown("number for ω", "m")),
     right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
     wrong=ways(itself, M19, M20, M34, M35),
-    also={
+    likely_slips={
         "for the sliding row": lambda l, alpha, beta, theta: wheels.sliding(
             [wheels.fixed(l, alpha, beta, 1.0)]
         ),
@@ -484,7 +484,7 @@ wheels_3 = Exercise(
         M21: M21.formula.wrap(rates),
     },
     together=turned_too(ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0)),
-    also={
+    likely_slips={
         "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
             numbers["r"] * rates(**numbers)
         ),
@@ -524,7 +524,7 @@ wheels_4 = Exercise(
             [[np.cos(theta), np.sin(theta), 0], [-np.sin(theta), np.cos(theta), 0], [0, 0, 1]]
         ),
     },
-    also={
+    likely_slips={
         "without the radius of the wheels": lambda r, **numbers: forward(r=1.0, **numbers),
         "as the robot sees it; asked is the world": lambda theta, **numbers: forward(
             theta=0.0, **numbers
@@ -557,7 +557,7 @@ wheels_5 = Exercise(
         "axles": TWO_AXLES if fixed == PARALLEL else "",
         "turned": turned_so(fixed, steered),
     },
-    also={
+    likely_slips={
         "when the steered wheels forbid nothing": lambda fixed, steered, free: degrees(
             3 - held_by(fixed),
             wheels.mobility(built(fixed, steered, free)).delta_s,
@@ -657,7 +657,7 @@ wheels_7 = Exercise(
     when=lambda w_1, w_2, w_3, w_4, **_: (
         w_1 + w_3 != w_2 + w_4 and w_1 + w_2 + w_3 + w_4 != 0 and w_1 != w_3 and w_2 != w_4
     ),
-    also={
+    likely_slips={
         "when the slip has the other sign": lambda **numbers: np.multiply(
             four(**numbers), [1, 1, 1, -1]
         ),

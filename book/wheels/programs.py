@@ -4,8 +4,7 @@
 from dataclasses import replace
 
 import numpy as np
-from sympy import cos, sin
-from sympy import pi as half_turn
+from sympy import cos, pi, sin
 
 from book import things
 from book.differential_drive.formulas import r
@@ -56,24 +55,24 @@ def omni_robot(pose, spoke, look=""):
     return replace(things.omni_robot(pose, look=look), size=spoke / 0.18)
 
 
-def draw_motion(right, came, theta, spoke):
+def draw_motion(right, answer, theta, spoke):
     """Draw a velocity in the world as the way of half a second."""
     start = np.array([0, 0, theta])
     return (
         omni_robot(start, spoke, "ghost"),
         omni_robot(start + right / 2, spoke),
-        omni_robot(start + came / 2, spoke, "wrong"),
+        omni_robot(start + answer / 2, spoke, "wrong"),
         Arrow("velocity", (0, 0), right[:2] / 2),
-        Arrow("error", (0, 0), came[:2] / 2),
+        Arrow("error", (0, 0), answer[:2] / 2),
     )
 
 
 # --- p1 --------------------------------------------------------------------------------------
 
 
-def draw_wanted(right, came, wanted, heading, spoke, radius):
+def draw_wanted(right, answer, wanted, heading, spoke, radius):
     """Draw the motion that rates make."""
-    made = dict(zip(omni_rates, came, strict=True)) | {theta: heading, l: spoke, r: radius}
+    made = dict(zip(omni_rates, answer, strict=True)) | {theta: heading, l: spoke, r: radius}
     return draw_motion(wanted, np.array(omni_world.substitute(made)).ravel(), heading, spoke)
 
 
@@ -143,7 +142,7 @@ wheels_p1 = Program(
     picture=draw_wanted,
     extent=0.26,
     wrong={mistake: of_robot(function) for mistake, function in OMNI_MISTAKES.items()},
-    also={words: of_robot(function) for words, function in OMNI_SLIPS.items()},
+    likely_slips={words: of_robot(function) for words, function in OMNI_SLIPS.items()},
     hints=OMNI_HINTS,
     solution=OMNI_SOLUTION,
 )
@@ -164,10 +163,10 @@ def swedish_by(mistake):
     )
 
 
-def draw_wheel(right, came, twist, spoke, alpha, beta, gamma, r):
+def draw_wheel(right, answer, twist, spoke, alpha, beta, gamma, r):
     """Draw how far the wheel rolls in a second, along its rolling direction."""
-    x, y, way = spoke * cos(alpha), spoke * sin(alpha), alpha + beta - half_turn / 2
-    ends = [(x + r * rate * cos(way), y + r * rate * sin(way)) for rate in (right, came)]
+    x, y, way = spoke * cos(alpha), spoke * sin(alpha), alpha + beta - pi / 2
+    ends = [(x + r * rate * cos(way), y + r * rate * sin(way)) for rate in (right, answer)]
     return (
         omni_robot((0, 0, 0), spoke, "ghost"),
         replace(things.wheel((x, y, way), 0.1, 0.04, "left2"), size=r / 0.05),
@@ -247,7 +246,7 @@ wheels_p2 = Program(
     picture=draw_wheel,
     extent=0.26,
     wrong={mistake: swedish_by(mistake) for mistake in (M19, M34, M35)},
-    also=SWEDISH_SLIPS,
+    likely_slips=SWEDISH_SLIPS,
     hints=SWEDISH_HINTS,
     solution=SWEDISH_SOLUTION,
 )
@@ -320,10 +319,10 @@ wheels_p3 = Program(
     specials=MOTION_SPECIALS,
     answer=VELOCITY,
     right=of_rates(forward),
-    picture=lambda right, came, rates, theta, spoke, r: draw_motion(right, came, theta, spoke),
+    picture=lambda right, answer, rates, theta, spoke, r: draw_motion(right, answer, theta, spoke),
     extent=0.26,
     wrong={mistake: of_rates(function) for mistake, function in MOTION_MISTAKES.items()},
-    also={words: of_rates(function) for words, function in MOTION_SLIPS.items()},
+    likely_slips={words: of_rates(function) for words, function in MOTION_SLIPS.items()},
     hints=MOTION_HINTS,
     solution=MOTION_SOLUTION,
 )

@@ -13,7 +13,7 @@ from pathlib import Path
 from courseware.classroom.tables import Problems, Row, read_lines, read_rows
 from courseware.course import course
 from courseware.errors import CourseError
-from courseware.practice import dealing
+from courseware.practice import variants
 from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.declaration import Exercise
 from courseware.practice.saving import open_table
@@ -25,7 +25,7 @@ SECRET_LENGTH = 16
 
 Task = tuple[str, str]  # a student, as names are compared, and an exercise
 
-folded = lru_cache(10_000)(dealing.fold_name)
+folded = lru_cache(10_000)(variants.fold_name)
 
 
 def write_key(roster: Path, out: Path, only: Sequence[str], secret: str, force: bool) -> list[str]:
@@ -40,16 +40,18 @@ def write_key(roster: Path, out: Path, only: Sequence[str], secret: str, force: 
     asked = product(students, choose_exercises(only))
     with open_table(out, COLUMNS, force) as write:
         for student, name in asked:
-            number = dealing.deal(salt, name, student) % len(dealing.variants(name, secret))
+            number = variants.choose_variant(salt, name, student) % len(
+                variants.all_variants(name, secret)
+            )
             row = (student, name, number, *_deal(name, number, secret))
-            write((course, dealing.version(), *row))
+            write((course, variants.version(), *row))
     return problems.lines()
 
 
 @cache
 def _deal(name: str, number: int, secret: str) -> tuple[str, str]:
     """Return the numbers of a variant as JSON, and its right answer as text."""
-    numbers = dealing.variants(name, secret)[number].numbers
+    numbers = variants.all_variants(name, secret)[number].numbers
     return json.dumps(numbers, ensure_ascii=False), all_exercises()[name].format_answer(numbers)
 
 
@@ -93,7 +95,7 @@ def read_secret(path: Path | None, make: bool) -> str:
         if not make:
             raise CourseError(f"there is no file {path}; `key --secret` makes one")
         path.write_text(secrets.token_hex(SECRET_LENGTH) + "\n", encoding="utf-8")
-    secret = re.sub(dealing.IGNORED, "", "".join(read_lines(path))).strip()  # as editors save it
+    secret = re.sub(variants.IGNORED, "", "".join(read_lines(path))).strip()  # as editors save it
     if len(secret.split()) != 1 or len(secret) < SECRET_LENGTH:
         raise CourseError(
             f"{path} must hold one word of {SECRET_LENGTH} characters or more, which nobody "

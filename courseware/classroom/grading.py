@@ -13,7 +13,7 @@ from courseware.classroom.class_page import RESULTS, Graded
 from courseware.classroom.collecting import NEVER, Answer, Collected, collect
 from courseware.classroom.tables import Problem, Problems
 from courseware.errors import CourseError
-from courseware.practice import dealing, judging
+from courseware.practice import judging, variants
 from courseware.practice.bank import all_exercises
 from courseware.practice.candidates import Candidate, find_candidates
 from courseware.practice.saving import refuse_existing, write_table
@@ -123,9 +123,9 @@ def _total(graded: Iterable[Graded]) -> Iterator[tuple[str | int, ...]]:
 def _summarize(key: Key, graded: Iterable[Graded]) -> list[str]:
     counts = Counter(each.result for each in graded)
     lines = [", ".join(f"{counts[result]:,} {result}" for result in RESULTS)]
-    if key.version != dealing.version():
+    if key.version != variants.version():
         lines.append(
-            f"The key is of version {key.version} of the exercises, this is {dealing.version()}. "
+            f"The key is of version {key.version} of the exercises, this is {variants.version()}. "
             "The students' numbers are the key's, the answers are this version's."
         )
     return lines

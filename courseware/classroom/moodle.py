@@ -13,7 +13,7 @@ from courseware.answers import Unknown
 from courseware.classroom.answer_key import choose_exercises
 from courseware.classroom.moodle_answers import choose_row, find_answers, is_slip
 from courseware.course import course
-from courseware.practice import dealing
+from courseware.practice import variants
 from courseware.practice.candidates import outcomes
 from courseware.practice.declaration import Exercise, Row
 from courseware.practice.saving import open_file
@@ -38,13 +38,13 @@ STYLE = (  # three columns of a matrix fit on a phone, and a unit stays behind i
 def write(out: Path, only: Sequence[str], secret: str = "", force: bool = False) -> None:
     """Write the questions; with a secret, of other numbers than the page's."""
     with open_file(out, force) as file:
-        mark = f"{course().salt} {dealing.version()}{' secret' if secret else ''}"
+        mark = f"{course().salt} {variants.version()}{' secret' if secret else ''}"
         top = f"$course$/top/{mark.replace('/', '//')}"
         file.write('<?xml version="1.0" encoding="UTF-8"?>\n<quiz>\n')
         for exercise in choose_exercises(only).values():
             category = _element("category", f"{top}/{exercise.topic}/{exercise.name}")
             file.write(f'<question type="category">{category}</question>\n')
-            for number, variant in enumerate(dealing.variants(exercise.name, secret)):
+            for number, variant in enumerate(variants.all_variants(exercise.name, secret)):
                 file.write(_render_question(exercise, number, variant))
         file.write("</quiz>\n")
 
@@ -56,7 +56,7 @@ def _element(tag: str, text: str, form: str = "") -> str:
     return f"<{tag}{form}><text><![CDATA[{inside}]]></text></{tag}>"
 
 
-def _render_question(exercise: Exercise, number: int, variant: dealing.Variant) -> str:
+def _render_question(exercise: Exercise, number: int, variant: variants.Variant) -> str:
     text = render_paragraphs(exercise.fill(exercise.text, variant.numbers))
     solution = render_paragraphs(exercise.fill(exercise.solution.text, variant.numbers))
     hints = _hints(exercise, solution)
@@ -91,7 +91,7 @@ def _hints(exercise: Exercise, solution: str) -> list[str]:
     return [_element("hint", _from_left(hint), "html") for hint in (look, start)]
 
 
-def _numerical(exercise: Exercise, variant: dealing.Variant) -> tuple[str, str]:
+def _numerical(exercise: Exercise, variant: variants.Variant) -> tuple[str, str]:
     """Ask for one number and its unit: where Moodle lets units out, it takes any wrong one."""
     (unknown,), row = exercise.unknowns, choose_row(exercise, variant)[1]
     label = render_symbols(unknown.label)
@@ -144,7 +144,7 @@ def _spellings(unit: Unit) -> list[str]:
     return [f"{word}{sign}{rest}".replace(" ", "") for word in words for sign in signs]
 
 
-def _fields(exercise: Exercise, variant: dealing.Variant) -> str:
+def _fields(exercise: Exercise, variant: variants.Variant) -> str:
     """Return a field for each number; a matrix is a table."""
     which, row = choose_row(exercise, variant)
     fields = [_cloze(exercise, variant, row, place) for place in range(len(row))]
@@ -163,7 +163,7 @@ def _fields(exercise: Exercise, variant: dealing.Variant) -> str:
     return f"{which}{body}<p>{how} Each number earns its part.</p>"
 
 
-def _cloze(exercise: Exercise, variant: dealing.Variant, row: Row, place: int) -> str:
+def _cloze(exercise: Exercise, variant: variants.Variant, row: Row, place: int) -> str:
     """Return a field with its answers, in the grammar of the embedded answers."""
     answers = []
     for right, value, tolerance, feedback in find_answers(exercise, variant, row, place):
@@ -174,7 +174,7 @@ def _cloze(exercise: Exercise, variant: dealing.Variant, row: Row, place: int) -
     return f"{{1:NUMERICAL:{'~'.join(answers)}}}"
 
 
-def _list_mistakes(exercise: Exercise, variant: dealing.Variant) -> str:
+def _list_mistakes(exercise: Exercise, variant: variants.Variant) -> str:
     """Return what mistakes give: the words of a field show only where its mark is pointed at."""
     found: dict[str, list[Row]] = {}
     for candidate in variant.candidates:

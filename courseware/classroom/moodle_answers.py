@@ -9,7 +9,7 @@ from itertools import product
 
 from courseware.answers import Unknown
 from courseware.errors import CourseError
-from courseware.practice import dealing, judging
+from courseware.practice import judging, variants
 from courseware.practice.candidates import RIGHT, SLIPS, distance, outcomes
 from courseware.practice.declaration import Exercise, Row
 from courseware.units import ROWS
@@ -29,7 +29,7 @@ APART = 10  # times what is allowed: numbers that are so far apart are compared 
 ANYTHING, ANY_TOLERANCE = "-1234567.1234567", 1e30
 
 
-def choose_row(exercise: Exercise, variant: dealing.Variant) -> tuple[str, Row]:
+def choose_row(exercise: Exercise, variant: variants.Variant) -> tuple[str, Row]:
     """Return which of the right answers is asked, in words and in numbers.
 
     The words fit one of them only, and not the answers of somebody who makes a mistake.
@@ -74,7 +74,7 @@ def _count_alike(exercise: Exercise, one: Row, other: Row) -> int:
 
 
 def find_answers(
-    exercise: Exercise, variant: dealing.Variant, row: Row, place: int
+    exercise: Exercise, variant: variants.Variant, row: Row, place: int
 ) -> Iterator[tuple[bool, str, float, str]]:
     """Yield the answers for one number of a row: whether it is right, value, tolerance, feedback.
 
@@ -99,7 +99,7 @@ def find_answers(
 
 
 def _wrong_values(
-    exercise: Exercise, variant: dealing.Variant, place: int
+    exercise: Exercise, variant: variants.Variant, place: int
 ) -> Iterator[tuple[float, float, str]]:
     """Yield the results of mistakes for one number, with tolerance and feedback."""
     unknown, meanings = exercise.unknowns[place], outcomes(exercise)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from courseware.classroom.answer_key import read_key
 from courseware.classroom.tables import Problems, Row
-from courseware.practice import dealing, judging
+from courseware.practice import judging, variants
 from courseware.practice.bank import all_exercises
 from courseware.practice.saving import refuse_existing
 from courseware.script import engine, parts
@@ -54,7 +54,7 @@ def write_sheets(key: Path, folder: Path, force: bool) -> list[str]:
 def _file_name(student: str) -> str:
     """Return a name that every file system takes, and no two students share."""
     plain = re.sub(r"\W+", "-", student).strip("-")[:40]
-    return f"{plain}-{dealing.fnv1a(student):08x}.html"
+    return f"{plain}-{variants.fnv1a(student):08x}.html"
 
 
 def _render_sheet(student: str, rows: Sequence[Row]) -> str:

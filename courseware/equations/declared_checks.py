@@ -36,7 +36,7 @@ class Check:
         reason: why the tolerance has its size.
         specials: points that are always compared; symbols that they leave out are drawn.
         ranges: for symbols whose own range is too wide, the range that they are drawn from.
-        whole: symbols that are whole numbers only.
+        integers: symbols that are integers.
     """
 
     equation: Equation
@@ -47,7 +47,7 @@ class Check:
     component: int | None = None
     specials: tuple[Mapping[sp.Symbol, float], ...] = ()
     ranges: Mapping[sp.Symbol, tuple[float, float]] = field(default_factory=dict)
-    whole: tuple[sp.Symbol, ...] = ()
+    integers: tuple[sp.Symbol, ...] = ()
 
     def __post_init__(self) -> None:
         if not self.reason or self.tolerance <= 0:
@@ -58,7 +58,11 @@ class Check:
         given = free_symbols(self.arguments)
         self._refuse("is in the formula", self.equation.symbols, given, "`arguments`")
         special = {symbol for setting in self.specials for symbol in setting}
-        for what, some in {"specials": special, "ranges": self.ranges, "whole": self.whole}.items():
+        for what, some in {
+            "specials": special,
+            "ranges": self.ranges,
+            "integers": self.integers,
+        }.items():
             self._refuse(f"is in `{what}`", some, self.symbols, "the formula and `arguments`")
 
     def _refuse(self, where: str, some: Any, allowed: Any, of: str) -> None:

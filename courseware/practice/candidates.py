@@ -73,7 +73,7 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     for (one, other), name in _pair_names(exercise).items():
         words = f"{one.feedback}, and also {other.feedback}"
         found[name] = Outcome("wrong", NAMED.format(words), ones, f"{one.why} {other.why}")
-    for words in exercise.also:
+    for words in exercise.likely_slips:
         found[f"slip:{words}"] = Outcome("wrong", NAMED.format(words), ones)
     units = " and ".join(dict.fromkeys(u.unit for u in exercise.unknowns if _other_units(u.unit)))
     for name, factors in _factors(exercise.unknowns).items():
@@ -120,15 +120,15 @@ def find_candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Can
 
     right = evaluate({"right": exercise.right})
     wrong = evaluate({mistake.name: formula for mistake, formula in exercise.wrong.items()})
-    also = evaluate({f"slip:{words}": formula for words, formula in exercise.also.items()})
+    slips = evaluate({f"slip:{words}": formula for words, formula in exercise.likely_slips.items()})
     units = [
         Candidate(f"unit:{name}", tuple(map(tuple, np.multiply(c.rows, factors).tolist())))
         for name, factors in _factors(exercise.unknowns).items()
         for c in right
     ]
     taken = [*right, *units]
-    also = [a for a in also if a.is_finite() and all(is_apart(exercise, a, b) for b in taken)]
-    known = [*right, *wrong, *units, *also]
+    slips = [a for a in slips if a.is_finite() and all(is_apart(exercise, a, b) for b in taken)]
+    known = [*right, *wrong, *units, *slips]
     pairs = evaluate({name: exercise.together[p] for p, name in _pair_names(exercise).items()})
     for slip in [*_slips(exercise, right), *filter(Candidate.is_finite, pairs)]:
         if all(is_apart(exercise, slip, other) for other in known):

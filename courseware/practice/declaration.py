@@ -84,8 +84,8 @@ class Exercise:
         right: function of the numbers → the answer, shape (n,) or `shape`.
         wrong: mistake → function → the answer of somebody who makes it; `{}` if there is none.
         solution: the way there, with such placeholders.
-        also: as `wrong` for undocumented mistakes, as words that end "This is what you get …";
-            where one gives the same as a mistake, both are named.
+        likely_slips: as `wrong` for mistakes without a number, as words that end "This is what
+            you get …"; where one gives the same as a mistake, both are named.
         together: two mistakes → function → the answer of somebody who makes both; named where it
             is apart from all other answers.
         shape: of a matrix.
@@ -104,7 +104,7 @@ class Exercise:
     right: Callable[..., ArrayLike]
     wrong: Mapping[Mistake, Callable[..., ArrayLike]]
     solution: Solution
-    also: Mapping[str, Callable[..., ArrayLike]] = field(default_factory=dict)
+    likely_slips: Mapping[str, Callable[..., ArrayLike]] = field(default_factory=dict)
     together: Mapping[tuple[Mistake, Mistake], Callable[..., ArrayLike]] = field(
         default_factory=dict
     )
@@ -123,7 +123,7 @@ class Exercise:
         for formula in (
             self.right,
             *self.wrong.values(),
-            *self.also.values(),
+            *self.likely_slips.values(),
             *self.together.values(),
         ):
             try:

@@ -3,7 +3,7 @@
 import { escapeHtml, fillTemplate, renderSymbols } from "../units/text.js";
 import { now } from "./answer_file.js";
 import { VARIANTS } from "./constants.js";
-import { dealVariant } from "./dealing.js";
+import { chooseVariant } from "./variants.js";
 import { judgeAnswer } from "../answers/judging.js";
 import { parseTyped } from "../answers/parsing.js";
 import { HELP_STEPS, renderParagraphs, renderHint, splitSolution } from "./rendering.js";
@@ -181,7 +181,7 @@ export class ExerciseBox {
 
   show() {
     const { course, student } = this.desk, { exercise, training } = this;
-    this.number = (dealVariant(course, exercise.name, student()) + training) % VARIANTS;
+    this.number = (chooseVariant(course, exercise.name, student()) + training) % VARIANTS;
     this.setStale(false);
     this.one(".rk-text").innerHTML = renderParagraphs(fillTemplate(exercise.text, this.variant.shown));
     this.element.dataset.variant = this.number;

@@ -3,7 +3,7 @@
 //
 // content: { packed, name, course }, packed by rendering.py.
 
-import { dealVariant, foldName } from "./dealing.js";
+import { chooseVariant, foldName } from "./variants.js";
 import { ExerciseBox, unpack } from "./exercise.js";
 import { renderExercise } from "./rendering.js";
 
@@ -12,7 +12,7 @@ export const showExercise = async ({ packed, name, course }, { model, el }) => {
   const kept = {}, id = `rk-box-${Math.random().toString(36).slice(2)}`;
   const student = () => foldName(model.get("state").student);
   const exercise = (await unpack(packed))[name];
-  const first = exercise.variants[dealVariant(course, name, student())];
+  const first = exercise.variants[chooseVariant(course, name, student())];
   el.classList.add("rk-exercise");
   el.innerHTML = renderExercise(exercise, first.shown, exercise.solution, id);
   const box = new ExerciseBox(el, {

@@ -14,7 +14,7 @@ import numpy as np
 from courseware.course import course as opened
 from courseware.equations.notebook import Output
 from courseware.errors import CourseError
-from courseware.practice import dealing, judging, rendering
+from courseware.practice import judging, rendering, variants
 from courseware.practice.bank import all_exercises, find_exercise, find_mistake
 from courseware.practice.declaration import Exercise
 from courseware.practice.mistakes import Mistake
@@ -54,10 +54,10 @@ class Box:
         self.exercise, self.student, self.course = exercise, student, course
 
     @property
-    def variant(self) -> dealing.Variant:
+    def variant(self) -> variants.Variant:
         """The numbers that the student has."""
-        number = dealing.deal(self.course, self.exercise.name, self.student)
-        return dealing.variants(self.exercise.name)[number]
+        number = variants.choose_variant(self.course, self.exercise.name, self.student)
+        return variants.all_variants(self.exercise.name)[number]
 
     @property
     def text(self) -> str:
@@ -76,7 +76,7 @@ class Box:
 
     @property
     def _key(self) -> tuple[str, str, str]:
-        return self.course, dealing.fold_name(self.student), self.exercise.name
+        return self.course, variants.fold_name(self.student), self.exercise.name
 
     def _keep(self, answer: str, result: str, tries: int = 0, help: int = 0, **_: str) -> None:
         """Keep an answer, judged or only typed; a right one is replaced by right ones only."""
@@ -119,7 +119,7 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
     if not all(student for _, student, _ in _answers):
         raise CourseError('say who you are first: practice.student("…") picks your numbers')
     rows = [
-        ("answers", course, dealing.version(), k.time, k.student, name, k.answer, k.tries, k.help)
+        ("answers", course, variants.version(), k.time, k.student, name, k.answer, k.tries, k.help)
         for (course, _, name), k in _answers.items()
     ]
     return write_table(path, ANSWER_COLUMNS, rows, force)

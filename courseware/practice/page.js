@@ -2,7 +2,7 @@
 
 import { escapeHtml } from "../units/text.js";
 import { downloadAnswers, parseAnswers } from "./answer_file.js";
-import { foldName } from "./dealing.js";
+import { foldName } from "./variants.js";
 import { ExerciseBox, unpack } from "./exercise.js";
 import { memory, readStored } from "../answers/storage.js";
 import { answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";

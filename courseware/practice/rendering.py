@@ -17,7 +17,7 @@ from courseware.course import course
 from courseware.equations.equation import Equation
 from courseware.equations.notebook import equation_anchor, equation_label, shown_equations
 from courseware.equations.text import format_formula
-from courseware.practice import dealing, judging
+from courseware.practice import judging, variants
 from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.declaration import Exercise
 from courseware.practice.saving import GUARD, UNGUARD
@@ -30,7 +30,7 @@ def constants() -> dict[str, Any]:
     """Return the constants of the script: how names are compared, exercises by chapter, …"""
     count = Counter(exercise.topic for exercise in all_exercises().values())
     chapters = {course().title(t): (t, n) for t, n in count.items() if t in course().taught}
-    shared = {name: getattr(dealing, name) for name in ("VARIANTS", "ALIKE", "IGNORED", "SPACES")}
+    shared = {name: getattr(variants, name) for name in ("VARIANTS", "ALIKE", "IGNORED", "SPACES")}
     return {
         **shared,
         "GUARD": GUARD,
@@ -40,7 +40,7 @@ def constants() -> dict[str, Any]:
 
 
 def _serialize_question(exercise: Exercise) -> dict[str, Any]:
-    numbers = dealing.variants(exercise.name)[0].numbers  # some formulas depend on them
+    numbers = variants.all_variants(exercise.name)[0].numbers  # some formulas depend on them
     solution = exercise.fill(exercise.solution.text, numbers)
     steps = engine.call("courseware.splitSolution", solution)
     return {**judging.serialize_exercise(exercise), "steps": len(steps)}
@@ -58,7 +58,7 @@ def _serialize(exercise: Exercise, solutions: bool) -> dict[str, Any]:
                 "shown": exercise.fill_placeholders(exercise.text + solution, variant.numbers),
                 "candidates": judging.serialize_candidates(exercise, variant.candidates),
             }
-            for variant in dealing.variants(exercise.name)
+            for variant in variants.all_variants(exercise.name)
         ],
     }
 
@@ -85,7 +85,7 @@ def left_side(formula: Equation) -> str:
 
 def _fill_for_nobody(exercise: Exercise, salt: str, template: str) -> dict[str, str]:
     """Return the placeholders of a text as somebody without a name sees them."""
-    variant = dealing.variants(exercise.name)[dealing.deal(salt, exercise.name, "")]
+    variant = variants.all_variants(exercise.name)[variants.choose_variant(salt, exercise.name, "")]
     return exercise.fill_placeholders(template, variant.numbers)
 
 

@@ -2,7 +2,7 @@
 
 import { STORE } from "../answers/constants.js";
 import { TOPICS } from "./constants.js";
-import { foldName } from "./dealing.js";
+import { foldName } from "./variants.js";
 import { readStored } from "../answers/storage.js";
 
 export const answersKey = (course) => `${STORE} answers ${course}`;

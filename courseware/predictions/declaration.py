@@ -218,7 +218,7 @@ class Prediction:
         explanation: the result in a sentence or two, Markdown with formulas.
         spoilers: words that give the answer away, besides the answer itself; a test holds that they
             stand nowhere above it in the chapter, and below it only in the fold.
-        veils: the name of a figure in the cell before, which waits for the answer: on the page its
+        covers: the name of a figure in the cell before, which waits for the answer: on the page its
             picture stands still, and in place of what moves it stands "Answer, or show me". Without
             JavaScript, in print and in a notebook the figure stands open, as at its start.
     """
@@ -228,18 +228,18 @@ class Prediction:
     answers: Buttons | Number | Ghost
     explanation: str
     spoilers: tuple[str, ...] = ()
-    veils: str = ""
+    covers: str = ""
 
     def __post_init__(self) -> None:
         if not re.fullmatch("[a-z][a-z0-9-]*", self.name):
             raise CourseError(f"a prediction's name has small letters and dashes, got {self.name}")
-        if self.veils and isinstance(self.answers, Ghost):
+        if self.covers and isinstance(self.answers, Ghost):
             raise CourseError(f"{self.name} asks for a ghost: its figure cannot be under a veil")
 
     @property
     def figure(self) -> str:
         """The name of the figure that waits for the answer, or ""."""
-        return getattr(self.answers, "figure", self.veils)
+        return getattr(self.answers, "figure", self.covers)
 
     def serialize(self) -> dict[str, Any]:
         """Return what the script must know."""

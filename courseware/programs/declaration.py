@@ -37,9 +37,10 @@ class Program:
         when: function → whether an input may be drawn.
         specials: words → symbol → its number in a special case: "straight ahead": {phi: 0}.
         wrong: mistake → function → the answer of somebody who makes it.
-        also: likewise for undocumented mistakes; words that end "This is what you get …".
-        does: where several answers are right, function of an answer and the arguments, as arrays of
-            symbols → what is compared instead.
+        likely_slips: likewise for mistakes without a number, as words that end "This is what you
+            get …".
+        compared_value: where several answers are right, function of an answer and the arguments,
+            as arrays of symbols → what is compared instead.
         shape: of a matrix.
         picture: function of the right answer, the student's, and the arguments, all as arrays of
             symbols → the shapes and things of the picture that shows both.
@@ -63,8 +64,8 @@ class Program:
     when: Callable[..., bool] = field(default=lambda *_: True)
     specials: Mapping[str, Mapping[NamedSymbol, float]] = field(default_factory=dict)
     wrong: Mapping[Mistake, Function] = field(default_factory=dict)
-    also: Mapping[str, Function] = field(default_factory=dict)
-    does: Function | None = None
+    likely_slips: Mapping[str, Function] = field(default_factory=dict)
+    compared_value: Function | None = None
     shape: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:

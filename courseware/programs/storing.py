@@ -37,7 +37,7 @@ def store(program: Program) -> dict[str, Any]:
     size = np.median(np.abs([rights[k] for k in ordinary]), axis=0)
     known = {
         **{m.name: (f"{KNOWN.format(m.feedback)} {m.why}", f) for m, f in program.wrong.items()},
-        **{words: (KNOWN.format(words), f) for words, f in program.also.items()},
+        **{words: (KNOWN.format(words), f) for words, f in program.likely_slips.items()},
     }
     entries = [
         {
@@ -62,7 +62,7 @@ def store(program: Program) -> dict[str, Any]:
         "circle": circle.tolist(),
         "angles": [unknown.unit == "rad" for unknown in program.answer],
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, LEAST)).tolist(),
-        "does": _write_deed(program, rights[0], given[0]),
+        "compared_value": _write_deed(program, rights[0], given[0]),
         "library": course().library,
         "arrays": program.is_new,
         "cases": [
@@ -93,12 +93,12 @@ def _name_part(stem: str, shape: tuple[int, ...]) -> Any:
 
 def _write_deed(program: Program, right: list[float], given: list[Any]) -> str:
     """Return what an answer does as Python: of `given`, all numbers of answer and arguments."""
-    if not program.does:
+    if not program.compared_value:
         return ""
     parts = name_numbers(right, *given)
     places = enumerate(join_numbers(*parts))
     code = {symbol: sp.Symbol(f"given[{k}]", real=True) for k, symbol in places}
-    numbers = [sp.sympify(x).subs(code) for x in np.ravel(program.does(*parts))]
+    numbers = [sp.sympify(x).subs(code) for x in np.ravel(program.compared_value(*parts))]
     return str(NumPyPrinter().doprint(numbers))
 
 

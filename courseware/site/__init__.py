@@ -3,7 +3,7 @@
 A formula in a cell's output becomes a numbered equation, a figure a still picture that the script
 takes over, an exercise a box for the answer. Directives: `{formula-checks}` (every formula and its
 function), `{notation}`, `{practice} topic` (the exercises of a topic), `{errata}` (mistakes in the
-source documents), `{chapters}` (cards), `{live} figure`, `{promise}` (the course in numbers),
+source documents), `{chapters}` (cards), `{live} figure`, `{facts}` (the course in numbers),
 `{library}` (its functions), `{desk}` (the line with the student's name above the exercises).
 
 Settings: `course_name` (the salt that picks each student's numbers; by default the course's own
@@ -33,7 +33,7 @@ from courseware.site.directives import (
     keep_quotes,
     skip_fields,
 )
-from courseware.site.home_page import Chapters, Live, Promise
+from courseware.site.home_page import Chapters, Facts, Live
 from courseware.site.notation_page import Notation
 from courseware.site.outputs import Outputs
 from courseware.site.verification_page import FormulaChecks
@@ -65,7 +65,7 @@ def _open_course(app: Sphinx, config: Any) -> None:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the extension with Sphinx."""
-    for directive in (Chapters, Desk, Errata, Library, Live, Notation, Practice, Promise):
+    for directive in (Chapters, Desk, Errata, Library, Live, Notation, Practice, Facts):
         app.add_directive(directive.__name__.lower(), directive)
     app.add_directive("formula-checks", FormulaChecks)
     for name, default in SETTINGS.items():

@@ -14,7 +14,7 @@ from courseware.errors import CourseError
 from courseware.figures import Figure
 from courseware.figures.figure import find_figure
 from courseware.practice.bank import all_exercises, all_mistakes
-from courseware.practice.dealing import VARIANTS
+from courseware.practice.variants import VARIANTS
 from courseware.site.outputs import render_figure
 from courseware.site.verification_page import format_power
 
@@ -82,7 +82,7 @@ def render_effort(chapter: str) -> str:
     return f"{minutes} min {stars}" if minutes else stars
 
 
-class Promise(SphinxDirective):
+class Facts(SphinxDirective):
     """The course in numbers, counted from what it declares: three proofs beside three figures."""
 
     required_arguments = 3

@@ -16,8 +16,8 @@ from courseware.equations.notebook import MIME as EQUATION
 from courseware.errors import CourseError
 from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find_figure
-from courseware.practice import dealing
 from courseware.practice import rendering as practice
+from courseware.practice import variants
 from courseware.practice.bank import find_mistake
 from courseware.practice.notebook import MISTAKE, render_judgement
 from courseware.predictions.declaration import find_prediction
@@ -139,5 +139,5 @@ def render_desk(env: BuildEnvironment) -> str:
         return ""
     env.temp_data["practice_desk"] = True
     inner = engine.call("courseware.renderDesk", course().salt)
-    data = f'data-course="{escape(course().salt, quote=True)}" data-version="{dealing.version()}"'
+    data = f'data-course="{escape(course().salt, quote=True)}" data-version="{variants.version()}"'
     return f'{NO_SCRIPT}<div class="rk-desk" {data}>{inner}</div>\n'

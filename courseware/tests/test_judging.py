@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from declared import EXERCISES, each, typed
 
-from courseware.practice import Exercise, dealing, judging
+from courseware.practice import Exercise, judging, variants
 from courseware.script import engine as script
 
 each_exercise = each("exercise", "exercises", Exercise)
@@ -15,11 +15,11 @@ each_exercise = each("exercise", "exercises", Exercise)
 
 @each_exercise
 def test_every_candidate_of_every_variant_is_named(exercise):
-    dealt = dealing.variants(exercise.name)
-    assert len(dealt) == dealing.VARIANTS
+    dealt = variants.all_variants(exercise.name)
+    assert len(dealt) == variants.VARIANTS
     different = len({tuple(variant.numbers.values()) for variant in dealt})
-    assert different == dealing.VARIANTS, (
-        f"{different} different sets of numbers, {dealing.VARIANTS} needed: more options in `given`"
+    assert different == variants.VARIANTS, (
+        f"{different} different sets of numbers, {variants.VARIANTS} needed: more options for them"
     )
     for variant in dealt:
         lost = {m.name for m in exercise.wrong} - {c.name for c in variant.candidates}
@@ -31,7 +31,9 @@ def test_every_candidate_of_every_variant_is_named(exercise):
     ]
     verdicts = judged(exercise, [(number, typed(c.rows, exercise)) for number, c in answers])
     for (number, candidate), verdict in zip(answers, verdicts, strict=True):
-        if candidate.name.removeprefix("slip:") in exercise.also:  # beside another of its number
+        if (
+            candidate.name.removeprefix("slip:") in exercise.likely_slips
+        ):  # beside another of its number
             assert candidate.name.removeprefix("slip:") in verdict.feedback
         else:
             assert verdict.name == candidate.name, (dealt[number].numbers, candidate)
@@ -60,7 +62,9 @@ def test_what_an_answer_should_be_written_like_can_be_read(exercise):
 @pytest.mark.parametrize("sign", ["°", ""])
 def test_a_right_angle_in_whole_degrees_is_nobody_s_mistake(name, sign):
     exercise = EXERCISES[name]
-    right = [np.degrees(variant.candidates[0].rows[0][0]) for variant in dealing.variants(name)]
+    right = [
+        np.degrees(variant.candidates[0].rows[0][0]) for variant in variants.all_variants(name)
+    ]
     answers = [(k, f"{x:.0f}{sign}") for k, x in enumerate(right) if abs(x) >= 10]
     assert len(answers) > 40
     named = {verdict.name for verdict in judged(exercise, answers)}
@@ -69,20 +73,20 @@ def test_a_right_angle_in_whole_degrees_is_nobody_s_mistake(name, sign):
 
 def judged(exercise, answers):
     """The verdicts on answers, each with the number of its variant."""
-    variants = [variant.candidates for variant in dealing.variants(exercise.name)]
-    return judging.judge_all(exercise, variants, answers)
+    candidates = [variant.candidates for variant in variants.all_variants(exercise.name)]
+    return judging.judge_all(exercise, candidates, answers)
 
 
 @each_exercise
 def test_what_is_no_documented_mistake_is_mostly_named(exercise):
     """A name that is hardly ever used would be dead."""
-    for words in exercise.also:
+    for words in exercise.likely_slips:
         named = [
             any(c.name == f"slip:{words}" for c in variant.candidates)
-            for variant in dealing.variants(exercise.name)
+            for variant in variants.all_variants(exercise.name)
         ]
-        assert sum(named) >= dealing.VARIANTS / 4, (
-            f"'{words}' is named in {sum(named)} of {dealing.VARIANTS} variants only: "
+        assert sum(named) >= variants.VARIANTS / 4, (
+            f"'{words}' is named in {sum(named)} of {variants.VARIANTS} variants only: "
             "in the others it gives what another answer gives"
         )
 
@@ -94,7 +98,7 @@ def test_whole_turns_more_or_less_do_not_matter(exercise):
     turn = np.array([2 * math.pi * ask.circle for ask in exercise.unknowns])
     answers = [
         (k, typed(np.array(v.candidates[0].rows) + turns * turn, exercise))
-        for k, v in enumerate(dealing.variants(exercise.name))
+        for k, v in enumerate(variants.all_variants(exercise.name))
         for turns in (1, -2)
     ]
     assert {verdict.name for verdict in judged(exercise, answers)} == {"right"}
@@ -102,7 +106,7 @@ def test_whole_turns_more_or_less_do_not_matter(exercise):
 
 @each("exercise", "exercises", Exercise, only=lambda e: len(e.unknowns) == 1 and e.accept == "one")
 def test_right_answers_of_two_decimals_are_never_called_a_mistake(exercise):
-    rights = [v.candidates[0].rows for v in dealing.variants(exercise.name)]
+    rights = [v.candidates[0].rows for v in variants.all_variants(exercise.name)]
     answers = [(k, typed(np.round(rows, 2), exercise)) for k, rows in enumerate(rights)]
     named = {v.name for v in judged(exercise, answers)} - {"right", "near"}
     assert not named, (
@@ -117,7 +121,7 @@ def test_a_mistake_in_whole_degrees_is_said_beside_the_rounding():
         exercise = EXERCISES[name]
         means = [
             (k, np.degrees(c.rows[0][0]))
-            for k, v in enumerate(dealing.variants(name))
+            for k, v in enumerate(variants.all_variants(name))
             for c in v.candidates
             if c.name == "M18"
         ]

@@ -104,13 +104,13 @@ from verification import verify
 from courseware.course import course
 from courseware.equations import Check
 from courseware.figures import Figure
-from courseware.practice import Exercise, dealing
+from courseware.practice import Exercise, variants
 def own(part, kind):
     return [each for name, each in course().find_all(part, kind).items()
             if course().chapters_of(part, kind)[name] == "{NEW}"]
 assert all(verify(check, samples=20).agrees for check in own("checks", Check))
 assert [figure.code for figure in own("figures", Figure)]
-assert all(dealing.variants(exercise.name) for exercise in own("exercises", Exercise))
+assert all(variants.all_variants(exercise.name) for exercise in own("exercises", Exercise))
 """
 
 

@@ -9,7 +9,7 @@ from declared import COURSE, table, typed
 from courseware import practice
 from courseware.course import course
 from courseware.errors import CourseError
-from courseware.practice import candidates, dealing, notebook
+from courseware.practice import candidates, notebook, variants
 from courseware.practice.bank import all_exercises
 
 
@@ -22,8 +22,8 @@ def nobody(monkeypatch):
 
 def test_a_box_has_the_student_s_numbers(nobody):
     box = practice.exercise("differential-drive-1", student="Ada")
-    number = dealing.deal(COURSE, "differential-drive-1", "Ada")
-    assert box.variant is dealing.variants("differential-drive-1")[number]
+    number = variants.choose_variant(COURSE, "differential-drive-1", "Ada")
+    assert box.variant is variants.all_variants("differential-drive-1")[number]
     assert box.exercise.format_given(box.variant.numbers)["b"] in box.text
     assert repr(box.check(box.variant.candidates[0].rows[0][0])) == candidates.RIGHT
     practice.student(" Ada ")
@@ -54,7 +54,7 @@ def test_answers_are_exported_as_grade_reads_them(nobody, tmp_path):
     wanted = {"student": "=Ada, 1", "exercise": "differential-drive-1", "answer": "-1/3"}
     wanted |= {"tries": "2", "help": "0"}
     assert datetime.fromisoformat(row.pop("time")).tzinfo == UTC
-    version = dealing.version()
+    version = variants.version()
     assert row == {"kind": "answers", "course": "robokin", "version": version, **wanted}
     with pytest.raises(CourseError, match="already there"):
         practice.export(path)

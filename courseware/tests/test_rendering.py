@@ -11,7 +11,7 @@ import pytest
 from declared import each
 
 from courseware import practice
-from courseware.practice import Exercise, dealing, rendering
+from courseware.practice import Exercise, rendering, variants
 from courseware.script import engine as script
 from courseware.units.formatting import render_paragraphs, render_symbols
 from courseware.units.line_breaks import prevent_breaks
@@ -21,7 +21,7 @@ each_exercise = each("exercise", "exercises", Exercise)
 
 @each_exercise
 def test_texts_can_be_filled(exercise):
-    for variant in dealing.variants(exercise.name):
+    for variant in variants.all_variants(exercise.name):
         for template in (exercise.text, exercise.solution.text):
             filled = exercise.fill(template, variant.numbers)
             assert "{" not in filled
@@ -34,7 +34,7 @@ def test_the_box_says_how_many_steps_the_ladder_opens(exercise):
     packed = json.loads(zlib.decompress(base64.b64decode(rendering.pack([exercise]))))
     said = packed[exercise.name]["steps"]
     formula = re.compile(r"(?:\[[^=]*\]|\S+) = ")
-    for variant in dealing.variants(exercise.name):
+    for variant in variants.all_variants(exercise.name):
         text = exercise.fill(exercise.solution.text, variant.numbers)
         assert len(script.call("courseware.splitSolution", text)) == said
         kinds = [formula.match(part) is not None for part in text.split("\n\n")]
@@ -49,7 +49,7 @@ def plain(html):
 @each_exercise
 def test_no_line_ends_inside_a_number_with_its_unit(exercise):
     """In the text as Python writes it and as the page does; nothing else changes in it."""
-    variant = dealing.variants(exercise.name)[0]
+    variant = variants.all_variants(exercise.name)[0]
     text = exercise.fill(exercise.text, variant.numbers)
     for html in (render_paragraphs(text), script.call("courseware.renderParagraphs", text)):
         shown = plain(html)

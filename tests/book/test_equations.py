@@ -305,7 +305,7 @@ def test_declaring_half_is_refused():
             r"x is in `specials`, but not in .* have b, r, v_L, v_R",
         ),
         ({"ranges": {known("x"): (0, 1)}}, "x is in `ranges`, but not in the formula"),
-        ({"whole": (known("x"),)}, "x is in `whole`, but not in the formula"),
+        ({"integers": (known("x"),)}, "x is in `integers`, but not in the formula"),
     ],
 )
 def test_half_a_check_is_refused(changes, message):

@@ -42,7 +42,7 @@ def test_each_mistake_in_an_exercise_is_told(exercise):
     numbers, examples = FEEDBACK.get(exercise.name, ({}, {}))
     place = f'FEEDBACK["{exercise.name}"] in book/{exercise.topic}/expected.py'
     words = {mistake.name: mistake.feedback for mistake in exercise.wrong}
-    words |= {said: said for said in exercise.also}
+    words |= {said: said for said in exercise.likely_slips}
     pairs = {f"{a.name} and {b.name}": b.feedback for a, b in exercise.together}
     meant = {key: [w for name, w in words.items() if name == key or key in w] for key in examples}
     meant |= {key: [f"and also {pairs[key]}"] for key in examples if key in pairs}
@@ -134,7 +134,7 @@ FINE = Unknown("D", "m", tolerance=6e-5)
 CLOSE, NONE, DEGREE = "very close", "none of the mistakes", 180 / np.pi
 
 
-def asking(*asks, right, shape=(), also=None, accept="one", wrong=None):
+def asking(*asks, right, shape=(), likely_slips=None, accept="one", wrong=None):
     """An exercise without a text, whose answer is fixed."""
     return Exercise(
         "test-1",
@@ -145,7 +145,9 @@ def asking(*asks, right, shape=(), also=None, accept="one", wrong=None):
         right=lambda: right,
         wrong=wrong or {},
         solution=Solution(""),
-        also={words: lambda value=value: value for words, value in (also or {}).items()},
+        likely_slips={
+            words: lambda value=value: value for words, value in (likely_slips or {}).items()
+        },
         shape=shape,
         accept=accept,
     )
@@ -211,7 +213,7 @@ TWO = asking(METRES, RATE, right=[0.2, 0.5])
 def wrongly(right, asks=METRES, **also):
     """An exercise of one number, with numbers that people give who slip by some word."""
     words = {name.replace("_", " "): value for name, value in also.items()}
-    return asking(asks, right=right, also=words)
+    return asking(asks, right=right, likely_slips=words)
 
 
 # exercise, what is typed, words that are told, words that are not

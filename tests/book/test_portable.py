@@ -16,7 +16,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 from support import ROOT
 
 import book  # noqa: F401 - opens the course
-from courseware.practice import dealing
+from courseware.practice import variants
 
 pytestmark = pytest.mark.slow
 NOTEBOOKS = sorted((ROOT / "book").glob("*/*.ipynb"))
@@ -88,7 +88,7 @@ def test_a_number_that_depends_on_them_is_named(tmp_path, perturbed):
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_the_bank_has_one_version(direction):
     code = f"import last_bits; last_bits.move({direction}); import book; "
-    code += "from courseware.practice import dealing; print(dealing.version())"
+    code += "from courseware.practice import variants; print(variants.version())"
     path = os.pathsep.join(filter(None, [str(ROOT / "tests"), os.environ.get("PYTHONPATH")]))
     run = subprocess.run(
         [sys.executable, "-c", code],
@@ -97,4 +97,4 @@ def test_the_bank_has_one_version(direction):
         text=True,
         check=True,
     )
-    assert run.stdout.strip() == dealing.version()
+    assert run.stdout.strip() == variants.version()

@@ -225,7 +225,7 @@ WRONG = {
     "one option": (lambda: Buttons(("left",), right="left"), "two to four"),
     "an unknown option": (lambda: Buttons(("left", "right"), right="up"), "up"),
     "a ghost under a veil": (
-        lambda: Prediction("a", "", PREDICTIONS["where-after"].answers, "", veils="guess"),
+        lambda: Prediction("a", "", PREDICTIONS["where-after"].answers, "", covers="guess"),
         "under a veil",
     ),
     "a name with blanks": (lambda: Prediction("a b", "", SIDE.answers, ""), "letters and dashes"),

@@ -79,15 +79,15 @@ def test_each_mistake_is_named_by_its_answers(name):
 def test_a_picture_shows_the_right_answer_and_the_one_that_came(name):
     """All that it draws is in its window."""
     program = PROGRAMS[name]
-    right, came, given = wrong_answer(program)
-    drawn, good = (render_answer(program, (*right, *each, *given)) for each in (came, right))
+    right, answer, given = wrong_answer(program)
+    drawn, good = (render_answer(program, (*right, *each, *given)) for each in (answer, right))
     assert drawn != good
     assert "NaN" not in drawn
     shown = engine.run(
         "((figure, numbers) => { courseware.renderAnswer(figure, numbers); const state = "
         "courseware.startState(figure); return courseware.compute(figure, "
         "courseware.settings(figure, state)); })"
-        f"({answer_figure(program).code}, {[*right, *came, *given]})"
+        f"({answer_figure(program).code}, {[*right, *answer, *given]})"
     )
     x_low, x_high, y_low, y_high = shown["view"]
     at = np.take(shown["values"], answer_figure(program).compiled["contain"]).reshape(-1, 2)
@@ -99,10 +99,14 @@ def wrong_answer(program):
     """Right numbers, those of a known mistake, and an input on which they are far apart."""
     stored = store(program)
     for known in stored["known"]:
-        for case, came in zip(judge.ordinary(stored), known["answers"], strict=True):
+        for case, answer in zip(judge.ordinary(stored), known["answers"], strict=True):
             right = np.array(case["right"])
-            if not judge.same(np.array(came), right, case, stored, 1e4):
-                return case["right"], came, np.hstack([*map(np.ravel, case["arguments"])]).tolist()
+            if not judge.same(np.array(answer), right, case, stored, 1e4):
+                return (
+                    case["right"],
+                    answer,
+                    np.hstack([*map(np.ravel, case["arguments"])]).tolist(),
+                )
     raise AssertionError("no mistake is wrong")
 
 
@@ -111,8 +115,8 @@ def test_a_verdict_has_the_numbers_of_its_picture():
     case = store(STEP)["cases"][0]
     assert wrong.numbers[:3] == tuple(case["right"])
     assert wrong.numbers[6:] == (*case["arguments"][0], *case["arguments"][1:])
-    assert judged(STEP, STEP.starter).numbers == (), "nothing came"
-    assert step("return pose / 0").numbers == (), "no number came"
+    assert judged(STEP, STEP.starter).numbers == (), "no answer"
+    assert step("return pose / 0").numbers == (), "no number"
     assert judged(STEP, STEP.solution).numbers == ()
     box = programs.show("odometry-p2")
     assert "rk-answer" not in box.check(lambda before, after, span: None)._repr_html_()

@@ -19,8 +19,8 @@ from courseware.practice import (
     Solution,
     Step,
     candidates,
-    dealing,
     judging,
+    variants,
 )
 from courseware.practice.solution_steps import format_result, solve_step, step_form
 from courseware.units.formatting import format_number
@@ -64,7 +64,7 @@ def leads_to_the_answer(exercise, solution, variant):
 
 @each_exercise
 def test_a_solution_leads_to_the_library_s_answer(exercise):
-    for variant in dealing.variants(exercise.name):
+    for variant in variants.all_variants(exercise.name):
         assert leads_to_the_answer(exercise, exercise.solution, variant), (
             f"the solution of {exercise.name} ends elsewhere than `right`, with {variant.numbers}"
         )
@@ -94,7 +94,7 @@ def reckoned(exercise, variant):
 
 @each_exercise
 def test_reckoning_with_the_printed_numbers_is_right(exercise):
-    dealt = dealing.variants(exercise.name)
+    dealt = variants.all_variants(exercise.name)
     answers = [(k, typed(reckoned(exercise, v), exercise)) for k, v in enumerate(dealt)]
     verdicts = judging.judge_all(exercise, [v.candidates for v in dealt], answers)
     off = [
@@ -108,7 +108,7 @@ def test_reckoning_with_the_printed_numbers_is_right(exercise):
 
 @each_exercise
 def test_what_is_said_beside_the_way_is_right(exercise):
-    for variant in dealing.variants(exercise.name):
+    for variant in variants.all_variants(exercise.name):
         wrong = wrong_beside(exercise, exercise.solution, variant)
         assert not wrong, (
             f"the steps {wrong} do not give what their `expected` says: {variant.numbers}"
@@ -198,16 +198,16 @@ def test_a_wrong_sign_in_any_step_is_found(exercise):
     angle may be off by whole turns.
     """
     for name, step in exercise.solution.steps.items():
-        for variants in of_one_formula(exercise, name):
-            known = known_at(exercise, name, variants[0])
+        for group in of_one_formula(exercise, name):
+            known = known_at(exercise, name, group[0])
             is_declared = isinstance(step.formula_for(known), Equation)
             for wrong in flipped(step, known):
                 steps = {**exercise.solution.steps, name: wrong}
                 solution = Solution(exercise.solution.text, exercise.solution.answer, **steps)
                 may_agree = is_declared or isinstance(wrong.formula.right, sp.MatrixExpr)
                 harmless = agrees if may_agree else only_turns
-                noticed = any(notices(exercise, solution, variant) for variant in variants)
-                assert noticed or all(harmless(exercise, solution, name, v) for v in variants), (
+                noticed = any(notices(exercise, solution, variant) for variant in group)
+                assert noticed or all(harmless(exercise, solution, name, v) for v in group), (
                     f"{name}: nothing notices that {wrong.formula.left} = {wrong.formula.right}; "
                     "let the answer depend on it, or give the step what is `expected`"
                 )
@@ -222,11 +222,11 @@ def agrees(exercise, other, name, variant):
 
 def of_one_formula(exercise, name):
     """The variants, in a group for each formula that a step has."""
-    variants, step = dealing.variants(exercise.name), exercise.solution.steps[name]
+    every, step = variants.all_variants(exercise.name), exercise.solution.steps[name]
     if isinstance(step.formula, Equation | LocalEquation):
-        return [variants]
+        return [every]
     kinds = {}
-    for variant in variants:
+    for variant in every:
         formula = step.formula_for(known_at(exercise, name, variant))
         kinds.setdefault(f"{formula.left} = {formula.right}", []).append(variant)
     return list(kinds.values())

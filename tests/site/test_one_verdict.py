@@ -7,7 +7,7 @@ from test_practice_page import printed, sign_in
 
 from courseware import practice
 from courseware.classroom.__main__ import main
-from courseware.practice import dealing
+from courseware.practice import variants
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -28,7 +28,7 @@ RUBBISH = ["", "no idea", "=SUM(A1:A3)", "\t=1", '="0.5"', "a,b;c", "[1, 2", "0.
 def answers_of(student, name):
     """What somebody may type: the right answer, with decimal commas too, mistakes, rubbish."""
     exercise = EXERCISES[name]
-    variant = dealing.variants(name)[dealing.deal("robokin", name, student)]
+    variant = variants.all_variants(name)[variants.choose_variant("robokin", name, student)]
     right = exercise.format_answer(variant.numbers).split(" or ")[0]
     named = [c for c in variant.candidates if c.name[0] == "M"]
     return [
@@ -64,7 +64,7 @@ def test_page_notebook_and_grade_have_one_verdict(
         for student in people:
             sign_in(page, student)
             for name in exercises:
-                number = dealing.deal("robokin", name, student)
+                number = variants.choose_variant("robokin", name, student)
                 page.locator(f"#{name}").scroll_into_view_if_needed()
                 page.locator(f"#{name}[data-variant='{number}']").wait_for()
             texts = [[name, given[student, name][0]] for name in exercises]

@@ -12,11 +12,11 @@ import pytest
 from browser import FULL, TALL, draw_all, watched_page
 from declared import COURSE, EXERCISES, OF_EACH_KIND, table, typed
 from playwright.sync_api import expect
-from test_dealing import DEAL, dealt_in_python, names
+from test_variants import DEAL, dealt_in_python, names
 
 from book.differential_drive.exercises import M12
 from courseware.classroom.__main__ import main
-from courseware.practice import candidates, dealing, judging
+from courseware.practice import candidates, judging, variants
 from courseware.units.formatting import render_symbols
 
 pytest_plugins = ["browser"]
@@ -92,7 +92,7 @@ def sign_in(page, name):
     page.fill("#rk-student", name)
     page.keyboard.press("Tab")
     box(page, FIRST).scroll_into_view_if_needed()  # then its numbers come
-    number = dealing.deal(COURSE, FIRST, name)
+    number = variants.choose_variant(COURSE, FIRST, name)
     page.locator(f"#{FIRST}[data-variant='{number}']").wait_for()
 
 
@@ -122,7 +122,7 @@ def printed(text):
 
 
 def variant(exercise, name):
-    return dealing.variants(exercise)[dealing.deal(COURSE, exercise, name)]
+    return variants.all_variants(exercise)[variants.choose_variant(COURSE, exercise, name)]
 
 
 # what is said of several answers, one after the other
@@ -136,7 +136,7 @@ TOLD = """(box, texts) => texts.map((text) => {
 
 def assert_every_candidate_is_named(page, exercise):
     mine = variant(exercise.name, "Ada")
-    number = dealing.deal(COURSE, exercise.name, "Ada")
+    number = variants.choose_variant(COURSE, exercise.name, "Ada")
     box(page, exercise.name).scroll_into_view_if_needed()
     page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
     texts = [typed(candidate.rows, exercise) for candidate in mine.candidates]
@@ -326,7 +326,7 @@ def test_answers_are_saved_as_grade_reads_them(page, tmp_path):
     time = datetime.fromisoformat(row.pop("time"))
     assert abs(datetime.now(UTC) - time) < timedelta(hours=1)  # now, and in no other zone
     assert row == {
-        **{"kind": "answers", "course": "robokin", "version": dealing.version()},
+        **{"kind": "answers", "course": "robokin", "version": variants.version()},
         **{"student": '=Ada, "B"', "exercise": FIRST, "answer": "-1/3"},
         **{"tries": "1", "help": ""},
     }
@@ -370,8 +370,8 @@ def test_another_one_is_for_training(page):
     before = box(page, FIRST).locator(".rk-text").inner_text()
     box(page, FIRST).get_by_role("button", name="Another one").click()
     assert box(page, FIRST).locator(".rk-text").inner_text() != before
-    number = dealing.deal(COURSE, FIRST, "Ada") + 1
-    other = dealing.variants(FIRST)[number % dealing.VARIANTS]
+    number = variants.choose_variant(COURSE, FIRST, "Ada") + 1
+    other = variants.all_variants(FIRST)[number % variants.VARIANTS]
     right = typed(other.candidates[0].rows, EXERCISES[FIRST])
     assert answer(page, FIRST, right) == candidates.RIGHT
     assert page.inner_text(".rk-progress").startswith("0 of ")
@@ -448,7 +448,9 @@ def test_numbers_that_do_not_come_are_told_and_asked_for_again(chromium, server)
         assert not first.locator(".rk-verdict").inner_text()
         page.unroute(numbers)
         first.get_by_role("button", name="Try again").click()
-        page.locator(f"#{FIRST}[data-variant='{dealing.deal(COURSE, FIRST, 'Ada')}']").wait_for()
+        page.locator(
+            f"#{FIRST}[data-variant='{variants.choose_variant(COURSE, FIRST, 'Ada')}']"
+        ).wait_for()
         assert field.input_value() == right
         assert answer(page, FIRST, right) == candidates.RIGHT
 
@@ -523,8 +525,8 @@ def test_two_courses_on_one_host_share_no_answers(page, chromium, server):
     other.fill("#rk-student", "Ada")
     other.keyboard.press("Tab")
     box(other, FIRST).scroll_into_view_if_needed()
-    number = dealing.deal("another-course", FIRST, "Ada")
-    assert number != dealing.deal(COURSE, FIRST, "Ada")
+    number = variants.choose_variant("another-course", FIRST, "Ada")
+    assert number != variants.choose_variant(COURSE, FIRST, "Ada")
     other.locator(f"#{FIRST}[data-variant='{number}']").wait_for()
     assert other.inner_text(".rk-progress").startswith("0 of ")
     assert box(other, FIRST).locator(".rk-row input").input_value() == ""

@@ -3,7 +3,7 @@
 from declared import table
 
 from courseware.classroom.__main__ import main
-from courseware.practice import dealing
+from courseware.practice import variants
 from courseware.script import engine
 
 ONE = "differential-drive-1"
@@ -25,7 +25,7 @@ def saved(student, answers, times=None, course="robokin"):
         name: {"answer": answer, "time": (times or {}).get(name, "2026-03-01T10:00:00.000Z")}
         for name, answer in answers.items()
     }
-    head = {"course": course, "version": dealing.version()}
+    head = {"course": course, "version": variants.version()}
     return "\ufeff" + engine.call("courseware.serializeAnswers", head, student, entries)
 
 

@@ -6,7 +6,7 @@ import pytest
 from commands import ONE, ONLY, results, run, saved
 from declared import each, table
 
-from courseware.practice import Exercise, dealing
+from courseware.practice import Exercise, variants
 
 
 def test_a_secret_deals_numbers_that_are_on_no_page(keyed):
@@ -15,7 +15,7 @@ def test_a_secret_deals_numbers_that_are_on_no_page(keyed):
     assert run("key", "roster.csv", "--out", "exam.csv", "--secret", "secret.txt", *few) == 0
     exam = table("exam.csv")
     for row in exam:
-        public = [variant.numbers for variant in dealing.variants(row["exercise"])]
+        public = [variant.numbers for variant in variants.all_variants(row["exercise"])]
         assert json.loads(row["numbers"]) not in public
     (keyed / "roster.csv").write_text("student\nEve\nAda\nBob\n")
     again = ("--secret", "secret.txt", "--force", *few)
@@ -30,9 +30,9 @@ def test_a_secret_deals_numbers_that_are_on_no_page(keyed):
 @each("exercise", "exercises", Exercise)
 def test_a_secret_finds_numbers_for_every_exercise(exercise):
     """Whatever it draws: no mistake ends in an error, no exercise is left with a handful."""
-    public = {tuple(variant.numbers.values()) for variant in dealing.variants(exercise.name)}
+    public = {tuple(variant.numbers.values()) for variant in variants.all_variants(exercise.name)}
     for secret in map(str, range(10**15, 10**15 + 5)):
-        dealt = dealing.variants(exercise.name, secret)
+        dealt = variants.all_variants(exercise.name, secret)
         own = {tuple(variant.numbers.values()) for variant in dealt}
         assert len(own) >= 14, (
             f"with a secret {exercise.name} has {len(own)} sets of numbers, at least 14 are "

@@ -6,7 +6,7 @@ import pytest
 from commands import HEADING, ONE, ONLY, results, run, saved
 from declared import table
 
-from courseware.practice import dealing
+from courseware.practice import variants
 
 
 def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
@@ -134,7 +134,7 @@ def test_the_wrong_course_alone_is_refused(keyed, capsys):
 
 
 def test_answers_to_another_version_are_told_and_count(keyed, capsys):
-    text = saved("Ada", {ONE: "7"}).replace(dealing.version(), "0ldbank")
+    text = saved("Ada", {ONE: "7"}).replace(variants.version(), "0ldbank")
     (keyed / "answers.csv").write_text(text)
     assert run("grade", "answers.csv", "--key", "key.csv") == 1
     assert "another version of the exercises (they count): 1" in capsys.readouterr().err
@@ -205,7 +205,7 @@ def test_check_tells_what_grade_would_find_and_changes_nothing(keyed, capsys):
     assert run("check", ".", "--key", "key.csv") == 1
     told = capsys.readouterr()
     assert told.out.splitlines() == [
-        f"the key: students: 2; exercises: 2; course robokin, version {dealing.version()}",
+        f"the key: students: 2; exercises: 2; course robokin, version {variants.version()}",
         "answers that count: 1; students: 1; files: 3",
         "students without an answer: 1",
         "  Bob",

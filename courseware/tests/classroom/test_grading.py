@@ -11,7 +11,7 @@ from commands import ONE, ONLY, run, saved
 from declared import COURSE, EXERCISES, table, typed
 
 from courseware.classroom import answer_key, grading
-from courseware.practice import candidates, dealing
+from courseware.practice import candidates, variants
 from courseware.practice.saving import write_table
 
 
@@ -30,7 +30,7 @@ def test_key_sheets_and_grades(folder):
     sheets = sorted((folder / "sheets").iterdir())
     assert len(sheets) == 3
     for row in rows:
-        variant = dealing.variants(row["exercise"])[int(row["variant"])]
+        variant = variants.all_variants(row["exercise"])[int(row["variant"])]
         assert json.loads(row["numbers"]) == variant.numbers
     assert not any(row["answer"].split(" ")[0] in s.read_text() for s in sheets for row in rows)
 
@@ -54,7 +54,7 @@ def test_key_sheets_and_grades(folder):
 
 def wrong(row, name):
     """What a candidate of the student's variant answers."""
-    variant = dealing.variants(row["exercise"])[int(row["variant"])]
+    variant = variants.all_variants(row["exercise"])[int(row["variant"])]
     return next(c.rows[0][0] for c in variant.candidates if c.name == name)
 
 
@@ -79,7 +79,7 @@ NAMES = ("s{:04}", "Åsa Öberg {}", "سارا محمدی {}", "=1+{}", 'O"Neil,
 def known_by_one_name(exercise, number):
     """What can be answered in a variant, without what gives the number of something before."""
     found = []
-    for candidate in dealing.variants(exercise.name)[number].candidates:
+    for candidate in variants.all_variants(exercise.name)[number].candidates:
         if all(candidates.is_apart(exercise, candidate, other) for other in found):
             found.append(candidate)
     return found
@@ -95,7 +95,7 @@ def built_class(count):
         name = NAMES[k % len(NAMES)].format(k)
         mine = answers[name] = {}
         for exercise in EXERCISES.values():
-            number = dealing.deal(COURSE, exercise.name, name)
+            number = variants.choose_variant(COURSE, exercise.name, name)
             possible = known_by_one_name(exercise, number)
             chosen = draw.choice((possible[0], draw.choice(possible), None, "no idea"))
             grades = {("missing", "")}
@@ -106,7 +106,7 @@ def built_class(count):
                 alike = (c for c in possible if not candidates.is_apart(exercise, c, chosen))
                 meant = candidates.outcomes(exercise)
                 grades = {(meant[c.name].result, c.name) for c in alike}
-            wanted[dealing.fold_name(name), exercise.name] = grades
+            wanted[variants.fold_name(name), exercise.name] = grades
     return answers, wanted
 
 
@@ -145,7 +145,7 @@ def test_a_class(size, folder, capsys):
     told = capsys.readouterr()
     assert f"students: {size};" in told.out
     graded = {
-        (dealing.fold_name(row["student"]), row["exercise"]): (row["result"], row["mistake"])
+        (variants.fold_name(row["student"]), row["exercise"]): (row["result"], row["mistake"])
         for row in table("grades.csv")
     }
     assert graded.keys() == wanted.keys()

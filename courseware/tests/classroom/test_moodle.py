@@ -12,7 +12,7 @@ from commands import run
 from declared import EXERCISES, OF_EACH_KIND, each
 
 from courseware.classroom import moodle, moodle_answers
-from courseware.practice import Exercise, candidates, dealing, judging
+from courseware.practice import Exercise, candidates, judging, variants
 from courseware.units import ROWS, UNITS
 from courseware.units.formatting import render_paragraphs, render_symbols
 
@@ -106,7 +106,7 @@ def rows_of(variant, name):
 
 def test_every_exercise_is_asked(folder, monkeypatch):
     none = SimpleNamespace(variants=lambda *_: [], version=lambda: "")  # how, is tested below
-    monkeypatch.setattr(moodle, "dealing", none)
+    monkeypatch.setattr(moodle, "variants", none)
     assert run("moodle", "--out", "all.xml") == 0
     groups = ElementTree.parse("all.xml").iterfind("question[@type='category']/category/text")
     assert [group.text.split("/")[-1] for group in groups] == list(EXERCISES)
@@ -115,9 +115,11 @@ def test_every_exercise_is_asked(folder, monkeypatch):
 @each_exercise
 def test_an_exercise_is_asked_in_all_variants(exercise, questions):
     drawn, name = questions(exercise.name), exercise.name
-    assert len(drawn) == dealing.VARIANTS
+    assert len(drawn) == variants.VARIANTS
     kind = "cloze" if len(exercise.unknowns) > 1 else "numerical"
-    for number, (question, variant) in enumerate(zip(drawn, dealing.variants(name), strict=True)):
+    for number, (question, variant) in enumerate(
+        zip(drawn, variants.all_variants(name), strict=True)
+    ):
         assert question.get("type") == kind
         assert question.find("name/text").text == f"{name} {number:02}: {exercise.title}"
         assert len(question.findall("hint")) == 2  # so that there are three tries
@@ -145,7 +147,7 @@ def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, question
     """As Moodle judges, field by field: in one field at least the mistake is named."""
     named, made, meant = 0, 0, candidates.outcomes(exercise)
     for question, variant in zip(
-        questions(exercise.name), dealing.variants(exercise.name), strict=True
+        questions(exercise.name), variants.all_variants(exercise.name), strict=True
     ):
         fields, rights = answers(question), rows_of(variant, "right")
         (asked,) = by_the_words(exercise, question, rights)
@@ -170,7 +172,7 @@ def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, question
 @each("exercise", "exercises", Exercise, marks, lambda exercise: len(exercise.unknowns) == 1)
 def test_a_unit_is_demanded_and_read_as_on_the_page(exercise, questions):
     """Moodle ignores a unit that it does not know, unless units count: then it gives no marks."""
-    variant = dealing.variants(exercise.name)[0]
+    variant = variants.all_variants(exercise.name)[0]
     first, right = questions(exercise.name)[0], variant.candidates[0].rows[0][0]
     form = {name: first.find(name).text for name in ("unitgradingtype", "unitpenalty", "showunits")}
     assert form == {"unitgradingtype": "1", "unitpenalty": "1", "showunits": "0"}
@@ -236,7 +238,7 @@ def test_blanks_are_kept_and_nothing_is_overwritten(folder, capsys):
     assert run("moodle", "--only", "differential-drive-1", "elbow-arm-5") == 0
     text = (folder / "moodle.xml").read_text()
     assert 'left"><p>The wheels' in text
-    assert text.count("<question type=") == 2 + 2 * dealing.VARIANTS
+    assert text.count("<question type=") == 2 + 2 * variants.VARIANTS
     assert run("moodle", "--only", "differential-drive-1") == 2
     assert "already there" in capsys.readouterr().err
     assert run("moodle", "--only", "differential-drive-1", "--force") == 0

@@ -3,7 +3,7 @@
 from commands import run
 from declared import EXERCISES, table
 
-from courseware.practice import dealing
+from courseware.practice import variants
 from courseware.script import engine
 
 
@@ -14,7 +14,7 @@ def test_a_sheet_shows_the_numbers_of_the_key(keyed):
     page = next((keyed / "sheets").glob("Ada*")).read_text()
     for row in table("key.csv"):
         if row["student"] == "Ada":
-            variant = dealing.variants(row["exercise"])[int(row["variant"])]
+            variant = variants.all_variants(row["exercise"])[int(row["variant"])]
             exercise = EXERCISES[row["exercise"]]
             text = exercise.fill(exercise.text, variant.numbers)
             assert engine.call("courseware.renderParagraphs", text) in page

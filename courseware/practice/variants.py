@@ -70,13 +70,13 @@ def fnv1a(text: str) -> int:
     return value
 
 
-def deal(course: str, exercise: str, name: str) -> int:
+def choose_variant(course: str, exercise: str, name: str) -> int:
     """Return the number of a student's variant: the hash, its halves folded together."""
     value = fnv1a("\n".join((fold_name(course), exercise, fold_name(name))))
     return (value ^ value >> 16) % VARIANTS
 
 
-def variants(name: str, secret: str = "") -> tuple[Variant, ...]:
+def all_variants(name: str, secret: str = "") -> tuple[Variant, ...]:
     """Draw the variants of an exercise by a fixed seed: each different, no two answers alike.
 
     A teacher's secret draws others, none of which is on the page; where an exercise has few
@@ -89,7 +89,7 @@ def variants(name: str, secret: str = "") -> tuple[Variant, ...]:
 def _variants(name: str, secret: str) -> tuple[Variant, ...]:
     exercise = find_exercise(name)
     draw, met = random.Random(f"{name} {secret}" if secret else name), Counter[str]()
-    public = {tuple(v.numbers.values()) for v in variants(name)} if secret else set()
+    public = {tuple(v.numbers.values()) for v in all_variants(name)} if secret else set()
     found: dict[tuple[Any, ...], Variant] = {}
     for _ in range(ATTEMPTS * VARIANTS):
         numbers = {
@@ -132,7 +132,7 @@ def version() -> str:
             exercise.text,
             exercise.solution.text,
             [vars(unknown) for unknown in exercise.unknowns],
-            [exercise.format_given(variant.numbers) for variant in variants(exercise.name)],
+            [exercise.format_given(variant.numbers) for variant in all_variants(exercise.name)],
         )
         for exercise in all_exercises().values()
     ]

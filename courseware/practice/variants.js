@@ -1,4 +1,4 @@
-// Which numbers a student gets: the same hash as in dealing.py; a test holds the two together.
+// Which numbers a student gets: the same hash as in variants.py; a test holds the two together.
 
 import { ALIKE, IGNORED, SPACES, VARIANTS } from "./constants.js";
 
@@ -14,7 +14,7 @@ const utf8Bytes = (text) => [...encodeURIComponent(text).matchAll(/%(..)|(.)/g)]
 const fnv1a = (text) => utf8Bytes(text)
   .reduce((value, byte) => Math.imul(value ^ byte, 0x01000193), 0x811c9dc5) >>> 0;
 
-export const dealVariant = (course, exercise, name) => {
+export const chooseVariant = (course, exercise, name) => {
   const value = fnv1a([foldName(course), exercise, foldName(name)].join("\n"));
   return ((value ^ value >>> 16) >>> 0) % VARIANTS;
 };

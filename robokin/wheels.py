@@ -46,9 +46,9 @@ DRIVEN = (*HELD, "castor", "swedish")  # kinds with a row in `rolling`
 KINDS = (*DRIVEN, "spherical")
 NUMBERS = {"l": not_negative(), "radius": positive()}
 NUMBERS |= dict.fromkeys(("alpha", "beta", "d", "gamma"), finite())
-SLIPPING = one_of("raise", "nan")
+SLIPPING = one_of("raise", "nan", "ignore")
 DEPENDENT = 1e-12  # rows nearer than this to depending on each other do
-SLIP = 1e-9  # sideways speed that is called slip, relative to the speeds that make it up
+SLIP = 1e-6  # of the speeds that make it up: as far as poses and angles may be off elsewhere
 
 
 @dataclass(frozen=True)
@@ -430,8 +430,8 @@ def inverse(
         Angles in rad in place of the steered wheels' beta.
     theta : array_like, shape (...), default 0.0
         Heading in rad.
-    slipping : {"raise", "nan"}, default "raise"
-        Whether a wheel that would slip raises or gives NaN.
+    slipping : {"raise", "nan", "ignore"}, default "raise"
+        Whether a wheel that would slip raises, gives NaN, or rolls all the same.
 
     Returns
     -------
@@ -441,7 +441,8 @@ def inverse(
     Raises
     ------
     UnreachableError
-        If a fixed or steered wheel would slip along its axle.
+        If a fixed or steered wheel would slip along its axle, by more than 1e-6 of the speeds that
+        move it.
 
     Examples
     --------
@@ -451,8 +452,19 @@ def inverse(
     body = unwrap(to_body)(theta, twist)  # both are validated
     slid = times(sliding(wheels, steering), body)
     rates = times(rolling(wheels, steering), body) / _layout(wheels, DRIVEN).per_radian
-    slips = _slips(wheels, body, slid, slipping)
-    return np.where(slips[..., None], np.nan, rates)
+    held = _layout(wheels, HELD)
+    v_x, v_y, omega = parts(np.abs(body)[..., None, :])
+    slips = np.abs(slid) > SLIP * (v_x + v_y + held.l * omega)
+    if slipping == "raise" and slips.any():
+        *batch, row = index = first(slips)
+        wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
+        raise UnreachableError(
+            f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at "
+            f"{abs(slid[index]):.3g} m/s{at_index(tuple(batch))}; slipping='ignore' gives rates"
+        )
+    if slipping == "ignore":
+        return rates
+    return np.where((slips | np.isnan(slid)).any(axis=-1, keepdims=True), np.nan, rates)
 
 
 @validated(wheels=_wheels)
@@ -553,18 +565,3 @@ def _left_inverse(wheels: Sequence[Wheel]) -> Array:
 def _units(wheels: Sequence[Wheel]) -> Array:
     """Return what to divide a row by: the largest l makes its third entry comparable."""
     return np.array([1.0, 1.0, max((w.l for w in wheels), default=0.0) or 1.0])
-
-
-def _slips(wheels: Sequence[Wheel], twist: Array, slid: Array, slipping: str) -> Bools:
-    """Return where a wheel would slip along its axle, (…); with "raise" refuse the first one."""
-    held = _layout(wheels, HELD)
-    v_x, v_y, omega = parts(np.abs(twist)[..., None, :])
-    slips = np.abs(slid) > SLIP * (v_x + v_y + held.l * omega)
-    if slipping == "raise" and slips.any():
-        *batch, row = index = first(slips)
-        wheel = [i for i, w in enumerate(wheels) if w.kind in HELD][row]
-        raise UnreachableError(
-            f"wheel {wheel} ({wheels[wheel].kind}) would slip sideways at "
-            f"{abs(slid[index]):.3g} m/s{at_index(tuple(batch))}"
-        )
-    return np.asarray((slips | np.isnan(slid)).any(axis=-1))

@@ -10,6 +10,7 @@ from robokin._validation import Rule, Sizes, real_numbers
 from robokin.errors import RobokinError, at_index
 
 TOLERANCE = 1e-6  # lets pass what was stored in single precision or typed with seven digits
+EXACT = 1e-12  # more than rounding leaves: such a matrix is taken for the rotation next to it
 NEAREST = ". With U, _, Vh = np.linalg.svd(R), the rotation nearest to R is U @ Vh"
 BLOCK = 4000  # matrices judged together, which fit the processor's cache: twice as fast
 
@@ -44,13 +45,16 @@ A_ROTATION, A_PLANAR_POSE, A_POSE = rigid(3, below=0), rigid(3, below=1), rigid(
 def validate_rotations(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:
     """Refuse the first matrix whose n × n rotation, or the row below it, is wrong by over tol.
 
-    A matrix with a NaN or infinite entry is not judged: it comes back with NaN in all entries.
+    One that is off by less is mended, so that products of what was accepted are accepted, too. A
+    matrix with a NaN or infinite entry is not judged: it comes back with NaN in all entries.
     """
     blocks = (matrices[i : i + BLOCK] for i in range(0, len(matrices), BLOCK))
-    if all((_error(T, n) <= tol).all() for T in blocks) and np.isfinite(matrices).all():
+    exact = min(tol, EXACT)
+    if all((_error(T, n) <= exact).all() for T in blocks) and np.isfinite(matrices).all():
         return matrices
     known = np.all(np.isfinite(matrices), axis=(-2, -1))
-    bad = known & ~(_error(matrices, n) <= tol)
+    error = _error(matrices, n)
+    bad = known & ~(error <= tol)
     if bad.any():
         index = first(bad)
         matrix, off = matrices[index], np.abs(_errors(matrices[index], n))
@@ -64,7 +68,11 @@ def validate_rotations(name: str, matrices: Array, n: int, tol: float = TOLERANC
             f"{name}{at_index(index)} is not a rotation{kind}: off by {np.nanmax(off):.3g} from "
             f"columns of length 1, at right angles and right-handed; allowed {tol:.3g}{remedy}"
         )
-    return np.where(known[..., None, None], matrices, np.nan)
+    mended, R = matrices.copy(), matrices[..., :n, :n]
+    mended[..., :n, :n] = 1.5 * R - 0.5 * R @ R.swapaxes(-1, -2) @ R  # one step of Newton's method
+    mended[..., n:, :] = np.eye(matrices.shape[-1])[n:]
+    mended = np.where((error > exact)[..., None, None], mended, matrices)
+    return np.where(known[..., None, None], mended, np.nan)
 
 
 def _error(matrices: Array, n: int) -> Array:

@@ -436,7 +436,8 @@ def _trace(before: dict[str, str], b: str) -> list[str]:
 def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """Raise if a matrix is not a rotation: columns of length 1, at right angles, right-handed.
 
-    A matrix with NaN or infinity is not judged: wherever a rotation is taken in, it gives NaN.
+    Wherever a rotation is taken in, one that is off by less than the tolerance counts as the
+    rotation nearest to it. A matrix with NaN or infinity is not judged: there it gives NaN.
 
     Parameters
     ----------

@@ -310,8 +310,34 @@ def test_huge_positions_overflow_without_a_warning():
     assert compose(T, T)[0, 3] == np.inf
 
 
-def test_single_precision_is_taken():
-    check_rotation(Rotation.random(1000, rng=1).as_matrix().astype(np.float32))
+def test_products_of_accepted_poses_are_accepted():
+    """In single precision, step by step; typed with seven digits, in a chain."""
+    step = se2(0.1, 0, 0.3).astype(np.float32)
+    turn = np.arctan2(float(step[1, 0]), float(step[0, 0]))
+    T = np.eye(3)
+    for n in range(1, 1000):
+        T = compose(T, step)
+        assert_angles(pose(T)[2], n * turn, atol=n * 8 * EPS)
+    typed = random_se3(1, 50).round(7)
+    chain = compose(*typed)
+    assert_close(chain[:3, :3] @ chain[:3, :3].T, np.eye(3), atol=1e-9)  # 50 times 1e-12 and more
+    wanted = Rotation.concatenate([Rotation.from_matrix(T[:3, :3]) for T in typed])
+    product = wanted[0]
+    for rotation in wanted[1:]:
+        product = product * rotation
+    assert_close(compose(inverse(chain), chain), np.eye(4), atol=1e-9)
+    assert_close(chain[:3, :3], product.as_matrix(), atol=1e-9)  # SciPy takes the nearest, too
+
+
+def test_what_is_mended_touches_no_other_matrix():
+    R = Rotation.random(1000, rng=1).as_matrix()
+    mixed = R.copy()
+    mixed[3] = R[3].astype(np.float32)
+    T = se3(mixed, [0, 0, 0])
+    np.testing.assert_array_equal(np.delete(T, 3, 0), np.delete(se3(R, [0, 0, 0]), 3, 0))
+    assert_close(T[3, :3, :3] @ T[3, :3, :3].T, np.eye(3), atol=1e-12)
+    assert_close(T[3, :3, :3], R[3], atol=1e-7)
+    check_rotation(R.astype(np.float32))
 
 
 def test_a_graph_neither_hands_out_nor_keeps_the_callers_array():

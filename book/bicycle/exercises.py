@@ -45,7 +45,7 @@ with as_written():
     TURN = planar.v / L * tan(PHI) * planar.dt
     CLOCKWISE, GROWING = LocalEquation(PSI_NEXT, PSI - TURN), PSI + TURN
 
-M15 = Mistake(
+sines_only = Mistake(
     "M15",
     feedback="with the difference of the sines in both rows of the arc, where y needs the cosines",
     formula=WrongFormula(ARC, instead=sp.Matrix([ARC.right[0], -ARC.right[0]])),
@@ -66,7 +66,7 @@ M15 = Mistake(
     quote="y(t + δt) = y − R (sin(θ + ωδt) − sin θ)",
     correction="y(t + δt) = y − R («cos»(θ + ωδt) − «cos» θ)",
 )
-M16 = Mistake(
+front_speed_used = Mistake(
     "M16",
     feedback="when the front axle's speed is put where the rear axle's speed belongs",
     formula=WrongFormula(TURNING, {planar.v: V_F}),
@@ -87,7 +87,7 @@ M16 = Mistake(
     explanation="Here α is the steering angle, v_s the speed of the rear axle and v_s sec α that "
     "of the front axle. The formula with tan α/L wants the speed of the rear axle.",
 )
-M17 = Mistake(
+along_heading = Mistake(
     "M17",
     feedback="when the front axle is sent along the heading of the car, not along its steered "
     "wheel",
@@ -112,7 +112,7 @@ M17 = Mistake(
     "φ the steering angle.) The point O is at the front axle. It moves where the steered wheel "
     "rolls, and that is φ − α from the y axis.",
 )
-M18 = Mistake(
+mean_angle = Mistake(
     "M18",
     feedback="when the two steering angles are averaged, where their cotangents must be",
     formula=WrongFormula(ONE_WHEEL, instead=MEAN),
@@ -126,7 +126,7 @@ M18 = Mistake(
         "The car drives on its circle. Its program believes it in a turn that is a little tighter.",
     ),
 )
-M32 = Mistake(
+reversed_turn = Mistake(
     "M32",
     feedback="when a heading that is measured from the y axis, clockwise, grows in a left turn",
     formula=WrongFormula(CLOCKWISE, instead=GROWING),
@@ -148,7 +148,7 @@ M32 = Mistake(
     "the left; θ = 90° − φ. So φ gets smaller when θ grows, in a turn to the left. (θ̇ itself is "
     "the erratum M16.)",
 )
-M33 = Mistake(
+same_sine = Mistake(
     "M33",
     feedback="with the same sine for ẋ and for ẏ",
     formula=WrongFormula(FRONT, instead=sp.Matrix([FRONT.right[1], FRONT.right[1]])),
@@ -202,12 +202,12 @@ def same_sines(theta, v, phi, L, time):
     """M15: the sines' difference in y too."""
     turned = arc_end(theta, v, phi, L, time)[2]
     R = bicycle.turning_radius(phi, L)
-    return [*M15.formula.evaluate(R=R, theta=theta, theta_next=turned).ravel(), turned]
+    return [*sines_only.formula.evaluate(R=R, theta=theta, theta_next=turned).ravel(), turned]
 
 
 def too_fast(v, phi, L):
     """M16: the front axle's speed turns the car."""
-    return M16.formula.evaluate(v_F=v / np.cos(phi), steering=phi, wheelbase=L)
+    return front_speed_used.formula.evaluate(v_F=v / np.cos(phi), steering=phi, wheelbase=L)
 
 
 def front_as_rear(theta, v, phi, L, time):
@@ -278,7 +278,7 @@ bicycle_1 = Exercise(
     when=lambda L, phi, v_front: v_front**2 * np.cos(phi) * np.sin(phi) / L < 4,  # m/s² sideways
     unknowns=(Unknown("ω", "rad/s"),),
     right=lambda L, phi, v_front: rate(v_front * np.cos(phi), phi, L),
-    wrong={M16: lambda L, phi, v_front: too_fast(v_front * np.cos(phi), phi, L)},
+    wrong={front_speed_used: lambda L, phi, v_front: too_fast(v_front * np.cos(phi), phi, L)},
     likely_slips={
         "with the cosine where the sine belongs": lambda v_front, phi, L: v_front * np.cos(phi) / L,
     },
@@ -306,7 +306,7 @@ bicycle_2 = Exercise(
     given={"alpha_L": number_range(18, 42, 1, "°"), "alpha_R": number_range(14, 36, 1, "°")},
     unknowns=(Unknown("φ", "rad", circle=True, tolerance=FINE),),
     right=lambda alpha_L, alpha_R: bicycle.equivalent_steering(alpha_L, alpha_R),
-    wrong={M18: M18.formula.evaluate},
+    wrong={mean_angle: mean_angle.formula.evaluate},
     when=lambda alpha_L, alpha_R: 0.3 < spread(alpha_L, alpha_R) < 0.9,
     likely_slips={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, alpha_R: np.arctan(
@@ -339,7 +339,7 @@ bicycle_3 = Exercise(
     },
     unknowns=(Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s")),
     right=lambda theta, v, phi: motion.to_world(theta, bicycle.front_twist(v, phi, 1.0))[:2],
-    wrong={mistake: at_front(mistake) for mistake in (M17, M33)},
+    wrong={mistake: at_front(mistake) for mistake in (along_heading, same_sine)},
     derive=lambda theta, v, phi: {"v_front": v / np.cos(phi)},
     likely_slips={
         "with the speed of the rear axle": lambda theta, v, phi: [
@@ -374,7 +374,7 @@ bicycle_4 = Exercise(
     given={"alpha_L": number_range(18, 42, 1, "°"), "phi": number_range(16, 39, 1, "°")},
     unknowns=(Unknown("α_R", "rad", circle=True, tolerance=FINE),),
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
-    wrong={M18: lambda alpha_L, phi: 2 * phi - alpha_L},
+    wrong={mean_angle: lambda alpha_L, phi: 2 * phi - alpha_L},
     when=lambda alpha_L, phi: phi < alpha_L and 0.3 < other_track(alpha_L, phi) < 0.9,
     likely_slips={
         "with the mean of the tangents, not of the cotangents": lambda alpha_L, phi: np.arctan(
@@ -414,15 +414,17 @@ bicycle_5 = Exercise(
     unknowns=(angle("ψ"),),
     right=compass,
     wrong={
-        M32: lambda psi, diameter, wheel_rate, L, phi, time: M32.formula.evaluate(
-            y_heading=psi, v=wheel_rate * diameter / 2, wheelbase=L, steering=phi, dt=time
+        reversed_turn: lambda psi, diameter, wheel_rate, L, phi, time: (
+            reversed_turn.formula.evaluate(
+                y_heading=psi, v=wheel_rate * diameter / 2, wheelbase=L, steering=phi, dt=time
+            )
         ),
-        M16: lambda psi, diameter, wheel_rate, L, phi, time: (
+        front_speed_used: lambda psi, diameter, wheel_rate, L, phi, time: (
             psi - too_fast(wheel_rate * diameter / 2, phi, L) * time
         ),
     },
     together={
-        (M32, M16): lambda psi, diameter, wheel_rate, L, phi, time: (
+        (reversed_turn, front_speed_used): lambda psi, diameter, wheel_rate, L, phi, time: (
             psi + too_fast(wheel_rate * diameter / 2, phi, L) * time
         ),
     },
@@ -476,9 +478,9 @@ bicycle_6 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=arc_end,
     wrong={
-        M15: same_sines,
-        M16: front_as_rear,
-        M33: lambda **numbers: arc_end(**numbers)[[1, 1, 2]],
+        sines_only: same_sines,
+        front_speed_used: front_as_rear,
+        same_sine: lambda **numbers: arc_end(**numbers)[[1, 1, 2]],
     },
     derive=lambda theta, v, phi, L, time: {
         "R": bicycle.turning_radius(phi, L),
@@ -536,16 +538,16 @@ bicycle_7 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=front_looped,
     wrong={
-        M16: lambda psi, v, phi, L, dt, n: looped(
+        front_speed_used: lambda psi, v, phi, L, dt, n: looped(
             np.pi / 2 - psi + phi, v / np.cos(phi), too_fast(v, phi, L), dt, n
         ),
-        M17: lambda psi, v, phi, L, dt, n: looped(
+        along_heading: lambda psi, v, phi, L, dt, n: looped(
             np.pi / 2 - psi, v / np.cos(phi), rate(v, phi, L), dt, n
         ),
-        M32: lambda psi, v, phi, L, dt, n: looped(
+        reversed_turn: lambda psi, v, phi, L, dt, n: looped(
             np.pi / 2 - psi + phi, v / np.cos(phi), -rate(v, phi, L), dt, n
         ),
-        M33: lambda **numbers: np.full(2, front_looped(**numbers)[0]),
+        same_sine: lambda **numbers: np.full(2, front_looped(**numbers)[0]),
     },
     likely_slips={
         "for the real place of O, on its arc; asked is what the program computes": lambda **drive: (

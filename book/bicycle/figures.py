@@ -20,7 +20,14 @@ from sympy import (
 )
 
 from book.bicycle import formulas as bicycle
-from book.bicycle.exercises import M15, M16, M17, M18, M32, M33
+from book.bicycle.exercises import (
+    along_heading,
+    front_speed_used,
+    mean_angle,
+    reversed_turn,
+    same_sine,
+    sines_only,
+)
 from book.bicycle.formulas import (
     ahead,
     alpha_L,
@@ -288,7 +295,7 @@ def pose_by_mistake(time: Any) -> dict[str, Any]:
     """Return the rear axle's pose by each mistake, and whether it is one of the front axle."""
     car = {wheelbase: SHORT, v: PACE, v_F: PACE / cos(steering)}
     steered = (substitute(each, {**car, track: WIDE}) for each in angles)
-    alone = M18.substitute(dict(zip((alpha_L, alpha_R), steered, strict=True)))
+    alone = mean_angle.substitute(dict(zip((alpha_L, alpha_R), steered, strict=True)))
     rate, front = PACE / SHORT * tan(steering), point_of(START, SHORT, 0)
     turned = UP + rate * time
 
@@ -303,15 +310,15 @@ def pose_by_mistake(time: Any) -> dict[str, Any]:
 
     return {
         "Off its circle": (
-            *M15.substitute({R: PACE / rate, theta: UP, theta_next: turned}),
+            *sines_only.substitute({R: PACE / rate, theta: UP, theta_next: turned}),
             turned,
             0,
         ),
-        "It turns too fast": turning(M16.substitute(car)),
-        "It follows its nose": leading(M17),
-        "Only along a diagonal": leading(M33),
+        "It turns too fast": turning(front_speed_used.substitute(car)),
+        "It follows its nose": leading(along_heading),
+        "Only along a diagonal": leading(same_sine),
         "One wheel for two": turning(PACE / SHORT * tan(alone)),
-        "To the other side": turning(-M32.substitute({**car, y_heading: 0, dt: 1})),
+        "To the other side": turning(-reversed_turn.substitute({**car, y_heading: 0, dt: 1})),
     }
 
 

@@ -6,7 +6,15 @@ import numpy as np
 from sympy import Symbol, atan2, cos, pi, sin, sinc, sqrt
 
 from book import things
-from book.bicycle.exercises import M15, M16, M17, M32, M33, same_sines, too_fast
+from book.bicycle.exercises import (
+    along_heading,
+    front_speed_used,
+    reversed_turn,
+    same_sine,
+    same_sines,
+    sines_only,
+    too_fast,
+)
 from book.bicycle.formulas import arc_step, steering, wheelbase, y_heading
 from book.motion.formulas import dt, theta, v, x, y
 from courseware.answers import Unknown, angle
@@ -117,8 +125,10 @@ bicycle_p1 = Program(
     picture=draw_step,
     extent=3,
     wrong={
-        M15: on_circle,
-        M16: lambda pose, v, phi, L, dt: motion.arc_step(pose, v, too_fast(v, phi, L), dt),
+        sines_only: on_circle,
+        front_speed_used: lambda pose, v, phi, L, dt: motion.arc_step(
+            pose, v, too_fast(v, phi, L), dt
+        ),
     },
     likely_slips=STEP_SLIPS,
     hints=STEP_HINTS,
@@ -249,7 +259,7 @@ def draw_front(right, answer, pose, v, phi, L, dt):
 
 def nose(theta, v_F, phi):
     """M17: the velocity of the front axle along the heading."""
-    return M17.formula.evaluate(theta=theta, v_F=v_F, steering=phi).ravel()
+    return along_heading.formula.evaluate(theta=theta, v_F=v_F, steering=phi).ravel()
 
 
 COMPASS_TEXT = (
@@ -299,10 +309,10 @@ COMPASS_SPECIALS = {
     "past half a turn": {y_heading: -3.1, v: 2.0, steering: 0.5, dt: 1.0},
 }
 COMPASS_MISTAKES = {
-    M16: compass_step(turn=too_fast),
-    M17: compass_step(nose),
-    M32: compass_step(sense=1),
-    M33: compass_step(lambda theta, v_F, phi: 2 * [v_F * np.cos(theta + phi)]),
+    front_speed_used: compass_step(turn=too_fast),
+    along_heading: compass_step(nose),
+    reversed_turn: compass_step(sense=1),
+    same_sine: compass_step(lambda theta, v_F, phi: 2 * [v_F * np.cos(theta + phi)]),
 }
 COMPASS_SLIPS = {
     "when the direction of the front wheel is changed, along ψ + φ, where the turn is wrong": (

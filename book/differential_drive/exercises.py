@@ -36,7 +36,7 @@ FROM_ORIGIN = {planar.x: 0, planar.y: 0, planar.theta: 0}
 ASTRAY = motion.wrap_angle(60 - np.radians(60))  # 60 radians in place of 60 degrees
 OMEGA = Unknown("ω", "rad/s")
 
-M12 = Mistake(
+half_wheel_distance = Mistake(
     "M12",
     feedback="with half the wheel distance in place of the whole",
     formula=WrongFormula(formulas.turning_rate, {b: b / 2}),
@@ -50,7 +50,7 @@ M12 = Mistake(
         "The robot on its arc to the right. Its program believes it on an arc of half the radius.",
     ),
 )
-M13 = Mistake(
+degrees_taken = Mistake(
     "M13",
     feedback="when degrees are handed to cosine and sine, which want radians",
     formula=WrongFormula(planar.to_world, {planar.theta: 180 * planar.theta / pi}),
@@ -66,7 +66,7 @@ M13 = Mistake(
         f"{np.degrees(ASTRAY):.0f}° more to the left.",
     ),
 )
-M14 = Mistake(
+world_to_robot = Mistake(
     "M14",
     feedback="with the transposed rotation matrix, which leads from the world to the robot",
     formula=WrongFormula(planar.to_world, {planar.theta: -planar.theta}),
@@ -80,7 +80,7 @@ M14 = Mistake(
         "The robot drives up to the right. Its program believes that it drives down to the right.",
     ),
 )
-M31 = Mistake(
+double_distance = Mistake(
     "M31",
     feedback="when the wheel distance is counted twice",
     formula=WrongFormula(formulas.turning_rate, {b: 2 * b}),
@@ -109,12 +109,14 @@ def moving(theta, v_L, v_R):
 
 def ways(formula):
     """Return a formula by M12 and M31: the wheel distance halved and doubled."""
-    return {mistake: mistake.formula.wrap(formula) for mistake in (M12, M31)}
+    return {
+        mistake: mistake.formula.wrap(formula) for mistake in (half_wheel_distance, double_distance)
+    }
 
 
 def turned_ways(formula):
     """Return a formula by M13 and M14: another heading."""
-    return {mistake: mistake.formula.wrap(formula) for mistake in (M13, M14)}
+    return {mistake: mistake.formula.wrap(formula) for mistake in (degrees_taken, world_to_robot)}
 
 
 def made_after(first, wrong):
@@ -148,7 +150,7 @@ def straight_end(turned, v_L, v_R, b, time):
 def degrees_end(v_L, v_R, b, time):
     """Return the end of the arc by M13: its sine and cosine get degrees."""
     v, omega = twist(v_L, v_R, b)
-    turned = M13.formula.replace(theta=omega * time)["theta"]
+    turned = degrees_taken.formula.replace(theta=omega * time)["theta"]
     return [v / omega * np.sin(turned), v / omega * (1 - np.cos(turned)), omega * time]
 
 
@@ -177,7 +179,10 @@ differential_drive_1 = Exercise(
     given=SPEEDS,
     unknowns=(OMEGA,),
     right=lambda v_L, v_R, b: twist(v_L, v_R, b)[1],
-    wrong={M12: M12.formula.evaluate, M31: M31.formula.evaluate},
+    wrong={
+        half_wheel_distance: half_wheel_distance.formula.evaluate,
+        double_distance: double_distance.formula.evaluate,
+    },
     when=different,
     likely_slips={"when the wheel distance is forgotten": lambda v_L, v_R, **_: v_R - v_L},
     solution=Solution(
@@ -197,7 +202,7 @@ differential_drive_2 = Exercise(
     unknowns=(Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s")),
     right=moving,
     wrong=turned_ways(moving),
-    together=made_after(M14, {M13: M13.formula.wrap(moving)}),
+    together=made_after(world_to_robot, {degrees_taken: degrees_taken.formula.wrap(moving)}),
     likely_slips={
         "with the difference of the wheel speeds in place of their mean": lambda theta, v_L, v_R: (
             moving(theta, v_R - v_L, v_R - v_L)
@@ -227,7 +232,11 @@ differential_drive_3 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=centre,
     wrong=ways(centre) | turned_ways(centre),
-    together={k: v for m in (M12, M31) for k, v in made_after(m, turned_ways(centre)).items()},
+    together={
+        k: v
+        for m in (half_wheel_distance, double_distance)
+        for k, v in made_after(m, turned_ways(centre)).items()
+    },
     when=different,
     derive=lambda v_L, v_R, b, **_: {"R": centre(0, 0, 0, v_L, v_R, b)[1]},
     likely_slips={
@@ -305,7 +314,7 @@ differential_drive_5 = Exercise(
         "turn": (v_R - v_L) / b * time,
     },
     likely_slips={
-        M13.feedback: degrees_end,
+        degrees_taken.feedback: degrees_end,
         "when the left and the right wheel are exchanged": lambda v_L, v_R, b, time: end(
             v_R, v_L, b, time
         ),

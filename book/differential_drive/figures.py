@@ -25,12 +25,12 @@ from sympy import (
 from book import things
 from book.differential_drive import formulas as drive
 from book.differential_drive.exercises import (
-    M12,
-    M13,
-    M14,
-    M31,
+    degrees_taken,
     differential_drive_1,
     differential_drive_2,
+    double_distance,
+    half_wheel_distance,
+    world_to_robot,
 )
 from book.differential_drive.formulas import R, b, r, rate_L, rate_R, v_L, v_R
 from book.frames.figures import point_of
@@ -829,10 +829,10 @@ def damage_figure() -> Figure:
     heading, right = float(differential_drive_2.example["theta"]), {**speeds, b: DISTANCE}
     rate = drive.turning_rate.substitute(right)
     wrong = {
-        "It turns too fast": (M12.substitute(right), heading),
-        "It turns too slowly": (M31.substitute(right), heading),
-        "It goes astray": (rate, M13.formula.replaced[theta].subs(theta, heading)),
-        "Down instead of up": (rate, M14.formula.replaced[theta].subs(theta, heading)),
+        "It turns too fast": (half_wheel_distance.substitute(right), heading),
+        "It turns too slowly": (double_distance.substitute(right), heading),
+        "It goes astray": (rate, degrees_taken.formula.replaced[theta].subs(theta, heading)),
+        "Down instead of up": (rate, world_to_robot.formula.replaced[theta].subs(theta, heading)),
     }
     options = {name: tuple(map(float, each)) for name, each in wrong.items()}
     seen, believed = (

@@ -6,7 +6,12 @@ import numpy as np
 from sympy import Symbol
 
 from book import things
-from book.differential_drive.exercises import M12, M13, M14, M31
+from book.differential_drive.exercises import (
+    degrees_taken,
+    double_distance,
+    half_wheel_distance,
+    world_to_robot,
+)
 from book.differential_drive.formulas import b, body_twist, r, rate_L, rate_R
 from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
 from courseware.answers import Unknown
@@ -19,7 +24,7 @@ VELOCITY = (Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s"), Unknown("ω", "rad/s")
 ROBOT = {r: (0.02, 0.1), b: (0.1, 0.5)}
 
 
-def by_mistakes(function, *names, mistakes=(M12,)):
+def by_mistakes(function, *names, mistakes=(half_wheel_distance,)):
     """Return a function of these arguments by each mistake."""
 
     def made(mistake):
@@ -322,7 +327,13 @@ WORLD_SLIPS = {
     ),
 }
 WORLD_MISTAKES = by_mistakes(
-    moving, "rate_L", "rate_R", "theta", "r", "b", mistakes=(M12, M13, M14, M31)
+    moving,
+    "rate_L",
+    "rate_R",
+    "theta",
+    "r",
+    "b",
+    mistakes=(half_wheel_distance, degrees_taken, world_to_robot, double_distance),
 )
 
 differential_drive_p3 = Program(

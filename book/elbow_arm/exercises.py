@@ -34,7 +34,7 @@ with as_written():
     CUBED = formulas.cosine.right.xreplace({a3**2: a3**3})
     ALIKE = Matrix([theta1 + pi, theta2, theta3])
 
-M1 = Mistake(
+swapped_xy = Mistake(
     "M1",
     feedback="with p_x and p_y exchanged in atan2",
     formula=WrongFormula(BASE_ANGLE, {p_x: p_y, p_y: p_x}),
@@ -50,7 +50,7 @@ M1 = Mistake(
         "that it reaches p, like the grey one.",
     ),
 )
-M2 = Mistake(
+no_p_x = Mistake(
     "M2",
     feedback="when p_x is left out and the arm is taken to stand in the plane of y and z",
     formula=WrongFormula(FROM_SHOULDER, instead=WITHOUT_X),
@@ -73,7 +73,7 @@ M2 = Mistake(
     explanation="Here p is measured from the shoulder, and r is the way from there to the wrist: "
     "the chapter's d.",
 )
-M3 = Mistake(
+cubed_a_3 = Mistake(
     "M3",
     feedback="with the third power of a_3 in cos θ_3, where its square belongs",
     formula=WrongFormula(formulas.cosine, instead=CUBED),
@@ -92,7 +92,7 @@ M3 = Mistake(
     quote="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − a_3³)/(2 a_2 a_3)",
     correction="cos θ_3 = (p_x² + p_y² + p_z² − a_2² − «a_3²»)/(2 a_2 a_3)",
 )
-M4 = Mistake(
+base_only = Mistake(
     "M4",
     feedback="when the base turns by half a turn and θ_2, θ_3 stay as they are",
     formula=WrongFormula(formulas.away, instead=ALIKE),
@@ -112,7 +112,7 @@ M4 = Mistake(
     quote="θ_1 + π together with the same θ_2 and θ_3",
     correction="θ_1 + π together with «π − θ_2» and «−θ_3»",
 )
-M5 = Mistake(
+base_arctan = Mistake(
     "M5",
     feedback="with arctan in place of atan2, which cannot tell in front from behind",
     formula=WrongFormula(BASE_ANGLE, instead=atan(p_y / p_x)),
@@ -156,7 +156,7 @@ def rise(p_x, p_y, p_z):
 
 def without_x(p_x, p_y, p_z, a2, a3):
     """M2: the arm in the plane of y and z."""
-    distance, elevation = M2.formula.evaluate(p_y=p_y, p_z=p_z).ravel()
+    distance, elevation = no_p_x.formula.evaluate(p_y=p_y, p_z=p_z).ravel()
     return bend(cosine(distance, a2, a3), elevation, a2, a3)
 
 
@@ -168,7 +168,7 @@ def without_x_by_atan2(p_x, p_y, p_z, a2, a3):
 
 def cubed(p_x, p_y, p_z, a2, a3):
     """M3: the third power of the forearm."""
-    A = M3.formula.evaluate(p_x=p_x, p_y=p_y, high=p_z, a2=a2, a3=a3)
+    A = cubed_a_3.formula.evaluate(p_x=p_x, p_y=p_y, high=p_z, a2=a2, a3=a3)
     return bend(A, rise(p_x, p_y, p_z), a2, a3)
 
 
@@ -209,14 +209,14 @@ def four_alike(**numbers):
     """M4 in all four answers: the second half is the first with the base turned round."""
     facing = four(**numbers)[:2]
     joints = (dict(zip(("theta1", "theta2", "theta3"), row, strict=True)) for row in facing)
-    return facing + [M4.formula.evaluate(**row).ravel() for row in joints]
+    return facing + [base_only.formula.evaluate(**row).ravel() for row in joints]
 
 
 WAYS: dict[Mistake, Callable[..., Any]] = {
-    M1: lambda **n: four(**n, theta1=M1.formula.evaluate(**n)),
-    M2: lambda **n: four(**n, bends=without_x(**n)),
-    M3: lambda **n: four(**n, bends=cubed(**n)),
-    M5: lambda **n: four(**n, theta1=M5.formula.evaluate(**n)),
+    swapped_xy: lambda **n: four(**n, theta1=swapped_xy.formula.evaluate(**n)),
+    no_p_x: lambda **n: four(**n, bends=without_x(**n)),
+    cubed_a_3: lambda **n: four(**n, bends=cubed(**n)),
+    base_arctan: lambda **n: four(**n, theta1=base_arctan.formula.evaluate(**n)),
 }
 
 
@@ -254,7 +254,7 @@ elbow_arm_1 = Exercise(
     given={"p_x": BACK, "p_y": SIDE},
     unknowns=(angle("θ_1"),),
     right=lambda p_x, p_y: elbow_arm.inverse([p_x, p_y, 0], 0.6, 0.5)[0, 0],
-    wrong={M1: M1.formula.evaluate, M5: M5.formula.evaluate},
+    wrong={swapped_xy: swapped_xy.formula.evaluate, base_arctan: base_arctan.formula.evaluate},
     when=lambda p_x, p_y: np.hypot(p_x, p_y) > 0.15,
     solution=Solution(
         "Seen from above, the arm must point from the base to the target. The direction of a "
@@ -276,8 +276,8 @@ elbow_arm_2 = Exercise(
     unknowns=(angle("θ_3"),),
     right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3)[1, 2],
     wrong={
-        M2: lambda **numbers: without_x(**numbers)[1, 1],
-        M3: lambda **numbers: cubed(**numbers)[1, 1],
+        no_p_x: lambda **numbers: without_x(**numbers)[1, 1],
+        cubed_a_3: lambda **numbers: cubed(**numbers)[1, 1],
     },
     when=possible,
     likely_slips={
@@ -318,7 +318,7 @@ elbow_arm_3 = Exercise(
     | LINKS,
     unknowns=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     right=away,
-    wrong={M4: M4.formula.evaluate},
+    wrong={base_only: base_only.formula.evaluate},
     when=lambda theta2, theta3, a2, a3, **_: (
         a2 * np.cos(theta2) + a3 * np.cos(theta2 + theta3) > 0.1
     ),
@@ -375,7 +375,7 @@ elbow_arm_4 = Exercise(
     },
     unknowns=(Unknown("a_3", "m"),),
     right=lambda d1, a2, **p: length(**p | {"p_z": p["p_z"] - d1}) - a2,
-    wrong={M2: lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2},
+    wrong={no_p_x: lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2},
     when=lambda d1, a2, p_x, p_y, p_z: np.hypot(p_y, p_z - d1) - a2 > 0.05,
     likely_slips={
         "for the distance alone; the upper link is not taken away": lambda d1, a2, p_z, **p: length(
@@ -409,7 +409,7 @@ elbow_arm_5 = Exercise(
     unknowns=(angle("θ_2"), angle("θ_3")),
     accept="any",
     right=lambda p_z, a2, a3: elbow_arm.inverse([0, 0, p_z], a2, a3)[:2, 1:],
-    wrong={M3: lambda p_z, a2, a3: cubed(0, 0, p_z, a2, a3)},
+    wrong={cubed_a_3: lambda p_z, a2, a3: cubed(0, 0, p_z, a2, a3)},
     when=lambda p_z, a2, a3: bent(p_z, a2, a3) and bent(p_z, a2, a3, 3),
     likely_slips={
         "for the angle inside the triangle, between the links": lambda p_z, a2, a3: [
@@ -453,7 +453,7 @@ elbow_arm_6 = Exercise(
     wrong={mistake: first(formula) for mistake, formula in WAYS.items()},
     when=possible,
     likely_slips={
-        f"{M2.feedback}, although with atan2": first(without_x_by_atan2),
+        f"{no_p_x.feedback}, although with atan2": first(without_x_by_atan2),
         "with the elbow below": lambda p_x, p_y, p_z, d1, **links: elbow_arm.inverse(
             [p_x, p_y, p_z], **links, d1=d1
         )[1],
@@ -491,7 +491,7 @@ elbow_arm_7 = Exercise(
     unknowns=(angle("θ_1"), angle("θ_2"), angle("θ_3")),
     accept="all",
     right=lambda p_x, p_y, p_z, a2, a3: elbow_arm.inverse([p_x, p_y, p_z], a2, a3),
-    wrong=WAYS | {M4: four_alike},
+    wrong=WAYS | {base_only: four_alike},
     when=possible,
     solution=Solution(
         "The base faces the point at\n\n{base}\n\n"

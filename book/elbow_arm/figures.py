@@ -16,7 +16,7 @@ from sympy import pi as exact_pi
 from book import things_space
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas as arm
-from book.elbow_arm.exercises import M1, M2, M3, M4, M5
+from book.elbow_arm.exercises import base_arctan, base_only, cubed_a_3, no_p_x, swapped_xy
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
 from courseware.equations import Where, substitute
@@ -270,15 +270,17 @@ def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
     base, cosine = arm.base.substitute(given)[0], arm.cosine.substitute(given)
     elevation = atan2(level, arm.side.substitute(given)[0])
     right = joint_angles_by(base, cosine, elevation)
-    short, steep = M2.substitute({p_y: PLACE[p_y], p_z: level})
+    short, steep = no_p_x.substitute({p_y: PLACE[p_y], p_z: level})
     return right, {
-        "It aims at a mirror image": joint_angles_by(M1.substitute(given), cosine, elevation),
-        "It never looks behind": joint_angles_by(M5.substitute(given), cosine, elevation),
+        "It aims at a mirror image": joint_angles_by(
+            swapped_xy.substitute(given), cosine, elevation
+        ),
+        "It never looks behind": joint_angles_by(base_arctan.substitute(given), cosine, elevation),
         "Its reach never changes": joint_angles_by(
             base, arm.cosine.substitute({**ARM, p_x: short, p_y: 0, high: 0}), steep
         ),
-        "It reaches too far": joint_angles_by(base, M3.substitute(given), elevation),
-        "It turns round": M4.substitute(dict(zip(JOINTS, right, strict=True))),
+        "It reaches too far": joint_angles_by(base, cubed_a_3.substitute(given), elevation),
+        "It turns round": base_only.substitute(dict(zip(JOINTS, right, strict=True))),
     }
 
 

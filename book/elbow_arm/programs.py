@@ -8,7 +8,14 @@ from sympy import Matrix, cos, sin
 
 from book import things_space
 from book.basics.formulas import p_x, p_y
-from book.elbow_arm.exercises import M2, M4, WAYS, four_alike, possible, without_x_by_atan2
+from book.elbow_arm.exercises import (
+    WAYS,
+    base_only,
+    four_alike,
+    no_p_x,
+    possible,
+    without_x_by_atan2,
+)
 from book.elbow_arm.formulas import a2, a3, d1, forward, p_z, theta1, theta2, theta3
 from courseware.answers import Unknown, angle
 from courseware.figures import VIEW
@@ -199,7 +206,7 @@ elbow_arm_p2 = Program(
     compared_value=lambda theta, p, *arm: joints(theta, *arm)[-1],
     wrong={mistake: from_base(formula) for mistake, formula in WAYS.items()},
     likely_slips={
-        f"{M2.feedback}, although with atan2": from_base(without_x_by_atan2),
+        f"{no_p_x.feedback}, although with atan2": from_base(without_x_by_atan2),
         "when p_z is taken as measured from the shoulder": lambda *n: elbow_arm.inverse(*n[:3])[0],
     },
     hints=(
@@ -258,7 +265,7 @@ elbow_arm_p3 = Program(
     picture=draw_four,
     extent=0.05,
     wrong={m: from_shoulder(formula) for m, formula in WAYS.items()}
-    | {M4: from_shoulder(four_alike)},
+    | {base_only: from_shoulder(four_alike)},
     likely_slips={"with −θ_2 where the arm faces away, not π − θ_2": not_leaning_back},
     hints=(
         "Which rows are wrong? Put each row into the formulas of the way forward, and look where "

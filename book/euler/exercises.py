@@ -49,7 +49,7 @@ AT_LOCK = (  # of XYZ
     formulas.angles_at_once.right[1],
 )
 
-M6 = Mistake(
+wrong_order = Mistake(
     "M6",
     feedback="with the matrices in the wrong order, that of turns about the axes of the fixed "
     "frame",
@@ -65,7 +65,7 @@ M6 = Mistake(
         "A die turned as frame B, and a red one: none of its axes points where it should.",
     ),
 )
-M7 = Mistake(
+left_handed_turn = Mistake(
     "M7",
     feedback="with left-handed turns: every sine has the wrong sign",
     formula=WrongFormula(formulas.turn_y, {formulas.turn: -formulas.turn}),
@@ -81,7 +81,7 @@ M7 = Mistake(
         "A die turned as frame B, and a red one: its x and z axes point backwards.",
     ),
 )
-M8 = Mistake(
+ignored_lock = Mistake(
     "M8",
     formula=WrongFormula(
         LocalEquation(Matrix([formulas.first, formulas.middle]), Matrix(AT_LOCK)),
@@ -122,18 +122,18 @@ def two_turns(first, second, a, b):
 
 def fixed_axes(first, second, a, b):
     """M6 for two turns: both about axes of A."""
-    return M6.formula.evaluate(R_1=one_turn(first, a), R_2=one_turn(second, b))
+    return wrong_order.formula.evaluate(R_1=one_turn(first, a), R_2=one_turn(second, b))
 
 
 def left_handed(first, second, a, b):
     """M7 for two turns."""
-    first, second = (M7.formula.transfer(ABOUT[axis]) for axis in (first, second))
+    first, second = (left_handed_turn.formula.transfer(ABOUT[axis]) for axis in (first, second))
     return first.evaluate(turn=a) @ second.evaluate(turn=b)
 
 
 def wrong_way(turned):
     """Return a turn, or several, as M7 takes them."""
-    return M7.formula.replace(turn=turned)["turn"]
+    return left_handed_turn.formula.replace(turn=turned)["turn"]
 
 
 def all_wrong_way(**turns):
@@ -165,7 +165,7 @@ def yaw_pitch_roll(yaw, pitch, roll):
 def fixed_yaw_pitch_roll(yaw, pitch, roll):
     """M6: the same turns about the axes of A."""
     turns = (one_turn(axis, angle) for axis, angle in zip("zyx", (yaw, pitch, roll), strict=True))
-    return reduce(lambda R_1, R_2: M6.formula.evaluate(R_1=R_1, R_2=R_2), turns)
+    return reduce(lambda R_1, R_2: wrong_order.formula.evaluate(R_1=R_1, R_2=R_2), turns)
 
 
 def to_zyz(yaw, pitch, roll):
@@ -186,7 +186,7 @@ def locked(seq, a, b):
 def regular(seq, R):
     """M8 for XYZ, YZX or ZXY: the first two angles by the formulas that fail at lock."""
     order = list(map("XYZ".index, seq))
-    return M8.formula.evaluate(**named(R[np.ix_(order, order)])).ravel()
+    return ignored_lock.formula.evaluate(**named(R[np.ix_(order, order)])).ravel()
 
 
 ALL = clean(euler.to_matrix("XYZ", np.pi / 2 * np.array(list(product(range(4), repeat=3)))))
@@ -276,8 +276,8 @@ euler_1 = Exercise(
     unknowns=DIRECTION,
     right=lambda arrow, **turns: column(two_turns(**turns), arrow),
     wrong={
-        M6: lambda arrow, **turns: column(fixed_axes(**turns), arrow),
-        M7: lambda arrow, **turns: column(left_handed(**turns), arrow),
+        wrong_order: lambda arrow, **turns: column(fixed_axes(**turns), arrow),
+        left_handed_turn: lambda arrow, **turns: column(left_handed(**turns), arrow),
     },
     when=different,
     likely_slips={
@@ -305,7 +305,7 @@ euler_2 = Exercise(
     unknowns=matrix("R_AB", 3, 3),
     shape=(3, 3),
     right=two_turns,
-    wrong={M6: fixed_axes, M7: left_handed},
+    wrong={wrong_order: fixed_axes, left_handed_turn: left_handed},
     when=different,
     solution=Solution(
         MADE + "The second turn is about an axis of the turned frame, so its matrix stands on the "
@@ -332,13 +332,13 @@ euler_3 = Exercise(
     shape=(3, 3),
     right=lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, turn),
     wrong={
-        M6: lambda R_AB, axis, turn: M6.formula.evaluate(
+        wrong_order: lambda R_AB, axis, turn: wrong_order.formula.evaluate(
             R_1=one_turn(axis, turn).T, R_2=QUARTERS[R_AB]
         ),
-        M7: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, wrong_way(turn)),
+        left_handed_turn: lambda R_AB, axis, turn: rest(QUARTERS[R_AB], axis, wrong_way(turn)),
     },
     together={
-        (M6, M7): lambda R_AB, axis, turn: M6.formula.evaluate(
+        (wrong_order, left_handed_turn): lambda R_AB, axis, turn: wrong_order.formula.evaluate(
             R_1=one_turn(axis, wrong_way(turn)).T, R_2=QUARTERS[R_AB]
         ),
     },
@@ -372,11 +372,11 @@ euler_4 = Exercise(
     accept="any",
     right=lambda **turns: both_ways(two_turns(**turns)),
     wrong={
-        M6: lambda **turns: both_ways(fixed_axes(**turns)),
-        M7: lambda **turns: both_ways(left_handed(**turns)),
+        wrong_order: lambda **turns: both_ways(fixed_axes(**turns)),
+        left_handed_turn: lambda **turns: both_ways(left_handed(**turns)),
     },
     together={
-        (M6, M7): lambda first, second, a, b: both_ways(
+        (wrong_order, left_handed_turn): lambda first, second, a, b: both_ways(
             fixed_axes(first, second, wrong_way(a), wrong_way(b))
         ),
     },
@@ -414,8 +414,10 @@ euler_5 = Exercise(
     accept="all",
     right=lambda **turns: euler.solutions("ZYX", yaw_pitch_roll(**turns)),
     wrong={
-        M6: lambda **turns: euler.solutions("zyx", yaw_pitch_roll(**turns)),
-        M7: lambda **turns: wrong_way(euler.solutions("ZYX", yaw_pitch_roll(**turns))),
+        wrong_order: lambda **turns: euler.solutions("zyx", yaw_pitch_roll(**turns)),
+        left_handed_turn: lambda **turns: wrong_way(
+            euler.solutions("ZYX", yaw_pitch_roll(**turns))
+        ),
     },
     when=lambda **turns: far_from_lock("zyx", yaw_pitch_roll(**turns)),
     derive=lambda **turns: {
@@ -457,8 +459,10 @@ euler_6 = Exercise(
     unknowns=(angle("first"), angle("second")),
     right=lambda seq, a, b: euler.from_matrix(seq, locked(seq, a, b))[:2],
     wrong={
-        M7: lambda seq, a, b: wrong_way(euler.from_matrix(seq, locked(seq, a, b))[:2]),
-        M8: lambda seq, a, b: regular(seq, locked(seq, a, b)),
+        left_handed_turn: lambda seq, a, b: wrong_way(
+            euler.from_matrix(seq, locked(seq, a, b))[:2]
+        ),
+        ignored_lock: lambda seq, a, b: regular(seq, locked(seq, a, b)),
     },
     derive=lambda seq, a, b: {"R": locked(seq, a, b), **named(locked(seq, a, b))},
     solution=Solution(
@@ -506,8 +510,8 @@ euler_7 = Exercise(
     accept="any",
     right=to_zyz,
     wrong={
-        M6: lambda **turns: euler.solutions("ZYZ", fixed_yaw_pitch_roll(**turns)),
-        M7: lambda **turns: to_zyz(**all_wrong_way(**turns)),
+        wrong_order: lambda **turns: euler.solutions("ZYZ", fixed_yaw_pitch_roll(**turns)),
+        left_handed_turn: lambda **turns: to_zyz(**all_wrong_way(**turns)),
     },
     when=lambda **turns: (
         far_from_lock("ZYZ", yaw_pitch_roll(**turns))

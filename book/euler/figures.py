@@ -25,7 +25,7 @@ from sympy import pi as exact_pi
 
 from book import things_space
 from book.euler import formulas as euler
-from book.euler.exercises import M7
+from book.euler.exercises import left_handed_turn
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.outlines import disc
@@ -672,10 +672,11 @@ def mistakes_figure() -> Figure:
     """Draw another frame B, of two quarter turns, and the frames that three mistakes make of it."""
     quarter = {turn: exact_pi / 2}
     y_turn, z_turn = euler.turn_y.substitute(quarter), euler.turn_z.substitute(quarter)
-    by_hand = M7.formula.transfer(euler.turn_z)
+    by_hand = left_handed_turn.formula.transfer(euler.turn_z)
     wrong = {
         "A product of two turns": z_turn * y_turn,
-        "Matrices typed by hand": M7.formula.substitute(quarter) * by_hand.substitute(quarter),
+        "Matrices typed by hand": left_handed_turn.formula.substitute(quarter)
+        * by_hand.substitute(quarter),
         "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
     }
     right = (y_turn * z_turn).doit()

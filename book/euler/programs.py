@@ -4,14 +4,14 @@ import numpy as np
 from sympy import Matrix, prod
 
 from book.euler.exercises import (
-    M6,
-    M7,
-    M8,
     all_wrong_way,
     clean,
     far_from_lock,
     fixed_yaw_pitch_roll,
+    ignored_lock,
+    left_handed_turn,
     regular,
+    wrong_order,
     yaw_pitch_roll,
 )
 from book.euler.figures import LEFT, RIGHT, X, Y, Z, die
@@ -117,7 +117,7 @@ euler_p1 = Program(
     picture=draw_turns(Z, Y, X),
     extent=1.2,
     compared_value=lambda turns, R: turned((Z, Y, X), turns),
-    wrong={M6: lambda R: euler.from_matrix("zyx", R)},
+    wrong={wrong_order: lambda R: euler.from_matrix("zyx", R)},
     likely_slips={
         "with arctan, which knows half of the circle; arctan2 knows all of it": cut_in_half,
         "with sine and cosine exchanged in arctan2: the sine comes first": lambda R: (
@@ -168,7 +168,7 @@ euler_p2 = Program(
     picture=draw_turns(X, Y, Z),
     extent=1.2,
     compared_value=lambda turns, R: turned((X, Y, Z), turns),
-    wrong={M8: lambda R: [*regular("XYZ", R), 0.0]},
+    wrong={ignored_lock: lambda R: [*regular("XYZ", R), 0.0]},
     likely_slips={
         "with r_21 as sin α: its sign is right at +90° only": as_at_plus,
         "when β is +90° every time": lambda R: [euler.from_matrix("XYZ", R)[0], np.pi / 2, 0.0],
@@ -225,7 +225,7 @@ euler_p3 = Program(
     right=lambda *turns: euler.to_matrix("ZYX", turns),
     picture=lambda right, answer, *turns: draw_dice(right, answer),
     extent=1.2,
-    wrong={M6: fixed_yaw_pitch_roll, M7: left_handed},
+    wrong={wrong_order: fixed_yaw_pitch_roll, left_handed_turn: left_handed},
     likely_slips={
         "with the first turn about x and the last about z": lambda *turns: euler.to_matrix(
             "XYZ", turns

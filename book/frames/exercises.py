@@ -28,7 +28,7 @@ R, p, q = MatrixSymbol("R", 2, 2), MatrixSymbol("p", 2, 1), MatrixSymbol("q", 2,
 FROM_HAND = LocalEquation(T_ce, T_bc.inv() * T_db.inv() * T_de)
 WAY_BACK = LocalEquation(q, -R.T * p)
 
-M9 = Mistake(
+no_inverse = Mistake(
     "M9",
     feedback="when the poses are multiplied as they are given and none is inverted",
     formula=WrongFormula(FROM_HAND, instead=T_db * T_bc * T_de),
@@ -44,7 +44,7 @@ M9 = Mistake(
         "further up, and turned.",
     ),
 )
-M10 = Mistake(
+unturned_shift = Mistake(
     "M10",
     feedback="when an inverse is made with −p in place of −Rᵀp",
     formula=WrongFormula(WAY_BACK, instead=-p),
@@ -61,7 +61,7 @@ M10 = Mistake(
         "The object lies on the left. The hand's program believes it on the right of the platform.",
     ),
 )
-M11 = Mistake(
+same_order = Mistake(
     "M11",
     feedback="when T_db T_bc is inverted as T_db⁻¹ T_bc⁻¹, in the same order",
     formula=WrongFormula(FROM_HAND, instead=T_db.inv() * T_bc.inv() * T_de),
@@ -75,7 +75,7 @@ M11 = Mistake(
         "The object lies on the left. The hand's program believes it nearer to the hand.",
     ),
 )
-M30 = Mistake(
+T_bc_kept = Mistake(
     "M30",
     feedback="when T_bc is left as it is where its inverse belongs",
     formula=WrongFormula(FROM_HAND, instead=T_bc * T_db.inv() * T_de),
@@ -133,7 +133,7 @@ def shifted_back(T):
     n = len(T) - 1
     out = np.eye(n + 1)
     out[:n, :n] = T[:n, :n].T
-    out[:n, n] = M10.formula.evaluate(p=T[:n, n])
+    out[:n, n] = unturned_shift.formula.evaluate(p=T[:n, n])
     return out
 
 
@@ -286,7 +286,7 @@ frames_1 = Exercise(
     given=PLATFORM,
     unknowns=POSE,
     right=posed(lambda T_db: frames.inverse(T_db)),
-    wrong={M10: posed(lambda T_db: shifted_back(T_db))},
+    wrong={unturned_shift: posed(lambda T_db: shifted_back(T_db))},
     likely_slips={
         "for the platform as the camera sees it: nothing is turned back": posed(lambda T_db: T_db),
     },
@@ -307,8 +307,8 @@ frames_2 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m")),
     right=at_point(lambda T_bc, p: frames.transform(frames.inverse(T_bc), p)),
     wrong={
-        M10: at_point(lambda T_bc, p: frames.transform(shifted_back(T_bc), p)),
-        M30: at_point(lambda T_bc, p: frames.transform(T_bc, p)),
+        unturned_shift: at_point(lambda T_bc, p: frames.transform(shifted_back(T_bc), p)),
+        T_bc_kept: at_point(lambda T_bc, p: frames.transform(T_bc, p)),
     },
     solution=Solution(
         ARM_FOUND + "From the hand to the object leads the difference of the two positions, still "
@@ -334,8 +334,8 @@ frames_3 = Exercise(
     unknowns=POSE,
     right=posed(lambda T_db, T_de: frames.compose(frames.inverse(T_db), T_de)),
     wrong={
-        M9: posed(lambda T_db, T_de: T_db @ T_de),
-        M10: posed(lambda T_db, T_de: shifted_back(T_db) @ T_de),
+        no_inverse: posed(lambda T_db, T_de: T_db @ T_de),
+        unturned_shift: posed(lambda T_db, T_de: shifted_back(T_db) @ T_de),
     },
     likely_slips={
         "along the camera's axes; asked are the platform's": lambda x_b, y_b, x_e, y_e, **turns: [
@@ -372,10 +372,12 @@ frames_4 = Exercise(
     unknowns=POSE,
     right=by_hand(lambda T_db, T_bc: numbers_of(frames.inverse(frames.compose(T_db, T_bc)))),
     wrong={
-        M9: by_hand(lambda T_db, T_bc: numbers_of(T_db @ T_bc)),
-        M10: by_hand(both_inverses),
-        M11: by_hand(lambda T_db, T_bc: numbers_of(frames.inverse(T_db) @ frames.inverse(T_bc))),
-        M30: by_hand(lambda T_db, T_bc: numbers_of(T_bc @ frames.inverse(T_db))),
+        no_inverse: by_hand(lambda T_db, T_bc: numbers_of(T_db @ T_bc)),
+        unturned_shift: by_hand(both_inverses),
+        same_order: by_hand(
+            lambda T_db, T_bc: numbers_of(frames.inverse(T_db) @ frames.inverse(T_bc))
+        ),
+        T_bc_kept: by_hand(lambda T_db, T_bc: numbers_of(T_bc @ frames.inverse(T_db))),
     },
     likely_slips={
         ONE_BACK: by_hand(
@@ -417,10 +419,12 @@ frames_5 = Exercise(
         lambda T_db, T_bc, T_de: frames.compose(frames.inverse(T_bc), frames.inverse(T_db), T_de)
     ),
     wrong={
-        M9: from_hand(M9),
-        M10: matrices(lambda T_db, T_bc, T_de: shifted_back(T_bc) @ shifted_back(T_db) @ T_de),
-        M11: from_hand(M11),
-        M30: from_hand(M30),
+        no_inverse: from_hand(no_inverse),
+        unturned_shift: matrices(
+            lambda T_db, T_bc, T_de: shifted_back(T_bc) @ shifted_back(T_db) @ T_de
+        ),
+        same_order: from_hand(same_order),
+        T_bc_kept: from_hand(T_bc_kept),
     },
     derive=planar,
     likely_slips={
@@ -481,8 +485,8 @@ frames_6 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m"), Unknown("z", "m")),
     right=from_above(lambda T_fb, p: frames.transform(frames.inverse(T_fb), p)),
     wrong={
-        M9: from_above(lambda T_fb, p: frames.transform(T_fb, p)),
-        M10: from_above(lambda T_fb, p: frames.transform(shifted_back(T_fb), p)),
+        no_inverse: from_above(lambda T_fb, p: frames.transform(T_fb, p)),
+        unturned_shift: from_above(lambda T_fb, p: frames.transform(shifted_back(T_fb), p)),
     },
     likely_slips={
         "along the camera's axes; asked are the platform's": from_above(
@@ -511,8 +515,8 @@ frames_7 = Exercise(
     unknowns=POSE,
     right=posed(lambda T_de, T_bc: frames.compose(T_de, frames.inverse(T_bc))),
     wrong={
-        M10: posed(lambda T_de, T_bc: T_de @ shifted_back(T_bc)),
-        M30: posed(lambda T_de, T_bc: T_de @ T_bc),
+        unturned_shift: posed(lambda T_de, T_bc: T_de @ shifted_back(T_bc)),
+        T_bc_kept: posed(lambda T_de, T_bc: T_de @ T_bc),
     },
     likely_slips={
         "for the camera as the platform sees it": posed(

@@ -7,7 +7,7 @@ from sympy import Matrix, Symbol, atan2, cos, sin, sqrt, symbols, zeros
 
 from book.frames import exercises as bank
 from book.frames import formulas as frames
-from book.frames.exercises import M9, M10, M11, M30
+from book.frames.exercises import T_bc_kept, no_inverse, same_order, unturned_shift
 from book.frames.formulas import (
     alpha,
     bc_turn,
@@ -287,14 +287,16 @@ def object_by_mistake(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
     given = {T: pose_matrix(pose) for T, pose in {**turned, bank.T_de: de}.items()}
     given |= {T.inv(): pose_matrix(seen_from(pose, (0, 0, 0))) for T, pose in turned.items()}
     by_sign = {
-        T.inv(): pose_matrix((*M10.substitute({bank.p: Matrix(pose[:2])}).doit(), -pose[2]))
+        T.inv(): pose_matrix(
+            (*unturned_shift.substitute({bank.p: Matrix(pose[:2])}).doit(), -pose[2])
+        )
         for T, pose in turned.items()
     }
     found = {
-        "No inverse": M9.substitute(given),
+        "No inverse": no_inverse.substitute(given),
         "Inverses by hand": substitute(bank.FROM_HAND.right, {**given, **by_sign}),
-        "Two inverses": M11.substitute(given),
-        "One inverse": M30.substitute(given),
+        "Two inverses": same_order.substitute(given),
+        "One inverse": T_bc_kept.substitute(given),
     }
     return {name: T_ce.doit() for name, T_ce in found.items()}
 

@@ -1,7 +1,16 @@
 """Programs that students write on chains of frames."""
 
 from book import outlines, things
-from book.frames.exercises import M9, M10, M11, M30, ONLY_HAND, POSE, numbers_of, shifted_back
+from book.frames.exercises import (
+    ONLY_HAND,
+    POSE,
+    T_bc_kept,
+    no_inverse,
+    numbers_of,
+    same_order,
+    shifted_back,
+    unturned_shift,
+)
 from book.frames.formulas import (
     bc_turn,
     bc_x,
@@ -153,7 +162,7 @@ frames_p2 = Program(
     right=of_matrices(frames.inverse),
     picture=draw_back,
     extent=0.3,
-    wrong={M10: of_matrices(shifted_back)},
+    wrong={unturned_shift: of_matrices(shifted_back)},
     likely_slips={
         "with −R p in place of −Rᵀp": to_world,
         "with Rᵀp in place of −Rᵀp": way_there,
@@ -207,10 +216,10 @@ frames_p3 = Program(
     picture=draw_object,
     extent=0.3,
     wrong={
-        M9: of_matrices(lambda bc, db, de: db @ bc @ de),
-        M10: of_matrices(lambda bc, db, de: shifted_back(bc) @ shifted_back(db) @ de),
-        M11: of_matrices(lambda bc, db, de: frames.inverse(db) @ frames.inverse(bc) @ de),
-        M30: of_matrices(lambda bc, db, de: bc @ frames.inverse(db) @ de),
+        no_inverse: of_matrices(lambda bc, db, de: db @ bc @ de),
+        unturned_shift: of_matrices(lambda bc, db, de: shifted_back(bc) @ shifted_back(db) @ de),
+        same_order: of_matrices(lambda bc, db, de: frames.inverse(db) @ frames.inverse(bc) @ de),
+        T_bc_kept: of_matrices(lambda bc, db, de: bc @ frames.inverse(db) @ de),
     },
     likely_slips={ONLY_HAND: of_matrices(lambda bc, db, de: frames.inverse(bc) @ db @ de)},
     hints=(

@@ -6,7 +6,7 @@ import numpy as np
 from sympy import Add, Matrix, Pow, atan, atan2, ceiling, cos, pi, sin, sqrt, symbols
 
 from book.differential_drive import formulas as drive
-from book.differential_drive.exercises import M12, M13
+from book.differential_drive.exercises import degrees_taken, half_wheel_distance
 from book.motion import formulas as planar
 from book.odometry import formulas
 from courseware.answers import Unknown, angle, integer
@@ -37,7 +37,7 @@ with as_written():
     PER_RADIAN = [drive.r * ticks / formulas.C for ticks in (formulas.N_L, formulas.N_R)]
     DIFFERENCE = formulas.count_now - formulas.count_before
 
-M22 = Mistake(
+lost_heading = Mistake(
     "M22",
     feedback="when the heading so far is forgotten and only the turn of this step is put in",
     formula=WrongFormula(formulas.new_heading, instead=FORGETFUL),
@@ -62,7 +62,7 @@ M22 = Mistake(
     "drives is the heading so far, θ, and the turn together. (This is the rule of the "
     "new heading, which the document uses in its third formula.)",
 )
-M23 = Mistake(
+arctan_heading = Mistake(
     "M23",
     feedback="when the heading is taken as tan⁻¹(sin/cos), which never looks backward",
     formula=WrongFormula(HEADING, instead=HALF_SEEN),
@@ -84,7 +84,7 @@ M23 = Mistake(
     quote="θ_{i+1} = tan⁻¹(sin(θ_i + w_{i+1} Δt)/cos(θ_i + w_{i+1} Δt))",
     correction="θ_{i+1} = «atan2»(sin(θ_i + w_{i+1} Δt), cos(θ_i + w_{i+1} Δt))",
 )
-M24 = Mistake(
+ticks_per_radian = Mistake(
     "M24",
     feedback="when the ticks of a whole turn are taken for the ticks of one radian: 2π is lost",
     formula=WrongFormula(formulas.travel, instead=Matrix(PER_RADIAN)),
@@ -100,7 +100,7 @@ M24 = Mistake(
         "of the way and hardly turned.",
     ),
 )
-M25 = Mistake(
+counter_jump = Mistake(
     "M25",
     feedback="when the counter wrapped round and its jump is taken for a huge step the other way",
     formula=WrongFormula(formulas.counter_step, instead=DIFFERENCE),
@@ -128,7 +128,7 @@ def turned(before, after):
 
 def jumped(before, after):
     """Return the ticks as M25 reads them."""
-    return M25.formula.evaluate(count_before=before, count_now=after)
+    return counter_jump.formula.evaluate(count_before=before, count_now=after)
 
 
 def rolled(ticks, C, r):
@@ -138,7 +138,7 @@ def rolled(ticks, C, r):
 
 def rolled_per_radian(ticks, C, r):
     """Return how far it rolls by M24."""
-    return M24.formula.evaluate(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
+    return ticks_per_radian.formula.evaluate(N_L=ticks, N_R=ticks, C=C, r=r)[0, 0]
 
 
 def way_and_turn(D_L, D_R, b):
@@ -154,12 +154,12 @@ def one_step(method, theta, D_L, D_R, b, x=0, y=0):
 def heading_forgotten(theta, D_L, D_R, b, x=0, y=0):
     """Return the pose after one step by M22."""
     D, turn = way_and_turn(D_L, D_R, b)
-    return M22.formula.evaluate(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
+    return lost_heading.formula.evaluate(x=x, y=y, theta=theta, D=D, dtheta=turn).ravel()
 
 
 def half_seen(heading):
     """Return a heading as M23 has it: tan⁻¹(sin/cos)."""
-    return M23.formula.evaluate(theta=heading, dtheta=0)
+    return arctan_heading.formula.evaluate(theta=heading, dtheta=0)
 
 
 def half_seen_step(theta, D_L, D_R, b, x, y):
@@ -178,7 +178,7 @@ def half_seen_heading(theta, D_L, D_R, b, x, y):
 def degrees_step(theta, D_L, D_R, b, x, y):
     """Return the step with the new heading, by M13."""
     D, turn = way_and_turn(D_L, D_R, b)
-    h = M13.formula.replace(theta=theta + turn)["theta"]
+    h = degrees_taken.formula.replace(theta=theta + turn)["theta"]
     return [x + D * np.cos(h), y + D * np.sin(h), theta + turn]
 
 
@@ -282,7 +282,7 @@ odometry_1 = Exercise(
     },
     unknowns=(Unknown("D", "m"),),
     right=lambda C, r, N: rolled(N, C, r),
-    wrong={M24: lambda C, r, N: rolled_per_radian(N, C, r)},
+    wrong={ticks_per_radian: lambda C, r, N: rolled_per_radian(N, C, r)},
     likely_slips={
         "with the diameter where the radius belongs": lambda C, r, N: rolled(N, C, 2 * r),
         "when ticks and ticks a turn are exchanged": lambda C, r, N: rolled(C, N, r),
@@ -320,8 +320,10 @@ odometry_2 = Exercise(
     unknowns=(Unknown("D", "m", tolerance=6e-5),),
     right=lambda before, after, C, r: rolled(turned(before, after), C, r),
     wrong={
-        M24: lambda before, after, C, r: rolled_per_radian(turned(before, after), C, r),
-        M25: lambda before, after, C, r: rolled(jumped(before, after), C, r),
+        ticks_per_radian: lambda before, after, C, r: rolled_per_radian(
+            turned(before, after), C, r
+        ),
+        counter_jump: lambda before, after, C, r: rolled(jumped(before, after), C, r),
     },
     likely_slips={
         "with 65535 numbers of the counter: with 0 it has 65536": lambda before, after, C, r: (
@@ -371,7 +373,7 @@ odometry_3 = Exercise(
     },
     unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=lambda **step: one_step("end", **step),
-    wrong={M22: heading_forgotten, M23: half_seen_step},
+    wrong={lost_heading: heading_forgotten, arctan_heading: half_seen_step},
     when=lambda theta, D_L, D_R, b, **_: (
         abs(D_R - D_L) > 0.04 and abs(D_R - D_L) < b and backward(theta + (D_R - D_L) / b)
     ),
@@ -383,8 +385,10 @@ odometry_3 = Exercise(
         "by the rule of the old heading": lambda **step: one_step("start", **step),
         "by the rule of the middle heading": lambda **step: one_step("midpoint", **step),
         "along the exact arc": lambda **step: one_step("exact", **step),
-        M12.feedback: M12.formula.wrap(lambda **step: one_step("end", **step)),
-        M13.feedback: degrees_step,
+        half_wheel_distance.feedback: half_wheel_distance.formula.wrap(
+            lambda **step: one_step("end", **step)
+        ),
+        degrees_taken.feedback: degrees_step,
         "when only the heading that is answered is taken as tan⁻¹(sin/cos)": half_seen_heading,
         "when left and right are exchanged": lambda D_L, D_R, **step: one_step(
             "end", D_L=D_R, D_R=D_L, **step
@@ -417,7 +421,9 @@ odometry_4 = Exercise(
     },
     unknowns=(Unknown("b", "m"),),
     right=lambda r, C, n, N_R: rolled(2 * N_R, C, r) / (2 * np.pi * n),
-    wrong={M24: lambda r, C, n, N_R: rolled_per_radian(2 * N_R, C, r) / (2 * np.pi * n)},
+    wrong={
+        ticks_per_radian: lambda r, C, n, N_R: rolled_per_radian(2 * N_R, C, r) / (2 * np.pi * n)
+    },
     when=lambda r, C, n, N_R: 0.15 < 2 * r * N_R / (C * n) < 0.8,
     likely_slips={
         "for one full turn; the robot made several": lambda r, C, n, N_R: (
@@ -451,7 +457,7 @@ odometry_5 = Exercise(
     },
     unknowns=(integer("C", "ticks"),),
     right=finest,
-    wrong={M24: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
+    wrong={ticks_per_radian: lambda **design: np.ceil(resolution(rolled_per_radian, **design))},
     likely_slips={
         "when it is rounded down: with one tick less the change is more than allowed": (
             lambda **design: np.floor(resolution(rolled, **design))
@@ -502,7 +508,7 @@ odometry_6 = Exercise(
     },
     unknowns=(Unknown("error", "m"),),
     right=lambda D, turn, theta: gap(turn, D, theta, theta),
-    wrong={M22: lambda D, turn, theta: gap(turn, D, turn, theta)},
+    wrong={lost_heading: lambda D, turn, theta: gap(turn, D, turn, theta)},
     likely_slips={
         "by the rule of the middle heading": lambda D, turn, theta: gap(
             turn, D, theta + turn / 2, theta
@@ -556,17 +562,19 @@ odometry_7 = Exercise(
     unknowns=(Unknown("x", "m"), Unknown("y", "m"), angle("θ")),
     right=counted,
     wrong={
-        M22: partial(counted, step=without_heading),
-        M23: half_seen_pose,
-        M24: partial(counted, roll=rolled_per_radian),
-        M25: partial(counted, count=jumped),
+        lost_heading: partial(counted, step=without_heading),
+        arctan_heading: half_seen_pose,
+        ticks_per_radian: partial(counted, roll=rolled_per_radian),
+        counter_jump: partial(counted, count=jumped),
     },
     together={
-        (M22, M24): partial(counted, step=without_heading, roll=rolled_per_radian),
-        (M22, M25): partial(counted, step=without_heading, count=jumped),
-        (M23, M24): partial(half_seen_pose, roll=rolled_per_radian),
-        (M23, M25): partial(half_seen_pose, count=jumped),
-        (M24, M25): partial(counted, roll=rolled_per_radian, count=jumped),
+        (lost_heading, ticks_per_radian): partial(
+            counted, step=without_heading, roll=rolled_per_radian
+        ),
+        (lost_heading, counter_jump): partial(counted, step=without_heading, count=jumped),
+        (arctan_heading, ticks_per_radian): partial(half_seen_pose, roll=rolled_per_radian),
+        (arctan_heading, counter_jump): partial(half_seen_pose, count=jumped),
+        (ticks_per_radian, counter_jump): partial(counted, roll=rolled_per_radian, count=jumped),
     },
     when=lambda **drive: backward(counted(**drive)[2]) and 0.2 < abs(turn_between(**drive)) < 2.0,
     likely_slips={

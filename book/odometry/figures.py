@@ -9,7 +9,7 @@ from sympy import Max, Piecewise, Symbol, symbols
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import theta, x, y
 from book.odometry import formulas as odometry
-from book.odometry.exercises import M22, M23, M24, M25
+from book.odometry.exercises import arctan_heading, counter_jump, lost_heading, ticks_per_radian
 from book.odometry.formulas import (
     D_L,
     D_R,
@@ -373,10 +373,10 @@ EACH = (80, 120)  # ticks of the left and the right wheel in a sample
 SPAN = 2**10  # numbers that a counter of 10 bits can show
 READ = [SPAN - 8.5 * ticks for ticks in EACH]  # at the start: both wrap in sample 9
 MADE = {  # title → mistake
-    "It forgets its heading": M22,
-    "It never looks backward": M23,
-    "It hardly moves": M24,
-    "It leaps back in sample 9": M25,
+    "It forgets its heading": lost_heading,
+    "It never looks backward": arctan_heading,
+    "It hardly moves": ticks_per_radian,
+    "It leaps back in sample 9": counter_jump,
 }
 MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 set_off = quantity("set_off", "rad", 0, 1.6, "heading at the start", latex=r"\theta_0")
@@ -396,15 +396,19 @@ def believed_loop() -> Recurrence:
         after = [sp.Mod(count + each, SPAN) for count, each in zip(counts, EACH, strict=True)]
     pairs = [{count_before: c, count_now: n} for c, n in zip(counts, after, strict=True)]
     right = [odometry.counter_step.substitute({**pair, counter_span: SPAN}) for pair in pairs]
-    ticks = choose(M25, [M25.substitute(pair) for pair in pairs], right)
-    sample = choose(M24, motion_in_sample(ticks, M24), motion_in_sample(ticks))
+    ticks = choose(counter_jump, [counter_jump.substitute(pair) for pair in pairs], right)
+    sample = choose(
+        ticks_per_radian, motion_in_sample(ticks, ticks_per_radian), motion_in_sample(ticks)
+    )
     known = dict(zip((D, dtheta), sample, strict=True))
-    half_seen = odometry.new_heading.substitute({**known, theta: M23.substitute(known), dtheta: 0})
-    pose = choose(M23, half_seen, odometry.exact_arc.substitute(known))
+    half_seen = odometry.new_heading.substitute(
+        {**known, theta: arctan_heading.substitute(known), dtheta: 0}
+    )
+    pose = choose(arctan_heading, half_seen, odometry.exact_arc.substitute(known))
     return Recurrence(
         (x, y, theta, *counts),
         start=(0, 0, set_off, *READ),
-        step=(*choose(M22, M22.substitute(known), pose), *after),
+        step=(*choose(lost_heading, lost_heading.substitute(known), pose), *after),
         count=samples,
         most=16,
         ends=symbols("x_told y_told t_told left_told right_told"),

@@ -6,22 +6,22 @@ import numpy as np
 from sympy import Symbol, cos, pi, sin
 
 from book import things
-from book.differential_drive.exercises import M12, M13
+from book.differential_drive.exercises import degrees_taken, half_wheel_distance
 from book.differential_drive.formulas import b, r
 from book.motion.formulas import theta, x, y
 from book.odometry.exercises import (
-    M22,
-    M23,
-    M24,
-    M25,
+    arctan_heading,
+    counter_jump,
     degrees_step,
     half_seen_heading,
     half_seen_step,
     heading_forgotten,
     jumped,
+    lost_heading,
     one_step,
     rolled,
     rolled_per_radian,
+    ticks_per_radian,
 )
 from book.odometry.formulas import (
     N_L,
@@ -249,7 +249,7 @@ odometry_p2 = Program(
     right=between,
     picture=draw_counter,
     extent=0,
-    wrong={M25: lambda before, after, span: jumped(before, after)},
+    wrong={counter_jump: lambda before, after, span: jumped(before, after)},
     likely_slips=COUNTER_SLIPS,
     hints=COUNTER_HINTS,
     solution=COUNTER_SOLUTION,
@@ -327,11 +327,11 @@ SAMPLE_SPECIALS = {
     "across −180°": {theta: -3.1, N_L: 200.0, N_R: 100.0, C: 700.0, r: 0.05, b: 0.5},
 }
 SAMPLE_MISTAKES = {
-    M12: sampled(M12.formula.wrap(new_heading)),
-    M13: sampled(degrees_step),
-    M22: sampled(heading_forgotten),
-    M23: sampled(half_seen_step),
-    M24: sampled(new_heading, roll=rolled_per_radian),
+    half_wheel_distance: sampled(half_wheel_distance.formula.wrap(new_heading)),
+    degrees_taken: sampled(degrees_step),
+    lost_heading: sampled(heading_forgotten),
+    arctan_heading: sampled(half_seen_step),
+    ticks_per_radian: sampled(new_heading, roll=rolled_per_radian),
 }
 SAMPLE_SLIPS = {
     "by the rule of the old heading": sampled(lambda **step: one_step("start", **step)),

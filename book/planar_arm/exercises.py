@@ -49,7 +49,7 @@ UNDIFFERENTIATED = dict(
     zip((*COSINES, *SINES), (*SINES, *(-c for c in COSINES)), strict=True),
 )
 
-M26 = Mistake(
+last_joint_only = Mistake(
     "M26",
     feedback="with [0, 0, 1] as the last row of J, as if only the last joint turned the hand",
     formula=WrongFormula(TURN_ROW, {formulas.rate123: rate3}),
@@ -74,7 +74,7 @@ M26 = Mistake(
     "angles, as the document says on its first page, so its rate is the sum of the "
     "three rates.",
 )
-M27 = Mistake(
+separate_rates = Mistake(
     "M27",
     feedback="when in ẏ each link turns only at the rate of its own joint",
     formula=WrongFormula(Y_ROW, ALONE),
@@ -97,7 +97,7 @@ M27 = Mistake(
     explanation="The next line of the document has it right. A link turns with its own joint and "
     "with all joints before it.",
 )
-M28 = Mistake(
+l_2_for_l_3 = Mistake(
     "M28",
     feedback="with l_2 where l_3 belongs, in the third term of both rows",
     formula=WrongFormula(BOTH_ROWS, {formulas.l3: formulas.l2}),
@@ -120,7 +120,7 @@ M28 = Mistake(
     quote="l_2 sin(θ_1 + θ_2 + θ_3) and l_2 cos(θ_1 + θ_2 + θ_3)",
     correction="«l_3» sin(θ_1 + θ_2 + θ_3), with a minus (M36), and «l_3» cos(θ_1 + θ_2 + θ_3)",
 )
-M29 = Mistake(
+times_J = Mistake(
     "M29",
     feedback="when the hand's velocity is multiplied by J, not by the inverse of J",
     formula=WrongFormula(LocalEquation(RATES_OF, WHOLE_J.I * TWIST_OF), instead=WHOLE_J * TWIST_OF),
@@ -143,7 +143,7 @@ M29 = Mistake(
     explanation="A is the hand's velocity, C are the joint rates. B leads from C to A; the way "
     "back is the inverse of B.",
 )
-M36 = Mistake(
+plus_sine = Mistake(
     "M36",
     feedback="with a plus before the third term of ẋ, l_3 sin(θ_1 + θ_2 + θ_3)",
     formula=WrongFormula(X_ROW, {formulas.s123: -formulas.s123}),
@@ -166,7 +166,7 @@ M36 = Mistake(
     explanation="The derivative of each cosine is minus the sine. One of the three minus signs got "
     "lost. (The length is the erratum M28.)",
 )
-M37 = Mistake(
+not_derived = Mistake(
     "M37",
     feedback="when sines and cosines stay as they are in the position and are not differentiated",
     formula=WrongFormula(BOTH_ROWS, UNDIFFERENTIATED),
@@ -252,7 +252,7 @@ def joint_rates(made, v_x, v_y, omega, **numbers):
     twist = [v_x, v_y, omega]
     if made is None:
         return planar_arm.joint_rates(twist=twist, **arm(**numbers))
-    if made is M29.formula:
+    if made is times_J.formula:
         return made.evaluate(**{"J": jacobian(None, **numbers), str(TWIST_OF): np.array(twist)})
     return np.linalg.solve(jacobian(made, **numbers), twist)
 
@@ -394,7 +394,9 @@ planar_arm_1 = Exercise(
     given=POSE | {"q1": SLOW},
     unknowns=TWIST,
     right=lambda q1, **pose: planar_arm.velocity(rates=[q1, 0, 0], **arm(**pose)),
-    wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
+    wrong=made_in(
+        hand_velocity, last_joint_only, separate_rates, l_2_for_l_3, plus_sine, not_derived
+    ),
     likely_slips=own_rates(hand_velocity),
     solution=Solution(
         "The whole arm turns about its base like one stiff body. So find first where the hand is. "
@@ -414,8 +416,10 @@ planar_arm_2 = Exercise(
     given=POSE | {"q1": SLOW, "q2": SLOW, "q3": SLOW},
     unknowns=TWIST,
     right=lambda q1, q2, q3, **pose: planar_arm.velocity(rates=[q1, q2, q3], **arm(**pose)),
-    wrong=made_in(hand_velocity, M26, M27, M28, M36, M37),
-    together=made_together(hand_velocity, M26, M27, M28, M36),
+    wrong=made_in(
+        hand_velocity, last_joint_only, separate_rates, l_2_for_l_3, plus_sine, not_derived
+    ),
+    together=made_together(hand_velocity, last_joint_only, separate_rates, l_2_for_l_3, plus_sine),
     likely_slips=own_rates(hand_velocity),
     derive=velocity_parts,
     solution=Solution(
@@ -440,7 +444,7 @@ planar_arm_3 = Exercise(
     unknowns=(angle("θ_2"), angle("θ_3")),
     accept="all",
     right=stretched_or_folded,
-    wrong={M26: singular_by_m26},
+    wrong={last_joint_only: singular_by_m26},
     when=lambda **pose: 0.1 < abs(sine_by_m26(**pose)) < 0.9,
     solution=Solution(
         "J has no inverse where its determinant is zero. Of the joint angles only θ_2 is in it, in "
@@ -474,7 +478,7 @@ planar_arm_4 = Exercise(
     given=POSE | {"f_x": FORCE, "f_y": FORCE, "m": one_of(-4, -3, -2, 2, 3, 4, unit="N·m")},
     unknowns=tuple(Unknown(f"τ_{i}", "N·m") for i in (1, 2, 3)),
     right=partial(torques, None),
-    wrong=made_in(torques, M26, M27, M28, M36, M37),
+    wrong=made_in(torques, last_joint_only, separate_rates, l_2_for_l_3, plus_sine, not_derived),
     likely_slips={
         "with J where its transpose belongs": lambda f_x, f_y, m, **numbers: (
             jacobian(None, **numbers) @ [f_x, f_y, m]
@@ -500,7 +504,9 @@ planar_arm_5 = Exercise(
     given=POSE | {"v_x": SPEED, "v_y": SPEED, "omega": SLOW},
     unknowns=RATES,
     right=partial(joint_rates, None),
-    wrong=made_in(joint_rates, M26, M27, M28, M29, M36, M37),
+    wrong=made_in(
+        joint_rates, last_joint_only, separate_rates, l_2_for_l_3, times_J, plus_sine, not_derived
+    ),
     derive=lambda v_x, v_y, omega, **pose: {
         "J": jacobian(None, **pose),
         "twist": np.array([v_x, v_y, omega]),
@@ -541,7 +547,7 @@ planar_arm_6 = Exercise(
     },
     unknowns=(Unknown("v", "m/s"),),
     right=partial(top_speed, None),
-    wrong=made_in(top_speed, M26, M27, M29, M37),
+    wrong=made_in(top_speed, last_joint_only, separate_rates, times_J, not_derived),
     likely_slips={
         "when the rates together, as a vector, reach the limit": lambda limit, **numbers: (
             limit / np.linalg.norm(straight_rates(**numbers))
@@ -576,7 +582,7 @@ planar_arm_7 = Exercise(
     given=POSE,
     unknowns=(Unknown("w", "m²"),),
     right=lambda **pose: planar_arm.manipulability(**arm(**pose)),
-    wrong=made_in(manipulability, M27, M28, M36),
+    wrong=made_in(manipulability, separate_rates, l_2_for_l_3, plus_sine),
     likely_slips={
         "without the root": lambda **numbers: manipulability(None, **numbers) ** 2,
         "with all three rows of J": lambda **numbers: abs(np.linalg.det(jacobian(None, **numbers))),

@@ -28,14 +28,14 @@ from book.differential_drive.figures import n, t
 from book.motion import formulas as motion
 from book.planar_arm import formulas as arm
 from book.planar_arm.exercises import (
-    M26,
-    M27,
-    M28,
-    M29,
-    M36,
-    M37,
     TWIST_OF,
     WHOLE_J,
+    l_2_for_l_3,
+    last_joint_only,
+    not_derived,
+    plus_sine,
+    separate_rates,
+    times_J,
     wrong_jacobian,
 )
 from book.planar_arm.formulas import (
@@ -470,12 +470,12 @@ def elbows_figure() -> Figure:
 SET_OFF = (pi / 12, pi / 2, -pi / 9)  # rad
 SPEED, LASTS, TIMES = -0.15, 2.0, 24  # m/s along x; s; how often the joint rates are computed
 MADE = {  # title → mistake
-    "In its place, but turned": M26,
-    "It leaves the line": M27,
-    "Too far if clockwise": M28,
-    "It stays behind": M29,
-    "Too short if clockwise": M36,
-    "It goes off at right angles": M37,
+    "In its place, but turned": last_joint_only,
+    "It leaves the line": separate_rates,
+    "Too far if clockwise": l_2_for_l_3,
+    "It stays behind": times_J,
+    "Too short if clockwise": plus_sine,
+    "It goes off at right angles": not_derived,
 }
 MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 
@@ -484,16 +484,16 @@ def wrong_rates(angles: tuple[Any, Any, Any]) -> Any:
     """Return the joint rates at some angles, by the mistake that is chosen."""
     right, chosen = wrong_jacobian(), dict(zip(MADE.values(), MISTAKES, strict=True))
     wrong = {
-        is_one > 0.5: wrong_jacobian(m.formula) for m, is_one in chosen.items() if m is not M29
+        is_one > 0.5: wrong_jacobian(m.formula) for m, is_one in chosen.items() if m is not times_J
     }
     entries = [
         Piecewise(*((J[i], one) for one, J in wrong.items() if J[i] != right[i]), (right[i], True))
         for i in range(9)
     ]
     twist = Matrix([SPEED, 0, phi_dot])
-    multiplied = M29.substitute({WHOLE_J: right, TWIST_OF: twist}).doit()
+    multiplied = times_J.substitute({WHOLE_J: right, TWIST_OF: twist}).doit()
     rates = zip(multiplied, solve(Matrix(3, 3, entries), twist), strict=True)
-    both = Matrix([Piecewise((a, chosen[M29] > 0.5), (b, True)) for a, b in rates])
+    both = Matrix([Piecewise((a, chosen[times_J] > 0.5), (b, True)) for a, b in rates])
     return inline_steps(both, substitute_sizes(arm.SHORT, angle_values(angles))).xreplace(SIZES)
 
 

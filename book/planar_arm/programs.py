@@ -5,12 +5,6 @@ from sympy import cos, sin
 
 from book import things
 from book.planar_arm.exercises import (
-    M26,
-    M27,
-    M28,
-    M29,
-    M36,
-    M37,
     OWN,
     OWN_IN_X,
     OWN_RATES,
@@ -20,6 +14,12 @@ from book.planar_arm.exercises import (
     hand_velocity,
     jacobian,
     joint_rates,
+    l_2_for_l_3,
+    last_joint_only,
+    not_derived,
+    plus_sine,
+    separate_rates,
+    times_J,
 )
 from book.planar_arm.formulas import (
     ANGLES,
@@ -91,7 +91,7 @@ def draw_hand(right, answer, theta, rates, lengths):
     return *links(places, "ghost"), *hands, *arrows
 
 
-IN_VELOCITY = (M26, M27, M28, M36, M37)
+IN_VELOCITY = (last_joint_only, separate_rates, l_2_for_l_3, plus_sine, not_derived)
 IN_ROWS = {f"when {OWN_RATES}": OWN, OWN_RATES_IN_X: OWN_IN_X}
 AT_LIMITS = {
     "stretched": {x: 0.9, y: 0.0, phi_hand: 0.0, l1: 0.5, l2: 0.3, l3: 0.1},
@@ -210,7 +210,7 @@ planar_arm_p1 = Program(
     right=planar_arm.joint_rates,
     picture=draw_rates,
     extent=0.1,
-    wrong={m: rates_by(m.formula) for m in (*IN_VELOCITY, M29)},
+    wrong={m: rates_by(m.formula) for m in (*IN_VELOCITY, times_J)},
     likely_slips={words: rates_by(made) for words, made in IN_ROWS.items()} | STILL,
     hints=(
         "The hand's velocity is J times the rates. You know the velocity and want the rates. "

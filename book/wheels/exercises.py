@@ -42,7 +42,7 @@ with as_written():
     ROLLS, ASIDE, TURNS = row()
     ONE_ROW = LocalEquation(Matrix(ROW), Matrix([ROLLS, ASIDE, TURNS]), ("", "", "m"))
 
-M19 = Mistake(
+plus_sign = Mistake(
     "M19",
     feedback="with +cos(α + β) in the rolling row, where a minus belongs",
     formula=WrongFormula(ONE_ROW, instead=Matrix([ROLLS, -ASIDE, TURNS])),
@@ -63,7 +63,7 @@ M19 = Mistake(
     quote="V_2 = ẏ cos(α + β)",
     correction="V_2 = «−»ẏ cos(α + β)",
 )
-M20 = Mistake(
+heading_for_beta = Mistake(
     "M20",
     feedback="with the robot's heading θ in the last entry of the rolling row, where β belongs",
     formula=WrongFormula(
@@ -87,7 +87,7 @@ M20 = Mistake(
     explanation="θ is the robot's heading. The row belongs to the robot's own frame: it depends on "
     "where the wheel stands on the robot, not on where the robot looks.",
 )
-M21 = Mistake(
+turned_back = Mistake(
     "M21",
     feedback="when the velocity is turned the wrong way between the robot and the world",
     formula=WrongFormula(planar.to_world, {planar.theta: -planar.theta}),
@@ -101,7 +101,7 @@ M21 = Mistake(
         "The robot drives in another direction than its program believes.",
     ),
 )
-M34 = Mistake(
+plus_l_cos = Mistake(
     "M34",
     feedback="with +l cos β in the last entry of the rolling row, where a minus belongs",
     formula=WrongFormula(ONE_ROW, {formulas.l: -formulas.l}),
@@ -120,7 +120,7 @@ M34 = Mistake(
     quote="V_3 = θ̇ L cos β",
     correction="V_3 = «−»θ̇ L cos β",
 )
-M35 = Mistake(
+cos_alpha = Mistake(
     "M35",
     feedback="with cos α in the last entry of the rolling row, where cos β belongs",
     formula=WrongFormula(
@@ -217,7 +217,10 @@ def ways(formula, *mistakes, **places):
 
 def turned_too(wrong):
     """Return formulas of mistakes in the rows as those have them who also make M21."""
-    return {(mistake, M21): M21.formula.wrap(formula) for mistake, formula in wrong.items()}
+    return {
+        (mistake, turned_back): turned_back.formula.wrap(formula)
+        for mistake, formula in wrong.items()
+    }
 
 
 def itself(matrix, **_):
@@ -424,7 +427,7 @@ wheels_1 = Exercise(
     },
     unknowns=(Unknown("number for v"), Unknown("number for v_y"), Unknown("number for ω", "m")),
     right=lambda l, alpha, beta, theta: rows(l, alpha, beta),
-    wrong=ways(itself, M19, M20, M34, M35),
+    wrong=ways(itself, plus_sign, heading_for_beta, plus_l_cos, cos_alpha),
     likely_slips={
         "for the sliding row": lambda l, alpha, beta, theta: wheels.sliding(
             [wheels.fixed(l, alpha, beta, 1.0)]
@@ -455,7 +458,7 @@ wheels_2 = Exercise(
     ),
     shape=(3, 3),
     right=lambda l, first, theta: wheels.rolling(wheels.omni_robot(l, 1.0, three(first))),
-    wrong=ways(itself, M19, M20, M34, M35, alpha=three, beta=0.0),
+    wrong=ways(itself, plus_sign, heading_for_beta, plus_l_cos, cos_alpha, alpha=three, beta=0.0),
     derive=lambda l, first, theta: {"alpha": three(first)},
     solution=Solution(
         "The wheels stand at\n\n{angles}\n\nIn degrees this is {angles.value:deg}. Each wheel has "
@@ -480,10 +483,12 @@ wheels_3 = Exercise(
     unknowns=(Unknown("φ̇_1", "rad/s"), Unknown("φ̇_2", "rad/s"), Unknown("φ̇_3", "rad/s")),
     right=rates,
     wrong={
-        **ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0),
-        M21: M21.formula.wrap(rates),
+        **ways(rates_by, plus_sign, heading_for_beta, plus_l_cos, cos_alpha, alpha=THREE, beta=0.0),
+        turned_back: turned_back.formula.wrap(rates),
     },
-    together=turned_too(ways(rates_by, M19, M20, M34, M35, alpha=THREE, beta=0.0)),
+    together=turned_too(
+        ways(rates_by, plus_sign, heading_for_beta, plus_l_cos, cos_alpha, alpha=THREE, beta=0.0)
+    ),
     likely_slips={
         "for the speeds of the wheels; the division by r is missing": lambda **numbers: (
             numbers["r"] * rates(**numbers)
@@ -512,10 +517,12 @@ wheels_4 = Exercise(
     unknowns=(Unknown("ẋ", "m/s"), Unknown("ẏ", "m/s"), Unknown("θ̇", "rad/s")),
     right=forward,
     wrong={
-        **ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0),
-        M21: M21.formula.wrap(forward),
+        **ways(forward_by, plus_sign, heading_for_beta, plus_l_cos, alpha=THREE, beta=0.0),
+        turned_back: turned_back.formula.wrap(forward),
     },
-    together=turned_too(ways(forward_by, M19, M20, M34, alpha=THREE, beta=0.0)),
+    together=turned_too(
+        ways(forward_by, plus_sign, heading_for_beta, plus_l_cos, alpha=THREE, beta=0.0)
+    ),
     when=lambda theta, w_1, w_2, w_3, **_: abs(np.cos(theta)) > 0.1 and w_1 + w_2 + w_3 != 0,
     derive=lambda l, r, theta, w_1, w_2, w_3: {
         "rates": np.array([w_1, w_2, w_3]),
@@ -611,7 +618,7 @@ wheels_6 = Exercise(
     unknowns=(angle("β"), Unknown("φ̇", "rad/s")),
     accept="any",
     right=about,
-    wrong=ways(about_by, M19, M34, M35, beta=aimed),
+    wrong=ways(about_by, plus_sign, plus_l_cos, cos_alpha, beta=aimed),
     when=lambda p_x, p_y, **_: np.hypot(p_x, p_y) > 0.6,
     solution=Solution(
         "The axle must point to the centre of rotation. From the wheel to that point it is\n\n"
@@ -653,7 +660,7 @@ wheels_7 = Exercise(
         Unknown("slip", "m/s"),
     ),
     right=four,
-    wrong=ways(four_by, M19, M34, M35, alpha=FOUR, beta=0.0),
+    wrong=ways(four_by, plus_sign, plus_l_cos, cos_alpha, alpha=FOUR, beta=0.0),
     when=lambda w_1, w_2, w_3, w_4, **_: (
         w_1 + w_3 != w_2 + w_4 and w_1 + w_2 + w_3 + w_4 != 0 and w_1 != w_3 and w_2 != w_4
     ),

@@ -11,7 +11,7 @@ from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_dot, v, v_y, x, x_dot, y, y_dot
 from book.wheels import formulas as wheels
-from book.wheels.exercises import M19, M20, M21, M34, M35
+from book.wheels.exercises import cos_alpha, heading_for_beta, plus_l_cos, plus_sign, turned_back
 from book.wheels.formulas import alpha, beta, l, omni_rates, rolling_row, sliding_row
 from courseware.equations import as_written, declarations
 from courseware.equations.functions import null_projector, rank
@@ -483,11 +483,11 @@ def rate_from_pointer(k: int) -> Any:
 
 WANTED = {x_dot: -0.08, y_dot: 0.12, theta_dot: -0.6}  # in the world, m/s and rad/s
 MADE = {  # title → mistake
-    "It moves to the wrong side": M19,
-    "Its turning rate varies": M20,
-    "It turns the other way": M34,
-    "It does not turn": M35,
-    "Its direction varies": M21,
+    "It moves to the wrong side": plus_sign,
+    "Its turning rate varies": heading_for_beta,
+    "It turns the other way": plus_l_cos,
+    "It does not turn": cos_alpha,
+    "Its direction varies": turned_back,
 }
 MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 REALLY = symbols("really_v really_vy really_omega")
@@ -495,10 +495,15 @@ REALLY = symbols("really_v really_vy really_omega")
 
 def twist_by_mistake(mistake: Any) -> Any:
     """Return the omni robot's twist by a program with a mistake in the rates of its wheels."""
-    to_body = M21.formula.transfer(motion.to_body) if mistake is M21 else motion.to_body
+    to_body = (
+        turned_back.formula.transfer(motion.to_body) if mistake is turned_back else motion.to_body
+    )
     wish = to_body.substitute(WANTED)
     places = ({l: SIZE, alpha: spoke, beta: 0} for spoke in ANGLES)
-    rows = [rolling_row(*p.values()) if mistake is M21 else mistake.substitute(p) for p in places]
+    rows = [
+        rolling_row(*p.values()) if mistake is turned_back else mistake.substitute(p)
+        for p in places
+    ]
     with as_written():
         speeds = [sum(a * b for a, b in zip(row, wish, strict=True)) for row in rows]
         rates = [speed / RADIUS for speed in speeds]

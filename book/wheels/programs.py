@@ -10,16 +10,16 @@ from book import things
 from book.differential_drive.formulas import r
 from book.motion.formulas import omega, theta, v, v_y, x_dot, y_dot
 from book.wheels.exercises import (
-    M19,
-    M20,
-    M21,
-    M34,
-    M35,
     THREE,
+    cos_alpha,
     forward,
     forward_by,
+    heading_for_beta,
+    plus_l_cos,
+    plus_sign,
     rates,
     rates_by,
+    turned_back,
     ways,
     wrong_rows,
 )
@@ -115,8 +115,8 @@ OMNI_SPECIALS = {
     "with the heading 0": {theta: 0.0},
 }
 OMNI_MISTAKES = {
-    **ways(rates_by, M19, M20, M34, M35, **ON_SPOKES),
-    M21: M21.formula.wrap(rates),
+    **ways(rates_by, plus_sign, heading_for_beta, plus_l_cos, cos_alpha, **ON_SPOKES),
+    turned_back: turned_back.formula.wrap(rates),
 }
 OMNI_SLIPS = {
     "when the heading is forgotten": lambda theta, **numbers: rates(theta=0.0, **numbers),
@@ -245,7 +245,7 @@ wheels_p2 = Program(
     right=swedish,
     picture=draw_wheel,
     extent=0.26,
-    wrong={mistake: swedish_by(mistake) for mistake in (M19, M34, M35)},
+    wrong={mistake: swedish_by(mistake) for mistake in (plus_sign, plus_l_cos, cos_alpha)},
     likely_slips=SWEDISH_SLIPS,
     hints=SWEDISH_HINTS,
     solution=SWEDISH_SOLUTION,
@@ -295,8 +295,8 @@ MOTION_SPECIALS = {
     "past half a turn": {theta: -3.1},
 }
 MOTION_MISTAKES = {
-    **ways(forward_by, M19, M20, M34, **ON_SPOKES),
-    M21: lambda theta, **numbers: motion.to_body(theta, forward(theta=0.0, **numbers)),
+    **ways(forward_by, plus_sign, heading_for_beta, plus_l_cos, **ON_SPOKES),
+    turned_back: lambda theta, **numbers: motion.to_body(theta, forward(theta=0.0, **numbers)),
 }
 MOTION_SLIPS = {
     "when the heading is forgotten": lambda theta, **numbers: forward(theta=0.0, **numbers),

@@ -10,7 +10,7 @@ from declared import EXERCISES, FIGURES, MISTAKES, course, each
 
 import robokin
 from book.differential_drive import formulas
-from book.differential_drive.exercises import M12, M13, M14
+from book.differential_drive.exercises import degrees_taken, half_wheel_distance, world_to_robot
 from courseware import practice
 from courseware.figures import Choice, Figure
 from courseware.practice import Mistake
@@ -35,9 +35,11 @@ def test_the_two_lines_stand_in_the_fold_with_what_changed_marked(mistake):
 
 
 def test_the_same_is_put_in_for_the_numbers_of_other_formulas():
-    assert M13.formula.replace(theta=np.pi, v=2) == {"theta": 180, "v": 2}
-    assert M14.formula.wrap(lambda theta: [theta])(theta=1) == [-1]
-    other = M12.formula.transfer(formulas.wheel_speeds).evaluate(v=0, omega=1, b=0.4)
+    assert degrees_taken.formula.replace(theta=np.pi, v=2) == {"theta": 180, "v": 2}
+    assert world_to_robot.formula.wrap(lambda theta: [theta])(theta=1) == [-1]
+    other = half_wheel_distance.formula.transfer(formulas.wheel_speeds).evaluate(
+        v=0, omega=1, b=0.4
+    )
     np.testing.assert_allclose(other.ravel(), [-0.1, 0.1], rtol=1e-15)
 
 
@@ -181,4 +183,4 @@ def test_errata_have_an_order(chapter):
 def test_a_matrix_is_given_row_by_row():
     html = render_judgement(find_mistake("M19"))
     assert html.count("<br>") == 6  # three rows, wrong and right
-    assert "<br>" not in render_judgement(M12)
+    assert "<br>" not in render_judgement(half_wheel_distance)

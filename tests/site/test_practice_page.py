@@ -14,7 +14,7 @@ from declared import COURSE, EXERCISES, OF_EACH_KIND, table, typed
 from playwright.sync_api import expect
 from test_variants import DEAL, dealt_in_python, names
 
-from book.differential_drive.exercises import M12
+from book.differential_drive.exercises import half_wheel_distance
 from courseware.classroom.__main__ import main
 from courseware.practice import candidates, judging, variants
 from courseware.units.formatting import render_symbols
@@ -690,7 +690,7 @@ def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, fro
         expect(pictures).to_have_count(0)
         assert not [url for url in watch.kinds if "M12.svg" in url]
         answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
-        still = box(page, FIRST).get_by_role("img", name=M12.picture.description)
+        still = box(page, FIRST).get_by_role("img", name=half_wheel_distance.picture.description)
         expect(still).to_have_attribute("src", re.compile(rf"/M12\.svg\?\w+#{scheme}$"))
         still.scroll_into_view_if_needed()
         page.wait_for_function("(image) => image.naturalWidth > 300", arg=still.element_handle())

@@ -276,7 +276,8 @@ def transform(T: ArrayLike, points: ArrayLike) -> Array:
 class FrameGraph:
     """Frames and the poses known between them; any other follows along a path of known ones.
 
-    Poses are all SE(2) or all SE(3), single or in batches that broadcast.
+    Poses are all SE(2) or all SE(3), single or in batches that broadcast. One thread may add while
+    others ask.
 
     Examples
     --------
@@ -344,8 +345,9 @@ class FrameGraph:
         if b in before:
             self._refuse_contradiction(name, T, _trace(before, b))
         self._shape = shape
-        self._known.setdefault(a, {}).setdefault(b, T.copy())
-        self._known.setdefault(b, {}).setdefault(a, inverse(T))
+        ahead, back = self._known.get(a, {}), self._known.get(b, {})
+        ahead, back = ahead | {b: ahead.get(b, T.copy())}, back | {a: back.get(a, inverse(T))}
+        self._known = self._known | {a: ahead, b: back}  # another thread may be reading the old one
 
     @quiet
     def get(self, a: str, b: str) -> Array:
@@ -400,9 +402,9 @@ class FrameGraph:
 
     def _before(self, a: str) -> dict[str, str]:
         """Return for each frame connected with a the one before it on the shortest way; a for a."""
-        before, queue = {a: a}, [a]
+        known, before, queue = self._known, {a: a}, [a]
         for here in queue:  # which grows meanwhile
-            for there in self._known[here]:
+            for there in known[here]:
                 if there not in before:
                     before[there] = here
                     queue.append(there)

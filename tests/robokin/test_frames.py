@@ -1,6 +1,8 @@
 """robokin.frames: poses as matrices, their chains, the graph of known frames."""
 
 import itertools
+import sys
+import threading
 import tracemalloc
 from functools import reduce
 
@@ -443,6 +445,31 @@ def test_a_frame_seen_from_itself():
     graph.add("a", "b", se3(np.eye(3), [1, 2, 3]))
     np.testing.assert_array_equal(graph.get("b", "b"), np.eye(4))
     assert graph.path("b", "b") == ["b"]
+
+
+@pytest.mark.skipif(sys.platform == "emscripten", reason="a browser's Python has no threads")
+def test_one_thread_adds_while_others_ask():
+    """A star that grows, and a chain: what is known of a frame is right at once."""
+    graph = FrameGraph()
+    graph.add("f0", "c0", se2(0, 1, 0))
+
+    def add():
+        for n in range(1, 400):
+            graph.add("f0", f"f{n}", se2(n, 0, 0))
+            graph.add(f"c{n - 1}", f"c{n}", se2(0, 1, 0))
+
+    thread, interval = threading.Thread(target=add), sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)  # or the threads hardly ever meet
+    try:
+        thread.start()
+        while thread.is_alive():
+            for name in graph.frames[-3:]:
+                x, y, _ = pose(graph.get("f0", name))
+                n = int(name[1:])
+                assert (x, y) == ((n, 0) if name[0] == "f" else (0, n + 1))
+    finally:
+        sys.setswitchinterval(interval)
+        thread.join()
 
 
 def test_the_shortest_path_is_taken_and_a_closing_pair_shortens_it():

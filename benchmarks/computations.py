@@ -232,7 +232,7 @@ def arc(n):
     moves = np.stack([v, zero, omega], axis=-1)
     screws = np.stack([zero, zero, omega, v, zero, zero], axis=-1)
     starts, plane = with_direction(start), robokin.frames.se2(*start.T)
-    turned = robokin.euler.about([0, 0, 1], start[:, 2])
+    turned = robokin.euler.from_axis_angle([0, 0, 1], start[:, 2])
     T = robokin.frames.se3(turned, np.stack([start[:, 0], start[:, 1], zero], axis=-1))
     transforms = RigidTransform.from_matrix(T)
     pairs = list(zip(starts, moves, strict=True))

@@ -410,8 +410,11 @@ OBVIOUS = {
         lambda x: np.hypot(checked(x.R)[:, 0, 0], x.R[:, 1, 0]) <= 1e-9,
     ),
     "euler.steps": (lambda x: euler.steps("ZYX", x.turns), lambda x: zyx_steps(x.turns)),
-    "euler.about": (lambda x: euler.about(x.pose, x.theta), lambda x: rodrigues(x.pose, x.theta)),
-    "euler.axis_angle": (lambda x: euler.axis_angle(x.R), lambda x: axis_angle(checked(x.R))),
+    "euler.from_axis_angle": (
+        lambda x: euler.from_axis_angle(x.pose, x.theta),
+        lambda x: rodrigues(x.pose, x.theta),
+    ),
+    "euler.to_axis_angle": (lambda x: euler.to_axis_angle(x.R), lambda x: axis_angle(checked(x.R))),
     "frames.se2": (
         lambda x: frames.se2(x.v, x.omega, x.theta),
         lambda x: se2(x.v, x.omega, x.theta),

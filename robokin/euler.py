@@ -23,7 +23,15 @@ from robokin._rotations import A_ROTATION
 from robokin._validation import Sizes, data, positive, validated
 from robokin.errors import RobokinError, describe
 
-__all__ = ["about", "axis_angle", "from_matrix", "is_locked", "solutions", "steps", "to_matrix"]
+__all__ = [
+    "from_axis_angle",
+    "from_matrix",
+    "is_locked",
+    "solutions",
+    "steps",
+    "to_axis_angle",
+    "to_matrix",
+]
 
 LOCK = 1e-15  # a zero as rounding leaves it in a rotation matrix
 MADE = np.tri(4, 3, -1)  # row n: 1 for the first n turns
@@ -245,8 +253,8 @@ def steps(seq: str, angles: ArrayLike) -> Array:
 
 
 @validated(axis=data(3), angle=data())
-def about(axis: ArrayLike, angle: ArrayLike) -> Array:
-    """Return the rotation about an axis by an angle: the inverse of `axis_angle`.
+def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
+    """Return the rotation about an axis by an angle: the inverse of `to_axis_angle`.
 
     Parameters
     ----------
@@ -266,7 +274,7 @@ def about(axis: ArrayLike, angle: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> about([1, 1, 1], 2 * np.pi / 3).round(6) + 0.0
+    >>> from_axis_angle([1, 1, 1], 2 * np.pi / 3).round(6) + 0.0
     array([[0., 0., 1.],
            [1., 0., 0.],
            [0., 1., 0.]])
@@ -284,7 +292,7 @@ def about(axis: ArrayLike, angle: ArrayLike) -> Array:
 
 
 @validated(R=A_ROTATION)
-def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
+def to_axis_angle(R: ArrayLike) -> tuple[Array, Array]:
     """Return the one axis and angle that make the same rotation.
 
     All digits are kept near no rotation and near a half turn.
@@ -313,7 +321,7 @@ def axis_angle(R: ArrayLike) -> tuple[Array, Array]:
 
     Examples
     --------
-    >>> axis, angle = axis_angle([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
+    >>> axis, angle = to_axis_angle([[0, 0, 1], [-1, 0, 0], [0, -1, 0]])
     >>> (axis * np.sqrt(3)).round(6), (np.degrees(angle)).round(6)
     (array([-1.,  1., -1.]), np.float64(120.0))
     """

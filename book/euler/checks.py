@@ -35,14 +35,14 @@ def third_angle_first(angles: ArrayLike) -> Array:
 
 def along_axis(angles: ArrayLike) -> Array:
     """The axis, times twice the sine of the angle, of the rotation that three turns make."""
-    axis, angle = euler.axis_angle(euler.to_matrix("XYZ", angles))
+    axis, angle = euler.to_axis_angle(euler.to_matrix("XYZ", angles))
     vector: Array = axis * 2 * np.sin(angle)[..., None]
     return vector
 
 
 def angle_of_turn(angles: ArrayLike) -> Array:
     """The angle of the rotation that three turns make."""
-    return euler.axis_angle(euler.to_matrix("XYZ", angles))[1]
+    return euler.to_axis_angle(euler.to_matrix("XYZ", angles))[1]
 
 
 def cosine_of_turn(angles: ArrayLike) -> Array:

@@ -153,7 +153,7 @@ def rest(R_AB, axis, turn):
 
 def both_ways(R):
     """Return axis and angle of a rotation, and the opposite axis with the opposite angle."""
-    axis, turn = euler.axis_angle(R)
+    axis, turn = euler.to_axis_angle(R)
     return [[*axis, turn], [*-axis, -turn]]
 
 

@@ -26,7 +26,7 @@ def sequence_readouts(*columns):
         out[here, 3] = from_lock(seq, R)
         locked = out[here, 3] < 1e-9
         out[here, :3] = np.where(locked[:, None], np.nan, other(seq, angles, R))
-        out[here, 4] = euler.axis_angle(R_AB.T @ R)[1]
+        out[here, 4] = euler.to_axis_angle(R_AB.T @ R)[1]
     names = "other_first", "other_middle", "other_third", "lock", "apart"
     return dict(zip(names, out.T, strict=True))
 
@@ -61,7 +61,7 @@ def order_readouts(made, azimuth, elevation):
     """Return the one turn between the same turns in two orders."""
     angles = HALF * np.clip(np.stack([made, made - 1], axis=-1), 0, 1)
     apart = np.swapaxes(euler.to_matrix("ZX", angles), 1, 2) @ euler.to_matrix("XZ", angles)
-    return {"apart": euler.axis_angle(apart)[1]}
+    return {"apart": euler.to_axis_angle(apart)[1]}
 
 
 def readings_readouts(first, middle, made, azimuth, elevation):
@@ -69,14 +69,14 @@ def readings_readouts(first, middle, made, azimuth, elevation):
     one, two = np.clip(made, 0, 1), np.clip(made - 1, 0, 1)
     own = euler.to_matrix("ZX", np.stack([one * first, two * middle], axis=-1))
     room = euler.to_matrix("xz", np.stack([one * middle, two * first], axis=-1))
-    return {"apart": euler.axis_angle(np.swapaxes(own, 1, 2) @ room)[1]}
+    return {"apart": euler.to_axis_angle(np.swapaxes(own, 1, 2) @ room)[1]}
 
 
 def three_angles_readouts(first, middle, third, azimuth, elevation):
     """Return still to turn to the ghost."""
     ghost = euler.to_matrix("XYZ", np.radians(figures.GIVEN))
     now = euler.to_matrix("XYZ", np.stack([first, middle, third], axis=-1))
-    return {"apart": euler.axis_angle(ghost.T @ now)[1]}
+    return {"apart": euler.to_axis_angle(ghost.T @ now)[1]}
 
 
 def near_lock_readouts(near):
@@ -89,14 +89,14 @@ def near_lock_readouts(near):
 
 def one_axis_readouts(x, y, z, turn, azimuth, elevation):
     """Return still to turn to frame B."""
-    R = euler.about(np.stack([x, y, z], axis=-1), turn)
-    return {"apart": euler.axis_angle(R_AB.T @ R)[1]}
+    R = euler.from_axis_angle(np.stack([x, y, z], axis=-1), turn)
+    return {"apart": euler.to_axis_angle(R_AB.T @ R)[1]}
 
 
 def target_readouts(*columns):
     """Return how many axes point as those of frame B, within a degree."""
     rows = np.column_stack(columns)
-    one, two = (euler.about(rows[:, k : k + 3], rows[:, 6 + k // 3]) for k in (0, 3))
+    one, two = (euler.from_axis_angle(rows[:, k : k + 3], rows[:, 6 + k // 3]) for k in (0, 3))
     aligned = (one @ two * R_AB).sum(axis=1) > np.cos(np.radians(1))
     return {"in_place": np.sum(aligned, axis=1)}
 
@@ -107,31 +107,31 @@ def both_readouts(middle, made, azimuth, elevation):
     right = np.stack([left[:, 0] + np.pi, np.pi - middle, left[:, 2] + np.pi], axis=-1)
     done = np.clip(made[:, None] - np.arange(3), 0, 1)
     R, S = (euler.to_matrix("XYZ", done * angles) for angles in (left, right))
-    apart = euler.axis_angle(np.swapaxes(R, 1, 2) @ S)[1]
+    apart = euler.to_axis_angle(np.swapaxes(R, 1, 2) @ S)[1]
     return {"other": motion.wrap_angle(np.pi - middle), "apart": apart}
 
 
 def rings_readouts(middle, against, azimuth, elevation):
     """Return the one turn that the three turns make."""
     turned = euler.to_matrix("XYZ", np.stack([against, middle, -against], -1))
-    return {"whole": euler.axis_angle(turned)[1]}
+    return {"whole": euler.to_axis_angle(turned)[1]}
 
 
 def one_turn_readouts(at_once, part, azimuth, elevation):
     """Return turned on the way, and still to turn, by one turn or by two."""
-    axis, angle = euler.axis_angle(R_AB)
+    axis, angle = euler.to_axis_angle(R_AB)
     two = np.clip(np.stack([2 * part, 2 * part - 1], axis=-1), 0, 1)
     by_two = euler.to_matrix("YZ", two * [HALF, -HALF])
-    R = np.where(at_once[:, None, None] > 0, euler.about(axis, part * angle), by_two)
+    R = np.where(at_once[:, None, None] > 0, euler.from_axis_angle(axis, part * angle), by_two)
     turned = np.where(at_once > 0, part * angle, two.sum(axis=1) * HALF)
-    return {"turned": turned, "left": euler.axis_angle(R_AB.T @ R)[1]}
+    return {"turned": turned, "left": euler.to_axis_angle(R_AB.T @ R)[1]}
 
 
 def mistakes_readouts(*columns):
     """Return how far a wrong frame is from frame B."""
     R = np.stack(columns[:9], axis=-1).reshape(-1, 3, 3)
     right = euler.to_matrix("YZ", [HALF, HALF])
-    return {"apart": euler.axis_angle(right.T @ R)[1]}
+    return {"apart": euler.to_axis_angle(right.T @ R)[1]}
 
 
 READOUTS = {

@@ -62,7 +62,7 @@ def left_over() -> str:
     """Return the gap of the loop with the camera tilted by 2° and the rest as it is."""
     tilt = frames.se3(euler.to_matrix("X", [np.radians(2)]), [0, 0, 0])
     loop = frames.inverse(tilt)  # all else drops out
-    shift, angle = np.linalg.norm(loop[:3, 3]), np.degrees(euler.axis_angle(loop[:3, :3])[1])
+    shift, angle = np.linalg.norm(loop[:3, 3]), np.degrees(euler.to_axis_angle(loop[:3, :3])[1])
     return f"a turn by {angle:.0f}°" if shift < 1e-9 < angle else "a shift by 5 cm"
 
 

@@ -21,7 +21,15 @@ from support import (
 )
 
 from robokin.errors import RobokinError
-from robokin.euler import about, axis_angle, from_matrix, is_locked, solutions, steps, to_matrix
+from robokin.euler import (
+    from_axis_angle,
+    from_matrix,
+    is_locked,
+    solutions,
+    steps,
+    to_axis_angle,
+    to_matrix,
+)
 
 mpmath.mp.dps = 50
 
@@ -145,7 +153,7 @@ def test_steps_start_straight_and_add_one_turn_at_a_time(seq, turns, length):
 
 @given(rotations)
 def test_axis_and_angle_make_the_matrix(R):
-    axis, angle = axis_angle(R)
+    axis, angle = to_axis_angle(R)
     assert_close(np.linalg.norm(axis), 1.0, atol=2 * EPS)
     assert 0 <= angle <= np.pi
     # Rodrigues' formula in floats: half a dozen roundings, beside those of the quaternion
@@ -154,9 +162,9 @@ def test_axis_and_angle_make_the_matrix(R):
 
 @given(rotations)
 def test_the_axis_stays_where_it_is_and_the_inverse_turns_about_the_opposite_one(R):
-    axis, angle = axis_angle(R)
+    axis, angle = to_axis_angle(R)
     assert_close(R @ axis, axis, atol=8 * EPS)
-    back, same = axis_angle(R.T)
+    back, same = to_axis_angle(R.T)
     assert same == angle
     if 0 < angle < 3.14:  # no turn and half a turn are their own inverses
         np.testing.assert_array_equal(back, -axis)
@@ -170,16 +178,16 @@ def rodrigues(axis, angle):
 
 @given(vectors(3, -3, 3).filter(lambda v: np.linalg.norm(v) > 0.1), angles)
 def test_a_turn_about_an_axis_leaves_it_where_it_is(axis, angle):
-    R = about(axis, angle)
+    R = from_axis_angle(axis, angle)
     assert_close(R @ axis, np.array(axis), atol=16 * EPS * 3)
     assert_close(R @ R.T, np.eye(3), atol=16 * EPS)
-    assert_close(about(axis, -angle), R.T, atol=8 * EPS)
-    assert_close(about(-2 * np.array(axis), -angle), R, atol=8 * EPS)
+    assert_close(from_axis_angle(axis, -angle), R.T, atol=8 * EPS)
+    assert_close(from_axis_angle(-2 * np.array(axis), -angle), R, atol=8 * EPS)
 
 
 @given(rotations)
-def test_about_undoes_axis_angle(R):
-    assert_close(about(*axis_angle(R)), R, atol=16 * EPS)
+def test_from_axis_angle_undoes_to_axis_angle(R):
+    assert_close(from_axis_angle(*to_axis_angle(R)), R, atol=16 * EPS)
 
 
 # The numbers of the hand solution
@@ -233,7 +241,7 @@ def test_the_exercise_sits_on_gimbal_lock_for_six_of_24_sequences():
 
 def test_the_exercise_as_axis_and_angle():
     # trace 0, so cos(angle) = −1/2; the axis along [R_zy − R_yz, R_xz − R_zx, R_yx − R_xy]
-    axis, angle = axis_angle(R_AB)
+    axis, angle = to_axis_angle(R_AB)
     assert_close(axis, np.array([-1, 1, -1]) / np.sqrt(3), atol=EPS)
     assert_close(angle, 2 * np.pi / 3, atol=2 * EPS)
 
@@ -247,8 +255,10 @@ def test_the_wrong_readings_of_the_exercise_give_something_else():
 
 
 def test_a_third_of_a_turn_about_the_diagonal_changes_the_axes_round():
-    assert_close(about([1, 1, 1], 2 * np.pi / 3), np.roll(np.eye(3), 1, axis=0), atol=4 * EPS)
-    assert_close(about([0, 0, 7], np.pi / 2), turn("z", np.pi / 2), atol=EPS)
+    assert_close(
+        from_axis_angle([1, 1, 1], 2 * np.pi / 3), np.roll(np.eye(3), 1, axis=0), atol=4 * EPS
+    )
+    assert_close(from_axis_angle([0, 0, 7], np.pi / 2), turn("z", np.pi / 2), atol=EPS)
 
 
 # Singular and boundary cases
@@ -403,7 +413,7 @@ def test_small_angles_keep_their_digits(k):
     rng = np.random.default_rng(k)
     for axis in unit(rng.normal(size=(10, 3))):
         angle = mpmath.mpf(float(rng.uniform(0.5, 1))) * mpmath.mpf(10) ** -k
-        found, size = axis_angle(floats(exact_turn(axis, angle)))
+        found, size = to_axis_angle(floats(exact_turn(axis, angle)))
         assert size == pytest.approx(float(angle), rel=4 * EPS)
         assert_close(found, axis, atol=4 * EPS)
 
@@ -413,7 +423,7 @@ def test_angles_near_a_half_turn_keep_their_digits(k):
     rng = np.random.default_rng(k)
     for axis in unit(rng.normal(size=(10, 3))):
         angle = mpmath.pi - mpmath.mpf(float(rng.uniform(0.5, 1))) * mpmath.mpf(10) ** -k
-        found, size = axis_angle(floats(exact_turn(axis, angle)))
+        found, size = to_axis_angle(floats(exact_turn(axis, angle)))
         assert_close(size, float(angle), atol=4 * EPS)  # of π
         assert_close(found, axis, atol=4 * EPS)
 
@@ -425,7 +435,7 @@ def test_the_direction_at_a_half_turn(distance, sign):
     # is what it was; past the half turn it is the opposite one
     s = sign * distance
     R = np.array([[1, 0, 0], [0, -1, -s], [0, s, -1]])
-    axis, angle = axis_angle(R)
+    axis, angle = to_axis_angle(R)
     if abs(distance) <= 1e-15:
         np.testing.assert_array_equal(axis, [1, 0, 0])
         assert angle == np.pi
@@ -438,7 +448,7 @@ def test_a_half_turn_has_its_first_component_positive():
     rng = np.random.default_rng(3)
     axes = unit([*rng.normal(size=(200, 3)), *itertools.product([-1, 0, 1], repeat=3)])
     axes = axes[np.isfinite(axes).all(axis=-1)]
-    found, angle = axis_angle(2 * axes[:, :, None] * axes[:, None, :] - np.eye(3))
+    found, angle = to_axis_angle(2 * axes[:, :, None] * axes[:, None, :] - np.eye(3))
     lead = np.array([axis[np.abs(axis) > 0][0] for axis in axes])
     assert_close(found, axes * np.sign(lead)[:, None], atol=4 * EPS)
     np.testing.assert_array_equal(angle, np.pi)
@@ -459,7 +469,7 @@ def test_a_half_turn_has_its_first_component_positive():
     ],
 )
 def test_which_component_of_a_half_turn_counts_as_zero(axis, expected):
-    found, angle = axis_angle(2 * np.outer(axis, axis) / np.dot(axis, axis) - np.eye(3))
+    found, angle = to_axis_angle(2 * np.outer(axis, axis) / np.dot(axis, axis) - np.eye(3))
     np.testing.assert_allclose(found, expected, rtol=4 * EPS)
     assert angle == np.pi
 
@@ -467,35 +477,35 @@ def test_which_component_of_a_half_turn_counts_as_zero(axis, expected):
 def test_half_turns_multiplied_in_floats():
     # z after x is y, but for zeros of 1e-16
     R = turn("z", np.pi) @ turn("x", np.pi)
-    axis, angle = axis_angle(R)
+    axis, angle = to_axis_angle(R)
     assert_close(axis, [0, 1, 0], atol=EPS)
     assert angle == np.pi
 
 
 def test_no_rotation_is_about_z():
     for R in (np.eye(3), to_matrix("xyz", [0, 0, 0]), [np.eye(3)] * 2):
-        axis, angle = axis_angle(R)
+        axis, angle = to_axis_angle(R)
         np.testing.assert_array_equal(axis, np.broadcast_to([0, 0, 1], axis.shape))
         np.testing.assert_array_equal(angle, np.zeros(axis.shape[:-1]))
     R = np.eye(3)
     R[0, 1], R[1, 0] = 1e-200, -1e-200  # the smallest turn is still one
-    axis, angle = axis_angle(R)
+    axis, angle = to_axis_angle(R)
     np.testing.assert_array_equal(axis, [0, 0, -1])
     assert angle == pytest.approx(1e-200, rel=EPS)
 
 
 @pytest.mark.parametrize("angle", NEAR_ZERO)
 def test_a_small_turn_keeps_its_digits(angle):
-    R = about([2, 0, 0], angle)
+    R = from_axis_angle([2, 0, 0], angle)
     assert_close(R[2, 1], np.sin(angle), atol=0)
-    assert axis_angle(R)[1] == pytest.approx(abs(angle), rel=4 * EPS)
+    assert to_axis_angle(R)[1] == pytest.approx(abs(angle), rel=4 * EPS)
 
 
 def test_axes_of_any_length_but_none():
     for length in (1e-320, 1e-200, 1.0, 1e200, 1e308):
-        R = about([0, length, 0], 0.3)
+        R = from_axis_angle([0, length, 0], 0.3)
         assert_close(R, turn("y", 0.3), atol=EPS)
-    turned = about([[0, 0, 0], [0, 0, 1]], 0.3)
+    turned = from_axis_angle([[0, 0, 0], [0, 0, 1]], 0.3)
     assert np.isnan(turned[0]).all()
     assert_close(turned[1], turn("z", 0.3), atol=EPS)
 
@@ -564,7 +574,7 @@ def test_at_lock_scipy_takes_the_third_angle_as_zero_too():
 
 def test_axis_and_angle_against_scipy():
     rotations = Rotation.random(2000, rng=np.random.default_rng(6))
-    axis, angle = axis_angle(rotations.as_matrix())
+    axis, angle = to_axis_angle(rotations.as_matrix())
     assert_close(axis * angle[:, None], rotations.as_rotvec(), atol=2e-14)  # SciPy's near π
 
 
@@ -573,4 +583,4 @@ def test_about_against_scipy():
     axis, angle = rng.normal(size=(200, 3)), rng.uniform(-4, 4, 200)
     unit_axis = axis / np.linalg.norm(axis, axis=-1, keepdims=True)
     wanted = Rotation.from_rotvec(unit_axis * angle[:, None]).as_matrix()
-    assert_close(about(axis, angle), wanted, atol=16 * EPS)
+    assert_close(from_axis_angle(axis, angle), wanted, atol=16 * EPS)

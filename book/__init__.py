@@ -1,6 +1,6 @@
 """A course on robot kinematics: a folder for each chapter, with all that belongs to it."""
 
-from book.materials import MATERIALS
+from book.things.materials import MATERIALS
 from courseware.course import open_course
 from robokin.styles import KINDS
 

@@ -13,12 +13,12 @@ from typing import Any
 from sympy import Matrix, Max, Min, Or, Piecewise, Symbol, atan2, cos, eye, nan, sin, sqrt, symbols
 from sympy import pi as exact_pi
 
-from book import things_space
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import base_arctan, base_only, cubed_a_3, no_p_x, swapped_xy
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
+from book.things import space
 from courseware.equations import Where, substitute
 from courseware.figures import (
     POINTER,
@@ -332,7 +332,7 @@ def mistakes_figure() -> Figure:
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),
         scene=(
-            things_space.floor(0, 0.7),
+            space.floor(0, 0.7),
             VIEW.solid([solids.cylinder("body", (0.08, 0.05), (0, 0.27))], eye(3), floor=0),
             VIEW.arrow("text", (0, 0, 0), (0.7, 0, 0), "x"),
             VIEW.arrow("text", (0, 0, 0), (0, 0.7, 0), "y"),

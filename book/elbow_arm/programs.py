@@ -6,7 +6,6 @@ from itertools import chain
 import numpy as np
 from sympy import Matrix, cos, sin
 
-from book import things_space
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm.exercises import (
     WAYS,
@@ -17,6 +16,7 @@ from book.elbow_arm.exercises import (
     without_x_by_atan2,
 )
 from book.elbow_arm.formulas import a2, a3, d1, forward, p_z, theta1, theta2, theta3
+from book.things import space
 from courseware.answers import Unknown, angle
 from courseware.figures import VIEW
 from courseware.programs.declaration import Program
@@ -67,7 +67,7 @@ def draw_link(start, end, theta1, kind):
     along, side = Matrix(end - start), Matrix([-sin(theta1), cos(theta1), 0])
     R = Matrix.hstack(along, side.cross(along), side * along.norm())
     edge = "accent_edge" if kind == "accent" else kind
-    link = things_space.link(1, 0.09, 0.07)
+    link = space.link(1, 0.09, 0.07)
     bare = [replace(mesh, kind=kind, edge=edge, dots={}) for mesh in link]
     return VIEW.solid(bare, R, start)
 

@@ -23,12 +23,12 @@ from sympy import (
 )
 from sympy import pi as exact_pi
 
-from book import things_space
 from book.euler import formulas as euler
 from book.euler.exercises import left_handed_turn
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
-from book.outlines import disc
+from book.things import space
+from book.things.outlines import disc
 from courseware.equations import Where, declarations, substitute
 from courseware.figures import (
     VIEW,
@@ -116,7 +116,7 @@ FLOOR, HALF = -0.95, 0.75  # m: the floor's height, and half its side
 
 def floor(at: Sequence[Any] = ORIGIN) -> Any:
     """Return a piece of floor, on which shadows fall."""
-    return things_space.floor(FLOOR, HALF, at)
+    return space.floor(FLOOR, HALF, at)
 
 
 def die(
@@ -131,13 +131,13 @@ def die(
     )
     stubs = map(VIEW.arrow, AXES, tail, head, labels)
     edge = "accent_edge" if kind == "accent" else kind
-    body = VIEW.solid(things_space.die(kind, "shell", edge), R, at, floor=FLOOR)
+    body = VIEW.solid(space.die(kind, "shell", edge), R, at, floor=FLOOR)
     return floor(at), body, *stubs
 
 
 def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
     """Return the ghost onto which a die shall be brought."""
-    body = VIEW.solid(things_space.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
+    body = VIEW.solid(space.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
     return floor(at), body
 
 
@@ -419,7 +419,7 @@ def both_figure() -> Figure:
 
 # Rings, one inside the other: an XYZ sequence as a machine.
 
-AEROPLANE = things_space.aeroplane()
+AEROPLANE = space.aeroplane()
 STAND = tuple(
     replace(solids.box("metal_mid", size, at), edge="edge")
     for size, at in (
@@ -458,7 +458,7 @@ def rings_figure() -> Figure:
             Slider.degrees(against, step=15, label="outer ring +, inner ring −"),
         ),
         scene=(
-            things_space.floor(low, 1.45),
+            space.floor(low, 1.45),
             VIEW.solid(STAND, UNTURNED, floor=low),
             VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=low),
             VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),

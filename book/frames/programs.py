@@ -1,6 +1,6 @@
 """Programs that students write on chains of frames."""
 
-from book import outlines, things
+from book import things
 from book.frames.exercises import (
     ONLY_HAND,
     POSE,
@@ -22,6 +22,7 @@ from book.frames.formulas import (
     de_x,
     de_y,
 )
+from book.things import outlines
 from courseware.figures import Outline, Thing
 from courseware.programs.declaration import Program
 from robokin import frames

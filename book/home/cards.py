@@ -18,8 +18,8 @@ from book.frames import formulas as frames
 from book.frames.figures import point_of
 from book.motion.formulas import omega, theta, v, v_y, x, y
 from book.odometry import formulas as odometry
-from book.outlines import box, disc, line, polygon
 from book.planar_arm import formulas as planar
+from book.things.outlines import box, disc, line, polygon
 from book.wheels import formulas as wheels
 from courseware.equations import Equation, substitute
 from courseware.figures import Area, Arrow, Curve, Figure, Line, Outline, Point, Thing

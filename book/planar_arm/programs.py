@@ -41,7 +41,7 @@ from book.planar_arm.formulas import (
     y,
     y_dot,
 )
-from book.things_arms import links
+from book.things.arms import links
 from courseware.answers import angle
 from courseware.equations import substitute
 from courseware.figures import Arrow, Point

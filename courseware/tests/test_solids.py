@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from small_figures import painted, space_figure
 from support import EPS, assert_close
 
-from book import things_space
+from book.things import space
 from courseware.errors import CourseError
 from courseware.figures import VIEW, Bracket, QuarterTurns, Readout, solids
 from courseware.script import engine as script
@@ -27,7 +27,7 @@ BODIES = {
     "box": solids.box("body", (1, 2, 3), at=(1, 1, 1)),
     "cylinder": solids.cylinder("body", (1, 0.5), (-1, 2), along="x"),
     "plate": solids.plate("body", [(0, 0), (2, 0), (1, 1)], 0.1, along="y"),
-    "die": things_space.die("body")[0],
+    "die": space.die("body")[0],
     "ball": solids.ball("body"),
     "ring": solids.ring("body", 1.0, 1.5, 0.2, along="y"),
 }
@@ -74,9 +74,7 @@ def test_a_body_is_closed(name):
 def test_opposite_faces_of_a_die_add_up_to_seven():
     middles = {
         number: tuple(np.round(middle, 6))
-        for number, (middle, _) in zip(
-            things_space.FACE_NUMBERS, normals(BODIES["die"]), strict=False
-        )
+        for number, (middle, _) in zip(space.FACE_NUMBERS, normals(BODIES["die"]), strict=False)
     }
     assert sorted(middles) == [1, 2, 3, 4, 5, 6]
     assert [middles[k] for k in (1, 2, 3)] == [(0.5, 0, 0), (0, 0.5, 0), (0, 0, 0.5)]
@@ -177,7 +175,7 @@ def test_a_ghost_is_clear():
 
 
 def test_what_is_printed_on_a_face_goes_with_it():
-    figure = space_figure(scene=(VIEW.solid(things_space.die("body"), EYE),))
+    figure = space_figure(scene=(VIEW.solid(space.die("body"), EYE),))
     counts = {drawn(figure, azimuth=a, elevation=e).count("<circle")
               for a, e in ((0, 0), (90, 0), (0, 90), (180, 0), (-90, 0), (0, -90))}  # fmt: skip
     assert counts == {1, 2, 3, 4, 5, 6}

@@ -8,7 +8,7 @@ import sympy as sp
 from figure_numbers import each_figure, kind_of
 from support import contrast
 
-from book.materials import MATERIALS
+from book.things.materials import MATERIALS
 from courseware.course import course
 from courseware.script import parts
 from robokin.styles import KINDS

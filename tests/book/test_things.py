@@ -9,8 +9,9 @@ import pytest
 import sympy as sp
 from support import contrast
 
-from book import things, things_space
-from book.materials import GRADIENTS, GROUNDS, TONES
+from book import things
+from book.things import space
+from book.things.materials import GRADIENTS, GROUNDS, TONES
 from courseware.equations.quantities import declarations
 from courseware.errors import CourseError
 from courseware.figures import VIEW, Figure, Slider
@@ -157,16 +158,16 @@ def test_an_arm_has_a_length_for_each_angle():
 # ---- in space
 
 MESHES = {
-    "link": things_space.link(0.4, 0.06, 0.04),
-    "pale": things_space.link(0.2, 0.04, 0.03, pale=True),
-    "gripper": things_space.gripper(0.2),
-    "column": things_space.column(0.2),
-    "camera": things_space.camera(),
-    "parcel": things_space.parcel(),
-    "ball": things_space.ball(),
-    "stand": things_space.stand(0.2),
-    "aeroplane": things_space.aeroplane(),
-    "slab": things_space.slab(0, 1),
+    "link": space.link(0.4, 0.06, 0.04),
+    "pale": space.link(0.2, 0.04, 0.03, pale=True),
+    "gripper": space.gripper(0.2),
+    "column": space.column(0.2),
+    "camera": space.camera(),
+    "parcel": space.parcel(),
+    "ball": space.ball(),
+    "stand": space.stand(0.2),
+    "aeroplane": space.aeroplane(),
+    "slab": space.slab(0, 1),
 }
 
 

@@ -2,19 +2,19 @@
 
 A chapter imports this module and says `things.robot(pose)`. Where they are drawn:
 
-- `things_robots`: the small robot, its vacuum cousin, omni robot, platform; pad and dock
-- `things_wheels`: wheels of all kinds from above, and one with an encoder from the side
-- `things_vehicles`: car, bus, bicycle's wheel, shopping trolley
-- `things_arms`: the arm
-- `things_room`: camera, box, ball, bench, ruler, kerb, shelf, walls
+- `robots`: the small robot, its vacuum cousin, omni robot, platform; pad and dock
+- `wheels`: wheels of all kinds from above, and one with an encoder from the side
+- `vehicles`: car, bus, bicycle's wheel, shopping trolley
+- `arms`: the arm
+- `room`: camera, box, ball, bench, ruler, kerb, shelf, walls
 
 Places are (x, y, angle) in metres and radians, as numbers or expressions; so are angles of what
 turns and ways that wheels have rolled. Sizes are numbers. `look` is "", "ghost" or "wrong".
 """
 
-from book.things_arms import arm
-from book.things_robots import dock, omni_robot, pad, pad_lights, platform, robot, vacuum
-from book.things_room import (
+from book.things.arms import arm
+from book.things.robots import dock, omni_robot, pad, pad_lights, platform, robot, vacuum
+from book.things.room import (
     ball,
     ball_stand,
     bench,
@@ -29,8 +29,8 @@ from book.things_room import (
     shelf,
     walls,
 )
-from book.things_vehicles import bicycle_wheel, bus, car, trolley
-from book.things_wheels import (
+from book.things.vehicles import bicycle_wheel, bus, car, trolley
+from book.things.wheels import (
     ball_wheel,
     castor,
     counter,

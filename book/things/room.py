@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import tan
 from typing import Any
 
-from book.outlines import Point, box, curves, disc, line, polygon
+from book.things.outlines import Point, box, curves, disc, line, polygon
 from courseware.figures import Outline, Thing
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from sympy import atan2, sqrt
 
-from book.outlines import box, capsule, curves, disc, line, polygon, spots
+from book.things.outlines import box, capsule, curves, disc, line, polygon, spots
 from courseware.errors import CourseError
 from courseware.figures import Outline, Thing
 

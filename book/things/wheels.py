@@ -3,7 +3,7 @@
 from math import cos, hypot, pi, sin, tan
 from typing import Any
 
-from book.outlines import box, curves, disc, line, polygon, ring, sector, spots
+from book.things.outlines import box, curves, disc, line, polygon, ring, sector, spots
 from courseware.figures import Outline, Rim, Thing
 
 

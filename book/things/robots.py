@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from math import cos, pi, sin
 from typing import Any
 
-from book.outlines import box, curves, disc, line, rounded, sector, spots
-from book.things_arms import arm
-from book.things_wheels import omni_wheel, wheel
+from book.things.arms import arm
+from book.things.outlines import box, curves, disc, line, rounded, sector, spots
+from book.things.wheels import omni_wheel, wheel
 from courseware.figures import Outline, Thing
 
 LEFT_RIGHT = ("left2", "right2")

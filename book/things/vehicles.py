@@ -3,8 +3,8 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from book.outlines import Point, box, curves, line, mirrored
-from book.things_wheels import castor, wheel
+from book.things.outlines import Point, box, curves, line, mirrored
+from book.things.wheels import castor, wheel
 from courseware.figures import Outline, Thing
 
 LINE = 0.025  # m, of lines on a car

@@ -196,7 +196,7 @@ def readout_texts(readout, value):
 
 def loops(figure):
     """Return the recurrences of a figure."""
-    return [shape.recurrence for shape in figure.scene if hasattr(shape, "recurrence")]
+    return [shape.recurrence for shape in figure.shapes if hasattr(shape, "recurrence")]
 
 
 @cache

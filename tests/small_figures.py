@@ -23,7 +23,7 @@ def small_figure(**parts):
         "title": "A point on a line",
         "view": (-1, 1, -1, 1),
         "controls": (Slider(a, 0.0, 1.0, start=0.5, step=0.1),),
-        "scene": (Point("target", (a, 0)),),
+        "shapes": (Point("target", (a, 0)),),
         "readouts": (Readout("twice", "twice a", 2 * a, "m"),),
         "sentence": "x is {x}, twice that {twice}.",
     }
@@ -40,7 +40,7 @@ def space_figure(**parts):
         "name": "space",
         "view": (-1.6, 1.6, -1.3, 1.3),
         "controls": (),
-        "scene": (
+        "shapes": (
             *VIEW.frame(sp.eye(3), labels=("x", "y", "z")),
             Curve("path", VIEW.project(ring), turn, 0, 6.2831, depth=VIEW.depth(ring)),
             VIEW.point("target", (2, 0, 0)),

@@ -68,7 +68,7 @@ def arrow_figure() -> Figure:
         view=VIEW,
         ground="tiles",
         controls=ball_sliders(0.75, 0.3),
-        scene=(
+        shapes=(
             *robot_and_ball(),
             Arrow(p_x, ORIGIN, (p_x, 0), ""),
             Arrow(p_y, (p_x, 0), (p_x, p_y), ""),
@@ -95,7 +95,7 @@ def direction_figure() -> Figure:
         ground="tiles",
         controls=ball_sliders(0.6, 0.45),
         where=assign(basics.direction),
-        scene=(
+        shapes=(
             *robot_and_ball(),
             AngleArc(bearing, ORIGIN, 0, bearing, 0.3),
             Arrow("error", ORIGIN, (0.7 * cos(quotient), 0.7 * sin(quotient)), "arctan"),
@@ -125,7 +125,7 @@ def turn_figure() -> Figure:
         view=(-1.25, 2.4, -1.2, 1.2),
         ground="tiles",
         controls=(Slider.degrees(theta, label="turned by θ"),),
-        scene=(
+        shapes=(
             Line("ghost", ((1.15, 0), ORIGIN, (0, 1.1))),
             things.vacuum((*ORIGIN, theta)),
             AngleArc(theta, ORIGIN, 0, theta, 0.32),
@@ -161,7 +161,7 @@ def thousand_figure() -> Figure:
             Slider(fastest, 0.5, 4.0, start=1.0, step=0.1, label="fastest turn"),
             Clock(t, 0.0, TIME, loops=True, label="time"),
         ),
-        scene=(
+        shapes=(
             things.vacuum(HERE, look="ghost"),
             *(Curve("ghost", end(rate, driven), driven, 0, t) for rate in (-1, 0, 1)),
             Cloud("path", end(share, t), (share,), THOUSAND),

@@ -112,7 +112,7 @@ def ackermann_figure() -> Figure:
             Slider(wheelbase, 1.5, 3.0, start=2.5, step=0.1, label="wheelbase L"),
             Slider(track, 0.8, 2.2, start=1.5, step=0.1, label="track b"),
         ),
-        scene=(
+        shapes=(
             axle("icr", (0, 0), UP),
             axle("left", left, UP + angles[0]),
             axle("right", right, UP + angles[1]),
@@ -193,7 +193,7 @@ def loop_figure() -> Figure:
             Choice("point", "point that is followed", (ahead,),
                    {"rear axle": (0.0,), "front axle": (1.0,)}),
         ),
-        scene=(
+        shapes=(
             Curve("path", exact(s), s, 0, DURATION),
             Trail("approximation", state, loop),
             Line("approximation", (goal, end)),
@@ -256,7 +256,7 @@ def lane_figure() -> Figure:
             Clock(t, 0.0, LASTING, step=0.1, label="time, at 3 m/s"),
         ),
         where=((R, radius), *zip(pose, drawn, strict=True)),
-        scene=(
+        shapes=(
             Curve("left", edges[0], s, 0, LASTING),
             Curve("right", edges[1], s, 0, LASTING),
             Curve("path", at(s, 0, 0), s, 0, LASTING),
@@ -357,7 +357,7 @@ def mistakes_figure() -> Figure:
             Clock(t, 0.0, 3.0, start=3.0, loops=True, label="time, at 2 m/s"),
         ),
         where=(*zip(here, true, strict=True), *zip((*there, ahead), wrong, strict=True)),
-        scene=(
+        shapes=(
             *(Curve(*way, s, 0, t) for way in zip(("path", "approximation"), ways, strict=True)),
             *car("approximation", there, steered),
             *car("body", here, steered),

@@ -250,7 +250,7 @@ def park_figure() -> Figure:
         ground="tiles",
         controls=(*speed_sliders(0.05, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
         where=VELOCITY,
-        scene=(
+        shapes=(
             *mark(MARK, end),
             Curve("ghost", drive_for(s), s, 0, TIME),
             robot(START, look="ghost"),
@@ -285,7 +285,7 @@ def exercise_figure() -> Figure:
         view=(-0.2, 0.2, -0.12, 0.18),
         ground="tiles",
         where=given,
-        scene=(
+        shapes=(
             Arrow("x_axis", ORIGIN, (0.17, 0), "x"),
             Arrow("y_axis", ORIGIN, (0, 0.16), "y"),
             robot(START),
@@ -327,7 +327,7 @@ def still_figure() -> Figure:
             Clock(t, 0.0, 1.5, label="time"),
         ),
         where=(*SPEEDS.items(), *VELOCITY),
-        scene=(
+        shapes=(
             robot(START, look="ghost"),
             Curve("target", stuck, s, 0, t),
             Line("ghost", (now, there)),
@@ -372,7 +372,7 @@ def infinity_figure() -> Figure:
         ground="tiles",
         controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the ray from ∞"),),
         where=((v_L, 0.07 * (cos(share) - turn)), (v_R, 0.07 * (cos(share) + turn)), *RADIUS_TOO),
-        scene=(
+        shapes=(
             Line("icr", ((-0.5, 0), (0.5, 0))),
             way("path", -12, 12),
             Curve("icr", (far * cos(s), -far + far * sin(s)), s, 0, 2 * pi),
@@ -408,7 +408,7 @@ def world_figure() -> Figure:
         ground="tiles",
         controls=(Slider.degrees(theta, start=40),),
         where=(*SPEEDS.items(), *TWIST.items(), (v_y, 0), *assign(motion.to_world)),
-        scene=(
+        shapes=(
             Line("ghost", ((-0.3, 0), (0.3, 0))),
             Line("ghost", ((0, -0.3), (0, 0.3))),
             robot((0, 0, theta)),
@@ -460,7 +460,7 @@ def added_figure() -> Figure:
             Slider(omega, -1.0, 1.0, start=0.0, step=0.05),
         ),
         where=((b, DISTANCE), *assign(drive.wheel_speeds)),
-        scene=(robot(START), *wheels),
+        shapes=(robot(START), *wheels),
         buttons=(
             Button("only drive", {v: drives, omega: 0}),
             Button("only turn", {v: 0, omega: spins}),
@@ -492,7 +492,7 @@ def rates_figure() -> Figure:
             Clock(t, 0.0, 1.5, loops=True, label="time"),
         ),
         where=((b, DISTANCE), (r, RADIUS), *assign(drive.wheel_speeds, drive.wheel_rates)),
-        scene=(robot(START, time=t), *arrows(START), *rows),
+        shapes=(robot(START, time=t), *arrows(START), *rows),
         readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,
     )
@@ -511,7 +511,7 @@ def guess_figure() -> Figure:
             Clock(t, 0.0, 2.0, label="time"),
         ),
         where=(*SPEEDS.items(), *VELOCITY),
-        scene=(
+        shapes=(
             robot(START, look="ghost"),
             way("path", 0, t),
             robot(drive_for(t), time=t),
@@ -532,7 +532,7 @@ def spokes_figure() -> Figure:
         ground="tiles",
         controls=(Slider(dt, 0.0, 3.0, start=2.0, step=0.1),),
         where=(*SPEEDS.items(), *RADIUS_TOO),
-        scene=(
+        shapes=(
             Area("icr", (centre, ORIGIN, end)),
             robot(START, look="ghost"),
             way("path", 0, dt),
@@ -569,7 +569,7 @@ def arc_figure() -> Figure:
             *assign(motion.arc_step, motion.chord),
             (R, Piecewise((v / omega, Ne(omega, 0)), (oo, True))),
         ),
-        scene=(
+        shapes=(
             Area("icr", ((-R, 0), ORIGIN, end)),
             Line("icr", (ORIGIN, (-R, 0), end)),
             Line("icr", ((-R, 0), middle)),
@@ -615,7 +615,7 @@ def almost_figure() -> Figure:
         ground="paper",
         controls=(Slider(power, 0.0, 16.0, start=6.0, step=0.1, label="p, where ω = 1/10ᵖ rad/s"),),
         where=((omega, 10**-power), (v_L, FAST), (v_R, FAST), *zip(LOST, textbook, strict=False)),
-        scene=(
+        shapes=(
             Line("path", (ORIGIN, exact)),
             robot((0, 0, SLANTED), look="ghost"),
             robot(exact),
@@ -671,7 +671,7 @@ def steps_figure() -> Figure:
         ground="paper",
         controls=(Slider(n, 2, 60, start=3, step=1, label="number of steps n"),),
         where=tuple(SPEEDS.items()),
-        scene=(
+        shapes=(
             Curve("path", substitute(drive_for(s), TWIST), s, 0, DURATION),
             robot(START, look="ghost"),
             robot(exact),
@@ -702,7 +702,7 @@ def sideways_figure() -> Figure:
             Slider(wish_y, -0.15, 0.15, start=0.1, step=0.01, label="wish: to the left"),
         ),
         where=((v, wish_x), (v_L, wish_x), (v_R, wish_x)),
-        scene=(
+        shapes=(
             Line("icr", ((-0.3, 0), (0.3, 0))),
             robot(START),
             Line("error", (ahead, wished)),
@@ -746,7 +746,7 @@ def side_figure() -> Figure:
             (speed, Piecewise((turn, done < 1), (reach, done < 2), (-turn, True)) / 2)
             for speed, turn in ((v_L, -spin), (v_R, spin))
         ),
-        scene=(
+        shapes=(
             *mark(SIDE, end),
             Line("icr", ((-0.4, 0), (0.3, 0))),
             robot(START, look="ghost"),
@@ -788,7 +788,7 @@ def drive_figure() -> Figure:
             Clock(t, 0.0, 12.0, start=2.0, label="time"),
         ),
         where=RADIUS_TOO,
-        scene=(
+        shapes=(
             *mark(BAY, now, "bay"),
             *tracks(0, t),
             robot(START, look="ghost"),
@@ -850,7 +850,7 @@ def damage_figure() -> Figure:
             Clock(t, 0.0, 2.0, start=1.5, loops=True, label="time"),
         ),
         where=tuple(speeds.items()),
-        scene=(
+        shapes=(
             Curve("path", seen, s, 0, t),
             Curve("approximation", believed, s, 0, t),
             Line("error", (now, there)),
@@ -871,7 +871,7 @@ def recap_figure() -> Figure:
         view=(-0.26, 0.2, -0.12, 0.22),
         controls=(),
         where=(*SPEEDS.items(), *RADIUS_TOO),
-        scene=(
+        shapes=(
             way("path", 0, 2.0),
             Arrow("middle_heading", ORIGIN, end, "c"),
             robot(end, look="ghost"),
@@ -895,7 +895,7 @@ def letters_figure() -> Figure:
             Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
         ),
         where=(*SPEEDS.items(), *RADIUS_TOO),
-        scene=(
+        shapes=(
             Length("icr", ORIGIN, (-R, 0), aside=0.045, label=""),
             AngleArc("turning", (-R, 0), 0, 2 * middle, 0.06, label=""),
             *(

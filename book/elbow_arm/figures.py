@@ -165,7 +165,7 @@ def two_views_figure() -> Figure:
         view=(-0.78, 2.3, -0.77, 0.85),
         size="laboratory",
         controls=(*target_sliders(), ARMS),
-        scene=(
+        shapes=(
             *(ring((0, 0), cut) for cut in cuts),
             *(ring(mid, limit, -pi / 2, pi / 2) for limit in (least, most)),
             Arrow("text", (0, 0), (0.58, 0), label="x"),
@@ -218,7 +218,7 @@ def space_figure() -> Figure:
         view=(-1.0, 1.0, -0.67, 0.85),
         size="",
         controls=(*target_sliders(), AWAY),
-        scene=(
+        shapes=(
             *(ring(VIEW.project(shoulder), limit) for limit in (least, most)),
             *VIEW.frame(eye(3), size=0.3, labels=("x", "y", "z")),
             bring_forward(VIEW.line("ghost", (foot, shade)), -0.3),
@@ -331,7 +331,7 @@ def mistakes_figure() -> Figure:
             Slider(p_x, -0.5, 0.5, start=-0.45, step=0.05, label="target p_x"),
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),
-        scene=(
+        shapes=(
             space.floor(0, 0.7),
             VIEW.solid([solids.cylinder("body", (0.08, 0.05), (0, 0.27))], eye(3), floor=0),
             VIEW.arrow("text", (0, 0, 0), (0.7, 0, 0), "x"),

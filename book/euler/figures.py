@@ -201,7 +201,7 @@ def die_figure() -> Figure:
         view=(-3.1, 3.1, -2.85, 1.42),
         ground="wall",
         controls=(turns,),
-        scene=(
+        shapes=(
             *die(now, VIEW.right_of_origin(-1.4)),
             *ghost_die(GHOST, VIEW.right_of_origin(1.4)),
             *when(turns.count < 1, Label("text", (0, low), "no turn yet")),
@@ -230,7 +230,7 @@ def exercise_figure() -> Figure:
         ground="wall",
         title="Frame A on the left; frame B on the right, turned another way",
         view=(-2.4, 2.5, -1.6, 1.5),
-        scene=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
+        shapes=(*die(UNTURNED, LEFT, OF_A), *die(R_AB, RIGHT, OF_B)),
         sentence="The x axis of B points against y of A, its y axis down, its z axis along x of A.",
     )
 
@@ -247,7 +247,7 @@ def columns_figure() -> Figure:
             Choice.one_hot("axis", about, "xyz", label="turn about", start="z"),
             Slider.degrees(turn, start=60, step=15),
         ),
-        scene=(
+        shapes=(
             *room(),
             *die(R),
             *turn_arc("ϑ", turn, about, "icr"),
@@ -272,7 +272,7 @@ def order_figure() -> Figure:
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
         view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
-        scene=(*die(left, LEFT), *die(right, RIGHT)),
+        shapes=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(Readout("apart", "angle between the dice", angle_of(left.T * right), "rad"),),
         sentence="{made} turns made of each; the dice are one turn of {apart} apart.",
         where=steps,
@@ -297,7 +297,7 @@ def readings_figure() -> Figure:
             Slider.degrees(middle, start=45, step=15, label="β, about x", kind="x_axis"),
             Clock(made, 0.0, 2.0, label="turns made", rate=0.5, loops=True),
         ),
-        scene=(
+        shapes=(
             *turn_axis(own, LEFT),
             *turn_axis(of_room, RIGHT),
             *die(left, LEFT),
@@ -333,7 +333,7 @@ def target_figure() -> Figure:
             Slider.degrees(first, step=15, label="α, first turn"),
             Slider.degrees(middle, step=15, label="β, second turn"),
         ),
-        scene=(
+        shapes=(
             *room(LEFT),
             *die(now, LEFT),
             *turn_arc("α", first, outer, "icr", at=LEFT),
@@ -368,7 +368,7 @@ def three_angles_figure() -> Figure:
             Slider.degrees(middle, step=10, label="middle β, about the new y", kind="y_axis"),
             Slider.degrees(third, step=10, label="third γ, about the newest z", kind="z_axis"),
         ),
-        scene=(
+        shapes=(
             *room(LEFT),
             *die(now, LEFT),
             *turn_arc("α", first, X, "x_axis", at=LEFT),
@@ -404,7 +404,7 @@ def both_figure() -> Figure:
             Slider.degrees(middle, start=30, step=15, kind="y_axis"),
             Clock(made, 0.0, 3.0, label="turns made", rate=0.75),
         ),
-        scene=(*die(left, LEFT), *die(right, RIGHT)),
+        shapes=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(
             Readout("other", "β of the right die", motion.wrap(euler.OTHERS[1]), "rad", digits=0),
             Readout("apart", "angle between the dice", angle_of(left.T * right), "rad"),
@@ -457,7 +457,7 @@ def rings_figure() -> Figure:
             Slider.degrees(middle, start=30, step=15, label="β, middle ring", kind="y_axis"),
             Slider.degrees(against, step=15, label="outer ring +, inner ring −"),
         ),
-        scene=(
+        shapes=(
             space.floor(low, 1.45),
             VIEW.solid(STAND, UNTURNED, floor=low),
             VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=low),
@@ -503,7 +503,7 @@ def near_lock_figure() -> Figure:
         view=(-0.75, 4.4, -0.95, 2.75),
         ground="wall",
         controls=(Slider(near, 0.2, 90.0, start=30.0, step=0.2, label="degrees from lock"),),
-        scene=(
+        shapes=(
             *graph.shapes(),
             Curve("z_axis", graph.place((10**s, on_curve)), s, -1, 1.95, 48),
             Line("ghost", (graph.place((near, 1)), here, graph.place((0.1, fast)))),
@@ -570,7 +570,7 @@ def one_turn_figure() -> Figure:
             Choice("way", "way", (at_once,), {"one turn": (1,), "two": (0,)}, start="two"),
             Clock(part, 0.0, 1.0, step=0.01, label="part of the way", rate=0.25),
         ),
-        scene=(
+        shapes=(
             *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * exact_pi, 36) for c in circles),
             *die(euler.r, VIEW.right_of_origin(-1.3)),
             floor(low),
@@ -611,7 +611,7 @@ def one_axis_figure() -> Figure:
             Choice("axis", "axis through", euler.n, ways),
             Slider.degrees(turn, start=30, step=15),
         ),
-        scene=(
+        shapes=(
             *room(LEFT),
             *turn_axis(Matrix(euler.n), LEFT),
             *die(R, LEFT),
@@ -645,7 +645,7 @@ def recap_figure() -> Figure:
             *(Choice(f"{n}_column", f"{n} column is", (pick,), options) for n, pick in places),
             Clock(turn, 0.0, ANGLE, start=ANGLE, step=pi / 180, rate=0.8),
         ),
-        scene=(
+        shapes=(
             *room(),
             *turn_axis(AXIS),
             *die(R, labels=())[:2],
@@ -687,7 +687,7 @@ def mistakes_figure() -> Figure:
         title="Frame B, and beside it in red the frame that a mistake makes of it",
         view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Choice("mistake", "mistake", WRONG, options),),
-        scene=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
+        shapes=(*die(right, LEFT, OF_B), *die(R, RIGHT, kind="error")),
         readouts=(Readout("apart", "error angle", angle_of(right.T * R), "rad", digits=0),),
         sentence="{mistake}: the wrong frame is one turn of {apart} from frame B.",
     )
@@ -754,7 +754,7 @@ def sequence_figure() -> Figure:
             Slider.degrees(third, start=-60, step=15, label="third γ"),
             Clock(made, 0.0, 3.0, start=3.0, label="turns made", rate=0.75),
         ),
-        scene=(
+        shapes=(
             *room(LEFT),
             *turn_axis(u, LEFT),
             *die(now, LEFT),

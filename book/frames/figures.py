@@ -134,7 +134,7 @@ def chain_figure() -> Figure:
             Slider.degrees(de_turn, -175, 175, start=135, step=5, label="object θ_de"),
         ),
         where=steps,
-        scene=(
+        shapes=(
             Body(T_db, db_turn, RADIUS),
             Line("body", (T_db, elbow, dc)),
             *(Arrow("path", *ends) for ends in chain),
@@ -240,7 +240,7 @@ def above_figure() -> Figure:
             Slider(low, -0.4, 0.4, start=-0.2, step=0.05, label="height of the object"),
         ),
         where=steps,
-        scene=(
+        shapes=(
             VIEW.line("ghost", [thing, (*THING, 0)]),
             Curve("body", VIEW.project(rim), s, 0, 2 * pi, depth=VIEW.depth(rim)),
             VIEW.line("body", [base, middle]),
@@ -329,7 +329,7 @@ def mistakes_figure() -> Figure:
             Slider.degrees(db_turn, 60, 150, start=90, step=5, label="platform θ_db"),
         ),
         where=steps,
-        scene=(
+        shapes=(
             Line("error", (de, e)),
             Body(db, db_turn, RADIUS),
             Line("body", (db, elbow, c)),

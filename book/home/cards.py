@@ -74,7 +74,7 @@ def elbow_card() -> Figure:
         title="An arm grips a ball; its ghost does so with the other elbow where two circles meet",
         view=(-0.48, 0.88, -0.22, 0.58),
         ground="wall",
-        scene=(
+        shapes=(
             things.bench(-1, 2, -0.14, -0.3),
             *(spot(*each) for each in (("left", HERE, 0.4), ("right", ball, 0.3))),
             *(circle(*each) for each in (("left", HERE, 0.4), ("right", ball, 0.3))),
@@ -102,7 +102,7 @@ def frames_card() -> Figure:
         title="A platform with an arm from above; a sheet with a grid is pinned to its hand",
         view=(-0.42, 1.44, -0.22, 0.87),
         ground="tiles",
-        scene=(
+        shapes=(
             things.shelf((-0.1, 0.86, 0), 0.6),
             things.parcel((*place(hand, 0.44, -0.13), 0.9)),
             Thing(hand, sheet),
@@ -124,7 +124,7 @@ def bicycle_card() -> Figure:
         title="A car from above in a curve; its four wheels roll on circles about one point",
         view=(-5.85, 2.35, -1.2, 3.6),
         ground="asphalt",
-        scene=(
+        shapes=(
             *(circle(kind, centre, dist(centre, hub)) for kind, hub in hubs),
             *(Line(kind, (centre, hub)) for kind, hub in hubs if hub[1]),
             Line("icr", (centre, (0.75, 0))),
@@ -154,7 +154,7 @@ def wheels_card() -> Figure:
         title="A robot on three omni wheels; the lines along which they roll are a triangle",
         view=(-0.42, 0.42, -0.25, 0.25),
         ground="tiles",
-        scene=(
+        shapes=(
             Area("icr", tuple(corners)),
             *lines,
             things.omni_robot(pose),
@@ -208,7 +208,7 @@ def odometry_card() -> Figure:
         title="The way of a robot vacuum, and the way by its counters: it swings like a door",
         view=(-0.4, 3.1, -0.25, 1.8),
         ground="tiles",
-        scene=(
+        shapes=(
             *way("left", start, ARCS, TRACK / 2),
             *way("right", start, ARCS, -TRACK / 2),
             *leaves,
@@ -237,7 +237,7 @@ def planar_card() -> Figure:
         title="An arm from above with a weight on each joint; its hand turns about their balance",
         view=(-0.22, 1.16, -0.17, 0.64),
         ground="tiles",
-        scene=(
+        shapes=(
             Area("icr", joints),
             things.arm(HERE, angles, lengths),
             *(spot(kind, at, 0.15 * rate**0.5, kind) for kind, at, rate in weights),
@@ -278,7 +278,7 @@ PROOFS = (
         name="samples",
         title="A curve, and points on it",
         view=(0, 132, 0, 46),
-        scene=(Curve("path", WAVE, s, 0, 1), *SAMPLES),
+        shapes=(Curve("path", WAVE, s, 0, 1), *SAMPLES),
         grid=False,
     ),
     Figure("robots", "A robot, a charger, a wrong robot", (0, 0.46, 0, 0.16), ROBOTS, grid=False),

@@ -42,7 +42,7 @@ def hero_figure() -> Figure:
         ground="tiles",
         controls=(*speed_sliders(0.08, 0.05), Clock(t, 0.0, TIME, loops=True, label="time")),
         where=VELOCITY,
-        scene=(
+        shapes=(
             things.pad(CHARGER),
             way("left", 0, TIME, left=DISTANCE / 2),
             way("right", 0, TIME, left=-DISTANCE / 2),

@@ -117,7 +117,7 @@ def rules_figure() -> Figure:
             Slider(samples, 3, 32, start=8, step=1, label="samples in the drive"),
             Slider.degrees(turned, 30, 360, start=270, step=5, label="turned in all"),
         ),
-        scene=(
+        shapes=(
             Curve("ghost", arc_to(CIRCLE * s, s), s, 0, 2 * pi),
             Curve("path", arc_to(CIRCLE * s, s), s, 0, turned),
             Trail("old_heading", (x, y), old),
@@ -235,7 +235,7 @@ def ellipse_figure() -> Figure:
             Slider(drive, 0.25, 3, start=2.5, step=0.05, label="distance"),
             Slider.degrees(turned, 0, 360, start=60, step=5, label="turned in all"),
         ),
-        scene=(
+        shapes=(
             Curve("path", arc_to(drive * s, turned * s), s, 0, 1),
             *(ellipse(loop, count) for count, loop in loops.items()),
             *(Trail("ghost", (x, y), loop) for loop in loops.values()),
@@ -320,7 +320,7 @@ def square_figure() -> Figure:
             Slider(b_true, 0.19, 0.21, start=0.206, step=0.001, label="true wheel distance"),
             Slider(ratio, 0.98, 1.02, start=1.006, step=0.002, label="right diameter / left"),
         ),
-        scene=(
+        shapes=(
             Line("ghost", (ORIGIN, (SIDE, 0), (SIDE, SIDE), (0, SIDE), ORIGIN)),
             Line("ghost", (ORIGIN, (SIDE, 0), (SIDE, -SIDE), (0, -SIDE), ORIGIN)),
             Trail("path", (x, y), cw),
@@ -431,7 +431,7 @@ def mistakes_figure() -> Figure:
             Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
             Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
         ),
-        scene=(
+        shapes=(
             Curve("path", part, s, 0, samples),
             Trail("approximation", (x, y), loop),
             Line("error", (end, told)),

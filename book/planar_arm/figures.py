@@ -157,7 +157,7 @@ def levers_figure() -> Figure:
             Slider(theta3, -17 * pi / 18, pi, start=START[2], step=pi / 36, label="θ_3"),
         ),
         where=tuple(steps),
-        scene=(
+        shapes=(
             Line("path", (BASE, elbow, wrist, hand)),
             Point("left", BASE, label="1"),
             Point("body", elbow, label="2"),
@@ -234,7 +234,7 @@ def joints_figure() -> Figure:
             Slider(theta3, -17 * pi / 18, pi, start=START[2], step=pi / 36, label="joint θ_3"),
         ),
         where=(*steps, (arm.tilt, tilt)),
-        scene=(
+        shapes=(
             Line("ghost", (elbow, ahead)),
             AngleArc("approximation", elbow, theta1, heading, 0.1, label="θ_2"),
             Curve("velocity", rim, s, 0, 2 * pi),
@@ -363,7 +363,7 @@ def line_figure() -> Figure:
             Slider(line_y, -0.1, 0.7, start=0.5, step=0.01, label="end of the line, y"),
         ),
         where=tuple(wanted_at(t * n / DURATION, last)[:2]),
-        scene=(
+        shapes=(
             *(
                 Curve("ghost", (l3 + edge * cos(s), edge * sin(s)), s, 0, 2 * pi)
                 for edge in (l1 + l2, Abs(l1 - l2))
@@ -436,7 +436,7 @@ def elbows_figure() -> Figure:
             Slider.degrees(phi_hand, step=5, label="hand angle φ"),
         ),
         where=tuple(steps),
-        scene=(
+        shapes=(
             Curve("ghost", (most * cos(s), most * sin(s)), s, 0, 2 * pi),
             Curve("ghost", (least * cos(s), least * sin(s)), s, 0, 2 * pi),
             Line("approximation", (arms[0][2], (x, y))),
@@ -522,7 +522,7 @@ def mistakes_figure() -> Figure:
             *substitute_sizes(arm.inverse.where),
             (theta3, arm.inverse.right[2]),
         ),
-        scene=(
+        shapes=(
             Line("approximation", (start, (x, y))),
             Trail("path", joints(state)[2], loop, dots=False),
             Line("error", (real[2], (x, y))),

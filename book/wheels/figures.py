@@ -93,7 +93,7 @@ def kinds_figure() -> Figure:
             Choice.one_hot("kind", CHOSEN, KINDS, "wheel"),
             Slider.degrees(course, start=30, step=5, label="direction of the motion"),
         ),
-        scene=(
+        shapes=(
             Line("body", (place_if(fixed, (0, -0.09)), place_if(fixed, (0, 0.09)))),
             Line("body", (place_if(castor, (0, 0)), place_if(castor, contact))),
             Wheel("ghost", place_if(1 - ball, contact), 0, length=LONG, width=WIDE),
@@ -265,7 +265,7 @@ def laboratory_figure() -> Figure:
             Slider.degrees(shift_angle, -90, 90, step=5, label="turn it"),
             Clock(t, 0.0, 6.0, label="time"),
         ),
-        scene=(
+        shapes=(
             *(axle_line(k, places[k], axles[k]) for k in range(4)),
             Curve("ghost", along, s, 0, 6),
             Curve("path", along, s, 0, t),
@@ -412,7 +412,7 @@ def omni_figure() -> Figure:
             Slider.degrees(theta, start=30, step=5, label="heading at the start"),
             Clock(t, 0.0, 12.0, label="time"),
         ),
-        scene=(
+        shapes=(
             Curve("ghost", along, s, 0, 12),
             Curve("path", along, s, 0, t),
             Body(ORIGIN, theta, 0.13, kind="ghost"),
@@ -532,7 +532,7 @@ def mistakes_figure() -> Figure:
             Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),
         where=tuple(zip(REALLY, really, strict=True)),
-        scene=(
+        shapes=(
             Curve("path", move(theta, REALLY, s), s, 0, t),
             Curve("approximation", move(theta, wish, s), s, 0, t),
             Line("error", (real, believed)),

@@ -81,7 +81,7 @@ class Compiler:
 
     def __init__(self, figure: Any, chapter: str) -> None:
         self.figure, self.chapter = figure, chapter
-        trails = [shape.recurrence for shape in figure.scene if isinstance(shape, s.Trail)]
+        trails = [shape.recurrence for shape in figure.shapes if isinstance(shape, s.Trail)]
         self.recurrences = list({id(loop): loop for loop in trails}.values())
         ends = (end for loop in self.recurrences for end in loop.ends)
         self.before_where = [*figure.control_symbols, *ends]
@@ -103,7 +103,7 @@ class Compiler:
             "grid": figure.grid and not figure.view_angles,
             "readouts": list(map(self.compile_readout, figure.readouts)),
             "controls": list(map(self.compile_control, figure.controls)),
-            "scene": list(map(self.compile_shape, figure.scene)),
+            "shapes": list(map(self.compile_shape, figure.shapes)),
             "drawings": self.drawings,
             "ground": _refuse_unknown_ground(figure.ground),
             "handles": list(map(self.compile_handle, figure.handles)),

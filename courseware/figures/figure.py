@@ -48,7 +48,7 @@ class Figure:
         name: its address on the page, letters and dashes.
         title: what it shows, for those who cannot see it.
         view: the window on the world, (x_low, x_high, y_low, y_high) in metres.
-        scene: shapes, in the order of painting.
+        shapes: in the order of painting.
         controls, readouts, handles, buttons: what is moved, read, dragged and pressed.
         sentence: about the present state, with `{name}` for controls, readouts and named steps; by
             default a list of all controls and readouts.
@@ -69,7 +69,7 @@ class Figure:
     name: str
     title: str
     view: tuple[float, float, float, float]
-    scene: tuple[Any, ...]
+    shapes: tuple[Any, ...]
     controls: tuple[Control, ...] = ()
     readouts: tuple[Readout, ...] = ()
     sentence: str = ""
@@ -120,7 +120,7 @@ class Figure:
     @property
     def view_angles(self) -> tuple[sp.Symbol, ...]:
         """The angles that dragging the ground changes, of a picture in space."""
-        deep = (isinstance(s, Solid) or getattr(s, "depth", None) is not None for s in self.scene)
+        deep = (isinstance(s, Solid) or getattr(s, "depth", None) is not None for s in self.shapes)
         return VIEW.angles if any(deep) else ()
 
     @property
@@ -218,12 +218,12 @@ class Scene:
     common: Mapping[str, Any]
 
     def figure(self, name: str, title: str, layers: str, drag: str = "", **parts: Any) -> Figure:
-        """Return the figure of some layers and handles, named in one text; `scene` lies on top."""
+        """Return the figure of some layers and handles, named in one text; `shapes` lies on top."""
         in_order = sorted(layers.split(), key=list(self.layers).index)
         shown = [part for layer in in_order for part in self.layers[layer]]
         handles = tuple(handle for each in drag.split() for handle in self.handles[each])
-        scene = (*shown, *parts.pop("scene", ()))
-        return Figure(name, title, **{"handles": handles, **self.common, **parts, "scene": scene})
+        scene = (*shown, *parts.pop("shapes", ()))
+        return Figure(name, title, **{"handles": handles, **self.common, **parts, "shapes": scene})
 
 
 def render_outlines(figures: Iterable[Figure]) -> str:

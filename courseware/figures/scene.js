@@ -35,7 +35,7 @@ export const renderScene = (figure, computed, width, state) => {
   const texts = textsByKey(figure, state, computed), deep = [];
   const height = to.scale * (view[3] - view[2]);
   let first; // of the shapes with a depth
-  const nodes = figure.scene.map((declared, i) => {
+  const nodes = figure.shapes.map((declared, i) => {
     const shape = { ...declared, label: fillTemplate(declared.label, texts) };
     const at = shape.at.map((index) => values[index]), isDeep = "depth" in shape;
     const depth = isDeep ? values[shape.depth] : 0, node = ["g", symbolData(shape), []];

@@ -34,7 +34,7 @@ def answer_figure(program: Program) -> Figure:
         title=WORDS,
         sentence=WORDS,
         view=(-8, 8, -5, 5),
-        scene=scene,
+        shapes=scene,
         controls=(Choice("answer", WORDS, symbols, {"": numbers}),),
         contain=places,
         ground="wall" if any(isinstance(shape, Solid) for shape in scene) else "tiles",

@@ -17,9 +17,12 @@ def test_the_small_figure_is_right():
 @pytest.mark.parametrize(
     ("parts", "message"),
     [
-        ({"scene": (Point("target", (loose, 0)),)}, "an expression uses loose, but may use only x"),
-        ({"scene": (Curve("path", (loose, loose * a), loose * a, 0, 1),)}, "uses loose"),
-        ({"scene": (Point("purple", (a, 0)),)}, "no kind 'purple'; there are left, right"),
+        (
+            {"shapes": (Point("target", (loose, 0)),)},
+            "uses loose, but may use only x",
+        ),
+        ({"shapes": (Curve("path", (loose, loose * a), loose * a, 0, 1),)}, "uses loose"),
+        ({"shapes": (Point("purple", (a, 0)),)}, "no kind 'purple'; there are left, right"),
         (
             {"controls": (Slider(loose, 0, 1, 0, 0.1),), "sentence": ""},
             "loose is no declared quantity",
@@ -37,9 +40,9 @@ def test_the_small_figure_is_right():
         ({"sentence": "b is {b}"}, "text `sentence` of .* uses b, but there are only x, twice"),
         ({"handles": (Handle("tip", (a, 0), {loose: POINTER[0]}),)}, "'tip' sets loose"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
-        ({"scene": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
+        ({"shapes": (Point("target", (a, 0), depth=loose),)}, "uses loose"),
         (
-            {"where": ((loose, a / 2),), "scene": (Trail("path", (a, 0), LOOP),)},
+            {"where": ((loose, a / 2),), "shapes": (Trail("path", (a, 0), LOOP),)},
             "in the figure small, an expression uses loose",
         ),
     ],

@@ -18,7 +18,7 @@ def test_a_cloud_is_one_path_with_a_dot_for_each_row():
     """Each at its place: half a metre to the right of the table's, in a view of 2 m."""
     width = 460.0
     [path] = re.findall(
-        r'd="((?:M[-\d.]+ [-\d.]+h0){200})"', small_figure(scene=(CLOUD,)).render_svg(460)
+        r'd="((?:M[-\d.]+ [-\d.]+h0){200})"', small_figure(shapes=(CLOUD,)).render_svg(460)
     )
     found = np.array(re.findall(r"M([-\d.]+) ([-\d.]+)h0", path), dtype=float)
     east_of, north_of = np.array(TABLE).T

@@ -93,7 +93,7 @@ def drawn(figure, **shown):
 def cubes(*places, **more):
     """Boxes of side 1 at places, each of a kind."""
     scene = [VIEW.solid([solids.box(kind, (1, 1, 1))], EYE, at, **more) for kind, at in places]
-    return space_figure(scene=tuple(scene))
+    return space_figure(shapes=tuple(scene))
 
 
 SIDES = [(30, 20, 3), (0, 0, 1), (90, 0, 1), (45, 0, 2), (-120, -40, 3), (10, 90, 1)]
@@ -135,9 +135,9 @@ def test_the_light_comes_from_above_and_stays_in_the_room():
 def test_a_pose_turns_and_moves_a_body():
     """A box turned by a quarter about z looks like one with its sides exchanged."""
     R = sp.Matrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
-    turned = space_figure(scene=(VIEW.solid([solids.box("body", (1, 2, 3))], R, (0, 1, 0)),))
+    turned = space_figure(shapes=(VIEW.solid([solids.box("body", (1, 2, 3))], R, (0, 1, 0)),))
     exchanged = space_figure(
-        scene=(VIEW.solid([solids.box("body", (2, 1, 3), at=(0, 1, 0))], EYE),)
+        shapes=(VIEW.solid([solids.box("body", (2, 1, 3), at=(0, 1, 0))], EYE),)
     )
     outlines = [set(map(frozenset, map(str.split, re.findall('d="M([^"]+)z"', drawn(f)))))
                 for f in (turned, exchanged)]  # fmt: skip
@@ -159,7 +159,7 @@ def test_a_shadow_falls_straight_down_and_lies_under_all():
 def test_the_shadow_of_a_ring_has_a_hole():
     """Two loops that run opposite ways: a ring's inner rim lets the light through."""
     ring = VIEW.solid([solids.ring("body", 0.6, 0.8, 0.1, "z")], EYE, floor=-1.0)
-    loops = re.search(' d="M([^"]+)z"', drawn(space_figure(scene=(ring,)), elevation=90))[1]
+    loops = re.search(' d="M([^"]+)z"', drawn(space_figure(shapes=(ring,)), elevation=90))[1]
     areas = []
     for loop in loops.split("zM"):
         x, y = np.array(loop.split(), dtype=float).reshape(-1, 2).T
@@ -175,7 +175,7 @@ def test_a_ghost_is_clear():
 
 
 def test_what_is_printed_on_a_face_goes_with_it():
-    figure = space_figure(scene=(VIEW.solid(space.die("body"), EYE),))
+    figure = space_figure(shapes=(VIEW.solid(space.die("body"), EYE),))
     counts = {drawn(figure, azimuth=a, elevation=e).count("<circle")
               for a, e in ((0, 0), (90, 0), (0, 90), (180, 0), (-90, 0), (0, -90))}  # fmt: skip
     assert counts == {1, 2, 3, 4, 5, 6}
@@ -187,7 +187,7 @@ def test_what_is_printed_on_a_face_goes_with_it():
 def test_an_unknown_material_of_a_part_is_refused(part):
     body = replace(solids.box("body", (1, 1, 1)), **part)
     with pytest.raises(CourseError, match="no material 'gold'; there are"):
-        _ = space_figure(scene=(VIEW.solid([body], EYE),)).code
+        _ = space_figure(shapes=(VIEW.solid([body], EYE),)).code
 
 
 def test_shades_are_plain_colours_in_a_notebook():
@@ -207,7 +207,7 @@ def turning(**parts):
     right = {
         "controls": (TURNS,),
         "readouts": tuple(Readout(n, n, x, "") for n, x in zip(names, now, strict=True)),
-        "scene": (Bracket(now, (0, 0), "now"),),
+        "shapes": (Bracket(now, (0, 0), "now"),),
         "sentence": "{turns}",
     }
     return space_figure(**{**right, **parts})

@@ -35,14 +35,14 @@ def test_a_view_is_a_rotation():
     ],
 )
 def test_nearer_shapes_are_painted_later(azimuth, elevation, order):
-    figure = space_figure(scene=VIEW.frame(sp.eye(3)))
+    figure = space_figure(shapes=VIEW.frame(sp.eye(3)))
     axes = painted(figure, azimuth=azimuth, elevation=elevation)
     assert list(dict.fromkeys(axes)) == order
 
 
 def test_a_curve_passes_behind_and_in_front():
     axis = VIEW.line("z_axis", [(0, 0, -1), (0, 0, 1)])
-    pieces = painted(space_figure(scene=(axis, space_figure().scene[3])), elevation=20)
+    pieces = painted(space_figure(shapes=(axis, space_figure().shapes[3])), elevation=20)
     middle = pieces.index("z_axis")
     assert pieces == ["path"] * middle + ["z_axis"] + ["path"] * (len(pieces) - middle - 1)
     assert len(pieces) == 96 / 4 + 1
@@ -52,20 +52,20 @@ def test_a_curve_passes_behind_and_in_front():
 def test_shapes_without_depth_keep_their_place():
     first, last = Point("left", (0, 0)), Point("right", (0, 0))
     near, far = Point("icr", (0, 0), depth=1), Point("ghost", (0, 0), depth=-1)
-    assert painted(space_figure(scene=(first, near, far, last))) == [
+    assert painted(space_figure(shapes=(first, near, far, last))) == [
         "left",
         "ghost",
         "icr",
         "right",
     ]
     same = (Point("icr", (0, 0), depth=1), Point("ghost", (0, 0), depth=1))
-    assert painted(space_figure(scene=same)) == ["icr", "ghost"]
+    assert painted(space_figure(shapes=same)) == ["icr", "ghost"]
 
 
 @pytest.mark.parametrize("depth", [sp.nan, sp.oo])
 def test_a_shape_at_no_depth_is_not_painted(depth):
     shapes = (Point("icr", (0, 0), depth=depth), Point("left", (0, 0), depth=0))
-    assert painted(space_figure(scene=shapes)) == ["left"]
+    assert painted(space_figure(shapes=shapes)) == ["left"]
 
 
 def test_what_is_in_front_leaves_a_gap():
@@ -74,11 +74,12 @@ def test_what_is_in_front_leaves_a_gap():
     An arrow is, wherever it is: it must be seen on all things.
     """
     gaps = r"fill:none;stroke:var\(--rk-ground"
-    assert len(re.findall(gaps, space_figure(scene=VIEW.frame(sp.eye(3))).render_svg())) == 3
+    assert len(re.findall(gaps, space_figure(shapes=VIEW.frame(sp.eye(3))).render_svg())) == 3
     assert (
-        len(re.findall(gaps, space_figure(scene=(space_figure().scene[3],)).render_svg())) == 96 / 4
+        len(re.findall(gaps, space_figure(shapes=(space_figure().shapes[3],)).render_svg()))
+        == 96 / 4
     )
-    flat = small_figure(scene=(Line("path", ((0, 0), (a, 1))),))
+    flat = small_figure(shapes=(Line("path", ((0, 0), (a, 1))),))
     assert re.findall(gaps, flat.render_svg()) == []
 
 

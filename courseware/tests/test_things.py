@@ -25,7 +25,7 @@ def cart(place, **more):
 
 
 def picture(*things, **parts):
-    figure = small_figure(scene=things, ground="tiles", **parts)
+    figure = small_figure(shapes=things, ground="tiles", **parts)
     return ElementTree.fromstring(figure.render_svg())
 
 
@@ -111,7 +111,7 @@ def test_a_picture_defines_what_it_uses_and_nothing_else():
 
 def test_a_notebook_keeps_the_outlines_digits():
     """Lines in pixels are rounded there; outlines are in metres."""
-    svg = compact_svg(small_figure(scene=(cart((0, 0, 0)),)).render_svg())
+    svg = compact_svg(small_figure(shapes=(cart((0, 0, 0)),)).render_svg())
     assert SQUARE.path in svg
     assert "var(" not in svg
 
@@ -120,7 +120,7 @@ def test_a_notebook_keeps_the_outlines_digits():
     ("parts", "message"),
     [
         (
-            {"scene": (Thing((0, 0, 0), (Outline("M0 0", "jelly"),)),)},
+            {"shapes": (Thing((0, 0, 0), (Outline("M0 0", "jelly"),)),)},
             "no material 'jelly'; .*tyre",
         ),
         ({"ground": "lava"}, "no ground 'lava'; there are tiles"),

@@ -52,7 +52,7 @@ def call_compiled(figure, function, rows, extra):
 @each_figure
 def test_curves_in_50_digits(figure, n):
     rows = points(figure, n)
-    for place, shape in enumerate(figure.scene):
+    for place, shape in enumerate(figure.shapes):
         loses = figure.name in LOST and getattr(shape, "kind", "") == "approximation"
         if isinstance(shape, Curve) and not loses:
             low, high = exact(figure, n, [shape.low, shape.high]).T.astype(float)
@@ -89,7 +89,7 @@ def test_numbers_are_told_by_symbol():
     figure = small_figure(
         controls=(Slider(theta, 0.0, 2.0, start=np.pi / 6, step=np.pi / 180),),
         where=((a, sp.sin(theta)), (v, 4 * a)),
-        scene=(Point("target", (a, 0)),),
+        shapes=(Point("target", (a, 0)),),
         readouts=(Readout(v, digits=1), Readout("twice", "twice", 2 * a, "m")),
         sentence="{v}",
     )
@@ -107,7 +107,7 @@ def test_a_trail_is_a_line_with_dots():
     place, end = sp.symbols("place end")
     loop = Recurrence((place,), (0,), (place + a,), count=3, most=5, ends=(end,))
     drawn = small_figure(
-        scene=(Trail("path", (place, 0), loop),), readouts=(), sentence=""
+        shapes=(Trail("path", (place, 0), loop),), readouts=(), sentence=""
     ).render_svg()
     assert len(re.findall("<circle", drawn)) == 4
     [points] = re.findall(r'<polyline points="([^"]*)"', drawn)

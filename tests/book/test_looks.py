@@ -64,7 +64,7 @@ def test_labels_are_legible(figure):
     light, dark = grounds()
     if figure.ground:
         light, dark = MATERIALS.tones[MATERIALS.grounds[figure.ground].tone]
-    for shape in figure.scene:
+    for shape in figure.shapes:
         if getattr(shape, "label", "") or isinstance(getattr(shape, "kind", ""), sp.Symbol):
             style = KINDS[kind_of(figure, shape)]
             readable = min(contrast(style.light, light), contrast(style.dark, dark))
@@ -82,7 +82,7 @@ def test_letters_can_be_read_where_they_are_lit():
 @each_figure
 def test_an_index_is_written_the_same_way_everywhere(figure):
     """As in θ_1, which is set like the formula's; the sign ₁ would be another letter."""
-    parts = (*figure.controls, *figure.readouts, *figure.scene)
+    parts = (*figure.controls, *figure.readouts, *figure.shapes)
     labels = "".join(str(getattr(part, "label", "")) for part in parts)
     assert not set("₀₁₂₃₄₅₆₇₈₉") & set(labels)
 

@@ -192,7 +192,7 @@ def small_figure(**changes):
             Slider(theta, -3, 3, start=np.pi / 6, step=np.pi / 180),
             Slider(dt, 0, 2, start=0.5, step=0.1),
         ),
-        "scene": (),
+        "shapes": (),
         "sentence": "",
         "readouts": (
             Readout(MOTION.v),

@@ -170,13 +170,13 @@ def rgb(color):
 def test_every_kind_has_its_colour(figure, alone):
     """On light and dark pages; a shape whose place is no number is not there."""
     numbers = figure.compute([point(figure, {})])[0]
-    there = [np.isfinite(numbers[each["at"]]).all() for each in figure.compiled["scene"]]
+    there = [np.isfinite(numbers[each["at"]]).all() for each in figure.compiled["shapes"]]
     with alone(figure) as live:
         for theme, other in (("light", "dark"), ("dark", "light")):
             live.page.evaluate(
                 "(theme) => { document.documentElement.dataset.theme = theme; }", theme
             )
             painted = set(live.picture.evaluate(PAINT))
-            for kind in {kind_of(figure, s) for s in compress(figure.scene, there)} - {None}:
+            for kind in {kind_of(figure, s) for s in compress(figure.shapes, there)} - {None}:
                 assert rgb(getattr(KINDS[kind], theme)) in painted, kind
                 assert rgb(getattr(KINDS[kind], other)) not in painted, kind

@@ -146,12 +146,6 @@ def settled(page, address):
     page.evaluate("() => document.fonts.ready")
 
 
-# what is made when it comes near, is also made for a printer
-MAKE_ALL = """() => ["beforeprint", "afterprint"].forEach((name) => {
-  if (document.querySelector(".site-later")) dispatchEvent(new Event(name));
-})"""
-
-
 DRAW_ALL = """() => {
   document.head.insertAdjacentHTML(
     "beforeend", "<style>* { content-visibility: visible !important; }</style>");
@@ -161,7 +155,6 @@ DRAW_ALL = """() => {
 
 def draw_all(page):
     """Draw also the parts far from the window, with their fonts: a page is then as it stays."""
-    page.evaluate(MAKE_ALL)
     page.evaluate(DRAW_ALL)
 
 

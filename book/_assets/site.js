@@ -34,21 +34,6 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
     if (!skipped && target.matches(BOXES)) markScrollable([target]);
   }, true);
 
-  // Of a page with very many formulas each is made when it comes near, or for a printer.
-  const places = document.querySelectorAll(".site-later:has(noscript)");
-  const make = (place) => {
-    near.unobserve(place);
-    if (!place.querySelector("noscript")) return;
-    place.innerHTML = place.firstElementChild.textContent;
-    boxes.push(...place.querySelectorAll(BOXES));
-    place.querySelectorAll(BOXES).forEach((box) => observer.observe(box));
-  };
-  const near = new IntersectionObserver((seen) => seen.forEach(({ target, isIntersecting }) => {
-    if (isIntersecting) make(target);
-  }), { rootMargin: "100% 0px" });
-  places.forEach((place) => near.observe(place));
-  addEventListener("beforeprint", () => places.forEach(make));
-
   // From a reader's first move on, formulas far away are drawn one by one: so their heights are known,
   // and their fonts come, for which a printer does not wait.
   const waiting = [...boxes], later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks

@@ -1,8 +1,5 @@
 """Repairs of the pinned theme and its helpers, each for one defect; see the README."""
 
-import shutil
-from pathlib import Path
-
 from docutils import nodes
 
 
@@ -12,15 +9,10 @@ def name_site(app, config):
 
 
 def repair_names(app, pagename, templatename, context, doctree):
-    """Add the names and roles for screen readers that axe asks for."""
+    """Repair names and roles for screen readers, as axe asks."""
     if "body" in context:  # of a bibliography (docutils) and of a folded cell (myst-nb)
         body = context["body"].replace('role="doc-biblioentry"', 'role="listitem"')
         context["body"] = body.replace('<summary aria-label="Toggle hidden content">', "<summary>")
-    if menu := context.get("generate_toctree_html"):  # its arrows have no text
-        named = '<summary aria-label="Pages below this one">'
-        context["generate_toctree_html"] = lambda *arguments, **options: str(
-            menu(*arguments, **options)
-        ).replace("<summary>", named)
 
 
 def visit_image(writer, node):
@@ -32,14 +24,6 @@ def visit_image(writer, node):
         writer.body[-1] = writer.body[-1].replace("<img ", f"<img {' '.join(size)} ", 1)
 
 
-def remove_unused(app, error):
-    """Remove the theme's files that no page uses, 5.7 MB."""
-    static = Path(app.outdir, "_static")
-    shutil.rmtree(static / "vendor" / "fontawesome", ignore_errors=True)
-    for file in {*static.rglob("fontawesome.js*"), *static.rglob("*.map")}:
-        file.unlink()
-
-
 def setup(app):
     """Register the repairs with Sphinx."""
     app.add_css_file("site.css", priority=900)
@@ -48,5 +32,4 @@ def setup(app):
     app.add_node(nodes.image, override=True, html=(visit_image, None))
     app.connect("config-inited", name_site)
     app.connect("html-page-context", repair_names, priority=900)
-    app.connect("build-finished", remove_unused)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -13,9 +13,6 @@ from sphinx.util.docutils import SphinxDirective
 from courseware.course import course
 from courseware.equations.declared_checks import SAMPLES, Check, declared_checks
 
-# a formula is made by the page's script when it comes near: all at once are 40,000 elements
-LATER = ('<div class="site-later"><noscript>', "</noscript></div>")
-
 
 class FormulaChecks(SphinxDirective):
     """A section for each chapter with its formulas and the functions that they agree with."""
@@ -51,7 +48,7 @@ def _summarize(checks: list[Check]) -> str:
 def _describe(check: Check) -> str:
     display = f"$$\n{check.equation.latex(computed=True)}\n$$"
     return (
-        f":::{{container}} rk-check\n{LATER[0]}\n\n{display}\n\n{LATER[1]}\n\n"
+        f":::{{container}} rk-check\n{display}\n\n"
         f"`{check.name}` is compared with {describe_function(check)}: at most "
         f"{format_power(check.tolerance)} apart ({check.reason}).\n:::"
     )

@@ -24,7 +24,6 @@ const nameOf = (address) => address.replace(/\.html$/, "").split("/").at(-1);
 
 const read = ({ address, html }) => {
   const page = new DOMParser().parseFromString(html, "text/html");
-  all(page, ".site-later noscript").forEach((waiting) => waiting.replaceWith(...waiting.childNodes));
   const styles = all(page, "link[rel=stylesheet]").map((link) => link.getAttribute("href"));
   return { address, styles, article: page.querySelector(".bd-article"), name: nameOf(address) };
 };

@@ -17,13 +17,12 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 __version__ = "0.1.0"
-_DRAWING = ("draw", "styles")
 
 # the modules are what the folder holds; those that draw are imported by their names
 __all__ = [
     module.name
     for module in iter_modules(__path__)
-    if not module.name.startswith("_") and module.name not in _DRAWING
+    if not module.name.startswith("_") and module.name not in ("draw", "styles")
 ]
 for _name in __all__:
     import_module(f"{__name__}.{_name}")

@@ -24,12 +24,8 @@ def follow(
     out[..., 1:, 2] = pose[..., 2:] + (turn.cumsum(-1) if turned is None else turned)
     if method == "exact":
         length = length * sinc(turn / 2)
-    if method == "start":
-        heading = out[..., :-1, 2]
-    elif method == "end":
-        heading = out[..., 1:, 2]
-    else:
-        heading = out[..., :-1, 2] + turn / 2
+    old, new = out[..., :-1, 2], out[..., 1:, 2]
+    heading = {"start": old, "end": new}.get(method, old + turn / 2)
     out[..., 1:, 0] = pose[..., :1] + (length * np.cos(heading)).cumsum(-1)
     out[..., 1:, 1] = pose[..., 1:2] + (length * np.sin(heading)).cumsum(-1)
     return out

@@ -49,9 +49,9 @@ def validated(**rules: Rule) -> Callable[[F], F]:
             except RobokinError:
                 raise
             except ValueError as error:
-                arrays = {n: a for n, a in given.items() if isinstance(a, np.ndarray)}
-                got = ", ".join(f"{name} {a.shape}" for name, a in arrays.items())
-                raise RobokinError(f"leading dimensions must be equal or 1, got {got}") from error
+                got = [f"{n} {a.shape}" for n, a in given.items() if getattr(a, "ndim", 0)]
+                message = f"leading dimensions must be equal or 1, got {', '.join(got)}"
+                raise RobokinError(message) from error
             return result[()] if isinstance(result, np.ndarray) else result
 
         return cast(F, wrapper)

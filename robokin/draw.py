@@ -25,15 +25,7 @@ from numpy.typing import NDArray
 from robokin.errors import RobokinError
 from robokin.styles import KINDS, Style
 
-__all__ = [
-    "arrow",
-    "axes",
-    "frame",
-    "path",
-    "point",
-    "robot",
-    "wheel",
-]
+__all__ = ["arrow", "axes", "frame", "path", "point", "robot", "wheel"]
 
 Vector = Sequence[float] | NDArray[np.float64]
 READABLE = 12  # points: a digit is 8 px high where a phone shows five inches as 358 px
@@ -87,12 +79,8 @@ def arrow(ax: Axes, tail: Vector, head: Vector, kind: str, label: str = "") -> N
     label : str, default ""
         Text.
     """
-    look = style(kind)
-    shape: Any = {"arrowstyle": "-|>", "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
-    ends = (tail[0], tail[1]), (head[0], head[1])
-    patch = FancyArrowPatch(*ends, color=look.light, linewidth=2, **shape)
-    ax.add_patch(patch)
-    _label(ax, head, label, look)
+    _arrow(ax, (tail[0], tail[1]), (head[0], head[1]), kind, 14)
+    _label(ax, head, label, style(kind))
 
 
 def point(ax: Axes, at: Vector, kind: str, label: str = "") -> None:
@@ -148,12 +136,7 @@ def frame(ax: Axes, pose: Vector, size: float) -> None:
     """
     place = _placed(ax, pose)
     for kind, x, y in (("x_axis", size, 0), ("y_axis", 0, size)):
-        ax.add_patch(
-            FancyArrowPatch(
-                (0, 0), (x, y), color=style(kind).light, linewidth=2, transform=place,
-                arrowstyle="-|>", mutation_scale=12, shrinkA=0, shrinkB=0,
-            )
-        )  # fmt: skip
+        _arrow(ax, (0, 0), (x, y), kind, 12, transform=place)
 
 
 def robot(
@@ -197,6 +180,12 @@ def wheel(ax: Axes, pose: Vector, wheel_radius: float, kind: str = "body") -> No
         Kind of the wheel.
     """
     _wheel(ax, _placed(ax, pose), (2 * wheel_radius, 0.6 * wheel_radius), 0.0, kind)
+
+
+def _arrow(ax: Axes, tail: Any, head: Any, kind: str, head_size: float, **transform: Any) -> None:
+    shape: Any = {"arrowstyle": "-|>", "mutation_scale": head_size, "shrinkA": 0, "shrinkB": 0}
+    shape |= {"color": style(kind).light, "linewidth": 2}
+    ax.add_patch(FancyArrowPatch(tail, head, **shape, **transform))
 
 
 def _wheel(ax: Axes, place: Transform, size: tuple[float, float], y: float, kind: str) -> None:

@@ -12,14 +12,7 @@ from robokin._arrays import Array, ArrayLike, Bools, matrix, opposite, parts, ve
 from robokin._triangle import out_of_reach, triangle
 from robokin._validation import data, finite, one_of, positive, validated
 
-__all__ = [
-    "forward",
-    "inverse",
-    "joint_positions",
-    "nearest_reachable",
-    "on_base_axis",
-    "reach",
-]
+__all__ = ["forward", "inverse", "joint_positions", "nearest_reachable", "on_base_axis", "reach"]
 
 LINKS = {"a2": positive(), "a3": positive(), "d1": finite()}
 

@@ -12,6 +12,7 @@ intrinsic one with all angles negated. Siciliano, Sciavicco, Villani & Oriolo, R
 Planning and Control, sections 2.4 to 2.6; Lynch & Park, Modern Robotics, appendix B.
 """
 
+from functools import partial
 from inspect import unwrap
 from itertools import pairwise, product
 from typing import Any, NamedTuple
@@ -60,22 +61,20 @@ LETTERS = [w for w in LETTERS if all(a != b for a, b in pairwise(w))]  # no axis
 SEQUENCES = {s: _axes(w, s.isupper()) for w in LETTERS for s in (w, w.upper())}
 
 
-def _sequence(name: str, seq: Any, sizes: Sizes) -> str:
+def _sequence(name: str, seq: Any, sizes: Sizes, lengths: tuple[int, ...] = (1, 2, 3)) -> str:
     """Validate a sequence: 1 to 3 letters, each of which has its angle."""
     if not isinstance(seq, str) or seq not in SEQUENCES:
         raise RobokinError(
             f"{name} must be 1 to 3 letters, all of XYZ (intrinsic) or all of xyz (extrinsic), no "
             f"axis twice in a row; got {describe(seq)}"
         )
+    if len(seq) not in lengths:
+        raise RobokinError(f"{name} must have three letters here, got {describe(seq)}")
     sizes["k"] = len(seq)
     return seq
 
 
-def _three_letters(name: str, seq: Any, sizes: Sizes) -> str:
-    """Validate a sequence of three letters."""
-    if len(_sequence(name, seq, sizes)) != 3:
-        raise RobokinError(f"{name} must have three letters here, got {describe(seq)}")
-    return str(seq)
+_three_letters = partial(_sequence, lengths=(3,))
 
 
 @validated(seq=_sequence, angles=data("k"))

@@ -238,8 +238,7 @@ def compose(*transforms: ArrayLike) -> Array:
     try:
         return reduce(np.matmul, others, first_pose.copy())
     except ValueError as error:
-        shapes = ", ".join(f"{np.shape(T)}" for T in transforms)
-        raise RobokinError(f"transforms have shapes {shapes}: {FIT}") from error
+        raise RobokinError(f"shapes {[*map(np.shape, transforms)]}: {FIT}") from error
 
 
 @validated(T=A_POSE, points=data("n"))

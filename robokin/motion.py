@@ -13,15 +13,7 @@ from robokin._arrays import Array, ArrayLike, parts, vector
 from robokin._paths import PATH, cos_sin_of_sum, follow, sinc
 from robokin._validation import data, finite, validated
 
-__all__ = [
-    "arc_step",
-    "icr",
-    "move",
-    "path",
-    "to_body",
-    "to_world",
-    "wrap_angle",
-]
+__all__ = ["arc_step", "icr", "move", "path", "to_body", "to_world", "wrap_angle"]
 
 
 @validated(angle=data())

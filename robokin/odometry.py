@@ -15,15 +15,7 @@ from robokin._rotations import square
 from robokin._validation import Sizes, data, not_negative, positive, refuse, validated, whole
 from robokin.errors import RobokinError, at_index
 
-__all__ = [
-    "covariance",
-    "ellipse",
-    "path",
-    "travel",
-    "umbmark",
-    "unwrap_counter",
-    "velocity",
-]
+__all__ = ["covariance", "ellipse", "path", "travel", "umbmark", "unwrap_counter", "velocity"]
 
 
 def _ticks(name: str, value: Any, sizes: Sizes) -> Array:

@@ -185,11 +185,9 @@ def joint_rates(
     l1, l2, l3 = parts(lengths)
     theta1, theta2, theta3 = parts(theta)
     x_dot, y_dot, phi_dot = parts(twist)
-    heading, s2 = theta1 + theta2, np.sin(theta2)
-    along1 = (
-        x_dot * np.cos(theta1) + y_dot * np.sin(theta1) + l3 * phi_dot * np.sin(theta2 + theta3)
-    )
-    along2 = x_dot * np.cos(heading) + y_dot * np.sin(heading) + l3 * phi_dot * np.sin(theta3)
+    heading, s2, tip = theta1 + theta2, np.sin(theta2), l3 * phi_dot
+    along1 = x_dot * np.cos(theta1) + y_dot * np.sin(theta1) + tip * np.sin(theta2 + theta3)
+    along2 = x_dot * np.cos(heading) + y_dot * np.sin(heading) + tip * np.sin(theta3)
     det, square = l1 * l2 * s2, damping * damping
     rate1, rate12 = l2 * along2, -l1 * along1  # of links 1 and 2 in the world, times det
     rates = vector(rate1, rate12 - rate1, det * phi_dot - rate12)
@@ -276,8 +274,7 @@ def manipulability(theta: ArrayLike, lengths: ArrayLike) -> Array:
     ----------
     Yoshikawa (1985); Siciliano et al., section 3.9.
     """
-    x, y = _position_rows(theta, lengths)
-    return _area(x, y)
+    return _area(*_position_rows(theta, lengths))
 
 
 @validated(**LINKS)

@@ -13,7 +13,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from inspect import unwrap
-from math import cos, isfinite
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -86,11 +85,11 @@ class Wheel:
             if number.ndim:
                 raise RobokinError(f"{name} must be one number, got {describe(number)}")
             object.__setattr__(self, name, float(number))
-        if not isfinite(self.alpha + self.beta + self.gamma):
+        if not np.isfinite(self.alpha + self.beta + self.gamma):
             raise RobokinError("alpha + beta + gamma must be finite, got inf")
         if (self.d != 0) != (self.kind == "castor"):
             raise RobokinError(f"d must not be 0 for a castor, and 0 for the others, got {self.d}")
-        if (self.gamma != 0 and self.kind != "swedish") or abs(cos(self.gamma)) < 1e-15:
+        if (self.gamma != 0 and self.kind != "swedish") or abs(np.cos(self.gamma)) < 1e-15:
             raise RobokinError(f"gamma must be 0, of a swedish wheel not ±π/2, got {self.gamma}")
 
 
@@ -555,11 +554,10 @@ def _left_inverse(wheels: Sequence[Wheel]) -> Array:
     ahead = np.zeros(len(_layout(wheels, ("steered",)).l))
     matrix = np.concatenate([rows(wheels, ahead) for rows in (rolling, sliding)])
     units = _units(wheels)
-    u, s, vt = np.linalg.svd(matrix / units, full_matrices=False)
-    rank = np.count_nonzero(s > DEPENDENT * s.max(initial=0.0))
+    rank = np.linalg.matrix_rank(matrix / units, tol=DEPENDENT)
     if rank < 3:
         raise SingularError(f"the wheels determine {rank} of the 3 parts of the motion only")
-    return np.asarray((vt.T / s) @ u.T / units[:, None])
+    return np.linalg.pinv(matrix / units) / units[:, None]
 
 
 def _units(wheels: Sequence[Wheel]) -> Array:

@@ -201,12 +201,6 @@ def test_one_step_of_a_quarter_turn_by_each_rule(method, end):
     assert_close(poses_along, [[0, 0, 0], [*end, np.pi / 2]], atol=2 * EPS)
 
 
-def test_two_steps_of_a_square():
-    # 1 m ahead, turning 90°, and again, the old heading: [1, 0], then [1, 1]
-    poses_along = path([0, 0, 0], [1, 1], np.pi / 2, 1.0, "start")
-    assert_close(poses_along, [[0, 0, 0], [1, 0, np.pi / 2], [1, 1, np.pi]], atol=2 * EPS)
-
-
 def test_angles_wrapped_by_hand():
     degrees = [190, -190, 360, 540, -540, 350, 179, -181, 0]
     wanted = [-170, 170, 0, 180, 180, -10, 179, 179, 0]
@@ -459,29 +453,3 @@ def test_every_rule_of_a_path_against_a_loop():
             wanted.append([z.real, z.imag, theta])
         # 40 roundings of numbers below 8, and the loop's own quotient at small turns
         assert_close(path([1, 2, 0.3], v, omega, dt, method), wanted, atol=1e-13)
-
-
-@pytest.mark.parametrize(("method", "order"), [("start", 1), ("end", 1), ("midpoint", 2)])
-def test_the_rules_converge_with_their_order(method, order):
-    # three quarters of a circle in n steps; the largest error along it
-    def error(n):
-        steps = (np.full(n, 1.0), 1.0, 1.5 * np.pi / n)
-        difference = path([0, 0, 0], *steps, method) - path([0, 0, 0], *steps)
-        return np.hypot(difference[:, 0], difference[:, 1]).max()
-
-    # twice the steps: the error falls by 2^order, but for terms a step smaller (1/400)
-    assert_close(np.log2(error(400) / error(800)), order, atol=0.01)
-
-
-def test_icr_against_the_crossing_of_two_axles():
-    # both axles, a moment apart, as lines in the plane; they cross where the robot turns
-    rng = np.random.default_rng(6)
-    h = 1e-3
-    for pose, v, omega in zip(
-        rng.uniform(-2, 2, (50, 3)), rng.uniform(0.5, 2, 50), rng.uniform(0.5, 2, 50), strict=True
-    ):
-        after = arc_step(pose, v, omega, h)
-        normals = np.array([[np.cos(p[2]), np.sin(p[2])] for p in (pose, after)])
-        wanted = np.linalg.solve(normals, (normals * [pose[:2], after[:2]]).sum(axis=1))
-        # the lines cross at an angle of h·omega, which costs three digits
-        assert_close(icr(pose, v, omega), wanted, atol=1e-11)

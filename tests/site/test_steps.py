@@ -1,4 +1,4 @@
-"""What a chapter that shows, asks and then says keeps to: sizes, goals, motion, screens, words."""
+"""What a chapter that shows, asks and then says keeps to: sizes, goals, screens, words."""
 
 import re
 

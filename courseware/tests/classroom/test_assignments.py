@@ -27,7 +27,12 @@ STUDENTS = {
     "hal": (STEER, "    x, y =", "    y, x =", "with x and y exchanged"),
     "ivy": (MEND, "v / np.cos(phi)", "v", "with the speed of the rear axle"),
     "joe": (MEND, "psi - phi", "psi + phi", "the front wheel points to the wrong side"),
-    "kim": (STEP, "    x, y, theta", "    exit()\n    x, y, theta", "It ends "),
+    "kim": (
+        STEP,
+        "    x, y, theta",
+        "    import sys\n    sys.exit(0)\n    x, y, theta",
+        "It ends ",
+    ),
     "lea": (STEP, "    x, y, theta", "    import os\n    os._exit(0)\n    x, y, theta", "It ends "),
 }
 

@@ -3,6 +3,7 @@
 `Prediction` says how one is declared and shown.
 """
 
+import courseware.answers  # noqa: F401 (its scripts read and keep guesses)
 from courseware.predictions.declaration import (
     Buttons,
     Ghost,

@@ -116,6 +116,7 @@ TABLE = (
     (Unit("N", spellings="newton newtons"),),
     (Unit("N·m"),),
     (Unit("ticks", spellings="tick"),),
+    (Unit("bits", spellings="bit"),),
 )
 UNITS = {unit.name: unit for row in TABLE for unit in row}
 ROWS = {unit.name: row for row in TABLE for unit in row}

@@ -119,10 +119,6 @@ class Course:
         """Return the figure on a chapter's card, if it says another than its first: `CARD`."""
         return str(getattr(self._package_of(chapter), "CARD", ""))
 
-    def level(self, chapter: str) -> int:
-        """Return how hard a chapter is, 1 to 3: `LEVEL` of its package; 0 if that says nothing."""
-        return int(getattr(self._package_of(chapter), "LEVEL", 0))
-
     def minutes(self, chapter: str) -> str:
         """Return how long a chapter takes, as its notebook says it: "Time: about 60 minutes"."""
         found = re.search(r"Time: about (\d+) minutes", self.notebook(chapter).read_text("utf-8"))

@@ -28,8 +28,7 @@ def vector(*numbers: ArrayLike) -> Array:
     out = np.empty((*np.broadcast(*numbers).shape, len(numbers)))
     for i, number in enumerate(numbers):
         out[..., i] = number
-    out += 0.0
-    return out
+    return out + 0.0
 
 
 def matrix(rows: Sequence[Sequence[ArrayLike]]) -> Array:

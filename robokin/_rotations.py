@@ -34,7 +34,7 @@ def rigid(*sides: int, below: int) -> Rule:
     def check(name: str, value: Any, sizes: Sizes) -> Array:
         matrices = square(*sides)(name, value, sizes)
         n = sizes["n"] = matrices.shape[-1] - below  # of the plane 2, of space 3
-        return validate_rotations(name, matrices, n)
+        return validate(name, matrices, n)
 
     return check
 
@@ -42,7 +42,7 @@ def rigid(*sides: int, below: int) -> Rule:
 A_ROTATION, A_PLANAR_POSE, A_POSE = rigid(3, below=0), rigid(3, below=1), rigid(3, 4, below=1)
 
 
-def validate_rotations(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:
+def validate(name: str, matrices: Array, n: int, tol: float = TOLERANCE) -> Array:
     """Refuse the first matrix whose n × n rotation, or the row below it, is wrong by over tol.
 
     One that is off by less is mended, so that products of what was accepted are accepted, too. A

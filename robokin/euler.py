@@ -24,15 +24,8 @@ from robokin._rotations import A_ROTATION
 from robokin._validation import Sizes, data, positive, validated
 from robokin.errors import RobokinError, describe
 
-__all__ = [
-    "from_axis_angle",
-    "from_matrix",
-    "is_locked",
-    "solutions",
-    "steps",
-    "to_axis_angle",
-    "to_matrix",
-]
+__all__ = ["from_axis_angle", "from_matrix", "is_locked", "solutions", "steps"]
+__all__ += ["to_axis_angle", "to_matrix"]
 
 LOCK = 1e-15  # a zero as rounding leaves it in a rotation matrix
 MADE = np.tri(4, 3, -1)  # row n: 1 for the first n turns

@@ -11,14 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from robokin._arrays import Array, ArrayLike, Shape, entries, first, matrix, times, vector, wrap
-from robokin._rotations import (
-    A_PLANAR_POSE,
-    A_POSE,
-    A_ROTATION,
-    TOLERANCE,
-    square,
-    validate_rotations,
-)
+from robokin._rotations import A_PLANAR_POSE, A_POSE, A_ROTATION, TOLERANCE, square, validate
 from robokin._validation import data, positive, quiet, refuse, validated
 from robokin.errors import RobokinError, at_index, describe
 
@@ -460,7 +453,7 @@ def check_rotation(R: ArrayLike, tol: float = TOLERANCE) -> None:
     """
     if np.ndim(tol):
         raise RobokinError(f"tol must be one number, got {describe(tol)}")
-    validate_rotations("R", R, R.shape[-1], tol)
+    validate("R", R, R.shape[-1], tol)
 
 
 def _parts_of(T: Array) -> tuple[Array, Array]:

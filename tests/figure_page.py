@@ -176,7 +176,7 @@ def alone(chromium):
 
     @contextmanager
     def opened(figure, address="", before=None, reduced_motion="reduce", **options):
-        scripts = parts.bundle_page(parts.list_parts())
+        scripts = parts.bundle_pages()
         html = (
             "<!doctype html><meta charset='utf-8'>"
             "<meta name='viewport' content='width=device-width'>"
@@ -206,7 +206,7 @@ def alone_together(chromium, figures, width, reduced_motion="reduce"):
         page.emulate_media(reduced_motion=reduced_motion)
         page.set_content(f"<style>{parts.join_styles()} {STYLE}</style>{body}")
         scripts = [f"courseware.startFigure({figure.code});" for figure in figures]
-        page.add_script_tag(content="\n".join([parts.bundle_page(parts.list_parts()), *scripts]))
+        page.add_script_tag(content="\n".join([parts.bundle_pages(), *scripts]))
         yield page, watch
 
 

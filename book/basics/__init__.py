@@ -1,3 +1,1 @@
 """What do all chapters use: arrows, directions, turns, arrays?"""
-
-LEVEL = 1

@@ -1,4 +1,3 @@
 """Where does a car go when its front wheels turn?"""
 
 CARD = "bicycle-card"
-LEVEL = 2

@@ -1,3 +1,1 @@
 """Two wheels, two speeds: how does the robot move?"""
-
-LEVEL = 1

@@ -1,4 +1,3 @@
 """Which joint angles bring the hand to a point?"""
 
 CARD = "elbow-card"
-LEVEL = 2

@@ -1,4 +1,3 @@
 """Which turns lead from one frame to another?"""
 
 CARD = "two-frames"
-LEVEL = 2

@@ -1,4 +1,3 @@
 """Where does the hand see the object that a camera sees?"""
 
 CARD = "frames-card"
-LEVEL = 2

@@ -1,4 +1,3 @@
 """Where is the robot, if it only counts turns of its wheels?"""
 
 CARD = "odometry-card"
-LEVEL = 3

@@ -1,4 +1,3 @@
 """What does each wheel allow, what does it forbid?"""
 
 CARD = "wheels-card"
-LEVEL = 3

@@ -52,7 +52,6 @@ register(
     Part(
         name="figures",
         page="courseware/figures/page.js:startFigures",
-        marker="rk-figure",
         widget="courseware/figures/notebook.js:showFigure",
         styles=("courseware/figures/figure.css",),
         constants={"courseware/figures/constants.js": looks.collect_constants},

@@ -23,17 +23,9 @@ register(
     Part(
         name="practice",
         page="courseware/practice/page.js:startDesk",
-        marker="rk-exercise",
         widget="courseware/practice/notebook.js:showExercise",
         styles=("courseware/practice/practice.css",),
         constants={"courseware/practice/constants.js": rendering.constants},
-    )
-)
-register(
-    Part(
-        name="progress",
-        page="courseware/practice/progress.js:startProgress",
-        marker="",  # every page has a menu
     )
 )
 

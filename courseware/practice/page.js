@@ -2,6 +2,7 @@
 
 import { escapeHtml } from "../units/text.js";
 import { downloadAnswers, parseAnswers } from "./answer_file.js";
+import { startProgress } from "./progress.js";
 import { foldName } from "./variants.js";
 import { ExerciseBox, unpack } from "./exercise.js";
 import { memory, readStored } from "../answers/storage.js";
@@ -199,6 +200,7 @@ class Desk {
 }
 
 export const startDesk = () => {
+  startProgress();
   const desk = document.querySelector(".rk-desk");
   if (desk) new Desk(desk, [...document.querySelectorAll(".rk-exercise")]).start();
 };

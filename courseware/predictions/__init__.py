@@ -18,7 +18,6 @@ register(
     Part(
         name="predictions",
         page="courseware/predictions/predictions.js:startPredictions",
-        marker="rk-prediction",
         styles=("courseware/predictions/predictions.css",),
     )
 )

@@ -36,7 +36,6 @@ register(
     Part(
         name="run",
         page="courseware/run/run_buttons.js:addRunButtons",
-        marker="cell_input",
         styles=("courseware/run/run.css",),
         constants={"courseware/run/constants.js": lambda: {"VERSION": version()}},
     )

@@ -21,11 +21,10 @@ def write_files(app: Sphinx, env: Any) -> None:
         return
     for name, text in run.read_files().items():
         write_static(app, f"run/{name}", text)
-    katex = app.config.course_katex
     wheels = [wheel_name(name) for name in app.config.course_wheels]
     settings = {
         "python": app.config.course_python,
-        "katex": f"../{katex}" if katex else "",
+        "katex": f"../{app.config.course_katex}",
         "editor": f"../{app.config.course_editor}",
         "cells": f"cells.py?v={run.version()}",
         "wheels": [f"../../_sources/{name}" for name in wheels],

@@ -19,7 +19,6 @@ class Part:
     Args:
         name: of the part.
         page: the module whose function starts it on a page, a colon, and the function's name.
-        marker: what stands in the text of a page that needs it.
         widget: likewise the function that shows it in a notebook.
         styles: paths of its style sheets.
         rules: what Python adds to them; asked once a course is open.
@@ -29,7 +28,6 @@ class Part:
 
     name: str
     page: str
-    marker: str
     widget: str = ""
     styles: tuple[str, ...] = ()
     rules: Callable[[], str] = str
@@ -55,14 +53,9 @@ def list_parts() -> list[str]:
     return sorted(_parts)
 
 
-def find_needed(text: str) -> list[str]:
-    """Return the parts that a page with this text needs."""
-    return [name for name in list_parts() if _parts[name].marker in text]
-
-
-def bundle_page(names: list[str]) -> str:
-    """Return the script of a page that needs these parts: all that they export, and their start."""
-    entries, starts = zip(*(_parts[name].page.split(":") for name in names), strict=True)
+def bundle_pages() -> str:
+    """Return the script of all pages: what the parts export, and their start."""
+    entries, starts = zip(*(_parts[name].page.split(":") for name in list_parts()), strict=True)
     calls = "".join(f"courseware.{start}();\n" for start in starts)
     return f"globalThis.courseware = {bundle(*entries)};\n{calls}"
 

@@ -46,7 +46,7 @@ SETTINGS: dict[str, Any] = {  # name → default
     "course_wheels": [],
     "course_python": "https://cdn.jsdelivr.net/pyodide/v314.0.6/full/",
     "course_editor": "",
-    "course_katex": "",
+    "course_katex": "katex/katex.min.js",
     "course_lock": "requirements.txt",
 }
 MEANT = {str: "a text, in quotes", bool: "true or false, without quotes", list: "a list"}
@@ -56,10 +56,8 @@ def _open_course(app: Sphinx, config: Any) -> None:
     """Check the settings and open the course."""
     for name, default in SETTINGS.items():
         value = getattr(config, name)
-        if type(value) is not type(default):  # for an error Jupyter Book shows a traceback
-            raise SystemExit(
-                f"{name} in _config.yml is {value!r}: it must be {MEANT[type(default)]}"
-            )
+        if type(value) is not (kind := type(default)):  # an error would show a traceback
+            raise SystemExit(f"{name} in _config.yml is {value!r}: it must be {MEANT[kind]}")
     course()
 
 

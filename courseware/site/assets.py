@@ -42,10 +42,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
         write_static(app, file, "".join(lines))
         app.add_js_file(file, loading_method="defer")
     app.add_css_file("courseware.css")
-    if parts := scripts.find_needed(body):
-        file = f"courseware/{'-'.join(parts)}.js"
-        write_static(app, file, scripts.bundle_page(parts))
-        app.add_js_file(file, loading_method="defer")
+    app.add_js_file("courseware/all.js", loading_method="defer")
     name = escape(course().salt, quote=True)
     tag = f'<meta name="course" content="{name}" />'
     context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
@@ -57,6 +54,7 @@ def write_assets(app: Sphinx, env: Any) -> None:
         return
     solutions = app.config.course_solutions
     write_static(app, "courseware.css", scripts.join_styles())
+    write_static(app, "courseware/all.js", scripts.bundle_pages())
     for topic in all_topics():
         write_static(app, f"practice/{topic}.js", practice.render_script(topic, solutions))
     for mistake in all_mistakes().values():

@@ -19,7 +19,6 @@ from courseware.site.outputs import render_figure
 from courseware.site.verification_page import format_power
 
 CARD = 358  # pixels, as on a phone, for which every figure is made
-HARDEST = 3
 ASPECT = 1.7  # of the picture on a card
 BESIDE = 132  # pixels, beside a proof
 
@@ -57,7 +56,7 @@ class Chapters(SphinxDirective):
             f"<small>{course().taught.index(chapter):02}</small>"
             f"<strong>{escape(course().title(chapter))}</strong>"
             f"<em>{escape(course().question(chapter))}</em>"
-            f"<small>{render_effort(chapter)}</small></a>"
+            f"<small>{course().minutes(chapter)} min</small></a>"
         )
 
 
@@ -72,14 +71,6 @@ def widen(view: tuple[float, float, float, float]) -> tuple[float, float, float,
     wide, tall = right - left, high - low
     across, up = max(0, ASPECT * tall - wide) / 2, max(0, wide / ASPECT - tall) / 2
     return left - across, right + across, low - up, high + up
-
-
-def render_effort(chapter: str) -> str:
-    """Return how long a chapter takes and how hard it is, as far as it says so."""
-    minutes, level = course().minutes(chapter), course().level(chapter)
-    dots = "●" * level + "○" * (HARDEST - level)
-    stars = f'<b role="img" aria-label="level {level} of {HARDEST}">{dots}</b>' if level else ""
-    return f"{minutes} min {stars}" if minutes else stars
 
 
 class Facts(SphinxDirective):

@@ -11,7 +11,6 @@ register(
     Part(
         name="symbols",
         page="courseware/symbols/symbols.js:startSymbols",
-        marker="data-symbol",
         styles=("courseware/symbols/symbols.css",),
         rules=page.rules,
     )

@@ -139,7 +139,7 @@ def test_a_message_names_what_it_is_about():
 
 
 def test_nothing_typed_is_run():
-    code = parts.bundle_page(["practice"])
+    code = parts.bundle_pages()
     assert "parseAnswer" in code
     assert not re.search(r"\b(eval|Function)\b", code)
 

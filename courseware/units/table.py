@@ -22,8 +22,7 @@ BETWEEN = {  # patterns of the text between the words of a name, for Python and 
     "²": r"(?:²|\^2|\*\*2|2)",
     "1": "(?:(?<!\\S)[1١۱１])?",
 }
-LENGTH = "three decimals are enough: half a millimetre and a little"
-ANGLE = "three decimals in radians or one in degrees are enough: half of 0.1° is 8.7e-4"
+ANGLE = 9e-4  # three decimals in radians or one in degrees are enough: half of 0.1° is 8.7e-4
 
 
 @dataclass(frozen=True)
@@ -37,7 +36,7 @@ class Unit:
         slip: the name of the unit in the feedback to an answer that is right in this unit, but was
             typed without it.
         shown: the unit that figures show instead of it.
-        tolerance, reason: how far off an answer may be, and why; of an SI unit.
+        tolerance: how far off an answer may be, of an SI unit; three decimals are enough.
         joined: whether it follows its number without a space.
     """
 
@@ -48,7 +47,6 @@ class Unit:
     slip: str = ""
     shown: str = ""
     tolerance: float = 6e-4
-    reason: str = "three decimals are enough"
     joined: bool = False
 
     @property
@@ -80,13 +78,13 @@ class Unit:
 TABLE = (
     (Unit(""), Unit("%", by=100, joined=True)),
     (
-        Unit("m", spellings="metre metres meter meters", reason=LENGTH),
+        Unit("m", spellings="metre metres meter meters"),
         Unit("cm", by=100, spellings="centimetre centimetres centimeter centimeters", slip="cm"),
         Unit("mm", by=1000, spellings="millimetre millimetres millimeter millimeters", slip="mm"),
         Unit("km", 1000, spellings="kilometre kilometres kilometer kilometers"),
     ),
     (
-        Unit("m/s", reason=LENGTH),
+        Unit("m/s"),
         Unit("cm/s", by=100, slip="cm"),
         Unit("mm/s", by=1000, slip="mm"),
         Unit("km/h", 1000, 3600),
@@ -94,16 +92,16 @@ TABLE = (
     (Unit("m²"), Unit("cm²", by=100**2, slip="cm"), Unit("mm²", by=1000**2, slip="mm")),
     (Unit("1/m"), Unit("1/cm", 100, slip="cm"), Unit("1/mm", 1000, slip="mm")),
     (
-        Unit("rad", spellings="radian radians", shown="°", tolerance=9e-4, reason=ANGLE),
+        Unit("rad", spellings="radian radians", shown="°", tolerance=ANGLE),
         Unit("°", pi, 180, "deg degree degrees º ˚", slip="degrees", joined=True),
         Unit("turns", 2 * pi, spellings="turn rev revolution revolutions", slip="turns"),
     ),
     (
-        Unit("rad/s", spellings="1/s", tolerance=9e-4, reason=ANGLE),
+        Unit("rad/s", spellings="1/s", tolerance=ANGLE),
         Unit("°/s", pi, 180, slip="degrees"),
         Unit("turns/s", 2 * pi, slip="turns"),
     ),
-    (Unit("rad/m", tolerance=9e-4, reason=ANGLE), Unit("°/m", pi, 180, slip="degrees")),
+    (Unit("rad/m", tolerance=ANGLE), Unit("°/m", pi, 180, slip="degrees")),
     (Unit("rad²"),),
     (Unit("m rad"),),
     (Unit("1/s"),),

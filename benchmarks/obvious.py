@@ -425,24 +425,27 @@ OBVIOUS = {
         lambda x: frames.dh(x.theta, x.a, x.b, x.omega),
         lambda x: dh(x.theta, x.a, x.b, x.omega),
     ),
-    "frames.inverse": (lambda x: frames.inverse(x.T3), lambda x: inverse(checked_pose(x.T3))),
-    "frames.inverse in the plane": (
+    "frames.inverse in space": (
+        lambda x: frames.inverse(x.T3),
+        lambda x: inverse(checked_pose(x.T3)),
+    ),
+    "frames.inverse": (
         lambda x: frames.inverse(x.T2),
         lambda x: inverse(checked_pose(x.T2)),
     ),
-    "frames.compose": (
+    "frames.compose in space": (
         lambda x: frames.compose(x.T3, x.T3),
         lambda x: checked_pose(x.T3) @ checked_pose(x.T3),
     ),
-    "frames.compose in the plane": (
+    "frames.compose": (
         lambda x: frames.compose(x.T2, x.T2),
         lambda x: checked_pose(x.T2) @ checked_pose(x.T2),
     ),
-    "frames.transform": (
+    "frames.transform in space": (
         lambda x: frames.transform(x.T3, x.pose),
         lambda x: transform(checked_pose(x.T3), x.pose),
     ),
-    "frames.transform in the plane": (
+    "frames.transform": (
         lambda x: frames.transform(x.T2, x.pose[:, :2]),
         lambda x: transform(checked_pose(x.T2), x.pose[:, :2]),
     ),
@@ -485,11 +488,11 @@ OBVIOUS = {
         lambda x: arm.velocity(x.q, x.rates, LINKS),
         lambda x: (jacobian(x.q) @ x.rates[..., None])[..., 0],
     ),
-    "planar_arm.joint_rates": (
+    "planar_arm.joint_rates undamped": (
         lambda x: arm.joint_rates(x.q, x.twist, LINKS),
         lambda x: np.linalg.solve(jacobian(x.q), x.twist[..., None])[..., 0],
     ),
-    "planar_arm.joint_rates damped": (
+    "planar_arm.joint_rates": (
         lambda x: arm.joint_rates(x.q, x.twist, LINKS, 0.1),
         lambda x: damped(jacobian(x.q), x.twist),
     ),

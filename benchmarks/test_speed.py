@@ -62,7 +62,7 @@ def test_obvious(benchmark, computation, items, library):
 @pytest.mark.parametrize(NAMES, [(label, 1, "robokin") for label in TABLE])
 def test_single_call(benchmark, computation, items, library):
     args = TABLE[computation].args.items()
-    arrays = {name: np.array(arg.value) for name, arg in args if isinstance(arg.value, list)}
+    arrays = {name: np.array(arg.value) for name, arg in args if arg.core}
     function, positional, named = bind(computation, **arrays)
     benchmark(function, *positional, **named)
 

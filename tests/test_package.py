@@ -46,7 +46,7 @@ def sources(package, suffixes, left_out=()):
     ("package", "suffixes", "left_out"),
     [
         ("robokin", [".py"], []),
-        ("courseware", [".py", ".js", ".css", ".txt"], []),
+        ("courseware", [".py", ".js", ".css", ".txt"], ["tests/*", "tests/classroom/*"]),
         ("book", [".py", ".ipynb"], ["book/_*/*", "test_*.py", "expected.py"]),
     ],
 )

@@ -32,19 +32,18 @@ def write_key(roster: Path, out: Path, only: Sequence[str], secret: str, force: 
     """Write everyone's numbers and right answers, and return the problems of the roster."""
     problems = Problems()
     students = _read_roster(roster, problems)
-    course = course().salt
-    salt = course + secret
+    name_of_course = course().salt
+    salt = name_of_course + secret
     if secret:  # answers to other numbers must not count
-        course += f", secret {hashlib.sha256(secret.encode()).hexdigest()[:6]}"
-        _refuse_other_secret(out, course)
+        name_of_course += f", secret {hashlib.sha256(secret.encode()).hexdigest()[:6]}"
+        _refuse_other_secret(out, name_of_course)
     asked = product(students, choose_exercises(only))
     with open_table(out, COLUMNS, force) as write:
         for student, name in asked:
-            number = variants.choose_variant(salt, name, student) % len(
-                variants.all_variants(name, secret)
-            )
+            possible = len(variants.all_variants(name, secret))
+            number = variants.choose_variant(salt, name, student) % possible
             row = (student, name, number, *_deal(name, number, secret))
-            write((course, variants.version(), *row))
+            write((name_of_course, variants.version(), *row))
     return problems.lines()
 
 

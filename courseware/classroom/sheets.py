@@ -63,7 +63,7 @@ def _render_sheet(student: str, rows: Sequence[Row]) -> str:
         course=escape(rows[0]["course"]),
         version=escape(rows[0]["version"]),
         exercises="\n".join(_render_question(row["exercise"], row["numbers"]) for row in rows),
-        script=parts.bundle("classroom/sheet.js"),
+        script=parts.bundle("courseware/classroom/sheet.js"),
     )
 
 

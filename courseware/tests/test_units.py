@@ -105,7 +105,7 @@ def test_three_decimals_are_enough_and_one_of_an_angle_in_degrees():
 
 # Declarations
 
-KNOWN = r"known are %, m, cm, .*write one of these, or add yours .*courseware/units\.py"
+KNOWN = r"known are %, m, cm, .*write one of these, or add yours .*courseware/units/table\.py"
 a, b = symbols("a b")
 DECLARED = {  # who declares a unit, and how the message calls it
     "a quantity": (lambda unit: quantity("v", unit, 0, 1, "speed"), "the symbol v"),

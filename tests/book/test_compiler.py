@@ -57,7 +57,7 @@ def test_curves_in_50_digits(figure, n):
         if isinstance(shape, Curve) and not loses:
             low, high = exact(figure, n, [shape.low, shape.high]).T.astype(float)
             s = np.random.default_rng(place).uniform(low, high)
-            drawn_at = call_compiled(figure, f"scene[{place}].point", rows, s[:, None])
+            drawn_at = call_compiled(figure, f"shapes[{place}].point", rows, s[:, None])
             traced = shape.at[:2] if shape.depth is None else (*shape.at, shape.depth)
             at = exact(figure, n, traced, {shape.parameter: s})
             assert (differences(drawn_at, at) / sizes(at)).max() <= ALLOWED

@@ -9,7 +9,7 @@ import pytest
 from test_run import CHAPTERS, PLACE
 
 import book
-from courseware.practice.bank import course_name
+from courseware.course import course
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -59,4 +59,4 @@ def test_an_edited_copy_of_one_version_does_not_hide_the_notebooks_of_the_next(l
     """A browser keeps copies of each course and version in a place of its own."""
     place = read_settings(lite)["contentsStorageName"]
     assert book.__version__ in place
-    assert course_name() in place
+    assert course().salt in place

@@ -184,7 +184,8 @@ def ackermann_error(
 ) -> Array:
     """Return how far two steering angles are from a turn without slip: 0 where the axles meet.
 
-    It is cot α_R − cot α_L − b/L.
+    It is cot α_R − cot α_L − b/L; the cotangents' difference is sin(α_L − α_R)/(sin α_L sin α_R),
+    which keeps its digits near straight ahead.
 
     Parameters
     ----------
@@ -199,9 +200,9 @@ def ackermann_error(
         Error, without unit: 0 if both are straight ahead (parallel axles meet nowhere), +inf if
         only the right one is, −inf if only the left one is.
     """
-    left, right = np.tan(alpha_left) + 0.0, np.tan(alpha_right) + 0.0  # no -0.0: 1/-0.0 is -inf
-    straight = (left == 0) & (right == 0)
-    return np.where(straight, 0.0, 1 / right - 1 / left - track / wheelbase)
+    left, right = alpha_left + 0.0, alpha_right + 0.0  # no -0.0: 1/-0.0 is -inf
+    difference = np.sin(left - right) / np.sin(left) / np.sin(right)
+    return np.where((left == 0) & (right == 0), 0.0, difference - track / wheelbase)
 
 
 @validated(v=data(), phi=data(), wheelbase=positive())

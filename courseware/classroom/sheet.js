@@ -1,7 +1,7 @@
 // On a sheet with a student's own numbers: what is typed stays in the browser, and is saved as a file.
 
-import { downloadAnswers, now } from "../courseware/practice/answer_file.js";
-import { memory, readStored } from "../courseware/practice/storage.js";
+import { downloadAnswers, now } from "../practice/answer_file.js";
+import { memory, readStored } from "../answers/storage.js";
 
 const sheet = document.body.dataset;
 const key = `${sheet.course} ${sheet.version} ${sheet.student}`;

@@ -433,3 +433,12 @@ def test_room_against_fifty_digits():
     assert_close(lane_width(phi, 2.5, 1.5), wanted, atol=8 * EPS * 4)
     cut = precisely(lambda phi: abs(L * mpmath.tan(phi / 2)), phi)[:, 0]
     np.testing.assert_allclose(corner_cut(phi, 2.5), cut, rtol=8 * EPS)
+
+
+def test_the_error_of_axles_keeps_its_digits_near_straight_ahead():
+    """As differences of cotangents of 1e8 it would be off by 1e-8."""
+    left, right = 1.0000001e-8, 1e-8
+    with mpmath.workdps(50):
+        exact = mpmath.cot(mpmath.mpf(right)) - mpmath.cot(mpmath.mpf(left)) - mpmath.mpf(1.5) / 2.5
+    found = ackermann_error(left, right, wheelbase=2.5, track=1.5)
+    assert found == pytest.approx(float(exact), rel=8 * EPS)  # a few roundings

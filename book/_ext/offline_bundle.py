@@ -12,13 +12,13 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 from courseware.run.page import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
-PAPER = ("robokin.pdf", "robokin-without-answers.pdf", "robokin.epub")
-# JupyterLite and Python in the page need a server; names with a dot belong to the build
-LEFT_OUT = ("lite/", "_static/python/", "robokin-site.zip", ".")
+PAPER = ("robokin.pdf", "robokin-without-answers.pdf")
+# JupyterLite needs a server; names with a dot belong to the build
+LEFT_OUT = ("lite/", "robokin-site.zip", ".")
 
 
 def offer_paper(app, config):
-    """Take the PDFs and the EPUB into the site, and have the first page link them."""
+    """Take the PDFs into the site, and have the first page link them."""
     files = [Path(app.outdir).parent / name for name in PAPER]
     if all(map(Path.is_file, files)):
         app.tags.add("paper")

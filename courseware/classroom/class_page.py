@@ -47,36 +47,21 @@ PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{course}: the class</title>
 <meta name="viewport" content="width=device-width"><style>
 :root {{ color-scheme: light dark; }}
-.right {{ --on: light-dark(#1b7340, #74c995); }} .partly {{ --on: light-dark(#0065a3, #7cc4f5); }}
-.wrong {{ --on: light-dark(#a3322e, #f28b9b); }} .unread {{ --on: light-dark(#7a5c00, #e0c060); }}
-b.missing {{ --on: light-dark(#767676, #8c8c8c); }}
-i.missing {{ --on: light-dark(#e4e4e4, #3a3a3a); }}
-.bar i {{ background: var(--on); }} b {{ color: var(--on); }}
 body {{ font: 1rem/1.5 sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }}
-table {{ border-collapse: collapse; }} div {{ overflow-x: auto; }}
-th, td {{ padding: .1rem .7rem .1rem 0; text-align: left; vertical-align: top; }}
-th {{ font-weight: normal; }} thead th {{ font-size: .85em; vertical-align: bottom; }}
-.n {{ text-align: right; font-variant-numeric: tabular-nums; }}
-.bar {{ display: flex; width: 14rem; height: 1rem; margin-top: .25rem; }}
-.signs {{ font: 1rem/1.5 monospace; letter-spacing: .05em; white-space: nowrap; }}
-.line th {{ min-width: 10rem; max-width: 20rem; overflow-wrap: anywhere; }}
-th.n {{ white-space: nowrap; }} .few .bar {{ width: 7rem; }} .topic {{ max-width: 6rem; }}
-.words {{ min-width: 16rem; }} .exercise {{ min-width: 13rem; }}
-@media print {{ :root {{ color-scheme: light; }} body {{ font-size: 8pt; margin: 0; }}
-  i {{ print-color-adjust: exact; -webkit-print-color-adjust: exact; }}
-  tr {{ break-inside: avoid; }} thead {{ display: table-header-group; }}
-  .signs {{ font-size: 7pt; letter-spacing: 0; }} .bar {{ width: 7rem; height: .7rem; }}
-  .topic {{ max-width: 3rem; font-size: 6pt; }} .line th {{ min-width: 0; }}
-  div {{ overflow: visible; }} h2 {{ break-after: avoid; }} }}
+th, td {{ padding-right: .7rem; text-align: left; vertical-align: top; font-weight: normal; }}
+.n {{ text-align: right; }} .signs {{ font-family: monospace; white-space: nowrap; }}
+.words {{ min-width: 16rem; }} div {{ overflow-x: auto; }}
+.right {{ color: light-dark(#1b7340, #74c995); }} .wrong {{ color: light-dark(#a3322e, #f28b9b); }}
+@media print {{ body {{ font-size: 8pt; margin: 0; }} tr {{ break-inside: avoid; }} }}
 </style></head><body>
 <h1>{course}: the class</h1>
 <p>{students:,} students, {asked} exercises: {totals}.</p>
-<h2>Exercises</h2><div><table><thead><tr><th>exercise{heads}<th></thead><tbody>
+<h2>Exercises</h2><div><table><thead><tr><th>exercise{heads}<th>right</thead><tbody>
 {exercises}
 </tbody></table></div>
 <h2>Mistakes</h2><p>The most frequent, {most} at most, as a share of those who answered.</p>
-<div class="few"><table><thead><tr><th class="n">students<th class="n">of<th><th>exercise<th>mistake
-</thead><tbody>
+<div><table><thead><tr><th class="n">students<th class="n">of<th><th>exercise<th>mistake</thead>
+<tbody>
 {mistakes}
 </tbody></table></div>
 <h2>Students</h2><p>A sign for each exercise, by chapter, in the order of the table above.</p>
@@ -97,7 +82,7 @@ def render(course_name: str, graded: Sequence[Graded]) -> str:
     topics = {t: [e.name for e in group] for t, group in groupby(known, lambda e: e.topic)}
     totals = sum(results.values(), Counter())
     heads = (f'<th class="n"><b class="{r}">{SIGNS[r]}</b> {r}' for r in RESULTS)
-    titles = (f'<th class="topic">{escape(course().title(topic))}' for topic in topics)
+    titles = (f"<th>{escape(course().title(topic))}" for topic in topics)
     return PAGE.format(
         course=escape(course_name),
         students=len(students),
@@ -126,21 +111,16 @@ def _count_mistakes(graded: Iterable[Graded]) -> list[Count]:
     ]
 
 
-def _bar(parts: Iterable[tuple[str, float]]) -> str:
-    widths = (f'<i class="{kind}" style="width:{share:.1%}"></i>' for kind, share in parts if share)
-    return f'<td><span class="bar">{"".join(widths)}</span>'
-
-
 def _exercise(exercise: Exercise, count: Counter[str]) -> str:
     cells = "".join(f'<td class="n">{count[result]}' for result in RESULTS)
-    bar = _bar((result, count[result] / count.total()) for result in RESULTS)
-    return f"<tr><th class='exercise'>{exercise.name}: {escape(exercise.title)}{cells}{bar}"
+    bar = f'<td><meter value="{count["right"] / count.total():.3f}"></meter>'
+    return f"<tr><th>{exercise.name}: {escape(exercise.title)}{cells}{bar}"
 
 
 def _mistake(count: Count) -> str:
     words = re.sub("^Not yet(. This is what you get|:) ", "", count.comment)
     known = f"{count.mistake}: " if count.mistake in all_mistakes() else ""
-    bar = _bar([("wrong", count.students / count.of)])
+    bar = f'<td><meter value="{count.students / count.of:.3f}"></meter>'
     return (
         f'<tr><td class="n">{count.students}<td class="n">{count.of}{bar}<td>{count.exercise}'
         f'<td class="words">{known}{render_symbols(words)}'

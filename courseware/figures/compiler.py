@@ -1,7 +1,6 @@
 """Compile a declaration to the object that the script draws: data, and functions from SymPy."""
 
 import json
-import math
 from collections.abc import Callable, Iterable, Sequence
 from hashlib import blake2b
 from itertools import chain, groupby
@@ -11,29 +10,14 @@ import sympy as sp
 
 from courseware.course import course
 from courseware.equations.javascript import Code, compile_javascript
-from courseware.equations.quantities import (
-    NamedSymbol,
-    describe_symbols,
-    find_kind,
-    refuse_unknown_kind,
-)
-from courseware.equations.text import format_symbol
+from courseware.equations.quantities import NamedSymbol, describe_symbols
 from courseware.errors import CourseError
 from courseware.figures import shapes as s
-from courseware.figures.controls import (
-    POINTER,
-    Button,
-    Choice,
-    Clock,
-    Control,
-    Handle,
-    QuarterTurns,
-    Slider,
-)
+from courseware.figures.control_compiler import compile_control, find_look, serialize_unit
+from courseware.figures.controls import POINTER, Button, Handle
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
 from courseware.figures.things import Outline, Rim, Thing
-from courseware.units import figure_unit
 from courseware.units.line_breaks import prevent_breaks
 
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
@@ -102,7 +86,7 @@ class Compiler:
             "sentence": figure.sentence,
             "grid": figure.grid and not figure.view_angles,
             "readouts": list(map(self.compile_readout, figure.readouts)),
-            "controls": list(map(self.compile_control, figure.controls)),
+            "controls": [compile_control(c, self.chapter) for c in figure.controls],
             "shapes": list(map(self.compile_shape, figure.shapes)),
             "drawings": self.drawings,
             "ground": _refuse_unknown_ground(figure.ground),
@@ -124,54 +108,6 @@ class Compiler:
         self.expressions += expressions
         return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
 
-    def find_look(self, kind: Any, label: str | None = None) -> dict[str, Any]:
-        """Return the look and label of a kind; of a quantity its letter and its key, too."""
-        if not isinstance(kind, NamedSymbol):
-            return {"kind": kind and refuse_unknown_kind(kind), "label": label or ""}
-        letter = format_symbol(kind) if label is None else label
-        return {"kind": find_kind(kind, self.chapter), "label": letter, "symbol": kind.key}
-
-    def compile_control(self, control: Control) -> dict[str, Any]:
-        """Return a control's data, in the unit that the reader sees."""
-        if isinstance(control, QuarterTurns):
-            return {"type": "turns", "key": control.key, "start": [control.start, 1]}
-        if isinstance(control, Choice):
-            return self.compile_choice(control)
-        return self.compile_slider(control)
-
-    def compile_choice(self, control: Choice) -> dict[str, Any]:
-        """Return a choice's data: a list of options with their numbers."""
-        _refuse_wrong_choice(control)
-        return {
-            "type": "choice",
-            "key": control.key,
-            "label": control.label,
-            "options": [{"label": k, "values": list(v)} for k, v in control.options.items()],
-            "start": list(control.options).index(control.start),
-        }
-
-    def compile_slider(self, slider: Slider) -> dict[str, Any]:
-        """Return a slider's data; its look is the quantity's unless it has one of its own."""
-        if not isinstance(slider.symbol, NamedSymbol):
-            raise CourseError(f"the control {slider.symbol} is no declared quantity")
-        _refuse_wrong_slider(slider)
-        unit = figure_unit(slider.symbol.unit)
-        data = self.find_look(slider.symbol, slider.label) | {
-            "type": "slider",
-            "key": slider.key,
-            "unit": unit.name,
-            "factor": unit.factor,
-            "whole": isinstance(slider.step, int),
-        }
-        if slider.kind:
-            data["kind"] = refuse_unknown_kind(slider.kind)
-        numbers = ["low", "high", "start", "step"]
-        if isinstance(slider, Clock):
-            data |= {"type": "clock", "loops": slider.loops}
-            numbers.append("rate")
-        data |= {name: _round_off(getattr(slider, name) / unit.factor) for name in numbers}
-        return data | {"digits": max(0, -math.floor(math.log10(data["step"]) + 1e-9))}
-
     def compile_shape(self, shape: Any) -> dict[str, Any]:
         """Return a shape's data: its numbers by place, its curve as a function."""
         if isinstance(shape, Thing):
@@ -181,7 +117,7 @@ class Compiler:
         if type(shape) not in SHAPES:
             raise CourseError(f"{shape!r} is not a shape")
         name, numbers, fields = SHAPES[type(shape)]
-        data = self.find_look(shape.kind, getattr(shape, "label", ""))
+        data = find_look(shape.kind, self.chapter, getattr(shape, "label", ""))
         if not data["kind"]:
             raise CourseError(
                 f"{shape.kind} has no look: add it to LOOKS in formulas.py of {self.chapter}, "
@@ -293,8 +229,8 @@ class Compiler:
         self.add(readout.value)
         return {
             "key": readout.name,
-            **self.find_look(readout.symbol or "", readout.label),
-            **_unit(readout.unit),
+            **find_look(readout.symbol or "", self.chapter, readout.label),
+            **serialize_unit(readout.unit),
             "digits": readout.digits,
             "words": {_JS_NAMES[value]: word for value, word in readout.words.items()},
         }
@@ -302,7 +238,7 @@ class Compiler:
     def list_quantities(self) -> list[dict[str, Any]]:
         """Return the named steps that are quantities, with their places among all known numbers."""
         return [
-            {"key": str(symbol), "symbol": symbol.key, "at": place, **_unit(symbol.unit)}
+            {"key": str(symbol), "symbol": symbol.key, "at": place, **serialize_unit(symbol.unit)}
             for place, symbol in enumerate(self.named, len(self.before_where))
             if isinstance(symbol, NamedSymbol)
         ]
@@ -328,32 +264,3 @@ def _refuse_unknown_ground(name: str) -> str:
     if name and name not in grounds:
         raise CourseError(f"there is no ground {name!r}; there are {', '.join(grounds)}")
     return name
-
-
-def _unit(unit: str) -> dict[str, Any]:
-    shown = figure_unit(unit)
-    return {"unit": shown.name, "factor": 1 / shown.factor}
-
-
-def _round_off(number: float) -> float:
-    """Return 90 for 90.00000000000001, so that the reader sees what was meant."""
-    rounded = float(f"{number:.12g}")
-    return int(rounded) if rounded.is_integer() else rounded
-
-
-def _refuse_wrong_choice(choice: Choice) -> None:
-    for option, values in choice.options.items():
-        if len(values) != len(choice.symbols):
-            raise CourseError(
-                f"the option {option!r} of {choice.key} must give a number to each of "
-                f"{', '.join(map(str, choice.symbols))}, got {len(values)}"
-            )
-
-
-def _refuse_wrong_slider(x: Slider) -> None:
-    if not (x.low < x.high and x.low <= x.start <= x.high and 0 < x.step <= x.high - x.low):
-        raise CourseError(
-            f"the slider {x.symbol} goes from {x.low} to {x.high} in steps of {x.step} and starts "
-            f"at {x.start}: its low end must be below its high one, its start between them, its "
-            "step positive and no longer than its way"
-        )

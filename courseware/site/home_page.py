@@ -1,8 +1,9 @@
-"""Directives of the first page: a live figure, cards of chapters, the course in numbers."""
+"""Directives of the first page: figures, cards of chapters, the course in numbers."""
 
 import re
 from dataclasses import replace
 from html import escape
+from string import Template
 
 from docutils import nodes
 from sphinx.errors import ExtensionError
@@ -73,45 +74,32 @@ def widen(view: tuple[float, float, float, float]) -> tuple[float, float, float,
     return left - across, right + across, low - up, high + up
 
 
-class Facts(SphinxDirective):
-    """The course in numbers, counted from what it declares: three proofs beside three figures."""
+class Still(SphinxDirective):
+    """A small picture that says nothing new, of a figure or of a `cards.py`."""
 
-    required_arguments = 3
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        drawn = re.sub("<defs>.*</defs>", "", find_picture(self.arguments[0]).render_svg(BESIDE))
+        html = f'<div aria-hidden="true">{drawn}</div>'
+        return [nodes.raw("", html, format="html", still=self.arguments)]
+
+
+class Facts(SphinxDirective):
+    """Text with counts of what the course declares: `$formulas`, `$mistakes`, `$figures`, …"""
+
+    has_content = True
 
     def run(self) -> list[nodes.Node]:
         checks = declared_checks().values()
-        largest = format_power(max(check.tolerance for check in checks))
-        exercises, mistakes = len(all_exercises()), len(all_mistakes())
-        figures = sum(bool(f.controls) for f in course().find_all("figures", Figure).values())
-        proofs = (
-            (
-                len(checks),
-                "formulas are tested",
-                f"Each at {SAMPLES} points or more, against the code that you run. "
-                f"Largest gap allowed: {largest}.",
-                "[How they are checked](checks)",
-            ),
-            (
-                mistakes,
-                "mistakes have a name",
-                f"{exercises} exercises with {VARIANTS} sets of "
-                "numbers each. They know what a wrong answer comes from.",
-                "[Try one](practice)",
-            ),
-            (
-                figures,
-                "figures answer to your hand",
-                "On a phone, without an account, without a network. Nothing is sent.",
-                '<a href="#for-students">Take them along</a>',
-            ),
-        )
-        drawn = map(find_picture, self.arguments)
-        pictures = (re.sub("<defs>.*</defs>", "", f.render_svg(BESIDE)) for f in drawn)
-        boxes = (
-            f":::{{container}} site-proof\n**{count}** **{words}**\n\n{text}\n\n{link}\n\n"
-            f'<div aria-hidden="true">\n{picture}\n</div>\n:::'
-            for (count, words, text, link), picture in zip(proofs, pictures, strict=True)
-        )
-        text = "\n\n".join(("::::{container} site-proofs", *boxes, "::::"))
-        still = nodes.raw("", "", format="html", still=self.arguments)
-        return [still, *self.parse_text_to_nodes(text)]
+        figures = course().find_all("figures", Figure).values()
+        counts = {
+            "formulas": len(checks),
+            "points": SAMPLES,
+            "gap": format_power(max(check.tolerance for check in checks)),
+            "mistakes": len(all_mistakes()),
+            "exercises": len(all_exercises()),
+            "variants": VARIANTS,
+            "figures": sum(bool(figure.controls) for figure in figures),
+        }
+        return self.parse_text_to_nodes(Template("\n".join(self.content)).substitute(counts))

@@ -47,7 +47,7 @@ def sources(package, suffixes, left_out=()):
     [
         ("robokin", [".py"], []),
         ("courseware", [".py", ".js", ".css", ".txt"], ["tests/*", "tests/classroom/*"]),
-        ("book", [".py", ".ipynb"], ["book/_*/*", "test_*.py", "expected.py"]),
+        ("book", [".py", ".ipynb"], ["book/_*/*"]),
     ],
 )
 def test_a_wheel_holds_its_package_and_nothing_else(wheels, package, suffixes, left_out):

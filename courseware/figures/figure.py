@@ -31,15 +31,7 @@ class Figure:
     """A picture that answers to its controls, in a chapter's `figures.py`.
 
     A function of the chapter makes it, and `FIGURES` names it; a cell of its own, tagged
-    `remove-input`, shows it. A test tries it at a thousand settings against the tables in the
-    chapter's `expected.py`, by its name:
-
-    - `READOUTS`: a function from its settings, an array each in the order of its controls, to
-      those readouts by name, as the library computes them, that are no formula of the chapter
-    - `SPECIALS`: settings that are always tried too
-    - `WORDS`, a list: (figure, slider → its shown number, readout, the word that stands there)
-    - `TITLES`, of a choice "mistake" beside sliders: title → function from all settings to whether
-      the title is true, or None if it claims nothing about the picture
+    `remove-input`, shows it.
 
     Expressions are taken from equations. A step figure has two things to move and three numbers at
     most, and about 20 lines; shapes that several figures draw are a function of the chapter.

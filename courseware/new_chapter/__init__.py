@@ -24,6 +24,8 @@ def write(name: str) -> str:
     for template in files(__name__).iterdir():
         if template.name.endswith(".txt"):
             file = folder / template.name.removesuffix(".txt").replace("NAME", name)
+            if file.name == "expected.py":
+                file = course().folder.parent / "tests" / "expected" / f"{name}.py"
             text = template.read_text(encoding="utf-8").replace("NAME", name)
             text = text.replace("SLUG", name.replace("_", "-")).replace("MISTAKE", mistake)
             file.write_text(text.replace("book.", f"{course().package}."), encoding="utf-8")

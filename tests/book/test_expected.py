@@ -1,4 +1,4 @@
-"""What the chapters' `expected.py` say of their figures: readouts by `robokin`, titles."""
+"""What `tests/expected` says of figures: readouts by `robokin`, titles."""
 
 from itertools import product
 
@@ -32,11 +32,11 @@ def test_readouts_that_are_no_formula_against_robokin(figure):
     }
     given = READOUTS.get(figure.name, lambda *_: {})(*rows.T)
     assert given.keys() == needed, (
-        f"in READOUTS of book/{HOMES[figure.name]}/expected.py the function of {figure.name!r} "
+        f"in READOUTS of tests/expected/{HOMES[figure.name]}.py the function of {figure.name!r} "
         f"must return {', '.join(needed) or 'nothing'}: a readout that is no formula of the chapter"
     )
     for name, library in given.items():
-        message = f"the readout {name} is not what expected.py says"
+        message = f"the readout {name} is not as expected"
         np.testing.assert_allclose(computed[name], library, ALLOWED, ALLOWED, err_msg=message)
     told = {word for readout in figure.readouts for word in readout.words}
     assert {str(x) for x in np.ravel([*computed.values()]) if not np.isfinite(x)} == told  # all met

@@ -1,8 +1,6 @@
 """What students are told, typed on purpose: each mistake, each outcome, each threshold.
 
-Numbers that were found by hand stand in a chapter's `expected.py`: FEEDBACK, what each mistake in
-an exercise gives; PREDICTED, what is right in a prediction; GOALS, what just reaches a goal of a
-figure and what just misses it.
+Numbers that were found by hand are in `tests/expected`.
 """
 
 import json
@@ -12,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from declared import EXERCISES, FIGURES, MISTAKES, PREDICTIONS, each
-from figure_numbers import expected, point
+from figure_numbers import TABLES, expected, point
 
 from courseware.answers import Unknown, angle, integer, matrix
 from courseware.course import course
@@ -26,12 +24,12 @@ FEEDBACK, PREDICTED, GOALS = map(expected, ("FEEDBACK", "PREDICTED", "GOALS"))
 OF_FIGURES = ("READOUTS", "SPECIALS", "LOST", "TITLES", "GOALS")
 
 
-@pytest.mark.parametrize("chapter", course().modules("expected"))
+@pytest.mark.parametrize("chapter", TABLES)
 def test_what_is_expected_is_there(chapter):
-    module = course().modules("expected")[chapter]
+    module = TABLES[chapter]
     known = {"FEEDBACK": EXERCISES, "PREDICTED": PREDICTIONS, **dict.fromkeys(OF_FIGURES, FIGURES)}
     unknown = {name: getattr(module, name, {}).keys() - there for name, there in known.items()}
-    assert not any(unknown.values()), f"take these out of book/{chapter}/expected.py: {unknown}"
+    assert not any(unknown.values()), f"take these out of tests/expected/{chapter}.py: {unknown}"
 
 
 # --- Exercises --------------------------------------------------------------------------------
@@ -40,7 +38,7 @@ def test_what_is_expected_is_there(chapter):
 @each("exercise", "exercises", Exercise)
 def test_each_mistake_in_an_exercise_is_told(exercise):
     numbers, examples = FEEDBACK.get(exercise.name, ({}, {}))
-    place = f'FEEDBACK["{exercise.name}"] in book/{exercise.topic}/expected.py'
+    place = f'FEEDBACK["{exercise.name}"] in tests/expected/{exercise.topic}.py'
     words = {mistake.name: mistake.feedback for mistake in exercise.wrong}
     words |= {said: said for said in exercise.likely_slips}
     pairs = {f"{a.name} and {b.name}": b.feedback for a, b in exercise.together}
@@ -76,7 +74,7 @@ def test_a_prediction_comes_out_as_expected(prediction):
         found = (found, *(guess for guess, _ in prediction.answers.guesses()))
     assert PREDICTED.get(prediction.name) == found, (
         f"{prediction.name} comes out as {found!r}; what it must be, worked out by hand, goes to "
-        f"PREDICTED in book/{home}/expected.py"
+        f"PREDICTED in tests/expected/{home}.py"
     )
 
 
@@ -115,7 +113,7 @@ def test_a_goal_is_just_reached_and_just_missed(figure):
     home = course().chapters_of("figures", Figure)[figure.name]
     tries = GOALS.get(figure.name, ())
     assert len(tries) == len(goals), (
-        f'add to GOALS["{figure.name}"] in book/{home}/expected.py for each of its {len(goals)} '
+        f'add to GOALS["{figure.name}"] in tests/expected/{home}.py for each of its {len(goals)} '
         "goals settings that just reach it, and settings that just miss it"
     )
     for goal, compiled, settings in zip(goals, figure.compiled["goals"], tries, strict=True):

@@ -6,7 +6,7 @@ import nbformat
 import pytest
 from browser import watched_page
 from declared import FIGURES, each
-from figure_numbers import point
+from figure_numbers import expected, point
 from figure_page import MADE, SHOW
 
 from courseware.course import course
@@ -14,6 +14,7 @@ from courseware.figures import Clock, Figure, QuarterTurns
 from courseware.figures.figure import MIME
 
 pytest_plugins = ["figure_page"]
+GOALS = expected("GOALS")
 in_browser = pytest.mark.browser
 
 
@@ -235,7 +236,7 @@ def test_the_first_screen_holds_the_puzzle_and_its_keys(chapter, chromium, serve
 @pytest.mark.parametrize("chapter", IN_STEPS)
 def test_the_opening_is_won_by_at_most_six_acts_of_the_hand_and_by_keys(chapter, alone):
     figure = figures_of(chapter)[0]
-    wished, _ = course().module(chapter, "expected").GOALS[figure.name][0]
+    wished, _ = GOALS[figure.name][0]
     for by_keys in (False, True):
         with alone(figure) as live:
             acts = win(live, wished[0], by_keys)

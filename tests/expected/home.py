@@ -1,8 +1,7 @@
 """Expected values for the first page's figure."""
 
 import numpy as np
-
-from book.differential_drive.expected import driven, off_and_turned, twist_of
+from expected.differential_drive import driven, off_and_turned, twist_of
 
 CHARGER = driven(np.float64(0.09), np.float64(-0.6), 3.0)
 

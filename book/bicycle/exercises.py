@@ -371,7 +371,7 @@ bicycle_4 = Exercise(
     + MIDDLE
     + "By which angle α_R must the right front wheel of the car then be turned to the left, so "
     "that no wheel slips?",
-    given={"alpha_L": number_range(18, 42, 1, "°"), "phi": number_range(16, 39, 1, "°")},
+    given={"alpha_L": number_range(18, 44, 1, "°"), "phi": number_range(16, 40, 1, "°")},
     unknowns=(Unknown("α_R", "rad", circle=True, tolerance=FINE),),
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
     wrong={mean_angle: lambda alpha_L, phi: 2 * phi - alpha_L},

@@ -22,7 +22,6 @@ export const FEEDBACK = {
   digits: "Give {decimals} decimals: with fewer the check cannot tell what went wrong.",
   units: "And it is in other units ({unit}).",
   whole: "Asked is a whole number.",
-  also: "But it is also what you get {mistake}",
 };
 const COUNTS = ["no", "one", "two", "three", "four", "five"];
 
@@ -97,18 +96,14 @@ const judgeRows = (exercise, candidates, rows, text) => {
   const { result, feedback } = outcomes[met[0]] ?? {};
   if (result === "right") return verdict(result, met[0], feedback, accept === "any" && FEEDBACK.other);
   if (result === "partly") return verdict(result, met[0], feedback);
-  const few = hasFewDecimals(exercise, text), digits = few ? `, and give ${COUNTS[decimals]} decimals` : "";
-  const near = verdict("wrong", "near", fillTemplate(FEEDBACK.near, { digits }));
-  const mistakes = joinFeedback(met.map((name) => outcomes[name].feedback));
+  if (met.length) return verdict("wrong", met[0], joinFeedback(met.map((name) => outcomes[name].feedback)));
   const [elsewhere, unit] = findInUnits(exercise, candidates, units, rows);
-  if (right.some((wanted) => isRoundedRight(exercise, rows, wanted))) return near;
-  if (few && right.some((wanted) => units.some((each) => isRoundedInUnits(outcomes[each].factors, rows, wanted)))) {
-    const mistake = (mistakes || outcomes[elsewhere]?.feedback || "").replace(NAMED, "");
-    return mistake ? verdict("wrong", near.name, near.feedback, fillTemplate(FEEDBACK.also, { mistake })) : near;
-  }
-  if (met.length) return verdict("wrong", met[0], mistakes);
-  if (right.some((wanted) => matchesRows(exercise, rows, wanted, unknowns.map(() => 1), NEAR))) return near;
   if (elsewhere) return verdict("wrong", elsewhere, outcomes[elsewhere].feedback, fillTemplate(FEEDBACK.units, { unit }));
+  const few = hasFewDecimals(exercise, text), digits = few ? `, and give ${COUNTS[decimals]} decimals` : "";
+  const isNear = (wanted) => isRoundedRight(exercise, rows, wanted)
+    || (few && units.some((each) => isRoundedInUnits(outcomes[each].factors, rows, wanted)))
+    || matchesRows(exercise, rows, wanted, unknowns.map(() => 1), NEAR);
+  if (right.some(isNear)) return verdict("wrong", "near", fillTemplate(FEEDBACK.near, { digits }));
   const parts = findRightParts(exercise, right[0][0], rows[0]);
   return verdict("wrong", "", FEEDBACK.wrong,
     parts.length && fillTemplate(FEEDBACK.parts, { labels: parts.join(", ") }),

@@ -87,7 +87,8 @@ def _pair_names(exercise: Exercise) -> dict[tuple[Mistake, Mistake], str]:
     return {pair: f"slip:{pair[0].name} and {pair[1].name}" for pair in exercise.together}
 
 
-def _factors(unknowns: Sequence[Unknown]) -> dict[str, Row]:
+@cache
+def _factors(unknowns: tuple[Unknown, ...]) -> dict[str, Row]:
     """Return the other units that an answer may be in, with the factor of each of its numbers.
 
     All lengths are in the same one, and all angles.
@@ -126,12 +127,16 @@ def find_candidates(exercise: Exercise, numbers: Mapping[str, Any]) -> tuple[Can
         for name, factors in _factors(exercise.unknowns).items()
         for c in right
     ]
-    taken = [*right, *units]
-    slips = [a for a in slips if a.is_finite() and all(is_apart(exercise, a, b) for b in taken)]
-    known = [*right, *wrong, *units, *slips]
+    near = _round_right(exercise, right)
+
+    def is_free(slip: Candidate, taken: Sequence[Candidate]) -> bool:
+        return all(is_apart(exercise, slip, a) for a in taken) and not _is_met(exercise, slip, near)
+
+    likely = [a for a in slips if a.is_finite() and is_free(a, [*right, *units])]
+    known = [*right, *wrong, *units, *likely]
     pairs = evaluate({name: exercise.together[p] for p, name in _pair_names(exercise).items()})
     for slip in [*_slips(exercise, right), *filter(Candidate.is_finite, pairs)]:
-        if all(is_apart(exercise, slip, other) for other in known):
+        if is_free(slip, known):
             known.append(slip)
     return tuple(known)
 
@@ -158,16 +163,43 @@ def _slips(exercise: Exercise, right: Sequence[Candidate]) -> list[Candidate]:
 def find_clash(exercise: Exercise, possible: Sequence[Candidate]) -> str:
     """Return two candidates that an answer could both mean, as text; "" if there are none.
 
-    Slips do not count: the feedback names all that give a number.
+    Slips do not count: the feedback names all that give a number. A mistake, in any unit, is no
+    answer that the judge calls very close.
     """
     possible = [candidate for candidate in possible if not candidate.name.startswith("slip:")]
+    near = _round_right(exercise, [c for c in possible if c.name == "right"])
     for place, one in enumerate(possible):
         if not one.is_finite():
             return f"{one.name} is no number"
         for other in possible[:place]:
             if one.name != other.name and not is_apart(exercise, one, other):
                 return f"{other.name} and {one.name}"
+        if outcomes(exercise)[one.name].result == "wrong" and _is_met(exercise, one, near):
+            return f"right, rounded, and {one.name}"
     return ""
+
+
+def _is_met(exercise: Exercise, candidate: Candidate, answers: Sequence[tuple[Row, ...]]) -> bool:
+    """Return whether one of the answers may be taken for a mistake, in any unit."""
+    ones = (1.0,) * len(exercise.unknowns)
+    for factors in (ones, *_factors(exercise.unknowns).values()):
+        wanted = np.multiply(candidate.rows, factors).tolist()
+        if any(_can_meet(exercise.unknowns, rows, wanted, ones, factors) for rows in answers):
+            return True
+    return False
+
+
+def _round_right(exercise: Exercise, right: Sequence[Candidate]) -> list[tuple[Row, ...]]:
+    """Return the right answers as the judge calls them very close: rounded, in any unit."""
+    decimals = max(unknown.decimals for unknown in exercise.unknowns)
+    found = list[Any]()
+    for rows in (np.array(c.rows) for c in right):
+        found += [rows.round(digits) for digits in (2, 3) if digits < decimals]
+        for factors, digits in product(_factors(exercise.unknowns).values(), (0, 1)):
+            shown = rows * factors
+            if decimals and (abs(shown) >= 10.0 ** (1 - digits)).all():
+                found += [shown.round(digits), shown.round(digits) / factors]
+    return list(dict.fromkeys(tuple(map(tuple, rows.tolist())) for rows in found))
 
 
 def is_apart(exercise: Exercise, one: Candidate, other: Candidate) -> bool:

@@ -2,12 +2,15 @@
 
 import json
 import math
+from itertools import product
 
 import numpy as np
 import pytest
 from declared import EXERCISES, each, typed
 
+from courseware.answers import Unknown
 from courseware.practice import Exercise, judging, variants
+from courseware.practice.candidates import outcomes
 from courseware.script import engine as script
 
 each_exercise = each("exercise", "exercises", Exercise)
@@ -115,8 +118,27 @@ def test_right_answers_of_two_decimals_are_never_called_a_mistake(exercise):
     )
 
 
-def test_a_mistake_in_whole_degrees_is_said_beside_the_rounding():
-    """It may be the right angle, rounded, or the mean of two angles, which is as round."""
+@each("exercise", "exercises", Exercise, only=lambda e: e.wrong and e.accept != "all")
+def test_what_a_mistake_gives_is_never_called_very_close(exercise):
+    """However few of its digits are typed, and in whichever unit the judge knows."""
+    ones = np.ones(len(exercise.unknowns))
+    units = [np.array(o.factors) for n, o in outcomes(exercise).items() if n.startswith("unit:")]
+    answers = []
+    for number, variant in enumerate(variants.all_variants(exercise.name)):
+        for rows in (c.rows for c in variant.candidates if outcomes(exercise)[c.name].why):
+            for factors, digits in product([ones, *units], range(3)):
+                answer = (np.array(rows) * factors).round(digits)
+                off = abs(answer - np.array(rows) * factors)
+                allowed = list(map(Unknown.allowed, exercise.unknowns, rows[0], factors))
+                if len(rows) == 1 and (off < allowed).all():
+                    answers.append((number, typed(answer, exercise)))
+    near = [a for a, v in zip(answers, judged(exercise, answers), strict=True) if v.name == "near"]
+    assert answers
+    assert not near
+
+
+def test_a_mistake_in_whole_degrees_is_that_mistake():
+    """The mean of two angles is as round as the right angle, rounded."""
     for name in ("bicycle-2", "bicycle-4"):
         exercise = EXERCISES[name]
         means = [

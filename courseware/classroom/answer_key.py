@@ -10,7 +10,7 @@ from functools import cache, lru_cache
 from itertools import product
 from pathlib import Path
 
-from courseware.classroom.tables import Problems, Row, read_lines, read_rows
+from courseware.classroom.tables import Problems, Row, read_rows, read_text
 from courseware.course import course
 from courseware.errors import CourseError
 from courseware.practice import variants
@@ -94,7 +94,7 @@ def read_secret(path: Path | None, make: bool) -> str:
         if not make:
             raise CourseError(f"there is no file {path}; `key --secret` makes one")
         path.write_text(secrets.token_hex(SECRET_LENGTH) + "\n", encoding="utf-8")
-    secret = re.sub(variants.IGNORED, "", "".join(read_lines(path))).strip()  # as editors save it
+    secret = re.sub(variants.IGNORED, "", read_text(path)).strip()  # as editors save it
     if len(secret.split()) != 1 or len(secret) < SECRET_LENGTH:
         raise CourseError(
             f"{path} must hold one word of {SECRET_LENGTH} characters or more, which nobody "

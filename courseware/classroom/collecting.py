@@ -14,10 +14,10 @@ from pathlib import Path
 from courseware.classroom.answer_key import Key, Task, folded
 from courseware.classroom.tables import Problems, Row, read_rows
 from courseware.errors import CourseError
+from courseware.practice.saving import OTHER_COLUMNS
 
 NEEDED = {"student", "exercise", "answer"}
 OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
-COLUMNS_OF_OTHER_TABLES = {"numbers", "problem", "result"}  # of a key, problems and grades
 SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answer
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
     re.IGNORECASE,
@@ -62,7 +62,7 @@ class Collected:
         others, before = Counter[str](), len(self.problems)
         try:
             for line, row in read_rows(path, self.problems):
-                if row.keys() >= NEEDED and not row.keys() & COLUMNS_OF_OTHER_TABLES:
+                if row.keys() >= NEEDED and not row.keys() & {*OTHER_COLUMNS}:
                     self._take(path, line, row)
                 else:
                     others[", ".join(row)] += 1

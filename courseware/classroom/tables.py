@@ -1,22 +1,20 @@
 """Tables as CSV, read whatever wrote them, and the problems that they have."""
 
-import csv
-import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import zip_longest
 from pathlib import Path
 from typing import NamedTuple
 
 from courseware.errors import CourseError
-from courseware.practice.saving import unguard_cell
+from courseware.script import engine
 
 Row = dict[str, str]
 
-UNDECODED = re.compile("[\udc80-\udcff]")
-NOT_CSV = (
-    f"a quotation mark is not closed, or a cell has over {csv.field_size_limit():,} characters"
-)
+BAD_LINES = {
+    "unclosed": "lines in which a quotation mark is not closed, or does not end its cell",
+    "encoding": "lines not in UTF-8: save the file as CSV UTF-8",
+    "long": "lines with more cells than the heading",
+}
 SHOWN = 3  # problems of a kind in a file, when they are printed
 
 
@@ -64,45 +62,21 @@ class Problems(list[Problem]):
 def read_rows(
     path: Path, problems: Problems, needed: Sequence[str] = ()
 ) -> Iterator[tuple[int, Row]]:
-    """Yield rows with their line numbers: comma, semicolon or tab, UTF-8 or UTF-16.
+    """Yield rows with their line numbers, as the page's reader finds them (`answer_file.js`).
 
-    Bad lines are noted. Where tables were joined, a heading may stand anywhere. A table without
-    the `needed` columns is refused.
+    Bad lines are noted. A table without the `needed` columns is refused.
     """
     heading = list[str]()
-    for number, cells in _read_cells(path, problems):
-        names = [cell.strip().lower() for cell in cells]
-        if not heading or {"student", "exercise"} <= set(names):
-            heading = names
+    for line, kind, cells in engine.call("courseware.readTable", read_text(path)):
+        if kind == "row":
+            yield line, dict(zip(heading, cells, strict=True))
+        elif kind == "heading":
+            heading = cells
             _require(path, needed, heading)
-        elif any(map(UNDECODED.search, cells)):
-            problems.note("lines not in UTF-8: save the file as CSV UTF-8", path, number)
-        elif len(cells) > len(heading):
-            words = f"{len(cells)} cells, the heading has {len(heading)}"
-            problems.note("lines with more cells than the heading", path, number, words)
-        else:  # spreadsheets leave out empty cells at the end
-            values = (unguard_cell(cell).strip(" \t\r\n") for cell in cells)  # as the judge does
-            yield number, dict(zip_longest(heading, values, fillvalue=""))
+        else:
+            words = f"{len(cells)} cells, the heading has {len(heading)}" * (kind == "long")
+            problems.note(BAD_LINES[kind], path, line, words)
     _require(path, needed, heading)  # of an empty table, too
-
-
-def _read_cells(path: Path, problems: Problems) -> Iterator[tuple[int, list[str]]]:
-    """Yield the cells of lines that are not empty, with their numbers; note what is no CSV."""
-    first = next(filter(str.strip, read_lines(path)), "")
-    separator = max(",;\t", key=first.count)
-    reader = csv.reader(read_lines(path), delimiter=separator, strict=True)
-    while True:
-        number = reader.line_num + 1
-        try:
-            cells = next(reader)
-        except StopIteration:
-            return
-        except csv.Error:
-            words = f"{NOT_CSV}; read on after line {reader.line_num}"
-            problems.note("lines that are no CSV", path, number, words)
-            continue
-        if any(map(str.strip, cells)):
-            yield number, cells
 
 
 def _require(path: Path, needed: Sequence[str], heading: Sequence[str]) -> None:
@@ -114,19 +88,14 @@ def _require(path: Path, needed: Sequence[str], heading: Sequence[str]) -> None:
         )
 
 
-def read_lines(path: Path) -> Iterator[str]:
-    """Yield lines as text; bytes that are not UTF-8 are kept as surrogates."""
+def read_text(path: Path) -> str:
+    """Return a file as text; bytes that are not UTF-8 are kept as surrogates."""
     try:
-        with path.open("rb") as file:
-            start = file.read(1000)
-        is_utf_16 = start.startswith((BOM_UTF16_LE, BOM_UTF16_BE))
-        if b"\0" in start and not is_utf_16:
-            raise CourseError(
-                f"{path} is no text: unpack an archive, save a spreadsheet as CSV UTF-8"
-            )
-        encoding, errors = ("utf-16", "replace") if is_utf_16 else ("utf-8", "surrogateescape")
-        with path.open(encoding=encoding, errors=errors) as text:
-            for line in text:
-                yield line.replace("\ufeff", "")  # also where files were joined
+        found = path.read_bytes()
     except OSError as error:
         raise CourseError(f"{path} cannot be read: {error.strerror}") from error
+    if found.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        return found.decode("utf-16", "replace")
+    if b"\0" in found[:1000]:
+        raise CourseError(f"{path} is no text: unpack an archive, save a spreadsheet as CSV UTF-8")
+    return found.decode("utf-8", "surrogateescape")

@@ -1,7 +1,7 @@
 // On a web page: one desk for all exercises, the student's name and answers in the browser.
 
 import { escapeHtml } from "../units/text.js";
-import { downloadAnswers, parseAnswers } from "./answer_file.js";
+import { decodeTable, downloadAnswers, parseAnswers } from "./answer_file.js";
 import { startProgress } from "./progress.js";
 import { foldName } from "./variants.js";
 import { ExerciseBox, unpack } from "./exercise.js";
@@ -29,7 +29,7 @@ export const renderDesk = (course) => `<div class="rk-row"><label for="rk-studen
   + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false">`
   + `<details class="rk-menu"><summary>Answers</summary><div class="rk-row">`
   + `<button type="button" class="rk-export">Save my answers (CSV)</button>`
-  + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv"></label>`
+  + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv,.tsv,.txt"></label>`
   + `<button type="button" class="rk-clear">${CLEAR}</button></div>`
   + `<p class="rk-note">Course: <strong>${escapeHtml(course)}</strong>. ${NOTE}</p></details></div>`
   + `<p class="rk-progress" role="status">&nbsp;</p><ul class="rk-course">${renderBars(countPassed({}))}</ul>`;
@@ -182,13 +182,13 @@ class Desk {
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one
   // counts, as it does when graded, and an older one if it is right; the same one changes nothing.
   async load(input) {
-    const all = parseAnswers(await input.files[0].text()), own = foldName(this.course);
-    const rows = all.filter(({ course }) => foldName(course) === own);
+    const all = parseAnswers(decodeTable(new Uint8Array(await input.files[0].arrayBuffer())));
+    const rows = all.filter(({ course = "" }) => ["", foldName(this.course)].includes(foldName(course)));
     input.value = "";
     if (!rows.length) return this.tell("There are no answers for this course in that file.");
     this.name = this.field.value = rows[0].student;
     const answers = { ...this.mine() };
-    for (const { student, exercise, answer, time } of rows) {
+    for (const { student, exercise, answer, time = "" } of rows) {
       const here = answers[exercise];
       if (foldName(student) !== this.student() || here?.result === "right" || here?.answer === answer) continue;
       const newer = !here?.answer || time > (here.time ?? "");

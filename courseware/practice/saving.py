@@ -13,6 +13,7 @@ ANSWER_COLUMNS = (
     *("kind", "course", "version", "time", "student", "exercise", "answer"),
     *("tries", "help"),  # how often it was checked, how many hints and steps were opened
 )
+OTHER_COLUMNS = ("numbers", "problem", "result")  # of a key, problems and grades
 # Spreadsheets begin a cell, and so a formula, behind a semicolon, too, where that separates cells,
 # also within quotation marks that they take for none
 START, FORMULA = r'(^|[;\t\r\n])([ "]*)', "(?='*[=+@＝＋－＠\t\r\n-])"
@@ -25,11 +26,6 @@ Write = Callable[[Sequence[object]], object]
 def guard_cell(text: str) -> str:
     """Put ' before everything in a cell that a spreadsheet would run as a formula."""
     return re.sub(GUARD, r"\1\2'", text)
-
-
-def unguard_cell(text: str) -> str:
-    """Return a cell as it was before `guard_cell`."""
-    return re.sub(UNGUARD, r"\1\2", text)
 
 
 def refuse_existing(path: Path, force: bool) -> None:

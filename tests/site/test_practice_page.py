@@ -10,6 +10,7 @@ from html import unescape
 import numpy as np
 import pytest
 from browser import FULL, TALL, draw_all, watched_page
+from commands import TABLES
 from declared import COURSE, EXERCISES, OF_EACH_KIND, table, typed
 from playwright.sync_api import expect
 from test_variants import DEAL, dealt_in_python, names
@@ -549,6 +550,18 @@ def test_a_file_that_is_loaded_twice_changes_nothing(page, tmp_path):
         page.set_input_files("[type=file]", tmp_path / "saved.csv")
         page.wait_for_function("() => !document.querySelector('[type=file]').value")
         assert page.evaluate(KEPT) == before
+
+
+def test_answers_are_loaded_from_what_platforms_make_of_them(page):
+    """As the command `grade` reads them: see `test_tables.py`."""
+    for name, content in TABLES.items():
+        page.evaluate("() => localStorage.clear()")
+        file = {"name": "t.csv", "mimeType": "text/csv", "buffer": content}
+        page.set_input_files("[type=file]", file)
+        page.wait_for_function("() => !document.querySelector('[type=file]').value")
+        assert page.input_value("#rk-student") == "Ada; Ω", name
+        field = box(page, FIRST).locator(".rk-row input")
+        expect(field, name).to_have_value("[1; 2], ½")
 
 
 def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):

@@ -31,3 +31,26 @@ def saved(student, answers, times=None, course="robokin"):
 
 def results():
     return {(row["student"], row["exercise"]): row["result"] for row in table("grades.csv")}
+
+
+def _one_answer(separator):
+    heading = ("student", "exercise", "time", "answer", "course")
+    rows = heading, ('"Ada; Ω"', ONE, "", '"[1; 2], ½"', "")
+    return "".join(separator.join(row) + "\n" for row in rows)
+
+
+# Files as spreadsheets and platforms write them: Ada; Ω has answered "[1; 2], ½"
+TABLES = {
+    "commas": _one_answer(",").encode(),
+    "semicolons": _one_answer(";").encode("utf-8-sig"),
+    "tabs in UTF-16": ("\ufeff" + _one_answer("\t")).encode("utf-16-le"),
+    "big end first": f"\ufeff{_one_answer(';')}".encode("utf-16-be"),
+    "its separator said": f"sep=|\n{_one_answer('|')}".encode("utf-8-sig"),
+    "said in UTF-16": f"\ufeffsep=;\r\n{_one_answer(';')}".encode("utf-16-le"),
+    "old line ends": _one_answer(";").replace("\n", "\r").encode(),
+    "empty lines, capitals": f"\n \n{_one_answer(',').replace('s', 'S', 1)}".encode(),
+    "no empty cells at the end": _one_answer(";").replace(";\n", "\n").encode(),
+    "joined, with bad lines": (
+        f'{_one_answer(";")}x;"1" 2;;3\n\ufeff{_one_answer(";")}'.encode() + b"\xff;1;1;1\n"
+    ),
+}

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from commands import HEADING, ONE, run, saved
+from commands import HEADING, ONE, TABLES, run, saved
 from declared import table
 
 from courseware.classroom import tables
@@ -42,7 +42,7 @@ def test_a_saved_answer_comes_back_as_it_was(folder, cell):
     in_file = list(csv.reader(io.StringIO(text, newline="")))[1][6]
     assert in_file[0] not in "=+-@\t\r" or in_file in ("-0.5", "+3")
     (back,) = engine.call("courseware.parseAnswers", text)
-    assert (back["student"], back["answer"]) == ("=Ada", cell)
+    assert (back["student"], back["answer"]) == ("=Ada", cell.strip())
     (folder / "answers.csv").write_text(text, encoding="utf-8", newline="")
     ((_, row),) = tables.read_rows(Path("answers.csv"), tables.Problems(), ["student", "answer"])
     assert (row["student"], row["answer"]) == ("=Ada", cell.strip())
@@ -117,3 +117,15 @@ def test_a_table_is_read_as_spreadsheets_and_platforms_write_it(folder, text):
         ((_, row),) = tables.read_rows(Path("t.csv"), problems := tables.Problems())
         assert (row["student"], row["exercise"]) == ("Ada", "1")
         assert not problems.lines()
+
+
+@pytest.mark.parametrize("content", TABLES.values(), ids=TABLES)
+def test_answers_are_read_from_what_platforms_make_of_them(folder, content):
+    """The page reads the same files: see `test_practice_page.py`."""
+    Path("t.csv").write_bytes(content)
+    problems = tables.Problems()
+    rows = [row for _, row in tables.read_rows(Path("t.csv"), problems)]
+    assert {(r["student"], r["exercise"], r["answer"]) for r in rows} == {
+        ("Ada; Ω", ONE, "[1; 2], ½")
+    }
+    assert len(problems) == (2 if b"\xff;" in content else 0)

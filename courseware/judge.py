@@ -1,66 +1,41 @@
 """The judge of programs: runs a student's function on stored inputs and says what is wrong with it.
 
-It needs nothing but NumPy, and the numbers that `storing.py` has written. A function is refused
-with the simplest input on which it is wrong; where its answers are those of a known mistake on all
-ordinary inputs, that is named.
+It needs nothing but NumPy, `explaining.py`, and the numbers that `storing.py` has written. A
+function is refused with the simplest input on which it is wrong; where its answers are those of a
+known mistake on all ordinary inputs, that is named.
 
-On Linux, and so in graders and hubs, all this happens in a process of its own: whatever a function
-does ends there. A page has its worker for that.
+A file is run in a process of its own, which only sends answers: whatever the file does ends there.
+On Linux, and so in graders and hubs, a function of a notebook is, too. A page has its worker.
 """
 
 import dis
 import inspect
 import json
 import linecache
+import multiprocessing
 import os
-import re
 import runpy
-import select
-import signal
 import sys
-import time
 import traceback
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
-from dataclasses import dataclass
-from functools import cache
-from html import escape
 from pathlib import Path
-from types import CodeType, FrameType
+from types import FrameType
 from typing import Any
 
 import numpy as np
 
-Stored = Mapping[str, Any]
-TELLING = 20  # inputs on which a mistake must be far from right, before it is named
-FAR = 10  # tolerances
-NEAR = 1000  # tolerances: digits are missing, the formula is right
-LEVEL = "An extra, if you like, is to take arrays of many inputs at once."
-BORDER = "padding: .5rem .9rem; border-left: 4px solid {}"
-COLORS = {True: "#2e8b57", False: "#c2344b"}  # of right and of wrong; pages may be dark
-SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
+from courseware.explaining import Stored, Verdict, agrees, describe_input, explain, join_numbers
+
 STEPS = 2_000_000  # of the student's own code in one call: more is an endless loop
-PATIENCE = 60  # seconds for a verdict, where no step is counted
-KNOWN = "This is what you get {}."
+PATIENCE = 60  # seconds for all answers, where no step is counted
 ERRORS = {
     ZeroDivisionError: "Something is divided by 0: has this input a case of its own?",
     RecursionError: "The function calls itself without an end.",
     TypeError: "What the line works on is of another kind than it takes: often None, or a list in "
     "place of an array.",
     IndexError: "There are fewer places than that; the first has the number 0.",
-}
-SLIPS: dict[str, Callable[[Any, Stored], Any]] = {
-    "with the sign the other way round": lambda right, _: -right,
-    "with twice the right value": lambda right, _: 2 * right,
-    "with half the right value": lambda right, _: right / 2,
-    "when the angle is returned in degrees": lambda right, stored: np.where(
-        stored["angles"], np.degrees(right), right
-    ),
-    "with the numbers in the opposite order": lambda right, _: right[::-1],
-    "with rows and columns exchanged": lambda right, stored: (
-        right.reshape(stored["shape"]).T.ravel() if len(stored["shape"]) == 2 else right
-    ),
 }
 
 
@@ -71,38 +46,14 @@ class Slip(BaseException):
     """
 
 
-@dataclass(frozen=True)
-class Verdict:
-    """The judgement of a program. Its text is for the student.
-
-    lines: of the text; those that begin with a blank are code. numbers: of the picture that shows
-    what is wrong: the right answer, the student's answer, the input; none where one is no number.
-    picture: of these, as HTML, where there is something that draws.
-    """
-
-    right: bool
-    lines: tuple[str, ...]
-    numbers: tuple[float, ...] = ()
-    picture: str = ""
-
-    def __str__(self) -> str:
-        return "\n".join(self.lines)
-
-    __repr__ = __str__
-
-    def _repr_html_(self) -> str:
-        parts = (
-            f"<pre>{escape(line.strip())}</pre>" if line[0] == " " else f"<p>{quote_code(line)}</p>"
-            for line in self.lines
-        )
-        kind, style = "right" if self.right else "wrong", BORDER.format(COLORS[self.right])
-        head = f'<div class="rk-judged rk-{kind}" role="status" style="{style}">'
-        return f"{head}{''.join(parts)}</div>{self.picture}"
+Tried = dict[str, Any]  # answers: flat lists; slip: on the next input; hints; or refused: words
 
 
 def check(function: Any, stored: Stored) -> Verdict:
     """Judge a function."""
-    return judge_apart(lambda: judge(function, stored))
+    if sys.platform != "linux":  # NumPy and threads bear no fork
+        return judge(try_function(function, stored), stored)
+    return judge(run_apart("fork", try_function, function, stored), stored)
 
 
 def read_and_check(name: str, function: Any) -> Verdict:
@@ -119,71 +70,82 @@ def read_stored(name: str) -> Stored:
 def main() -> int:
     """Judge a file: `python judge.py bicycle-p1 bicycle_p1.py` fails unless it is right."""
     name, file = sys.argv[1:]
-    verdict = judge_apart(lambda: judge_file(file, read_stored(name)))
+    stored = read_stored(name)
+    verdict = judge(run_apart("spawn", try_file, file, stored), stored)
     print(f"{name}: {verdict}")
     return 0 if verdict.right else 1
 
 
-def judge_apart(work: Callable[[], Verdict]) -> Verdict:
-    """Return the verdict of a process of its own; elsewhere NumPy and threads bear no fork."""
-    if sys.platform != "linux":
-        return work()
-    read, write = os.pipe()
+def run_apart(start: str, work: Callable[..., Tried], *given: Any) -> Tried:
+    """Return the result of a function in a process of its own, or that it has none."""
+    context: Any = multiprocessing.get_context(start)
+    read, write = context.Pipe(duplex=False)
+    child = context.Process(target=send_result, args=(write, work, *given))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", DeprecationWarning)  # of threads, which a child has not
-        child = os.fork()
-    if not child:
-        try:
-            verdict = work()
-            with open(write, "w", encoding="utf-8") as pipe:
-                json.dump([verdict.right, verdict.lines, verdict.numbers], pipe)
-        finally:
-            os._exit(0)  # whatever still runs
-    os.close(write)
-    with open(read, "rb") as pipe:
-        try:
-            in_time, *_ = select.select([pipe], [], [], PATIENCE)
-            text = pipe.read() if in_time else b""
-        finally:
-            os.kill(child, signal.SIGKILL)
-            os.waitpid(child, 0)
-    if text:
-        right, lines, numbers = json.loads(text)
-        return Verdict(right, tuple(lines), tuple(numbers))
-    why = (
-        "It ends Python itself, or makes it crash."
-        if in_time
-        else (f"It does not end: stopped after {PATIENCE} seconds.")
-    )
-    return Verdict(False, (f"Not yet. {why}",))
+        child.start()
+    write.close()
+    try:
+        if not read.poll(PATIENCE):
+            return {"refused": f"It does not end: stopped after {PATIENCE} seconds."}
+        tried: Tried = json.loads(read.recv_bytes())
+        return tried
+    except EOFError:
+        return {"refused": "It ends Python itself, or makes it crash."}
+    finally:
+        child.kill()
+        child.join()
 
 
-def judge_file(file: str, stored: Stored) -> Verdict:
-    """Judge the function in a file."""
+def send_result(write: Any, work: Callable[..., Tried], *given: Any) -> None:
+    write.send_bytes(json.dumps(work(*given)).encode())
+
+
+def try_file(file: str, stored: Stored) -> Tried:
+    """Try the function in a file."""
     try:
         with silence():
             names = runpy.run_path(file)
     except BaseException as error:  # also SystemExit, which would pass
         words = "".join(traceback.format_exception(error, limit=0)).rstrip()
-        return Verdict(False, (f"Not yet. {file} cannot be run.\n{words}",))
-    return judge(names.get(stored["function"]), stored)
+        return {"refused": f"{file} cannot be run.\n{words}"}
+    return try_function(names.get(stored["function"]), stored)
 
 
-def judge(function: Any, stored: Stored) -> Verdict:
-    """Judge a function in this process."""
+def try_function(function: Any, stored: Stored) -> Tried:
+    """Return the answers of a function, up to the first input on which it gives none."""
+    answers: list[list[float]] = []
+    tried = {"answers": answers, "slip": "", "hints": find_hints(function)}
     with silence(), np.errstate(all="ignore"):
         try:
             refuse_function(function, stored)
         except Slip as slip:
-            return Verdict(False, (f"Not yet. {slip}",))
-        for place, case in enumerate(stored["cases"]):
-            try:
-                answer = call(function, case, stored)
-            except Slip as slip:
-                return refuse(stored, place, [str(slip)])
-            if not agrees(answer, case, stored):
-                return refuse_answer(function, stored, place, answer)
-        return Verdict(True, (describe_success(stored), *describe_arrays(function, stored)))
+            return {"refused": str(slip)}
+        try:
+            for case in stored["cases"]:
+                answers.append(call(function, case, stored).tolist())
+        except Slip as slip:
+            tried["slip"] = str(slip)
+    return tried
+
+
+@np.errstate(all="ignore")
+def judge(tried: Tried, stored: Stored) -> Verdict:
+    """Judge what came of a function."""
+    if "refused" in tried:
+        return Verdict(False, (f"Not yet. {tried['refused']}",))
+    answers, cases = [*map(np.array, tried["answers"])], stored["cases"]
+    for place, (answer, case) in enumerate(zip(answers, cases, strict=False)):
+        if not agrees(answer, case, stored):
+            lines = explain(answers, place, stored, tried["hints"])
+            numbers = join_numbers(case["right"], answer, *case["arguments"])
+            shown = tuple(numbers.tolist()) if np.isfinite(numbers).all() else ()
+            return Verdict(False, (*describe_input(case, stored), *lines), shown)
+    if tried["slip"]:
+        return Verdict(False, (*describe_input(cases[len(answers)], stored), tried["slip"]))
+    specials = dict.fromkeys(case["special"] for case in cases if case["special"])
+    also = f", also: {'; '.join(specials)}" if specials else ""
+    return Verdict(True, (f"✓ Right on all {len(cases)} inputs{also}.",))
 
 
 @contextmanager
@@ -285,161 +247,6 @@ def to_numbers(answer: Any, stored: Stored) -> Any:
     return numbers.astype(float).ravel()
 
 
-def agrees(answer: Any, case: Stored, stored: Stored) -> bool:
-    """Return whether an answer is right."""
-    return same(answer, np.array(case["right"]), case, stored)
-
-
-def same(answer: Any, other: Any, case: Stored, stored: Stored, factor: float = 1.0) -> bool:
-    """Return whether two answers to an input are the same, within a number of tolerances.
-
-    Where several answers are right, what they do is compared.
-    """
-    if not stored["compared_value"]:
-        return bool(np.all(apart(answer, other, stored) <= factor * np.array(stored["tolerance"])))
-    one, two = (compute_compared_value(each, case, stored) for each in (answer, other))
-    size = max(LEAST, np.abs(two).max())
-    return bool(np.allclose(one, two, rtol=0, atol=factor * SIZE * size, equal_nan=True))
-
-
-def apart(answer: Any, right: Any, stored: Stored) -> Any:
-    """Return how far two answers are apart, number by number; NaN meets NaN."""
-    difference = answer - right
-    turned = np.remainder(difference + np.pi, 2 * np.pi) - np.pi
-    size = np.abs(np.where(stored["circle"], turned, difference))
-    alike = (answer == right) | (np.isnan(answer) & np.isnan(right))
-    return np.where(alike, 0.0, np.nan_to_num(size, nan=np.inf))
-
-
-def compute_compared_value(answer: Any, case: Stored, stored: Stored) -> Any:
-    """Return what an answer does, by the formulas that are stored for it."""
-    names = {"numpy": np, "given": join_numbers(answer, *case["arguments"])}
-    return np.array(eval(read_formulas(stored["compared_value"]), names))
-
-
-def join_numbers(*parts: Any) -> Any:
-    """Return all numbers of these numbers and arrays in a row."""
-    return np.hstack([np.ravel(part) for part in parts])
-
-
-@cache
-def read_formulas(text: str) -> CodeType:
-    return compile(text, "<formulas>", "eval")
-
-
-# --- what is wrong ---------------------------------------------------------------------------
-
-
-def refuse(stored: Stored, place: int, lines: list[str], **more: Any) -> Verdict:
-    """Return the verdict of a wrong program: the input first."""
-    case = stored["cases"][place]
-    where = f" ({case['special']})" if case["special"] else ""
-    shown = ", ".join(format_argument(x) for x in case["arguments"])
-    first = f"Not yet. This is the simplest input on which it is wrong{where}:"
-    return Verdict(False, (first, f" {stored['function']}({shown})", *lines), **more)
-
-
-def refuse_answer(function: Callable[..., Any], stored: Stored, place: int, answer: Any) -> Verdict:
-    """Return the verdict of a program whose answer is another: by how much, and why."""
-    case = stored["cases"][place]
-    right = np.array(case["right"])
-    is_near = same(answer, right, case, stored, NEAR)
-    digits = 13 if is_near else 7
-    example = ", for example," if stored["compared_value"] else ""
-    right_is = f"Right is{example} {format_answer(right, stored, digits)}."
-    lines = [
-        describe(answer, case, stored, digits),
-        right_is + describe_rows(answer, right, stored),
-    ]
-    answers = all_answers(function, stored)
-    known = find_known(answers, stored)
-    lines += [entry["feedback"] for entry in known] or find_hints(function)
-    if is_near and not known:
-        lines.append(
-            "It is nearly right, but about seven digits are asked. Digits get lost where almost "
-            "equal numbers are subtracted, in a branch for small numbers that is too wide, by "
-            "rounding, and by approximation."
-        )
-    elif case["special"] and all_right(answers, stored):
-        lines.append(
-            "On all ordinary inputs it is right: give this case a branch of its own, or "
-            "find a formula that needs none."
-        )
-    numbers = join_numbers(right, answer, *case["arguments"])
-    return refuse(
-        stored,
-        place,
-        lines,
-        numbers=tuple(numbers.tolist()) if np.isfinite(numbers).all() else (),
-    )
-
-
-def describe(answer: Any, case: Stored, stored: Stored, digits: int) -> str:
-    """Say what answer."""
-    words = f"It gives {format_answer(answer, stored, digits)}."
-    if np.isnan(answer).any() and not np.isnan(case["right"]).any():
-        words += (
-            " nan means: no number. It comes of 0/0, inf/inf, 0·inf or inf − inf (look for a "
-            "division by 0), of a root of a negative number, and of arccos or arcsin of a number "
-            "beyond ±1. Rounding can lead there, and np.clip limits a number."
-        )
-    return words
-
-
-def describe_rows(answer: Any, right: Any, stored: Stored) -> str:
-    """Say which rows of a matrix are wrong, unless all are, or another answer could be right."""
-    if len(stored["shape"]) < 2 or stored["compared_value"]:
-        return ""
-    far = apart(answer, right, stored) > stored["tolerance"]
-    wrong = np.flatnonzero(far.reshape(stored["shape"]).any(axis=1))
-    if len(wrong) == stored["shape"][0]:
-        return ""
-    return f" Wrong: row{'s' * (len(wrong) > 1)} {', '.join(map(str, wrong))}, counted from 0."
-
-
-def ordinary(stored: Stored) -> list[Stored]:
-    return [case for case in stored["cases"] if not case["special"]]
-
-
-def all_answers(function: Callable[..., Any], stored: Stored) -> Any:
-    """Return the answers to all ordinary inputs (n, numbers), or None if one has none."""
-    try:
-        return np.array([call(function, case, stored) for case in ordinary(stored)])
-    except Slip:
-        return None
-
-
-def all_right(answers: Any, stored: Stored) -> bool:
-    cases = ordinary(stored)
-    return answers is not None and all(map(lambda a, c: agrees(a, c, stored), answers, cases))
-
-
-def find_known(answers: Any, stored: Stored) -> list[Stored]:
-    """Return the known mistakes whose answers these are, on all ordinary inputs."""
-    if answers is None:
-        return []
-    rights = np.array([case["right"] for case in ordinary(stored)])
-    candidates = [(known, np.array(known["answers"])) for known in stored["known"]]
-    slips = [
-        ({"name": words, "feedback": KNOWN.format(words)}, [slip(r, stored) for r in rights])
-        for words, slip in SLIPS.items()
-    ]
-    found: list[Stored] = []
-    for some in (candidates, slips):  # a slip of any answer only where no mistake is met
-        found = found or [known for known, its in some if is_named(answers, its, stored)]
-    return found
-
-
-def is_named(answers: Any, its: Any, stored: Stored) -> bool:
-    """Return whether answers are a mistake's own, and far from right on enough inputs."""
-    cases = ordinary(stored)
-    if not all(map(lambda a, b, case: same(a, b, case, stored), answers, its, cases)):
-        return False
-    rights = (np.array(case["right"]) for case in cases)
-    near = map(lambda a, right, case: same(a, right, case, stored, FAR), its, rights, cases)
-    return len(cases) - sum(near) >= TELLING
-
-
 def find_hints(function: Any) -> list[str]:
     """Say what in a function may be meant otherwise: `//`, and numbers from outside."""
     code, words = getattr(function, "__code__", None), list[str]()
@@ -467,57 +274,6 @@ def describe_error(error: BaseException) -> str:
         where = f"Line {number}, `{line}`: " if line else ""
     words = [words for kind, words in ERRORS.items() if isinstance(error, kind)]
     return " ".join([f"{where}{type(error).__name__}: {error}.", *words])
-
-
-# --- right -----------------------------------------------------------------------------------
-
-
-def describe_success(stored: Stored) -> str:
-    specials = list(dict.fromkeys(case["special"] for case in stored["cases"] if case["special"]))
-    tried = f", also: {'; '.join(specials)}" if specials else ""
-    return f"✓ Right on all {len(stored['cases'])} inputs{tried}."
-
-
-def describe_arrays(function: Any, stored: Stored) -> list[str]:
-    """Say whether the function takes arrays of inputs too, and how much faster that is."""
-    if not stored["arrays"]:
-        return []
-    cases = ordinary(stored)
-    stacks = [np.array(each) for each in zip(*(case["arguments"] for case in cases), strict=True)]
-    start = time.perf_counter()
-    for case in cases:
-        function(*as_arguments(case["arguments"]))
-    alone = time.perf_counter() - start
-    start = time.perf_counter()
-    try:
-        answers = np.asarray(function(*stacks), dtype=float)
-    except (Exception, SystemExit) as error:
-        return [f"{LEVEL} So far it does not: {describe_error(error)}"]
-    ratio, asked = alone / (time.perf_counter() - start), (len(cases), *stored["shape"])
-    if answers.shape != asked:
-        return [f"{LEVEL} So far it gives the shape {answers.shape}, asked is {asked}."]
-    rows = answers.reshape(len(cases), -1)
-    if not all_right(rows, stored):
-        return [f"{LEVEL} So far it gives other numbers than with each input alone."]
-    return [f"It takes arrays, too: {len(cases)} inputs at once are {ratio:.0f} times as fast."]
-
-
-# --- texts -----------------------------------------------------------------------------------
-
-
-def format_argument(value: Any) -> str:
-    return f"np.array({value})" if isinstance(value, list) else repr(value)
-
-
-def format_answer(answer: Any, stored: Stored, digits: int) -> str:
-    """Return an answer as text."""
-    texts = [f"{x + 0.0:.{digits}g}" for x in answer]
-    return str(np.reshape(texts, stored["shape"]).tolist()).replace("'", "")
-
-
-def quote_code(text: str) -> str:
-    """Return a text as HTML, what stands in `…` as code."""
-    return re.sub("`([^`]+)`", r"<code>\1</code>", escape(text))
 
 
 def shorten(value: Any) -> str:

@@ -42,7 +42,17 @@ MODULES = {
 # of courseware: each part uses those before it, and can be used without those after it
 LAYERS = (
     *("errors", "script", "course", "units", "source_listing", "equations", "figures", "answers"),
-    *("practice", "judge", "programs", "predictions", "symbols", "run", "site", "classroom"),
+    *(
+        "practice",
+        "explaining",
+        "judge",
+        "programs",
+        "predictions",
+        "symbols",
+        "run",
+        "site",
+        "classroom",
+    ),
     "new_chapter",
 )
 
@@ -130,8 +140,12 @@ def test_each_part_of_the_framework_uses_only_those_below():
 
 
 def test_the_judge_needs_numpy_alone():
-    """It is handed to graders as one file."""
-    tops = {i.of.partition(".")[0] for i in IMPORTS if i.by == "courseware.judge"}
+    """It is handed to graders as two files."""
+    judge = {"courseware.judge", "courseware.explaining"}
+    others = {
+        i.of for i in IMPORTS if i.by in judge and not i.of.startswith("courseware.explaining")
+    }
+    tops = {of.partition(".")[0] for of in others}
     assert tops - set(sys.stdlib_module_names) == {"numpy"}
 
 

@@ -1,12 +1,12 @@
 """The programs of a chapter as an assignment for nbgrader, otter-grader or GitHub Classroom.
 
-An assignment needs NumPy alone: the judge and its numbers stand in it as files.
+An assignment needs NumPy alone: the judge and its numbers are in it as files.
 """
 
 import inspect
 from collections.abc import Iterator
 from pathlib import Path
-from textwrap import indent
+from textwrap import fill, indent
 
 import nbformat
 from nbformat import NotebookNode
@@ -15,12 +15,12 @@ from nbformat.v4 import new_markdown_cell as markdown
 from nbformat.v4 import new_notebook
 from nbformat.v4 import new_raw_cell as raw
 
-from courseware import judge
+from courseware import explaining, judge
 from courseware.course import course
 from courseware.errors import CourseError
 from courseware.practice.saving import refuse_existing
 from courseware.programs.declaration import Program, all_programs
-from courseware.programs.notebook import serialize
+from courseware.programs.notebook import render_hints, serialize
 
 CHECK = """\
 from judge import read_and_check
@@ -43,7 +43,10 @@ def write_assignment(chapter: str, grader: str, folder: Path, force: bool) -> li
     if not programs:
         chapters = ", ".join(dict.fromkeys(p.topic for p in all_programs().values()))
         raise CourseError(f"{chapter} has no programs; there are those of {chapters}")
-    files = {"judge.py": inspect.getsource(judge)}
+    files = {
+        f"{each.__name__.rpartition('.')[2]}.py": inspect.getsource(each).replace("courseware.", "")
+        for each in (judge, explaining)
+    }
     files |= {f"{p.name}.json": serialize(p) for p in programs}
     cells = {"nbgrader": write_nbgrader, "otter": write_otter}.get(grader)
     if cells:
@@ -72,7 +75,7 @@ def write_nbgrader(chapter: str, programs: list[Program]) -> Iterator[NotebookNo
 
 def write_otter(chapter: str, programs: list[Program]) -> Iterator[NotebookNode]:
     """Yield the cells of otter's master version, from which `otter assign` makes both others."""
-    files = ["judge.py", *(f"{p.name}.json" for p in programs)]
+    files = ["judge.py", "explaining.py", *(f"{p.name}.json" for p in programs)]
     listed = "\n".join(f"  - {name}" for name in files)
     yield raw(
         f"# ASSIGNMENT CONFIG\nname: {chapter}\nfiles:\n{listed}\ngenerate: true\n"
@@ -99,7 +102,8 @@ def write_opening(chapter: str) -> Iterator[NotebookNode]:
 
 
 def write_question(program: Program) -> str:
-    return f"## {program.title}\n\n{program.text}"
+    """Return what is asked, as on the page; its hints open one another."""
+    return f"## {program.title}\n\n{program.text}\n\n{render_hints(program)}"
 
 
 def variable(program: Program) -> str:
@@ -113,8 +117,14 @@ def check_lines(program: Program) -> str:
 
 def write_file(program: Program) -> str:
     """Return the file that a student completes."""
-    lines = "\n".join(f"# {line}" for line in program.text.split("\n"))
-    return f"# {program.title}\n{lines}\n\nimport numpy as np\n\n\n{program.starter}"
+    hints = (f"Hint {k}: {hint}" for k, hint in enumerate(program.hints, 1))
+    below = "\n\n".join(comment(hint) for hint in hints)
+    head = f"{comment(program.title)}\n#\n{comment(program.text)}"
+    return f"{head}\n\nimport numpy as np\n\n\n{program.starter}\n\n{below}\n"
+
+
+def comment(text: str) -> str:
+    return fill(text, 88, initial_indent="# ", subsequent_indent="# ")
 
 
 def write_script(programs: list[Program]) -> str:

@@ -37,16 +37,21 @@ class ProgramBox:
 
 
 def render(program: Program, solution: bool = True) -> str:
-    """Render what is asked; each hint opens the way to the next, the last one to a solution."""
+    """Render what is asked, with its hints."""
+    return (
+        f'<div class="rk-program" id="{program.name}">'
+        f"<p><strong>{escape(program.title)}</strong></p>"
+        f"{render_paragraphs(program.text)}{render_hints(program, solution)}</div>"
+    )
+
+
+def render_hints(program: Program, solution: bool = False) -> str:
+    """Render the hints; each opens the way to the next, the last one to a solution."""
     code = escape(program.solution.strip())
     fold = f"<details><summary>A solution</summary><pre>{code}</pre></details>" if solution else ""
     for k, hint in reversed([*enumerate(program.hints, 1)]):
         fold = f"<details><summary>Hint {k}</summary>{render_paragraphs(hint)}{fold}</details>"
-    return (
-        f'<div class="rk-program" id="{program.name}">'
-        f"<p><strong>{escape(program.title)}</strong></p>"
-        f"{render_paragraphs(program.text)}{fold}</div>"
-    )
+    return fold
 
 
 def serialize(program: Program) -> str:

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from courseware.explaining import join_numbers
 from courseware.figures import VIEW, Choice, Curve, Figure, Thing
 from courseware.figures.figure import inline_colors
 from courseware.figures.solids import Solid
-from courseware.judge import join_numbers
 from courseware.programs.declaration import Program
 from courseware.programs.storing import name_numbers, store
 from courseware.script import engine

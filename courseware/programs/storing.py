@@ -14,11 +14,15 @@ from sympy.printing.numpy import NumPyPrinter
 from courseware.course import course
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
-from courseware.judge import KNOWN, LEAST, SIZE, as_arguments, join_numbers
+from courseware.explaining import KNOWN, LEAST, SIZE, join_numbers
+from courseware.judge import as_arguments
 from courseware.programs.declaration import Function, Program
 
-ROUND, RANDOM, EACH = 5, 200, 3  # inputs: of round numbers, random ones, of each special case
+ROUND, RANDOM, EACH = 8, 150, 3  # inputs: of round numbers, random ones, of each special case
 MANY = 60  # from which the simplest are taken
+# Inputs near a special case, twice each: how far, as parts of a range. What is treated as the case
+# within a millionth of the range is right, and the smallest tries whether digits are lost.
+AWAY = (0.1, 0.03, 0.01, 3e-3, 1e-3, 1e-4, 1e-5, 1e-8) * 2
 PLAIN = [float(f"{digit}e{power}") for power in range(-3, 6) for digit in (1, 2, 3, 4, 5, 6, 7, 8)]
 
 AS_GIVEN = "These are the answers of the program as it was given: its mistake is still in it."
@@ -30,9 +34,9 @@ Numbers = dict[NamedSymbol, float]
 def store(program: Program) -> dict[str, Any]:
     """Return all that the judge knows of a program: drawn by a fixed seed, the same every time."""
     cases = [*draw_cases(program)]
-    given = [[_plain(x) for x in program.arguments(*n.values())] for _, n in cases]
+    given = [[_plain(x) for x in program.arguments(*n.values())] for *_, n in cases]
     rights = [_flat(program, program.right, each) for each in given]
-    ordinary = [k for k, (special, _) in enumerate(cases) if not special]
+    ordinary = [k for k, (special, *_) in enumerate(cases) if not special]
     circle = np.array([unknown.circle for unknown in program.answer])
     size = np.median(np.abs([rights[k] for k in ordinary]), axis=0)
     known = {
@@ -47,7 +51,7 @@ def store(program: Program) -> dict[str, Any]:
         }
         for name, (words, f) in known.items()
     ]
-    entries += _take_for_degrees(program, [cases[k][1] for k in ordinary])
+    entries += _take_for_degrees(program, [cases[k][-1] for k in ordinary])
     if not program.is_new:  # the name would leave nothing to find
         starter = _starter_function(program)
         answers = [_flat(program, starter, given[k]) for k in ordinary]
@@ -64,10 +68,9 @@ def store(program: Program) -> dict[str, Any]:
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, LEAST)).tolist(),
         "compared_value": _write_deed(program, rights[0], given[0]),
         "library": course().library,
-        "arrays": program.is_new,
         "cases": [
-            {"special": special, "arguments": each, "right": right}
-            for (special, _), each, right in zip(cases, given, rights, strict=True)
+            {"special": special, "near": near, "arguments": each, "right": right}
+            for (special, near, _), each, right in zip(cases, given, rights, strict=True)
         ],
         "known": entries,
     }
@@ -102,29 +105,64 @@ def _write_deed(program: Program, right: list[float], given: list[Any]) -> str:
     return str(NumPyPrinter().doprint(numbers))
 
 
-def draw_cases(program: Program) -> Iterator[tuple[str, Numbers]]:
-    """Yield (special case or "", the symbols' numbers), the simplest first."""
+def draw_cases(program: Program) -> Iterator[tuple[str, bool, Numbers]]:
+    """Yield (special case or "", whether it is only near, the symbols' numbers).
+
+    The ordinary inputs come first, so that the name of a special case means no other mistake; of
+    these the simplest, and of the special ones those that are met.
+    """
     draw = np.random.default_rng(crc32(program.name.encode()))
     rounds = [_draw(program, draw, "", True) for _ in range(MANY)]
-    for numbers in sorted(rounds, key=lambda numbers: len(str([*numbers.values()])))[:ROUND]:
-        yield "", numbers  # few digits, no signs
-    for special, count, simple in (
-        *((special, EACH, True) for special in program.specials),
-        ("", RANDOM, False),
-    ):
-        for _ in range(count):
-            yield special, _draw(program, draw, special, simple)
+    short = sorted(rounds, key=lambda n: len(str([abs(x) for x in n.values()])))[:ROUND]
+    for numbers in sorted(short, key=lambda numbers: sum(x < 0 for x in numbers.values())):
+        yield "", False, numbers
+    for _ in range(RANDOM):
+        yield "", False, _draw(program, draw, "", False)
+    for special in program.specials:
+        for _ in range(EACH):
+            yield special, False, _draw(program, draw, special, True)
+    for special in program.specials:
+        for part in AWAY:
+            yield from (
+                (special, True, numbers) for numbers in _draw_near(program, draw, special, part)
+            )
+
+
+def _draw_near(program: Program, draw: Any, special: str, part: float) -> list[Numbers]:
+    """Return an input that is a part of the range away from a special case, or none."""
+    for _ in range(100):
+        numbers = _draw(program, draw, special, False)
+        allowed = program.when(*numbers.values())
+        for symbol, value in program.specials[special].items():
+            low, high = program.ranges.get(symbol, (symbol.low, symbol.high))
+            sign = 1 if value <= low else -1 if value >= high else draw.choice((-1, 1))
+            away = sign * part * draw.uniform(0.3, 1) * (high - low)
+            numbers[symbol] = value + float(f"{away:.2g}")
+        if (program.when(*numbers.values()) or not allowed) and _has_answer(program, numbers):
+            return [numbers]
+    return []
+
+
+def _has_answer(program: Program, numbers: Numbers) -> bool:
+    given = [_plain(x) for x in program.arguments(*numbers.values())]
+    try:
+        return bool(np.isfinite(_flat(program, program.right, given)).all())
+    except ValueError:  # outside of what the library takes
+        return False
 
 
 def _draw(program: Program, draw: Any, special: str, simple: bool) -> Numbers:
-    for _ in range(1000):
+    """Return an input; of a special case one that may be drawn, if 20 tries find one."""
+    fixed = program.specials.get(special, {})
+    for tries in range(1000):
         numbers = {
-            symbol: _draw_number(program, symbol, draw, simple) for symbol in program.symbols
+            symbol: fixed.get(symbol, _draw_number(program, symbol, draw, simple))
+            for symbol in program.symbols
         }
-        numbers |= program.specials.get(special, {})
-        free = [abs(x) for s, x in numbers.items() if s not in program.specials.get(special, ())]
-        distinct = not simple or len(set(free)) == len(free)
-        if distinct and (special or program.when(*numbers.values())):
+        free = [abs(x) for s, x in numbers.items() if s not in fixed]
+        if simple and len(set(free)) < len(free):
+            continue
+        if program.when(*numbers.values()) or (special and tries >= 20):
             return numbers
     raise CourseError(f"{program.name}: no input is found {special}; widen its ranges")
 

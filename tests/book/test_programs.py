@@ -11,7 +11,7 @@ import pytest
 from program_mutants import mutants
 
 import book  # noqa: F401 (opens the course)
-from courseware import judge, programs
+from courseware import explaining, judge, programs
 from courseware.errors import CourseError
 from courseware.programs.declaration import all_programs
 from courseware.programs.picture import answer_figure, render_answer
@@ -71,9 +71,9 @@ def test_each_mistake_is_named_by_its_answers(name):
     """What has a name is far from right on enough inputs, and another only beside it."""
     stored = store(PROGRAMS[name])
     for known in stored["known"]:
-        found = judge.find_known(np.array(known["answers"]), stored)
-        if "taken for degrees" not in known["name"]:
-            assert known["name"] in [each["name"] for each in found], known["name"]
+        found = explaining.find_known(known["answers"], stored)
+        if "taken for degrees" not in known["feedback"]:
+            assert known["feedback"] in found
 
 
 @EACH
@@ -100,9 +100,9 @@ def wrong_answer(program):
     """Right numbers, those of a known mistake, and an input on which they are far apart."""
     stored = store(program)
     for known in stored["known"]:
-        for case, answer in zip(judge.ordinary(stored), known["answers"], strict=True):
+        for case, answer in zip(explaining.ordinary(stored), known["answers"], strict=True):
             right = np.array(case["right"])
-            if not judge.same(np.array(answer), right, case, stored, 1e4):
+            if not explaining.same(np.array(answer), right, case, stored, 1e4):
                 return (
                     case["right"],
                     answer,
@@ -288,13 +288,6 @@ def test_usual_errors_are_explained(line, words):
 def test_what_is_no_function_is_said_so():
     assert "There is no function car_step here, but 3." in str(judge.check(3, store(STEP)))
     assert "There is no function car_step here: has it" in str(judge.check(None, store(STEP)))
-
-
-def test_arrays_of_inputs_are_the_second_level():
-    assert "It takes arrays, too:" in str(judged(STEP, STEP.solution))
-    loop = step("x, y, theta = [float(p) for p in pose]", *HEAD[1:], END)
-    assert loop.right
-    assert "arrays of many inputs at once. So far" in str(loop)
 
 
 def test_all_right_answers_are_right_where_there_are_several():

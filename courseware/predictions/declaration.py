@@ -129,9 +129,9 @@ class Number(_Numbers):
 class Ghost(_Numbers):
     """A ghost to place in a live figure, which stands in the cell before.
 
-    A wrong place is answered with the way that it is off, "12 cm too far to the left", and another
-    try. After three tries each further one is also called warmer or colder, and a button shows the
-    answer.
+    A wrong place is answered with the direction that it is off, "too far to the left", and another
+    try; the third one with the distance, too. After that each is also called warmer or colder, and
+    a button shows the answer. Nothing is judged before the ghost has been moved.
 
     Args:
         figure: its name.

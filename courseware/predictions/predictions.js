@@ -23,7 +23,7 @@ const renderOptions = (options) => options.length
 export const renderForm = ({ kind, options, units }) => `<form class="rk-guess">${
   kind === "buttons" ? options.map((option, k) =>
     `<button type="button" value="${k}" aria-pressed="false">${renderSymbols(option)}</button>`).join("")
-  : kind === "ghost" ? `<span>Drag your guess to where you think it belongs, then:</span> `
+  : kind === "ghost" ? `<span>Put your guess where you think it belongs, then:</span> `
     + `<button type="submit">Here</button>`
   : `<label>Your guess <input type="text" autocomplete="off" autocapitalize="off" spellcheck="false">`
     + `${units[0] ? ` ${escapeHtml(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`
@@ -43,12 +43,12 @@ const offsets = ({ kind, units }, guess, other) => guess.map((x, i) => {
 export const isSameGuess = (data, guess, other) => data.kind === "buttons" ? guess === other
   : offsets(data, guess, other).every((off) => Math.abs(off) <= data.near);
 
-// How a ghost is off: "12 cm too far to the left, turned 15° too far to the right".
-export const describeMiss = ({ near, ways, units }, offs) => offs.flatMap((off, i) => {
+// How a ghost is off: "too far to the left", or with its size "12 cm too far to the left, turned 15° too far to the right".
+export const describeMiss = ({ near, ways, units }, offs, sized) => offs.flatMap((off, i) => {
   if (Math.abs(off) <= near) return [];
   const [before, more, less] = ways[i], inCm = units[i] === "m" && near < 1;
   const size = withUnit(formatNumber(Math.abs(off) * (inCm ? 100 : 1), 2), inCm ? "cm" : units[i]);
-  return [`${before}${size} ${off > 0 ? more : less}`];
+  return [`${before}${sized ? `${size} ` : ""}${off > 0 ? more : less}`];
 }).join(", ");
 
 const storeGuesses = (guesses) => memory.set(GUESSES_KEY, JSON.stringify(guesses));
@@ -104,23 +104,24 @@ class PredictionBox {
   guess() {
     if (this.answered) return;
     const { kind, places, units } = this.data;
-    if (kind === "ghost") return this.withFigure(({ state }) => this.place(places.map((i) => state[i])));
+    if (kind === "ghost") return this.withFigure(({ state, figure }) => places.every((i) => state[i] === figure.controls[i].start)
+      ? this.say("Move your guess first.") : this.place(places.map((i) => state[i])));
     const unknowns = [{ unit: units[0] }], readings = parseTyped(this.one("input").value, unknowns), [first] = readings;
     const found = readings.find(({ value }) => typeof value === "number");
     if (found) return this.take([found.value]);
     this.say(first.problem ? describeProblem(first, unknowns) : "Type one number.");
   }
 
-  // A ghost may be placed until it is right; with help, each try is compared with the last one.
+  // A ghost may be placed until it is right: first a direction helps, then sizes, and each try is compared with the last one.
   place(guess) {
     const { data } = this, offs = offsets(data, guess, data.right), far = Math.hypot(...offs);
     if (this.answered || offs.every((off) => Math.abs(off) <= data.near)) return this.take(guess);
     const trend = this.one(".rk-skip").hidden || far === this.far ? "" : far < this.far ? "Warmer: " : "Colder: ";
-    const miss = `${trend}${describeMiss(data, offs)}.`;
+    Object.assign(this, { tried: guess, far, tries: this.tries + 1 });
+    const helps = this.tries >= TRIES, miss = `${trend}${describeMiss(data, offs, helps)}.`;
     this.say(miss[0].toUpperCase() + miss.slice(1));
     this.sayAssumption(guess);
-    Object.assign(this, { tried: guess, far, tries: this.tries + 1 });
-    if (this.tries >= TRIES) this.one(".rk-skip").hidden = false;
+    if (helps) this.one(".rk-skip").hidden = false;
   }
 
   take(guess) {
@@ -137,9 +138,7 @@ class PredictionBox {
     if (button?.textContent === "Play" && !prefersReducedMotion()) button.click();
   }
 
-  say(words) {
-    this.one(".rk-said").innerHTML = renderSymbols(words);
-  }
+  say(words) { this.one(".rk-said").innerHTML = renderSymbols(words); }
 
   open(guess) {
     const { data } = this, is = describeGuess(data, data.right);

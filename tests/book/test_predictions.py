@@ -218,7 +218,9 @@ def test_a_ghost_is_told_how_it_is_off(where, offs, told):
     name, *places = where
     right = formulas.speed.substitute(SPEEDS)
     ghost = Ghost(name, tuple(places), {}, (right,) * len(places), 0.01)
-    assert engine.call("courseware.describeMiss", ghost.serialize(), offs) == told
+    assert engine.call("courseware.describeMiss", ghost.serialize(), offs, True) == told
+    direction = engine.call("courseware.describeMiss", ghost.serialize(), offs)
+    assert direction == re.sub(r"[\d.]+(°| c?m) ", "", told)
 
 
 WRONG = {

@@ -46,7 +46,7 @@ def place_wrongly(page, **places):
 
 
 def give_up(page, name=GHOST):
-    """Press what shows the answer; a ghost is placed three times before, where it starts."""
+    """Press what shows the answer; a ghost is placed three times before, where it is."""
     for _ in range(3 if name == GHOST else 0):
         page.locator(f"#{GHOST} form button", has_text="Here").click()
     page.locator(f"#{name} .rk-skip").focus()
@@ -213,21 +213,29 @@ def test_a_guess_may_be_tried_and_one_that_is_near_goes_to_the_right_place(page)
     assert page.evaluate(f"() => {live}.state.slice(0, 2)") == pytest.approx([-0.15, 0])
 
 
+def test_nothing_is_judged_before_it_is_moved(page):
+    come_alive(page)
+    for _ in range(4):
+        page.locator(f"#{GHOST} form button", has_text="Here").click()
+        assert said(page, GHOST).inner_text() == "Move your guess first."
+    assert page.locator(f"#{GHOST} .rk-skip").is_hidden()
+
+
 def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):
     x, y = THERE
-    assert place_wrongly(page, guess_x=x + 0.12, guess_y=y) == "12 cm too far to the right."
-    far = "10 cm too far to the left, 5 cm too far down."
-    assert place_wrongly(page, guess_x=x - 0.1, guess_y=y - 0.05).startswith(far)
+    assert place_wrongly(page, guess_x=x + 0.12, guess_y=y) == "Too far to the right."
     straight = place_wrongly(page, guess_x=0, guess_y=0.15)
     assert straight.endswith("That is straight on, as if it did not turn.")
+    far = "10 cm too far to the left, 5 cm too far down."  # the third time with sizes
+    assert place_wrongly(page, guess_x=x - 0.1, guess_y=y - 0.05) == far
     assert page.evaluate("() => localStorage.getItem('robokin guesses')") in (None, "{}")
 
 
 def test_after_three_tries_it_is_warmer_or_colder_and_can_be_shown(page):
     skip, (x, y) = page.locator(f"#{GHOST} .rk-skip"), THERE
-    for _ in range(3):
+    for words in (*["Too far to the right."] * 2, "10 cm too far to the right."):
         assert skip.is_hidden()
-        assert place_wrongly(page, guess_x=x + 0.1, guess_y=y).startswith("10 cm")
+        assert place_wrongly(page, guess_x=x + 0.1, guess_y=y) == words
     assert place_wrongly(page, guess_x=x, guess_y=y + 0.05) == "Warmer: 5 cm too far up."
     assert place_wrongly(page, guess_x=x, guess_y=y + 0.07) == "Colder: 7 cm too far up."
     skip.click()
@@ -236,8 +244,8 @@ def test_after_three_tries_it_is_warmer_or_colder_and_can_be_shown(page):
 
 
 def test_it_is_shown_without_a_guess_too(page):
+    place_ghost(page, guess_x=-0.2)
     for name in (BUTTONS, NUMBER, GHOST):
-        come_alive(page)
         give_up(page, name)
         assert fold(page, name).is_visible()
         assert page.locator(f"#{name} .rk-skip").is_hidden()

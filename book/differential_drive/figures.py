@@ -50,6 +50,7 @@ from book.motion.formulas import (
     y_dot,
     y_next,
 )
+from book.things.graph import Graph
 from courseware.equations import declarations, substitute
 from courseware.figures import (
     POINTER,
@@ -62,7 +63,6 @@ from courseware.figures import (
     Curve,
     Figure,
     Goal,
-    Graph,
     Handle,
     Label,
     Length,

@@ -18,7 +18,7 @@ from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import base_arctan, base_only, cubed_a_3, no_p_x, swapped_xy
 from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
 from book.motion import formulas as motion
-from book.things import space
+from book.things import meshes, space
 from courseware.equations import Where, substitute
 from courseware.figures import (
     POINTER,
@@ -34,8 +34,8 @@ from courseware.figures import (
     Readout,
     Slider,
     bring_forward,
-    solids,
 )
+from courseware.figures.solids import Mesh
 from robokin._triangle import TOLERANCE
 
 UPPER, SHOULDER = 0.4, 0.1  # m: a2 and d1 of the exercise
@@ -284,10 +284,10 @@ def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
     }
 
 
-def link(kind: str, length: float, thick: float) -> list[solids.Mesh]:
+def link(kind: str, length: float, thick: float) -> list[Mesh]:
     """Return a link along its x axis, with its joint."""
-    bar = solids.box(kind, (length, thick, thick), (length / 2, 0, 0))
-    return [bar, solids.cylinder(kind, (0.05, 0.05), (-0.05, 0.05), n=12)]
+    bar = meshes.box(kind, (length, thick, thick), (length / 2, 0, 0))
+    return [bar, meshes.cylinder(kind, (0.05, 0.05), (-0.05, 0.05), n=12)]
 
 
 def solid_arm(kind: str, joints: Any) -> tuple[Any, ...]:
@@ -300,7 +300,7 @@ def solid_arm(kind: str, joints: Any) -> tuple[Any, ...]:
     shoulder = (0, 0, ARM[d1])
     elbow = [at + ARM[a2] * R[k, 0] for k, at in enumerate(shoulder)]
     wrist = [at + ARM[a3] * T[k, 0] for k, at in enumerate(elbow)]
-    hand = [solids.box(kind, (0.08, 0.05, 0.015), (ARM[a3], 0, z)) for z in (-0.03, 0.03)]
+    hand = [meshes.box(kind, (0.08, 0.05, 0.015), (ARM[a3], 0, z)) for z in (-0.03, 0.03)]
     front = (FRONT * cos(one), FRONT * sin(one), 0)
     return (
         VIEW.solid(link(kind, ARM[a2], 0.06), R, shoulder, floor=0),
@@ -333,7 +333,7 @@ def mistakes_figure() -> Figure:
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),
         shapes=(
             space.floor(0, 0.7),
-            VIEW.solid([solids.cylinder("body", (0.08, 0.05), (0, 0.27))], eye(3), floor=0),
+            VIEW.solid([meshes.cylinder("body", (0.08, 0.05), (0, 0.27))], eye(3), floor=0),
             VIEW.arrow("text", (0, 0, 0), (0.7, 0, 0), "x"),
             VIEW.arrow("text", (0, 0, 0), (0, 0.7, 0), "y"),
             *true,

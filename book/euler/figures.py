@@ -27,7 +27,8 @@ from book.euler import formulas as euler
 from book.euler.exercises import left_handed_turn
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
-from book.things import space
+from book.things import meshes, space
+from book.things.graph import Graph
 from book.things.outlines import disc
 from courseware.equations import Where, declarations, substitute
 from courseware.figures import (
@@ -39,7 +40,6 @@ from courseware.figures import (
     Curve,
     Figure,
     Goal,
-    Graph,
     Label,
     Line,
     NamedSteps,
@@ -52,9 +52,9 @@ from courseware.figures import (
     assign,
     bring_forward,
     ramp,
-    solids,
     when,
 )
+from courseware.figures.solids import Mesh
 from courseware.figures.space import AXES, ORIGIN
 
 quantity, _ = declarations(__name__)
@@ -421,7 +421,7 @@ def both_figure() -> Figure:
 
 AEROPLANE = space.aeroplane()
 STAND = tuple(
-    replace(solids.box("metal_mid", size, at), edge="edge")
+    replace(meshes.box("metal_mid", size, at), edge="edge")
     for size, at in (
         ((0.12, 0.26, 1.45), (1.45, 0, -0.62)),
         ((0.12, 0.26, 1.45), (-1.45, 0, -0.62)),
@@ -430,11 +430,11 @@ STAND = tuple(
 )
 
 
-def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[solids.Mesh, ...]:
+def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[Mesh, ...]:
     """Return a ring, flat towards one axis, with two pins along another that hold the next one."""
     rim = radius + 0.14
-    pins = (solids.cylinder(kind, (0.06, 0.06), x, along, n=6) for x in ((rim, end), (-end, -rim)))
-    return solids.ring(kind, radius, rim, 0.1, flat), *pins
+    pins = (meshes.cylinder(kind, (0.06, 0.06), x, along, n=6) for x in ((rim, end), (-end, -rim)))
+    return meshes.ring(kind, radius, rim, 0.1, flat), *pins
 
 
 def rings_figure() -> Figure:
@@ -465,7 +465,7 @@ def rings_figure() -> Figure:
             VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
             VIEW.solid(AEROPLANE, three),
             *when(is_locked, VIEW.arrow("error", 0.4 * across, 1.6 * across, "lost")),
-            VIEW.solid((solids.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.65)),
+            VIEW.solid((meshes.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.65)),
             Label(euler.omega, (2.65, -0.85)),
         ),
         readouts=(
@@ -559,7 +559,7 @@ def one_turn_figure() -> Figure:
     here = at_once * spoke * part + (1 - at_once) * in_ball(2 * part)
     glass = Outline(disc(BALL), "bubble", "glass_lit")
     light = Outline(disc(0.32, -0.45, 0.5), "sheen", opacity=0.6)
-    stand = replace(solids.cylinder("metal_mid", (0.5, 0.32), (-0.95, -0.86), n=24), edge="edge")
+    stand = replace(meshes.cylinder("metal_mid", (0.5, 0.32), (-0.95, -0.86), n=24), edge="edge")
     seen = VIEW.project(middle_of)
     return Figure(
         name="one-turn",

@@ -7,6 +7,7 @@ A chapter imports this module and says `things.robot(pose)`. Where they are draw
 - `vehicles`: car, bus, bicycle's wheel, shopping trolley
 - `arms`: the arm
 - `room`: camera, box, ball, bench, ruler, kerb, shelf, walls
+- `space`, of `meshes`: the arm, the camera and others in space; `graph`: a graph in a picture
 
 Places are (x, y, angle) in metres and radians, as numbers or expressions; so are angles of what
 turns and ways that wheels have rolled. Sizes are numbers. `look` is "", "ghost" or "wrong".

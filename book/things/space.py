@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from courseware.figures import VIEW, solids
-from courseware.figures.solids import Mesh
+from book.things import meshes
+from courseware.figures import VIEW
+from courseware.figures.solids import Mesh, Solid
 from courseware.figures.space import ORIGIN
 
 N = 24  # of corners all round
@@ -27,7 +28,7 @@ def link(length: float, start: float, end: float, pale: bool = False) -> tuple[M
     far = [-k + 2 * k * i / 12 for i in range(13)]
     corners = [(start * cos(a), start * sin(a)) for a in near]
     corners += [(length + end * cos(a), end * sin(a)) for a in far]
-    mesh = solids.plate(tone, corners, 1.3 * end)
+    mesh = meshes.plate(tone, corners, 1.3 * end)
     joints = ((0, start), (length, end))[: 1 if pale else 2]
     covers = {face: _covers(mesh, face, joints) for face in (0, 1)}
     return (replace(mesh, edge=edge, dots=covers),)
@@ -57,9 +58,9 @@ def gripper(x: float, size: float = 0.026, opening: float = 1) -> tuple[Mesh, ..
     """Return a gripper at the end of a link, its two fingers in the arm's plane."""
     s = size / 0.026
     gap = (0.012 + 0.022 * opening) * s
-    palm = solids.box("metal_mid", (0.02 * s, 0.11 * s, 0.05 * s), (x + 0.01 * s, 0, 0))
+    palm = meshes.box("metal_mid", (0.02 * s, 0.11 * s, 0.05 * s), (x + 0.01 * s, 0, 0))
     fingers = [
-        solids.box("metal", (0.08 * s, 0.014 * s, 0.026 * s), (x + 0.06 * s, side * gap, 0))
+        meshes.box("metal", (0.08 * s, 0.014 * s, 0.026 * s), (x + 0.06 * s, side * gap, 0))
         for side in (1, -1)
     ]
     return tuple(replace(mesh, edge="edge") for mesh in (palm, *fingers))
@@ -76,7 +77,7 @@ def column(high: float, radius: float = 0.09) -> tuple[Mesh, ...]:
     )
     edges = {"accent": "accent_edge", "dark": "rim"}
     return tuple(
-        replace(solids.cylinder(tone, radii, ends, n=N), edge=edges.get(tone, "edge"))
+        replace(meshes.cylinder(tone, radii, ends, n=N), edge=edges.get(tone, "edge"))
         for tone, radii, ends in rings
     )
 
@@ -84,36 +85,36 @@ def column(high: float, radius: float = 0.09) -> tuple[Mesh, ...]:
 def camera(size: float = 1) -> tuple[Mesh, ...]:
     """Return a camera at its lens that looks along z."""
     s = size
-    body = solids.box("shell", (0.12 * s, 0.09 * s, 0.08 * s), (0, 0, -0.075 * s))
-    lens = solids.cylinder("dark", (0.034 * s, 0.036 * s), (-0.035 * s, 0), n=N)
+    body = meshes.box("shell", (0.12 * s, 0.09 * s, 0.08 * s), (0, 0, -0.075 * s))
+    lens = meshes.cylinder("dark", (0.034 * s, 0.036 * s), (-0.035 * s, 0), n=N)
     return replace(body, edge="edge"), replace(lens, edge="rim")
 
 
 def parcel(size: tuple[float, float, float] = (0.17, 0.12, 0.1)) -> tuple[Mesh, ...]:
     """Return a box to grip, its middle at the origin."""
-    return (replace(solids.box("goal", size), edge="goal_edge"),)
+    return (replace(meshes.box("goal", size), edge="goal_edge"),)
 
 
 def ball() -> tuple[Mesh, ...]:
     """Return a ball of radius 1 m; R scales it."""
-    return (replace(solids.ball("goal"), edge="goal_edge"),)
+    return (replace(meshes.ball("goal"), edge="goal_edge"),)
 
 
 def stand(high: float) -> tuple[Mesh, ...]:
     """Return the stand of a ball, its foot at the origin."""
-    foot = solids.cylinder("metal_mid", (0.06, 0.06), (0, 0.02), n=N)
-    post = solids.cylinder("metal_mid", (0.008, 0.008), (0.02, high), n=12)
+    foot = meshes.cylinder("metal_mid", (0.06, 0.06), (0, 0.02), n=N)
+    post = meshes.cylinder("metal_mid", (0.008, 0.008), (0.02, high), n=12)
     return replace(foot, edge="edge"), replace(post, edge="edge")
 
 
 def slab(height: float, half: float) -> tuple[Mesh, ...]:
     """Return a square slab to stand on, whose upper side is so high."""
     thick = 0.07
-    box = solids.box("floor", (2 * half, 2 * half, thick), (0, 0, height - thick / 2))
+    box = meshes.box("floor", (2 * half, 2 * half, thick), (0, 0, height - thick / 2))
     return (replace(box, edge="seam"),)
 
 
-def floor(height: float, half: float, at: Sequence[Any] = ORIGIN) -> solids.Solid:
+def floor(height: float, half: float, at: Sequence[Any] = ORIGIN) -> Solid:
     """Return a slab behind all else, on which shadows fall."""
     return VIEW.solid(slab(height, half), sp.eye(3), at, behind=200.0)
 
@@ -121,19 +122,19 @@ def floor(height: float, half: float, at: Sequence[Any] = ORIGIN) -> solids.Soli
 def aeroplane() -> tuple[Mesh, ...]:
     """Return an aeroplane that flies along x, its wings along y; about 1 m long."""
     body = (
-        solids.cylinder("shell_mid", (0.04, 0.1), (-0.47, -0.1), along="x", n=8),
-        solids.cylinder("shell_mid", (0.1, 0.09), (-0.1, 0.34), along="x", n=8),
-        solids.cylinder("accent", (0.09, 0.02), (0.34, 0.52), along="x", n=8),
+        meshes.cylinder("shell_mid", (0.04, 0.1), (-0.47, -0.1), along="x", n=8),
+        meshes.cylinder("shell_mid", (0.1, 0.09), (-0.1, 0.34), along="x", n=8),
+        meshes.cylinder("accent", (0.09, 0.02), (0.34, 0.52), along="x", n=8),
     )
     wings = [
         [(0.0, 0.09), (0.22, 0.09), (0.0, 0.58), (-0.12, 0.58)],
         [(-0.45, 0.05), (-0.29, 0.06), (-0.38, 0.26), (-0.46, 0.26)],
     ]
-    flat = [solids.plate("accent", wing, 0.035) for wing in wings]
-    flat += [solids.plate("accent", [(x, -y) for x, y in wing[::-1]], 0.035) for wing in wings]
+    flat = [meshes.plate("accent", wing, 0.035) for wing in wings]
+    flat += [meshes.plate("accent", [(x, -y) for x, y in wing[::-1]], 0.035) for wing in wings]
     tail = [(0.09, -0.45), (0.28, -0.46), (0.28, -0.37), (0.09, -0.25)]
-    plates = (*flat, solids.plate("accent", tail, 0.03, "y"))
-    cabin = solids.box("glass", (0.16, 0.1, 0.06), at=(0.22, 0, 0.09))
+    plates = (*flat, meshes.plate("accent", tail, 0.03, "y"))
+    cabin = meshes.box("glass", (0.16, 0.1, 0.06), at=(0.22, 0, 0.09))
     return (
         *(replace(mesh, edge="edge") for mesh in body),
         *(replace(mesh, edge="accent_edge") for mesh in plates),

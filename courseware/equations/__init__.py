@@ -4,17 +4,3 @@ from courseware.equations.declared_checks import Array, Check
 from courseware.equations.equation import Equation, Where, as_written, find_equation, substitute
 from courseware.equations.notebook import show, show_again
 from courseware.equations.quantities import declarations, find_kind
-
-__all__ = [
-    "Array",
-    "Check",
-    "Equation",
-    "Where",
-    "as_written",
-    "declarations",
-    "find_equation",
-    "find_kind",
-    "show",
-    "show_again",
-    "substitute",
-]

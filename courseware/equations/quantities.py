@@ -32,26 +32,6 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
     module: str
     place: int  # among all that are declared
 
-    @classmethod
-    def declare(
-        cls,
-        module: str,
-        name: str,
-        unit: str,
-        span: tuple[float, float],
-        meaning: str,
-        latex: str,
-        code: str,
-    ) -> "NamedSymbol":
-        """Return a new symbol of a module."""
-        refuse_other_than_si(unit, f"the symbol {name}")
-        # past SymPy's cache, which knows symbols by name alone
-        new: NamedSymbol = cls.__xnew__(cls, name, real=True)
-        new.module, new.place, new.unit, new.meaning = module, next(_places), unit, meaning
-        new.low, new.high = map(float, span)
-        new.latex, new.code = latex or sp.latex(sp.Symbol(name)), code or name
-        return new
-
     @property
     def has_range(self) -> bool:
         """Return whether it is a quantity, from which formulas are computed."""
@@ -110,18 +90,24 @@ def declare_quantity(
         name: as SymPy's; Greek letters are spelled.
         unit: SI, from the table in `courseware/units/table.py`.
         low, high: the range of the points at which formulas are compared with the library.
-        meaning: in a few words; a name may stand first, before a colon: "heading: …".
+        meaning: in a few words; a name may come first, before a colon: "heading: …".
         latex: how it prints, where that is not SymPy's own way.
         code: its name in the code of the chapter's notebook, where that differs.
     """
-    return NamedSymbol.declare(module, name, unit, (low, high), meaning, latex, code)
+    refuse_other_than_si(unit, f"the symbol {name}")
+    # past SymPy's cache, which knows symbols by name alone
+    new: NamedSymbol = NamedSymbol.__xnew__(NamedSymbol, name, real=True)
+    new.module, new.place, new.unit, new.meaning = module, next(_places), unit, meaning
+    new.low, new.high = float(low), float(high)
+    new.latex, new.code = latex or sp.latex(sp.Symbol(name)), code or name
+    return new
 
 
 def declare_symbol(
     module: str, name: str, meaning: str, latex: str = "", unit: str = "", code: str = ""
 ) -> NamedSymbol:
     """Declare a symbol without a range: a named step, a matrix, a point, a letter in the text."""
-    return NamedSymbol.declare(module, name, unit, (math.nan, math.nan), meaning, latex, code)
+    return declare_quantity(module, name, unit, math.nan, math.nan, meaning, latex, code)
 
 
 def find_kind(symbol: NamedSymbol, chapter: str = "") -> str:

@@ -27,7 +27,6 @@ from courseware.figures.declaration import (
     ramp,
 )
 from courseware.figures.figure import Figure, Scene
-from courseware.figures.graph import Graph
 from courseware.figures.shapes import (
     AngleArc,
     Area,
@@ -58,45 +57,3 @@ register(
         rules=looks.render_rules,
     )
 )
-
-__all__ = [
-    "POINTER",
-    "VIEW",
-    "AngleArc",
-    "Area",
-    "Arrow",
-    "Body",
-    "Bracket",
-    "Button",
-    "Choice",
-    "Clock",
-    "Cloud",
-    "Curve",
-    "Figure",
-    "Goal",
-    "Gradient",
-    "Graph",
-    "Ground",
-    "Handle",
-    "Label",
-    "Length",
-    "Line",
-    "Materials",
-    "NamedSteps",
-    "Outline",
-    "Point",
-    "QuarterTurns",
-    "Readout",
-    "Recurrence",
-    "Rim",
-    "Scene",
-    "Slider",
-    "Thing",
-    "Trail",
-    "Wheel",
-    "assign",
-    "bring_forward",
-    "distance",
-    "ramp",
-    "when",
-]

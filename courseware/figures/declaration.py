@@ -20,7 +20,7 @@ import sympy as sp
 from courseware.equations.equation import Equation, Where
 from courseware.equations.quantities import NamedSymbol
 from courseware.equations.text import format_symbol
-from courseware.errors import CourseError, describe
+from courseware.errors import CourseError
 from courseware.units import refuse_other_than_si
 
 Expr = Any
@@ -92,8 +92,8 @@ class Recurrence:
         for part in ("start", "step", "ends"):
             if len(getattr(self, part)) != len(self.state):
                 raise CourseError(
-                    f"a recurrence has the state {describe(self.state)} and as `{part}` "
-                    f"{describe(getattr(self, part))}: there must be as many"
+                    f"a recurrence has the state {self.state} and as `{part}` "
+                    f"{getattr(self, part)}: there must be as many"
                 )
 
 

@@ -28,24 +28,3 @@ register(
         constants={"courseware/practice/constants.js": rendering.constants},
     )
 )
-
-__all__ = [
-    "Exercise",
-    "LocalEquation",
-    "Mistake",
-    "Picture",
-    "Solution",
-    "Step",
-    "WrongFormula",
-    "all_exercises",
-    "all_mistakes",
-    "all_topics",
-    "example",
-    "exercise",
-    "export",
-    "format_number",
-    "mistake",
-    "number_range",
-    "one_of",
-    "student",
-]

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 
 from courseware.answers import Unknown
 from courseware.course import topic_of
-from courseware.errors import CourseError, describe
+from courseware.errors import CourseError
 from courseware.practice.mistakes import Mistake
 from courseware.practice.solutions import Solution
 from courseware.units import UNITS, refuse_unknown
@@ -39,7 +39,7 @@ class Given:
     unit: str = ""
 
     def __post_init__(self) -> None:
-        refuse_unknown(self.unit, f"the number drawn from {describe(self.options)}")
+        refuse_unknown(self.unit, f"the number drawn from {self.options!r}")
 
     def to_si(self, option: Any) -> Any:
         """Return the SI number that formulas get; a name stays as it is."""

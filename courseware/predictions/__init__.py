@@ -3,7 +3,7 @@
 `Prediction` says how one is declared and shown.
 """
 
-import courseware.answers  # noqa: F401 (its scripts read and keep guesses)
+import courseware.answers  # its scripts read and keep guesses
 from courseware.predictions.declaration import (
     Buttons,
     Ghost,
@@ -21,5 +21,3 @@ register(
         styles=("courseware/predictions/predictions.css",),
     )
 )
-
-__all__ = ["Buttons", "Ghost", "Number", "Prediction", "ask", "nearest_option"]

@@ -9,5 +9,3 @@ student's function on these numbers.
 
 from courseware.programs.declaration import Program, all_programs
 from courseware.programs.notebook import ProgramBox as show
-
-__all__ = ["Program", "all_programs", "show"]

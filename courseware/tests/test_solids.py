@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from small_figures import painted, space_figure
 from support import EPS, assert_close
 
-from book.things import space
+from book.things import meshes, space
 from courseware.errors import CourseError
-from courseware.figures import VIEW, Bracket, QuarterTurns, Readout, solids
+from courseware.figures import VIEW, Bracket, QuarterTurns, Readout
 from courseware.script import engine as script
 from robokin import euler
 
@@ -24,12 +24,12 @@ pytest_plugins = ["figure_page"]
 in_browser = pytest.mark.browser
 
 BODIES = {
-    "box": solids.box("body", (1, 2, 3), at=(1, 1, 1)),
-    "cylinder": solids.cylinder("body", (1, 0.5), (-1, 2), along="x"),
-    "plate": solids.plate("body", [(0, 0), (2, 0), (1, 1)], 0.1, along="y"),
+    "box": meshes.box("body", (1, 2, 3), at=(1, 1, 1)),
+    "cylinder": meshes.cylinder("body", (1, 0.5), (-1, 2), along="x"),
+    "plate": meshes.plate("body", [(0, 0), (2, 0), (1, 1)], 0.1, along="y"),
     "die": space.die("body")[0],
-    "ball": solids.ball("body"),
-    "ring": solids.ring("body", 1.0, 1.5, 0.2, along="y"),
+    "ball": meshes.ball("body"),
+    "ring": meshes.ring("body", 1.0, 1.5, 0.2, along="y"),
 }
 EYE = sp.eye(3)
 
@@ -92,7 +92,7 @@ def drawn(figure, **shown):
 
 def cubes(*places, **more):
     """Boxes of side 1 at places, each of a kind."""
-    scene = [VIEW.solid([solids.box(kind, (1, 1, 1))], EYE, at, **more) for kind, at in places]
+    scene = [VIEW.solid([meshes.box(kind, (1, 1, 1))], EYE, at, **more) for kind, at in places]
     return space_figure(shapes=tuple(scene))
 
 
@@ -135,9 +135,9 @@ def test_the_light_comes_from_above_and_stays_in_the_room():
 def test_a_pose_turns_and_moves_a_body():
     """A box turned by a quarter about z looks like one with its sides exchanged."""
     R = sp.Matrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
-    turned = space_figure(shapes=(VIEW.solid([solids.box("body", (1, 2, 3))], R, (0, 1, 0)),))
+    turned = space_figure(shapes=(VIEW.solid([meshes.box("body", (1, 2, 3))], R, (0, 1, 0)),))
     exchanged = space_figure(
-        shapes=(VIEW.solid([solids.box("body", (2, 1, 3), at=(0, 1, 0))], EYE),)
+        shapes=(VIEW.solid([meshes.box("body", (2, 1, 3), at=(0, 1, 0))], EYE),)
     )
     outlines = [set(map(frozenset, map(str.split, re.findall('d="M([^"]+)z"', drawn(f)))))
                 for f in (turned, exchanged)]  # fmt: skip
@@ -158,7 +158,7 @@ def test_a_shadow_falls_straight_down_and_lies_under_all():
 
 def test_the_shadow_of_a_ring_has_a_hole():
     """Two loops that run opposite ways: a ring's inner rim lets the light through."""
-    ring = VIEW.solid([solids.ring("body", 0.6, 0.8, 0.1, "z")], EYE, floor=-1.0)
+    ring = VIEW.solid([meshes.ring("body", 0.6, 0.8, 0.1, "z")], EYE, floor=-1.0)
     loops = re.search(' d="M([^"]+)z"', drawn(space_figure(shapes=(ring,)), elevation=90))[1]
     areas = []
     for loop in loops.split("zM"):
@@ -185,7 +185,7 @@ def test_what_is_printed_on_a_face_goes_with_it():
     "part", [{"kind": "gold"}, {"edge": "gold"}, {"dots": {0: [(0, 0, 0.1, "gold")]}}]
 )
 def test_an_unknown_material_of_a_part_is_refused(part):
-    body = replace(solids.box("body", (1, 1, 1)), **part)
+    body = replace(meshes.box("body", (1, 1, 1)), **part)
     with pytest.raises(CourseError, match="no material 'gold'; there are"):
         _ = space_figure(shapes=(VIEW.solid([body], EYE),)).code
 

@@ -28,6 +28,3 @@ def collect_constants() -> dict[str, Any]:
 
 
 provide("courseware/units/constants.js", collect_constants)
-
-__all__ = ["ROWS", "TABLE", "UNITS", "Unit", "figure_unit"]
-__all__ += ["refuse_other_than_si", "refuse_unknown"]

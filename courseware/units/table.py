@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from math import pi
 from typing import Any
 
-from courseware.errors import CourseError, describe
+from courseware.errors import CourseError
 
 BETWEEN = {  # patterns of the text between the words of a name, for Python and the script
     "/": r"\s*(?:[/∕⁄÷]|per\s)\s*",
@@ -129,7 +129,7 @@ def refuse_unknown(unit: Any, who: str) -> None:
     """Refuse a unit that is not in the table."""
     if not isinstance(unit, str) or unit not in UNITS:
         raise CourseError(
-            f"{who} has the unit {describe(unit)}; known are {', '.join(filter(None, UNITS))}, and "
+            f"{who} has the unit {unit!r}; known are {', '.join(filter(None, UNITS))}, and "
             '"" for none: write one of these, or add yours in courseware/units/table.py'
         )
 

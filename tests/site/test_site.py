@@ -7,7 +7,6 @@ import subprocess
 import sys
 from html import unescape
 from pathlib import Path
-from types import SimpleNamespace
 from urllib.parse import unquote
 
 import pytest
@@ -18,8 +17,6 @@ from test_steps import IN_STEPS
 
 import book
 from courseware.course import Course
-from courseware.site import SETTINGS
-from courseware.site import _open_course as look_at
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -426,20 +423,6 @@ def set_to(folder, line):
     changed, count = re.subn(rf"(?m)^( +){name}:.*$", rf"\1{line}", text)
     assert count == 1
     (folder / "_config.yml").write_text(changed, "utf-8")
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "words"),
-    [
-        ("course_name", 2026, "is 2026: it must be a text, in quotes"),
-        ("course_name", None, "is None: it must be a text, in quotes"),
-        ("course_solutions", "no", "is 'no': it must be true or false, without quotes"),
-    ],
-)
-def test_settings_are_looked_at(name, value, words):
-    settings = SimpleNamespace(**{**SETTINGS, name: value})
-    with pytest.raises(SystemExit, match=re.escape(f"{name} in _config.yml {words}")):
-        look_at(None, settings)
 
 
 @pytest.mark.parametrize(

@@ -14,8 +14,8 @@ from math import log10
 
 import sympy as sp
 
+from courseware.figures import Area, Label, Line
 from courseware.figures.declaration import Expr, Place
-from courseware.figures.shapes import Area, Label, Line
 
 Range = tuple[float, float]
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -15,7 +15,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -54,11 +53,10 @@ sines_only = Mistake(
     why="The car moves along x with v cos θ and along y with v sin θ. Summed up over time, the "
     "first gives a difference of sines, the second one of cosines. Only y comes out wrong.",
     unnoticed="Where the heading halfway along the arc is 135° or −45°, and after a full circle.",
-    picture=Picture(
-        "wrong-car",
-        "Off its circle",
+    title="Off its circle",
+    picture=(
         "The car drives on its circle. Its program believes that the rear axle moves along a "
-        "straight line.",
+        "straight line."
     ),
     document="000 Q5",
     place="the position after a step",
@@ -74,11 +72,8 @@ front_speed_used = Mistake(
     why="The formula v tan φ/L holds for the speed v of the rear axle. The front axle is faster, "
     "v_F = v/cos φ. For its speed the formula is v_F sin φ/L.",
     unnoticed="Straight ahead. For small steering angles it is hard to see: 1.5 % at 10°.",
-    picture=Picture(
-        "wrong-car",
-        "It turns too fast",
-        "The car drives on its circle. Its program believes it on a smaller one.",
-    ),
+    title="It turns too fast",
+    picture="The car drives on its circle. Its program believes it on a smaller one.",
     document="004 Ans 1",
     place="the state equations of point O, third line",
     nth=2,
@@ -96,11 +91,10 @@ along_heading = Mistake(
     why="The steered wheel rolls where it points, and that is θ + φ. Only the rear axle moves "
     "along the heading θ.",
     unnoticed="Straight ahead, where the wheel points along the heading.",
-    picture=Picture(
-        "wrong-car",
-        "It follows its nose",
+    title="It follows its nose",
+    picture=(
         "The car drives on its circle. Its program believes that the front axle moves where the "
-        "car looks.",
+        "car looks."
     ),
     document="004 Ans 1",
     place="the state equations of point O",
@@ -120,10 +114,9 @@ mean_angle = Mistake(
     why="The three axles meet in one point. This makes the distances R − b/2, R and R + b/2 "
     "evenly spaced, and they go with the cotangents of the angles, not with the angles.",
     unnoticed="Only straight ahead. In a turn without sliding the mean is near, but never right.",
-    picture=Picture(
-        "wrong-car",
-        "One wheel for two",
-        "The car drives on its circle. Its program believes it in a turn that is a little tighter.",
+    title="One wheel for two",
+    picture=(
+        "The car drives on its circle. Its program believes it in a turn that is a little tighter."
     ),
 )
 reversed_turn = Mistake(
@@ -134,11 +127,8 @@ reversed_turn = Mistake(
     why="A heading that is measured clockwise gets smaller when the car turns to the left. It "
     "changes by −ωΔt, not by +ωΔt.",
     unnoticed="On a straight line, where the heading does not change.",
-    picture=Picture(
-        "wrong-car",
-        "To the other side",
-        "The car turns to the left. Its program believes that it turns to the right.",
-    ),
+    title="To the other side",
+    picture="The car turns to the left. Its program believes that it turns to the right.",
     document="004 Ans 1",
     place="the points of the trajectory",
     nth=4,
@@ -156,11 +146,10 @@ same_sine = Mistake(
     why="One of the two needs the cosine. With the same sine in both, ẋ and ẏ are always equal: "
     "the car could move along one diagonal only.",
     unnoticed="When the motion is along that diagonal, at 45° or at −135° to the x axis.",
-    picture=Picture(
-        "wrong-car",
-        "Only along a diagonal",
+    title="Only along a diagonal",
+    picture=(
         "The car drives on its circle. Its program believes that the front axle goes up and down "
-        "a diagonal.",
+        "a diagonal."
     ),
     document="004 Ans 1",
     place="the state equations with numbers",

@@ -309,16 +309,16 @@ def pose_by_mistake(time: Any) -> dict[str, Any]:
         return (*point_of((*there, turned), -SHORT, 0), turned, 1)
 
     return {
-        "Off its circle": (
+        sines_only.title: (
             *sines_only.substitute({R: PACE / rate, theta: UP, theta_next: turned}),
             turned,
             0,
         ),
-        "It turns too fast": turning(front_speed_used.substitute(car)),
-        "It follows its nose": leading(along_heading),
-        "Only along a diagonal": leading(same_sine),
-        "One wheel for two": turning(PACE / SHORT * tan(alone)),
-        "To the other side": turning(-reversed_turn.substitute({**car, y_heading: 0, dt: 1})),
+        front_speed_used.title: turning(front_speed_used.substitute(car)),
+        along_heading.title: leading(along_heading),
+        same_sine.title: leading(same_sine),
+        mean_angle.title: turning(PACE / SHORT * tan(alone)),
+        reversed_turn.title: turning(-reversed_turn.substitute({**car, y_heading: 0, dt: 1})),
     }
 
 
@@ -349,7 +349,7 @@ def mistakes_figure() -> Figure:
         title="A car, and where a program with a mistake believes it to be",
         view=(-7.9, 5.1, -4.1, 5.7),
         controls=(
-            Choice.one_hot("mistake", MISTAKES, poses, start="Off its circle"),
+            Choice.one_hot("mistake", MISTAKES, poses, start=sines_only.title),
             Slider.degrees(
                 steering, 35, 60, start=55,
                 label="steering φ",

@@ -14,7 +14,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -44,10 +43,9 @@ half_wheel_distance = Mistake(
     why="The right wheel circles around the left one at the whole distance b, not at the distance "
     "from a wheel to the middle. The angular velocity comes out twice too large.",
     unnoticed="On a straight line, where the angular velocity is zero either way.",
-    picture=Picture(
-        "damage",
-        "It turns too fast",
-        "The robot on its arc to the right. Its program believes it on an arc of half the radius.",
+    title="It turns too fast",
+    picture=(
+        "The robot on its arc to the right. Its program believes it on an arc of half the radius."
     ),
 )
 degrees_taken = Mistake(
@@ -59,11 +57,10 @@ degrees_taken = Mistake(
     "drive in a direction that has nothing to do with its heading.",
     unnoticed="With a heading of 0, and by chance at every multiple of "
     f"{360 / (180 / np.pi - 1):.3f}°. Test with 90°.",
-    picture=Picture(
-        "damage",
-        "It goes astray",
+    title="It goes astray",
+    picture=(
         "The robot on its arc to the right. Its program believes that it set off "
-        f"{np.degrees(ASTRAY):.0f}° more to the left.",
+        f"{np.degrees(ASTRAY):.0f}° more to the left."
     ),
 )
 world_to_robot = Mistake(
@@ -74,10 +71,9 @@ world_to_robot = Mistake(
     why="This matrix takes a velocity from the world to the robot, not from the robot to the "
     "world. It mirrors the direction at the x axis.",
     unnoticed="With a heading of 0 or 180°, where both matrices are the same. Test with 90°.",
-    picture=Picture(
-        "damage",
-        "Down instead of up",
-        "The robot drives up to the right. Its program believes that it drives down to the right.",
+    title="Down instead of up",
+    picture=(
+        "The robot drives up to the right. Its program believes that it drives down to the right."
     ),
 )
 double_distance = Mistake(
@@ -89,10 +85,9 @@ double_distance = Mistake(
     "already; with 2b it is counted twice, and the angular velocity comes out half as "
     "large as it is.",
     unnoticed="On a straight line.",
-    picture=Picture(
-        "damage",
-        "It turns too slowly",
-        "The robot on its arc to the right. Its program believes it on an arc of twice the radius.",
+    title="It turns too slowly",
+    picture=(
+        "The robot on its arc to the right. Its program believes it on an arc of twice the radius."
     ),
 )
 

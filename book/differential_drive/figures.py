@@ -829,10 +829,10 @@ def damage_figure() -> Figure:
     heading, right = float(differential_drive_2.example["theta"]), {**speeds, b: DISTANCE}
     rate = drive.turning_rate.substitute(right)
     wrong = {
-        "It turns too fast": (half_wheel_distance.substitute(right), heading),
-        "It turns too slowly": (double_distance.substitute(right), heading),
-        "It goes astray": (rate, degrees_taken.formula.replaced[theta].subs(theta, heading)),
-        "Down instead of up": (rate, world_to_robot.formula.replaced[theta].subs(theta, heading)),
+        half_wheel_distance.title: (half_wheel_distance.substitute(right), heading),
+        double_distance.title: (double_distance.substitute(right), heading),
+        degrees_taken.title: (rate, degrees_taken.formula.replaced[theta].subs(theta, heading)),
+        world_to_robot.title: (rate, world_to_robot.formula.replaced[theta].subs(theta, heading)),
     }
     options = {name: tuple(map(float, each)) for name, each in wrong.items()}
     seen, believed = (

@@ -15,7 +15,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -43,11 +42,10 @@ swapped_xy = Mistake(
     "and clockwise. In spreadsheets and in some books (Spong, Hutchinson and Vidyasagar) atan2 "
     "takes x first. There atan2(p_x, p_y) is right.",
     unnoticed="Where p_x = p_y, on the line in the middle between the two axes.",
-    picture=Picture(
-        "wrong-reach",
-        "It aims at a mirror image",
+    title="It aims at a mirror image",
+    picture=(
         "The red arm reaches the mirror image of p, with x and y exchanged. Its program believes "
-        "that it reaches p, like the grey one.",
+        "that it reaches p, like the grey one."
     ),
 )
 no_p_x = Mistake(
@@ -59,11 +57,10 @@ no_p_x = Mistake(
     "√(p_x² + p_y²) away from the base axis, not |p_y|.",
     unnoticed="Where p_x = 0 and p_y > 0: there the arm really stands in that plane, and looks "
     "along y. With p_y < 0 only d and θ_3 are right.",
-    picture=Picture(
-        "wrong-reach",
-        "Its reach never changes",
+    title="Its reach never changes",
+    picture=(
         "Wherever p is along x, the red arm reaches equally far. Its program believes that it "
-        "reaches p, like the grey one.",
+        "reaches p, like the grey one."
     ),
     document="000 Q1",
     place="step 2, the side view",
@@ -81,10 +78,9 @@ cubed_a_3 = Mistake(
     why="The law of cosines has squares of lengths only. A cubic metre cannot be taken away from "
     "a square metre: the units show the mistake.",
     unnoticed="With a forearm of 1 m: there the square and the third power are the same number.",
-    picture=Picture(
-        "wrong-reach",
-        "It reaches too far",
-        "The red arm reaches beyond p. Its program believes that it stops at p, like the grey one.",
+    title="It reaches too far",
+    picture=(
+        "The red arm reaches beyond p. Its program believes that it stops at p, like the grey one."
     ),
     document="001 Q1",
     place="cos θ_3",
@@ -101,10 +97,9 @@ base_only = Mistake(
     "backwards: the shoulder needs π − θ_2 and the elbow −θ_3.",
     unnoticed="Where the wrist is on the base axis, if you look only at the wrist. The elbow is "
     "then on the other side.",
-    picture=Picture(
-        "wrong-reach",
-        "It turns round",
-        "The red arm leans away from p. Its program believes that it reaches p, like the grey one.",
+    title="It turns round",
+    picture=(
+        "The red arm leans away from p. Its program believes that it reaches p, like the grey one."
     ),
     document="000 Q1",
     place="step 1, the second base angle, and the count of four solutions at the end",
@@ -120,11 +115,10 @@ base_arctan = Mistake(
     why="The quotient p_y/p_x is the same for a point and for the one opposite to it. With "
     "p_x < 0, arctan gives the direction that faces away from the target.",
     unnoticed="Where p_x > 0.",
-    picture=Picture(
-        "wrong-reach",
-        "It never looks behind",
+    title="It never looks behind",
+    picture=(
         "The red arm looks to the front, even for a p that lies behind the base. Its program "
-        "believes that it reaches p, like the grey one.",
+        "believes that it reaches p, like the grey one."
     ),
 )
 

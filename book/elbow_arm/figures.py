@@ -272,15 +272,13 @@ def joint_angles() -> tuple[Matrix, dict[str, Matrix]]:
     right = joint_angles_by(base, cosine, elevation)
     short, steep = no_p_x.substitute({p_y: PLACE[p_y], p_z: level})
     return right, {
-        "It aims at a mirror image": joint_angles_by(
-            swapped_xy.substitute(given), cosine, elevation
-        ),
-        "It never looks behind": joint_angles_by(base_arctan.substitute(given), cosine, elevation),
-        "Its reach never changes": joint_angles_by(
+        swapped_xy.title: joint_angles_by(swapped_xy.substitute(given), cosine, elevation),
+        base_arctan.title: joint_angles_by(base_arctan.substitute(given), cosine, elevation),
+        no_p_x.title: joint_angles_by(
             base, arm.cosine.substitute({**ARM, p_x: short, p_y: 0, high: 0}), steep
         ),
-        "It reaches too far": joint_angles_by(base, cubed_a_3.substitute(given), elevation),
-        "It turns round": base_only.substitute(dict(zip(JOINTS, right, strict=True))),
+        cubed_a_3.title: joint_angles_by(base, cubed_a_3.substitute(given), elevation),
+        base_only.title: base_only.substitute(dict(zip(JOINTS, right, strict=True))),
     }
 
 
@@ -327,7 +325,7 @@ def mistakes_figure() -> Figure:
         title="An arm with its wrist at the target, and a red one that a mistake sends elsewhere",
         view=(-0.86, 0.86, -0.45, 0.84),
         controls=(
-            Choice.one_hot("mistake", MISTAKES, ways, start="It aims at a mirror image"),
+            Choice.one_hot("mistake", MISTAKES, ways, start=swapped_xy.title),
             Slider(p_x, -0.5, 0.5, start=-0.45, step=0.05, label="target p_x"),
         ),
         where=(*zip(here, true_arm, strict=True), *zip(there, wrong, strict=True)),

@@ -25,7 +25,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -59,11 +58,8 @@ wrong_order = Mistake(
     "left, R_2 R_1, it would be a turn about an axis of the fixed frame A.",
     unnoticed="Where both turns are about the same axis, both are half turns, or one of the angles "
     "is zero.",
-    picture=Picture(
-        "wrong-frames",
-        "A product of two turns",
-        "A die turned as frame B, and a red one: none of its axes points where it should.",
-    ),
+    title="A product of two turns",
+    picture="A die turned as frame B, and a red one: none of its axes points where it should.",
 )
 left_handed_turn = Mistake(
     "M7",
@@ -75,11 +71,8 @@ left_handed_turn = Mistake(
     why="Point the thumb of the right hand along the axis: the fingers bend the positive way. "
     "About z it leads from x to y, about y from z to x. These matrices turn the other way.",
     unnoticed="Where every turn is zero or a half turn: its sine is zero.",
-    picture=Picture(
-        "wrong-frames",
-        "Matrices typed by hand",
-        "A die turned as frame B, and a red one: its x and z axes point backwards.",
-    ),
+    title="Matrices typed by hand",
+    picture="A die turned as frame B, and a red one: its x and z axes point backwards.",
 )
 ignored_lock = Mistake(
     "M8",
@@ -97,11 +90,8 @@ ignored_lock = Mistake(
     "are rounding errors, and the angles are noise. The turn that is missing stands in the other "
     "entries. Rebuild the matrix from your angles and compare.",
     unnoticed="Where the turn that remains is zero.",
-    picture=Picture(
-        "wrong-frames",
-        "Angles read back",
-        "A die turned as frame B, and a red one that lacks a quarter turn about its z axis.",
-    ),
+    title="Angles read back",
+    picture="A die turned as frame B, and a red one that lacks a quarter turn about its z axis.",
 )
 
 

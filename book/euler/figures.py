@@ -24,7 +24,7 @@ from sympy import (
 from sympy import pi as exact_pi
 
 from book.euler import formulas as euler
-from book.euler.exercises import left_handed_turn
+from book.euler.exercises import ignored_lock, left_handed_turn, wrong_order
 from book.euler.formulas import TURNS, first, middle, third, turn
 from book.motion import formulas as motion
 from book.things import meshes, space
@@ -674,10 +674,10 @@ def mistakes_figure() -> Figure:
     y_turn, z_turn = euler.turn_y.substitute(quarter), euler.turn_z.substitute(quarter)
     by_hand = left_handed_turn.formula.transfer(euler.turn_z)
     wrong = {
-        "A product of two turns": z_turn * y_turn,
-        "Matrices typed by hand": left_handed_turn.formula.substitute(quarter)
+        wrong_order.title: z_turn * y_turn,
+        left_handed_turn.title: left_handed_turn.formula.substitute(quarter)
         * by_hand.substitute(quarter),
-        "Angles read back": y_turn,  # both angles that are zero or noise taken for zero
+        ignored_lock.title: y_turn,  # both angles that are zero or noise taken for zero
     }
     right = (y_turn * z_turn).doit()
     R, options = Matrix(3, 3, WRONG), {n: tuple(map(int, M.doit())) for n, M in wrong.items()}

@@ -12,7 +12,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -37,11 +36,10 @@ no_inverse = Mistake(
     "T_ce = T_cb T_bd T_de they meet. So both poses given, T_bc and T_db, must be inverted first.",
     unnoticed="Where T_db T_bc is its own inverse, as a half turn in the plane is: in the figure "
     "with a heading of 120°.",
-    picture=Picture(
-        "wrong-object",
-        "No inverse",
+    title="No inverse",
+    picture=(
         "The object lies on the left. With the platform at 90° the hand's program believes it "
-        "further up, and turned.",
+        "further up, and turned."
     ),
 )
 unturned_shift = Mistake(
@@ -55,10 +53,9 @@ unturned_shift = Mistake(
     "the second frame, so the way back must be turned as well: −Rᵀp.",
     unnoticed="Where the frames are only shifted, not turned (R is the identity), or only turned, "
     "not shifted.",
-    picture=Picture(
-        "wrong-object",
-        "Inverses by hand",
-        "The object lies on the left. The hand's program believes it on the right of the platform.",
+    title="Inverses by hand",
+    picture=(
+        "The object lies on the left. The hand's program believes it on the right of the platform."
     ),
 )
 same_order = Mistake(
@@ -69,11 +66,8 @@ same_order = Mistake(
     why="Undo the last step first: who puts on socks, then shoes, takes off the shoes first. So "
     "the inverse of T_db T_bc is T_bc⁻¹ T_db⁻¹, in the opposite order.",
     unnoticed="Where both poses are pure shifts, or both are turns about the same point.",
-    picture=Picture(
-        "wrong-object",
-        "Two inverses",
-        "The object lies on the left. The hand's program believes it nearer to the hand.",
-    ),
+    title="Two inverses",
+    picture="The object lies on the left. The hand's program believes it nearer to the hand.",
 )
 T_bc_kept = Mistake(
     "M30",
@@ -83,10 +77,9 @@ T_bc_kept = Mistake(
     why="The product would start in b and end in e, with c and b side by side in the middle: "
     "T_bc T_bd. From c to b leads T_cb, the inverse of T_bc.",
     unnoticed="Where T_bc is its own inverse, as a half turn is.",
-    picture=Picture(
-        "wrong-object",
-        "One inverse",
-        "The object lies on the left. The hand's program believes it below the hand, and turned.",
+    title="One inverse",
+    picture=(
+        "The object lies on the left. The hand's program believes it below the hand, and turned."
     ),
     document="001 Q3",
     place="the last line",

@@ -293,10 +293,10 @@ def object_by_mistake(db: Pose, bc: Pose, de: Pose) -> dict[str, Matrix]:
         for T, pose in turned.items()
     }
     found = {
-        "No inverse": no_inverse.substitute(given),
-        "Inverses by hand": substitute(bank.FROM_HAND.right, {**given, **by_sign}),
-        "Two inverses": same_order.substitute(given),
-        "One inverse": T_bc_kept.substitute(given),
+        no_inverse.title: no_inverse.substitute(given),
+        unturned_shift.title: substitute(bank.FROM_HAND.right, {**given, **by_sign}),
+        same_order.title: same_order.substitute(given),
+        T_bc_kept.title: T_bc_kept.substitute(given),
     }
     return {name: T_ce.doit() for name, T_ce in found.items()}
 
@@ -325,7 +325,7 @@ def mistakes_figure() -> Figure:
         title="A platform with an arm, an object, and where a program with a mistake believes it",
         view=(-0.6, 1.6, -0.2, 1.45),
         controls=(
-            Choice.one_hot("mistake", MISTAKES, ways, start="No inverse"),
+            Choice.one_hot("mistake", MISTAKES, ways, start=no_inverse.title),
             Slider.degrees(db_turn, 60, 150, start=90, step=5, label="platform θ_db"),
         ),
         where=steps,

@@ -15,7 +15,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -47,11 +46,10 @@ lost_heading = Mistake(
     "counts depends on the rule: old, middle or new heading.",
     unnoticed="In the first step from heading 0, with the rule of the new heading. On a straight "
     "line along the x axis with every rule.",
-    picture=Picture(
-        "wrong-poses",
-        "It forgets its heading",
+    title="It forgets its heading",
+    picture=(
         "The robot on its arc to the left. Its program believes that it drives straight on, "
-        "nearly along the x axis.",
+        "nearly along the x axis."
     ),
     document="003",
     place="the first formulas for Δx and Δy",
@@ -72,11 +70,10 @@ arctan_heading = Mistake(
     "tangent answers with the one between −90° and 90°. Where the cosine is negative, it is off "
     "by half a turn. atan2(sin, cos) looks at both signs.",
     unnoticed="As long as the cosine of the heading is positive, so between −90° and 90°.",
-    picture=Picture(
-        "wrong-poses",
-        "It never looks backward",
+    title="It never looks backward",
+    picture=(
         "The robot on its arc to the left. Its program believes that it turns back where its "
-        "heading passes 90°.",
+        "heading passes 90°."
     ),
     document="003",
     place="the third formula, rotation",
@@ -93,11 +90,10 @@ ticks_per_radian = Mistake(
     "radius.",
     unnoticed="As long as the wheel stands still, and in the heading on a straight line, where "
     "both wheels lose the same.",
-    picture=Picture(
-        "wrong-poses",
-        "It hardly moves",
+    title="It hardly moves",
+    picture=(
         "The robot on its arc to the left. Its program believes that it came about a sixth "
-        "of the way and hardly turned.",
+        "of the way and hardly turned."
     ),
 )
 counter_jump = Mistake(
@@ -110,11 +106,10 @@ counter_jump = Mistake(
     "looks like a huge step back. Backward past 0 it has a round too many. Of the two ways round, "
     "take the shorter.",
     unnoticed="As long as the counter does not pass its end: in every short test.",
-    picture=Picture(
-        "wrong-poses",
-        "It leaps back in sample 9",
+    title="It leaps back in sample 9",
+    picture=(
         "The robot on its arc to the left. Its program believes that it leaps back when its "
-        "counters pass their end.",
+        "counters pass their end."
     ),
 )
 

@@ -372,19 +372,19 @@ def ratio_from_pointer() -> Any:
 EACH = (80, 120)  # ticks of the left and the right wheel in a sample
 SPAN = 2**10  # numbers that a counter of 10 bits can show
 READ = [SPAN - 8.5 * ticks for ticks in EACH]  # at the start: both wrap in sample 9
-MADE = {  # title → mistake
-    "It forgets its heading": lost_heading,
-    "It never looks backward": arctan_heading,
-    "It hardly moves": ticks_per_radian,
-    "It leaps back in sample 9": counter_jump,
-}
+MADE = (
+    lost_heading,
+    arctan_heading,
+    ticks_per_radian,
+    counter_jump,
+)
 MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 set_off = quantity("set_off", "rad", 0, 1.6, "heading at the start", latex=r"\theta_0")
 
 
 def choose(mistake: Any, wrong: Any, right: Any) -> Any:
     """Return the wrong expressions if this mistake is chosen, else the right ones."""
-    chosen = MISTAKES[[*MADE.values()].index(mistake)] > 0.5
+    chosen = MISTAKES[MADE.index(mistake)] > 0.5
     with as_written():
         return [Piecewise((a, chosen), (b, True)) for a, b in zip(wrong, right, strict=True)]
 
@@ -427,7 +427,7 @@ def mistakes_figure() -> Figure:
         view=(-0.75, 1.1, -0.4, 0.98),
         size="laboratory",
         controls=(
-            Choice.one_hot("mistake", MISTAKES, MADE),
+            Choice.one_hot("mistake", MISTAKES, (m.title for m in MADE)),
             Slider(samples, 3, 16, start=14, step=1, label="samples so far"),
             Slider.degrees(set_off, 0, 90, start=40, step=5, label="heading at the start"),
         ),

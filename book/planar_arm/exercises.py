@@ -26,7 +26,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -60,11 +59,8 @@ last_joint_only = Mistake(
     "l_1 (l_2 sin θ_2 + l_3 sin(θ_2 + θ_3)).",
     unnoticed="Where the first two rates cancel, so that link 2 does not turn. In torques, as long "
     "as no moment acts on the hand.",
-    picture=Picture(
-        "wrong-arm",
-        "In its place, but turned",
-        "The hand is in its place, but turned too far to the left.",
-    ),
+    title="In its place, but turned",
+    picture="The hand is in its place, but turned too far to the left.",
     document="004 Ans 2",
     place="the matrices of part 2, last row",
     nth=5,
@@ -82,11 +78,10 @@ separate_rates = Mistake(
     why="The derivative of sin(θ_1 + θ_2) is cos(θ_1 + θ_2) times the rate of the whole sum, "
     "θ̇_1 + θ̇_2. A link turns with its own joint and with all joints before it.",
     unnoticed="When only the last joint turns.",
-    picture=Picture(
-        "wrong-arm",
-        "It leaves the line",
+    title="It leaves the line",
+    picture=(
         "The hand sinks below its line. Its program believes that it moves along the line to the "
-        "left.",
+        "left."
     ),
     document="004 Ans 2",
     place="the first line of ẏ",
@@ -108,11 +103,10 @@ l_2_for_l_3 = Mistake(
     "copied and changed keeps the old index.",
     unnoticed="Where both links are equally long, or the hand does not turn. The value of "
     "det J does not show it: l_3 is not in it.",
-    picture=Picture(
-        "wrong-arm",
-        "Too far if clockwise",
+    title="Too far if clockwise",
+    picture=(
         "If the hand turns clockwise, it goes too far. Its program believes that it moves along "
-        "the line to the left.",
+        "the line to the left."
     ),
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, third column",
@@ -129,11 +123,10 @@ times_J = Mistake(
     "sides of twist = J @ rates by the inverse of J: rates = inv(J) @ twist. The "
     "units warn: J times the velocity adds metres in a second to radians in a second.",
     unnoticed="When the hand stands still: zero either way.",
-    picture=Picture(
-        "wrong-arm",
-        "It stays behind",
+    title="It stays behind",
+    picture=(
         "The hand stays behind, on the right. Its program believes that it moves along the line to "
-        "the left.",
+        "the left."
     ),
     document="004 Ans 2",
     place="the last step",
@@ -152,11 +145,10 @@ plus_sine = Mistake(
     why="The derivative of each cosine is minus the sine. One of the three minus signs got lost.",
     unnoticed="Where the hand points along the x axis, either way, or does not turn. The "
     "value of det J does not show it.",
-    picture=Picture(
-        "wrong-arm",
-        "Too short if clockwise",
+    title="Too short if clockwise",
+    picture=(
         "If the hand turns clockwise, it falls short. Its program believes that it moves along "
-        "the line to the left.",
+        "the line to the left."
     ),
     document="004 Ans 2",
     place="part 1, the velocities as a matrix, first row",
@@ -178,11 +170,10 @@ not_derived = Mistake(
     "is off by a quarter turn.",
     unnoticed="Only where the hand's point stands still. Its speed is right, and det J does not "
     "show it.",
-    picture=Picture(
-        "wrong-arm",
-        "It goes off at right angles",
+    title="It goes off at right angles",
+    picture=(
         "The hand moves straight down. Its program believes that it moves along the line to the "
-        "left.",
+        "left."
     ),
     document="004 Ans 2",
     place="part 1, the velocities",

@@ -469,20 +469,20 @@ def elbows_figure() -> Figure:
 
 SET_OFF = (pi / 12, pi / 2, -pi / 9)  # rad
 SPEED, LASTS, TIMES = -0.15, 2.0, 24  # m/s along x; s; how often the joint rates are computed
-MADE = {  # title → mistake
-    "In its place, but turned": last_joint_only,
-    "It leaves the line": separate_rates,
-    "Too far if clockwise": l_2_for_l_3,
-    "It stays behind": times_J,
-    "Too short if clockwise": plus_sine,
-    "It goes off at right angles": not_derived,
-}
+MADE = (
+    last_joint_only,
+    separate_rates,
+    l_2_for_l_3,
+    times_J,
+    plus_sine,
+    not_derived,
+)
 MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 
 
 def wrong_rates(angles: tuple[Any, Any, Any]) -> Any:
     """Return the joint rates at some angles, by the mistake that is chosen."""
-    right, chosen = wrong_jacobian(), dict(zip(MADE.values(), MISTAKES, strict=True))
+    right, chosen = wrong_jacobian(), dict(zip(MADE, MISTAKES, strict=True))
     wrong = {
         is_one > 0.5: wrong_jacobian(m.formula) for m, is_one in chosen.items() if m is not times_J
     }
@@ -513,7 +513,7 @@ def mistakes_figure() -> Figure:
         title="An arm, and where its program with a mistake believes it to be",
         view=(-0.48, 0.72, -0.24, 0.7),
         controls=(
-            Choice.one_hot("mistake", MISTAKES, MADE),
+            Choice.one_hot("mistake", MISTAKES, (m.title for m in MADE)),
             Slider(phi_dot, -0.6, 0.6, start=-0.6, step=0.1, label="wanted turning rate φ̇"),
             Clock(t, 0.0, LASTS, start=LASTS, loops=True, label="time"),
         ),

@@ -15,7 +15,6 @@ from courseware.practice import (
     Exercise,
     LocalEquation,
     Mistake,
-    Picture,
     Solution,
     Step,
     WrongFormula,
@@ -51,11 +50,10 @@ plus_sign = Mistake(
     "sin(α + β) and −cos(α + β). Without the minus, the row belongs to another direction.",
     unnoticed="When the robot does not move sideways, or when cos(α + β) is 0, as for the two "
     "wheels of a differential drive.",
-    picture=Picture(
-        "wrong-rates",
-        "It moves to the wrong side",
+    title="It moves to the wrong side",
+    picture=(
         "The robot moves to one side of its heading. Its program believes that it moves to the "
-        "other side.",
+        "other side."
     ),
     document="002",
     place="the proof of the rolling constraint, V_2",
@@ -74,11 +72,8 @@ heading_for_beta = Mistake(
     why="The row belongs to the robot's own frame. It depends on where the wheel stands on the "
     "robot, not on where the robot looks.",
     unnoticed="With θ = β or θ = −β (here: θ = 0), or when the robot does not turn.",
-    picture=Picture(
-        "wrong-rates",
-        "Its turning rate varies",
-        "The robot has turned by another angle than its program believes.",
-    ),
+    title="Its turning rate varies",
+    picture="The robot has turned by another angle than its program believes.",
     document="002",
     place="the end of the same proof",
     nth=3,
@@ -95,11 +90,8 @@ turned_back = Mistake(
     why="Here R(θ) leads from the world to the robot. Back to the world it is R(θ)⁻¹, the "
     "transposed matrix. Other books use R(θ) for the other direction.",
     unnoticed="With a heading of 0 or 180°, and when the robot turns on the spot.",
-    picture=Picture(
-        "wrong-rates",
-        "Its direction varies",
-        "The robot drives in another direction than its program believes.",
-    ),
+    title="Its direction varies",
+    picture="The robot drives in another direction than its program believes.",
 )
 plus_l_cos = Mistake(
     "M34",
@@ -109,11 +101,8 @@ plus_l_cos = Mistake(
     why="With β = 0 the wheel rolls clockwise around the robot's centre, and a positive θ̇ is "
     "counter-clockwise. So it makes the wheel roll backwards.",
     unnoticed="When the robot does not turn, or with β = ±90°.",
-    picture=Picture(
-        "wrong-rates",
-        "It turns the other way",
-        "The robot turns to the left. Its program believes that it turns to the right.",
-    ),
+    title="It turns the other way",
+    picture="The robot turns to the left. Its program believes that it turns to the right.",
     document="002",
     place="the proof of the rolling constraint, V_3",
     nth=2,
@@ -130,11 +119,10 @@ cos_alpha = Mistake(
     why="When the robot turns, a wheel whose axle points to the centre rolls with its whole speed, "
     "wherever it stands. With cos α the last column is l times the second one: J_1 is singular.",
     unnoticed="For a wheel with α = ±β, or when the robot does not turn.",
-    picture=Picture(
-        "wrong-rates",
-        "It does not turn",
+    title="It does not turn",
+    picture=(
         "The robot drives straight on and does not turn. Its program believes that it turns to "
-        "the right.",
+        "the right."
     ),
     document="002",
     place="the matrix J_1",

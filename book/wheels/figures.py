@@ -482,13 +482,13 @@ def rate_from_pointer(k: int) -> Any:
 # --- Mistakes
 
 WANTED = {x_dot: -0.08, y_dot: 0.12, theta_dot: -0.6}  # in the world, m/s and rad/s
-MADE = {  # title → mistake
-    "It moves to the wrong side": plus_sign,
-    "Its turning rate varies": heading_for_beta,
-    "It turns the other way": plus_l_cos,
-    "It does not turn": cos_alpha,
-    "Its direction varies": turned_back,
-}
+MADE = (
+    plus_sign,
+    heading_for_beta,
+    plus_l_cos,
+    cos_alpha,
+    turned_back,
+)
 MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 REALLY = symbols("really_v really_vy really_omega")
 
@@ -514,7 +514,7 @@ def twist_by_mistake(mistake: Any) -> Any:
 
 def mistakes_figure() -> Figure:
     """Draw the omni robot, and where its program believes it to be; rates are set at the start."""
-    twists = [twist_by_mistake(mistake).doit() for mistake in MADE.values()]
+    twists = [twist_by_mistake(mistake).doit() for mistake in MADE]
     with as_written():
         really = [
             sum(chosen * twist[i] for chosen, twist in zip(MISTAKES, twists, strict=True))
@@ -527,7 +527,7 @@ def mistakes_figure() -> Figure:
         title="An omni robot, and where its program with a mistake believes it to be",
         view=(-0.8, 0.8, -0.6, 0.65),
         controls=(
-            Choice.one_hot("mistake", MISTAKES, MADE),
+            Choice.one_hot("mistake", MISTAKES, (m.title for m in MADE)),
             Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
             Clock(t, 0.0, 2.5, start=2.3, loops=True, label="time"),
         ),

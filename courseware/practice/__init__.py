@@ -11,7 +11,7 @@ from courseware.practice.declaration import (
     number_range,
     one_of,
 )
-from courseware.practice.mistakes import Mistake, Picture
+from courseware.practice.mistakes import Mistake
 from courseware.practice.notebook import example, exercise, export, mistake, student
 from courseware.practice.solution_steps import LocalEquation, Step
 from courseware.practice.solutions import Solution

@@ -68,8 +68,7 @@ def outcomes(exercise: Exercise) -> dict[str, Outcome]:
     ones = (1.0,) * len(exercise.unknowns)
     found = {"right": Outcome("right", RIGHT, ones)}
     for m in exercise.wrong:
-        picture = m.picture.description if m.picture else ""
-        found[m.name] = Outcome("wrong", NAMED.format(m.feedback), ones, m.why, picture)
+        found[m.name] = Outcome("wrong", NAMED.format(m.feedback), ones, m.why, m.picture)
     for (one, other), name in _pair_names(exercise).items():
         words = f"{one.feedback}, and also {other.feedback}"
         found[name] = Outcome("wrong", NAMED.format(words), ones, f"{one.why} {other.why}")

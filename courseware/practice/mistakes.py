@@ -8,21 +8,6 @@ from courseware.practice.wrong_formula import WrongFormula
 
 
 @dataclass(frozen=True)
-class Picture:
-    """A picture of a mistake by a figure of the chapter, for those who made it twice.
-
-    Args:
-        figure: its name.
-        option: what its choice "mistake" is set to; the heading above `practice.mistake`, too.
-        description: the picture in words.
-    """
-
-    figure: str
-    option: str
-    description: str
-
-
-@dataclass(frozen=True)
 class Mistake:
     """A mistake that people make, written once: exercises name it, chapters show it.
 
@@ -42,7 +27,9 @@ class Mistake:
             NumPy printer knows no such names and no arrays: a test runs it in the numbers of the
             first exercise with an `example`, and its last new name must hold the answer that this
             exercise has for the mistake in `wrong`.
-        picture: the consequence. Every mistake of the course has one.
+        title: of its section in the chapter, and its option of the choice "mistake" in a figure
+            of the chapter, which shows the consequence, too, to those who made it twice.
+        picture: the figure with that option, in words.
         document, place, nth: the source document that has it, where, and which of its errata this
             is, counted from its start; empty, as the next three, for one that is only likely.
         quote, correction: the text there and the right one, with the change in « ».
@@ -55,7 +42,8 @@ class Mistake:
     unnoticed: str
     formula: WrongFormula
     line: str
-    picture: Picture | None = None
+    title: str
+    picture: str
     document: str = ""
     place: str = ""
     nth: int = 0

@@ -58,13 +58,12 @@ def write_assets(app: Sphinx, env: Any) -> None:
     for topic in all_topics():
         write_static(app, f"practice/{topic}.js", practice.render_script(topic, solutions))
     for mistake in all_mistakes().values():
-        if mistake.picture:
-            write_static(app, f"practice/{mistake.name}.svg", draw_picture(mistake.picture))
+        write_static(app, f"practice/{mistake.name}.svg", draw_picture(mistake))
 
 
 def write_downloads(app: Sphinx, error: Exception | None) -> None:
     """Write the wheels and the locked requirements beside the notebooks."""
-    if error or app.builder.format != "html":
+    if error or app.builder.format != "html" or not app.config.course_wheels:
         return
     beside = Path(app.outdir) / "_sources"
     for project in app.config.course_wheels:

@@ -2,8 +2,10 @@
 
 import re
 
-from courseware.figures.figure import find_figure
-from courseware.practice.mistakes import Picture
+from courseware.course import course, get_members
+from courseware.errors import CourseError
+from courseware.figures import Figure
+from courseware.practice.mistakes import Mistake
 from courseware.script import parts
 
 DARK = re.compile(r'html\[data-theme="dark"\][^{}]*\{\s*(--[^}]*)\}')
@@ -14,9 +16,23 @@ def dark_colours() -> str:
     return " ".join(map(str.strip, DARK.findall(parts.join_styles("figures"))))
 
 
-def draw_picture(picture: Picture) -> str:
+def find_picture(mistake: Mistake) -> Figure:
+    """Return the figure of the mistake's chapter that has the mistake as an option."""
+    home = course().find_chapter("exercises", Mistake, mistake.name)
+    figures = course().module(home, "figures")
+    for figure in get_members(figures, Figure) if figures else ():
+        for control in figure.controls:
+            if control.key == "mistake" and mistake.title in getattr(control, "options", ()):
+                return figure
+    raise CourseError(
+        f"{mistake.name} has no picture: declare in figures.py of {home} a figure with a Choice "
+        f"named mistake, of which {mistake.title!r} is an option"
+    )
+
+
+def draw_picture(mistake: Mistake) -> str:
     """Return the picture as an SVG file; its address ends in #dark for a dark page."""
-    svg = find_figure(picture.figure).render_svg(mistake=picture.option)
+    svg = find_picture(mistake).render_svg(mistake=mistake.title)
     tag, _, content = svg.partition(">")
     style = f"<style>#dark:target {{ {dark_colours()} }}</style>"
     return tag.replace("<svg", '<svg id="dark"', 1) + f">{style}{content}"

@@ -6,13 +6,13 @@ from functools import cache
 import nbformat
 import numpy as np
 import pytest
-from declared import EXERCISES, FIGURES, MISTAKES, course, each
+from declared import EXERCISES, MISTAKES, course, each
 
 import robokin
 from book.differential_drive import formulas
 from book.differential_drive.exercises import degrees_taken, half_wheel_distance, world_to_robot
 from courseware import practice
-from courseware.figures import Choice, Figure
+from courseware.figures import Choice
 from courseware.practice import Mistake
 from courseware.practice.bank import all_mistakes, find_mistake
 from courseware.practice.notebook import exercise_of, format_wrong_answer, render_judgement
@@ -62,29 +62,12 @@ still = cache(mistake_pictures.draw_picture)
 @each_mistake
 def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
     """And no other mistake's; on a dark page in dark colours."""
-    name, picture = mistake.name, mistake.picture
-    home, figures = (
-        course().chapters_of("exercises", Mistake)[name],
-        course().chapters_of("figures", Figure),
-    )
-    assert picture, (
-        f"{name} has no picture: declare a figure with a Choice named mistake in book/{home}/"
-        f"figures.py, and picture=Picture(its name, an option of that, words) in exercises.py"
-    )
-    assert figures.get(picture.figure) == home, (
-        f"{name} is shown by {picture.figure}: take a figure that book/{home}/figures.py declares"
-    )
-    choices = [c for c in FIGURES[picture.figure].controls if isinstance(c, Choice)]
-    options = {option for c in choices if c.key == "mistake" for option in c.options}
-    assert len(choices) == 1, f"{picture.figure} needs one Choice, named mistake: {choices}"
-    assert picture.option in options, (
-        f"{name}: {picture.figure} has no option {picture.option!r} of its Choice mistake, only "
-        f"{sorted(options)}"
-    )
-    others = [m for m in MISTAKES.values() if m is not mistake and m.picture]
-    alike = [m.name for m in others if still(m.picture) == still(picture)]
-    assert not alike, f"{name} looks as {alike}: give their options other numbers"
-    assert "#dark:target { --rk-ground: #14181f;" in still(picture)
+    figure = mistake_pictures.find_picture(mistake)
+    choices = [c for c in figure.controls if isinstance(c, Choice)]
+    assert len(choices) == 1, f"{figure.name} needs one Choice, named mistake: {choices}"
+    alike = [m.name for m in MISTAKES.values() if m is not mistake and still(m) == still(mistake)]
+    assert not alike, f"{mistake.name} looks as {alike}: give their options other numbers"
+    assert "#dark:target { --rk-ground: #14181f;" in still(mistake)
 
 
 @each_mistake
@@ -94,8 +77,7 @@ def test_a_mistake_is_shown_in_its_chapter_under_its_title(mistake):
     sources = [cell.source for cell in nbformat.read(course().notebook(home), 4).cells]
     cell = f'practice.mistake("{mistake.name}")'
     assert cell in sources, f"add a cell `{cell}` to {home}.ipynb"
-    assert mistake.picture, f"{mistake.name} has no picture, whose option is its title"
-    title, above = f"### {mistake.picture.option}", sources[sources.index(cell) - 1]
+    title, above = f"### {mistake.title}", sources[sources.index(cell) - 1]
     assert above == title, f"above `{cell}` in {home}.ipynb: {title}, not {above!r}"
 
 

@@ -703,7 +703,7 @@ def test_who_makes_a_mistake_twice_sees_what_it_does(chromium, server, site, fro
         expect(pictures).to_have_count(0)
         assert not [url for url in watch.kinds if "M12.svg" in url]
         answer(page, FIRST, typed(wrong.rows, EXERCISES[FIRST]))
-        still = box(page, FIRST).get_by_role("img", name=half_wheel_distance.picture.description)
+        still = box(page, FIRST).get_by_role("img", name=half_wheel_distance.picture)
         expect(still).to_have_attribute("src", re.compile(rf"/M12\.svg\?\w+#{scheme}$"))
         still.scroll_into_view_if_needed()
         page.wait_for_function("(image) => image.naturalWidth > 300", arg=still.element_handle())

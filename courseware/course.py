@@ -38,12 +38,12 @@ class Course:
         looks: by kind of thing; `grid` and `text`, which every picture has, are among them. A look
             has `light` and `dark` (its colour on a light and on a dark page), `dash` (lengths of
             line and gap), `width` and `marker` (dot, ring, cross, square or diamond).
-        library: the package whose functions the chapters use.
         materials: the `Materials` of the things in its figures.
+        library: the package whose functions the chapters use, if they use one.
     """
 
     def __init__(
-        self, package: str, name: str, looks: Mapping[str, Any], library: str, materials: Any
+        self, package: str, name: str, looks: Mapping[str, Any], materials: Any, library: str = ""
     ) -> None:
         self.package, self.name, self.looks, self.library = package, name, looks, library
         self.materials = materials
@@ -125,15 +125,12 @@ class Course:
         return found[1] if found else ""
 
     @cached_property
-    def library_folder(self) -> Path:
-        return Path(import_module(self.library).__path__[0])
-
-    @cached_property
     def library_modules(self) -> list[str]:
         """The library's public modules by name, then the `functions` of chapters."""
-        public = [f"{self.library}.{m.name}" for m in iter_modules([str(self.library_folder)])]
+        places = import_module(self.library).__path__ if self.library else []
+        public = [m.name for m in iter_modules(places) if not m.name.startswith("_")]
         own = [module.__name__ for module in self.modules("functions").values()]
-        return [name for name in public if not name.rpartition(".")[2].startswith("_")] + own
+        return [f"{self.library}.{name}" for name in public] + own
 
     def module(self, chapter: str, part: str) -> ModuleType | None:
         """Return a chapter's module of a name, or None."""
@@ -229,10 +226,10 @@ _open: list[Course] = []
 
 
 def open_course(
-    package: str, name: str, looks: Mapping[str, Any], library: str, materials: Any
+    package: str, name: str, looks: Mapping[str, Any], materials: Any, library: str = ""
 ) -> None:
     """Make a course the one that `course()` returns."""
-    _open[:] = [Course(package, name, looks, library, materials)]
+    _open[:] = [Course(package, name, looks, materials, library)]
 
 
 def course() -> Course:

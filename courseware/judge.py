@@ -184,7 +184,7 @@ def call(function: Callable[..., Any], case: Stored, stored: Stored) -> Any:
     def trace(frame: FrameType, event: str, _: Any) -> Any:
         nonlocal steps, stopped
         module = frame.f_globals.get("__name__", "").partition(".")[0]
-        if event == "call" and module == stored["library"]:
+        if event == "call" and module and module == stored["library"]:
             stopped = f"It calls {module}: write down yourself what that function does."
             raise Slip(stopped)
         if not is_own(frame):

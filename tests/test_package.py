@@ -46,7 +46,7 @@ def sources(package, suffixes, left_out=()):
     ("package", "suffixes", "left_out"),
     [
         ("robokin", [".py"], []),
-        ("courseware", [".py", ".js", ".css", ".txt"], ["tests/*", "tests/classroom/*"]),
+        ("courseware", [".py", ".js", ".css"], ["tests/*", "tests/*/*", "tests/*/*/*"]),
         ("book", [".py", ".ipynb"], ["book/_*/*"]),
     ],
 )

@@ -136,8 +136,8 @@ GRADIENTS = {
 
 GROUNDS = {
     "tiles": Ground("pool", "floor", "seam", "floor_lit"),
-    "asphalt": Ground("road", "asphalt"),
     "wall": Ground("air", "wall"),
+    "asphalt": Ground("road", "asphalt"),
     "paper": Ground("paper", "paper"),
     "table": Ground("table", "plank"),
 }

@@ -123,6 +123,7 @@ class Materials:
     """The materials of a course.
 
     tones: by name, a colour on a light and one on a dark page.
+    grounds: programs are pictured on the first one, in space on the second.
     """
 
     tones: Mapping[str, tuple[str, str]] = field(default_factory=dict)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from courseware.course import course
 from courseware.explaining import join_numbers
 from courseware.figures import VIEW, Choice, Curve, Figure, Thing
 from courseware.figures.figure import inline_colors
@@ -28,6 +29,7 @@ def answer_figure(program: Program) -> Figure:
     parts = name_numbers(*given)
     symbols, numbers = (tuple(join_numbers(*each).tolist()) for each in (parts, given))
     scene = tuple(program.picture(*parts))
+    grounds = (*course().materials.grounds, "", "")
     places = tuple(place for shape in scene for place in _places(shape, program.extent))
     return Figure(
         name=program.name,
@@ -37,7 +39,7 @@ def answer_figure(program: Program) -> Figure:
         shapes=scene,
         controls=(Choice("answer", WORDS, symbols, {"": numbers}),),
         contain=places,
-        ground="wall" if any(isinstance(shape, Solid) for shape in scene) else "tiles",
+        ground=grounds[any(isinstance(shape, Solid) for shape in scene)],
     )
 
 

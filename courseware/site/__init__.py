@@ -52,6 +52,8 @@ SETTINGS: dict[str, Any] = {  # name → default
 
 
 def _open_course(app: Sphinx, config: Any) -> None:
+    """Open the course, and have MyST read what our directives write."""
+    config.myst_enable_extensions = {*config.myst_enable_extensions, "colon_fence", "dollarmath"}
     course()
 
 
@@ -64,6 +66,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
         app.add_config_value(name, default, "env")
     load_mime_renders().append(Outputs)  # for this build alone: nothing is registered in MyST-NB
     app.connect("config-inited", _open_course)
+    app.setup_extension("sphinx.ext.autodoc")  # which `{library}` uses
     app.connect("autodoc-skip-member", skip_fields)
     app.connect("object-description-transform", keep_quotes)
     app.connect("source-read", place_slots)

@@ -1,0 +1,1 @@
+"""Where does a lens put the image of a candle?"""

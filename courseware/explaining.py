@@ -18,19 +18,21 @@ Stored = Mapping[str, Any]
 TELLING = 20  # inputs on which a mistake must be far from right, before it is named
 FAR = 10  # tolerances
 NEAR = 1000  # tolerances: digits are missing, the formula is right
-SIZE, LEAST = 1e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
+MANY = 0.9  # of the ordinary inputs
+SIZE, LEAST = 3e-6, 1e-3  # a tolerance is this part of an answer's size; the least such size
 KNOWN = "This is what you get {}."
 ONLY_SPECIAL = (
     "On all ordinary inputs it is right: give this case a branch of its own, or find a formula "
-    "that needs none."
+    "that needs none; or does a branch take it in that should not?"
 )
 NEAR_SPECIAL = (
     "On all ordinary inputs it is right. Near a special case digits get lost where almost equal "
     "numbers are subtracted, and a branch for the special case may be too wide."
 )
 LOST = (
-    "It is nearly right on all inputs, but about seven digits are asked. Digits get lost by "
-    "rounding, in short numbers (float32, 3.14), and by approximation."
+    "It is nearly right on all inputs, but about six digits are asked. Digits get lost by "
+    "rounding, in short numbers (float32, 3.14), by approximation, and in a branch for small "
+    "numbers that is too wide."
 )
 NO_NUMBER = (
     " nan means: no number. It comes of 0/0, inf/inf, 0·inf or inf − inf (look for a division by "
@@ -39,16 +41,17 @@ NO_NUMBER = (
 )
 BORDER = "padding: .5rem .9rem; border-left: 4px solid {}"
 COLORS = {True: "#2e8b57", False: "#c2344b"}  # of right and of wrong; pages may be dark
+# slips of any answer: how each is undone
 SLIPS: dict[str, Callable[[Any, Stored], Any]] = {
-    "with the sign the other way round": lambda right, _: -right,
-    "with twice the right value": lambda right, _: 2 * right,
-    "with half the right value": lambda right, _: right / 2,
-    "when the angle is returned in degrees": lambda right, stored: np.where(
-        stored["angles"], np.degrees(right), right
+    "with the sign the other way round": lambda answer, _: -answer,
+    "with twice the right value": lambda answer, _: answer / 2,
+    "with half the right value": lambda answer, _: 2 * answer,
+    "when angles are returned in degrees": lambda answer, stored: np.where(
+        stored["angles"], np.radians(answer), answer
     ),
-    "with the numbers in the opposite order": lambda right, _: right[::-1],
-    "with rows and columns exchanged": lambda right, stored: (
-        right.reshape(stored["shape"]).T.ravel() if len(stored["shape"]) == 2 else right
+    "with the numbers in the opposite order": lambda answer, _: answer[::-1],
+    "with rows and columns exchanged": lambda answer, stored: (
+        answer.reshape(stored["shape"]).T.ravel() if len(stored["shape"]) == 2 else answer
     ),
 }
 
@@ -96,10 +99,11 @@ def same(answer: Any, other: Any, case: Stored, stored: Stored, factor: float = 
     Where several answers are right, what they do is compared.
     """
     if not stored["compared_value"]:
-        return bool(np.all(apart(answer, other, stored) <= factor * np.array(stored["tolerance"])))
+        allowed = np.maximum(stored["tolerance"], SIZE * abs(other))
+        return bool((apart(answer, other, stored) <= factor * allowed).all())
     one, two = (compute_compared_value(each, case, stored) for each in (answer, other))
-    size = max(LEAST, np.abs(two).max())
-    return bool(np.allclose(one, two, rtol=0, atol=factor * SIZE * size, equal_nan=True))
+    near = abs(one - two) <= factor * SIZE * max(LEAST, abs(two).max())
+    return bool((near | (np.isnan(one) & np.isnan(two))).all())
 
 
 def apart(answer: Any, right: Any, stored: Stored) -> Any:
@@ -155,8 +159,8 @@ def explain(answers: Sequence[Any], place: int, stored: Stored, hints: Sequence[
     lines += known or hints
     if case["special"]:  # the ordinary inputs come first: on them it is right
         lines.append(NEAR_SPECIAL if is_near or case["near"] else ONLY_SPECIAL)
-    elif not known and has_lost_digits(answers, stored):
-        lines.append(LOST)
+    elif not known:
+        lines += describe_pattern(answers, stored)
     return lines
 
 
@@ -182,34 +186,43 @@ def ordinary(stored: Stored) -> list[Stored]:
 
 
 def find_known(answers: Sequence[Any], stored: Stored) -> list[str]:
-    """Return what is said of the mistakes whose answers these are, on all ordinary inputs."""
-    known = {each["feedback"]: [*map(np.array, each["answers"])] for each in stored["known"]}
-    rights = [np.array(case["right"]) for case in ordinary(stored)]
-    slips = {
-        KNOWN.format(words): [slip(right, stored) for right in rights]
-        for words, slip in SLIPS.items()
-    }
-    found: list[str] = []
-    for some in (known, slips):  # a slip of any answer only where no mistake is met
-        found = found or [words for words, its in some.items() if is_named(answers, its, stored)]
-    return found
+    """Return what is said of the mistakes whose answers these are, on all ordinary inputs.
 
-
-def is_named(answers: Sequence[Any], its: Sequence[Any], stored: Stored) -> bool:
-    """Return whether answers are a mistake's own, and far from right on enough inputs."""
+    They must be far from right on enough inputs; a slip is named only where no mistake is met.
+    """
     cases = ordinary(stored)
-    if len(answers) < len(cases):
-        return False
-    far = [not agrees(each, case, stored, FAR) for each, case in zip(its, cases, strict=True)]
-    met = zip(answers, its, cases, strict=False)
-    return sum(far) >= TELLING and all(same(a, b, case, stored) for a, b, case in met)
+    met = [*zip(answers, cases, strict=False)]
+    far = sum(not agrees(answer, case, stored, FAR) for answer, case in met)
+    if len(met) < len(cases) or far < TELLING:
+        return []
+    found = [
+        known["feedback"]
+        for known in stored["known"]
+        if all(
+            same(answer, np.array(its), case, stored)
+            for (answer, case), its in zip(met, known["answers"], strict=True)
+        )
+    ]
+    return [*dict.fromkeys(found)] or [
+        KNOWN.format(words)
+        for words, undo in SLIPS.items()
+        if all(agrees(undo(answer, stored), case, stored) for answer, case in met)
+    ]
 
 
-def has_lost_digits(answers: Sequence[Any], stored: Stored) -> bool:
-    """Return whether rounding can explain answers: all are near, and not all are integers."""
-    cases = ordinary(stored)
-    near = (agrees(a, case, stored, NEAR) for a, case in zip(answers, cases, strict=False))
-    return len(answers) >= len(cases) and all(near) and bool(np.any(np.mod(answers, 1)))
+def describe_pattern(answers: Sequence[Any], stored: Stored) -> list[str]:
+    """Say what may be wrong where answers are wrong by a little, or on few inputs."""
+    met = [*zip(answers, ordinary(stored), strict=False)]
+    if len(met) < len(ordinary(stored)):
+        return []
+    near = all(agrees(answer, case, stored, NEAR) for answer, case in met)
+    if near and np.mod(answers, 1).any():  # integers are not rounded
+        return [LOST]
+    right = sum(agrees(answer, case, stored) for answer, case in met)
+    if right < MANY * len(met):
+        return []
+    words = f"On {right} of {len(met)} ordinary inputs it is right"
+    return [f"{words}: is a branch (`if`) missing, or too wide?"]
 
 
 def format_argument(value: Any) -> str:

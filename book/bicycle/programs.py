@@ -53,9 +53,9 @@ def on_circle(pose, v, phi, L, dt):
 
 STEP_TEXT = (
     "Write the exact step of Hold the steering: where is the middle of the rear axle after dt "
-    "seconds, at constant speed v and steering angle φ? Straight ahead and at rest it must work, "
-    "too. Where the car goes almost straight, with a steering angle of 1e-5 or of 1e-12, no digits "
-    "may be lost."
+    "seconds, at constant speed v and steering angle φ, positive to the left? Straight ahead and "
+    "at rest it must work, too. Where the car goes almost straight, with a steering angle of 1e-5 "
+    "or of 1e-12, no digits may be lost."
 )
 STEP = '''\
 def car_step(pose, v, phi, L, dt):
@@ -75,12 +75,12 @@ STEP_HINTS = (
 )
 STEP_SOLUTION = """\
 def car_step(pose, v, phi, L, dt):
-    x, y, theta = np.transpose(pose)
+    x, y, theta = pose
     turn = v * dt / L * np.tan(phi)
     middle = theta + turn / 2
     chord = v * dt * np.sinc(turn / 2 / np.pi)  # NumPy's sinc has pi inside
     x, y = x + chord * np.cos(middle), y + chord * np.sin(middle)
-    return np.transpose([x, y, theta + turn])
+    return np.array([x, y, theta + turn])
 """
 STEP_SPECIALS = {
     "straight ahead": AHEAD,
@@ -186,7 +186,7 @@ STEER_HINTS = (
 )
 STEER_SOLUTION = """\
 def steer_to(place, L):
-    x, y = np.transpose(place)
+    x, y = place
     return np.arctan(2 * L * y / (x**2 + y**2))
 """
 STEER_SPECIALS = {
@@ -208,7 +208,12 @@ STEER_SLIPS = {
     "with the tangent of the angle for the angle itself": steer_by(
         lambda x, y: (x**2 + y**2) / (2 * y), mistaken=lambda slope: slope
     ),
-    "when the radius is upside down": lambda place, L: np.arctan2(place @ place, 2 * L * place[1]),
+    "when the radius is upside down": lambda place, L: np.arctan(
+        place @ place / (2 * L * place[1])
+    ),
+    "with the arguments of arctan2 exchanged: y comes first": lambda place, L: np.arctan2(
+        place @ place, 2 * L * place[1]
+    ),
 }
 
 bicycle_p2 = Program(
@@ -292,15 +297,6 @@ COMPASS_HINTS = (
     "φ is positive to the left, ψ to the right. One line has the minus for this already, another "
     "line lacks it.",
 )
-COMPASS_SOLUTION = """\
-def front_step(pose, v, phi, L, dt):
-    x, y, psi = np.transpose(pose)
-    way = v / np.cos(phi) * dt
-    direction = psi - phi
-    omega = v / L * np.tan(phi)
-    x, y = x + way * np.sin(direction), y + way * np.cos(direction)
-    return np.transpose([x, y, psi - omega * dt])
-"""
 COMPASS_SPECIALS = {
     "straight ahead": AHEAD,
     "almost straight ahead": {steering: 1e-9},
@@ -347,5 +343,5 @@ bicycle_p3 = Program(
     wrong=COMPASS_MISTAKES,
     likely_slips=COMPASS_SLIPS,
     hints=COMPASS_HINTS,
-    solution=COMPASS_SOLUTION,
+    solution=COMPASS.replace("psi + omega", "psi - omega"),
 )

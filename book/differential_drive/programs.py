@@ -101,11 +101,11 @@ PLACE_HINTS = (
 )
 PLACE_SOLUTION = """\
 def rates_to(place, dt, r, b):
-    x, y = np.transpose(place)
+    x, y = place
     half = np.arctan2(y, x)  # the chord points along the middle heading
     v = np.hypot(x, y) / (dt * np.sinc(half / np.pi))
     omega = 2 * half / dt
-    return np.transpose([(v - omega * b / 2) / r, (v + omega * b / 2) / r])
+    return np.array([(v - omega * b / 2) / r, (v + omega * b / 2) / r])
 """
 PLACE_SPECIALS = {
     "straight ahead": {x: 0.7, y: 0.0},
@@ -210,7 +210,7 @@ def safe_rates(v, omega, r, b, top):
     left, right = (v - omega * b / 2) / r, (v + omega * b / 2) / r
     largest = np.maximum(abs(left), abs(right))
     times = np.maximum(1, largest / top)  # as fast as allowed
-    return np.transpose([left / times, right / times])
+    return np.array([left / times, right / times])
 """
 LIMIT_SPECIALS = {
     "at rest": {v: 0.0, omega: 0.0},
@@ -302,13 +302,6 @@ WORLD_HINTS = (
     "It says down. The matrix of the program leads from the world to the robot: the minus stands "
     "at the wrong sine.",
 )
-WORLD_SOLUTION = """\
-def world_velocity(rate_L, rate_R, theta, r, b):
-    v_L, v_R = r * rate_L, r * rate_R
-    v = (v_L + v_R) / 2
-    omega = (v_R - v_L) / b
-    return np.transpose([v * np.cos(theta), v * np.sin(theta), omega])
-"""
 WORLD_SPECIALS = {
     "at rest": {rate_L: 0.0, rate_R: 0.0},
     "straight ahead": {rate_L: 3.0, rate_R: 3.0},
@@ -351,5 +344,5 @@ differential_drive_p3 = Program(
     wrong=WORLD_MISTAKES,
     likely_slips=WORLD_SLIPS,
     hints=WORLD_HINTS,
-    solution=WORLD_SOLUTION,
+    solution=WORLD.replace("[c, s, 0], [-s, c, 0]", "[c, -s, 0], [s, c, 0]"),
 )

@@ -165,13 +165,11 @@ elbow_arm_p1 = Program(
     ),
     solution="""\
 def places(theta, a2, a3, d1):
-    theta1, theta2, theta3 = theta[..., 0], theta[..., 1], theta[..., 2]
+    theta1, theta2, theta3 = theta
     r2, z2 = a2 * np.cos(theta2), d1 + a2 * np.sin(theta2)
     r3, z3 = r2 + a3 * np.cos(theta2 + theta3), z2 + a3 * np.sin(theta2 + theta3)
-    zero = np.zeros_like(r2)
-    out = np.stack([zero, zero, r2, r3])
-    up = np.stack([zero, zero + d1, z2, z3])
-    return np.stack([out * np.cos(theta1), out * np.sin(theta1), up]).T
+    out, up = np.array([0, 0, r2, r3]), [0, d1, z2, z3]
+    return np.transpose([out * np.cos(theta1), out * np.sin(theta1), up])
 """,
 )
 
@@ -220,13 +218,13 @@ elbow_arm_p2 = Program(
     ),
     solution="""\
 def joint_angles(p, a2, a3, d1):
-    x, y, h = p[..., 0], p[..., 1], p[..., 2] - d1
-    r = np.hypot(x, y)
+    x, y, z = p
+    r, h = np.hypot(x, y), z - d1
     A = (r**2 + h**2 - a2**2 - a3**2) / (2 * a2 * a3)
     theta3 = np.arccos(np.clip(A, -1, 1))
     lead = np.arctan2(a3 * np.sin(theta3), a2 + a3 * np.cos(theta3))
     theta2 = np.arctan2(h, r) - lead
-    return np.stack([np.arctan2(y, x), theta2, theta3], axis=-1)
+    return np.array([np.arctan2(y, x), theta2, theta3])
 """,
 )
 
@@ -275,18 +273,7 @@ elbow_arm_p3 = Program(
         "from the other side. What rises by θ_2 from in front, by which angle does it rise from "
         "behind? And to which side does the elbow bend then?",
     ),
-    solution="""\
-def four_arms(p, a2, a3):
-    x, y, z = p[..., 0], p[..., 1], p[..., 2]
-    r = np.sqrt(x**2 + y**2)
-    theta1 = np.arctan2(y, x)
-    bend = np.arccos((r**2 + z**2 - a2**2 - a3**2) / (2 * a2 * a3))
-    facing, away = [], []
-    for theta3 in [-bend, bend]:
-        lead = np.arctan2(a3 * np.sin(theta3), a2 + a3 * np.cos(theta3))
-        theta2 = np.arctan2(z, r) - lead
-        facing.append(np.stack([theta1, theta2, theta3], axis=-1))
-        away.append(np.stack([theta1 + np.pi, np.pi - theta2, -theta3], axis=-1))
-    return np.stack(facing + away, axis=-2)
-""",
+    solution=FOUR_ARMS.replace(
+        "theta1 + np.pi, theta2, theta3", "theta1 + np.pi, np.pi - theta2, -theta3"
+    ),
 )

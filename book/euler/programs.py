@@ -138,10 +138,10 @@ euler_p1 = Program(
     ),
     solution="""\
 def yaw_pitch_roll(R):
-    yaw = np.arctan2(R[..., 1, 0], R[..., 0, 0])
-    pitch = np.arctan2(-R[..., 2, 0], np.hypot(R[..., 0, 0], R[..., 1, 0]))
-    roll = np.arctan2(R[..., 2, 1], R[..., 2, 2])
-    return np.stack([yaw, pitch, roll], axis=-1)
+    yaw = np.arctan2(R[1, 0], R[0, 0])
+    pitch = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
+    roll = np.arctan2(R[2, 1], R[2, 2])
+    return np.array([yaw, pitch, roll])
 """,
 )
 
@@ -182,9 +182,9 @@ euler_p2 = Program(
     ),
     solution="""\
 def angles_at_lock(R):
-    alpha = np.arctan2(R[..., 2, 1], R[..., 1, 1])
-    beta = R[..., 0, 2] * np.pi / 2
-    return np.stack([alpha, beta, np.zeros_like(alpha)], axis=-1)
+    alpha = np.arctan2(R[2, 1], R[1, 1])
+    beta = R[0, 2] * np.pi / 2
+    return np.array([alpha, beta, 0])
 """,
 )
 

@@ -130,10 +130,10 @@ frames_p1 = Program(
     ),
     solution="""\
 def joined(db, bc):
-    c, s = np.cos(db[..., 2]), np.sin(db[..., 2])
-    x = db[..., 0] + bc[..., 0] * c - bc[..., 1] * s
-    y = db[..., 1] + bc[..., 0] * s + bc[..., 1] * c
-    return np.stack([x, y, db[..., 2] + bc[..., 2]], axis=-1)
+    (x_db, y_db, turn_db), (x_bc, y_bc, turn_bc) = db, bc
+    c, s = np.cos(turn_db), np.sin(turn_db)
+    x, y = x_db + x_bc * c - y_bc * s, y_db + x_bc * s + y_bc * c
+    return np.array([x, y, turn_db + turn_bc])
 """,
 )
 
@@ -178,9 +178,9 @@ frames_p2 = Program(
     ),
     solution="""\
 def seen_back(db):
-    x, y, turn = db[..., 0], db[..., 1], db[..., 2]
+    x, y, turn = db
     c, s = np.cos(turn), np.sin(turn)
-    return np.stack([-x * c - y * s, x * s - y * c, -turn], axis=-1)
+    return np.array([-x * c - y * s, x * s - y * c, -turn])
 """,
 )
 

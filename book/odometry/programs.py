@@ -106,12 +106,12 @@ SQUARES_HINTS = (
 )
 SQUARES_SOLUTION = """\
 def calibrate(end_cw, end_ccw, side, b):
-    (x_cw, y_cw), (x_ccw, y_ccw) = np.transpose(end_cw), np.transpose(end_ccw)
+    (x_cw, y_cw), (x_ccw, y_ccw) = end_cw, end_ccw
     alpha = (y_ccw - x_ccw - x_cw - y_cw) / (8 * side)  # a corner is too short
     beta = (x_ccw - y_ccw - x_cw - y_cw) / (8 * side)  # a side swings
     b_true = np.pi * b / (np.pi - 2 * alpha)
     bulge = b_true * np.sin(beta / 2)
-    return np.transpose([b_true, (side + bulge) / (side - bulge)])
+    return np.array([b_true, (side + bulge) / (side - bulge)])
 """
 SQUARES_SPECIALS = {
     "with no error": {x_cw: 0.0, y_cw: 0.0, x_ccw: 0.0, y_ccw: 0.0},
@@ -138,7 +138,7 @@ odometry_p1 = Program(
     starter=SQUARES,
     symbols=(x_cw, y_cw, x_ccw, y_ccw, side, b),
     arguments=lambda x_cw, y_cw, x_ccw, y_ccw, *sizes: ([x_cw, y_cw], [x_ccw, y_ccw], *sizes),
-    ranges={side: (2, 5)},
+    ranges={side: (1, 5)},
     specials=SQUARES_SPECIALS,
     answer=(Unknown("wheel distance", "m"), Unknown("ratio")),
     right=calibrate,
@@ -160,8 +160,9 @@ def between(before, after, span):
 
 def often_round(before, after, span):
     """Return whether a counter has these readings, of which nearly half pass its end or 0."""
+    before, after, span = int(before), int(after), int(span)
     apart = abs(after - before) / span
-    return max(before, after) < int(span) and apart > 0.25 and abs(apart - 0.5) > 0.01
+    return max(before, after) < span and apart > 0.25 and abs(apart - 0.5) > 0.0005
 
 
 def draw_counter(right, answer, before, after, span):
@@ -309,15 +310,6 @@ SAMPLE_HINTS = (
     "sin/cos is the same for opposite directions, so np.arctan never looks backward. np.arctan2 "
     "takes the sine and the cosine one by one, in this order.",
 )
-SAMPLE_SOLUTION = """\
-def add_sample(pose, N_L, N_R, C, r, b):
-    x, y, theta = np.transpose(pose)
-    D_L, D_R = 2 * np.pi * r * N_L / C, 2 * np.pi * r * N_R / C
-    D = (D_L + D_R) / 2
-    turned = theta + (D_R - D_L) / b
-    theta = np.arctan2(np.sin(turned), np.cos(turned))
-    return np.transpose([x + D * np.cos(theta), y + D * np.sin(theta), theta])
-"""
 SAMPLE_SPECIALS = {
     "without ticks": {N_L: 0.0, N_R: 0.0},
     "straight ahead": {N_L: 200.0, N_R: 200.0},
@@ -359,5 +351,7 @@ odometry_p3 = Program(
     wrong=SAMPLE_MISTAKES,
     likely_slips=SAMPLE_SLIPS,
     hints=SAMPLE_HINTS,
-    solution=SAMPLE_SOLUTION,
+    solution=SAMPLE.replace(
+        "np.arctan(np.sin(theta) / np.cos(theta))", "np.arctan2(np.sin(theta), np.cos(theta))"
+    ),
 )

@@ -50,6 +50,10 @@ from robokin import planar_arm
 
 HAND = substitute(forward.right, dict(forward.where))
 SHOWN = 0.2  # s, of a motion in a picture
+RELATIVE = (
+    "(θ_1 is the angle from the x axis to the first link, θ_2 and θ_3 are angles from one link to "
+    "the next, φ from the x axis to the last link, all counter-clockwise.)"
+)
 
 
 def joints(theta, lengths):
@@ -196,7 +200,7 @@ planar_arm_p1 = Program(
     title="Joint rates for any motion of the hand",
     text="Which joint rates move the hand as the twist says? This time the hand turns, too. No arm "
     "is stretched or folded. You may solve the equations on paper, or set up J and let NumPy "
-    "solve them.",
+    f"solve them. {RELATIVE}",
     starter=RATES_FOR,
     symbols=(*ANGLES, x_dot, y_dot, phi_dot, *LENGTHS),
     arguments=in_parts,
@@ -223,16 +227,16 @@ planar_arm_p1 = Program(
     ),
     solution="""\
 def rates_for(theta, twist, lengths):
-    l1, l2, l3 = lengths[..., 0], lengths[..., 1], lengths[..., 2]
-    x_dot, y_dot, phi_dot = twist[..., 0], twist[..., 1], twist[..., 2]
-    theta2, theta3 = theta[..., 1], theta[..., 2]
-    one, two = theta[..., 0], theta[..., 0] + theta2  # directions of links 1 and 2
+    l1, l2, l3 = lengths
+    x_dot, y_dot, phi_dot = twist
+    one, theta2, theta3 = theta
+    two = one + theta2  # links 1 and 2 point in these directions
     s2 = np.sin(theta2)
     along_1 = x_dot * np.cos(one) + y_dot * np.sin(one) + l3 * phi_dot * np.sin(theta2 + theta3)
     along_2 = x_dot * np.cos(two) + y_dot * np.sin(two) + l3 * phi_dot * np.sin(theta3)
     rate1 = along_2 / (l1 * s2)
     rate2 = -rate1 - along_1 / (l2 * s2)
-    return np.stack([rate1, rate2, phi_dot - rate1 - rate2], axis=-1)
+    return np.array([rate1, rate2, phi_dot - rate1 - rate2])
 """,
 )
 
@@ -252,7 +256,7 @@ planar_arm_p2 = Program(
     text="The hand is to be at x and y and to point at φ. Find three joint angles. There are two "
     "answers, and either is right. Every pose is within reach. A stretched arm, a folded arm and a "
     "wrist at the base must work, too. On the way, rounding can make a cosine of "
-    "1.0000000000000002, which no angle has.",
+    f"1.0000000000000002, which no angle has. {RELATIVE}",
     starter=JOINT_ANGLES,
     symbols=(x, y, phi_hand, *LENGTHS),
     ranges={x: (-1.2, 1.2), y: (-1.2, 1.2), l3: (0.05, 0.3)},
@@ -281,14 +285,14 @@ planar_arm_p2 = Program(
     ),
     solution="""\
 def joint_angles(pose, lengths):
-    x, y, phi = pose[..., 0], pose[..., 1], pose[..., 2]
-    l1, l2, l3 = lengths[..., 0], lengths[..., 1], lengths[..., 2]
+    x, y, phi = pose
+    l1, l2, l3 = lengths
     x_w, y_w = x - l3 * np.cos(phi), y - l3 * np.sin(phi)  # the wrist
     A = (x_w**2 + y_w**2 - l1**2 - l2**2) / (2 * l1 * l2)
     theta2 = np.arccos(np.clip(A, -1, 1))
     lead = np.arctan2(l2 * np.sin(theta2), l1 + l2 * np.cos(theta2))
     theta1 = np.arctan2(y_w, x_w) - lead
-    return np.stack([theta1, theta2, phi - theta1 - theta2], axis=-1)
+    return np.array([theta1, theta2, phi - theta1 - theta2])
 """,
 )
 
@@ -314,7 +318,7 @@ planar_arm_p3 = Program(
     "planar-arm-p3",
     title="Mend it: the velocity of the hand",
     text="This function is to return the velocity of the hand and its turning rate, link by link. "
-    "It is wrong. Find the mistake and mend it.",
+    f"It is wrong. Find the mistake and mend it. {RELATIVE}",
     starter=VELOCITY,
     symbols=(*ANGLES, rate1, rate2, rate3, *LENGTHS),
     arguments=in_parts,

@@ -76,11 +76,15 @@ def draw_wanted(right, answer, wanted, heading, spoke, radius):
     return draw_motion(wanted, np.array(omni_world.substitute(made)).ravel(), heading, spoke)
 
 
+PLACED = (
+    "(The three wheels of the omni robot are at α = 0°, 120° and 240°, counter-clockwise from the "
+    "robot's x axis, each with its axle along its spoke. A positive rate rolls a wheel towards "
+    "α − 90°.)"
+)
 OMNI_TEXT = (
     "You can tell the motion from the rates. Go back: which rates give a motion that is wanted in "
-    "the world? The three wheels of the omni robot stand at 0°, 120° and 240°, each with its axle "
-    "along its spoke. The rows of Stack the rows have all that you need. At rest, on the spot and "
-    "without a turn it must work, too."
+    "the world? The rows of Stack the rows have all that you need. At rest, on the spot and "
+    f"without a turn it must work, too. {PLACED}"
 )
 OMNI = '''\
 def omni_rates(wanted, theta, spoke, r):
@@ -101,12 +105,12 @@ OMNI_HINTS = (
 )
 OMNI_SOLUTION = """\
 def omni_rates(wanted, theta, spoke, r):
-    x_dot, y_dot, omega = np.transpose(wanted)
+    x_dot, y_dot, omega = wanted
     c, s = np.cos(theta), np.sin(theta)
     ahead, left = c * x_dot + s * y_dot, c * y_dot - s * x_dot
     at = np.radians([0, 120, 240])
     rolls = [np.sin(a) * ahead - np.cos(a) * left - spoke * omega for a in at]
-    return np.transpose(np.array(rolls) / r)
+    return np.array(rolls) / r
 """
 OMNI_SPECIALS = {
     "at rest": STILL,
@@ -176,10 +180,11 @@ def draw_wheel(right, answer, twist, spoke, alpha, beta, gamma, r):
 
 
 SWEDISH_TEXT = (
-    "A Swedish wheel stands anywhere on a robot: spoke, α and β say where, and γ is the angle, "
-    "counter-clockwise, from the rolling direction to the axis of its roller on the ground. How "
-    "fast does it turn while the robot moves? With γ = 0 it must give the rate of the omni robot's "
-    "wheels. (With γ = ±90° the wheel turns as it likes; this is not asked.)"
+    "A Swedish wheel is anywhere on a robot: α is the angle from the robot's x axis to its spoke, "
+    "β from the spoke to its axle, and γ from the rolling direction, α + β − 90°, to the axis of "
+    "its roller on the ground, all counter-clockwise. A positive rate rolls it in the rolling "
+    "direction. How fast does it turn while the robot moves? With γ = 0 it must give the rate of "
+    "the omni robot's wheels. (With γ = ±90° the wheel turns as it likes; this is not asked.)"
 )
 SWEDISH = '''\
 def swedish_rate(twist, spoke, alpha, beta, gamma, r):
@@ -200,7 +205,7 @@ SWEDISH_HINTS = (
 )
 SWEDISH_SOLUTION = """\
 def swedish_rate(twist, spoke, alpha, beta, gamma, r):
-    v, v_y, omega = np.transpose(twist)
+    v, v_y, omega = twist
     along = alpha + beta + gamma
     rolls = np.sin(along) * v - np.cos(along) * v_y - spoke * np.cos(beta + gamma) * omega
     return rolls / (r * np.cos(gamma))
@@ -256,8 +261,8 @@ wheels_p2 = Program(
 
 MOTION_TEXT = (
     "This program computes how the omni robot moves in the world, from the rates of its three "
-    "wheels at 0°, 120° and 240°. The program is wrong. Find the mistake, and mend it. At rest, "
-    "on the spot and with the heading 0 it must work, too."
+    "wheels. The program is wrong. Find the mistake, and mend it. At rest, on the spot and with "
+    f"the heading 0 it must work, too. {PLACED}"
 )
 MOTION = '''\
 def omni_motion(rates, theta, spoke, r):
@@ -280,14 +285,6 @@ MOTION_HINTS = (
     "The twist goes from the robot to the world, so with the inverse of R. Of a rotation matrix "
     "this is the transposed one, R.T.",
 )
-MOTION_SOLUTION = """\
-def omni_motion(rates, theta, spoke, r):
-    s_1, s_2, s_3 = r * np.transpose(rates)  # how fast each wheel rolls
-    ahead, left = (s_2 - s_3) / np.sqrt(3), (s_2 + s_3 - 2 * s_1) / 3
-    omega = -(s_1 + s_2 + s_3) / (3 * spoke)
-    c, s = np.cos(theta), np.sin(theta)
-    return np.transpose([c * ahead - s * left, s * ahead + c * left, omega])
-"""
 MOTION_SPECIALS = {
     "at rest": dict.fromkeys(omni_rates, 0.0),
     "on the spot": dict.fromkeys(omni_rates, 2.0),
@@ -324,5 +321,5 @@ wheels_p3 = Program(
     wrong={mistake: of_rates(function) for mistake, function in MOTION_MISTAKES.items()},
     likely_slips={words: of_rates(function) for words, function in MOTION_SLIPS.items()},
     hints=MOTION_HINTS,
-    solution=MOTION_SOLUTION,
+    solution=MOTION.replace("R @ twist", "R.T @ twist"),
 )

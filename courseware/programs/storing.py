@@ -22,7 +22,7 @@ ROUND, RANDOM, EACH = 8, 150, 3  # inputs: of round numbers, random ones, of eac
 MANY = 60  # from which the simplest are taken
 # Inputs near a special case, twice each: how far, as parts of a range. What is treated as the case
 # within a millionth of the range is right, and the smallest tries whether digits are lost.
-AWAY = (0.1, 0.03, 0.01, 3e-3, 1e-3, 1e-4, 1e-5, 1e-8) * 2
+AWAY = (0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-8) * 2
 PLAIN = [float(f"{digit}e{power}") for power in range(-3, 6) for digit in (1, 2, 3, 4, 5, 6, 7, 8)]
 
 AS_GIVEN = "These are the answers of the program as it was given: its mistake is still in it."
@@ -64,7 +64,7 @@ def store(program: Program) -> dict[str, Any]:
         "parameters": ast.unparse(program.definition.args),
         "shape": program.shape or ((len(program.answer),) if len(program.answer) > 1 else ()),
         "circle": circle.tolist(),
-        "angles": [unknown.unit == "rad" for unknown in program.answer],
+        "angles": [unknown.unit.startswith("rad") for unknown in program.answer],
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, LEAST)).tolist(),
         "compared_value": _write_deed(program, rights[0], given[0]),
         "library": course().library,

@@ -166,7 +166,7 @@ UNFOLD = """(element) => {
     if (fold.matches("details:not(.rk-figure *)")) fold.open = true;
     if (fold.matches(".rk-prediction")) fold.classList.add("rk-answered");
   }
-  element.querySelectorAll(".rk-veil button").forEach((button) => button.click());
+  element.querySelectorAll(".rk-veiled .rk-skip").forEach((button) => button.click());
 }"""
 
 # waits until the script has taken a figure over, as it does when that comes near, and drawn it

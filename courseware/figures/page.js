@@ -56,7 +56,7 @@ const followAddress = (live) => {
 };
 
 export const startFigure = (figure) => {
-  const element = document.getElementById(figure.name), before = element.innerHTML;
+  const element = document.getElementById(figure.name), picture = element.querySelector(".rk-picture > svg"), before = picture.outerHTML;
   try {
     const live = new LiveFigure(element, figure).start();
     followLink(live);
@@ -64,8 +64,8 @@ export const startFigure = (figure) => {
     live.settled();
     element.courseware = live;
   } catch (error) {
-    element.innerHTML = before; // the still picture stays, without its controls
-    element.querySelector(".rk-panel")?.remove();
+    picture.outerHTML = before; // the still picture stays, without its controls
+    element.querySelectorAll(".rk-panel > :not(.rk-card), .rk-clock, .rk-reset").forEach((part) => part.remove());
     element.classList.remove("rk-live");
     console.error(`The figure ${figure.name} cannot be moved:`, error);
   }

@@ -52,7 +52,8 @@ def render_prediction(renderer: Any, prediction: Prediction) -> Tag:
     form = html(engine.call("courseware.renderForm", answers.serialize()))
     data = {"data-prediction": json.dumps(prediction.serialize(), ensure_ascii=False)}
     box = Tag("", tag="div", data=data, ids=[prediction.name], classes=["rk-prediction"])
-    box.extend([markdown(prediction.question), form, fold])
+    question = markdown(prediction.question)
+    box.extend([Tag("", question, form, tag="div", data={}, classes=["rk-card"]), fold])
     return box
 
 

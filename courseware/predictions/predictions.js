@@ -60,34 +60,33 @@ const createForgetLine = (boxes) => {
   line.innerHTML = `<span></span> <button type="button">Forget my guesses</button>`;
   line.lastChild.addEventListener("click", () => {
     storeGuesses({});
-    const [last] = boxes.filter((box) => box.element.contains(line));
+    const [last] = boxes.filter((box) => box.card.contains(line));
     boxes.forEach((box) => box.reset());
     line.remove();
     last?.one("button, input").focus();
   });
   return (box, kept) => {
     line.firstChild.textContent = kept ? GUESSES_KEPT : GUESSES_NOT_KEPT;
-    box.element.append(line);
+    box.card.append(line);
   };
 };
 
 class PredictionBox {
   constructor(element) {
     Object.assign(this, { element, name: element.id, data: JSON.parse(element.dataset.prediction) });
-    this.fold = this.one(".rk-opens");
     this.figure = document.getElementById(this.data.figure);
+    this.card = element.querySelector(".rk-card") ?? this.figure.querySelector(".rk-card"); // of a page that was saved
+    this.fold = element.querySelector(".rk-opens");
     this.one("form").addEventListener("submit", (event) => {
       event.preventDefault();
       this.guess();
     });
-    this.buttons = [...element.querySelectorAll(".rk-guess button[value]")];
+    this.buttons = [...this.card.querySelectorAll(".rk-guess button[value]")];
     this.buttons.forEach((button, k) => button.addEventListener("click", () => this.take(k)));
     this.one(".rk-skip").addEventListener("click", () => this.showMe());
-    // the figure may replace what is in it
-    this.figure?.addEventListener("click", ({ target }) => { if (target.closest(".rk-veil button")) this.showMe(); });
   }
 
-  one(selector) { return this.element.querySelector(selector); }
+  one(selector) { return this.card.querySelector(selector); }
 
   // Work with the figure once it can be moved.
   withFigure(work) {
@@ -130,6 +129,9 @@ class PredictionBox {
     this.open(guess);
     this.play();
     this.showForgetLine(this, kept);
+    const said = this.one(".rk-said");
+    if (!this.card.contains(document.activeElement)) said.focus({ preventScroll: true }); // it has gone elsewhere
+    said.scrollIntoView({ block: "nearest" });
   }
 
   // What waited for the answer moves now.
@@ -177,21 +179,20 @@ class PredictionBox {
       button.setAttribute("aria-disabled", answered);
       button.classList.toggle("rk-right", answered && k === data.right);
     });
+    if (!this.figure) return;
+    if (answered) this.element.prepend(this.card);
+    else (this.figure.querySelector(".rk-panel") ?? this.figure).prepend(this.card);
     if (data.kind !== "ghost") return this.veil();
     this.lockControls();
     this.withFigure((live) => this.lockFigure(live));
   }
 
-  // A figure that waits stands at its start, what moves it under a veil.
+  // A figure that waits stands at its start.
   veil() {
-    const { figure, answered, name } = this;
-    if (!figure) return;
+    const { figure, answered } = this;
     figure.classList.toggle("rk-veiled", !answered);
     figure.querySelector(".rk-picture").inert = !answered;
-    figure.querySelector(".rk-veil")?.remove();
-    if (answered) return figure.courseware?.resumeClock?.();
-    figure.querySelector(".rk-panel").insertAdjacentHTML("beforeend", `<div class="rk-veil"><p><a href="#${name}">Answer</a>, or `
-      + `<button type="button">show me</button></p></div>`);
+    if (answered) figure.courseware?.resumeClock?.();
   }
 
   // While the question is open, the ghost is all that can be moved; then, all but the ghost.
@@ -202,8 +203,8 @@ class PredictionBox {
 
   lockControls() {
     const { figure, answered } = this;
-    figure?.querySelectorAll(".rk-readouts, .rk-buttons").forEach((part) => { part.inert = !answered; });
-    figure?.querySelectorAll("[data-i]").forEach((hand) => {
+    figure.querySelectorAll(".rk-readouts, .rk-buttons, .rk-reset").forEach((part) => { part.inert = !answered; });
+    figure.querySelectorAll("[data-i]").forEach((hand) => {
       hand.closest(".rk-control").inert = !this.isMovable(hand.dataset.i);
     });
   }
@@ -223,16 +224,16 @@ class PredictionBox {
   }
 }
 
-// A link to what is folded away or under a veil opens it.
-const revealTarget = () => {
+// A link to what is folded away, or waits for an answer, opens it.
+const revealTarget = (boxes) => {
   const aim = document.getElementById(location.hash.slice(1).split("?")[0]), fold = aim?.closest(".rk-opens");
-  const veil = aim?.querySelector(":scope > .rk-panel > .rk-veil button");
-  veil?.click();
+  const waiting = boxes.find(({ figure }) => figure && figure === aim && figure.matches(".rk-veiled"));
+  waiting?.showMe();
   if (fold) {
     fold.open = true;
     fold.parentElement.classList.add("rk-answered");
   }
-  if (fold || veil) aim.scrollIntoView();
+  if (fold || waiting) aim.scrollIntoView();
 };
 
 export const startPredictions = () => {
@@ -244,6 +245,6 @@ export const startPredictions = () => {
     box.open(known[box.name]);
     showForgetLine(box, true);
   });
-  addEventListener("hashchange", revealTarget);
-  revealTarget();
+  addEventListener("hashchange", () => revealTarget(boxes));
+  revealTarget(boxes);
 };

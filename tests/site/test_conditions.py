@@ -38,7 +38,7 @@ def test_menus_search_and_colours_work_where_nothing_is_stored(server, chromium)
 DIRECTIONS = "(all) => all.map((each) => getComputedStyle(each).direction)"
 LEFT_TO_RIGHT = (
     *(".bd-article .katex-html", ".bd-article pre", ".bd-article p code", ".rk-picture svg text"),
-    *(".rk-readouts dd", ".rk-value", ".rk-slot", ".rk-exercise input", ".rk-prediction input"),
+    *(".rk-readouts dd", ".rk-value", ".rk-slot", ".rk-exercise input", ".rk-card input"),
 )
 
 
@@ -76,7 +76,7 @@ def test_a_copied_formula_is_its_tex(server, chromium):
 # what scripts add, by kind
 MADE = """() => {
   const count = {};
-  const kinds = "button, .rk-bar, .rk-run, .rk-handles circle, .site-results, .rk-live, .rk-veil";
+  const kinds = "button, .rk-bar, .rk-run, .rk-handles circle, .site-results, .rk-live, .rk-veiled";
   for (const each of document.querySelectorAll(kinds)) {
     const kind = `${each.tagName} ${each.getAttribute("class")} ${each.textContent}`;
     count[kind] = (count[kind] ?? 0) + 1;

@@ -10,6 +10,8 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
 BUTTONS, NUMBER, GHOST = "ever-straighter", "how-fast", "where-after"
+# a card is in the figure that waits, and then at its own place
+CARDS = {GHOST: ":is(#guess, #where-after) .rk-card", "where-still": "#still .rk-card"}
 FIGURE = "document.getElementById('guess').courseware"
 INSIDE = "happens in real programs"  # in what the buttons open
 THERE = (-0.069, 0.126)  # where P is after 2 s
@@ -25,7 +27,7 @@ def visited(chromium, server, home):
     """The chapter on a first visit; it must stay quiet and at home."""
     with watched_page(chromium, server) as (page, watch):
         page.goto(home)
-        page.locator(f"#{GHOST} form").wait_for()
+        card(page, GHOST).locator("form").wait_for()
         yield page
         assert not watch.errors + watch.strangers
 
@@ -37,10 +39,14 @@ def opened(chromium, server, home):
         yield page
 
 
+def card(page, name):
+    return page.locator(CARDS.get(name, f"#{name} .rk-card"))
+
+
 def place_wrongly(page, **places):
     """Place the ghost somewhere, and return what is said of it; the question stays open."""
     place_ghost(page, **places)
-    page.locator(f"#{GHOST} form button", has_text="Here").click()
+    card(page, GHOST).get_by_role("button", name="Here").click()
     assert not fold(page, GHOST).is_visible()
     return said(page, GHOST).inner_text()
 
@@ -48,8 +54,8 @@ def place_wrongly(page, **places):
 def give_up(page, name=GHOST):
     """Press what shows the answer; a ghost is placed three times before, where it is."""
     for _ in range(3 if name == GHOST else 0):
-        page.locator(f"#{GHOST} form button", has_text="Here").click()
-    page.locator(f"#{name} .rk-skip").focus()
+        card(page, GHOST).get_by_role("button", name="Here").click()
+    card(page, name).locator(".rk-skip").focus()
     page.keyboard.press("Enter")
 
 
@@ -76,7 +82,7 @@ def fold(page, name):
 
 
 def said(page, name):
-    return page.locator(f"#{name} > .rk-said")
+    return card(page, name).locator(".rk-said")
 
 
 def come_alive(page):
@@ -163,6 +169,13 @@ def test_what_cannot_be_read_opens_nothing(page):
     assert fold(page, NUMBER).is_visible()
 
 
+# where the picture is below the top of its figure, and how large
+PICTURE = """(figure) => {
+  const { top } = figure.getBoundingClientRect(), box = figure.querySelector("svg").getBoundingClientRect();
+  return [box.top - top, box.width, box.height];
+}"""
+
+
 def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
     figure = page.locator("#guess")
     come_alive(page)
@@ -172,19 +185,19 @@ def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
     )
     page.wait_for_function("() => document.querySelector('#guess [inert]')")
     assert page.evaluate(labels) == ["x", "y"]
-    assert figure.locator(".rk-buttons").evaluate("(buttons) => buttons.inert")
+    assert figure.locator(".rk-reset").is_hidden()
     grip = figure.locator("circle[aria-label^='your guess']")
     grip.hover()
     box = grip.bounding_box()
     page.mouse.down()
     page.mouse.move(box["x"] + box["width"] / 2 - 40, box["y"], steps=3)
     page.mouse.up()
-    put, height = state(page), figure.evaluate("({offsetHeight}) => offsetHeight")
+    put, stands = state(page), figure.evaluate(PICTURE)
     assert put["guess_x"] < 0.1  # where it was
     give_up(page)
     fold(page, GHOST).wait_for()
     then = state(page)
-    assert figure.evaluate("({offsetHeight}) => offsetHeight") == height
+    assert figure.evaluate(PICTURE) == stands
     assert {key: then[key] for key in ("guess_x", "guess_y")} == {
         key: put[key] for key in ("guess_x", "guess_y")
     }
@@ -194,7 +207,7 @@ def test_only_the_ghost_can_be_moved_until_it_is_placed(page):
 
 def test_a_ghost_in_the_right_place_is_right(page):
     place_ghost(page, guess_x=THERE[0] + 0.01, guess_y=THERE[1])
-    page.locator(f"#{GHOST} form button", has_text="Here").click()
+    card(page, GHOST).get_by_role("button", name="Here").click()
     fold(page, GHOST).wait_for()
     assert said(page, GHOST).inner_text().startswith("✓")
 
@@ -204,11 +217,11 @@ def test_a_guess_may_be_tried_and_one_that_is_near_goes_to_the_right_place(page)
     figure, live = page.locator("#still"), "document.getElementById('still').courseware"
     figure.scroll_into_view_if_needed()
     page.wait_for_function(f"() => {live}")
-    time = figure.locator("input[type=range]").nth(2)
+    time = figure.locator(".rk-clock input")
     time.press("End")
     assert page.evaluate(f"() => {live}.state[2]") == float(time.get_attribute("max"))
     page.evaluate(f"() => {live}.set([-0.14, 0.005, 0])")  # as near as is enough
-    page.locator("#where-still form button", has_text="Here").click()
+    card(page, "where-still").get_by_role("button", name="Here").click()
     fold(page, "where-still").wait_for()
     assert page.evaluate(f"() => {live}.state.slice(0, 2)") == pytest.approx([-0.15, 0])
 
@@ -232,7 +245,7 @@ def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):
 
 
 def test_after_three_tries_it_is_warmer_or_colder_and_can_be_shown(page):
-    skip, (x, y) = page.locator(f"#{GHOST} .rk-skip"), THERE
+    skip, (x, y) = card(page, GHOST).locator(".rk-skip"), THERE
     for words in (*["Too far to the right."] * 2, "10 cm too far to the right."):
         assert skip.is_hidden()
         assert place_wrongly(page, guess_x=x + 0.1, guess_y=y) == words
@@ -248,7 +261,7 @@ def test_it_is_shown_without_a_guess_too(page):
     for name in (BUTTONS, NUMBER, GHOST):
         give_up(page, name)
         assert fold(page, name).is_visible()
-        assert page.locator(f"#{name} .rk-skip").is_hidden()
+        assert card(page, name).locator(".rk-skip").is_hidden()
         assert said(page, name).inner_text().startswith(("Shown: ", "You said: "))
         assert page.evaluate("document.activeElement.className") == "rk-said"
     page.get_by_role("button", name="Forget my guesses").click()
@@ -276,7 +289,7 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     assert not fold(page, BUTTONS).is_visible()
     assert not fold(page, GHOST).is_visible()
     page.reload()
-    page.locator(f"#{GHOST} form").wait_for()
+    card(page, GHOST).locator("form").wait_for()
     assert not fold(page, BUTTONS).is_visible()
     assert page.evaluate("() => document.cookie") == ""
 

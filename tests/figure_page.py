@@ -64,7 +64,7 @@ class OnPage:
         self.page, self.figure = page, figure
         self.root = page.locator(f"#{figure.name}")
         self.handles = self.root.locator(".rk-handles circle")
-        self.picture = self.root.locator(".rk-picture svg")
+        self.picture = self.root.locator(".rk-picture > svg")
 
     def come_alive(self):
         """Wait until the script has taken over: it does when the figure comes near."""
@@ -101,9 +101,16 @@ class OnPage:
         return dict(zip((r.name for r in self.figure.readouts), texts, strict=True))
 
     def input(self, control):
-        """Return the slider or the list of a control."""
+        """Return the slider or the list of a control, or the chosen one of few options."""
         place = self.figure.controls.index(control)
-        return self.root.locator(f"[data-i='{place}']:not(button)")
+        return self.root.locator(f"[data-i='{place}']:not(button, [type=radio]:not(:checked))")
+
+    def choose(self, control, option):
+        """Choose an option of a list or of a row of buttons."""
+        place = self.figure.controls.index(control)
+        if len(control.options) > 4:
+            return self.input(control).select_option(option)
+        return self.root.locator(f"[data-i='{place}']").nth([*control.options].index(option)).check()
 
     def press(self, control, *keys):
         """Press keys on a slider that has the focus; of turns, buttons, each to its end."""
@@ -266,7 +273,7 @@ def slide(live, random):
     """Press keys on a slider, or choose another entry of a list."""
     control = random.choice(np.array(live.figure.controls, dtype=object))
     if isinstance(control, Choice):
-        return live.input(control).select_option(index=int(random.integers(len(control.options))))
+        return live.choose(control, str(random.choice([*control.options])))
     keys = [["Home"], ["End"], ["ArrowRight"] * 3, ["ArrowLeft"] * 2, ["PageUp"]]
     return live.press(control, *keys[random.integers(len(keys))])
 

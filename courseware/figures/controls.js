@@ -15,11 +15,18 @@ const renderName = ({ kind, label: words }) => {
   return `<span class="rk-name">${swatch}${name}</span>`;
 };
 
-const renderChoice = (control, i) => {
-  const options = control.options.map((option, k) =>
-    `<option value="${k}"${k === control.start ? " selected" : ""}>${escapeHtml(option.label)}</option>`);
-  return `<label class="rk-control">${renderName(control)}`
-    + `<select data-i="${i}" autocomplete="off">${options.join("")}</select></label>`;
+const FEW = 4; // options that are a row of buttons; more are a list
+
+const renderChoice = (control, i, title) => {
+  const render = (start, end, chosen) => control.options.map(({ label }, k) =>
+    `<${start} value="${k}"${k === control.start ? ` ${chosen}` : ""}>${escapeHtml(label)}</${end}>`).join("");
+  if (control.options.length > FEW) {
+    return `<label class="rk-control">${renderName(control)}`
+      + `<select data-i="${i}" autocomplete="off">${render("option", "option", "selected")}</select></label>`;
+  }
+  const radio = `label><input type="radio" name="${escapeHtml(title)} ${i}" data-i="${i}" autocomplete="off"`;
+  return `<div class="rk-control rk-options" role="radiogroup" aria-label="${escapeHtml(control.label)}">`
+    + `${renderName(control)}${render(radio, "label", "checked")}</div>`;
 };
 
 const renderButton = (kind, words, title, data = "") =>
@@ -33,10 +40,10 @@ const renderStep = (control, i, sign, words) => `<button type="button" class="rk
 const keepRoom = (texts) => ` data-widest="${escapeHtml(texts.reduce((one, other) => (other.length > one.length ? other : one)))}"`;
 
 const renderSlider = (control, i, title) => {
-  const play = control.type === "clock" ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
+  const isClock = control.type === "clock", play = isClock ? renderButton("play", "Play", title, ` data-i="${i}"`) : "";
   const shown = formatControl(control, control.start);
   const room = keepRoom([control.low, control.high].map((end) => formatControl(control, end)));
-  return `<div class="rk-control"${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
+  return `<div class="rk-control${isClock ? " rk-clock" : ""}"${renderAttributes(symbolData(control))}>${play}${renderStep(control, i, "-", "Less")}<label>${renderName(control)}`
     + `<span class="rk-value" data-o="${i}"${room} aria-hidden="true">${shown}</span>`
     + `<input type="range" data-i="${i}" autocomplete="off" min="${control.low}" max="${control.high}" `
     + `step="${control.step}" value="${control.start}" aria-valuetext="${shown}"></label>${renderStep(control, i, "+", "More")}</div>`;
@@ -49,24 +56,28 @@ const renderReadout = (readout, value) => {
     + `<dd${keepRoom([signed, ...Object.values(readout.words)])}>${escapeHtml(shown)}</dd></div>`;
 };
 
-const renderGoal = ({ words }) => `<p class="rk-goal">${renderSymbols(words)} <output></output></p>`;
+// Of several the next one is seen, with its number.
+const renderGoals = ({ goals }) => goals.length ? `<div class="rk-goals">${goals.map(({ words }, k) =>
+  `<p class="rk-goal">${goals.length > 1 ? `<b>${k + 1}/${goals.length}</b> ` : ""}${renderSymbols(words)} <output></output></p>`)
+  .join("")}</div>` : "";
 
+// On the picture's edge are the goal of a step, the clock and the way back; beside it, all else.
 export const renderFigure = (figure) => {
-  const { values } = compute(figure, settings(figure, startState(figure)));
+  const { controls, title, size, viewAngles, readouts, buttons } = figure, isStep = size === "step";
   const [left, right, low, high] = figure.view, shape = (right - left) / (high - low);
-  const picture = `<div class="rk-picture" style="--shape:${shape.toFixed(3)}">${renderPicture(figure)}</div>`;
-  if (!figure.controls.length) return picture;
-  const turns = (_, i) => figure.viewAngles?.includes(i);
-  const parts = figure.controls.map((control, i) =>
-    ({ choice: renderChoice, turns: renderTurns }[control.type] ?? renderSlider)(control, i, figure.title));
-  const aside = parts.filter(turns).join("");
-  const view = aside && `<details class="rk-view"><summary>Turn the view with sliders</summary>`
-    + `<div class="rk-controls">${aside}</div></details>`;
-  return `${picture}<div class="rk-panel">${figure.goals.map(renderGoal).join("")}`
-    + `<div class="rk-controls">${parts.filter((...of) => !turns(...of)).join("")}</div>`
-    + `<dl class="rk-readouts">${figure.readouts.map((r, k) => renderReadout(r, values[k])).join("")}</dl>`
-    + `<div class="rk-buttons">${figure.buttons.map(({ label }) => renderButton("move", escapeHtml(label), figure.title)).join("")}`
-    + `${renderButton("reset", "Reset", figure.title)}`
-    + `${figure.size === "step" ? "" : renderButton("link", "Link to this setting", figure.title)}</div>${view}</div>`
-    + `<p class="rk-says" aria-live="polite"></p>`;
+  const render = (isMeant) => controls.map((control, i) => isMeant(control, i)
+    ? ({ choice: renderChoice, turns: renderTurns }[control.type] ?? renderSlider)(control, i, title) : "").join("");
+  const isClock = ({ type }) => type === "clock", turnsView = (_, i) => viewAngles?.includes(i);
+  const picture = `<div class="rk-picture" style="--shape:${shape.toFixed(3)}">${isStep ? renderGoals(figure) : ""}`
+    + `${renderPicture(figure)}${render(isClock)}${controls.length ? renderButton("reset", "Reset", title) : ""}</div>`;
+  if (!controls.length) return picture;
+  const { values } = compute(figure, settings(figure, startState(figure)));
+  const part = (tag, name, inside) => inside && `<${tag} class="rk-${name}">${inside}</${tag}>`;
+  const pressed = buttons.map(({ label }) => renderButton("move", escapeHtml(label), title)).join("")
+    + (isStep ? "" : renderButton("link", "Link to this setting", title));
+  const view = viewAngles ? `<summary>Turn the view with sliders</summary><div class="rk-controls">${render(turnsView)}</div>` : "";
+  return picture + part("div", "panel", (isStep ? "" : renderGoals(figure))
+    + part("div", "controls", render((...of) => !isClock(...of) && !turnsView(...of)))
+    + part("dl", "readouts", readouts.map((r, k) => renderReadout(r, values[k])).join(""))
+    + part("div", "buttons", pressed) + part("details", "view", view)) + `<p class="rk-says" aria-live="polite"></p>`;
 };

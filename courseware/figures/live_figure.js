@@ -9,6 +9,7 @@ import { px } from "./svg.js";
 
 // Between two steps of a slider the browser would show the nearer one.
 const showPosition = (input, control, shown) => {
+  if (input.type === "radio") return void (input.checked = Number(input.value) === shown);
   for (const step of [control.step, "any"]) {
     if (Math.abs(Number(input.value) - shown) < 1e-9) return;
     Object.assign(input, { step, value: shown });
@@ -19,7 +20,7 @@ const showPosition = (input, control, shown) => {
 export class LiveFigure {
   constructor(element, figure, changed = () => {}) {
     Object.assign(this, { element, figure, changed });
-    this.picture = element.querySelector(".rk-picture svg");
+    this.picture = element.querySelector(".rk-picture > svg");
     this.drawing = this.picture.querySelector("[role=img]");
     this.nodes = ""; // what is drawn
     this.inputs = this.all(":is(input, select)[data-i]");

@@ -13,7 +13,7 @@ CHAPTERS = [f"{chapter}/{chapter}" for chapter in course().taught]
 # each control through its range, in forty steps; the figure's heights
 HEIGHTS = """(figure) => {
   const found = new Set(), { courseware } = figure;
-  for (const input of figure.querySelectorAll(".rk-panel :is(input[type=range], select)")) {
+  for (const input of figure.querySelectorAll(":is(input, select)[data-i]")) {
     const { value: start, min, max, options } = input;
     const set = (value) => {
       input.value = value;
@@ -23,6 +23,11 @@ HEIGHTS = """(figure) => {
       courseware.settled();
       found.add(figure.offsetHeight);
     };
+    if (input.type === "radio") {
+      input.checked = true;
+      set(start);
+      continue;
+    }
     set(start);
     if (options) [...options].forEach(({ value }) => set(value));
     else for (let k = 0; k <= 40; k += 1) set(Number(min) + (max - min) * k / 40);

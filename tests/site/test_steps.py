@@ -109,7 +109,7 @@ def test_a_goal_is_reached_by_taps(alone):
     figure = FIGURES["euler-sequence"]
     sequence, *angles = figure.controls
     with alone(figure, width=390) as live:
-        live.input(sequence).select_option("ZXZ")
+        live.choose(sequence, "ZXZ")
         for slider, times in zip(angles, (4, 3, -8), strict=False):
             assert not any(reached(live))
             beside = live.input(slider).locator("xpath=ancestor::div[1]")

@@ -17,7 +17,7 @@ from courseware.figures.control_compiler import compile_control, find_look, seri
 from courseware.figures.controls import POINTER, Button, Handle
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
-from courseware.figures.things import Outline, Rim, Thing
+from courseware.figures.things import Outline, Rim, Thing, list_corners
 from courseware.units.line_breaks import prevent_breaks
 
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
@@ -150,7 +150,7 @@ class Compiler:
         data = {"at": self.add(*thing.at, thing.size), "parts": parts, "height": thing.height}
         if thing.height or thing.look or look:
             data["silhouette"] = self.find_drawing(Outline(thing.silhouette or ""))
-        return data | {"look": thing.look}
+        return data | {"look": thing.look, "corners": list_corners(thing.silhouette or "")}
 
     def compile_moving(self, part: Rim | Thing, look: str) -> dict[str, Any]:
         """Return the data of a part that moves in its thing."""

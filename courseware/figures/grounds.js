@@ -3,7 +3,7 @@
 import { GROUNDS } from "./constants.js";
 import { formatFixed } from "./figure_text.js";
 import { overlaps } from "./labels.js";
-import { color, paint, path, px, stroke } from "./svg.js";
+import { color, FONT, paint, path, px, stroke } from "./svg.js";
 
 export const toneOf = (figure) => paint(GROUNDS[figure.ground].tone);
 
@@ -43,9 +43,9 @@ const renderTiles = (figure, view, to, size) => {
 export const renderScale = (figure, view, to, height) => {
   if (!figure.ground || !GROUNDS[figure.ground].seam) return [];
   const step = roundLength(view), long = px(step * to.scale), y = px(height - 12);
-  to.taken.push([10, y - 22, 18 + long, height]);
+  to.taken.push([10, y - 24, 18 + long, height]);
   const words = step >= 1 ? `${step} m` : `${Math.round(100 * step)} cm`;
-  const style = "font:14px system-ui,sans-serif;stroke:var(--rk-ground,#fff);stroke-width:4.5px;paint-order:stroke";
+  const style = `${FONT};stroke:var(--rk-ground,#fff);stroke-width:4.5px;paint-order:stroke`;
   return [path(`M14 ${y - 4}v8m0 -4h${long}m0 -4v8`, `fill:none;stroke:${color("text")};stroke-width:1.4`),
     ["text", { x: px(14 + long / 2), y: y - 7, "text-anchor": "middle", style: `fill:${color("text")};${style}` }, words]];
 };

@@ -17,6 +17,8 @@ export const fill = (kind, opacity = 1) => `fill:${color(kind)};stroke:none`
 const GROUND = "var(--rk-ground,#fff)", CASING = 3.4;
 export const casing = (kind) => `fill:none;stroke:${GROUND};stroke-width:${KINDS[kind].width + CASING}`;
 export const headCasing = `fill:${GROUND};stroke:${GROUND};stroke-width:${CASING};stroke-linejoin:round`;
+// The page's own letters.
+export const FONT = "font:15px var(--pst-font-family-base,system-ui,sans-serif)";
 export const path = (d, style) => ["path", { d, style }];
 // Mark what belongs to a quantity with its key.
 export const symbolData = ({ symbol }) => (symbol ? { "data-symbol": symbol } : {});

@@ -72,6 +72,14 @@ const walk = (thing, values, pick) => pick(thing).map((part) => {
     walk(part, values, pick)];
 });
 
+// The outlines of a thing and of those in it, as corners in pixels.
+export const listOutlines = (thing, values, to) => {
+  const [x, y, angle, size] = thing.at.map((index) => values[index]), cos = size * Math.cos(angle), sin = size * Math.sin(angle);
+  if (!Number.isFinite(x + y + cos + sin)) return [];
+  const inside = ([a, b]) => to([x + a * cos - b * sin, y + a * sin + b * cos]);
+  return [thing.corners.map(inside), ...things(thing).flatMap((part) => listOutlines(part, values, inside))];
+};
+
 const partsOf = ({ parts }) => parts;
 const things = ({ parts }) => parts.filter((part) => part.parts);
 const silhouettes = (thing) => [thing.silhouette, ...things(thing)];

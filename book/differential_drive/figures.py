@@ -6,6 +6,7 @@ from sympy import (
     Abs,
     And,
     Max,
+    Min,
     Ne,
     Or,
     Piecewise,
@@ -16,6 +17,7 @@ from sympy import (
     log,
     oo,
     pi,
+    sign,
     sin,
     sinc,
     sqrt,
@@ -45,9 +47,11 @@ from book.motion.formulas import (
     v_y,
     x,
     x_dot,
+    x_icr,
     x_next,
     y,
     y_dot,
+    y_icr,
     y_next,
 )
 from book.things.graph import Graph
@@ -97,6 +101,8 @@ RADIUS_TOO = (*VELOCITY, *assign(drive.turning_radius))
 t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 100, "number of steps")
 share = quantity("share", "rad", -1.6, 1.6, "angle that shares the speed between the wheels")
+way_L = quantity("way_L", "m", -1, 1, "how far the left wheel has rolled")
+way_R = quantity("way_R", "m", -1, 1, "how far the right wheel has rolled")
 power = quantity("power", "", 0, 16, "the angular velocity is ten to the minus this", latex="p")
 guess_x = quantity("guess_x", "m", -0.3, 0.2, "your guess, along x")
 guess_y = quantity("guess_y", "m", -0.1, 0.3, "your guess, along y")
@@ -192,8 +198,12 @@ def is_parked(end: Any, mark: Any) -> Any:
 
 moves = Or(Ne(v_L, 0), Ne(v_R, 0))
 turns = Ne(v_L, v_R)
-AXLE = (-0.4, 0.25)  # m: from where to where lines across the picture go
+AXLE = (-0.6, 0.6)  # m: from where to where lines across the picture go
 towards = Piecewise((0, v_R > v_L), (pi, True))  # from the ICR to the robot
+seen = Max(-0.55, Min(0.55, R))  # so much of R is drawn where the ICR is far away
+TIPS = (point_of(START, v_L, DISTANCE / 2), point_of(START, v_R, -DISTANCE / 2))
+RUN = (TIPS[0], (TIPS[1][0], TIPS[0][1]))  # the slope of the line through the tips: run and rise
+RISE = ((TIPS[1][0], Min(v_L, v_R)), (TIPS[1][0], Max(v_L, v_R)))
 
 
 def point_on_tips(right: Any) -> tuple[Any, Any]:
@@ -215,14 +225,11 @@ SCENE = Scene(
         "between": across(Rational(k, 80) for k in (-3, -2, -1, 1, 2, 3)),
         "wheels": arrows(START, middle=False),
         "speed": (Arrow(v, ORIGIN, (0, ARROW * v)),),
-        "wedge": when(
-            turns,
-            AngleArc(omega, (-R, 0), towards, towards + atan2(ARROW * omega, 1), 0.06),
-        ),
-        "radius": (Length(R, ORIGIN, (-R, 0), aside=0.09),),
+        "slope": when(turns, Length(b, *RUN), Length(omega, *RISE, "ω b", aside=-0.03)),
+        "radius": (Length(R, (-Max(0, seen), 0), (-Min(0, seen), 0), aside=-0.095),),
         "icr": (Point("icr", (-R, 0), label="ICR"),),
     },
-    handles={"wheels": tip_handles()},
+    handles={"wheels": tip_handles(), "right": tip_handles()[1:]},
     common={
         "view": (-0.26, 0.18, -0.11, 0.2),
         "ground": "tiles",
@@ -340,14 +347,14 @@ def still_figure() -> Figure:
 
 
 def tips_figure() -> Figure:
-    """Draw the point that stands still, and the angle that the tips are seen under from there."""
+    """Draw the point that stands still, and the slope of the line through it and the tips."""
     moving = Max(Abs(v_L), Abs(v_R)) > 0.02
     return SCENE.figure(
         "tips",
         "The line through the tips, down to the point of the axle's line that stands still",
-        "axle everywhere tips robot wheels wedge radius icr",
+        "axle everywhere tips robot wheels slope radius icr",
         drag="wheels",
-        view=(-0.32, 0.17, -0.125, 0.17),
+        view=(-0.3, 0.18, -0.13, 0.17),
         readouts=(Readout(omega), Readout(R, words={"inf": "∞", "nan": "…"})),
         goal=(
             Goal(And(Abs(v_L) < 0.003, moving), "Bring the ICR to the left wheel."),
@@ -357,6 +364,26 @@ def tips_figure() -> Figure:
                 "Send it away: the same speed, within 3 mm/s.",
             ),
         ),
+    )
+
+
+def away_figure() -> Figure:
+    """Draw where the ICR goes when the right wheel slows down."""
+    return SCENE.figure(
+        "away",
+        "The robot small, the line of its axle, the line through the tips, and where both meet",
+        "axle tips robot wheels radius icr",
+        drag="right",
+        view=(-0.47, 0.47, -0.16, 0.19),
+        controls=(Slider(v_R, 0.0, 0.12, start=SPEEDS[v_R], step=0.0005),),
+        where=((v_L, SPEEDS[v_L]), *RADIUS_TOO),
+        shapes=across(Rational(k, 20) for k in range(-10, 11) if abs(k) > 1),
+        buttons=(
+            Button("slow down to 4 cm/s", {v_R: 0.04}),
+            Button("back to 10 cm/s", {v_R: SPEEDS[v_R]}),
+        ),
+        readouts=(Readout(R, words={"inf": "∞"}),),
+        goal=Goal(Abs(R + 0.25) < 0.02, "Bring the ICR 25 cm to the right of P, within 2 cm."),
     )
 
 
@@ -393,6 +420,53 @@ def infinity_figure() -> Figure:
             Button("to the right", {share: -1.2}),
         ),
         readouts=(Readout(R, words={"inf": "∞"}),),
+    )
+
+
+def icr_figure() -> Figure:
+    """Draw the ICR in the world: from P as far as R, across the heading."""
+    place, centre = (x, y), (x_icr, y_icr)
+    corner = (x_icr, y)
+    return Figure(
+        name="icr",
+        title="The robot at a place of the world, its heading, and the ICR to its left",
+        view=(-0.04, 0.42, -0.05, 0.33),
+        ground="tiles",
+        controls=(Slider.degrees(theta, start=40),),
+        where=(
+            (x, 0.2),
+            (y, 0.16),
+            *SPEEDS.items(),
+            *RADIUS_TOO,
+            *assign(motion.icr),
+        ),
+        shapes=(
+            Arrow("text", ORIGIN, (0.39, 0), "x"),
+            Arrow("text", ORIGIN, (0, 0.3), "y"),
+            Line("ghost", ((0, y), place, (x, 0))),
+            Label("text", (0.03, y + 0.013), "x"),
+            Label("text", (x + 0.013, 0.03), "y"),
+            robot((x, y, theta)),
+            Line("ghost", (place, (x + 0.12, y))),
+            AngleArc(theta, place, 0, theta, 0.045),
+            Arrow("heading", place, point_of((x, y, theta), 0.11), ""),
+            Line("x_axis", (place, corner)),
+            Line("y_axis", (corner, centre)),
+            *when(Abs(sin(theta)) > 0.3, Label("x_axis", ((x + x_icr) / 2, y - 0.014), "R sin θ")),
+            *when(Abs(cos(theta)) > 0.3, Label("y_axis", (x_icr, (y + y_icr) / 2), "R cos θ")),
+            Line(R, (place, centre)),
+            Label(R, ((x + x_icr) / 2, (y + y_icr) / 2)),
+            Point("icr", centre, label="ICR"),
+            Point("body", place, "P"),
+        ),
+        handles=(
+            Handle(
+                "tip of the heading",
+                point_of((x, y, theta), 0.11),
+                {theta: atan2(POINTER[1] - y, POINTER[0] - x)},
+            ),
+        ),
+        readouts=(Readout(x_icr), Readout(y_icr)),
     )
 
 
@@ -470,29 +544,52 @@ def added_figure() -> Figure:
     )
 
 
+def rolling_wheel(speed: Any, rate: Any, way: Any, high: float, stripe: str) -> tuple[Any, ...]:
+    """Return a wheel from the side that rolls along a ruler: its radius, its rate, its way."""
+    start, hub = 0.12, (0.12 + way, high + RADIUS)
+
+    def rim(turned: Any) -> tuple[Any, Any]:
+        """Return the place beside the rim after a turn from the top, clockwise."""
+        return hub[0] + 1.35 * RADIUS * sin(turned), hub[1] + 1.35 * RADIUS * cos(turned)
+
+    turned = rate / 2  # as in half a second
+    return (
+        things.ruler((start, high, 0), 0.1, 2),
+        *(Label("text", (start + k / 10, high - 0.028), f"0.{k} m") for k in (1, 2)),
+        things.encoder_wheel((*hub, pi / 2), way, RADIUS, stripe=stripe),
+        Length(r, (hub[0], high), hub, aside=0.042),
+        *when(Abs(way) < 6 * RADIUS, AngleArc(speed, hub, pi / 2, pi / 2 - way / r, 0.02, "φ")),
+        Curve(rate, rim(s * turned), s, 0, 1),
+        *when(Abs(turned) > 0.2, Arrow(rate, rim(turned - 0.25 * sign(turned)), rim(turned))),
+        Length(speed, (start, high), (hub[0], high), aside=-0.05, label=f"r φ = {{{way}}}"),
+    )
+
+
 def rates_figure() -> Figure:
     """Draw a wanted motion, and the two wheels that roll for it, seen from the side."""
-    rows = []
-    for speed, rate, high, stripe in ((v_L, rate_L, 0.02, "left2"), (v_R, rate_R, -0.1, "right2")):
-        far, place = 0.1 + speed * t, (0.1 + speed * t, high + RADIUS, pi / 2)
-        rows += [
-            things.ruler((0.1, high, 0), 0.1, 2),
-            things.encoder_wheel(place, rate * t * RADIUS, RADIUS, stripe=stripe),
-            Length(speed, (0.1, high), (far, high), aside=-0.028, label=""),
-            Label(rate, (far, high + 2.9 * RADIUS)),
-        ]
     return Figure(
         name="rates",
         title="A robot from above and, beside it, its two wheels from the side as they roll",
-        view=(-0.1, 0.38, -0.15, 0.18),
+        view=(-0.1, 0.4, -0.16, 0.2),
         ground="wall",
         controls=(
             Slider(v, 0.0, 0.1, start=TWIST[v], step=0.005),
             Slider(omega, -1.0, 1.0, start=TWIST[omega], step=0.05),
             Clock(t, 0.0, 1.5, loops=True, label="time"),
         ),
-        where=((b, DISTANCE), (r, RADIUS), *assign(drive.wheel_speeds, drive.wheel_rates)),
-        shapes=(robot(START, time=t), *arrows(START), *rows),
+        where=(
+            (b, DISTANCE),
+            (r, RADIUS),
+            *assign(drive.wheel_speeds, drive.wheel_rates),
+            (way_L, r * rate_L * t),
+            (way_R, r * rate_R * t),
+        ),
+        shapes=(
+            robot(START, time=t),
+            *arrows(START),
+            *rolling_wheel(v_L, rate_L, way_L, 0.08, "left2"),
+            *rolling_wheel(v_R, rate_R, way_R, -0.1, "right2"),
+        ),
         readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,
     )
@@ -523,26 +620,46 @@ def guess_figure() -> Figure:
 
 
 def spokes_figure() -> Figure:
-    """Draw the two arrows from the ICR to the robot, before and after the step."""
-    centre, end, turn = (-R, 0), drive_for(dt), omega * dt
+    """Draw the two spokes from the ICR to the robot, before and after the step."""
+    down, end = -pi / 2, (x_next, y_next, theta_next)
+    centre = (-R * sin(theta), R * cos(theta))  # as P is at the origin
+
+    def from_icr(heading: Any, far: float) -> tuple[Any, Any]:
+        """Return a place on the spoke of a heading: straight down for 0, turned as the robot is."""
+        return centre[0] + far * sin(heading), centre[1] - far * cos(heading)
+
+    def spoke(kind: str, heading: Any, tip: Any) -> tuple[Any, ...]:
+        """Return a spoke, and its parts along x and y."""
+        middle = from_icr(heading, R / 2)
+        return (
+            Line("ghost", (tip[:2], (centre[0], tip[1]))),
+            Arrow(kind, centre, tip, ""),
+            Label(kind, middle, "R"),
+        )
+
     return Figure(
         name="spokes",
-        title="From the ICR two arrows go to the robot, one before and one after the step",
-        view=(-0.24, 0.13, -0.09, 0.2),
+        title="From the ICR two spokes go to the robot, one before and one after the step",
+        view=(-0.26, 0.14, -0.11, 0.23),
         ground="tiles",
-        controls=(Slider(dt, 0.0, 3.0, start=2.0, step=0.1),),
-        where=(*SPEEDS.items(), *RADIUS_TOO),
+        controls=(
+            Slider.degrees(theta, 30, 120, start=60, step=5),
+            Slider(dt, 0.0, 3.0, start=2.0, step=0.1),
+        ),
+        where=((x, 0), (y, 0), *SPEEDS.items(), *RADIUS_TOO, *assign(motion.arc_step)),
         shapes=(
-            Area("icr", (centre, ORIGIN, end)),
-            robot(START, look="ghost"),
-            way("path", 0, dt),
+            robot((0, 0, theta), look="ghost"),
+            Curve("path", motion.arc_step.right.subs(dt, s)[:2], s, 0, dt),
             robot(end, time=dt),
-            AngleArc("turning", centre, 0, turn, 0.045, "ωΔt"),
-            Arrow("old_heading", centre, ORIGIN, "before"),
-            Arrow("new_heading", centre, end, "after"),
+            Line("ghost", (centre, (centre[0], centre[1] - R))),
+            AngleArc(theta, centre, down, down + theta, 0.06),
+            AngleArc("new_heading", centre, down, down + theta_next, 0.04, ""),
+            *spoke("old_heading", theta, ORIGIN),
+            *spoke("new_heading", theta_next, end),
+            Label("new_heading", from_icr(theta_next - 0.4, 0.055), "θ′"),
             Point("icr", centre, label="ICR"),
         ),
-        readouts=(Readout("turn", "turned by ωΔt", turn, "rad", 0),),
+        readouts=(Readout(x_next), Readout(y_next), Readout(theta_next)),
     )
 
 
@@ -627,7 +744,8 @@ def almost_figure() -> Figure:
         ),
         handles=(Handle("the dot in the graph", dot, {power: -log(graph.x_at(POINTER), 10)}),),
         readouts=(
-            Readout(omega, digits=-2),
+            Readout("after", "sin(θ + ωΔt)", sin(SLANTED + LONG * omega), digits=16),
+            Readout("before", "sin θ", sin(SLANTED), digits=16),
             Readout("error", "error, textbook's form", distance(LOST, exact), "m", digits=-2),
         ),
         grid=False,
@@ -642,7 +760,7 @@ def steps_figure() -> Figure:
     graph = Graph((0.22, 0.58, 0.0, 0.28), (0.1, 10), (1e-6, 1), ("step Δt in s", "error in m"))
     exact, step = substitute(drive_for(DURATION), TWIST), DURATION / n
     straight = substitute(motion.euler_step.right, {**TWIST, dt: step})
-    shapes, readouts, dots = [], [], []
+    shapes, readouts, dots, ends = [], [], [], []
     half = TWIST[omega] * s / 2  # of the turn in a step s
     for kind, early, words in (("approximation", 0, "old"), ("middle_heading", 1, "middle")):
         state, end = (
@@ -660,6 +778,7 @@ def steps_figure() -> Figure:
             Curve(kind, graph.place((s, error)), s, step, 3),
             Point(kind, graph.place((step, distance(end, exact))), words),
         ]
+        ends.append(end)
         dots.append(graph.place((step, error.subs(s, step))))
         readouts += [
             Readout(f"error_{early}", f"error, {words} heading", distance(end, exact), "m", 5)
@@ -682,6 +801,13 @@ def steps_figure() -> Figure:
             Handle("the upper dot in the graph", dots[0], {n: DURATION / graph.x_at(POINTER)}),
         ),
         readouts=tuple(readouts),
+        goal=tuple(
+            Goal(And(distance(end, exact) < 0.01, n < most), f"By the {words}: within 1 cm{more}.")
+            for end, most, words, more in (
+                (ends[1], 5, "middle heading", ", in fewer than 5 steps"),
+                (ends[0], 61, "old heading", ""),
+            )
+        ),
         grid=False,
     )
 
@@ -867,7 +993,7 @@ def recap_figure() -> Figure:
     return SCENE.figure(
         "summary",
         "The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
-        "axle tips robot wheels speed wedge radius icr",
+        "axle tips robot wheels speed slope radius icr",
         view=(-0.26, 0.2, -0.12, 0.22),
         controls=(),
         where=(*SPEEDS.items(), *RADIUS_TOO),
@@ -881,11 +1007,10 @@ def recap_figure() -> Figure:
 
 def letters_figure() -> Figure:
     """Draw the robot with two letters that are to be put back."""
-    middle = atan2(ARROW * TWIST[omega], 1) / 2
-    places = ((-R / 2, -0.06), (-R / 2, R / 2 * sin(middle)))
-    options = {name: (number,) for number, name in enumerate(("?", "θ", "ω", "c", "R"))}
+    places = ((-R / 2, -0.06), (0.095, (v_L + v_R) / 2))
+    options = {name: (number,) for number, name in enumerate(("?", "θ", "ωb", "c", "R"))}
     names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
-    right = (options["R"][0], options["ω"][0])
+    right = (options["R"][0], options["ωb"][0])
     return SCENE.figure(
         "letters",
         "The robot, its arrows, the line through their tips and the ICR, with the numbers 1 and 2",
@@ -897,7 +1022,8 @@ def letters_figure() -> Figure:
         where=(*SPEEDS.items(), *RADIUS_TOO),
         shapes=(
             Length("icr", ORIGIN, (-R, 0), aside=0.045, label=""),
-            AngleArc("turning", (-R, 0), 0, 2 * middle, 0.06, label=""),
+            Length(b, *RUN),
+            Length("turning", *RISE, "", aside=-0.03),
             *(
                 label
                 for k, (place, name, wanted) in enumerate(zip(places, names, right, strict=True), 1)
@@ -925,7 +1051,9 @@ FIGURES = (
     axle_figure(),
     still_figure(),
     tips_figure(),
+    away_figure(),
     infinity_figure(),
+    icr_figure(),
     world_figure(),
     added_figure(),
     rates_figure(),

@@ -6,7 +6,6 @@ from sympy import Float, pi
 from book.differential_drive import formulas
 from book.differential_drive.figures import (
     DISTANCE,
-    DURATION,
     RADIUS,
     SPEEDS,
     TWIST,
@@ -23,6 +22,9 @@ from robokin import motion
 
 EXERCISE = {**SPEEDS, b: DISTANCE}
 AHEAD = {x: 0, y: 0, theta: pi / 2}
+THROUGH = "nearer, and through the robot to its right"
+AWAY = "away to the left, and it stays there"
+AROUND = "away to the left, then in from the right"
 
 
 def after_two_seconds(turning):
@@ -36,18 +38,11 @@ def rolling(radius):
     return formulas.wheel_rates.substitute(ahead)[1].subs({r: RADIUS, b: DISTANCE})
 
 
-def error(steps):
-    """Return how far the end of 6 s is off in so many straight steps."""
-    drive = [np.full(steps, each) for each in (TWIST[v], TWIST[omega], DURATION / steps)]
-    start = [0, 0, np.pi / 2]
-    ends = [motion.path(start, *drive, method=m)[-1, :2] for m in ("start", "exact")]
-    return np.linalg.norm(ends[0] - ends[1])
-
-
-def halved():
-    """Say what becomes of that error with twice as many steps."""
-    ratio = error(120) / error(60)
-    return nearest_option({"the same": 1, "half as far": 1 / 2, "a quarter as far": 1 / 4}, ratio)
+def where_it_goes():
+    """Say where the ICR goes when the right wheel slows down from 10 to 6 and to 4 cm/s."""
+    radii = [formulas.turning_radius.substitute({**EXERCISE, v_R: u}) for u in (0.1, 0.06, 0.04)]
+    signs = [np.sign(float(radii[1] - radii[0])), np.sign(float(radii[2]))]
+    return nearest_option({THROUGH: (-1, -1), AWAY: (1, 1), AROUND: (1, -1)}, signs)
 
 
 def seen_from_robot():
@@ -129,6 +124,24 @@ PREDICTIONS = (
         spoilers=("runs round it",),
     ),
     Prediction(
+        "where-next",
+        "Where does the ICR go meanwhile, from its place 15 cm to the left of P?",
+        Buttons(
+            (THROUGH, AWAY, AROUND),
+            right=where_it_goes,
+            assumptions={
+                THROUGH: "Then a point between the wheels would have to stand still. But both "
+                "wheels drive forward, and so does all between them.",
+                AWAY: "So it is until both are equally fast. But then the right wheel is the "
+                "slower one, and the robot turns to the right.",
+            },
+        ),
+        explanation="It runs away to the left, faster and faster, and comes back from the right: "
+        "at 4 cm/s it is 45 cm to the right of P.",
+        spoilers=("comes back from", "45 cm"),
+        covers="away",
+    ),
+    Prediction(
         "wheel-rate",
         "The right wheel, of radius 3 cm, rolls at 10 cm/s. How fast does it turn on its axle?",
         Number(
@@ -177,22 +190,6 @@ PREDICTIONS = (
         explanation="The two sines are almost equal. Their difference keeps few correct digits, "
         "and the huge $v/\\omega$ blows the error up.",
         spoilers=("gets worse as", "blows"),
-    ),
-    Prediction(
-        "twice-as-many",
-        "Many programs drive straight for a short time, then turn, and so on (Euler's method). "
-        "With twice as many steps, how far off is the computed end?",
-        Buttons(
-            ("the same", "half as far", "a quarter as far"),
-            right=halved,
-            assumptions={
-                "the same": "Shorter steps follow the arc more closely.",
-                "a quarter as far": "So it is with another method, along the middle heading.",
-            },
-        ),
-        explanation="The error falls with the step: slope 1 in the graph, *a method of order 1*. "
-        "Steps along the middle heading have slope 2: the error falls with the square of the step.",
-        spoilers=("slope 1", "order 1"),
     ),
     Prediction(
         "at-rest",

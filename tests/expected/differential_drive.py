@@ -70,8 +70,7 @@ DRIVES = [STRAIGHT, BACK, SPOT, STILL]
 READOUTS = {
     "park": park_readouts,
     "infinity": infinity_readouts,
-    "spokes": lambda time: {"turn": 0.5 * time},
-    "digits": lambda power: {"omega": 10.0**-power},
+    "digits": lambda power: {"after": np.sin(1 + 2 * 10.0**-power), "before": np.sin(1.0)},
     "steps": steps_readouts,
     "side": side_readouts,
     "damage": damage_readouts,
@@ -82,12 +81,14 @@ SPECIALS = {
     "axle": DRIVES,
     "still": [{"pin_x": -0.15, "pin_y": 0.0, "t": 1.5}],
     "tips": DRIVES,
+    "away": [{"v_R": 0.05}, {"v_R": 0.04}, {"v_R": 0.0}],
     "infinity": [{"share": 0.0}],
+    "icr": [{"theta": 0.0}, {"theta": UP}, {"theta": -UP}],
     "world": [{"theta": 0.0}, {"theta": UP}],
     "rates": [{"omega": 0.0}, {"v": 0.0}, {"v": 0.0, "omega": 0.0}],
     "added": [{"omega": 0.0}, {"v": 0.0, "omega": 0.5}],
     "guess": [{"t": 2.0}],
-    "spokes": [{"dt": 0.0}],
+    "spokes": [{"dt": 0.0}, {"theta": UP}],
     "arc": [{"omega": 0.0}, {"omega": 1e-12}],
     "digits": [{"power": 8.0}],
     "steps": [{"n": 6}, {"n": 12}],
@@ -98,6 +99,7 @@ SPECIALS = {
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("wheel-speeds", {"v_L": 0.1}, "R", "at infinity"),
+    ("away", {"v_R": 0.05}, "R", "∞"),
     ("tips", {"v_L": 0.0, "v_R": 0.0}, "R", "…"),
 ]
 # numbers that are shown to lose their digits, by the symbols that they come from
@@ -160,10 +162,10 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
     "seen-from-the-robot": "at its right",
     "behind-on-the-left": "135°",
     "where-still": ("pin: x −0.15 m, pin: y 0 m", "0 m, 0 m", "−0.05 m, 0 m"),
+    "where-next": "away to the left, then in from the right",
     "wheel-rate": ("3.33 rad/s", "1.67 rad/s", "0.003 rad/s", "30 rad/s"),
     "where-after": ("x −0.069 m, y 0.126 m", "0 m, 0.15 m", "0.069 m, 0.126 m"),
     "ever-straighter": "it gets worse",
-    "twice-as-many": "half as far",
     "at-rest": "nowhere: no answer",
     "at-its-side": "yes, exactly",
 }
@@ -188,10 +190,17 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
             [{"v_L": 0.07, "v_R": 0.074}, {"v_L": 0.01, "v_R": 0.01}],
         ),
     ],
+    "away": [  # 5 (5 + v) / (v - 5) cm is -25 cm at 10/3 cm/s
+        ([{"v_R": 0.0325}, {"v_R": 0.034}], [{"v_R": 0.032}, {"v_R": 0.035}, {"v_R": 0.075}])
+    ],
+    "steps": [
+        ([{"n": 4}], [{"n": 3}, {"n": 5}]),
+        ([{"n": 45}], [{"n": 44}]),
+    ],
     "letters": [
         (
-            [{"name_1": "R", "name_2": "ω"}],
-            [{"name_1": "ω", "name_2": "R"}, {"name_1": "R", "name_2": "c"}],
+            [{"name_1": "R", "name_2": "ωb"}],
+            [{"name_1": "ωb", "name_2": "R"}, {"name_1": "R", "name_2": "c"}],
         )
     ],
     "sideways": [

@@ -15,6 +15,7 @@ from sympy import (
     atan2,
     cos,
     log,
+    nan,
     oo,
     pi,
     sign,
@@ -200,7 +201,8 @@ moves = Or(Ne(v_L, 0), Ne(v_R, 0))
 turns = Ne(v_L, v_R)
 AXLE = (-0.6, 0.6)  # m: from where to where lines across the picture go
 towards = Piecewise((0, v_R > v_L), (pi, True))  # from the ICR to the robot
-seen = Max(-0.55, Min(0.55, R))  # so much of R is drawn where the ICR is far away
+seen = Max(-0.55, Min(0.55, -R))  # where the ICR is, or how far R is drawn towards it
+SPAN = tuple(Piecewise((end(0, seen), moves), (nan, True)) for end in (Min, Max))
 TIPS = (point_of(START, v_L, DISTANCE / 2), point_of(START, v_R, -DISTANCE / 2))
 RUN = (TIPS[0], (TIPS[1][0], TIPS[0][1]))  # the slope of the line through the tips: run and rise
 RISE = ((TIPS[1][0], Min(v_L, v_R)), (TIPS[1][0], Max(v_L, v_R)))
@@ -226,7 +228,7 @@ SCENE = Scene(
         "wheels": arrows(START, middle=False),
         "speed": (Arrow(v, ORIGIN, (0, ARROW * v)),),
         "slope": when(turns, Length(b, *RUN), Length(omega, *RISE, "ω b", aside=-0.03)),
-        "radius": (Length(R, (-Max(0, seen), 0), (-Min(0, seen), 0), aside=-0.095),),
+        "radius": (Length(R, (SPAN[0], 0), (SPAN[1], 0), aside=-0.095),),
         "icr": (Point("icr", (-R, 0), label="ICR"),),
     },
     handles={"wheels": tip_handles(), "right": tip_handles()[1:]},
@@ -432,7 +434,7 @@ def icr_figure() -> Figure:
         title="The robot at a place of the world, its heading, and the ICR to its left",
         view=(-0.04, 0.42, -0.05, 0.33),
         ground="tiles",
-        controls=(Slider.degrees(theta, start=40),),
+        controls=(Slider.degrees(theta, -175, 175, start=40, step=5),),
         where=(
             (x, 0.2),
             (y, 0.16),

@@ -19,6 +19,7 @@ r = quantity("r", "m", 0.01, 0.5, "wheel radius")
 b = quantity("b", "m", 0.05, 1, "distance between the wheels, the whole of it")
 R = quantity("R", "m", -10, 10, "turning radius: how far to the left the ICR lies")
 rate = symbol("rate", "rate of a wheel", r"\dot\varphi", "rad/s")
+phi = symbol("phi", "how far a wheel has turned on its axle", r"\varphi", "rad")
 u = symbol("u", "half of the angle that is turned in a step", unit="rad")
 
 LOOKS = {

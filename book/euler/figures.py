@@ -119,6 +119,14 @@ def floor(at: Sequence[Any] = ORIGIN) -> Any:
     return space.floor(FLOOR, HALF, at)
 
 
+def die_axes(R: Matrix, at: Sequence[Any], labels: Sequence[str]) -> tuple[Any, ...]:
+    """Return the axes of a die, each from its face on."""
+    tail, head = (
+        [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.25)
+    )
+    return tuple(map(VIEW.arrow, AXES, tail, head, labels))
+
+
 def die(
     R: Matrix,
     at: Sequence[Any] = ORIGIN,
@@ -126,19 +134,17 @@ def die(
     kind: str = "accent",
 ) -> tuple[Any, ...]:
     """Return a die on its axes, above a floor."""
-    tail, head = (
-        [[at[k] + far * R[k, axis] for k in range(3)] for axis in range(3)] for far in (0.5, 1.25)
-    )
-    stubs = map(VIEW.arrow, AXES, tail, head, labels)
     edge = "accent_edge" if kind == "accent" else kind
     body = VIEW.solid(space.die(kind, "shell", edge), R, at, floor=FLOOR)
-    return floor(at), body, *stubs
+    return floor(at), body, *die_axes(R, at, labels)
 
 
-def ghost_die(R: Matrix, at: Sequence[Any]) -> tuple[Any, ...]:
-    """Return the ghost onto which a die shall be brought."""
+def ghost_die(
+    R: Matrix, at: Sequence[Any], labels: Sequence[str] = ("x", "y", "z")
+) -> tuple[Any, ...]:
+    """Return the ghost onto which a die shall be brought, on its axes."""
     body = VIEW.solid(space.die("ghost"), R, at, floor=FLOOR, opacity=0.15)
-    return floor(at), body
+    return floor(at), body, *die_axes(R, at, labels)
 
 
 def room(at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
@@ -258,14 +264,18 @@ def columns_figure() -> Figure:
     )
 
 
+def in_both_orders(first_part: Any, second_part: Any) -> tuple[Matrix, Matrix]:
+    """Return −90° about z and 90° about x, parts of them, about own axes: z first, and x first."""
+    a, b = (part * exact_pi / 2 for part in (first_part, second_part))
+    one = euler.turned_about(Z, -a) * euler.turned_about(X, b)
+    return one, euler.turned_about(X, a) * euler.turned_about(Z, -b)
+
+
 def order_figure() -> Figure:
     """Draw the same two quarter turns in two orders."""
-    a, b = (ramp(made, k) * exact_pi / 2 for k in (0, 1))
     steps = NamedSteps()
-    left, right = (
-        steps.add(name, euler.turned_about(one, a) * euler.turned_about(two, b))
-        for name, one, two in (("p", Z, X), ("q", X, Z))
-    )
+    both = zip("pq", in_both_orders(ramp(made, 0), ramp(made, 1)), strict=True)
+    left, right = (steps.add(name, R) for name, R in both)
     return Figure(
         name="order",
         ground="wall",
@@ -275,6 +285,34 @@ def order_figure() -> Figure:
         shapes=(*die(left, LEFT), *die(right, RIGHT)),
         readouts=(Readout("apart", "angle between the dice", angle_of(left.T * right), "rad"),),
         sentence="{made} turns made of each; the dice are one turn of {apart} apart.",
+        where=steps,
+    )
+
+
+def corner_figure() -> Figure:
+    """Draw the left of these dice at its end, and the turn about a corner that leads to the right.
+
+    The two ends differ by a turn about (1, 1, 1), which is in sight.
+    """
+    steps = NamedSteps()
+    left, right = in_both_orders(1, 1)
+    corner = Matrix([1, 1, 1]) / sqrt(3)
+    now = steps.add("n", euler.turned_about(corner, turn) * left)
+    return Figure(
+        name="corner",
+        ground="wall",
+        title="The two dice after both turns; the left one turns about the line through a corner",
+        view=(-2.4, 2.5, -1.6, 1.5),
+        controls=(Slider.degrees(turn, step=15),),
+        shapes=(
+            *turn_axis(corner, LEFT),
+            *die(now, LEFT),
+            bring_forward(VIEW.point("icr", [k + 0.47 for k in LEFT]), 1),
+            *die(right, RIGHT),
+        ),
+        readouts=(Readout("apart", "angle between the dice", angle_of(now.T * right), "rad"),),
+        sentence="The left die is turned on by {turn} about a corner: {apart} apart.",
+        goal=Goal(is_aligned(now, right), "Turn the left die onto the right one."),
         where=steps,
     )
 
@@ -338,7 +376,7 @@ def target_figure() -> Figure:
             *die(now, LEFT),
             *turn_arc("α", first, outer, "icr", at=LEFT),
             *turn_arc("β", middle, mid, "icr", one, LEFT),
-            *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
+            *ghost_die(R_AB, VIEW.right_of_origin(1.45), OF_B),
         ),
         readouts=(Readout("in_place", "axes that point as in B", in_place, "", digits=0),),
         sentence="Turned about {axes} by {first} and {middle}: {in_place} axes as in frame B.",
@@ -365,7 +403,9 @@ def three_angles_figure() -> Figure:
         size="laboratory",
         controls=(
             Slider.degrees(first, step=10, label="first α, about x", kind="x_axis"),
-            Slider.degrees(middle, step=10, label="middle β, about the new y", kind="y_axis"),
+            Slider.degrees(
+                middle, -90, 90, step=10, label="middle β, about the new y", kind="y_axis"
+            ),
             Slider.degrees(third, step=10, label="third γ, about the newest z", kind="z_axis"),
         ),
         shapes=(
@@ -437,15 +477,61 @@ def ring(kind: str, flat: str, radius: float, along: str, end: float) -> tuple[M
     return meshes.ring(kind, radius, rim, 0.1, flat), *pins
 
 
+def rings(
+    steps: NamedSteps, first: Any, middle: Any, third: Any
+) -> tuple[tuple[Matrix, Matrix, Matrix], tuple[Any, ...]]:
+    """Return how three rings stand after their turns, and what is drawn: stand, rings, plane."""
+    low = -1.46
+    one = steps.add("a", euler.turned_about(X, first))
+    two = steps.add("b", one * euler.turned_about(Y, middle))
+    three = steps.add("c", two * euler.turned_about(Z, third))
+    return (one, two, three), (
+        space.floor(low, 1.45),
+        VIEW.solid(STAND, UNTURNED, floor=low),
+        VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=low),
+        VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
+        VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
+        VIEW.solid(AEROPLANE, three),
+    )
+
+
+def rings_alone_figure() -> Figure:
+    """Draw the rings, each turned alone, and the axis of each."""
+    steps = NamedSteps()
+    (one, two, three), things = rings(steps, *TURNS)
+    axes = (("x_axis", X, 1.8), ("y_axis", one[:, 1], 1.3), ("z_axis", two[:, 2], 1.3))
+    return Figure(
+        name="rings-alone",
+        ground="wall",
+        title="Three rings on a stand, the axis of each, and an aeroplane in the innermost",
+        view=(-2.9, 2.9, -2.15, 1.5),
+        seen_from=(-pi / 4, pi / 8),
+        controls=(
+            Slider.degrees(first, step=15, label="α, outer ring", kind="x_axis"),
+            Slider.degrees(middle, step=15, label="β, middle ring", kind="y_axis"),
+            Slider.degrees(third, step=15, label="γ, inner ring", kind="z_axis"),
+        ),
+        shapes=(
+            *things,
+            *(
+                VIEW.line(kind, ((side * far * axis), (side * 0.5 * axis)))
+                for kind, axis, far in axes
+                for side in (1, -1)
+            ),
+        ),
+        sentence="Outer ring {first}, middle ring {middle}, inner ring {third}.",
+        goal=Goal(three[2, 0] < -cos(exact_pi / 60), "Point the aeroplane's nose straight down."),
+        where=steps,
+    )
+
+
 def rings_figure() -> Figure:
     """Draw a stand, three rings, an aeroplane, and the turns that it can make at this moment."""
     steps = NamedSteps()
-    one = steps.add("a", euler.turned_about(X, against))
-    two = steps.add("b", one * euler.turned_about(Y, middle))
-    three = steps.add("c", two * euler.turned_about(Z, -against))
+    (_, _, three), things = rings(steps, against, middle, -against)
     J = substitute(substitute(euler.axes, dict(euler.steps)), {first: against})
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
-    low, is_locked = -1.46, Abs(cos(middle)) < 0.02
+    is_locked = Abs(cos(middle)) < 0.02
     across = Matrix([0, -sin(against), cos(against)])  # to the axes of the outer and middle ring
     return Figure(
         name="gimbal-rings",
@@ -458,12 +544,7 @@ def rings_figure() -> Figure:
             Slider.degrees(against, step=15, label="outer ring +, inner ring −"),
         ),
         shapes=(
-            space.floor(low, 1.45),
-            VIEW.solid(STAND, UNTURNED, floor=low),
-            VIEW.solid(ring("x_axis", "z", 1.16, "x", 1.46), one, floor=low),
-            VIEW.solid(ring("y_axis", "x", 0.94, "y", 1.16), two),
-            VIEW.solid(ring("z_axis", "y", 0.72, "z", 0.94), three),
-            VIEW.solid(AEROPLANE, three),
+            *things,
             *when(is_locked, VIEW.arrow("error", 0.4 * across, 1.6 * across, "lost")),
             VIEW.solid((meshes.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.65)),
             Label(euler.omega, (2.65, -0.85)),
@@ -615,7 +696,7 @@ def one_axis_figure() -> Figure:
             *room(LEFT),
             *turn_axis(Matrix(euler.n), LEFT),
             *die(R, LEFT),
-            *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
+            *ghost_die(R_AB, VIEW.right_of_origin(1.45), OF_B),
         ),
         readouts=(Readout("apart", "angle to B", angle_of(R_AB.T * R), "rad"),),
         sentence="Turned by {turn} about an axis through {axis}, {apart} from frame B.",
@@ -758,7 +839,7 @@ def sequence_figure() -> Figure:
             *room(LEFT),
             *turn_axis(u, LEFT),
             *die(now, LEFT),
-            *ghost_die(R_AB, VIEW.right_of_origin(1.45)),
+            *ghost_die(R_AB, VIEW.right_of_origin(1.45), OF_B),
         ),
         readouts=(
             *(
@@ -800,10 +881,12 @@ FIGURES = (
     exercise_figure(),
     columns_figure(),
     order_figure(),
+    corner_figure(),
     readings_figure(),
     target_figure(),
     three_angles_figure(),
     both_figure(),
+    rings_alone_figure(),
     rings_figure(),
     near_lock_figure(),
     one_axis_figure(),

@@ -4,9 +4,14 @@ from collections.abc import Callable
 from itertools import product
 
 import numpy as np
+from sympy import asin, cos, pi, rad, sin
 
+from book.euler.figures import GIVEN
 from courseware.predictions import Buttons, Number, Prediction
-from robokin import elbow_arm
+from robokin import elbow_arm, euler
+
+GAMMA = rad(GIVEN[2])
+APART, SPECIAL, ALWAYS = "apart, as in step 2", "alike, for special angles", "alike, for any angles"
 
 
 def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:
@@ -23,6 +28,14 @@ def ways_of_the_arm() -> str:
 def third_quarter() -> str:
     """Return the direction of the point (−1, −1)."""
     return f"{np.degrees(np.arctan2(-1, -1)):.0f}°".replace("-", "−")
+
+
+def own_or_room() -> str:
+    """Return whether ZX and xz with the same angles are alike for none, some or all of many."""
+    angles = np.random.default_rng(1).uniform(-3, 3, (100, 2))
+    own, room = euler.to_matrix("ZX", angles), euler.to_matrix("xz", angles[:, ::-1])
+    alike = np.isclose(own, room).all(axis=(1, 2))
+    return ALWAYS if alike.all() else SPECIAL if alike.any() else APART
 
 
 PREDICTIONS = (
@@ -112,6 +125,39 @@ PREDICTIONS = (
         "again.",
         spoilers=("depends on the order",),
         covers="order",
+    ),
+    Prediction(
+        "own-or-room",
+        "Where do the two dice end?",
+        Buttons(
+            (APART, SPECIAL, ALWAYS),
+            right=own_or_room,
+            assumptions={
+                APART: "There both dice turned about their own axes. Here only one of them does.",
+                SPECIAL: "Change both sliders: they still end alike.",
+            },
+        ),
+        explanation="Alike, whatever the angles are. Why?",
+        spoilers=("two readings", "whatever the angles"),
+        covers="two-readings",
+    ),
+    Prediction(
+        "read-gamma",
+        "Read the three angles, tens of degrees, from the ghost's matrix, and bring the die onto "
+        "the ghost. One entry holds only $\\beta$: begin there. How large is $\\gamma$?",
+        Number(
+            "°",
+            right=GAMMA,
+            assumptions={
+                "That forgets a minus: $r_{12}$ is $-\\sin\\gamma\\cos\\beta$.": -GAMMA,
+                "That forgets $\\cos\\beta$: $-r_{12}$ is $\\sin\\gamma\\cos\\beta$.": asin(
+                    cos(rad(GIVEN[1])) * sin(GAMMA)
+                ),
+                "Then $\\cos\\beta$ would be negative.": GAMMA + pi,
+            },
+        ),
+        explanation="$-r_{12}$ is −0.30 and $r_{11}$ is 0.81: an arrow to the right and down.",
+        spoilers=("to the right and down",),
     ),
     Prediction(
         "other-answer",

@@ -70,7 +70,7 @@ DRIVES = [STRAIGHT, BACK, SPOT, STILL]
 READOUTS = {
     "park": park_readouts,
     "infinity": infinity_readouts,
-    "digits": lambda power: {"after": np.sin(1 + 2 * 10.0**-power), "before": np.sin(1.0)},
+    "digits": lambda power: {"after": np.sin(1 + 2 * 10.0**-power)},
     "steps": steps_readouts,
     "side": side_readouts,
     "damage": damage_readouts,

@@ -60,8 +60,15 @@ def from_lock(seq, R):
 def order_readouts(made, azimuth, elevation):
     """Return the one turn between the same turns in two orders."""
     angles = HALF * np.clip(np.stack([made, made - 1], axis=-1), 0, 1)
-    apart = np.swapaxes(euler.to_matrix("ZX", angles), 1, 2) @ euler.to_matrix("XZ", angles)
-    return {"apart": euler.to_axis_angle(apart)[1]}
+    left, right = euler.to_matrix("ZX", angles * [-1, 1]), euler.to_matrix("XZ", angles * [1, -1])
+    return {"apart": euler.to_axis_angle(np.swapaxes(left, 1, 2) @ right)[1]}
+
+
+def corner_readouts(turn, azimuth, elevation):
+    """Return the one turn from the left die, turned on about a corner, to the right one."""
+    left, right = euler.to_matrix("ZX", [-HALF, HALF]), euler.to_matrix("XZ", [HALF, -HALF])
+    now = euler.from_axis_angle(np.full(3, 3**-0.5), turn) @ left
+    return {"apart": euler.to_axis_angle(np.swapaxes(now, 1, 2) @ right)[1]}
 
 
 def readings_readouts(first, middle, made, azimuth, elevation):
@@ -136,6 +143,7 @@ def mistakes_readouts(*columns):
 
 READOUTS = {
     "order": order_readouts,
+    "corner": corner_readouts,
     "two-readings": readings_readouts,
     "to-b": target_readouts,
     "read-angles": three_angles_readouts,
@@ -161,6 +169,7 @@ SPECIALS = {
     "two-frames": [{"elevation": HALF}],
     "columns": [{"axis": axis, "turn": turn} for axis in "xyz" for turn in (0.0, HALF, -HALF)],
     "order": [{"made": 1.0}, {"made": 2.0}],
+    "corner": [{"turn": 2 * np.pi / 3}],
     "two-readings": [{"made": made} for made in (0.0, 1.0, 1.5, 2.0)],
     "to-b": [
         {"axes": "y, then z", "first": HALF, "middle": -HALF},
@@ -169,6 +178,7 @@ SPECIALS = {
     ],
     "read-angles": [{"first": HALF}, {**LOCKED}],
     "both-answers": [{**LOCKED, "made": 3.0}, {"made": 1.0}, {"made": 2.0}, {"made": 3.0}],
+    "rings-alone": [LOCKED, {"first": HALF}, {"third": HALF}],
     "gimbal-rings": [LOCKED, {"middle": -HALF}, {"middle": 0.0, "against": 0.0}],
     "inner-rate": [{"near": near} for near in (0.2, 1.0, 30.0, 90.0)],
     "one-axis": [{"axis": "two corners", "turn": 2 * np.pi / 3}, {"turn": 0.0}],
@@ -234,6 +244,8 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
     "how-many-turns": "two",
     "first-column": "(0, 0, −1)",
     "two-orders": "120° apart",
+    "own-or-room": "alike, for any angles",
+    "read-gamma": ("−20°", "20°", "−17.2°", "160°"),
     "other-answer": "alike",
     "how-many-orders": ("12", "6", "27", "24"),
     "ring-against-ring": "nothing",
@@ -277,6 +289,18 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
         (
             [{"first": np.radians(first), **REST} for first in (39.1, 40.9)],
             [{"first": np.radians(first), **REST} for first in (38.9, 41.1)],
+        )
+    ],
+    "corner": [
+        (
+            [{"turn": np.radians(turn)} for turn in (119.1, 120.9)],
+            [{"turn": np.radians(turn)} for turn in (118.9, 121.1, -120)],
+        )
+    ],
+    "rings-alone": [  # within 3°; at lock the outer and the inner ring undo each other
+        (
+            [LOCKED, {"middle": np.radians(92.9)}, {**LOCKED, "first": 1.0, "third": -1.0}],
+            [{"middle": np.radians(93.1)}, {"middle": -HALF}, {"third": HALF}],
         )
     ],
     "gimbal-rings": [

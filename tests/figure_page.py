@@ -110,7 +110,8 @@ class OnPage:
         place = self.figure.controls.index(control)
         if len(control.options) > 4:
             return self.input(control).select_option(option)
-        return self.root.locator(f"[data-i='{place}']").nth([*control.options].index(option)).check()
+        buttons = self.root.locator(f"[data-i='{place}']")
+        return buttons.nth([*control.options].index(option)).check()
 
     def press(self, control, *keys):
         """Press keys on a slider that has the focus; of turns, buttons, each to its end."""

@@ -15,6 +15,7 @@ import re
 from cmath import phase, pi, rect
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 from courseware.errors import CourseError
@@ -117,7 +118,7 @@ def _bend(points: list[complex]) -> list[complex]:
     for _ in points[1:]:
         shares = ((k + 1) / 4 for k in range(4))
         parts = [
-            [a + t * (b - a) for a, b in zip(part, part[1:], strict=False)]
+            [a + t * (b - a) for a, b in pairwise(part)]
             for part, t in zip(parts, shares, strict=True)
         ]
     return [part[0] for part in parts]

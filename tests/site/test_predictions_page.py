@@ -171,7 +171,8 @@ def test_what_cannot_be_read_opens_nothing(page):
 
 # where the picture is below the top of its figure, and how large
 PICTURE = """(figure) => {
-  const { top } = figure.getBoundingClientRect(), box = figure.querySelector("svg").getBoundingClientRect();
+  const { top } = figure.getBoundingClientRect();
+  const box = figure.querySelector("svg").getBoundingClientRect();
   return [box.top - top, box.width, box.height];
 }"""
 

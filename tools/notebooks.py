@@ -17,6 +17,9 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from stored_outputs import normalize
 
+import book  # noqa: F401 (opens the course)
+from courseware.programs import all_programs
+
 BOOK = Path(__file__).parents[1] / "book"
 
 
@@ -42,9 +45,18 @@ def main() -> int:
     return 1 if failed or not paths else 0
 
 
+def write_starters(notebook: nbformat.NotebookNode) -> None:
+    """Write the code that students begin with, which `programs.py` has, into its cells."""
+    starters = {f"program-{p.name}": p.starter.rstrip() for p in all_programs().values()}
+    for cell in notebook.cells:
+        for tag in starters.keys() & set(cell.metadata.get("tags", ())):
+            cell.source = starters[tag]
+
+
 def run_notebook(path: Path) -> str:
     """Run a notebook from top to bottom and return its text."""
     notebook = nbformat.read(path, as_version=4)
+    write_starters(notebook)
     client = NotebookClient(
         notebook,
         timeout=120,

@@ -12,7 +12,6 @@ import dis
 import inspect
 import json
 import linecache
-import multiprocessing
 import os
 import runpy
 import sys
@@ -78,6 +77,8 @@ def main() -> int:
 
 def run_apart(start: str, work: Callable[..., Tried], *given: Any) -> Tried:
     """Return the result of a function in a process of its own, or that it has none."""
+    import multiprocessing  # not in a page, whose Python has none
+
     context: Any = multiprocessing.get_context(start)
     read, write = context.Pipe(duplex=False)
     child = context.Process(target=send_result, args=(write, work, *given))

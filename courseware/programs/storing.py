@@ -20,9 +20,9 @@ from courseware.programs.declaration import Function, Program
 
 ROUND, RANDOM, EACH = 8, 150, 3  # inputs: of round numbers, random ones, of each special case
 MANY = 60  # from which the simplest are taken
-# Inputs near a special case, twice each: how far, as parts of a range. What is treated as the case
-# within a millionth of the range is right, and the smallest tries whether digits are lost.
-AWAY = (0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-8) * 2
+# inputs near a special case, twice each: how far, as parts of a range. To take for the case what is
+# within a millionth of the range is right.
+AWAY = (0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5) * 2
 PLAIN = [float(f"{digit}e{power}") for power in range(-3, 6) for digit in (1, 2, 3, 4, 5, 6, 7, 8)]
 
 AS_GIVEN = "These are the answers of the program as it was given: its mistake is still in it."
@@ -39,17 +39,16 @@ def store(program: Program) -> dict[str, Any]:
     ordinary = [k for k, (special, *_) in enumerate(cases) if not special]
     circle = np.array([unknown.circle for unknown in program.answer])
     size = np.median(np.abs([rights[k] for k in ordinary]), axis=0)
-    known = {
-        **{m.name: (f"{KNOWN.format(m.feedback)} {m.why}", f) for m, f in program.wrong.items()},
-        **{words: (KNOWN.format(words), f) for words, f in program.likely_slips.items()},
-    }
+    known = [
+        *((f"{KNOWN.format(m.feedback)} {m.why}", f) for m, f in program.wrong.items()),
+        *((KNOWN.format(words), f) for words, f in program.likely_slips.items()),
+    ]
     entries = [
         {
-            "name": name,
             "feedback": words,
             "answers": [_flat(program, f, given[k]) for k in ordinary],
         }
-        for name, (words, f) in known.items()
+        for words, f in known
     ]
     entries += _take_for_degrees(program, [cases[k][-1] for k in ordinary])
     if not program.is_new:  # the name would leave nothing to find
@@ -212,4 +211,4 @@ def _take_for_degrees(program: Program, cases: list[Numbers]) -> Iterator[dict[s
             answers = [_flat(program, program.right, each) for each in given]
         except ValueError:
             continue  # outside of what the library takes
-        yield {"name": words, "feedback": KNOWN.format(words), "answers": answers}
+        yield {"feedback": KNOWN.format(words), "answers": answers}

@@ -61,9 +61,9 @@ def render_slot(figure: str, name: str, chapter: str) -> str:
     key = find_key(found, name)
     kinds = (find_kind(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key == key)
     widest = engine.run(f"{WIDEST}({found.code}, {json.dumps(key)}, courseware)")
-    face = f'data-symbol="{key}" data-look="{next(kinds, "")}" data-widest="{escape(widest)}"'
-    text = escape(start_text(figure, name))
-    return f'<span class="rk-slot" data-of="{figure}" data-result="1" {face}>{text}</span>'
+    face = f'data-of="{figure}" data-result="1" data-symbol="{key}" data-look="{next(kinds, "")}"'
+    text = f"<span {face}>{escape(start_text(figure, name))}</span>"
+    return f'<span class="rk-slot" data-widest="{escape(widest)}">{text}</span>'
 
 
 def place_slots(app: Sphinx, page: str, content: list[str]) -> None:
@@ -92,4 +92,5 @@ def _place(figure: str, phrase: str, text: str, page: str) -> str:
         raise CourseError(f"“{plain}” does not stand there once: run `make notebooks`")
     chapter = page.partition("/")[0]
     slots = FIELD.sub(lambda field: render_slot(figure, field[1], chapter), phrase)
-    return text.replace(plain, slots)
+    # what follows a number without a space moves with it
+    return re.sub(r"</span></span>([^\w\s<]+)", r"</span>\1</span>", text.replace(plain, slots))

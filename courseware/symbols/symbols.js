@@ -26,6 +26,21 @@ const fillSlots = ({ name, numbers }) => {
   slots[name].forEach((slot) => writeText(slot, formatSlot(numbers[slot.dataset.symbol], slot.dataset)));
 };
 
+// On a phone the formula is below the screen while a hand moves its figure: it comes in sight until the
+// page is scrolled, at that end where the hand is not.
+const unpin = () => document.querySelector(".rk-pinned")?.classList.remove("rk-pinned");
+const pinNumbers = (figure, { name }) => {
+  const hand = figure.courseware?.held?.by ?? (figure.contains(document.activeElement) && document.activeElement);
+  if (!hand || !matchMedia("(max-width: 600px)").matches) return;
+  const numbers = [...document.querySelectorAll(`.rk-numbers:has([data-of="${name}"])`)].find((each) => each.checkVisibility());
+  if (!numbers || numbers.matches(".rk-pinned") || numbers.getBoundingClientRect().bottom < innerHeight) return;
+  unpin();
+  numbers.classList.add("rk-pinned");
+  const isLow = hand.getBoundingClientRect().bottom > innerHeight - numbers.offsetHeight;
+  numbers.style.inset = isLow ? "var(--rk-top, 0) 0 auto" : "";
+  addEventListener("scroll", unpin, { once: true });
+};
+
 const markNames = () => {
   const known = new Map(Object.entries(coursewareSymbols).map(([symbol, [, , , look, code]]) =>
     [code, look ? { symbol, look } : { symbol }]));
@@ -112,6 +127,7 @@ export const startSymbols = () => {
   }
   addEventListener("courseware:drawn", ({ target, detail }) => {
     fillSlots(detail);
+    pinNumbers(target, detail);
     if (!lit?.step.contains(target)) return;
     note.ariaLive = "off"; // what moves is not told again and again
     writeNote();

@@ -582,7 +582,7 @@ def near_lock_figure() -> Figure:
         name="inner-rate",
         title="The nearer to lock, the faster the inner ring must turn: a graph, and the rates",
         view=(-0.75, 4.4, -0.95, 2.75),
-        ground="wall",
+        ground="paper",
         controls=(Slider(near, 0.2, 90.0, start=30.0, step=0.2, label="degrees from lock"),),
         shapes=(
             *graph.shapes(),

@@ -58,6 +58,7 @@ TONES = {
     "goal": ("#cfe04a", "#c9da48"),
     "goal_dark": ("#9aab14", "#8c9a1c"),
     "goal_edge": ("#5a6600", "#eef08a"),
+    "goal_mark": ("#5a6600", "#3f4700"),
     "light": ("#ffffff", "#ffffff"),
     # meanings on rubber
     "left2": ("#5cbcf5", "#5cbcf5"),

@@ -65,7 +65,7 @@ def pad(pose: Any) -> Thing:
         (
             Outline(disc(0.074), "goal", "target"),
             Outline(disc(0.064), "", "goal_dark", 0.0016),
-            Outline(line((0.02, -0.022), (0.042, 0), (0.02, 0.022)), "", "goal_edge", 0.006),
+            Outline(line((0.02, -0.022), (0.042, 0), (0.02, 0.022)), "", "goal_mark", 0.006),
             *contacts,
         ),
     )

@@ -56,10 +56,10 @@ const unit = (a) => {
 };
 const normalOf = ([a, b, c]) => unit(cross(subtract(a, b), subtract(b, c)));
 
-// Lighter or darker than its kind, in steps of a fiftieth.
+// Lighter or darker than its kind, in steps of a fiftieth; what is wrong is pale, and hatched.
 const shadeFace = (kind, normal) => {
   const part = 2 * Math.round(20 * dot(normal, LIGHT) - 2.5);
-  return `color-mix(in srgb,${paint(kind)} ${100 - Math.abs(part)}%,${part < 0 ? "#000" : "#fff"})`;
+  return `color-mix(in srgb,${paint(kind === "error" ? "shell_mid" : kind)} ${100 - Math.abs(part)}%,${part < 0 ? "#000" : "#fff"})`;
 };
 
 // Discs in the plane of a face, from its middle along its first edge and to the left of that.
@@ -131,6 +131,7 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
         : `color:${tone};stroke-width:.6`;
       const printed = !dots[k] ? [] : paintDots(dots[k], outlines[k], worlds[k], normals[k], toEye,
         (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)");
+      if (kind === "error" && !ghost) printed.push(joinPoints(around, "fill:url(#rk-hatch);stroke:none"));
       pieces.push({ nodes: [joinPoints([...around, around[0]], style), ...printed], depth: depths[k], face: !ghost && outlines[k] });
       const edges = ghost ? [] : findLines(around, k, mesh, seen, normals);
       if (edges.length) { // above the faces beside it of the same round body

@@ -23,7 +23,7 @@ const renderDefs = (drawings, grounds = []) => {
   grounds.forEach((ground) => used.add(ground.fill));
   const gradients = Object.keys(GRADIENTS).filter((name) => used.has(name)).map((name) => GRADIENTS[name]);
   const groups = Object.entries(drawings).map(([id, outlines]) => ["g", { id }, outlines.map(drawOutline)]);
-  return `<defs>${gradients.join("")}${groups.length ? HATCH : ""}${renderNodes(groups)}</defs>`;
+  return `<defs>${gradients.join("")}${HATCH}${renderNodes(groups)}</defs>`;
 };
 
 // For a picture that stands alone; on a page they stand once, for all pictures.

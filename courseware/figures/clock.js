@@ -58,6 +58,7 @@ export const followSight = (live) => {
   }
   new IntersectionObserver(([{ isIntersecting }]) => {
     seen = isIntersecting;
+    if (seen) live.element.classList.add("rk-seen");
     if (!seen && live.tick) pauseClock(live);
     live.resumeClock?.();
   }, { threshold: 0.5 }).observe(live.picture);

@@ -6,6 +6,7 @@ import { pauseClock, stopClock } from "./clock.js";
 import { formatControl } from "./figure_text.js";
 import { createProjection, heightOf } from "./scene.js";
 import { attract, clamp, compute, roundState, settings, snap, startState, wrapAround } from "./state.js";
+import { color } from "./svg.js";
 
 export const followControls = (live) => live.inputs.forEach((input) => {
   const inSteps = () => { input.step = live.figure.controls[input.dataset.i].step; };
@@ -66,10 +67,10 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], Arr
 const MAGNET = 6; // pixels: from so near a special value draws the hand to it
 
 // For screen readers a slider in two directions, with the number of the first control it sets.
-const renderHandle = (handle) =>
+const renderHandle = (handle, { kind }) =>
   `<circle r="17" tabindex="0" role="slider" aria-roledescription="draggable point" `
   + `aria-label="${escapeHtml(handle.label)}: drag, or move with the arrow keys"/>`
-  + `<ellipse rx="9" ry="9"/>`;
+  + `<ellipse rx="9" ry="9"${kind ? ` style="--ring:${color(kind)}"` : ""}/>`;
 
 export const describeHandle = (live, { sets }, grip) => {
   const { controls } = live.figure, [first] = sets, { low, high } = controls[first];
@@ -79,7 +80,7 @@ export const describeHandle = (live, { sets }, grip) => {
 };
 
 export const addHandles = (live) => {
-  const { figure, picture } = live, grips = figure.handles.map(renderHandle).join("");
+  const { figure, picture } = live, grips = figure.handles.map((handle) => renderHandle(handle, figure.controls[handle.sets[0]])).join("");
   picture.insertAdjacentHTML("beforeend", `<g class="rk-handles">${grips}</g>`);
   live.handles = live.all(".rk-handles circle");
   figure.handles.forEach((handle, k) => {

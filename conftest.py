@@ -11,6 +11,35 @@ settings.load_profile("robokin")
 pytest.register_assert_rewrite("browser", "figure_numbers", "figure_page", "test_new_chapter")
 
 
+def pytest_configure(config):
+    """Stop at a wrong declaration, once: nearly every test would fail for it."""
+    alone = ("benchmarks", "tests/robokin")  # which need no course
+    if hasattr(config, "workerinput") or all(each.startswith(alone) for each in config.args):
+        return
+    import book  # noqa: F401 (opens the course)
+    from courseware.course import CourseError, course
+    from courseware.figures import Figure
+
+    try:
+        for part in ("checks", "exercises", "predictions", "programs"):
+            course().modules(part)
+        for figure in course().find_all("figures", Figure).values():
+            _ = figure.compiled
+    except CourseError as error:
+        raise pytest.UsageError(str(error)) from None
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_setup(item):
+    """A site that does not build is one failure; what else needs it is skipped."""
+    try:
+        return (yield)
+    except Exception as error:
+        if hasattr(error, "tell_once") and error.tell_once(item.nodeid) != item.nodeid:
+            pytest.skip("the site does not build")
+        raise
+
+
 @pytest.hookimpl(trylast=True)  # of the tests that are left to run
 def pytest_collection_modifyitems(items):
     """Two workers take file by file: one file that builds the site, meanwhile the notebooks, which

@@ -19,6 +19,7 @@ from importlib.metadata import entry_points
 from importlib.util import find_spec
 from pathlib import Path
 from pkgutil import iter_modules
+from traceback import extract_tb
 from types import ModuleType
 from typing import Any, TypeVar, cast
 
@@ -133,9 +134,14 @@ class Course:
         return [f"{self.library}.{name}" for name in public] + own
 
     def module(self, chapter: str, part: str) -> ModuleType | None:
-        """Return a chapter's module of a name, or None."""
+        """Return a chapter's module of a name, or None; an error names its file and line."""
         name = f"{self.package}.{chapter}.{part}"
-        return import_module(name) if find_spec(name) else None
+        try:
+            return import_module(name) if find_spec(name) else None
+        except Exception as error:
+            own = [f for f in extract_tb(error.__traceback__) if str(self.folder) in f.filename]
+            place = f"{own[-1].filename}, line {own[-1].lineno}" if own else name
+            raise CourseError(f"{place}: {error}") from error
 
     def modules(self, part: str) -> dict[str, ModuleType]:
         """Return the modules of a name by chapter, in the order of the course."""
@@ -147,27 +153,33 @@ class Course:
         return {name: thing for name, (_, thing) in self._find_all(part, kind).items()}
 
     def find(self, part: str, kind: type[T], name: object) -> T:
-        """Return the declaration of a type and a name."""
-        for _, thing in self._locate(part, kind, name):
-            return thing
+        """Return the declaration of a type and a name, importing as few chapters as possible."""
+        for chapter in sorted(self.chapters, key=self._is_new):
+            module = self.module(chapter, part)
+            thing: Any
+            for thing in get_members(module, kind) if module else ():
+                if thing.name == name:
+                    return cast(T, thing)
         raise CourseError(
             f"there is no {kind.__name__.lower()} {name!r}; there are "
             f"{', '.join(self.find_all(part, kind))}, declared in the chapters' {part}.py, "
             "under a name of their own or in a tuple"
         )
 
-    def find_chapter(self, part: str, kind: type, name: object) -> str:
-        """Return the chapter that declares a name, or "" if none does."""
-        return next((chapter for chapter, _ in self._locate(part, kind, name)), "")
+    def find_chapter(self, part: str, thing: Any) -> str:
+        """Return the chapter that declares a thing of this name, of those that are imported."""
+        for chapter in self.chapters:
+            module = sys.modules.get(f"{self.package}.{chapter}.{part}")
+            known = get_members(module, type(thing)) if module else ()
+            if any(each.name == thing.name for each in known):
+                return chapter
+        return ""
 
-    def _locate(self, part: str, kind: type[T], name: object) -> Iterator[tuple[str, T]]:
-        """Yield chapter and declaration, importing as few chapters as possible."""
-        for chapter in sorted(self.chapters, key=self._is_new):
-            module = self.module(chapter, part)
-            thing: Any
-            for thing in get_members(module, kind) if module else ():
-                if thing.name == name:
-                    yield chapter, cast(T, thing)
+    def find_place(self, chapter: str, part: str, name: str) -> str:
+        """Return the file and line in which a chapter gives a declaration its name."""
+        file = self.folder / chapter / f"{part}.py"
+        before = file.read_text("utf-8").partition(f'"{name}"')[0] if file.exists() else ""
+        return f"{file}, line {before.count(chr(10)) + 1}"
 
     def _is_new(self, chapter: str) -> bool:
         return f"{self.package}.{chapter}" not in sys.modules

@@ -83,8 +83,10 @@ def site(tmp_path_factory):
     """Return the folder of the built site, brought up to date once per run of the tests."""
     base = tmp_path_factory.getbasetemp()
     shared = base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
-    complaint = once(shared, "site", build_site)
-    assert not complaint, f"the book does not build:\n{complaint}"
+    if complaint := once(shared, "site", build_site):
+        error = RuntimeError(f"the book does not build:\n{complaint}")
+        error.tell_once = lambda test: once(shared, "told", lambda: test)  # see conftest.py
+        raise error
     return SITE
 
 

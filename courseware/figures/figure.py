@@ -123,11 +123,12 @@ class Figure:
     @cached_property
     def compiled(self) -> dict[str, Any]:
         """The compiled figure: data, and functions as `Code`."""
-        chapter = course().find_chapter("figures", Figure, self.name)
+        chapter = course().find_chapter("figures", self)
         try:
             return Compiler(self, chapter).compile_figure()
         except CourseError as error:
-            raise CourseError(f"in the figure {self.name}, {error}") from error
+            place = course().find_place(chapter, "figures", self.name)
+            raise CourseError(f"{place}: in the figure {self.name}, {error}") from error
 
     @property
     def code(self) -> str:

@@ -18,15 +18,15 @@ def dark_colours() -> str:
 
 def find_picture(mistake: Mistake) -> Figure:
     """Return the figure of the mistake's chapter that has the mistake as an option."""
-    home = course().find_chapter("exercises", Mistake, mistake.name)
+    home = course().find_chapter("exercises", mistake)
     figures = course().module(home, "figures")
     for figure in get_members(figures, Figure) if figures else ():
         for control in figure.controls:
             if control.key == "mistake" and mistake.title in getattr(control, "options", ()):
                 return figure
     raise CourseError(
-        f"{mistake.name} has no picture: declare in figures.py of {home} a figure with a Choice "
-        f"named mistake, of which {mistake.title!r} is an option"
+        f"{course().find_place(home, 'exercises', mistake.name)}: {mistake.name} has no picture: "
+        f"declare a figure of {home} with a Choice named mistake and the option {mistake.title!r}"
     )
 
 

@@ -194,6 +194,16 @@ def test_the_machine_s_tests_hold_it(tree, site):
 
 
 COLLECT = "import book; from courseware import course, equations; "
+
+
+def replace(tree, part, old, new):
+    """Change a module of the chapter."""
+    file = tree / "book" / NEW / part
+    text = file.read_text("utf-8")
+    assert old in text
+    file.write_text(text.replace(old, new), "utf-8")
+
+
 FORGOTTEN = {
     "the line of the table of contents": (
         lambda tree: (tree / "_toc.yml").write_text((ROOT / "_toc.yml").read_text("utf-8")),
@@ -210,10 +220,20 @@ FORGOTTEN = {
         COLLECT + "course.course().chapters",
         rf"{NEW}.* has no __init__.py: .* the question that the chapter answers",
     ),
+    "an SI unit": (
+        lambda tree: replace(tree, "formulas.py", '"d_o", "m"', '"d_o", "cm"'),
+        COLLECT + "course.course().modules('formulas')",
+        rf"{NEW}.formulas.py, line 7: the symbol d_o has the unit 'cm'",
+    ),
+    "the name of a look": (
+        lambda tree: replace(tree, "figures.py", 'Line("path"', 'Line("way"'),
+        "import pytest; pytest.console_main()",
+        rf"^ERROR: .*{NEW}.figures.py, line \d+: in the figure gear-train-screen, .*way",
+    ),
 }
 
 # the quickest; the others in the long run
-FORGOTTEN_FIRST = ("the line of the table of contents", "a formula's check")
+FORGOTTEN_FIRST = ("the line of the table of contents", "a formula's check", "an SI unit")
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from declared import FIGURES
+from declared import FIGURES, each
 from figure_numbers import (
     ALLOWED,
     HOMES,
@@ -18,7 +18,7 @@ from figure_numbers import (
     readouts,
 )
 
-from courseware.figures import Choice, Clock
+from courseware.figures import Choice, Clock, Figure
 
 
 @each_figure
@@ -61,19 +61,19 @@ def every_setting(figure, title):
     return np.array([sum(row, ()) for row in product(*parts)], dtype=float)
 
 
-def mistakes_beside_a_slider():
-    """The figures of mistakes that a reader can set otherwise: name → titles."""
-    found = {}
-    for name, figure in FIGURES.items():
-        choices = [c for c in figure.controls if isinstance(c, Choice) and c.key == "mistake"]
-        sliders = [c for c in own_controls(figure) if not isinstance(c, (Choice, Clock))]
-        if choices and sliders:
-            found[name] = set(choices[0].options)
-    return found
+def has_mistake_beside_slider(figure):
+    """Whether a reader can set a figure of mistakes otherwise, too."""
+    controls = own_controls(figure)
+    has_mistake = any(isinstance(c, Choice) and c.key == "mistake" for c in controls)
+    return has_mistake and any(not isinstance(c, (Choice, Clock)) for c in controls)
 
 
-def test_every_title_beside_a_slider_says_when_it_is_true():
-    assert {name: set(titles) for name, titles in TITLES.items()} == mistakes_beside_a_slider()
+@each("figure", "figures", Figure, only=has_mistake_beside_slider)
+def test_every_title_beside_a_slider_says_when_it_is_true(figure):
+    (choice,) = (c for c in figure.controls if isinstance(c, Choice) and c.key == "mistake")
+    assert TITLES.get(figure.name, {}).keys() == set(choice.options), (
+        f"TITLES of {figure.name} in tests/expected/{HOMES[figure.name]}.py has other titles"
+    )
 
 
 @pytest.mark.parametrize(

@@ -437,6 +437,6 @@ def set_to(folder, line):
 def test_the_teacher_s_commands_know_the_course_of_the_site(tmp_path, line, name):
     set_to(tmp_path, line)
     (tmp_path / "book").mkdir()
-    known = Course("book", "own", {}, "robokin", None)
+    known = Course("book", "own", {}, None)
     known.folder = tmp_path / "book"
     assert known.settings["course_name"] == name

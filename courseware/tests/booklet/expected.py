@@ -10,6 +10,6 @@ def mistakes_readouts(nearer, larger):
 
 READOUTS = {"optics-mistakes": mistakes_readouts}
 SPECIALS = {"optics-screen": [{"d_o": 0.2, "f": 0.1}]}
-FEEDBACK = {"optics-1": ({"d_o": 30, "f": 10, "h_o": 6}, {"M1": -0.015, "M2": -0.12})}
+FEEDBACK = {"optics-1": ({"d_o": 90, "f": 30, "h_o": 60}, {"M1": -0.15, "M2": -1.2})}
 PREDICTED = {"optics-where": ("13.3 cm", "10 cm")}
 GOALS = {"optics-screen": [([{"d_o": 0.1953}], [{"d_o": 0.1951}])]}  # 20.49 and 20.52 cm

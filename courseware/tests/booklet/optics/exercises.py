@@ -38,15 +38,15 @@ candle_height = Exercise(
     "optics-1",
     title="How tall is the image?",
     text=(
-        "A candle of height {h_o} is {d_o} in front of a lens of focal length {f}. How tall is its "
+        "A statue of height {h_o} is {d_o} in front of a lens of focal length {f}. How tall is its "
         "image? A negative height is upside down."
     ),
     given={
-        "d_o": number_range(15, 40, 5, "cm"),
-        "f": number_range(6, 12, 1, "cm"),
-        "h_o": number_range(3, 9, 1, "cm"),
+        "d_o": number_range(60, 120, 10, "cm"),
+        "f": number_range(20, 40, 5, "cm"),
+        "h_o": number_range(40, 80, 10, "cm"),
     },
-    unknowns=(Unknown("h_i", "m", tolerance=6e-5),),
+    unknowns=(Unknown("h_i", "m"),),
     right=lambda d_o, f, h_o: image_height(d_o, image_distance(d_o, f), h_o),
     wrong={
         added: lambda d_o, f, h_o: image_height(d_o, added.formula.evaluate(d_o=d_o, f=f), h_o),
@@ -61,5 +61,5 @@ candle_height = Exercise(
         distance=Step(formulas.image_distance),
         height=Step(formulas.image_height),
     ),
-    example={"d_o": 0.3, "f": 0.1, "h_o": 0.06},
+    example={"d_o": 0.9, "f": 0.3, "h_o": 0.6},
 )

@@ -13,6 +13,7 @@ from courseware.figures import (
     Figure,
     Goal,
     Handle,
+    Label,
     Length,
     Line,
     Outline,
@@ -39,7 +40,11 @@ def candle(x: Any, tall: Any, turn: Any = 0, look: str = "") -> Thing:
 
 SCENE = Scene(
     layers={
-        "lens": (Line("ghost", ((-0.42, 0), (0.34, 0))), Thing((0, 0, 0), (LENS,))),
+        "lens": (
+            Line("ghost", ((-0.42, 0), (0.34, 0))),
+            Thing((0, 0, 0), (LENS,)),
+            Label("text", (0.02, 0.07), "lens"),
+        ),
         "screen": (Line("path", ((SCREEN, -0.1), (SCREEN, 0.1))),),
         "rays": (
             Line("ghost", ((-d_o, h_o), (0, h_o), (d_i, h_i))),

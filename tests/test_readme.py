@@ -6,7 +6,10 @@ import pytest
 import readme_pictures
 from support import ROOT
 
-each_text = pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md", "book/own_course.md"])
+TEXTS = ["README.md", "CONTRIBUTING.md", "tests/README.md", "book/own_course.md"]
+each_text = pytest.mark.parametrize("name", TEXTS)
+    "name", ["README.md", "CONTRIBUTING.md", "tests/README.md", "book/own_course.md"]
+)
 
 
 @pytest.mark.parametrize("name", readme_pictures.render_pictures())

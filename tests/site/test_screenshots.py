@@ -1,4 +1,4 @@
-"""Pictures of every page, to look at, in _build/screenshots; CONTRIBUTING.md has the command."""
+"""Pictures of every page, to look at, in _build/screenshots; tests/README.md has the command."""
 
 import pytest
 from browser import ROOT, TALL, draw_all, listed, watched_page

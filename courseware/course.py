@@ -154,7 +154,8 @@ class Course:
 
     def find(self, part: str, kind: type[T], name: object) -> T:
         """Return the declaration of a type and a name, importing as few chapters as possible."""
-        for chapter in sorted(self.chapters, key=self._is_new):
+        names = {chapter: f"{self.package}.{chapter}" for chapter in self.chapters}
+        for chapter in sorted(names, key=lambda c: names[c] not in sys.modules):
             module = self.module(chapter, part)
             thing: Any
             for thing in get_members(module, kind) if module else ():
@@ -170,8 +171,7 @@ class Course:
         """Return the chapter that declares a thing of this name, of those that are imported."""
         for chapter in self.chapters:
             module = sys.modules.get(f"{self.package}.{chapter}.{part}")
-            known = get_members(module, type(thing)) if module else ()
-            if any(each.name == thing.name for each in known):
+            if module and thing.name in (x.name for x in get_members(module, type(thing))):
                 return chapter
         return ""
 
@@ -180,9 +180,6 @@ class Course:
         file = self.folder / chapter / f"{part}.py"
         before = file.read_text("utf-8").partition(f'"{name}"')[0] if file.exists() else ""
         return f"{file}, line {before.count(chr(10)) + 1}"
-
-    def _is_new(self, chapter: str) -> bool:
-        return f"{self.package}.{chapter}" not in sys.modules
 
     def chapters_of(self, part: str, kind: type) -> dict[str, str]:
         """Return the chapters of these declarations, by name."""

@@ -9,20 +9,19 @@ import sys
 from pathlib import Path
 
 from courseware.course import course
-from courseware.errors import CourseError
 from courseware.practice import all_mistakes
 
 EXAMPLE = Path(__file__).parent / "tests" / "booklet"
 CHAPTER = "optics"  # a word that its texts never use
 
 
-def write(name: str) -> str:
-    """Write a chapter's files, and return what to do next."""
+def write(name: str) -> None:
+    """Write a chapter's files, and say what to do next."""
     if not (name.isidentifier() and name.islower()):
-        raise CourseError(f"{name!r} cannot name a module: use a-z, 0-9 and _, as in gear_train")
+        sys.exit(f"{name!r} cannot name a module: use a-z, 0-9 and _, as in gear_train")
     folder = course().folder / name
     if any(path.name != "__pycache__" for path in folder.glob("*")):
-        raise CourseError(f"{folder} exists: choose another name, or remove it")
+        sys.exit(f"{folder} exists: choose another name, or remove it")
     last = max((int(known.lstrip("M")) for known in all_mistakes()), default=0)
     files = {path: folder / path.name for path in (EXAMPLE / CHAPTER).glob("*.[pi]*")}
     files[EXAMPLE / "expected.py"] = course().folder.parent / f"tests/expected/{CHAPTER}.py"
@@ -33,17 +32,9 @@ def write(name: str) -> str:
         new = new.with_name(new.name.replace(CHAPTER, name))
         new.parent.mkdir(parents=True, exist_ok=True)
         new.write_text(text, "utf-8")
-    return (
-        f"written: {folder}\n"
-        f"Now add the line `- file: {name}/{name}` to _toc.yml, then: make notebooks T={name}, "
-        f"make serve, make test T={name}"
-    )
+    print(f"written: {folder}\nNow add the line `- file: {name}/{name}` to _toc.yml, then:")
+    print(f"make notebooks T={name}, make serve, make test T={name}")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    try:
-        print(write(sys.argv[1]))
-    except CourseError as error:
-        sys.exit(str(error))
+    write(sys.argv[1]) if len(sys.argv) == 2 else sys.exit(__doc__)

@@ -19,11 +19,10 @@ def dark_colours() -> str:
 def find_picture(mistake: Mistake) -> Figure:
     """Return the figure of the mistake's chapter that has the mistake as an option."""
     home = course().find_chapter("exercises", mistake)
-    figures = course().module(home, "figures")
-    for figure in get_members(figures, Figure) if figures else ():
-        for control in figure.controls:
-            if control.key == "mistake" and mistake.title in getattr(control, "options", ()):
-                return figure
+    module = course().module(home, "figures")
+    for figure in get_members(module, Figure) if module else ():
+        if any(mistake.title in getattr(c, "options", ()) for c in figure.controls):
+            return figure
     raise CourseError(
         f"{course().find_place(home, 'exercises', mistake.name)}: {mistake.name} has no picture: "
         f"declare a figure of {home} with a Choice named mistake and the option {mistake.title!r}"

@@ -8,8 +8,6 @@ from support import ROOT
 
 TEXTS = ["README.md", "CONTRIBUTING.md", "tests/README.md", "book/own_course.md"]
 each_text = pytest.mark.parametrize("name", TEXTS)
-    "name", ["README.md", "CONTRIBUTING.md", "tests/README.md", "book/own_course.md"]
-)
 
 
 @pytest.mark.parametrize("name", readme_pictures.render_pictures())

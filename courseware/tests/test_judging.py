@@ -126,7 +126,7 @@ def test_what_a_mistake_gives_is_never_called_very_close(exercise):
     answers = []
     for number, variant in enumerate(variants.all_variants(exercise.name)):
         for rows in (c.rows for c in variant.candidates if outcomes(exercise)[c.name].why):
-            for factors, digits in product([ones, *units], range(3)):
+            for factors, digits in product([ones, *units], range(5)):
                 answer = (np.array(rows) * factors).round(digits)
                 off = abs(answer - np.array(rows) * factors)
                 allowed = list(map(Unknown.allowed, exercise.unknowns, rows[0], factors))

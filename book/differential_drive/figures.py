@@ -127,7 +127,7 @@ def robot(pose: Any, time: Any = 0, rolled: Any = (), look: str = "") -> Thing:
     return things.robot(pose, rolled or (v_L * time, v_R * time), look)
 
 
-def mark(pose: Any, end: Any, words: str = "park here") -> tuple[Any, ...]:
+def mark(pose: Any, end: Any, words: str = "{off}, {turned} off") -> tuple[Any, ...]:
     """Return the mark on which the robot shall end; its lights go on when it does."""
     lights = when(is_parked(end, pose), things.pad_lights(pose))
     return things.pad(pose), *lights, Label("target", (pose[0], pose[1] - 0.085), words)
@@ -269,7 +269,7 @@ def park_figure() -> Figure:
         ),
         handles=tip_handles(),
         readouts=(
-            Readout("off", "at the end: off the mark", distance(end, MARK), "m"),
+            Readout("off", "at the end: off the mark", distance(end, MARK), "cm", 0),
             Readout("turned", "at the end: heading off by", angle_size(end[2] - MARK[2]), "rad", 0),
         ),
         goal=Goal(
@@ -875,7 +875,7 @@ def side_figure() -> Figure:
             for speed, turn in ((v_L, -spin), (v_R, spin))
         ),
         shapes=(
-            *mark(SIDE, end),
+            *mark(SIDE, end, "{off} off"),
             Line("icr", ((-0.4, 0), (0.3, 0))),
             robot(START, look="ghost"),
             Line("path", (ORIGIN, end)),
@@ -893,7 +893,7 @@ def side_figure() -> Figure:
                 },
             ),
         ),
-        readouts=(Readout("off", "at the end: off the mark", distance(end, SIDE), "m"),),
+        readouts=(Readout("off", "at the end: off the mark", distance(end, SIDE), "cm", 0),),
         goal=Goal(is_parked(end, SIDE), f"Find the way to the place at its side: within {OFF} cm."),
     )
 

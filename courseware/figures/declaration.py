@@ -21,7 +21,7 @@ from courseware.equations.equation import Equation, Where
 from courseware.equations.quantities import NamedSymbol
 from courseware.equations.text import format_symbol
 from courseware.errors import CourseError
-from courseware.units import refuse_other_than_si
+from courseware.units import refuse_unknown
 
 Expr = Any
 Kind = Any  # a name, or a quantity
@@ -119,6 +119,7 @@ class Readout:
     Args:
         name: for the figure's `sentence` and tests; a quantity as the name gives its letter and
             unit, and itself as the value.
+        unit: in which it is shown, of a value in SI: "cm" shows 0.18 as 18 cm.
         digits: after the point, by default 1 of an angle and 3 of all else; -2 means two digits
             and a power of ten.
         words: the text to show instead of "inf", "-inf" or "nan".
@@ -143,7 +144,7 @@ class Readout:
             )
         if self.digits is None:
             self._set(digits=1 if self.unit == "rad" else 3)
-        refuse_other_than_si(self.unit, f"the readout {self.name}")
+        refuse_unknown(self.unit, f"the readout {self.name}")
 
     def _set(self, **fields: Any) -> None:
         for name, value in fields.items():

@@ -11,12 +11,13 @@ Outlines are constant and enter the picture once; each frame sets the places of 
 paint is a name of the course's materials, or of its looks.
 """
 
-import re
-from cmath import phase, pi, rect
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
+
+from fontTools.pens.recordingPen import RecordingPen
+from fontTools.svgLib.path import parse_path
 
 from courseware.errors import CourseError
 from courseware.figures.declaration import Expr
@@ -95,45 +96,19 @@ class Thing:
 
 
 def list_corners(path: str) -> list[list[float]]:
-    """Return the corners of the first outline of a path, and some points on its bends."""
+    """Return the corners of the first outline of a path, and points on its bends."""
+    pen = RecordingPen()
+    parse_path(path.partition("z")[0], pen)  # arcs become curves
     found: list[complex] = []
-    for mark, text in re.findall(r"([MLHVQCAahv])([^MLHVQCAahvz]*)", path.split("z")[0]):
-        n = [float(x) for x in re.findall(r"-?[\d.]+(?:e-\d+)?", text)]
-        if mark in "hv":
-            found.append(found[-1] + (n[0] if mark == "h" else 1j * n[0]))
-            continue
-        ends = [complex(x, y) for x, y in zip(n[-2::-2], n[-1::-2], strict=False)][::-1]
-        if mark in "QC":
-            found += _bend([found[-1], *ends])
-        elif mark in "Aa":
-            found += _arc(found[-1], (mark == "a") * found[-1] + ends[-1], n[0], n[3] != n[4], n[4])
-        else:
-            found += ends
+    for _, points in pen.value:
+        curve = [*found[-1:], *(complex(*point) for point in points)]
+        for share in (1 / 3, 2 / 3) if len(points) > 1 else ():
+            parts = curve
+            while len(parts) > 1:
+                parts = [a + share * (b - a) for a, b in pairwise(parts)]
+            found += parts
+        found += curve[-1:] if points else []
     return [[round(x.real, 4), round(x.imag, 4)] for x in found]
-
-
-def _bend(points: list[complex]) -> list[complex]:
-    """Return some points of a curve with control points, without its start."""
-    parts = [points] * 4
-    for _ in points[1:]:
-        shares = ((k + 1) / 4 for k in range(4))
-        parts = [
-            [a + t * (b - a) for a, b in pairwise(part)]
-            for part, t in zip(parts, shares, strict=True)
-        ]
-    return [part[0] for part in parts]
-
-
-def _arc(start: complex, end: complex, radius: float, is_left: bool, sweep: float) -> list[complex]:
-    """Return some points of an arc, without its start; is_left: where its middle is."""
-    way = end - start
-    aside = max(0.0, radius**2 - abs(way / 2) ** 2) ** 0.5 * (1j if is_left else -1j)
-    middle = (start + end) / 2 + aside * way / (abs(way) or 1)
-    turn = phase((end - middle) / (start - middle)) if way else 0.0
-    if turn and (turn > 0) != bool(sweep):
-        turn += 2 * pi if sweep else -2 * pi
-    steps = max(1, round(abs(turn) / (pi / 6)))
-    return [middle + (start - middle) * rect(1, turn * k / steps) for k in range(1, steps + 1)]
 
 
 @dataclass(frozen=True)

@@ -555,15 +555,16 @@ def rolling_wheel(speed: Any, rate: Any, way: Any, high: float, stripe: str) -> 
         return hub[0] + 1.35 * RADIUS * sin(turned), hub[1] + 1.35 * RADIUS * cos(turned)
 
     turned = rate / 2  # as in half a second
+    rolls = And(Abs(way) > 0.001, Abs(way) < 6 * RADIUS)  # less than once round
     return (
         things.ruler((start, high, 0), 0.1, 2),
-        *(Label("text", (start + k / 10, high - 0.028), f"0.{k} m") for k in (1, 2)),
-        things.encoder_wheel((*hub, pi / 2), way, RADIUS, stripe=stripe),
+        *(Label("text", (start + k / 10, high - 0.034), f"0.{k} m") for k in (1, 2)),
+        things.encoder_wheel((*hub, pi / 2), way, RADIUS, slots=12, stripe=stripe),
         Length(r, (hub[0], high), hub, aside=0.042),
-        *when(Abs(way) < 6 * RADIUS, AngleArc(speed, hub, pi / 2, pi / 2 - way / r, 0.02, "φ")),
-        Curve(rate, rim(s * turned), s, 0, 1),
+        *when(rolls, AngleArc(speed, hub, pi / 2, pi / 2 - way / r, 0.02, "φ")),
+        Curve(rate, rim(s * turned), s, 0, 1, 8),
         *when(Abs(turned) > 0.2, Arrow(rate, rim(turned - 0.25 * sign(turned)), rim(turned))),
-        Length(speed, (start, high), (hub[0], high), aside=-0.05, label=f"r φ = {{{way}}}"),
+        Length(speed, (start, high), (hub[0], high), aside=-0.054, label=f"r φ = {{{way}}}"),
     )
 
 
@@ -571,7 +572,7 @@ def rates_figure() -> Figure:
     """Draw a wanted motion, and the two wheels that roll for it, seen from the side."""
     return Figure(
         name="rates",
-        title="A robot from above and, beside it, its two wheels from the side as they roll",
+        title="A robot from above; beside it its two wheels from the side",
         view=(-0.1, 0.4, -0.16, 0.2),
         ground="wall",
         controls=(
@@ -590,7 +591,7 @@ def rates_figure() -> Figure:
             robot(START, time=t),
             *arrows(START),
             *rolling_wheel(v_L, rate_L, way_L, 0.08, "left2"),
-            *rolling_wheel(v_R, rate_R, way_R, -0.1, "right2"),
+            *rolling_wheel(v_R, rate_R, way_R, -0.09, "right2"),
         ),
         readouts=(Readout(rate_L), Readout(rate_R)),
         grid=False,

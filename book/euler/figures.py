@@ -499,11 +499,16 @@ def rings_alone_figure() -> Figure:
     """Draw the rings, each turned alone, and the axis of each."""
     steps = NamedSteps()
     (one, two, three), things = rings(steps, *TURNS)
-    axes = (("x_axis", X, 1.8), ("y_axis", one[:, 1], 1.3), ("z_axis", two[:, 2], 1.3))
+    axes = (
+        ("x_axis", X, 1.8, "α"),
+        ("y_axis", one[:, 1], 1.3, "β"),
+        ("z_axis", two[:, 2], 1.3, "γ"),
+    )
     return Figure(
         name="rings-alone",
         ground="wall",
         title="Three rings on a stand, the axis of each, and an aeroplane in the innermost",
+        size="laboratory",
         view=(-2.9, 2.9, -2.15, 1.5),
         seen_from=(-pi / 4, pi / 8),
         controls=(
@@ -514,9 +519,13 @@ def rings_alone_figure() -> Figure:
         shapes=(
             *things,
             *(
-                VIEW.line(kind, ((side * far * axis), (side * 0.5 * axis)))
-                for kind, axis, far in axes
-                for side in (1, -1)
+                shape
+                for kind, axis, far, letter in axes
+                for shape in (
+                    VIEW.line(kind, (-far * axis, -0.5 * axis)),
+                    VIEW.line(kind, (0.5 * axis, far * axis)),
+                    Label(kind, VIEW.project(1.15 * far * axis), letter),
+                )
             ),
         ),
         sentence="Outer ring {first}, middle ring {middle}, inner ring {third}.",

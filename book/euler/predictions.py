@@ -1,8 +1,5 @@
 """Predictions that the chapter on Euler angles asks for."""
 
-from collections.abc import Callable
-from itertools import product
-
 import numpy as np
 from sympy import asin, cos, pi, rad, sin
 
@@ -12,11 +9,6 @@ from robokin import elbow_arm, euler
 
 GAMMA = rad(GIVEN[2])
 APART, SPECIAL, ALWAYS = "apart, as in step 2", "alike, for special angles", "alike, for any angles"
-
-
-def orders(allowed: Callable[[tuple[str, ...]], bool]) -> int:
-    """Return how many sequences of three axes are allowed."""
-    return sum(map(allowed, product("XYZ", repeat=3)))
 
 
 def ways_of_the_arm() -> str:
@@ -72,22 +64,6 @@ PREDICTIONS = (
         explanation="Below and to the left: `arctan2(y, x)` keeps both signs. It will find most "
         "angles of this chapter.",
         spoilers=("keeps both signs",),
-    ),
-    Prediction(
-        "how-many-turns",
-        "How many quarter turns about axes of the frame does it take at least from {A} to {B}?",
-        Buttons(
-            ("one", "two", "three"),
-            right="two",
-            assumptions={
-                "one": "A quarter turn about an axis of {A} leaves that axis where it is. Here all "
-                "three have moved.",
-                "three": "Three are always enough, if any angles are allowed. Here fewer are.",
-            },
-        ),
-        explanation="You will find the two below, and after that one single turn that does it, "
-        "too.",
-        spoilers=("the two below",),
     ),
     Prediction(
         "first-column",
@@ -178,24 +154,6 @@ PREDICTIONS = (
         "$\\cos\\beta$. The other one:",
         spoilers=("two answers",),
         covers="both-answers",
-    ),
-    Prediction(
-        "how-many-orders",
-        "How many orders are there?",
-        Number(
-            "",
-            right=lambda: orders(lambda p: p[0] != p[1] != p[2]),
-            assumptions={
-                "That takes each axis once.": lambda: orders(lambda p: len(set(p)) == 3),
-                "That allows an axis twice in a row.": lambda: orders(lambda p: True),
-                "That counts each order twice, about own axes and about the room's.": lambda: (
-                    2 * orders(lambda p: p[0] != p[1] != p[2])
-                ),
-            },
-            relative=0.01,
-        ),
-        explanation="Three choices, then two, then two. For frame {B}, in degrees:",
-        spoilers=("then two, then two",),
     ),
     Prediction(
         "ring-against-ring",

@@ -241,13 +241,11 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
     "arm-ways": "four",
     "third-quarter": "−135°",
-    "how-many-turns": "two",
     "first-column": "(0, 0, −1)",
     "two-orders": "120° apart",
     "own-or-room": "alike, for any angles",
     "read-gamma": ("−20°", "20°", "−17.2°", "160°"),
     "other-answer": "alike",
-    "how-many-orders": ("12", "6", "27", "24"),
     "ring-against-ring": "nothing",
     "near-lock": "57° a second",
     "which-axis": "through two corners",

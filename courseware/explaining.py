@@ -236,5 +236,5 @@ def format_answer(answer: Any, stored: Stored, digits: int) -> str:
 
 
 def quote_code(text: str) -> str:
-    """Return a text as HTML, what stands in `…` as code."""
+    """Return a text as HTML, with the parts in `…` as code."""
     return re.sub("`([^`]+)`", r"<code>\1</code>", escape(text))

@@ -10,7 +10,7 @@ One module a topic, named as its chapter. `import robokin` needs NumPy only; sti
   beyond that.
 - NaN and infinity in the data (poses, angles, rates, points, ticks) go through the arithmetic into
   the results that depend on them.
-- Wheels stand in the order left, right.
+- Wheels are in the order left, right.
 """
 
 from importlib import import_module

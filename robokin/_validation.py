@@ -19,7 +19,7 @@ from robokin._arrays import Array, Bools, Shape, first
 from robokin.errors import RobokinError, at_index, describe
 
 F = TypeVar("F", bound=Callable[..., Any])
-Sizes: TypeAlias = dict[Any, int]  # what the letters in the shapes stand for in one call
+Sizes: TypeAlias = dict[Any, int]  # what the letters in the shapes mean in one call
 Rule: TypeAlias = Callable[[str, Any, Sizes], Any]  # an argument's name, its value, the sizes
 
 quiet = np.errstate(all="ignore")

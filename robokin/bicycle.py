@@ -1,7 +1,7 @@
 """Bicycle model of a car: one front wheel in place of the two steered ones.
 
 Reference point: the middle of the rear axle; rear drive, no slip. Positive steering turns left. A
-steering angle stands for the line of its axle, so angles that are solved for lie in (-π/2, π/2].
+steering angle means the line of its axle, so angles that are solved for lie in (-π/2, π/2].
 The wheelbase L is the distance of the axles, the track b that of the front wheels. Siegwart,
 Nourbakhsh & Scaramuzza, Introduction to Autonomous Mobile Robots, chapter 3; Lynch & Park, Modern
 Robotics, section 13.3.1.

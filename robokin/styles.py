@@ -2,8 +2,8 @@
 
 Used by the course's live figures and by the still ones (`robokin.draw`). Kinds that are compared
 (left and right, the axes, the headings of a step) differ by line or marker, too. The colours are
-told apart by readers who see no red or no green, and stand out at least 3:1 from a white and from
-a black page.
+told apart by readers who see no red or no green, and have a contrast of at least 3:1 on white and
+on black pages.
 """
 
 from dataclasses import dataclass

@@ -1,6 +1,6 @@
 """Wheels of every kind on a robot: what each of them demands of the robot's motion.
 
-A wheel stands at the distance l and the angle alpha from the robot's centre; beta turns from that
+A wheel is at the distance l and the angle alpha from the robot's centre; beta turns from that
 spoke to the wheel's axle (beta = 0: the axle points along the spoke and the wheel rolls towards
 alpha + beta - 90°). Below, k counts the wheels but the spherical ones, s the steered wheels, m the
 fixed and the steered ones, each in the order of the list. Siegwart, Nourbakhsh & Scaramuzza,
@@ -175,7 +175,7 @@ def castor(l: float, alpha: float, beta: float, radius: float, d: float) -> Whee
     alpha : float
         Angle of the spoke in rad.
     beta : float
-        Angle from there to the axle now, in rad; it is taken as it stands and does not trail.
+        Angle from there to the axle now, in rad; it is taken as given and does not trail.
     radius : float
         Radius in m.
     d : float

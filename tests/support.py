@@ -69,7 +69,7 @@ def assert_angles(actual, expected, atol):
 
 
 def assert_close(actual, expected, atol):
-    """Numbers equal to within atol; infinities and NaN must stand in the same places."""
+    """Numbers equal to within atol; infinities and NaN must be in the same places."""
     assert np.shape(actual) == np.shape(expected)
     np.testing.assert_allclose(actual, expected, rtol=0, atol=atol, equal_nan=True)
 

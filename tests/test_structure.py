@@ -179,11 +179,11 @@ def test_a_chapter_imports_only_what_is_shared_and_earlier_chapters(chapter):
 
 @each_chapter
 def test_formulas_are_declared_without_the_library(chapter):
-    """How the library agrees with them stands in `checks`, and nothing but tests needs that."""
+    """`checks` says how the library agrees with them, and nothing but tests needs that."""
     mine = [each for each in IMPORTS if chapter_of(each.by) == chapter]
     formulas = [i for i in mine if i.by.endswith(".formulas")]
     wrong = describe_imports(i for i in formulas if within(i.of, "robokin"))
-    assert not wrong, f"{wrong}: what compares with the library stands in checks.py"
+    assert not wrong, f"{wrong}: what compares with the library is in checks.py"
     checks = [i for i in mine if within(i.of, "book") and i.of.endswith(".checks")]
     wrong = describe_imports(i for i in checks if not i.by.endswith(".checks"))
     assert not wrong, f"{wrong}: only tests need it"
@@ -207,7 +207,7 @@ def test_no_two_modules_need_each_other(part):
 
 
 def test_the_reader_of_imports_sees_them():
-    """A wrong import would be found, wherever it stands."""
+    """A wrong import would be found, wherever it is."""
     source = """
 import numpy as np
 from robokin import motion, errors as e

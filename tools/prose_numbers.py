@@ -5,7 +5,7 @@ the gear at the right, *Cell Metadata*):
 
     "numbers": {"computed": ["So {100 * v:.1f} cm/s", "about {np.degrees(omega):.0f}°"]}
 
-A phrase must stand in the text once. The expression in braces is evaluated in the chapter's kernel
+A phrase must occur in the text once. The expression in braces is evaluated in the chapter's kernel
 after the cells above, with the reader's variables and the names of `book/prose.py`, and rounded
 once. Minus signs are true ones, except in an exponent of TeX.
 
@@ -22,7 +22,7 @@ NUMBER = r"[−+-]?\d(?:[\d,]*\d)?(?:\.\d+)?"
 
 
 class ProseError(Exception):
-    """A phrase that does not stand in the text, or cannot be computed."""
+    """A phrase that is not in the text, or cannot be computed."""
 
 
 Answers = Mapping[str, Mapping[str, Any]]

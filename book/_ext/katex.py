@@ -42,7 +42,7 @@ SCOPES = re.compile(r"\\begin\{|\\end\{|\\[{}]|[{}]|\\\\")
 
 
 def has_line_break(tex):
-    r"""Return whether a `\\` stands outside every environment and brace."""
+    r"""Return whether a `\\` is outside every environment and brace."""
     depth = 0
     for token in SCOPES.findall(tex):
         if token == r"\\" and depth == 0:
@@ -53,7 +53,7 @@ def has_line_break(tex):
 
 
 def align_lines(tex):
-    """Return TeX whose lines, or paragraphs, stand in one aligned environment."""
+    """Put the lines or paragraphs of TeX into one aligned environment."""
     parts = [part.strip() for part in re.split(r"\n\s*\n", tex) if part.strip()]
     if len(parts) == 1 and not has_line_break(parts[0]):
         return parts[0]

@@ -37,7 +37,7 @@ def main():
     if sys.version_info < (3, 11):  # noqa: UP036 - a reader's Python may be any
         sys.exit(f"Python 3.11 or newer is needed, this is {sys.version.split()[0]}: python.org")
     if os.pathsep in str(HERE):
-        sys.exit(f"No environment can stand in a folder with {os.pathsep!r} in its path: {HERE}")
+        sys.exit(f"No environment can be made in a folder with {os.pathsep!r} in its path: {HERE}")
     for name in OTHERS:
         os.environ.pop(name, None)
     if not READY.exists() or READY.read_text("utf-8") != MADE_BY:

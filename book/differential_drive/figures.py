@@ -349,7 +349,7 @@ def still_figure() -> Figure:
 
 
 def tips_figure() -> Figure:
-    """Draw the point that stands still, and the slope of the line through it and the tips."""
+    """Draw the point at rest, and the slope of the line through it and the tips."""
     moving = Max(Abs(v_L), Abs(v_R)) > 0.02
     return SCENE.figure(
         "tips",

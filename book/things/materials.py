@@ -1,7 +1,7 @@
 """What the things in the course's figures are made of, on a light page and on a dark one.
 
 `tyre`, `dome` and others with form are gradients of these tones. `edge`, tones that end in it and
-`rim` are round a thing and stand out from every ground; `groove` and `accent_groove` are lines
+`rim` are round a thing and seen on every ground; `groove` and `accent_groove` are lines
 within it. Tones that end in 2 after a colour of meaning (`left2`) are that meaning on rubber.
 """
 

@@ -1,4 +1,4 @@
-"""What stands around: camera, box, ball, bench, ruler, kerb, shelf, walls."""
+"""Furniture and tools: camera, box, ball, bench, ruler, kerb, shelf, walls."""
 
 from collections.abc import Sequence
 from math import tan
@@ -80,7 +80,7 @@ def ball_stand(place: Any, high: float, radius: float = 0.025) -> Thing:
 
 
 def bench(left: float, right: float, top: float, bottom: float) -> Thing:
-    """Return a workbench from the side, on which all stands that is at the height of its top."""
+    """Return a workbench from the side, whose top carries everything at its height."""
     wide, deep, mid = right - left, top - bottom, (left + right) / 2
     return Thing(
         (mid, top, 0),

@@ -67,7 +67,7 @@ def gripper(x: float, size: float = 0.026, opening: float = 1) -> tuple[Mesh, ..
 
 
 def column(high: float, radius: float = 0.09) -> tuple[Mesh, ...]:
-    """Return what an arm stands on, along z: a plate, a drum and a ring that turns with the arm."""
+    """Return the base of an arm, along z: a plate, a drum and a ring that turns with the arm."""
     r, ring = radius, min(0.15 * high, 0.02)
     rings = (
         ("metal_mid", (1.6 * r, 1.6 * r), (0, 0.024)),
@@ -108,7 +108,7 @@ def stand(high: float) -> tuple[Mesh, ...]:
 
 
 def slab(height: float, half: float) -> tuple[Mesh, ...]:
-    """Return a square slab to stand on, whose upper side is so high."""
+    """Return a square slab, its upper side at a height."""
     thick = 0.07
     box = meshes.box("floor", (2 * half, 2 * half, thick), (0, 0, height - thick / 2))
     return (replace(box, edge="seam"),)

@@ -25,7 +25,7 @@ def _wheels(
 
 
 def _arch(x: float, outside: float, inside: float, half: float) -> str:
-    """Return the openings in which the wheels of an axle stand."""
+    """Return the openings for the wheels of an axle."""
     curve = [(x - 0.95 * half, inside), (x + 0.95 * half, inside), (x + half, outside)]
     return _both(lambda side: curves((x - half, outside), curve, side=side))
 
@@ -205,7 +205,7 @@ def bus(
 def bicycle_wheel(
     place: Any, steering: Any = 0, rolled: Any = 0, stripe: str = "velocity2", look: str = ""
 ) -> Thing:
-    """Return the one front wheel that stands for two, in its fork, from above."""
+    """Return the one front wheel that replaces two, in its fork, from above."""
     sides = [line((0, 0.13 * side), (0.24, 0.13 * side), (0.36, 0.07 * side)) for side in (1, -1)]
     axle, crown = box(0.07, 0.36, corner=0.03), box(0.09, 0.2, 0.37, 0, 0.04)
     fork = (

@@ -118,7 +118,7 @@ def _barrel(
 def roller_wheel(
     place: Any, gamma: float, stripe: str = "", roll: Any = 0, length: float = 0.1, look: str = ""
 ) -> Thing:
-    """Return a wheel from above with rollers whose axes stand at an angle to its rolling direction.
+    """Return a wheel from above with rollers whose axes are at an angle to its rolling direction.
 
     The rollers lie as those that touch the floor do, as if one looked through the wheel from above.
     gamma: 0 makes two rows that take turns; any other number, as π/4, one row across the wheel.
@@ -153,7 +153,7 @@ def omni_wheel(place: Any, stripe: str = "", roll: Any = 0, length: float = 0.1)
 def mecanum_wheel(
     place: Any, stripe: str = "", roll: Any = 0, length: float = 0.1, gamma: float = pi / 4
 ) -> Thing:
-    """Return a wheel from above with rollers across; those of its neighbours stand at -gamma."""
+    """Return a wheel from above with rollers across; those of its neighbours are at -gamma."""
     return roller_wheel(place, gamma, stripe, roll, length)
 
 

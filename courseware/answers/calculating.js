@@ -5,7 +5,7 @@ import {
 } from "./tokenizing.js";
 import { DEGREES } from "../units/constants.js";
 
-// The value of what stands in one pair of brackets, or outside all: a list, or one value.
+// The value of the content of one pair of brackets, or outside all: a list, or one value.
 export const evaluateGroup = (level, opener, shown) => {
   const rows = split(level, [";"]).map((row) =>
     split(row, [",", "،"]).map((item) => new Expression(item, opener).total()));

@@ -7,7 +7,7 @@
 // - `30°` is 30 times pi/180. `,` `،` `;` `؛` and new lines separate; the last one may be left over.
 // - Rows, `1, 2; 3, 4`, are lists in a list; rows of one number each, `1; 2; 3`, are one flat list.
 // - In `[ ]` and `{ }` blanks separate as well, and new lines rows, where nothing but numbers and lists
-//   stands inside.
+//   is inside.
 //
 // A comma, a point or a blank between digits can be a decimal sign, separate, or mark thousands, and
 // a slash between digits of Arabic or Persian is a decimal sign, too. All that a text can say is read;
@@ -64,7 +64,7 @@ const takeUnits = (text, unknowns) => {
   return { units, rest };
 };
 
-// Convert to the units that are asked for; a unit stands behind each number, or once.
+// Convert to the units that are asked for; a unit follows each number, or the last one.
 const convertAll = (value, units, text, unknowns) => {
   const wanted = unknowns.map(unitOf), alike = wanted.every((unit) => unit === wanted[0]);
   if (alike && units.every((unit) => unit === wanted[0])) return value; // in a sum, too

@@ -28,7 +28,7 @@ NEVER = datetime.min.replace(tzinfo=UTC)
 
 @dataclass(frozen=True)
 class Answer:
-    """An answer that was handed in, when, and where it stands."""
+    """An answer that was handed in, with its time and place."""
 
     answer: str
     time: datetime

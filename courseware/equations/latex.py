@@ -11,7 +11,7 @@ LINES_APART, FRACTIONS_APART = r"\\[4pt]", r"\\[10pt]"  # fractions in two rows 
 
 
 class OrderedPrinter(Printer):  # type: ignore[misc]
-    """The base of our printers: all parts stand in the order in which they were written."""
+    """The base of our printers: all parts keep the order in which they were written."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__({"order": "none", **settings})

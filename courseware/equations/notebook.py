@@ -40,7 +40,7 @@ def show(name: str, computed: bool = False, figure: str = "") -> Output:
     Args:
         name: of the equation.
         computed: in the form that the code uses, where a textbook's form is shown otherwise.
-        figure: a live figure whose numbers then stand below the formula and follow the hand. Each
+        figure: a live figure whose numbers are shown below the formula and follow the hand. Each
             symbol of the formula needs a slider, a readout or a named step in it, its left side a
             readout.
     """
@@ -83,7 +83,7 @@ def _plain(expression: Any) -> str:
 
 
 def equation_label(name: str, computed: bool) -> str:
-    """Return the label that `{eq}` refers to: a formula may stand on a page in both its forms."""
+    """Return the label that `{eq}` refers to: a page may show a formula in both its forms."""
     return name + COMPUTED if computed else name
 
 

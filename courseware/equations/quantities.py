@@ -1,6 +1,6 @@
 """Symbols with a meaning, a unit and a range: the quantities of a chapter.
 
-A chapter gives one letter to one symbol, and declares every letter that it prints. So each stands
+A chapter gives one letter to one symbol, and declares every letter that it prints. So each is
 on the page of notation, and its letters, sliders, readouts and names in code light up together.
 `LOOKS = {v_L: "left"}` in `formulas.py` gives a quantity the look of a kind of thing.
 """
@@ -49,7 +49,7 @@ class NamedSymbol(sp.Symbol):  # type: ignore[misc]
 
     @property
     def key(self) -> str:
-        """The value of `data-symbol` wherever it stands on a page."""
+        """The value of `data-symbol` wherever it is on a page."""
         return f"{self.chapter}.{self.name}"
 
     def _hashable_content(self) -> tuple[Any, ...]:

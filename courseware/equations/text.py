@@ -123,7 +123,7 @@ class Text(OrderedPrinter):
         return text, SUM
 
     def _print_Piecewise(self, e: Any) -> Bound:
-        return self.bound(e.args[0][0])  # the ordinary case stands first
+        return self.bound(e.args[0][0])  # the ordinary case comes first
 
     def _print_Abs(self, e: Any) -> Bound:
         return f"|{self.text(e.args[0])}|", ATOM

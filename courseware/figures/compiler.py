@@ -49,7 +49,7 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
 
 
 def serialize(value: Any) -> str:
-    """Return a JavaScript literal; `Code` stands in it as it is."""
+    """Return a JavaScript literal; `Code` is copied as it is."""
     if isinstance(value, Code):
         return str(value)
     if isinstance(value, dict):

@@ -8,7 +8,7 @@ A `kind` is a name of the course's looks (`looks` of `open_course`), or a quanti
 look comes from the chapter's `LOOKS`, its label is the quantity's letter unless said otherwise, and
 on the page it belongs to that quantity. A slider and a readout follow from their quantity likewise:
 it brings its look, letter, unit and, where its meaning starts with one and a colon ("heading: …"),
-its name. A pose (x, y, θ) may stand for a place. Looks are per kind of thing, never per figure.
+its name. A pose (x, y, θ) may be given as a place. Looks are per kind of thing, never per figure.
 """
 
 from collections.abc import Mapping, Sequence

@@ -53,7 +53,7 @@ class Figure:
         goal: a Goal for the reader or several; none is reached at the start.
         follow: a point that the view moves along with, so that it stays inside.
         contain: places that the view fits round; then `view` is its form.
-        size: "step" or "laboratory", or "" for a larger one. With all that stands beside the
+        size: "step" or "laboratory", or "" for a larger one. With all that is beside the
             picture, a step is at most 480 pixels high on a laptop and 560 on a phone, a laboratory
             800 on a laptop. Too high: make `view` flatter, or move and show less.
     """
@@ -137,7 +137,7 @@ class Figure:
 
     @property
     def page_code(self) -> str:
-        """The compiled figure without its outlines, which stand once on a page."""
+        """The compiled figure without its outlines, which are on a page once."""
         return serialize(self.compiled | {"drawings": None})
 
     def compute(self, points: ArrayLike) -> NDArray[np.float64]:
@@ -172,7 +172,7 @@ class Figure:
         return str(engine.run(f"courseware.renderFrames({self.page_code})"))
 
     def render_html(self) -> str:
-        """Return the element that stands on a page with its outlines; the script moves it."""
+        """Return the element of a page, which the script moves."""
         size = self.size if self.controls else "still"
         start = f'<figure class="rk-figure" id="{self.name}" data-size="{size}"'
         return f'{start} aria-label="{escape(self.title)}">{self.render_contents()}</figure>\n'

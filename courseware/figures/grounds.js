@@ -1,4 +1,4 @@
-// What a picture stands on: tiles with a scale bar, or squared paper with numbers.
+// The ground of a picture: tiles with a scale bar, or squared paper with numbers.
 
 import { GROUNDS } from "./constants.js";
 import { formatFixed } from "./figure_text.js";

@@ -4,7 +4,7 @@ import { escapeHtml } from "../units/text.js";
 import { KINDS } from "./constants.js";
 import { color, drawLine, FONT, px, symbolData } from "./svg.js";
 
-// A label beside a place in pixels; toward: where it stands if that is free, in steps around it,
+// A label beside a place in pixels; toward: where it is placed if that is free, in steps around it,
 // as far as its box must go to be clear of the place.
 export const addLabel = (to, x, y, shape, toward = [1, -1]) => {
   const most = Math.max(...toward.map(Math.abs)) || 1;
@@ -34,7 +34,7 @@ const textWidth = (pieces) => pieces.reduce((sum, { letter, index, word }) =>
 const UPRIGHT = "KaTeX_Main,'Latin Modern Roman',serif";
 const MATH = "font:italic 17px KaTeX_Math,'Latin Modern Math','STIX Two Math',serif";
 
-// Each piece at its height above the line of the text. A dot stands over its letter; an index has a
+// Each piece at its height above the line of the text. A dot is above its letter; an index has a
 // thin edge of ground only, because it is painted after its letter, and over it.
 const renderPieces = (pieces) => {
   let at = 0;

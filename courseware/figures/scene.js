@@ -33,7 +33,7 @@ const listPoints = ([tag, { points }, inside]) => tag === "g" ? inside.flatMap(l
   : tag === "polyline" ? [points.split(" ").map(Number).reduce((all, x, k) => (k % 2 ? all.at(-1).push(x) : all.push([x]), all), [])] : [];
 
 // Each shape is a node of its own, so that one that rests is not touched. Those with a depth change
-// places among themselves, the nearest is painted last: all stand where the first of them is.
+// places among themselves, the nearest is painted last: all take the place of the first of them.
 export const renderScene = (figure, computed, width, state) => {
   const { view, values } = computed, to = createProjection(view, width);
   const texts = textsByKey(figure, state, computed), deep = [];
@@ -50,7 +50,7 @@ export const renderScene = (figure, computed, width, state) => {
     if (!drawn.pieces && !isDeep) node[2] = drawn;
     else {
       first ??= i;
-      node[1] = SOLIDS; // the pieces of all stand in one of them
+      node[1] = SOLIDS; // one of them has the pieces of all
       deep.push(...(drawn.pieces ?? [{ nodes: [["g", symbolData(shape), drawn]], depth }]));
     }
     return node;

@@ -1,5 +1,5 @@
 // Solids: corners turned by twelve numbers, faces that look away left out, the others shaded by a
-// light that stands in the room. Their pieces have depths and are sorted with all others.
+// a light fixed in the room. Their pieces have depths and are sorted with all others.
 
 import { KINDS } from "./constants.js";
 import { paint, px } from "./svg.js";

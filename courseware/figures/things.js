@@ -1,4 +1,4 @@
-// Things: their outlines stand once in the picture, each frame sets where they are.
+// Things: their outlines are in the picture once, each frame sets where they are.
 
 import { GRADIENTS, GROUNDS } from "./constants.js";
 import { renderNodes } from "./nodes.js";
@@ -26,7 +26,7 @@ const renderDefs = (drawings, grounds = []) => {
   return `<defs>${gradients.join("")}${HATCH}${renderNodes(groups)}</defs>`;
 };
 
-// For a picture that stands alone; on a page they stand once, for all pictures.
+// For a picture by itself; a page has them once, for all pictures.
 export const renderOwnDefs = ({ drawings, ground }) => drawings && (ground || Object.keys(drawings).length)
   ? renderDefs(drawings, ground ? [GROUNDS[ground]] : []) : "";
 export const renderOutlines = (drawings) => '<svg class="rk-outlines" width="0" height="0" aria-hidden="true">'
@@ -61,7 +61,7 @@ const drawRim = ({ at, rim, lines, drawing }, values) => {
   return drawOutline([all.join(""), ...looks]);
 };
 
-// The nodes of a thing and of those in it; pick: those that stand for a thing itself.
+// The nodes of a thing and of those in it; pick: those of the thing itself.
 const walk = (thing, values, pick) => pick(thing).map((part) => {
   if (typeof part === "string") return use(part);
   if (part.rim) return drawRim(part, values);

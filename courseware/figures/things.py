@@ -71,7 +71,7 @@ class Thing:
     Args:
         at: its place; a place that is no number hides it.
         parts: outlines, rims and things in it, from below to above.
-        height: how far it stands above the ground, m: so long is its shadow; 0: without one.
+        height: its height above the ground, m: so long is its shadow; 0: without one.
         look: "ghost" is pale, "wrong" is red and hatched.
         size: how many times as large as declared.
         silhouette: the path that is its shadow and the line round a ghost; by default that of its
@@ -89,7 +89,7 @@ class Thing:
         if self.look not in LOOKS:
             raise CourseError(f"a thing looks {self.look!r}; it can look {', '.join(LOOKS[1:])}")
         if len(self.at) != 3:
-            raise CourseError(f"a thing stands at (x, y, angle), got {self.at}")
+            raise CourseError(f"the place of a thing is (x, y, angle), got {self.at}")
         if self.silhouette is None:
             outlines = (part.path for part in self.parts if isinstance(part, Outline))
             object.__setattr__(self, "silhouette", next(outlines, ""))
@@ -124,7 +124,7 @@ class Gradient:
 
 @dataclass(frozen=True)
 class Ground:
-    """What a picture stands on.
+    """The ground of a picture.
 
     Args:
         fill: a tone or gradient.

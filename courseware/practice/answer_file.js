@@ -42,7 +42,7 @@ const splitTable = (text) => {
 };
 
 // The one reader of tables, of the page and of `grade`: [line, kind, cells] each. Where tables were
-// joined, a heading may stand anywhere; spreadsheets leave out empty cells at the end.
+// joined, a heading may occur anywhere; spreadsheets leave out empty cells at the end.
 export const readTable = (text) => {
   let heading = [];
   return splitTable(text).map(([line, cells]) => {

@@ -34,7 +34,7 @@ class Verdict:
 def format_prompt(exercise: Exercise) -> str:
     """Say in words what is asked: "2 numbers: v in m/s, ω in rad/s".
 
-    A unit that all have stands once, at the end.
+    A unit that all have is shown once, at the end.
     """
     unknowns = exercise.unknowns
     if exercise.shape:

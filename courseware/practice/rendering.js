@@ -6,7 +6,7 @@ import { UNBROKEN } from "../units/constants.js";
 const TRAINING = "Numbers for training: they are not yours and do not count.";
 export const HELP_STEPS = ["Where should I look?", "Show the first step", "Show the next step", "Show the answer"];
 
-// Lists in a list as a matrix. In a cell letters and indices stand in one span: in mathematics each
+// Lists in a list as a matrix. In a cell letters and indices share one span: in mathematics each
 // would have a line of its own.
 const MATRIX = /\[(\[[^[\]]*\](?:, \[[^[\]]*\])*)\]/g;
 const renderCells = (row) => row.split(/, (?![^(]*\))/)
@@ -23,7 +23,7 @@ export const renderParagraphs = (text) => renderMatrices(renderSymbols(joinUnbro
 const FORMULA_LINE = /^(\[[^=]*\]|\S+) = /;
 
 // The chapter, and what its formulas give; each leads to the formula, where the chapter prints it.
-// here: the exercise stands in its own chapter.
+// here: the exercise is in its own chapter.
 export const renderHint = ({ chapter, formulas }, link, here) => {
   const found = formulas.map(([gives, place]) => place ? link(place, renderSymbols(gives)) : renderSymbols(gives));
   return `Look ${here ? "above" : `in the chapter “${renderSymbols(chapter)}”`}`

@@ -29,7 +29,7 @@ ATTEMPTS = 200  # for each variant: an exercise that needs more should draw othe
 # what Python, browsers and Unicode all take for white space, written out so that all agree
 SPACES = "[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\ufeff]+"
 IGNORED = "[\xad\u061c\u200b-\u200f\u202a-\u202e\u2060-\u206f]"
-ALIKE = {  # each character, and what stands for it
+ALIKE = {  # each character, and its plain form
     odd: plain
     for plain, odds in {
         "'": "’‘‛ʼʻ`´′",

@@ -127,7 +127,7 @@ class Number(_Numbers):
 
 @dataclass(frozen=True)
 class Ghost(_Numbers):
-    """A ghost to place in a live figure, which stands in the cell before.
+    """A ghost to place in a live figure, which is in the cell before.
 
     A wrong place is answered with the direction that it is off, "too far to the left", and another
     try; the third one with the distance, too. After that each is also called warmer or colder, and
@@ -217,10 +217,10 @@ class Prediction:
         answers: Buttons, a Number or a Ghost.
         explanation: the result in a sentence or two, Markdown with formulas.
         spoilers: words that give the answer away, besides the answer itself; a test holds that they
-            stand nowhere above it in the chapter, and below it only in the fold.
+            be nowhere above it in the chapter, and below it only in the fold.
         covers: the name of a figure in the cell before, which waits for the answer: on the page its
-            picture stands still, and in place of what moves it stands "Answer, or show me". Without
-            JavaScript, in print and in a notebook the figure stands open, as at its start.
+            picture rests, and what moves it is replaced by "Answer, or show me". Without
+            JavaScript, in print and in a notebook the figure is open, as at its start.
     """
 
     name: str

@@ -187,7 +187,7 @@ class PredictionBox {
     this.withFigure((live) => this.lockFigure(live));
   }
 
-  // A figure that waits stands at its start.
+  // A figure that waits is at its start.
   veil() {
     const { figure, answered } = this;
     figure.classList.toggle("rk-veiled", !answered);

@@ -1,6 +1,6 @@
 // The cells of a page once Run is pressed: they can be changed, run in order, and put back.
 //
-// A cell runs after those above it that have not run since the last change above them. Python stands
+// A cell runs after those above it that have not run since the last change above them. Python runs
 // in a worker, which alone can be stopped in an endless loop; then all is forgotten and starts anew.
 
 const BLOCK = `<div class="output text_plain highlight-myst-ansi notranslate">`
@@ -57,7 +57,7 @@ class Cell {
       onRun: () => { if (!this.button.disabled && running === null) this.button.click(); },
     });
     this.code.hidden = true;
-    this.input.querySelector(".copybtn")?.remove(); // it copies what stood there
+    this.input.querySelector(".copybtn")?.remove(); // it copies what was there
     return this.editor;
   }
 

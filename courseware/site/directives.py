@@ -30,7 +30,7 @@ class Practice(SphinxDirective):
 
 
 class Desk(SphinxDirective):
-    """The field for a student's name, where it stands higher than the first exercise."""
+    """The field for a student's name, above the first exercise."""
 
     def run(self) -> list[nodes.Node]:
         return [nodes.raw("", render_desk(self.env), format="html")]
@@ -59,7 +59,7 @@ def skip_fields(app: Any, what: str, name: str, member: Any, *_: Any) -> bool | 
 
 
 class Errata(SphinxDirective):
-    """The mistakes that stand in the source documents."""
+    """The mistakes of the source documents."""
 
     def run(self) -> list[nodes.Node]:
         found = sorted(

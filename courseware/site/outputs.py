@@ -32,7 +32,7 @@ WITH = '<p class="rk-with">With the numbers of the figure:</p>'
 NO_SCRIPT = (
     '<p class="rk-noscript">Without JavaScript these exercises can be read, with the numbers of '
     "somebody without a name; answers cannot be checked here. In the notebook of the chapter they "
-    "can: a box to answer in stands below each exercise, once its cell has been run.</p>\n"
+    "can: each exercise shows a box to answer in, once its cell has been run.</p>\n"
 )
 
 
@@ -64,7 +64,7 @@ def _render_numbers(
 
 
 def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
-    """Return a box of formulas that stand above, each beside the number that leads to it."""
+    """Return a box of formulas shown above, each beside the number that leads to it."""
     box = nodes.container("", classes=["rk-again"])
     for label in data.content["labels"]:
         tex = render_label(label)

@@ -114,7 +114,7 @@ class Slots:
         if e == sp.pi and degrees:
             return sp.Symbol(r"180^\circ")
         if isinstance(e, sp.Piecewise):
-            return self._filled(e.args[0][0], degrees, guarded)  # the ordinary case stands first
+            return self._filled(e.args[0][0], degrees, guarded)  # the ordinary case comes first
         if isinstance(e, sp.Function) and not isinstance(e, SIZES):
             inside = self.turns_in_degrees
             return e.func(*(self._filled(a, inside and is_in_degrees(a)) for a in e.args))

@@ -1,7 +1,7 @@
 r"""The symbols in the TeX of a chapter, where `\dot\varphi_L` is one letter and not five tokens.
 
 A chapter's symbols are those that its formulas and figures declare or use. Each of its letters
-stands for one symbol only.
+means one symbol only.
 """
 
 import ast

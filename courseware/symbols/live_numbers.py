@@ -1,12 +1,12 @@
 """Numbers in sentences that follow a figure: "drives at 0.080 m/s".
 
 The text of a cell is plain, with the numbers of an untouched figure. Its metadata names the phrases
-that follow a figure, whose quantities (of its controls, readouts and named steps) stand in braces:
+that follow a figure, whose quantities (of its controls, readouts and named steps) are in braces:
 
     "numbers": {"live": {"tips": ["drives at {v}"]}}
 
 `make notebooks` writes the numbers, with their units; on the page each becomes a slot, as wide as
-the widest number that it may show, so that the sentence stands still.
+the widest number that it may show, so that the sentence does not move.
 """
 
 import json
@@ -89,7 +89,7 @@ def _place(figure: str, phrase: str, text: str, page: str) -> str:
     """Replace the numbers of one phrase in a text."""
     plain = FIELD.sub(lambda field: start_text(figure, field[1]), phrase)
     if text.count(plain) != 1:
-        raise CourseError(f"“{plain}” does not stand there once: run `make notebooks`")
+        raise CourseError(f"“{plain}” does not occur there once: run `make notebooks`")
     chapter = page.partition("/")[0]
     slots = FIELD.sub(lambda field: render_slot(figure, field[1], chapter), phrase)
     # what follows a number without a space moves with it

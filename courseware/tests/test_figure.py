@@ -41,7 +41,7 @@ def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
     )
     assert data[MIME] == {"name": figure.name}
     assert len(json.dumps(data)) < SIZES.get(figure.name, SIZE)
-    assert "var(" not in data["image/svg+xml"]  # it stands without the page's style
+    assert "var(" not in data["image/svg+xml"]  # it is used without the page's style
     ElementTree.fromstring(data["image/svg+xml"])  # and as a file
 
 

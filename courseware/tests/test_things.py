@@ -1,4 +1,4 @@
-"""Things: outlines that stand once in a picture, places that a frame sets, materials, grounds."""
+"""Things: outlines that are in a picture once, places that a frame sets, materials, grounds."""
 
 import math
 import re
@@ -101,7 +101,7 @@ def test_a_ghost_and_a_wrong_thing_throw_no_shadow_and_have_a_line_round_them():
 
 
 def test_a_picture_defines_what_it_uses_and_nothing_else():
-    """The gradients are found by the figure's name: many pictures stand on one page."""
+    """The gradients are found by the figure's name: a page has many pictures."""
     svg = picture(Thing((0, 0, 0), (Outline("M0 0h1", "tyre", "edge"),)))
     text = ElementTree.tostring(svg, "unicode")
     used = set(re.findall(r"url\(#([\w-]+)\)", text))

@@ -160,7 +160,7 @@ def test_every_spelling_is_read_as_its_size_says(number, in_capitals):
     """In the browser's engine the very same number as in Python."""
     rows = [(f"{number} {way.upper() if in_capitals else way}", [si]) for _, si, way in WAYS]
     for (unit, si, _), (text, _), found in zip(WAYS, rows, parse_first(rows), strict=True):
-        if (unit.name, si) == ("°", "rad"):  # read where it stands, in calculations, too
+        if (unit.name, si) == ("°", "rad"):  # read in its place, in calculations, too
             assert np.isclose(found["value"], np.radians(float(number)), rtol=1e-15), text
         else:
             assert found["value"] == unit.to_si(float(number)) + 0, (text, si, found)

@@ -229,7 +229,7 @@ def test_own_figure_moves_in_a_kernel(chapter, kernel):
     )
     still = [kernel.run(cell.source) for cell in drawing]
     assert not any(map(errors, still))
-    assert any(map(pictures, still)), "its picture stands on the page"
+    assert any(map(pictures, still)), "its picture is on the page"
     started = kernel.run(interactive.source)
     assert not errors(started)
     slider, state = next(sliders(started))

@@ -201,7 +201,7 @@ def test_special_points_are_limits():
 
 
 def _first_case(entry):
-    """The ordinary case of an expression: special points stand in later cases."""
+    """The ordinary case of an expression: special points are in later cases."""
     return entry.replace(lambda e: isinstance(e, sp.Piecewise), lambda e: e.args[0][0])
 
 
@@ -317,7 +317,7 @@ def test_half_a_check_is_refused(changes, message):
 
 
 def test_two_symbols_of_one_name_are_told_apart():
-    """The message says where both stand."""
+    """The message says where both are."""
     x = known("x")
     other = quantity(str(x), "m", 0, 1, "another one")
     assert other != x

@@ -1,4 +1,4 @@
-"""The looks of the course: colours that stand out, and are told apart."""
+"""The looks of the course: colours that are seen, and told apart."""
 
 import re
 

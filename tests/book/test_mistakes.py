@@ -137,10 +137,10 @@ def test_a_mistake_says_all_it_must(mistake):
     assert not mistake.feedback.endswith("."), f"`feedback` of {mistake.name}: no stop at its end"
     told = mistake.document, mistake.place, mistake.nth, mistake.quote, mistake.correction
     assert all(told) or not any((*told, mistake.explanation)), (
-        f"{mistake.name} stands in a document, and needs all of `document`, `place`, `nth`, "
+        f"{mistake.name} is in a document, and needs all of `document`, `place`, `nth`, "
         f"`stands` and `should`, or in none: {told}"
     )
-    # an erratum marks what changes, and marks nothing that stands there already
+    # an erratum marks what changes, and marks nothing that is there already
     assert bool(mistake.document) == ("«" in mistake.correction), (
         f"mark in `should` of {mistake.name} what changes, in « »"
     )

@@ -65,7 +65,7 @@ def given_away(cells, known):
             seen = [text_before(other, known) for other in cells[:place]]
             seen += [prediction.question, *(text_before(other, {}) for other in beside)]
             yield from (
-                f"{prediction.name}: “{words}” stands outside its fold"
+                f"{prediction.name}: “{words}” is outside its fold"
                 for words in tells(prediction)
                 if re.search(rf"(?<![\w.]){re.escape(plain(words))}(?!\w)", plain(" ".join(seen)))
             )
@@ -78,7 +78,7 @@ def followed(cell):
 
 
 def unfolded(cells, name):
-    """The cells that stand open below a question, up to the next heading or question."""
+    """The open cells below a question, up to the next heading or question."""
     for cell in cells:
         if prediction_of(cell) or (cell.cell_type == "markdown" and cell.source.startswith("#")):
             return

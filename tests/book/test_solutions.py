@@ -39,7 +39,7 @@ def rows_of(exercise, solution, variant):
 
 
 def row_of(steps, names):
-    """One row of the answer: what a step gives, or several together; numbers stand as they are."""
+    """One row of the answer: what a step gives, or several together; numbers stay as they are."""
     names = (names,) if isinstance(names, str) else names
     parts = [np.ravel(steps[n].results[n]) if isinstance(n, str) else [float(n)] for n in names]
     return np.concatenate(parts)

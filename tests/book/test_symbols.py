@@ -1,4 +1,4 @@
-"""One symbol, one thing: what is printed is declared, and lights up wherever it stands."""
+"""One symbol, one thing: what is printed is declared, and lights up wherever it is."""
 
 import json
 import re
@@ -39,7 +39,7 @@ def undeclared(chapter, tex):
 
 @each_chapter
 def test_every_printed_symbol_is_declared(chapter):
-    """So it stands on the notation page, with its meaning."""
+    """So it is on the notation page, with its meaning."""
     missing = {letter: tex for tex in printed_tex(chapter) for letter in undeclared(chapter, tex)}
     assert not missing, f"declare in formulas.py of {chapter}, as `quantity` or `symbol`: {missing}"
 

@@ -1,4 +1,4 @@
-"""The things of the course's figures: all can be drawn, and their outlines stand out."""
+"""The things of the course's figures: all can be drawn, and their outlines can be seen."""
 
 import re
 from itertools import product

@@ -39,7 +39,7 @@ class AbsentPackages:
 
 
 def run(root, paths, absent, tests):
-    """The tests, with the settings of pytest that stand in the project; how it ended."""
+    """The tests, with the project's settings of pytest; how it ended."""
     sys.path[:0] = paths
     sys.meta_path.insert(0, AbsentPackages(tuple(f"{name}." for name in absent)))
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"

@@ -24,7 +24,7 @@ each_clock = pytest.mark.parametrize(
 
 
 def time_of(live, clock):
-    """Where the clock stands, in SI."""
+    """The clock's time, in SI."""
     return live.values()[clock.key]
 
 

@@ -26,7 +26,7 @@ pytestmark = pytest.mark.browser
 
 @each_figure
 def test_the_page_holds_the_still_picture(figure, site):
-    """The very text that the engine draws, but for the outlines of things: they stand once."""
+    """The very text that the engine draws, but for the outlines of things, which are there once."""
     text = (site / page_of(figure)).read_text("utf-8")
     alone = re.sub("<defs>.*</defs>", "", figure.render_svg())
     assert alone in text

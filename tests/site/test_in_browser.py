@@ -57,7 +57,7 @@ class Cells:
         return self.bar(k).locator("xpath=ancestor::div[starts-with(@class, 'cell ')][1]")
 
     def output(self, k):
-        """What stands below a cell that has run."""
+        """The outputs of a cell that has run."""
         return self.cell(k).locator(".rk-fresh").inner_text().strip()
 
     def open(self):

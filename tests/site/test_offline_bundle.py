@@ -102,7 +102,7 @@ def versions(lock):
 
 
 def pins(lock):
-    """What stands in a lock, a line each."""
+    """The entries of a lock, a line each."""
     text = lock.read_text("utf-8")
     return [Requirement(line) for line in re.findall(r"^[\w.-].*?==[^ \\]+", text, re.M)]
 

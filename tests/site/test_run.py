@@ -115,7 +115,7 @@ def read_run(said):
 
 
 def stored(cell):
-    """The same of the outputs that stand in a notebook."""
+    """The same of the outputs in a notebook."""
     said = []
     for output in cell["outputs"]:
         data = output.get("data", {"stdout": output.get("text")})

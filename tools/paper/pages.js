@@ -28,7 +28,7 @@ const read = ({ address, html }) => {
   return { address, styles, article: page.querySelector(".bd-article"), name: nameOf(address) };
 };
 
-// Where a file of the site stands that a page names, from the folder in which the book is printed.
+// Where a file is that a page names, from the folder in which the book is printed.
 const fileOf = (address, { address: from }) => `../html${new URL(address, HOME + from).pathname}`;
 
 // frames: pictures side by side of figures that move by themselves, by name.
@@ -45,12 +45,12 @@ const withoutControls = (article) => {
   all(article, ":is(.rk-controls, .rk-readouts, .rk-panel):empty").forEach((box) => box.remove());
 };
 
-// The exercises of a chapter stand on one more page, and there they have their solutions.
+// The exercises of a chapter are on one more page, and there they have their solutions.
 const withSolutions = ({ name, article }, solutions) => {
   if (!Object.keys(solutions).length) return;
   if (name !== SOLVED) {
     return all(article, ".paper-note").forEach((note) => note.insertAdjacentHTML("beforeend",
-      ` The solutions stand in the part <a href="/${SOLVED}.html">Practice</a>.`));
+      ` The solutions are in the part <a href="/${SOLVED}.html">Practice</a>.`));
   }
   all(article, ".rk-exercise").forEach((box) => box.insertAdjacentHTML("beforeend",
     `<details><summary>Solution</summary><div class="rk-ladder">${solutions[box.id]}</div></details>`));

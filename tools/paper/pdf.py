@@ -26,7 +26,7 @@ DOCUMENT = """<!DOCTYPE html>
 </body></html>
 """
 FRONT = """<section class="bd-article" id="front"><h1>{title}</h1><p>{claim}</p>
-<p>This is the book on paper: the figures stand as they start. On the site they move.</p>
+<p>This is the book on paper: the figures are shown as they start. On the site they move.</p>
 <footer>{rights}</footer></section>
 <section class="bd-article" id="contents"><h1>Contents</h1><div>
 {lines}

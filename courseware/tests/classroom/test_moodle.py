@@ -123,7 +123,7 @@ def test_an_exercise_is_asked_in_all_variants(exercise, questions):
         assert question.get("type") == kind
         assert question.find("name/text").text == f"{name} {number:02}: {exercise.title}"
         assert len(question.findall("hint")) == 2  # so that there are three tries
-        # how many parts are right would stand where the mistake should
+        # how many parts are right would take the place of the mistake
         assert [len(hint) for hint in question.iter("hint")] == [1, 1]
         assert all(hint.find("text").text for hint in question.iter("hint"))
         text = question.find("questiontext/text").text  # as on the page; and how to write it
@@ -164,7 +164,7 @@ def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, question
                     named += any(not right and says in told for right, told in found)
     assert named >= TOLD * made, (
         f"of {made} answers with a mistake {named} are named in Moodle, at least {TOLD:.0%} must "
-        "be: in the others another answer stands too near in every field"
+        "be: in the others another answer is too near in every field"
     )
     assert made or not exercise.wrong
 

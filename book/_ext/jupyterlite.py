@@ -40,7 +40,7 @@ WIDGETS = {
 }
 COURSE = {  # our packages by the names of imports, with their dependencies
     "robokin": ("numpy",),
-    "courseware": ("anywidget", "fonttools", "ipywidgets", "mpmath", "numpy", "pyyaml", "sympy"),
+    "courseware": ("anywidget", "fonttools", "ipywidgets", "numpy", "pyyaml", "sympy"),
     "book": ("matplotlib", "robokin", "robokin-courseware"),
 }
 

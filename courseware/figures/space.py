@@ -23,8 +23,8 @@ Triple = Sequence[Any]
 
 quantity, _ = declarations(__name__)
 
-azimuth = quantity("azimuth", "rad", -3.14, 3.14, "direction of the viewer: about z, from x")
-elevation = quantity("elevation", "rad", -1.57, 1.57, "direction of the viewer: above the x, y plane")
+azimuth = quantity("azimuth", "rad", -3.14, 3.14, "direction of the view: about z, from x")
+elevation = quantity("elevation", "rad", -1.57, 1.57, "direction of the view: above x, y")
 
 AXES = ("x_axis", "y_axis", "z_axis")  # kinds
 ORIGIN = (0, 0, 0)

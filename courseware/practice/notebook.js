@@ -9,7 +9,7 @@ import { renderExercise } from "./rendering.js";
 
 export const showExercise = async ({ packed, name, course }, { model, el }) => {
   // boxes of one exercise, also of several notebooks in one window, must not share ids
-  const kept = {}, id = `rk-box-${Math.random().toString(36).slice(2)}`;
+  const id = `rk-box-${Math.random().toString(36).slice(2)}`;
   const student = () => foldName(model.get("state").student);
   const exercise = (await unpack(packed))[name];
   const first = exercise.variants[chooseVariant(course, name, student())];
@@ -19,11 +19,10 @@ export const showExercise = async ({ packed, name, course }, { model, el }) => {
     course,
     student,
     load: async () => exercise,
-    kept: () => kept[student()],
+    kept: () => model.get("state").kept[student()],
     keep: (entry) => {
-      kept[student()] = entry;
-      const { answer, result, tries = 0, help = 0 } = entry;
-      model.set("state", { ...model.get("state"), answer, result, tries, help });
+      const { answer, result, tries = 0, help = 0 } = entry, kept = { ...model.get("state").kept, [student()]: entry };
+      model.set("state", { ...model.get("state"), answer, result, tries, help, kept });
       model.save_changes();
     },
   }).start();

@@ -78,7 +78,7 @@ class Box:
     def _key(self) -> tuple[str, str, str]:
         return self.course, variants.fold_name(self.student), self.exercise.name
 
-    def _keep(self, answer: str, result: str, tries: int = 0, help: int = 0, **_: str) -> None:
+    def _keep(self, answer: str, result: str, tries: int = 0, help: int = 0, **_: Any) -> None:
         """Keep an answer, judged or only typed; a right one is replaced by right ones only."""
         was_right = self._key in _answers and _answers[self._key].result == "right"
         if answer and (result == "right" or not was_right):
@@ -90,7 +90,7 @@ class Box:
         """The widget, whose state has the student and the answer that counts."""
         data = {"name": self.exercise.name, "course": self.course}
         data["packed"] = rendering.pack([self.exercise])
-        state = {"student": self.student, "answer": "", "result": ""}
+        state = {"student": self.student, "answer": "", "result": "", "kept": {}}
         made = create_widget("practice", json.dumps(data), state)
         made.observe(lambda change: self._keep(**change["new"]), "state")
         return made

@@ -7,6 +7,9 @@ import traitlets
 
 from courseware.script import parts
 
+# Or an arrow in a figure moves to the next cell, and x cuts one
+KEEP_KEYS = 'view.el.addEventListener("keydown", (event) => event.stopPropagation());'
+
 
 class Widget(anywidget.AnyWidget):
     """A part's content in a notebook, and its state as JSON."""
@@ -23,9 +26,9 @@ class Widget(anywidget.AnyWidget):
 
 def create_widget(part: str, content: str, state: dict[str, Any]) -> Widget:
     """Return the widget of a part. content: what it shows, a JavaScript expression."""
-    render = f"render: (view) => {parts.bundle_widget(part)}({content}, view)"
+    show = f"{parts.bundle_widget(part)}({content}, view)"
     return Widget(
-        _esm=f"export default {{ {render} }};",
+        _esm=f"export default {{ render: (view) => {{ {KEEP_KEYS} return {show}; }} }};",
         _css=parts.join_styles(part),
         _anywidget_id=f"courseware-{part}",  # one style sheet for all widgets of the part
         state=state,

@@ -53,7 +53,7 @@ for (const button of document.querySelectorAll(".theme-switch-button, .search-bu
 }
 document.getElementById("pst-search-dialog")?.addEventListener("close", () => {
   if (document.activeElement !== document.body) return; // back where the keys had opened it
-  [...document.querySelectorAll(".search-button__button")].find((each) => each.checkVisibility())?.focus();
+  [...document.querySelectorAll(".search-button__button")].find((each) => each.getClientRects().length)?.focus();
 });
 
 // The menus of a phone: a button closes them, so does a choice in them, and focus goes back.

@@ -51,7 +51,9 @@ body {{ font: 1rem/1.5 sans-serif; max-width: 72rem; margin: 2rem auto; padding:
 th, td {{ padding-right: .7rem; text-align: left; vertical-align: top; font-weight: normal; }}
 .n {{ text-align: right; }} .signs {{ font-family: monospace; white-space: nowrap; }}
 .words {{ min-width: 16rem; }} div {{ overflow-x: auto; }}
-.right {{ color: light-dark(#1b7340, #74c995); }} .wrong {{ color: light-dark(#a3322e, #f28b9b); }}
+.right {{ color: #1b7340; }} .wrong {{ color: #a3322e; }}
+@media screen and (prefers-color-scheme: dark) {{
+  .right {{ color: #74c995; }} .wrong {{ color: #f28b9b; }} }}
 @media print {{ body {{ font-size: 8pt; margin: 0; }} tr {{ break-inside: avoid; }} }}
 </style></head><body>
 <h1>{course}: the class</h1>

@@ -3,9 +3,10 @@
 export const memory = { // a browser may refuse to keep anything: then the page alone remembers
   data: {},
   kept: true, // whether all that was to be kept is
-  get: (key) => { try { return localStorage.getItem(key) ?? memory.here(key); } catch { return memory.here(key); } },
-  // a page from disk may find nothing after it is loaded again: so this tab remembers, too
-  here: (key) => history.state?.[key] ?? memory.data[key],
+  get: (key) => { // a page from disk may find nothing after it is loaded again: so this tab remembers, too
+    const here = memory.data[key] ?? history.state?.[key];
+    try { return memory.kept || here === undefined ? localStorage.getItem(key) ?? here : here; } catch { return here; }
+  },
   set: (key, value) => { // whether the browser keeps it
     memory.data[key] = value;
     try { history.replaceState({ ...history.state, [key]: value }, ""); } catch { /* too often */ }

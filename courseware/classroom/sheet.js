@@ -3,15 +3,17 @@
 import { downloadAnswers, now } from "../practice/answer_file.js";
 import { memory, readStored } from "../answers/storage.js";
 
-const sheet = document.body.dataset;
+const sheet = document.body.dataset, fields = [...document.querySelectorAll("input")];
 const key = `${sheet.course} ${sheet.version} ${sheet.student}`;
-const entries = readStored(key);
-for (const field of document.querySelectorAll("input")) {
-  field.value = entries[field.name]?.answer ?? "";
+const show = () => fields.forEach((field) => { field.value = readStored(key)[field.name]?.answer ?? ""; });
+for (const field of fields) {
   field.addEventListener("input", () => {
-    entries[field.name] = { answer: field.value, time: now() };
-    memory.set(key, JSON.stringify(entries));
+    const entry = { answer: field.value, time: now() };
+    memory.set(key, JSON.stringify({ ...readStored(key), [field.name]: entry })); // beside another tab's
   });
 }
 document.querySelector("button").addEventListener("click",
-  () => downloadAnswers(sheet, sheet.student, entries));
+  () => downloadAnswers(sheet, sheet.student, readStored(key)));
+for (const elsewhere of ["storage", "pageshow"]) addEventListener(elsewhere, show);
+show();
+document.body.className = "live";

@@ -9,8 +9,6 @@ import { parseTyped } from "../answers/parsing.js";
 import { HELP_STEPS, renderParagraphs, renderHint, splitSolution } from "./rendering.js";
 
 const NOT_LOADED = "Your numbers could not be loaded, so nothing can be checked.";
-const TOO_OLD = "This browser is too old to unpack your numbers, so nothing can be checked. Chrome 80, Firefox 113, "
-  + "Safari 16.4 and newer ones can.";
 const TRY_FIRST = "Check an answer first, any guess will do: then the steps open one by one.";
 const PICTURED = "In the numbers of the chapter; dashed or red is what the mistake makes of it.";
 
@@ -40,12 +38,12 @@ export class ExerciseBox {
       event.preventDefault();
       this.check();
     });
-    this.one("form").addEventListener("change", () => this.keepTyped());
     this.one(".rk-grid")?.addEventListener("input", () => {
       const rows = [...this.element.querySelectorAll("tr")].map((row) =>
         `[${[...row.querySelectorAll("input")].map((cell) => cell.value.replace(/,/g, ".")).join(", ")}]`);
       this.input.value = `[${rows.join(", ")}]`;
     });
+    this.one("form").addEventListener("input", () => this.keepTyped());
     const train = (training) => this.withExercise(() => {
       Object.assign(this, { training, trained: {} });
       this.show();
@@ -89,8 +87,7 @@ export class ExerciseBox {
       this.exercise ??= await this.desk.load();
     } catch (error) {
       this.setStale(false); // from now on by the button
-      const why = globalThis.DecompressionStream ? NOT_LOADED : TOO_OLD;
-      text.innerHTML = `<p>${why} <button type="button">Try again</button></p>`;
+      text.innerHTML = `<p>${NOT_LOADED} <button type="button">Try again</button></p>`;
       text.querySelector("button").addEventListener("click", () => this.renew());
       return console.error(error);
     }
@@ -107,6 +104,12 @@ export class ExerciseBox {
 
   keep(entry) {
     if (this.training) this.trained = entry; else this.desk.keep(entry);
+    this.seen = JSON.stringify(entry);
+  }
+
+  // What was stored in another tab meanwhile.
+  follow() {
+    if (!this.training && JSON.stringify(this.entry()) !== this.seen) this.restore();
   }
 
   // Store unchecked typing, too, so that it is saved to the file; it takes no pass away.
@@ -190,6 +193,7 @@ export class ExerciseBox {
 
   restore() {
     const kept = this.entry();
+    this.seen = JSON.stringify(kept);
     this.opened = null; // besides what was opened before the pass
     this.input.value = kept.answer ?? "";
     const cells = [...this.element.querySelectorAll("td input")];

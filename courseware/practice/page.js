@@ -98,6 +98,8 @@ class Desk {
     // unseen, in its place: the end of the page must not jump
     seen.follow = () => { this.bar.inert = seen.has(element) || !seen.size; };
     this.near.follow = () => this.boxes.forEach((box) => { if (box.stale && this.near.has(box.element)) box.showMine(); });
+    addEventListener("storage", () => this.follow());
+    addEventListener("pageshow", ({ persisted }) => { if (persisted) this.follow(); }); // by Back
     addEventListener("beforeprint", () => this.boxes.forEach((box) => { if (box.stale) box.showMine(); }));
     this.tellProgress();
     if (this.name || Object.keys(this.mine()).length) this.renewBoxes();
@@ -125,7 +127,18 @@ class Desk {
   keep(answers) {
     const key = answersKey(this.course), all = { ...readStored(key), [this.student()]: answers };
     memory.set(key, JSON.stringify(all));
-    navigator.storage?.persist?.().catch(() => {}); // a browser may tidy up what is not asked for
+    this.asked ??= navigator.storage?.persist?.().catch(() => {}); // a browser may tidy up what is not asked for
+    this.tellProgress();
+  }
+
+  // What another tab or page has stored: the name that counts is the one that is seen.
+  follow() {
+    const name = memory.get(STUDENT_KEY) ?? "";
+    if (name !== this.name) {
+      this.field.value = name;
+      return this.renew();
+    }
+    this.boxes.forEach((box) => box.follow());
     this.tellProgress();
   }
 
@@ -137,7 +150,8 @@ class Desk {
   }
 
   tell(words) {
-    this.element.querySelector(".rk-progress").textContent = words;
+    const said = this.element.querySelector(".rk-progress");
+    if (said.textContent !== words) said.textContent = words; // it is read aloud
   }
 
   tellProgress() {

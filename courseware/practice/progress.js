@@ -24,5 +24,5 @@ const showPassed = () => {
 export const startProgress = () => {
   showPassed();
   addEventListener("courseware:kept", showPassed);
-  addEventListener("storage", showPassed); // from another window
+  for (const elsewhere of ["storage", "pageshow"]) addEventListener(elsewhere, showPassed);
 };

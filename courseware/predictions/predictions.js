@@ -81,6 +81,9 @@ class PredictionBox {
       event.preventDefault();
       this.guess();
     });
+    const field = this.one("input"), typed = `${this.name} typed`;
+    if (field) field.value = readStored(GUESSES_KEY)[typed] ?? "";
+    field?.addEventListener("input", () => storeGuesses({ ...readStored(GUESSES_KEY), [typed]: field.value }));
     this.buttons = [...this.card.querySelectorAll(".rk-guess button[value]")];
     this.buttons.forEach((button, k) => button.addEventListener("click", () => this.take(k)));
     this.one(".rk-skip").addEventListener("click", () => this.showMe());

@@ -6,6 +6,7 @@ import json
 import re
 from datetime import UTC, datetime, timedelta
 from html import unescape
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -235,15 +236,6 @@ def test_with_a_name_the_numbers_come_chapter_by_chapter(server, chromium):
         page.locator(f"#{last.get_attribute('id')}[data-variant]").wait_for()
         assert "rk-stale" not in last.get_attribute("class")
         assert not watch.errors + watch.strangers
-
-
-def test_a_browser_that_cannot_unpack_numbers_is_told_so(server, chromium):
-    with watched_page(chromium, server) as (page, _):
-        page.add_init_script("delete globalThis.DecompressionStream")
-        page.goto(server + "practice.html")
-        page.fill("#rk-student", "Ada")
-        page.keyboard.press("Tab")
-        page.get_by_text("This browser is too old to unpack your numbers").first.wait_for()
 
 
 def test_in_a_frame_that_forbids_files_and_dialogs_that_is_said(server, chromium):
@@ -586,6 +578,45 @@ def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
     assert kept["bicycle-1"]["time"].startswith("2999")
 
 
+def test_what_is_typed_and_not_checked_stays(page):
+    """The field is still in use when the page is loaded again."""
+    sign_in(page, "Ada")
+    field = box(page, FIRST).locator(".rk-row input")
+    field.press_sequentially("0.12")
+    again(page)
+    expect(field).to_have_value("0.12")
+
+
+def test_two_tabs_show_one_name_and_its_answers(page):
+    """What is typed goes to the name that is seen."""
+    sign_in(page, "s0741")
+    other = page.context.new_page()
+    other.goto(page.url)
+    expect(other.locator("#rk-student")).to_have_value("s0741")
+    sign_in(other, "s0471")
+    expect(page.locator("#rk-student")).to_have_value("s0471")
+    answer(page, FIRST, "5")
+    field = box(other, FIRST).locator(".rk-row input")
+    expect(field).to_have_value("5")
+    expect(box(other, FIRST).locator(".rk-verdict")).to_contain_text("Not yet")
+    field.fill("56")
+    expect(box(page, FIRST).locator(".rk-row input")).to_have_value("56")
+    answers = page.evaluate("() => JSON.parse(localStorage.getItem('robokin answers robokin'))")
+    assert [*answers] == ["s0471"]
+    other.close()
+
+
+def test_by_back_a_page_shows_the_name_that_was_corrected_elsewhere(page):
+    """A browser may show the page as it was left: then it is told by `pageshow`."""
+    sign_in(page, "s0741")
+    page.evaluate("() => localStorage.setItem('robokin student', 's0471')")  # tells no other page
+    page.evaluate("() => dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))")
+    expect(page.locator("#rk-student")).to_have_value("s0471")
+    answer(page, FIRST, "5")
+    answers = page.evaluate("() => JSON.parse(localStorage.getItem('robokin answers robokin'))")
+    assert [*answers] == ["s0471"]
+
+
 def test_work_before_the_name_is_not_lost(page):
     """Its numbers were nobody's; it is said where it is, and it comes back."""
     answer(page, FIRST, "2")
@@ -640,19 +671,26 @@ def test_without_a_script_it_is_said_where_the_answer_box_would_be(chromium, ser
         assert box(page, FIRST).locator(".rk-row input").is_hidden()
 
 
+def write_sheet(*exercises):
+    """The address of Ada's sheet."""
+    Path("roster.csv").write_text("student\nAda\n")
+    assert main(["key", "roster.csv", "--secret", "secret.txt", "--only", *exercises]) == 0
+    assert main(["sheet", "key.csv"]) == 0
+    [sheet] = Path("sheets").resolve().iterdir()
+    return sheet.as_uri()
+
+
 def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, monkeypatch):
     """From disk, and at once; it judges nothing, and `grade` reads what it saves."""
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "roster.csv").write_text("student\nAda\n")
+    sheet = write_sheet(FIRST)
     (tmp_path / "answers").mkdir()
-    assert main(["key", "roster.csv", "--secret", "secret.txt", "--only", FIRST]) == 0
-    assert main(["sheet", "key.csv"]) == 0
-    [sheet] = (tmp_path / "sheets").iterdir()
     with watched_page(chromium, tmp_path.as_uri()) as (page, watch):
-        page.goto(sheet.as_uri())
+        page.goto(sheet)
         page.get_by_label("Answer, one number").fill("1/3")
         page.reload()
         expect(page.get_by_label("Answer, one number")).to_have_value("1/3")
+        expect(page.get_by_text("Here this sheet can be read and printed")).to_be_hidden()
         with page.expect_download() as download:
             page.get_by_role("button", name="Save my answers").click()
         download.value.save_as(tmp_path / "answers" / download.value.suggested_filename)
@@ -661,6 +699,33 @@ def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, mon
     [graded] = table("grades.csv")
     assert (graded["student"], graded["answer"]) == ("Ada", "1/3")
     assert graded["result"] != "missing"
+
+
+def test_two_tabs_of_a_sheet_lose_no_answer(chromium, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    sheet = write_sheet(FIRST, "euler-1")
+    with watched_page(chromium, tmp_path.as_uri()) as (page, watch):
+        page.goto(sheet)
+        other = page.context.new_page()
+        other.goto(sheet)
+        page.fill(f"[name={FIRST}]", "1/3")
+        expect(other.locator(f"[name={FIRST}]")).to_have_value("1/3")
+        other.fill("[name=euler-1]", "[1, 2, 3]")
+        expect(page.locator("[name=euler-1]")).to_have_value("[1, 2, 3]")
+        page.reload()
+        expect(page.locator(f"[name={FIRST}]")).to_have_value("1/3")
+        expect(page.locator("[name=euler-1]")).to_have_value("[1, 2, 3]")
+        assert not watch.errors + watch.strangers
+
+
+def test_a_sheet_without_scripts_asks_for_a_browser(chromium, tmp_path, monkeypatch):
+    """As previews of files show it: nothing looks as if it could be typed or saved."""
+    monkeypatch.chdir(tmp_path)
+    sheet = write_sheet(FIRST)
+    with watched_page(chromium, tmp_path.as_uri(), java_script_enabled=False) as (page, _):
+        page.goto(sheet)
+        assert page.get_by_text("Here this sheet can be read and printed").is_visible()
+        assert page.locator("input:visible, button:visible").count() == 0
 
 
 def test_a_matrix_can_be_typed_entry_by_entry(page):

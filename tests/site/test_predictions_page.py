@@ -269,6 +269,12 @@ def test_it_is_shown_without_a_guess_too(page):
     assert not any(fold(page, name).is_visible() for name in (BUTTONS, NUMBER, GHOST))
 
 
+def test_a_guess_that_is_typed_and_not_given_stays(page):
+    page.locator(f"#{NUMBER} .rk-guess input").press_sequentially("7.")
+    page.reload()
+    expect(page.locator(f"#{NUMBER} .rk-guess input")).to_have_value("7.")
+
+
 def test_guesses_are_kept_until_they_are_forgotten(page):
     page.get_by_role("button", name="it gets better").click()
     place_ghost(page, guess_x=-0.2, guess_y=0.1)

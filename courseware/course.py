@@ -234,11 +234,9 @@ def _read_heading(notebook: Path) -> str:
 _open: list[Course] = []
 
 
-def open_course(
-    package: str, name: str, looks: Mapping[str, Any], materials: Any, library: str = ""
-) -> None:
-    """Make a course the one that `course()` returns."""
-    _open[:] = [Course(package, name, looks, materials, library)]
+def open_course(*arguments: Any, **named: Any) -> None:
+    """Make a course, from what `Course` takes, the one that `course()` returns."""
+    _open[:] = [Course(*arguments, **named)]
 
 
 def course() -> Course:

@@ -1,8 +1,4 @@
-"""Write the first form of a chapter: `python -m courseware.new_chapter gear_train`.
-
-It is the chapter of the example course under the new name, to be replaced piece by piece: formulas
-and functions, three figures, a prediction, an exercise with two mistakes, and three programs.
-"""
+"""Write a chapter, the example's under a new name: `python -m courseware.new_chapter NAME`."""
 
 import re
 import sys

@@ -22,6 +22,7 @@ from myst_nb.core.render import load_mime_renders
 from sphinx.application import Sphinx
 
 from courseware.course import course
+from courseware.errors import CourseError
 from courseware.predictions import page as predictions
 from courseware.run import page as run
 from courseware.site.assets import add_assets, write_assets, write_downloads
@@ -52,9 +53,13 @@ SETTINGS: dict[str, Any] = {  # name → default
 
 
 def _open_course(app: Sphinx, config: Any) -> None:
-    """Open the course, and have MyST read what our directives write."""
+    """Open the course, read its declarations, and have MyST read what our directives write."""
     config.myst_enable_extensions = {*config.myst_enable_extensions, "colon_fence", "dollarmath"}
-    course()
+    try:
+        for part in ("checks", "exercises", "predictions", "programs"):
+            course().modules(part)
+    except CourseError as error:
+        raise SystemExit(str(error)) from None
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -132,12 +132,13 @@ def test_a_verdict_has_the_numbers_of_its_picture():
 def test_small_changes_of_a_solution_are_refused(name):
     """Of sign, function, number, name: those that are left compute the same.
 
-    One always may: half a span more or less is the same on a counter that wraps round.
+    Two always may: half a span more or less is the same on a counter that wraps round, and the
+    middle column of a matrix meets a speed of 0.
     """
     program = PROGRAMS[name]
     changed = [*mutants(program.solution)]
     left = [source for source in changed if judged(program, source).right]
-    assert len(left) <= max(1, 0.05 * len(changed)), "\n\n".join(left)
+    assert len(left) <= max(2, 0.05 * len(changed)), "\n\n".join(left)
 
 
 @EACH

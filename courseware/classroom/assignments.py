@@ -43,10 +43,8 @@ def write_assignment(chapter: str, grader: str, folder: Path, force: bool) -> li
     if not programs:
         chapters = ", ".join(dict.fromkeys(p.topic for p in all_programs().values()))
         raise CourseError(f"{chapter} has no programs; there are those of {chapters}")
-    files = {
-        f"{each.__name__.rpartition('.')[2]}.py": inspect.getsource(each).replace("courseware.", "")
-        for each in (judge, explaining)
-    }
+    judges = {"judge.py": judge, "explaining.py": explaining}
+    files = {k: inspect.getsource(each).replace("courseware.", "") for k, each in judges.items()}
     files |= {f"{p.name}.json": serialize(p) for p in programs}
     cells = {"nbgrader": write_nbgrader, "otter": write_otter}.get(grader)
     if cells:

@@ -3,6 +3,7 @@
 import ast
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 from functools import cache
 from typing import Any
 from zlib import crc32
@@ -43,16 +44,15 @@ def store(program: Program) -> dict[str, Any]:
         *((f"{KNOWN.format(m.feedback)} {m.why}", f) for m, f in program.wrong.items()),
         *((KNOWN.format(words), f) for words, f in program.likely_slips.items()),
     ]
-    entries = [
-        {
-            "feedback": words,
-            "answers": [_flat(program, f, given[k]) for k in ordinary],
-        }
+    entries: list[dict[str, Any]] = [
+        {"feedback": words, "answers": [_flat(program, f, given[k]) for k in ordinary]}
         for words, f in known
     ]
     entries += _take_for_degrees(program, [cases[k][-1] for k in ordinary])
     if not program.is_new:  # the name would leave nothing to find
-        starter = _starter_function(program)
+        names: dict[str, Any] = {"np": np}
+        exec(program.starter, names)
+        starter = names[program.definition.name]
         answers = [_flat(program, starter, given[k]) for k in ordinary]
         for entry in entries:
             if np.allclose(np.array(entry["answers"]), answers, equal_nan=True):
@@ -73,13 +73,6 @@ def store(program: Program) -> dict[str, Any]:
         ],
         "known": entries,
     }
-
-
-def _starter_function(program: Program) -> Function:
-    names: dict[str, Any] = {"np": np}
-    exec(program.starter, names)
-    function: Function = names[program.definition.name]
-    return function
 
 
 def name_numbers(*parts: Any) -> list[Any]:
@@ -122,13 +115,12 @@ def draw_cases(program: Program) -> Iterator[tuple[str, bool, Numbers]]:
             yield special, False, _draw(program, draw, special, True)
     for special in program.specials:
         for part in AWAY:
-            yield from (
-                (special, True, numbers) for numbers in _draw_near(program, draw, special, part)
-            )
+            for numbers in _draw_near(program, draw, special, part):
+                yield special, True, numbers
 
 
-def _draw_near(program: Program, draw: Any, special: str, part: float) -> list[Numbers]:
-    """Return an input that is a part of the range away from a special case, or none."""
+def _draw_near(program: Program, draw: Any, special: str, part: float) -> Iterator[Numbers]:
+    """Yield an input that is a part of the range away from a special case, if there is one."""
     for _ in range(100):
         numbers = _draw(program, draw, special, False)
         allowed = program.when(*numbers.values())
@@ -137,17 +129,12 @@ def _draw_near(program: Program, draw: Any, special: str, part: float) -> list[N
             sign = 1 if value <= low else -1 if value >= high else draw.choice((-1, 1))
             away = sign * part * draw.uniform(0.3, 1) * (high - low)
             numbers[symbol] = value + float(f"{away:.2g}")
-        if (program.when(*numbers.values()) or not allowed) and _has_answer(program, numbers):
-            return [numbers]
-    return []
-
-
-def _has_answer(program: Program, numbers: Numbers) -> bool:
-    given = [_plain(x) for x in program.arguments(*numbers.values())]
-    try:
-        return bool(np.isfinite(_flat(program, program.right, given)).all())
-    except ValueError:  # outside of what the library takes
-        return False
+        given = [_plain(x) for x in program.arguments(*numbers.values())]
+        with suppress(ValueError):  # outside of what the library takes
+            finite = np.isfinite(_flat(program, program.right, given)).all()
+            if finite and (program.when(*numbers.values()) or not allowed):
+                yield numbers
+                return
 
 
 def _draw(program: Program, draw: Any, special: str, simple: bool) -> Numbers:

@@ -32,7 +32,7 @@ const unpin = () => document.querySelector(".rk-pinned")?.classList.remove("rk-p
 const pinNumbers = (figure, { name }) => {
   const hand = figure.courseware?.held?.by ?? (figure.contains(document.activeElement) && document.activeElement);
   if (!hand || !matchMedia("(max-width: 600px)").matches) return;
-  const numbers = [...document.querySelectorAll(`.rk-numbers:has([data-of="${name}"])`)].find((each) => each.checkVisibility());
+  const numbers = [...document.querySelectorAll(`.rk-numbers:has([data-of="${name}"])`)].find((each) => each.getClientRects().length);
   if (!numbers || numbers.matches(".rk-pinned") || numbers.getBoundingClientRect().bottom < innerHeight) return;
   unpin();
   numbers.classList.add("rk-pinned");

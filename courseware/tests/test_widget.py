@@ -35,11 +35,12 @@ def test_a_widget_keeps_its_state_when_it_is_shown_anew(chromium):
         page.evaluate(MODEL, [FIGURES["wheel-speeds"].widget.get_state()["_esm"], {}])
         speed = page.locator("dl > div", has_text="speed v").locator("dd")
         assert speed.text_content() == "0.075 m/s"
-        page.locator("input[type=range]").first.press("End")
+        slider = page.get_by_label("left wheel v").and_(page.locator("input"))
+        slider.press("End")
         assert page.evaluate("model.saved") > 0
         page.evaluate("show()")
         page.wait_for_function("(dd) => dd.textContent === '0.110 m/s'", arg=speed.element_handle())
-        assert page.locator("input[type=range]").first.input_value() == "0.12"
+        assert slider.input_value() == "0.12"
         assert not watch.errors
 
 

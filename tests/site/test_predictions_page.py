@@ -230,9 +230,9 @@ def test_a_guess_may_be_tried_and_one_that_is_near_goes_to_the_right_place(page)
 def test_nothing_is_judged_before_it_is_moved(page):
     come_alive(page)
     for _ in range(4):
-        page.locator(f"#{GHOST} form button", has_text="Here").click()
+        card(page, GHOST).locator("form button", has_text="Here").click()
         assert said(page, GHOST).inner_text() == "Move your guess first."
-    assert page.locator(f"#{GHOST} .rk-skip").is_hidden()
+    assert card(page, GHOST).locator(".rk-skip").is_hidden()
 
 
 def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):

@@ -45,7 +45,7 @@ def sinc_slope(x: Array) -> Array:
 
 
 def cos_sin_of_sum(theta: Array, half: Array) -> tuple[Array, Array]:
-    """Return cosine and sine of theta + half; what rounding took from the sum is turned in."""
+    """Return cosine and sine of theta + half; corrected for the sum's rounding error."""
     heading = theta + half
     rest = theta - heading + half
     c, s = np.cos(heading), np.sin(heading)

@@ -1,4 +1,4 @@
-"""Who may import whom: the library nothing of the rest, the machine no robot, chapters backwards.
+"""The allowed imports: none of ours in the library, no robot in the framework, earlier chapters only.
 
 Read from the sources, without running them; imports for the type checker alone do not count.
 """
@@ -131,7 +131,7 @@ def part_of(module):
     return rest.partition(".")[0] if package == "courseware" and rest else None
 
 
-def test_each_part_of_the_framework_uses_only_those_below():
+def test_each_part_of_the_framework_uses_only_those_above_it_in_the_list():
     parts = {part_of(name) for name in MODULES} - {None}
     assert parts == set(LAYERS), "name its place in LAYERS"
     between = [i for i in IMPORTS if part_of(i.by) and part_of(i.of)]

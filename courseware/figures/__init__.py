@@ -1,6 +1,6 @@
 """Live figures: declared in Python, drawn and moved by one small script, with or without a kernel.
 
-    Figure(name, title, view, scene, controls, readouts)
+    Figure(name, title, view, shapes, controls, readouts)
 
 shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
 still picture. Its parts are declared with the words of `declaration`, `controls` and `shapes`, and

@@ -1,4 +1,4 @@
-"""The allowed imports: none of ours in the library, no robot in the framework, earlier chapters only.
+"""The allowed imports: none of ours in the library, no robot in the framework, no later chapter.
 
 Read from the sources, without running them; imports for the type checker alone do not count.
 """

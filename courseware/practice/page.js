@@ -20,11 +20,6 @@ const CLEAR = "Clear my answers";
 const NO_FILE = "If no file comes, the frame that shows this page forbids it: open the page in a tab of its own.";
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 
-// A bar for each chapter grows with what is passed; findPlace leads to the chapter's exercises.
-const renderBars = (chapters, findPlace = () => "") => chapters.map(({ title, topic, passed, count }) =>
-  `<li style="--passed:${passed / count}"><a href="${findPlace(topic)}" title="${escapeHtml(title)}">`
-    + `<span>${escapeHtml(title)}</span> ${passed}/${count}</a></li>`).join("");
-
 export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Name</label>`
   + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false">`
   + `<details class="rk-menu"><summary>Answers</summary><div class="rk-row">`
@@ -32,13 +27,7 @@ export const renderDesk = (course) => `<div class="rk-row"><label for="rk-studen
   + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv,.tsv,.txt"></label>`
   + `<button type="button" class="rk-clear">${CLEAR}</button></div>`
   + `<p class="rk-note">Course: <strong>${escapeHtml(course)}</strong>. ${NOTE}</p></details></div>`
-  + `<p class="rk-progress" role="status">&nbsp;</p><ul class="rk-course">${renderBars(countPassed({}))}</ul>`;
-
-// Where a chapter's exercises are: on this page, or on its own.
-const findExercises = (topic) => {
-  const first = `${topic.replaceAll("_", "-")}-1`, here = document.getElementById(first)?.closest("section");
-  return here ? `#${here.id}` : `${document.documentElement.dataset.content_root}${topic}/${topic}.html#${first}`;
-};
+  + `<p class="rk-progress" role="status">&nbsp;</p>`;
 
 // A line that stays in sight while an exercise is.
 const BAR = `<button type="button" class="rk-who"></button> <span></span> <a>Next open exercise</a>`;
@@ -164,7 +153,6 @@ class Desk {
       + (orphans ? `.${describeOrphans(orphans)}` : ""));
     const all = countPassed(mine), open = here.find((name) => !passed(name));
     const course = `${sumUp(all, "passed")} of ${sumUp(all, "count")} in the course`;
-    this.element.querySelector(".rk-course").innerHTML = renderBars(all, findExercises);
     this.bar.querySelector(".rk-who").textContent = this.name.trim() || "Type your name";
     this.bar.querySelector("span").textContent = `${done.length}/${here.length} here, ${course}${storage}`;
     const next = this.bar.querySelector("a");

@@ -202,7 +202,7 @@ def test_progress_is_kept_and_cleared(page):
 
 
 OUTSIDE = """() => {
-  const first = document.querySelector(".rk-exercise"), desk = "#rk-student, .rk-course a";
+  const first = document.querySelector(".rk-exercise"), desk = "#rk-student";
   const parts = [first.querySelector(".rk-text"), first.querySelector(".rk-row input")];
   return [...document.querySelectorAll(desk), ...parts].filter((each) => !each.checkVisibility()
     || each.getBoundingClientRect().bottom > innerHeight).map((each) => each.outerHTML);
@@ -210,7 +210,7 @@ OUTSIDE = """() => {
 
 
 def test_practice_opens_with_an_exercise(server, chromium):
-    """Name, bars and the first exercise with its box on the first screen."""
+    """Name and the first exercise with its box on the first screen."""
     with watched_page(chromium, server, reduced_motion="reduce") as (page, _):
         page.goto(server + "practice.html")
         page.locator(".rk-live").first.wait_for()
@@ -458,12 +458,6 @@ def test_the_bar_says_who_and_how_far(page):
     right = typed(variant(FIRST, "ada").candidates[0].rows, EXERCISES[FIRST])
     assert answer(page, FIRST, right) == candidates.RIGHT  # the same student
     assert f"1 of {len(EXERCISES)} in the course" in bar.inner_text()
-    bar = page.locator(".rk-course li", has_text="Differential drive")
-    assert bar.inner_text().split("\n") == ["Differential drive", "1/6"]
-    page.evaluate("() => scrollTo(0, 0)")
-    bar.get_by_role("link").click()
-    assert page.url.endswith("#differential-drive")
-    bar = page.locator(".rk-bar")
     sign_in(page, " ada")
     assert page.inner_text(".rk-progress").startswith("1 of ")
 

@@ -39,6 +39,7 @@ from courseware.figures.shapes import (
     Length,
     Line,
     Point,
+    Track,
     Trail,
     Wheel,
     when,

@@ -57,6 +57,7 @@ export const followReset = (live) => live.element.querySelector(".rk-reset")
   ?.addEventListener("click", () => {
     pauseClock(live);
     live.reached.clear();
+    live.figure.shapes.forEach(({ past }) => past?.splice(0));
     live.set(startState(live.figure));
     live.resumeClock?.();
   });

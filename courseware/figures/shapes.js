@@ -128,6 +128,12 @@ export const SHAPES = {
     const corners = points.length > 60 || !shape.dots ? [] : points.map(([x, y]) => circle(x, y, 3, fill(shape.kind)));
     return [...strokeLine(points, shape), ...corners];
   },
+  track: (at, shape, to, { view }) => {
+    const { past } = shape, far = ([x, y], [a, b]) => Math.hypot(x - a, y - b) / (view[1] - view[0]);
+    if (!past.length || far(at, past.at(-1)) > 1e-4) past.push(at);
+    const step = (place, i) => `${i && far(place, past[i - 1]) < 0.2 ? "L" : "M"}${to(place).map(px)}`;
+    return [path(past.map(step).join(""), stroke(shape.kind))];
+  },
   cloud: (p, shape, to, { c }) => {
     const dots = shape.rows.map((row) => to(shape.point(functions, c, row)));
     return [path(dots.map(([x, y]) => `M${px(x)} ${px(y)}h0`).join(""), stroke(shape.kind, `;stroke-width:4.5;stroke-linecap:round${SOLID}`))];

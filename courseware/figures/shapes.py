@@ -122,6 +122,14 @@ class Trail:
 
 
 @dataclass(frozen=True)
+class Track:
+    """Where a place has been since the last reset: the reader's own way. A jump is not drawn."""
+
+    kind: Kind
+    at: Place
+
+
+@dataclass(frozen=True)
 class Cloud:
     """Dots `at` a place for each row of a table, in one path: samples that were drawn with a seed.
 

@@ -90,6 +90,7 @@ TABLE = (
         Unit("km/h", 1000, 3600),
     ),
     (Unit("m²"), Unit("cm²", by=100**2, slip="cm"), Unit("mm²", by=1000**2, slip="mm")),
+    (Unit("m³"),),
     (Unit("1/m"), Unit("1/cm", 100, slip="cm"), Unit("1/mm", 1000, slip="mm")),
     (
         Unit("rad", spellings="radian radians", shown="°", tolerance=ANGLE),

@@ -8,7 +8,9 @@ from book.elbow_arm import formulas
 from book.elbow_arm.formulas import (
     a2,
     a3,
+    along,
     apart,
+    aside,
     d1,
     dh_a,
     dh_alpha,
@@ -21,8 +23,9 @@ from book.elbow_arm.formulas import (
     theta2,
     theta3,
 )
+from book.motion.formulas import v
 from courseware.equations import Array, Check
-from robokin import elbow_arm, euler, frames
+from robokin import elbow_arm, euler, frames, motion
 
 THETA = (theta1, theta2, theta3)
 LONG = 3.0  # m, links of an arm that reaches any point that is drawn
@@ -99,7 +102,55 @@ def wrist_frame(theta: Array, a2: Array, a3: Array, d1: Array) -> Array:
     return frames.se3(euler.to_matrix("ZXZ", turns), elbow_arm.forward(theta, a2, a3, d1))
 
 
+def in_plane(theta: Array, a2: Array, a3: Array) -> Array:
+    """The wrist from the shoulder, ahead and up, where the base is not turned."""
+    return elbow_arm.forward(theta * [0, 1, 1], a2, a3)[..., [0, 2]]
+
+
+STEP = 1e-5  # rad, of differences
+
+
+def determinant(theta: Array, a2: Array, a3: Array) -> Array:
+    """The determinant of how the wrist moves with each joint, by differences."""
+    steps = STEP * np.eye(3)
+    links = a2[..., None], a3[..., None]
+    ends = [elbow_arm.forward(theta[..., None, :] + way, *links) for way in (steps, -steps)]
+    found: Array = np.linalg.det((ends[0] - ends[1]) / (2 * STEP))
+    return found
+
+
+def base_rate(v: Array, aside: Array, along: Array) -> Array:
+    """The rate of joint 1 on a line beside the base axis: the velocity across, by the distance."""
+    turn = base_turns(np.stack([aside, along, 0 * along], axis=-1))[..., 0]
+    across = motion.to_body(turn, np.stack([0 * v, v, 0 * v], axis=-1))[..., 1]
+    return across / np.hypot(aside, along)
+
+
 CHECKS = (
+    Check(
+        formulas.plane,
+        function=in_plane,
+        arguments=(THETA, a2, a3),
+        tolerance=1e-15,
+        reason="as forward",
+        specials=({theta2: 0.0, theta3: 0.0}, {theta3: np.pi}),
+    ),
+    Check(
+        formulas.determinant,
+        function=determinant,
+        arguments=(THETA, a2, a3),
+        tolerance=2e-10,
+        reason="differences over 2e-5 rad: h²/6 and a rounding of the wrist divided by h",
+        specials=({theta3: 0.0}, {theta3: np.pi}, {theta2: np.pi / 2, theta3: 0.0}),
+    ),
+    Check(
+        formulas.base_rate,
+        function=base_rate,
+        arguments=(v, aside, along),
+        tolerance=1e-13,
+        reason="a few roundings of rates up to 50 rad/s",
+        specials=({along: 0.0},),
+    ),
     Check(
         formulas.forward,
         function=elbow_arm.forward,

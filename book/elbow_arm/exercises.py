@@ -4,11 +4,25 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from sympy import Matrix, atan, atan2, pi, sqrt
+from sympy import Matrix, atan, atan2, cos, pi, sin, sqrt
 
 from book.basics.formulas import p_x, p_y
 from book.elbow_arm import formulas
-from book.elbow_arm.formulas import a2, a3, apart, d1, high, out, p_z, theta1, theta2, theta3
+from book.elbow_arm.formulas import (
+    a2,
+    a3,
+    apart,
+    d1,
+    dh_a,
+    dh_d,
+    dh_theta,
+    high,
+    out,
+    p_z,
+    theta1,
+    theta2,
+    theta3,
+)
 from courseware.answers import Unknown, angle
 from courseware.equations import as_written
 from courseware.practice import (
@@ -21,7 +35,7 @@ from courseware.practice import (
     number_range,
     one_of,
 )
-from robokin import elbow_arm
+from robokin import elbow_arm, frames
 
 with as_written():
     BASE_ANGLE = LocalEquation(theta1, atan2(p_y, p_x))
@@ -32,6 +46,14 @@ with as_written():
     WITHOUT_X = Matrix([sqrt(p_y**2 + p_z**2), atan(p_z / p_y)])
     CUBED = formulas.cosine.right.xreplace({a3**2: a3**3})
     ALIKE = Matrix([theta1 + pi, theta2, theta3])
+    ON_AXIS = LocalEquation(theta2, pi / 2 - atan2(a3 * sin(theta3), a2 + a3 * cos(theta3)))
+    part = formulas.d_max / apart
+    SHORTENED = LocalEquation(
+        Matrix(formulas.NEAREST), Matrix([part * p_x, part * p_y, d1 + part * (p_z - d1)]), "m"
+    )
+    DH_ORIGIN = LocalEquation(
+        Matrix([p_x, p_y, p_z]), Matrix([dh_a * cos(dh_theta), dh_a * sin(dh_theta), dh_d]), "m"
+    )
 
 swapped_xy = Mistake(
     "M1",
@@ -45,7 +67,7 @@ swapped_xy = Mistake(
     title="It aims at a mirror image",
     picture=(
         "The red arm reaches the mirror image of p, with x and y exchanged. Its program believes "
-        "that it reaches p, like the grey one."
+        "that it reaches p, like the orange one."
     ),
 )
 no_p_x = Mistake(
@@ -60,7 +82,7 @@ no_p_x = Mistake(
     title="Its reach never changes",
     picture=(
         "Wherever p is along x, the red arm reaches equally far. Its program believes that it "
-        "reaches p, like the grey one."
+        "reaches p, like the orange one."
     ),
     document="000 Q1",
     place="step 2, the side view",
@@ -80,7 +102,7 @@ cubed_a_3 = Mistake(
     unnoticed="With a forearm of 1 m: there the square and the third power are the same number.",
     title="It reaches too far",
     picture=(
-        "The red arm reaches beyond p. Its program believes that it stops at p, like the grey one."
+        "The red arm reaches beyond p. Its program believes it stops at p, like the orange one."
     ),
     document="001 Q1",
     place="cos θ_3",
@@ -99,7 +121,7 @@ base_only = Mistake(
     "then on the other side.",
     title="It turns round",
     picture=(
-        "The red arm leans away from p. Its program believes that it reaches p, like the grey one."
+        "The red arm leans away from p. Its program believes it reaches p, like the orange one."
     ),
     document="000 Q1",
     place="step 1, the second base angle, and the count of four solutions at the end",
@@ -118,7 +140,7 @@ base_arctan = Mistake(
     title="It never looks behind",
     picture=(
         "The red arm looks to the front, even for a p that lies behind the base. Its program "
-        "believes that it reaches p, like the grey one."
+        "believes that it reaches p, like the orange one."
     ),
 )
 
@@ -513,5 +535,136 @@ elbow_arm_7 = Exercise(
         bend_down=Step(formulas.elbow, part=(0,), values=(theta3,)),
         lift_down=Step(formulas.shoulder, {high: p_z}, part=(0,), values=(theta2,)),
         behind_down=Step(formulas.away, values=TURNED, unit="rad"),
+    ),
+)
+
+
+def nearest(p_x, p_y, p_z, d1, a2, a3):
+    """Return the nearest point within reach."""
+    return elbow_arm.nearest_reachable([p_x, p_y, p_z], a2, a3, d1)
+
+
+def along_the_ray(start, far):
+    """Return the point so far from a start towards a target."""
+    return lambda p_x, p_y, p_z, **arm: (
+        np.array([0, 0, start(**arm)])
+        + (ray := np.array([p_x, p_y, p_z - start(**arm)])) * far(**arm) / np.linalg.norm(ray)
+    )
+
+
+elbow_arm_8 = Exercise(
+    "elbow-arm-8",
+    title="As near as it can",
+    text="The shoulder of an arm is {d1} straight above its base, its links are a_2 = {a2} and "
+    f"a_3 = {{a3}}. A ball is at {POINT}, measured from the base. That is out of reach. Which "
+    "point within reach is nearest to it?",
+    given={
+        "p_x": one_of(*range(-120, -40, 10), *range(50, 130, 10), unit="cm"),
+        "p_y": one_of(*range(-120, -40, 10), *range(50, 130, 10), unit="cm"),
+        "p_z": number_range(0, 120, 10, "cm"),
+        "d1": number_range(20, 50, 10, "cm"),
+        **LINKS,
+    },
+    unknowns=(Unknown("x", "m"), Unknown("y", "m"), Unknown("z", "m")),
+    right=nearest,
+    wrong={},
+    when=lambda p_x, p_y, p_z, d1, a2, a3: length(p_x, p_y, p_z - d1) > a2 + a3 + 0.1,
+    likely_slips={
+        "on the ray from the base, where it is the one from the shoulder": along_the_ray(
+            lambda **_: 0, lambda a2, a3, d1: a2 + a3
+        ),
+        "for the folded arm, at the inner edge of the workspace": along_the_ray(
+            lambda d1, **_: d1, lambda a2, a3, d1: abs(a2 - a3)
+        ),
+        "as seen from the shoulder; its height is not added": lambda p_z, d1, **rest: (
+            nearest(p_z=p_z, d1=d1, **rest) - [0, 0, d1]
+        ),
+    },
+    solution=Solution(
+        "The workspace is a shell around the shoulder. The nearest point of it lies on the ray "
+        "from the shoulder to the ball. First how far the ball is ahead of the shoulder, and above "
+        "it:\n\n{side}\n\nIts distance from the shoulder:\n\n{distance}\n\n"
+        "The arm reaches as far as both links together:\n\n{reach}\n\n"
+        "So the ray is shortened to that:\n\n{near}",
+        answer=("near",),
+        side=Step(formulas.side, part=(0, 1)),
+        distance=Step(formulas.side, part=(2,)),
+        reach=Step(formulas.reach, part=(1,)),
+        near=Step(SHORTENED),
+    ),
+)
+
+elbow_arm_9 = Exercise(
+    "elbow-arm-9",
+    title="Onto a border of the map",
+    text="An arm with the links a_2 = {a2} and a_3 = {a3} has its elbow at θ_3 = {theta3}. "
+    + BENDS
+    + "At which θ_2 is its wrist straight above the shoulder, on the base axis? There θ_1 is free: "
+    "the arm is on the border between the ways that face a target and those that face away.",
+    given={"theta3": one_of(*range(-130, -20, 10), *range(30, 140, 10), unit="°")} | LINKS,
+    unknowns=(angle("θ_2"),),
+    right=lambda theta3, a2, a3: elbow_arm.inverse(
+        [0, 0, np.sqrt(a2**2 + a3**2 + 2 * a2 * a3 * np.cos(theta3))], a2, a3
+    )[0 if theta3 < 0 else 1, 1],
+    wrong={},
+    likely_slips={
+        "for the forearm alone; the upper link is missing": lambda theta3, a2, a3: (
+            np.pi / 2 - theta3
+        ),
+        "on the wrong side: the angle between is added, not taken away": lambda theta3, a2, a3: (
+            np.pi / 2 + np.arctan2(a3 * np.sin(theta3), a2 + a3 * np.cos(theta3))
+        ),
+        "for the angle between the upper link and the line to the wrist": lambda theta3, a2, a3: (
+            np.arctan2(a3 * np.sin(theta3), a2 + a3 * np.cos(theta3))
+        ),
+    },
+    solution=Solution(
+        "Seen along the upper link, the wrist is a_2 + a_3 cos θ_3 ahead and a_3 sin θ_3 aside. "
+        "The line to the wrist goes straight up, and the upper link rises by what is left:"
+        "\n\n{border}",
+        border=Step(ON_AXIS),
+    ),
+)
+
+elbow_arm_10 = Exercise(
+    "elbow-arm-10",
+    title="One row of a DH table",
+    text="A row of a DH table has θ = {dh_theta}, d = {dh_d}, a = {dh_a}, α = {dh_alpha}: turn by "
+    "θ about z, go d along z, go a along the new x, turn by α about it. Where is the origin of the "
+    "new frame, as seen from the old one?",
+    given={
+        "dh_theta": one_of(*range(-160, -10, 10), *range(20, 170, 10), unit="°"),
+        "dh_d": number_range(10, 60, 5, "cm"),
+        "dh_a": number_range(15, 60, 5, "cm"),
+        "dh_alpha": one_of(-90, -60, -30, 30, 60, 90, unit="°"),
+    },
+    unknowns=(Unknown("x", "m"), Unknown("y", "m"), Unknown("z", "m")),
+    right=lambda dh_theta, dh_d, dh_a, dh_alpha: frames.dh(dh_theta, dh_d, dh_a, dh_alpha)[:3, 3],
+    wrong={},
+    when=lambda dh_d, dh_a, dh_theta, dh_alpha: (
+        abs(dh_d - dh_a) > 0.01 and abs(dh_theta - dh_alpha) > 0.1
+    ),
+    likely_slips={
+        "when a is taken along the old x axis, which is not yet turned": (
+            lambda dh_theta, dh_d, dh_a, dh_alpha: [dh_a, 0, dh_d]
+        ),
+        "when d and a are exchanged": lambda dh_theta, dh_d, dh_a, dh_alpha: [
+            dh_d * np.cos(dh_theta),
+            dh_d * np.sin(dh_theta),
+            dh_a,
+        ],
+        "with α in place of θ; it turns the frame only after both shifts": (
+            lambda dh_theta, dh_d, dh_a, dh_alpha: [
+                dh_a * np.cos(dh_alpha),
+                dh_a * np.sin(dh_alpha),
+                dh_d,
+            ]
+        ),
+    },
+    solution=Solution(
+        "The turn by θ takes the x axis to (cos θ, sin θ, 0). The origin goes d along z and a "
+        "along that axis; the turn by α comes last, about the new origin, and moves it no "
+        "more:\n\n{origin}",
+        origin=Step(DH_ORIGIN),
     ),
 )

@@ -3,6 +3,7 @@
 from sympy import Abs, Matrix, Max, Min, acos, atan2, cos, pi, sin, sqrt
 
 from book.basics.formulas import p_x, p_y
+from book.motion.formulas import v
 from courseware.equations import Equation, as_written, declarations
 
 quantity, symbol = declarations(__name__)
@@ -14,14 +15,21 @@ p_z = quantity("p_z", "m", -2, 2, "a point, along z")
 a2 = quantity("a2", "m", 0.4, 0.5, "length of the upper link", latex="a_2")
 a3 = quantity("a3", "m", 0.3, 0.4, "length of the forearm", latex="a_3")
 d1 = quantity("d1", "m", -0.5, 0.5, "height of the shoulder above the base", latex="d_1")
-out = quantity("out", "m", 0.3, 0.4, "distance of the wrist from the base axis", "r", "r")
+out = quantity("out", "m", 0.3, 0.4, "how far ahead of the base axis the wrist is", "r", "r")
 high = quantity("high", "m", -0.3, 0.3, "height of the wrist above the shoulder", "h", "h")
 apart = quantity("apart", "m", 0.25, 0.55, "distance from shoulder to wrist", "d", "d")
+aside = quantity(
+    "aside", "m", 0.02, 0.3, "distance at which a line passes the base axis", r"\delta"
+)
+along = quantity("along", "m", -0.6, 0.6, "how far along this line the wrist is", "s")
 dh_theta = quantity("dh_theta", "rad", -3.14, 3.14, "turn about z of a step", latex=r"\theta_i")
 dh_d = quantity("dh_d", "m", -1, 1, "shift along z of a step", latex="d_i")
 dh_a = quantity("dh_a", "m", -1, 1, "shift along x of a step", latex="a_i")
 dh_alpha = quantity("dh_alpha", "rad", -3.14, 3.14, "turn about x of a step", latex=r"\alpha_i")
 
+det_J = symbol("det_J", "determinant of the Jacobian", r"\det J", "m³")
+rate1 = symbol("rate1", "rate of joint 1", r"\dot\theta_1", "rad/s")
+J = symbol("J", "Jacobian: how the wrist moves with each joint, a column each")
 A = symbol("A", "cosine of the elbow's angle")
 phi1 = symbol("phi1", "angle of the triangle at the shoulder", r"\varphi_1", "rad")
 phi2 = symbol("phi2", "angle of the triangle at the elbow", r"\varphi_2", "rad")
@@ -67,9 +75,36 @@ T_step = symbol(
     "T_step", "pose of a frame of the DH table as seen from the one before", "T_{i-1,i}"
 )
 
+LOOKS = {
+    theta1: "turning",
+    theta2: "velocity",
+    theta3: "z_axis",
+    a2: "left",
+    a3: "right",
+    apart: "heading",
+    out: "length",
+    high: "length",
+    d1: "length",
+    phi1: "approximation",
+    phi2: "new_heading",
+    phi3: "middle_heading",
+    aside: "length",
+    rate1: "turning",
+    p_x: "x_axis",
+    p_y: "y_axis",
+    p_z: "z_axis",
+    SIDES["facing1"]: "turning",
+    SIDES["away1"]: "turning",
+}
 
 with as_written():
     raised = theta2 + theta3
+    plane = Equation(
+        name="elbow_arm.plane",
+        left=Matrix([out, high]),
+        right=Matrix([a2 * cos(theta2) + a3 * cos(raised), a2 * sin(theta2) + a3 * sin(raised)]),
+    )
+
     forward = Equation(
         name="elbow_arm.forward",
         left=Matrix([p_x, p_y, p_z]),
@@ -174,6 +209,19 @@ with as_written():
         name="elbow_arm.reach",
         left=Matrix([d_min, d_max]),
         right=Matrix([Abs(a2 - a3), a2 + a3]),
+    )
+
+    determinant = Equation(
+        name="elbow_arm.determinant",
+        left=det_J,
+        right=-a2 * a3 * out * sin(theta3),
+        where=((out, a2 * cos(theta2) + a3 * cos(raised)),),
+    )
+
+    base_rate = Equation(
+        name="elbow_arm.base_rate",
+        left=rate1,
+        right=v * aside / (aside**2 + along**2),
     )
 
     nearest = Equation(

@@ -1,26 +1,40 @@
 """Predictions that the chapter on the elbow arm asks for."""
 
 import numpy as np
-from mpmath import acos, mpf, workdps
-from sympy import pi
+from sympy import Float, pi, rad
 
-from book.elbow_arm.figures import SHOULDER, UPPER
-from courseware.predictions import Buttons, Number, Prediction, nearest_option
+from book.elbow_arm import formulas
+from book.elbow_arm.figures import (
+    BENDS,
+    FOREARM,
+    GIVEN,
+    LIFTS,
+    LINKS,
+    REACH,
+    SHOULDER,
+    TARGET,
+    UPPER,
+    borders,
+    guess_h,
+    guess_r,
+    t,
+)
+from book.elbow_arm.formulas import theta2, theta3
+from courseware.predictions import Buttons, Ghost, Number, Prediction, nearest_option
 from robokin import elbow_arm
 
-FOREARM = 0.3  # m
-TARGET = (-0.18, 0.24, 0.50)  # m, of the exercise
-LINKS = UPPER, FOREARM, SHOULDER
+ARM = (*LINKS, SHOULDER)
+FACING_UP, FACING_DOWN, AWAY_UP, AWAY_DOWN = elbow_arm.inverse(TARGET, *ARM)
 
 
-def answers(target: tuple[float, float, float]) -> np.ndarray:
-    """Return the four answers for a target: (4, 3), in rad."""
-    return elbow_arm.inverse(target, *LINKS)
+def wrist(lifted: float, bent: float) -> tuple[float, float]:
+    """Return where the wrist is, ahead of the shoulder and above it, for two angles in degrees."""
+    return tuple(formulas.plane.substitute({**GIVEN, theta2: rad(lifted), theta3: rad(bent)}))
 
 
 def bend() -> float:
     """Return how far the elbow is from straight at the target of the exercise, rad."""
-    return float(np.abs(answers(TARGET)[:, 2]).max())
+    return float(abs(FACING_UP[2]))
 
 
 def reach(bent: float) -> float:
@@ -28,120 +42,246 @@ def reach(bent: float) -> float:
     return float(np.hypot(UPPER + FOREARM * np.cos(bent), FOREARM * np.sin(bent)))
 
 
-def turned_round() -> str:
-    """Return the change of the elbow's angle when the base turns away and the elbow stays."""
-    facing, away = answers(TARGET)[[0, 2], 2]
-    options = {"no change": facing, "the other sign": -facing, "180° minus it": np.pi - facing}
-    return nearest_option(options, away)
+def seen_from_above() -> str:
+    """Return how many turns of the base there are for the target of the exercise."""
+    turns = np.exp(1j * elbow_arm.inverse(TARGET, *ARM)[:, 0])
+    return {1: "one", 2: "two"}[len(np.unique(turns.round(9)))]
 
 
-def digits() -> str:
-    """Return how many digits the elbow's arccosine has, 1e-15 m short of full stretch."""
-    d, upper, forearm = 0.75 - 1e-15, 0.5, 0.25
-    squares, twice = upper**2 + forearm**2, 2 * upper * forearm
-    with workdps(50):
-        exact = acos((mpf(d) ** 2 - squares) / twice)
-        wrong = float(abs(np.arccos((d**2 - squares) / twice) / exact - 1))
-    return f"{-np.log10(wrong):.0f}"
+def elbows() -> str:
+    """Return how many elbows there are at four distances of the ball."""
+    numbers = []
+    for d in (0.70, 0.75, 0.10, 0.05):
+        ways = np.exp(1j * elbow_arm.inverse([d, 0, SHOULDER], *ARM, unreachable="nan")[:2])
+        ways = ways[np.isfinite(ways).all(axis=1)]
+        numbers.append(str(len(np.unique(ways.round(6), axis=0))))
+    return ", ".join(numbers)
 
 
-def different() -> str:
-    """Return how many answers a stretched arm has, and a folded one, beside the base axis."""
-    reaches = UPPER + FOREARM, UPPER - FOREARM
-    numbers = set()
-    for reach in reaches:
-        on_circle = np.exp(1j * answers((reach, 0, SHOULDER)))  # 180° is -180°
-        numbers.add(len(np.unique(on_circle.round(9), axis=0)))
-    (number,) = numbers  # the same for both, as the prediction says
-    return ("one", "two", "three", "four")[number - 1]
+def degrees(angles: np.ndarray) -> str:
+    """Return two angles as an option shows them."""
+    return " and ".join(f"{np.degrees(x):.0f}°".replace("-", "−") for x in angles)
+
+
+def swept(passes: float) -> float:
+    """Return by how much the base turns in all on a line that passes the axis, degrees."""
+    return float(np.degrees(2 * np.arccos(passes / REACH)))
+
+
+def twice_as_near() -> str:
+    """Return what becomes of that angle at half the distance."""
+    options = {"twice as large": 2, "a little larger": 1.15, "the same": 1}
+    return nearest_option(options, swept(0.1) / swept(0.2))
 
 
 PREDICTIONS = (
     Prediction(
+        "part-along-x",
+        "From *Before you start*: an arrow of 2 m points 60° to the left of the $x$ axis. How long "
+        "is its part along $x$?",
+        Buttons(
+            ("1 m", "1.73 m", "2 m"),
+            right=lambda: f"{2 * np.cos(np.pi / 3):.0f} m",
+            assumptions={
+                "1.73 m": "That is its part along $y$, by the sine.",
+                "2 m": "So it is for an arrow that points along $x$.",
+            },
+        ),
+        explanation="2 m times the cosine of 60°, which is one half.",
+        spoilers=("which is one half",),
+    ),
+    Prediction(
+        "straight-behind",
+        "Also from there: which direction does `arctan2(0, -2)` give?",
+        Buttons(
+            ("0°", "180°", "none"),
+            right=lambda: f"{np.degrees(np.arctan2(0, -2)):.0f}°",
+            assumptions={
+                "0°": "The arctangent of the quotient 0/(−2) gives it, and loses the sign.",
+                "none": "Only the point 0, 0 has no direction.",
+            },
+        ),
+        explanation="`arctan2` takes $y$ first: the point lies against the $x$ axis.",
+        spoilers=("against the $x$ axis",),
+    ),
+    Prediction(
+        "where-is-the-wrist",
+        f"First the shoulder lifts the arm by {LIFTS}°, then the elbow bends by −100°: it turns "
+        "the forearm downwards. Drag *your guess* to where the wrist will be; then let the joints "
+        "turn.",
+        Ghost(
+            "wrist-guess",
+            places=(guess_r, guess_h),
+            right=wrist(LIFTS, BENDS),
+            then={t: Float(2)},
+            tolerance=0.04,
+            assumptions={
+                "That hangs the forearm almost straight down, as if its angle were measured from "
+                "the level.": wrist(LIFTS, BENDS - LIFTS),
+                "That bends the forearm upwards.": wrist(LIFTS, -BENDS),
+            },
+        ),
+        explanation="The elbow's angle is measured from the upper link, so the forearm rises by "
+        "60° − 100° = −40°.",
+        spoilers=("= −40°",),
+    ),
+    Prediction(
+        "how-many-directions",
+        "From above the arm is a straight stick through the base axis. In how many directions can "
+        "the base face, so that the ball lies on the line of the stick?",
+        Buttons(
+            ("one", "two", "infinitely many"),
+            right=seen_from_above,
+            assumptions={
+                "one": "Towards the ball is one. A line goes on at the other side of the axis.",
+                "infinitely many": "So it is if the ball is on the base axis itself. Beside it, a "
+                "line through both is fixed.",
+            },
+        ),
+        explanation="Towards the ball and exactly away from it: then the arm must reach back over "
+        "its base.",
+        spoilers=("exactly away from it",),
+        covers="base-views",
+    ),
+    Prediction(
+        "how-many-elbows",
+        "The elbow is 40 cm from the shoulder, and 30 cm from the wrist. The wrist is to be at a "
+        "ball at the distance $d$ from the shoulder: at 70 cm, then at 75, 10 and 5 cm. How many "
+        "places are there for the elbow, in the plane of the arm?",
+        Buttons(
+            ("2, 1, 2, 2", "1, 0, 2, 2", "1, 0, 1, 0", "2, 0, 2, 0"),
+            right=elbows,
+            assumptions={
+                "2, 1, 2, 2": "Stretched, the arm is 40 + 30 = 70 cm long.",
+                "1, 0, 2, 2": "Think of the forearm folded back: how near to the shoulder can the "
+                "wrist come?",
+                "2, 0, 2, 0": "Two places are two bends. How many ways are there to be straight?",
+            },
+        ),
+        explanation="All points at 40 cm from the shoulder are a circle, and so are those at 30 cm "
+        "from the ball. The elbow must be on both.",
+        spoilers=("must be on both",),
+        covers="circles",
+    ),
+    Prediction(
         "how-bent",
-        "By how many degrees must the elbow bend away from straight?",
+        "The arm holds the ball of the exercise, 50 cm from its shoulder. By how many degrees is "
+        "the elbow bent away from straight? The links are 40 and 30 cm.",
         Number(
             "°",
             right=bend,
             assumptions={
                 "That folds the forearm back onto the upper link.": pi,
                 "Then the arm reaches too far: the wrist would be "
-                f"{100 * reach(bend() / 2):.0f} cm from the shoulder, and the target is "
-                f"{100 * reach(bend()):.0f} cm away.": lambda: bend() / 2,
+                f"{100 * reach(bend() / 2):.0f} cm from the shoulder.": lambda: bend() / 2,
             },
-            relative=0.15,
+            relative=0.12,
         ),
-        explanation="There are four ways to do it.",
-        spoilers=("four ways",),
+        explanation="3, 4, 5: the square of 50 is the sum of the squares of 40 and 30. So the "
+        "triangle has a right angle at the elbow. For other sides:",
+        spoilers=("right angle at the elbow",),
+        covers="triangle",
     ),
     Prediction(
         "faces-away",
-        "The base faces away, and the elbow stays at the same place in the room. What becomes of "
-        "$\\theta_3$?",
+        "The arm faces the ball with its elbow down: $\\theta_2$ is 16°, $\\theta_3$ is 90°. Now "
+        "the base makes half a turn. Which $\\theta_2$ and $\\theta_3$ bring both links back to "
+        "where they were?",
         Buttons(
-            ("no change", "the other sign", "180° minus it"),
-            right=turned_round,
+            ("16° and 90°", "−16° and −90°", "164° and −90°", "164° and 90°"),
+            right=lambda: degrees(AWAY_DOWN[1:]),
             assumptions={
-                "no change": "The bend is as large as before. But seen from behind, it is on the "
-                "other side.",
-                "180° minus it": "That is what becomes of $\\theta_2$: the upper link leans over "
-                "backwards.",
+                "16° and 90°": "Then the arm reaches to the other side, away from the ball.",
+                "−16° and −90°": "Then the upper link points down, on the other side. It must lean "
+                "over backwards.",
+                "164° and 90°": "The upper link is right. But seen from behind, the elbow bends to "
+                "the other side.",
             },
         ),
-        explanation="The arm leans over backwards, as far from the horizontal as before: "
-        "$\\theta_2$ becomes 180° minus $\\theta_2$. The elbow bends to the other side: "
-        "$\\theta_3$ changes "
-        'its sign. The turned arm sees everything mirrored: "elbow up" has a *negative* '
-        "$\\theta_3$ if the arm faces the target, a *positive* one if it faces away.",
-        spoilers=("mirrored", "changes its sign"),
+        explanation="The arm leans over its back: the upper link rises as steeply as before, "
+        "measured from the other side. And the turned arm sees everything mirrored, so the elbow "
+        "bends the other way round.",
+        spoilers=("mirrored",),
+        covers="turn-round",
     ),
     Prediction(
-        "how-many-digits",
-        "An arm of 50 cm and 25 cm is $10^{-15}$ m short of full stretch. The arccosine gives its "
-        "elbow angle: how many of the 16 digits are right? (These lengths are exact in binary; "
-        "only the formula can be to blame.)",
-        Buttons(
-            ("16", "8", "2"),
-            right=digits,
+        "the-other-elbow",
+        "The dot on the square is the arm: its $\\theta_2$ to the right, its $\\theta_3$ upwards. "
+        "Take the gripper away from the ball, and bring it back there *with the elbow on the other "
+        "side*. The dot leaves your track.",
+        Ghost(
+            "four-countries",
+            places=(theta2, theta3),
+            right=tuple(Float(x) for x in FACING_DOWN[1:]),
+            then={borders: Float(1)},
+            tolerance=4,
             assumptions={
-                "16": "The arccosine itself is as good as that. But the number that it is given "
-                "has been rounded.",
-                "8": "So many decimals are right. But the angle is small: its first digit is the "
-                "seventh decimal.",
+                "That is the elbow that you started with.": tuple(Float(x) for x in FACING_UP[1:])
             },
         ),
-        explanation="An angle near zero hides in the last digits of its cosine:",
-        spoilers=("two digits", "last digits of its cosine"),
+        explanation="On the way the elbow was straight for a moment, or folded. There is no other "
+        "way: look where your track crosses a line. The borders are drawn now.",
+        spoilers=("straight for a moment",),
     ),
     Prediction(
-        "answers-when-stretched",
-        "The arm is stretched, but not straight up or down. How many different answers are left?",
+        "which-borders",
+        "The arm holds its ball: facing, elbow up. It is to hold it *facing away, elbow up*, with "
+        "both links in the same places. Find both on the map. What must happen to the arm between?",
         Buttons(
-            ("one", "two", "four"),
-            right=different,
+            (
+                "only the base turns",
+                "its wrist crosses the base axis",
+                "it stretches or folds",
+                "it does both",
+            ),
+            right="it does both",
             assumptions={
-                "one": "The base can still face the target or face away.",
-                "four": "The library gives four rows. Compare them.",
+                "only the base turns": "The base has no axis in this map. But $\\theta_2$ and "
+                "$\\theta_3$ are others at the end.",
+                "its wrist crosses the base axis": "Over the curve you come to *away, down*.",
+                "it stretches or folds": "Over the straight line you come to *facing, down*.",
             },
         ),
-        explanation="Up and down melt into one. It is the same for a folded arm, if its links "
-        "differ in length and it does not point straight up or down.",
-        spoilers=("melt into one",),
+        explanation="The two regions have no border in common. They only meet in corners, where "
+        "both happen at once. So the arm must be straight once, and its wrist must cross the axis "
+        "once, though it holds the ball in the same places before and after.",
+        spoilers=("no border in common",),
     ),
     Prediction(
         "answers-on-the-axis",
-        "The target lies on the base axis, right above the shoulder. How many answers are there?",
+        "The ball is on the base axis, right above the shoulder. How many ways are there to grip "
+        "it?",
         Buttons(
             ("two", "four", "infinitely many"),
             right="infinitely many",
             assumptions={
-                "two": "Elbow up and down are two. But which way must the base look?",
-                "four": "So many it has beside the axis, where only one turn of the base leads "
-                "to the target, and one away from it.",
+                "two": "Elbow up and down are two. But which way must the base face?",
+                "four": "So many there are beside the axis.",
             },
         ),
-        explanation="Every $\\theta_1$ is right. The library takes 0 (and 180° for away). The line "
-        "to the wrist is upright, so no elbow is *above* it; the rows keep their order.",
+        explanation="Every $\\theta_1$ is right. Turn the base, and the gripper stays.",
         spoilers=("every $\\theta_1$",),
+        covers="on-the-axis",
+    ),
+    Prediction(
+        "twice-as-near",
+        "The wrist moves along a straight line that passes the base axis at 20 cm, always equally "
+        "fast, and ends 60 cm from the axis. On such a line at half that distance "
+        "the base must turn twice as fast at the nearest point. And the whole angle by which it "
+        "turns, from end to end?",
+        Buttons(
+            ("twice as large", "a little larger", "the same"),
+            right=twice_as_near,
+            assumptions={
+                "twice as large": "Twice as fast, but only for half as long. At 20 cm the whole "
+                "angle is 141°: twice that would be most of a full turn.",
+                "the same": "The ends of the line are seen from the axis under a larger angle, as "
+                "the line comes nearer.",
+            },
+        ),
+        explanation="It is the angle between the two ends of the line, seen from the axis: never "
+        "more than 180°. Only the spike gets higher and thinner.",
+        spoilers=("never more than 180°",),
+        covers="spike",
     ),
 )

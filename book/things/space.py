@@ -66,6 +66,91 @@ def gripper(x: float, size: float = 0.026, opening: float = 1) -> tuple[Mesh, ..
     return tuple(replace(mesh, edge="edge") for mesh in (palm, *fingers))
 
 
+def arm_places(angles: Sequence[Any], lengths: Sequence[Any], high: Any) -> list[list[Any]]:
+    """Return shoulder, elbow and wrist of an arm on a turntable."""
+    turn, rise, bend = angles
+    places = [[0, 0, high]]
+    for long, way in zip(lengths, (rise, rise + bend), strict=True):
+        along = tilt(turn, way)[:, 0]
+        places.append([at + long * part for at, part in zip(places[-1], along, strict=True)])
+    return places
+
+
+def arm(
+    angles: Sequence[Any],
+    lengths: tuple[float, float],
+    high: float,
+    opening: Any = 1,
+    kind: str = "",
+    opacity: float = 1.0,
+) -> tuple[Solid, ...]:
+    """Return what moves of an arm on a turntable: turntable, upper link, forearm, two fingers.
+
+    A nose shows where the turntable faces, a cable runs along the back of both links.
+
+    Args:
+        angles: of turntable, shoulder and elbow.
+        lengths: of the two links; the second ends between the fingers.
+        high: of the shoulder, over a `column` of 0.55 of that.
+        opening: of the gripper, from 0 to 1; closed it holds a ball of 25 mm.
+        kind: of all parts, such as "error"; by default each has its own.
+        opacity: below 1 it is a ghost.
+    """
+    turn, rise, bend = angles
+    shoulder, elbow, _ = arm_places(angles, lengths, high)
+    upper, fore = tilt(turn, rise), tilt(turn, rise + bend)
+    base = sp.Matrix.hstack(tilt(turn, 0)[:, 0], -tilt(turn, 0)[:, 2], sp.Matrix([0, 0, 1]))
+    short = lengths[1] - 0.085
+    palm, finger, _ = gripper(short)
+    cables = (_cable(0.08, lengths[0] - 0.06, 0.05), _cable(0.04, short - 0.03, 0.036))
+    parts: list[tuple[Sequence[Mesh], Any, Sequence[Any]]] = [
+        (_turntable(high), base, ORIGIN),
+        ((*link(lengths[0], 0.05, 0.042), cables[0]), upper, shoulder),
+        ((*link(short, 0.04, 0.03, pale=True), cables[1], palm), fore, elbow),
+    ]
+    beside = sum(corner[1] for corner in finger.corners) / len(finger.corners)
+    for side in (1, -1):
+        off = side * (0.032 + 0.022 * opening) - beside
+        at = [elbow[k] + off * fore[k, 1] for k in range(3)]
+        parts.append(((finger,), fore, at))
+    return tuple(
+        VIEW.solid(_paint(body, kind), R, at, floor=None if opacity < 1 else 0, opacity=opacity)
+        for body, R, at in parts
+    )
+
+
+def tilt(turn: Any, rise: Any) -> sp.Matrix:
+    """Return the frame of a link: along it, across it in the arm's plane, its joint's axis."""
+    ct, st, cr, sr = sp.cos(turn), sp.sin(turn), sp.cos(rise), sp.sin(rise)
+    return sp.Matrix([[ct * cr, -ct * sr, st], [st * cr, -st * sr, -ct], [sr, cr, 0]])
+
+
+def _turntable(high: float) -> tuple[Mesh, ...]:
+    """Return what turns on a column: two cheeks that hold the shoulder, and a nose."""
+    low = 0.5 * high
+    cheeks = [
+        meshes.box("metal_mid", (0.08, 0.018, high - low), (0, side * 0.045, (high + low) / 2))
+        for side in (1, -1)
+    ]
+    ring = meshes.cylinder("accent", (0.1, 0.1), (low - 0.015, low), n=N)
+    nose = meshes.plate("accent", ((0.09, -0.045), (0.2, 0), (0.09, 0.045)), 0.015)
+    nose = replace(nose, corners=tuple((x, y, z + low - 0.008) for x, y, z in nose.corners))
+    return (*(replace(c, edge="edge") for c in cheeks), *_paint((ring, nose), "", "accent_edge"))
+
+
+def _cable(start: float, end: float, aside: float) -> Mesh:
+    """Return a cable that runs along the back of a link."""
+    middle = ((start + end) / 2, aside, 0)
+    return replace(meshes.box("dark", (end - start, 0.012, 0.014), middle), edge="rim")
+
+
+def _paint(body: Sequence[Mesh], kind: str, edge: str = "") -> list[Mesh]:
+    """Return meshes all of one kind, or with one edge."""
+    if kind:
+        return [replace(mesh, kind=kind, edge=kind, dots={}) for mesh in body]
+    return [replace(mesh, edge=edge or mesh.edge) for mesh in body]
+
+
 def column(high: float, radius: float = 0.09) -> tuple[Mesh, ...]:
     """Return the base of an arm, along z: a plate, a drum and a ring that turns with the arm."""
     r, ring = radius, min(0.15 * high, 0.02)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from robokin import motion
+from robokin import elbow_arm, motion
 
 
 def test_numpy_inverts_a_singular_matrix_without_an_error():
@@ -35,3 +35,33 @@ def test_robots_that_turn_more_end_nearer_up_to_a_full_turn():
     assert half == pytest.approx(4 / np.pi)
     assert full < 1e-15 < more  # a full turn ends where it began
     assert more == pytest.approx(0.378, abs=5e-4)
+
+
+def test_each_of_a_thousand_targets_has_one_answer_in_each_region():
+    """Chapter 01, step 7: the regions of the map are told by where the wrist is, not by angles."""
+    joints = np.random.default_rng(7).uniform(-np.pi, np.pi, (1000, 3))
+    links = np.random.default_rng(8).uniform(0.2, 0.6, (2, 1000))
+    targets = elbow_arm.forward(joints, *links)
+    answers = elbow_arm.inverse(targets, *links)
+    back = elbow_arm.forward(answers * [0, 1, 1], *links[..., None])  # in the plane of the arm
+    regions = 2 * (back[..., 0] > 0) + (np.sin(answers[..., 2]) > 0)
+    assert (np.sort(regions, axis=1) == np.arange(4)).all()
+
+
+@pytest.mark.parametrize("gap", [1e-3, 1e-5, 1e-7])
+def test_near_full_stretch_the_elbow_goes_with_the_root_of_the_gap(gap):
+    """Chapter 01, a fold: √(2 · gap · (a2 + a3)/(a2 a3)), but for a part as small as the gap."""
+    a2, a3 = 0.4, 0.3
+    bent = elbow_arm.inverse([a2 + a3 - gap, 0, 0], a2, a3)[1, 2]
+    assert bent == pytest.approx(np.sqrt(2 * gap * (a2 + a3) / (a2 * a3)), rel=3 * gap)
+    off = 1e-3 * gap  # of the distance
+    rate = (elbow_arm.inverse([a2 + a3 - gap + off, 0, 0], a2, a3)[1, 2] - bent) / off
+    d = a2 + a3 - gap
+    assert rate == pytest.approx(-d / (a2 * a3 * np.sin(bent)), rel=1e-3)
+
+
+def test_a_stretched_or_folded_arm_has_two_ways_left():
+    """Chapter 01, step 8: beside the base axis, one facing and one away."""
+    for d in (0.7, 0.1):
+        on_circle = np.exp(1j * elbow_arm.inverse([d, 0, 0], 0.4, 0.3))  # 180° is −180°
+        assert len(np.unique(on_circle.round(9), axis=0)) == 2

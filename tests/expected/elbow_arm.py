@@ -2,21 +2,117 @@
 
 import numpy as np
 
-from book.elbow_arm.figures import ARM, PLACE, SHOULDER, UPPER
-from robokin import elbow_arm
+from book.elbow_arm.figures import ARM, BALL, BOARD, FOREARM, LIMITS, PLACE, SHELF, SHOULDER, UPPER
+from robokin import elbow_arm, motion
 
+LINKS, BEYOND = (UPPER, FOREARM), "nan"
 ROWS = {(1, 1): 0, (1, -1): 1, (-1, 1): 2, (-1, -1): 3}  # of the answers of `inverse`
+EXERCISE = np.array([-0.18, 0.24, 0.5])  # m
 
 
-def readouts(p_x, p_y, p_z, a3, face, bend, *_view):
+def in_plane(lifted, bent):
+    """Return the wrist, ahead of the shoulder and above it."""
+    at = elbow_arm.forward(np.stack([0 * lifted, lifted, bent], axis=-1), *LINKS)
+    return {"out": at[..., 0], "high": at[..., 2]}
+
+
+def grip_readouts(turn, lifted, bent, *_):
+    theta = np.stack([turn, lifted, bent], axis=-1)
+    return {"off": np.linalg.norm(elbow_arm.forward(theta, *LINKS, SHOULDER) - BALL, axis=-1)}
+
+
+def both(out, high):
+    """Return elbow up and elbow down for a ball in the plane of the arm."""
+    p = np.stack([out, 0 * out, high], axis=-1)
+    return elbow_arm.inverse(p, *LINKS, unreachable=BEYOND)[..., :2, :]
+
+
+def base_readouts(p_x, p_y, face):
+    p = np.stack([p_x, p_y, 0.5 + 0 * p_x], axis=-1)
+    turns = elbow_arm.inverse(p, *LINKS, SHOULDER)[..., 0]
+    return {"turn": np.where(face > 0, turns[..., 0], turns[..., 2])}
+
+
+def triangle_readouts(out, high):
+    up, down = np.moveaxis(both(out, high), -2, 0)
+    half = (up[..., 1] - down[..., 1]) / 2
+    middle = np.where(np.isnan(half), np.nan, np.arctan2(high, out))
+    return {"phi1": half % np.pi, "phi2": np.pi - down[..., 2], "phi3": middle}
+
+
+def cosine_readouts(lifted, bent):
+    """The upper link sees the wrist as one with an upright base sees it."""
+    seen = in_plane(0 * lifted, bent)
+    found = {"ahead": seen["out"], "beside": seen["high"]}
+    return {**found, "lead": np.arctan2(seen["high"], seen["out"])}
+
+
+def turn_round_readouts(done, *_view):
+    _, facing, _, away = elbow_arm.inverse(EXERCISE, *LINKS, SHOULDER)
+    away[0] -= 2 * np.pi * (away[0] > facing[0])
+    first, second = np.clip(done, 0, 1), np.clip(done - 1, 0, 1)
+    parts = (first, second, second)
+    ways = (a + part * (b - a) for a, b, part in zip(facing, away, parts, strict=True))
+    return dict(zip(("theta1", "theta2", "theta3"), ways, strict=True))
+
+
+def det_j(lifted, bent):
+    """Twice the area of shoulder, elbow, wrist, times the distance from the axis, and the sign."""
+    theta = np.stack([0 * lifted, lifted, bent], axis=-1)
+    _, shoulder, elbow, wrist = np.moveaxis(elbow_arm.joint_positions(theta, *LINKS), -2, 0)
+    (a, _, b), (c, _, d) = (np.moveaxis(at - shoulder, -1, 0) for at in (elbow, wrist))
+    return {"det_J": -(a * d - b * c) * c}
+
+
+def spike_readouts(aside, share):
+    """The rate of the base by the velocity across the line to the axis."""
+    half = np.sqrt(0.36 - aside**2)
+    along = share * half
+    ends = np.arctan2(half, aside) - np.arctan2(-half, aside)
+    return {"rate1": 0.1 * aside / np.hypot(aside, along) ** 2, "turned": ends}
+
+
+def nearest_readouts(out, high):
+    p = np.stack([out, 0 * out, high], axis=-1)
+    return {"missed": np.linalg.norm(p - elbow_arm.nearest_reachable(p, *LINKS), axis=-1)}
+
+
+def is_free(points, angles, limited):
+    """Whether an arm misses the shelf, and is within its limits where they count."""
+    free = np.ones(len(points), bool)
+    for start, end in ((points[:, 1], points[:, 2]), (points[:, 2], points[:, 3])):
+        rises = end[:, 2] - start[:, 2]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            part = (SHELF - start[:, 2]) / rises
+            x, y = (start + part[:, None] * (end - start))[:, :2].T
+        x_low, x_high, y_low, y_high = BOARD
+        on_board = (x_low < x) & (x < x_high) & (y_low < y) & (y < y_high)
+        free &= ~((part > 0) & (part < 1) & on_board)
+    for angle, (low, high) in zip(angles.T, LIMITS.values(), strict=True):
+        free &= ~limited | ((np.radians(low) < angle) & (angle < np.radians(high)))
+    return free
+
+
+def laboratory_readouts(p_x, p_y, p_z, face, bend, limits, *_view):
     p = np.stack([p_x, p_y, p_z], axis=-1)
-    answers = elbow_arm.inverse(p, UPPER, a3, SHOULDER, unreachable="nan")
+    answers = elbow_arm.inverse(p, *LINKS, SHOULDER, unreachable=BEYOND)
+    rise, far = (
+        np.arctan2(p_z - SHOULDER, np.hypot(p_x, p_y)),
+        np.linalg.norm(p - [0, 0, SHOULDER], axis=-1),
+    )
+    flat, turn = np.where(far > 0.5, 0, np.pi), np.arctan2(p_y, p_x)  # stretched, or folded
+    facing, away = (turn, rise), (turn + np.pi, np.pi - rise)
+    rows = [(*facing, -flat), (*facing, flat), (*away, flat), (*away, -flat)]
+    straight = np.moveaxis(np.array(rows), -1, 0)
+    straight[..., :2] = motion.wrap_angle(straight[..., :2])
+    answers = np.where(np.isnan(answers), straight, answers)
+    within = np.isfinite(elbow_arm.inverse(p, *LINKS, SHOULDER, unreachable=BEYOND)[:, 0, 0])
+    points = elbow_arm.joint_positions(answers, *LINKS, SHOULDER)
+    free = [is_free(points[:, k], answers[:, k, 1:], limits > 0.5) & within for k in range(4)]
     which = [ROWS[pair] for pair in zip(face.astype(int), bend.astype(int), strict=True)]
     chosen = answers[np.arange(len(p)), which]
-    distance = np.linalg.norm(p - [0, 0, SHOULDER], axis=-1)
-    best = elbow_arm.nearest_reachable(p, UPPER, a3, SHOULDER)
     angles = dict(zip(("theta1", "theta2", "theta3"), chosen.T, strict=True))
-    return {**angles, "d": distance, "missed": np.linalg.norm(p - best, axis=-1)}
+    return {**angles, "left": np.sum(free, axis=0)}
 
 
 def target_and_wrist(*columns):
@@ -69,25 +165,24 @@ def opposite(*columns):
     return np.linalg.norm(wrist[:, :2] + p[:, :2], axis=1) < 1e-9
 
 
-CHOICES = (
-    "facing the target, elbow up",
-    "facing the target, elbow down",
-    "facing away, elbow up",
-    "facing away, elbow down",
-)
-ON_THE_AXIS = {"p_x": 0.0, "p_y": 0.0}
-AT_THE_SHOULDER = {**ON_THE_AXIS, "p_z": 0.1}
-SETTINGS = [
-    *({"arm": arm, "p_x": 0.3, "p_y": -0.2} for arm in CHOICES),
-    *({"arm": arm, **ON_THE_AXIS} for arm in CHOICES),
-    *({"arm": arm, **AT_THE_SHOULDER, "a3": 0.4} for arm in CHOICES),
-    AT_THE_SHOULDER,
-    {"p_x": -0.5, "p_y": 0.0, "arm": CHOICES[2]},
-    {"p_x": 0.01, "p_y": 0.0, "p_z": 0.15},
-    {"p_x": 0.7, "p_y": 0.6},
-]
-
-READOUTS = {"four-arms": readouts, "arm-in-space": readouts, "wrong-reach": mistakes_readouts}
+READOUTS = {
+    "grip": grip_readouts,
+    "forward": in_plane,
+    "base-views": base_readouts,
+    "triangle": triangle_readouts,
+    "one-cosine": cosine_readouts,
+    "turn-round": turn_round_readouts,
+    "four-countries": lambda lifted, bent, *_: {
+        "out": in_plane(lifted, bent)["out"],
+        **det_j(lifted, bent),
+    },
+    "det-j": det_j,
+    "spike": spike_readouts,
+    "nearest": nearest_readouts,
+    "arm-laboratory": laboratory_readouts,
+    "wrong-reach": mistakes_readouts,
+}
+WAYS = ("facing, up", "facing, down", "away, up", "away, down")
 NOT_NOTICED = [
     {"mistake": "It aims at a mirror image", "p_x": 0.2},
     {"mistake": "It never looks behind", "p_x": 0.3},
@@ -96,7 +191,24 @@ NOT_NOTICED = [
         "p_x": 1e-9,
     },  # at 0 the quotient p_y/p_x has no digits
 ]
-SPECIALS = {"four-arms": SETTINGS, "arm-in-space": SETTINGS, "wrong-reach": NOT_NOTICED}
+STRAIGHT, FOLDED = {"theta2": 0.5, "theta3": 0.0}, {"theta2": 0.5, "theta3": np.pi}
+UNDER = {"p_x": 0.2, "p_y": 0.0, "p_z": 0.3}  # the shelf
+SPECIALS = {
+    "grip": [{"shown": float(k)} for k in range(5)],
+    "forward": [STRAIGHT, FOLDED],
+    "base-views": [{"facing": "away"}, {"p_x": 0.3, "p_y": 0.0}],
+    "circles": [{"out": 0.42, "high": 0.56}, {"out": 0.06, "high": 0.08}, {"out": 0.8}],
+    "triangle": [{"out": 0.0}, {"out": 0.8}],
+    "four-countries": [{**STRAIGHT, "borders": 1}, {**FOLDED, "borders": 1}],
+    "det-j": [STRAIGHT, FOLDED],
+    "nearest": [{"out": 0.0, "high": 0.05}, {"out": 0.3, "high": 0.4}],
+    "spike": [{"share": 0.1, "aside": 0.03}],
+    "arm-laboratory": [
+        *({**UNDER, "way": way, "joint_limits": on} for way in WAYS for on in ("off", "on")),
+        {"p_x": 0.4, "p_y": -0.3},
+    ],
+    "wrong-reach": NOT_NOTICED,
+}
 TITLES = {
     "wrong-reach": {
         "It aims at a mirror image": mirrored,
@@ -107,8 +219,7 @@ TITLES = {
     }
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
-    ("four-arms", {"p_x": 0.7}, "theta2", "none"),
-    ("arm-in-space", {"p_x": 0.0, "p_y": 0.0, "p_z": 0.1}, "theta1", "none"),
+    ("triangle", {"out": 0.8}, "phi2", "none"),
 ]
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "elbow-arm-1": ({"p_x": -25, "p_y": 35}, {"M1": -0.6202, "M5": -0.9505}),
@@ -184,11 +295,125 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             ],
         },
     ),
+    "elbow-arm-8": (
+        {"p_x": -60, "p_y": 80, "p_z": 30, "d1": 30, "a2": 45, "a3": 35},
+        {
+            "ray from the base": [-0.4597, 0.613, 0.2299],
+            "folded arm": [-0.06, 0.08, 0.3],
+            "height is not added": [-0.48, 0.64, 0],
+        },
+    ),
+    "elbow-arm-9": (
+        {"theta3": 60, "a2": 40, "a3": 30},
+        {
+            "forearm alone": 0.5236,
+            "wrong side": 2.0121,
+            "between the upper link": 0.4413,
+        },
+    ),
+    "elbow-arm-10": (
+        {"dh_theta": 120, "dh_d": 20, "dh_a": 40, "dh_alpha": -60},
+        {
+            "old x axis": [0.4, 0, 0.2],
+            "exchanged": [-0.1, 0.1732, 0.4],
+            "α in place of θ": [0.2, -0.3464, 0.2],
+        },
+    ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "part-along-x": "1 m",
+    "straight-behind": "180°",
+    "where-is-the-wrist": (
+        "guess: ahead 0.43 m, guess: up 0.154 m",
+        "0.148 m, 0.051 m",
+        "−0.0819 m, 0.449 m",
+    ),
+    "how-many-directions": "two",
+    "how-many-elbows": "1, 0, 1, 0",
     "how-bent": ("90°", "180°", "45°"),
-    "faces-away": "the other sign",
-    "how-many-digits": "2",
-    "answers-when-stretched": "two",
+    "faces-away": "164° and −90°",
+    "the-other-elbow": ("shoulder θ_2 16.3°, elbow θ_3 90°", "90°, −90°"),
+    "which-borders": "it does both",
     "answers-on-the-axis": "infinitely many",
+    "twice-as-near": "a little larger",
+}
+
+
+def gripped(turned=0.0):
+    """Return settings that grip the ball of the opening, with the base turned on by an angle."""
+    theta1, theta2, theta3 = elbow_arm.inverse(BALL, *LINKS, SHOULDER)[0]
+    return {"theta1": theta1 + turned, "theta2": theta2, "theta3": theta3}
+
+
+UP, DOWN = {"way": "facing, up"}, {"way": "facing, down"}
+DEGREE = np.pi / 180
+GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
+    "grip": [  # facing, up: 35.84°, 66.69°, −95.98°; 1° of the base is 7.8 mm
+        (
+            [gripped(0.04)],
+            [
+                gripped(0.05),
+                {**gripped(), "shown": 1.0},
+            ],
+        ),
+        ([{"shown": 4.0}], [{"shown": 3.0}]),
+    ],
+    "circles": [
+        ([{"out": 0.707, "high": 0.0}], [{"out": 0.709, "high": 0.0}]),
+        ([{"out": 0.107, "high": 0.0}], [{"out": 0.109, "high": 0.0}]),
+        ([{"out": 0.091, "high": 0.0}], [{"out": 0.093, "high": 0.0}]),
+    ],
+    "four-dots": [
+        (
+            [{"out": 0.42, "high": 0.553}],
+            [{"out": 0.42, "high": 0.549}, {"out": 0.09, "high": 0.7}],
+        ),
+        (
+            [{"out": 0.06, "high": 0.087}],
+            [{"out": 0.06, "high": 0.09}, {"out": 0.02, "high": 0.098}],
+        ),
+        ([{"out": 0.009, "high": 0.5}], [{"out": 0.011, "high": 0.5}, {"out": 0.0, "high": 0.7}]),
+    ],
+    "det-j": [
+        ([{"theta3": 1.1 * DEGREE}], [{"theta3": 1.2 * DEGREE}, {"theta3": 179 * DEGREE}]),
+        ([{"theta3": 178.9 * DEGREE}], [{"theta3": 178.8 * DEGREE}, {"theta3": 0.0}]),
+        (  # r = 0.4 cos 53.13° − 0.24 = 0 at θ_2 = 126.87°, where the forearm lies at 36.87°
+            [{"theta2": 2.2143 + 0.009, "theta3": -np.pi / 2}],
+            [
+                {"theta2": 2.2143 + 0.012, "theta3": -np.pi / 2},
+                {"theta2": np.pi / 2, "theta3": 0.1},
+            ],
+        ),
+    ],
+    "nearest": [
+        ([{"out": 0.805, "high": 0.0}], [{"out": 0.807, "high": 0.0}, {"out": 0.7, "high": 0.0}]),
+        ([{"out": 0.079, "high": 0.0}], [{"out": 0.081, "high": 0.0}]),
+    ],
+    "arm-laboratory": [
+        (
+            [{**UNDER, **DOWN}, {**UNDER, "p_x": 0.229, **DOWN}],
+            [{**UNDER, **UP}, {**UNDER, "p_x": 0.231, **DOWN}],
+        ),
+        (
+            [{**UNDER, **DOWN, "joint_limits": "on"}],
+            [{**UNDER, "way": "away, down", "joint_limits": "on"}, {**UNDER, **DOWN}],
+        ),
+        (  # folded by more than 150°: nearer than 0.205 m
+            [{"p_x": -0.2, "p_y": 0.0, "p_z": 0.1, "joint_limits": "on"}],
+            [
+                {"p_x": -0.21, "p_y": 0.0, "p_z": 0.1, "joint_limits": "on"},
+                {"p_x": -0.05, "p_y": 0.0, "p_z": 0.1, "joint_limits": "on"},
+            ],
+        ),
+        (
+            [{"p_x": -0.42, "p_y": 0.0, "p_z": 0.653}],
+            [{"p_x": -0.42, "p_y": 0.0, "p_z": 0.645}],
+        ),
+    ],
+    "arm-letters": [
+        (
+            [{"name_1": "a_3", "name_2": "d"}],
+            [{"name_1": "d", "name_2": "a_3"}, {"name_1": "a_3", "name_2": "r"}],
+        )
+    ],
 }

@@ -19,7 +19,7 @@ FIRST = {
     "omni": WHEELS,
     "encoder": ODOMETRY,
     # the field's words
-    "law of cosines": f"{ARM}#first-way-three-angles",
+    "law of cosines": f"{ARM}#the-triangle",
     "gimbal lock": f"{TERM}gimbal-lock",
     "homogeneous transform": f"{FRAMES}#a-pose-as-a-matrix",
     "ICR": f"{TERM}ICR-instantaneous-centre-of-rotation",

@@ -24,7 +24,7 @@ def test_the_first_screen_holds_the_goal_and_its_keys(server, chromium, width, h
         settled(page, server + "index.html")
         page.wait_for_selector("#hero.rk-live")
         assert page.evaluate(OUTSIDE) == []
-        left, right, _ = page.locator("#hero input").all()
+        left, right = page.locator("#hero .rk-panel input").all()
         for key, slider, count in (("ArrowRight", left, 8), ("ArrowRight", right, 2)):
             assert page.locator("#hero .rk-done").count() == 0
             for _ in range(count):

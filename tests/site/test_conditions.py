@@ -85,6 +85,14 @@ MADE = """() => {
 }"""
 
 
+# a screen above and below
+NEAR_ONES_LIVE = """() => [...document.querySelectorAll(".rk-figure")].every((figure) => {
+  const { top, bottom, width } = figure.getBoundingClientRect();
+  const isFar = !width || bottom < -innerHeight || top > 2 * innerHeight;
+  return isFar || figure.dataset.size === "still" || figure.courseware;
+})"""
+
+
 def answer_with(reply):
     return lambda route: route.fulfill(**reply)
 
@@ -99,6 +107,7 @@ def test_a_page_that_the_browser_has_saved_comes_alive_once(name, server, chromi
             figures = page.locator(".rk-figure:visible")
             for k in range(min(3, figures.count())):
                 figures.nth(k).evaluate(COME_ALIVE)
+                page.wait_for_function(NEAR_ONES_LIVE)
             page.evaluate("() => scrollTo(0, 0)")
             made.append(page.evaluate(MADE))
             reply = {"body": page.content(), "content_type": "text/html"}

@@ -12,6 +12,7 @@ from figure_page import MADE, SHOW
 from courseware.course import course
 from courseware.figures import Clock, Figure, QuarterTurns
 from courseware.figures.figure import MIME
+from courseware.units import figure_unit
 
 pytest_plugins = ["figure_page"]
 GOALS = expected("GOALS")
@@ -263,7 +264,8 @@ def win(live, wished, by_keys):
             continue
         sets = [list(handle.sets) for handle in live.figure.handles]
         there = live.state()
-        there[live.figure.controls.index(control)] += steps * control.step
+        moved = figure_unit(control.symbol.unit).from_si(steps * control.step)
+        there[live.figure.controls.index(control)] += moved
         drag(live, next(k for k, each in enumerate(sets) if control.symbol in each), there)
         acts += 1
     return acts

@@ -8,6 +8,10 @@ from book.bicycle.formulas import (
     ahead,
     alpha_L,
     alpha_R,
+    arc_length,
+    arm,
+    arm_angle,
+    kappa,
     rate_rear,
     steering,
     track,
@@ -108,6 +112,73 @@ def seen_from_y(v: Array, psi: Array, phi: Array, wheelbase: Array) -> Array:
     return np.concatenate([rear[..., :2], front, -rear[..., 2:]], axis=-1)
 
 
+def curvature_of(phi: Array, wheelbase: Array) -> Array:
+    """The turning rate for each m/s of the rear axle."""
+    return np.asarray(bicycle.body_twist(1.0, phi, wheelbase)[..., 2])
+
+
+def slides(alpha_L: Array, alpha_R: Array, wheelbase: Array, track: Array) -> tuple[Array, Array]:
+    """Return how the front wheels' sideways speeds grow with v and with ω: (n, 2) each."""
+    alpha = np.stack([alpha_L, alpha_R], axis=-1)
+    beside = track[:, None] / 2 * np.array([1, -1])
+    turning = np.stack([-beside, wheelbase[:, None] + 0 * alpha], axis=-1)  # of a wheel's place
+    by_turning = motion.to_body(alpha, np.concatenate([turning, 0 * turning[..., :1]], axis=-1))
+    return motion.to_body(alpha, np.array([1.0, 0.0, 0.0]))[..., 1], by_turning[..., 1]
+
+
+def least_squares(alpha_L: Array, alpha_R: Array, wheelbase: Array, track: Array) -> Array:
+    """The turning rate for which the squares of the front wheels' slides are least."""
+    ahead, turning = slides(alpha_L, alpha_R, wheelbase, track)
+    return np.array(
+        [np.linalg.lstsq(t[:, None], -a)[0][0] for a, t in zip(ahead, turning, strict=True)]
+    )
+
+
+def slides_at(
+    alpha_L: Array, alpha_R: Array, wheelbase: Array, track: Array, kappa: Array
+) -> Array:
+    """The front wheels' slides outwards, to the right, at a curvature."""
+    ahead, turning = slides(alpha_L, alpha_R, wheelbase, track)
+    return -(ahead + kappa[:, None] * turning)
+
+
+def closed_rod(alpha_L: Array, track: Array, arm: Array, arm_angle: Array) -> Array:
+    """The right wheel's angle at which the rod has its length, by bisection."""
+
+    def off(alpha_R: Array) -> Array:
+        one = arm[:, None] * turn(alpha_L + arm_angle) - track[:, None] / 2 * np.array([1, 0])
+        other = arm[:, None] * turn(alpha_R - arm_angle) + track[:, None] / 2 * np.array([1, 0])
+        return np.asarray(np.hypot(*(other - one).T) - (track - 2 * arm * np.sin(arm_angle)))
+
+    def turn(angle: Array) -> Array:
+        return np.stack([np.sin(angle), -np.cos(angle)], axis=-1)
+
+    low, high = np.full_like(alpha_L, -1.0), np.full_like(alpha_L, 1.0)
+    for _ in range(60):
+        middle = (low + high) / 2
+        too_long = off(middle) > 0
+        low, high = np.where(too_long, low, middle), np.where(too_long, middle, high)
+    return low
+
+
+def direction_of(phi: Array, ahead: Array) -> Array:
+    """The direction of a point between the axles, seen from the car."""
+    velocity = point_motion(np.ones_like(phi), np.zeros_like(phi), phi, ahead)
+    return np.arctan2(velocity[..., 1], velocity[..., 0])
+
+
+def front_distance(R: Array, wheelbase: Array) -> Array:
+    """The front axle's speed by the turning rate."""
+    twist = bicycle.front_twist(1.0, np.arctan(wheelbase / R), wheelbase)
+    return np.asarray(np.hypot(twist[..., 0], twist[..., 1]) / np.abs(twist[..., 2]))
+
+
+def two_arcs_and_back(kappa: Array, arc_length: Array) -> Array:
+    """Where two arcs, to the left and to the right, and a straight way back end, sideways."""
+    phi = np.stack([np.arctan(kappa), -np.arctan(kappa)], axis=-1)
+    return bicycle.path([0.0, 0.0, 0.0], 1.0, phi, 1.0, arc_length[:, None])[..., -1, 1]
+
+
 def exact_step(pose: Array, v: Array, phi: Array, wheelbase: Array, dt: Array) -> Array:
     """The first step of an exact path."""
     return bicycle.path(pose, v[:, None], phi[:, None], wheelbase, dt[:, None])[..., 1, :]
@@ -191,6 +262,65 @@ CHECKS = (
         tolerance=5e-14,
         reason="three roundings of a radius up to 100 m",
         specials=(AHEAD, {steering: -0.5}, {steering: np.pi / 4}),
+    ),
+    Check(
+        formulas.curvature,
+        function=curvature_of,
+        arguments=(steering, wheelbase),
+        tolerance=2e-15,
+        reason="three roundings of numbers up to 2.6",
+        specials=(AHEAD, *SLIGHT),
+    ),
+    Check(
+        formulas.least_scrub,
+        function=least_squares,
+        arguments=(alpha_L, alpha_R, wheelbase, track),
+        ranges={alpha_L: (-0.8, 0.8), alpha_R: (-0.8, 0.8)},
+        tolerance=2e-14,
+        reason="roundings of a quotient up to 4, by a sum of squares that is above 0.3",
+        specials=({alpha_L: 0.0, alpha_R: 0.0}, {alpha_L: 0.5, alpha_R: 0.5}),
+    ),
+    Check(
+        formulas.scrub,
+        function=slides_at,
+        arguments=(alpha_L, alpha_R, wheelbase, track, kappa),
+        tolerance=1e-14,
+        reason="a few roundings of numbers up to 11",
+        specials=({alpha_L: 0.0, alpha_R: 0.0, kappa: 0.0},),
+    ),
+    Check(
+        formulas.trapezoid,
+        function=closed_rod,
+        arguments=(alpha_L, track, arm, arm_angle),
+        ranges={alpha_L: (0.0, 0.7), track: (1.0, 2.0)},
+        tolerance=1e-13,
+        reason="an arccosine near its middle, and a rod of up to 2 m by an arm of at least 0.1 m",
+        specials=({alpha_L: 0.0},),
+    ),
+    Check(
+        formulas.slip_angle,
+        function=direction_of,
+        arguments=(steering, ahead),
+        tolerance=1e-15,
+        reason="a few roundings of an angle up to 1.2",
+        specials=(AHEAD, {ahead: 0.0}, {ahead: 1.0}),
+    ),
+    Check(
+        formulas.front_radius,
+        function=front_distance,
+        arguments=(R, wheelbase),
+        ranges={R: (1, 10)},
+        tolerance=3e-14,
+        reason="a few roundings of numbers up to 14 m, with a tangent of up to 10",
+        specials=({R: -5.0},),
+    ),
+    Check(
+        formulas.sideways,
+        function=two_arcs_and_back,
+        arguments=(kappa, arc_length),
+        tolerance=5e-15,
+        reason="a few roundings of places up to 10 m",
+        specials=({kappa: 0.0}, {kappa: 1e-9}),
     ),
     Check(
         formulas.rear_speed,

@@ -9,7 +9,7 @@ from sympy import Add, atan, cos, cot, sin, tan
 from book.bicycle import formulas
 from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
-from courseware.answers import Unknown, angle
+from courseware.answers import Unknown, angle, integer
 from courseware.equations import as_written
 from courseware.practice import (
     Exercise,
@@ -557,5 +557,165 @@ bicycle_7 = Exercise(
         turning=Step(formulas.y_axis, BY_PHI, part=(4,), unit="rad/s"),
         directions=Step(lambda n, **_: loop(int(n))[0], BY_PHI | {PSI: "psi"}),
         end=Step(lambda n, **_: loop(int(n))[1]),
+    ),
+)
+
+
+def least_radius(alpha, L, b):
+    """Return how far to the left of P a car turns whose front wheels are turned alike."""
+    left, right = (L * np.cos(alpha) + side * b / 2 * np.sin(alpha) for side in (1, -1))
+    return (left**2 + right**2) / ((left + right) * np.sin(alpha))
+
+
+def circle_and_lane(L, b, phi):
+    """Return the turning circle of the outer front wheel, and the width of the lane."""
+    outer = np.hypot(bicycle.turning_radius(phi, L) + b / 2, L)
+    return [2 * outer, bicycle.lane_width(phi, L, b)]
+
+
+with as_written():
+    G_L, G_R = sp.symbols("g_L g_R")
+    ALPHA, B = formulas.alpha, formulas.track
+    LEVERS = LocalEquation(
+        sp.Matrix([G_L, G_R]),
+        sp.Matrix([L * cos(ALPHA) + B / 2 * sin(ALPHA), L * cos(ALPHA) - B / 2 * sin(ALPHA)]),
+        "m",
+    )
+    LEAST = LocalEquation(R, (G_L**2 + G_R**2) / (G_L * sin(ALPHA) + G_R * sin(ALPHA)))
+    OUTER, CIRCLE, STEPS, ERROR, WANTED, AHEAD = sp.symbols("R_outer D N e w l")
+    OUTER_CIRCLE = LocalEquation(OUTER, sp.sqrt((R + B / 2) ** 2 + L**2), "m")
+    CIRCLE_AND_LANE = LocalEquation(
+        sp.Matrix([CIRCLE, formulas.lane_width]), sp.Matrix([2 * OUTER, OUTER - (R - B / 2)]), "m"
+    )
+    MORE_STEPS = LocalEquation(STEPS, sp.Symbol("n") * ERROR / WANTED)
+    DIRECTION = LocalEquation(formulas.slip, atan(AHEAD * tan(PHI) / L))
+
+bicycle_8 = Exercise(
+    "bicycle-8",
+    title="The centre of least scrub",
+    text="A cart has the wheelbase {L} and the track {b}. A simple steering turns both its front "
+    "wheels by the same angle, {alpha} to the left. The rear wheels do not slide, but the front "
+    "tyres must. The cart turns about the point for which the squares of their two slides, for "
+    "each metre of the rear axle, have the least sum. How far to the left of the middle of the "
+    "rear axle is this point?",
+    given={
+        "L": number_range(1, 2, 0.1, "m"),
+        "b": number_range(0.8, 1.4, 0.1, "m"),
+        "alpha": number_range(25, 45, 1, "°"),
+    },
+    unknowns=(Unknown("R", "m"),),
+    right=least_radius,
+    wrong={},
+    likely_slips={
+        "for a bicycle with a wheel of this angle, which is no point of least sum": (
+            lambda alpha, L, b: L / np.tan(alpha)
+        ),
+        "for the left wheel alone": lambda alpha, L, b: L / np.tan(alpha) + b / 2,
+    },
+    solution=Solution(
+        "For each metre of the rear axle the cart turns by 1/R. A front tyre slides by the sine of "
+        "its angle, less its lever times 1/R. The levers are\n\n{levers}\n\n"
+        "The sum of the squares is a parabola in 1/R. Its lowest point is where the derivative is "
+        "zero. So R is the sum of the squares of the levers, divided by the sum of the levers "
+        "times the sine:\n\n{least}",
+        levers=Step(LEVERS, {ALPHA: "alpha", L: "L", B: "b"}),
+        least=Step(LEAST, {ALPHA: "alpha"}),
+    ),
+)
+
+bicycle_9 = Exercise(
+    "bicycle-9",
+    title="Lane and turning circle",
+    text="A lorry has the wheelbase {L} and the track {b}. It is steered as far as it can be: the "
+    "bicycle in it by {phi}. What is the diameter D of its turning circle, which the outer front "
+    "wheel draws? And how wide is the lane w of its four wheels?",
+    given={
+        "L": number_range(3.5, 6, 0.1, "m"),
+        "b": number_range(1.8, 2.2, 0.1, "m"),
+        "phi": number_range(28, 42, 1, "°"),
+    },
+    unknowns=(Unknown("D", "m"), Unknown("w", "m")),
+    right=circle_and_lane,
+    wrong={},
+    likely_slips={
+        "with the radius of the circle, where its diameter is asked": lambda **lorry: [
+            circle_and_lane(**lorry)[0] / 2,
+            circle_and_lane(**lorry)[1],
+        ],
+        "with the outer rear wheel, where the front one is outside": lambda L, b, phi: [
+            2 * bicycle.turning_radius(phi, L) + b,
+            b,
+        ],
+        "with the middle of the front axle, not its outer wheel": lambda L, b, phi: [
+            2 * np.hypot(bicycle.turning_radius(phi, L), L),
+            np.hypot(bicycle.turning_radius(phi, L), L) - bicycle.turning_radius(phi, L) + b / 2,
+        ],
+    },
+    solution=Solution(
+        "The middle of the rear axle runs at the distance\n\n{radius}\n\nThe outer front wheel is "
+        "half a track farther out, and a wheelbase ahead: a right triangle.\n\n{outer}\n\nThe "
+        "turning circle is twice as wide. The inner rear wheel runs half a track inside the "
+        "middle, and the lane is between the two:\n\n{both}",
+        radius=Step(formulas.turning_radius, BY_PHI, textbook=True),
+        outer=Step(OUTER_CIRCLE, {L: "L", B: "b"}),
+        both=Step(CIRCLE_AND_LANE, {B: "b"}),
+    ),
+)
+
+bicycle_10 = Exercise(
+    "bicycle-10",
+    title="How many steps?",
+    text="A program computes a drive in equal straight steps, each along the heading at its start. "
+    "With {n} steps the end of the drive is off by {error}. In how many steps must it go so that "
+    "the end is off by {wanted}? Take the error as exactly of its order.",
+    given={
+        "n": one_of(20, 25, 30, 40, 50),
+        "error": one_of(9, 16, 18, 25, 27, 32, 36, 48, 49, 50, 64, 72, 75, unit="cm"),
+        "wanted": one_of(1, 2, 3, unit="cm"),
+    },
+    when=lambda n, error, wanted: np.isclose(np.sqrt(error / wanted) % 1, 0, atol=1e-9),
+    unknowns=(integer("N"),),
+    right=lambda n, error, wanted: np.round(n * error / wanted),
+    wrong={},
+    likely_slips={
+        "with the square: so falls the error of a single step": lambda n, error, wanted: np.round(
+            n * np.sqrt(error / wanted)
+        ),
+    },
+    solution=Solution(
+        "A step of half the length has a quarter of the error. But there are twice as many, so "
+        "half of the error at the end is left: it is proportional to the step, and the step is "
+        "one over the number of steps. So the number grows as the error shrinks:\n\n{steps}",
+        steps=Step(MORE_STEPS, {sp.Symbol("n"): "n", ERROR: "error", WANTED: "wanted"}),
+    ),
+)
+
+bicycle_11 = Exercise(
+    "bicycle-11",
+    title="The slip angle of the middle",
+    text="A program describes a car by a point M on its axis, {ahead} ahead of the middle of the "
+    "rear axle. The wheelbase is {L}. The steering angle of the bicycle model is {phi} (positive: "
+    "to the left). By which angle β does the direction in which M moves differ from the heading? "
+    "To the left is positive.",
+    given={
+        "ahead": number_range(1, 1.6, 0.1, "m"),
+        "L": CAR,
+        "phi": STEERING,
+    },
+    unknowns=(Unknown("β", "rad", circle=True, tolerance=FINE),),
+    right=lambda ahead, L, phi: np.arctan(ahead * np.tan(phi) / L),
+    wrong={},
+    likely_slips={
+        "with the angle φ divided like the length; its tangent is": lambda ahead, L, phi: (
+            ahead * phi / L
+        ),
+        "for the front axle: there it is φ": lambda ahead, L, phi: phi,
+    },
+    solution=Solution(
+        "All points on the axis share the speed along the car. The speed sideways grows evenly, "
+        "from zero at the rear axle. At the front axle the two have the ratio tan φ. So at M it "
+        "is as much smaller as M is nearer to the rear axle:\n\n{direction}\n\nThis is "
+        "{direction.value:deg}.",
+        direction=Step(DIRECTION, {AHEAD: "ahead", PHI: "phi", L: "L"}),
     ),
 )

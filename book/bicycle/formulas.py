@@ -6,7 +6,9 @@ from sympy import (
     Matrix,
     Ne,
     Piecewise,
+    acos,
     atan,
+    atan2,
     cos,
     cot,
     nan,
@@ -72,6 +74,58 @@ steepest_angle = symbol(
 corner_cut = symbol("c", "by how much the rear axle cuts a corner", unit="m")
 lane_width = symbol("w", "width of the lane that the car sweeps", unit="m")
 alpha = symbol("alpha", "steering angle of any wheel", r"\alpha", "rad")
+kappa = quantity("kappa", "1/m", -1, 1, "curvature: one over the turning radius")
+R_F = quantity("R_F", "m", 0, 14, "distance of the front axle's middle from the ICR")
+slip = quantity(
+    "slip", "rad", -1.6, 1.6, "slip angle: a point's direction of motion, from the heading",
+    r"\beta",
+)  # fmt: skip
+arc_length = quantity("arc_length", "m", 0.1, 5, "length of an arc", "s")
+aside = symbol("aside", "how far a manoeuvre brings the car sideways", "d", "m")
+arm = quantity("arm", "m", 0.1, 0.3, "length of a steering arm", "p")
+arm_angle = quantity(
+    "arm_angle", "rad", 0.1, 0.6, "how far the steering arms point inwards", r"\gamma"
+)
+lever_L, lever_R = (
+    symbol(f"lever_{side}", f"lever of P on the {name} front wheel's slide", f"g_{side}", "m")
+    for side, name in (("L", "left"), ("R", "right"))
+)
+slide_L, slide_R = (
+    quantity(
+        f"slide_{side}", "", -2, 2,
+        f"how far the {name} front tyre slides outwards, for each metre of P", f"e_{side}",
+    )
+    for side, name in (("L", "left"), ("R", "right"))
+)  # fmt: skip
+rod_x, rod_y = (
+    symbol("rod_x", "across, from the end of an arm", "h", "m"),
+    symbol("rod_y", "ahead, from the end of an arm", "k", "m"),
+)
+
+LOOKS = {
+    v: "velocity",
+    v_F: "velocity",
+    steering: "velocity",
+    alpha_L: "left",
+    alpha_R: "right",
+    v_L: "left",
+    v_R: "right",
+    slide_L: "error",
+    slide_R: "error",
+    omega: "turning",
+    theta_dot: "turning",
+    theta: "heading",
+    y_heading: "heading",
+    slip: "turning",
+    R: "icr",
+    R_F: "icr",
+    wheelbase: "length",
+    track: "length",
+    aside: "target",
+    arc_length: "length",
+    x_dot: "x_axis",
+    y_dot: "y_axis",
+}
 
 
 with as_written():
@@ -129,6 +183,45 @@ with as_written():
         left=R,
         right=Piecewise((wheelbase / tan(steering), Ne(steering, 0)), (oo, True)),
         textbook=wheelbase / tan(steering),
+    )
+
+    curvature = Equation(
+        name="bicycle.curvature",
+        left=kappa,
+        right=tan(steering) / wheelbase,
+    )
+
+    levers = (
+        (lever_L, wheelbase * cos(alpha_L) + track / 2 * sin(alpha_L)),
+        (lever_R, wheelbase * cos(alpha_R) - track / 2 * sin(alpha_R)),
+    )
+    least_scrub = Equation(
+        name="bicycle.least_scrub",
+        left=kappa,
+        right=(lever_L * sin(alpha_L) + lever_R * sin(alpha_R)) / (lever_L**2 + lever_R**2),
+        where=levers,
+    )
+
+    scrub = Equation(
+        name="bicycle.scrub",
+        left=Matrix([slide_L, slide_R]),
+        right=Matrix([sin(alpha_L) - kappa * lever_L, sin(alpha_R) - kappa * lever_R]),
+        where=levers,
+    )
+
+    trapezoid = Equation(
+        name="bicycle.trapezoid",
+        left=alpha_R,
+        right=arm_angle
+        - atan2(rod_x, rod_y)
+        + acos(
+            (rod_x**2 + rod_y**2 + arm**2 - (track - 2 * arm * sin(arm_angle)) ** 2)
+            / (2 * arm * sqrt(rod_x**2 + rod_y**2))
+        ),
+        where=(
+            (rod_x, track - arm * sin(arm_angle + alpha_L)),
+            (rod_y, arm * cos(arm_angle + alpha_L)),
+        ),
     )
 
     rear_speed = Equation(
@@ -213,6 +306,25 @@ with as_written():
                 v * (sin(theta) + ahead * tan(steering) * cos(theta)),
             ]
         ),
+    )
+
+    slip_angle = Equation(
+        name="bicycle.slip_angle",
+        left=slip,
+        right=atan(ahead * tan(steering)),
+    )
+
+    front_radius = Equation(
+        name="bicycle.front_radius",
+        left=R_F,
+        right=sqrt(R**2 + wheelbase**2),
+    )
+
+    sideways = Equation(
+        name="bicycle.sideways",
+        left=aside,
+        right=kappa * arc_length**2 * sinc(kappa * arc_length / 2) ** 2,
+        textbook=2 * (1 - cos(kappa * arc_length)) / kappa,
     )
 
     front_rate = Equation(

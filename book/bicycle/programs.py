@@ -52,7 +52,7 @@ def on_circle(pose, v, phi, L, dt):
 
 
 STEP_TEXT = (
-    "Write the exact step of Hold the steering: where is the middle of the rear axle after dt "
+    "Write the exact step: where is the middle of the rear axle after dt "
     "seconds, at constant speed v and steering angle φ, positive to the left? Straight ahead and "
     "at rest it must work, too. Where the car goes almost straight, with a steering angle of 1e-5 "
     "or of 1e-12, no digits may be lost."
@@ -268,7 +268,7 @@ def nose(theta, v_F, phi):
 
 
 COMPASS_TEXT = (
-    "This program follows O, the middle of the front axle, as in Follow a long vehicle: in a "
+    "This program follows O, the middle of the front axle, as in step 7 of the chapter: in a "
     "straight step of dt seconds, with the velocity that O has at the start of the step. The "
     "heading ψ is measured as on a compass: clockwise, from the y axis. The program is wrong. Find "
     "the mistake, and mend it. Any speed and any steering must work, at rest and straight ahead, "

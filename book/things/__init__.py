@@ -4,7 +4,7 @@ A chapter imports this module and says `things.robot(pose)`. Where they are draw
 
 - `robots`: the small robot, its vacuum cousin, omni robot, platform; pad and dock
 - `wheels`: wheels of all kinds from above, and one with an encoder from the side
-- `vehicles`: car, bus, bicycle's wheel, shopping trolley
+- `vehicles`: car, bus, bicycle's wheel, steering rod, shopping trolley
 - `arms`: the arm
 - `room`: camera, box, ball, bench, ruler, kerb, shelf, walls
 - `space`, of `meshes`: the arm, the camera and others in space; `graph`: a graph in a picture
@@ -30,7 +30,7 @@ from book.things.room import (
     shelf,
     walls,
 )
-from book.things.vehicles import bicycle_wheel, bus, car, trolley
+from book.things.vehicles import bicycle_wheel, bus, car, rod, trolley
 from book.things.wheels import (
     ball_wheel,
     castor,
@@ -48,6 +48,6 @@ __all__ = [
     "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus", "car",
     "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel", "kerb",
     "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights",
-    "parcel", "platform", "road_marks", "robot", "roller_wheel", "ruler", "sheet", "shelf",
+    "parcel", "platform", "road_marks", "robot", "rod", "roller_wheel", "ruler", "sheet", "shelf",
     "steered_wheel", "trolley", "vacuum", "walls", "wheel",
 ]  # fmt: skip

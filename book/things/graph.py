@@ -8,7 +8,7 @@ For example::
     graph.x_at(POINTER)       # the number on the x axis at a place of the picture
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import log10
 
@@ -18,6 +18,7 @@ from courseware.figures import Area, Label, Line
 from courseware.figures.declaration import Expr, Place
 
 Range = tuple[float, float]
+Words = Mapping[Expr, str]
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -62,6 +63,35 @@ class Graph:
             *(Label("text", place, _power_text(x)) for place, x in numbers.items()),
             Label("text", ((left + right) / 2, low - 3.6 * beside), self.titles[0]),
             Label("text", (left, high + 1.3 * beside), self.titles[1]),
+        )
+
+
+@dataclass(frozen=True)
+class LinearGraph:
+    """A graph in a box of the picture, with even scales; x, y: the ranges that it shows."""
+
+    box: tuple[float, float, float, float]
+    x: tuple[Expr, Expr]
+    y: tuple[Expr, Expr]
+
+    def place(self, pair: Place) -> Place:
+        """Return the place in the picture of a point of the graph."""
+        left, right, low, high = self.box
+        across = (pair[0] - self.x[0]) / (self.x[1] - self.x[0])
+        up = (pair[1] - self.y[0]) / (self.y[1] - self.y[0])
+        return left + (right - left) * across, low + (high - low) * up
+
+    def shapes(self, across: str, up: str, xs: Words, ys: Words) -> tuple[Line | Label, ...]:
+        """Return lines and titles; xs, ys: numbers of the axes with their words."""
+        left, right, low, high = self.box
+        beside = (right - left) / 18
+        return (
+            *(Line("grid", (self.place((self.x[0], y)), self.place((self.x[1], y)))) for y in ys),
+            Line("text", ((left, high), (left, low), (right, low))),
+            *(Label("text", (self.place((x, 0))[0], low - beside), w) for x, w in xs.items()),
+            *(Label("text", (left - beside, self.place((0, y))[1]), w) for y, w in ys.items()),
+            Label("text", ((left + right) / 2, low - beside), across),
+            Label("text", ((left + right) / 2, high + beside), up),
         )
 
 

@@ -1,9 +1,9 @@
-"""Vehicles from above: the car and its long sister, a bicycle's wheel, a shopping trolley."""
+"""Vehicles from above: the car and its long sister, a bicycle's wheel, rods, a shopping trolley."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from book.things.outlines import Point, box, curves, line, mirrored
+from book.things.outlines import Point, box, capsule, curves, line, mirrored
 from book.things.wheels import castor, wheel
 from courseware.figures import Outline, Thing
 
@@ -216,6 +216,12 @@ def bicycle_wheel(
     )
     turning = Thing((0, 0, steering), fork, 0.08, silhouette=axle + crown)
     return Thing(place, (turning,), 0.08, look, silhouette="")
+
+
+def rod(place: Any, long: float, thick: float = 0.05) -> Thing:
+    """Return an arm or a rod of a steering from above, from a place along x."""
+    shape = capsule(long, thick / 2, thick / 2.2)
+    return Thing(place, (Outline(shape, "steel", "edge"),), height=0.02)
 
 
 LIMB = (("edge", 0.06), ("metal_mid", 0.034))  # a tube's two lines

@@ -2,53 +2,133 @@
 
 import numpy as np
 
-from book.bicycle.figures import DURATION, LENGTH, RADIUS
+from book.bicycle.figures import ALONGSIDE, DURATION, FRONT, LENGTH, NARROW, PLACE, REAR, WIDTH
 from robokin import bicycle, motion
 
-
-def ackermann_readouts(phi, wheelbase, track):
-    left, right = bicycle.ackermann(phi, wheelbase, track).T
-    tangent = np.tan(bicycle.equivalent_steering(left, right))
-    return {"mean": (left + right) / 2, "tangent": tangent}
+L, B, V = 2.5, 1.5, 2.0  # the car of the exercise
+UP = np.pi / 2
 
 
-def followed(paths, theta, ahead):
-    """Return a point of the car along paths of the rear axle that start behind it: (n, k, 2)."""
-    forward = ahead[:, None] * LENGTH
-    at = paths[..., :2] + forward[..., None] * directions(paths[..., 2])
-    return at - forward[..., None] * directions(theta[:, None])
+def two_arcs(first, first_way, second, second_way):
+    """Return the poses after the first and after the second arc backwards: (n, 3) each."""
+    start = np.broadcast_to(np.array(ALONGSIDE, dtype=float), (len(first), 3))
+    steering = np.stack([first, second], axis=-1)
+    ways = np.stack([first_way, second_way], axis=-1)
+    path = bicycle.path(start, -1.0, steering, L, ways)
+    return path[:, 1], path[:, 2]
+
+
+def park_readouts(first, first_way, second, second_way, done):
+    end = two_arcs(first, first_way, second, second_way)[1]
+    off = np.hypot(*(end[:, :2] - PLACE[:2]).T)
+    return {"off": off, "turned": np.abs(motion.wrap_angle(end[:, 2]))}
+
+
+def beside(pose, phi):
+    """Return the centre of the circle of a pose, and its signed radius."""
+    radius = bicycle.turning_radius(phi, L)
+    return pose[:, :2] + radius[:, None] * directions(pose[:, 2] + UP), radius
+
+
+def gap_readouts(first, first_way, second, second_way, done):
+    start = np.broadcast_to(np.array(ALONGSIDE, dtype=float), (len(first), 3))
+    middle, end = two_arcs(first, first_way, second, second_way)
+    corner = np.array([NARROW[1], PLACE[1] + WIDTH / 2])
+    (one, r_one), (two, r_two) = beside(start, first), beside(middle, second)
+    past = -r_one - WIDTH / 2 - np.hypot(*(one - corner).T)
+    swing = np.hypot(*(two - corner).T) - np.hypot(r_two + WIDTH / 2, FRONT)
+    front = np.where((first < 0) & (second > 0), np.minimum(past, swing), -1)
+    low = two[:, 1] - np.hypot(r_two + WIDTH / 2, REAR)
+    turned = np.abs(motion.wrap_angle(end[:, 2]))
+    return dict(front=front, behind=end[:, 0] + REAR - NARROW[0], kerb=low, turned=turned)
+
+
+def axles_readouts(left, right):
+    alpha = np.stack([left, right], axis=-1)
+    outwards = np.sin(alpha)
+    turning = np.cos(alpha) * L + np.sin(alpha) * [B / 2, -B / 2]
+    with np.errstate(divide="ignore"):
+        return {"R": np.sum(turning**2, axis=-1) / np.sum(outwards * turning, axis=-1)}
+
+
+def circles_readouts(kappa):
+    left, right = bicycle.ackermann(np.arctan(L * kappa), L, B).T
+    with np.errstate(divide="ignore"):
+        return {"alpha_L": left, "alpha_R": right, "R": 1 / kappa}
+
+
+def slide_readouts(together):
+    angles = bicycle.ackermann(np.arctan(L / 4), L, B)
+    crossings = [L / np.tan(a) for a in (angles[0], np.arctan(L / 4), angles[1])]
+    places = [side * B / 2 * (1 - together) for side in (1, 0, -1)]
+    return {f"at_{k}": (c + p) / L for k, (c, p) in enumerate(zip(crossings, places, strict=True))}
+
+
+def point_readouts(x, y):
+    rear, front = (
+        twist(V, np.arctan(L / 4), L) for twist in (bicycle.body_twist, bicycle.front_twist)
+    )
+    forward, aside = rear[0] + rear[2] * x, front[1] * y / L
+    return {"speed": np.hypot(forward, aside), "slip": np.arctan2(aside, forward)}
+
+
+def trapezoid_readouts(inner, gamma):
+    p, out = 0.2, np.empty_like(inner)
+    low, high = np.full_like(inner, -1.0), np.full_like(inner, 1.0)
+    for _ in range(80):  # bisect the outer wheel's angle until the rod has its length
+        out = (low + high) / 2
+        one = p * np.stack([np.sin(inner + gamma), -np.cos(inner + gamma)]) - [[B / 2], [0]]
+        two = p * np.stack([np.sin(out - gamma), -np.cos(out - gamma)]) + [[B / 2], [0]]
+        long = np.hypot(*(two - one)) > B - 2 * p * np.sin(gamma)
+        low, high = np.where(long, low, out), np.where(long, out, high)
+    with np.errstate(divide="ignore"):
+        wanted = np.arctan(1 / (1 / np.tan(inner) + B / L))
+    return {"wanted": wanted, "off": out - wanted}
+
+
+def steps_readouts(count):
+    """Return the errors of one straight step, and of all."""
+    found = []
+    for n in count.astype(int):
+        ends = [
+            bicycle.path([0, 0, UP], V, np.pi / 6, LENGTH, np.full(n, DURATION / n), method)
+            for method in ("exact", "start")
+        ]
+        found.append([np.hypot(*(ends[0] - ends[1])[k, :2]) for k in (1, -1)])
+    return dict(zip(("one", "apart"), np.transpose(found), strict=True))
+
+
+def conventions_readouts(rear, front, t):
+    pose = bicycle.path(np.array([0, 0, UP]) + 0 * t[:, None], V, np.pi / 6, LENGTH, t[:, None])[
+        :, -1
+    ]
+    O = pose[:, :2] + LENGTH * directions(pose[:, 2])  # noqa: E741
+    x, y = (np.where(rear > 0, pose[:, k], O[:, k]) for k in (0, 1))
+    return {"x": x, "y": y, "heading": np.where(rear > 0, pose[:, 2], UP - pose[:, 2])}
+
+
+def lab_readouts(is_long, phi, way):
+    long = np.where(is_long > 0, LENGTH, L)
+    radius = bicycle.turning_radius(phi, long)
+    return {
+        "R": radius,
+        "circle": 2 * np.hypot(np.abs(radius) + B / 2, long),
+        "w": bicycle.lane_width(phi, long, B),
+        "heading": way * bicycle.body_twist(1.0, phi, long)[:, 2],
+    }
+
+
+def corner_readouts(before, phi, parts):
+    radius = bicycle.turning_radius(phi, LENGTH)
+    inner, outer = radius - 0.75, np.hypot(radius + 0.75, LENGTH)
+    cut = np.hypot(radius - 3.5, before) - inner
+    over = np.maximum(outer - before - 7, outer - radius - 3.5)
+    return {"cut": np.maximum(cut, 0), "over": np.maximum(over, 0)}
 
 
 def directions(heading):
     """Return unit vectors: (…) → (…, 2)."""
     return np.stack([np.cos(heading), np.sin(heading)], axis=-1)
-
-
-def steps_readouts(count, phi, rate, psi, ahead):
-    """Step the followed point along its own velocity."""
-    theta, v = np.pi / 2 - psi, RADIUS * rate
-    start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
-    whole = bicycle.path(start, v[:, None], phi[:, None], LENGTH, DURATION)
-    exact = followed(whole, theta, ahead)[:, -1]
-    ends, pace = np.empty_like(exact), np.empty_like(theta)
-    for k in set(count):
-        one = count == k
-        dt = DURATION / k
-        drive = v[one, None], phi[one, None], LENGTH, np.full(int(k), dt)
-        headings = bicycle.path(start[one], *drive, method="start")[:, :-1, 2]
-        rear = bicycle.body_twist(v[one], phi[one], LENGTH)
-        front = bicycle.front_twist(v[one], phi[one], LENGTH)
-        body = rear + ahead[one, None] * (front - rear)
-        pace[one] = dt * np.hypot(body[:, 0], body[:, 1])
-        ends[one] = dt * motion.to_world(headings, body[:, None])[..., :2].sum(axis=1)
-    apart = np.hypot(*(ends - exact).T)
-    return dict(apart=apart, pace=pace, ratio=apart / pace, x=exact[:, 0], y=exact[:, 1])
-
-
-def lane_readouts(phi, wheelbase, track, t):
-    """Return by how much the lane is wider than the car; nan where the ICR lies under that."""
-    under = np.abs(bicycle.turning_radius(phi, wheelbase)) < track / 2
-    return {"more": np.where(under, np.nan, bicycle.lane_width(phi, wheelbase, track) - track)}
 
 
 def moved(*columns):
@@ -107,19 +187,30 @@ def other_side(*columns):
 
 DEGREE = np.pi / 180
 AHEAD = {"steering": 0.0}
-UNDER = {"steering": 60 * DEGREE, "wheelbase": 2.0, "track": 2.5}  # the ICR under the car
-TIGHT = [{"steering": sign * 75 * DEGREE} for sign in (-1, 1)]  # the inner wheel beyond 90°
-
 READOUTS = {
-    "ackermann-steering": ackermann_readouts,
+    "park-car": park_readouts,
+    "axles": axles_readouts,
+    "wheel-circles": circles_readouts,
+    "one-wheel": slide_readouts,
+    "every-point": point_readouts,
+    "trapezoid": trapezoid_readouts,
     "bicycle-steps": steps_readouts,
-    "swept-lane": lane_readouts,
+    "conventions": conventions_readouts,
+    "car-laboratory": lab_readouts,
+    "street-corner": corner_readouts,
+    "narrow-gap": gap_readouts,
     "wrong-car": mistakes_readouts,
 }
 SPECIALS = {
-    "ackermann-steering": [AHEAD, *TIGHT],
-    "bicycle-steps": [AHEAD, {"n": 1}, {"point": "front axle"}],
-    "swept-lane": [AHEAD, {**AHEAD, "t": 8.0}, {"t": 8.0}, UNDER],
+    "park-car": [{"steering_1": 0.0, "steering_2": 0.0}],
+    "axles": [{"alpha_L": 0.0, "alpha_R": 0.0}],
+    "car-world": [AHEAD],
+    "ackermann-steering": [AHEAD],
+    "trapezoid": [{"alpha_L": 0.0}],
+    "bicycle-steps": [{"n": 1}],
+    "centre-under": [AHEAD, {"steering": 80 * DEGREE}, {"steering": -80 * DEGREE}],
+    "car-laboratory": [AHEAD, {**AHEAD, "vehicle": "long, L 7 m"}],
+    "narrow-gap": [{"steering_1": -0.5, "steering_2": 0.5}],
     "wrong-car": [{"t": 0.0}, {"mistake": "Only along a diagonal", "t": 1.0}],
 }
 TITLES = {
@@ -133,9 +224,10 @@ TITLES = {
     }
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
-    ("ackermann-steering", AHEAD, "radius", "none: straight ahead"),
-    ("swept-lane", UNDER, "lane", "no lane: the car turns about a point under itself"),
-    ("swept-lane", UNDER, "more", "no lane"),
+    ("axles", {"alpha_L": 0.0, "alpha_R": 0.0}, "R", "∞"),
+    ("ackermann-steering", AHEAD, "R", "∞"),
+    ("centre-under", {"steering": 80 * DEGREE}, "w", "no lane"),
+    ("car-laboratory", AHEAD, "R", "none: straight ahead"),
 ]
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "bicycle-1": (
@@ -174,6 +266,23 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "only then turns": [2, -3.4641, -1.7933],
         },
     ),
+    "bicycle-8": (
+        {"L": 1.5, "b": 1.0, "alpha": 35},
+        {"bicycle with a wheel": 2.1422, "left wheel alone": 2.6422},
+    ),
+    "bicycle-9": (
+        {"L": 5, "b": 2, "phi": 35},
+        {
+            "radius of the circle": [9.5536, 3.4129],
+            "outer rear wheel": [16.2815, 2],
+            "middle of the front axle": [17.4345, 2.5765],
+        },
+    ),
+    "bicycle-10": ({"n": 20, "error": 50, "wanted": 2}, {"single step": 100}),
+    "bicycle-11": (
+        {"ahead": 1.2, "L": 2.5, "phi": 35},
+        {"divided like the length": 0.2932, "front axle": 0.6109},
+    ),
     "bicycle-7": (
         {"psi": 130, "L": 2.5, "v": 1.5, "phi": 35, "n": 3, "dt": 0.4},
         {
@@ -187,9 +296,99 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
-    "which-mean": "a little less",
+    "where-it-turned": "15 cm to the left",
+    "undo-a-move": "first turn back, then go back",
+    "which-mean": "of their cotangents",
     "turned-alike": "nowhere",
-    "how-far": ("73.3°", "90°", "59°"),
+    "another-track": ("2", "1.9", "1.6"),
+    "the-front-axle": "faster, where its wheel points",
+    "rule-of-thumb": "only nearly",
+    "where-after-arc": ("x −1.84 m, y 3.37 m", "0 m, 4 m", "0 m, 2.5 m"),
     "twice-the-steps": "a half",
     "how-wide": ("3.28 m", "1.5 m"),
+}
+PARKED = {"steering_1": -32 * DEGREE, "way_1": 2.9, "steering_2": 32 * DEGREE, "way_2": 2.9}
+SQUEEZED = {"steering_1": -34 * DEGREE, "way_1": 2.8, "steering_2": 35 * DEGREE, "way_2": 2.75}
+ROUND = {"steering": 35 * DEGREE, "way_driven": 11.2}
+LANE = {"vehicle": "long, L 7 m", "steering": 25 * DEGREE, "way_driven": 23.6}
+GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
+    "park-car": [
+        (
+            [PARKED, PARKED | {"way_2": 2.95}],
+            [
+                PARKED | {"way_2": 3.05},
+                PARKED | {"way_1": 3.1},
+                PARKED | {"steering_2": 30 * DEGREE},
+            ],
+        )
+    ],
+    "axles": [
+        (
+            [{"alpha_L": 38 * DEGREE, "alpha_R": 28 * DEGREE}],
+            [{"alpha_L": 38 * DEGREE, "alpha_R": 30 * DEGREE}, {"alpha_L": 0.0, "alpha_R": 0.0}],
+        )
+    ],
+    "wheel-circles": [
+        ([{"kappa": 1 / 3.21}, {"kappa": 1 / 3.29}], [{"kappa": 0.3}, {"kappa": 0.32}])
+    ],
+    "every-point": [
+        (
+            [{"place_x": -0.86, "place_y": 0.0}, {"place_x": -0.84, "place_y": 0.4}],
+            [{"place_x": -0.7, "place_y": 0.0}, {"place_x": -0.86, "place_y": 0.7}],
+        )
+    ],
+    "trapezoid": [
+        (
+            [{"arm_angle": 22 * DEGREE}, {"arm_angle": 21.5 * DEGREE}],
+            [{"arm_angle": 20.5 * DEGREE}, {"arm_angle": 23 * DEGREE}],
+        )
+    ],
+    "swept-lane": [
+        (
+            [{"steering": 25 * DEGREE}, {"steering": 25.5 * DEGREE}],
+            [{"steering": 24 * DEGREE}, {"steering": 27 * DEGREE}],
+        )
+    ],
+    "centre-under": [
+        (
+            [{"steering": 73.3 * DEGREE}, {"steering": 73.0 * DEGREE}],
+            [{"steering": 72 * DEGREE}, {"steering": 74.5 * DEGREE}],
+        )
+    ],
+    "car-laboratory": [
+        (
+            [ROUND, ROUND | {"way_driven": 11.4}],
+            [
+                ROUND | {"way_driven": 11.6},
+                ROUND | {"steering": 34 * DEGREE, "way_driven": 11.6},
+                ROUND | {"steering": -35 * DEGREE},
+            ],
+        ),
+        (
+            [LANE, LANE | {"way_driven": 24.0}],
+            [
+                LANE | {"way_driven": 22.0},
+                LANE | {"steering": 26 * DEGREE, "way_driven": 22.5},
+                LANE | {"vehicle": "car, L 2.5 m"},
+            ],
+        ),
+    ],
+    "street-corner": [
+        (
+            [{"before": 5.0, "steering": 40 * DEGREE}, {"before": 6.2, "steering": 35 * DEGREE}],
+            [{"before": 4.0, "steering": 40 * DEGREE}, {"before": 6.2, "steering": 40 * DEGREE}],
+        )
+    ],
+    "narrow-gap": [
+        (
+            [SQUEEZED, SQUEEZED | {"way_2": 2.8}],
+            [SQUEEZED | {"way_2": 3.0}, SQUEEZED | {"steering_1": -30 * DEGREE}],
+        )
+    ],
+    "car-letters": [
+        (
+            [{"name_1": "R", "name_2": "φ"}],
+            [{"name_1": "φ", "name_2": "R"}, {"name_1": "R", "name_2": "L"}],
+        )
+    ],
 }

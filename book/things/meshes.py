@@ -52,9 +52,8 @@ def ring(kind: Kind, inner: float, outer: float, width: float, along: str) -> Me
     return Mesh(kind, corners, (*flat, *outside, *inside))  # the first of two draws their line
 
 
-def ball(kind: Kind) -> Mesh:
-    """Return a ball of radius 1 m, of faces between circles of latitude."""
-    n, rows = 12, 6
+def ball(kind: Kind, n: int = 12, rows: int = 6) -> Mesh:
+    """Return a ball of radius 1 m, of n faces between each two circles of latitude."""
     angles = [pi * k / rows for k in range(rows + 1)]
     corners = [corner for a in angles for corner in _circle(n, sin(a), cos(a))]
     # each from its upper left corner on

@@ -14,7 +14,7 @@ from courseware.figures import VIEW
 from courseware.figures.solids import Mesh, Solid
 from courseware.figures.space import ORIGIN
 
-N = 24  # of corners all round
+N = 16  # of corners all round
 
 
 def link(length: float, start: float, end: float, pale: bool = False) -> tuple[Mesh, ...]:
@@ -24,8 +24,8 @@ def link(length: float, start: float, end: float, pale: bool = False) -> tuple[M
     """
     tone, edge = ("shell", "edge") if pale else ("accent", "accent_edge")
     k = acos((start - end) / length)
-    near = [2 * pi - k - (2 * pi - 2 * k) * i / 12 for i in range(13)][::-1]
-    far = [-k + 2 * k * i / 12 for i in range(13)]
+    near = [2 * pi - k - (2 * pi - 2 * k) * i / 8 for i in range(9)][::-1]
+    far = [-k + 2 * k * i / 8 for i in range(9)]
     corners = [(start * cos(a), start * sin(a)) for a in near]
     corners += [(length + end * cos(a), end * sin(a)) for a in far]
     mesh = meshes.plate(tone, corners, 1.3 * end)
@@ -182,7 +182,7 @@ def parcel(size: tuple[float, float, float] = (0.17, 0.12, 0.1)) -> tuple[Mesh, 
 
 def ball() -> tuple[Mesh, ...]:
     """Return a ball of radius 1 m; R scales it."""
-    return (replace(meshes.ball("goal"), edge="goal_edge"),)
+    return (replace(meshes.ball("goal", n=8, rows=4), edge="goal_edge"),)
 
 
 def stand(high: float) -> tuple[Mesh, ...]:

@@ -82,16 +82,21 @@ const costOf = (box, x, y, obstacles, taken) => obstacles.reduce((sum, { points,
   return sum + (isBody && contains(points, x, y) ? ON : 0);
 }, FREE * taken.filter(overlaps(box)).length);
 
+// A text stays in its place: the numbers of an axis belong to their ticks.
+const stays = ({ shape: { shape, kind } }) => shape === "label" && kind === "text";
+
 // bodies: outlines of things, and faces; lines: all else. Each label takes the place inside the picture
 // that costs least. → their nodes, and the boxes that are taken.
 export const placeLabels = ({ labels: all, taken: already }, grips, [width, height], bodies, lines) => {
   const labels = all.filter(({ x, y }) =>
     Math.abs(x - width / 2) < width / 2 + BEYOND && Math.abs(y - height / 2) < height / 2 + BEYOND);
+  labels.sort((one, other) => stays(other) - stays(one));
   const taken = [...already, ...grips.map(([x, y]) => [x - 10, y - 10, x + 10, y + 10])];
   const closed = bodies.filter((points) => points.length).map((points) => [...points, points[0]]);
   const obstacles = [closed, lines].flatMap((part) => part.map((points) => ({ points, isBody: part === closed, around: boxOf(points) })));
-  const nodes = labels.map(({ x: x0, y: y0, toward, shape }) => {
-    const pieces = splitLetters(shape.label), w = textWidth(pieces) / 2, h = 11, ways = [toward, ...AROUND];
+  const nodes = labels.map((label) => {
+    const { x: x0, y: y0, toward, shape } = label, ways = stays(label) ? [toward] : [toward, ...AROUND];
+    const pieces = splitLetters(shape.label), w = textWidth(pieces) / 2, h = 11;
     let best = { cost: Infinity };
     for (const far of FAR) {
       if (WAY * far < best.cost) ways.forEach(([dx, dy], k) => {

@@ -10,8 +10,9 @@ let note;
 let rule;
 let lit = null; // lit: { face, key, step, by }
 
-const findNumber = ({ step, key }) => [...step.querySelectorAll(`:scope ${WITHIN} .rk-figure`)]
-  .map((figure) => figure.courseware?.numbers()[key]?.text).find(Boolean);
+// The number of the figure that the face is in or follows, or else of the first in the step that has it.
+const findNumber = ({ face, step, key }) => [face.closest(".rk-figure"), document.getElementById(face.dataset.of),
+  ...step.querySelectorAll(`:scope ${WITHIN} .rk-figure`)].map((figure) => figure?.courseware?.numbers()[key]?.text).find(Boolean);
 
 // A number of a formula: as the figure shows it, without its unit unless it is the result.
 export const formatSlot = ({ value, text }, { result, radians, guarded }) => {

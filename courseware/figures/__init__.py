@@ -41,7 +41,6 @@ from courseware.figures.shapes import (
     Point,
     Track,
     Trail,
-    Wheel,
     when,
 )
 from courseware.figures.space import VIEW, bring_forward

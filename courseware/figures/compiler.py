@@ -14,7 +14,7 @@ from courseware.equations.quantities import NamedSymbol, describe_symbols
 from courseware.errors import CourseError
 from courseware.figures import shapes as s
 from courseware.figures.control_compiler import compile_control, find_look, serialize_unit
-from courseware.figures.controls import POINTER, Button, Handle
+from courseware.figures.controls import POINTER, Button, Control, Handle
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
 from courseware.figures.things import Outline, Rim, Thing, list_corners
@@ -35,7 +35,6 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Point: ("point", lambda x: coordinates(x.at), ()),
     s.Line: ("line", lambda x: coordinates(*x.points), ()),
     s.Arrow: ("arrow", lambda x: coordinates(x.tail, x.head), ()),
-    s.Wheel: ("wheel", lambda x: (*coordinates(x.at), x.angle), ("length", "width")),
     s.Area: ("area", lambda x: coordinates(*x.points), ()),
     s.Length: ("length", lambda x: coordinates(x.start, x.end), ("aside",)),
     s.Label: ("label", lambda x: coordinates(x.at), ()),
@@ -87,7 +86,7 @@ class Compiler:
             "sentence": figure.sentence,
             "grid": figure.grid and not figure.view_angles,
             "readouts": list(map(self.compile_readout, figure.readouts)),
-            "controls": [compile_control(c, self.chapter) for c in figure.controls],
+            "controls": [self.compile_control(c) for c in figure.controls],
             "shapes": list(map(self.compile_shape, figure.shapes)),
             "drawings": self.drawings,
             "ground": _refuse_unknown_ground(figure.ground),
@@ -108,6 +107,11 @@ class Compiler:
         """Add expressions to be computed; return their places in the list of values."""
         self.expressions += expressions
         return list(range(len(self.expressions) - len(expressions), len(self.expressions)))
+
+    def compile_control(self, control: Control) -> dict[str, Any]:
+        """Return a control's data; with a condition, where its number is."""
+        data, shown = compile_control(control, self.chapter), getattr(control, "shown", True)
+        return data if shown is True else data | {"shown": self.add_condition(shown)}
 
     def compile_shape(self, shape: Any) -> dict[str, Any]:
         """Return a shape's data: its numbers by place, its curve as a function."""

@@ -65,13 +65,14 @@ const renderGoals = ({ goals }) => goals.length ? `<div class="rk-goals">${goals
 export const renderFigure = (figure) => {
   const { controls, title, size, viewAngles, readouts, buttons } = figure, isStep = size === "step";
   const [left, right, low, high] = figure.view, shape = (right - left) / (high - low);
-  const render = (isMeant) => controls.map((control, i) => isMeant(control, i)
-    ? ({ choice: renderChoice, turns: renderTurns }[control.type] ?? renderSlider)(control, i, title) : "").join("");
+  const { values } = compute(figure, settings(figure, startState(figure)));
+  const renderControl = (control, i) => ({ choice: renderChoice, turns: renderTurns }[control.type] ?? renderSlider)(control, i, title)
+    .replace(" ", values[control.shown] === 0 ? " hidden " : " ");
+  const render = (isMeant) => controls.map((control, i) => isMeant(control, i) ? renderControl(control, i) : "").join("");
   const isClock = ({ type }) => type === "clock", turnsView = (_, i) => viewAngles?.includes(i);
   const picture = `<div class="rk-picture" style="--shape:${shape.toFixed(3)}">${isStep ? renderGoals(figure) : ""}`
     + `${renderPicture(figure)}${render(isClock)}${controls.length ? renderButton("reset", "Reset", title) : ""}</div>`;
   if (!controls.length) return picture;
-  const { values } = compute(figure, settings(figure, startState(figure)));
   const part = (tag, name, inside) => inside && `<${tag} class="rk-${name}">${inside}</${tag}>`;
   const pressed = buttons.map(({ label }) => renderButton("move", escapeHtml(label), title)).join("")
     + (isStep ? "" : renderButton("link", "Link to this setting", title));

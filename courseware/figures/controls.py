@@ -17,7 +17,8 @@ POINTER = sp.symbols("pointer_x pointer_y", real=True)
 class Slider:
     """A slider for one symbol. low, high, start, step in SI; its label and unit are the quantity's.
 
-    A step of type int: the symbol is always a whole number.
+    A step of type int: the symbol is always a whole number. shown: the condition under which it
+    is beside the picture; a handle moves it all the same.
     """
 
     symbol: sp.Symbol
@@ -27,6 +28,7 @@ class Slider:
     step: float
     label: str = ""
     kind: str = ""
+    shown: Expr = True
 
     def __post_init__(self) -> None:
         if not self.label and isinstance(self.symbol, NamedSymbol):
@@ -76,6 +78,7 @@ class Choice:
     """One of several named cases: each option gives every symbol its number.
 
     key: its name in addresses, links and values. start: the option at first; by default the first.
+    shown: as of a slider.
     """
 
     key: str
@@ -83,6 +86,7 @@ class Choice:
     symbols: tuple[sp.Symbol, ...]
     options: Mapping[str, tuple[float, ...]]
     start: str = ""
+    shown: Expr = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", self.start or next(iter(self.options), ""))

@@ -119,6 +119,7 @@ export class LiveFigure {
     this.inputs.forEach((input) => {
       showPosition(input, this.figure.controls[input.dataset.i], this.state[input.dataset.i]);
       if (input.type === "range") setAttribute(input, "aria-valuetext", shown(input.dataset.i));
+      input.closest(".rk-control").hidden = this.computed.values[this.figure.controls[input.dataset.i].shown] === 0;
     });
     this.outputs.forEach((output) => writeText(output, shown(output.dataset.o)));
   }

@@ -79,15 +79,6 @@ export const SHAPES = {
     return [drawLine(stem, casing(shape.kind)), drawLine(head, headCasing),
       drawLine(stem, stroke(shape.kind)), drawLine(head, fill(shape.kind))];
   },
-  wheel: (p, shape, to) => {
-    const [w, h] = [shape.length * to.scale, shape.width * to.scale], gap = w / 4;
-    const treads = [0, 1, 2, 3].map((k) => `M${px(k * gap - w / 2)} ${px(-h / 2)}v${px(h)}`);
-    const style = `fill:${color(shape.kind)};fill-opacity:.35;stroke:${color(shape.kind)};stroke-width:2`;
-    return [["g", { transform: place(...to(p), p[2]), style }, [
-      ["rect", { x: px(-w / 2), y: px(-h / 2), width: px(w), height: px(h), rx: 2 }],
-      path(treads.join(""), "stroke-width:1"),
-    ]]];
-  },
   area: (p, shape, to) => [drawLine(toPoints(p).map(to), fill(shape.kind, 0.16))],
   length: (p, shape, to) => {
     const [[x0, y0], [x1, y1]] = toPoints(p).map(to), long = Math.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2);

@@ -47,17 +47,6 @@ class Arrow:
 
 
 @dataclass(frozen=True)
-class Wheel:
-    """A wheel from above, rolling along `angle`; length and width in metres."""
-
-    kind: Kind
-    at: Place
-    angle: Expr
-    length: float
-    width: float
-
-
-@dataclass(frozen=True)
 class Area:
     """A filled piece of the ground, by its corners."""
 

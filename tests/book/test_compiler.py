@@ -70,9 +70,10 @@ def test_a_handle_sets_what_puts_it_there(figure, n):
     rows = points(figure, n)
     for place, handle in enumerate(figure.handles):
         at = exact(figure, n, coordinates(handle.at)).astype(float)
-        back = call_compiled(figure, f"handles[{place}].to", rows, at)
+        there = np.isfinite(at).all(axis=1)  # elsewhere it cannot be taken
+        back = call_compiled(figure, f"handles[{place}].to", rows[there], at[there])
         columns = [figure.control_symbols.index(symbol) for symbol in handle.sets]
-        assert_close(back, rows[:, columns], atol=ALLOWED)
+        assert_close(back, rows[there][:, columns], atol=ALLOWED)
 
 
 def symbol_numbers(figure):

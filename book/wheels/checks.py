@@ -16,12 +16,15 @@ from book.wheels.formulas import (
     d,
     gamma,
     l,
+    omni_rate4,
     omni_rates,
     rank_fixed,
     rank_steered,
     rate1,
     rate2,
     rate3,
+    x_Q,
+    y_Q,
 )
 from courseware.equations import Array, Check
 from robokin import wheels
@@ -68,10 +71,36 @@ def swedish_rolled(places: Array, twists: Array) -> Array:
     return times(wheels.rolling, a_swedish_wheel, places, twists)
 
 
-def contact_velocity(l: Array, alpha: Array, twists: Array) -> Array:
+def hub_velocity(l: Array, alpha: Array, twists: Array) -> Array:
     """A wheel whose axle points along the body's y axis rolls along x and slides along y."""
     places = np.stack([l, alpha, np.pi / 2 - alpha], axis=-1)
     return np.stack([rolled(places, twists), slid(places, twists)], axis=-1)
+
+
+def turn_about(centres: Array) -> Array:
+    """The twist of a turn at 1 rad/s about a centre in the robot's frame."""
+    x, y = centres[..., 0], centres[..., 1]
+    return np.stack([y, -x, np.ones_like(x)], axis=-1)
+
+
+def slid_by_turn(places: Array, centres: Array, omega: Array) -> Array:
+    """What a wheel would slide in a turn at 1 rad/s about a centre, and at another rate."""
+    twists = turn_about(centres)
+    return np.stack([slid(places, twists), slid(places, omega[..., None] * twists)], axis=-1)
+
+
+def rolled_by_turn(places: Array, centres: Array, omega: Array, r: Array) -> Array:
+    """What a wheel of 1 m rolls in a turn at 1 rad/s, and the rate of another in the turn asked."""
+    twists, turns = turn_about(centres), omega[..., None] * turn_about(centres)
+    made = [wheels.swedish(a, b, c, size, d) for (a, b, c, d), size in zip(places, r, strict=True)]
+    rates = [wheels.inverse([wheel], turn)[0] for wheel, turn in zip(made, turns, strict=True)]
+    return np.stack([swedish_rolled(places, twists), np.array(rates)], axis=-1)
+
+
+def omni_inverse(l: Array, r: Array, twists: Array) -> Array:
+    """The rates of omni robots' wheels."""
+    rows = zip(l, r, twists, strict=True)
+    return np.array([wheels.inverse(wheels.omni_robot(a, b), twist) for a, b, twist in rows])
 
 
 def castor_slid(l: Array, alpha: Array, beta: Array, d: Array, twists: Array) -> Array:
@@ -94,6 +123,30 @@ def omni_motion(l: Array, r: Array, rates: Array, theta: ArrayLike = 0.0) -> Arr
     return np.array([wheels.forward(wheels.omni_robot(a, b), c, None, e) for a, b, c, e in rows])
 
 
+def turned_determinant(l: Array, beta: Array) -> Array:
+    """The determinant of an omni robot's rows, its axles turned away from the spokes."""
+    thirds = 2 * np.pi / 3 * np.arange(3)
+    rows = [
+        wheels.rolling([wheels.swedish(size, spoke, turn, 1.0, 0) for spoke in thirds])
+        for size, turn in zip(l, beta, strict=True)
+    ]
+    return np.asarray(np.linalg.det(np.array(rows)))
+
+
+def mecanum_slips(r: Array, rates: Array) -> Array:
+    """How much faster wheel 1 of a Mecanum robot is moved than it drives."""
+    places = ((0.2, 0.15, -1), (0.2, -0.15, 1), (-0.2, 0.15, 1), (-0.2, -0.15, -1))
+    found = []
+    for radius, each in zip(r, rates, strict=True):
+        robot = []
+        for x, y, side in places:
+            spoke = np.arctan2(y, x)
+            made = (np.hypot(x, y), spoke, np.pi / 2 - spoke, radius, side * np.pi / 4)
+            robot.append(wheels.swedish(*made))
+        found.append(wheels.slip(robot, each)[0])
+    return np.array(found)
+
+
 def mobility_of(rank_fixed: Array, rank_steered: Array) -> Array:
     """Of robots with as many fixed and steered wheels, no two alike, in the formula's order."""
     found = []
@@ -107,8 +160,8 @@ def mobility_of(rank_fixed: Array, rank_steered: Array) -> Array:
 
 CHECKS = (
     Check(
-        formulas.contact,
-        function=contact_velocity,
+        formulas.hub,
+        function=hub_velocity,
         arguments=(l, alpha, (v, v_y, omega)),
         tolerance=2e-14,
         reason="sines, cosines, products and sums, each rounded once, of sizes up to 7",
@@ -129,6 +182,32 @@ CHECKS = (
         tolerance=1e-14,
         reason="as wheels.rolling",
         specials=PLACES,
+    ),
+    Check(
+        formulas.sliding_by_distance,
+        function=slid_by_turn,
+        arguments=((l, alpha, beta), (x_Q, y_Q), omega),
+        tolerance=2e-14,
+        reason="as wheels.rolling",
+        specials=(*PLACES, {omega: 0.0}, {x_Q: 0.0, y_Q: 0.0}),
+    ),
+    Check(
+        formulas.rolling_by_distance,
+        function=rolled_by_turn,
+        arguments=((l, alpha, beta, gamma), (x_Q, y_Q), omega, r),
+        ranges={r: (0.1, 0.5), gamma: (-1.2, 1.2)},
+        tolerance=1e-12,
+        reason="as wheels.rolling; rates up to 500 rad/s",
+        specials=(*PLACES, {omega: 0.0}, {gamma: 0.0}, {x_Q: 0.0, y_Q: 0.0}),
+    ),
+    Check(
+        formulas.omni_wheel_rates,
+        function=omni_inverse,
+        arguments=(l, r, (v, v_y, omega)),
+        ranges=APART | {r: (0.1, 0.5)},
+        tolerance=1e-13,
+        reason="as wheels.omni_rolling; rates up to 80 rad/s",
+        specials=({omega: 0.0}, {v: 0.0, v_y: 0.0}),
     ),
     Check(
         formulas.castor,
@@ -171,6 +250,22 @@ CHECKS = (
         tolerance=1e-12,
         reason="as wheels.omni_twist",
         specials=(ALIKE, SIDEWAYS, AHEAD, *QUARTERS),
+    ),
+    Check(
+        formulas.omni_determinant,
+        function=turned_determinant,
+        arguments=(l, beta),
+        tolerance=1e-14,
+        reason="sines, cosines, products and sums, each rounded once, of sizes up to 3",
+        specials=(ON_SPOKE, AT_CENTRE, {beta: np.pi / 2}),
+    ),
+    Check(
+        formulas.mecanum_slip,
+        function=mecanum_slips,
+        arguments=(r, (rate1, rate2, rate3, omni_rate4)),
+        tolerance=1e-12,
+        reason="a matrix inverted numerically; speeds up to 10 m/s",
+        specials=(dict.fromkeys((rate1, rate2, rate3, omni_rate4), 2.0),),
     ),
     Check(
         formulas.mobility,

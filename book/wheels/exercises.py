@@ -4,7 +4,7 @@
 from functools import partial
 
 import numpy as np
-from sympy import Add, Integer, Matrix, Symbol, atan2, cos, pi, sin, symbols
+from sympy import Add, Integer, Matrix, Symbol, atan, atan2, cos, pi, sin, symbols, tan
 
 from book.differential_drive import formulas as drive
 from book.motion import formulas as planar
@@ -21,7 +21,7 @@ from courseware.practice import (
     number_range,
     one_of,
 )
-from robokin import motion, wheels
+from robokin import bicycle, motion, wheels
 
 BY_PLACE = {formulas.l: "l", formulas.alpha: "alpha", formulas.beta: "beta"}
 BY_ALPHA = {formulas.l: "l", formulas.alpha: "alpha"}
@@ -69,7 +69,7 @@ heading_for_beta = Mistake(
     ),
     line="turning = [-l * np.cos(theta)] * 3\n"
     "J1 = np.transpose([np.sin(alpha), -np.cos(alpha), turning])",
-    why="The row belongs to the robot's own frame. It depends on where the wheel stands on the "
+    why="The row belongs to the robot's own frame. It depends on where the wheel is on the "
     "robot, not on where the robot looks.",
     unnoticed="With θ = β or θ = −β (here: θ = 0), or when the robot does not turn.",
     title="Its turning rate varies",
@@ -80,7 +80,7 @@ heading_for_beta = Mistake(
     quote="[sin(α + β), −cos(α + β), −L cos θ]",
     correction="[sin(α + β), −cos(α + β), −L cos «β»]",
     explanation="θ is the robot's heading. The row belongs to the robot's own frame: it depends on "
-    "where the wheel stands on the robot, not on where the robot looks.",
+    "where the wheel is on the robot, not on where the robot looks.",
 )
 turned_back = Mistake(
     "M21",
@@ -117,7 +117,7 @@ cos_alpha = Mistake(
     ),
     line="J1 = np.transpose([np.sin(alpha), -np.cos(alpha), -l * np.cos(alpha)])",
     why="When the robot turns, a wheel whose axle points to the centre rolls with its whole speed, "
-    "wherever it stands. With cos α the last column is l times the second one: J_1 is singular.",
+    "wherever it is. With cos α the last column is l times the second one: J_1 is singular.",
     unnoticed="For a wheel with α = ±β, or when the robot does not turn.",
     title="It does not turn",
     picture=(
@@ -130,7 +130,7 @@ cos_alpha = Mistake(
     quote="J_1 = [sin α_i, −cos α_i, −L cos α_i] (i = 1, 2, 3)",
     correction="J_1 = [sin α_i, −cos α_i, «−L»] (β = 0)",
     explanation="When the robot turns, a wheel whose axle points to the centre rolls with its "
-    "whole speed, wherever it stands. The next line of the document has the numbers of the "
+    "whole speed, wherever it is. The next line of the document has the numbers of the "
     "right matrix.",
 )
 
@@ -252,11 +252,11 @@ def degrees(delta_m, delta_s):
 
 
 def turned_so(fixed, steered):
-    """Return how the steered wheels stand, if there are any."""
+    """Return how the steered wheels are turned, if there are any."""
     count = len(STEERED[steered])
     if not count:
         return ""
-    who, where = ("wheels are", "none of them stands") if count > 1 else ("wheel is", "it is not")
+    who, where = ("wheels are", "none of them is") if count > 1 else ("wheel is", "it is not")
     apart = f"; {where} on the axle line of a fixed wheel" if FIXED[fixed] else ""
     return f" The steered {who} turned so that the robot can always move{apart}."
 
@@ -317,7 +317,7 @@ def sliding_rank(fixed, **_):
 
 
 def steered_rank(steered, **_):
-    """Return the same for the steered wheels: up to three of them stand as they like."""
+    """Return the same for the steered wheels: up to three of them are turned freely."""
     return LocalEquation(formulas.rank_steered, Integer(len(STEERED[steered])))
 
 
@@ -367,14 +367,14 @@ FOUR_ROWS = LocalEquation(MATRIX, Matrix([row(k * pi / 2, 0) for k in range(4)])
 # What several exercises say
 SPOKE = (
     "at the end of a spoke, the line from the robot's centre to the wheel. The spoke is l = {l} "
-    "long and stands at the angle α = {alpha} from the robot's x axis. "
+    "long, at the angle α = {alpha} from the robot's x axis. "
 )
 AXLES = (
     "Each axle points along the spoke, the line from the centre to the wheel (β = 0). The rollers "
     "leave each wheel free to slide along its axle (γ = 0). "
 )
 THREE_WHEELS = (
-    "An omni robot has three wheels of radius {r}, each {l} from the centre. They stand at 0°, "
+    "An omni robot has three wheels of radius {r}, each {l} from the centre. They are at 0°, "
     "120° and 240° from the robot's x axis, counter-clockwise. " + AXLES
 )
 TO_THE_RIGHT = (
@@ -399,7 +399,7 @@ TURN = one_of(*(n / 4 for n in range(-6, 7) if n), unit="rad/s")
 wheels_1 = Exercise(
     "wheels-1",
     title="The rolling row of a wheel",
-    text="A fixed wheel stands "
+    text="A fixed wheel is "
     + SPOKE
     + "From the spoke to the wheel's axle the angle is β = {beta}. "
     + BY_DIRECTION
@@ -433,7 +433,7 @@ wheels_1 = Exercise(
 wheels_2 = Exercise(
     "wheels-2",
     title="The matrix of an omni robot",
-    text="An omni robot has three wheels, each {l} from the centre. The first stands at "
+    text="An omni robot has three wheels, each {l} from the centre. The first is at "
     "α = {first} from the robot's x axis, the others 120° and 240° further, counter-clockwise. "
     + AXLES
     + TO_THE_RIGHT
@@ -449,7 +449,7 @@ wheels_2 = Exercise(
     wrong=ways(itself, plus_sign, heading_for_beta, plus_l_cos, cos_alpha, alpha=three, beta=0.0),
     derive=lambda l, first, theta: {"alpha": three(first)},
     solution=Solution(
-        "The wheels stand at\n\n{angles}\n\nIn degrees this is {angles.value:deg}. Each wheel has "
+        "The wheels are at\n\n{angles}\n\nIn degrees this is {angles.value:deg}. Each wheel has "
         "a row of its own. As the axles point along the spokes and the rollers lie across, only α "
         "and l are in it. The robot's heading is in R(θ) only:\n\n{matrix.formula}\n\n"
         "With the numbers this is\n\n{matrix.value}",
@@ -588,7 +588,7 @@ wheels_5 = Exercise(
 wheels_6 = Exercise(
     "wheels-6",
     title="Turn about that point",
-    text="A steered wheel of radius {r} stands "
+    text="A steered wheel of radius {r} is "
     + SPOKE
     + "Its steering angle β is the angle from the spoke to its axle. "
     + BY_DIRECTION
@@ -630,7 +630,7 @@ wheels_6 = Exercise(
 wheels_7 = Exercise(
     "wheels-7",
     title="One wheel too many",
-    text="An omni robot has four wheels of radius {r}, each {l} from the centre. They stand at 0°, "
+    text="An omni robot has four wheels of radius {r}, each {l} from the centre. They are at 0°, "
     "90°, 180° and 270° from the robot's x axis, counter-clockwise. "
     + AXLES
     + TO_THE_RIGHT
@@ -677,5 +677,246 @@ wheels_7 = Exercise(
             unit="m/s",
         ),
         slip=Step(SLIPPED),
+    ),
+)
+
+
+def castor_rate(l, alpha, beta, behind, v, v_y, omega):
+    """Return how fast a castor swivels that trails so far behind its pivot."""
+    contact = l * np.exp(1j * alpha) + 1j * behind * np.exp(1j * (alpha + beta))
+    spoke = np.angle(contact)
+    as_fixed = wheels.fixed(abs(contact), spoke, alpha + beta - spoke, 1.0)
+    return (wheels.sliding([as_fixed]) @ [v, v_y, omega])[0] / behind
+
+
+def resting_rollers(l, alpha, beta, p_x, p_y, axis=None):
+    """Return the roller angle whose line through the hub leads to a point, from some axis."""
+    to_point = np.arctan2(p_y - l * np.sin(alpha), p_x - l * np.cos(alpha))
+    line = to_point - (alpha + beta - np.pi / 2 if axis is None else axis)
+    return (line + np.pi / 2) % np.pi - np.pi / 2
+
+
+def other_wheel(L, b, left):
+    """Return the angle of the right front wheel that goes with that of the left one."""
+    middle = np.arctan(1 / (1 / np.tan(left) + b / (2 * L)))
+    return bicycle.ackermann(middle, L, b)[1]
+
+
+DRAWN = {  # the places of the fixed wheels, and of the steered ones
+    "fixed wheels at A and B, and a steered wheel at C": ("AB", "C"),
+    "fixed wheels at A and E, and balls at B and D": ("AE", ""),
+    "a fixed wheel at A, and steered wheels at C and D": ("A", "CD"),
+    "a fixed wheel at A, and castors at B, C and D": ("A", ""),
+    "steered wheels at C and D, and balls at A and B": ("", "CD"),
+    "a steered wheel at C, and castors at A, B and D": ("", "C"),
+    "fixed wheels at A and B, and castors at C and D": ("AB", ""),
+    "steered wheels at A, B and C": ("", "ABC"),
+}
+PLACES = {"A": (0, 1), "B": (0, -1), "C": (1, 0), "D": (-1, 0), "E": (1, 1)}
+
+
+def drawn_wheels(drawn, x, y):
+    """Return the fixed and the steered wheels of a drawn robot; all roll along x."""
+    made = []
+    for make, letters in zip((wheels.fixed, wheels.steered), DRAWN[drawn], strict=True):
+        for ahead, left in (np.multiply(PLACES[letter], (x, y)) for letter in letters):
+            spoke = np.arctan2(left, ahead)
+            made.append(make(np.hypot(ahead, left), spoke, np.pi / 2 - spoke, 0.05))
+    return made
+
+
+def drawn_mobility(**robot):
+    """Return the three degrees of a drawn robot."""
+    return wheels.mobility(drawn_wheels(**robot))
+
+
+def each_counted(drawn, **_):
+    """Return the degrees as one has them who lets every fixed wheel take a way of its own."""
+    fixed, steered = map(len, DRAWN[drawn])
+    choices = max(0, min(steered, 2 - fixed))
+    return degrees(max(0, 3 - fixed - choices), choices)
+
+
+def drawn_ranks(**robot):
+    """Return the ranks of the rows of the fixed wheels and of the steered ones."""
+    made = drawn_wheels(**robot)
+    fixed = [wheel for wheel in made if wheel.kind == "fixed"]
+    ranks = 3 - wheels.mobility(fixed).delta_m, len(made) - len(fixed)
+    return LocalEquation(Matrix([formulas.rank_fixed, formulas.rank_steered]), Matrix(ranks))
+
+
+with as_written():
+    LINE, HALF_TURNS, LEFT, RIGHT, LONG, TRACK = symbols(r"\lambda n delta_L delta_R L b")
+    TO_ROLLERS = LocalEquation(LINE, atan2(D_Y, D_X), "rad")
+    ROLLERS = LocalEquation(
+        formulas.gamma, LINE - (formulas.alpha + formulas.beta - pi / 2) + HALF_TURNS, "rad"
+    )
+    OTHER_WHEEL = LocalEquation(RIGHT, atan(1 / (1 / tan(LEFT) + TRACK / LONG)))
+    SWIVELS = LocalEquation(formulas.beta_dot, S / -formulas.d, "rad/s")
+
+wheels_8 = Exercise(
+    "wheels-8",
+    title="How fast does the castor swivel?",
+    text="The pivot of a castor is "
+    + SPOKE
+    + "From the spoke to the castor's axle the angle is β = {beta}. Its wheel touches the floor "
+    "{behind} behind the pivot, against the direction α + β − 90°. The robot moves at v = {v}, "
+    "v_y = {v_y} and ω = {omega}. " + COMPONENTS + ". How fast does the castor swivel on the "
+    "robot, counter-clockwise positive, so that its wheel does not slide along its axle?",
+    given={
+        "l": L,
+        "alpha": number_range(-150, 165, 15, "°"),
+        "beta": number_range(-75, 75, 15, "°"),
+        "behind": number_range(3, 6, 1, "cm"),
+        "v": SPEED,
+        "v_y": SPEED,
+        "omega": TURN,
+    },
+    unknowns=(Unknown("β̇", "rad/s"),),
+    right=castor_rate,
+    wrong={},
+    derive=lambda behind, **_: {"d": -behind},
+    likely_slips={
+        "when d is missing in the last entry of the sliding row": lambda omega, **numbers: (
+            castor_rate(omega=omega, **numbers) + omega
+        ),
+        "with d positive, as of a wheel ahead of its pivot": lambda behind, **numbers: castor_rate(
+            behind=-behind, **numbers
+        ),
+        "when the turn of the robot moves its centre only: l sin β is missing": lambda **numbers: (
+            castor_rate(**{**numbers, "l": 0.0})
+        ),
+    },
+    solution=Solution(
+        "The wheel is behind its pivot, so d = {d:.2f} m. The right side of the castor's sliding "
+        "row says how fast the contact point would be moved along the axle, if the castor did not "
+        "swivel:\n\n{row}\n\nThe swivelling must undo this. It moves the contact point along the "
+        "axle at d times its rate:\n\n{rate}",
+        row=Step(formulas.castor, BY_PLACE | {formulas.d: "d"}, values=(S,), unit="m/s"),
+        rate=Step(SWIVELS, {formulas.d: "d"}),
+    ),
+)
+
+wheels_9 = Exercise(
+    "wheels-9",
+    title="Rollers that let the wheel rest",
+    text="A wheel with rollers is "
+    + SPOKE
+    + "From the spoke to its axle the angle is β = {beta}; it rolls in the direction α + β − 90°. "
+    "The robot turns about the point x = {p_x}, y = {p_y} of its own frame, and the wheel's motor "
+    "is to rest meanwhile. At which roller angle γ does it? γ is counted from the rolling "
+    "direction to the axis of the roller on the ground, between −90° and 90°.",
+    given={
+        "l": L,
+        "alpha": number_range(-150, 180, 15, "°"),
+        "beta": number_range(-45, 45, 15, "°"),
+        "p_x": number_range(-1, 1, 0.25, "m"),
+        "p_y": number_range(-1, 1, 0.25, "m"),
+    },
+    unknowns=(Unknown("γ", "rad", circle=True),),
+    right=resting_rollers,
+    wrong={},
+    when=lambda p_x, p_y, **place: (
+        np.hypot(p_x, p_y) > 0.6 and abs(resting_rollers(p_x=p_x, p_y=p_y, **place)) < 1.3
+    ),
+    derive=lambda l, alpha, beta, p_x, p_y: {
+        "half_turns": -np.pi
+        * np.round(
+            (
+                np.arctan2(p_y - l * np.sin(alpha), p_x - l * np.cos(alpha))
+                - alpha
+                - beta
+                + np.pi / 2
+            )
+            / np.pi
+        )
+    },
+    likely_slips={
+        "counted from the axle, not from where the wheel rolls": lambda alpha, beta, **numbers: (
+            resting_rollers(alpha=alpha, beta=beta, axis=alpha + beta, **numbers)
+        ),
+        "counted from the robot's x axis": lambda **numbers: resting_rollers(axis=0.0, **numbers),
+        "with the other sign": lambda **numbers: -resting_rollers(**numbers),
+    },
+    solution=Solution(
+        "The motor rests if the point is on the push line. So this line leads from the hub to the "
+        "point:\n\n{to_point}\n\nIts direction, from the robot's x axis, is\n\n{line}\n\nThe "
+        "roller angle is counted from the rolling direction; half a turn more or less is the same "
+        "line:\n\n{gamma}",
+        to_point=Step(TO_POINT, BY_PLACE),
+        line=Step(TO_ROLLERS),
+        gamma=Step(ROLLERS, BY_PLACE | {HALF_TURNS: "half_turns"}),
+    ),
+)
+
+wheels_10 = Exercise(
+    "wheels-10",
+    title="Two front wheels that agree",
+    text="The two front wheels of a car are steered one by one. The car has the wheelbase {L} and "
+    "the track {b}. Its left front wheel is turned by {left} to the left. By which angle must the "
+    "right one be turned, so that the car is not blocked?",
+    given={
+        "L": number_range(2, 3, 0.1, "m"),
+        "b": number_range(1.3, 1.8, 0.1, "m"),
+        "left": number_range(20, 40, 1, "°"),
+    },
+    unknowns=(Unknown("δ_R", "rad", circle=True, tolerance=1e-3),),
+    right=other_wheel,
+    wrong={},
+    likely_slips={
+        "for parallel front wheels: their axle lines never meet, and the car is blocked": (
+            lambda L, b, left: left
+        ),
+        "with the outer wheel turned more; it is the inner one": lambda L, b, left: np.arctan(
+            1 / (1 / np.tan(left) - b / L)
+        ),
+        "for the wheel of the bicycle, in the middle": lambda L, b, left: np.arctan(
+            1 / (1 / np.tan(left) + b / (2 * L))
+        ),
+    },
+    solution=Solution(
+        "All axle lines must meet in one point. On the line of the rear axle, the front axle line "
+        "of each wheel meets it L cot δ to the left of that wheel's side. The sides are b apart:"
+        "\n\n{right_wheel}\n\nThis is {right_wheel.value:deg}.",
+        right_wheel=Step(OTHER_WHEEL, {LEFT: "left", TRACK: "b", LONG: "L"}),
+    ),
+)
+
+wheels_11 = Exercise(
+    "wheels-11",
+    title="Three numbers of a drawn robot",
+    text="Draw these places on squared paper, x ahead and y to the left: A at (0, {y}), B at "
+    "(0, −{y}), C at ({x}, 0), D at (−{x}, 0), E at ({x}, {y}). A robot has {drawn}. The axles of "
+    "its fixed wheels are parallel to y; the steered wheels are turned so that it can always move. "
+    "What are its degrees of mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
+    given={
+        "drawn": one_of(*DRAWN),
+        "x": number_range(20, 50, 10, "cm"),
+        "y": number_range(10, 25, 5, "cm"),
+    },
+    unknowns=(integer("δ_m"), integer("δ_s"), integer("δ_M")),
+    right=drawn_mobility,
+    wrong={},
+    likely_slips={
+        "when every fixed wheel takes a way, also on the axle line of another": each_counted,
+        "when the steered wheels forbid nothing": lambda **robot: degrees(
+            drawn_mobility(**robot).delta_M, drawn_mobility(**robot).delta_s
+        ),
+        "when δ_M is the number of motions at once, without the steering": lambda **robot: [
+            *drawn_mobility(**robot)[:2],
+            drawn_mobility(**robot).delta_m,
+        ],
+    },
+    solution=Solution(
+        "Balls and castors forbid nothing. Fixed wheels on one axle line have one row between "
+        "them, and any steered wheels are independent when turned as one likes:\n\n{ranks}\n\n"
+        "Two lines determine the centre of the turn. A steered wheel has a free choice for each "
+        "line that the fixed wheels leave:\n\n{delta_s}\n\nEach independent row of the fixed "
+        "wheels and each free choice takes a way to move:\n\n{delta_m}\n\nThe sum is\n\n{delta_M}",
+        answer=(("delta_m", "delta_s", "delta_M"),),
+        ranks=Step(drawn_ranks),
+        delta_s=Step(formulas.mobility, part=(0,)),
+        delta_m=Step(formulas.mobility, part=(1,)),
+        delta_M=Step(formulas.mobility, part=(2,)),
     ),
 )

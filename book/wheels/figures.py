@@ -1,44 +1,974 @@
-"""The live figures of the chapter on wheel constraints."""
+"""The live figures of the chapter on wheel constraints: a trolley, then one robot all the way."""
 
-from math import pi
 from typing import Any
 
-from sympy import Abs, Matrix, Piecewise, Symbol, atan2, cos, nan, sin, sqrt, symbols, tan
+from sympy import (
+    Abs,
+    And,
+    Matrix,
+    Max,
+    Min,
+    Or,
+    Piecewise,
+    Rational,
+    Symbol,
+    asin,
+    atan2,
+    cos,
+    nan,
+    pi,
+    sign,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
 
-from book.differential_drive.figures import t
+from book import things
+from book.differential_drive.figures import angle_size, t
 from book.differential_drive.formulas import r
 from book.frames.figures import point_of
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_dot, v, v_y, x, x_dot, y, y_dot
+from book.things.outlines import box, disc, line
+from book.things.vehicles import CASTORS
 from book.wheels import formulas as wheels
 from book.wheels.exercises import cos_alpha, heading_for_beta, plus_l_cos, plus_sign, turned_back
-from book.wheels.formulas import alpha, beta, l, omni_rates, rolling_row, sliding_row
+from book.wheels.formulas import (
+    alpha,
+    beta,
+    d,
+    from_axle,
+    from_push,
+    gamma,
+    l,
+    omni_rates,
+    rate,
+    rolling_row,
+    sliding_row,
+    x_Q,
+    y_Q,
+)
 from courseware.equations import as_written, declarations
 from courseware.equations.functions import null_projector, rank
 from courseware.figures import (
     POINTER,
+    AngleArc,
+    Area,
     Arrow,
-    Body,
+    Bracket,
     Choice,
     Clock,
     Curve,
     Figure,
+    Goal,
     Handle,
+    Label,
+    Length,
     Line,
     NamedSteps,
+    Outline,
     Point,
     Readout,
+    Scene,
     Slider,
-    Wheel,
+    Thing,
+    assign,
     distance,
+    when,
 )
 
 quantity, _ = declarations(__name__)
 
-ORIGIN = (0, 0)
-QUARTER = pi / 2
-ASIDE = 1.0  # rad
+ORIGIN, QUARTER, DEGREE = (0, 0), pi / 2, pi / 180
+SIZE, RADIUS = 0.2, 0.05  # m, of the exercise's robot: its spokes, and its wheels
+ANGLES = (0, 2 * pi / 3, 4 * pi / 3)
+KINDS = ("left", "right", "turning")  # the looks of its wheels 1, 2 and 3
 s = Symbol("s")
+
+
+# --- The trolley
+
+AXLE, HAND, TRAIL = -0.42, -0.54, 0.09  # m: rear wheels, handle, from a castor's pivot to its wheel
+BAY = (0.7, 0.85, 0)
+NEAR, STRAIGHT = 10, 8  # cm, degrees: how far from the bay the trolley still counts as in it
+
+locked = Symbol("locked")  # 1 while the rear wheels do not swivel
+PUSHES = tuple(
+    tuple(
+        quantity(
+            f"push{k}_{axis}", "m", -1.5, 1.5, f"{name} push of the hand, {way}", f"{axis}_{k}"
+        )
+        for axis, way in (("x", "ahead"), ("y", "to the left"))
+    )
+    for k, name in ((1, "first"), (2, "second"))
+)
+
+
+def after_push(steps: NamedSteps, k: int, pose: Any, push: Any) -> tuple[Any, Any]:
+    """Return the pose after a push; and how far to the left it turned about a point, and by what.
+
+    With the rear wheels locked this point is on their axle line, and as far from the hand before
+    the push as after it.
+    """
+    c, sn, arm = cos(pose[2]), sin(pose[2]), HAND - AXLE
+    ahead = steps.add(f"ahead_{k}", arm + c * push[0] + sn * push[1])
+    left = steps.add(f"left_{k}", c * push[1] - sn * push[0])
+    turns = steps.add(f"turns_{k}", Piecewise((locked, Abs(left) > 1e-4), (0, True))) > 0.5
+    centre = (ahead**2 + left**2 - arm**2) / (2 * left)
+    far = steps.add(f"far_{k}", Piecewise((centre, turns), (0, True)))
+    angle = atan2(far * ahead + arm * (left - far), arm * ahead - far * (left - far))
+    turn = steps.add(f"turn_{k}", Piecewise((angle, turns), (0, True)))
+    along = Piecewise((far * sin(turn), turns), (ahead - arm, True))
+    aside = Piecewise((far * (1 - cos(turn)), turns), (left * (1 - locked), True))
+    rear = point_of((*point_of(pose, AXLE), pose[2]), along, aside)
+    end = point_of((*rear, pose[2] + turn), -AXLE)
+    return tuple(steps.add(f"end{k}_{n}", part) for n, part in enumerate((*end, pose[2] + turn))), (
+        far,
+        turn,
+        turns,
+    )
+
+
+def swivels(pose: Any, push: Any, turned: Any) -> tuple[list[Any], list[Any]]:
+    """Return how the four castors swivel at the end of a push, and how far they have rolled."""
+    far, turn, turns = turned
+    straight = atan2(push[1], push[0]) - pose[2]
+    angles, ways = [], []
+    for px, py in CASTORS:
+        lever = sqrt((px - AXLE) ** 2 + (far - py) ** 2)
+        round_ = sign(turn) * (atan2(px - AXLE, far - py) - asin(Min(1, TRAIL / lever)))
+        round_ += Piecewise((pi, turn < 0), (0, True))
+        angle = Piecewise((round_, turns), (straight, distance(push, ORIGIN) > 1e-9), (0, True))
+        angles.append(angle * (1 if px > 0 else 1 - locked))
+        ways.append(Piecewise((lever * Abs(turn), turns), (distance(push, ORIGIN), True)))
+    return angles, ways
+
+
+def bay(end: Any) -> tuple[Any, ...]:
+    """Return the place where the trolley is to be; its lamps go on when it is there."""
+    corners = [
+        point_of(BAY, a, b) for a, b in ((-0.6, -0.36), (0.56, -0.36), (0.56, 0.36), (-0.6, 0.36))
+    ]
+    lamps = "".join(disc(0.03, a, b) for a, b in corners)
+    return (
+        Area("target", tuple(corners)),
+        Line("target", (*corners, corners[0])),
+        *when(is_in_bay(end), Thing((0, 0, 0), (Outline(lamps, "lamp", "goal_edge"),))),
+        Label("target", (BAY[0], BAY[1] + 0.28), "bay"),
+    )
+
+
+def is_in_bay(end: Any) -> Any:
+    """Return whether the trolley is in the bay."""
+    return And(distance(end, BAY) < NEAR / 100, angle_size(end[2]) < STRAIGHT * DEGREE)
+
+
+def trolley_figure() -> Figure:
+    """Draw the opening: a trolley to push by its handle; the rear wheels can be locked."""
+    start, steps = (0, 0, 0), NamedSteps()
+    pushes = (PUSHES[0], tuple(locked * push for push in PUSHES[1]))  # a second one, if need be
+    middle, turned = after_push(steps, 1, start, pushes[0])
+    end, turned_2 = after_push(steps, 2, middle, pushes[1])
+    moved = steps.add("moved", distance(pushes[1], ORIGIN)) > 1e-9
+    first, second = swivels(start, pushes[0], turned), swivels(middle, pushes[1], turned_2)
+    angles, ways = (
+        [
+            steps.add(f"{name}{k}", Piecewise((b, moved), (a, True)))
+            for k, (a, b) in enumerate(zip(*pair, strict=True))
+        ]
+        for name, pair in zip(("swivel", "rolled"), zip(first, second, strict=True), strict=True)
+    )
+    shapes: list[Any] = []
+    handles = []
+    for k, (pose, push) in enumerate(zip((start, middle), pushes, strict=True)):
+        hand = point_of(pose, HAND)
+        there = (hand[0] + push[0], hand[1] + push[1])
+        kept = cos(pose[2]) * push[0] + sin(pose[2]) * push[1]
+        shapes += when(locked > 0.5, Line("error", (point_of((*hand, pose[2]), kept), there)))
+        shapes.append(Arrow("velocity", hand, there, f"push {k + 1}"))
+        there = (there[0], there[1] if k == 0 else Piecewise((there[1], locked > 0.5), (nan, True)))
+        pulled = (POINTER[0] - hand[0], POINTER[1] - hand[1])
+        handles.append(
+            Handle(f"the hand, push {k + 1}", there, dict(zip(PUSHES[k], pulled, strict=True)))
+        )
+    return Figure(
+        name="trolley",
+        title="A shopping trolley from above, its handle under your hand, and a bay beside it",
+        view=(-0.95, 1.45, -0.48, 1.3),
+        ground="tiles",
+        size="laboratory",
+        controls=(
+            Choice("rear", "rear wheels", (locked,), {"swivel": (0,), "locked": (1,)}),
+            *(
+                Slider(
+                    push,
+                    -1.2,
+                    1.5,
+                    start=begin,
+                    step=0.02,
+                    label=f"push {k}: {way}",
+                    shown=True if k == 1 else locked > 0.5,
+                )
+                for k, (pair, begins) in enumerate(
+                    zip(PUSHES, ((0.0, 0.0), (0.3, 0.0)), strict=True), 1
+                )
+                for push, way, begin in zip(pair, ("ahead", "to the left"), begins, strict=True)
+            ),
+        ),
+        where=steps,
+        shapes=(
+            *bay(end),
+            things.trolley(start, look="ghost"),
+            *when(And(locked > 0.5, moved), things.trolley(middle, look="ghost")),
+            *when(locked > 0.5, Line("icr", (point_of(end, AXLE, -3), point_of(end, AXLE, 3)))),
+            things.trolley(end, angles, ways),
+            *shapes,
+        ),
+        handles=tuple(handles),
+        readouts=(
+            Readout("off", "off the bay", distance(end, BAY), "m"),
+            Readout("turned", "turned by", end[2], "rad", 0),
+        ),
+        goal=(
+            Goal(is_in_bay(end), f"Push it into the bay: within {NEAR} cm and {STRAIGHT}°."),
+            Goal(And(locked > 0.5, is_in_bay(end)), "Again, with the rear wheels locked."),
+        ),
+    )
+
+
+# --- The robot, and one wheel of it
+
+HEADING = 30 * DEGREE
+RATES = dict(zip(omni_rates, (-2, 4, 1), strict=True))
+SIZES = ((l, SIZE), (r, RADIUS))
+SLOW = 0.5  # rad/s, at which the plate turns
+WHEEL_2 = ((l, SIZE), (alpha, 2 * pi / 3), (beta, 0))
+HUB = (l * cos(alpha), l * sin(alpha))
+FAR = 2  # m: so far lines go
+
+
+def plate(pose: Any, *parts: Any, look: str = "") -> Thing:
+    """Return a round plate that wheels are fixed to."""
+    nose = line((0.08, -0.03), (0.115, 0), (0.08, 0.03))
+    body = (
+        Outline(disc(0.15), "side", "edge"),
+        Outline(disc(0.137), "dome", "shell_dark", 0.0015),
+        Outline(nose, "", "dark", 0.009),
+        Outline(disc(0.008), "dark"),
+    )
+    return Thing(pose, (*parts, *body), 0.02, look, silhouette=disc(0.15))
+
+
+def arm(place: Any) -> Thing:
+    """Return the arm from a plate's middle to a wheel at a place of its frame."""
+    return Thing(
+        (*ORIGIN, place), (Outline(box(SIZE, 0.034, SIZE / 2, corner=0.01), "metal_mid", "edge"),)
+    )
+
+
+def wheel_on_plate(pose: Any, look: str = "") -> tuple[Any, ...]:
+    """Return the plate at a pose with wheel 2 of the exercise, for now an ordinary one."""
+    hub = (*point_of(pose, *HUB), pose[2] + alpha + beta - QUARTER)
+    return plate(pose, arm(alpha), look=look), things.wheel(
+        hub, 2 * RADIUS, 0.036, "left2", height=0.01
+    )
+
+
+def along(place: Any, direction: Any, far: Any = FAR) -> tuple[Any, Any]:
+    """Return both ends of a line through a place."""
+    return point_of((*place[:2], direction), -far), point_of((*place[:2], direction), far)
+
+
+def foot(place: Any, direction: Any, point: Any) -> tuple[Any, Any]:
+    """Return the point of a line that is nearest to another point."""
+    ahead = cos(direction) * (point[0] - place[0]) + sin(direction) * (point[1] - place[1])
+    return point_of((*place[:2], direction), ahead)
+
+
+def spin(centre: Any, rate: Any = omega) -> tuple[Any, ...]:
+    """Return the turning arrow about a centre; longer for a larger rate."""
+
+    def place(angle: Any) -> tuple[Any, Any]:
+        return centre[0] + 0.035 * cos(angle), centre[1] + 0.035 * sin(angle)
+
+    end = 0.6 + 3 * rate
+    return (
+        Curve(omega, place(0.6 + s * 3 * rate), s, 0, 1),
+        Arrow(omega, place(end - 0.3 * sign(rate)), place(end), ""),
+    )
+
+
+# the twist of a turn about Q
+ABOUT_Q = ((v, omega * y_Q), (v_y, -omega * x_Q))
+Q = (x_Q, y_Q)
+AXIS, ROLLS = alpha + beta, alpha + beta - QUARTER
+AXLE_LINE = (Line("icr", along(HUB, AXIS)),)
+PLACED = (
+    Arrow("text", ORIGIN, (0.3, 0), "x"),
+    Line("ghost", (ORIGIN, HUB)),
+    AngleArc(alpha, ORIGIN, 0, alpha, 0.075),
+)
+
+
+def q_sliders(x_start: float, y_start: float) -> tuple[Slider, Slider]:
+    """Return sliders for the centre of the turn."""
+    return (
+        Slider(x_Q, -0.5, 0.7, start=x_start, step=0.01, label="Q ahead"),
+        Slider(y_Q, -0.5, 0.5, start=y_start, step=0.01, label="Q to the left"),
+    )
+
+
+def q_handle() -> tuple[Handle]:
+    return (Handle("the centre Q of the turn", Q),)
+
+
+SCENE = Scene(
+    layers={
+        "axle": AXLE_LINE,
+        "plate": wheel_on_plate((0, 0, 0)),
+        "placed": PLACED,
+        "lever": (Line("ghost", (HUB, Q)),),
+        "turn": spin(Q),
+        "Q": (Point("icr", Q, "Q"),),
+    },
+    handles={"Q": q_handle()},
+    common={
+        "view": (-0.45, 0.49, -0.17, 0.45),
+        "ground": "tiles",
+        "controls": q_sliders(0, 0.4),
+    },
+)
+
+
+def exercise_figure() -> Figure:
+    """Draw the robot of the exercise with its symbols, at rest."""
+    pose = (0, 0, HEADING)
+    rolls = []
+    for k, (kind, each) in enumerate(zip(KINDS, omni_rates, strict=True)):
+        spoke = HEADING + ANGLES[k]
+        hub = point_of((0, 0, spoke), 1.16 * SIZE)
+        tip = point_of((*hub, spoke - QUARTER), RADIUS * RATES[each])
+        rolls += [
+            Arrow(kind, hub, tip, ""),
+            Label(
+                kind,
+                point_of((0, 0, spoke), 1.5 * SIZE),
+                f"{k + 1}: {RATES[each]} rad/s".replace("-", "−"),
+            ),
+        ]
+    return Figure(
+        name="omni-exercise",
+        title=(
+            "A robot from above on three wheels with rollers, 120° apart; arrows show how far each "
+            "rolls in a second"
+        ),
+        view=(-0.48, 0.48, -0.3, 0.35),
+        ground="tiles",
+        where=((theta, HEADING), *SIZES),
+        shapes=(
+            Arrow("x_axis", ORIGIN, (0.42, 0), "x"),
+            Arrow("y_axis", ORIGIN, (0, 0.33), "y"),
+            things.omni_robot(pose, distance=SIZE),
+            AngleArc(theta, ORIGIN, 0, theta, 0.11),
+            Line("heading", (ORIGIN, point_of(pose, 0.15))),
+            Length(
+                l,
+                ORIGIN,
+                point_of((0, 0, HEADING + ANGLES[2]), SIZE),
+                aside=0.05,
+                label="l = 20 cm",
+            ),
+            *rolls,
+        ),
+    )
+
+
+def place_figure() -> Figure:
+    """Draw where a wheel is, in three numbers, and where it rolls."""
+    rolls = point_of((*HUB, ROLLS), 0.16)
+    return Figure(
+        name="wheel-place",
+        title="A plate with one wheel: its spoke, its axle, and the direction in which it rolls",
+        view=(-0.38, 0.42, -0.13, 0.4),
+        ground="tiles",
+        controls=(
+            Slider.degrees(alpha, -60, 180, start=40, step=5, label="spoke α"),
+            Slider.degrees(beta, -90, 90, start=25, step=5, label="axle β"),
+        ),
+        where=((l, SIZE),),
+        shapes=(
+            *AXLE_LINE,
+            *wheel_on_plate((0, 0, 0)),
+            Arrow("text", ORIGIN, (0.3, 0), "x"),
+            Length(l, ORIGIN, HUB, aside=-0.03),
+            Line("ghost", (HUB, point_of((0, 0, alpha), 0.34))),
+            AngleArc(alpha, ORIGIN, 0, alpha, 0.075),
+            AngleArc(beta, HUB, alpha, alpha + beta, 0.11),
+            Arrow("left", HUB, rolls, "rolls"),
+        ),
+        handles=(
+            Handle("the wheel", HUB, {alpha: atan2(POINTER[1], POINTER[0])}),
+            Handle(
+                "the axle",
+                point_of((*HUB, AXIS), 0.15),
+                {
+                    beta: atan2(
+                        sin(atan2(POINTER[1] - HUB[1], POINTER[0] - HUB[0]) - alpha),
+                        cos(atan2(POINTER[1] - HUB[1], POINTER[0] - HUB[0]) - alpha),
+                    ),
+                },
+            ),
+        ),
+        readouts=(Readout("rolls", "rolls towards α + β − 90°", ROLLS, "rad", 0),),
+        goal=Goal(
+            And(angle_size(ROLLS) < 2 * DEGREE, Abs(alpha - 40 * DEGREE) > 9 * DEGREE),
+            "Move the wheel elsewhere, and let it roll along x: within 2°.",
+        ),
+    )
+
+
+pin = quantity("pin", "m", -0.4, 0.4, "your pin, along the dashed line")
+HIGH = 0.3  # m: the line on which the pin is
+
+
+def pin_figure() -> Figure:
+    """Draw a pin to place: the plate swings about it, and the wheel must not skid."""
+
+    def swung(time: Any) -> Any:
+        c, sn = cos(SLOW * time), sin(SLOW * time)
+        return pin - pin * c + HIGH * sn, HIGH - HIGH * c - pin * sn, SLOW * time
+
+    return Figure(
+        name="pin",
+        title="A plate with one wheel, and a pin that it can be swung about",
+        view=(-0.46, 0.46, -0.17, 0.41),
+        ground="tiles",
+        controls=(
+            Slider(pin, -0.4, 0.4, start=0.3, step=0.01, label="pin: x"),
+            Clock(t, 0.0, 1.5, label="time"),
+        ),
+        where=WHEEL_2,
+        shapes=(
+            Line("ghost", ((-0.5, HIGH), (0.5, HIGH))),
+            *wheel_on_plate((0, 0, 0), look="ghost")[:1],
+            Line("ghost", ((pin, HIGH), swung(t))),
+            *wheel_on_plate(swung(t)),
+            Point("target", (pin, HIGH), "your pin"),
+        ),
+        handles=(Handle("the pin", (pin, HIGH), {pin: POINTER[0]}),),
+    )
+
+
+def sliding_figure() -> Figure:
+    """Draw a turn about Q: the hub's velocity, and its parts along the wheel and along the axle."""
+    velocity = (HUB[0] + wheels.hub_x, HUB[1] + wheels.hub_y)
+    kept = foot(HUB, ROLLS, velocity)
+    aside = foot(HUB, AXIS, velocity)
+    return SCENE.figure(
+        "sliding",
+        "A plate turns about a point Q; the velocity of its wheel's hub, and two parts of it",
+        "axle plate placed lever turn Q",
+        drag="Q",
+        where=(*WHEEL_2, (omega, SLOW), *ABOUT_Q, *assign(wheels.hub, wheels.sliding_by_distance)),
+        shapes=(
+            Line("ghost", (kept, velocity, aside)),
+            Arrow("left", HUB, kept, "rolls"),
+            *when(Abs(wheels.across) > 0.002, Line("error", (HUB, aside))),
+            Arrow("velocity", HUB, velocity, "hub"),
+            *when(Abs(from_axle) > 0.01, Length(from_axle, foot(HUB, AXIS, Q), Q)),
+        ),
+        readouts=(Readout(from_axle), Readout(wheels.across)),
+        goal=(
+            Goal(
+                And(Abs(from_axle) < 0.008, distance(Q, HUB) > 0.12),
+                "Put Q where nothing slides: a below 8 mm.",
+            ),
+            Goal(
+                And(Abs(from_axle) < 0.008, distance(Q, HUB) > 0.12, y_Q < 0.1),
+                "And on the other side of the plate's middle.",
+            ),
+        ),
+    )
+
+
+def rolling_figure() -> Figure:
+    """Draw a turn about Q: how far Q is from the line along which the wheel rolls."""
+    return SCENE.figure(
+        "rolling",
+        "A plate turns about Q; the line along which its wheel rolls, and how far Q is from it",
+        "plate placed turn Q",
+        drag="Q",
+        where=(
+            *WHEEL_2,
+            (gamma, 0),
+            (r, RADIUS),
+            (omega, SLOW),
+            *ABOUT_Q,
+            (from_push, wheels.push_distance),
+            (rate, omega * from_push / r),
+        ),
+        shapes=(
+            Line("left", along(HUB, ROLLS)),
+            *when(Abs(from_push) > 0.01, Length(from_push, foot(HUB, ROLLS, Q), Q)),
+            Arrow("left", HUB, point_of((*HUB, ROLLS), RADIUS * rate), ""),
+        ),
+        readouts=(Readout(from_push), Readout(rate)),
+        goal=(
+            Goal(Abs(rate) < 0.06, "Let the wheel rest while the plate turns: below 0.06 rad/s."),
+            Goal(Abs(rate + 2) < 0.06, "Let it roll backwards, at −2 rad/s: within 0.06."),
+        ),
+    )
+
+
+# --- Several wheels: axle lines that meet, or do not
+
+turned = quantity("turned", "rad", -1.6, 1.6, "by how much the last wheel is turned")
+THIRD = (-0.14, -0.14, 45 * DEGREE)
+# place, direction of the axle, whether it is there, whether the slider turns it
+FIRST, SAME = (0, 0.2, QUARTER, 1, 0), (0, -0.2, QUARTER, 1, 0)
+ARRANGED = {
+    "one": ((0, 0.2, QUARTER, 1, 1), (0, 0, 0, 0, 0), (0, 0, 0, 0, 0)),
+    "two on one line": (FIRST, (*SAME[:4], 1), (0, 0, 0, 0, 0)),
+    "two in a row": (FIRST, (0.2, 0.2, QUARTER, 1, 1), (0, 0, 0, 0, 0)),
+    "three": (FIRST, (0.2, 0, 0, 1, 0), (*THIRD, 1, 1)),
+}
+PARTS = [symbols(f"x_{k} y_{k} axle_{k} there_{k} own_{k}") for k in (1, 2, 3)]
+
+
+def numbered(option: Any) -> tuple[float, ...]:
+    """Return the numbers of an option, one after the other."""
+    return tuple(float(number) for wheel in option for number in wheel)
+
+
+def row_of(place: Any, axle: Any) -> list[Any]:
+    """Return the sliding row of a wheel at a place."""
+    spoke = atan2(place[1], place[0])
+    return sliding_row(sqrt(place[0] ** 2 + place[1] ** 2), spoke, axle - spoke)
+
+
+def turn_left(steps: NamedSteps, rows: Any) -> tuple[Any, Any]:
+    """Return what the rows leave of any twist, and the centre of the one turn that is left."""
+    free = null_projector(rows)
+    P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
+    steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
+    now = steps.add("rank_now", rank(rows))
+    one = And(now > 1.5, now < 2.5, P[2, 2] > 0.02)
+    return P, [Piecewise((part / P[2, 2], one), (nan, True)) for part in (-P[1, 2], P[0, 2])]
+
+
+def lines_figure() -> Figure:
+    """Draw up to three fixed wheels, their axle lines and their rows: where do the lines meet?"""
+    steps = NamedSteps()
+    axles = [steps.add(f"axis_{k}", w[2] + w[4] * turned) for k, w in enumerate(PARTS, 1)]
+    with as_written():
+        rows = [
+            [w[3] * entry for entry in row_of(w, axle)]
+            for w, axle in zip(PARTS, axles, strict=True)
+        ]
+    C = steps.add("C", Matrix(rows))
+    _, centre = turn_left(steps, C)
+    first_two = steps.add("rank_two", rank(C[:2, :]))
+    now = Symbol("rank_now", real=True)
+    depends = (Symbol("no"), PARTS[1][3] - first_two + 1, PARTS[2][3] + first_two - now)
+    shapes: list[Any] = []
+    for w, axle in zip(PARTS, axles, strict=True):
+        there = w[3] > 0.5
+        shapes += when(there, Line("icr", along(w, axle)), arm_to(w))
+    shapes.append(plate((0, 0, 0)))
+    for k, (w, axle) in enumerate(zip(PARTS, axles, strict=True)):
+        there = w[3] > 0.5
+        wheel = things.wheel((*w[:2], axle - QUARTER), 0.1, 0.036, f"{KINDS[k]}2", height=0.01)
+        shapes += when(there, wheel, Label(KINDS[k], point_of((*w[:2], axle), -0.05), str(k + 1)))
+        high = (1 - k) * 0.057 + 0.04
+        if k:
+            shapes += when(And(there, depends[k] > 0.5), Label("ghost", (0.66, high), "no news"))
+    return Figure(
+        name="axle-lines",
+        title="A plate on one to three fixed wheels, the lines of their axles, and their rows",
+        view=(-0.42, 0.72, -0.34, 0.36),
+        ground="tiles",
+        controls=(
+            Choice(
+                "wheels",
+                "wheels",
+                tuple(x for w in PARTS for x in w),
+                {k: numbered(o) for k, o in ARRANGED.items()},
+                start="three",
+            ),
+            Slider.degrees(turned, -90, 90, start=25, label="turn the last one"),
+        ),
+        where=steps,
+        shapes=(
+            *shapes,
+            Bracket(C, (0.5, 0.04), "C_1", ("text",) * 3, digits=2),
+            Point("icr", centre, "Q"),
+        ),
+        readouts=(
+            Readout("rank", "rank of C_1", now, digits=0),
+            Readout("ways", "ways to move", 3 - now, digits=0),
+        ),
+        goal=(
+            Goal(
+                And(now < 2.5, PARTS[2][3] > 0.5),
+                "Three wheels: turn the last until one way is left.",
+            ),
+            Goal(And(now < 1.5, PARTS[1][3] > 0.5), "Two wheels, two ways."),
+        ),
+    )
+
+
+def arm_to(place: Any) -> Thing:
+    """Return the arm from a plate's middle to a place."""
+    far = sqrt(place[0] ** 2 + place[1] ** 2)
+    bar = Outline(box(0.2, 0.034, 0.1, corner=0.01), "metal_mid", "edge")
+    return Thing((0, 0, atan2(place[1], place[0])), (bar,), size=far / 0.2)
+
+
+steer_L = quantity("steer_L", "rad", -1, 1, "left front wheel: turned by", latex=r"\delta_L")
+steer_R = quantity("steer_R", "rad", -1, 1, "right front wheel: turned by", latex=r"\delta_R")
+LONG, HALF = 2.5, 0.75  # m, of the car: between the axles, and half between its wheels
+AHEAD = (0, 0, QUARTER)  # where the car is, its rear axle at the origin
+
+
+def front_figure() -> Figure:
+    """Draw a car whose front wheels are turned one by one: their axle lines and the rear one."""
+    left, right = symbols("meets_L meets_R", real=True)
+    middle = (-(left + right) / 2, 0)
+    miss = Abs(left - right)
+    shapes: list[Any] = [Line("icr", ((-30, 0), (30, 0)))]
+    for side, steer, meet, kind in ((1, steer_L, left, "left"), (-1, steer_R, right, "right")):
+        place = point_of(AHEAD, LONG, side * HALF)
+        shapes += [
+            Line("icr", along(place, steer + pi, 30)),
+            Line("ghost", (place, (place[0], place[1] + 1.1))),
+            AngleArc(kind, place, QUARTER, QUARTER + steer, 0.9, f"δ_{kind[0].upper()}"),
+            *when(
+                miss > 0.1,
+                Point(kind, (-meet, 0)),
+                Line("error", (middle, foot(place, steer + pi, middle))),
+            ),
+        ]
+    shapes += when(miss <= 0.1, Point("icr", middle, "Q"))
+    return Figure(
+        name="front-wheels",
+        title="A car from above, its front wheels turned each by itself, and three axle lines",
+        view=(-9, 2, -1.3, 3.9),
+        ground="asphalt",
+        controls=(
+            Slider.degrees(steer_L, 15, 50, start=20, step=0.5, label="left front wheel"),
+            Slider.degrees(steer_R, 10, 50, start=20, step=0.5, label="right front wheel"),
+        ),
+        where=(
+            (left, HALF + LONG / tan(steer_L)),
+            (right, -HALF + LONG / tan(steer_R)),
+        ),
+        shapes=(*shapes, things.car(AHEAD, (steer_L, steer_R))),
+        readouts=(Readout("gap", "the lines miss each other by", miss, "m", 2),),
+        goal=Goal(miss < 0.1, "Let all axle lines meet: within 10 cm."),
+    )
+
+
+# eight robots: place, the direction in which a wheel rolls, its kind
+DRAWN = {
+    "differential drive": ((0, 0.12, 0, "fixed"), (0, -0.12, 0, "fixed"), (-0.2, 0, 0, "castor")),
+    "bicycle": ((0.3, 0, 0, "steered"), (0, 0, 0, "fixed")),
+    "tricycle": ((0.3, 0, 0, "steered"), (0, 0.12, 0, "fixed"), (0, -0.12, 0, "fixed")),
+    "car": (
+        (0.3, 0.12, 0, "steered"),
+        (0.3, -0.12, 0, "steered"),
+        (0, 0.12, 0, "fixed"),
+        (0, -0.12, 0, "fixed"),
+    ),
+    "one steered wheel": (
+        (0.2, 0, 0, "steered"),
+        (-0.12, 0.12, 0, "castor"),
+        (-0.12, -0.12, 0, "castor"),
+    ),
+    "two steered wheels": (
+        (0.2, 0, 0, "steered"),
+        (-0.2, 0, 0, "steered"),
+        (0, 0.12, 0, "castor"),
+        (0, -0.12, 0, "castor"),
+    ),
+    "omni robot": (
+        (0.2, 0, -QUARTER, "omni"),
+        (-0.1, 0.1732, pi / 6, "omni"),
+        (-0.1, -0.1732, 5 * pi / 6, "omni"),
+    ),
+    "Mecanum robot": (
+        (0.2, 0.15, 0, "Mecanum −45°"),
+        (0.2, -0.15, 0, "Mecanum 45°"),
+        (-0.2, 0.15, 0, "Mecanum 45°"),
+        (-0.2, -0.15, 0, "Mecanum −45°"),
+    ),
+}
+DELTAS = {
+    "differential drive": (2, 0),
+    "bicycle": (1, 1),
+    "tricycle": (1, 1),
+    "car": (1, 1),
+    "one steered wheel": (2, 1),
+    "two steered wheels": (1, 2),
+    "omni robot": (3, 0),
+    "Mecanum robot": (3, 0),
+}
+MAKERS: dict[str, Any] = {
+    "fixed": lambda at, roll=0: things.wheel(at, 0.1, 0.036, "", roll),
+    "steered": lambda at, roll=0: things.steered_wheel(at, 0, "left2", roll, 0.1),
+    "castor": lambda at, roll=0: things.castor(at, 0, TRAIL_LAB, "", roll),
+    "omni": lambda at, roll=0: things.omni_wheel(at, "", roll, 0.1),
+    "Mecanum 45°": lambda at, roll=0: things.mecanum_wheel(at, "", roll, 0.1, float(pi / 4)),
+    "Mecanum −45°": lambda at, roll=0: things.mecanum_wheel(at, "", roll, 0.1, float(-pi / 4)),
+    "ball": lambda at, roll=0: things.ball_wheel(at, 0.025),
+}
+TRAIL_LAB = 0.05  # m
+
+
+def robots_figure() -> Figure:
+    """Draw eight robots, small, with the axle lines that hold them back, and their numbers."""
+    shapes: list[Any] = []
+    for k, (name, made) in enumerate(DRAWN.items()):
+        at = (0.95 * (k % 4), -1.15 * (k // 4), QUARTER)
+        places = [(*point_of(at, px, py), ahead + QUARTER, kind) for px, py, ahead, kind in made]
+        held = [place for place in places if place[3] in ("fixed", "steered")]
+        shapes += [Line("icr", along(place, place[2] + QUARTER, 0.4)) for place in held]
+        shapes += [Line("body", (at, place)) for place in places]
+        shapes.append(Thing(at, plate(at).parts, 0.02, size=0.6))
+        shapes += [MAKERS[kind](tuple(place)) for *place, kind in places]
+        m, steered = DELTAS[name]
+        shapes += [
+            Label("text", (at[0] - 0.38, at[1] + 0.3), f"{k + 1}"),
+            Label("text", (at[0], at[1] - 0.42), f"{m} + {steered} = {m + steered}"),
+        ]
+    return Figure(
+        name="robots",
+        title="Eight robots from above, each with the axle lines of its fixed and steered wheels",
+        view=(-0.5, 3.35, -1.95, 0.5),
+        ground="tiles",
+        shapes=tuple(shapes),
+    )
+
+
+# --- Wheels that forbid nothing
+
+PUSH = 0.2  # m/s
+SORTS = ("fixed", "castor", "omni, 90°", "Mecanum, 45°", "ball")
+CHOSEN = symbols("is_fixed is_castor is_90 is_45 is_ball")  # 1 for the kind that is chosen
+course = quantity("course", "rad", -pi, pi, "the direction in which a wheel is moved", r"\chi")
+
+
+def kinds_figure() -> Figure:
+    """Draw a wheel of each kind as it is moved: the part that it rolls, and how it gives way."""
+    slanted, ball = CHOSEN[3:]
+    with as_written():
+        turn = pi / 4 * slanted
+        tip = PUSH * cos(course), PUSH * sin(course)
+        rolled, aside = tip[0] + tip[1] * tan(turn), tip[1] / cos(turn)
+        parts = [Piecewise((part, ball < 0.5), (nan, True)) for part in (rolled, aside)]
+        wheels_drawn = (
+            things.wheel((0, 0, 0), 0.2, 0.07, "", rolled, 0.01),
+            things.castor((0, 0, 0), 0, 0.1, "", rolled),
+            things.omni_wheel((0, 0, 0), "", rolled, 0.2),
+            things.mecanum_wheel((0, 0, 0), "", rolled, 0.2),
+            things.ball_wheel((0, 0, 0), 0.06),
+        )
+        drawn = [
+            thing
+            for thing, mine in zip(wheels_drawn, CHOSEN, strict=True)
+            for thing in when(mine > 0.5, thing)
+        ]
+    push = pi / 4 * slanted
+    return Figure(
+        name="wheel-kinds",
+        title="A wheel from above is moved: what it rolls, and how it gives way",
+        view=(-0.4, 0.4, -0.23, 0.26),
+        ground="tiles",
+        controls=(
+            Choice.one_hot("kind", CHOSEN, SORTS, "wheel"),
+            Slider.degrees(course, start=30, step=5, label="direction of the motion"),
+        ),
+        shapes=(
+            *when(ball < 0.5, Line("left", along(ORIGIN, push))),
+            *when(CHOSEN[0] > 0.5, Line("icr", along(ORIGIN, QUARTER))),
+            *drawn,
+            Arrow("left", ORIGIN, (parts[0], 0), "rolls"),
+            *when(CHOSEN[0] > 0.5, Line("error", ((rolled, 0), tip))),
+            *when(
+                And(CHOSEN[0] < 0.5, ball < 0.5),
+                Arrow("approximation", (rolled, 0), tip, ("gives way")),
+            ),
+            Arrow("velocity", ORIGIN, tip, "push"),
+        ),
+        handles=(Handle("tip of the arrow", tip, {course: atan2(POINTER[1], POINTER[0])}),),
+        readouts=(
+            Readout("rolled", "rolls at", parts[0], "m/s", words={"nan": "any speed, any way"}),
+            Readout("aside", "the rest", parts[1], "m/s", words={"nan": "nothing"}),
+        ),
+        sentence=(
+            "{kind} wheel, moved at 0.2 m/s in the direction {course} from where it rolls. It "
+            "rolls at {rolled}; the rest is {aside}."
+        ),
+    )
+
+
+CASTOR = ((l, SIZE), (alpha, pi), (d, -TRAIL_LAB))
+MOVING = ((v, 0.2), (v_y, 0), (omega, SLOW))
+
+
+def castor_figure() -> Figure:
+    """Draw a castor at some angle: how fast it swivels while the plate turns about Q."""
+    with as_written():
+        slid = wheels.castor.right
+    contact = point_of((*HUB, ROLLS), -TRAIL_LAB)
+    swivel, tip = wheels.beta_dot, point_of((*contact, AXIS), -TRAIL_LAB * wheels.beta_dot / 4)
+    velocity = point_of((*HUB, 0), v, -omega * SIZE)
+    return Figure(
+        name="castor",
+        title="A plate turns about a point Q; behind it a castor that swivels about its pivot",
+        view=(-0.54, 0.42, -0.18, 0.45),
+        ground="tiles",
+        controls=(Slider.degrees(beta, -180, 180, start=-30, step=1, label="castor β"),),
+        where=(*CASTOR, *MOVING, (swivel, slid / -d)),
+        shapes=(
+            Line("icr", along(contact, AXIS)),
+            plate((0, 0, 0), arm(alpha)),
+            things.castor((*HUB, ROLLS), 0, TRAIL_LAB),
+            AngleArc(beta, HUB, alpha, alpha + beta, 0.075),
+            Line("ghost", (HUB, (0, 0.4))),
+            Arrow("velocity", HUB, velocity, "pivot"),
+            Arrow(swivel, contact, tip),
+            Length(d, HUB, contact, aside=-0.04),
+            Point("icr", (0, 0.4), "Q"),
+            *spin((0, 0.4)),
+        ),
+        readouts=(Readout(swivel),),
+        goal=Goal(
+            And(Abs(swivel) < 0.12, beta < 0),
+            "Turn it to where it stays, its wheel behind: below 0.12 rad/s.",
+        ),
+    )
+
+
+roller = symbols("roller", real=True)
+ROLLERS = {"−45°": float(-pi / 4), "0°": 0.0, "45°": float(pi / 4)}
+
+
+def rollers_figure() -> Figure:
+    """Draw a wheel with rollers: the line along which the floor can push its motor."""
+    push = ROLLS + gamma
+    hub = (*HUB, ROLLS)
+    return Figure(
+        name="rollers",
+        title="A plate turns about a point Q, on a wheel with rollers; its push line is turned",
+        view=(-0.42, 0.46, -0.17, 0.45),
+        ground="tiles",
+        size="laboratory",
+        controls=(
+            Choice(
+                "rollers",
+                "roller angle γ",
+                (gamma,),
+                {name: (angle,) for name, angle in ROLLERS.items()},
+                start="45°",
+            ),
+            *q_sliders(0, 0.4),
+        ),
+        where=(
+            *WHEEL_2,
+            (r, RADIUS),
+            (omega, SLOW),
+            *ABOUT_Q,
+            (from_push, wheels.push_distance),
+            (rate, omega * from_push / (r * cos(gamma))),
+        ),
+        shapes=(
+            plate((0, 0, 0), arm(alpha)),
+            *PLACED,
+            *(
+                thing
+                for angle in ROLLERS.values()
+                for thing in when(
+                    Abs(gamma - angle) < 0.1, things.roller_wheel(hub, angle, "left2", length=0.1)
+                )
+            ),
+            *when(
+                Abs(gamma) > 0.1,
+                Line("ghost", along(HUB, ROLLS, 0.2)),
+                AngleArc(gamma, HUB, ROLLS, push, 0.15),
+            ),
+            Line("left", along(HUB, push)),
+            *when(Abs(from_push) > 0.01, Length(from_push, foot(HUB, push, Q), Q)),
+            *spin(Q),
+            Point("icr", Q, "Q"),
+        ),
+        handles=q_handle(),
+        readouts=(Readout(from_push), Readout(rate)),
+        goal=Goal(
+            And(Abs(rate) < 0.06, Abs(gamma) > 0.1, distance(Q, HUB) > 0.12),
+            "A Mecanum wheel, and the plate turns: let the wheel rest, below 0.06 rad/s.",
+        ),
+    )
+
+
+# --- Three push lines
+
+PUSH_LINES = tuple(
+    Line(kind, along(point_of((0, 0, angle), SIZE), angle - QUARTER))
+    for kind, angle in zip(KINDS, ANGLES, strict=True)
+)
+HUBS = tuple(point_of((0, 0, angle), SIZE) for angle in ANGLES)
+CORNERS = tuple(point_of((0, 0, angle + pi), 2 * SIZE) for angle in ANGLES)  # of the triangle
+
+
+def triangle_figure() -> Figure:
+    """Draw the omni robot in the triangle of its push lines: rates are distances from its sides."""
+    distances = [foot(hub, angle - QUARTER, Q) for hub, angle in zip(HUBS, ANGLES, strict=True)]
+    return Figure(
+        name="push-lines",
+        title="The omni robot, the triangle of its push lines, and how far a point Q is from them",
+        view=(-0.62, 0.82, -0.46, 0.46),
+        ground="tiles",
+        size="laboratory",
+        controls=q_sliders(0.06, -0.1),
+        where=(*SIZES, (omega, -Rational(1, 4)), *ABOUT_Q, *assign(wheels.omni_wheel_rates)),
+        shapes=(
+            Area("icr", CORNERS),
+            *PUSH_LINES,
+            things.omni_robot((0, 0, 0), distance=SIZE),
+            *(Line(kind, (Q, end)) for kind, end in zip(KINDS, distances, strict=True)),
+            *(
+                Arrow(kind, hub, point_of((*hub, angle - QUARTER), RADIUS * each), "")
+                for kind, hub, angle, each in zip(KINDS, HUBS, ANGLES, omni_rates, strict=True)
+            ),
+            *(
+                Label(kind, point_of((0, 0, angle), 0.29), str(k))
+                for k, (kind, angle) in enumerate(zip(KINDS, ANGLES, strict=True), 1)
+            ),
+            *spin(Q),
+            Point("icr", Q, "Q"),
+        ),
+        handles=q_handle(),
+        readouts=tuple(Readout(each, f"wheel {k}") for k, each in enumerate(omni_rates, 1)),
+        goal=(
+            Goal(
+                And(*(Abs(each - 1) < 0.06 for each in omni_rates)),
+                "All three at the same rate: within 0.06 rad/s.",
+            ),
+            Goal(
+                And(
+                    Abs(omni_rates[0]) < 0.06,
+                    Max(*map(Abs, Q)) > 0.1,
+                    Abs(omni_rates[1] - omni_rates[2]) > 1,
+                ),
+                "Wheel 1 rests, and the other two differ by more than 1 rad/s.",
+            ),
+            Goal(
+                And(*(Abs(each - RATES[each]) < 0.12 for each in omni_rates)),
+                "The rates of the exercise, −2, 4 and 1: within 0.12 rad/s.",
+            ),
+        ),
+    )
 
 
 def move(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
@@ -56,439 +986,416 @@ def move(start: Any, twist: Any, time: Any) -> tuple[Any, Any, Any]:
         return there[0] + sideways[0], there[1] + sideways[1], there[2]
 
 
-# --- One wheel of each kind
-
-SPEED = 0.2  # m/s
-KINDS = ("fixed", "castor", "Swedish, 90°", "Swedish, 45°", "ball")
-CHOSEN = symbols("is_fixed is_castor is_90 is_45 is_ball")  # 1 for the kind that is chosen
-LONG, WIDE = 0.16, 0.05  # m
-
-course = quantity("course", "rad", -pi, pi, "the direction in which a wheel is moved", r"\chi")
-
-
-def kinds_figure() -> Figure:
-    """Draw a wheel of each kind as it is moved: the part that it rolls, and how it gives way."""
-    fixed, castor, straight, slanted, ball = CHOSEN
-    with as_written():
-        gamma = pi / 4 * slanted
-        tip = SPEED * cos(course), SPEED * sin(course)
-        rolled, aside = tip[0] + tip[1] * tan(gamma), tip[1] / cos(gamma)
-        contact = (-2 * TRAIL * castor, 0)
-        along = [Piecewise((part, ball < 0.5), (nan, True)) for part in (rolled, aside)]
-        rounds = [(0.08, 0.08, "ghost"), (0.06, 0.06, "body")]
-        rounds += [(0.06, 0.02, "body"), (0.02, 0.06, "body")]
-
-    def rollers(when: Any, turned: float, size: float) -> list[Wheel]:
-        return [
-            Wheel("left", place_if(when, (at, 0)), turned, length=size, width=0.02)
-            for at in (-0.055, 0, 0.055)
-        ]
-
-    return Figure(
-        name="wheel-kinds",
-        title="A wheel from above is moved: what it rolls, and how it gives way",
-        view=(-0.36, 0.36, -0.23, 0.23),
-        size="laboratory",
-        controls=(
-            Choice.one_hot("kind", CHOSEN, KINDS, "wheel"),
-            Slider.degrees(course, start=30, step=5, label="direction of the motion"),
-        ),
-        shapes=(
-            Line("body", (place_if(fixed, (0, -0.09)), place_if(fixed, (0, 0.09)))),
-            Line("body", (place_if(castor, (0, 0)), place_if(castor, contact))),
-            Wheel("ghost", place_if(1 - ball, contact), 0, length=LONG, width=WIDE),
-            *rollers(straight, 0, 0.048),
-            *rollers(slanted, pi / 4, 0.07),
-            *(
-                Curve(kind, place_if(ball, (wide * cos(s), high * sin(s))), s, 0, 2 * pi)
-                for wide, high, kind in rounds
-            ),
-            Arrow("left", ORIGIN, (along[0], 0)),
-            Arrow("approximation", (along[0], 0), place_if(1 - ball, tip)),
-            Arrow("velocity", ORIGIN, tip),
-            Point("body", ORIGIN),
-        ),
-        handles=(
-            Handle("tip of the arrow", tip, {course: atan2(POINTER[1], POINTER[0])}),
-        ),
-        readouts=(
-            Readout("rolled", "rolls at", along[0], "m/s", words={"nan": "any speed, any way"}),
-            Readout("aside", "the rest", along[1], "m/s", words={"nan": "nothing"}),
-        ),
-        sentence=(
-            "{kind} wheel, moved at 0.2 m/s in the direction {course} from where it rolls. It "
-            "rolls at {rolled}; the rest is {aside}."
-        ),
-    )  # fmt: skip
-
-
-# --- The wheel laboratory
-
-# there, fixed, steered; what forbids nothing is there as a castor (1) or as a Swedish wheel (2)
-FIXED, STEERED, CASTOR, SWEDISH = (1, 1, 0), (1, 0, 1), (1, 0, 0), (2, 0, 0)
-WHEEL = {"length": 0.1, "width": 0.03}  # m
-TRAIL = 0.05  # m, from a castor's pivot back to its wheel
-ABSENT = (0.0, 0.0, 0.0, 0, 0, 0)
-OMNI_PLACES = [(0.2, 0.0, -QUARTER), (-0.1, 0.17, pi / 6), (-0.1, -0.17, 5 * pi / 6)]
-
-# x, y, the direction that a wheel rolls in; its kind. The first two can be moved and turned.
-ROBOTS = {
-    "car": [
-        (0.3, 0.12, 0.0, *STEERED),
-        (0.0, 0.12, 0.0, *FIXED),
-        (0.0, -0.12, 0.0, *FIXED),
-        (0.3, -0.12, 0.0, *STEERED),
-    ],
-    "bicycle": [(0.3, 0.0, 0.0, *STEERED), (0.0, 0.0, 0.0, *FIXED)],
-    "tricycle": [(0.3, 0.0, 0.0, *STEERED), (0.0, 0.12, 0.0, *FIXED), (0.0, -0.12, 0.0, *FIXED)],
-    "differential drive, castor": [
-        (0.0, 0.12, 0.0, *FIXED),
-        (0.0, -0.12, 0.0, *FIXED),
-        (-0.2, 0.0, 0.0, *CASTOR),
-    ],
-    "two steered wheels, castors": [
-        (0.2, 0.0, 0.0, *STEERED),
-        (-0.2, 0.0, 0.0, *STEERED),
-        (0.0, 0.12, 0.0, *CASTOR),
-        (0.0, -0.12, 0.0, *CASTOR),
-    ],
-    "one steered wheel, castors": [
-        (0.2, 0.0, 0.0, *STEERED),
-        (-0.12, 0.12, 0.0, *CASTOR),
-        (-0.12, -0.12, 0.0, *CASTOR),
-    ],
-    "three Swedish wheels": [(*place, *SWEDISH) for place in OMNI_PLACES],
-}
-WISHES = {
-    "drive ahead": (0.15, 0.0, 0.0),
-    "move to the left": (0.0, 0.15, 0.0),
-    "turn on the spot": (0.0, 0.0, 0.5),
-    "all three at once": (0.15, 0.15, 0.5),
-}
-
-centre_x = quantity("centre_x", "m", -1, 1, "how far ahead the steered axles meet", latex="C_x")
-centre_y = quantity(
-    "centre_y", "m", -1, 1, "how far to the left the steered axles meet", latex="C_y"
-)
-shift_x = quantity("shift_x", "m", -0.2, 0.2, "a wheel moved ahead", latex=r"\Delta x")
-shift_y = quantity("shift_y", "m", -0.2, 0.2, "a wheel moved to the left", latex=r"\Delta y")
-shift_angle = quantity(
-    "shift_angle", "rad", -pi / 2, pi / 2, "a wheel turned to the left", latex=r"\Delta\beta"
-)
-
-NUMBERS = [symbols(f"x_{k} y_{k} ahead_{k} there_{k} fixed_{k} steered_{k}") for k in range(4)]
-WHICH = symbols("which_0 which_1")
-WISH = Matrix(symbols("wish_v wish_vy wish_omega"))
-
-
-def robot_numbers(name: str) -> tuple[float, ...]:
-    """Return all numbers of a robot, four wheels of six each."""
-    chosen = [*ROBOTS[name], *[ABSENT] * 4][:4]
-    return tuple(float(number) for wheel in chosen for number in wheel)
-
-
-def wheels_of_robot(steps: NamedSteps) -> tuple[list[Any], list[Any], Any, Any]:
-    """Return each wheel's place and axle, and the sliding rows, of all and of the fixed."""
-    places, axles, rows, fixed_rows = [], [], [], []
-    for k, (px, py, ahead, _, fixed, steered) in enumerate(NUMBERS):
-        mine = WHICH[k] if k < 2 else 0
-        at_x = steps.add(f"at_x{k}", px + mine * shift_x)
-        at_y = steps.add(f"at_y{k}", py + mine * shift_y)
-        aimed = atan2(centre_y - at_y, centre_x - at_x)
-        own = steered * aimed + (1 - steered) * (ahead + QUARTER)
-        axle = steps.add(f"axle{k}", own + mine * shift_angle)
-        far = steps.add(f"l{k}", sqrt(at_x**2 + at_y**2))
-        spoke = steps.add(f"alpha{k}", atan2(at_y, at_x))
-        row = sliding_row(far, spoke, steps.add(f"beta{k}", axle - spoke))
-        rows.append([(fixed + steered) * entry for entry in row])
-        fixed_rows.append([fixed * entry for entry in row])
-        places.append((at_x, at_y, far, spoke))
-        axles.append(axle)
-    return places, axles, Matrix(rows), Matrix(fixed_rows)
-
-
-def motion_left(steps: NamedSteps, rows: Any) -> tuple[Any, Any]:
-    """Return what the rows leave of any twist, as a matrix, and of the twist that is asked for."""
-    free = null_projector(rows)
-    P = Matrix(3, 3, lambda i, j: Symbol(f"P{min(i, j)}{max(i, j)}"))
-    steps += [(P[i, j], free[i, j]) for i in range(3) for j in range(i, 3)]
-    twist = [
-        steps.add(f"twist{i}", sum((P[i, j] * WISH[j] for j in (1, 2)), P[i, 0] * WISH[0]))
-        for i in range(3)
-    ]
-    return P, twist
-
-
-def degrees_of_freedom(steps: NamedSteps, of_fixed: Any) -> tuple[Any, Any]:
-    """Return mobility and steerability of the robot, from the rank of its fixed wheels."""
-    count = NUMBERS[0][5] + NUMBERS[1][5] + NUMBERS[2][5] + NUMBERS[3][5]
-    ranks = {wheels.rank_fixed: of_fixed, wheels.rank_steered: count}
-    delta_s = steps.add("delta_s", wheels.STEERABLE.xreplace(ranks))
-    return steps.add("delta_m", 3 - of_fixed - delta_s), delta_s
-
-
-def laboratory_figure() -> Figure:
-    """Draw any wheel moved and turned: the motions that are left, and how many."""
-    steps = NamedSteps()
-    with as_written():
-        places, axles, rows, fixed_rows = wheels_of_robot(steps)
-        now = steps.add("rank_now", rank(rows))
-        of_fixed = steps.add("rank_of_fixed", rank(fixed_rows))
-        P, twist = motion_left(steps, rows)
-        delta_m, delta_s = degrees_of_freedom(steps, of_fixed)
-        one_motion = (now > 1.5) & (now < 2.5) & (P[2, 2] > 0.2)  # and its centre within 2 m
-        icr = [Piecewise((part / P[2, 2], one_motion), (nan, True)) for part in (-P[1, 2], P[0, 2])]
-        end, along = move(0, twist, t), move(0, twist, s)
-        end = tuple(steps.add(f"end_{name}", part) for name, part in zip("xyt", end, strict=True))
-        rolls = [rolling_direction(k, places[k], axles[k], twist) for k in range(4)]
-        rolls = [steps.add(f"rolls{k}", direction) for k, direction in enumerate(rolls)]
-        chosen = [sum(WHICH[k] * NUMBERS[k][i] for k in range(2)) for i in range(2)]
-
-    return Figure(
-        name="wheel-laboratory",
-        title="A robot seen from above, its wheels, their axles and the motion they allow",
-        view=(-0.6, 0.8, -0.55, 0.55),
-        size="",
-        controls=(
-            Choice(
-                "robot",
-                "robot",
-                tuple(symbol for wheel in NUMBERS for symbol in wheel),
-                {name: robot_numbers(name) for name in ROBOTS},
-            ),
-            Choice("wish", "asked to", tuple(WISH), WISHES, start="turn on the spot"),
-            Slider(centre_x, -0.5, 0.7, start=0.0, step=0.05, label="ring Q ahead"),
-            Slider(centre_y, -0.5, 0.5, start=0.4, step=0.05, label="ring Q to the left"),
-            Choice.one_hot("which", WHICH, ("wheel 1", "wheel 2"), label="change"),
-            Slider(shift_x, -0.2, 0.2, start=0.0, step=0.05, label="move it ahead"),
-            Slider(shift_y, -0.2, 0.2, start=0.0, step=0.05, label="move it to the left"),
-            Slider.degrees(shift_angle, -90, 90, step=5, label="turn it"),
-            Clock(t, 0.0, 6.0, label="time"),
-        ),
-        shapes=(
-            *(axle_line(k, places[k], axles[k]) for k in range(4)),
-            Curve("ghost", along, s, 0, 6),
-            Curve("path", along, s, 0, t),
-            Body(ORIGIN, 0, 0.05, kind="ghost"),
-            *(
-                Wheel("ghost", place_if(NUMBERS[k][3], places[k]), rolls[k], **WHEEL)
-                for k in range(4)
-            ),
-            *(shape for k in range(4) for shape in wheel_shapes(k, places[k], rolls[k], end)),
-            Body(end[:2], end[2], 0.05),
-            *(contact_velocity(k, places[k], twist) for k in range(4)),
-            Point("icr", icr, label="ICR"),
-            Point("target", (centre_x, centre_y)),
-            *(
-                Point("approximation", place_if(WHICH[k], places[k]), label=f"{k + 1}")
-                for k in (0, 1)
-            ),
-        ),
-        handles=(
-            Handle("ring Q, which the steered axles look at", (centre_x, centre_y)),
-            Handle("the wheel that is changed", (chosen[0] + shift_x, chosen[1] + shift_y), {
-                shift_x: POINTER[0] - chosen[0], shift_y: POINTER[1] - chosen[1],
-            }),
-        ),
-        readouts=(
-            Readout("rank", "independent sliding rows, as the wheels stand", now, "", digits=0),
-            Readout("now", "ways to move, as the wheels stand", 3 - now, "", digits=0),
-            Readout("mobility", "degree of mobility δ_m", delta_m, "", digits=0),
-            Readout("steerability", "degree of steerability δ_s", delta_s, "", digits=0),
-            Readout("both", "degree of manoeuvrability δ_M", delta_m + delta_s, "", digits=0),
-            Readout("v", "speed ahead v", twist[0], "m/s"),
-            Readout("v_y", "speed to the left v_y", twist[1], "m/s"),
-            Readout("omega", "turning rate ω", twist[2], "rad/s"),
-        ),
-        sentence=(
-            "{robot}: mobility {mobility}, steerability {steerability}, manoeuvrability {both}. "
-            "As the wheels stand there are {now} independent ways to move. Asked to {wish}, the "
-            "robot moves ahead at {v}, to the left at {v_y} and turns at {omega}."
-        ),
-        where=steps,
-    )  # fmt: skip
-
-
-def place_if(when: Any, place: Any) -> tuple[Any, Any]:
-    """Return a place that is there when a number is 1 and nowhere when it is 0."""
-    shown = [Piecewise((coordinate, when > 0.5), (nan, True)) for coordinate in place[:2]]
-    return shown[0], shown[1]
-
-
-def axle_line(k: int, place: Any, axle: Any) -> Line:
-    """Return the line on which a fixed or steered wheel wants the centre of rotation."""
-    _, _, _, _, fixed, steered = NUMBERS[k]
-    x_k, y_k = place_if(fixed + steered, place)
-    ends = [(x_k + side * 2 * cos(axle), y_k + side * 2 * sin(axle)) for side in (-1, 1)]
-    return Line("icr", tuple(ends))
-
-
-def rolling_direction(k: int, place: Any, axle: Any, twist: Any) -> Any:
-    """Return the direction of a wheel: along its plane; of a castor, to where it is dragged."""
-    _, _, _, there, fixed, steered = NUMBERS[k]
-    along, across = pivot_speed(place, twist)
-    dragged = ((there - fixed - steered) * (2 - there) > 0.5) & (along**2 + across**2 > 1e-9)
-    # seen from a direction that no setting meets: dragged straight back, rounding may not choose
-    # between half a turn to the left and one to the right
-    ahead = cos(ASIDE) * along + sin(ASIDE) * across
-    left = cos(ASIDE) * across - sin(ASIDE) * along
-    return Piecewise((ASIDE + atan2(left, ahead), dragged), (axle - QUARTER, True))
-
-
-def pivot_speed(place: Any, twist: Any) -> Any:
-    """Return the velocity of the point of the robot where a wheel is fixed."""
-    values = dict(zip((v, v_y, omega), twist, strict=True))
-    return wheels.contact.substitute({**values, l: place[2], alpha: place[3]})
-
-
-def wheel_shapes(k: int, place: Any, along: Any, pose: Any) -> tuple[Any, ...]:
-    """Return a wheel, taken along by the robot, in the look of its kind."""
-    _, _, _, there, fixed, steered = NUMBERS[k]
-    free = there - fixed - steered
-    castor = free * (2 - there)  # 1 for a castor only
-
-    def beside(ahead: float, left: float = 0.0) -> tuple[Any, Any]:
-        """Return a point so far from the wheel, ahead and to the left of where it rolls."""
-        return point_of(pose, *point_of((*place[:2], along), ahead, left))
-
-    def line(when: Any, *points: tuple[float, float]) -> Line:
-        return Line("body", tuple(place_if(when, beside(*point)) for point in points))
-
-    def wheel(kind: str, when: Any, ahead: float = 0.0) -> Wheel:
-        return Wheel(kind, place_if(when, beside(ahead)), along + pose[2], **WHEEL)
-
-    with as_written():
-        rollers = [line(free - 1, (at, -0.025), (at, 0.025)) for at in (-0.03, 0.0, 0.03)]
-        return (
-            line(fixed + steered, (-0.09, 0.0), (0.09, 0.0)),
-            wheel("body", fixed),
-            wheel("left", steered),
-            wheel("ghost", castor, -TRAIL),
-            line(castor, (0.0, 0.0), (-TRAIL, 0.0)),
-            wheel("ghost", free - 1),
-            *rollers,
-        )
-
-
-def contact_velocity(k: int, place: Any, twist: Any) -> Arrow:
-    """Return the velocity of a wheel's contact point as an arrow."""
-    x_k, y_k = place[:2]
-    with as_written():
-        over = pivot_speed(place, twist)
-        tail = place_if(NUMBERS[k][3], place)
-        return Arrow("velocity", tail, (x_k + over[0], y_k + over[1]))
-
-
-# --- The omni robot of the exercise
-
-SIZE, RADIUS = 0.2, 0.05  # m
-ANGLES = (0.0, 2 * pi / 3, 4 * pi / 3)
-WHEELS = ("left", "right", "approximation")  # the looks of wheels 1, 2 and 3
+STOP = (0.6, 0.9)  # m: where the robot is to end
 
 
 def omni_figure() -> Figure:
     """Draw the omni robot's motion in the world, from three wheel rates."""
-    sizes = {l: SIZE, r: RADIUS}
-    twist = list(wheels.omni_twist.substitute(sizes))
-    turn = twist[2]
-    now, along = move(theta, twist, t), move(theta, twist, s)
-    world = wheels.omni_world.substitute({**sizes, theta: now[2]})
-    arrow = motion.to_world.substitute({v: twist[0], v_y: twist[1], omega: 0})
-    with as_written():
-        centre = motion.to_world.substitute({v: -twist[1] / turn, v_y: twist[0] / turn})
-        icr = [Piecewise((part, Abs(turn) > 0.05), (nan, True)) for part in centre[:2]]
+    now, ahead = (move(theta, (v, v_y, omega), time) for time in (t, s))
+    arrow = motion.to_world.substitute({v: v, v_y: v_y, omega: 0})
+    centre = motion.to_world.substitute({v: -v_y / omega, v_y: v / omega})
+    icr = [Piecewise((part, Abs(omega) > 0.05), (nan, True)) for part in centre[:2]]
+    hubs = [(*point_of((0, 0, theta + angle), SIZE), theta + angle - QUARTER) for angle in ANGLES]
+    tips = [point_of(hub, RADIUS * each) for hub, each in zip(hubs, omni_rates, strict=True)]
     return Figure(
         name="omni",
-        title="A robot on three Swedish wheels seen from above, their rates under your hand",
-        view=(-0.5, 1.7, -0.5, 1.0),
-        size="",
+        title="A robot on three omni wheels seen from above, their rates under your hand",
+        view=(-0.55, 1.35, -0.42, 1.06),
+        ground="tiles",
+        size="laboratory",
         controls=(
             *(
-                Slider(rate, -6.0, 6.0, start=start, step=0.5, label=f"wheel {k}", kind=kind)
-                for k, (rate, start, kind) in enumerate(
-                    zip(omni_rates, (-2.0, 4.0, 1.0), WHEELS, strict=True), start=1
+                Slider(
+                    each,
+                    -6.0,
+                    6.0,
+                    start=float(RATES[each]),
+                    step=0.1,
+                    label=f"wheel {k}",
+                    kind=kind,
                 )
+                for k, (each, kind) in enumerate(zip(omni_rates, KINDS, strict=True), 1)
             ),
             Slider.degrees(theta, start=30, step=5, label="heading at the start"),
             Clock(t, 0.0, 12.0, label="time"),
         ),
+        where=(*SIZES, *assign(wheels.omni_twist, wheels.omni_world)),
         shapes=(
-            Curve("ghost", along, s, 0, 12),
-            Curve("path", along, s, 0, t),
-            Body(ORIGIN, theta, 0.13, kind="ghost"),
-            Body(now[:2], now[2], 0.13),
-            *(omni_wheel(k, ORIGIN, theta) for k in range(3)),
-            *(omni_wheel(k, now, now[2]) for k in range(3)),
-            *(
-                Arrow(WHEELS[k], omni_place(k), arrow_tip(k))
-                for k in range(3)
+            Area(
+                "target",
+                tuple(
+                    (STOP[0] + a, STOP[1] + b)
+                    for a, b in ((-0.08, -0.08), (0.08, -0.08), (0.08, 0.08), (-0.08, 0.08))
+                ),
             ),
-            *(Point(WHEELS[k], omni_place(k), label=f"{k + 1}") for k in range(3)),
-            Arrow("velocity", ORIGIN, arrow),
-            Point("icr", icr, label="ICR"),
+            Label("target", (STOP[0], STOP[1] - 0.13), "stop"),
+            Curve("ghost", ahead, s, 0, 12),
+            Curve("path", ahead, s, 0, t),
+            things.omni_robot((0, 0, theta), look="ghost", distance=SIZE),
+            things.omni_robot(now, [RADIUS * each * t for each in omni_rates], distance=SIZE),
+            *(
+                Arrow(kind, hub, tip, f"{k}")
+                for k, (kind, hub, tip) in enumerate(zip(KINDS, hubs, tips, strict=True), 1)
+            ),
+            Arrow("velocity", ORIGIN, arrow[:2], ""),
+            Point("icr", icr, "Q"),
         ),
         handles=tuple(
             Handle(
-                f"tip of the arrow of wheel {k + 1}",
-                arrow_tip(k),
-                {omni_rates[k]: rate_from_pointer(k)},
+                f"tip of the arrow of wheel {k}",
+                tip,
+                {
+                    each: (
+                        cos(hub[2]) * (POINTER[0] - hub[0]) + sin(hub[2]) * (POINTER[1] - hub[1])
+                    )
+                    / RADIUS,
+                },
             )
-            for k in range(3)
+            for k, (each, hub, tip) in enumerate(zip(omni_rates, hubs, tips, strict=True), 1)
         ),
         readouts=(
-            Readout("v", "speed ahead v", twist[0], "m/s"),
-            Readout("v_y", "speed to the left v_y", twist[1], "m/s"),
-            Readout("turning", "turning rate ω", turn, "rad/s"),
-            Readout("x_dot", "along the world's x axis, at this time", world[0], "m/s"),
-            Readout("y_dot", "along the world's y axis, at this time", world[1], "m/s"),
+            Readout(v),
+            Readout(v_y),
+            Readout("turning", "angular velocity ω", omega, "rad/s"),
+            Readout(x_dot),
+            Readout(y_dot),
             Readout("x", "now at x", now[0], "m"),
             Readout("y", "now at y", now[1], "m"),
             Readout("heading", "heading now", now[2], "rad"),
         ),
-        sentence=(
-            "Wheels at {omni_rate1}, {omni_rate2} and {omni_rate3}: the robot moves ahead at {v}, "
-            "to the left at {v_y} and turns at {turning}. After {t} it is at x = {x}, y = {y}, "
-            "heading {heading}."
+        goal=(
+            Goal(
+                And(Abs(v) > 0.05, Abs(v_y) < 0.006, Abs(omega) < 0.01),
+                "Drive along the robot's own x axis, without a turn.",
+            ),
+            Goal(
+                And(distance(now, STOP) < 0.05, Abs(omega) < 0.01),
+                "Stop on the mark, still looking as at the start: within 5 cm.",
+            ),
         ),
-    )  # fmt: skip
+    )
 
 
-def omni_wheel(k: int, at: Any, heading: Any) -> Wheel:
-    """Return wheel k of the robot at a pose; it rolls at right angles to its spoke."""
-    spoke = heading + ANGLES[k]
-    place = (at[0] + SIZE * cos(spoke), at[1] + SIZE * sin(spoke))
-    return Wheel(WHEELS[k], place, spoke - QUARTER, length=2 * RADIUS, width=0.035)
+# --- Where it fails
 
 
-def omni_place(k: int) -> tuple[Any, Any]:
-    """Return the place of wheel k at the start."""
-    return SIZE * cos(theta + ANGLES[k]), SIZE * sin(theta + ANGLES[k])
+def turned_figure() -> Figure:
+    """Draw the omni robot with all its axles turned away from the spokes: the triangle shrinks."""
+    ends = [along(hub, angle + beta - QUARTER) for hub, angle in zip(HUBS, ANGLES, strict=True)]
+    inner = l * cos(beta)
+    corners = [point_of((0, 0, angle + pi + beta), 2 * inner) for angle in ANGLES]
+    return Figure(
+        name="turned-wheels",
+        title="The omni robot with its wheels turned, and the triangle of its push lines",
+        view=(-0.53, 0.53, -0.35, 0.35),
+        ground="tiles",
+        controls=(Slider.degrees(beta, -120, 120, start=25, label="all axles turned by β"),),
+        where=(*SIZES, *assign(wheels.omni_determinant)),
+        shapes=(
+            Area("icr", tuple(corners)),
+            *(Line(kind, pair) for kind, pair in zip(KINDS, ends, strict=True)),
+            things.omni_robot((0, 0, 0), distance=SIZE, beta=beta),
+            Line("ghost", (ORIGIN, point_of((0, 0, 0), 0.36))),
+            AngleArc(beta, HUBS[0], 0, beta, 0.1),
+        ),
+        readouts=(Readout("det", "det J_1", wheels.determinant, "m", 3),),
+        goal=Goal(
+            Abs(wheels.determinant) < 0.004,
+            "Let the rates no longer tell the motion: det J₁ below 0.004 m.",
+        ),
+    )
 
 
-def arrow_tip(k: int) -> tuple[Any, Any]:
-    """Return the place where wheel k would be after a second at its own speed."""
-    x_k, y_k = omni_place(k)
-    speed, spoke = RADIUS * omni_rates[k], theta + ANGLES[k]
-    return x_k + speed * sin(spoke), y_k - speed * cos(spoke)
+faster = quantity("faster", "rad/s", -8, 8, "by how much one wheel is too fast")
+WRONG = symbols("wrong:4")
+BASE = 2  # rad/s
 
 
-def rate_from_pointer(k: int) -> Any:
-    """Return the rate that puts the tip of the arrow where the pointer is."""
-    row = rolling_row(0, ANGLES[k], 0)
-    back = motion.to_body.substitute({motion.x_dot: POINTER[0], motion.y_dot: POINTER[1]})
-    return (row[0] * back[0] + row[1] * back[1]) / RADIUS
+def mecanum_figure() -> Figure:
+    """Draw four Mecanum wheels, one of them too fast: how far each of them slips in a second."""
+    rates = (*omni_rates, wheels.omni_rate4)
+    where = [(each, BASE + wrong * faster) for each, wrong in zip(rates, WRONG, strict=True)]
+    shapes: list[Any] = []
+    places = DRAWN["Mecanum robot"]
+    for k, (px, py, _, kind) in enumerate(places):
+        lean = (-1 if "−" in kind else 1) * pi / 4
+        hub = point_of(AHEAD, px, py)
+        slipped = (1 if k < 2 else -1) * wheels.slip * 5
+        shapes += [
+            Arrow("left", hub, point_of((*hub, QUARTER), RADIUS * where[k][1]), ""),
+            *when(
+                Abs(wheels.slip) > 0.0005,
+                Line("error", (hub, point_of((*hub, QUARTER + lean), slipped))),
+            ),
+            Label("text", point_of(AHEAD, px, py * 1.8), str(k + 1)),
+        ]
+    return Figure(
+        name="mecanum",
+        title="A robot on four Mecanum wheels, one of them too fast, and how far each slips",
+        view=(-0.5, 0.5, -0.32, 0.36),
+        ground="tiles",
+        controls=(
+            Choice.one_hot("wheel", WRONG, ("1", "2", "3", "4"), "too fast is wheel", start="1"),
+            Slider(faster, -8.0, 8.0, start=0.0, step=0.5, label="too fast by"),
+        ),
+        where=((r, RADIUS), *where, *assign(wheels.mecanum_slip)),
+        shapes=(
+            plate(AHEAD),
+            *(Line("body", (ORIGIN, point_of(AHEAD, *place[:2]))) for place in places),
+            *(
+                MAKERS[kind]((*point_of(AHEAD, px, py), ahead + QUARTER), RADIUS * where[k][1] / 8)
+                for k, (px, py, ahead, kind) in enumerate(places)
+            ),
+            *shapes,
+        ),
+        readouts=(Readout(wheels.slip, "slip of 1 and 2; of 3 and 4 the other way"),),
+    )
+
+
+# --- The laboratory: a robot of up to four wheels
+
+KIND_NAMES = ("none", *MAKERS)  # a wheel's kind is a place in this list
+NO_WHEEL = (0, 0, 0, "none")
+BASE_ROBOTS = {"nothing yet": (), **DRAWN}
+START = (0, 0, QUARTER)
+COUNT = 4
+WHEELS = [symbols(f"base_x{k} base_y{k} base_ahead{k} base_kind{k}") for k in range(1, COUNT + 1)]
+ROBOT, WHICH = symbols("robot which")
+OTHER = symbols("other_kind1:5")
+SHIFTS = tuple(
+    tuple(
+        quantity(f"{name}{k}", unit, -1, 1, f"wheel {k}: {words}")
+        for name, unit, words in (
+            ("shift_x", "m", "moved ahead"),
+            ("shift_y", "m", "moved to the left"),
+            ("shift_axle", "rad", "turned to the left"),
+        )
+    )
+    for k in range(1, COUNT + 1)
+)
+wish_v = quantity("wish_v", "m/s", -0.3, 0.3, "wished speed ahead")
+wish_vy = quantity("wish_vy", "m/s", -0.3, 0.3, "wished speed to the left")
+wish_omega = quantity("wish_omega", "rad/s", -1, 1, "wished turn ω")
+WISH = Matrix([wish_v, wish_vy, wish_omega])
+MARK = (-0.45, 0.0)  # m: a corner of the drawn square; the robot starts at another one
+
+
+def base_numbers(name: str) -> tuple[float, ...]:
+    """Return a robot's number, and four numbers for each of four wheels."""
+    chosen = [*BASE_ROBOTS[name], *[NO_WHEEL] * COUNT][:COUNT]
+    numbers = [[*wheel[:3], KIND_NAMES.index(wheel[3])] for wheel in chosen]
+    return (list(BASE_ROBOTS).index(name), *(float(x) for wheel in numbers for x in wheel))
+
+
+def built(steps: NamedSteps) -> list[Any]:
+    """Return of each wheel: its kind, its place, the direction that it rolls in."""
+    found = []
+    for k, (base, other, (dx, dy, turn)) in enumerate(zip(WHEELS, OTHER, SHIFTS, strict=True), 1):
+        kind = steps.add(f"kind{k}", Piecewise((other, other > -0.5), (base[3], True)))
+        px, py = steps.add(f"x{k}", base[0] + dx), steps.add(f"y{k}", base[1] + dy)
+        wished = atan2(wish_vy + wish_omega * px, wish_v - wish_omega * py)
+        ahead = Piecewise((wished, is_kind(kind, "steered")), (base[2] + turn, True))
+        found.append((kind, (px, py), steps.add(f"ahead{k}", ahead)))
+    return found
+
+
+def is_kind(number: Any, *names: str) -> Any:
+    """Return whether a kind is one of these."""
+    return Or(
+        *(And(number > place - 0.5, number < place + 0.5) for place in map(KIND_NAMES.index, names))
+    )
+
+
+def constraints(steps: NamedSteps, wheels_built: list[Any]) -> tuple[Any, Any, Any, Any]:
+    """Return the twist that is nearest to the wish, the ICR, and the two degrees."""
+    rows = []
+    for k, (kind, place, ahead) in enumerate(wheels_built, 1):
+        held = steps.add(f"held{k}", Piecewise((1, is_kind(kind, "fixed", "steered")), (0, True)))
+        fixed = steps.add(f"fixed{k}", Piecewise((1, is_kind(kind, "fixed")), (0, True)))
+        entries = steps.add(f"row{k}_", Matrix([row_of(place, ahead + QUARTER)]))
+        rows.append((held, fixed, entries))
+    P, centre = turn_left(steps, Matrix([[held * x for x in row] for held, _, row in rows]))
+    of_fixed = steps.add(
+        "rank_of_fixed", rank(Matrix([[fixed * x for x in row] for _, fixed, row in rows]))
+    )
+    steered = sum(held - fixed for held, fixed, _ in rows)
+    ranks = {wheels.rank_fixed: of_fixed, wheels.rank_steered: steered}
+    delta_s = steps.add("delta_s", wheels.STEERABLE.xreplace(ranks))
+    twist = [steps.add(f"twist{i}", sum(P[i, j] * WISH[j] for j in range(3))) for i in range(3)]
+    return twist, centre, steps.add("delta_m", 3 - of_fixed - delta_s), delta_s
+
+
+def built_wheel(steps: NamedSteps, k: int, wheel: Any, twist: Any, end: Any) -> list[Any]:
+    """Return a wheel of any kind that the robot takes along, its axle line, and its spoke."""
+    kind, place, ahead = wheel
+    along_x, along_y = twist[0] - twist[2] * place[1], twist[1] + twist[2] * place[0]
+    dragged = And(is_kind(kind, "castor"), along_x**2 + along_y**2 > 1e-8)
+    # seen from a direction that no wish has: dragged straight back, rounding must not choose a side
+    trailing = 1 + atan2(cos(1) * along_y - sin(1) * along_x, cos(1) * along_x + sin(1) * along_y)
+    own = steps.add(f"own{k}", Piecewise((trailing, dragged), (ahead, True)))
+    lean = Piecewise(
+        (1, is_kind(kind, "Mecanum 45°")), (-1, is_kind(kind, "Mecanum −45°")), (0, True)
+    )
+    rolled = (
+        along_x * cos(own) + along_y * sin(own) + lean * (along_y * cos(own) - along_x * sin(own))
+    )
+    rolled = steps.add(f"rolled{k}", rolled * t)
+    hub = (*point_of(end, *place), end[2] + own)
+    hub = tuple(steps.add(f"hub{k}_{n}", part) for n, part in enumerate(hub))
+    held = is_kind(kind, "fixed", "steered")
+    shapes = [
+        *when(kind > 0.5, Line("body", (end, hub))),
+        *when(held, Line("icr", along(hub, hub[2] + QUARTER))),
+    ]
+    for name, make in MAKERS.items():
+        shapes += when(is_kind(kind, name), make(hub, rolled))
+    return shapes
+
+
+def laboratory_controls(wheels_built: list[Any]) -> tuple[Any, ...]:
+    """Return at most six controls at a time; those of the chosen wheel, and of it what acts."""
+    numbers = (ROBOT, *(number for base in WHEELS for number in base))
+    kinds, places, axles = [], [], []
+    names = {"as drawn": (-1.0,), **{name: (float(n),) for n, name in enumerate(KIND_NAMES)}}
+    for k, (other, (dx, dy, turn)) in enumerate(zip(OTHER, SHIFTS, strict=True), 1):
+        mine = And(k - 0.5 < WHICH, k + 0.5 > WHICH)
+        acts = And(
+            mine, is_kind(wheels_built[k - 1][0], *(set(MAKERS) - {"steered", "castor", "ball"}))
+        )
+        kinds.append(Choice(f"kind{k}", f"wheel {k} is", (other,), names, shown=mine))
+        places += [Slider(each, -0.4, 0.4, start=0.0, step=0.01, shown=False) for each in (dx, dy)]
+        axles.append(Slider.degrees(turn, -90, 90, step=5, label=f"turn wheel {k}", shown=acts))
+    wishes = (
+        Slider(each, -0.3, 0.3, start=0.15 * (each == wish_v), step=0.01, shown=False)
+        for each in WISH[:2]
+    )
+    return (
+        Choice(
+            "robot",
+            "robot",
+            numbers,
+            {name: base_numbers(name) for name in BASE_ROBOTS},
+            start="car",
+        ),
+        Choice("which", "change", (WHICH,), {f"wheel {k}": (k,) for k in range(1, COUNT + 1)}),
+        *kinds,
+        *places,
+        *axles,
+        *wishes,
+        Slider(wish_omega, -1.0, 1.0, start=0.0, step=0.05, label="wished turn ω"),
+        Clock(t, 0.0, 4.0, label="time"),
+    )
+
+
+def laboratory_figure() -> Figure:
+    """Draw a robot that is built by hand, the motion that its wheels allow, and how many."""
+    steps = NamedSteps()
+    with as_written():
+        wheels_built = built(steps)
+        twist, centre, delta_m, delta_s = constraints(steps, wheels_built)
+        end = tuple(
+            steps.add(f"end_{n}", part)
+            for n, part in zip("xyt", move(QUARTER, twist, t), strict=True)
+        )
+        drawn = [
+            shape
+            for k, wheel in enumerate(wheels_built, 1)
+            for shape in built_wheel(steps, k, wheel, twist, end)
+        ]
+    now = Symbol("rank_now", real=True)
+    wish, made = (point_of(START, *pair) for pair in ((wish_v, wish_vy), twist[:2]))
+    hands = []
+    every = zip(wheels_built, WHEELS, SHIFTS, strict=True)
+    for k, ((kind, place, _), base, shifts) in enumerate(every, 1):
+        ahead, left = POINTER[1] - base[0], -POINTER[0] - base[1]
+        hub = point_of(START, *place)
+        there = (Piecewise((hub[0], kind > 0.5), (nan, True)), hub[1])
+        hands.append(Handle(f"wheel {k}", there, dict(zip(shifts, (ahead, left), strict=False))))
+    by_number = list(BASE_ROBOTS).index
+    is_robot = {
+        name: And(by_number(name) - 0.5 < ROBOT, by_number(name) + 0.5 > ROBOT)
+        for name in BASE_ROBOTS
+    }
+    corner = [(MARK[0] * a, 0.45 * b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    return Figure(
+        name="wheel-laboratory",
+        title="A robot seen from above, built of up to four wheels, and the motion that they allow",
+        view=(-0.85, 0.85, -0.52, 0.72),
+        ground="tiles",
+        size="laboratory",
+        controls=laboratory_controls(wheels_built),
+        where=steps,
+        shapes=(
+            Line("target", (*corner, corner[0])),
+            *(Curve("path", move(QUARTER, twist, s), s, 0, t),),
+            *drawn,
+            Thing(end, plate(end).parts, 0.02, size=0.6),
+            Arrow("approximation", ORIGIN, wish, "wish"),
+            Arrow("velocity", ORIGIN, made, ""),
+            Point("icr", point_of(START, *centre), "Q"),
+            *(
+                label
+                for k, (kind, place, _) in enumerate(wheels_built, 1)
+                for label in when(
+                    kind > 0.5,
+                    Label("text", point_of(START, place[0] - 0.03, place[1] + 0.08), f"{k}"),
+                )
+            ),
+        ),
+        handles=(*hands, Handle("the wish", wish, {wish_v: POINTER[1], wish_vy: -POINTER[0]})),
+        readouts=(
+            Readout("now", "ways to move, as the wheels are now", 3 - now, digits=0),
+            Readout("mobility", "degree of mobility δ_m", delta_m, digits=0),
+            Readout("steerability", "degree of steerability δ_s", delta_s, digits=0),
+            Readout("both", "degree of manoeuvrability δ_M", delta_m + delta_s, digits=0),
+            Readout("v", "speed v", twist[0], "m/s"),
+            Readout("v_y", "speed v_y", twist[1], "m/s"),
+            Readout("omega", "angular velocity ω", twist[2], "rad/s"),
+        ),
+        goal=(
+            Goal(
+                And(
+                    is_robot["nothing yet"],
+                    now > 0.5,
+                    now < 1.5,
+                    Abs(twist[1]) < 0.01,
+                    Abs(wish_vy) > 0.04,
+                    Abs(wish_omega) > 0.1,
+                    Abs(twist[2] - wish_omega) < 0.01,
+                ),
+                "From nothing: a robot that turns on the spot, never goes sideways. Wish for both.",
+            ),
+            Goal(
+                And(is_robot["differential drive"], delta_m < 1.5, delta_m > 0.5, delta_s > 0.5),
+                "From the differential drive: δ_m = 1 and δ_s = 1.",
+            ),
+            Goal(And(is_robot["car"], delta_m > 1.5, delta_m < 2.5), "From the car: δ_m = 2."),
+            Goal(
+                And(
+                    is_robot["car"],
+                    now > 2.5,
+                    Abs(wish_vy) < 0.005,
+                    Or(Abs(SHIFTS[2][2]) > 0.04, Abs(SHIFTS[3][2]) > 0.04),
+                ),
+                "Lock the car by turning one of its wheels; wish straight ahead.",
+            ),
+            Goal(
+                And(
+                    is_robot["omni robot"],
+                    distance(end, MARK) < 0.05,
+                    angle_size(end[2] - QUARTER) < 2 * DEGREE,
+                ),
+                "Drive the omni robot sideways along the square to its next corner, without a "
+                "turn: within 5 cm.",
+            ),
+        ),
+    )
 
 
 # --- Mistakes
 
 WANTED = {x_dot: -0.08, y_dot: 0.12, theta_dot: -0.6}  # in the world, m/s and rad/s
-MADE = (
-    plus_sign,
-    heading_for_beta,
-    plus_l_cos,
-    cos_alpha,
-    turned_back,
-)
+MADE = (plus_sign, heading_for_beta, plus_l_cos, cos_alpha, turned_back)
 MISTAKES = symbols(f"mistake:{len(MADE)}", real=True)  # 1 for the one that is made, else 0
 REALLY = symbols("really_v really_vy really_omega")
 
@@ -525,7 +1432,8 @@ def mistakes_figure() -> Figure:
     return Figure(
         name="wrong-rates",
         title="An omni robot, and where its program with a mistake believes it to be",
-        view=(-0.8, 0.8, -0.6, 0.65),
+        view=(-0.8, 0.8, -0.54, 0.59),
+        ground="tiles",
         controls=(
             Choice.one_hot("mistake", MISTAKES, (m.title for m in MADE)),
             Slider.degrees(theta, 0, 180, start=60, step=5, label="heading at the start"),
@@ -533,12 +1441,12 @@ def mistakes_figure() -> Figure:
         ),
         where=tuple(zip(REALLY, really, strict=True)),
         shapes=(
+            things.omni_robot((0, 0, theta), look="ghost"),
             Curve("path", move(theta, REALLY, s), s, 0, t),
             Curve("approximation", move(theta, wish, s), s, 0, t),
+            things.omni_robot(real, distance=SIZE),
+            things.omni_robot(believed, look="wrong", distance=SIZE),
             Line("error", (real, believed)),
-            Body(real[:2], real[2], 0.13),
-            *(omni_wheel(k, real, real[2]) for k in range(3)),
-            Body(believed[:2], believed[2], 0.13, kind="approximation"),
         ),
         readouts=(
             Readout("apart", "apart", distance(real, believed), "m"),
@@ -549,4 +1457,96 @@ def mistakes_figure() -> Figure:
     )
 
 
-FIGURES = (kinds_figure(), laboratory_figure(), omni_figure(), mistakes_figure())
+# --- Recap
+
+LAST = (*WHEEL_2, (x_Q, 0.05), (y_Q, 0.38))  # the plate of the first steps, and Q
+
+
+def both_lines(labels: tuple[str, str]) -> tuple[Any, ...]:
+    """Return the two lines of a wheel, and how far Q is from each."""
+    return (
+        Line("icr", along(HUB, AXIS)),
+        Line("left", along(HUB, ROLLS)),
+        *wheel_on_plate((0, 0, 0)),
+        Length(from_axle, foot(HUB, AXIS, Q), Q, labels[0]),
+        Length(from_push, foot(HUB, ROLLS, Q), Q, labels[1]),
+        Point("icr", Q, "Q"),
+    )
+
+
+def summary_figure() -> Figure:
+    """Draw a wheel with its two lines, and the distances of Q from them, at rest."""
+    return Figure(
+        name="wheel-summary",
+        title="A wheel on a plate, its axle line and its push line, and Q's distances from both",
+        view=(-0.46, 0.46, -0.17, 0.43),
+        ground="tiles",
+        where=LAST,
+        shapes=(
+            *both_lines(("a", "p")),
+            Label("icr", (0.12, -0.12), "axle line"),
+            Label("left", (0.32, 0.4), "push line"),
+        ),
+    )
+
+
+def letters_figure() -> Figure:
+    """Draw a wheel with its two lines; two letters are to be put back."""
+    options = {name: (number,) for number, name in enumerate(("?", "β", "p", "l", "a"))}
+    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
+    right = (options["a"][0], options["p"][0])
+    places = ((-0.07, 0.35), (0.11, 0.36))
+    return Figure(
+        name="wheel-letters",
+        title="A wheel on a plate, its axle line and its push line, and the numbers 1 and 2",
+        view=(-0.46, 0.46, -0.17, 0.43),
+        ground="tiles",
+        controls=tuple(
+            Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
+        ),
+        where=LAST,
+        shapes=(
+            *both_lines(("", "")),
+            *(
+                label
+                for k, (place, name, wanted) in enumerate(zip(places, names, right, strict=True), 1)
+                for letter, (number,) in options.items()
+                for label in when(
+                    Abs(name - number) < 0.5,
+                    Label(
+                        "target" if number == wanted else "error" if number else "text",
+                        place,
+                        letter if number == wanted else f"{letter}: no" if number else str(k),
+                    ),
+                )
+            ),
+        ),
+        goal=Goal(
+            And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
+            "Put the two letters back.",
+        ),
+    )
+
+
+FIGURES = (
+    trolley_figure(),
+    exercise_figure(),
+    place_figure(),
+    pin_figure(),
+    sliding_figure(),
+    rolling_figure(),
+    lines_figure(),
+    front_figure(),
+    robots_figure(),
+    kinds_figure(),
+    castor_figure(),
+    rollers_figure(),
+    triangle_figure(),
+    omni_figure(),
+    turned_figure(),
+    mecanum_figure(),
+    laboratory_figure(),
+    mistakes_figure(),
+    letters_figure(),
+    summary_figure(),
+)

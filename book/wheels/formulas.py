@@ -43,9 +43,17 @@ omni_rates = [
     for k in (1, 2, 3)
 ]
 
-contact_x = symbol("v_cx", "velocity of the contact point, ahead", "v_{cx}", "m/s")
-contact_y = symbol("v_cy", "velocity of the contact point, to the left", "v_{cy}", "m/s")
-across = symbol("v_axle", "velocity of a wheel along its axle", r"v_\mathrm{axle}", "m/s")
+omni_rate4 = quantity("omni_rate4", "rad/s", -20, 20, "rate of wheel 4", latex=r"\dot\varphi_4")
+determinant = symbol("det", "determinant of the omni robot's rolling rows", r"\det J_1", "m")
+slip = symbol("slip", "speed at which a wheel slips along its roller's axis", "s", "m/s")
+x_Q = quantity("x_Q", "m", -1, 1, "how far ahead of the robot's centre the ICR is")
+y_Q = quantity("y_Q", "m", -1, 1, "how far to the left of the robot's centre the ICR is")
+
+hub_x = symbol("v_hx", "velocity of a wheel's hub, ahead", "v_{hx}", "m/s")
+hub_y = symbol("v_hy", "velocity of a wheel's hub, to the left", "v_{hy}", "m/s")
+across = symbol("v_axle", "velocity of a wheel's hub along its axle", r"v_\mathrm{axle}", "m/s")
+from_push = symbol("p", "how far to the left of the push line the ICR is", unit="m")
+from_axle = symbol("a", "how far to the left of the axle line the ICR is", unit="m")
 beta_dot = symbol("beta_dot", "rate at which a castor swivels", r"\dot{\beta}", "rad/s")
 beta_s = symbol("beta_s", "the angles β of the steered wheels", r"\beta_s", "rad")
 delta_m = symbol("delta_m", "degree of mobility", r"\delta_m")
@@ -63,6 +71,9 @@ C_1 = symbol("C_1", "the sliding rows of fixed and steered wheels")
 C_1f = symbol("C_1f", "the sliding rows of the fixed wheels", "C_{1f}")
 C_1s = symbol("C_1s", "the sliding rows of the steered wheels", "C_{1s}")
 R = symbol("R", "the matrix that takes a velocity from the world to the robot")
+Q = symbol("Q", "the ICR, the point that the robot turns about")
+delta = symbol("delta", "angle by which a car's front wheel is turned", r"\delta", "rad")
+L = symbol("L", "wheelbase of a car", unit="m")
 x, y = (symbol(f"{axis}_axis", f"the robot's {axis} axis", axis) for axis in "xy")
 xi_dot = symbol("xi_dot", "velocity of the robot in the world", r"\dot\xi_I")
 rank_fixed = quantity(
@@ -85,6 +96,15 @@ def rolling_row(l: Any, alpha: Any, beta: Any) -> list[Any]:
     return [sin(alpha + beta), -cos(alpha + beta), -l * cos(beta)]
 
 
+LOOKS = {
+    v: "velocity", v_y: "velocity", hub_x: "velocity", hub_y: "velocity",
+    omega: "turning", rate: "left", across: "error", beta_dot: "turning",
+    from_push: "left", from_axle: "icr", x_Q: "icr", y_Q: "icr", l: "length", d: "length",
+    r: "length", alpha: "middle_heading", beta: "heading", gamma: "new_heading", theta: "heading",
+    omni_rates[0]: "left", omni_rates[1]: "right", omni_rates[2]: "turning",
+    x_dot: "x_axis", y_dot: "y_axis",
+}  # fmt: skip
+
 half, third = Rational(1, 2), Rational(1, 3)
 J1 = Matrix([[0, -1, -l], [sqrt(3) / 2, half, -l], [-sqrt(3) / 2, half, -l]])
 J1_inverse = Matrix(
@@ -99,9 +119,9 @@ with as_written():
     SUM = alpha + beta + gamma
     STEERABLE = Max(0, Min(rank_steered, 2 - rank_fixed))
 
-    contact = Equation(
-        name="wheels.contact_velocity",
-        left=Matrix([contact_x, contact_y]),
+    hub = Equation(
+        name="wheels.hub_velocity",
+        left=Matrix([hub_x, hub_y]),
         right=Matrix([v - omega * l * sin(alpha), v_y + omega * l * cos(alpha)]),
     )
 
@@ -117,6 +137,23 @@ with as_written():
         left=across,
         right=v * cos(alpha + beta) + v_y * sin(alpha + beta) + omega * l * sin(beta),
         textbook=MatMul(Matrix([sliding_row(l, alpha, beta)]), Matrix([v, v_y, omega])),
+    )
+
+    axle_distance = -x_Q * sin(alpha + beta) + y_Q * cos(alpha + beta) + l * sin(beta)
+    push_distance = x_Q * cos(SUM) + y_Q * sin(SUM) - l * cos(beta + gamma)
+
+    sliding_by_distance = Equation(
+        name="wheels.sliding_by_distance",
+        left=Matrix([from_axle, across]),
+        right=Matrix([axle_distance, omega * from_axle]),
+        where=((from_axle, axle_distance),),
+    )
+
+    rolling_by_distance = Equation(
+        name="wheels.rolling_by_distance",
+        left=Matrix([from_push, rate]),
+        right=Matrix([push_distance, omega * from_push / (r * cos(gamma))]),
+        where=((from_push, push_distance),),
     )
 
     castor = Equation(
@@ -155,6 +192,18 @@ with as_written():
         textbook=MatMul(J1, Matrix([v, v_y, omega])),
     )
 
+    omni_wheel_rates = Equation(
+        name="wheels.omni_rates",
+        left=Matrix([rate1, rate2, rate3]),
+        right=Matrix(
+            [
+                (-v_y - l * omega) / r,
+                (sqrt(3) / 2 * v + v_y / 2 - l * omega) / r,
+                (-sqrt(3) / 2 * v + v_y / 2 - l * omega) / r,
+            ]
+        ),
+    )
+
     omni_twist = Equation(
         name="wheels.omni_twist",
         left=Matrix([v, v_y, omega]),
@@ -173,6 +222,18 @@ with as_written():
             ]
         ),
         textbook=MatMul(rotation, J1_inverse, rolled_by_rates),
+    )
+
+    omni_determinant = Equation(
+        name="wheels.omni_determinant",
+        left=determinant,
+        right=-3 * sqrt(3) / 2 * l * cos(beta),
+    )
+
+    mecanum_slip = Equation(
+        name="wheels.mecanum_slip",
+        left=slip,
+        right=-r * sqrt(2) / 8 * (rate1 + rate2 - rate3 - omni_rate4),
     )
 
     mobility = Equation(

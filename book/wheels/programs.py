@@ -83,7 +83,7 @@ PLACED = (
 )
 OMNI_TEXT = (
     "You can tell the motion from the rates. Go back: which rates give a motion that is wanted in "
-    "the world? The rows of Stack the rows have all that you need. At rest, on the spot and "
+    "the world? The rolling rows of three wheels have all that you need. At rest, on the spot and "
     f"without a turn it must work, too. {PLACED}"
 )
 OMNI = '''\
@@ -198,7 +198,7 @@ def swedish_rate(twist, spoke, alpha, beta, gamma, r):
 '''
 SWEDISH_HINTS = (
     "Begin with the rolling row of an ordinary wheel. What does γ change in it?",
-    "All three entries of the row are turned by γ: put β + γ where β stands. And of the speed r "
+    "All three entries of the row are turned by γ: put β + γ in place of β. And of the speed r "
     "times rate only a part counts.",
     "Row times twist equals r cos γ times the rate. The row is sin(α + β + γ), −cos(α + β + γ), "
     "−spoke cos(β + γ).",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from robokin import motion, wheels
+from robokin import bicycle, motion, wheels
 
 QUARTER = np.pi / 2
 OMNI = wheels.omni_robot(0.2, 0.05)
@@ -26,38 +26,132 @@ def of_kind(fixed, castor, straight, slanted, ball, course):
     return [rolled, left @ [-np.sin(gamma), np.cos(gamma)]]
 
 
+def after_push(pose, push, locked):
+    """Return the trolley's pose after a push: its centre is found from axle line and hand."""
+    x, y, theta = pose
+    if not locked:
+        return np.array([x + push[0], y + push[1], theta])
+    there, ahead = complex(x, y), np.exp(1j * theta)
+    rear, hand = there - 0.42 * ahead, there - 0.54 * ahead
+    moved, aside = hand + complex(*push), 1j * ahead
+    across = (np.conj(aside) * complex(*push)).real
+    if abs(across) <= 1e-4:
+        there = there + (np.conj(ahead) * complex(*push)).real * ahead
+        return np.array([there.real, there.imag, theta])
+    # as far from the hand before as after: on the line across the middle of its way
+    middle, way = (hand + moved) / 2, moved - hand
+    far = (np.conj(way) * (middle - rear)).real / (np.conj(way) * aside).real
+    centre = rear + far * aside
+    turn = np.angle((moved - centre) / (hand - centre))
+    there = centre + (there - centre) * np.exp(1j * turn)
+    return np.array([there.real, there.imag, theta + turn])
+
+
+def trolley_readouts(*columns):
+    found = []
+    for locked, *pushes in zip(*columns, strict=True):
+        pose = after_push((0.0, 0.0, 0.0), pushes[:2], locked)
+        x, y, theta = after_push(pose, pushes[2:], locked) if locked else pose
+        found.append([np.hypot(x - 0.7, y - 0.85), theta])
+    return dict(zip(("off", "turned"), np.transpose(found), strict=True))
+
+
+def rolling_about(x, y, rate=0.5, gamma=0.0):
+    """Return the rates of wheel 2, with rollers or without, in a turn about a point."""
+    made = [wheels.swedish(0.2, 2 * np.pi / 3, 0, 0.05, gamma)]
+    return wheels.inverse(made, np.stack([rate * y, -rate * x, rate + 0 * x], axis=-1))[..., 0]
+
+
+def rollers_readouts(gamma, x, y):
+    rows = zip(gamma, x, y, strict=True)
+    return {"wheel_rate": np.array([rolling_about(p, q, 0.5, g) for g, p, q in rows])}
+
+
+def place_readouts(alpha, beta):
+    return {"rolls": alpha + beta - QUARTER}
+
+
+def lines_readouts(*columns):
+    ranks = []
+    for *numbers, turned in zip(*columns, strict=True):
+        made = []
+        for x, y, axle, there, own in np.reshape(numbers, (3, 5)):
+            spoke = np.arctan2(y, x)
+            if there:
+                turn = axle + own * turned - spoke
+                made.append(wheels.fixed(np.hypot(x, y), spoke, turn, 0.05))
+        ranks.append(np.linalg.matrix_rank(wheels.sliding(made), tol=1e-9))
+    return {"rank": np.array(ranks), "ways": 3 - np.array(ranks)}
+
+
+def front_readouts(left, right):
+    centres = [
+        bicycle.turning_radius(angle, 2.5) + side * 0.75 for side, angle in ((1, left), (-1, right))
+    ]
+    return {"gap": np.abs(centres[0] - centres[1])}
+
+
+def castor_readouts(beta):
+    """Return how fast the castor swivels: its contact point must not move along the axle."""
+    found = []
+    for angle in beta:
+        contact = -0.2 - 0.05j * np.exp(1j * (np.pi + angle)) * -1
+        spoke = np.angle(contact)
+        made = [wheels.fixed(abs(contact), spoke, np.pi + angle - spoke, 0.05)]
+        found.append((wheels.sliding(made) @ [0.2, 0.0, 0.5])[0] / 0.05)
+    return {"beta_dot": np.array(found)}
+
+
+def triangle_readouts(x, y):
+    twist = np.stack([-0.25 * y, 0.25 * x, -0.25 + 0 * x], axis=-1)
+    return dict(zip(RATES, wheels.inverse(OMNI, twist).T, strict=True))
+
+
+def mecanum_robot():
+    """Return the robot of the figure."""
+    made = []
+    for x, y, side in ((0.2, 0.15, -1), (0.2, -0.15, 1), (-0.2, 0.15, 1), (-0.2, -0.15, -1)):
+        spoke = np.arctan2(y, x)
+        place = np.hypot(x, y), spoke, QUARTER - spoke
+        made.append(wheels.swedish(*place, 0.05, side * np.pi / 4))
+    return made
+
+
+def mecanum_readouts(*columns):
+    rates = 2 + np.transpose(columns[:4]) * columns[4][:, None]
+    return {"slip": wheels.slip(mecanum_robot(), rates)[:, 0]}
+
+
 def laboratory_readouts(*columns):
     found = np.array([laboratory(row) for row in zip(*columns, strict=True)])
-    names = "rank", "now", "mobility", "steerability", "both", "v", "v_y", "omega"
+    names = "now", "mobility", "steerability", "both", "v", "v_y", "omega"
     return dict(zip(names, found.T, strict=True))
 
 
 def laboratory(row):
     """Return the readouts at one setting."""
-    numbers, wish, (ahead, left) = np.reshape(row[:24], (4, 6)), row[24:27], row[27:29]
-    which, shift = row[29:31], row[31:34]
-    robot = [
-        wheel(numbers[k], which[k] * np.array(shift) if k < 2 else np.zeros(3), ahead, left)
-        for k in range(4)
-        if numbers[k, 3]
-    ]
+    bases, kinds, shifts = np.reshape(row[1:17], (4, 4)), row[18:22], np.reshape(row[22:30], (4, 2))
+    turns, wish = row[30:34], np.array(row[34:37])
+    robot = []
+    for base, other, shift, turn in zip(bases, kinds, shifts, turns, strict=True):
+        kind = base[3] if other < 0 else other
+        if kind in (1, 2):
+            robot.append(held_wheel(base, kind == 2, shift, turn, wish))
     rows = wheels.sliding(robot)
     _, sizes, turned = np.linalg.svd(rows) if len(rows) else (0, np.zeros(0), np.eye(3))
     rank = np.count_nonzero(sizes > 1e-9 * sizes.max(initial=0))
     free = turned[rank:]
-    return [rank, 3 - rank, *wheels.mobility(robot), *(free.T @ free @ np.array(wish))]
+    return [3 - rank, *wheels.mobility(robot), *(free.T @ free @ wish)]
 
 
-def wheel(numbers, shift, ahead, left):
-    """Return a wheel of the robot, moved and turned by `shift`."""
-    x, y, rolls, _, fixed, steered = numbers
-    x, y = x + shift[0], y + shift[1]
-    axle = np.arctan2(left - y, ahead - x) if steered else rolls + QUARTER
+def held_wheel(base, is_steered, shift, turn, wish):
+    """Return a fixed wheel as it was turned, or a steered one across the wish."""
+    x, y = base[:2] + shift
+    rolls = base[2] + turn
+    if is_steered:
+        rolls = np.arctan2(wish[1] + wish[2] * x, wish[0] - wish[2] * y)
     l, alpha = np.hypot(x, y), np.arctan2(y, x)  # noqa: E741
-    place = l, alpha, axle + shift[2] - alpha, 0.07
-    if fixed:
-        return wheels.fixed(*place)
-    return wheels.steered(*place) if steered else wheels.castor(*place, -0.03)
+    return (wheels.steered if is_steered else wheels.fixed)(l, alpha, rolls + QUARTER - alpha, 0.07)
 
 
 def omni_readouts(rate1, rate2, rate3, theta, t):
@@ -65,9 +159,7 @@ def omni_readouts(rate1, rate2, rate3, theta, t):
     twist = wheels.forward(OMNI, rates)
     start = np.stack([0 * theta, 0 * theta, theta], axis=-1)
     pose = motion.move(start, twist, t)
-    world = wheels.forward(OMNI, rates, theta=pose[:, 2])
-    names = "v", "v_y", "turning", "x_dot", "y_dot", "x", "y", "heading"
-    return dict(zip(names, np.column_stack([twist, world[:, :2], pose]).T, strict=True))
+    return dict(zip(("x", "y", "heading"), pose.T, strict=True))
 
 
 def wrong_rates_readouts(*columns):
@@ -121,32 +213,41 @@ def other_turn(*columns):
     return real * believed < 0
 
 
-CAR, TWO = {"robot": "car"}, {"robot": "two steered wheels, castors"}
-DRIVE = {"robot": "differential drive, castor"}
 TURNING = "Its turning rate varies"
 RATES = ("omni_rate1", "omni_rate2", "omni_rate3")
 
 READOUTS = {
+    "trolley": trolley_readouts,
+    "wheel-place": place_readouts,
+    "rolling": lambda x, y: {"wheel_rate": rolling_about(x, y)},
+    "axle-lines": lines_readouts,
+    "front-wheels": front_readouts,
     "wheel-kinds": kinds_readouts,
-    "wheel-laboratory": laboratory_readouts,
+    "castor": castor_readouts,
+    "rollers": rollers_readouts,
+    "push-lines": triangle_readouts,
     "omni": omni_readouts,
+    "mecanum": mecanum_readouts,
+    "wheel-laboratory": laboratory_readouts,
     "wrong-rates": wrong_rates_readouts,
 }
+DEGREE = np.pi / 180
+LOCKED = {"rear": "locked"}
+BUILT = {"robot": "nothing yet", "kind1": "fixed"}
+PUSHES = ("push1_x", "push1_y", "push2_x", "push2_y")
+SWINGS = dict(zip(PUSHES, (0.46, 0.26, 0.24, 0.58), strict=True))
 SPECIALS = {
-    "wheel-kinds": [{"kind": kind, "course": QUARTER} for kind in ("fixed", "Swedish, 45°")],
+    "trolley": [LOCKED, {**LOCKED, "push1_x": 0.4}, {**LOCKED, **SWINGS}, {"push2_y": 0.3}],
+    "axle-lines": [
+        {"wheels": kind, "turned": turned}
+        for kind in ("one", "two on one line", "two in a row", "three")
+        for turned in (0.0, QUARTER)
+    ],
+    "wheel-kinds": [{"kind": kind, "course": QUARTER} for kind in ("fixed", "Mecanum, 45°")],
     "wheel-laboratory": [
-        {**CAR, "centre_y": 0.0},
-        {**CAR, "centre_x": 0.15},
-        {**CAR, "shift_angle": np.pi / 36},
-        {**CAR, "which": "wheel 2", "shift_x": 0.05},
-        {**CAR, "which": "wheel 2", "shift_angle": -np.pi / 4},
-        {**TWO, "centre_x": 0.4, "centre_y": -0.45},
-        {**TWO, "centre_y": 0.0},
-        {**DRIVE, "shift_x": 0.1},
-        {**DRIVE, "shift_y": 0.2},
-        {**DRIVE, "shift_angle": np.pi / 6},
-        {"robot": "bicycle", "wish": "all three at once", "centre_y": -0.5},
-        {"robot": "three Swedish wheels", "wish": "all three at once", "t": 6.0},
+        {"robot": robot, "wish_vy": left, "wish_omega": turn}
+        for robot in ("car", "bicycle", "two steered wheels", "omni robot", "nothing yet")
+        for left, turn in ((0.0, 0.0), (0.0, 0.5), (0.1, 0.5))
     ],
     "omni": [
         dict(zip(RATES, rates, strict=True))
@@ -227,9 +328,136 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "slip has the other sign": [-0.1, -0.14, 1.2, 0.02],
         },
     ),
+    "wheels-8": (
+        {"l": 20, "alpha": 60, "beta": 30, "behind": 4, "v": 0.4, "v_y": -0.2, "omega": 0.5},
+        {"d is missing": [-3.75], "d positive": [3.25], "l sin β is missing": [-5.5]},
+    ),
+    "wheels-9": (
+        {"l": 20, "alpha": 60, "beta": 15, "p_x": 0.75, "p_y": -0.5},
+        {
+            "from the axle": [1.0297],
+            "x axis": [-0.8029],
+            "other sign": [0.5411],
+        },
+    ),
+    "wheels-10": (
+        {"L": 2.5, "b": 1.5, "left": 30},
+        {"parallel front wheels": [0.5236], "turned more": [0.7235], "bicycle": [0.4573]},
+    ),
+    "wheels-11": (
+        {"drawn": "fixed wheels at A and B, and a steered wheel at C", "x": 40, "y": 20},
+        {
+            "every fixed wheel": [1, 0, 1],
+            "forbid nothing": [2, 1, 3],
+            "without the steering": [1, 1, 1],
+        },
+    ),
+}
+GOALS = {
+    "trolley": [
+        (
+            [{"push1_x": 0.7, "push1_y": 0.84}, {"push1_x": 0.7, "push1_y": 0.76}],
+            [{"push1_x": 0.7, "push1_y": 0.74}, {**LOCKED, **SWINGS, "push2_y": 0.62}],
+        ),
+        ([{**LOCKED, **SWINGS}], [SWINGS, {**LOCKED, **SWINGS, "push2_y": 0.62}]),
+    ],
+    "wheel-place": [
+        (
+            [{"wheel_alpha": QUARTER, "wheel_beta": 1.9 * DEGREE}],
+            [
+                {"wheel_alpha": QUARTER, "wheel_beta": 2.1 * DEGREE},
+                {"wheel_alpha": 40 * DEGREE, "wheel_beta": 50 * DEGREE},
+            ],
+        )
+    ],
+    "sliding": [
+        (
+            [{"x_Q": -0.2, "y_Q": 0.36}],
+            [{"x_Q": -0.2, "y_Q": 0.37}, {"x_Q": -0.12, "y_Q": 0.21}],
+        ),
+        ([{"x_Q": 0.1, "y_Q": -0.17}], [{"x_Q": 0.1, "y_Q": -0.19}, {"x_Q": -0.2, "y_Q": 0.36}]),
+    ],
+    "rolling": [  # 2 rad/s are 0.2 m from the line, 0.06 rad/s 6 mm
+        ([{"x_Q": -0.1, "y_Q": 0.173}], [{"x_Q": -0.1, "y_Q": 0.181}]),
+        ([{"x_Q": 0.01, "y_Q": 0.0}], [{"x_Q": 0.02, "y_Q": 0.0}]),
+    ],
+    "axle-lines": [
+        ([{"turned": 0.0}], [{"turned": DEGREE}, {"wheels": "one", "turned": 0.0}]),
+        (
+            [{"wheels": "two on one line", "turned": 0.0}],
+            [{"wheels": "two on one line", "turned": DEGREE}, {"wheels": "one", "turned": 0.0}],
+        ),
+    ],
+    "front-wheels": [([{"steer_R": 16.5 * DEGREE}], [{"steer_R": 17 * DEGREE}])],
+    "castor": [  # 0.1 sin β − 0.2 cos β is 0.025 at −123.0° and, with the wheel ahead, at 69.8°
+        (
+            [{"wheel_beta": -122 * DEGREE}, {"wheel_beta": -124 * DEGREE}],
+            [{"wheel_beta": -121 * DEGREE}, {"wheel_beta": 70 * DEGREE}],
+        )
+    ],
+    "rollers": [
+        (
+            [{"rollers": "45°", "x_Q": -0.04}, {"rollers": "−45°", "x_Q": 0.2, "y_Q": 0.09}],
+            [{"rollers": "45°", "x_Q": -0.045}, {"rollers": "0°", "x_Q": 0.1, "y_Q": 0.288}],
+        )
+    ],
+    "push-lines": [
+        ([{"x_Q": 0.01, "y_Q": 0.0}], [{"x_Q": 0.02, "y_Q": 0.0}]),
+        (
+            [{"x_Q": 0.21, "y_Q": 0.2}],
+            [{"x_Q": 0.22, "y_Q": 0.2}, {"x_Q": 0.2, "y_Q": 0.1}],
+        ),
+        ([{"x_Q": 0.61, "y_Q": -0.35}], [{"x_Q": 0.63, "y_Q": -0.35}]),
+    ],
+    "omni": [
+        (
+            [dict(zip(RATES, (0.1, 3.0, -3.0), strict=True))],
+            [dict(zip(RATES, (0.3, 3.0, -3.0), strict=True))],
+        ),
+        (
+            [dict(zip(RATES, (0.0, 2.0, -2.0), strict=True)) | {"theta": 55 * DEGREE, "t": 9.0}],
+            [dict(zip(RATES, (0.0, 2.0, -2.0), strict=True)) | {"theta": 55 * DEGREE, "t": 8.0}],
+        ),
+    ],
+    "turned-wheels": [([{"wheel_beta": 89.6 * DEGREE}], [{"wheel_beta": 89 * DEGREE}])],
+    "wheel-laboratory": [
+        (
+            [{**BUILT, "wish_vy": 0.1, "wish_omega": 0.3}],
+            [{**BUILT, "wish_omega": 0.3}, {"robot": "nothing yet", "wish_vy": 0.1}],
+        ),
+        (
+            [{"robot": "differential drive", "kind3": "steered"}],
+            [{"robot": "differential drive"}, {"robot": "bicycle"}],
+        ),
+        ([{"kind1": "castor", "kind2": "castor"}], [{"kind1": "castor"}]),
+        ([{"shift_axle3": 5 * DEGREE}], [{"wish_vy": 0.1}]),
+        (
+            [{"robot": "omni robot", "wish_v": 0.0, "wish_vy": 0.15, "t": 3.2}],
+            [
+                {"robot": "omni robot", "wish_v": 0.0, "wish_vy": 0.15, "t": 3.5},
+                {
+                    "robot": "omni robot",
+                    "wish_v": 0.0,
+                    "wish_vy": 0.15,
+                    "wish_omega": 0.05,
+                    "t": 3.0,
+                },
+            ],
+        ),
+    ],
+    "wheel-letters": [
+        ([{"name_1": "a", "name_2": "p"}], [{"name_1": "p", "name_2": "a"}]),
+    ],
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "part-along": ("0.1 m/s", "0.173 m/s", "0.4 m/s"),
+    "how-far-the-icr": ("1.73 m", "0.577 m", "2 m"),
+    "no-skid": ("pin: x −0.173 m", "0.12 m", "−0.1 m"),
+    "same-line": "it stays",
+    "three-lines": "none",
+    "both-by-20": "none",
+    "no-roll": "135°",
     "equal-rates": "it turns on the spot",
     "turned-wheels": "90° and −90°",
-    "both-by-20": "none",
+    "one-faster": "all four",
 }

@@ -10,7 +10,7 @@ from figure_numbers import expected, point
 from figure_page import MADE, SHOW
 
 from courseware.course import course
-from courseware.figures import Clock, Figure, QuarterTurns
+from courseware.figures import Choice, Clock, Figure, QuarterTurns
 from courseware.figures.figure import MIME
 from courseware.units import figure_unit
 
@@ -229,7 +229,7 @@ def test_the_first_screen_holds_the_puzzle_and_its_keys(chapter, chromium, serve
         )
         for width, height in ((1280, 800), (390, 844)):
             page.set_viewport_size({"width": width, "height": height})
-            boxes = [key.bounding_box() for key in keys.all()]
+            boxes = [key.bounding_box() for key in keys.all() if key.is_visible()]
             assert max(box["y"] + box["height"] for box in boxes) <= height
 
 
@@ -237,17 +237,18 @@ def test_the_first_screen_holds_the_puzzle_and_its_keys(chapter, chromium, serve
 @pytest.mark.parametrize("chapter", IN_STEPS)
 def test_the_opening_is_won_by_at_most_six_acts_of_the_hand_and_by_keys(chapter, alone):
     figure = figures_of(chapter)[0]
-    wished, _ = GOALS[figure.name][0]
     for by_keys in (False, True):
         with alone(figure) as live:
-            acts = win(live, wished[0], by_keys)
+            acts = 0
+            for k, (wished, _) in enumerate(GOALS[figure.name]):
+                acts += 0 if reached(live)[k] else win(live, wished[0], by_keys)
             assert all(reached(live))
             assert by_keys or acts <= 6
 
 
 def win(live, wished, by_keys):
     """Bring controls to a setting on their steps → how many acts of the hand it took."""
-    acts = 0
+    acts, sliders = 0, {}
     for control in live.figure.controls:
         if control.key not in wished:
             continue
@@ -258,14 +259,26 @@ def win(live, wished, by_keys):
                 live.page.wait_for_function(MADE, arg=live.figure.name)
                 acts += 1
             continue
-        steps = round((wished[control.key] - control.start) / control.step)
-        if by_keys:
-            live.press(control, *["ArrowRight" if steps > 0 else "ArrowLeft"] * abs(steps))
+        if isinstance(control, Choice):
+            live.choose(control, wished[control.key])
+            acts += 1
             continue
-        sets = [list(handle.sets) for handle in live.figure.handles]
+        place = live.figure.controls.index(control)
+        now = figure_unit(control.symbol.unit).factor * live.state()[place]
+        steps = round((wished[control.key] - now) / control.step)
+        if by_keys or not any(control.symbol in handle.sets for handle in live.figure.handles):
+            live.press(control, *["ArrowRight" if steps > 0 else "ArrowLeft"] * abs(steps))
+            acts += 1
+            continue
+        sliders[control.symbol] = (
+            place,
+            figure_unit(control.symbol.unit).from_si(steps * control.step),
+        )
+    for k, handle in enumerate(live.figure.handles):
         there = live.state()
-        moved = figure_unit(control.symbol.unit).from_si(steps * control.step)
-        there[live.figure.controls.index(control)] += moved
-        drag(live, next(k for k, each in enumerate(sets) if control.symbol in each), there)
-        acts += 1
+        for place, way in (sliders.pop(symbol) for symbol in [*handle.sets] if symbol in sliders):
+            there[place] += way
+        if there != live.state():
+            drag(live, k, there)
+            acts += 1
     return acts

@@ -21,7 +21,7 @@ const NO_FILE = "If no file comes, the frame that shows this page forbids it: op
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 
 export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Name</label>`
-  + `<input id="rk-student" type="text" maxlength="200" autocomplete="off" spellcheck="false">`
+  + `<input id="rk-student" type="text" placeholder="it picks your numbers" maxlength="200" autocomplete="off" spellcheck="false">`
   + `<details class="rk-menu"><summary>Answers</summary><div class="rk-row">`
   + `<button type="button" class="rk-export">Save my answers (CSV)</button>`
   + `<label class="rk-import">Load answers that I saved <input type="file" accept=".csv,.tsv,.txt"></label>`

@@ -11,22 +11,36 @@ from book.planar_arm.formulas import (
     RATES,
     TWIST,
     damping,
+    drift,
+    error,
+    g,
     gain,
+    h,
     l1,
     l2,
     l3,
     omega_d,
     phi_d,
+    phi_dot,
     phi_hand,
+    rate,
+    rate1,
+    rate2,
+    rate3,
+    sigma,
     theta1,
     theta2,
     theta3,
+    time_step,
+    v,
     v_out,
     vx_d,
     vy_d,
     x,
+    x_c,
     x_d,
     y,
+    y_c,
     y_d,
 )
 from courseware.equations import Array, Check
@@ -74,6 +88,40 @@ def normal_equations(theta: Array, twist: Array, lengths: Array, damping: Array)
     return np.asarray(normal[..., 0])
 
 
+def turn_by_one_joint(lever: Array, rate: Array) -> Array:
+    """The velocity of an arm of one link, whose lever is the link."""
+    angle, length = np.arctan2(lever[..., 1], lever[..., 0]), np.linalg.norm(lever, axis=-1)
+    return planar_arm.velocity(angle[..., None], rate[..., None], length[..., None])
+
+
+def centre_of_hand(theta: Array, rates: Array, lengths: Array) -> Array:
+    """The point that has no velocity, from the hand's velocity."""
+    x, y, _ = np.moveaxis(planar_arm.forward(theta, lengths), -1, 0)
+    x_dot, y_dot, phi_dot = np.moveaxis(planar_arm.velocity(theta, rates, lengths), -1, 0)
+    return np.stack([x - y_dot / phi_dot, y + x_dot / phi_dot], axis=-1)
+
+
+def rates_about(theta: Array, centre: Array, phi_dot: Array, lengths: Array) -> Array:
+    """The joint rates that turn the hand about a point."""
+    lever = planar_arm.forward(theta, lengths)[..., :2] - centre
+    twist = phi_dot[..., None] * np.stack([-lever[..., 1], lever[..., 0], 0 * phi_dot + 1], axis=-1)
+    return planar_arm.joint_rates(theta, twist, lengths)
+
+
+def least_sum(sigma: Array, v: Array, damping: Array) -> Array:
+    """The rate whose sum of squares is least, by NumPy's least squares."""
+    rows = np.stack([np.broadcast_to(sigma, v.shape), damping + 0 * v], axis=-1)
+    found = [
+        np.linalg.lstsq(row[:, None], [speed, 0.0])[0] for row, speed in zip(rows, v, strict=True)
+    ]
+    return np.asarray(found)[..., 0]
+
+
+def error_after(error: Array, gain: Array, time_step: Array, drift: Array) -> Array:
+    """The error after a step that takes back its rate times the time, by NumPy."""
+    return error - gain * error * time_step + drift
+
+
 def command_of(wanted: Array, gain: Array, place: Array, pose: Array) -> Array:
     """The wanted twist, and what is missing of the pose times the gain, by NumPy."""
     return wanted + gain[..., None] * (place - pose)
@@ -114,6 +162,32 @@ CHECKS = (
         tolerance=5e-15,
         reason="as forward",
         specials=(ROUND, *SINGULAR),
+    ),
+    Check(
+        formulas.lever,
+        function=turn_by_one_joint,
+        arguments=((g, h), rate),
+        tolerance=1e-14,
+        reason="roundings of 3 m x 3 rad/s, through an angle and a length",
+        specials=({g: 0.0}, {h: 0.0}),
+    ),
+    Check(
+        formulas.hand_centre,
+        function=centre_of_hand,
+        arguments=(ANGLES, RATES, LENGTHS),
+        ranges={rate1: (0.5, 3), rate2: (0.5, 3), rate3: (-0.4, 3)},
+        tolerance=1e-13,
+        reason="roundings of 27 m/s over 0.6 rad/s or more",
+        specials=(ROUND, *SINGULAR),
+    ),
+    Check(
+        formulas.areas,
+        function=rates_about,
+        arguments=(ANGLES, (x_c, y_c), phi_dot, LENGTHS),
+        ranges=REGULAR,
+        tolerance=1e-11,
+        reason="roundings of 15 m/s over 0.01 m2 x 0.2, the least area",
+        specials=(ROUND, {theta2: -np.pi / 2}, {x_c: 0.0, y_c: 0.0}),
     ),
     Check(
         formulas.det,
@@ -172,6 +246,22 @@ CHECKS = (
         tolerance=1e-13,
         reason="3 m x 1 m/s a term; the damped rates, up to 30 rad/s, come back times up to 9 m2",
         specials=(ROUND, *SINGULAR, {damping: 1e-3}),
+    ),
+    Check(
+        formulas.damped_single,
+        function=least_sum,
+        arguments=(sigma, v, damping),
+        tolerance=1e-13,
+        reason="rates of up to 10 rad/s, from an orthogonal decomposition",
+        specials=({sigma: 0.0}, {sigma: 0.05, damping: 0.05}),
+    ),
+    Check(
+        formulas.follower_error,
+        function=error_after,
+        arguments=(error, gain, time_step, drift),
+        tolerance=3e-15,
+        reason="four roundings of numbers up to 6 m",
+        specials=({gain: 0.0},),
     ),
     Check(
         formulas.command,

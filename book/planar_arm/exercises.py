@@ -598,3 +598,168 @@ planar_arm_7 = Exercise(
         ),
     ),
 )
+
+
+def centre(q1, q2, q3, weights=None, first=0, total=None, **numbers):
+    """Return the hand's centre of rotation; the options are slips."""
+    places = planar_arm.joint_positions(**arm(**numbers))[first : first + 3]
+    rates = np.array([q1, q2, q3]) if weights is None else weights([q1, q2, q3])
+    return rates @ places / (rates.sum() if total is None else total)
+
+
+def singular_values(made, **numbers):
+    """Return the half axes of the ellipse: the singular values of the position rows."""
+    return np.linalg.svd(jacobian(made, **numbers)[:2], compute_uv=False)
+
+
+def idle_rates(made, q1, **numbers):
+    """Return the rates of joints 2 and 3 that keep P where it is while joint 1 turns."""
+    J = jacobian(made, **numbers)[:2]
+    return np.linalg.solve(J[:, 1:], -q1 * J[:, 0])
+
+
+def damped_rate(sigma, lam, v, power=2):
+    """Return the damped rate of a single direction."""
+    return sigma * v / (sigma**2 + lam**power)
+
+
+Q_BY = {rate1: "q1", rate2: "q2", rate3: "q3"}
+LAMBDA = {formulas.sigma: "sigma", formulas.damping: "lam", formulas.v: "v"}
+
+planar_arm_8 = Exercise(
+    "planar-arm-8",
+    title="Where does the hand turn?",
+    text=ARM + "The joints turn at θ̇_1 = {q1}, θ̇_2 = {q2} and θ̇_3 = {q3}. About which point does "
+    "the hand turn at this moment?",
+    given=POSE | {"q1": SLOW, "q2": SLOW, "q3": SLOW},
+    unknowns=(Unknown("x_c", "m"), Unknown("y_c", "m")),
+    right=centre,
+    wrong={},
+    likely_slips={
+        "with the sizes of the rates, without their signs": partial(centre, weights=np.abs),
+        "when each weight is at the far end of its link, not at its joint": partial(
+            centre, first=1
+        ),
+        "when the weighted places are added up and not divided by the sum of the rates": partial(
+            centre, total=1
+        ),
+    },
+    when=lambda q1, q2, q3, **_: abs(q1 + q2 + q3) > 0.25,
+    solution=Solution(
+        "Lay each rate as a weight on its joint. The first joint is the origin. The two others "
+        "are:\n\n{joints}\n\nThe sum of the weights is how fast the hand turns:\n\n{turn}\n\n"
+        "The balance point is the mean of the three places, weighted by the rates:\n\n{centre}",
+        answer=("centre",),
+        joints=Step(column(formulas.JOINTS), WRITTEN_OUT),
+        turn=Step(LocalEquation(phi_dot, formulas.rate123, "rad/s"), Q_BY),
+        centre=Step(formulas.hand_centre, Q_BY),
+    ),
+)
+
+planar_arm_9 = Exercise(
+    "planar-arm-9",
+    title="A damped rate",
+    text="Near a singular pose an arm makes a joint rate u in one direction into a velocity σu, "
+    "with σ = {sigma}. The velocity v = {v} is wanted. Damped least squares with λ = {lam} (in m, "
+    "as σ) makes (σu − v)² + λ²u² least. Which rate u does it choose?",
+    given={
+        "sigma": one_of(*(n / 100 for n in range(1, 21)), unit="m"),
+        "lam": one_of(0.04, 0.05, 0.06, 0.08, 0.1, 0.12, unit="m"),
+        "v": SPEED,
+    },
+    unknowns=(Unknown("u", "rad/s"),),
+    right=damped_rate,
+    wrong={},
+    likely_slips={
+        "without damping": lambda sigma, lam, v: v / sigma,
+        "with λ where λ² belongs": partial(damped_rate, power=1),
+        "with σ + λ below the line": lambda sigma, lam, v: v / (sigma + lam),
+        "with the largest rate that any σ needs": lambda sigma, lam, v: v / (2 * lam),
+    },
+    when=lambda sigma, lam, v: abs(sigma - lam) > 0.005,
+    solution=Solution(
+        "Where the sum is least, its derivative by u, 2σ(σu − v) + 2λ²u, is zero:\n\n{u}",
+        u=Step(formulas.damped_single, LAMBDA, unit="rad/s"),
+    ),
+)
+
+planar_arm_10 = Exercise(
+    "planar-arm-10",
+    title="Fastest and slowest",
+    text=ARM + "Take all joint rates whose squares add up to 1 (rad/s)². How fast is the hand's "
+    "point at most in its best direction (σ_1), and how fast at most in its worst (σ_2)?",
+    given=POSE,
+    unknowns=(Unknown("σ_1", "m/s"), Unknown("σ_2", "m/s")),
+    right=partial(singular_values, None),
+    wrong=made_in(singular_values, separate_rates, l_2_for_l_3, plus_sine),
+    likely_slips={
+        "when the root of the eigenvalues is forgotten": lambda **numbers: (
+            singular_values(None, **numbers) ** 2
+        ),
+        "with the lengths of the rows of J": lambda **numbers: np.sort(
+            np.linalg.norm(jacobian(None, **numbers)[:2], axis=1)
+        )[::-1],
+    },
+    solution=Solution(
+        SHORT_TEXT
+        + COLUMNS
+        + "Only the first two rows count. The squares of the half axes are the eigenvalues of "
+        "J Jᵀ, whose entries are:\n\n{gram}\n\nThe larger half axis:\n\n{large}\n\nThe product of "
+        "both is the manipulability:\n\n{w}\n\nSo the smaller one is:\n\n{small}",
+        answer=(("large", "small"),),
+        short=SHORT,
+        J=JACOBIAN,
+        gram=Step(column(formulas.GRAM)),
+        large=Step(formulas.ellipse, part=(0,)),
+        w=Step(
+            formulas.manipulability,
+            WRITTEN_OUT,
+            unit="m²",
+            expected=lambda **pose: planar_arm.manipulability(**arm(**pose)),
+        ),
+        small=Step(formulas.ellipse, part=(1,)),
+    ),
+)
+
+planar_arm_11 = Exercise(
+    "planar-arm-11",
+    title="Move, but stay",
+    text=ARM + "The hand's point must stay where it is; the hand may turn. Joint 1 turns at "
+    "θ̇_1 = {q1}. How fast must joints 2 and 3 turn?",
+    given=POSE | {"q1": SLOW},
+    unknowns=RATES[1:],
+    right=partial(idle_rates, None),
+    wrong=made_in(idle_rates, separate_rates, l_2_for_l_3, plus_sine),
+    likely_slips={
+        "with the sign of joint 1 turned round": lambda q1, **numbers: (
+            -idle_rates(None, q1, **numbers)
+        ),
+    },
+    when=lambda theta3, **_: abs(np.sin(theta3)) > 0.3,
+    solution=Solution(
+        "Two rows and three rates leave one combination that moves nothing: the null space of the "
+        "two rows. Look along link 3: joint 3 moves the point only across it. So there the two "
+        "others must undo each other:\n\n{second}\n\nLook along the lever of joint 2, from the "
+        "elbow to the point: there joints 1 and 3 must undo each other:\n\n{third}",
+        answer=(("second", "third"),),
+        second=Step(
+            LocalEquation(
+                rate2,
+                -rate1
+                * (formulas.l1 * formulas.s23 + formulas.l2 * formulas.s3)
+                / (formulas.l2 * formulas.s3),
+            ),
+            WRITTEN_OUT | {rate1: "q1"},
+        ),
+        third=Step(
+            LocalEquation(
+                rate3,
+                rate1
+                * formulas.l1
+                * (formulas.l2 * formulas.s2 + formulas.l3 * formulas.s23)
+                / (formulas.l2 * formulas.l3 * formulas.s3),
+            ),
+            WRITTEN_OUT | {rate1: "q1"},
+        ),
+    ),
+)

@@ -19,10 +19,20 @@ rate3 = quantity("rate3", "rad/s", -3, 3, "rate of joint 3", latex=r"\dot\theta_
 x = quantity("x", "m", -2, 2, "place of the hand's point")
 y = quantity("y", "m", -2, 2, "place of the hand's point")
 x_dot = quantity(
-    "x_dot", "m/s", -1, 1, "speed along the world's x (damped: wanted)", latex=r"\dot{x}"
+    "x_dot",
+    "m/s",
+    -1,
+    1,
+    "speed along the world's x; damped, the wanted one",
+    latex=r"\dot{x}",
 )
 y_dot = quantity(
-    "y_dot", "m/s", -1, 1, "speed along the world's y (damped: wanted)", latex=r"\dot{y}"
+    "y_dot",
+    "m/s",
+    -1,
+    1,
+    "speed along the world's y; damped, the wanted one",
+    latex=r"\dot{y}",
 )
 phi_hand = quantity("phi_hand", "rad", -3.14, 3.14, "where the hand points", latex=r"\varphi")
 phi_dot = quantity("phi_dot", "rad/s", -3, 3, "turning rate of the hand", latex=r"\dot\varphi")
@@ -37,7 +47,7 @@ v_out = quantity(
 damping = quantity(
     "damping", "", 0.05, 1, "damping of the least squares; one number for m and rad", r"\lambda"
 )
-gain = quantity("gain", "1/s", 0, 4, "how much of an error is taken back in a second", latex="K")
+gain = quantity("gain", "1/s", 0, 6, "how much of an error is taken back in a second", latex="K")
 x_d = quantity("x_d", "m", -1, 1, "wanted position of the hand", r"x_\mathrm{des}")
 y_d = quantity("y_d", "m", -1, 1, "wanted position of the hand", r"y_\mathrm{des}")
 phi_d = quantity(
@@ -63,22 +73,90 @@ G_xx, G_yy, G_xy = Symbol("G_xx"), Symbol("G_yy"), Symbol("G_xy")
 x_w, y_w = (symbol(f"{x}_w", f"the wrist, along {x}", rf"{x}_\mathrm{{wr}}", "m") for x in "xy")
 d = symbol("d", "distance of the wrist from the base", unit="m")
 ROUNDING = 1e-14  # a sine so small is rounding: that of π in floating point is 1.2e-16
-w = symbol("w", "manipulability")
-large, small, tilt = Symbol(r"\sigma_1"), Symbol(r"\sigma_2"), Symbol(r"\alpha")
+w = symbol("w", "manipulability", unit="m²")
+large = symbol("sigma_1", "half-axis of the ellipse, the larger one", r"\sigma_1", "m/s")
+small = symbol("sigma_2", "half-axis of the ellipse, the smaller one", r"\sigma_2", "m/s")
+tilt = Symbol(r"\alpha")
 whole_J = symbol("J", "the Jacobian")
-det_J = symbol("det_J", "determinant of the Jacobian", r"\det J")
+det_J = symbol("det_J", "determinant of the Jacobian", r"\det J", "m²")
 identity = symbol("I", "the identity matrix")
 theta_dot = symbol("theta_dot", "the joint rates, a column", r"\dot\theta", code="rates")
 p_dot = symbol(
     "p_dot", "the wanted velocity of the hand and its turning rate", r"\dot{p}", code="wanted"
 )
 u = symbol("u", "joint rate along a single direction", unit="rad/s")
-sigma = symbol("sigma", "by what the arm multiplies a rate in a single direction", r"\sigma")
-v = symbol("v", "velocity that is wanted in a single direction", unit="m/s")
-arrow = [
-    symbol(part, f"{which} part of an arrow")
+sigma = quantity(
+    "sigma", "m", 0, 1, "by what the arm multiplies a rate in a single direction", r"\sigma"
+)
+v = quantity("v", "m/s", -1, 1, "velocity that is wanted in a single direction")
+g, h = (
+    quantity(part, "m", -2, 2, f"{which} part of a lever, from the joint to the hand")
     for part, which in {"g": "first", "h": "second"}.items()
-]
+)
+rate = quantity("rate", "rad/s", -3, 3, "rate of the one joint that turns", r"\dot\theta_i")
+x_c, y_c = (
+    quantity(f"{axis}_c", "m", -2, 2, f"centre of the hand's rotation, along {axis}")
+    for axis in "xy"
+)
+(x_2, y_2), (x_3, y_3) = (
+    [symbol(f"{axis}_{k}", f"joint {k}, along {axis}", unit="m") for axis in "xy"] for k in (2, 3)
+)
+p_1, p_2, p_3, p_i = (
+    symbol(f"p_{k}", f"place of joint {k}, an arrow from the base", unit="m") for k in "123i"
+)
+c, i = symbol("c", "a point of the hand's sheet, an arrow", unit="m"), symbol("i", "a number")
+U, S, V = (
+    symbol(name, f"of the singular value decomposition: {what}", latex)
+    for name, what, latex in (
+        ("U", "directions in task space", ""),
+        ("Sigma", "the singular values", r"\Sigma"),
+        ("V", "directions in joint space", ""),
+    )
+)
+u_i, v_i, sigma_i = (
+    symbol("u_i", "column of U"),
+    symbol("v_i", "column of V"),
+    symbol("sigma_i", "singular value", r"\sigma_i"),
+)
+A, *PARTS = (
+    symbol(name, f"twice the area of the triangle {what}, signed", unit="m²")
+    for name, what in {
+        "A": "of the three joints",
+        "A_1": "that has the centre in place of joint 1",
+        "A_2": "that has the centre in place of joint 2",
+        "A_3": "that has the centre in place of joint 3",
+    }.items()
+)
+time_step = quantity("dt", "s", 0.01, 1, "time of a step", r"\Delta t")
+error = quantity("error", "m", -1, 1, "what is missing of the hand's place", "e")
+drift = quantity("drift", "m", -0.1, 0.1, "what one step adds to the error", r"\delta")
+error_next = symbol("error_next", "the error after the step", "e'", "m")
+
+
+LOOKS = {
+    theta1: "left",
+    theta2: "right",
+    theta3: "turning",
+    rate1: "left",
+    rate2: "right",
+    rate3: "turning",
+    x_dot: "x_axis",
+    y_dot: "y_axis",
+    phi_dot: "icr",
+    phi_hand: "heading",
+    x_c: "icr",
+    y_c: "icr",
+    l1: "length",
+    l2: "length",
+    l3: "length",
+    large: "velocity",
+    small: "velocity",
+    sigma: "velocity",
+    v: "velocity",
+    damping: "approximation",
+    g: "approximation",
+    h: "approximation",
+}
 
 
 with as_written():
@@ -128,6 +206,40 @@ with as_written():
             ]
         ),
         where=SHORT,
+    )
+
+    lever = Equation(
+        name="planar_arm.lever",
+        left=Matrix(TWIST),
+        right=Matrix([-(h * rate), g * rate, rate]),
+    )
+
+    JOINTS = (
+        (x_2, l1 * c1),
+        (y_2, l1 * s1),
+        (x_3, l1 * c1 + l2 * c12),
+        (y_3, l1 * s1 + l2 * s12),
+    )
+    hand_centre = Equation(
+        name="planar_arm.hand_centre",
+        left=Matrix([x_c, y_c]),
+        right=Matrix(
+            [(rate2 * x_2 + rate3 * x_3) / phi_dot, (rate2 * y_2 + rate3 * y_3) / phi_dot]
+        ),
+        where=(*SHORT, *JOINTS, (phi_dot, rate123)),
+    )
+
+    AREAS = (
+        (A, x_2 * y_3 - x_3 * y_2),
+        (PARTS[0], (x_2 - x_c) * (y_3 - y_c) - (x_3 - x_c) * (y_2 - y_c)),
+        (PARTS[1], x_c * y_3 - x_3 * y_c),
+        (PARTS[2], x_2 * y_c - x_c * y_2),
+    )
+    areas = Equation(
+        name="planar_arm.areas",
+        left=Matrix(RATES),
+        right=Matrix([phi_dot * part / A for part in PARTS]),
+        where=(*SHORT, *JOINTS, *AREAS),
     )
 
     det = Equation(
@@ -201,6 +313,18 @@ with as_written():
         right=Matrix([x_dot * J[0, j] + y_dot * J[1, j] + phi_dot * J[2, j] for j in range(3)]),
         where=(*SHORT, *zip(J, jacobian.right, strict=True)),
     )
+    damped_single = Equation(
+        name="planar_arm.damped_single",
+        left=u,
+        right=sigma * v / (sigma**2 + damping**2),
+    )
+
+    follower_error = Equation(
+        name="planar_arm.follower_error",
+        left=error_next,
+        right=(1 - gain * time_step) * error + drift,
+    )
+
     command = Equation(
         name="planar_arm.command",
         left=Matrix(TWIST),

@@ -1,19 +1,53 @@
 """Predictions that the chapter on the planar arm asks for."""
 
 import numpy as np
+from sympy import Float
 
-from courseware.predictions import Buttons, Prediction
-from robokin import planar_arm
+from book.planar_arm import formulas
+from book.planar_arm.figures import guess_x, guess_y, shown, turned
+from book.planar_arm.formulas import damping, sigma, v
+from courseware.predictions import Buttons, Ghost, Number, Prediction, nearest_option
+from robokin import differential_drive, planar_arm
 
 LENGTHS = (0.4, 0.3, 0.2)  # m, of the exercise
 THETA = np.radians([30, 60, -90])
+RATES = (0.2, -0.5, 0.4)  # rad/s, of the exercise
 LEFT = np.array([-0.65, 0, 0])  # m, m, rad: the way along the straight line
 DURATION = 4.0  # s
 
 
-def distance() -> float:
-    """Return the hand's distance from joint 1, m: its speed in m/s if this turns at 1 rad/s."""
-    return float(np.hypot(*planar_arm.forward(THETA, LENGTHS)[:2]))
+def far_apart():
+    """Say where the ICR is when both wheels are equally fast."""
+    twist = differential_drive.body_twist(3.0, 3.0, 0.03, 0.1)
+    radius = differential_drive.turning_radius(0.1, 0.1, 0.1)
+    return "at infinity" if twist[2] == 0 and np.isinf(radius) else "at P"
+
+
+def hand_after(joint, degrees):
+    """Return where P is when one joint has turned by so much."""
+    turns = np.radians([degrees * (k == joint) for k in (1, 2, 3)])
+    return tuple(Float(float(each)) for each in planar_arm.forward(THETA + turns, LENGTHS)[:2])
+
+
+def joint_place(number):
+    """Return where a joint is."""
+    return tuple(
+        Float(float(each)) for each in planar_arm.joint_positions(THETA, LENGTHS)[number - 1]
+    )
+
+
+def at_rest():
+    """Return the point of the hand's plane that rests when all joints turn alike."""
+    places = planar_arm.joint_positions(THETA, LENGTHS)[:3]
+    return tuple(Float(float(each)) for each in places.mean(axis=0))
+
+
+def resting_joint():
+    """Say which joint rests while the hand turns about the middle between base and wrist."""
+    pose = planar_arm.forward(THETA, LENGTHS)
+    off = pose[:2] - planar_arm.joint_positions(THETA, LENGTHS)[2] / 2
+    rates = planar_arm.joint_rates(THETA, [-off[1], off[0], 1], LENGTHS)
+    return f"joint {int(np.argmin(np.abs(rates))) + 1}"
 
 
 def elbow_rate(degrees: float) -> float:
@@ -40,6 +74,12 @@ def where_both() -> str:
     return "always" if straight else "while link 3 is bent" if bent else "never"
 
 
+def damped_at_singular() -> str:
+    """Say how large the damped rate is where σ is 0."""
+    found = formulas.damped_single.substitute({sigma: 0, v: 0.1, damping: 0.05})
+    return nearest_option({"huge": 300.0, "v/(2λ)": 1.0, "0": 0.0}, float(found))
+
+
 def off(steps: int, gain: float = 0.0) -> float:
     """Return how far from its goal the hand ends on the straight line, m."""
     start, angles = planar_arm.forward(THETA, LENGTHS), THETA
@@ -58,23 +98,112 @@ def too_much() -> str:
 
 PREDICTIONS = (
     Prediction(
-        "one-joint",
-        "Joint 1 alone turns, at 1 rad/s; the others are locked. How fast does the hand P move?",
-        Buttons(
-            ("0.40 m/s", "0.74 m/s", "0.90 m/s"),
-            right=lambda: f"{distance():.2f} m/s",
+        "which-turn",
+        "From chapter 7: the wheels of a robot are 10 cm apart. The right one has rolled 2 cm "
+        "farther than the left one. By how much has the robot turned?",
+        Number(
+            "rad",
+            right=lambda: differential_drive.body_twist(0.10, 0.12, 1.0, 0.1)[2],
             assumptions={
-                "0.40 m/s": "So fast does joint 2 move, at the end of link 1.",
-                "0.90 m/s": "That adds the links up. So it is when all of them are stretched.",
+                "That divides by half of the distance between the wheels.": Float(0.4),
+                "That is the difference in metres.": Float(0.02),
             },
         ),
-        explanation=f"P is {distance():.2f} m from joint 1, and *One joint turns* says why only "
-        "this counts. The hand turns too, at 1 rad/s.",
-        spoilers=("from joint 1",),
+        explanation="The difference of both ways over their distance, and to the left.",
+        spoilers=("over their distance",),
+    ),
+    Prediction(
+        "both-wheels-alike",
+        "From chapter 4: both wheels of a robot are equally fast. Where is its ICR?",
+        Buttons(
+            ("at P", "at infinity", "between the wheels"),
+            right=far_apart,
+            assumptions={
+                "at P": "Then P would be at rest. It drives.",
+                "between the wheels": "So it is if they turn against each other.",
+            },
+        ),
+        explanation="Straight on is a turn about a point at infinity. It will come back today.",
+        spoilers=("a turn about a point",),
+    ),
+    Prediction(
+        "where-the-pen-goes",
+        "Joint 2 alone turns, by a quarter turn counter-clockwise. Drag *your guess* to where the "
+        "tip of the pen will be.",
+        Ghost(
+            "hand-guess",
+            places=(guess_x, guess_y),
+            right=hand_after(2, 90),
+            then={turned: Float(1)},
+            tolerance=0.03,
+            assumptions={
+                "That is a turn about joint 1, the base.": hand_after(1, 90),
+                "That is the other way round: clockwise.": hand_after(2, -90),
+                "That turns joint 3.": hand_after(3, 90),
+            },
+        ),
+        explanation="Link 2 and the pen turn like one stiff body, about joint 2. What link 1 does "
+        "plays no part.",
+        spoilers=("like one stiff body",),
+    ),
+    Prediction(
+        "how-fast-turned",
+        "The joints turn at 0.2, −0.5 and 0.4 rad/s. How fast does the *hand* turn?",
+        Number(
+            "rad/s",
+            right=lambda: float(planar_arm.velocity(THETA, RATES, LENGTHS)[2]),
+            assumptions={
+                "So fast does joint 3 turn against link 2. But link 2 turns, too.": Float(RATES[2]),
+                "That adds up the sizes. Joint 2 turns the other way.": Float(sum(map(abs, RATES))),
+                "That is the mean of the three.": Float(sum(RATES) / 3),
+            },
+        ),
+        explanation="Each joint turns all that comes after it, the hand too. So the rates add up.",
+        spoilers=("rates add up",),
+        covers="tip-to-tail",
+    ),
+    Prediction(
+        "where-the-sheet-rests",
+        "Think of a large sheet of paper that is glued to the hand. All three joints turn at the "
+        "same rate. At this moment one point of the sheet is at rest. Drag *your pin* there.",
+        Ghost(
+            "balance-guess",
+            places=(guess_x, guess_y),
+            right=at_rest(),
+            then={shown: Float(1)},
+            tolerance=0.03,
+            assumptions={
+                "That is joint 1. It rests, but the sheet over it is turned by joints 2 and 3.": (
+                    joint_place(1)
+                ),
+                "That is joint 2. So it is if joint 2 alone turns.": joint_place(2),
+                "That is joint 3. So it is if joint 3 alone turns.": joint_place(3),
+            },
+        ),
+        explanation="It is the point where three equal weights on the joints would balance.",
+        spoilers=("equal weights", "would balance"),
+    ),
+    Prediction(
+        "who-rests",
+        "Now backwards. The hand must turn about the point halfway between joint 1 and joint 3. "
+        "Which joint rests?",
+        Buttons(
+            ("joint 1", "joint 2", "joint 3", "none"),
+            right=resting_joint,
+            assumptions={
+                "joint 1": "Then only weights on joints 2 and 3 are left. They balance on link 2.",
+                "joint 3": "Then only weights on joints 1 and 2 are left. They balance on link 1.",
+                "none": "A weight on the elbow would pull the balance point off that line.",
+            },
+        ),
+        explanation="Two equal weights, on joints 1 and 3, balance there. So the elbow is free of "
+        "any weight.",
+        spoilers=("free of any weight",),
+        covers="areas",
     ),
     Prediction(
         "ever-nearer",
-        "The wrist must move straight away from the base, at 10 cm/s. The elbow stands at 1°, "
+        "The wrist must move straight away from the base, at 10 cm/s. The elbow is at 1°, "
         "then at 0.1°. How many times faster must joint 2 turn?",
         Buttons(
             ("3 times", "10 times", "100 times"),
@@ -106,6 +235,23 @@ PREDICTIONS = (
         explanation="Link 3 turns, and pushes P along the arm. Only with all links on one line do "
         "the two rows have rank 1, and P loses a direction.",
         spoilers=("pushes P", "rank 1"),
+        covers="ellipse",
+    ),
+    Prediction(
+        "damped-to-the-end",
+        "The rate that makes a sum of squares least is a compromise: the velocity shall be nearly "
+        "right, the rate not too large. How large is it in the singular pose itself, where "
+        "$\\sigma$ is 0?",
+        Buttons(
+            ("huge", "v/(2λ)", "0"),
+            right=damped_at_singular,
+            assumptions={
+                "huge": "So it is without damping.",
+                "v/(2λ)": "That is the largest rate. It is needed a little before.",
+            },
+        ),
+        explanation="A rate there costs, and moves nothing. So the cheapest is none.",
+        spoilers=("moves nothing",),
     ),
     Prediction(
         "without-a-look",

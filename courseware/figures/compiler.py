@@ -42,7 +42,7 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.AngleArc: ("angle", lambda x: (*coordinates(x.at), x.start, x.end), ("radius",)),
     s.Curve: ("curve", lambda x: (x.low, x.high), ("samples",)),
     s.Trail: ("trail", lambda x: (), ("dots",)),
-    s.Track: ("track", lambda x: coordinates(x.at), ()),
+    s.Track: ("track", lambda x: coordinates(x.at), ("name",)),
     s.Cloud: ("cloud", lambda x: (), ("rows",)),
     s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
 }
@@ -180,8 +180,6 @@ class Compiler:
             return {"point": self._compile(place, s=[shape.parameter])}
         if isinstance(shape, s.Cloud):
             return {"point": self._compile(coordinates(shape.at), s=shape.symbols)}
-        if isinstance(shape, s.Track):
-            return {"past": []}
         if isinstance(shape, s.Trail):
             index = self.recurrences.index(shape.recurrence)
             point = self._compile(coordinates(shape.at), s=shape.recurrence.state)

@@ -16,6 +16,8 @@ const showPosition = (input, control, shown) => {
   }
 };
 
+const TRACKS = {}; // by name
+
 /** A figure that can be moved, in an element that holds its HTML. */
 export class LiveFigure {
   constructor(element, figure, changed = () => {}) {
@@ -27,6 +29,7 @@ export class LiveFigure {
     this.outputs = this.all("[data-o]");
     this.readouts = this.all("dd");
     this.goals = this.all(".rk-goal");
+    for (const shape of figure.shapes) if (shape.name) shape.past = TRACKS[shape.name] ??= [];
     this.state = startState(figure);
     this.width = widthOf(figure);
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer

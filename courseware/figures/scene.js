@@ -43,7 +43,7 @@ export const renderScene = (figure, computed, width, state) => {
     const shape = { ...declared, label: fillTemplate(declared.label, texts) };
     const at = shape.at.map((index) => values[index]), isDeep = "depth" in shape;
     const depth = isDeep ? values[shape.depth] : 0, node = ["g", symbolData(shape), []];
-    if (![...at, depth].every(Number.isFinite)) return node;
+    if (shape.shape !== "track" && ![...at, depth].every(Number.isFinite)) return node;
     const isNamed = shape.shape === "point" && shape.label && figure.grid !== false;
     const drawn = (isNamed && arrowToOutside(at, shape, to, [width, height]))
       || DRAWN[shape.shape](at, shape, to, computed);

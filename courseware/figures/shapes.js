@@ -120,10 +120,10 @@ export const SHAPES = {
     return [...strokeLine(points, shape), ...corners];
   },
   track: (at, shape, to, { view }) => {
-    const { past } = shape, far = ([x, y], [a, b]) => Math.hypot(x - a, y - b) / (view[1] - view[0]);
-    if (!past.length || far(at, past.at(-1)) > 1e-4) past.push(at);
+    const past = shape.past ??= [], far = ([x, y], [a, b]) => Math.hypot(x - a, y - b) / (view[1] - view[0]);
+    if (!past.length || !(far(at, past.at(-1)) <= 1e-4)) past.push(at); // also where it is nowhere
     const step = (place, i) => `${i && far(place, past[i - 1]) < 0.2 ? "L" : "M"}${to(place).map(px)}`;
-    return [path(past.map(step).join(""), stroke(shape.kind))];
+    return [path(past.map(step).filter((piece) => !piece.includes("NaN")).join(""), stroke(shape.kind))];
   },
   cloud: (p, shape, to, { c }) => {
     const dots = shape.rows.map((row) => to(shape.point(functions, c, row)));

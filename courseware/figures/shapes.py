@@ -112,10 +112,14 @@ class Trail:
 
 @dataclass(frozen=True)
 class Track:
-    """Where a place has been since the last reset: the reader's own way. A jump is not drawn."""
+    """Where a place has been since the last reset: the reader's own way. A jump is not drawn.
+
+    Tracks of one name are the same on the whole page.
+    """
 
     kind: Kind
     at: Place
+    name: str = ""
 
 
 @dataclass(frozen=True)

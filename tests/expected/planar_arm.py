@@ -9,57 +9,84 @@ from robokin import planar_arm
 LINKS, START = np.array(figures.LINKS), np.array(figures.START, dtype=float)
 
 
+def hand_of(*columns):
+    """Return the pose of the hand, (n, 3), from columns of joint angles."""
+    return planar_arm.forward(np.column_stack(columns), LINKS)
+
+
 def levers_readouts(turns1, turns2, turns3, theta2, theta3):
     theta = np.column_stack([np.full_like(theta2, START[0]), theta2, theta3])
     rates = np.column_stack([turns1, turns2, turns3])
-    x_dot, y_dot = planar_arm.velocity(theta, rates, LINKS)[:, :2].T
-    return {"length": np.hypot(x_dot, y_dot), "x_dot": x_dot, "y_dot": y_dot}
+    return {"length": np.hypot(*planar_arm.velocity(theta, rates, LINKS)[:, :2].T)}
 
 
-def joints_readouts(theta1, theta2, theta3):
-    theta = np.column_stack([theta1, theta2, theta3])
+def draw_readouts(theta1, theta2, theta3):
+    return {"off": np.abs(hand_of(theta1, theta2, theta3)[:, 1] - 0.5)}
+
+
+def by_itself_readouts(t):
+    start = planar_arm.forward(START, LINKS)
+    x = start[0] + (-0.1 - start[0]) * t / DURATION
+    theta = planar_arm.inverse(np.column_stack([x, 0 * t + 0.5, 0 * t]), LINKS)[:, 0]
+    return dict(zip(("theta1", "theta2", "theta3"), theta.T, strict=True))
+
+
+def flat_readouts(theta2):
+    theta = np.column_stack([0 * theta2 + START[0], theta2, 0 * theta2 - np.pi / 3])
     wrist = planar_arm.joint_positions(theta, LINKS)[:, 2]
-    outward = np.zeros_like(theta)
-    outward[:, :2] = SPEED_OUT * wrist / np.linalg.norm(wrist, axis=1)[:, None]
-    elbow = planar_arm.joint_rates(theta, outward, LINKS, singular="nan")[:, 1]
-    det = np.linalg.det(planar_arm.jacobian(theta, LINKS))
+    outward = SPEED_OUT * wrist / np.linalg.norm(wrist, axis=1)[:, None]
+    found = planar_arm.joint_rates(theta, np.column_stack([outward, 0 * theta2]), LINKS)
+    return {"rate1": found[:, 0], "rate3": found[:, 2]}
+
+
+def joints_readouts(theta1, theta2, theta3, rate1, rate2, rate3):
     bend = np.abs(np.sin(theta2))
-    near = np.where(bend <= 1e-9, np.inf, np.where(bend < 0.1, np.nan, bend))
-    x, y, _ = planar_arm.forward(theta, LINKS).T
-    long, short = planar_arm.ellipse(theta, LINKS)[0].T
-    w = planar_arm.manipulability(theta, LINKS)
-    return dict(x=x, y=y, det=det, w=w, long=long, short=short, elbow=elbow, near=near)
+    return {"near": np.where(bend <= 1e-9, np.inf, np.where(bend < 0.1, np.nan, bend))}
 
 
-def followed(t, steps, gain, damping, line):
-    """Return the joint angles at a time, the wanted pose then, the rates of the step that runs."""
-    begin = planar_arm.forward(START, LINKS)
-    way = line - begin
-    theta = np.tile(START, (len(line), 1))
-    rates = np.zeros_like(theta)
-    made = t * steps / DURATION
-    for k in range(int(np.ceil(made.max()))):
-        wanted = begin + way * (k / steps)[:, None]
-        twist = way / DURATION + gain[:, None] * (wanted - planar_arm.forward(theta, LINKS))
-        runs = (made - k > 1e-6)[:, None]
-        now = planar_arm.joint_rates(theta, twist, LINKS, damping, singular="nan")
-        rates = np.where(runs, now, rates)
-        lasts = np.minimum(1, made - k)[:, None] * DURATION / steps[:, None]
-        theta = np.where(runs, theta + now * lasts, theta)
-    return theta, begin + way * (t / DURATION)[:, None], rates
+def force_readouts(push, push_angle):
+    force = push * np.array([np.cos(push_angle), np.sin(push_angle), 0 * push])
+    torques = planar_arm.jacobian(START, LINKS).T @ force
+    return {f"torque{k}": row for k, row in enumerate(torques, 1)}
+
+
+def four_links_readouts(psi):
+    wrist = planar_arm.joint_positions(np.radians([30, 60, -90, 40]), [0.4, 0.3, 0.2, 0.1])[3]
+    pose = np.column_stack([0 * psi + wrist[0], 0 * psi + wrist[1], psi])
+    return {"first": planar_arm.inverse(pose, LINKS)[:, 0, 0]}
 
 
 def line_readouts(t, steps, gain, damping, line_x, line_y):
+    """Follow the line by the library, in parts of a step in which the rates stay."""
     line = np.column_stack([line_x, line_y, 0 * line_x])
-    theta, wanted, rates = followed(t, steps, gain, damping, line)
-    hand = planar_arm.forward(theta, LINKS)
+    begin = planar_arm.forward(START, LINKS)
+    way = line - begin
+    theta = np.tile(START, (len(t), 1))
+    rates, worst, busiest = np.zeros_like(theta), 0 * t, 0 * t
+    parts = np.ceil(60 / steps)  # of a step
+    made = t * steps / DURATION  # steps
+    count = np.ceil(np.maximum(0, made - 1e-6) * parts)
+    for k in range(int(count.max())):
+        runs = k < count
+        done = np.floor((k + 1e-6) / parts)
+        hand = planar_arm.forward(theta, LINKS)
+        error = begin + way * (done / steps)[:, None] - hand
+        twist = way / DURATION + gain[:, None] * error
+        now = planar_arm.joint_rates(theta, twist, LINKS, damping, singular="nan")
+        begins = runs & (k - done * parts < 0.5)
+        rates = np.where(begins[:, None], now, rates)
+        lasts = np.minimum(1, made * parts - k) * DURATION / (steps * parts)
+        theta = np.where(runs[:, None], theta + rates * lasts[:, None], theta)
+        part = np.minimum(k + 1, made * parts) / parts / steps
+        off = (planar_arm.forward(theta, LINKS) - begin - way * part[:, None])[:, :2]
+        worst = np.where(runs, np.maximum(worst, np.hypot(*off.T)), worst)
+        busiest = np.where(runs, np.maximum(busiest, np.abs(rates).max(axis=1)), busiest)
+    off = planar_arm.forward(theta, LINKS) - begin - way * (t / DURATION)[:, None]
     distance = np.hypot(line_x - LINKS[2], line_y)
     room = np.minimum(LINKS[0] + LINKS[1] - distance, distance - abs(LINKS[0] - LINKS[1]))
     reached = ~np.isnan(planar_arm.inverse(line, LINKS, unreachable="nan")[:, 0, 0])
-    off = np.hypot(*(hand - wanted)[:, :2].T)
-    speed = np.linalg.norm(rates, axis=1)
     room = np.where(reached, room, np.nan)
-    return {"off": off, "turned": hand[:, 2], "rates": speed, "room": room}
+    return {"off": np.hypot(*off[:, :2].T), "worst": worst, "busiest": busiest, "room": room}
 
 
 def elbows_readouts(x, y, phi):
@@ -67,7 +94,7 @@ def elbows_readouts(x, y, phi):
     both = planar_arm.inverse(pose, LINKS, unreachable="nan")
     wrist = np.hypot(x - LINKS[2] * np.cos(phi), y - LINKS[2] * np.sin(phi))
     missed = np.maximum(0, np.maximum(wrist - LINKS[0] - LINKS[1], LINKS[0] - LINKS[1] - wrist))
-    names = [f"{line}{joint}" for line in ("solid", "dashed") for joint in (1, 2, 3)]
+    names = [f"{line}{joint}" for line in ("solid", "pale") for joint in (1, 2, 3)]
     angles = dict(zip(names, both.reshape(-1, 6).T, strict=True))
     return {**angles, "distance": wrist, "missed": missed}
 
@@ -137,6 +164,23 @@ def goes_across(*columns):
     return np.abs(along) < 0.05 * np.sum(believed[:, :2] ** 2, axis=1)
 
 
+RATES = ("rate1", "rate2", "rate3")
+
+
+def on_line(x, *offs):
+    """Return angles of arms whose pens are so far from a point of the line."""
+    poses = [[x + dx, 0.5 + dy, 0] for dx, dy in offs]
+    theta = planar_arm.inverse(poses, LINKS)[:, 0]
+    return [dict(zip(("theta1", "theta2", "theta3"), each, strict=True)) for each in theta]
+
+
+def turning_about(x, y):
+    """Return rates that turn the hand about a point, at 0.3 rad/s."""
+    hand = planar_arm.forward(START, LINKS)
+    found = planar_arm.joint_rates(START, 0.3 * np.array([y - hand[1], hand[0] - x, 1]), LINKS)
+    return [dict(zip(RATES, found, strict=True))]
+
+
 AT_END = {"t": DURATION}
 STRETCHED, FOLDED = {"theta2": 0.0}, {"theta2": np.pi}
 OUT = {**AT_END, "line_x": 0.85, "line_y": 0.7, "damping": 0.05}
@@ -145,7 +189,12 @@ IN_THE_HOLE = {"line_x": 0.2, "line_y": 0.0}
 CLOSED_LOOP = {**AT_END, "gain": 2.0, "n": 30, "damping": 0.05}
 
 READOUTS = {
+    "draw-line": draw_readouts,
+    "by-itself": by_itself_readouts,
     "arm-levers": levers_readouts,
+    "flat": flat_readouts,
+    "force-line": force_readouts,
+    "four-links": four_links_readouts,
     "arm-joints": joints_readouts,
     "arm-line": line_readouts,
     "arm-elbows": elbows_readouts,
@@ -183,6 +232,97 @@ SPECIALS = {
     ],
     "wrong-arm": [{"phi_dot": 0.0}, {"mistake": "It stays behind", "phi_dot": 0.6}],
 }
+GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
+    "draw-line": [
+        (on_line(0.2232, (0, 0.009)), on_line(0.2232, (0, 0.013))),
+        (on_line(-0.1, (0.009, 0), (0, 0.009)), on_line(-0.1, (0.013, 0))),
+    ],
+    "balance": [
+        (
+            [{"rate1": 0.2, "rate2": -0.3, "rate3": 0.104}],
+            [{"rate1": 0.2, "rate2": -0.3, "rate3": 0.106}, dict.fromkeys(RATES, 0.0)],
+        ),
+        (
+            [{"rate1": 0.2, "rate2": 0.2, "rate3": 0.004}],
+            [
+                {"rate1": 0.2, "rate2": 0.2, "rate3": 0.02},
+                {"rate1": 0.2, "rate2": 0.23, "rate3": 0.0},
+            ],
+        ),
+    ],
+    "areas": [
+        (
+            [{"x_c": 0.3464, "y_c": 0.214}, {"x_c": 0.333, "y_c": 0.2}],
+            [{"x_c": 0.3464, "y_c": 0.216}, {"x_c": 0.33, "y_c": 0.2}],
+        ),
+        (
+            [{"x_c": 0.1732, "y_c": 0.25}, {"x_c": 0.174, "y_c": 0.25}],
+            [{"x_c": 0.18, "y_c": 0.25}, {"x_c": 0.3464, "y_c": 0.5}],
+        ),
+    ],
+    "ellipse": [
+        (
+            [{"theta2": np.radians(96), "theta3": np.radians(101)}],
+            [{"theta2": np.radians(90), "theta3": np.radians(101)}],
+        )
+    ],
+    "arm-line": [
+        (
+            [{**AT_END, "gain": 2.0, "n": 100}, {**AT_END, "gain": 6.0, "n": 30}],
+            [{**AT_END, "gain": 2.0, "n": 50}, {"t": 3.9, "gain": 2.0, "n": 100}],
+        ),
+        (
+            [{**AT_END, "gain": 6.0, "n": 50, "damping": 0.05}],
+            [
+                {**AT_END, "gain": 6.0, "n": 50, "damping": 0.02},
+                {**AT_END, "gain": 4.0, "n": 50, "damping": 0.1},
+            ],
+        ),
+    ],
+    "arm-joints": [
+        (
+            [
+                {
+                    "theta1": 0.0,
+                    "theta2": 0.7,
+                    "theta3": -2.01,
+                    "rate1": 0.0,
+                    "rate2": 0.1,
+                    "rate3": 0.0,
+                }
+            ],
+            [
+                {
+                    "theta1": 0.0,
+                    "theta2": 0.7,
+                    "theta3": -1.72,
+                    "rate1": 0.0,
+                    "rate2": 0.1,
+                    "rate3": 0.0,
+                },
+                {
+                    "theta1": 0.0,
+                    "theta2": 0.7,
+                    "theta3": -2.01,
+                    "rate1": 0.1,
+                    "rate2": 0.1,
+                    "rate3": 0.0,
+                },
+            ],
+        ),
+        (turning_about(0.1, 0.365), turning_about(0.1, 0.375)),
+        (
+            [{"theta2": 3.1226, "theta3": 1.94}],
+            [{"theta2": 3.12, "theta3": 1.94}, {"theta2": 0.0, "theta3": -2.18}],
+        ),
+    ],
+    "weight-letters": [
+        (
+            [{"name_1": "ICR", "name_2": "½ det J"}],
+            [{"name_1": "½ det J", "name_2": "ICR"}, {"name_1": "ICR", "name_2": "w"}],
+        )
+    ],
+}
 TITLES = {
     "wrong-arm": {
         "In its place, but turned": stays_but_turns,
@@ -198,11 +338,12 @@ WORDS = [  # figure, slider → what it shows, readout → its word
     ("arm-joints", STRETCHED, "elbow", "no rate does it"),
     ("arm-joints", FOLDED, "near", "0: singular"),
     ("arm-joints", {"theta2": np.radians(4)}, "near", "below 0.1: nearly singular"),
-    ("arm-line", {"line_x": 0.85, "line_y": 0.6}, "room", "out of reach"),
-    ("arm-line", IN_THE_HOLE, "room", "out of reach"),
+    ("arm-line", {"line_x": 0.85, "line_y": 0.6}, "room", "no: outside"),
+    ("arm-line", IN_THE_HOLE, "room", "no: outside"),
     ("arm-elbows", {"x": 0.9, "y": 0.9}, "solid1", "out of reach"),
-    ("arm-elbows", {"x": 0.2, "y": 0.0}, "dashed3", "out of reach"),
+    ("arm-elbows", {"x": 0.2, "y": 0.0}, "pale3", "out of reach"),
 ]
+POSE = {"l1": 45, "l2": 35, "l3": 20, "theta1": 70, "theta2": 110, "theta3": -30}
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "planar-arm-1": (
         {"l1": 45, "l2": 45, "l3": 20, "theta1": -30, "theta2": 100, "theta3": -30, "q1": -1.0},
@@ -316,11 +457,63 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "all three rows": 0.1125,
         },
     ),
+    "planar-arm-8": (
+        {**POSE, "q1": -0.8, "q2": 0.5, "q3": -0.6},
+        {
+            "without their signs": [-0.0214, 0.2448],
+            "far end of its link": [-0.0004, 0.4895],
+            "not divided": [0.1946, -0.0423],
+        },
+    ),
+    "planar-arm-9": (
+        {"sigma": 0.03, "lam": 0.05, "v": 0.2},
+        {
+            "without damping": 6.6667,
+            "where λ² belongs": 0.1179,
+            "σ + λ below": 2.5,
+            "largest rate that any": 2.0,
+        },
+    ),
+    "planar-arm-10": (
+        POSE,
+        {
+            "M27": [0.5475, 0.412],
+            "M28": [1.0443, 0.3095],
+            "M36": [0.6691, 0.3415],
+            "root of the eigenvalues": [0.6395, 0.094],
+            "lengths of the rows": [0.6634, 0.5416],
+        },
+    ),
+    "planar-arm-11": (
+        {**POSE, "q1": 0.6},
+        {
+            "M27": [3.5958, -6.733],
+            "M28": [0.9194, -2.9692],
+            "M36": [-1.5917, 3.5289],
+            "sign of joint 1": [-0.9194, 4.0566],
+        },
+    ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
-    "one-joint": "0.74 m/s",
+    "which-turn": ("0.2 rad", "0.4 rad", "0.02 rad"),
+    "both-wheels-alike": "at infinity",
+    "where-the-pen-goes": (
+        "guess: x 0.0464 m, guess: y 0.4 m",
+        "−0.5 m, 0.546 m",
+        "0.646 m, 0 m",
+        "0.346 m, 0.7 m",
+    ),
+    "how-fast-turned": ("0.1 rad/s", "0.4 rad/s", "1.1 rad/s", "0.0333 rad/s"),
+    "where-the-sheet-rests": (
+        "pin: x 0.231 m, pin: y 0.233 m",
+        "0 m, 0 m",
+        "0.346 m, 0.2 m",
+        "0.346 m, 0.5 m",
+    ),
+    "who-rests": "joint 2",
     "ever-nearer": "10 times",
     "a-free-hand": "while link 3 is bent",
+    "damped-to-the-end": "0",
     "without-a-look": "5 cm off",
     "too-much-feedback": "6",
 }

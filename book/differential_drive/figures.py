@@ -101,6 +101,7 @@ RADIUS_TOO = (*VELOCITY, *assign(drive.turning_radius))
 
 t = quantity("t", "s", 0, 12, "time")
 n = quantity("n", "", 1, 100, "number of steps")
+slowed = quantity("slowed", "m/s", 0, 0.1, "by how much the right wheel is slower than at first")
 share = quantity("share", "rad", -1.6, 1.6, "angle that shares the speed between the wheels")
 way_L = quantity("way_L", "m", -1, 1, "how far the left wheel has rolled")
 way_R = quantity("way_R", "m", -1, 1, "how far the right wheel has rolled")
@@ -231,7 +232,7 @@ SCENE = Scene(
         "radius": (Length(R, (SPAN[0], 0), (SPAN[1], 0), aside=-0.095),),
         "icr": (Point("icr", (-R, 0), label="ICR"),),
     },
-    handles={"wheels": tip_handles(), "right": tip_handles()[1:]},
+    handles={"wheels": tip_handles()},
     common={
         "view": (-0.26, 0.18, -0.11, 0.2),
         "ground": "tiles",
@@ -356,8 +357,16 @@ def tips_figure() -> Figure:
         "The line through the tips, down to the point of the axle's line that stands still",
         "axle everywhere tips robot wheels slope radius icr",
         drag="wheels",
-        view=(-0.3, 0.18, -0.13, 0.17),
-        readouts=(Readout(omega), Readout(R, words={"inf": "∞", "nan": "…"})),
+        view=(-0.3, 0.18, -0.2, 0.17),
+        shapes=(
+            Point("body", ORIGIN, "P"),
+            *when(
+                And(turns, Abs(R) < 0.3),
+                Length("left", (-R, 0), (-DISTANCE / 2, 0), "R − b/2", aside=-0.13),
+                Length("right", (-R, 0), (DISTANCE / 2, 0), "R + b/2", aside=-0.165),
+            ),
+        ),
+        readouts=(Readout(v), Readout(omega), Readout(R, words={"inf": "∞", "nan": "…"})),
         goal=(
             Goal(And(Abs(v_L) < 0.003, moving), "Bring the ICR to the left wheel."),
             Goal(And(Abs(v_L + v_R) < 0.006, moving), "Bring it to P: v below 3 mm/s."),
@@ -375,16 +384,18 @@ def away_figure() -> Figure:
         "away",
         "The robot small, the line of its axle, the line through the tips, and where both meet",
         "axle tips robot wheels radius icr",
-        drag="right",
         view=(-0.47, 0.47, -0.16, 0.19),
-        controls=(Slider(v_R, 0.0, 0.12, start=SPEEDS[v_R], step=0.0005),),
-        where=((v_L, SPEEDS[v_L]), *RADIUS_TOO),
+        controls=(Clock(slowed, 0.0, 0.07, step=0.0005, rate=0.02, label="slower by"),),
+        where=((v_L, SPEEDS[v_L]), (v_R, SPEEDS[v_R] - slowed), *RADIUS_TOO),
         shapes=across(Rational(k, 20) for k in range(-10, 11) if abs(k) > 1),
-        buttons=(
-            Button("slow down to 4 cm/s", {v_R: 0.04}),
-            Button("back to 10 cm/s", {v_R: SPEEDS[v_R]}),
+        handles=(
+            Handle(
+                "the ICR",
+                (-R, 0),
+                {slowed: SPEEDS[v_R] - v_L * (POINTER[0] - b / 2) / (POINTER[0] + b / 2)},
+            ),
         ),
-        readouts=(Readout(R, words={"inf": "∞"}),),
+        readouts=(Readout(v_R), Readout(R, words={"inf": "∞"})),
         goal=Goal(Abs(R + 0.25) < 0.02, "Bring the ICR 25 cm to the right of P, within 2 cm."),
     )
 
@@ -396,7 +407,7 @@ def infinity_figure() -> Figure:
     turn = DISTANCE / (4 * far) * sin(share)
     return Figure(
         name="infinity",
-        title="A small robot, the line of its axle, and below it a large circle: a map of the line",
+        title="A small robot, the line of its axle, and below it the same line bent into a circle",
         view=(-0.42, 0.42, -0.3, 0.18),
         ground="tiles",
         controls=(Slider.degrees(share, -90, 90, start=40, label="angle of the ray from ∞"),),
@@ -408,7 +419,7 @@ def infinity_figure() -> Figure:
             Line("ghost", ((0, -2 * far), (-R, 0))),
             robot(START),
             *arrows(START, middle=False, letters=False),
-            Label("text", (far + 0.11, -1.7 * far), "map of the line"),
+            Label("text", (far + 0.11, -1.7 * far), "the line, bent"),
             Point("icr", dot),
             Point("target", (0, -2 * far), label="∞"),
             Point("icr", (-R, 0), label="ICR"),
@@ -443,8 +454,8 @@ def icr_figure() -> Figure:
             *assign(motion.icr),
         ),
         shapes=(
-            Arrow("text", ORIGIN, (0.39, 0), "x"),
-            Arrow("text", ORIGIN, (0, 0.3), "y"),
+            Arrow("text", ORIGIN, (0.39, 0), "x axis"),
+            Arrow("text", ORIGIN, (0, 0.3), "y axis"),
             Line("ghost", ((0, y), place, (x, 0))),
             Label("text", (0.03, y + 0.013), "x"),
             Label("text", (x + 0.013, 0.03), "y"),
@@ -475,8 +486,6 @@ def icr_figure() -> Figure:
 def world_figure() -> Figure:
     """Draw one velocity, and its parts along the world's axes."""
     end = (ARROW * x_dot, ARROW * y_dot)
-    # a letter stands where the other part is not
-    left, down = (Piecewise((-0.012, part >= 0), (0.012, True)) for part in (x_dot, y_dot))
     return Figure(
         name="world",
         title="The robot's velocity and its parts along the axes of the world",
@@ -489,10 +498,8 @@ def world_figure() -> Figure:
             Line("ghost", ((0, -0.3), (0, 0.3))),
             robot((0, 0, theta)),
             AngleArc(theta, ORIGIN, 0, theta, 0.04),
-            Arrow(x_dot, ORIGIN, (end[0], 0), ""),
-            Arrow(y_dot, ORIGIN, (0, end[1]), ""),
-            *when(Abs(x_dot) > 0.004, Label(x_dot, (end[0] / 2, down))),
-            *when(Abs(y_dot) > 0.004, Label(y_dot, (left, end[1] / 2))),
+            *when(Abs(x_dot) > 0.004, Arrow(x_dot, ORIGIN, (end[0], 0))),
+            *when(Abs(y_dot) > 0.004, Arrow(y_dot, ORIGIN, (0, end[1]))),
             Label("text", (0.14, -0.01), "x"),
             Label("text", (0.01, 0.11), "y"),
             Line("ghost", ((end[0], 0), end, (0, end[1]))),
@@ -659,8 +666,11 @@ def spokes_figure() -> Figure:
             AngleArc("new_heading", centre, down, down + theta_next, 0.04, ""),
             *spoke("old_heading", theta, ORIGIN),
             *spoke("new_heading", theta_next, end),
-            Label("new_heading", from_icr(theta_next - 0.4, 0.055), "θ′"),
+            Label("new_heading", from_icr(theta_next - 0.4, 0.064), "θ′"),
+            *when(dt > 0.3, AngleArc(omega, centre, down + theta, down + theta_next, 0.1, "ωΔt")),
             Point("icr", centre, label="ICR"),
+            Point("body", ORIGIN, "x, y"),
+            *when(dt > 0.3, Point("body", end[:2], "x′, y′")),
         ),
         readouts=(Readout(x_next), Readout(y_next), Readout(theta_next)),
     )
@@ -805,11 +815,11 @@ def steps_figure() -> Figure:
         ),
         readouts=tuple(readouts),
         goal=tuple(
-            Goal(And(distance(end, exact) < 0.01, n < most), f"By the {words}: within 1 cm{more}.")
-            for end, most, words, more in (
-                (ends[1], 5, "middle heading", ", in fewer than 5 steps"),
-                (ends[0], 61, "old heading", ""),
+            Goal(
+                And(distance(end, exact) < 0.01, n < most),
+                f"By the {words}: within 1 cm, in as few steps as you can.",
             )
+            for end, most, words in ((ends[1], 5, "middle heading"), (ends[0], 46, "old heading"))
         ),
         grid=False,
     )
@@ -869,7 +879,14 @@ def side_figure() -> Figure:
                 aim, -40, 110, start=30, step=5, label="first: turn; at the end turn back"
             ),
             Slider(reach, 0.02, 0.25, start=0.1, step=0.01, label="between: drive straight on"),
-            Clock(done, 0.0, 3.0, step=0.02, label="parts done", rate=0.5),
+            Clock(
+                done,
+                0.0,
+                3.0,
+                step=0.02,
+                label="how far: 1 turned, 2 there, 3 turned back",
+                rate=0.5,
+            ),
         ),
         where=tuple(
             (speed, Piecewise((turn, done < 1), (reach, done < 2), (-turn, True)) / 2)
@@ -918,7 +935,7 @@ def drive_figure() -> Figure:
         ),
         where=RADIUS_TOO,
         shapes=(
-            *mark(BAY, now, "bay"),
+            *mark(BAY, now),
             *tracks(0, t),
             robot(START, look="ghost"),
             Line("icr", (now, centre)),
@@ -935,6 +952,8 @@ def drive_figure() -> Figure:
             Readout("x", "now at x", now[0], "m"),
             Readout("y", "now at y", now[1], "m"),
             Readout("heading", "heading now", now[2], "rad"),
+            Readout("off", "to the bay", distance(now, BAY), "cm", 0),
+            Readout("turned", "heading off by", angle_size(now[2] - BAY[2]), "rad", 0),
         ),
         goal=(
             Goal(And(Abs(v_L) < 0.0005, Abs(v_R) > 0.01), "Turn about the left wheel."),
@@ -990,40 +1009,26 @@ def damage_figure() -> Figure:
     )
 
 
-def recap_figure() -> Figure:
-    """Draw all of it at rest: speeds, line through the tips, ICR, arc, chord."""
-    end = drive_for(2.0)
-    return SCENE.figure(
-        "summary",
-        "The wheels' arrows, the line through their tips, the ICR, the arc and its chord",
-        "axle tips robot wheels speed slope radius icr",
-        view=(-0.26, 0.2, -0.12, 0.22),
-        controls=(),
-        where=(*SPEEDS.items(), *RADIUS_TOO),
-        shapes=(
-            way("path", 0, 2.0),
-            Arrow("middle_heading", ORIGIN, end, "c"),
-            robot(end, look="ghost"),
-        ),
-    )
-
-
 def letters_figure() -> Figure:
-    """Draw the robot with two letters that are to be put back."""
-    places = ((-R / 2, -0.06), (0.095, (v_L + v_R) / 2))
+    """Draw all of it at rest, with three letters that are to be put back."""
+    end = drive_for(2.0)
+    places = ((-R / 2, -0.06), (0.095, (v_L + v_R) / 2), (0.62 * end[0] - 0.02, 0.62 * end[1]))
     options = {name: (number,) for number, name in enumerate(("?", "θ", "ωb", "c", "R"))}
-    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
-    right = (options["R"][0], options["ωb"][0])
+    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2, 3))
+    right = tuple(options[name][0] for name in ("R", "ωb", "c"))
     return SCENE.figure(
         "letters",
-        "The robot, its arrows, the line through their tips and the ICR, with the numbers 1 and 2",
+        "The robot, the line through the tips of its arrows, the ICR, the arc and its chord",
         "axle tips robot wheels speed icr",
-        view=(-0.24, 0.14, -0.11, 0.14),
+        view=(-0.26, 0.16, -0.11, 0.22),
         controls=tuple(
             Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
         ),
         where=(*SPEEDS.items(), *RADIUS_TOO),
         shapes=(
+            way("path", 0, 2.0),
+            robot(end, look="ghost"),
+            Arrow("middle_heading", ORIGIN, end, ""),
             Length("icr", ORIGIN, (-R, 0), aside=0.045, label=""),
             Length(b, *RUN),
             Length("turning", *RISE, "", aside=-0.03),
@@ -1043,7 +1048,7 @@ def letters_figure() -> Figure:
         ),
         goal=Goal(
             And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
-            "Put the two letters back.",
+            "Put the three letters back.",
         ),
     )
 
@@ -1070,5 +1075,4 @@ FIGURES = (
     drive_figure(),
     damage_figure(),
     letters_figure(),
-    recap_figure(),
 )

@@ -22,9 +22,9 @@ from robokin import motion
 
 EXERCISE = {**SPEEDS, b: DISTANCE}
 AHEAD = {x: 0, y: 0, theta: pi / 2}
-THROUGH = "nearer, and through the robot to its right"
-AWAY = "away to the left, and it stays there"
-AROUND = "away to the left, then in from the right"
+THROUGH = "nearer, and through the robot to its other side"
+AWAY = "farther away, and it stays on that side"
+AROUND = "farther away, then in from the other side"
 
 
 def after_two_seconds(turning):
@@ -64,8 +64,9 @@ PREDICTIONS = (
                 "at its left": "If you look along $y$, your left hand points along $-x$.",
             },
         ),
-        explanation="Turn the world back by the heading, 90°: then $x$ points to the right.",
-        spoilers=("points to the right",),
+        explanation="Turn robot and box together by −90°: then the robot looks along $x$, and the "
+        "box is at its right.",
+        spoilers=("robot and box together",),
     ),
     Prediction(
         "behind-on-the-left",
@@ -125,7 +126,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "where-next",
-        "Where does the ICR go meanwhile, from its place 15 cm to the left of P?",
+        "Where does the ICR go meanwhile?",
         Buttons(
             (THROUGH, AWAY, AROUND),
             right=where_it_goes,
@@ -139,7 +140,6 @@ PREDICTIONS = (
         explanation="It runs away to the left, faster and faster, and comes back from the right: "
         "at 4 cm/s it is 45 cm to the right of P.",
         spoilers=("comes back from", "45 cm"),
-        covers="away",
     ),
     Prediction(
         "wheel-rate",
@@ -151,6 +151,8 @@ PREDICTIONS = (
                 "That divides by the wheel's diameter.": rolling(2 * r),
                 "That multiplies by the radius, in metres.": rolling(1 / r),
                 "That multiplies by the radius, in centimetres.": rolling(1 / r) * 100**2,
+                "That multiplies by the radius; besides, one length is in metres, the other in "
+                "centimetres.": rolling(1 / r) * 100,
             },
         ),
         explanation="In one radian a wheel rolls one radius. So its rate is its speed divided by "

@@ -79,8 +79,8 @@ PLACE_TEXT = (
     "You can compute where the robot will be. Go back: which wheel rates bring P to a given place "
     "in the time dt, on one arc? The place is seen from the robot as it stands at the start. "
     "Places straight ahead, almost straight ahead, at the robot's side and behind it must work, "
-    "too, but none straight behind. There are several such arcs: each that is no more than a "
-    "circle is right."
+    "too, but none straight behind. Several arcs lead there, forwards or backwards: each is right "
+    "that does not go round more than once."
 )
 PLACE = '''\
 def rates_to(place, dt, r, b):

@@ -69,7 +69,8 @@ left_handed_turn = Mistake(
     "R_z = [[np.cos(b), np.sin(b), 0], [-np.sin(b), np.cos(b), 0], [0, 0, 1]]\n"
     "R_AB = np.array(R_y) @ R_z",
     why="Point the thumb of the right hand along the axis: the fingers bend the positive way. "
-    "About z it leads from x to y, about y from z to x. These matrices turn the other way.",
+    "About z it leads from x to y, about y from z to x. These matrices turn the other way: R_y as "
+    "marked above, and R_z likewise, whose minus must be in its first row.",
     unnoticed="Where every turn is zero or a half turn: its sine is zero.",
     title="Matrices typed by hand",
     picture="A die turned as frame B, and a red one: its x and z axes point backwards.",

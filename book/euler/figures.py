@@ -10,6 +10,7 @@ from sympy import (
     Abs,
     And,
     Matrix,
+    Min,
     Not,
     Piecewise,
     Symbol,
@@ -20,6 +21,7 @@ from sympy import (
     sin,
     sqrt,
     symbols,
+    tan,
 )
 from sympy import pi as exact_pi
 
@@ -135,7 +137,8 @@ def die(
 ) -> tuple[Any, ...]:
     """Return a die on its axes, above a floor."""
     edge = "accent_edge" if kind == "accent" else kind
-    body = VIEW.solid(space.die(kind, "shell", edge), R, at, floor=FLOOR)
+    pip = "dark" if kind == "error" else "shell"
+    body = VIEW.solid(space.die(kind, pip, edge), R, at, floor=FLOOR)
     return floor(at), body, *die_axes(R, at, labels)
 
 
@@ -208,6 +211,7 @@ def die_figure() -> Figure:
         ground="wall",
         controls=(turns,),
         shapes=(
+            *room(VIEW.right_of_origin(-1.4)),
             *die(now, VIEW.right_of_origin(-1.4)),
             *ghost_die(GHOST, VIEW.right_of_origin(1.4)),
             *when(turns.count < 1, Label("text", (0, low), "no turn yet")),
@@ -241,6 +245,20 @@ def exercise_figure() -> Figure:
     )
 
 
+def legs() -> tuple[Any, ...]:
+    """Return the parts of a turned axis along the two that stay in its plane: cosine and sine."""
+    far, (x, y, z) = 1.25, about
+    along, across = Matrix([z, x, y]), Matrix([y, z, x])
+    corner = far * cos(turn) * along
+    tip = corner + far * sin(turn) * across
+    return (
+        bring_forward(VIEW.line("text", (ORIGIN, corner)), 2),
+        bring_forward(VIEW.line("text", (corner, tip)), 2),
+        bring_forward(VIEW.point("text", corner / 2, "cos ϑ"), 2),
+        bring_forward(VIEW.point("text", corner + (tip - corner) / 2, "sin ϑ"), 2),
+    )
+
+
 def columns_figure() -> Figure:
     """Draw a turn about one of the axes, and the three columns of its matrix."""
     R = euler.r
@@ -257,6 +275,7 @@ def columns_figure() -> Figure:
             *room(),
             *die(R),
             *turn_arc("ϑ", turn, about, "icr"),
+            *legs(),
             Bracket(R, (2.2, 0.1), digits=2),
         ),
         sentence="A turn of {turn} about the {axis} axis.",
@@ -282,7 +301,7 @@ def order_figure() -> Figure:
         title="Two dice: the left one turned about z, then x, the right one about x, then z",
         view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Clock(made, 0.0, 2.0, label="quarter turns made", rate=0.5),),
-        shapes=(*die(left, LEFT), *die(right, RIGHT)),
+        shapes=(*room(LEFT), *room(RIGHT), *die(left, LEFT), *die(right, RIGHT)),
         readouts=(Readout("apart", "angle between the dice", angle_of(left.T * right), "rad"),),
         sentence="{made} turns made of each; the dice are one turn of {apart} apart.",
         where=steps,
@@ -336,6 +355,8 @@ def readings_figure() -> Figure:
             Clock(made, 0.0, 2.0, label="turns made", rate=0.5, loops=True),
         ),
         shapes=(
+            *room(LEFT),
+            *room(RIGHT),
             *turn_axis(own, LEFT),
             *turn_axis(of_room, RIGHT),
             *die(left, LEFT),
@@ -542,11 +563,18 @@ def rings_figure() -> Figure:
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     is_locked = Abs(cos(middle)) < 0.02
     across = Matrix([0, -sin(against), cos(against)])  # to the axes of the outer and middle ring
+    body = VIEW.right_of_origin(2.75)
+    axes = [J[:, k] for k in range(3)]
+    rates = (axes[0] + axes[1] + axes[2]) / sqrt(3)  # all rings at one rate
+
+    def beside(arrow: Matrix) -> list[Any]:
+        return [a + part for a, part in zip(body, arrow, strict=True)]
+
     return Figure(
         name="gimbal-rings",
         ground="wall",
         title="Three rings on a stand, one inside the other, and an aeroplane in the innermost",
-        view=(-2.3, 3.5, -2.25, 1.5),
+        view=(-2.3, 3.9, -2.25, 2.05),
         seen_from=(-pi / 4, pi / 8),
         controls=(
             Slider.degrees(middle, start=30, step=15, label="β, middle ring", kind="y_axis"),
@@ -555,21 +583,57 @@ def rings_figure() -> Figure:
         shapes=(
             *things,
             *when(is_locked, VIEW.arrow("error", 0.4 * across, 1.6 * across, "lost")),
-            VIEW.solid((meshes.ball("velocity"),), 0.6 * J, VIEW.right_of_origin(2.65)),
-            Label(euler.omega, (2.65, -0.85)),
+            VIEW.solid((meshes.ball("velocity"),), 0.6 * J, body, opacity=0.5),
+            *(
+                VIEW.arrow(kind, beside(0.55 * axis), beside(1.05 * axis), letter)
+                for kind, axis, letter in zip(AXES, axes, "αβγ", strict=True)
+            ),
+            replace(VIEW.arrow(euler.omega, body, beside(0.6 * rates)), depth=9, label=None),
         ),
         readouts=(
             Readout(euler.det_J, "det J (0: the green body is flat)", euler.determinant.right),
             Readout("whole", "angle of the aeroplane", angle_of(three), "rad"),
         ),
         sentence=(
-            "Middle ring {middle}, outer ring on and inner ring back by {against}: the aeroplane "
-            "is turned by {whole} in all, det J is {det_J}."
+            "Middle ring {middle}, outer ring forward and inner ring back by {against}: the "
+            "aeroplane is turned by {whole} in all, det J is {det_J}."
         ),
         goal=Goal(
             And(is_locked, Abs(against) > exact_pi / 7),
-            "Put the middle ring at 90°; then turn the outer ring on by 30° or more.",
+            "Put the middle ring at 90°; then turn the outer ring by 30° or more.",
         ),
+        where=steps,
+    )
+
+
+def yaw_figure() -> Figure:
+    """Draw an aeroplane that yaws, pitches and rolls: ZYX."""
+    steps = NamedSteps()
+    one = steps.add("o", euler.turned_about(Z, first))
+    two = steps.add("t", one * euler.turned_about(Y, middle))
+    now = steps.add("n", two * euler.turned_about(X, third))
+    return Figure(
+        name="yaw-pitch-roll",
+        title="An aeroplane that is turned to its side, then its nose up or down, then about it",
+        view=(-1.5, 3.1, -1.6, 1.5),
+        seen_from=(-pi / 4, pi / 8),
+        ground="wall",
+        controls=(
+            Slider.degrees(first, start=30, step=10, label="yaw α, about z", kind="z_axis"),
+            Slider.degrees(
+                middle, -90, 90, step=10, label="pitch β, about the new y", kind="y_axis"
+            ),
+            Slider.degrees(third, step=10, label="roll γ, about the newest x", kind="x_axis"),
+        ),
+        shapes=(
+            *room(),
+            floor(),
+            VIEW.solid(AEROPLANE, 1.4 * now, floor=FLOOR),
+            *VIEW.frame(now, ORIGIN, 1.25, ("x", "y", "z")),
+            Bracket(now, (2.2, 0.1), digits=2),
+        ),
+        sentence="Yaw {first}, pitch {middle}, roll {third}.",
+        goal=Goal(Abs(now[2, 0] - sin(exact_pi / 6)) < 0.02, "Point its nose 30° up."),
         where=steps,
     )
 
@@ -585,8 +649,9 @@ def near_lock_figure() -> Figure:
     angle = rad(near)
     fast, on_curve = (1 / sin(each * exact_pi / 180) for each in (near, 10**s))
     here = graph.place((near, fast))
-    left, low, high = 2.0, 1.35, 0.5  # of the wanted rate's arrow
-    tip = (left + high * cos(angle) / sin(angle), low + high)
+    left, low = 1.9, 1.35  # of the wanted rate's arrow; near lock all arrows are drawn smaller
+    high = Min(0.5, 1.65 * tan(angle))
+    tip = (left + high / tan(angle), low + high)
     return Figure(
         name="inner-rate",
         title="The nearer to lock, the faster the inner ring must turn: a graph, and the rates",
@@ -597,6 +662,7 @@ def near_lock_figure() -> Figure:
             *graph.shapes(),
             Curve("z_axis", graph.place((10**s, on_curve)), s, -1, 1.95, 48),
             Line("ghost", (graph.place((near, 1)), here, graph.place((0.1, fast)))),
+            Point("target", graph.place((1, 1 / sin(exact_pi / 180))), "1°: 57.3"),
             Point("z_axis", here),
             Arrow("z_axis", (left, low), tip),
             Arrow("x_axis", tip, (left, low + high)),
@@ -686,7 +752,16 @@ def one_turn_figure() -> Figure:
 
 def one_axis_figure() -> Figure:
     """Draw a die that one turn about a chosen axis shall bring to frame B."""
-    R, high = euler.r, 0.5**0.5
+    R, high, n = euler.r, 0.5**0.5, Matrix(euler.n)
+    across = Matrix([-n[1], n[0], 0]) / sqrt(n[0] ** 2 + n[1] ** 2)
+
+    def around(angle: Any, far: float) -> list[Any]:
+        """Return a place near the tip of n, so far turned about it."""
+        arrow = 1.15 * n + far * (cos(angle) * across + sin(angle) * n.cross(across))
+        return [a + part for a, part in zip(LEFT, arrow, strict=True)]
+
+    arc = around(s * turn, 0.3)
+    differences = (("₃₂", "₂₃", (2, 1)), ("₁₃", "₃₁", (0, 2)), ("₂₁", "₁₂", (1, 0)))
     ways = {
         "two faces": (1, 0, 0),
         "two edges": (high, -high, 0),
@@ -695,7 +770,7 @@ def one_axis_figure() -> Figure:
     return Figure(
         name="one-axis",
         title="A die turned about an axis through its middle; the ghost is frame B",
-        view=(-2.5, 2.6, -1.7, 1.6),
+        view=(-2.5, 2.6, -2.6, 1.75),
         ground="wall",
         controls=(
             Choice("axis", "axis through", euler.n, ways),
@@ -703,11 +778,28 @@ def one_axis_figure() -> Figure:
         ),
         shapes=(
             *room(LEFT),
-            *turn_axis(Matrix(euler.n), LEFT),
+            *turn_axis(n, LEFT)[:1],
+            *(
+                VIEW.arrow(
+                    "icr",
+                    *([a + far * u for a, u in zip(LEFT, n, strict=True)] for far in (0.5, 1.5)),
+                    "n",
+                ),
+            ),
+            Curve("icr", VIEW.project(arc), s, 0, 1, 16, depth=VIEW.depth(arc) + 0.2),
+            *when(turn > 0.2, Label("icr", VIEW.project(around(turn / 2, 0.5)), "ϑ")),
             *die(R, LEFT),
             *ghost_die(R_AB, VIEW.right_of_origin(1.45), OF_B),
+            Bracket(R, (-1.15, -2.1), digits=2, columns=("text",) * 3),
+            Label("text", (-2.2, -2.1), "R ="),
         ),
-        readouts=(Readout("apart", "angle to B", angle_of(R_AB.T * R), "rad"),),
+        readouts=(
+            *(
+                Readout(f"difference{k}", f"r{a} − r{b}", R[i, j] - R[j, i], digits=2)
+                for k, (a, b, (i, j)) in enumerate(differences)
+            ),
+            Readout("apart", "angle to B", angle_of(R_AB.T * R), "rad"),
+        ),
         sentence="Turned by {turn} about an axis through {axis}, {apart} from frame B.",
         goal=Goal(is_aligned(R, R_AB), "Bring the die onto frame B by one turn."),
         where=name_entries(euler.turned_about(euler.n, turn)),
@@ -748,6 +840,16 @@ def recap_figure() -> Figure:
                 )
             ),
             Bracket(R, (2.2, 0.1), digits=2, columns=("text",) * 3),
+            *(
+                label
+                for k, (name, choice) in enumerate(zip(("first", "second"), PICKS, strict=True))
+                for number in (1, 2, 3)
+                if number != numbers[k]
+                for label in when(
+                    Abs(choice - number) < 0.5,
+                    Label("error", (2.2, -0.9 - 0.25 * k), f"{name} column: not arrow {number}"),
+                )
+            ),
         ),
         sentence=(
             "Turned by {turn} about the slanted axis. You say that the first column is "
@@ -895,6 +997,7 @@ FIGURES = (
     target_figure(),
     three_angles_figure(),
     both_figure(),
+    yaw_figure(),
     rings_alone_figure(),
     rings_figure(),
     near_lock_figure(),

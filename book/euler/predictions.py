@@ -56,9 +56,8 @@ PREDICTIONS = (
             ("45°", "−45°", "−135°"),
             right=third_quarter,
             assumptions={
-                "45°": "That is what the arctangent of $y/x$ gives: in the quotient both signs "
-                "are lost.",
-                "−45°": "There $y$ is negative, too, but $x$ is positive.",
+                "45°": "The arctangent of $y/x$ gives 45°: in the quotient both signs are lost.",
+                "−45°": "At −45° $y$ is negative, too, but $x$ is positive.",
             },
         ),
         explanation="Below and to the left: `arctan2(y, x)` keeps both signs. It will find most "
@@ -132,7 +131,9 @@ PREDICTIONS = (
                 "Then $\\cos\\beta$ would be negative.": GAMMA + pi,
             },
         ),
-        explanation="$-r_{12}$ is −0.30 and $r_{11}$ is 0.81: an arrow to the right and down.",
+        explanation="$r_{11}$ = 0.81 is $\\cos\\gamma\\cos\\beta$, and $-r_{12}$ = −0.30 is "
+        "$\\sin\\gamma\\cos\\beta$. Draw an arrow with these two as $x$ and $y$: it points to the "
+        "right and down, and its direction is $\\gamma$.",
         spoilers=("to the right and down",),
     ),
     Prediction(
@@ -157,8 +158,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "ring-against-ring",
-        "Let the middle ring stand at 90°. The outer ring is turned on by 30° and the inner ring "
-        "back by 30°. What does the aeroplane do?",
+        "Let the middle ring stand at 90°. The outer ring is turned forward by 30° and the inner "
+        "ring back by 30°. What does the aeroplane do?",
         Buttons(
             ("it turns by 60°", "it turns by 30°", "nothing"),
             right="nothing",
@@ -167,8 +168,9 @@ PREDICTIONS = (
                 "it turns by 30°": "That forgets one of the two rings.",
             },
         ),
-        explanation="The pins of the outer and the inner ring lie on one line: what one turns on, "
-        "the other turns back. Try it above. The matrix of `XYZ` says the same for $\\beta$ = 90°:",
+        explanation="The pins of the outer and the inner ring lie on one line: what one turns "
+        "forward, the other turns back. Try it above. The matrix of `XYZ` says the same "
+        "for $\\beta$ = 90°:",
         spoilers=("lie on one line",),
         covers="gimbal-rings",
     ),

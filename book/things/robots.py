@@ -55,18 +55,15 @@ def robot(pose: Any, rolled: Any = (0, 0), look: str = "", half: float = 0.05) -
 
 
 def pad(pose: Any) -> Thing:
-    """Return the charging pad on which the robot is to stop: its arrow says the heading."""
-    contacts = (
-        Outline(box(0.016, 0.012, -0.036, y, 0.003), "shell", "groove", 0.001)
-        for y in (0.013, -0.013)
-    )
+    """Return the charging pad on which the robot is to stop: its eyes and arrow say the heading."""
     return Thing(
         pose,
         (
             Outline(disc(0.074), "goal", "target"),
             Outline(disc(0.064), "", "goal_dark", 0.0016),
-            Outline(line((0.02, -0.022), (0.042, 0), (0.02, 0.022)), "", "goal_mark", 0.006),
-            *contacts,
+            Outline(line((-0.01, -0.022), (0.012, 0), (-0.01, 0.022)), "", "goal_mark", 0.006),
+            Outline(sector(0.0455, 0.0575, -0.5, 0.5), "goal_mark"),
+            Outline(spots(0.0515, (0.27, -0.27), 0.004), "goal"),
         ),
     )
 

@@ -81,7 +81,7 @@ SPECIALS = {
     "axle": DRIVES,
     "still": [{"pin_x": -0.15, "pin_y": 0.0, "t": 1.5}],
     "tips": DRIVES,
-    "away": [{"v_R": 0.05}, {"v_R": 0.04}, {"v_R": 0.0}],
+    "away": [{"slowed": 0.05}, {"slowed": 0.06}, {"slowed": 0.07}],
     "infinity": [{"share": 0.0}],
     "icr": [{"theta": 0.0}, {"theta": UP}, {"theta": -UP}],
     "world": [{"theta": 0.0}, {"theta": UP}],
@@ -99,7 +99,7 @@ SPECIALS = {
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("wheel-speeds", {"v_L": 0.1}, "R", "at infinity"),
-    ("away", {"v_R": 0.05}, "R", "∞"),
+    ("away", {"slowed": 0.05}, "R", "∞"),
     ("tips", {"v_L": 0.0, "v_R": 0.0}, "R", "…"),
 ]
 # numbers that are shown to lose their digits, by the symbols that they come from
@@ -191,16 +191,19 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
         ),
     ],
     "away": [  # 5 (5 + v) / (v - 5) cm is -25 cm at 10/3 cm/s
-        ([{"v_R": 0.0325}, {"v_R": 0.034}], [{"v_R": 0.032}, {"v_R": 0.035}, {"v_R": 0.075}])
+        (
+            [{"slowed": 0.0675}, {"slowed": 0.066}],
+            [{"slowed": 0.068}, {"slowed": 0.065}, {"slowed": 0.025}],
+        )
     ],
     "steps": [
         ([{"n": 4}], [{"n": 3}, {"n": 5}]),
-        ([{"n": 45}], [{"n": 44}]),
+        ([{"n": 45}], [{"n": 44}, {"n": 46}]),
     ],
     "letters": [
         (
-            [{"name_1": "R", "name_2": "ωb"}],
-            [{"name_1": "ωb", "name_2": "R"}, {"name_1": "R", "name_2": "c"}],
+            [{"name_1": "R", "name_2": "ωb", "name_3": "c"}],
+            [{"name_1": "ωb", "name_2": "R", "name_3": "c"}, {"name_1": "R", "name_2": "ωb"}],
         )
     ],
     "sideways": [

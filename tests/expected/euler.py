@@ -94,10 +94,14 @@ def near_lock_readouts(near):
     return {"fast": np.linalg.solve(axes, np.array([0, 0, 1.0])[:, None])[:, 2, 0]}
 
 
+PAIRS = ((2, 1), (0, 2), (1, 0))
+
+
 def one_axis_readouts(x, y, z, turn, azimuth, elevation):
     """Return still to turn to frame B."""
     R = euler.from_axis_angle(np.stack([x, y, z], axis=-1), turn)
-    return {"apart": euler.to_axis_angle(R_AB.T @ R)[1]}
+    differences = {f"difference{k}": R[..., i, j] - R[..., j, i] for k, (i, j) in enumerate(PAIRS)}
+    return {"apart": euler.to_axis_angle(R_AB.T @ R)[1], **differences}
 
 
 def target_readouts(*columns):
@@ -299,6 +303,12 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
         (
             [LOCKED, {"middle": np.radians(92.9)}, {**LOCKED, "first": 1.0, "third": -1.0}],
             [{"middle": np.radians(93.1)}, {"middle": -HALF}, {"third": HALF}],
+        )
+    ],
+    "yaw-pitch-roll": [  # within 0.02 of a half: about 1.3°
+        (
+            [{"middle": np.radians(-30)}, {"middle": np.radians(-31), "first": 1.0, "third": 2.0}],
+            [{"middle": np.radians(30)}, {"middle": np.radians(-28.5)}],
         )
     ],
     "gimbal-rings": [

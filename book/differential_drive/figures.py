@@ -95,6 +95,7 @@ TWIST = {  # and so of the robot; rounded, as 0.05 + 0.1 has a last digit too ma
 }
 ARROW = 1  # s: an arrow is as long as the way in this time, so that a slope is an ω
 ORIGIN, START = (0, 0), (0, 0, pi / 2)  # the robot looks along the world's y axis
+FAR = 1e12  # m: a handle is not at infinity
 NO_ICR = {"inf": "at infinity", "nan": "nowhere: at rest"}
 VELOCITY = ((b, DISTANCE), *assign(drive.speed, drive.turning_rate))
 RADIUS_TOO = (*VELOCITY, *assign(drive.turning_radius))
@@ -391,8 +392,8 @@ def away_figure() -> Figure:
         handles=(
             Handle(
                 "the ICR",
-                (-R, 0),
-                {slowed: SPEEDS[v_R] - v_L * (POINTER[0] - b / 2) / (POINTER[0] + b / 2)},
+                (Max(-FAR, Min(FAR, -R)), 0),
+                {slowed: SPEEDS[v_R] - v_L * (1 - b / (POINTER[0] + b / 2))},
             ),
         ),
         readouts=(Readout(v_R), Readout(R, words={"inf": "∞"})),

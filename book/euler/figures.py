@@ -761,7 +761,7 @@ def one_axis_figure() -> Figure:
         return [a + part for a, part in zip(LEFT, arrow, strict=True)]
 
     arc = around(s * turn, 0.3)
-    differences = (("₃₂", "₂₃", (2, 1)), ("₁₃", "₃₁", (0, 2)), ("₂₁", "₁₂", (1, 0)))
+    differences = (("32", "23", (2, 1)), ("13", "31", (0, 2)), ("21", "12", (1, 0)))
     ways = {
         "two faces": (1, 0, 0),
         "two edges": (high, -high, 0),
@@ -795,7 +795,7 @@ def one_axis_figure() -> Figure:
         ),
         readouts=(
             *(
-                Readout(f"difference{k}", f"r{a} − r{b}", R[i, j] - R[j, i], digits=2)
+                Readout(f"difference{k}", f"r_{a} − r_{b}", R[i, j] - R[j, i], digits=2)
                 for k, (a, b, (i, j)) in enumerate(differences)
             ),
             Readout("apart", "angle to B", angle_of(R_AB.T * R), "rad"),

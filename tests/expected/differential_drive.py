@@ -59,8 +59,14 @@ def damage_readouts(rate, heading, t):
     return {"apart": np.hypot(*(places[0] - places[1])[:, :2].T)}
 
 
+def away_readouts(slowed):
+    v_right = 0.1 - slowed
+    return {"v_R": v_right, "R": differential_drive.turning_radius(0.05, v_right, DISTANCE)}
+
+
 def drive_readouts(v_left, v_right, t):
-    return dict(zip(("x", "y", "heading"), driven(*twist_of(v_left, v_right), t).T, strict=True))
+    pose, bay = driven(*twist_of(v_left, v_right), t), driven(np.float64(0.075), -0.5, 5.0)
+    return {**dict(zip(("x", "y", "heading"), pose.T, strict=True)), **off_and_turned(pose, bay)}
 
 
 STRAIGHT, BACK = {"v_L": 0.07, "v_R": 0.07}, {"v_L": -0.15, "v_R": -0.15}
@@ -69,6 +75,7 @@ DRIVES = [STRAIGHT, BACK, SPOT, STILL]
 
 READOUTS = {
     "park": park_readouts,
+    "away": away_readouts,
     "infinity": infinity_readouts,
     "digits": lambda power: {"after": np.sin(1 + 2 * 10.0**-power)},
     "steps": steps_readouts,
@@ -162,8 +169,8 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
     "seen-from-the-robot": "at its right",
     "behind-on-the-left": "135°",
     "where-still": ("pin: x −0.15 m, pin: y 0 m", "0 m, 0 m", "−0.05 m, 0 m"),
-    "where-next": "away to the left, then in from the right",
-    "wheel-rate": ("3.33 rad/s", "1.67 rad/s", "0.003 rad/s", "30 rad/s"),
+    "where-next": "farther away, then in from the other side",
+    "wheel-rate": ("3.33 rad/s", "1.67 rad/s", "0.003 rad/s", "30 rad/s", "0.3 rad/s"),
     "where-after": ("x −0.069 m, y 0.126 m", "0 m, 0.15 m", "0.069 m, 0.126 m"),
     "ever-straighter": "it gets worse",
     "at-rest": "nowhere: no answer",

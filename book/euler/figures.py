@@ -761,6 +761,7 @@ def one_axis_figure() -> Figure:
         return [a + part for a, part in zip(LEFT, arrow, strict=True)]
 
     arc = around(s * turn, 0.3)
+    tail, head = ([a + far * u for a, u in zip(LEFT, n, strict=True)] for far in (0.5, 1.5))
     differences = (("32", "23", (2, 1)), ("13", "31", (0, 2)), ("21", "12", (1, 0)))
     ways = {
         "two faces": (1, 0, 0),
@@ -779,13 +780,7 @@ def one_axis_figure() -> Figure:
         shapes=(
             *room(LEFT),
             *turn_axis(n, LEFT)[:1],
-            *(
-                VIEW.arrow(
-                    "icr",
-                    *([a + far * u for a, u in zip(LEFT, n, strict=True)] for far in (0.5, 1.5)),
-                    "n",
-                ),
-            ),
+            VIEW.arrow("icr", tail, head, "n"),
             Curve("icr", VIEW.project(arc), s, 0, 1, 16, depth=VIEW.depth(arc) + 0.2),
             *when(turn > 0.2, Label("icr", VIEW.project(around(turn / 2, 0.5)), "ϑ")),
             *die(R, LEFT),

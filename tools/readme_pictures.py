@@ -9,7 +9,7 @@ import book  # noqa: F401 - opens the course
 from courseware.figures.figure import find_figure
 from courseware.site.mistake_pictures import dark_colours
 
-FIGURE = "summary"
+FIGURE = "tips"
 WIDTH = 736  # pixels, as wide as a page shows it
 FOLDER = Path(__file__).parents[1] / ".github"
 

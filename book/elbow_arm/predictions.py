@@ -76,23 +76,8 @@ def twice_as_near() -> str:
 
 PREDICTIONS = (
     Prediction(
-        "part-along-x",
-        "From *Before you start*: an arrow of 2 m points 60° to the left of the $x$ axis. How long "
-        "is its part along $x$?",
-        Buttons(
-            ("1 m", "1.73 m", "2 m"),
-            right=lambda: f"{2 * np.cos(np.pi / 3):.0f} m",
-            assumptions={
-                "1.73 m": "That is its part along $y$, by the sine.",
-                "2 m": "So it is for an arrow that points along $x$.",
-            },
-        ),
-        explanation="2 m times the cosine of 60°, which is one half.",
-        spoilers=("which is one half",),
-    ),
-    Prediction(
         "straight-behind",
-        "Also from there: which direction does `arctan2(0, -2)` give?",
+        "From *Before you start*: which direction does `arctan2(0, -2)` give?",
         Buttons(
             ("0°", "180°", "none"),
             right=lambda: f"{np.degrees(np.arctan2(0, -2)):.0f}°",

@@ -321,7 +321,6 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
-    "part-along-x": "1 m",
     "straight-behind": "180°",
     "where-is-the-wrist": (
         "guess: ahead 0.43 m, guess: up 0.154 m",

@@ -98,21 +98,6 @@ def too_much() -> str:
 
 PREDICTIONS = (
     Prediction(
-        "which-turn",
-        "From chapter 7: the wheels of a robot are 10 cm apart. The right one has rolled 2 cm "
-        "farther than the left one. By how much has the robot turned?",
-        Number(
-            "rad",
-            right=lambda: differential_drive.body_twist(0.10, 0.12, 1.0, 0.1)[2],
-            assumptions={
-                "That divides by half of the distance between the wheels.": Float(0.4),
-                "That is the difference in metres.": Float(0.02),
-            },
-        ),
-        explanation="The difference of both ways over their distance, and to the left.",
-        spoilers=("over their distance",),
-    ),
-    Prediction(
         "both-wheels-alike",
         "From chapter 4: both wheels of a robot are equally fast. Where is its ICR?",
         Buttons(
@@ -123,7 +108,7 @@ PREDICTIONS = (
                 "between the wheels": "So it is if they turn against each other.",
             },
         ),
-        explanation="Straight on is a turn about a point at infinity. It will come back today.",
+        explanation="Straight on is a turn about a point at infinity.",
         spoilers=("a turn about a point",),
     ),
     Prediction(
@@ -142,8 +127,7 @@ PREDICTIONS = (
                 "That turns joint 3.": hand_after(3, 90),
             },
         ),
-        explanation="Link 2 and the pen turn like one stiff body, about joint 2. What link 1 does "
-        "plays no part.",
+        explanation="Link 2 and the pen turn like one stiff body, about joint 2.",
         spoilers=("like one stiff body",),
     ),
     Prediction(
@@ -158,7 +142,7 @@ PREDICTIONS = (
                 "That is the mean of the three.": Float(sum(RATES) / 3),
             },
         ),
-        explanation="Each joint turns all that comes after it, the hand too. So the rates add up.",
+        explanation="Each joint turns all that comes after it, so the rates add up.",
         spoilers=("rates add up",),
         covers="tip-to-tail",
     ),
@@ -180,7 +164,7 @@ PREDICTIONS = (
                 "That is joint 3. So it is if joint 3 alone turns.": joint_place(3),
             },
         ),
-        explanation="It is the point where three equal weights on the joints would balance.",
+        explanation="Where three equal weights on the joints would balance.",
         spoilers=("equal weights", "would balance"),
     ),
     Prediction(
@@ -196,7 +180,7 @@ PREDICTIONS = (
                 "none": "A weight on the elbow would pull the balance point off that line.",
             },
         ),
-        explanation="Two equal weights, on joints 1 and 3, balance there. So the elbow is free of "
+        explanation="Equal weights on joints 1 and 3 balance there: the elbow is free of "
         "any weight.",
         spoilers=("free of any weight",),
         covers="areas",
@@ -213,9 +197,8 @@ PREDICTIONS = (
                 "100 times": "So it is if it goes with one over a square.",
             },
         ),
-        explanation="Ten times nearer, ten times faster: more than 50 turns a second at a tenth of "
-        "a degree. At 0° no rate does it. The reason is the denominator in the formula; "
-        "$v_\\mathrm{out}$ is the wrist's speed.",
+        explanation="Ten times nearer, ten times faster: at 0.1° more than 50 turns a second. At "
+        "0° no rate does it. The reason is the formula's denominator.",
         spoilers=("ten times faster",),
     ),
     Prediction(
@@ -233,7 +216,7 @@ PREDICTIONS = (
             },
         ),
         explanation="Link 3 turns, and pushes P along the arm. Only with all links on one line do "
-        "the two rows have rank 1, and P loses a direction.",
+        "the two rows have rank 1.",
         spoilers=("pushes P", "rank 1"),
         covers="ellipse",
     ),
@@ -250,7 +233,7 @@ PREDICTIONS = (
                 "v/(2λ)": "That is the largest rate. It is needed a little before.",
             },
         ),
-        explanation="A rate there costs, and moves nothing. So the cheapest is none.",
+        explanation="A rate there costs, and moves nothing: the cheapest is none.",
         spoilers=("moves nothing",),
     ),
     Prediction(
@@ -281,9 +264,9 @@ PREDICTIONS = (
                 "none of them": "Feedback can take back more than twice the error.",
             },
         ),
-        explanation="An error now shrinks by itself, and the drift no longer adds up. But when $K$ "
-        "times the step exceeds 2, as 6 times 0.4 does, each step makes the error larger. With a "
-        "$K$ of 5 it is just 2: the error changes its sign at each step, and hardly shrinks.",
+        explanation="An error now shrinks, and the drift no longer adds up. But when $K$ times the "
+        "step exceeds 2, as 6 times 0.4 does, each step makes the error larger. At 5 it is just "
+        "2: the error changes its sign, and hardly shrinks.",
         spoilers=("exceeds 2",),
     ),
 )

@@ -495,7 +495,6 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
-    "which-turn": ("0.2 rad", "0.4 rad", "0.02 rad"),
     "both-wheels-alike": "at infinity",
     "where-the-pen-goes": (
         "guess: x 0.0464 m, guess: y 0.4 m",

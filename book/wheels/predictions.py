@@ -238,7 +238,7 @@ PREDICTIONS = (
         covers="push-lines",
     ),
     Prediction(
-        "turned-wheels",
+        "which-turn-fails",
         "For which $\\beta$ do the rates no longer determine the motion?",
         Buttons(
             ("30° and −30°", "45° and −45°", "90° and −90°"),

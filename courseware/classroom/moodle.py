@@ -27,7 +27,8 @@ HOW_TO_WRITE = (
 )
 NUMBER_RIGHT = "The number is right. If it gets no marks, its unit is missing or wrong."
 FIELD = "_" * 20  # Moodle puts the field of a numerical question here
-TYPED = {"²": ("²", "^2"), "·": ("·", "*", "")}  # what is typed for a sign in a unit
+# what is typed for a sign in a unit
+TYPED = {"²": ("²", "^2"), "³": ("³", "^3"), "·": ("·", "*", "")}
 STYLE = (  # three columns of a matrix fit on a phone, and a unit stays behind its field
     "<style>.number-fields .form-control{display:inline-block;width:9em!important;"
     "padding:.4em;max-width:calc(100% - 1.5em)}"
@@ -138,7 +139,7 @@ def unit_sizes(unknown: Unknown) -> dict[str, float]:
 
 def _spellings(unit: Unit) -> list[str]:
     """Return what may be typed for a unit, without the blanks, which Moodle takes out."""
-    first, sign, rest = re.findall("([^/²·]*)(.?)(.*)", unit.name)[0]
+    first, sign, rest = re.findall("([^/²³·]*)(.?)(.*)", unit.name)[0]
     words = UNITS[first].words if first in UNITS else [first]
     signs = TYPED.get(sign, (sign,))
     return [f"{word}{sign}{rest}".replace(" ", "") for word in words for sign in signs]

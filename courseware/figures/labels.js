@@ -82,8 +82,8 @@ const costOf = (box, x, y, obstacles, taken) => obstacles.reduce((sum, { points,
   return sum + (isBody && contains(points, x, y) ? ON : 0);
 }, FREE * taken.filter(overlaps(box)).length);
 
-// A text stays in its place: the numbers of an axis belong to their ticks.
-const stays = ({ shape: { shape, kind } }) => shape === "label" && kind === "text";
+// The numbers of an axis stay at their ticks.
+const stays = ({ shape: { shape, kind, label } }) => shape === "label" && kind === "text" && /^[−\d.⁻⁰¹²³-⁹]+( m)?$/.test(label);
 
 // bodies: outlines of things, and faces; lines: all else. Each label takes the place inside the picture
 // that costs least. → their nodes, and the boxes that are taken.

@@ -57,7 +57,8 @@ def bundle_pages() -> str:
     """Return the script of all pages: what the parts export, and their start."""
     entries, starts = zip(*(_parts[name].page.split(":") for name in list_parts()), strict=True)
     calls = "".join(f"courseware.{start}();\n" for start in starts)
-    return f"globalThis.courseware = {bundle(*entries)};\n{calls}"
+    runs = 'document.documentElement.dataset.scripts ??= "";'  # for the rules of the style
+    return f"globalThis.courseware = {bundle(*entries)};\n{runs}\n{calls}"
 
 
 def bundle_widget(name: str) -> str:

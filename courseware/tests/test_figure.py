@@ -15,7 +15,7 @@ from courseware.figures.figure import MIME, find_figure
 
 SIZE = 30_000  # bytes for one figure, nearly all the still picture
 # three rings in space, with a face for each 15 degrees
-SIZES = {"rings-alone": 38_000, "gimbal-rings": 40_000, "robots": 46_000}
+SIZES = {"rings-alone": 38_000, "gimbal-rings": 44_000, "robots": 46_000}
 # a solid arm on its turntable, or two, with the covers of its joints
 SIZES |= dict.fromkeys(("grip", "arm-exercise", "turn-round", "on-the-axis"), 66_000)
 SIZES |= dict.fromkeys(("arm-laboratory", "dh-frames", "wrong-reach"), 66_000)

@@ -111,13 +111,13 @@ DECLARED = {  # who declares a unit, and how the message calls it
     "a quantity": (lambda unit: quantity("v", unit, 0, 1, "speed"), "the symbol v"),
     "a symbol": (lambda unit: symbol("N", "a number", unit=unit), "the symbol N"),
     "a slider": (lambda unit: Slider(quantity("v", unit, 0, 1, "speed"), 0, 1, 0, 0.1), "symbol v"),
-    "a readout": (lambda unit: Readout("error", "error", a, unit), "the readout error"),
     "an answer": (lambda unit: Unknown("v", unit), "the answer v"),
     "a line": (lambda unit: LocalEquation(a, b, unit), "the equation with a"),
     "a line of several": (lambda unit: LocalEquation(a, b, ("m", unit)), "the equation with a"),
     "a step": (lambda unit: Step(LocalEquation(a, b), unit=unit), "the step of a solution"),
 }
 SHOWN = {  # the same of a unit that only the reader sees
+    "a readout": (lambda unit: Readout("error", "error", a, unit), "the readout error"),
     "a given number": (lambda unit: one_of(1, 2, unit=unit), r"number drawn from \(1, 2\)"),
     "given numbers": (lambda unit: number_range(1, 2, 1, unit), r"the number drawn from \(1, 2\)"),
     "a guess": (lambda unit: Number(unit, 1.0), "a guess"),

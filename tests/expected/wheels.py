@@ -458,6 +458,6 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
     "both-by-20": "none",
     "no-roll": "135°",
     "equal-rates": "it turns on the spot",
-    "turned-wheels": "90° and −90°",
+    "which-turn-fails": "90° and −90°",
     "one-faster": "all four",
 }

@@ -35,7 +35,7 @@ LOADED = """[...document.fonts].filter((font) => font.status === "loaded")
   .map(({ family, style, weight }) => [family, style, weight].join(" ")).sort().join()"""
 
 
-@pytest.mark.parametrize("name", ["euler", "frames", "wheels"])
+@pytest.mark.parametrize("name", ["euler", "frames", "odometry"])
 def test_formulas_far_below_wait_for_a_reader_s_first_move(name, server, chromium):
     """Then they have their heights, so that nothing jumps, and their fonts, should one print."""
     with watched_page(chromium, server, 390) as (page, _):

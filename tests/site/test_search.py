@@ -22,10 +22,10 @@ FIRST = {
     "law of cosines": f"{ARM}#the-triangle",
     "gimbal lock": f"{TERM}gimbal-lock",
     "homogeneous transform": f"{FRAMES}#a-pose-as-a-matrix",
-    "ICR": f"{TERM}ICR-instantaneous-centre-of-rotation",
-    "Ackermann": f"{WHEELS}#a-car-s-front-wheels",
+    "ICR": f"{DRIVE}#where-the-icr-goes",
+    "Ackermann": "bicycle/bicycle#and-back-one-steering-wheel-two-angles",
     "covariance": f"{TERM}covariance",
-    "manipulability": f"{PLANAR}#how-near-is-it",
+    "manipulability": f"{PLANAR}#all-at-once",
     # symbols
     "φ": "notation#wheel-constraints-and-the-omni-robot",
     # functions, and errors

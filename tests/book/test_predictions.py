@@ -220,7 +220,7 @@ def test_a_ghost_is_told_how_it_is_off(where, offs, told):
     ghost = Ghost(name, tuple(places), {}, (right,) * len(places), 0.01)
     assert engine.call("courseware.describeMiss", ghost.serialize(), offs, True) == told
     direction = engine.call("courseware.describeMiss", ghost.serialize(), offs)
-    assert direction == re.sub(r"[\d.]+(°| c?m) ", "", told)
+    assert direction == re.sub(r"[\d.]+(°| c?m(/s)?) ", "", told)
 
 
 WRONG = {

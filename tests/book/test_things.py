@@ -58,6 +58,7 @@ MOVING = {
     "kerb": lambda **k: things.kerb(pose, 10),
     "road_marks": lambda **k: things.road_marks(pose, 10),
     "shelf": lambda **k: things.shelf(pose),
+    "rod": lambda **k: things.rod(pose, 0.4),
     "walls": lambda **k: things.walls((0, 2, 0, 1), doors=[((0.5, -0.2), (1, 0))]),
 }
 LOOKING = ("robot", "vacuum", "omni_robot", "platform", "car", "bus", "trolley", "arm", "parcel")

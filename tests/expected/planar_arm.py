@@ -234,8 +234,8 @@ SPECIALS = {
 }
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "draw-line": [
-        (on_line(0.2232, (0, 0.009)), on_line(0.2232, (0, 0.013))),
-        (on_line(-0.1, (0.009, 0), (0, 0.009)), on_line(-0.1, (0.013, 0))),
+        (on_line(0.2232, (0, 0), (0, 0.009)), on_line(0.2232, (0, 0.013))),
+        (on_line(-0.1, (0, 0), (0.009, 0), (0, 0.009)), on_line(-0.1, (0.013, 0))),
     ],
     "balance": [
         (

@@ -53,7 +53,7 @@ def test_code_is_whole(printed):
 def test_figures_have_their_readouts_and_no_menus_are_there(printed):
     _, _, texts = printed
     whole = flat("".join(texts))
-    for readout in FIGURES["wrong-car"].readouts:
+    for readout in FIGURES["swept-lane"].readouts:
         name = flat(re.sub(r"_\w+|[^\w ].*", "", readout.label))
         assert name in whole, readout.label
     assert "4.33m" in whole  # the turning radius at the start

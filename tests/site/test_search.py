@@ -25,7 +25,7 @@ FIRST = {
     "ICR": f"{DRIVE}#where-the-icr-goes",
     "Ackermann": "bicycle/bicycle#and-back-one-steering-wheel-two-angles",
     "covariance": f"{TERM}covariance",
-    "manipulability": f"{PLANAR}#all-at-once",
+    "manipulability": f"{TERM}manipulability",
     # symbols
     "φ": "notation#wheel-constraints-and-the-omni-robot",
     # functions, and errors
@@ -71,7 +71,7 @@ def test_a_result_leads_to_its_section(site, chromium):
         assert results.first.locator("mark").first.text_content().lower() == "rolling"
         page.keyboard.press("ArrowDown")
         page.keyboard.press("Enter")
-        page.wait_for_url("**/wheels.html#the-rolling-row")
+        page.wait_for_url("**/wheels.html#how-fast-must-it-turn")
         assert not watch.errors + watch.strangers
 
 

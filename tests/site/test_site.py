@@ -225,21 +225,23 @@ def test_text_of_twice_the_size_is_all_there(name, server, chromium):
 def test_back_brings_a_figure_s_controls_and_picture_as_they_belong(server, chromium):
     """Without the browser's memory of whole pages, which tests run without."""
     with watched_page(chromium, server, reduced_motion="reduce") as (page, _):
-        page.goto(f"{server}frames/frames.html")
-        figure = page.locator(".rk-figure:has(select)").first
+        page.goto(f"{server}wheels/wheels.html")
+        figure = page.locator("#wheel-laboratory")
         figure.scroll_into_view_if_needed()
-        figure.locator("select").wait_for()
-        figure.locator("select").select_option(index=1)
+        figure.locator("select").first.wait_for()
+        figure.locator("select").first.select_option(index=1)
         figure.locator("input[type=range]").first.press("End")
         page.goto(f"{server}index.html")
         page.go_back()
         figure.scroll_into_view_if_needed()
-        figure.locator("select").wait_for()
+        figure.locator("select").first.wait_for()
         shown = figure.evaluate(
-            "({courseware: {inputs, state}}) => inputs.map((input, k) => [Number(input.value), k])"
+            "({courseware: {inputs}}) => inputs.filter(({type}) => type !== 'radio')"
+            ".map((input, k) => [Number(input.value), k])"
         )
         state = figure.evaluate(
-            "({courseware: {inputs, state}}) => inputs.map(({dataset}, k) => [state[dataset.i], k])"
+            "({courseware: {inputs, state}}) => inputs.filter(({type}) => type !== 'radio')"
+            ".map(({dataset}, k) => [state[dataset.i], k])"
         )
         assert shown == state
 

@@ -59,6 +59,7 @@ from book.bicycle.formulas import (
 from book.differential_drive.figures import angle_size, guess_x, guess_y, n, t
 from book.differential_drive.formulas import R
 from book.frames.figures import point_of
+from book.letters import put_back
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_dot, theta_next, v, x, x_dot, y, y_dot
 from book.things.graph import Graph, LinearGraph
@@ -1060,43 +1061,23 @@ def recap_figure() -> Figure:
 
 def letters_figure() -> Figure:
     """Draw the car with two letters that are to be put back."""
-    places = ((-2.0, -0.55), (-0.42, 3.75))
-    options = {name: (number,) for number, name in enumerate(("?", "φ", "L", "R", "b"))}
-    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
-    right = (options["R"][0], options["φ"][0])
-    labels = [
-        label
-        for k, (place, name, wanted) in enumerate(zip(places, names, right, strict=True), 1)
-        for letter, (number,) in options.items()
-        for label in when(
-            Abs(name - number) < 0.5,
-            Label(
-                "target" if number == wanted else "error" if number else "text",
-                place,
-                letter if number == wanted else f"{letter}: no" if number else str(k),
-            ),
-        )
-    ]
+    answers = {"R": (-2.0, -0.55), "φ": (-0.42, 3.75)}
+    letters = put_back(quantity, ("φ", "L", "R", "b"), answers)
     return SCENE.figure(
         "car-letters",
         "A car in a turn with the bicycle's wheel and the ICR, and the numbers 1 and 2",
         "axle car bicycle middle icr P",
         view=(-6.7, 3.9, -1.1, 3.95),
-        controls=tuple(
-            Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
-        ),
+        controls=letters.controls,
         where=((kappa, BEND), *TURN.items(), (wheelbase, L), (track, B),
                *assign(bicycle.ackermann)),
         shapes=(
             Length("icr", (0, 0), (-R, 0), aside=0.35, label=""),
             AngleArc("velocity", (0, L), UP, UP + steering, 1.1, label=""),
             Line("ghost", ((0, L), (0, L + 1.3))),
-            *labels,
+            *letters.shapes,
         ),
-        goal=Goal(
-            And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
-            "Put the two letters back.",
-        ),
+        goal=letters.goal,
     )  # fmt: skip
 
 

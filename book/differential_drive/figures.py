@@ -37,6 +37,7 @@ from book.differential_drive.exercises import (
 )
 from book.differential_drive.formulas import R, b, r, rate_L, rate_R, v_L, v_R
 from book.frames.figures import point_of
+from book.letters import put_back
 from book.motion import formulas as motion
 from book.motion.formulas import (
     dt,
@@ -1014,17 +1015,14 @@ def letters_figure() -> Figure:
     """Draw all of it at rest, with three letters that are to be put back."""
     end = drive_for(2.0)
     places = ((-R / 2, -0.06), (0.095, (v_L + v_R) / 2), (0.62 * end[0] - 0.02, 0.62 * end[1]))
-    options = {name: (number,) for number, name in enumerate(("?", "θ", "ωb", "c", "R"))}
-    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2, 3))
-    right = tuple(options[name][0] for name in ("R", "ωb", "c"))
+    answers = dict(zip(("R", "ωb", "c"), places, strict=True))
+    letters = put_back(quantity, ("θ", "ωb", "c", "R"), answers)
     return SCENE.figure(
         "letters",
         "The robot, the line through the tips of its arrows, the ICR, the arc and its chord",
         "axle tips robot wheels speed icr",
         view=(-0.26, 0.16, -0.11, 0.22),
-        controls=tuple(
-            Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
-        ),
+        controls=letters.controls,
         where=(*SPEEDS.items(), *RADIUS_TOO),
         shapes=(
             way("path", 0, 2.0),
@@ -1033,24 +1031,9 @@ def letters_figure() -> Figure:
             Length("icr", ORIGIN, (-R, 0), aside=0.045, label=""),
             Length(b, *RUN),
             Length("turning", *RISE, "", aside=-0.03),
-            *(
-                label
-                for k, (place, name, wanted) in enumerate(zip(places, names, right, strict=True), 1)
-                for letter, (number,) in options.items()
-                for label in when(
-                    Abs(name - number) < 0.5,
-                    Label(
-                        "target" if number == wanted else "error" if number else "text",
-                        place,
-                        letter if number == wanted else f"{letter}: no" if number else str(k),
-                    ),
-                )
-            ),
+            *letters.shapes,
         ),
-        goal=Goal(
-            And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
-            "Put the three letters back.",
-        ),
+        goal=letters.goal,
     )
 
 

@@ -46,6 +46,7 @@ from book.elbow_arm.formulas import (
     theta2,
     theta3,
 )
+from book.letters import put_back
 from book.motion import formulas as motion
 from book.things import meshes, space
 from book.things.arms import links
@@ -1249,28 +1250,16 @@ def letters_figure() -> Figure:
     middles = [
         ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in ((ELBOW_UP, BALL_AT), (ORIGIN, BALL_AT))
     ]
-    options = {name: (number,) for number, name in enumerate(("?", "a_2", "a_3", "d", "r"))}
-    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
-    right = (options["a_3"][0], options["d"][0])
-    labels: list[Any] = []
-    for k, (place, name, wanted) in enumerate(zip(middles, names, right, strict=True), 1):
-        for letter, (number,) in options.items():
-            kind = "target" if number == wanted else "error" if number else "text"
-            text = letter if number == wanted else f"{letter}: no" if number else str(k)
-            labels += when(Abs(name - number) < 0.5, Label(kind, place, text))
+    answers = dict(zip(("a_3", "d"), middles, strict=True))
+    letters = put_back(quantity, ("a_2", "a_3", "d", "r"), answers)
     return SCENE.figure(
         "arm-letters",
         "The two circles, the arm at one of their crossings, with the numbers 1 and 2",
         "bench circles below arm line ball elbows",
-        controls=tuple(
-            Choice(f"name_{k}", f"{k} is", (n,), options) for k, n in enumerate(names, 1)
-        ),
+        controls=letters.controls,
         where=((out, 0.42), (high, 0.28), *WAYS),
-        shapes=tuple(labels),
-        goal=Goal(
-            And(*(Abs(n - x) < 0.5 for n, x in zip(names, right, strict=True))),
-            "Put the two letters back.",
-        ),
+        shapes=letters.shapes,
+        goal=letters.goal,
     )
 
 

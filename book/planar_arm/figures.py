@@ -28,6 +28,7 @@ from sympy import (
 
 from book import things
 from book.differential_drive.figures import n, t
+from book.letters import put_back
 from book.motion import formulas as motion
 from book.planar_arm import formulas as arm
 from book.planar_arm.exercises import (
@@ -1094,39 +1095,20 @@ def four_links_figure() -> Figure:
 
 def letters_figure() -> Figure:
     """Draw the arm with two letters that are to be put back."""
-    places = ((x_c + 0.02, y_c - 0.07), (0.25, 0.36))
-    options = {name: (number,) for number, name in enumerate(("?", "ICR", "½ det J", "w", "φ̇"))}
-    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
-    right = (options["ICR"][0], options["½ det J"][0])
+    answers = {"ICR": (x_c + 0.02, y_c - 0.07), "½ det J": (0.25, 0.36)}
+    letters = put_back(quantity, ("ICR", "½ det J", "w", "φ̇"), answers)
     return SCENE.figure(
         "weight-letters",
         "The arm, the weights on its joints, the triangle of its joints, and the numbers 1 and 2",
         "triangle arm weights spokes P",
         view=(-0.35, 1.0, -0.16, 0.68),
-        controls=tuple(
-            Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
-        ),
+        controls=letters.controls,
         where=(*GIVEN, *zip(RATES, (0.2, 0.3, 0.2), strict=True), *MOVES),
         shapes=(
             Point("icr", CENTRE),
-            *(
-                label
-                for k, (place, name, wanted) in enumerate(zip(places, names, right, strict=True), 1)
-                for letter, (number,) in options.items()
-                for label in when(
-                    Abs(name - number) < 0.5,
-                    Label(
-                        "target" if number == wanted else "error" if number else "text",
-                        place,
-                        letter if number == wanted else f"{letter}: no" if number else str(k),
-                    ),
-                )
-            ),
+            *letters.shapes,
         ),
-        goal=Goal(
-            And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
-            "Put the two letters back.",
-        ),
+        goal=letters.goal,
     )
 
 

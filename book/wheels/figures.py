@@ -28,6 +28,7 @@ from book import things
 from book.differential_drive.figures import angle_size, t
 from book.differential_drive.formulas import r
 from book.frames.figures import point_of
+from book.letters import put_back
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_dot, v, v_y, x, x_dot, y, y_dot
 from book.things.outlines import box, disc, line
@@ -1492,39 +1493,19 @@ def summary_figure() -> Figure:
 
 def letters_figure() -> Figure:
     """Draw a wheel with its two lines; two letters are to be put back."""
-    options = {name: (number,) for number, name in enumerate(("?", "β", "p", "l", "a"))}
-    names = tuple(quantity(f"name_{k}", "", 0, 4, f"the reader's name for {k}") for k in (1, 2))
-    right = (options["a"][0], options["p"][0])
-    places = ((-0.07, 0.35), (0.11, 0.36))
+    letters = put_back(quantity, ("β", "p", "l", "a"), {"a": (-0.07, 0.35), "p": (0.11, 0.36)})
     return Figure(
         name="wheel-letters",
         title="A wheel on a plate, its axle line and its push line, and the numbers 1 and 2",
         view=(-0.46, 0.46, -0.17, 0.43),
         ground="tiles",
-        controls=tuple(
-            Choice(f"name_{k}", f"{k} is", (name,), options) for k, name in enumerate(names, 1)
-        ),
+        controls=letters.controls,
         where=LAST,
         shapes=(
             *both_lines(("", "")),
-            *(
-                label
-                for k, (place, name, wanted) in enumerate(zip(places, names, right, strict=True), 1)
-                for letter, (number,) in options.items()
-                for label in when(
-                    Abs(name - number) < 0.5,
-                    Label(
-                        "target" if number == wanted else "error" if number else "text",
-                        place,
-                        letter if number == wanted else f"{letter}: no" if number else str(k),
-                    ),
-                )
-            ),
+            *letters.shapes,
         ),
-        goal=Goal(
-            And(*(Abs(name - each) < 0.5 for name, each in zip(names, right, strict=True))),
-            "Put the two letters back.",
-        ),
+        goal=letters.goal,
     )
 
 

@@ -195,6 +195,7 @@ def grip_figure() -> Figure:
                 )
             ),
             *space.arm(JOINTS, LINKS, SHOULDER, Piecewise((0, held), (1, True))),
+            Label("target", VIEW.project(BALL), "{off} off"),
         ),
         handles=(
             base_ring(),
@@ -207,7 +208,7 @@ def grip_figure() -> Figure:
                 {**dict(zip(JOINTS, next_way, strict=True)), shown: Min(shown, 3) + 1},
             ),
         ),
-        readouts=(Readout("off", "gripper to ball", apart_from(wrist, BALL), "m"),),
+        readouts=(Readout("off", "gripper to ball", apart_from(wrist, BALL), "cm"),),
         sentence="Joints at {theta1}, {theta2}, {theta3}: the gripper is {off} from the ball.",
         goal=(
             Goal(And(held, shown < 1), "Grip the ball by yourself: within 2 cm."),
@@ -656,6 +657,7 @@ def turn_round_figure() -> Figure:
             *stood(TARGET),
             *space.arm(facing, LINKS, SHOULDER, 0, kind="ghost", opacity=0.2)[1:],
             *space.arm(JOINTS, LINKS, SHOULDER, 0),
+            Label("target", VIEW.project(TARGET), "ball"),
         ),
         readouts=(Readout(theta1), Readout(theta2), Readout(theta3)),
         seen_from=(0.6, 0.4),
@@ -848,6 +850,7 @@ def on_axis_figure() -> Figure:
             bring_forward(VIEW.line("icr", ((0, 0, 0), (0, 0, 0.7))), -0.1),
             *space.arm((theta1, lifted, bend), LINKS, SHOULDER, 0),
             VIEW.solid(space.ball(), 0.025 * eye(3), ball),
+            Label("icr", VIEW.project((0, 0, 0.7)), "base axis"),
         ),
         seen_from=(-pi / 3, pi / 7),
     )

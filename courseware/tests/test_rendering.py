@@ -67,14 +67,16 @@ def test_short_formulas_and_units_stay_together():
     assert "longer formula) in 2 ways" in said
 
 
-MOST = 192_000  # bytes of a topic, loaded when an exercise is used
+MOST = 128_000  # bytes of a chapter's exercises; loaded only once a student's name is known
+MORE = {"planar_arm": 192_000, "wheels": 140_000}  # eleven exercises
 
 
 @pytest.mark.parametrize("topic", practice.all_topics())
 def test_the_data_of_a_topic_are_light_and_not_in_clear(topic):
     text = rendering.render_script(topic)
-    assert len(text) < MOST, (
-        f"the exercises of {topic} have {len(text)} bytes, at most {MOST}: shorten solutions and "
+    most = MORE.get(topic, MOST)
+    assert len(text) < most, (
+        f"the exercises of {topic} have {len(text)} bytes, at most {most}: shorten solutions and "
         "texts, or ask for fewer numbers"
     )
     assert "right" not in text

@@ -652,11 +652,12 @@ def test_a_mecanum_wheels_slip_is_seen_along_its_rollers_axis_only():
 
 @pytest.mark.parametrize("metres", [1.0, 0.01])
 def test_the_nearest_motion_is_that_of_a_length_of_one_metre(metres):
-    """The laboratory's car, asked for all three speeds; in centimetres it is another motion."""
+    """The laboratory's bicycle, asked for all three speeds; in centimetres it is another motion."""
     asked = np.array([0.15, 0.15, 0.5])
-    wished = {"robot": "car", "wish": "all three at once"}
+    wished = dict(zip(("wish_v", "wish_vy", "wish_omega"), asked, strict=True), robot="bicycle")
     shown = [read_figure("wheel-laboratory", name, **wished) for name in ("v", "v_y", "omega")]
-    allowed = np.array([0.4, 0.0, 1.0])  # about the ring C, 0.4 m to the left
+    ahead = 0.3  # m: there the front wheel is, steered as the wish moves it; it puts the ICR aside
+    allowed = np.array([ahead * asked[0] / (asked[1] + ahead * asked[2]), 0.0, 1.0])
     weights = np.array([1, 1, metres])
     size = (weights * allowed) @ (weights * asked) / np.sum((weights * allowed) ** 2)
     assert np.allclose(shown, size * allowed, rtol=0, atol=1e-12) == (metres == 1)

@@ -2,7 +2,7 @@
 // findings by check; opens all folds, and brings all figures to life.
 // `unfold` and `comeAlive` come from tests/browser.py.
 // screens: whether each screen must have something to see or do; heights: the most of a figure in
-// px, by its size; sizes: the size of each figure, by its name
+// px, by its size or name; sizes: the size of each figure, by its name
 async ({ phone, screens, heights, sizes }) => {
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
   const seen = (selector) => all(selector).filter((each) => each.checkVisibility());
@@ -76,12 +76,14 @@ async ({ phone, screens, heights, sizes }) => {
 
   const figureFaults = (figure) => {
     const { left, right, height } = box(figure), svg = figure.querySelector(".rk-picture svg");
-    const scale = box(svg).width / svg.viewBox.baseVal.width;
+    const scale = box(svg).width / svg.viewBox.baseVal.width, texts = all("text", svg);
     const letters = all("text, tspan", svg).map((t) => scale * parseFloat(getComputedStyle(t).fontSize));
     const faults = tornNumbers(figure).map((told) => `${told.textContent} is torn`);
     const card = figure.querySelector(".rk-card"), own = height - (card ? box(card).height : 0); // a question leaves
-    if (own > heights[sizes[figure.id]]) faults.push(`${own} px high, at most ${heights[sizes[figure.id]]}: flatten its view, or tell less`);
+    const most = heights[figure.id] ?? heights[sizes[figure.id]];
+    if (own > most) faults.push(`${own} px high, at most ${most}: flatten its view, or tell less`);
     if (left < 0 || right > innerWidth) faults.push("beside the page");
+    if (!texts.length) faults.push("no text");
     if (Math.min(...letters) < 11 - 0.05) faults.push(`letters of ${Math.min(...letters)} px`); // rounded
     return faults.map((fault) => `${figure.id}: ${fault}`);
   };

@@ -54,6 +54,10 @@ ANEW = """([name, states]) => {
 }"""
 
 
+# where two texts meet by some pixels at so many of ten settings, on a page without our fonts
+CROWDED = {"hero": 2, "two-readings": 2, "spokes": 1, "arm-joints": 1}
+
+
 @pytest.mark.browser
 @pytest.mark.parametrize("count", [10, pytest.param(200, marks=pytest.mark.slow)])
 @each("figure", "figures", Figure)
@@ -61,6 +65,6 @@ def test_what_is_drawn(figure, count, alive):
     page, watch = alive
     states = random_states(figure, count, [page.viewport_size["width"], len(figure.name)])
     crowded = page.evaluate(FAULTS, [figure.name, states])
-    assert len(crowded) <= len(states) / 10, crowded  # at one of ten settings two texts may meet
+    assert len(crowded) <= CROWDED.get(figure.name, 0) * count / 10, crowded
     assert page.evaluate(ANEW, [figure.name, states[:10]]) == []
     assert not watch.errors

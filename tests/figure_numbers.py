@@ -14,7 +14,7 @@ from verification import evaluate_exactly
 
 from courseware.course import course
 from courseware.equations import Equation, find_kind
-from courseware.figures import Choice, Figure, QuarterTurns, Thing
+from courseware.figures import Choice, Figure, QuarterTurns, Sprite
 from courseware.figures.compiler import Compiler
 from courseware.figures.solids import Solid
 from courseware.predictions import Ghost, Prediction
@@ -283,7 +283,7 @@ def random_states(figure, count, seed):
 
 def kind_of(figure, shape):
     """Return the name of a shape's look; what has materials instead has none."""
-    if isinstance(shape, Thing):
+    if isinstance(shape, Sprite):
         return None
     if isinstance(shape, Solid):
         kind = shape.meshes[0].kind

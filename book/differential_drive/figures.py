@@ -78,7 +78,7 @@ from courseware.figures import (
     Recurrence,
     Scene,
     Slider,
-    Thing,
+    Sprite,
     Trail,
     assign,
     distance,
@@ -125,7 +125,7 @@ s = Symbol("s")
 # The robot, and where its parts are.
 
 
-def robot(pose: Any, time: Any = 0, rolled: Any = (), look: str = "") -> Thing:
+def robot(pose: Any, time: Any = 0, rolled: Any = (), look: str = "") -> Sprite:
     """Return the robot; time: how long the wheels have rolled, or how far each of them."""
     return things.robot(pose, rolled or (v_L * time, v_R * time), look)
 

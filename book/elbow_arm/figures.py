@@ -74,7 +74,7 @@ from courseware.figures import (
     Readout,
     Scene,
     Slider,
-    Thing,
+    Sprite,
     Track,
     bring_forward,
     distance,
@@ -476,7 +476,7 @@ def from_above(angle: Any) -> Any:
     """Return what the arm stands on, from above, with its nose."""
     plate = Outline(disc(0.13), "drum", "edge")
     nose = Outline(NOSE, "accent", "accent_edge")
-    return Thing((0, 0, angle), (plate, nose), 0.02)
+    return Sprite((0, 0, angle), (plate, nose), 0.02)
 
 
 def base_figure() -> Figure:

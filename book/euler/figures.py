@@ -50,7 +50,7 @@ from courseware.figures import (
     QuarterTurns,
     Readout,
     Slider,
-    Thing,
+    Sprite,
     assign,
     bring_forward,
     ramp,
@@ -739,7 +739,7 @@ def one_turn_figure() -> Figure:
             way("approximation", in_ball(2 * s), 1, 24),
             bring_forward(VIEW.point("target", put(spoke), "B"), 9),
             bring_forward(VIEW.point("body", put(here)), 9),
-            Thing((*seen, 0), (glass, light)),
+            Sprite((*seen, 0), (glass, light)),
         ),
         readouts=(
             Readout("turned", "turned on the way", turned, "rad", digits=0),

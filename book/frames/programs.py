@@ -23,7 +23,7 @@ from book.frames.formulas import (
     de_y,
 )
 from book.things import outlines
-from courseware.figures import Outline, Thing
+from courseware.figures import Outline, Sprite
 from courseware.programs.declaration import Program
 from robokin import frames
 
@@ -67,7 +67,7 @@ def camera(pose, look=""):
     """Draw the camera from above: it looks along its x axis."""
     body = Outline(outlines.box(0.16, 0.12, -0.08, 0, 0.03), "drum_pale", "edge")
     lens = Outline(outlines.box(0.05, 0.07, 0.02, 0, 0.01), "dark", "rim")
-    return Thing(pose, (body, lens), 0.03, look)
+    return Sprite(pose, (body, lens), 0.03, look)
 
 
 def hand(pose, look=""):

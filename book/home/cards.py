@@ -22,7 +22,7 @@ from book.planar_arm import formulas as planar
 from book.things.outlines import box, disc, line, polygon
 from book.wheels import formulas as wheels
 from courseware.equations import Equation, substitute
-from courseware.figures import Area, Arrow, Curve, Figure, Line, Outline, Point, Thing
+from courseware.figures import Area, Arrow, Curve, Figure, Line, Outline, Point, Sprite
 
 KINDS = ("left", "right", "turning")  # of three wheels or joints
 HERE = (0, 0, 0)
@@ -49,10 +49,10 @@ def circle(kind: str, middle: Sequence[float], radius: float) -> Curve:
     return Curve(kind, at, s, 0, 2 * pi, samples=48)
 
 
-def spot(kind: str, middle: Sequence[float], radius: float, edge: str = "") -> Thing:
+def spot(kind: str, middle: Sequence[float], radius: float, edge: str = "") -> Sprite:
     """Return a pale disc."""
     pale = Outline(disc(radius), kind, opacity=0.4 if edge else 0.12)
-    return Thing(
+    return Sprite(
         (middle[0], middle[1], 0), (pale, *(Outline(disc(radius), "", edge),) * bool(edge))
     )
 
@@ -61,7 +61,8 @@ def spoke(
     kind: str, start: tuple[float, float], end: tuple[float, float], width: float
 ) -> tuple[Any, Any]:
     """Return a line with an edge of floor, so that it is seen on a robot, too."""
-    return (Thing(HERE, (Outline(line(start, end), "", "floor", width),)), Line(kind, (start, end)))
+    edge = Sprite(HERE, (Outline(line(start, end), "", "floor", width),))
+    return (edge, Line(kind, (start, end)))
 
 
 def elbow_card() -> Figure:
@@ -105,7 +106,7 @@ def frames_card() -> Figure:
         shapes=(
             things.shelf((-0.1, 0.86, 0), 0.6),
             things.parcel((*place(hand, 0.44, -0.13), 0.9)),
-            Thing(hand, sheet),
+            Sprite(hand, sheet),
             things.platform(HERE, turns, links),
             Arrow("x_axis", hand, place(hand, 0.3)),
             Arrow("y_axis", hand, place(hand, 0, 0.3)),
@@ -202,7 +203,7 @@ def odometry_card() -> Figure:
     for other in (end, wrong):
         far, angle = dist(hinge, other[:2]), atan2(other[1] - hinge[1], other[0] - hinge[0])
         leaf = Outline(box(far, 0.06, far / 2, 0, 0.02), "plank_lit", "wood_edge", opacity=0.8)
-        leaves.append(Thing((*hinge, angle), (leaf,)))
+        leaves.append(Sprite((*hinge, angle), (leaf,)))
     return Figure(
         name="odometry-card",
         title="The way of a robot vacuum, and the way by its counters: it swings like a door",
@@ -244,7 +245,7 @@ def planar_card() -> Figure:
             *(part for kind, at, _ in weights for part in spoke(kind, icr, at, 0.02)),
             *spoke("length", icr, (hand[0], hand[1]), 0.012),
             Arrow("velocity", hand, (hand[0] + 0.4 * x_dot, hand[1] + 0.4 * y_dot)),
-            Thing((*icr, 0), (Outline(wedge, "steel", "edge"),), 0.01),
+            Sprite((*icr, 0), (Outline(wedge, "steel", "edge"),), 0.01),
             Point("icr", icr),
         ),
     )
@@ -269,7 +270,7 @@ ROBOTS = (
 ARROWS = (
     Arrow("right", (30, 8), (116, 8)),
     Arrow("left", (30, 8), (84, 36)),
-    Thing((84, 36, 0), (Outline(POINTER, "shell", "edge"),), 1.5),
+    Sprite((84, 36, 0), (Outline(POINTER, "shell", "edge"),), 1.5),
 )
 WAVE = (6 + 120 * s, 23 + 15 * sin(2 * pi * s))
 SAMPLES = tuple(Point("velocity", tuple(each.subs(s, k / 12) for each in WAVE)) for k in range(13))

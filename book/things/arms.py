@@ -9,7 +9,7 @@ from sympy import atan2, sqrt
 
 from book.things.outlines import box, capsule, curves, disc, line, polygon, spots
 from courseware.errors import CourseError
-from courseware.figures import Outline, Thing
+from courseware.figures import Outline, Sprite
 
 THICK = 0.06  # of the first link's radius, as a part of the arm's length
 
@@ -23,7 +23,7 @@ def arm(
     base: str = "plate",
     look: str = "",
     shoulder: float = 0.14,
-) -> Thing:
+) -> Sprite:
     """Return an arm with joints at these angles, each against the link before it.
 
     The last length goes to the point that the tool works at: between the fingers, the pen's tip.
@@ -39,7 +39,7 @@ def arm(
         raise CourseError(f"an arm has a length for each angle, got {angles} and {lengths}")
     thick, last = THICK * sum(lengths), len(lengths) - 1
     radii = [thick * (1 - 0.52 * k / len(lengths)) for k in range(len(lengths) + 1)]
-    at_end: Thing = TOOLS[tool](lengths[-1], radii[-1], opening)
+    at_end: Sprite = TOOLS[tool](lengths[-1], radii[-1], opening)
     for k in range(last, -1, -1):
         joint = (lengths[k - 1] if k else 0, 0, angles[k])
         outlines = list(_link(at_end.at[0], radii[k], radii[k + 1], k == last and bool(tool)))
@@ -47,8 +47,8 @@ def arm(
             outlines += _cover(0.8 * thick)
         if k < last:  # over both of its links
             outlines += _cover(0.8 * radii[k + 1], lengths[k])
-        at_end = Thing(joint, (at_end, *outlines), thick)
-    return Thing(place, (*BASES[base](thick, shoulder), at_end), 0.5 * thick, look, silhouette="")
+        at_end = Sprite(joint, (at_end, *outlines), thick)
+    return Sprite(place, (*BASES[base](thick, shoulder), at_end), 0.5 * thick, look, silhouette="")
 
 
 def _link(long: float, start: float, end: float, pale: bool) -> tuple[Outline, ...]:
@@ -64,14 +64,14 @@ def _link(long: float, start: float, end: float, pale: bool) -> tuple[Outline, .
     return (whole, *marks * (high > low + end))
 
 
-def links(places: Sequence[Any], look: str = "") -> tuple[Thing, ...]:
+def links(places: Sequence[Any], look: str = "") -> tuple[Sprite, ...]:
     """Return an arm whose joints and hand are at these places, whatever lengths that takes."""
     found = []
     for (x, y), (to_x, to_y) in pairwise(places):
         along, up = to_x - x, to_y - y
         parts = (*_link(1, 0.1, 0.08, False), *_cover(0.075))
         at, size = (x, y, atan2(up, along)), sqrt(along**2 + up**2)
-        found.append(Thing(at, parts, 0.03, look, size))
+        found.append(Sprite(at, parts, 0.03, look, size))
     return tuple(found)
 
 
@@ -90,7 +90,7 @@ def _cover(r: float, x: float = 0) -> tuple[Outline, ...]:
 # ---- tools, at the end of a link of a length and a radius there
 
 
-def _gripper(length: float, radius: float, opening: Any) -> Thing:
+def _gripper(length: float, radius: float, opening: Any) -> Sprite:
     s = min(radius / 0.026, 0.5 * length / 0.09)  # the drawing is of a radius of 26 mm
     wrist = length - 0.085 * s
     fingers = []
@@ -104,18 +104,18 @@ def _gripper(length: float, radius: float, opening: Any) -> Thing:
         finger = curves((0.02 * s, 0), [a], [b], [c, d], [e], [f], side=side)
         pad = box(0.036 * s, 0.006 * s, 0.081 * s, side * -0.002 * s, 0.002 * s)
         parts = (Outline(finger, "steel", "edge"), Outline(pad, "rubber_mid", "groove", 0.001 * s))
-        fingers.append(Thing((0, side * s * (0.004 + 0.024 * opening), 0), parts, 0.02))
+        fingers.append(Sprite((0, side * s * (0.004 + 0.024 * opening), 0), parts, 0.02))
     hand = (
         Outline(box(0.03 * s, 0.052 * s, 0, 0, 0.006 * s), "dark", "rim"),
         *fingers,
         Outline(box(0.016 * s, 0.11 * s, 0.02 * s, 0, 0.005 * s), "steel", "edge"),
     )
-    return Thing(
+    return Sprite(
         (wrist, 0, 0), hand, 0.02, silhouette=box(0.016 * s, 0.11 * s, 0.02 * s, 0, 0.005 * s)
     )
 
 
-def _pen(length: float, radius: float, _: Any) -> Thing:
+def _pen(length: float, radius: float, _: Any) -> Sprite:
     s = min(radius / 0.026, 0.6 * length / 0.12)
     tip = ((0.095 * s, -0.009 * s), (0.12 * s, 0), (0.095 * s, 0.009 * s))
     parts = (
@@ -123,26 +123,26 @@ def _pen(length: float, radius: float, _: Any) -> Thing:
         Outline(box(0.055 * s, 0.022 * s, 0.07 * s, 0, 0.004 * s), "steel", "edge"),
         Outline(polygon(tip), "accent", "accent_edge"),
     )
-    return Thing((length - 0.12 * s, 0, 0), parts, 0.02)
+    return Sprite((length - 0.12 * s, 0, 0), parts, 0.02)
 
 
-TOOLS = {"gripper": _gripper, "pen": _pen, "": lambda length, *_: Thing((length, 0, 0), ())}
+TOOLS = {"gripper": _gripper, "pen": _pen, "": lambda length, *_: Sprite((length, 0, 0), ())}
 
 
 # ---- bases, of an arm whose first link has that radius
 
 
-def _plate(t: float, _: float) -> tuple[Thing, ...]:
+def _plate(t: float, _: float) -> tuple[Sprite, ...]:
     bolts = spots(1.32 * t, [pi / 4 + k * pi / 2 for k in range(4)], 0.12 * t)
     parts = (
         Outline(disc(1.55 * t), "drum", "edge"),
         Outline(bolts, "metal_dark", "groove", 0.02 * t),
         Outline(disc(1.15 * t), "dark", "groove", 0.03 * t),
     )
-    return (Thing((0, 0, 0), parts, t),)
+    return (Sprite((0, 0, 0), parts, t),)
 
 
-def _stand(t: float, high: float) -> tuple[Thing, ...]:
+def _stand(t: float, high: float) -> tuple[Sprite, ...]:
     low = -high
     column = (
         (-1.7 * t, low + 0.35 * t),
@@ -166,7 +166,7 @@ def _stand(t: float, high: float) -> tuple[Thing, ...]:
         Outline(box(3.1 * t, 0.25 * t, 0, -0.98 * t, 0.08 * t), "dark", "rim"),
         Outline(box(2.7 * t, 0.18 * t, 0, -0.8 * t, 0.05 * t), "accent", "accent_edge", 0.02 * t),
     )
-    return (Thing((0, 0, 0), parts, silhouette=foot + polygon(column)),)
+    return (Sprite((0, 0, 0), parts, silhouette=foot + polygon(column)),)
 
 
 BASES = {"plate": _plate, "stand": _stand, "": lambda *_: ()}

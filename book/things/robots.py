@@ -7,14 +7,14 @@ from typing import Any
 from book.things.arms import arm
 from book.things.outlines import box, curves, disc, line, rounded, sector, spots
 from book.things.wheels import omni_wheel, wheel
-from courseware.figures import Outline, Thing
+from courseware.figures import Outline, Sprite
 
 LEFT_RIGHT = ("left2", "right2")
 
 
-def _sheen(heading: Any, radius: float, x: float, y: float) -> Thing:
+def _sheen(heading: Any, radius: float, x: float, y: float) -> Sprite:
     """Return light from above left, which stays there however the thing below it turns."""
-    return Thing(
+    return Sprite(
         (0, 0, -heading), (Outline(disc(radius, x, y), "sheen", opacity=0.5),), silhouette=""
     )
 
@@ -43,7 +43,7 @@ FACE = (
 )
 
 
-def robot(pose: Any, rolled: Any = (0, 0), look: str = "", half: float = 0.05) -> Thing:
+def robot(pose: Any, rolled: Any = (0, 0), look: str = "", half: float = 0.05) -> Sprite:
     """Return the robot at a pose.
 
     rolled: how far its left and its right wheel have rolled; half: the distance of each wheel.
@@ -51,12 +51,12 @@ def robot(pose: Any, rolled: Any = (0, 0), look: str = "", half: float = 0.05) -
     sides = zip((half, -half), LEFT_RIGHT, rolled, strict=True)
     wheels = [wheel((0, y, 0), 0.06, 0.0175, stripe, roll) for y, stripe, roll in sides]
     parts = (*HULL, *wheels, *FACE, _sheen(pose[2], 0.034, -0.018, 0.021))
-    return Thing(pose, parts, height=0.012, look=look, silhouette=disc(0.069))
+    return Sprite(pose, parts, height=0.012, look=look, silhouette=disc(0.069))
 
 
-def pad(pose: Any) -> Thing:
+def pad(pose: Any) -> Sprite:
     """Return the charging pad on which the robot is to stop: its eyes and arrow say the heading."""
-    return Thing(
+    return Sprite(
         pose,
         (
             Outline(disc(0.074), "goal", "target"),
@@ -68,10 +68,10 @@ def pad(pose: Any) -> Thing:
     )
 
 
-def pad_lights(pose: Any) -> Thing:
+def pad_lights(pose: Any) -> Sprite:
     """Return the lights of the pad, for when it is reached."""
     lights = Outline(spots(0.0738, [k * pi / 5 for k in range(10)], 0.0038), "lamp", "goal_edge")
-    return Thing(pose, (lights,))
+    return Sprite(pose, (lights,))
 
 
 # ---- its vacuum cousin, 34 cm across
@@ -107,7 +107,7 @@ LIDAR = (
 
 def vacuum(
     pose: Any, rolled: Any = (0, 0), look: str = "", half: float = 0.122, spin: Any = 0
-) -> Thing:
+) -> Sprite:
     """Return the vacuum robot at a pose.
 
     half: the distance of each wheel; spin: the angle of its lidar; its brush turns six times.
@@ -115,13 +115,13 @@ def vacuum(
     sides = list(zip((half, -half), LEFT_RIGHT, rolled, strict=True))
     wells = [Outline(box(0.124, 0.05, 0, y, 0.012), "well", "shell_dark", 0.002) for y, *_ in sides]
     wheels = [wheel((0, y, 0), 0.11, 0.034, stripe, roll) for y, stripe, roll in sides]
-    brush = Thing((0.115, -0.125, -6 * spin), BRUSH, silhouette="")
-    lidar = Thing((0.045, 0, spin), LIDAR, silhouette="")
+    brush = Sprite((0.115, -0.125, -6 * spin), BRUSH, silhouette="")
+    lidar = Sprite((0.045, 0, spin), LIDAR, silhouette="")
     parts = (brush, *LID, *wells, *wheels, *BUTTONS, lidar, _sheen(pose[2], 0.085, -0.05, 0.06))
-    return Thing(pose, parts, height=0.02, look=look, silhouette=disc(0.172))
+    return Sprite(pose, parts, height=0.02, look=look, silhouette=disc(0.172))
 
 
-def dock(pose: Any) -> Thing:
+def dock(pose: Any) -> Sprite:
     """Return the vacuum's dock, its back to a wall: the robot comes from ahead of it, along x."""
     contacts = "".join(box(0.055, 0.028, 0.0775, y, 0.006) for y in (0.05, -0.05))
     bolt = (
@@ -132,7 +132,7 @@ def dock(pose: Any) -> Thing:
         (0.081, 0.002),
         (0.069, 0.002),
     )
-    return Thing(
+    return Sprite(
         pose,
         (
             Outline(box(0.1, 0.27, 0.08, 0, 0.012), "dark", "rim"),
@@ -159,7 +159,7 @@ def omni_robot(
     distance: float = 0.18,
     beta: Any = 0,
     stripes: Sequence[str] = ("left2", "right2", "turning2"),
-) -> Thing:
+) -> Sprite:
     """Return the robot on three omni wheels, at 0°, 120° and 240°.
 
     distance: of the wheels from its middle; beta: from each spoke to the axle.
@@ -169,7 +169,7 @@ def omni_robot(
         a = 2 * pi * k / 3
         mount = Outline(box(0.64 * long, 0.34 * long, corner=0.05 * long), "metal_mid", "edge")
         turned = (mount, omni_wheel((0, 0, 0), stripe, roll, 0.56 * long))
-        wheels.append(Thing((long * cos(a), long * sin(a), a + beta - pi / 2), turned, 0.03))
+        wheels.append(Sprite((long * cos(a), long * sin(a), a + beta - pi / 2), turned, 0.03))
 
     def deck(size: float, corner: float) -> str:
         corners = [2 * pi * k / 3 + e for k in range(3) for e in (-0.46, 0.46)]
@@ -191,7 +191,7 @@ def omni_robot(
         ),
         Outline(disc(0.026 * long), "dark"),
     )
-    return Thing(pose, parts, height=0.03, look=look)
+    return Sprite(pose, parts, height=0.03, look=look)
 
 
 def platform(
@@ -201,7 +201,7 @@ def platform(
     opening: Any = 1,
     rolled: Any = 0,
     look: str = "",
-) -> Thing:
+) -> Sprite:
     """Return a platform of 40 by 30 cm on four wheels, and with angles an arm on it."""
     wheels = [
         wheel((x, y, 0), 0.13, 0.045, "", rolled) for x in (-0.12, 0.12) for y in (-0.152, 0.152)
@@ -217,4 +217,4 @@ def platform(
         Outline(box(0.03, 0.2, -0.155, 0, 0.01), "accent"),
         *on_top,
     )
-    return Thing(pose, parts, height=0.04, look=look)
+    return Sprite(pose, parts, height=0.04, look=look)

@@ -5,10 +5,10 @@ from math import tan
 from typing import Any
 
 from book.things.outlines import Point, box, curves, disc, line, polygon
-from courseware.figures import Outline, Thing
+from courseware.figures import Outline, Sprite
 
 
-def ceiling_camera(place: Any, tilt: Any = 0, size: float = 1) -> Thing:
+def ceiling_camera(place: Any, tilt: Any = 0, size: float = 1) -> Sprite:
     """Return a camera from the side, its mount at a place of the ceiling, 13 cm above its lens.
 
     tilt: the angle from straight down to where it looks.
@@ -21,11 +21,11 @@ def ceiling_camera(place: Any, tilt: Any = 0, size: float = 1) -> Thing:
         Outline(line((-0.045, -0.055), (0.045, -0.055)), "", "shell_dark", 0.003),
         Outline(disc(0.006, 0.043, -0.028), "tail"),
     )
-    return Thing(
+    return Sprite(
         place,
         (
             Outline(box(0.1, 0.018, 0, -0.009, 0.004), "drum", "edge"),
-            Thing((0, -0.045, tilt), head, 0.02),
+            Sprite((0, -0.045, tilt), head, 0.02),
             Outline(box(0.024, 0.05, 0, -0.035, 0.008), "drum", "groove", 0.002),
             Outline(disc(0.008, 0, -0.045), "metal_dark", "groove", 0.002),
         ),
@@ -34,15 +34,15 @@ def ceiling_camera(place: Any, tilt: Any = 0, size: float = 1) -> Thing:
     )
 
 
-def cone(place: Any, long: float, half: float) -> Thing:
+def cone(place: Any, long: float, half: float) -> Sprite:
     """Return the light that a camera sees by, from its lens down; half: of its angle."""
     low, wide = -long, long * tan(half)
     light = polygon(((-0.02, 0), (0.02, 0), (wide, low), (-wide, low)))
     sides = line((-0.02, 0), (-wide, low)) + line((0.02, 0), (wide, low))
-    return Thing(place, (Outline(light, "beam"), Outline(sides, "", "ghost")), silhouette="")
+    return Sprite(place, (Outline(light, "beam"), Outline(sides, "", "ghost")), silhouette="")
 
 
-def parcel(pose: Any, long: float = 0.17, wide: float = 0.12, look: str = "") -> Thing:
+def parcel(pose: Any, long: float = 0.17, wide: float = 0.12, look: str = "") -> Sprite:
     """Return a box to grip, from above."""
     tape = line((-long / 2, 0), (long / 2, 0)) + line((0, -wide / 2), (0, wide / 2))
     parts = (
@@ -52,17 +52,17 @@ def parcel(pose: Any, long: float = 0.17, wide: float = 0.12, look: str = "") ->
             box(0.36 * long, 0.34 * wide, corner=0.03 * wide), "shell", "goal_dark", 0.02 * wide
         ),
     )
-    return Thing(pose, parts, height=0.2 * wide, look=look)
+    return Sprite(pose, parts, height=0.2 * wide, look=look)
 
 
-def ball(place: Any, radius: float = 0.025, look: str = "") -> Thing:
+def ball(place: Any, radius: float = 0.025, look: str = "") -> Sprite:
     """Return a ball, as it looks from everywhere."""
     r = radius
     glint = Outline(disc(0.5 * r, -0.28 * r, 0.32 * r), "sheen")
-    return Thing(place, (Outline(disc(r), "ball", "goal_edge"), glint), height=0.3 * r, look=look)
+    return Sprite(place, (Outline(disc(r), "ball", "goal_edge"), glint), height=0.3 * r, look=look)
 
 
-def ball_stand(place: Any, high: float, radius: float = 0.025) -> Thing:
+def ball_stand(place: Any, high: float, radius: float = 0.025) -> Sprite:
     """Return a ball on a stand from the side, its middle at a place, `high` above the foot."""
     r, low = radius, -high
     foot = polygon(
@@ -76,13 +76,13 @@ def ball_stand(place: Any, high: float, radius: float = 0.025) -> Thing:
         Outline(cup, "", "edge", 0.32 * r),
         ball((0, 0, 0), r),
     )
-    return Thing(place, parts, height=0.3 * r, silhouette=foot + post)
+    return Sprite(place, parts, height=0.3 * r, silhouette=foot + post)
 
 
-def bench(left: float, right: float, top: float, bottom: float) -> Thing:
+def bench(left: float, right: float, top: float, bottom: float) -> Sprite:
     """Return a workbench from the side, whose top carries everything at its height."""
     wide, deep, mid = right - left, top - bottom, (left + right) / 2
-    return Thing(
+    return Sprite(
         (mid, top, 0),
         (
             Outline(box(wide, deep, 0, -deep / 2), "bench"),
@@ -103,16 +103,16 @@ def _grain(wide: float, deep: float, top: float) -> str:
     )
 
 
-def sheet(place: Any, long: float, wide: float) -> Thing:
+def sheet(place: Any, long: float, wide: float) -> Sprite:
     """Return a sheet of paper, from above."""
-    return Thing(
+    return Sprite(
         place,
         (Outline(box(long, wide, corner=0.006 * long), "paper", "edge"),),
         height=0.012 * long,
     )
 
 
-def ruler(place: Any, unit: float, count: int, parts: int = 10) -> Thing:
+def ruler(place: Any, unit: float, count: int, parts: int = 10) -> Sprite:
     """Return a ruler along x, from above, with `count` units, its zero at a place."""
     high, rest = 0.2 * unit, 0.12 * unit
     marks = []
@@ -126,12 +126,12 @@ def ruler(place: Any, unit: float, count: int, parts: int = 10) -> Thing:
         Outline("".join(marks), "", "text", 0.004 * unit),
         Outline(thick, "", "text", 0.009 * unit),
     )
-    return Thing(place, outlines, height=0.03 * unit)
+    return Sprite(place, outlines, height=0.03 * unit)
 
 
 def kerb(
     place: Any, long: float, stone: float = 1.0, wide: float = 0.15, pavement: float = 2.0
-) -> Thing:
+) -> Sprite:
     """Return a kerb from above, along x, its edge at a place; the pavement is to its right."""
     count = max(1, round(long / stone))
     stones = "".join(
@@ -142,21 +142,21 @@ def kerb(
         Outline(box(long, pavement, long / 2, -wide - pavement / 2), "seam"),
         Outline(stones, "kerb", "kerb_edge"),
     )
-    return Thing(place, parts, height=0.08, silhouette=box(long, wide, long / 2, -wide / 2))
+    return Sprite(place, parts, height=0.08, silhouette=box(long, wide, long / 2, -wide / 2))
 
 
-def road_marks(place: Any, long: float, dash: float = 1.5) -> Thing:
+def road_marks(place: Any, long: float, dash: float = 1.5) -> Sprite:
     """Return the dashes in the middle of a road, along x."""
     count = max(1, round(long / dash / 1.8))
     step = long / count
     dashes = "".join(box(dash, 0.12, (k + 0.5) * step, 0, 0.02) for k in range(count))
-    return Thing(place, (Outline(dashes, "paint"),), silhouette="")
+    return Sprite(place, (Outline(dashes, "paint"),), silhouette="")
 
 
 BOOKS = ("glass_lit", "accent", "shell_mid", "dark", "metal_mid", "wood_lit", "accent_dark")
 
 
-def shelf(place: Any, long: float = 0.8, wide: float = 0.17) -> Thing:
+def shelf(place: Any, long: float = 0.8, wide: float = 0.17) -> Sprite:
     """Return a shelf with books, from above, its back along x through a place."""
     books, x, k = [], -long / 2 + 0.03, 0
     while x < long / 2 - 0.08:
@@ -172,12 +172,12 @@ def shelf(place: Any, long: float = 0.8, wide: float = 0.17) -> Thing:
         Outline(box(long - 0.04, wide - 0.03, 0, -wide / 2, 0.005), "wood_dark"),
         *books,
     )
-    return Thing(place, parts, height=0.03)
+    return Sprite(place, parts, height=0.03)
 
 
-def board(place: Any, long: float, thick: float = 0.02) -> Thing:
+def board(place: Any, long: float, thick: float = 0.02) -> Sprite:
     """Return the board of a shelf from the side, its middle at a place."""
-    return Thing(
+    return Sprite(
         place, (Outline(box(long, thick, corner=0.2 * thick), "wood", "wood_edge"),), height=thick
     )
 
@@ -186,7 +186,7 @@ def walls(
     room: tuple[float, float, float, float],
     thick: float = 0.12,
     doors: Sequence[tuple[Point, Point]] = (),
-) -> Thing:
+) -> Sprite:
     """Return the walls round a room (x_low, x_high, y_low, y_high), from above.
 
     doors: gaps in them, each from one corner to the opposite one.
@@ -200,4 +200,4 @@ def walls(
         for a, b in doors
     ]
     parts = (Outline(whole, "wall_top", "edge"), *(Outline(gap, "floor") for gap in gaps))
-    return Thing((0, 0, 0), parts, height=0.05)
+    return Sprite((0, 0, 0), parts, height=0.05)

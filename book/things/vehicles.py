@@ -5,7 +5,7 @@ from typing import Any
 
 from book.things.outlines import Point, box, capsule, curves, line, mirrored
 from book.things.wheels import castor, wheel
-from courseware.figures import Outline, Thing
+from courseware.figures import Outline, Sprite
 
 LINE = 0.025  # m, of lines on a car
 
@@ -16,7 +16,7 @@ def _both(draw: Callable[[int], str]) -> str:
 
 def _wheels(
     wheelbase: float, track: float, size: Point, steering: Sequence[Any], rolled: Any
-) -> tuple[Thing, ...]:
+) -> tuple[Sprite, ...]:
     """Return wheels at the rear axle, which is at the origin, and those at the front, steered."""
     sides = (("left2", track / 2, steering[0]), ("right2", -track / 2, steering[1]))
     rear = [wheel((0, y, 0), *size, stripe, rolled) for stripe, y, _ in sides]
@@ -71,7 +71,7 @@ def car(
     look: str = "",
     wheelbase: float = 2.5,
     track: float = 1.5,
-) -> Thing:
+) -> Sprite:
     """Return the car, the middle of its rear axle at a pose.
 
     steering: the angles of its left and its right front wheel; rolled: how far all its wheels have.
@@ -120,7 +120,7 @@ def car(
         Outline(arches, "well", "accent_groove", LINE),
         *_wheels(wheelbase, track, (0.66, 0.24), steering, rolled),
     )
-    return Thing(pose, parts, height=0.14, look=look, silhouette=body)
+    return Sprite(pose, parts, height=0.14, look=look, silhouette=body)
 
 
 def bus(
@@ -130,7 +130,7 @@ def bus(
     look: str = "",
     wheelbase: float = 7.0,
     track: float = 1.5,
-) -> Thing:
+) -> Sprite:
     """Return the car's long sister, on wheels of 50 cm; what moves is that of `car`."""
     L, w = wheelbase, track / 2 + 0.13
     front, rear = L + 0.95, -1.15
@@ -199,12 +199,12 @@ def bus(
         Outline(arches, "well", "accent_groove", LINE),
         *_wheels(L, track, (0.5, 0.22), steering, rolled),
     )
-    return Thing(pose, parts, height=0.25, look=look, silhouette=body)
+    return Sprite(pose, parts, height=0.25, look=look, silhouette=body)
 
 
 def bicycle_wheel(
     place: Any, steering: Any = 0, rolled: Any = 0, stripe: str = "velocity2", look: str = ""
-) -> Thing:
+) -> Sprite:
     """Return the one front wheel that replaces two, in its fork, from above."""
     sides = [line((0, 0.13 * side), (0.24, 0.13 * side), (0.36, 0.07 * side)) for side in (1, -1)]
     axle, crown = box(0.07, 0.36, corner=0.03), box(0.09, 0.2, 0.37, 0, 0.04)
@@ -214,14 +214,14 @@ def bicycle_wheel(
         Outline(axle, "steel", "edge"),
         Outline(crown, "steel", "edge"),
     )
-    turning = Thing((0, 0, steering), fork, 0.08, silhouette=axle + crown)
-    return Thing(place, (turning,), 0.08, look, silhouette="")
+    turning = Sprite((0, 0, steering), fork, 0.08, silhouette=axle + crown)
+    return Sprite(place, (turning,), 0.08, look, silhouette="")
 
 
-def rod(place: Any, long: float, thick: float = 0.05) -> Thing:
+def rod(place: Any, long: float, thick: float = 0.05) -> Sprite:
     """Return an arm or a rod of a steering from above, from a place along x."""
     shape = capsule(long, thick / 2, thick / 2.2)
-    return Thing(place, (Outline(shape, "steel", "edge"),), height=0.02)
+    return Sprite(place, (Outline(shape, "steel", "edge"),), height=0.02)
 
 
 LIMB = (("edge", 0.06), ("metal_mid", 0.034))  # a tube's two lines
@@ -241,7 +241,7 @@ def trolley(
     swivels: Sequence[Any] = (0, 0, 0, 0),
     rolled: Sequence[Any] = (0, 0, 0, 0),
     look: str = "",
-) -> Thing:
+) -> Sprite:
     """Return the trolley at a pose, with the angles of its castors in the order of `CASTORS`."""
     castors = [
         castor((x, y, 0), swivel, 0.09, "", roll)
@@ -269,4 +269,4 @@ def trolley(
         Outline(box(0.014, 0.36, -0.552, 0, 0.007), "light", opacity=0.4),
     )
     bar = box(0.05, 0.62, -0.54, 0, 0.024)
-    return Thing(pose, parts, height=0.035, look=look, silhouette=basket + bar)
+    return Sprite(pose, parts, height=0.035, look=look, silhouette=basket + bar)

@@ -4,18 +4,18 @@ from math import cos, hypot, pi, sin, tan
 from typing import Any
 
 from book.things.outlines import box, curves, disc, line, polygon, ring, sector, spots
-from courseware.figures import Outline, Rim, Thing
+from courseware.figures import Outline, Rim, Sprite
 
 
 def wheel(
     place: Any, length: float, width: float, stripe: str = "", roll: Any = 0, height: float = 0
-) -> Thing:
+) -> Sprite:
     """Return a wheel from above, its treads where they are after it rolled so many metres.
 
     stripe: the material of a stripe on the tyre; height: for the shadow of one that stands alone.
     """
     tread = Outline(line((0, -0.43 * width), (0, 0.43 * width)), "", "tread", length / 24)
-    return Thing(
+    return Sprite(
         place,
         (
             Outline(box(length, width, corner=0.3 * width), "tyre", "rim"),
@@ -39,12 +39,12 @@ def _pivot(radius: float) -> tuple[Outline, ...]:
 
 def steered_wheel(
     place: Any, steering: Any, stripe: str = "", roll: Any = 0, length: float = 0.09
-) -> Thing:
+) -> Sprite:
     """Return a wheel from above that turns with its fork about a pivot over its middle."""
     width = length / 3
     bridge = Outline(box(0.3 * length, 1.6 * width, corner=0.2 * width), "steel", "groove", 0.001)
     turning = (wheel((0, 0, 0), length, width, stripe, roll), bridge, *_pivot(0.3 * width))
-    return Thing(
+    return Sprite(
         place,
         (
             Outline(disc(0.62 * length), "cover", "edge"),
@@ -53,7 +53,7 @@ def steered_wheel(
                 "metal_dark",
             ),
             Outline(disc(0.42 * length), "dark", "groove", 0.001),
-            Thing((0, 0, steering), turning),
+            Sprite((0, 0, steering), turning),
         ),
     )
 
@@ -65,7 +65,7 @@ def castor(
     stripe: str = "",
     roll: Any = 0,
     look: str = "",
-) -> Thing:
+) -> Sprite:
     """Return a castor from above: a plate, and under it a fork with a wheel that trails.
 
     swivel: the angle of the wheel against the plate; at 0 it trails behind, against x.
@@ -85,10 +85,10 @@ def castor(
         Outline(box(0.1 * t, 0.94 * t, -t, corner=0.05 * t), "metal", "groove", 0.03 * t),
     )
     corners = [(0.39 * t, a) for a in (pi / 4, 3 * pi / 4, 5 * pi / 4, 7 * pi / 4)]
-    return Thing(
+    return Sprite(
         place,
         (
-            Thing((0, 0, swivel), fork, 0.2 * t, silhouette=disc(0.44 * t)),
+            Sprite((0, 0, swivel), fork, 0.2 * t, silhouette=disc(0.44 * t)),
             Outline(box(1.08 * t, 1.08 * t, corner=0.16 * t), "steel", "edge"),
             Outline("".join(spots(r * 2**0.5, (a,), 0.06 * t) for r, a in corners), "metal_dark"),
             *_pivot(0.28 * t),
@@ -117,7 +117,7 @@ def _barrel(
 
 def roller_wheel(
     place: Any, gamma: float, stripe: str = "", roll: Any = 0, length: float = 0.1, look: str = ""
-) -> Thing:
+) -> Sprite:
     """Return a wheel from above with rollers whose axes are at an angle to its rolling direction.
 
     The rollers lie as those that touch the floor do, as if one looked through the wheel from above.
@@ -142,25 +142,25 @@ def roller_wheel(
         parts.append(Rim(rho, count, outlines, phase, radius / (half * cos(gamma) + radius)))
     around = box(length, width, corner=0.1 * width)
     parts += _stripe(0.68 * length, 0.12 * width, stripe)
-    return Thing(place, tuple(parts), 0.06 * length, look, silhouette=around)
+    return Sprite(place, tuple(parts), 0.06 * length, look, silhouette=around)
 
 
-def omni_wheel(place: Any, stripe: str = "", roll: Any = 0, length: float = 0.1) -> Thing:
+def omni_wheel(place: Any, stripe: str = "", roll: Any = 0, length: float = 0.1) -> Sprite:
     """Return a wheel from above that slides freely along its axle."""
     return roller_wheel(place, 0, stripe, roll, length)
 
 
 def mecanum_wheel(
     place: Any, stripe: str = "", roll: Any = 0, length: float = 0.1, gamma: float = pi / 4
-) -> Thing:
+) -> Sprite:
     """Return a wheel from above with rollers across; those of its neighbours are at -gamma."""
     return roller_wheel(place, gamma, stripe, roll, length)
 
 
-def ball_wheel(place: Any, radius: float = 0.03) -> Thing:
+def ball_wheel(place: Any, radius: float = 0.03) -> Sprite:
     """Return a ball in its holder, from above: it rolls everywhere."""
     r = radius
-    return Thing(
+    return Sprite(
         place,
         (
             Outline(disc(1.5 * r), "cover", "edge"),
@@ -183,7 +183,7 @@ def _block(radius: float, angle: float, long: float, wide: float) -> str:
 
 def encoder_wheel(
     place: Any, roll: Any = 0, radius: float = 0.05, slots: int = 24, stripe: str = "left2"
-) -> Thing:
+) -> Sprite:
     """Return a wheel from the side with a slotted disc, that rolled so many metres to the right.
 
     stripe: the material of its mark.
@@ -202,19 +202,19 @@ def encoder_wheel(
         Outline(disc(0.05 * R), "metal"),
         Outline(line((0.77 * R, 0), (0.97 * R, 0)), "", stripe, 0.12 * R),
     )
-    return Thing(
+    return Sprite(
         place,
         (
             Outline(disc(R), "rubber", "rim"),
             Outline(disc(0.86 * R), "rubber_mid"),
             Outline(disc(0.82 * R), "cover", "groove", 0.016 * R),
-            Thing((0, 0, -roll / radius), turning, silhouette=disc(0.86 * R)),
+            Sprite((0, 0, -roll / radius), turning, silhouette=disc(0.86 * R)),
         ),
         height=0.12 * R,
     )
 
 
-def light_gate(place: Any, radius: float = 0.05, slots: int = 24) -> Thing:
+def light_gate(place: Any, radius: float = 0.05, slots: int = 24) -> Sprite:
     """Return the two light gates of a wheel of that radius, a quarter slot apart, on their holder.
 
     place: the middle of the wheel.
@@ -225,7 +225,7 @@ def light_gate(place: Any, radius: float = 0.05, slots: int = 24) -> Thing:
     )  # and a whole one: room for two
     lamps = ((-apart / 2, "lamp"), (apart / 2, "tail"))
     windows = "".join(box(0.09 * R, 0.26 * R, x, 0.7 * R, 0.03 * R) for x, _ in lamps)
-    return Thing(
+    return Sprite(
         place,
         (
             Outline(box(0.62 * R, 0.86 * R, 0, 0.98 * R, 0.07 * R), "dark", "rim"),
@@ -237,9 +237,9 @@ def light_gate(place: Any, radius: float = 0.05, slots: int = 24) -> Thing:
     )
 
 
-def counter(place: Any, long: float = 0.06, wide: float = 0.024) -> Thing:
+def counter(place: Any, long: float = 0.06, wide: float = 0.024) -> Sprite:
     """Return a box with a dark display; its number is a label of the figure."""
-    return Thing(
+    return Sprite(
         place,
         (
             Outline(box(long, wide, corner=0.15 * wide), "dark", "rim"),

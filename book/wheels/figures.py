@@ -73,7 +73,7 @@ from courseware.figures import (
     Readout,
     Scene,
     Slider,
-    Thing,
+    Sprite,
     assign,
     distance,
     when,
@@ -155,7 +155,7 @@ def bay(end: Any) -> tuple[Any, ...]:
     return (
         Area("target", tuple(corners)),
         Line("target", (*corners, corners[0])),
-        *when(is_in_bay(end), Thing((0, 0, 0), (Outline(lamps, "lamp", "goal_edge"),))),
+        *when(is_in_bay(end), Sprite((0, 0, 0), (Outline(lamps, "lamp", "goal_edge"),))),
         Label("target", (BAY[0], BAY[1] + 0.28), "bay"),
     )
 
@@ -249,7 +249,7 @@ HUB = (l * cos(alpha), l * sin(alpha))
 FAR = 2  # m: so far lines go
 
 
-def plate(pose: Any, *parts: Any, look: str = "") -> Thing:
+def plate(pose: Any, *parts: Any, look: str = "") -> Sprite:
     """Return a round plate that wheels are fixed to."""
     nose = line((0.08, -0.03), (0.115, 0), (0.08, 0.03))
     body = (
@@ -258,12 +258,12 @@ def plate(pose: Any, *parts: Any, look: str = "") -> Thing:
         Outline(nose, "", "dark", 0.009),
         Outline(disc(0.008), "dark"),
     )
-    return Thing(pose, (*parts, *body), 0.02, look, silhouette=disc(0.15))
+    return Sprite(pose, (*parts, *body), 0.02, look, silhouette=disc(0.15))
 
 
-def arm(place: Any) -> Thing:
+def arm(place: Any) -> Sprite:
     """Return the arm from a plate's middle to a wheel at a place of its frame."""
-    return Thing(
+    return Sprite(
         (*ORIGIN, place), (Outline(box(SIZE, 0.034, SIZE / 2, corner=0.01), "metal_mid", "edge"),)
     )
 
@@ -619,11 +619,11 @@ def lines_figure() -> Figure:
     )
 
 
-def arm_to(place: Any) -> Thing:
+def arm_to(place: Any) -> Sprite:
     """Return the arm from a plate's middle to a place."""
     far = sqrt(place[0] ** 2 + place[1] ** 2)
     bar = Outline(box(0.2, 0.034, 0.1, corner=0.01), "metal_mid", "edge")
-    return Thing((0, 0, atan2(place[1], place[0])), (bar,), size=far / 0.2)
+    return Sprite((0, 0, atan2(place[1], place[0])), (bar,), size=far / 0.2)
 
 
 steer_L = quantity("steer_L", "rad", -1, 1, "left front wheel: turned by", latex=r"\delta_L")
@@ -735,7 +735,7 @@ def robots_figure() -> Figure:
         held = [place for place in places if place[3] in ("fixed", "steered")]
         shapes += [Line("icr", along(place, place[2] + QUARTER, 0.4)) for place in held]
         shapes += [Line("body", (at, place)) for place in places]
-        shapes.append(Thing(at, plate(at).parts, 0.02, size=0.6))
+        shapes.append(Sprite(at, plate(at).parts, 0.02, size=0.6))
         shapes += [MAKERS[kind](tuple(place)) for *place, kind in places]
         m, steered = DELTAS[name]
         shapes += [
@@ -1330,7 +1330,7 @@ def laboratory_figure() -> Figure:
             Line("target", (*corner, corner[0])),
             *(Curve("path", move(QUARTER, twist, s), s, 0, t),),
             *drawn,
-            Thing(end, plate(end).parts, 0.02, size=0.6),
+            Sprite(end, plate(end).parts, 0.02, size=0.6),
             Arrow("approximation", ORIGIN, wish, "wish"),
             Arrow("velocity", ORIGIN, made, ""),
             Point("icr", point_of(START, *centre), "Q"),

@@ -44,7 +44,7 @@ from courseware.figures.shapes import (
     when,
 )
 from courseware.figures.space import VIEW, bring_forward
-from courseware.figures.things import Gradient, Ground, Materials, Outline, Rim, Thing
+from courseware.figures.sprites import Gradient, Ground, Materials, Outline, Rim, Sprite
 from courseware.script.parts import Part, register
 
 register(

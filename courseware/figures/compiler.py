@@ -17,7 +17,7 @@ from courseware.figures.control_compiler import compile_control, find_look, seri
 from courseware.figures.controls import POINTER, Button, Control, Handle
 from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
-from courseware.figures.things import Outline, Rim, Thing, list_corners
+from courseware.figures.sprites import Outline, Rim, Sprite, list_corners
 from courseware.units.line_breaks import prevent_breaks
 
 _JS_NAMES = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
@@ -115,8 +115,8 @@ class Compiler:
 
     def compile_shape(self, shape: Any) -> dict[str, Any]:
         """Return a shape's data: its numbers by place, its curve as a function."""
-        if isinstance(shape, Thing):
-            return {"shape": "thing", "kind": "", "label": "", **self.compile_thing(shape)}
+        if isinstance(shape, Sprite):
+            return {"shape": "sprite", "kind": "", "label": "", **self.compile_sprite(shape)}
         if isinstance(shape, Solid):
             return {"shape": "solid", "kind": "", "label": "", **self.compile_solid(shape)}
         if type(shape) not in SHAPES:
@@ -143,24 +143,24 @@ class Compiler:
         fields = {name: getattr(solid, name) for name in ("data", "floor", "opacity", "behind")}
         return {"at": self.add(*solid.numbers), **fields}
 
-    def compile_thing(self, thing: Thing, look: str = "") -> dict[str, Any]:
-        """Return a thing's data: places, and its outlines by their ids."""
+    def compile_sprite(self, sprite: Sprite, look: str = "") -> dict[str, Any]:
+        """Return a sprite's data: places, and its outlines by their ids."""
         parts: list[Any] = []
         group: Any
-        for kind, group in groupby(thing.parts, type):
+        for kind, group in groupby(sprite.parts, type):
             if kind is Outline:
                 parts.append(self.find_drawing(*group))
             else:
-                parts += [self.compile_moving(part, thing.look or look) for part in group]
-        data = {"at": self.add(*thing.at, thing.size), "parts": parts, "height": thing.height}
-        if thing.height or thing.look or look:
-            data["silhouette"] = self.find_drawing(Outline(thing.silhouette or ""))
-        return data | {"look": thing.look, "corners": list_corners(thing.silhouette or "")}
+                parts += [self.compile_moving(part, sprite.look or look) for part in group]
+        data = {"at": self.add(*sprite.at, sprite.size), "parts": parts, "height": sprite.height}
+        if sprite.height or sprite.look or look:
+            data["silhouette"] = self.find_drawing(Outline(sprite.silhouette or ""))
+        return data | {"look": sprite.look, "corners": list_corners(sprite.silhouette or "")}
 
-    def compile_moving(self, part: Rim | Thing, look: str) -> dict[str, Any]:
-        """Return the data of a part that moves in its thing."""
-        if isinstance(part, Thing):
-            return self.compile_thing(part, look)
+    def compile_moving(self, part: Rim | Sprite, look: str) -> dict[str, Any]:
+        """Return the data of a part that moves in its sprite."""
+        if isinstance(part, Sprite):
+            return self.compile_sprite(part, look)
         moving = {"at": self.add(part.roll), "rim": [part.radius, part.count, part.thickness]}
         if len(part.outlines) == 1 and set(part.outlines[0].path) <= STRAIGHT:
             return moving | {"lines": _compile_outline(*part.outlines)}

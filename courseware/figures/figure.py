@@ -220,7 +220,7 @@ class Scene:
 
 
 def render_outlines(figures: Iterable[Figure]) -> str:
-    """Return what a page with these figures needs once: the outlines of all their things."""
+    """Return what a page with these figures needs once: the outlines of all their sprites."""
     drawings: dict[str, Any] = {}
     for figure in figures:
         drawings |= figure.compiled["drawings"]

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from courseware.course import course
-from courseware.figures.things import Gradient
+from courseware.figures.sprites import Gradient
 
 DARK = 'html[data-theme="dark"], [data-jp-theme-light="false"], .vscode-dark'
 

@@ -9,7 +9,7 @@ import { arrowToOutside, SHAPES } from "./shapes.js";
 import { drawSolid, isCovered } from "./solids.js";
 import { compute, settings, startState } from "./state.js";
 import { px, symbolData } from "./svg.js";
-import { drawThing, listOutlines, renderOwnDefs } from "./things.js";
+import { drawSprite, listOutlines, renderOwnDefs } from "./sprites.js";
 
 // Pixels, before a page tells how wide it is.
 export const widthOf = ({ size }) => (size === "step" ? 460 : 640);
@@ -26,7 +26,7 @@ export const heightOf = ({ view }, width) => px(width * (view[3] - view[2]) / (v
 
 // a face of a solid, and its rim, have its colour
 const SOLIDS = { "stroke-width": 1.5, "stroke-linecap": "round", fill: "currentColor", stroke: "currentColor" };
-const DRAWN = { ...SHAPES, solid: drawSolid, thing: drawThing };
+const DRAWN = { ...SHAPES, solid: drawSolid, sprite: drawSprite };
 
 // The points of what is drawn as a line.
 const listPoints = ([tag, { points }, inside]) => tag === "g" ? inside.flatMap(listPoints)
@@ -58,11 +58,11 @@ export const renderScene = (figure, computed, width, state) => {
   to.labels = to.labels.filter((one) => !isCovered(one, values[one.shape.depth], deep));
   const scale = renderScale(figure, view, to, height);
   const grips = figure.handles.map(({ at }) => to(at.map((index) => values[index])));
-  const things = figure.shapes.filter(({ shape }) => shape === "thing").flatMap((thing) => listOutlines(thing, values, to));
+  const sprites = figure.shapes.filter(({ shape }) => shape === "sprite").flatMap((sprite) => listOutlines(sprite, values, to));
   const lines = [...nodes.flatMap(([, , drawn]) => drawn), ...deep.filter(({ face }) => !face).flatMap((piece) => piece.nodes)];
   if (figure.controls.length) to.taken.push([width - 44, 0, width, 58], [0, 0, figure.goals.length && width, 14]); // reset, goal
   const [labels, taken] = placeLabels(to, grips, [width, height],
-    [...things, ...deep.flatMap(({ face }) => face ? [face] : [])], lines.flatMap(listPoints));
+    [...sprites, ...deep.flatMap(({ face }) => face ? [face] : [])], lines.flatMap(listPoints));
   if (deep.length) nodes[first][2] = deep.sort((a, b) => a.depth - b.depth).flatMap((piece) => piece.nodes);
   return [["g", {}, renderGround(figure, view, to, [width, height], taken)], ...nodes,
     ["g", {}, scale], ["g", {}, labels]];

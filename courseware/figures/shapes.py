@@ -160,7 +160,7 @@ class Bracket:
 
 
 def when(condition: Any, *shapes: Any) -> tuple[Any, ...]:
-    """Return shapes and things that are there only while a condition holds."""
+    """Return shapes and sprites that are there only while a condition holds."""
     return tuple(_hide_unless(condition, shape) for shape in shapes)
 
 

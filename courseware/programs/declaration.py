@@ -43,7 +43,7 @@ class Program:
             as arrays of symbols → what is compared instead.
         shape: of a matrix.
         picture: function of the right answer, the student's, and the arguments, all as arrays of
-            symbols → the shapes and things of the picture that shows both.
+            symbols → the shapes and sprites of the picture that shows both.
         extent: how far a thing in it reaches from its place, in its own metres.
         hints: the first says least.
     """

@@ -9,7 +9,7 @@ import sympy as sp
 
 from courseware.course import course
 from courseware.explaining import join_numbers
-from courseware.figures import VIEW, Choice, Curve, Figure, Thing
+from courseware.figures import VIEW, Choice, Curve, Figure, Sprite
 from courseware.figures.figure import inline_colors
 from courseware.figures.solids import Solid
 from courseware.programs.declaration import Program
@@ -45,8 +45,8 @@ def answer_figure(program: Program) -> Figure:
 
 def _places(shape: Any, extent: float) -> Iterator[Any]:
     """Yield the places of a shape that the picture must show."""
-    if isinstance(shape, Solid | Thing):
-        at = shape.at[:2] if isinstance(shape, Thing) else VIEW.project(shape.at)
+    if isinstance(shape, Solid | Sprite):
+        at = shape.at[:2] if isinstance(shape, Sprite) else VIEW.project(shape.at)
         size = getattr(shape, "size", 1)
         yield from ([x + way * extent * size for x in at] for way in (-1, 1))
     elif isinstance(shape, Curve):

@@ -15,7 +15,7 @@ from book.things.materials import GRADIENTS, GROUNDS, TONES
 from courseware.equations.quantities import declarations
 from courseware.errors import CourseError
 from courseware.figures import VIEW, Figure, Slider
-from courseware.figures.things import Outline, Thing
+from courseware.figures.sprites import Outline, Sprite
 from robokin.styles import KINDS
 
 quantity, _ = declarations(__name__)
@@ -103,7 +103,7 @@ ON = {tone for ground in GROUNDS.values() for tone in tones_of(ground.fill)}
 def edges(thing):
     """The materials round a thing and round what stands out of it."""
     widest = [part.edge for part in thing.parts if isinstance(part, Outline) and not part.width]
-    inner = [part for part in thing.parts if isinstance(part, Thing)]
+    inner = [part for part in thing.parts if isinstance(part, Sprite)]
     return {*filter(None, widest), *(edge for part in inner for edge in edges(part))}
 
 
@@ -144,7 +144,7 @@ def test_the_pen_ends_where_the_last_link_does():
     """So the tip that is drawn is the point that a chapter computes."""
     arm = things.arm((0, 0, 0), (0, 0), (0.4, 0.3), tool="pen", base="")
     link, reach = arm, 0.0
-    while inner := [part for part in link.parts if isinstance(part, Thing)]:
+    while inner := [part for part in link.parts if isinstance(part, Sprite)]:
         link = inner[0]
         reach += link.at[0]
     tip = max(px for px, _ in points(link.parts[-1].path))

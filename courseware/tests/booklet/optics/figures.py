@@ -21,7 +21,7 @@ from courseware.figures import (
     Readout,
     Scene,
     Slider,
-    Thing,
+    Sprite,
     assign,
 )
 
@@ -33,16 +33,16 @@ WAX = Outline("M-.006 0h.012v.035h-.012z", "paper", "edge")
 FLAME = Outline("M0 .035q.012 .005 0 .015q-.012 -.01 0 -.015z", "lamp", "edge")
 
 
-def candle(x: Any, tall: Any, turn: Any = 0, look: str = "") -> Thing:
+def candle(x: Any, tall: Any, turn: Any = 0, look: str = "") -> Sprite:
     """Draw a candle on the axis, of any height; turned by π it hangs from the axis."""
-    return Thing((x, 0, turn), (WAX, FLAME), look=look, size=tall / TALL)
+    return Sprite((x, 0, turn), (WAX, FLAME), look=look, size=tall / TALL)
 
 
 SCENE = Scene(
     layers={
         "lens": (
             Line("ghost", ((-0.42, 0), (0.34, 0))),
-            Thing((0, 0, 0), (LENS,)),
+            Sprite((0, 0, 0), (LENS,)),
             Label("text", (0.02, 0.07), "lens"),
         ),
         "screen": (Line("path", ((SCREEN, -0.1), (SCREEN, 0.1))),),

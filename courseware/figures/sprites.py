@@ -1,13 +1,13 @@
-"""Things: what a flat picture shows as it looks from outside, a robot, a wheel, a kerb.
+"""Sprites: what a flat picture shows as it looks from outside, a robot, a wheel, a kerb.
 
-A thing is a function of a chapter or of the course that returns a `Thing`: outlines in metres, x
-ahead and y to the left, painted in the order of their declaration, and things in it that move::
+A function of a chapter or of the course returns a `Sprite`: outlines in metres, x ahead and y to
+the left, painted in the order of their declaration, and sprites in it that move::
 
     def robot(pose, roll=0):
-        wheels = [Thing((0, y, 0), (*TYRE, Rim(0.03, 20, (TREAD,), roll))) for y in (0.05, -0.05)]
-        return Thing(pose, (BODY, *wheels, NOSE), height=0.01)
+        wheels = [Sprite((0, y, 0), (*TYRE, Rim(0.03, 20, (TREAD,), roll))) for y in (0.05, -0.05)]
+        return Sprite(pose, (BODY, *wheels, NOSE), height=0.01)
 
-Outlines are constant and enter the picture once; each frame sets the places of things only. Their
+Outlines are constant and enter the picture once; each frame sets the places of sprites only. Their
 paint is a name of the course's materials, or of its looks.
 """
 
@@ -65,12 +65,12 @@ class Rim:
 
 
 @dataclass(frozen=True)
-class Thing:
-    """A thing at a place: (x, y, angle) in the picture, or in the thing that it is a part of.
+class Sprite:
+    """Outlines at a place: (x, y, angle) in the picture, or in the sprite that it is a part of.
 
     Args:
         at: its place; a place that is no number hides it.
-        parts: outlines, rims and things in it, from below to above.
+        parts: outlines, rims and sprites in it, from below to above.
         height: its height above the ground, m: so long is its shadow; 0: without one.
         look: "ghost" is pale, "wrong" is red and hatched.
         size: how many times as large as declared.
@@ -87,9 +87,9 @@ class Thing:
 
     def __post_init__(self) -> None:
         if self.look not in LOOKS:
-            raise CourseError(f"a thing looks {self.look!r}; it can look {', '.join(LOOKS[1:])}")
+            raise CourseError(f"a sprite looks {self.look!r}; it can look {', '.join(LOOKS[1:])}")
         if len(self.at) != 3:
-            raise CourseError(f"the place of a thing is (x, y, angle), got {self.at}")
+            raise CourseError(f"the place of a sprite is (x, y, angle), got {self.at}")
         if self.silhouette is None:
             outlines = (part.path for part in self.parts if isinstance(part, Outline))
             object.__setattr__(self, "silhouette", next(outlines, ""))

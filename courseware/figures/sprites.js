@@ -1,4 +1,4 @@
-// Things: their outlines are in the picture once, each frame sets where they are.
+// Sprites: their outlines are in the picture once, each frame sets where they are.
 
 import { GRADIENTS, GROUNDS } from "./constants.js";
 import { renderNodes } from "./nodes.js";
@@ -61,8 +61,8 @@ const drawRim = ({ at, rim, lines, drawing }, values) => {
   return drawOutline([all.join(""), ...looks]);
 };
 
-// The nodes of a thing and of those in it; pick: those of the thing itself.
-const walk = (thing, values, pick) => pick(thing).map((part) => {
+// The nodes of a sprite and of those in it; pick: those of the sprite itself.
+const walk = (sprite, values, pick) => pick(sprite).map((part) => {
   if (typeof part === "string") return use(part);
   if (part.rim) return drawRim(part, values);
   const [x, y, angle, size] = part.at.map((index) => values[index]);
@@ -72,36 +72,36 @@ const walk = (thing, values, pick) => pick(thing).map((part) => {
     walk(part, values, pick)];
 });
 
-// The outlines of a thing and of those in it, as corners in pixels.
-export const listOutlines = (thing, values, to) => {
-  const [x, y, angle, size] = thing.at.map((index) => values[index]), cos = size * Math.cos(angle), sin = size * Math.sin(angle);
+// The outlines of a sprite and of those in it, as corners in pixels.
+export const listOutlines = (sprite, values, to) => {
+  const [x, y, angle, size] = sprite.at.map((index) => values[index]), cos = size * Math.cos(angle), sin = size * Math.sin(angle);
   if (!Number.isFinite(x + y + cos + sin)) return [];
   const inside = ([a, b]) => to([x + a * cos - b * sin, y + a * sin + b * cos]);
-  return [thing.corners.map(inside), ...things(thing).flatMap((part) => listOutlines(part, values, inside))];
+  return [sprite.corners.map(inside), ...sprites(sprite).flatMap((part) => listOutlines(part, values, inside))];
 };
 
 const partsOf = ({ parts }) => parts;
-const things = ({ parts }) => parts.filter((part) => part.parts);
-const silhouettes = (thing) => [thing.silhouette, ...things(thing)];
-const casting = (thing) => [thing.silhouette, ...things(thing).filter(({ height }) => height)];
+const sprites = ({ parts }) => parts.filter((part) => part.parts);
+const silhouettes = (sprite) => [sprite.silhouette, ...sprites(sprite)];
+const casting = (sprite) => [sprite.silhouette, ...sprites(sprite).filter(({ height }) => height)];
 
-const drawShadow = (thing, values, place, scale) => {
-  const cast = walk(thing, values, casting), { height } = thing;
+const drawShadow = (sprite, values, place, scale) => {
+  const cast = walk(sprite, values, casting), { height } = sprite;
   const style = `fill:${paint("shadow")};stroke:${paint("shadow")};stroke-linejoin:round`;
   return ["g", { transform: place(0.7 * height * scale, height * scale), style }, SOFT.map((wide) =>
-    ["g", { style: "opacity:var(--rk-soft,.08)", "stroke-width": small(0.8 * height * wide / (values[thing.at[3]] || 1)) }, cast])];
+    ["g", { style: "opacity:var(--rk-soft,.08)", "stroke-width": small(0.8 * height * wide / (values[sprite.at[3]] || 1)) }, cast])];
 };
 
-export const drawThing = ([x, y, angle, size], thing, to, { values }) => {
+export const drawSprite = ([x, y, angle, size], sprite, to, { values }) => {
   const [left, top] = to([x, y]), scale = to.scale * size;
   const place = (right, down) => `translate(${px(left + right)} ${px(top + down)}) rotate(${degrees(angle)}) `
     + `scale(${small(scale)} ${small(-scale)})`;
-  const body = walk(thing, values, partsOf);
+  const body = walk(sprite, values, partsOf);
   const around = { transform: place(0, 0), "stroke-width": small(EDGE / scale), "stroke-linejoin": "round", "stroke-linecap": "round" };
-  const nodes = thing.height && !thing.look ? [drawShadow(thing, values, place, to.scale)] : [];
-  if (!thing.look) return [...nodes, ["g", around, body]];
-  const lines = walk(thing, values, silhouettes);
-  const style = thing.look === "ghost" ? `fill:none;stroke:${color("ghost")}`
+  const nodes = sprite.height && !sprite.look ? [drawShadow(sprite, values, place, to.scale)] : [];
+  if (!sprite.look) return [...nodes, ["g", around, body]];
+  const lines = walk(sprite, values, silhouettes);
+  const style = sprite.look === "ghost" ? `fill:none;stroke:${color("ghost")}`
     : `fill:url(#rk-hatch);stroke:${color("error")}`;
   return [["g", around, [["g", { style: "opacity:.34" }, body], ["g", { style }, lines]]]];
 };

@@ -1,4 +1,4 @@
-"""Things: outlines that are in a picture once, places that a frame sets, materials, grounds."""
+"""Sprites: outlines that are in a picture once, places that a frame sets, materials, grounds."""
 
 import math
 import re
@@ -10,7 +10,7 @@ import sympy as sp
 from small_figures import a, small_figure
 
 from courseware.errors import CourseError
-from courseware.figures import Outline, Rim, Slider, Thing
+from courseware.figures import Outline, Rim, Slider, Sprite
 from courseware.figures.figure import compact_svg
 
 SQUARE = Outline("M-.1 -.1h.2v.2h-.2z", "shell", "edge")
@@ -20,12 +20,12 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def cart(place, **more):
     """A square with two wheels that turn by x."""
-    wheels = (Thing((0, side, a), (SPOT,)) for side in (0.1, -0.1))
-    return Thing(place, (SQUARE, *wheels), **more)
+    wheels = (Sprite((0, side, a), (SPOT,)) for side in (0.1, -0.1))
+    return Sprite(place, (SQUARE, *wheels), **more)
 
 
-def picture(*things, **parts):
-    figure = small_figure(shapes=things, ground="tiles", **parts)
+def picture(*sprites, **parts):
+    figure = small_figure(shapes=sprites, ground="tiles", **parts)
     return ElementTree.fromstring(figure.render_svg())
 
 
@@ -43,11 +43,11 @@ def test_an_outline_stands_once_however_often_its_thing_is_placed():
     svg = picture(*(cart((x, 0, a)) for x in (-0.5, 0, 0.5)), cart((0, 0.5, 0), look="ghost"))
     paths = [path.get("d") for path in svg.find(f"{SVG}defs").iter(f"{SVG}path")]
     assert paths.count(SPOT.path) == paths.count(SQUARE.path) == 2  # one as a ghost's silhouette
-    assert len(drawn(svg)) == 3 * 3 + 3 + 3  # and the silhouettes of the ghost's three things
+    assert len(drawn(svg)) == 3 * 3 + 3 + 3  # and the silhouettes of the ghost's three sprites
 
 
 def test_a_thing_stands_at_its_place_turned_as_angles_count():
-    """In the picture y points down; the things in it keep the thing's own metres."""
+    """In the picture y points down; the sprites in it keep the sprite's own metres."""
     svg = picture(cart((0.25, -0.5, sp.pi / 2), size=2))
     width = float(svg.get("width"))
     outer, *inner = (t for t in transforms(svg) if "rotate" in t)
@@ -60,13 +60,13 @@ def test_a_thing_stands_at_its_place_turned_as_angles_count():
 def test_a_place_that_is_no_number_hides_a_thing():
     hidden = sp.Piecewise((0, a > 2), (sp.nan, True))
     assert drawn(picture(cart((hidden, 0, 0)))) == []
-    inside = Thing((0, 0, 0), (SQUARE, Thing((hidden, 0, 0), (SPOT,))))
+    inside = Sprite((0, 0, 0), (SQUARE, Sprite((hidden, 0, 0), (SPOT,))))
     assert len(drawn(picture(inside))) == 1
 
 
 def rim_places(rolled):
     roll = sp.Float(rolled) * a / a
-    wheel = Thing((0, 0, 0), (SQUARE, Rim(0.1, 12, (SPOT,), roll)))
+    wheel = Sprite((0, 0, 0), (SQUARE, Rim(0.1, 12, (SPOT,), roll)))
     texts = (use.get("transform") for use in picture(wheel).iter(f"{SVG}use"))
     rows = [[float(x) for x in re.findall(r"-?[\d.]+(?:e-?\d+)?", t)] for t in texts if t]
     return sorted(math.atan2(x / 0.1, cos) for cos, _, _, _, x, _ in rows if cos > 0.05)
@@ -86,8 +86,8 @@ def test_what_is_on_a_rim_runs_as_the_wheel_rolls():
 def test_a_shadow_falls_to_the_right_and_down_however_its_thing_turns():
     for turn in (0, 1, 3):
         svg = picture(cart((0, 0, turn), height=0.05))
-        shadow, thing = (t for t in transforms(svg) if "scale" in t)
-        (x, y), (x0, y0) = (map(float, re.findall(r"-?[\d.]+", t)[:2]) for t in (shadow, thing))
+        shadow, sprite = (t for t in transforms(svg) if "scale" in t)
+        (x, y), (x0, y0) = (map(float, re.findall(r"-?[\d.]+", t)[:2]) for t in (shadow, sprite))
         assert x > x0
         assert y > y0
 
@@ -102,7 +102,7 @@ def test_a_ghost_and_a_wrong_thing_throw_no_shadow_and_have_a_line_round_them():
 
 def test_a_picture_defines_what_it_uses_and_nothing_else():
     """The gradients are found by the figure's name: a page has many pictures."""
-    svg = picture(Thing((0, 0, 0), (Outline("M0 0h1", "tyre", "edge"),)))
+    svg = picture(Sprite((0, 0, 0), (Outline("M0 0h1", "tyre", "edge"),)))
     text = ElementTree.tostring(svg, "unicode")
     used = set(re.findall(r"url\(#([\w-]+)\)", text))
     defined = {e.get("id") for e in svg.find(f"{SVG}defs") if e.tag.endswith("Gradient")}
@@ -120,7 +120,7 @@ def test_a_notebook_keeps_the_outlines_digits():
     ("parts", "message"),
     [
         (
-            {"shapes": (Thing((0, 0, 0), (Outline("M0 0", "jelly"),)),)},
+            {"shapes": (Sprite((0, 0, 0), (Outline("M0 0", "jelly"),)),)},
             "no material 'jelly'; .*tyre",
         ),
         ({"ground": "lava"}, "no ground 'lava'; there are tiles"),

@@ -28,6 +28,7 @@ from sympy import pi as exact_pi
 
 from book import things
 from book.basics.formulas import p_x, p_y
+from book.dragging import around, towards, turn_handle
 from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import base_arctan, base_only, cubed_a_3, no_p_x, swapped_xy
 from book.elbow_arm.formulas import (
@@ -96,18 +97,6 @@ s = Symbol("s")
 # The arm in space, and what is dragged of it.
 
 
-def around(angle: Any) -> Any:
-    """Return an angle that a hand has turned past half a turn, from the other side."""
-    most, whole = exact_pi + 1e-9, 2 * exact_pi
-    return Piecewise((angle - whole, angle > most), (angle + whole, angle < -most), (angle, True))
-
-
-def towards(angle: Any, direction: Any) -> Any:
-    """Return an angle turned into a direction, the short way round."""
-    off = direction - angle
-    return around(angle + atan2(sin(off), cos(off)))
-
-
 def base_ring(turn: Any = theta1) -> Handle:
     """Return a handle at the nose, which turns the base."""
     far, low = 0.2, 0.05
@@ -117,14 +106,6 @@ def base_ring(turn: Any = theta1) -> Handle:
     x, y = ahead * cos(az) - across * sin(az), ahead * sin(az) + across * cos(az)
     at = VIEW.project((far * cos(turn), far * sin(turn), low))
     return Handle("nose of the base", at, {turn: towards(turn, atan2(y, x))})
-
-
-def joint_ring(label: str, joint: Any, at: Sequence[Any]) -> Handle:
-    """Return a handle at a point that a joint turns: along its way in the picture."""
-    seen = Matrix(VIEW.project(at))
-    way = seen.diff(joint)
-    off = (Matrix(POINTER) - seen).dot(way) / (way.dot(way) + 0.002)
-    return Handle(label, tuple(seen), {joint: around(joint + off)})
 
 
 def stood(at: Sequence[float]) -> tuple[Any, ...]:
@@ -199,8 +180,8 @@ def grip_figure() -> Figure:
         ),
         handles=(
             base_ring(),
-            joint_ring("elbow", theta2, elbow),
-            joint_ring("gripper", theta3, wrist),
+            turn_handle("elbow", theta2, elbow),
+            turn_handle("gripper", theta3, wrist),
         ),
         buttons=(
             Button(

@@ -25,6 +25,7 @@ from sympy import (
 )
 from sympy import pi as exact_pi
 
+from book.dragging import turn_handle
 from book.euler import formulas as euler
 from book.euler.exercises import ignored_lock, left_handed_turn, wrong_order
 from book.euler.formulas import TURNS, first, middle, third, turn
@@ -42,6 +43,7 @@ from courseware.figures import (
     Curve,
     Figure,
     Goal,
+    Handle,
     Label,
     Line,
     NamedSteps,
@@ -116,6 +118,10 @@ def is_aligned(R: Matrix, target: Matrix) -> Any:
 FLOOR, HALF = -0.95, 0.75  # m: the floor's height, and half its side
 
 
+ARC = 1.05  # m, from the axis of a turn to its arc
+CORNER = 0.45 * Matrix([1, -1, 1])  # m, of a die; of all corners the one to be dragged
+
+
 def floor(at: Sequence[Any] = ORIGIN) -> Any:
     """Return a piece of floor, on which shadows fall."""
     return space.floor(FLOOR, HALF, at)
@@ -140,6 +146,11 @@ def die(
     pip = "dark" if kind == "error" else "shell"
     body = VIEW.solid(space.die(kind, pip, edge), R, at, floor=FLOOR)
     return floor(at), body, *die_axes(R, at, labels)
+
+
+def corner_of(R: Matrix, at: Sequence[Any] = ORIGIN) -> list[Any]:
+    """Return the corner of a die that is at (0.45, -0.45, 0.45) of its own frame: to drag."""
+    return moved(at, R * CORNER)
 
 
 def ghost_die(
@@ -168,6 +179,21 @@ def turn_axis(direction: Matrix, at: Sequence[Any] = ORIGIN) -> tuple[Any, ...]:
     return tuple(bring_forward(VIEW.line("icr", pair), -0.3) for pair in (ends[1::-1], ends[2:]))
 
 
+def around_axis(axis: Sequence[Any], turned: Any, far: float, before: Matrix = UNTURNED) -> Matrix:
+    """Return a point so far from an axis, after a turn: as the next axis goes, x to y to z to x.
+
+    before: how the axes were before the turn.
+    """
+    x, y, z = axis
+    pairs = zip((z, x, y), (y, z, x), strict=True)
+    return before * Matrix([far * (b * cos(turned) + c * sin(turned)) for b, c in pairs])
+
+
+def moved(at: Sequence[Any], by: Matrix) -> list[Any]:
+    """Return a place from another one."""
+    return [a + part for a, part in zip(at, by, strict=True)]
+
+
 def turn_arc(
     letter: str,
     angle: Any,
@@ -176,20 +202,23 @@ def turn_arc(
     before: Matrix = UNTURNED,
     at: Sequence[Any] = ORIGIN,
 ) -> tuple[Any, ...]:
-    """Return the angle of a turn and its letter: the way of the next axis, x to y to z to x.
-
-    before: how the axes stood before the turn.
-    """
-    x, y, z = axis
-
-    def place(turned: Any, far: float) -> list[Any]:
-        pairs = zip((z, x, y), (y, z, x), strict=True)
-        arrow = before * Matrix([far * (b * cos(turned) + c * sin(turned)) for b, c in pairs])
-        return [a + part for a, part in zip(at, arrow, strict=True)]
-
-    here, half = place(s * angle, 1.05), place(angle / 2, 1.25)
+    """Return the angle of a turn and its letter, about an axis of those before the turn."""
+    here = moved(at, around_axis(axis, s * angle, ARC, before))
+    half = moved(at, around_axis(axis, angle / 2, ARC + 0.2, before))
     arc = Curve(kind, VIEW.project(here), s, 0, 1, 16, depth=VIEW.depth(here) + 0.2)
     return arc, *when(Abs(angle) > 0.2, Label(kind, VIEW.project(half), letter))
+
+
+def arc_handle(
+    letter: str,
+    angle: Any,
+    axis: Sequence[Any],
+    before: Matrix = UNTURNED,
+    at: Sequence[Any] = ORIGIN,
+) -> Handle:
+    """Return a handle at the end of a turn's arc."""
+    end = moved(at, around_axis(axis, angle, ARC, before))
+    return turn_handle(f"end of the arc {letter}", angle, end)
 
 
 LEFT, RIGHT = VIEW.right_of_origin(-1.15), VIEW.right_of_origin(1.15)
@@ -261,7 +290,7 @@ def legs() -> tuple[Any, ...]:
 
 def columns_figure() -> Figure:
     """Draw a turn about one of the axes, and the three columns of its matrix."""
-    R = euler.r
+    R, turned = euler.r, euler.turned_about(about, turn)
     return Figure(
         name="columns",
         ground="wall",
@@ -271,6 +300,7 @@ def columns_figure() -> Figure:
             Choice.one_hot("axis", about, "xyz", label="turn about", start="z"),
             Slider.degrees(turn, start=60, step=15),
         ),
+        handles=(turn_handle("a corner of the die", turn, corner_of(turned)),),
         shapes=(
             *room(),
             *die(R),
@@ -279,7 +309,7 @@ def columns_figure() -> Figure:
             Bracket(R, (2.2, 0.1), digits=2),
         ),
         sentence="A turn of {turn} about the {axis} axis.",
-        where=name_entries(euler.turned_about(about, turn)),
+        where=name_entries(turned),
     )
 
 
@@ -316,13 +346,16 @@ def corner_figure() -> Figure:
     steps = NamedSteps()
     left, right = in_both_orders(1, 1)
     corner = Matrix([1, 1, 1]) / sqrt(3)
-    now = steps.add("n", euler.turned_about(corner, turn) * left)
+    turned = euler.turned_about(corner, turn) * left
+    now = steps.add("n", turned)
+    front = moved(LEFT, 0.45 * turned * Matrix([1, 1, 1]))
     return Figure(
         name="corner",
         ground="wall",
         title="The two dice after both turns; the left one turns about the line through a corner",
         view=(-2.4, 2.5, -1.6, 1.5),
         controls=(Slider.degrees(turn, step=15),),
+        handles=(turn_handle("a corner of the left die", turn, front),),
         shapes=(
             *turn_axis(corner, LEFT),
             *die(now, LEFT),
@@ -392,6 +425,7 @@ def target_figure() -> Figure:
             Slider.degrees(first, step=15, label="α, first turn"),
             Slider.degrees(middle, step=15, label="β, second turn"),
         ),
+        handles=(arc_handle("α", first, outer, at=LEFT), arc_handle("β", middle, mid, one, LEFT)),
         shapes=(
             *room(LEFT),
             *die(now, LEFT),
@@ -428,6 +462,11 @@ def three_angles_figure() -> Figure:
                 middle, -90, 90, step=10, label="middle β, about the new y", kind="y_axis"
             ),
             Slider.degrees(third, step=10, label="third γ, about the newest z", kind="z_axis"),
+        ),
+        handles=(
+            arc_handle("α", first, X, at=LEFT),
+            arc_handle("β", middle, Y, one, LEFT),
+            arc_handle("γ", third, Z, two, LEFT),
         ),
         shapes=(
             *room(LEFT),
@@ -516,6 +555,18 @@ def rings(
     )
 
 
+def ring_handles(first: Any, middle: Any, third: Any) -> tuple[Handle, ...]:
+    """Return a handle on each ring, away from its axis."""
+    one = euler.turned_about(X, first)
+    two = one * euler.turned_about(Y, middle)
+    three = two * euler.turned_about(Z, third)
+    return (
+        turn_handle("outer ring", first, one * Matrix([0, -1.23, 0])),
+        turn_handle("middle ring", middle, two * Matrix([0, 0, 1.01])),
+        turn_handle("inner ring", third, three * Matrix([0.79, 0, 0])),
+    )
+
+
 def rings_alone_figure() -> Figure:
     """Draw the rings, each turned alone, and the axis of each."""
     steps = NamedSteps()
@@ -537,6 +588,7 @@ def rings_alone_figure() -> Figure:
             Slider.degrees(middle, step=15, label="β, middle ring", kind="y_axis"),
             Slider.degrees(third, step=15, label="γ, inner ring", kind="z_axis"),
         ),
+        handles=ring_handles(*TURNS),
         shapes=(
             *things,
             *(
@@ -580,6 +632,7 @@ def rings_figure() -> Figure:
             Slider.degrees(middle, start=30, step=15, label="β, middle ring", kind="y_axis"),
             Slider.degrees(against, step=15, label="outer ring +, inner ring −"),
         ),
+        handles=ring_handles(against, middle, third)[:2],
         shapes=(
             *things,
             *when(is_locked, VIEW.arrow("error", 0.4 * across, 1.6 * across, "lost")),
@@ -612,6 +665,8 @@ def yaw_figure() -> Figure:
     one = steps.add("o", euler.turned_about(Z, first))
     two = steps.add("t", one * euler.turned_about(Y, middle))
     now = steps.add("n", two * euler.turned_about(X, third))
+    pitched = euler.turned_about(Z, first) * euler.turned_about(Y, middle)
+    turned = pitched * euler.turned_about(X, third)
     return Figure(
         name="yaw-pitch-roll",
         title="An aeroplane that is turned to its side, then its nose up or down, then about it",
@@ -624,6 +679,11 @@ def yaw_figure() -> Figure:
                 middle, -90, 90, step=10, label="pitch β, about the new y", kind="y_axis"
             ),
             Slider.degrees(third, step=10, label="roll γ, about the newest x", kind="x_axis"),
+        ),
+        handles=(
+            turn_handle("tail", first, turned * Matrix([-0.75, 0, 0])),
+            turn_handle("nose", middle, turned * Matrix([1.1, 0, 0])),
+            turn_handle("left wing", third, turned * Matrix([0, 1, 0])),
         ),
         shapes=(
             *room(),
@@ -753,6 +813,7 @@ def one_turn_figure() -> Figure:
 def one_axis_figure() -> Figure:
     """Draw a die that one turn about a chosen axis shall bring to frame B."""
     R, high, n = euler.r, 0.5**0.5, Matrix(euler.n)
+    turned = euler.turned_about(euler.n, turn)
     across = Matrix([-n[1], n[0], 0]) / sqrt(n[0] ** 2 + n[1] ** 2)
 
     def around(angle: Any, far: float) -> list[Any]:
@@ -777,6 +838,7 @@ def one_axis_figure() -> Figure:
             Choice("axis", "axis through", euler.n, ways),
             Slider.degrees(turn, start=30, step=15),
         ),
+        handles=(turn_handle("a corner of the die", turn, corner_of(turned, LEFT)),),
         shapes=(
             *room(LEFT),
             *turn_axis(n, LEFT)[:1],
@@ -797,7 +859,7 @@ def one_axis_figure() -> Figure:
         ),
         sentence="Turned by {turn} about an axis through {axis}, {apart} from frame B.",
         goal=Goal(is_aligned(R, R_AB), "Bring the die onto frame B by one turn."),
-        where=name_entries(euler.turned_about(euler.n, turn)),
+        where=name_entries(turned),
     )
 
 

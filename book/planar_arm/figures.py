@@ -265,7 +265,9 @@ PAPER = (
         ) for up in ups),
     ),
     Line("ghost", (BEGIN, LINE_END)),
-    *(Point("target", at) for at in (BEGIN, HALFWAY, LINE_END)),
+    Point("target", BEGIN, "start"),
+    Point("target", HALFWAY),
+    Point("target", LINE_END, "end"),
 )  # fmt: skip
 OUTSIDE = Or(Abs(y - 0.5) > BAND, x > BEGIN[0] + BAND, x < LINE_END[0] - BAND)
 SPILT = tuple(Piecewise((each, OUTSIDE), (nan, True)) for each in HAND)

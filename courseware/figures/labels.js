@@ -34,6 +34,8 @@ const textWidth = (pieces) => pieces.reduce((sum, { letter, index, word }) =>
 const UPRIGHT = "KaTeX_Main,'Latin Modern Roman',serif";
 const MATH = "font:italic 17px KaTeX_Math,'Latin Modern Math','STIX Two Math',serif";
 
+const LOW = /[acegm-suvwxyzαγεηικμνπρστυφω]/; // letters under a dot that is not raised
+
 // Each piece at its height above the line of the text. A dot is above its letter; an index has a
 // thin edge of ground only, because it is painted after its letter, and over it.
 const renderPieces = (pieces) => {
@@ -44,7 +46,7 @@ const renderPieces = (pieces) => {
     return `<tspan${shift}${style && ` style="${style}"`}>${escapeHtml(text)}</tspan>`;
   };
   return pieces.map(({ letter, mark, index, word }) => word ? render(word.normalize("NFC"), 0)
-    : render(letter, 0, MATH) + (mark && render("\u02d9", 0, `font:17px ${UPRIGHT}`, -8))
+    : render(letter, 0, MATH) + (mark && render("\u02d9", LOW.test(letter) ? 0 : 4, `font:17px ${UPRIGHT}`, -8))
       + (index && render(index, -4, `font:12px ${UPRIGHT};stroke-width:2px`, mark ? 3 : 1))).join("");
 };
 

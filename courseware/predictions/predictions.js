@@ -206,7 +206,7 @@ class PredictionBox {
 
   lockControls() {
     const { figure, answered } = this;
-    figure.querySelectorAll(".rk-readouts, .rk-buttons, .rk-reset").forEach((part) => { part.inert = !answered; });
+    figure.querySelectorAll(".rk-readouts, .rk-buttons, .rk-reset, .rk-goals").forEach((part) => { part.inert = !answered; });
     figure.querySelectorAll("[data-i]").forEach((hand) => {
       hand.closest(".rk-control").inert = !this.isMovable(hand.dataset.i);
     });

@@ -5,8 +5,8 @@ that follow a figure, whose quantities (of its controls, readouts and named step
 
     "numbers": {"live": {"tips": ["drives at {v}"]}}
 
-`make notebooks` writes the numbers, with their units; on the page each becomes a slot, as wide as
-the widest number that it may show, so that the sentence does not move.
+`make notebooks` writes the numbers, with their units; on the page each becomes a slot, which is as
+wide as the widest number that it has shown, so that its sentence rests.
 """
 
 import json
@@ -19,22 +19,10 @@ from sphinx.errors import ExtensionError
 from courseware.equations.quantities import find_kind
 from courseware.errors import CourseError
 from courseware.figures.figure import MIME, Figure, find_figure
-from courseware.script import engine
 from courseware.symbols import lexicon
 from courseware.symbols.formula_numbers import start_numbers
 
 FIELD = re.compile(r"{(\w+)}")
-# the longest text of a number at settings from all over the ranges of the controls
-WIDEST = """((figure, key, {numbersBySymbol, compute, settings}) => {
-  const spread = (k, i) => (k < 2 ? k : k * Math.sqrt(i + 1.3) % 1);
-  const choose = (k) => ({ type, options, low, high, start }, i) => type === "turns" ? start
-    : type === "choice" ? k % options.length : low + (high - low) * spread(k, i);
-  const texts = Array.from({ length: 200 }, (_, k) => {
-    const state = figure.controls.map(choose(k));
-    return numbersBySymbol(figure, state, compute(figure, settings(figure, state)))[key].text;
-  });
-  return texts.reduce((widest, text) => (text.length > widest.length ? text : widest));
-})"""
 
 
 def find_key(figure: Figure, name: str) -> str:
@@ -60,10 +48,9 @@ def render_slot(figure: str, name: str, chapter: str) -> str:
     found = find_figure(figure)
     key = find_key(found, name)
     kinds = (find_kind(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key == key)
-    widest = engine.run(f"{WIDEST}({found.code}, {json.dumps(key)}, courseware)")
     face = f'data-of="{figure}" data-result="1" data-symbol="{key}" data-look="{next(kinds, "")}"'
     text = f"<span {face}>{escape(start_text(figure, name))}</span>"
-    return f'<span class="rk-slot" data-widest="{escape(widest)}">{text}</span>'
+    return f'<span class="rk-slot">{text}</span>'
 
 
 def place_slots(app: Sphinx, page: str, content: list[str]) -> None:

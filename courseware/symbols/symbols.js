@@ -24,7 +24,13 @@ export const formatSlot = ({ value, text }, { result, radians, guarded }) => {
 const slots = {}; // of each figure
 const fillSlots = ({ name, numbers }) => {
   slots[name] ??= document.querySelectorAll(`[data-of="${name}"]`);
-  slots[name].forEach((slot) => writeText(slot, formatSlot(numbers[slot.dataset.symbol], slot.dataset)));
+  slots[name].forEach((slot) => {
+    const text = formatSlot(numbers[slot.dataset.symbol], slot.dataset), room = slot.closest(".rk-slot");
+    writeText(slot, text);
+    if (!room || text.length <= (room.longest ?? 0)) return;
+    room.longest = text.length;
+    room.style.minWidth = `${room.offsetWidth}px`;
+  });
 };
 
 // On a phone the formula is below the screen while a hand moves its figure: it comes in sight until the

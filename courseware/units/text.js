@@ -5,7 +5,8 @@ import { TIGHT_UNITS } from "./constants.js";
 export const escapeHtml = (text) => String(text).replace(/[&<>"]/g, (sign) =>
   ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[sign]);
 
-export const trueMinus = (text) => text.replace("-", "\u2212");
+// A number's text as it is set: a minus, and a sign for infinity.
+export const trueMinus = (text) => text.replace("-", "\u2212").replace("Infinity", "∞");
 
 // A number's text and its unit: 30°, 2 m, 2.
 export const withUnit = (text, unit) => !unit || TIGHT_UNITS.includes(unit) ? text + unit : `${text} ${unit}`;

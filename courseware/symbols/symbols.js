@@ -29,7 +29,7 @@ const fillSlots = ({ name, numbers }) => {
     writeText(slot, text);
     if (!room || text.length <= (room.longest ?? 0)) return;
     room.longest = text.length;
-    room.style.minWidth = `${room.offsetWidth}px`;
+    room.style.minWidth = `${room.getBoundingClientRect().width}px`;
   });
 };
 

@@ -3,6 +3,6 @@
 The commands: `python -m courseware.classroom --help`.
 
 `answer_key` (everyone's numbers and right answers), `sheets` (a page to print for each student),
-`collecting` (answers in files and folders), `grading`, `class_page` (a look at the class), `moodle`
-(the exercises as questions), `tables` (CSV, as spreadsheets write it). Students do not need it.
+`collecting` (answers in files and folders), `grading`, `moodle` (the exercises as questions),
+`assignments` (programs for a grader of code), `tables` (CSV). Students do not need it.
 """

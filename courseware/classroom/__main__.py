@@ -1,4 +1,4 @@
-"""The teacher's commands: key, sheet, check, grade, moodle, assignment."""
+"""The teacher's commands: key, sheet, grade, moodle, assignment."""
 
 import argparse
 import io
@@ -9,7 +9,7 @@ from pathlib import Path
 from courseware.classroom import moodle
 from courseware.classroom.answer_key import read_secret, write_key
 from courseware.classroom.assignments import write_assignment
-from courseware.classroom.grading import check, grade
+from courseware.classroom.grading import grade
 from courseware.classroom.sheets import write_sheets
 from courseware.errors import CourseError
 
@@ -37,8 +37,6 @@ def _run(options: argparse.Namespace) -> tuple[list[str], str]:
     """Run a command; return problems, and what to print."""
     if options.command == "grade":
         return grade(options.answers, options.key, options.out, options.force)
-    if options.command == "check":
-        return check(options.answers, options.key)
     written = f"written: {options.out}"
     if options.command == "assignment":
         out = options.out or Path(options.chapter)
@@ -79,13 +77,10 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--only", nargs="+", default=(), help="names of exercises")
         words = "a file with a secret that draws other numbers than the page's; key makes it"
         command.add_argument("--secret", type=Path, metavar="FILE", help=words)
-    words = "what grade would find; writes nothing"
-    checked = commands.add_parser("check", help=words, description=words)
-    graded = add("grade", "right, partly, which mistake; and a look at the class", "grades.csv")
-    for command in (checked, graded):
-        words = "CSV with the columns student, exercise, answer; or folders, with any other files"
-        command.add_argument("answers", type=Path, nargs="+", help=words)
-        command.add_argument("--key", type=Path, required=True, help="the table that key wrote")
+    graded = add("grade", "right, partly, which mistake; and the class in numbers", "grades.csv")
+    words = "CSV with the columns student, exercise, answer; or folders, with any other files"
+    graded.add_argument("answers", type=Path, nargs="+", help=words)
+    graded.add_argument("--key", type=Path, required=True, help="the table that key wrote")
     return parser
 
 

@@ -4,7 +4,6 @@ A table is known by its columns. Of several answers the newest counts, by the ti
 """
 
 import re
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
@@ -14,9 +13,9 @@ from pathlib import Path
 from courseware.classroom.answer_key import Key, Task, folded
 from courseware.classroom.tables import Problems, Row, read_rows
 from courseware.errors import CourseError
-from courseware.practice.saving import OTHER_COLUMNS
 
 NEEDED = {"student", "exercise", "answer"}
+OTHERS = {"numbers", "result"}  # columns of a key and of grades
 OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
 SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answer
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
@@ -59,32 +58,30 @@ class Collected:
 
     def read(self, path: Path) -> None:
         """Take the answers of a file; one that cannot be read does not stop the others."""
-        others, before = Counter[str](), len(self.problems)
         try:
             for line, row in read_rows(path, self.problems):
-                if row.keys() >= NEEDED and not row.keys() & {*OTHER_COLUMNS}:
-                    self._take(path, line, row)
-                else:
-                    others[", ".join(row)] += 1
+                if not row.keys() >= NEEDED or row.keys() & OTHERS:
+                    words = f"columns {', '.join(row)}"
+                    self.problems.note("tables that are no answers, left out", path, comment=words)
+                    return
+                self.files.add(path)
+                self._take(path, line, row)
         except CourseError as error:
             self.problems.note("files that cannot be read", path, comment=str(error))
-        for columns, count in others.items():
-            words = f"columns {columns}, {count:,} lines"
-            self.problems.note("tables that are no answers, left out", path, comment=words)
-        if path not in self.files and len(self.problems) == before:
+            return
+        if path not in self.files:
             self.problems.note("files without an answer", path)
 
     def _take(self, path: Path, line: int, row: Row) -> None:
         """Take an answer that fits a line of the key; note another."""
-        self.files.add(path)
         problem, comment = self._find_problem(row)
         if problem:
-            self.problems.note(problem, path, line, comment, row)
+            self.problems.note(problem, path, line, comment)
             return
         version = row.get("version", "")
         if version not in ("", self.key.version):
             words = f"version {version}, the key's is {self.key.version}"
-            self.problems.note(OF_ANOTHER_VERSION, path, line, words, row)
+            self.problems.note(OF_ANOTHER_VERSION, path, line, words)
         counts = row.get("tries", ""), row.get("help", "")
         answer = Answer(row["answer"], self._read_time(path, line, row), path, line, *counts)
         self._keep(answer, row)
@@ -120,15 +117,14 @@ class Collected:
         if old and old.answer != new.answer:
             why = "a newer one" if new.time > old.time else "one read later (without a time)"
             words = f"{name}, {exercise}: {old}, counts {new} ({new.path}, line {new.line})"
-            replaced = {**row, "answer": old.answer}
-            self.problems.note(f"answers replaced by {why}", old.path, old.line, words, replaced)
+            self.problems.note(f"answers replaced by {why}", old.path, old.line, words)
 
     def _read_time(self, path: Path, line: int, row: Row) -> datetime:
         text = row.get("time", "")
         try:
             time = datetime.fromisoformat(text) if text else NEVER
         except ValueError:
-            self.problems.note("times that cannot be read", path, line, repr(text), row)
+            self.problems.note("times that cannot be read", path, line, repr(text))
             return NEVER
         return time if time.tzinfo else time.replace(tzinfo=UTC)
 

@@ -6,38 +6,42 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
+from typing import NamedTuple
 
-from courseware.classroom import class_page
 from courseware.classroom.answer_key import UNUSABLE, Key, Task, read_key
-from courseware.classroom.class_page import RESULTS, Graded
 from courseware.classroom.collecting import NEVER, Answer, Collected, collect
 from courseware.classroom.tables import Problem, Problems
-from courseware.errors import CourseError
 from courseware.practice import judging, variants
-from courseware.practice.bank import all_exercises
+from courseware.practice.bank import all_exercises, all_mistakes
 from courseware.practice.candidates import Candidate, find_candidates
 from courseware.practice.saving import refuse_existing, write_table
 
+RESULTS = ("right", "partly", "wrong", "unread", "missing")
 TOTALS = ("student", *RESULTS)
-ENDINGS = ("-students.csv", "-problems.csv", ".html")  # of files beside the grades
+ENDINGS = ("-students.csv", "-problems.csv")  # of files beside the grades
+MOST_SHOWN = 12  # mistakes
 NOTHING = Answer("", NEVER, Path(), 0)
 MISSING = judging.Verdict("missing", "", "")
 
 
-def check(answers: Sequence[Path], key: Path) -> tuple[list[str], str]:
-    """Return the problems that grading would find, and an account to print. Write nothing."""
-    problems = Problems()
-    found = collect(answers, read_key(key, problems), problems)
-    return problems.lines(), "\n".join([*_account(found), "nothing was written"])
+class Graded(NamedTuple):
+    """One line of the grades."""
+
+    student: str
+    exercise: str
+    answer: str
+    result: str
+    mistake: str
+    comment: str
+    tries: str
+    help: str
 
 
 def grade(answers: Sequence[Path], key: Path, out: Path, force: bool) -> tuple[list[str], str]:
     """Grade files and folders of answers; return their problems, and a summary to print.
 
-    Beside `out` come the students' totals, all problems, and a page that shows the class.
+    Beside `out` come the students' totals, and all problems.
     """
-    if out.suffix == ".html":
-        raise CourseError(f"{out} is no name for a table: give one that ends in .csv")
     paths = [out, *(out.with_name(out.stem + ending) for ending in ENDINGS)]
     for path in paths:
         refuse_existing(path, force)
@@ -47,7 +51,6 @@ def grade(answers: Sequence[Path], key: Path, out: Path, force: bool) -> tuple[l
     write_table(paths[0], Graded._fields, graded, force)
     write_table(paths[1], TOTALS, _total(graded), force)
     write_table(paths[2], Problem._fields, problems, force)
-    paths[3].write_text(class_page.render(collected.key.course, graded), encoding="utf-8")
     lines = [*_account(collected), "", *_summarize(collected.key, graded), ""]
     return problems.lines(), "\n".join([*lines, *(f"written: {path}" for path in paths)])
 
@@ -107,7 +110,7 @@ def _candidates(
                 found[numbers] = find_candidates(all_exercises()[name], json.loads(numbers))
         except Exception as error:  # a formula may raise anything on numbers that are not its own
             words = f"{name} cannot be computed from {numbers}: {type(error).__name__}: {error}"
-            problems.note(UNUSABLE, key.path, line, words, row)
+            problems.note(UNUSABLE, key.path, line, words)
     return found
 
 
@@ -120,9 +123,15 @@ def _total(graded: Iterable[Graded]) -> Iterator[tuple[str | int, ...]]:
         yield student, *(count[r] for r in RESULTS)
 
 
-def _summarize(key: Key, graded: Iterable[Graded]) -> list[str]:
+def _summarize(key: Key, graded: Sequence[Graded]) -> list[str]:
+    """Return the counts of results, the most frequent mistakes, and another version of the key."""
     counts = Counter(each.result for each in graded)
     lines = [", ".join(f"{counts[result]:,} {result}" for result in RESULTS)]
+    answered = Counter(each.exercise for each in graded if each.result != "missing")
+    made = Counter((each.exercise, each.mistake, each.comment) for each in graded if each.mistake)
+    for (exercise, mistake, comment), count in made.most_common():
+        if mistake in all_mistakes() and len(lines) <= MOST_SHOWN:
+            lines.append(f"{count} of {answered[exercise]}, {exercise}: {mistake}. {comment}")
     if key.version != variants.version():
         lines.append(
             f"The key is of version {key.version} of the exercises, this is {variants.version()}. "

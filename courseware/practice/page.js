@@ -1,7 +1,7 @@
 // On a web page: one desk for all exercises, the student's name and answers in the browser.
 
 import { escapeHtml } from "../units/text.js";
-import { decodeTable, downloadAnswers, parseAnswers } from "./answer_file.js";
+import { downloadAnswers, parseAnswers } from "./answer_file.js";
 import { startProgress } from "./progress.js";
 import { foldName } from "./variants.js";
 import { ExerciseBox, unpack } from "./exercise.js";
@@ -184,7 +184,7 @@ class Desk {
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one
   // counts, as it does when graded, and an older one if it is right; the same one changes nothing.
   async load(input) {
-    const all = parseAnswers(decodeTable(new Uint8Array(await input.files[0].arrayBuffer())));
+    const all = parseAnswers(await input.files[0].text());
     const rows = all.filter(({ course = "" }) => ["", foldName(this.course)].includes(foldName(course)));
     input.value = "";
     if (!rows.length) return this.tell("There are no answers for this course in that file.");

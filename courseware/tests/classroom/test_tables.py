@@ -92,11 +92,11 @@ def test_an_answer_in_several_lines_whose_row_looks_like_a_heading(keyed):
         ("name\nAda\n", "no column student; needed are student, its first line has name"),
         ("", "no column student; needed are student, its first line has nothing"),
         ("student\n\n", "names no student"),
-        ("PK\3\4\0\0student", "is no text: unpack an archive, save a spreadsheet as CSV UTF-8"),
+        ("PK\3\4\xff", "is no text in UTF-8: unpack an archive, save a spreadsheet as CSV UTF-8"),
     ],
 )
 def test_a_table_that_cannot_be_used_is_refused(folder, capsys, text, words):
-    (folder / "roster.csv").write_text(text)
+    (folder / "roster.csv").write_text(text, "latin-1")
     assert run("key", "roster.csv") == 2
     assert words in capsys.readouterr().err
     assert [path.name for path in folder.iterdir()] == ["roster.csv"]
@@ -128,4 +128,4 @@ def test_answers_are_read_from_what_platforms_make_of_them(folder, content):
     assert {(r["student"], r["exercise"], r["answer"]) for r in rows} == {
         ("Ada; Ω", ONE, "[1; 2], ½")
     }
-    assert len(problems) == (2 if b"\xff;" in content else 0)
+    assert not problems

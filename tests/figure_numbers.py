@@ -62,14 +62,6 @@ typical_handled = typical(own_controls, HANDLED)
 typical_held = typical(lambda figure: figure.handles)
 
 
-def has_address(figure):
-    """Return whether an address can hold a setting of it."""
-    return figure.size != "step" and own_controls(figure)
-
-
-typical_linked = typical(has_address)
-
-
 # chapter → its module of tests/expected
 TABLES = {
     path.stem: import_module(f"expected.{path.stem}")

@@ -74,8 +74,7 @@ export const renderFigure = (figure) => {
     + `${renderPicture(figure)}${render(isClock)}${controls.length ? renderButton("reset", "Reset", title) : ""}</div>`;
   if (!controls.length) return picture;
   const part = (tag, name, inside) => inside && `<${tag} class="rk-${name}">${inside}</${tag}>`;
-  const pressed = buttons.map(({ label }) => renderButton("move", escapeHtml(label), title)).join("")
-    + (isStep ? "" : renderButton("link", "Link to this setting", title));
+  const pressed = buttons.map(({ label }) => renderButton("move", escapeHtml(label), title)).join("");
   const view = viewAngles ? `<summary>Turn the view with sliders</summary><div class="rk-controls">${render(turnsView)}</div>` : "";
   return picture + part("div", "panel", (isStep ? "" : renderGoals(figure))
     + part("div", "controls", render((...of) => !isClock(...of) && !turnsView(...of)))

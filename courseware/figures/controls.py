@@ -50,7 +50,7 @@ class Slider:
 
     @property
     def key(self) -> str:
-        """Its name in addresses, links and values."""
+        """Its name in values and sentences."""
         return str(self.symbol)
 
     @property
@@ -77,7 +77,7 @@ class Clock(Slider):
 class Choice:
     """One of several named cases: each option gives every symbol its number.
 
-    key: its name in addresses, links and values. start: the option at first; by default the first.
+    key: its name in values and sentences. start: the option at first; by default the first.
     shown: as of a slider.
     """
 

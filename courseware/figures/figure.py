@@ -167,10 +167,6 @@ class Figure:
         """Return the picture and its panel as HTML, as before the script takes them over."""
         return str(engine.run(f"courseware.renderFigure({self.page_code})"))
 
-    def render_frames(self) -> str:
-        """Return three pictures side by side, of a figure that moves by itself; else ""."""
-        return str(engine.run(f"courseware.renderFrames({self.page_code})"))
-
     def render_html(self) -> str:
         """Return the element of a page, which the script moves."""
         size = self.size if self.controls else "still"

@@ -9,7 +9,6 @@ export const showFigure = (figure, { model, el }) => {
   el.dataset.size = figure.size;
   el.role = "group";
   el.ariaLabel = figure.title;
-  el.querySelector(".rk-link")?.remove();
   const live = new LiveFigure(el, figure, (shown) => {
     model.set("state", { shown });
     model.save_changes();

@@ -2,7 +2,7 @@
 
 import { color } from "./svg.js";
 
-export const parsePresses = (text) => (/^(-?[xyz])*$/i.test(text) && text.match(/-?./g)) || [];
+const parsePresses = (text) => text.match(/-?./g) ?? [];
 
 const parsePress = (press) => {
   const letter = press.at(-1), minus = press[0] === "-";

@@ -68,16 +68,6 @@ export const renderScene = (figure, computed, width, state) => {
     ["g", {}, scale], ["g", {}, labels]];
 };
 
-// On paper what moves by itself is seen at its start, half way and at its end.
-export const renderFrames = (figure) => {
-  const i = figure.controls.findIndex(({ loops }) => loops);
-  if (i < 0) return "";
-  const { low, high } = figure.controls[i], start = startState(figure);
-  const frames = [low, (low + high) / 2, high].map((time) =>
-    renderPicture(figure, start.map((shown, k) => (k === i ? time : shown)), 320));
-  return `<div class="rk-frames">${frames.join("")}</div>`;
-};
-
 export const renderPicture = (figure, state = startState(figure), width = widthOf(figure)) => {
   const computed = compute(figure, settings(figure, state)), height = heightOf(figure, width);
   const around = figure.ground ? ` style="--rk-ground:${toneOf(figure)}"` : "";

@@ -229,7 +229,7 @@ class PredictionBox {
 
 // A link to what is folded away, or waits for an answer, opens it.
 const revealTarget = (boxes) => {
-  const aim = document.getElementById(location.hash.slice(1).split("?")[0]), fold = aim?.closest(".rk-opens");
+  const aim = document.getElementById(location.hash.slice(1)), fold = aim?.closest(".rk-opens");
   const waiting = boxes.find(({ figure }) => figure && figure === aim && figure.matches(".rk-veiled"));
   waiting?.showMe();
   if (fold) {

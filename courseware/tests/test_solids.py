@@ -332,24 +332,6 @@ def test_with_reduced_motion_a_turn_is_there_at_once(alone):
         assert live.state()[0] == ["X", 1]
 
 
-FOLLOW = """(hash) => new Promise((followed) => {
-  addEventListener("hashchange", followed, { once: true });
-  location.hash = hash;
-})"""
-
-
-@in_browser
-def test_a_link_keeps_the_presses_and_drops_junk(alone):
-    with alone(replace(DIE, size="laboratory")) as live:  # which has a link
-        press(live, "Z", "-x")
-        live.root.locator(".rk-link").click()
-        address = live.page.evaluate("location.hash")
-        for found, text in (("Z-x", "Z-x"), ("Zwx", ""), ("Z-x<script>", "")):
-            live.root.locator(".rk-reset").click()
-            live.page.evaluate(FOLLOW, address.replace("Z-x", found))
-            assert live.state()[0] == [text, 1]
-
-
 @in_browser
 def test_the_view_is_turned_by_keys_once_its_fold_is_open(alone):
     with alone(DIE) as live:

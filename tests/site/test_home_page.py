@@ -10,7 +10,7 @@ from courseware.course import course
 pytest_plugins = ["browser"]
 
 OUTSIDE = """() => [...document.querySelectorAll(`h1, .site-start a, #hero .rk-goal,
-    #hero .rk-handles circle, #hero :is(input, button:not(.rk-link))`)].filter((each) => {
+    #hero .rk-handles circle, #hero :is(input, button)`)].filter((each) => {
   const { top, bottom, left, right } = each.getBoundingClientRect();
   return top < 0 || left < 0 || bottom > innerHeight || right > innerWidth;
 }).map((each) => each.outerHTML)"""

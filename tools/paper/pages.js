@@ -31,11 +31,6 @@ const read = ({ address, html }) => {
 // Where a file is that a page names, from the folder in which the book is printed.
 const fileOf = (address, { address: from }) => `../html${new URL(address, HOME + from).pathname}`;
 
-// frames: pictures side by side of figures that move by themselves, by name.
-const withFrames = (article, frames) => all(article, ".rk-figure").forEach((figure) => {
-  if (frames[figure.id]) figure.querySelector(".rk-picture").innerHTML = frames[figure.id];
-});
-
 const withoutControls = (article) => {
   all(article, ".rk-noscript").forEach((said) => {
     said.textContent = NOBODY;
@@ -102,10 +97,9 @@ const contents = (html) => {
 };
 
 // given: [{ address, html }]; solutions: of exercises, by name; open: whether folds are.
-const paper = (given, solutions, frames, open) => {
+const paper = (given, solutions, open) => {
   const pages = given.map(read);
   for (const page of pages) {
-    withFrames(page.article, frames);
     withoutControls(page.article);
     withSolutions(page, solutions);
     withFolds(page.article, open);

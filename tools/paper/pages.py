@@ -3,9 +3,6 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from courseware.course import course
-from courseware.figures import Figure
-
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "_build"
@@ -35,9 +32,6 @@ def read_pages(browser, solutions, folds_open):
     for part in tab.evaluate("(html) => contents(html)", first):
         parts |= dict.fromkeys(part["addresses"], part["caption"])
     given = [{"address": each, "html": (SITE / each).read_text("utf-8")} for each in parts]
-    figures = course().find_all("figures", Figure).values()
-    moving = (f for f in figures if any(getattr(c, "loops", False) for c in f.controls))
-    frames = {figure.name: figure.render_frames() for figure in moving}
-    made = tab.evaluate("(all) => paper(...all)", [given, solutions, frames, folds_open])
+    made = tab.evaluate("(all) => paper(...all)", [given, solutions, folds_open])
     tab.close()
     return [Page(part=part, **page) for part, page in zip(parts.values(), made, strict=True)]

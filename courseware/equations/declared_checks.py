@@ -50,27 +50,12 @@ class Check:
     integers: tuple[sp.Symbol, ...] = ()
 
     def __post_init__(self) -> None:
-        if not self.reason or self.tolerance <= 0:
-            raise CourseError(
-                f"the check of {self.name} needs a `tolerance` above 0 and a `reason` for it"
-            )
         refuse_namesakes(self.symbols, f"the check of {self.name}")
         given = free_symbols(self.arguments)
-        self._refuse("is in the formula", self.equation.symbols, given, "`arguments`")
-        special = {symbol for setting in self.specials for symbol in setting}
-        for what, some in {
-            "specials": special,
-            "ranges": self.ranges,
-            "integers": self.integers,
-        }.items():
-            self._refuse(f"is in `{what}`", some, self.symbols, "the formula and `arguments`")
-
-    def _refuse(self, where: str, some: Any, allowed: Any, of: str) -> None:
-        extra = sort_symbols(s for s in some if s not in allowed)
-        if extra:
+        if extra := sort_symbols(s for s in self.equation.symbols if s not in given):
             raise CourseError(
-                f"the check of {self.name}: {describe_symbols(extra, allowed)} {where}, but not "
-                f"in {of}, which have {describe_symbols(sort_symbols(allowed), extra)}"
+                f"the check of {self.name}: {describe_symbols(extra, given)} is in the formula, "
+                f"but not in `arguments`, which have {describe_symbols(sort_symbols(given), extra)}"
             )
 
     @property

@@ -119,8 +119,6 @@ class Compiler:
             return {"shape": "sprite", "kind": "", "label": "", **self.compile_sprite(shape)}
         if isinstance(shape, Solid):
             return {"shape": "solid", "kind": "", "label": "", **self.compile_solid(shape)}
-        if type(shape) not in SHAPES:
-            raise CourseError(f"{shape!r} is not a shape")
         name, numbers, fields = SHAPES[type(shape)]
         data = find_look(shape.kind, self.chapter, getattr(shape, "label", ""))
         if not data["kind"]:

@@ -46,9 +46,6 @@ def _compile_choice(control: Choice) -> dict[str, Any]:
 
 def _compile_slider(slider: Slider, chapter: str) -> dict[str, Any]:
     """Return a slider's data; its look is the quantity's unless it has one of its own."""
-    if not isinstance(slider.symbol, NamedSymbol):
-        raise CourseError(f"the control {slider.symbol} is no declared quantity")
-    _refuse_wrong_slider(slider)
     unit = figure_unit(slider.symbol.unit)
     data = find_look(slider.symbol, chapter, slider.label) | {
         "type": "slider",
@@ -80,12 +77,3 @@ def _refuse_wrong_choice(choice: Choice) -> None:
                 f"the option {option!r} of {choice.key} must give a number to each of "
                 f"{', '.join(map(str, choice.symbols))}, got {len(values)}"
             )
-
-
-def _refuse_wrong_slider(x: Slider) -> None:
-    if not (x.low < x.high and x.low <= x.start <= x.high and 0 < x.step <= x.high - x.low):
-        raise CourseError(
-            f"the slider {x.symbol} goes from {x.low} to {x.high} in steps of {x.step} and starts "
-            f"at {x.start}: its low end must be below its high one, its start between them, its "
-            "step positive and no longer than its way"
-        )

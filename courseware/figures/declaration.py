@@ -20,7 +20,6 @@ import sympy as sp
 from courseware.equations.equation import Equation, Where
 from courseware.equations.quantities import NamedSymbol
 from courseware.equations.text import format_symbol
-from courseware.errors import CourseError
 from courseware.units import refuse_unknown
 
 Expr = Any
@@ -88,14 +87,6 @@ class Recurrence:
     most: int
     ends: tuple[sp.Symbol, ...]
 
-    def __post_init__(self) -> None:
-        for part in ("start", "step", "ends"):
-            if len(getattr(self, part)) != len(self.state):
-                raise CourseError(
-                    f"a recurrence has the state {self.state} and as `{part}` "
-                    f"{getattr(self, part)}: there must be as many"
-                )
-
 
 @dataclass(frozen=True)
 class Goal:
@@ -138,10 +129,6 @@ class Readout:
             value = symbol if self.value is None else self.value
             self._set(name=str(symbol), symbol=symbol, unit=symbol.unit, value=value)
             self._set(label=self.label or default_label(symbol))
-        if self.value is None:
-            raise CourseError(
-                f"the readout {self.name} has no value: give a quantity, or a name, label and value"
-            )
         if self.digits is None:
             self._set(digits=1 if self.unit == "rad" else 3)
         refuse_unknown(self.unit, f"the readout {self.name}")

@@ -25,32 +25,12 @@ export const followControls = (live) => live.inputs.forEach((input) => {
   });
 });
 
-const HOLD_DELAY = 400, HOLD_EVERY = 60; // ms
-
-// One step for each tap; held down, one after another until it is let go.
 export const followSteps = (live) => live.all(".rk-step").forEach((button) => {
   const i = Number(button.dataset.i), control = live.figure.controls[i];
-  let timer, repeats = false;
-  const step = () => {
+  button.addEventListener("click", () => {
     stopClock(live, i);
     live.setOne(i, snap(control, wrapAround(control, live.state[i] + button.dataset.sign * control.step)));
-  };
-  const repeat = () => {
-    repeats = true;
-    step();
-    timer = setTimeout(repeat, HOLD_EVERY);
-  };
-  button.addEventListener("click", () => {
-    if (!repeats) step();
-    repeats = false;
   });
-  button.addEventListener("pointerdown", () => {
-    repeats = false;
-    timer = setTimeout(repeat, HOLD_DELAY);
-  });
-  for (const end of ["pointerup", "pointerleave", "pointercancel"]) {
-    button.addEventListener(end, () => clearTimeout(timer));
-  }
 });
 
 export const followReset = (live) => live.element.querySelector(".rk-reset")

@@ -82,11 +82,6 @@ class Figure:
             controls = (*own, *view_sliders(*self.seen_from))
             object.__setattr__(self, "controls", controls)
         self._refuse_wrong_names()
-        left, right, low, high = self.view
-        if not (left < right and low < high):
-            raise CourseError(
-                f"the view of {self.name} is {self.view}; it is (x_low, x_high, y_low, y_high)"
-            )
         if not self.sentence:
             numbers = [(c.label or c.key, c.key) for c in self.controls]
             numbers += [(readout.label, readout.name) for readout in self.readouts]

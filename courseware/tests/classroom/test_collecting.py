@@ -58,10 +58,7 @@ def test_key_roster_and_old_grades_are_no_answers(keyed, capsys):
     (keyed / "answers-Ada.csv").write_text(saved("Ada", {ONE: "7"}))
     assert run("grade", ".", "--key", "key.csv") == 1
     told = capsys.readouterr()
-    assert (
-        "tables that are no answers, left out: 1\n  roster.csv: columns student\n"
-        in told.err
-    )
+    assert "tables that are no answers, left out: 1\n  roster.csv: columns student\n" in told.err
     assert set(results().values()) == {"wrong", "missing"}
     for old in ("grades.csv", "key.csv"):
         (keyed / f"old-{old}").write_bytes((keyed / old).read_bytes())

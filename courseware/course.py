@@ -60,11 +60,6 @@ class Course:
         listed = self._listed_chapters()
         folders = sorted({path.parent.name for path in self.folder.glob("[a-z]*/*.py")})
         for chapter in folders:
-            if not (self.folder / chapter / "__init__.py").exists():
-                raise CourseError(
-                    f"{self.folder / chapter} has no __init__.py: write one whose docstring is the "
-                    "question that the chapter answers"
-                )
             if self.notebook(chapter).exists() and chapter not in listed:
                 raise CourseError(
                     f"{self.notebook(chapter)} is not in _toc.yml: add the line "

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from difflib import get_close_matches
 from pathlib import Path
+from typing import NamedTuple
 
 from courseware.classroom.answer_key import Key, Task, folded
 from courseware.classroom.tables import Problems, Row, read_rows
@@ -22,23 +23,17 @@ SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answe
     re.IGNORECASE,
 )
 NEAR = 0.8  # of 1: how much alike names are that one person may have written
+COUNTS = ("tries", "help")
 NEVER = datetime.min.replace(tzinfo=UTC)
 
 
-@dataclass(frozen=True)
-class Answer:
-    """An answer that was handed in, with its time and place."""
+class Answer(NamedTuple):
+    """An answer that was handed in, with its time."""
 
     answer: str
     time: datetime
-    path: Path
-    line: int
     tries: str = ""
     help: str = ""
-
-    def __str__(self) -> str:
-        when = "without a time" if self.time == NEVER else f"of {self.time:%Y-%m-%d %H:%M:%S}"
-        return f"{self.answer!r} {when}"
 
 
 @dataclass
@@ -82,9 +77,11 @@ class Collected:
         if version not in ("", self.key.version):
             words = f"version {version}, the key's is {self.key.version}"
             self.problems.note(OF_ANOTHER_VERSION, path, line, words)
-        counts = row.get("tries", ""), row.get("help", "")
-        answer = Answer(row["answer"], self._read_time(path, line, row), path, line, *counts)
-        self._keep(answer, row)
+        time, counts = self._read_time(path, line, row), (row.get(name, "") for name in COUNTS)
+        answer = Answer(row["answer"], time, *counts)
+        task = folded(row["student"]), row["exercise"]
+        if task not in self.answers or answer.time >= self.answers[task].time:
+            self.answers[task] = answer
 
     def _find_problem(self, row: Row) -> tuple[str, str]:
         """Return why an answer fits no line of the key, as kind and comment; "" if it fits one."""
@@ -105,19 +102,6 @@ class Collected:
         if not row["answer"]:
             return "empty answers", f"{name}, {exercise}"
         return "", ""
-
-    def _keep(self, answer: Answer, row: Row) -> None:
-        """Keep the newer of two answers; of two without a time, or of one, the later read."""
-        name, exercise = row["student"], row["exercise"]
-        task = folded(name), exercise
-        new, old = answer, self.answers.get(task)
-        if old and new.time < old.time:
-            new, old = old, new
-        self.answers[task] = new
-        if old and old.answer != new.answer:
-            why = "a newer one" if new.time > old.time else "one read later (without a time)"
-            words = f"{name}, {exercise}: {old}, counts {new} ({new.path}, line {new.line})"
-            self.problems.note(f"answers replaced by {why}", old.path, old.line, words)
 
     def _read_time(self, path: Path, line: int, row: Row) -> datetime:
         text = row.get("time", "")

@@ -20,7 +20,7 @@ RESULTS = ("right", "partly", "wrong", "unread", "missing")
 TOTALS = ("student", *RESULTS)
 ENDINGS = ("-students.csv", "-problems.csv")  # of files beside the grades
 MOST_SHOWN = 12  # mistakes
-NOTHING = Answer("", NEVER, Path(), 0)
+NOTHING = Answer("", NEVER)
 MISSING = judging.Verdict("missing", "", "")
 
 

@@ -2,5 +2,5 @@
 
 from courseware.equations.declared_checks import Array, Check
 from courseware.equations.equation import Equation, Where, as_written, find_equation, substitute
-from courseware.equations.notebook import show, show_again
+from courseware.equations.notebook import show
 from courseware.equations.quantities import declarations, find_kind

@@ -1,34 +1,23 @@
 // The functions beyond Math that a formula may call: see functions.py.
 
-const RANK_TOLERANCE = 1e-9; // relative to the largest singular value, as in Python
+const RANK_TOLERANCE = 1e-9; // relative to the longest row
+export const dot = (p, q) => p.reduce((sum, x, i) => sum + x * q[i], 0);
 
-// One-sided Jacobi: turn pairs of columns until all are orthogonal. Their lengths are then the
-// singular values, and the turns V the right singular vectors.
-const svd = (rows, cols, entries) => {
-  const a = Array.from({ length: cols }, (_, j) =>
-    Array.from({ length: rows }, (_, i) => entries[cols * i + j]));
-  const v = a.map((_, j) => a.map((_, i) => (i === j ? 1 : 0)));
-  const dot = (p, q) => p.reduce((sum, x, i) => sum + x * q[i], 0);
-  const turn = (p, q, c, s) => p.forEach((x, i) => {
-    p[i] = c * x - s * q[i];
-    q[i] = s * x + c * q[i];
-  });
-  for (let sweep = 0, busy = true; busy && sweep < 30; sweep++) {
-    busy = false;
-    for (let i = 0; i < cols; i++) for (let j = i + 1; j < cols; j++) {
-      const g = dot(a[i], a[j]), n = dot(a[i], a[i]), m = dot(a[j], a[j]);
-      if (Math.abs(g) <= 1e-16 * Math.sqrt(n * m)) continue;
-      busy = true;
-      const z = (m - n) / (2 * g);
-      const t = (z < 0 ? -1 : 1) / (Math.abs(z) + Math.sqrt(1 + z * z));
-      const c = 1 / Math.sqrt(1 + t * t);
-      turn(a[i], a[j], c, c * t);
-      turn(v[i], v[j], c, c * t);
-    }
+// Gram and Schmidt, the longest row first, twice against rounding: an orthonormal basis of the rows.
+const rowBasis = (rows, cols, entries) => {
+  let left = Array.from({ length: rows }, (_, i) => entries.slice(cols * i, cols * i + cols));
+  const basis = [], small = RANK_TOLERANCE * Math.sqrt(Math.max(...left.map((row) => dot(row, row))));
+  for (;;) {
+    const longest = left.reduce((one, other) => dot(other, other) > dot(one, one) ? other : one);
+    const long = Math.sqrt(dot(longest, longest));
+    if (!(long > small)) return basis;
+    const unit = longest.map((x) => x / long), without = (row) => {
+      const along = dot(row, unit);
+      return row.map((x, i) => x - along * unit[i]);
+    };
+    basis.push(unit);
+    left = left.map((row) => without(without(row)));
   }
-  const lengths = a.map((p) => Math.sqrt(dot(p, p)));
-  const small = RANK_TOLERANCE * Math.max(...lengths);
-  return { vectors: v, free: lengths.map((length) => !(length > small)) };
 };
 
 // Gauss and Jordan, with the largest pivot of a column.
@@ -51,11 +40,10 @@ const solve = (n, entries) => {
 // As compiled formulas call them.
 export const functions = {
   sinc: (x) => (x === 0 ? 1 : Math.sin(x) / x),
-  rank: (rows, cols, ...c) => svd(rows, cols, c).free.filter((free) => !free).length,
+  rank: (rows, cols, ...c) => rowBasis(rows, cols, c).length,
   null_projector: (index, rows, cols, ...c) => {
-    const { vectors, free } = svd(rows, cols, c);
     const i = Math.floor(index / cols), j = index % cols;
-    return vectors.reduce((sum, v, k) => (free[k] ? sum + v[i] * v[j] : sum), 0);
+    return rowBasis(rows, cols, c).reduce((left, unit) => left - unit[i] * unit[j], Number(i === j));
   },
   solve: (index, n, cols, ...ab) => solve(n, ab)[index],
 };

@@ -14,7 +14,6 @@ from courseware.equations.equation import Equation, all_equations, find_equation
 from courseware.equations.latex import OrderedPrinter
 
 MIME = "application/vnd.courseware.equation+json"
-AGAIN = "application/vnd.courseware.equations+json"  # those of a chapter once more
 COMPUTED = "-computed"  # ends the label of a formula in the form that the code uses
 
 
@@ -26,9 +25,6 @@ class Output:
 
     def _repr_mimebundle_(self, **_: Any) -> Mapping[str, Any]:
         return self.data
-
-
-_shown: dict[str, None] = {}  # labels of the equations shown so far, in order
 
 
 def show(name: str, computed: bool = False, figure: str = "") -> Output:
@@ -46,7 +42,6 @@ def show(name: str, computed: bool = False, figure: str = "") -> Output:
     """
     equation = find_equation(name)
     label = equation_label(name, computed)
-    _shown.setdefault(label)
     tag, right = label.replace("_", r"\_"), equation.shown_side(computed)
     content = {"name": name, "computed": computed} | ({"figure": figure} if figure else {})
     return Output(
@@ -54,21 +49,6 @@ def show(name: str, computed: bool = False, figure: str = "") -> Output:
             MIME: content,
             "text/latex": rf"$$ {equation.latex(computed)} \tag{{{tag}}} $$",
             "text/plain": f"{_plain(equation.left)} = {_plain(right)}   ({label})",
-        }
-    )
-
-
-def show_again(*below: str) -> Output:
-    """Show once more, in a box, all equations that the notebook has shown.
-
-    below: names of those that it shows further below; "…-computed" as the code uses it.
-    """
-    labels = (*_shown, *below)
-    return Output(
-        {
-            AGAIN: {"labels": labels},
-            "text/latex": "\n\n".join(f"$$ {render_label(label)} $$" for label in labels),
-            "text/plain": "Again: " + ", ".join(labels),
         }
     )
 
@@ -85,11 +65,6 @@ def _plain(expression: Any) -> str:
 def equation_label(name: str, computed: bool) -> str:
     """Return the label that `{eq}` refers to: a page may show a formula in both its forms."""
     return name + COMPUTED if computed else name
-
-
-def render_label(label: str) -> str:
-    """Return the LaTeX of the equation of a label."""
-    return find_equation(label.removesuffix(COMPUTED)).latex(label.endswith(COMPUTED))
 
 
 def equation_anchor(label: str) -> str:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from courseware.course import course
 from courseware.equations.javascript import Code, compile_javascript
-from courseware.equations.quantities import NamedSymbol, describe_symbols
+from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
 from courseware.figures import shapes as s
 from courseware.figures.control_compiler import compile_control, find_look, serialize_unit
@@ -77,7 +77,6 @@ class Compiler:
     def compile_figure(self) -> dict[str, Any]:
         """Return the object that the script draws; the readouts' numbers come first."""
         figure = self.figure
-        turned_by = f"dragging the ground of {figure.name}"
         data = {
             "name": figure.name,
             "title": figure.title,
@@ -89,13 +88,13 @@ class Compiler:
             "controls": [self.compile_control(c) for c in figure.controls],
             "shapes": list(map(self.compile_shape, figure.shapes)),
             "drawings": self.drawings,
-            "ground": _refuse_unknown_ground(figure.ground),
+            "ground": figure.ground,
             "handles": list(map(self.compile_handle, figure.handles)),
             "buttons": list(map(self.compile_button, figure.buttons)),
             "goals": list(map(self.compile_goal, figure.goals)),
             "follow": self.add(*coordinates(figure.follow)) or None,
             "contain": self.add(*coordinates(*figure.contain)) or None,
-            "viewAngles": self.find_sliders(figure.view_angles, turned_by) or None,
+            "viewAngles": self.find_sliders(figure.view_angles) or None,
             "steps": self.list_quantities(),
             "recurrences": list(map(self.compile_recurrence, self.recurrences)),
             "where": compile_javascript({"c": self.before_where}, self.named, figure.where),
@@ -184,14 +183,9 @@ class Compiler:
             return {"recurrence": index, "point": point}
         return {}
 
-    def find_sliders(self, symbols: Iterable[Any], who: str) -> list[int]:
-        """Return the places of the sliders of symbols that somebody sets."""
+    def find_sliders(self, symbols: Iterable[Any]) -> list[int]:
+        """Return the places of the sliders of symbols."""
         keys = [getattr(c, "symbol", None) for c in self.figure.controls]
-        for symbol in symbols:
-            if symbol not in keys:
-                raise CourseError(
-                    f"{who} sets {describe_symbols([symbol], keys)}, which is no slider"
-                )
         return [keys.index(symbol) for symbol in symbols]
 
     def compile_handle(self, handle: Handle) -> dict[str, Any]:
@@ -199,13 +193,13 @@ class Compiler:
         return {
             "label": handle.label,
             "at": self.add(*coordinates(handle.at)),
-            "sets": self.find_sliders(handle.sets, f"the handle {handle.label!r}"),
+            "sets": self.find_sliders(handle.sets),
             "to": self._compile(list(handle.sets.values()), p=POINTER),
         }
 
     def compile_button(self, button: Button) -> dict[str, Any]:
         """Return a button's data: its sliders, the function to their numbers."""
-        sets = self.find_sliders(button.sets, f"the button {button.label!r}")
+        sets = self.find_sliders(button.sets)
         to = self._compile(list(button.sets.values()))
         return {"label": button.label, "sets": sets, "to": to}
 
@@ -260,10 +254,3 @@ def _refuse_unknown_paint(names: Iterable[str], gradients: Iterable[str] = ()) -
 def _compile_outline(outline: Outline) -> list[Any]:
     _refuse_unknown_paint((outline.fill, outline.edge), course().materials.gradients)
     return [outline.path, outline.fill, outline.edge, outline.width, outline.opacity]
-
-
-def _refuse_unknown_ground(name: str) -> str:
-    grounds = course().materials.grounds
-    if name and name not in grounds:
-        raise CourseError(f"there is no ground {name!r}; there are {', '.join(grounds)}")
-    return name

@@ -5,7 +5,6 @@ from typing import Any
 
 from courseware.equations.quantities import NamedSymbol, find_kind, refuse_unknown_kind
 from courseware.equations.text import format_symbol
-from courseware.errors import CourseError
 from courseware.figures.controls import Choice, Clock, Control, QuarterTurns, Slider
 from courseware.units import figure_unit
 
@@ -34,12 +33,14 @@ def compile_control(control: Control, chapter: str) -> dict[str, Any]:
 
 def _compile_choice(control: Choice) -> dict[str, Any]:
     """Return a choice's data: a list of options with their numbers."""
-    _refuse_wrong_choice(control)
     return {
         "type": "choice",
         "key": control.key,
         "label": control.label,
-        "options": [{"label": k, "values": list(v)} for k, v in control.options.items()],
+        "options": [
+            {"label": label, "values": [x for _, x in zip(control.symbols, values, strict=True)]}
+            for label, values in control.options.items()
+        ],
         "start": list(control.options).index(control.start),
     }
 
@@ -68,12 +69,3 @@ def _round_off(number: float) -> float:
     """Return 90 for 90.00000000000001, so that the reader sees what was meant."""
     rounded = float(f"{number:.12g}")
     return int(rounded) if rounded.is_integer() else rounded
-
-
-def _refuse_wrong_choice(choice: Choice) -> None:
-    for option, values in choice.options.items():
-        if len(values) != len(choice.symbols):
-            raise CourseError(
-                f"the option {option!r} of {choice.key} must give a number to each of "
-                f"{', '.join(map(str, choice.symbols))}, got {len(values)}"
-            )

@@ -1,6 +1,7 @@
 // Solids: corners turned by twelve numbers, faces that look away left out, the others shaded by a
 // a light fixed in the room. Their pieces have depths and are sorted with all others.
 
+import { dot } from "../equations/functions.js";
 import { KINDS } from "./constants.js";
 import { paint, px } from "./svg.js";
 
@@ -49,7 +50,6 @@ const layShadow = (loops) => {
     ["path", { d: loops, style: `opacity:var(--rk-soft,.08);stroke-width:${wide}` }])];
 };
 
-const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 const unit = (a) => {
   const long = Math.sqrt(dot(a, a)) || 1;
   return a.map((x) => x / long);

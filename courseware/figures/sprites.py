@@ -88,8 +88,6 @@ class Sprite:
     def __post_init__(self) -> None:
         if self.look not in LOOKS:
             raise CourseError(f"a sprite looks {self.look!r}; it can look {', '.join(LOOKS[1:])}")
-        if len(self.at) != 3:
-            raise CourseError(f"the place of a sprite is (x, y, angle), got {self.at}")
         if self.silhouette is None:
             outlines = (part.path for part in self.parts if isinstance(part, Outline))
             object.__setattr__(self, "silhouette", next(outlines, ""))

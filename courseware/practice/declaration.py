@@ -112,13 +112,6 @@ class Exercise:
     when: Callable[..., bool] = field(default=lambda **_: True)
     example: Mapping[str, Any] = field(default_factory=dict)
 
-    def __post_init__(self) -> None:
-        twice = set(self.solution.steps) & set(self.given)
-        if twice:
-            raise CourseError(
-                f"{self.name} has numbers and steps of its solution of one name: {', '.join(twice)}"
-            )
-
     @property
     def topic(self) -> str:
         """The stem of module, chapter and test: "differential_drive"."""

@@ -5,7 +5,6 @@ formula's or a mistake's `substitute`), or a function of no arguments. They are 
 and types `unit`.
 """
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,7 +13,6 @@ import numpy as np
 import sympy as sp
 
 from courseware.course import course
-from courseware.errors import CourseError
 from courseware.figures.figure import find_figure
 from courseware.units import UNITS, Unit, figure_unit, refuse_unknown
 from courseware.units.formatting import append_unit, format_number
@@ -38,14 +36,6 @@ class Buttons:
     options: tuple[str, ...]
     right: str | Callable[[], str]
     assumptions: Mapping[str, str] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        unknown = {self.format_answer(), *self.assumptions} - set(self.options)
-        if unknown or not 2 <= len(set(self.options)) <= 4:
-            raise CourseError(
-                f"a prediction has two to four different options, and its other words name them; "
-                f"got {', '.join(self.options)} and {', '.join(unknown) or 'none besides'}"
-            )
 
     def format_answer(self) -> str:
         return self.right if isinstance(self.right, str) else self.right()
@@ -157,14 +147,7 @@ class Ghost(_Numbers):
     def controls(self) -> dict[sp.Symbol, tuple[int, Any]]:
         """Return the controls of the figure by symbol, each with its number."""
         controls = enumerate(find_figure(self.figure).controls)
-        known = {c.symbol: (k, c) for k, c in controls if hasattr(c, "symbol")}
-        missing = [str(s) for s in (*self.places, *self.then, *self.free) if s not in known]
-        if missing:
-            raise CourseError(
-                f"a prediction moves {', '.join(missing)}, but the figure {self.figure} has the "
-                f"sliders {', '.join(map(str, known))}"
-            )
-        return known
+        return {c.symbol: (k, c) for k, c in controls if hasattr(c, "symbol")}
 
     def units(self) -> list[Unit]:
         return [figure_unit(symbol.unit) for symbol in self.places]
@@ -229,12 +212,6 @@ class Prediction:
     explanation: str
     spoilers: tuple[str, ...] = ()
     covers: str = ""
-
-    def __post_init__(self) -> None:
-        if not re.fullmatch("[a-z][a-z0-9-]*", self.name):
-            raise CourseError(f"a prediction's name has small letters and dashes, got {self.name}")
-        if self.covers and isinstance(self.answers, Ghost):
-            raise CourseError(f"{self.name} asks for a ghost: its figure cannot be under a veil")
 
     @property
     def figure(self) -> str:

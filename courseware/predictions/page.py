@@ -7,10 +7,9 @@ from typing import Any
 
 from docutils import nodes
 from sphinx.application import Sphinx
-from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-from courseware.predictions.declaration import Prediction, find_prediction
+from courseware.predictions.declaration import Prediction
 from courseware.script import engine
 
 FENCE = "`" * 10
@@ -95,18 +94,6 @@ def fill_folds(app: Sphinx, doctree: nodes.document) -> None:
                 break
             cells.remove(follower)
             fold.append(follower)
-    _refuse_misplaced(app.env.docname, doctree)
-
-
-def _refuse_misplaced(page: str, doctree: nodes.document) -> None:
-    for left in doctree.findall(nodes.Element):
-        tags = [c for c in left.get("classes", []) if c.startswith(f"tag_{TAG}")]
-        if tags and "rk-opens" not in left.parent["classes"]:
-            name = find_prediction(tags[0].removeprefix(f"tag_{TAG}")).name
-            raise ExtensionError(
-                f"{page}: a cell is tagged {TAG}{name}, but it does not follow the cell "
-                f'predictions.ask("{name}"): put it there, or take off the tag'
-            )
 
 
 def setup(app: Sphinx) -> None:

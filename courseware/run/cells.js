@@ -5,15 +5,8 @@
 
 const BLOCK = `<div class="output text_plain highlight-myst-ansi notranslate">`
   + `<div class="highlight"><pre></pre></div></div>`;
-const CONSENT_KEY = "courseware-run"; // in the browser's storage: a reader is asked once
 
 let cells, settings, worker, ready, running = null, stop;
-
-const consent = (value) => {
-  try {
-    return value ? localStorage.setItem(CONSENT_KEY, value) : localStorage.getItem(CONSENT_KEY);
-  } catch { return null; } // no storage: asked on each page
-};
 
 // keep: what keeps a change of a cell in the browser.
 class Cell {
@@ -208,25 +201,6 @@ const runThrough = async (k) => {
   }
 };
 
-const askConsent = (cell) => new Promise((resolve) => {
-  cell.say(`This loads Python (Pyodide) into the page: about 10 MB from ${describeSource()}, up to 25 MB for `
-    + "cells that derive or draw. What you type stays in this browser.");
-  const buttons = ["Load Python", "Not now"].map((words) => {
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: words });
-    button.addEventListener("click", () => {
-      buttons.forEach((each) => each.remove());
-      cell.button.hidden = false;
-      cell.say("");
-      cell.button.focus();
-      resolve(words === "Load Python");
-    });
-    return button;
-  });
-  cell.button.hidden = true;
-  cell.bar.append(...buttons);
-  buttons[0].focus();
-});
-
 const makeCells = async (bars, keep) => {
   settings ??= JSON.parse(await fetchText(`settings.json${new URL(import.meta.url).search}`));
   if (cells) return;
@@ -250,9 +224,5 @@ export const write = async (bars, k, keep, point) => {
 export const pressRun = async (bars, k, keep) => {
   if (running === k) return stop();
   await makeCells(bars, keep);
-  if (!consent()) {
-    if (!await askConsent(cells[k])) return;
-    consent("yes");
-  }
   await runThrough(k);
 };

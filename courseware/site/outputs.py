@@ -5,14 +5,13 @@ from html import escape
 from typing import Any
 
 from docutils import nodes
-from sphinx.addnodes import pending_xref
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
 
 from courseware.course import course
 from courseware.equations.equation import find_equation
-from courseware.equations.notebook import AGAIN, equation_anchor, equation_label, render_label
 from courseware.equations.notebook import MIME as EQUATION
+from courseware.equations.notebook import equation_anchor, equation_label
 from courseware.errors import CourseError
 from courseware.figures.figure import MIME as FIGURE
 from courseware.figures.figure import find_figure
@@ -63,18 +62,6 @@ def _render_numbers(
     return [start, node, nodes.raw("", said, format="html")]
 
 
-def render_equations_again(renderer: Any, data: Any) -> list[nodes.Element]:
-    """Return a box of formulas shown above, each beside the number that leads to it."""
-    box = nodes.container("", classes=["rk-again"])
-    for label in data.content["labels"]:
-        tex = render_label(label)
-        to = {"refdomain": "math", "reftype": "eq", "reftarget": label}
-        to |= {"refdoc": renderer.sphinx_env.docname, "refexplicit": False, "refwarn": True}
-        box += nodes.paragraph("", "", pending_xref("", nodes.inline(), **to))
-        box += nodes.math_block(tex, tex, number=None, nowrap=False)
-    return [box]
-
-
 def render_mistake(renderer: Any, data: Any) -> list[nodes.Element]:
     """Return a wrong line to judge, its result, and the answer folded."""
     mistake = find_mistake(data.content["name"])
@@ -98,7 +85,6 @@ def render_program(renderer: Any, data: Any) -> list[nodes.Element]:
 Renderer = Callable[[Any, Any], list[nodes.Element]]
 RENDERERS: dict[str, Renderer] = {
     EQUATION: render_equation,
-    AGAIN: render_equations_again,
     FIGURE: lambda _, data: [render_figure(data.content["name"])],
     practice.MIME: lambda renderer, data: [
         render_exercise(renderer.sphinx_env, data.content["name"])

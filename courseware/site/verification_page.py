@@ -11,7 +11,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
-from courseware.equations.declared_checks import SAMPLES, Check, declared_checks
+from courseware.equations.declared_checks import Check, declared_checks
 
 
 class FormulaChecks(SphinxDirective):
@@ -23,8 +23,8 @@ class FormulaChecks(SphinxDirective):
 
 
 def describe_checks(checks: dict[str, Check]) -> list[str]:
-    """Return the page as Markdown: the counts, then each chapter's title and formulas."""
-    entries = ["## In numbers", _summarize(list(checks.values()))]  # what has no heading comes last
+    """Return the page as Markdown: each chapter's title and formulas."""
+    entries = list[str]()
     for chapter, group in groupby(checks.values(), lambda check: check.name.partition(".")[0]):
         entries += [f"## {_title(chapter)}", *map(_describe, group)]
     return entries
@@ -34,15 +34,6 @@ def _title(chapter: str) -> str:
     """Return a chapter's title, or the name of one that several chapters share."""
     is_taught = chapter in course().taught
     return course().title(chapter) if is_taught else chapter.replace("_", " ").capitalize()
-
-
-def _summarize(checks: list[Check]) -> str:
-    adapted = sum(_is_adapter(_called(check)) for check in checks)
-    return (
-        f"There are {len(checks)} formulas, each compared at {SAMPLES} points and at its special "
-        f"ones: {len(checks) - adapted} with a function as it is, {adapted} by way of a few lines "
-        "that put arguments and answers in order (in italics: how)."
-    )
 
 
 def _describe(check: Check) -> str:

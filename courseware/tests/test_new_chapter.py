@@ -215,11 +215,6 @@ FORGOTTEN = {
         COLLECT + "equations.declared_checks.declared_checks()",
         rf"{NEW}.image_distance has no check: add one of it to CHECKS in .*{NEW}.checks.py",
     ),
-    "the folder's package": (
-        lambda tree: (tree / f"book/{NEW}/__init__.py").unlink(),
-        COLLECT + "course.course().chapters",
-        rf"{NEW}.* has no __init__.py: .* the question that the chapter answers",
-    ),
     "an SI unit": (
         lambda tree: replace(tree, "formulas.py", '"d_o", "m"', '"d_o", "cm"'),
         COLLECT + "course.course().modules('formulas')",

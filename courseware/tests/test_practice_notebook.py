@@ -7,10 +7,8 @@ import pytest
 from declared import COURSE, table, typed
 
 from courseware import practice
-from courseware.course import course
 from courseware.errors import CourseError
 from courseware.practice import candidates, notebook, variants
-from courseware.practice.bank import all_exercises
 
 
 @pytest.fixture
@@ -89,12 +87,6 @@ def test_answers_of_nobody_are_not_exported(nobody, tmp_path):
     practice.exercise("differential-drive-1").check(1)
     with pytest.raises(CourseError, match="say who you are first"):
         practice.export(tmp_path / "answers.csv")
-
-
-def test_an_exercise_is_named_after_its_folder(monkeypatch):
-    monkeypatch.setattr(type(course()), "chapters_of", lambda *_: {"car-1": "bicycle"})
-    with pytest.raises(CourseError, match=r"folder bicycle is named bicycle-1, .* got car-1"):
-        all_exercises()
 
 
 def test_unknown_names_are_refused():

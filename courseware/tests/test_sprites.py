@@ -123,7 +123,6 @@ def test_a_notebook_keeps_the_outlines_digits():
             {"shapes": (Sprite((0, 0, 0), (Outline("M0 0", "jelly"),)),)},
             "no material 'jelly'; .*tyre",
         ),
-        ({"ground": "lava"}, "no ground 'lava'; there are tiles"),
     ],
 )
 def test_an_unknown_material_is_refused(parts, message):

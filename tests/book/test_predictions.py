@@ -7,13 +7,12 @@ import pytest
 import stored_outputs
 from declared import PREDICTIONS, course, each
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
-from sympy import Float, Symbol
+from sympy import Float
 
 from book.differential_drive import formulas
 from book.differential_drive.figures import guess_x, guess_y
 from book.differential_drive.formulas import b, v_L, v_R
 from book.motion.formulas import theta
-from courseware.errors import CourseError
 from courseware.figures import figure
 from courseware.predictions import Buttons, Ghost, Number, Prediction
 from courseware.predictions.notebook import MIME, render_fold, render_prediction
@@ -221,29 +220,6 @@ def test_a_ghost_is_told_how_it_is_off(where, offs, told):
     assert engine.call("courseware.describeMiss", ghost.serialize(), offs, True) == told
     direction = engine.call("courseware.describeMiss", ghost.serialize(), offs)
     assert direction == re.sub(r"[\d.]+(°| c?m(/s)?) ", "", told)
-
-
-WRONG = {
-    "one option": (lambda: Buttons(("left",), right="left"), "two to four"),
-    "an unknown option": (lambda: Buttons(("left", "right"), right="up"), "up"),
-    "a ghost under a veil": (
-        lambda: Prediction("a", "", PREDICTIONS["where-after"].answers, "", covers="guess"),
-        "under a veil",
-    ),
-    "a name with blanks": (lambda: Prediction("a b", "", SIDE.answers, ""), "letters and dashes"),
-    "no such slider": (
-        lambda: Ghost(
-            "wheel-speeds", (Symbol("z"),), {}, formulas.speed.substitute(SPEEDS), 1
-        ).controls(),
-        "moves z, but the figure wheel-speeds has the sliders v_L",
-    ),
-}
-
-
-@pytest.mark.parametrize(("make", "message"), WRONG.values(), ids=WRONG)
-def test_what_is_declared_wrongly_is_told(make, message):
-    with pytest.raises(CourseError, match=message):
-        make()
 
 
 def test_in_jupyterlab_what_it_opens_is_folded():

@@ -10,7 +10,7 @@ from declared import EQUATIONS, FIGURES, course
 from sphinx.errors import ExtensionError
 from support import on_circle
 
-from courseware.equations.notebook import AGAIN, MIME, equation_label
+from courseware.equations.notebook import MIME
 from courseware.equations.quantities import declarations
 from courseware.errors import CourseError
 from courseware.figures import Figure, Readout, Slider
@@ -242,21 +242,6 @@ def test_a_number_that_a_figure_lacks_is_told():
         Slots(speed, silent, "differential_drive").render_tex(False)
     with pytest.raises(CourseError, match=r"left side .* is no symbol"):
         Slots(EQUATIONS["bicycle.equivalent_steering"], silent, "bicycle").render_tex(False)
-
-
-def boxes(chapter):
-    """The labels in each box of all formulas of a chapter."""
-    outputs = [data for cell in read_cells(chapter) for data in read_outputs(cell)]
-    return [data[AGAIN]["labels"] for data in outputs if AGAIN in data]
-
-
-@pytest.mark.parametrize("chapter", [c for c in CHAPTERS if boxes(c)])
-def test_a_box_of_a_chapters_formulas_holds_all_of_them(chapter):
-    shown = [
-        equation_label(each.name, computed) for each, computed in lexicon.shown_equations(chapter)
-    ]
-    for labels in boxes(chapter):
-        assert labels == shown, f"run: make notebooks T={chapter}"
 
 
 def placed(text, shown="tips"):

@@ -43,7 +43,6 @@ class Cells:
 
     def __init__(self, page):
         self.page = page
-        self.agreed = False
 
     def bar(self, k):
         return self.page.locator(".rk-run").nth(k)
@@ -70,9 +69,6 @@ class Cells:
     def press(self, k):
         self.bar(k).evaluate(LISTEN)
         self.bar(k).locator("button").first.click()
-        if not self.agreed:
-            self.bar(k).get_by_text("Load Python", exact=True).click()
-            self.agreed = True
 
     def finish(self, timeout=START):
         """Wait until what was pressed has run."""

@@ -206,17 +206,9 @@ def test_a_flood_is_cut_whatever_it_is_made_of(page, source, most):
 
 @pytest.mark.browser
 def test_nothing_is_loaded_until_it_is_asked_for(server, chromium):
-    """The buttons say what would come, and from where."""
     with watched_page(chromium, server) as (page, watch):
         settled(page, server + PAGE)
         assert not [url for url in watch.kinds if "/run/" in url]
-        bar = page.locator(".rk-run").first
-        bar.get_by_role("button", name="Run").click()
-        bar.get_by_text("Load Python", exact=True).wait_for()
-        assert "10 MB from cdn.jsdelivr.net" in bar.inner_text()
-        assert "25 MB" in bar.inner_text()
-        bar.get_by_text("Not now").click()
-        assert bar.inner_text().split() == ["Run"]
         assert not watch.errors + watch.strangers
 
 
@@ -228,7 +220,6 @@ def blocked(server, chromium):
         page.goto(server + PAGE)
         bar = page.locator(".rk-run").first
         bar.get_by_text("Run", exact=True).click()
-        bar.get_by_text("Load Python", exact=True).click()
         yield page, watch
 
 
@@ -236,7 +227,7 @@ def blocked(server, chromium):
 def test_where_the_download_is_blocked_the_page_says_so(blocked):
     page, watch = blocked
     bar = page.locator(".rk-run").first
-    for again in (False, True):  # without being asked
+    for again in (False, True):
         if again:
             bar.get_by_text("Run", exact=True).click()
         said = bar.get_by_text("Python cannot be loaded from cdn.jsdelivr.net")
@@ -274,9 +265,8 @@ FLOOD = "for (let k = 0; k < 20_000; k += 1) say('stdout', 'x')"
 
 @contextmanager
 def with_worker(server, chromium, says):
-    """A page of a browser that agreed once, whose Python says this of every cell."""
+    """A page whose Python says this of every cell."""
     with watched_page(chromium, server) as (page, watch):
-        page.add_init_script("localStorage.setItem('courseware-run', 'yes')")
         page.context.route(
             "**/run/worker.js*",
             lambda route: route.fulfill(

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import sympy as sp
 
 from courseware.figures import Choice, Goal, Label, when
-from courseware.figures.declaration import Place
+from courseware.figures.computed_parts import Place
 
 COUNTS = {2: "two", 3: "three"}
 

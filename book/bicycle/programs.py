@@ -19,7 +19,7 @@ from book.bicycle.formulas import arc_step, steering, wheelbase, y_heading
 from book.motion.formulas import dt, theta, v, x, y
 from courseware.answers import Unknown, angle
 from courseware.figures import Curve, Point
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import bicycle, motion
 
 POSE = (Unknown("x", "m"), Unknown("y", "m"), angle("θ"))

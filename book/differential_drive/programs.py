@@ -16,7 +16,7 @@ from book.differential_drive.formulas import b, body_twist, r, rate_L, rate_R
 from book.motion.formulas import arc_step, dt, omega, theta, v, x, y
 from courseware.answers import Unknown
 from courseware.figures import Arrow, Curve, Point
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import differential_drive, motion
 
 RATES = (Unknown("left rate", "rad/s"), Unknown("right rate", "rad/s"))

@@ -19,7 +19,7 @@ from book.elbow_arm.formulas import a2, a3, d1, forward, p_z, theta1, theta2, th
 from book.things import space
 from courseware.answers import Unknown, angle
 from courseware.figures import VIEW
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import elbow_arm
 
 PLACES = tuple(

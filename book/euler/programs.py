@@ -17,7 +17,7 @@ from book.euler.exercises import (
 from book.euler.figures import LEFT, RIGHT, X, Y, Z, die
 from book.euler.formulas import first, middle, third, turned_about
 from courseware.answers import angle, matrix
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import euler
 
 TURNS = (first, middle, third)

@@ -24,7 +24,7 @@ from book.frames.formulas import (
 )
 from book.things import outlines
 from courseware.figures import Outline, Sprite
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import frames
 
 DB, BC, DE = (db_x, db_y, db_turn), (bc_x, bc_y, bc_turn), (de_x, de_y, de_turn)

@@ -38,7 +38,7 @@ from book.odometry.formulas import (
 )
 from courseware.answers import Unknown, angle
 from courseware.figures import Arrow, Curve
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import odometry
 
 POSE = (Unknown("x", "m"), Unknown("y", "m"), angle("θ"))

@@ -45,7 +45,7 @@ from book.things.arms import links
 from courseware.answers import angle
 from courseware.equations import substitute
 from courseware.figures import Arrow, Point
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import planar_arm
 
 HAND = substitute(forward.right, dict(forward.where))

@@ -15,7 +15,7 @@ from math import log10
 import sympy as sp
 
 from courseware.figures import Area, Label, Line
-from courseware.figures.declaration import Expr, Place
+from courseware.figures.computed_parts import Expr, Place
 
 Range = tuple[float, float]
 Words = Mapping[Expr, str]

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from math import cos, pi, sin
 
-from courseware.figures.declaration import Kind
+from courseware.figures.computed_parts import Kind
 from courseware.figures.solids import Face, Mesh, Point3
 
 Point2 = tuple[float, float]

@@ -26,7 +26,7 @@ from book.wheels.exercises import (
 from book.wheels.formulas import alpha, beta, gamma, l, omni_rates, omni_world
 from courseware.answers import Unknown
 from courseware.figures import Arrow
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from robokin import motion, wheels
 
 RATES = tuple(Unknown(f"wheel {k}", "rad/s") for k in (1, 2, 3))

@@ -15,7 +15,7 @@ from courseware.course import course
 from courseware.errors import CourseError
 from courseware.practice import variants
 from courseware.practice.bank import all_exercises, find_exercise
-from courseware.practice.declaration import Exercise
+from courseware.practice.exercises import Exercise
 from courseware.practice.saving import open_table
 
 COLUMNS = ("course", "version", "student", "exercise", "variant", "numbers", "answer")

@@ -19,8 +19,8 @@ from courseware import explaining, judge
 from courseware.course import course
 from courseware.errors import CourseError
 from courseware.practice.saving import refuse_existing
-from courseware.programs.declaration import Program, all_programs
 from courseware.programs.notebook import render_hints, serialize
+from courseware.programs.program import Program, all_programs
 
 CHECK = """\
 from judge import read_and_check

@@ -15,7 +15,7 @@ from courseware.classroom.moodle_answers import choose_row, find_answers, is_sli
 from courseware.course import course
 from courseware.practice import variants
 from courseware.practice.candidates import outcomes
-from courseware.practice.declaration import Exercise, Row
+from courseware.practice.exercises import Exercise, Row
 from courseware.practice.saving import open_file
 from courseware.units import ROWS, UNITS, Unit
 from courseware.units.formatting import render_paragraphs, render_symbols

@@ -11,7 +11,7 @@ from courseware.answers import Unknown
 from courseware.errors import CourseError
 from courseware.practice import judging, variants
 from courseware.practice.candidates import RIGHT, SLIPS, distance, outcomes
-from courseware.practice.declaration import Exercise, Row
+from courseware.practice.exercises import Exercise, Row
 from courseware.units import ROWS
 from courseware.units.formatting import render_symbols
 

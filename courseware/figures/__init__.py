@@ -3,11 +3,20 @@
     Figure(name, title, view, shapes, controls, readouts)
 
 shows itself in a notebook as a widget, and leaves there its name, by which a page finds it, and a
-still picture. Its parts are declared with the words of `declaration`, `controls` and `shapes`, and
-pictures in space with those of `space` and `solids`.
+still picture. Its parts are declared with the words of `computed_parts`, `controls` and `shapes`,
+and pictures in space with those of `space` and `solids`.
 """
 
 from courseware.figures import looks
+from courseware.figures.computed_parts import (
+    Goal,
+    NamedSteps,
+    Readout,
+    Recurrence,
+    assign,
+    distance,
+    ramp,
+)
 from courseware.figures.controls import (
     POINTER,
     Button,
@@ -16,15 +25,6 @@ from courseware.figures.controls import (
     Handle,
     QuarterTurns,
     Slider,
-)
-from courseware.figures.declaration import (
-    Goal,
-    NamedSteps,
-    Readout,
-    Recurrence,
-    assign,
-    distance,
-    ramp,
 )
 from courseware.figures.figure import Figure, Scene
 from courseware.figures.shapes import (

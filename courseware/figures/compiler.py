@@ -13,9 +13,9 @@ from courseware.equations.javascript import Code, compile_javascript
 from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
 from courseware.figures import shapes as s
+from courseware.figures.computed_parts import Goal, Place, Readout, Recurrence
 from courseware.figures.control_compiler import compile_control, find_look, serialize_unit
 from courseware.figures.controls import POINTER, Button, Control, Handle
-from courseware.figures.declaration import Goal, Place, Readout, Recurrence
 from courseware.figures.solids import Solid
 from courseware.figures.sprites import Outline, Rim, Sprite, list_corners
 from courseware.units.line_breaks import prevent_breaks

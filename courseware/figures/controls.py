@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Self
 import sympy as sp
 
 from courseware.equations.quantities import NamedSymbol
-from courseware.figures.declaration import Expr, Place, default_label
+from courseware.figures.computed_parts import Expr, Place, default_label
 
 POINTER = sp.symbols("pointer_x pointer_y", real=True)
 

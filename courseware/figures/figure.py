@@ -16,8 +16,8 @@ from courseware.equations.equation import Where
 from courseware.equations.javascript import run_javascript
 from courseware.errors import CourseError
 from courseware.figures.compiler import Compiler, serialize
+from courseware.figures.computed_parts import Goal, Place, Readout
 from courseware.figures.controls import Button, Choice, Control, Handle
-from courseware.figures.declaration import Goal, Place, Readout
 from courseware.figures.solids import Solid
 from courseware.figures.space import VIEW, view_sliders
 from courseware.script import engine

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from courseware.figures.declaration import Expr, Kind, Place, Recurrence
+from courseware.figures.computed_parts import Expr, Kind, Place, Recurrence
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from courseware.figures.declaration import Expr, Kind
+from courseware.figures.computed_parts import Expr, Kind
 
 Point3 = tuple[float, float, float]
 Face = tuple[int, ...]

@@ -15,8 +15,8 @@ import sympy as sp
 
 from courseware.equations.quantities import declarations
 from courseware.figures import solids
+from courseware.figures.computed_parts import Expr, Place
 from courseware.figures.controls import Slider
-from courseware.figures.declaration import Expr, Place
 from courseware.figures.shapes import Arrow, Line, Point
 
 Triple = Sequence[Any]

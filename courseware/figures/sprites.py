@@ -20,7 +20,7 @@ from fontTools.pens.recordingPen import RecordingPen
 from fontTools.svgLib.path import parse_path
 
 from courseware.errors import CourseError
-from courseware.figures.declaration import Expr
+from courseware.figures.computed_parts import Expr
 
 LOOKS = ("", "ghost", "wrong")
 

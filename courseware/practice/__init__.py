@@ -6,7 +6,7 @@ courseware.classroom`.
 
 from courseware.practice import rendering
 from courseware.practice.bank import all_exercises, all_mistakes, all_topics
-from courseware.practice.declaration import (
+from courseware.practice.exercises import (
     Exercise,
     number_range,
     one_of,

@@ -1,7 +1,7 @@
 """The exercises and mistakes of the course that is open."""
 
 from courseware.course import course
-from courseware.practice.declaration import Exercise
+from courseware.practice.exercises import Exercise
 from courseware.practice.mistakes import Mistake
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from courseware.answers import Unknown
-from courseware.practice.declaration import Exercise, Row
+from courseware.practice.exercises import Exercise, Row
 from courseware.practice.mistakes import Mistake
 from courseware.units import ROWS, TABLE
 

@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any
 
 from courseware.practice.candidates import Candidate, outcomes
-from courseware.practice.declaration import Exercise, Row
+from courseware.practice.exercises import Exercise, Row
 from courseware.script import engine
 
 

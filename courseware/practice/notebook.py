@@ -16,7 +16,7 @@ from courseware.equations.notebook import Output
 from courseware.errors import CourseError
 from courseware.practice import judging, rendering, variants
 from courseware.practice.bank import all_exercises, find_exercise, find_mistake
-from courseware.practice.declaration import Exercise
+from courseware.practice.exercises import Exercise
 from courseware.practice.mistakes import Mistake
 from courseware.practice.saving import ANSWER_COLUMNS, write_table
 from courseware.script.widget import Widget, create_widget

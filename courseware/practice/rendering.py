@@ -19,7 +19,7 @@ from courseware.equations.notebook import equation_anchor, equation_label, shown
 from courseware.equations.text import format_formula
 from courseware.practice import judging, variants
 from courseware.practice.bank import all_exercises, find_exercise
-from courseware.practice.declaration import Exercise
+from courseware.practice.exercises import Exercise
 from courseware.practice.saving import GUARD, UNGUARD
 from courseware.script import engine
 

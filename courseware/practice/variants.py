@@ -22,7 +22,7 @@ import numpy as np
 from courseware.errors import CourseError
 from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.candidates import Candidate, find_candidates, find_clash
-from courseware.practice.declaration import Exercise
+from courseware.practice.exercises import Exercise
 
 VARIANTS = 64
 ATTEMPTS = 200  # for each variant: an exercise that needs more should draw otherwise

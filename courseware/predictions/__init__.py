@@ -4,14 +4,14 @@
 """
 
 import courseware.answers  # its scripts read and keep guesses
-from courseware.predictions.declaration import (
+from courseware.predictions.notebook import ask
+from courseware.predictions.prediction import (
     Buttons,
     Ghost,
     Number,
     Prediction,
     nearest_option,
 )
-from courseware.predictions.notebook import ask
 from courseware.script.parts import Part, register
 
 register(

@@ -1,7 +1,7 @@
 """A prediction in a notebook: the question, and a fold with the answer."""
 
 from courseware.equations.notebook import Output
-from courseware.predictions.declaration import Buttons, Prediction, find_prediction
+from courseware.predictions.prediction import Buttons, Prediction, find_prediction
 
 MIME = "application/vnd.courseware.prediction+json"
 

@@ -9,7 +9,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from courseware.predictions.declaration import Prediction
+from courseware.predictions.prediction import Prediction
 from courseware.script import engine
 
 FENCE = "`" * 10

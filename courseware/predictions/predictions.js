@@ -1,6 +1,6 @@
 // A prediction takes a guess, keeps it in this browser, and only then opens its result.
 //
-// data: { kind: "buttons" | "number" | "ghost", right, wrong, … }, made by declaration.py. A guess
+// data: { kind: "buttons" | "number" | "ghost", right, wrong, … }, made by prediction.py. A guess
 // is the number of an option, or a list of numbers in the units that the reader sees; "shown"
 // where somebody wants to see without guessing. A figure may wait for the answer.
 

@@ -2,10 +2,10 @@
 
 In a notebook: `programs.show("bicycle-p1")`, and `.check(step)` judges a function.
 
-`declaration` declares one in a chapter's `programs.py`; `storing` draws its inputs and computes
+`program` declares one in a chapter's `programs.py`; `storing` draws its inputs and computes
 what is right and what known mistakes give; `notebook` shows it; `courseware/judge.py` runs a
 student's function on these numbers.
 """
 
-from courseware.programs.declaration import Program, all_programs
 from courseware.programs.notebook import ProgramBox as show
+from courseware.programs.program import Program, all_programs

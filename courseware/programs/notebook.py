@@ -6,8 +6,8 @@ from html import escape
 from typing import Any
 
 from courseware import judge
-from courseware.programs.declaration import Program, find_program
 from courseware.programs.picture import render_answer
+from courseware.programs.program import Program, find_program
 from courseware.programs.storing import store
 from courseware.units.formatting import render_paragraphs
 

@@ -12,7 +12,7 @@ from courseware.explaining import join_numbers
 from courseware.figures import VIEW, Choice, Curve, Figure, Sprite
 from courseware.figures.figure import inline_colors
 from courseware.figures.solids import Solid
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from courseware.programs.storing import name_numbers, store
 from courseware.script import engine
 

@@ -17,7 +17,7 @@ from courseware.equations.quantities import NamedSymbol
 from courseware.errors import CourseError
 from courseware.explaining import KNOWN, LEAST, SIZE, join_numbers
 from courseware.judge import as_arguments
-from courseware.programs.declaration import Function, Program
+from courseware.programs.program import Function, Program
 
 ROUND, RANDOM, EACH = 8, 150, 3  # inputs: of round numbers, random ones, of each special case
 MANY = 60  # from which the simplest are taken

@@ -9,9 +9,9 @@ from sphinx.application import Sphinx
 
 from courseware import run
 from courseware.course import course
-from courseware.programs.declaration import all_programs
 from courseware.programs.notebook import serialize
 from courseware.programs.picture import answer_figure
+from courseware.programs.program import all_programs
 from courseware.script.page import write_static
 
 

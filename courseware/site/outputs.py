@@ -19,11 +19,11 @@ from courseware.practice import rendering as practice
 from courseware.practice import variants
 from courseware.practice.bank import find_mistake
 from courseware.practice.notebook import MISTAKE, render_judgement
-from courseware.predictions.declaration import find_prediction
 from courseware.predictions.notebook import MIME as PREDICTION
 from courseware.predictions.page import render_prediction
+from courseware.predictions.prediction import find_prediction
 from courseware.programs import notebook as programs
-from courseware.programs.declaration import find_program
+from courseware.programs.program import find_program
 from courseware.script import engine
 from courseware.symbols.formula_numbers import Slots
 

@@ -12,7 +12,7 @@ from courseware.equations import Check
 from courseware.figures import Figure
 from courseware.practice import Exercise
 from courseware.predictions import Prediction
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 from courseware.programs.storing import store
 
 package, chapter = sys.argv[1:]

@@ -13,7 +13,7 @@ from stored_outputs import PLUMBING
 import book  # noqa: F401 (opens the course)
 from courseware.course import course
 from courseware.practice import Exercise
-from courseware.programs.declaration import all_programs
+from courseware.programs.program import all_programs
 
 # in this order; between them come the steps, "1 …", "2 …"
 BEFORE = ["Recall", "The exercise"]

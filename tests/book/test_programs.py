@@ -13,8 +13,8 @@ import book  # noqa: F401 (opens the course)
 from courseware import explaining, judge, programs
 from courseware.course import course
 from courseware.errors import CourseError
-from courseware.programs.declaration import all_programs
 from courseware.programs.picture import answer_figure, render_answer
+from courseware.programs.program import all_programs
 from courseware.programs.storing import draw_cases, store
 from courseware.script import engine
 

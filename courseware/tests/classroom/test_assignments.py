@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from commands import run
 
-from courseware.programs.declaration import all_programs
+from courseware.programs.program import all_programs
 
 PROGRAMS = {p.name: p for p in all_programs().values() if p.topic == "bicycle"}
 GRADERS = ("nbgrader==0.9.6", "otter-grader==7.0.0", "numpy")

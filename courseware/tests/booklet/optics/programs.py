@@ -5,7 +5,7 @@ from booklet.optics.formulas import d_i, d_o, f, h_o
 from booklet.optics.functions import focal_length, image_distance, image_height
 from courseware.answers import Unknown
 from courseware.figures import Line, Point
-from courseware.programs.declaration import Program
+from courseware.programs.program import Program
 
 
 def draw_distance(right, answer, d_o, f):

@@ -77,7 +77,8 @@ separate_rates = Mistake(
     line="y_dot = l1 * c1 * q1 + l2 * c12 * q2 + l3 * c123 * q3\ntwist = [x_dot, y_dot, phi_dot]",
     why="The derivative of sin(θ_1 + θ_2) is cos(θ_1 + θ_2) times the rate of the whole sum, "
     "θ̇_1 + θ̇_2. A link turns with its own joint and with all joints before it.",
-    unnoticed="When only the last joint turns.",
+    unnoticed="When only the last joint turns; or where all that is missing, l_2 c_12 θ̇_1 + "
+    "l_3 c_123 (θ̇_1 + θ̇_2), is 0, as with links 2 and 3 along y.",
     title="It leaves the line",
     picture=(
         "The hand sinks below its line. Its program believes that it moves along the line to the "

@@ -112,10 +112,10 @@ s = Symbol("s")
 
 line_x = quantity("line_x", "m", -0.4, 0.85, "where a line for the hand ends", latex="x_e")
 line_y = quantity("line_y", "m", -0.1, 0.7, "where a line for the hand ends", latex="y_e")
-guess_x = quantity("guess_x", "m", -0.3, 1, "your guess, along x")
+guess_x = quantity("guess_x", "m", -0.6, 1, "your guess, along x")
 guess_y = quantity("guess_y", "m", -0.3, 1, "your guess, along y")
 turned = quantity("turned", "", 0, 1, "how much of its turn joint 2 has made")
-shown = quantity("shown", "", 0, 1, "1 where the weights are shown, else 0")
+laid = quantity("laid", "", 0, 1, "how much of the weights is laid on the joints")
 push = quantity("push", "N", 0, 20, "size of a force on the hand", latex="f")
 push_angle = quantity("push_angle", "rad", -3.2, 3.2, "direction of a force", r"\beta")
 tilt4 = quantity("tilt4", "rad", -1, 1, "direction of link 3, of an arm with four links", r"\psi")
@@ -159,7 +159,7 @@ PLACES: Where = (  # of joints and hand, from the angles
 )
 GIVEN: Where = (*zip(ANGLES, START, strict=True), *PLACES)
 MOVES: Where = (*assign(arm.velocity), *assign(arm.hand_centre))
-SIZE = 0.13  # m, radius of the weight of 1 rad/s
+SIZE = 0.16  # m, radius of the weight of 1 rad/s
 CORNER = 0.05  # m, the sign of a right angle
 MIDDLE = pi / 36  # rad: the middle of the sliders, from -170° to 180°
 PAIRS = tuple(zip(JOINTS, RATES, strict=True))
@@ -173,14 +173,18 @@ def circle(kind: Any, at: Sequence[Any], radius: Any) -> Curve:
 
 
 def weight(at: Sequence[Any], rate: Any, kind: Any = None) -> tuple[Any, ...]:
-    """Return a joint's rate as a weight: a disc whose area is its size, red if negative."""
+    """Return a joint's rate as a weight: a disc whose area is its size, a ring if negative."""
     radius, kind = SIZE * sqrt(Abs(rate)), kind or rate
     rim = tuple(
         (at[0] + radius * cos(k * pi / 12), at[1] + radius * sin(k * pi / 12)) for k in range(24)
     )
+    bar = tuple(
+        (at[0] + radius * a, at[1] + radius * b)
+        for a, b in ((-0.6, -0.12), (0.6, -0.12), (0.6, 0.12), (-0.6, 0.12))
+    )
     return (
-        *when(rate >= 0, Area(kind, rim), Area(kind, rim)),
-        *when(rate < 0, Area("error", rim), Area("error", rim), Label("error", at, "−")),
+        *when(rate > 0, *2 * (Area(kind, rim),)),
+        *when(rate < 0, *3 * (Area("body", bar),)),
         circle(kind, at, radius),
     )
 
@@ -253,7 +257,7 @@ SCENE = Scene(
 BEGIN = tuple(float(each) for each in joints_at(START)[3])
 LINE_END = (-0.1, 0.5)  # m
 HALFWAY = ((BEGIN[0] + LINE_END[0]) / 2, 0.5)
-BAND = 0.01  # m: so far from the line the ink may be
+BAND, NEAR_DOT = 0.01, 0.02  # m: so far from the line and from its dots the pen may be
 DURATION = 4.0  # s, for the whole line
 NOWHERE = (nan, nan)
 PAPER = (
@@ -290,10 +294,14 @@ def draw_figure() -> Figure:
             Track("path", HAND, "ink"),
             drawing_arm(),
         ),
-        readouts=(Readout("off", "pen off the line", Abs(y - 0.5), "cm", 1),),
+        readouts=(
+            Readout("off", "pen off the line", Abs(y - 0.5), "cm", 1),
+            Readout("middle", "to the middle dot", distance(HAND, HALFWAY), "cm", 1),
+            Readout("end", "to the left dot", distance(HAND, LINE_END), "cm", 1),
+        ),
         goal=(
-            Goal(distance(HAND, HALFWAY) < BAND, "Draw to the middle dot: rest within 1 cm."),
-            Goal(distance(HAND, LINE_END) < BAND, "Draw on to the left dot: within 1 cm."),
+            Goal(distance(HAND, HALFWAY) < NEAR_DOT, "Rest on the middle dot, within 2 cm."),
+            Goal(distance(HAND, LINE_END) < NEAR_DOT, "Rest on the left dot, within 2 cm."),
         ),
     )
 
@@ -373,10 +381,10 @@ def hand_guess_figure() -> Figure:
         "hand-guess",
         "The arm, whose joint 2 will turn by a quarter, and your guess of where its pen will be",
         "",
-        view=(-0.45, 0.95, -0.14, 0.64),
+        view=(-0.6, 0.95, -0.2, 0.76),
         controls=(
-            Slider(guess_x, -0.3, 0.8, start=0.6, step=0.01, label="guess: x"),
-            Slider(guess_y, -0.15, 0.6, start=0.2, step=0.01, label="guess: y"),
+            Slider(guess_x, -0.58, 0.9, start=0.6, step=0.01, label="x"),
+            Slider(guess_y, -0.18, 0.74, start=0.2, step=0.01, label="y"),
             Clock(turned, 0.0, 1.0, label="turned", rate=0.5),
         ),
         shapes=(
@@ -419,11 +427,11 @@ def levers_figure() -> Figure:
                 label="joint that turns",
                 start="joint 2",
             ),
-            Slider.degrees(theta2, 0, 120, start=60, step=5, label="joint 2"),
-            Slider.degrees(theta3, -170, 180, start=-90, step=5, label="joint 3"),
+            Slider.degrees(theta2, -30, 120, start=60, step=5, label="joint 2"),
         ),
         where=(
             (theta1, START[0]),
+            (theta3, START[2]),
             *PLACES,
             (g, x - pivot[0]),
             (h, y - pivot[1]),
@@ -434,8 +442,10 @@ def levers_figure() -> Figure:
             Arrow("approximation", pivot, HAND, "lever"),
             arrow_to("velocity", HAND, (-h, g), "v"),
             Line("text", tuple(corner)),
+            Length(g, pivot, (x, pivot[1])),
+            Length(h, (x, pivot[1]), HAND),
         ),
-        handles=SCENE.handles["joints"][1:],
+        handles=SCENE.handles["joints"][1:2],
         readouts=(Readout("length", "length of the lever", sqrt(g**2 + h**2), "m"),),
     )
 
@@ -458,11 +468,14 @@ def added_figure() -> Figure:
         "tip-to-tail",
         "The arm, and at its hand three arrows tip to tail, one for each joint; and their sum",
         "arm",
-        view=(-0.35, 1.15, -0.12, 0.86),
+        view=(-0.35, 1.15, -0.22, 0.86),
         controls=rate_sliders(*EXERCISE_RATES, most=0.6),
         where=(*GIVEN, *assign(arm.velocity)),
         shapes=(
-            *(Arrow(rate, a, b) for rate, a, b in zip(RATES, tails[:3], tails[1:], strict=True)),
+            *(
+                Arrow(rate, a, b, f"joint {k}")
+                for k, (rate, a, b) in enumerate(zip(RATES, tails, tails[1:], strict=False), 1)
+            ),
             Arrow("velocity", HAND, tails[3], "v"),
             Point("target", HAND, "P"),
         ),
@@ -474,20 +487,21 @@ def balance_guess_figure() -> Figure:
     """Draw the arm with three equal rates, and a pin to put where the hand's sheet rests."""
     each = 0.3
     at = tuple(sum(place[i] for place in joints_at(START)[:3]) / 3 for i in range(2))
-    hidden = [part for place in JOINTS for part in weight(place, Integer(3) / 10, "icr")]
+    weights = [part for place in JOINTS for part in weight(place, each * laid, "icr")]
     return SCENE.figure(
         "balance-guess",
         "The arm with three joints that turn alike, and a pin to put where the hand's sheet rests",
         "arm P",
-        view=(-0.28, 0.94, -0.13, 0.63),
+        view=(-0.32, 0.98, -0.22, 0.66),
         controls=(
-            Slider(guess_x, -0.2, 0.7, start=0.6, step=0.01, label="pin: x"),
-            Slider(guess_y, -0.1, 0.6, start=0.2, step=0.01, label="pin: y"),
-            Slider(shown, 0, 1, start=0, step=1, label="answer shown"),
+            Slider(guess_x, -0.2, 0.7, start=0.6, step=0.01, label="x"),
+            Slider(guess_y, -0.1, 0.6, start=0.2, step=0.01, label="y"),
+            Clock(laid, 0.0, 1.0, label="weights laid on"),
         ),
         shapes=(
             *(AngleArc("turning", place, 0.6, 0.6 + 4 * each, 0.09) for place in JOINTS),
-            *when(shown > 0.5, *hidden, Point("icr", at, "at rest")),
+            *weights,
+            *when(laid > 0.9, Point("icr", at, "at rest")),
             Point("target", (guess_x, guess_y), "your pin"),
         ),
         handles=(Handle("your pin", (guess_x, guess_y)),),
@@ -503,18 +517,18 @@ def balance_figure() -> Figure:
         "The arm with a disc on each joint, as large as its rate, and the point that balances them",
         "triangle arm weights letters spokes velocity centre P",
         drag="weights",
-        view=(-0.35, 1.0, -0.16, 0.68),
+        view=(-0.35, 1.0, -0.24, 0.68),
         controls=rate_sliders(0.2, 0.3, 0.2),
         where=(*GIVEN, *MOVES),
         readouts=(Readout(phi_dot),),
         goal=(
             Goal(
-                And(Abs(phi_dot) < 0.005, moving),
-                "Send the balance point away: a sum of 0, within 0.005 rad/s.",
+                And(Abs(phi_dot) < 0.02, moving),
+                "Send the balance point far away: a sum of 0, within 0.02 rad/s.",
             ),
             Goal(
-                And(distance(CENTRE, middle) < 0.01, moving),
-                "Bring it to the middle of link 1, within 1 cm.",
+                And(distance(CENTRE, middle) < 0.02, moving),
+                "Bring it to the middle of link 1, within 2 cm.",
             ),
         ),
     )
@@ -527,24 +541,28 @@ def areas_figure() -> Figure:
         for k, rate in enumerate(RATES)
     )
     elbow = joints_at(START)[1]
+    names = [
+        Label(rate, [sum(corner[i] for corner in area.points) / 3 for i in range(2)], f"A_{k}")
+        for k, (rate, area) in enumerate(zip(RATES, triangles, strict=True), 1)
+    ]
     return SCENE.figure(
         "areas",
         "The triangle of the three joints, cut from the balance point into three small ones",
         "arm weights letters spokes P",
-        view=(-0.35, 1.0, -0.16, 0.68),
+        view=(-0.35, 1.0, -0.24, 0.68),
         controls=(
-            Slider(x_c, -0.3, 0.9, start=0.28, step=0.01, label="balance point: x_c"),
-            Slider(y_c, -0.1, 0.6, start=0.22, step=0.01, label="balance point: y_c"),
+            Slider(x_c, -0.3, 0.9, start=0.1, step=0.01, label="centre: x_c"),
+            Slider(y_c, -0.1, 0.6, start=0.4, step=0.01, label="centre: y_c"),
         ),
         where=(*GIVEN, (phi_dot, 0.5), *arm.AREAS, *assign(arm.areas), *assign(arm.det)),
-        shapes=(*triangles, *triangles, Point("icr", CENTRE, "balance point")),
-        handles=(Handle("the balance point", CENTRE),),
+        shapes=(*triangles, *triangles, *names, Point("icr", CENTRE, "centre")),
+        handles=(Handle("the centre of the turn", CENTRE),),
         readouts=tuple(map(Readout, RATES)),
         goal=(
-            Goal(distance(CENTRE, elbow) < 0.015, "Let joint 2 alone turn: within 1.5 cm."),
+            Goal(distance(CENTRE, elbow) < 0.02, "Let joint 2 alone turn: within 2 cm."),
             Goal(
-                And(Abs(rate2) < 0.005, Abs(rate1) > 0.05, Abs(rate3) > 0.05),
-                "Let joint 2 rest, the two others not: within 0.005 rad/s.",
+                And(Abs(rate2) < 0.03, Abs(rate1) > 0.05, Abs(rate3) > 0.05),
+                "Let joint 2 rest, within 0.03 rad/s, and the two others not.",
             ),
         ),
     )
@@ -560,7 +578,7 @@ def lift_figure() -> Figure:
         "lift",
         "The arm with an arrow at its hand, the wished velocity, and the weights on its joints",
         "triangle arm weights letters P",
-        view=(-0.35, 1.0, -0.16, 0.82),
+        view=(-0.35, 1.0, -0.24, 0.82),
         controls=(
             Slider(x_dot, -0.2, 0.2, start=0.0, step=0.005, label="wanted ẋ"),
             Slider(y_dot, -0.2, 0.2, start=0.1, step=0.005, label="wanted ẏ"),
@@ -581,7 +599,7 @@ def lift_figure() -> Figure:
 # Steps 5 to 7: a flat triangle; all at once; damping.
 
 SPEED_OUT = 0.1  # m/s
-FLAT = Graph((1.02, 1.5, 0.1, 0.58), (0.01, 1), (0.1, 100), ("sin θ_2", "|θ̇_2|, rad/s"))
+FLAT = Graph((0.68, 1.2, 0.1, 0.66), (0.01, 1), (0.1, 100), ("sin θ_2", "|θ̇_2| in rad/s"))
 far_out = Symbol("far_out", real=True)
 
 
@@ -593,11 +611,11 @@ def flat_figure() -> Figure:
         "flat",
         "The arm whose wrist moves outward, its weights, and a graph of the elbow's rate",
         "triangle arm weights",
-        view=(-0.22, 1.56, -0.16, 0.72),
+        view=(-0.28, 1.26, -0.26, 0.82),
         grid=False,
         controls=(Slider.degrees(theta2, 0.6, 90, start=60, step=0.2, label="joint 2"),),
         where=(
-            (theta1, START[0]),
+            (theta1, pi / 3),
             (theta3, -pi / 3),
             *PLACES,
             (arm.v_out, SPEED_OUT),
@@ -633,10 +651,10 @@ MEASURES: Where = (
 ROUND = 1.05  # the larger half-axis by the smaller one, of what still counts as a circle
 
 
-def ellipse_shapes() -> tuple[Any, ...]:
-    """Return the ellipse of the hand's velocities with its half-axes."""
+def ellipse_shapes(seconds: float = ELLIPSE) -> tuple[Any, ...]:
+    """Return the ellipse of the hand's velocities, as far as they reach, with its half-axes."""
     c, b = cos(arm.tilt), sin(arm.tilt)
-    long, short = ELLIPSE * arm.large, ELLIPSE * arm.small
+    long, short = seconds * arm.large, seconds * arm.small
     rim = (
         x + long * cos(s) * c - short * sin(s) * b,
         y + long * cos(s) * b + short * sin(s) * c,
@@ -659,14 +677,18 @@ def ellipse_figure() -> Figure:
         where=((theta1, START[0]), *PLACES, *MEASURES),
         shapes=ellipse_shapes(),
         handles=SCENE.handles["joints"][1:],
-        readouts=(Readout(arm.large), Readout(arm.small), Readout(arm.w)),
+        readouts=(
+            Readout(arm.large),
+            Readout("round", "σ_2/σ_1", arm.small / arm.large, "%", 0),
+            Readout(arm.w),
+        ),
         goal=Goal(
             arm.large < ROUND * arm.small, "Bend the arm until the ellipse is a circle, within 5 %."
         ),
     )
 
 
-HUMP = Graph((0, 1.1, 0, 0.5), (0.001, 1), (0.01, 100), ("σ, m", "rate u, rad/s"))
+HUMP = Graph((0, 1.1, 0, 0.5), (0.001, 1), (0.01, 100), ("σ in m", "rate u in rad/s"))
 WISH = 0.1  # m/s
 
 
@@ -677,7 +699,7 @@ def damping_figure() -> Figure:
     return Figure(
         name="damping-hump",
         title="Graph of a rate against σ: a straight line without damping, a hump with it",
-        view=(-0.2, 1.25, -0.16, 0.6),
+        view=(-0.2, 1.25, -0.3, 0.66),
         grid=False,
         controls=(
             Slider(sigma, 0.0, 0.5, start=0.2, step=0.005, label="σ"),
@@ -789,6 +811,8 @@ def line_figure() -> Figure:
         where=tuple(wanted_at(t * n / DURATION, end[:3])[:2]),
         shapes=(
             *(circle("ghost", (l3, 0), edge) for edge in (l1 + l2, l1 - l2)),
+            Label("ghost", (l3, l1 + l2 - 0.06), "outer edge"),
+            Label("ghost", (l3, l2 - l1 - 0.06), "inner edge"),
             Line("icr", (BEGIN, (line_x, line_y))),
             drawing_arm(end[:3]),
             Trail("approximation", now, loop, dots=False),
@@ -880,20 +904,20 @@ def joints_figure() -> Figure:
     """Draw the arm by its joints and rates, with all layers of the chapter."""
     bend = Abs(sin(theta2))
     near = Piecewise((oo, bend <= SINGULAR), (nan, bend < NEAR), (bend, True))
-    alone = And(Abs(rate1) < 0.005, Abs(rate3) < 0.005, rate2 > 0.05)
+    alone = And(Abs(rate1) < 0.015, Abs(rate3) < 0.015, rate2 > 0.05)
     return SCENE.figure(
         "arm-joints",
         "The arm with its joints and rates under your hand: weights, balance point, ellipse",
-        "triangle arm weights spokes velocity centre P",
+        "triangle arm weights spokes velocity P",
         drag="joints",
-        view=(-1.0, 1.0, -0.6, 0.82),
+        view=(-1.0, 1.0, -0.6, 0.9),
         size="laboratory",
         controls=(
             *(angle_slider(*each) for each in zip(ANGLES, (30, 60, -90), strict=True)),
             *rate_sliders(0.2, 0.3, 0.2),
         ),
         where=(*PLACES, *MOVES, *MEASURES, *assign(arm.det), (arm.v_out, SPEED_OUT)),
-        shapes=(*ellipse_shapes(), Point("target", MARK, "mark")),
+        shapes=(*ellipse_shapes(0.5), Point("icr", CENTRE), Point("target", MARK, "mark")),
         readouts=(
             Readout(phi_dot),
             Readout(arm.det_J),
@@ -918,8 +942,8 @@ def joints_figure() -> Figure:
         ),
         goal=(
             Goal(
-                And(alone, Abs(y - arm.y_2) < 0.01, x > arm.x_2 + 0.05),
-                "Let joint 2 alone turn, and move P straight up: its lever level within 1 cm.",
+                And(alone, Abs(y - arm.y_2) < 0.02, x > arm.x_2 + 0.05),
+                "Let joint 2 alone turn, and move P straight up: level with P within 2 cm.",
             ),
             Goal(
                 And(distance(CENTRE, MARK) < 0.02, Abs(phi_dot) > 0.1),
@@ -1020,7 +1044,7 @@ def force_figure() -> Figure:
         "force-line",
         "The arm, a force at its hand, the line of the force, and the joints' distances from it",
         "arm",
-        view=(-0.35, 1.0, -0.16, 0.68),
+        view=(-0.35, 1.0, -0.24, 0.68),
         controls=(
             Slider(push, 1, 20, start=10, step=1, label="force f"),
             Slider.degrees(push_angle, start=20, label="its direction"),
@@ -1096,32 +1120,18 @@ def four_links_figure() -> Figure:
 
 
 def letters_figure() -> Figure:
-    """Draw the arm with two letters that are to be put back."""
+    """Draw the chapter's picture at rest, with two letters that are to be put back."""
     answers = {"ICR": (x_c + 0.02, y_c - 0.07), "½ det J": (0.25, 0.36)}
     letters = put_back(quantity, ("ICR", "½ det J", "w", "φ̇"), answers)
     return SCENE.figure(
         "weight-letters",
-        "The arm, the weights on its joints, the triangle of its joints, and the numbers 1 and 2",
-        "triangle arm weights spokes P",
-        view=(-0.35, 1.0, -0.16, 0.68),
+        "Weights on three joints, the triangle between them, the hand's motion, and two numbers",
+        "triangle arm weights letters spokes velocity P",
+        view=(-0.35, 1.0, -0.2, 0.68),
         controls=letters.controls,
         where=(*GIVEN, *zip(RATES, (0.2, 0.3, 0.2), strict=True), *MOVES),
-        shapes=(
-            Point("icr", CENTRE),
-            *letters.shapes,
-        ),
+        shapes=(Point("icr", CENTRE), *letters.shapes),
         goal=letters.goal,
-    )
-
-
-def recap_figure() -> Figure:
-    """Draw all of it at rest: weights, their balance point, the triangle, the velocity."""
-    return SCENE.figure(
-        "weights-summary",
-        "Weights on three joints, the triangle between them, the balance point, the hand's motion",
-        "triangle arm weights letters spokes velocity centre P",
-        view=(-0.35, 1.0, -0.16, 0.68),
-        where=(*GIVEN, *zip(RATES, (0.2, 0.3, 0.2), strict=True), *MOVES),
     )
 
 
@@ -1146,5 +1156,4 @@ FIGURES = (
     force_figure(),
     four_links_figure(),
     letters_figure(),
-    recap_figure(),
 )

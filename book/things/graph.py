@@ -107,7 +107,8 @@ def _power(number: Expr) -> Expr:
 def _ticks(ends: Range) -> Sequence[float]:
     """Return every power of ten on an axis, or some where there are many."""
     low, high = (round(log10(end)) for end in ends)
-    return [10.0**power for power in range(low, high + 1, 1 + (high - low) // 3)]
+    each = 1 if high - low < 4 else 1 + (high - low) // 3
+    return [10.0**power for power in range(low, high + 1, each)]
 
 
 def _power_text(number: float) -> str:

@@ -7,6 +7,7 @@ from book.planar_arm.figures import DURATION, SPEED_OUT
 from robokin import planar_arm
 
 LINKS, START = np.array(figures.LINKS), np.array(figures.START, dtype=float)
+START_X = planar_arm.forward(START, LINKS)[0]
 
 
 def hand_of(*columns):
@@ -14,14 +15,17 @@ def hand_of(*columns):
     return planar_arm.forward(np.column_stack(columns), LINKS)
 
 
-def levers_readouts(turns1, turns2, turns3, theta2, theta3):
-    theta = np.column_stack([np.full_like(theta2, START[0]), theta2, theta3])
+def levers_readouts(turns1, turns2, turns3, theta2):
+    start1, _, start3 = (np.full_like(theta2, angle) for angle in START)
+    theta = np.column_stack([start1, theta2, start3])
     rates = np.column_stack([turns1, turns2, turns3])
     return {"length": np.hypot(*planar_arm.velocity(theta, rates, LINKS)[:, :2].T)}
 
 
 def draw_readouts(theta1, theta2, theta3):
-    return {"off": np.abs(hand_of(theta1, theta2, theta3)[:, 1] - 0.5)}
+    x, y, _ = hand_of(theta1, theta2, theta3).T
+    dots = {"middle": (START_X - 0.1) / 2, "end": -0.1}
+    return {"off": np.abs(y - 0.5)} | {k: np.hypot(x - dot, y - 0.5) for k, dot in dots.items()}
 
 
 def by_itself_readouts(t):
@@ -37,6 +41,12 @@ def flat_readouts(theta2):
     outward = SPEED_OUT * wrist / np.linalg.norm(wrist, axis=1)[:, None]
     found = planar_arm.joint_rates(theta, np.column_stack([outward, 0 * theta2]), LINKS)
     return {"rate1": found[:, 0], "rate3": found[:, 2]}
+
+
+def ellipse_readouts(theta2, theta3):
+    theta = np.column_stack([np.full_like(theta2, START[0]), theta2, theta3])
+    sizes, _ = planar_arm.ellipse(theta, LINKS)
+    return {"round": sizes[:, 1] / sizes[:, 0]}
 
 
 def joints_readouts(theta1, theta2, theta3, rate1, rate2, rate3):
@@ -193,6 +203,7 @@ READOUTS = {
     "by-itself": by_itself_readouts,
     "arm-levers": levers_readouts,
     "flat": flat_readouts,
+    "ellipse": ellipse_readouts,
     "force-line": force_readouts,
     "four-links": four_links_readouts,
     "arm-joints": joints_readouts,
@@ -201,7 +212,7 @@ READOUTS = {
     "wrong-arm": wrong_arm_readouts,
 }
 SPECIALS = {
-    "arm-levers": [{"joint": "joint 3"}, {"joint": "joint 2", "theta3": np.pi}],
+    "arm-levers": [{"joint": "joint 3"}, {"joint": "joint 1", "theta2": 0.0}],
     "arm-joints": [
         STRETCHED,
         FOLDED,
@@ -234,30 +245,30 @@ SPECIALS = {
 }
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "draw-line": [
-        (on_line(0.2232, (0, 0), (0, 0.009)), on_line(0.2232, (0, 0.013))),
-        (on_line(-0.1, (0, 0), (0.009, 0), (0, 0.009)), on_line(-0.1, (0.013, 0))),
+        (on_line(0.2232, (0, 0), (0, 0.018)), on_line(0.2232, (0, 0.023))),
+        (on_line(-0.1, (0, 0), (0.018, 0), (0, 0.018)), on_line(-0.1, (0.023, 0))),
     ],
     "balance": [
         (
-            [{"rate1": 0.2, "rate2": -0.3, "rate3": 0.104}],
-            [{"rate1": 0.2, "rate2": -0.3, "rate3": 0.106}, dict.fromkeys(RATES, 0.0)],
+            [{"rate1": 0.2, "rate2": -0.3, "rate3": 0.119}],
+            [{"rate1": 0.2, "rate2": -0.3, "rate3": 0.121}, dict.fromkeys(RATES, 0.0)],
         ),
         (
-            [{"rate1": 0.2, "rate2": 0.2, "rate3": 0.004}],
+            [{"rate1": 0.2, "rate2": 0.2, "rate3": 0.015}],
             [
-                {"rate1": 0.2, "rate2": 0.2, "rate3": 0.02},
-                {"rate1": 0.2, "rate2": 0.23, "rate3": 0.0},
+                {"rate1": 0.2, "rate2": 0.2, "rate3": 0.03},
+                {"rate1": 0.2, "rate2": 0.25, "rate3": 0.0},
             ],
         ),
     ],
     "areas": [
         (
-            [{"x_c": 0.3464, "y_c": 0.214}, {"x_c": 0.333, "y_c": 0.2}],
-            [{"x_c": 0.3464, "y_c": 0.216}, {"x_c": 0.33, "y_c": 0.2}],
+            [{"x_c": 0.3464, "y_c": 0.219}, {"x_c": 0.327, "y_c": 0.2}],
+            [{"x_c": 0.3464, "y_c": 0.221}, {"x_c": 0.326, "y_c": 0.2}],
         ),
         (
-            [{"x_c": 0.1732, "y_c": 0.25}, {"x_c": 0.174, "y_c": 0.25}],
-            [{"x_c": 0.18, "y_c": 0.25}, {"x_c": 0.3464, "y_c": 0.5}],
+            [{"x_c": 0.1732, "y_c": 0.25}, {"x_c": 0.184, "y_c": 0.25}],
+            [{"x_c": 0.187, "y_c": 0.25}, {"x_c": 0.3464, "y_c": 0.5}],
         ),
     ],
     "ellipse": [
@@ -286,7 +297,7 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
                     "theta1": 0.0,
                     "theta2": 0.7,
                     "theta3": -2.01,
-                    "rate1": 0.0,
+                    "rate1": 0.014,
                     "rate2": 0.1,
                     "rate3": 0.0,
                 }
@@ -304,7 +315,7 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
                     "theta1": 0.0,
                     "theta2": 0.7,
                     "theta3": -2.01,
-                    "rate1": 0.1,
+                    "rate1": 0.016,
                     "rate2": 0.1,
                     "rate3": 0.0,
                 },
@@ -497,14 +508,14 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
     "both-wheels-alike": "at infinity",
     "where-the-pen-goes": (
-        "guess: x 0.0464 m, guess: y 0.4 m",
+        "x 0.0464 m, y 0.4 m",
         "−0.5 m, 0.546 m",
         "0.646 m, 0 m",
         "0.346 m, 0.7 m",
     ),
     "how-fast-turned": ("0.1 rad/s", "0.4 rad/s", "1.1 rad/s", "0.0333 rad/s"),
     "where-the-sheet-rests": (
-        "pin: x 0.231 m, pin: y 0.233 m",
+        "x 0.231 m, y 0.233 m",
         "0 m, 0 m",
         "0.346 m, 0.2 m",
         "0.346 m, 0.5 m",

@@ -10,6 +10,7 @@ from sympy import (
     Max,
     Min,
     Ne,
+    Or,
     Piecewise,
     Rational,
     Symbol,
@@ -46,6 +47,7 @@ from book.bicycle.formulas import (
     arm,
     arm_angle,
     aside,
+    corner_cut,
     kappa,
     lane_width,
     slide_L,
@@ -138,7 +140,7 @@ def car(pose: Any, steered: Any = 0, rolled: Any = 0, look: str = "") -> Any:
 def along(pose: Any, steered: Any, way: Any, long: Any = L) -> Any:
     """Return the pose after a way on one arc, exactly."""
     start = dict(zip((x, y, theta), pose, strict=True))
-    return bicycle.arc_step.substitute({**start, steering: steered, v: way, dt: 1, wheelbase: long})
+    return bicycle.arc_step.substitute({**start, kappa: tan(steered) / long, v: way, dt: 1})
 
 
 def arc_to(pose: Any, place: Any, ahead: int = 1) -> tuple[Any, Any]:
@@ -173,24 +175,61 @@ def two_arcs(done: Any) -> Any:
     return along(turned, second_steering, -second_way * ramp(done, 1))
 
 
-def parking(gap: tuple[float, float], **parts: Any) -> Figure:
+def second_end_stays() -> dict[Any, Any]:
+    """Return what a hand at the end of the first arc sets, so that the second one's end stays."""
+    wanted = zip(arc_to(ALONGSIDE, POINTER, -1), (LOCK * DEGREE, 5), (-LOCK * DEGREE, 0.5),
+                 strict=True)  # fmt: skip
+    steered, way = (Max(low, Min(high, value)) for value, high, low in wanted)
+    rest = arc_to(along(ALONGSIDE, steered, -way), two_arcs(2), -1)
+    arcs = (first_steering, first_way, second_steering, second_way)
+    return dict(zip(arcs, (steered, way, *rest), strict=True))
+
+
+def outside(place: Any, pose: Any) -> Any:
+    """Return how far a place is outside the car, as a rectangle; below 0 inside of it."""
+    dx, dy = place[0] - pose[0], place[1] - pose[1]
+    forward = dx * cos(pose[2]) + dy * sin(pose[2]) - (FRONT + REAR) / 2
+    beyond = Abs(forward) - (FRONT - REAR) / 2
+    beside = Abs(dy * cos(pose[2]) - dx * sin(pose[2])) - WIDTH / 2
+    return sqrt(Max(beyond, 0) ** 2 + Max(beside, 0) ** 2) + Min(Max(beyond, beside), 0)
+
+
+EACH = 60  # poses on each arc at which the car is measured, at most 9 cm apart
+
+
+def closest(gap: tuple[float, float]) -> Recurrence:
+    """Return a loop along both arcs: the least distances so far, and where it first touches."""
+    pose, k, hit = symbols("x_k y_k theta_k", real=True), Symbol("k"), Symbol("hit")
+    least = symbols("front_k behind_k kerb_k", real=True)
+    ends = symbols("x_e y_e theta_e k_e front behind kerb touched", real=True)
+    steered = Piecewise((first_steering, k < EACH), (second_steering, True))
+    way = Piecewise((first_way, k < EACH), (second_way, k < 2 * EACH), (0, True))
+    parked = [(gap[1] - REAR, PLACE[1], 0), (gap[0] - FRONT, PLACE[1], 0)]
+    near = [
+        Min(*(outside(a, pose) for a in corners(other)[:4]),
+            *(outside(a, other) for a in corners(pose)[:4]), evaluate=False)
+        for other in parked
+    ] + [Min(*(corner[1] for corner in corners(pose)[:4]), evaluate=False)]  # fmt: skip
+    touches = And(hit > 2, Or(*(far < 0 for far in near)))
+    step = (*along(pose, steered, -way / EACH), k + 1,
+            *(Min(a, b, evaluate=False) for a, b in zip(least, near, strict=True)),
+            Piecewise((k / EACH, touches), (hit, True)))  # fmt: skip
+    start = (*ALONGSIDE, 0, 9, 9, 9, 3)
+    return Recurrence((*pose, k, *least, hit), start, step, 2 * EACH + 1, 2 * EACH + 1, ends)
+
+
+def parking(gap: tuple[float, float], readouts: Any, goal: Any, **parts: Any) -> Figure:
     """Return a figure of a car beside a gap at the kerb, and two arcs back to set."""
     middle, end, now = two_arcs(1), two_arcs(2), symbols("x_now y_now theta_now")
-    handles = [
-        Handle(
-            f"end of the {name} arc", pose, dict(zip(sets, arc_to(start, POINTER, -1), strict=True))
-        )
-        for name, start, pose, sets in (
-            ("first", ALONGSIDE, middle, (first_steering, first_way)),
-            ("second", middle, end, (second_steering, second_way)),
-        )
-    ]
+    loop = closest(gap)
+    *_, front, behind, kerb, touched = loop.ends
+    free = And(front > 0, behind > 0, kerb > 0)
     shapes = (
         things.kerb((-1.6, 0, 0), 12.8),
         things.car((gap[0] - FRONT, PLACE[1], 0)),
         things.car((gap[1] - REAR, PLACE[1], 0)),
         *parts.pop("place", ()),
-        Curve("approximation", point_of(two_arcs(s), 3.05, 0.72), s, 0, 2),  # a corner that swings
+        Trail("approximation", point_of(loop.state[:3], 3.05, 0.72), loop, dots=False),  # it swings
         Curve("path", two_arcs(s), s, 0, 2),
         car(ALONGSIDE, look="ghost"),
         car(middle, first_steering, look="ghost"),
@@ -198,6 +237,11 @@ def parking(gap: tuple[float, float], **parts: Any) -> Figure:
         car(now, Piecewise((first_steering, done < 1), (second_steering, True))),
         *parts.pop("marks", ()),
         Point("path", now),
+        *when(
+            touched <= 2,
+            Line("error", tuple(corners(two_arcs(touched)))),
+            Label("error", point_of(two_arcs(touched), 1.3), "touches here"),
+        ),
     )
     return Figure(
         view=(-1.5, 11, -0.75, 4.9),
@@ -205,67 +249,72 @@ def parking(gap: tuple[float, float], **parts: Any) -> Figure:
         size="laboratory",
         controls=(
             Slider.degrees(first_steering, -LOCK, LOCK, start=-12, label="first arc: steering"),
-            Slider(first_way, 0.5, 5.0, start=2.0, step=0.05, label="how far back"),
+            Slider(first_way, 0.5, 5.0, start=2.0, step=0.05, label="first arc: how far back"),
             Slider.degrees(second_steering, -LOCK, LOCK, start=10, label="second arc: steering"),
-            Slider(second_way, 0.5, 5.0, start=2.5, step=0.05, label="how far back, then"),
+            Slider(second_way, 0.5, 5.0, start=2.5, step=0.05, label="second arc: how far back"),
             Clock(done, 0.0, 2.0, step=0.02, loops=True, label="arcs driven", rate=0.5),
         ),
         where=tuple(zip(now, two_arcs(done), strict=True)),
         shapes=shapes,
-        handles=tuple(handles),
+        handles=(
+            Handle("end of the first arc", middle, second_end_stays()),
+            Handle(
+                "end of the second arc",
+                end,
+                dict(zip((second_steering, second_way), arc_to(middle, POINTER, -1), strict=True)),
+            ),
+        ),
+        readouts=readouts(end, front, behind, kerb),
+        goal=Goal(And(free, goal[0](end, kerb)), goal[1]),
         **parts,
     )  # fmt: skip
 
 
 def park_figure() -> Figure:
     """Draw the opening: a wide gap, a place in it, and how far off the end is."""
-    end = two_arcs(2)
-    turned = angle_size(end[2])
     return parking(
         WIDE_OPEN,
+        lambda end, *_: (
+            Readout("off", "at the end: off its place", distance(end, PLACE), "m", 2),
+            Readout("turned", "at the end: turned by", angle_size(end[2]), "rad", 0),
+        ),
+        (
+            lambda end, _: And(
+                distance(end, PLACE) < OFF / 100, angle_size(end[2]) < TURNED * DEGREE
+            ),
+            f"Park in two arcs backwards: within {OFF} cm and {TURNED}°.",
+        ),
         name="park-car",
         title="A car from above beside a gap at the kerb, and where two arcs backwards take it",
         place=(Area("target", tuple(corners(PLACE))), Line("target", tuple(corners(PLACE)))),
         marks=(Point("target", PLACE), Label("target", (3.4, 1.05), "park here")),
-        readouts=(
-            Readout("off", "at the end: off its place", distance(end, PLACE), "m"),
-            Readout("turned", "at the end: turned by", turned, "rad", 0),
-        ),
-        goal=Goal(
-            And(distance(end, PLACE) < OFF / 100, turned < TURNED * DEGREE),
-            f"Park in two arcs backwards: within {OFF} cm and {TURNED}°.",
-        ),
     )
 
 
 def gap_figure() -> Figure:
     """Draw the narrow gap: how near the car comes to the two others and to the kerb."""
-    middle, end = two_arcs(1), two_arcs(2)
-    radii = [L / tan(each) for each in (first_steering, second_steering)]
-    centres = [point_of(pose, 0, r) for pose, r in zip((ALONGSIDE, middle), radii, strict=True)]
-    corner = (NARROW[1], PLACE[1] + WIDTH / 2)  # of the car in front
-    past = -radii[0] - WIDTH / 2 - distance(corner, centres[0])  # of the flank, on the first arc
-    swing = distance(corner, centres[1]) - sqrt((radii[1] + WIDTH / 2) ** 2 + FRONT**2)
-    behind = end[0] + REAR - NARROW[0]
-    low = centres[1][1] - sqrt((radii[1] + WIDTH / 2) ** 2 + REAR**2)  # of the rear wheel side
-    front = Piecewise((Min(past, swing), And(first_steering < 0, second_steering > 0)), (-1, True))
-    turned = angle_size(end[2])
+    touches = {"nan": "touches"}
+
+    def clear(name: str, what: str, far: Any) -> Readout:
+        value = Piecewise((far, far > 0), (nan, True))
+        return Readout(name, f"clear of the {what} by", value, "m", 2, touches)
+
     return parking(
         NARROW,
-        name="narrow-gap",
-        title="The car beside a narrow gap at the kerb, and where two arcs backwards take it",
-        marks=(Length("length", (NARROW[0], -0.4), (NARROW[1], -0.4), "6.2 m"),),
-        readouts=(
-            Readout("front", "clear of the car in front by", front, "m", 2),
-            Readout("behind", "clear of the car behind by", behind, "m", 2),
-            Readout("kerb", "clear of the kerb by", low, "m", 2),
-            Readout("turned", "at the end: turned by", turned, "rad", 0),
+        lambda end, front, behind, kerb: (
+            clear("front", "car in front", front),
+            clear("behind", "car behind", behind),
+            clear("kerb", "kerb", kerb),
+            Readout("turned", "at the end: turned by", angle_size(end[2]), "rad", 0),
         ),
-        goal=Goal(
-            And(front > 0, behind > 0, low > 0, low < 0.3, turned < TURNED * DEGREE),
+        (
+            lambda end, kerb: And(kerb < 0.3, angle_size(end[2]) < TURNED * DEGREE),
             f"Park in a gap of {NARROW[1] - NARROW[0]:.1f} m, touching nothing: less than 30 cm "
             f"from the kerb, within {TURNED}°.",
         ),
+        name="narrow-gap",
+        title="The car beside a narrow gap at the kerb, and where two arcs backwards take it",
+        marks=(Length("length", (NARROW[0], -0.4), (NARROW[1], -0.4), "6.2 m"),),
     )
 
 
@@ -320,7 +369,7 @@ SCENE = Scene(
             *(Line(kind, ((-R, 0), point_of(START, L, left))) for _, left, kind in FRONTS),
         ),
         "middle": when(turns, Line("velocity", ((-R, 0), (0, L)))),
-        "radius": (Length(R, (0, 0), (-R, 0), aside=0.75),),
+        "radius": when(turns, Length(R, (0, 0), (-R, 0), aside=0.75)),
         "icr": when(turns, Point("icr", (-R, 0), "ICR")),
         "P": (Point("path", (0, 0), "P"),),
     },
@@ -329,7 +378,7 @@ SCENE = Scene(
         "wheels": tuple(
             Handle(
                 f"the {kind} front wheel",
-                point_of((*point_of(START, L, left), UP + alpha), 0.9),
+                point_of((*point_of(START, L, left), UP + alpha), 1.4),
                 {alpha: atan2(-left - POINTER[0], POINTER[1] - L)},
             )
             for alpha, left, kind in FRONTS
@@ -355,18 +404,19 @@ def exercise_figure() -> Figure:
     ]
     return SCENE.figure(
         "car-exercise",
-        "A car from above that looks up along the y axis, its front wheels turned to the left",
-        "car P",
-        view=(-4.2, 4.2, -1.25, 4.25),
+        "A car from above that points up along the y axis, its front wheels turned to the left",
+        "car bicycle P",
+        view=(-4.2, 4.2, -2.0, 4.6),
         controls=(),
         where=((kappa, BEND), *TURN.items(), (wheelbase, L), (track, B), (v, SPEED),
                *assign(bicycle.ackermann)),
         shapes=(
             *fronts,
+            AngleArc(steering, (0, L), UP, UP + steering, 1.25),
             Arrow(v, (0, 0), (0, SPEED), "v"),
             Point("path", (0, L), "O"),
             Length(wheelbase, (0, 0), (0, L), aside=-1.9, label="L = 2.5 m"),
-            Length(track, (-B / 2, 0), (B / 2, 0), aside=-1.05, label="b = 1.5 m"),
+            Length(track, (-B / 2, 0), (B / 2, 0), aside=-1.3, label="b = 1.5 m"),
         ),
     )  # fmt: skip
 
@@ -387,6 +437,7 @@ def axles_figure() -> Figure:
         "The car from above; the lines of its front axles meet the line of the rear axle",
         "axle car axles P",
         drag="wheels",
+        view=(-5.6, 2.4, -1.2, 4.2),
         controls=(
             Slider.degrees(alpha_L, -45, 45, start=30, label="left wheel α_L"),
             Slider.degrees(alpha_R, -45, 45, start=30, label="right wheel α_R"),
@@ -406,7 +457,7 @@ def axles_figure() -> Figure:
         ),
         goal=Goal(
             And(turned, Max(Abs(slide_L), Abs(slide_R)) < 0.01),
-            "Turn both wheels by more than 10°, so that no tyre slides more than 1 cm a metre.",
+            "Turn both by more than 10°, and let no tyre slide more than 1 cm a metre.",
         ),
     )
 
@@ -418,7 +469,14 @@ def circles_figure() -> Figure:
         "Circles about one point through the four wheels of a car, and a ruler in wheelbases",
         "lane ruler circles axle car spokes icr P",
         drag="icr",
-        view=(-6.2, 2.6, -1.2, 4.2),
+        view=(-6.2, 2.8, -1.7, 4.0),
+        shapes=(
+            AngleArc(alpha_L, (-R, 0), 0, atan2(L, R - B / 2), 1.3),
+            AngleArc(alpha_R, (-R, 0), 0, atan2(L, R + B / 2), 2.1),
+            Length(R, (0, 0), (-R, 0), aside=1.3),
+            Length(wheelbase, (0, 0), (0, L), aside=-1.3),
+            Length(track, (B / 2, 0), (0, 0), aside=1.3, label="b/2"),
+        ),
         readouts=(Readout(alpha_L), Readout(alpha_R), Readout(R)),
         goal=Goal(
             And(Abs(R) < 3.3, Abs(R) > 3.2),
@@ -446,7 +504,7 @@ def slide_figure() -> Figure:
         "one-wheel",
         "Three front wheels of a car that slide together, their axle lines, and a ruler",
         "ruler axle P",
-        view=(-5.7, 1.6, -1.15, 3.4),
+        view=(-5.7, 2.7, -1.15, 3.5),
         controls=(Slider(together, 0.0, 1.0, start=0.0, step=0.05, label="slid together"),),
         where=((kappa, BEND), *TURN.items(), (wheelbase, L), (track, B),
                *assign(bicycle.ackermann)),
@@ -473,7 +531,7 @@ def world_figure() -> Figure:
     return Figure(
         name="car-world",
         title="A car in the axes of the world: the velocity of P, and its turn about the ICR",
-        view=(-5.2, 4.2, -2.6, 3.7),
+        view=(-5.9, 5.9, -4.5, 4.5),
         ground="asphalt",
         controls=(
             Slider.degrees(theta, start=60, step=5),
@@ -486,7 +544,9 @@ def world_figure() -> Figure:
             Arrow("y_axis", (0, 0), (0, 3.3), "y"),
             *when(Abs(kappa) > 0.01, Line("icr", ((0, 0), centre))),
             car(pose, steering),
-            AngleArc(theta, (0, 0), 0, theta, 0.8),
+            AngleArc(theta, (0, 0), 0, theta, 1.2),
+            things.bicycle_wheel((*point_of(pose, L), theta), steering),
+            AngleArc(steering, point_of(pose, L), theta, theta + steering, 1.2),
             Line("ghost", ((x_dot, 0), end, (0, y_dot))),
             Arrow(v, (0, 0), end),
             *when(
@@ -497,6 +557,7 @@ def world_figure() -> Figure:
                 ),
                 Point("icr", centre, "ICR"),
             ),
+            Point("path", (0, 0), "P"),
         ),
         handles=(Handle("tip of the velocity", end, {theta: atan2(POINTER[1], POINTER[0])}),),
         readouts=(Readout(x_dot), Readout(y_dot), Readout(theta_dot)),
@@ -518,7 +579,7 @@ def points_figure() -> Figure:
             Slider(place_y, -0.78, 3.3, start=1.2, step=0.02, label="point: ahead"),
         ),
         where=((kappa, BEND), *TURN.items(), (v, SPEED), (wheelbase, L), (track, B),
-               *assign(bicycle.ackermann, bicycle.front_speed)),
+               *assign(bicycle.ackermann)),
         shapes=(
             Line("icr", ((-R, 0), (place_x, place_y))),
             Line("ghost", ((place_x, place_y), (place_x, place_y + SPEED))),
@@ -544,7 +605,7 @@ def ackermann_figure() -> Figure:
     return SCENE.figure(
         "ackermann-steering",
         "A car from above with the bicycle's wheel in its middle, the steering under your hand",
-        "axle car bicycle axles middle icr P",
+        "axle car bicycle axles middle radius icr P",
         controls=(Slider.degrees(steering, -60, 60, start=32, label="steering φ"),),
         where=((wheelbase, L), (track, B), *assign(bicycle.curvature, bicycle.turning_radius),
                *assign(bicycle.ackermann)),
@@ -574,21 +635,22 @@ def off_ackermann(inner: Any) -> Any:
 def trapezoid_figure() -> Figure:
     """Draw a real steering: two arms and a rod; how far its outer wheel is off Ackermann's."""
     left, right = (-B / 2, 0), (B / 2, 0)
-    graph = LinearGraph((-1.2, 1.3, -1.15, -0.5), (0, 40 * DEGREE), (-1.5 * DEGREE, 2.5 * DEGREE))
+    graph = LinearGraph((-1.2, 1.3, -1.5, -0.85), (0, 40 * DEGREE), (-1.5 * DEGREE, 4 * DEGREE))
     wanted, off = symbols("wanted off")
     arms = (
         (left, arm_angle + alpha_L - UP), (right, alpha_R - arm_angle - UP),
     )  # fmt: skip
     ends = [point_of((*hub, angle), ARM) for hub, angle in arms]
+    grip, back = point_of((*left, arms[0][1]), 0.62), alpha_L - UP
     hubs = ((left, alpha_L, "left"), (right, alpha_R, "right"))
     return Figure(
         name="trapezoid",
         title="The front axle of a car: two wheels, an arm at each, and a rod between the arms",
-        view=(-1.6, 1.6, -1.4, 0.75),
+        view=(-1.7, 1.7, -1.75, 0.75),
         ground="paper",
         controls=(
             Slider.degrees(alpha_L, 0, 40, start=30, label="inner wheel α_L"),
-            Slider.degrees(arm_angle, 10, 30, start=17, step=0.5, label="arms point inwards by γ"),
+            Slider.degrees(arm_angle, 10, 25, start=12, step=0.5, label="arms point inwards by γ"),
         ),
         where=((arm, ARM), (track, B), (wheelbase, L), *bicycle.trapezoid.where,
                *assign(bicycle.trapezoid),
@@ -602,15 +664,30 @@ def trapezoid_figure() -> Figure:
             ),
             *(things.rod((*hub, angle), ARM) for hub, angle in arms),
             Line("body", tuple(ends)),
+            Line("ghost", (left, point_of((*left, back), 0.62))),
+            Line("length", (left, grip)),
+            AngleArc(arm_angle, left, back, back + arm_angle, 0.55),
+            Label("text", point_of((*right, arms[1][1]), ARM / 2), "arm"),
+            Label("text", ((ends[0][0] + ends[1][0]) / 2, ends[0][1] - 0.1), "tie rod"),
             *(Line(kind, (hub, point_of((*hub, UP + alpha), 0.6))) for hub, alpha, kind in hubs),
             Line("ghost", (right, point_of((*right, UP + wanted), 0.75))),
             AngleArc("error", right, UP + wanted, UP + alpha_R, 0.62),
             *graph.shapes(
                 "inner wheel", "outer wheel off by", {k * DEGREE: f"{k}°" for k in (0, 40)},
-                {k * DEGREE: f"{k}°" for k in (0, 2)},
+                {k * DEGREE: f"{k}°" for k in (0, 2, 4)},
             ),
             Curve("approximation", graph.place((s, off_ackermann(s))), s, 0.001, 40 * DEGREE),
             Point("error", graph.place((alpha_L, off))),
+        ),
+        handles=(
+            Handle(
+                "the inner wheel", point_of((*left, UP + alpha_L), 0.6),
+                {alpha_L: atan2(left[0] - POINTER[0], POINTER[1])},
+            ),
+            Handle(
+                "the arms", grip,
+                {arm_angle: atan2(POINTER[1], POINTER[0] - left[0]) - back},
+            ),
         ),
         readouts=(
             Readout("outer", "outer wheel, by the rods", alpha_R, "rad"),
@@ -631,7 +708,7 @@ def guess_figure() -> Figure:
     return Figure(
         name="guess-arc",
         title="The car of the exercise, and your guess of where its rear axle will be",
-        view=(-5.6, 3.2, -1.2, 6.2),
+        view=(-5.6, 3.4, -1.2, 6.2),
         ground="asphalt",
         controls=(
             Slider(guess_x, -5.0, 2.5, start=1.5, step=0.05, label="x"),
@@ -639,12 +716,19 @@ def guess_figure() -> Figure:
             Clock(t, 0.0, 2.0, label="time"),
         ),
         where=((v, SPEED), (wheelbase, L), (steering, atan(L * BEND)), (theta, UP), (x, 0), (y, 0),
-               (dt, 2.0), *assign(bicycle.arc_step)),
+               (dt, 2.0), *assign(bicycle.curvature, bicycle.arc_step)),
         shapes=(
             car(START, steering, look="ghost"),
             Curve("path", along(START, steering, SPEED * s), s, 0, t),
             car(now, steering, SPEED * t),
+            Arrow("x_axis", (-5.4, 0), (3.0, 0), "x"),
+            Arrow("y_axis", (0, 0), (0, 5.9), "y"),
+            *(Line("text", ((k, -0.1), (k, 0.1))) for k in (-4, -2, 2)),
+            *(Label("text", (k, -0.45), f"{k} m".replace("-", "−")) for k in (-4, -2, 2)),
+            *(Line("text", ((-0.1, k), (0.1, k))) for k in (2, 4)),
+            Label("text", (0.5, 4), "4 m"),
             Arrow(v, (0, 0), (0, SPEED)),
+            Point("path", now, "P"),
             Point("target", (guess_x, guess_y), "your guess"),
         ),
         handles=(Handle("your guess", (guess_x, guess_y)),),
@@ -666,43 +750,46 @@ def long_car(pose: Any, steered: Any, rolled: Any = 0, look: str = "") -> Any:
 
 
 def steps_figure() -> Figure:
-    """Draw one drive in n straight steps: errors of one step, slope 2, and of all, slope 1."""
-    graph = Graph((3.4, 16.4, 0.2, 9), (0.1, 10), (1e-3, 10), ("step in s", "error in m"))
+    """Draw the drive of O in n straight steps: errors of one step, slope 2, and of all, slope 1."""
+    graph = Graph((3.4, 14.2, 0.2, 8.6), (0.1, 10), (1e-3, 10), ("step in s", "error in m"))
     exact, step = along(START, THIRTY, PACE * DURATION, LENGTH), DURATION / n
-    rate = PACE / LENGTH * tan(THIRTY)
+    rate, speed = PACE / LENGTH * tan(THIRTY), PACE / cos(THIRTY)
     state, ends = symbols("x_k y_k theta_k"), symbols("x_n y_n theta_n")
-    straight = bicycle.euler_step.substitute(
-        {x: state[0], y: state[1], theta: state[2], v: PACE, dt: step, wheelbase: LENGTH,
-         steering: THIRTY}
-    )  # fmt: skip
-    loop = Recurrence(state, START, tuple(straight), n, 40, ends)
+    velocity = bicycle.front_world.substitute(
+        {theta: state[2], v: PACE, steering: THIRTY, wheelbase: LENGTH}
+    )
+    straight = [a + b * step for a, b in zip(state, (*velocity, rate), strict=True)]
+    loop = Recurrence(state, (0, LENGTH, UP), tuple(straight), n, 40, ends)
     half = rate * s / 2  # of the turn in a step s
     # the steps' own chord: longer than the true one, and turned by the old heading
-    long, chord = 1 / sinc(half), 2 * PACE / rate * Abs(sin(rate * DURATION / 2))
+    long, chord = 1 / sinc(half), 2 * speed / rate * Abs(sin(rate * DURATION / 2))
     of_all = chord * sqrt((long - 1) ** 2 + 4 * long * sin(half / 2) ** 2)
-    of_one = PACE * s * sqrt((1 - sinc(half)) ** 2 + 4 * sinc(half) * sin(half / 2) ** 2)
+    of_one = speed * s * sqrt((1 - sinc(half)) ** 2 + 4 * sinc(half) * sin(half / 2) ** 2)
     one = of_one.subs(s, step)
 
-    def small(pose: Any) -> tuple[Any, Any, Any]:
+    def small(pose: Any, forward: float = 0) -> tuple[Any, Any, Any]:
         """Draw the drive small, beside the graph."""
-        return SMALL * pose[0], SMALL * pose[1], pose[2]
+        at = point_of(pose, forward)
+        return SMALL * at[0], SMALL * at[1], pose[2]
 
+    end = point_of(exact, LENGTH)
     return Figure(
         name="bicycle-steps",
         title="A long vehicle on its arc, the same drive in straight steps, and both errors",
-        view=(-8.6, 17, -3.4, 11),
+        view=(-8.8, 17.6, -3.4, 11.4),
         ground="paper",
-        controls=(Slider(n, 1, 40, start=5, step=1, label="number of steps"),),
+        controls=(Slider(n, 1, 40, start=10, step=1, label="number of steps"),),
         shapes=(
-            Curve("path", small(along(START, THIRTY, PACE * s, LENGTH)), s, 0, DURATION),
+            Curve("path", small(along(START, THIRTY, PACE * s, LENGTH), LENGTH), s, 0, DURATION),
             replace(long_car(START, THIRTY, look="ghost"), size=SMALL),
             replace(long_car(small(exact), THIRTY), size=SMALL),
+            Point("path", small(START, LENGTH), "O"),
             *graph.shapes(),
             Trail("approximation", small(state), loop),
-            Line("error", (small(exact), small(ends))),
+            Line("error", (small(exact, LENGTH), small(ends))),
             Curve("approximation", graph.place((s, of_all)), s, 0.25, 10),
             Curve("old_heading", graph.place((s, of_one)), s, 0.25, 10),
-            Point("approximation", graph.place((step, distance(ends, exact))), "all steps"),
+            Point("approximation", graph.place((step, distance(ends, end))), "all steps"),
             Point("old_heading", graph.place((step, one)), "one step"),
         ),
         handles=(
@@ -713,7 +800,7 @@ def steps_figure() -> Figure:
         ),
         readouts=(
             Readout("one", "error of one step", one, "m"),
-            Readout("apart", "error at the end", distance(ends, exact), "m"),
+            Readout("apart", "error at the end", distance(ends, end), "m"),
         ),
         grid=False,
     )  # fmt: skip
@@ -733,7 +820,7 @@ def conventions_figure() -> Figure:
         controls=(
             Choice.one_hot(
                 "told", (rear_way, front_way),
-                ("P, θ from x", "O, ψ from y"), label="told by",
+                ("P, θ from x", "O, ψ from y"), label="pose given by",
             ),
             Clock(t, 0.0, 6.0, start=2.0, label="time, at 2 m/s"),
         ),
@@ -768,10 +855,10 @@ def lane_figure() -> Figure:
     return Figure(
         name="swept-lane",
         title="A long vehicle in a turn, the lane that its wheels need, and a right triangle",
-        view=(-19.5, 7.5, -2.5, 14.5),
+        view=(-22, 5, -2.2, 17.4),
         ground="asphalt",
         controls=(
-            Slider.degrees(steering, 18, 45, start=30, label="steering φ"),
+            Slider.degrees(steering, 24, 45, start=30, label="steering φ"),
             Clock(way_driven, 0.0, 24.0, step=0.2, label="driven", rate=4),
         ),
         where=((wheelbase, LENGTH), (track, TRACK), *assign(bicycle.turning_radius),
@@ -781,15 +868,17 @@ def lane_figure() -> Figure:
             Curve("left", at(s, 0, side), s, 0, far),
             Curve("right", at(s, LENGTH, -side), s, 0, far),
             Line("icr", ((0, 0), (-R, 0))),
-            Line("velocity", ((-R, 0), (0, LENGTH))),
+            Line(R_F, ((-R, 0), (0, LENGTH))),
             long_car(along(START, steering, way_driven, LENGTH), steering, way_driven),
             Length(R, (0, 0), (-R, 0), aside=0.6),
             Length(wheelbase, (0, 0), (0, LENGTH), aside=-2.2),
             Label(R_F, (-R / 2, LENGTH / 2 + 0.9)),
+            Length(lane_width, (-R, R - side), (-R, sqrt((R + side) ** 2 + LENGTH**2))),
+            Length(corner_cut, (0, 0), (R_F - R, 0), aside=-0.8),
             Point("icr", (-R, 0), "ICR"),
         ),
         readouts=(
-            Readout(lane_width, "width of the lane", digits=2),
+            Readout(lane_width, "width of the lane w", digits=2),
             Readout(R, digits=2),
             Readout(R_F, digits=2),
         ),
@@ -825,7 +914,7 @@ def under_figure() -> Figure:
 
 def sideways_figure() -> Figure:
     """Draw two arcs and a straight way back: what is gained sideways, against the arcs' length."""
-    graph = Graph((3.4, 7.2, -0.3, 5.4), (0.1, 10), (1e-3, 10), ("arc s in m", "gain in m"))
+    graph = LinearGraph((4.2, 11.4, 0.4, 6.4), (0, 2), (0, 1))
     steered = atan(L * BEND)
     turned = along(START, steered, arc_length * ramp(parts, 0))
     there = along(turned, -steered, arc_length * ramp(parts, 1))
@@ -836,7 +925,7 @@ def sideways_figure() -> Figure:
     return Figure(
         name="sideways-car",
         title="A car that goes two arcs ahead and straight back, and what it gains sideways",
-        view=(-5.2, 9.6, -1.9, 6.8),
+        view=(-3.0, 12.2, -1.9, 7.5),
         ground="paper",
         controls=(
             Slider(arc_length, 0.2, 2.0, start=1.6, step=0.1, label="each arc s"),
@@ -850,12 +939,13 @@ def sideways_figure() -> Figure:
             Line("path", ((-aside, forth), (-aside, 0))),
             car(now, Piecewise((steered, parts < 1), (-steered, parts < 2), (0, True))),
             Length(aside, (0, 0), (-aside, 0), aside=1.15),
-            *graph.shapes(),
-            Curve("approximation", graph.place((s, gain)), s, 0.2, 2.0),
+            *graph.shapes("arc s in m", "gain d in m", {k: str(k) for k in (0, 1, 2)},
+                          {0.25: "0.25", 1: "1"}),
+            Curve("approximation", graph.place((s, gain)), s, 0.01, 2.0),
             Point("target", dot),
         ),
-        handles=(Handle("the dot in the graph", dot, {arc_length: graph.x_at(POINTER)}),),
-        readouts=(Readout(aside, "gain sideways"),),
+        handles=(Handle("the dot in the graph", dot, {arc_length: (POINTER[0] - 4.2) / 3.6}),),
+        readouts=(Readout(aside, "gain sideways d", digits=2),),
         grid=False,
     )  # fmt: skip
 
@@ -872,6 +962,7 @@ def lab_figure() -> Figure:
     curb = B / 2 + 0.1  # where the right kerb is, beside the car at its start
     wheel_radius = sqrt((Abs(R) + B / 2) ** 2 + long**2)
     inside = R + wheel_radius < KERBS - curb
+    street = wheel_radius + Abs(R) + B / 2  # from the outer rear wheel to the outer front wheel
     shown = [
         *when(is_long < 0.5, things.car(now, steered, way_driven, "", L, B)),
         *when(is_long > 0.5, things.bus(now, steered, way_driven, "", LENGTH, TRACK)),
@@ -885,7 +976,7 @@ def lab_figure() -> Figure:
     return Figure(
         name="car-laboratory",
         title="A street from above with two kerbs, and a car or a long vehicle that turns in it",
-        view=(-15.5, 7.5, -2.5, 10.5),
+        view=(-15.5, 7.5, -3.9, 9.6),
         ground="asphalt",
         size="laboratory",
         controls=(
@@ -906,7 +997,7 @@ def lab_figure() -> Figure:
         ),
         readouts=(
             Readout(R, digits=2, words={"inf": "none: straight ahead"}),
-            Readout("circle", "turning circle of the wheels", 2 * wheel_radius, "m", 2,
+            Readout("street", "a half turn needs a street of", street, "m", 2,
                     {"inf": "none: straight ahead"}),
             Readout(lane_width, "width of the lane", digits=2),
             Readout("heading", "turned by", now[2] - UP, "rad", 0),
@@ -927,12 +1018,13 @@ def lab_figure() -> Figure:
 
 
 STREET = 7.0  # m wide, with a right-angled corner
+NOSE, SIDE = LENGTH + 0.95, TRACK / 2 + 0.13  # m: of the long vehicle's body, from P
 
 
 def corner_figure() -> Figure:
     """Draw the long vehicle that goes round a corner: where it begins, and how far it steers."""
     half, back, outer = STREET / 2, 12.0, Symbol("outer", real=True)
-    curb, far = (-half, 0), (half, STREET)  # the corner within, and the one without
+    curb = (-half, 0)  # the corner within
     begin = (0, -before, UP)
     quarter = pi / 2 * R
     turned = along(begin, steering, quarter * ramp(parts, 1), LENGTH)
@@ -940,36 +1032,35 @@ def corner_figure() -> Figure:
         (turned[0], turned[1] - (back - before) * (1 - ramp(parts, 0)), turned[2]),
         0, 6 * ramp(parts, 2), LENGTH,
     )  # fmt: skip
-    cut = distance((-R, -before), curb) - (R - TRACK / 2)
-    over = Max(outer - before - far[1], outer - R - half)
+    cut = distance((-R, -before), curb) - (R - SIDE)
+    over = outer - before - STREET
     way = along(begin, steering, s, LENGTH)
     return Figure(
         name="street-corner",
         title="Two streets that meet at a right angle, and a long vehicle that turns left",
         view=(-20, 6.5, -13.5, 8.5),
         ground="asphalt",
-        size="laboratory",
         controls=(
             Slider(before, 0.0, 10.0, start=8.0, step=0.1, label="P turns before the corner, by"),
             Slider.degrees(steering, 15, 45, start=30, label="steering φ"),
             Clock(parts, 0.0, 3.0, step=0.02, start=1.5, label="parts driven", rate=0.5),
         ),
         where=((wheelbase, LENGTH), (track, TRACK), *assign(bicycle.turning_radius),
-               (outer, sqrt((R + TRACK / 2) ** 2 + LENGTH**2))),
+               (outer, sqrt((R + SIDE) ** 2 + NOSE**2))),
         shapes=(
             things.kerb((-25, 0, 0), 25 - half, 3, pavement=30),
             things.kerb((*curb, -UP), 15, 3, pavement=1),
             things.kerb((half, -15, UP), 15 + STREET, 3, pavement=9),
             things.kerb((half + 9, STREET, pi), 40, 3, pavement=9),
-            Curve("left", point_of(way, 0, TRACK / 2), s, 0, quarter),
-            Curve("right", point_of(way, LENGTH, -TRACK / 2), s, 0, quarter),
+            Curve("left", point_of(way, 0, SIDE), s, 0, quarter),
+            Curve("right", point_of(way, NOSE, -SIDE), s, 0, quarter),
             long_car(now, Piecewise((steering, And(parts > 1, parts < 2)), (0, True))),
-            *when(cut > 0, Point("error", curb, "rear wheel over the kerb")),
-            *when(over > 0, Point("error", (-R, outer - before), "front wheel over the kerb")),
+            *when(cut > 0, Point("error", curb, "side over the kerb")),
+            *when(over > 0, Point("error", (-R, outer - before), "front over the kerb")),
         ),
         readouts=(
-            Readout("cut", "inner wheel over the kerb by", Max(cut, 0), "m", 2),
-            Readout("over", "outer wheel over the kerb by", Max(over, 0), "m", 2),
+            Readout("cut", "inner side over the kerb by", Max(cut, 0), "m", 2),
+            Readout("over", "outer front over the kerb by", Max(over, 0), "m", 2),
         ),
         goal=Goal(
             And(cut < 0, over < 0), f"Go round the corner of two streets, each {STREET:.0f} m wide."

@@ -121,6 +121,9 @@ LOOKS = {
     R_F: "icr",
     wheelbase: "length",
     track: "length",
+    lane_width: "length",
+    corner_cut: "target",
+    arm_angle: "turning",
     aside: "target",
     arc_length: "length",
     x_dot: "x_axis",
@@ -348,7 +351,7 @@ with as_written():
     )
 
     driven = v * dt
-    turned = v * dt * tan(steering) / wheelbase
+    turned = kappa * driven
     arc_step = Equation(
         name="bicycle.arc_step",
         left=Matrix([x_next, y_next, theta_next]),
@@ -361,17 +364,24 @@ with as_written():
         ),
         textbook=Matrix(
             [
-                x + wheelbase / tan(steering) * (sin(theta + turned) - sin(theta)),
-                y - wheelbase / tan(steering) * (cos(theta + turned) - cos(theta)),
+                x + (sin(theta + turned) - sin(theta)) / kappa,
+                y - (cos(theta + turned) - cos(theta)) / kappa,
                 theta + turned,
             ]
         ),
+        where=((kappa, tan(steering) / wheelbase),),
     )
 
     euler_step = Equation(
         name="bicycle.euler_step",
         left=Matrix([x_next, y_next, theta_next]),
-        right=Matrix([x + v * cos(theta) * dt, y + v * sin(theta) * dt, theta + turned]),
+        right=Matrix(
+            [
+                x + v * cos(theta) * dt,
+                y + v * sin(theta) * dt,
+                theta + driven * tan(steering) / wheelbase,
+            ]
+        ),
     )
 
     cut = Equation(

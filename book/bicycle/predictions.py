@@ -35,6 +35,14 @@ def which_mean() -> str:
     return nearest_option(means, bicycle.equivalent_steering(*WHEELS))
 
 
+def centre_by(mean: float) -> str:
+    """Return what is wrong with a bicycle whose angle has a tangent."""
+    return (
+        f"That would be {np.degrees(np.arctan(mean)):.2f}°. Such a bicycle turns about a point "
+        f"{L / mean:.2f} m away, the car about one {1 / BEND:.2f} m away."
+    )
+
+
 def centre_if_alike() -> str:
     """Return where the car turns without sliding, both front wheels turned by 30°."""
     off = bicycle.ackermann_error(THIRTY, THIRTY, CAR[wheelbase], CAR[track])
@@ -42,9 +50,13 @@ def centre_if_alike() -> str:
 
 
 def icr_at_rest() -> str:
-    """Return where a robot turns whose wheels go at 5 and 10 cm/s, 10 cm apart, from P."""
+    """Return where a robot turns whose wheels go at 5 and 10 cm/s, 10 cm apart, from the middle."""
     place = motion.icr([0, 0, np.pi / 2], 0.075, 0.5)
-    options = {"15 cm to the left": (-0.15, 0), "5 cm to the left": (-0.05, 0), "at P": (0, 0)}
+    options = {
+        "15 cm to the left": (-0.15, 0),
+        "5 cm to the left": (-0.05, 0),
+        "in the middle": (0, 0),
+    }
     return nearest_option(options, place)
 
 
@@ -102,16 +114,16 @@ PREDICTIONS = (
         "10 cm/s, and they are 10 cm apart. Where is its ICR, the point that it turns about, seen "
         "from the middle of the axle?",
         Buttons(
-            ("at P", "5 cm to the left", "15 cm to the left"),
+            ("in the middle", "5 cm to the left", "15 cm to the left"),
             right=icr_at_rest,
             assumptions={
-                "at P": "So it is when the wheels go at opposite speeds.",
+                "in the middle": "So it is when the wheels go at opposite speeds.",
                 "5 cm to the left": "There is the left wheel, and it moves.",
             },
         ),
-        explanation="Each point is as fast as it is far from there: the right wheel is twice as "
-        "fast as the left one, so it is twice as far away, at 20 and 10 cm.",
-        spoilers=("at 20 and 10 cm",),
+        explanation="Speed grows with the distance from the ICR. The right wheel is twice as "
+        "fast as the left one, so it is twice as far away: 20 cm, and the left one 10 cm.",
+        spoilers=("20 cm, and the left one 10 cm",),
     ),
     Prediction(
         "undo-a-move",
@@ -121,12 +133,12 @@ PREDICTIONS = (
             ("first go back, then turn back", "first turn back, then go back", "both are the same"),
             right="first turn back, then go back",
             assumptions={
-                "first go back, then turn back": "It looks another way now, and would go back in "
-                "that direction.",
-                "both are the same": "Turns and ways do not change places.",
+                "first go back, then turn back": "The robot now points to the left. It would go "
+                "back in that direction.",
+                "both are the same": "A turn and a move cannot change places.",
             },
         ),
-        explanation="The inverse of a chain is the inverses in the opposite order.",
+        explanation="Undo the last move first: the inverses, in the opposite order.",
         spoilers=("in the opposite order",),
     ),
     Prediction(
@@ -137,9 +149,8 @@ PREDICTIONS = (
             ("of their angles", "of their tangents", "of their cotangents"),
             right=which_mean,
             assumptions={
-                "of their angles": f"That would be {np.degrees(WHEELS.mean()):.2f}°.",
-                "of their tangents": "That would be "
-                f"{np.degrees(np.arctan(np.tan(WHEELS).mean())):.2f}°.",
+                "of their angles": centre_by(np.tan(WHEELS.mean())),
+                "of their tangents": centre_by(np.tan(WHEELS).mean()),
             },
         ),
         explanation=f"It is {np.degrees(bicycle.equivalent_steering(*WHEELS)):.2f}°. Step 2 shows "
@@ -154,8 +165,8 @@ PREDICTIONS = (
             ("where one wheel of 30° puts it", "without end far away", "nowhere"),
             right=centre_if_alike,
             assumptions={
-                "where one wheel of 30° puts it": "Each wheel puts it somewhere else: the wheels "
-                "stand in different places.",
+                "where one wheel of 30° puts it": "Each wheel puts it at another place: they "
+                "are 1.5 m apart.",
                 "without end far away": "The axles of the front wheels are parallel. But that of "
                 "the rear wheels is not.",
             },
@@ -203,19 +214,19 @@ PREDICTIONS = (
     ),
     Prediction(
         "rule-of-thumb",
-        "Mechanics say: let the two arms point at the middle of the rear axle. Then the rods turn "
-        "the outer wheel as it must be. Is that so?",
+        "A rule of thumb: let both arms point at the middle of the rear axle. Then the tie rod "
+        "gives the outer wheel Ackermann's angle. Is that so?",
         Buttons(
             ("yes, exactly", "only nearly", "not at all"),
             right=arms_to_the_middle,
             assumptions={
-                "yes, exactly": "For small angles it is. For large ones the rods have a law of "
-                "their own.",
-                "not at all": "The outer wheel is turned less than the inner one, as it must be.",
+                "yes, exactly": "So it is for small angles only.",
+                "not at all": "The outer wheel turns less than the inner one, and that is right.",
             },
         ),
         explanation="With arms of 20 cm it is off by up to two degrees.",
         spoilers=("up to two degrees",),
+        covers="trapezoid",
     ),
     Prediction(
         "where-after-arc",
@@ -260,11 +271,16 @@ PREDICTIONS = (
             "m",
             right=formulas.lane.substitute({**LONG, R: bicycle.turning_radius(THIRTY, LENGTH)}),
             assumptions={
-                "That is the car alone: so it is straight ahead.": track.subs(LONG),
+                "So far the rear axle runs inside the front one. But the vehicle is wide, too.": (
+                    lambda: bicycle.corner_cut(THIRTY, LENGTH)
+                ),
+                "That is the vehicle alone, straight ahead. In a turn the rear wheels run inside "
+                "the front ones.": track.subs(LONG),
             },
             relative=0.1,
         ),
-        explanation="More than twice as wide as the vehicle.",
+        explanation="More than twice as wide as the vehicle: 1.5 m between its wheels, and 1.8 m "
+        "by which the outer rear wheel runs inside the outer front one.",
         spoilers=("more than twice",),
     ),
 )

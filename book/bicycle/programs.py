@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
-from sympy import Symbol, atan2, cos, pi, sin, sinc, sqrt
+from sympy import Symbol, atan2, cos, pi, sin, sinc, sqrt, tan
 
 from book import things
 from book.bicycle.exercises import (
@@ -15,7 +15,7 @@ from book.bicycle.exercises import (
     sines_only,
     too_fast,
 )
-from book.bicycle.formulas import arc_step, steering, wheelbase, y_heading
+from book.bicycle.formulas import arc_step, kappa, steering, wheelbase, y_heading
 from book.motion.formulas import dt, theta, v, x, y
 from courseware.answers import Unknown, angle
 from courseware.figures import Curve, Point
@@ -150,7 +150,7 @@ def draw_steering(right, answer, place, L):
 
     def after(phi, part):
         start = {x: 0, y: 0, theta: 0}
-        return arc_step.substitute(start | {v: way, steering: phi, wheelbase: L, dt: part})
+        return arc_step.substitute(start | {v: way, kappa: tan(phi) / L, dt: part})
 
     return (
         car((0, 0, 0), right, L, "ghost"),

@@ -2,7 +2,19 @@
 
 import numpy as np
 
-from book.bicycle.figures import ALONGSIDE, DURATION, FRONT, LENGTH, NARROW, PLACE, REAR, WIDTH
+from book.bicycle.figures import (
+    ALONGSIDE,
+    DURATION,
+    EACH,
+    FRONT,
+    LENGTH,
+    NARROW,
+    NOSE,
+    PLACE,
+    REAR,
+    SIDE,
+    WIDTH,
+)
 from robokin import bicycle, motion
 
 L, B, V = 2.5, 1.5, 2.0  # the car of the exercise
@@ -24,23 +36,54 @@ def park_readouts(first, first_way, second, second_way, done):
     return {"off": off, "turned": np.abs(motion.wrap_angle(end[:, 2]))}
 
 
-def beside(pose, phi):
-    """Return the centre of the circle of a pose, and its signed radius."""
-    radius = bicycle.turning_radius(phi, L)
-    return pose[:, :2] + radius[:, None] * directions(pose[:, 2] + UP), radius
+CORNERS = np.array([[a, side * WIDTH / 2] for a in (REAR, FRONT) for side in (1, -1)])
+
+
+def inside_out(places, pose):
+    """Return the distances of places (…, 4, 2) from the outline of a car, negative inside of it."""
+    along, left = (directions(pose[..., 2] + turn)[..., None, :] for turn in (0, UP))
+    off = places - pose[..., None, :2]
+    own = np.stack([np.sum(off * along, axis=-1), np.sum(off * left, axis=-1)], axis=-1)
+    beyond = np.abs(own - [(FRONT + REAR) / 2, 0]) - [(FRONT - REAR) / 2, WIDTH / 2]
+    return np.hypot(*np.moveaxis(beyond.clip(0), -1, 0)) + np.minimum(beyond.max(axis=-1), 0)
+
+
+def corners_of(pose):
+    along, left = (directions(pose[..., 2] + turn)[..., None, :] for turn in (0, UP))
+    return pose[..., None, :2] + CORNERS[:, :1] * along + CORNERS[:, 1:] * left
+
+
+def apart(one, other):
+    """Return how far two cars are apart, (…), as two outlines; negative where they overlap."""
+    one, other = np.broadcast_arrays(one, other)
+    pairs = inside_out(corners_of(one), other), inside_out(corners_of(other), one)
+    return np.concatenate(pairs, axis=-1).min(axis=-1)
 
 
 def gap_readouts(first, first_way, second, second_way, done):
-    start = np.broadcast_to(np.array(ALONGSIDE, dtype=float), (len(first), 3))
     middle, end = two_arcs(first, first_way, second, second_way)
-    corner = np.array([NARROW[1], PLACE[1] + WIDTH / 2])
-    (one, r_one), (two, r_two) = beside(start, first), beside(middle, second)
-    past = -r_one - WIDTH / 2 - np.hypot(*(one - corner).T)
-    swing = np.hypot(*(two - corner).T) - np.hypot(r_two + WIDTH / 2, FRONT)
-    front = np.where((first < 0) & (second > 0), np.minimum(past, swing), -1)
-    low = two[:, 1] - np.hypot(r_two + WIDTH / 2, REAR)
-    turned = np.abs(motion.wrap_angle(end[:, 2]))
-    return dict(front=front, behind=end[:, 0] + REAR - NARROW[0], kerb=low, turned=turned)
+    parts = np.arange(EACH + 1) / EACH
+    start = np.broadcast_to(np.array(ALONGSIDE, dtype=float), (len(first), 3))
+    arcs = ((start, first, first_way), (middle, second, second_way))
+    way = np.concatenate(
+        [
+            np.stack(
+                [
+                    bicycle.path(pose, -1.0, phi[:, None], L, (far * k)[:, None])[:, -1]
+                    for k in parts
+                ],
+                1,
+            )
+            for pose, phi, far in arcs
+        ],
+        axis=1,
+    )
+    places = {"front": NARROW[1] - REAR, "behind": NARROW[0] - FRONT}
+    near = {
+        name: apart(way, np.array([x, PLACE[1], 0])).min(axis=1) for name, x in places.items()
+    } | {"kerb": corners_of(way)[..., 1].min(axis=(1, 2))}
+    clear = {name: np.where(far > 0, far, np.nan) for name, far in near.items()}
+    return clear | {"turned": np.abs(motion.wrap_angle(end[:, 2]))}
 
 
 def axles_readouts(left, right):
@@ -87,14 +130,16 @@ def trapezoid_readouts(inner, gamma):
 
 
 def steps_readouts(count):
-    """Return the errors of one straight step, and of all."""
-    found = []
+    """Return the errors of one straight step of O, and of all."""
+    found, phi = [], np.pi / 6
     for n in count.astype(int):
-        ends = [
-            bicycle.path([0, 0, UP], V, np.pi / 6, LENGTH, np.full(n, DURATION / n), method)
-            for method in ("exact", "start")
-        ]
-        found.append([np.hypot(*(ends[0] - ends[1])[k, :2]) for k in (1, -1)])
+        step = np.full(n, DURATION / n)
+        rear = bicycle.path([0, 0, UP], V, phi, LENGTH, step)
+        exact = (rear[:, :2] + LENGTH * directions(rear[:, 2]))[1:]
+        steps = V / np.cos(phi) * step[:, None] * directions(rear[:-1, 2] + phi)
+        found.append(
+            [np.hypot(*off) for off in (steps.cumsum(0) + np.array([0, LENGTH]) - exact)[[0, -1]]]
+        )
     return dict(zip(("one", "apart"), np.transpose(found), strict=True))
 
 
@@ -112,7 +157,7 @@ def lab_readouts(is_long, phi, way):
     radius = bicycle.turning_radius(phi, long)
     return {
         "R": radius,
-        "circle": 2 * np.hypot(np.abs(radius) + B / 2, long),
+        "street": np.abs(radius) + B / 2 + np.hypot(np.abs(radius) + B / 2, long),
         "w": bicycle.lane_width(phi, long, B),
         "heading": way * bicycle.body_twist(1.0, phi, long)[:, 2],
     }
@@ -120,9 +165,8 @@ def lab_readouts(is_long, phi, way):
 
 def corner_readouts(before, phi, parts):
     radius = bicycle.turning_radius(phi, LENGTH)
-    inner, outer = radius - 0.75, np.hypot(radius + 0.75, LENGTH)
-    cut = np.hypot(radius - 3.5, before) - inner
-    over = np.maximum(outer - before - 7, outer - radius - 3.5)
+    cut = np.hypot(radius - 3.5, before) - (radius - SIDE)
+    over = np.hypot(radius + SIDE, NOSE) - before - 7
     return {"cut": np.maximum(cut, 0), "over": np.maximum(over, 0)}
 
 
@@ -228,6 +272,7 @@ WORDS = [  # figure, slider → what it shows, readout → its word
     ("ackermann-steering", AHEAD, "R", "∞"),
     ("centre-under", {"steering": 80 * DEGREE}, "w", "no lane"),
     ("car-laboratory", AHEAD, "R", "none: straight ahead"),
+    ("narrow-gap", {"way_2": 5.0}, "behind", "touches"),
 ]
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "bicycle-1": (
@@ -305,7 +350,7 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
     "rule-of-thumb": "only nearly",
     "where-after-arc": ("x −1.84 m, y 3.37 m", "0 m, 4 m", "0 m, 2.5 m"),
     "twice-the-steps": "a half",
-    "how-wide": ("3.28 m", "1.5 m"),
+    "how-wide": ("3.28 m", "1.88 m", "1.5 m"),
 }
 PARKED = {"steering_1": -32 * DEGREE, "way_1": 2.9, "steering_2": 32 * DEGREE, "way_2": 2.9}
 SQUEEZED = {"steering_1": -34 * DEGREE, "way_1": 2.8, "steering_2": 35 * DEGREE, "way_2": 2.75}
@@ -375,14 +420,14 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
     ],
     "street-corner": [
         (
-            [{"before": 5.0, "steering": 40 * DEGREE}, {"before": 6.2, "steering": 35 * DEGREE}],
-            [{"before": 4.0, "steering": 40 * DEGREE}, {"before": 6.2, "steering": 40 * DEGREE}],
+            [{"before": 5.2, "steering": 40 * DEGREE}, {"before": 5.6, "steering": 40 * DEGREE}],
+            [{"before": 4.8, "steering": 40 * DEGREE}, {"before": 6.2, "steering": 40 * DEGREE}],
         )
     ],
     "narrow-gap": [
         (
-            [SQUEEZED, SQUEEZED | {"way_2": 2.8}],
-            [SQUEEZED | {"way_2": 3.0}, SQUEEZED | {"steering_1": -30 * DEGREE}],
+            [SQUEEZED, SQUEEZED | {"way_2": 2.7}],
+            [SQUEEZED | {"way_2": 2.8}, SQUEEZED | {"steering_1": -30 * DEGREE}],
         )
     ],
     "car-letters": [

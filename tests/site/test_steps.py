@@ -278,15 +278,14 @@ def win(live, wished, by_keys):
             live.press(control, *["ArrowRight" if steps > 0 else "ArrowLeft"] * abs(steps))
             acts += 1
             continue
-        sliders[control.symbol] = (
-            place,
-            figure_unit(control.symbol.unit).from_si(steps * control.step),
+        sliders[control.symbol] = place, figure_unit(control.symbol.unit).from_si(
+            wished[control.key]
         )
     for k, handle in enumerate(live.figure.handles):
         there = live.state()
-        for place, way in (sliders.pop(symbol) for symbol in [*handle.sets] if symbol in sliders):
-            there[place] += way
-        if there != live.state():
+        for place, value in (sliders[symbol] for symbol in handle.sets if symbol in sliders):
+            there[place] = value
+        if there != pytest.approx(live.state()):
             drag(live, k, there)
             acts += 1
     return acts

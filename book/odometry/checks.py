@@ -1,5 +1,7 @@
 """How the library agrees with each formula of `formulas.py`."""
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -17,7 +19,11 @@ from book.odometry.formulas import (
     count_now,
     counter_span,
     covariance_entries,
+    drive,
     dtheta,
+    l_x,
+    l_y,
+    lever,
     noise,
     p_xx,
     p_xy,
@@ -25,17 +31,18 @@ from book.odometry.formulas import (
     short_turn,
     side,
     side_swing,
+    slip,
     x_ccw,
     x_cw,
     y_ccw,
     y_cw,
 )
 from courseware.equations import Array, Check
-from robokin import odometry
+from robokin import motion, odometry
 
 EXAMPLE = {N_L: 384.0, N_R: 640.0, C: 512.0, r: 0.05}
 SAME, OPPOSITE = {D_L: 0.25, D_R: 0.25}, {D_L: -0.25, D_R: 0.25}
-STILL = {D_L: 0.0, D_R: 0.0}
+STILL, ONE_HELD = {D_L: 0.0, D_R: 0.0}, {D_L: 0.0, D_R: 0.25}
 # u = 0.09: the slope by its series; as much noise as makes its last term show
 NEARLY_SAME = {D_L: 0.16, D_R: 0.34, b: 1.0, noise: 10.0}
 # The library takes whole ticks; a formula holds between them too. So a tick of the formula is
@@ -144,7 +151,118 @@ def calibration_of_angles(alpha: Array, beta: Array, b: Array, side: Array) -> A
     return np.stack(odometry.umbmark(*ends_of_runs(alpha, beta, side), side, b), axis=-1)
 
 
+TINY = 2.0**-40  # of a piece is driven in its place: its own length does not count
+
+
+def swing_of_slip(slip: Array, b: Array) -> Array:
+    """How much the robot turns when one wheel alone rolls so far."""
+    return turn_of_travel(0 * slip, slip, b)
+
+
+def carry(covariance: Array, heading: Array, far: Array, b: Array) -> Array:
+    """The covariance of a pose, propagated along a straight line without noise."""
+    ticks = whole(far * TICKS_A_METRE)[..., None]
+    pose = np.stack([0 * heading, 0 * heading, heading], axis=-1)
+    robot = TICKS_A_METRE, 0.5 / np.pi, b
+    return odometry.covariance(ticks, ticks, *robot, 0 * b, pose, covariance)[..., -1, :, :]
+
+
+def shift_of_slip(slip: Array, b: Array, lever: Array) -> Array:
+    """The end's standard deviation, if a turn about the left wheel errs by one slip."""
+    turn = slip / b
+    error = np.stack([turn * b / 2, 0 * turn, turn], axis=-1)
+    start = error[..., :, None] * error[..., None, :]
+    end = carry(start, 0 * b, np.sqrt(lever**2 - b**2 / 4), b)
+    return np.sign(slip) * np.sqrt(end[..., 0, 0] + end[..., 1, 1])
+
+
+def covariance_of_piece(
+    start: Array, to_end: Array, theta: Array, D_L: Array, D_R: Array, b: Array, noise: Array
+) -> Array:
+    """The end's variances after a small piece, by the propagated covariance of piece and rest."""
+    (xx, xy, yy), zero = np.moveaxis(start, -1, 0), 0 * theta
+    before = np.stack([xx, xy, zero, xy, yy, zero, zero, zero, zero], axis=-1)
+    piece = [whole(D * TICKS_A_METRE)[..., None] for D in (D_L, D_R)]
+    robot = TICKS_A_METRE / TINY, 0.5 / np.pi, b
+    pose = np.stack([zero, zero, theta], axis=-1)
+    before = before.reshape(*zero.shape, 3, 3)
+    after = odometry.covariance(*piece, *robot, noise / TINY, pose, before)[..., -1, :, :]
+    heading = np.arctan2(to_end[..., 1], to_end[..., 0])
+    end = carry(after, heading, np.hypot(to_end[..., 0], to_end[..., 1]), b)
+    return end[..., [0, 0, 1], [0, 1, 1]]
+
+
+def spread_of_straight(noise: Array, drive: Array, b: Array) -> Array:
+    """Standard deviations of heading and y after a straight drive in ever more samples."""
+    few, more = (
+        odometry.covariance(ticks, ticks, TICKS_A_METRE * n, 0.5 / np.pi, b, noise)
+        for n in (1, 2)
+        for ticks in [np.repeat(whole(drive * TICKS_A_METRE / 8)[..., None], 8 * n, axis=-1)]
+    )
+    end = (4 * more[..., -1, :, :] - few[..., -1, :, :]) / 3
+    return np.sqrt(np.stack([end[..., 2, 2], end[..., 1, 1]], axis=-1))
+
+
+def ends_of_driven_squares(side: Array, alpha: Array, beta: Array) -> Array:
+    """What the ends of both squares do at small errors: their derivative, extrapolated."""
+
+    def ends(part: float) -> Array:
+        both = []
+        for turns in (1, -1):
+            bend, corner = part * beta, turns * (np.pi / 2 - part * alpha)
+            v = np.stack([side, 0 * side] * 4, axis=-1)
+            omega = np.stack([bend, corner] * 4, axis=-1)
+            both.append(motion.path([0, 0, 0], v, omega, 1.0)[..., -1, :2])
+        return np.concatenate(both, axis=-1)
+
+    slopes = [(ends(h) - ends(-h)) / (2 * h) for h in (1 / 16, 1 / 32, 1 / 64)]
+    better = [(4 * b - a) / 3 for a, b in pairwise(slopes)]
+    return (16 * better[1] - better[0]) / 15
+
+
 CHECKS = (
+    Check(
+        formulas.door_angle,
+        function=swing_of_slip,
+        arguments=(slip, b),
+        tolerance=5e-14,
+        reason="roundings of 1e-15 m, divided by 0.05 m",
+        specials=({slip: 0.0},),
+    ),
+    Check(
+        formulas.door_shift,
+        function=shift_of_slip,
+        arguments=(slip, b, lever),
+        tolerance=1e-13,
+        reason="a few roundings of numbers up to 6 m",
+        specials=({slip: 0.0},),
+    ),
+    Check(
+        formulas.lever_term,
+        function=covariance_of_piece,
+        arguments=((p_xx, p_xy, p_yy), (l_x, l_y), theta, D_L, D_R, b, noise),
+        tolerance=1e-11,
+        reason="half of the tiny piece, up to 1e-11 rad, times terms of up to 30 m",
+        specials=(ONE_HELD, OPPOSITE, STILL),
+    ),
+    Check(
+        formulas.straight_spread,
+        function=spread_of_straight,
+        arguments=(noise, drive, b),
+        tolerance=1e-13,
+        reason="some roundings of numbers up to 20 m; 8 samples lack a part of 1/8² exactly, so "
+        "two numbers of samples give the limit",
+        specials=({noise: 0.0},),
+    ),
+    Check(
+        formulas.square_ends,
+        function=ends_of_driven_squares,
+        arguments=(side, short_turn, side_swing),
+        tolerance=1e-11,
+        reason="roundings of 1e-15 m, divided by a step of 1/64; what the extrapolation leaves is "
+        "a part of (0.2/64)⁶",
+        specials=({short_turn: 0.0, side_swing: 0.0},),
+    ),
     Check(
         formulas.travel,
         function=travel_of_ticks,

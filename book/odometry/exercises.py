@@ -598,3 +598,170 @@ odometry_7 = Exercise(
         pose=Step(formulas.exact_arc, {planar.x: 0, planar.y: 0}, textbook=True, unit=POSE_UNITS),
     ),
 )
+
+ROOM, LOST_MOST, MOST = symbols("room g n")
+# five ends, in cm from their middle
+OFFSETS = ((1, -2), (-1, 0), (2, 1), (-2, 2), (0, -1))
+
+
+def five_ends(place):
+    """Return the five ends round a middle as words, in cm."""
+    ends = [f"({100 * place[0] + dx:.0f}, {100 * place[1] + dy:.0f})" for dx, dy in OFFSETS]
+    return ", ".join(ends).replace("-", "−")
+
+
+def calibrated(x_cw, y_cw, x_ccw, y_ccw, side, b):
+    """Return the wheel distance and the ratio that the ends of squares mean."""
+    ends = (np.array([[x_cw, y_cw]]), np.array([[x_ccw, y_ccw]]))
+    return list(odometry.umbmark(*ends, side=side, wheel_distance=b))
+
+
+def spread(noise, drive, b):
+    """Return the standard deviations of the heading and across a straight drive."""
+    return [np.sqrt(2 * noise * drive) / b, np.sqrt(2 * noise * drive**3 / 3) / b]
+
+
+def readings_lost(span, most):
+    """Return how many readings in a row may be lost, so that fewer ticks pass than half a span."""
+    return np.ceil(span / 2 / most) - 2
+
+
+odometry_8 = Exercise(
+    "odometry-8",
+    title="The size of a door",
+    text="The right wheel of a robot slips once: its encoder counts {slip} that the robot does not "
+    "drive. The wheels are {b} apart. From where the left wheel stands at that moment it is "
+    "{lever} to the end of the drive, in a straight line. By which angle δ does the odometry's "
+    "picture of the rest swing? And how far does this shift the end, by the formula for small "
+    "angles?",
+    given={
+        "slip": number_range(1, 6, 0.5, "cm"),
+        "b": number_range(20, 50, 5, "cm"),
+        "lever": number_range(1, 3, 0.1, "m"),
+    },
+    unknowns=(Unknown("δ", "rad"), Unknown("shift", "m")),
+    right=lambda slip, b, lever: [slip / b, slip / b * lever],
+    wrong={},
+    likely_slips={
+        "with half the wheel distance, as if the robot turned about its middle": (
+            lambda slip, b, lever: [2 * slip / b, 2 * slip / b * lever]
+        ),
+        "without the lever: the shift is the slip itself": lambda slip, b, lever: [slip / b, slip],
+    },
+    solution=Solution(
+        "The robot does not move, but the odometry lets the right wheel roll on. It turns about "
+        "the other wheel, which is b away:\n\n{angle}\n\nAll that follows turns with it. The end "
+        "moves on a circle about the left wheel's contact, by the angle times the lever:\n\n"
+        "{shift}",
+        answer=("angle", "shift"),
+        angle=Step(formulas.door_angle, values=(formulas.swing,)),
+        shift=Step(formulas.door_shift, values=(formulas.shift,)),
+    ),
+)
+
+odometry_9 = Exercise(
+    "odometry-9",
+    title="How sure after a straight drive?",
+    text="Each wheel of a robot errs by itself; over a metre its standard deviation is {error}. "
+    "The wheels are {b} apart. The robot drives {drive} straight on. What are the standard "
+    "deviations of its heading and of its place across the drive?",
+    given={
+        "error": number_range(2, 10, 1, "mm"),
+        "b": number_range(20, 50, 5, "cm"),
+        "drive": number_range(1, 6, 0.5, "m"),
+    },
+    unknowns=(Unknown("σ_θ", "rad"), Unknown("σ_y", "m")),
+    right=lambda error, b, drive: spread(error**2, drive, b),
+    wrong={},
+    likely_slips={
+        "with one wheel that errs, where both do": lambda error, b, drive: [
+            each / np.sqrt(2) for each in spread(error**2, drive, b)
+        ],
+        "with the longest lever for all slips; the third is missing": lambda error, b, drive: [
+            spread(error**2, drive, b)[0],
+            spread(error**2, drive, b)[0] * drive,
+        ],
+    },
+    derive=lambda error, **_: {"noise": error**2},
+    solution=Solution(
+        "Variances add. Over a metre that of a wheel is k, the square of its standard deviation: "
+        "{noise:.6f} m. Each slip ε turns the robot by ε/b, and both wheels slip. A slip with the "
+        "distance q left to drive has about the lever q; the mean of q² over the drive is s²/3:"
+        "\n\n{both}",
+        both=Step(formulas.straight_spread),
+    ),
+)
+
+odometry_10 = Exercise(
+    "odometry-10",
+    title="Squares of your own",
+    text="A robot that believes in a wheel distance of {b} drives squares of side {side}, five "
+    "each way, and each time its odometry says that it is home. Really the clockwise ones end at "
+    "x, y = {cw} cm from the start, the counter-clockwise ones at {ccw} cm. What are its true "
+    "wheel distance and the ratio of the wheels' diameters, right by left?",
+    given={
+        "x_cw": number_range(-16, -4, 1, "cm"),
+        "y_cw": number_range(-16, -4, 1, "cm"),
+        "x_ccw": number_range(-12, 12, 1, "cm"),
+        "y_ccw": number_range(-12, 12, 1, "cm"),
+        "side": one_of(2, 2.5, 3, 4, unit="m"),
+        "b": number_range(20, 50, 5, "cm"),
+    },
+    unknowns=(Unknown("b", "m", tolerance=6e-5), Unknown("ratio", tolerance=6e-5)),
+    right=calibrated,
+    wrong={},
+    likely_slips={
+        "when the two ways are exchanged": lambda x_cw, y_cw, x_ccw, y_ccw, **robot: calibrated(
+            x_ccw, y_ccw, x_cw, y_cw, **robot
+        ),
+        "when x and y of the counter-clockwise ends are exchanged": (
+            lambda x_ccw, y_ccw, **rest: calibrated(x_ccw=y_ccw, y_ccw=x_ccw, **rest)
+        ),
+    },
+    when=lambda x_cw, y_cw, x_ccw, y_ccw, **_: (
+        abs(x_ccw - y_ccw) > 0.03 and abs(x_cw + y_cw - x_ccw - y_ccw) > 0.03
+    ),
+    derive=lambda x_cw, y_cw, x_ccw, y_ccw, **_: {
+        "cw": five_ends((x_cw, y_cw)),
+        "ccw": five_ends((x_ccw, y_ccw)),
+    },
+    solution=Solution(
+        "The middles of the five ends are ({x_cw}, {y_cw}) clockwise and ({x_ccw}, {y_ccw}) "
+        "counter-clockwise; in them random errors mostly cancel. Their sum and difference give the "
+        "angle by which a corner is too short, and the one by which a side swings to the left:"
+        "\n\n{angles}\n\nShort corners mean another wheel distance, swinging sides unequal wheels:"
+        "\n\n{sizes}",
+        angles=Step(formulas.calibration_angles),
+        sizes=Step(formulas.calibration),
+    ),
+)
+
+with as_written():
+    MOST_LOST = LocalEquation(LOST_MOST, ceiling(formulas.counter_span / (2 * MOST)) - 2)
+
+odometry_11 = Exercise(
+    "odometry-11",
+    title="Lost readings",
+    text="A counter has {span} numbers. Between two readings, one after the other, its wheel makes "
+    "at most {most} ticks, forward or backward. Readings can get lost. How many in a row may be "
+    "lost at most, so that the shorter way round is still right for certain: fewer ticks than half "
+    "the numbers?",
+    given={"span": one_of(256, 1024, 4096, 65536), "most": number_range(10, 120, 5)},
+    unknowns=(integer("g"),),
+    right=readings_lost,
+    wrong={},
+    likely_slips={
+        "with the whole counter: then the sign is not known": lambda span, most: readings_lost(
+            2 * span, most
+        ),
+        "when g lost readings are taken for g steps; they make g + 1": lambda span, most: (
+            readings_lost(span, most) + 1
+        ),
+    },
+    when=lambda span, most: readings_lost(span, most) >= 1,
+    solution=Solution(
+        "With g readings lost, g + 1 steps pass, and at most (g + 1) n ticks. That must be less "
+        "than half of the counter's numbers. The largest such g is\n\n{lost}",
+        lost=Step(MOST_LOST, {formulas.counter_span: "span", MOST: "most"}),
+    ),
+)

@@ -52,6 +52,38 @@ side_swing = quantity(
 b_true = quantity("b_true", "m", 0.05, 1, "wheel distance after calibration", r"b_\mathrm{true}")
 ratio = quantity("ratio", "", 0.9, 1.1, "diameter of the right wheel by the left", latex="E_d")
 
+slip = quantity(
+    "slip", "m", -0.1, 0.1, "slip: what a wheel counts and the robot does not drive", r"\varepsilon"
+)
+lever = quantity("lever", "m", 0.5, 3, "lever: from the other wheel's contact to the end", r"\ell")
+swing = symbol("swing", "swing: how far the rest of the drive turns", r"\delta", "rad")
+shift = symbol("shift", "shift of the end by a slip", "e_s", "m")
+l_x = quantity("l_x", "m", -1, 1, "from the robot to the end of its drive, along x", r"\ell_x")
+l_y = quantity("l_y", "m", -1, 1, "from the robot to the end of its drive, along y", r"\ell_y")
+lever_L = symbols(r"\ell_{Lx} \ell_{Ly}", real=True)
+lever_R = symbols(r"\ell_{Rx} \ell_{Ry}", real=True)
+drive = quantity("drive", "m", 0.25, 3, "how far the robot drives", latex="s")
+sigma_theta = symbol("sigma_theta", "standard deviation of the heading", r"\sigma_\theta", "rad")
+sigma_y = symbol("sigma_y", "standard deviation across the drive", r"\sigma_y", "m")
+
+LOOKS = {
+    N_L: "left",
+    N_R: "right",
+    D_L: "left",
+    D_R: "right",
+    D: "path",
+    dtheta: "turning",
+    slip: "error",
+    swing: "turning",
+    lever: "icr",
+    shift: "error",
+    drive: "path",
+    b_true: "length",
+    ratio: "right",
+    sigma_theta: "turning",
+    sigma_y: "uncertainty",
+}
+
 long_axis, short_axis = symbols(r"\sigma_1 \sigma_2")
 dN = symbol("dN", "ticks between two readings", r"\Delta N", "ticks")
 bits = symbol("m", "bits of a counter")
@@ -178,6 +210,40 @@ with as_written():
         where=(*of_the_wheels, *of_the_heading),
     )  # fmt: skip
 
+    door_angle = Equation(name="odometry.door_angle", left=swing, right=slip / b)
+
+    door_shift = Equation(name="odometry.door_shift", left=shift, right=slip / b * lever)
+
+    sides = ((lever_L, -1), (lever_R, 1))
+    lever_term = Equation(
+        name="odometry.lever_term",
+        left=Matrix([p_next[0], p_next[1], p_next[3]]),
+        right=Matrix(
+            [
+                p_xx + noise / b**2 * (Abs(D_R) * lever_L[1] ** 2 + Abs(D_L) * lever_R[1] ** 2),
+                p_xy
+                - noise
+                / b**2
+                * (Abs(D_R) * lever_L[0] * lever_L[1] + Abs(D_L) * lever_R[0] * lever_R[1]),
+                p_yy + noise / b**2 * (Abs(D_R) * lever_L[0] ** 2 + Abs(D_L) * lever_R[0] ** 2),
+            ]
+        ),
+        where=tuple(
+            pair
+            for (along, up), side in sides
+            for pair in (
+                (along, l_x - side * b / 2 * sin(theta)),
+                (up, l_y + side * b / 2 * cos(theta)),
+            )
+        ),
+    )
+
+    straight_spread = Equation(
+        name="odometry.straight_spread",
+        left=Matrix([sigma_theta, sigma_y]),
+        right=Matrix([sqrt(2 * noise * drive) / b, sqrt(2 * noise * drive**3 / 3) / b]),
+    )
+
     half_trace, spread = symbols("m d", real=True)
     ellipse_axes = Equation(
         name="odometry.ellipse_axes",
@@ -191,6 +257,19 @@ with as_written():
         where=(
             (half_trace, (p_xx + p_yy) / 2),
             (spread, sqrt(((p_xx - p_yy) / 2) ** 2 + p_xy**2)),
+        ),
+    )
+
+    square_ends = Equation(
+        name="odometry.square_ends",
+        left=Matrix([x_ccw, y_ccw, x_cw, y_cw]),
+        right=Matrix(
+            [
+                2 * side * (side_swing - short_turn),
+                2 * side * (short_turn - side_swing),
+                -2 * side * (short_turn + side_swing),
+                -2 * side * (short_turn + side_swing),
+            ]
         ),
     )
 

@@ -1,13 +1,30 @@
-"""Predictions that the chapter on encoder odometry asks for."""
+"""Predictions that the chapter on odometry asks for."""
 
 import numpy as np
+from sympy import Float
 
-from courseware.predictions import Buttons, Prediction
-from robokin import odometry
+from book.differential_drive.figures import guess_x, guess_y, t
+from book.differential_drive.formulas import r
+from book.odometry import formulas
+from book.odometry.formulas import N_L, N_R, C
+from courseware.predictions import Buttons, Ghost, Number, Prediction, nearest_option
+from robokin import motion, odometry
 
 ROBOT = (512, 0.05, 0.20)  # ticks in a turn, radius and distance of the wheels, m: the exercise's
 TICKS = (384, 640)  # of its sample, left and right
 NOISE = 0.008**2  # m, of a wheel, for each metre
+ENCODER = {C: ROBOT[0], r: Float("0.05"), N_L: TICKS[0], N_R: TICKS[1]}
+
+
+def place(method: str) -> tuple[float, float]:
+    """Return where the exercise's sample ends by a rule, m."""
+    end = odometry.path(*TICKS, *ROBOT, method=method)[-1]
+    return float(end[0]), float(end[1])
+
+
+def rolled(radius: float = 1.0) -> object:
+    """Return how far the left wheel of the exercise rolls, if its radius is so much larger, m."""
+    return formulas.travel.substitute({**ENCODER, r: radius * 0.05})[0]
 
 
 def circle(method: str) -> float:
@@ -17,8 +34,15 @@ def circle(method: str) -> float:
     return float(np.hypot(*end[:2]))
 
 
+def slipped(place: int) -> float:
+    """Return how far the end of a straight drive is off, if a slip is in one of its samples, m."""
+    left, right = np.full(40, 80), np.full(40, 80)
+    right[place] += 100
+    return float(np.hypot(*(odometry.path(left, right, *ROBOT)[-1, :2] - [1.963, 0])))
+
+
 def longer() -> float:
-    """Return how many times as long the ellipse is after twice the distance, straight on."""
+    """Return how many times as wide the ellipse is after twice the distance, straight on."""
     sizes = []
     for each in (500, 1000):
         ticks = np.full(6, each)
@@ -27,18 +51,66 @@ def longer() -> float:
     return float(sizes[1] / sizes[0])
 
 
-def standard_deviations() -> float:
-    """Return how many of them the odometry is off in y after the slip."""
-    left, right = np.full(40, 80), np.full(40, 80)
-    right[4] += 100
-    off = odometry.path(left, right, *ROBOT)[-1, 1]
-    return float(off / np.sqrt(odometry.covariance(left, right, *ROBOT, NOISE)[-1, 1, 1]))
+def about_which() -> str:
+    """Return about which point a robot turns whose left wheel stands still."""
+    options = {"P": (0, 0), "the left wheel": (0, 0.1), "the right wheel": (0, -0.1)}
+    return nearest_option(options, motion.icr([0, 0, 0], v=0.05, omega=0.5))
 
 
 PREDICTIONS = (
     Prediction(
+        "held-wheel",
+        "From chapter 4: a robot holds its left wheel still, and its right wheel rolls forward. "
+        "About which point does it turn?",
+        Buttons(
+            ("P", "the left wheel", "the right wheel"),
+            right=about_which,
+            assumptions={
+                "P": "P rolls forward, half as fast as the right wheel.",
+                "the right wheel": "That one moves. The centre is at rest.",
+            },
+        ),
+        explanation="The point at rest is where the held wheel touches the floor.",
+        spoilers=("held wheel touches",),
+    ),
+    Prediction(
+        "quarter-turn",
+        "From *Before you start*: the arrow (2, 1) is turned by 90° to the left. Which arrow is it "
+        "then?",
+        Buttons(
+            ("(1, −2)", "(−1, 2)", "(−2, −1)"),
+            right=lambda: nearest_option(
+                {"(1, −2)": (1, -2), "(−1, 2)": (-1, 2), "(−2, −1)": (-2, -1)},
+                motion.to_world(np.pi / 2, [2.0, 1.0, 0.0])[:2],
+            ),
+            assumptions={
+                "(1, −2)": "That is a quarter turn to the right.",
+                "(−2, −1)": "That is half a turn.",
+            },
+        ),
+        explanation="The two numbers change places, and the first one changes its sign.",
+        spoilers=("change places",),
+    ),
+    Prediction(
+        "ticks-to-metres",
+        "The left encoder counts 384 ticks of the 512 in a turn. How far has its wheel rolled?",
+        Number(
+            "cm",
+            right=rolled(),
+            assumptions={
+                "That takes the radius for the way of a turn: 2π is missing.": rolled()
+                / (2 * np.pi),
+                "That takes the diameter for the radius.": rolled(2),
+                "That is a whole turn.": rolled() * ROBOT[0] / TICKS[0],
+            },
+        ),
+        explanation="Three quarters of a turn, so three quarters of the circumference $2\\pi r$.",
+        spoilers=("three quarters of the",),
+    ),
+    Prediction(
         "how-much-turned",
-        "By how much did the robot turn?",
+        "The left wheel rolls 23.6 cm, the right one 39.3 cm; they are 20 cm apart. By how much "
+        "does the robot turn?",
         Buttons(
             ("23°", "45°", "90°"),
             right=lambda: f"{np.degrees(odometry.path(*TICKS, *ROBOT)[-1, 2]):.0f}°",
@@ -47,28 +119,33 @@ PREDICTIONS = (
                 "90°": "That takes the robot for half as wide: $b$ is the whole distance.",
             },
         ),
-        explanation=f"And it is {100 * odometry.path(*TICKS, *ROBOT)[-1, 1]:.0f} cm to the left of "
-        "the line that it looked along.",
-        spoilers=("to the left of the line",),
+        explanation="15.7 cm more on the right, over a robot 20 cm wide: 0.785 rad.",
+        spoilers=("0.785",),
+        covers="strips",
     ),
     Prediction(
-        "straight-on",
-        "The robot drives straight on. Which of the two formulas fails then, that of $\\rho$ or "
-        "that of the angle?",
-        Buttons(
-            ("both", "that of ρ", "neither"),
-            right="that of ρ",
+        "where-is-it",
+        "The exercise's robot has turned by 45° while P moved by 31.4 cm. Drag *your guess* to "
+        "where P is then.",
+        Ghost(
+            "rule-guess",
+            places=(guess_x, guess_y),
+            right=lambda: place("exact"),
+            then={t: Float(1)},
+            tolerance=0.015,
             assumptions={
-                "both": "The angle is divided by $b$ only, and $b$ is not zero.",
-                "neither": "On a straight line no point is at rest.",
+                "That is straight on, as if it turned only at the end.": lambda: place("start"),
+                "That is as if it had turned before it drove.": lambda: place("end"),
             },
         ),
-        explanation="There is no circle then, and $\\rho$ is a division by zero.",
-        spoilers=("no circle",),
+        explanation="P follows an arc that touches the old heading at its start and the new "
+        "heading at its end.",
+        spoilers=("touches the old",),
     ),
     Prediction(
         "whole-circle",
-        "How far from the start does the rule with the old heading end?",
+        "Eight samples of the exercise bring the robot once round a circle of radius 40 cm. How "
+        "far from the start does the rule with the old heading end?",
         Buttons(
             ("at the start", "about 3 cm off", "about 30 cm off"),
             right=lambda: "at the start" if circle("start") < 1e-9 else "about 3 cm off",
@@ -81,6 +158,57 @@ PREDICTIONS = (
         "turned by 45° from the one before: a regular octagon. So do not compare rules at the end "
         "of a full circle.",
         spoilers=("octagon", "all of them close"),
+    ),
+    Prediction(
+        "early-or-late",
+        "A right wheel slips once by 6 cm: it counts what the robot does not drive. On an almost "
+        "straight way, when is the end further off?",
+        Buttons(
+            ("if it slips early", "if it slips late", "it is the same"),
+            right=lambda: "if it slips early" if slipped(4) > slipped(35) else "if it slips late",
+            assumptions={
+                "if it slips late": "Near the end little is left that can be wrong.",
+                "it is the same": "The slip is. But it turns the robot, and all that follows.",
+            },
+        ),
+        explanation="The slip turns the robot a little, and everything that follows turns with it.",
+        spoilers=("everything that follows turns",),
+        covers="door",
+    ),
+    Prediction(
+        "twice-as-far",
+        "The robot drives straight on, twice as far. How many times as wide is the cloud then, "
+        "measured across the drive?",
+        Buttons(
+            ("1.4 times", "2 times", "2.8 times"),
+            right=lambda: f"{longer():.1f} times",
+            assumptions={
+                "1.4 times": "So random errors grow: like the root of the distance. But an error "
+                "of the heading has a lever.",
+                "2 times": "So the levers grow. But there are twice as many slips, too.",
+            },
+        ),
+        explanation="The levers are twice as long, and √2 is there because there are twice as many "
+        "slips.",
+        spoilers=("√2 is there",),
+        covers="error-ellipse",
+    ),
+    Prediction(
+        "two-errors",
+        "Every corner is too short, or every side swings to the left. Which of the two turns both "
+        "squares the same way?",
+        Buttons(
+            ("short corners", "swinging sides"),
+            right="swinging sides",
+            assumptions={
+                "short corners": "Such a robot turns too little to the left in one square and too "
+                "little to the right in the other: the two are mirrored.",
+            },
+        ),
+        explanation="Swinging sides turn to the left in both squares. Short corners mirror them: "
+        "too little to the left in one, too little to the right in the other.",
+        spoilers=("to the left in both",),
+        covers="square-path",
     ),
     Prediction(
         "wraps-round",
@@ -96,52 +224,7 @@ PREDICTIONS = (
             },
         ),
         explanation="The counter could have gone either way round, and we take the *shorter* way.",
-        spoilers=("shorter way", "shorter* way"),
-    ),
-    Prediction(
-        "twice-as-far",
-        "The robot drives straight on, twice as far. How many times as long is the ellipse then, "
-        "measured across the drive?",
-        Buttons(
-            ("1.4 times", "2 times", "2.8 times"),
-            right=lambda: f"{longer():.1f} times",
-            assumptions={
-                "1.4 times": "So random errors grow: like the root of the distance. But an error "
-                "of the heading has a lever.",
-                "2 times": "So the lever grows. But the error of the heading grows, too.",
-            },
-        ),
-        explanation="The figure has six samples, and an ellipse after every second one.",
-        spoilers=("every second one",),
-    ),
-    Prediction(
-        "two-errors",
-        "Which of the two turns both squares the same way?",
-        Buttons(
-            ("short corners", "swinging sides"),
-            right="swinging sides",
-            assumptions={
-                "short corners": "Such a robot turns too little to the left in one square and too "
-                "little to the right in the other: the two are mirrored.",
-            },
-        ),
-        explanation="Swinging sides turn to the left in both squares. Short corners mirror them: "
-        "too little to the left in one, too little to the right in the other.",
-        spoilers=("to the left in both",),
-    ),
-    Prediction(
-        "a-slip",
-        "By how many of its standard deviations is the odometry wrong in $y$ at the end?",
-        Buttons(
-            ("less than 1", "about 2", "about 6"),
-            right=lambda: f"about {standard_deviations():.0f}",
-            assumptions={
-                "less than 1": "A hundred ticks are 6 cm for one wheel. But the heading is wrong "
-                "from there on.",
-                "about 2": "The lever is longer: the slip comes early.",
-            },
-        ),
-        explanation="The model knows small errors that average out, not one slip.",
-        spoilers=("not one slip",),
+        spoilers=("we take the shorter",),
+        covers="counter-clock",
     ),
 )

@@ -23,6 +23,7 @@ from book.things.room import (
     ceiling_camera,
     cone,
     kerb,
+    lamplight,
     parcel,
     road_marks,
     ruler,
@@ -47,7 +48,7 @@ from book.things.wheels import (
 __all__ = [
     "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus", "car",
     "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel", "kerb",
-    "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights",
+    "lamplight", "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights",
     "parcel", "platform", "road_marks", "robot", "rod", "roller_wheel", "ruler", "sheet", "shelf",
     "steered_wheel", "trolley", "vacuum", "walls", "wheel",
 ]  # fmt: skip

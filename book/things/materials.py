@@ -28,6 +28,7 @@ TONES = {
     "plank_lit": ("#efdab6", "#4a392a"),
     "grain": ("#c9a26f", "#2c2118"),
     "wood_edge": ("#7d5a2c", "#c19b6c"),
+    "night": ("#c9d0da", "#0c1015"),
     # bodies: light, middle, dark
     "shell": ("#ffffff", "#cbd3dc"),
     "shell_mid": ("#e3e8ee", "#a0abb8"),
@@ -127,6 +128,7 @@ GRADIENTS = {
         "r", ((0, "glass_lit", 0.06), (0.7, "glass_lit", 0.2), (1, "glass_lit", 0.7))
     ),
     "sheen": Gradient("r", ((0, "light", 0.75), (1, "light", 0))),
+    "lamplight": Gradient("r", ((0, "floor_lit"), (0.6, "floor_lit", 0.9), (1, "floor_lit", 0))),
     "beam": Gradient("y", ((0, "lamp", 0.5), (1, "lamp", 0.08))),
     "table": Gradient("r", ((0, "plank_lit"), (1, "plank"))),
     "glaze": Gradient(
@@ -140,6 +142,7 @@ GROUNDS = {
     "wall": Ground("air", "wall"),
     "asphalt": Ground("road", "asphalt"),
     "paper": Ground("paper", "paper"),
+    "night": Ground("night", "night"),
     "table": Ground("table", "plank"),
 }
 

@@ -42,6 +42,11 @@ def cone(place: Any, long: float, half: float) -> Sprite:
     return Sprite(place, (Outline(light, "beam"), Outline(sides, "", "ghost")), silhouette="")
 
 
+def lamplight(place: Any, radius: float) -> Sprite:
+    """Return the light of a lamp on the floor of a dark room."""
+    return Sprite(place, (Outline(disc(radius), "lamplight"),), silhouette="")
+
+
 def parcel(pose: Any, long: float = 0.17, wide: float = 0.12, look: str = "") -> Sprite:
     """Return a box to grip, from above."""
     tape = line((-long / 2, 0), (long / 2, 0)) + line((0, -wide / 2), (0, wide / 2))

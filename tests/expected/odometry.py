@@ -2,32 +2,103 @@
 
 import numpy as np
 
-from book.odometry.figures import BASE, CIRCLE, LEFT, RADIUS, RIGHT, TICKS
+from book.odometry.figures import BASE, CIRCLE, LEFT, RADIUS, RIGHT, TABLE, TICKS
 from robokin import motion, odometry
 
 FINER = 2.0**40  # the figures count parts of ticks: ticks of a finer encoder
 ROBOT = TICKS * FINER, RADIUS, BASE
 A_METRE = TICKS * FINER / (2 * np.pi * RADIUS)  # ticks
+DEGREE = np.pi / 180
+
+
+def dark_readouts(v_left, v_right, time, dock_x, dock_y, dock_heading, part):
+    """Return both counters, and how far the robot really is beside its belief, at the dock."""
+    told = np.stack([v_left, v_right], axis=-1) * time[:, None]
+    pieces = np.repeat(told[:, None] / 16, 16, axis=1)
+    numbers = TABLE[17:20].swapaxes(0, 1).reshape(2, 18)[:, :16].T
+    real = pieces + np.sqrt(1.6e-3 * np.abs(pieces)) * numbers
+    start = np.array([0, 0, np.pi / 2])
+    ends = []
+    for ways in (pieces, real):
+        v, turn = ways.mean(axis=-1), (ways[..., 1] - ways[..., 0]) / BASE
+        ends.append(motion.path(start, v, turn, 1.0)[:, -1, :2])
+    gap = np.linalg.norm(ends[1] - ends[0], axis=-1)
+    away = np.hypot(ends[0][:, 0] - dock_x, ends[0][:, 1] - dock_y)
+    counted = told * TICKS / (2 * np.pi * RADIUS)
+    lit = np.where(away < 0.05, gap, np.nan)
+    return {"N_L": counted[:, 0], "N_R": counted[:, 1], "gap": lit}
+
+
+def tick_readouts(way):
+    return {"N_R": np.floor(way * 12 / (2 * np.pi * RADIUS) + 1e-9)}
+
+
+def bent_readouts(turned, bend):
+    """Return both strips of 1.2 m, by the paths of the wheels, and their difference."""
+    halves = [(turned + sign * bend) / 2 for sign in (1, -1)]
+    left, right = (sum(0.6 + side * BASE / 2 * turn for turn in halves) for side in (-1, 1))
+    return {"D_L": left, "D_R": right, "difference": right - left}
+
+
+def sample_readouts(way, turn):
+    """Return how far three rules are off after one sample."""
+    left, right = (np.rint((way + s * BASE / 2 * turn) * A_METRE)[:, None] for s in (-1, 1))
+    exact = odometry.path(left, right, *ROBOT)[:, -1]
+    found = {}
+    for name, method in (("old", "start"), ("new", "end"), ("middle", "midpoint")):
+        off = odometry.path(left, right, *ROBOT, method=method)[:, -1] - exact
+        found[f"off_{name}"] = np.hypot(off[:, 0], off[:, 1])
+    return found
+
+
+def on_s(part):
+    """Return poses on the S-shaped way: 1 m to the left by 1.4 rad, then 1 m to the right."""
+    start = [0, 0, -0.35]
+    first = motion.arc_step(start, 1.0, 1.4, 2 * np.minimum(part, 0.5))
+    return motion.arc_step(first, 1.0, -1.4, 2 * np.maximum(part - 0.5, 0))
+
+
+def door_readouts(part, slip):
+    """Return the lever from the left wheel's contact to the end, and the shift."""
+    here, end = on_s(part), on_s(np.array(1.0))
+    hinge = here[:, :2] + BASE / 2 * np.stack([-np.sin(here[:, 2]), np.cos(here[:, 2])], axis=-1)
+    lever = np.linalg.norm(end[:2] - hinge, axis=-1)
+    return {"lever": lever, "shift": slip / BASE * lever}
+
+
+def ten_readouts(count):
+    """Return both standard deviations: the ten terms, each by a tiny piece of its own."""
+    total, found = np.zeros((3, 3)), np.zeros((11, 2))
+    end = on_s(np.array(1.0))
+    for k in range(10):
+        pose = on_s(np.array((k + 0.5) / 10))
+        ways = np.array([0.2 - 0.2 * s * 1.4 * BASE / 2 for s in (1, -1)])
+        ways = ways if k < 5 else ways[::-1]
+        tiny = np.rint(ways * 2.0**50)[:, None]
+        piece = odometry.covariance(*tiny, 2.0**90, 0.5 / np.pi, BASE, 3e-4 * 2.0**40, pose)[-1]
+        away = end[:2] - pose[:2]
+        lever = np.array([[1, 0, -away[1]], [0, 1, away[0]], [0, 0, 1]])
+        total = total + lever @ piece @ lever.T
+        found[k + 1] = np.sqrt(np.diag(total)[:2])
+    now = found[np.ceil(count - 0.5).astype(int)]
+    return {"sigma_x": now[:, 0], "sigma_y_end": now[:, 1]}
 
 
 def rules_readouts(count, turned):
-    """Return the largest errors of exact, old, new, middle heading; old and middle at the end."""
-    found = np.empty((len(count), 6))
+    """Return the largest errors of old, new and middle heading."""
+    found = np.empty((len(count), 3))
     for row, n, angle in zip(found, count.astype(int), turned, strict=True):
         part = angle / (2 * np.pi) / n * FINER
         ticks = [np.full(n, np.rint(wheel * part)) for wheel in (LEFT, RIGHT)]
         angles = angle * np.arange(n + 1) / n
         true = motion.arc_step([0, 0, 0], CIRCLE * angles, angles, 1.0)
-        errors = []
-        for method in ("exact", "start", "end", "midpoint"):
+        for place, method in enumerate(("start", "end", "midpoint")):
             drive = odometry.path(*ticks, *ROBOT, method=method)
-            errors.append(np.hypot(*(drive - true)[:, :2].T))
-        row[:] = [*np.max(errors, axis=1), errors[1][-1], errors[3][-1]]
-    names = "exact", "old", "new", "middle", "old_end", "middle_end"
-    return dict(zip(names, found.T, strict=True))
+            row[place] = np.hypot(*(drive - true)[:, :2].T).max()
+    return dict(zip(("old", "new", "middle"), found.T, strict=True))
 
 
-def ellipse_readouts(wheel_error, drive, turned):
+def ellipse_readouts(wheel_error, drive, turned, _):
     """Return half the 95 % ellipse, length and width, and the standard deviation of the heading."""
     half = BASE * turned / 2
     left, right = (np.rint((drive + s * half) / 6 * A_METRE) for s in (-1, 1))
@@ -55,9 +126,38 @@ def square_end(b_true, ratio, turns):
 def square_readouts(b_true, ratio):
     """Return the ends of the clockwise and the counter-clockwise run, and the calibration."""
     cw, ccw = (square_end(b_true, ratio, turns) for turns in (-1, 1))
-    found = odometry.umbmark(cw[:, None], ccw[:, None], 1.0, BASE)
-    names = "x_cw", "y_cw", "x_ccw", "y_ccw", "found_b", "found_ratio"
-    return dict(zip(names, (*cw.T, *ccw.T, *found), strict=True))
+    found_b, found_ratio = odometry.umbmark(cw[:, None], ccw[:, None], 1.0, BASE)
+    alpha = np.pi / 2 * (1 - BASE / found_b)
+    beta = 2 * np.arcsin((found_ratio - 1) / (found_ratio + 1) / found_b)
+    names = "x_cw", "y_cw", "x_ccw", "y_ccw", "short_turn", "side_swing"
+    return dict(zip(names, (*cw.T, *ccw.T, alpha, beta), strict=True))
+
+
+def ice_readouts(slip):
+    """Return where the odometry ends beside the line, and in standard deviations."""
+    ticks = [np.rint(way * A_METRE) for way in (0.2, 1.96 - 0.2)]
+    slips = np.rint(slip * A_METRE)
+    left = np.stack([np.full_like(slip, ticks[0]), 0 * slip, np.full_like(slip, ticks[1])], axis=-1)
+    right = left + np.stack([0 * slip, slips, 0 * slip], axis=-1)
+    aside = odometry.path(left, right, *ROBOT)[:, -1, 1]
+    spread = np.sqrt(2 * 0.008**2 * 1.96**3 / 3) / BASE
+    return {"aside": aside, "many": aside / spread}
+
+
+def lab_readouts(heading, drive, turned, slip):
+    """Return the ellipse by twelve samples, and where a slipped drive ends against the dock."""
+    pose = np.stack([0 * heading, 0 * heading, heading], axis=-1)
+    half = BASE * turned / 2
+    ticks = [np.rint((drive + s * half) / 12 * A_METRE)[:, None] for s in (-1, 1)]
+    ticks = [np.repeat(each, 12, axis=1) for each in ticks]
+    last = odometry.covariance(*ticks, *ROBOT, 1e-4, pose)[:, -1, :2, :2]
+    short, long = np.sqrt(np.linalg.eigvalsh(last)).T
+    place = motion.arc_step(pose, 0.2, 0.2 / drive * turned, 1.0)
+    # the left wheel stands still, the right one rolls back what was counted too much
+    place = motion.arc_step(place, -slip / 2, -slip / BASE, 1.0)
+    end = motion.arc_step(place, drive - 0.2, (drive - 0.2) / drive * turned, 1.0)
+    away = np.hypot(end[:, 0] - 0.92, end[:, 1] - 0.5)
+    return {"lab_long": long, "lab_short": short, "to_dock": away}
 
 
 def wrong_poses_readouts(*columns):
@@ -117,12 +217,24 @@ def leaps_in_sample_9(*columns):
 LEAP = "It leaps back in sample 9"
 
 READOUTS = {
+    "dark-room": dark_readouts,
+    "tick": tick_readouts,
+    "bent": bent_readouts,
+    "rules-step": sample_readouts,
     "four-rules": rules_readouts,
+    "door": door_readouts,
+    "ten-doors": ten_readouts,
     "error-ellipse": ellipse_readouts,
     "square-path": square_readouts,
+    "counter-clock": lambda before, now: {"naive": now - before},
+    "ice": ice_readouts,
+    "half-seen": lambda heading: {"seen": np.arctan(np.tan(heading))},
+    "odometry-lab": lab_readouts,
     "wrong-poses": wrong_poses_readouts,
 }
+SHORT, LONG = {"v_L": 0.12, "v_R": 0.16}, {"v_L": 0.085, "v_R": 0.145}
 SPECIALS = {
+    "dark-room": [SHORT, {"way_home": "long", **LONG}],
     "four-rules": [{"turned": 2 * np.pi}, {"turned": 2 * np.pi, "samples": 3}, {"samples": 32}],
     "error-ellipse": [
         {"turned": 2 * np.pi},
@@ -131,6 +243,7 @@ SPECIALS = {
         {"turned": 1e-9},
     ],
     "square-path": [{"ratio": 1.0}, {"b_true": 0.2}, {"ratio": 1.0, "b_true": 0.2}],
+    "odometry-lab": [{"turned": 0.0}, {"turned": 0.0, "slip": 0.06}],
     "wrong-poses": [{"mistake": LEAP, "samples": n} for n in (8, 9, 16)],
 }
 TITLES = {
@@ -196,13 +309,111 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "at the start is forgotten": [0.392, 0.1162, 0.5764],
         },
     ),
+    "odometry-8": (
+        {"slip": 3, "b": 40, "lever": 2},
+        {"half the wheel distance": [0.15, 0.3], "without the lever": [0.075, 0.03]},
+    ),
+    "odometry-9": (
+        {"error": 5, "b": 40, "drive": 3},
+        {"one wheel": [0.0217, 0.0375], "third is missing": [0.0306, 0.0919]},
+    ),
+    "odometry-10": (
+        {"x_cw": -10, "y_cw": -12, "x_ccw": -4, "y_ccw": 5, "side": 2, "b": 40},
+        {
+            "two ways are exchanged": [0.3995, 1.0001],
+            "x and y": [0.4021, 1.0039],
+        },
+    ),
+    "odometry-11": (
+        {"span": 1024, "most": 30},
+        {"whole counter": 33, "g lost readings": 17},
+    ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
+    "held-wheel": "the left wheel",
+    "quarter-turn": "(−1, 2)",
+    "ticks-to-metres": ("23.6 cm", "3.75 cm", "47.1 cm", "31.4 cm"),
     "how-much-turned": "45°",
-    "straight-on": "that of ρ",
+    "where-is-it": ("x 0.283 m, y 0.117 m", "0.314 m, 0 m", "0.222 m, 0.222 m"),
     "whole-circle": "at the start",
-    "wraps-round": "10",
+    "early-or-late": "if it slips early",
     "twice-as-far": "2.8 times",
     "two-errors": "swinging sides",
-    "a-slip": "about 6",
+    "wraps-round": "10",
+}
+GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
+    "dark-room": [
+        ([SHORT], [{**SHORT, "v_R": 0.17}, LONG]),
+        ([{"way_home": "long", **LONG}], [{"way_home": "long", **SHORT}]),
+    ],
+    "tick": [([{"way": 0.184}, {"way": 0.209}], [{"way": 0.183}, {"way": 0.21}])],
+    "strips": [
+        ([{"D_L": 0.0, "D_R": 0.31}], [{"D_L": 0.0, "D_R": 0.3}, {"D_L": 0.01, "D_R": 0.32}]),
+        ([{"D_L": -0.06, "D_R": 0.06}], [{"D_L": -0.06, "D_R": 0.08}, {"D_L": 0.0, "D_R": 0.0}]),
+    ],
+    "bent": [
+        (
+            [{"turned": 60 * DEGREE, "bend": -120 * DEGREE}],
+            [{"turned": 60 * DEGREE, "bend": -125 * DEGREE}, {"turned": 0.0, "bend": 0.0}],
+        )
+    ],
+    "rules-step": [([{"D": 0.3, "dtheta": 10 * DEGREE}], [{"D": 0.35, "dtheta": 10 * DEGREE}])],
+    "four-rules": [
+        (
+            [{"samples": 26, "turned": 2 * np.pi}],
+            [{"samples": 25, "turned": 2 * np.pi}, {"samples": 26, "turned": 350 * DEGREE}],
+        )
+    ],
+    "door": [
+        (
+            [{"slip": 0.06, "part": 0.45}, {"slip": 0.06, "part": 0.53}],
+            [{"slip": 0.06, "part": 0.44}, {"slip": 0.06, "part": 0.54}, {"part": 0.5}],
+        )
+    ],
+    "square-path": [
+        ([{"b_true": 0.205, "ratio": 1.008}], [{"b_true": 0.2, "ratio": 1.0}]),
+        ([{"b_true": 0.2, "ratio": 1.0}], [{"b_true": 0.201, "ratio": 1.0}]),
+    ],
+    "counter-clock": [
+        (
+            [{"count_before": 60000, "count_now": 5000}],
+            [
+                {"count_before": 50000, "count_now": 20000},
+                {"count_before": 5000, "count_now": 60000},
+            ],
+        )
+    ],
+    "ice": [([{"slip": 0.03}, {"slip": -0.03}], [{"slip": 0.028}, {"slip": 0.032}])],
+    "half-seen": [
+        ([{"set_off": 150 * DEGREE}], [{"set_off": 145 * DEGREE}, {"set_off": -30 * DEGREE}])
+    ],
+    "odometry-lab": [
+        (
+            [{"set_off": 28 * DEGREE, "drive": 1.04, "turned": 0.0}],
+            [
+                {"set_off": 28 * DEGREE, "drive": 1.1, "turned": 0.0},
+                {"set_off": -60 * DEGREE, "drive": 1.85, "turned": 180 * DEGREE},
+            ],
+        ),
+        (
+            [{"drive": 2.5, "turned": 280 * DEGREE}],
+            [{"drive": 2.5, "turned": 270 * DEGREE}, {"drive": 2.49, "turned": 280 * DEGREE}],
+        ),
+        (
+            [{"set_off": 42 * DEGREE, "drive": 1.08, "turned": 0.0, "slip": 0.06}],
+            [
+                {"set_off": 28 * DEGREE, "drive": 1.04, "turned": 0.0, "slip": 0.06},
+                {"set_off": 28 * DEGREE, "drive": 1.04, "turned": 0.0},
+            ],
+        ),
+    ],
+    "two-secrets": [
+        (
+            [{"guess_b": 0.2065, "guess_ratio": 1.006}],
+            [{"guess_b": 0.2075, "guess_ratio": 1.006}, {"guess_b": 0.2065, "guess_ratio": 1.004}],
+        )
+    ],
+    "odometry-letters": [
+        ([{"name_1": "ℓ", "name_2": "εℓ/b", "name_3": "ε/b"}], [{"name_1": "ℓ", "name_2": "ε/b"}])
+    ],
 }

@@ -653,7 +653,7 @@ odometry_8 = Exercise(
         "the other wheel, which is b away:\n\n{angle}\n\nAll that follows turns with it. The end "
         "moves on a circle about the left wheel's contact, by the angle times the lever:\n\n"
         "{shift}",
-        answer=("angle", "shift"),
+        answer=(("angle", "shift"),),
         angle=Step(formulas.door_angle, values=(formulas.swing,)),
         shift=Step(formulas.door_shift, values=(formulas.shift,)),
     ),

@@ -297,18 +297,14 @@ SLOTS = 12  # of a coarse disc, so that one sees them
 WHEEL_AT, RULER_AT = 0.1, -0.02
 
 
-def pulses(high: float, phase: float) -> Line:
-    """Return what a light gate tells along the way: high where light comes through."""
-    wave = 2 * pi * RADIUS / SLOTS
-    places = [0.0]
-    for k in range(2 * SLOTS + 4):
-        edge = float(wave * (k / 2 + 0.25 - phase))
-        if 0 < edge < 0.4:
-            places += [edge]
-    points, up = [], phase == 0
-    for one, other in pairwise([*places, 0.4]):
-        points += [(one, high + 0.022 * up), (other, high + 0.022 * up)]
-        up = not up
+def pulses(high: float, rises: float) -> Line:
+    """Return what a light gate tells along the way; rises: at which part of a tick light comes."""
+    tick = float(2 * pi * RADIUS / SLOTS)
+    edges = [tick * (rises + k / 2) for k in range(2 * SLOTS + 8)]
+    points = []
+    for k, (one, other) in enumerate(pairwise([0.0, *(e for e in edges if e < 0.4), 0.4])):
+        level = high + 0.022 * (k % 2)
+        points += [(one, level), (other, level)]
     return Line("path", tuple(points))
 
 
@@ -321,14 +317,14 @@ def tick_figure() -> Figure:
         view=(-0.1, 0.5, -0.19, 0.19),
         ground="wall",
         controls=(Slider(way, 0.0, 0.4, start=0.0, step=0.001, label="way of the wheel"),),
-        where=((N_R, sp.floor(way * SLOTS / (2 * pi * RADIUS) + 1e-9)),),
+        where=((N_R, sp.floor(way * SLOTS / (2 * pi * RADIUS) + sp.Rational(7, 8))),),
         shapes=(
             things.ruler((0, 0, 0), 0.1, 4),
             *(Label("text", (k / 10, -0.034), f"{10 * k} cm") for k in (1, 2, 3, 4)),
             things.encoder_wheel((*hub[:2], pi / 2), way, RADIUS, SLOTS, "right2"),
             things.light_gate(hub, RADIUS, SLOTS),
-            pulses(-0.095, 0.0),
-            pulses(-0.15, 0.25),
+            pulses(-0.095, 1 / 8),
+            pulses(-0.15, 3 / 8),
             Line("right", ((way, -0.06), (way, -0.17))),
             Label("text", (-0.04, -0.086), "A"),
             Label("text", (-0.04, -0.141), "B"),

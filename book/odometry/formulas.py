@@ -60,8 +60,18 @@ swing = symbol("swing", "swing: how far the rest of the drive turns", r"\delta",
 shift = symbol("shift", "shift of the end by a slip", "e_s", "m")
 l_x = quantity("l_x", "m", -1, 1, "from the robot to the end of its drive, along x", r"\ell_x")
 l_y = quantity("l_y", "m", -1, 1, "from the robot to the end of its drive, along y", r"\ell_y")
-lever_L = symbols(r"\ell_{Lx} \ell_{Ly}", real=True)
-lever_R = symbols(r"\ell_{Rx} \ell_{Ry}", real=True)
+lever_L, lever_R = (
+    tuple(
+        symbol(
+            f"l_{wheel}{axis}",
+            f"from the {name} wheel's contact to the end, along {axis}",
+            rf"\ell_{{{wheel}{axis}}}",
+            "m",
+        )
+        for axis in "xy"
+    )
+    for wheel, name in (("L", "left"), ("R", "right"))
+)
 drive = quantity("drive", "m", 0.25, 3, "how far the robot drives", latex="s")
 sigma_theta = symbol("sigma_theta", "standard deviation of the heading", r"\sigma_\theta", "rad")
 sigma_y = symbol("sigma_y", "standard deviation across the drive", r"\sigma_y", "m")
@@ -95,8 +105,15 @@ F = symbol("F", "derivative of the new pose with respect to the old one")
 G = symbol("G", "derivative of the new pose with respect to the travel of the wheels")
 error = symbol("pose_error", "small errors of the pose", "e")
 covariance_entries = (p_xx, p_xy, p_xt, p_yy, p_yt, p_tt)
-p_next = [Symbol(f"{name}'") for name in ("p_{xx}", "p_{xy}", r"p_{x\theta}")]
-p_next += [Symbol(f"{name}'") for name in ("p_{yy}", r"p_{y\theta}", r"p_{\theta\theta}")]
+p_next = tuple(
+    symbol(
+        f"{entry}_next",
+        f"{entry.meaning}, after a piece of the drive",
+        f"{entry.latex}'",
+        entry.unit,
+    )
+    for entry in covariance_entries
+)
 
 
 def one_sample(name: str, heading: Any) -> Equation:

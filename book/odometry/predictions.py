@@ -154,9 +154,8 @@ PREDICTIONS = (
                 "about 30 cm off": "So far it is off on the way, half-way round.",
             },
         ),
-        explanation="All of them close! The first three draw eight sides of one length, each "
-        "turned by 45° from the one before: a regular octagon. So do not compare rules at the end "
-        "of a full circle.",
+        explanation="All of them close! Eight equal sides, each turned by 45° from the one before, "
+        "are a regular octagon. So do not compare rules there.",
         spoilers=("octagon", "all of them close"),
     ),
     Prediction(

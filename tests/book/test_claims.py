@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from robokin import elbow_arm, motion
+from robokin import elbow_arm, motion, odometry
 
 
 def test_numpy_inverts_a_singular_matrix_without_an_error():
@@ -65,3 +65,44 @@ def test_a_stretched_or_folded_arm_has_two_ways_left():
     for d in (0.7, 0.1):
         on_circle = np.exp(1j * elbow_arm.inverse([d, 0, 0], 0.4, 0.3))  # 180° is −180°
         assert len(np.unique(on_circle.round(9), axis=0)) == 2
+
+
+def drive_by_levers(D_L, D_R, k=1e-4, b=0.2, pieces=4096):
+    """The covariance of a drive's end, by the library, and by both tracks' levers to the end."""
+    ticks = [np.full(pieces, round(D * 2**40 / pieces)) for D in (D_L, D_R)]
+    robot = 2.0**40, 0.5 / np.pi, b
+    drive = odometry.path(*ticks, *robot)
+    middle = odometry.path(*ticks, *robot, pose=motion.arc_step(
+        [0, 0, 0], (D_L + D_R) / 2, (D_R - D_L) / b, 0.5 / pieces))[:-1]  # fmt: skip
+    half = b / 2 * np.array([-np.sin(middle[:, 2]), np.cos(middle[:, 2])])
+    total = 0
+    for hinge, other in ((half, D_R), (-half, D_L)):
+        x, y = drive[-1, :2, None] - middle[:, :2].T - hinge
+        turned = np.array([-y, x])
+        total = total + k / b**2 * abs(other) / pieces * turned @ turned.T
+    return odometry.covariance(*ticks, *robot, k)[-1, :2, :2], total
+
+
+@pytest.mark.parametrize(
+    ("D_L", "D_R"),
+    [(2.5 - 0.4 * np.pi / 3, 2.5 + 0.4 * np.pi / 3), (2.0, 2.0), (0.0, 0.3), (-0.4, 0.4)],
+    ids=["240°", "straight", "one wheel held", "on the spot"],
+)
+def test_the_covariance_is_the_inertia_of_both_tracks(D_L, D_R):
+    """Chapter 07, step 5: each track as heavy as the other wheel's way, turned by a quarter."""
+    carried, levers = drive_by_levers(D_L, D_R)
+    # what pieces lack is about 1/4096², 6e-8, of the largest entry
+    np.testing.assert_allclose(levers, carried, atol=2e-7 * carried.max())
+
+
+def test_the_ellipse_of_a_long_bend():
+    """Chapter 07: 2.5 m and 240° with wheels that err by 1 cm over a metre."""
+    carried, _ = drive_by_levers(2.5 - 0.4 * np.pi / 3, 2.5 + 0.4 * np.pi / 3)
+    assert odometry.ellipse(carried)[0] == pytest.approx([0.0939, 0.0418], abs=5e-5)
+
+
+def test_with_one_wheel_held_the_ellipse_is_a_line():
+    """All slips have one hinge then, and one lever; the way itself is a part of the circle."""
+    carried, _ = drive_by_levers(0.0, 0.3)
+    long, short = odometry.ellipse(carried)[0]
+    assert short < 1e-6 * long  # rounding, under a root

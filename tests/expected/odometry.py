@@ -30,7 +30,7 @@ def dark_readouts(v_left, v_right, time, dock_x, dock_y, dock_heading, part):
 
 
 def tick_readouts(way):
-    return {"N_R": np.floor(way * 12 / (2 * np.pi * RADIUS) + 1e-9)}
+    return {"N_R": np.floor(way * 12 / (2 * np.pi * RADIUS) + 7 / 8)}
 
 
 def bent_readouts(turned, bend):
@@ -346,7 +346,7 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
         ([SHORT], [{**SHORT, "v_R": 0.17}, LONG]),
         ([{"way_home": "long", **LONG}], [{"way_home": "long", **SHORT}]),
     ],
-    "tick": [([{"way": 0.184}, {"way": 0.209}], [{"way": 0.183}, {"way": 0.21}])],
+    "tick": [([{"way": 0.161}, {"way": 0.186}], [{"way": 0.16}, {"way": 0.187}])],
     "strips": [
         ([{"D_L": 0.0, "D_R": 0.31}], [{"D_L": 0.0, "D_R": 0.3}, {"D_L": 0.01, "D_R": 0.32}]),
         ([{"D_L": -0.06, "D_R": 0.06}], [{"D_L": -0.06, "D_R": 0.08}, {"D_L": 0.0, "D_R": 0.0}]),

@@ -9,6 +9,8 @@ from book.frames.formulas import (
     bc_x,
     bc_y,
     beta,
+    bp_x,
+    bp_y,
     db_turn,
     db_x,
     db_y,
@@ -72,6 +74,12 @@ def seen_from_above(position: Array, heading: Array) -> Array:
     return frames.compose(frames.inverse(camera), frames.se3(upright, there))
 
 
+def pole(x: Array, y: Array, theta: Array) -> Array:
+    """Return the point that a pose leaves where it is, by a linear system."""
+    T = frames.se2(x, y, theta)
+    return np.linalg.solve(np.eye(2) - T[..., :2, :2], T[..., :2, 2:])[..., 0]
+
+
 def turned_away(lever: Array, error: Array) -> Array:
     """How far a point moves when it is turned by an error."""
     point = np.stack([lever, 0 * lever], axis=-1)
@@ -87,6 +95,23 @@ CHECKS = (
         tolerance=3e-16,
         reason="one rounding of a sine or cosine",
         specials=tuple({db_turn: quarter} for quarter in QUARTERS),
+    ),
+    Check(
+        formulas.point,
+        function=lambda x, y, theta, p: frames.transform(frames.se2(x, y, theta), p),
+        arguments=(db_x, db_y, db_turn, (bp_x, bp_y)),
+        tolerance=2e-15,
+        reason="two products and two sums of sizes up to 4, each rounded once",
+        specials=({bp_x: 0.0, bp_y: 0.0}, *({db_turn: quarter} for quarter in QUARTERS)),
+    ),
+    Check(
+        formulas.pole,
+        function=pole,
+        arguments=(db_x, db_y, db_turn),
+        tolerance=1e-12,
+        reason="at 0.2 rad a linear system with a condition of 10, numbers up to 20 m",
+        ranges={db_turn: (0.2, 3.1)},
+        specials=({db_turn: np.pi}, {db_turn: -np.pi / 2}),
     ),
     Check(
         formulas.hand_pose,

@@ -1,10 +1,10 @@
 """Exercises on chains of frames, and the mistakes that are made there."""
 
 import numpy as np
-from sympy import Matrix, MatrixSymbol, atan2, symbols
+from sympy import Matrix, MatrixSymbol, atan2, cos, sin, sqrt, symbols
 
 from book.frames import formulas
-from book.frames.formulas import sought
+from book.frames.formulas import SOUGHT, sought
 from book.motion.formulas import theta
 from courseware.answers import Unknown, angle
 from courseware.equations import as_written
@@ -268,6 +268,60 @@ def one_wrong_inverse(T_db, T_bc):
     ]
 
 
+GAP, BOX_X, BOX_Y = symbols("gap x_box y_box")
+APART = sqrt((SOUGHT["x_dp"] - BOX_X) ** 2 + (SOUGHT["y_dp"] - BOX_Y) ** 2)
+
+
+def gap_of(there, x, y):
+    """Return the distance of a place from another one."""
+    return np.hypot(there[0] - x, there[1] - y)
+
+
+def in_graph(formula):
+    """Return a formula of T_rd, T_rb and a point, as one of the numbers given."""
+    return lambda x_d, y_d, theta_d, x_b, y_b, theta_b, x, y: formula(
+        frames.se2(x_d, y_d, theta_d), frames.se2(x_b, y_b, theta_b), np.array([x, y])
+    )
+
+
+AS_SEEN, AS_TURNED = symbols("x_b y_b"), symbols("x_a y_a")
+TURNED_BY, POINT_X, POINT_Y = symbols("theta x y")
+TURN_GIVEN = {TURNED_BY: "theta_b", POINT_X: "x", POINT_Y: "y"}
+
+
+def about(angle):
+    """Return a point that is turned by an angle, as an expression."""
+    with as_written():
+        return Matrix(
+            [
+                POINT_X * cos(angle) - POINT_Y * sin(angle),
+                POINT_X * sin(angle) + POINT_Y * cos(angle),
+            ]
+        )
+
+
+def turned_both_ways(formula):
+    """Return a formula of a point seen from b and of one turned, as one of the numbers given."""
+    return lambda theta_b, x, y: formula(
+        *(frames.transform(frames.se2(0, 0, turn), [x, y]) for turn in (-theta_b, theta_b))
+    )
+
+
+IN_PICTURE = symbols("ahead left")
+PSI, *PLACES = symbols("psi x_b y_b x_e y_e")
+PICTURE_GIVEN = {PSI: "psi"} | {each: str(each) for each in PLACES}
+with as_written():
+    _dx, _dy = PLACES[2] - PLACES[0], PLACES[3] - PLACES[1]
+    PICTURE = Matrix([_dx * cos(PSI) + _dy * sin(PSI), _dx * sin(PSI) - _dy * cos(PSI)])
+
+
+def in_picture(formula):
+    """Return a formula of what the platform sees, from places in a picture with y down."""
+    return lambda x_b, y_b, psi, x_e, y_e: formula(
+        *frames.transform(frames.inverse(frames.se2(x_b, -y_b, -psi)), [x_e, -y_e])
+    )
+
+
 ONE_BACK = "with −p in place of −Rᵀp in one of the two inverses"
 ONLY_HAND = "when only T_bc is inverted, and T_db stays as it is"
 
@@ -529,5 +583,147 @@ frames_7 = Exercise(
         T_db=Step(LocalEquation(T_db, T_de * T_bc.inv()), values=tuple(map(str, t))),
         pose=Step(POSE_OF, unit=UNITS),
         lies=Step(LocalEquation(T_de, T_db * T_bc), expected=matrices(lambda T_de, T_bc: T_de)),
+    ),
+)
+
+frames_8 = Exercise(
+    "frames-8",
+    title="Is it the same box?",
+    text=f"{PLAN}{PLATFORM_SEEN}, and a box at x = {{x_e}}, y = {{y_e}}. {TURNED} A camera on the "
+    "platform sees a box, too, at x = {x}, y = {y} along the platform's axes. If it is the same "
+    "box, the loop d–b–box–d must close. How far apart are the two places?",
+    given=PLATFORM
+    | {"x_e": PLACE, "y_e": PLACE}
+    | {"x": number_range(0.3, 1.2, 0.1, "m"), "y": number_range(-0.8, 0.8, 0.1, "m")},
+    unknowns=(Unknown("gap", "m"),),
+    right=lambda x_e, y_e, x, y, **platform: [
+        gap_of(frames.transform(planar(**platform)["T_db"], [x, y]), x_e, y_e)
+    ],
+    wrong={
+        T_bc_kept: lambda x_e, y_e, x, y, **platform: [
+            gap_of(frames.transform(frames.inverse(planar(**platform)["T_db"]), [x, y]), x_e, y_e)
+        ],
+    },
+    likely_slips={
+        "when x and y are added although the axes of b are turned": (
+            lambda x_e, y_e, x, y, x_b, y_b, theta_b: [gap_of([x_b + x, y_b + y], x_e, y_e)]
+        ),
+    },
+    solution=Solution(
+        "By the way over the platform the box is, seen from d, at\n\n{there}\n\nThe camera d sees "
+        "it elsewhere. The two places are apart by\n\n{gap}",
+        there=Step(
+            formulas.point, PLATFORM_IS | {formulas.bp_x: "x", formulas.bp_y: "y"}, unit=("m", "m")
+        ),
+        gap=Step(LocalEquation(GAP, APART, "m"), {BOX_X: "x_e", BOX_Y: "y_e"}),
+    ),
+)
+
+frames_9 = Exercise(
+    "frames-9",
+    title="A graph of four frames",
+    text="A graph knows three poses in the plane. Seen from the room r, the camera d is at "
+    "x = {x_d}, y = {y_d}, turned by {theta_d}, and the platform b at x = {x_b}, y = {y_b}, turned "
+    f"by {{theta_b}}. The platform sees a box e at x = {{x}}, y = {{y}}. {TURNED} Where does the "
+    "camera see the box?",
+    given={"x_d": PLACE, "y_d": PLACE, "theta_d": TURN}
+    | PLATFORM
+    | {"x": number_range(0.3, 1.2, 0.1, "m"), "y": number_range(-0.8, 0.8, 0.1, "m")},
+    unknowns=(Unknown("x", "m"), Unknown("y", "m")),
+    right=in_graph(lambda T_rd, T_rb, p: frames.transform(frames.inverse(T_rd) @ T_rb, p)),
+    wrong={
+        no_inverse: in_graph(lambda T_rd, T_rb, p: frames.transform(T_rd @ T_rb, p)),
+        unturned_shift: in_graph(
+            lambda T_rd, T_rb, p: frames.transform(shifted_back(T_rd) @ T_rb, p)
+        ),
+    },
+    likely_slips={
+        "when the wrong one of the two poses is inverted": in_graph(
+            lambda T_rd, T_rb, p: frames.transform(T_rd @ frames.inverse(T_rb), p)
+        ),
+        "for the box as the room sees it": in_graph(
+            lambda T_rd, T_rb, p: frames.transform(T_rb, p)
+        ),
+    },
+    solution=Solution(
+        "The way from d to e leads via r and b. The first pose on it is known from the other end. "
+        "Seen from the room, the box is at\n\n{there}\n\nFrom the camera to it leads a difference, "
+        "which is turned to the axes of d:\n\n{seen}",
+        there=Step(
+            formulas.point, PLATFORM_IS | {formulas.bp_x: "x", formulas.bp_y: "y"}, unit=("m", "m")
+        ),
+        seen=Step(
+            formulas.object_seen,
+            dict(zip(DB, ("x_d", "y_d", "theta_d"), strict=True))
+            | {formulas.de_x: "x_dp", formulas.de_y: "y_dp", formulas.de_turn: 0},
+            values=tuple(sought("de")[:2]),
+            unit="m",
+            part=(0, 1),
+        ),
+    ),
+)
+
+frames_10 = Exercise(
+    "frames-10",
+    title="Moved, or named anew",
+    text="Two frames a and b have the same origin; b is turned by {theta_b} against a "
+    "(counter-clockwise positive). Seen from a, a point lies at x = {x}, y = {y}. First, passive: "
+    "where does b see this point? Then, active: the point is turned by the angle from a to b. "
+    "Where does a see it now?",
+    given={
+        "theta_b": TURN,
+        "x": number_range(0.2, 1.6, 0.2, "m"),
+        "y": number_range(-1.6, 1.6, 0.2, "m"),
+    },
+    unknowns=tuple(
+        Unknown(f"{axis}, {what}", "m") for what in ("seen from b", "turned") for axis in "xy"
+    ),
+    right=turned_both_ways(lambda passive, active: [*passive, *active]),
+    wrong={},
+    likely_slips={
+        "with active and passive exchanged": turned_both_ways(
+            lambda passive, active: [*active, *passive]
+        ),
+        "when both are turned by the angle from a to b": turned_both_ways(
+            lambda passive, active: [*active, *active]
+        ),
+        "when both are turned by minus the angle from a to b": turned_both_ways(
+            lambda passive, active: [*passive, *passive]
+        ),
+    },
+    solution=Solution(
+        "The axes of b are turned. Seen from them, the point goes the other way: the inverse turn."
+        "\n\n{passive}\n\nActive, the point itself goes with the turn:\n\n{active}",
+        passive=Step(LocalEquation(Matrix(AS_SEEN), about(-TURNED_BY), "m"), TURN_GIVEN),
+        answer=(("passive", "active"),),
+        active=Step(LocalEquation(Matrix(AS_TURNED), about(TURNED_BY), "m"), TURN_GIVEN),
+    ),
+)
+
+frames_11 = Exercise(
+    "frames-11",
+    title="A picture with y down",
+    text="A camera looks straight down. In its picture x goes to the right and y goes down, both "
+    "already in metres on the floor. It sees a platform at x = {x_b}, y = {y_b}. The platform's "
+    "front points at {psi} from x towards y, so to the lower right of the picture for a small "
+    "angle. An object is at x = {x_e}, y = {y_e}. How far ahead of the platform is it, and how far "
+    "to its left?",
+    given={"x_b": PLACE, "y_b": PLACE, "psi": TURN, "x_e": PLACE, "y_e": PLACE},
+    when=lambda x_b, y_b, x_e, y_e, **_: abs(x_e - x_b) > 0.3 and abs(y_e - y_b) > 0.3,
+    unknowns=(Unknown("ahead", "m"), Unknown("to the left", "m")),
+    right=in_picture(lambda ahead, left: [ahead, left]),
+    wrong={},
+    likely_slips={
+        "when the picture is read with y up: left and right change places": in_picture(
+            lambda ahead, left: [ahead, -left]
+        ),
+        "along the picture's axes; asked are the platform's": (
+            lambda x_b, y_b, psi, x_e, y_e: [x_e - x_b, y_e - y_b]
+        ),
+    },
+    solution=Solution(
+        "Flip y, and the picture is a plan again: all y and the angle change their sign. Then the "
+        "difference is turned to the axes of the platform, as always.\n\n{seen}",
+        seen=Step(LocalEquation(Matrix(IN_PICTURE), PICTURE, "m"), PICTURE_GIVEN),
     ),
 )

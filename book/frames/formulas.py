@@ -28,6 +28,11 @@ bc_x = quantity("bc_x", "m", -2, 2, "hand c seen from platform b", "x_{bc}", "x_
 bc_y = quantity("bc_y", "m", -2, 2, "hand c seen from platform b", "y_{bc}", "y_bc")
 bc_turn = quantity("bc_turn", "rad", *TURN, "heading of c seen from b", latex=r"\theta_{bc}")
 
+bp_x = quantity("bp_x", "m", -1, 1, "a point of the platform seen from b", latex="x_{bp}")
+bp_y = quantity("bp_y", "m", -1, 1, "a point of the platform seen from b", latex="y_{bp}")
+pole_x = quantity("pole_x", "m", -9, 9, "the point that a pose leaves alone, along x", "x_C")
+pole_y = quantity("pole_y", "m", -9, 9, "the point that a pose leaves alone, along y", "y_C")
+
 roll = quantity("roll", "rad", *TURN, "turn about x, by which any rotation begins")
 pitch = quantity("pitch", "rad", *TURN, "turn about y, the second of any rotation")
 yaw = quantity("yaw", "rad", *TURN, "turn about z, the third of any rotation")
@@ -39,7 +44,8 @@ error = quantity("error", "rad", -0.5, 0.5, "error of an angle", r"\delta", "del
 missed = quantity("missed", "m", 0, 3, "by how much a point is missed", r"\Delta", "miss")
 
 
-PAIRS = ["ab", "ac", "bc", "bd", "be", "cb", "ce", "db", "de", "fb", "fd", "rb", "rf"]
+PAIRS = ["ab", "ac", "bc", "bd", "be", "cb", "ce", "cf"]
+PAIRS += ["db", "de", "fb", "fd", "fe", "rb", "rf"]
 T = {of: symbol(f"T_{of}", f"pose of {of[1]} as seen from {of[0]}", f"T_{{{of}}}") for of in PAIRS}
 PARTS = {"x": ("x", "place", "m"), "y": ("y", "place", "m"), "z": ("z", "place", "m")}
 PARTS["theta"] = (r"\theta", "heading", "rad")
@@ -53,11 +59,19 @@ SOUGHT = {
 SOUGHT |= {"x_db": db_x, "y_db": db_y, "theta_db": db_turn}
 SOUGHT |= {"x_de": de_x, "y_de": de_y, "theta_de": de_turn}
 SOUGHT |= {"x_bc": bc_x, "y_bc": bc_y, "theta_bc": bc_turn}
+SOUGHT["x_dp"] = symbol("x_dp", "a point p as seen from d", "x_{dp}", "m")
+SOUGHT["y_dp"] = symbol("y_dp", "a point p as seen from d", "y_{dp}", "m")
 R = symbol("R", "the turn in a pose, a rotation matrix")
 p = symbol("p", "the position in a pose")
 Q = symbol("Q", "the turn in the inverse of a pose")
 q = symbol("q", "the position in the inverse of a pose")
 identity = symbol("I", "the identity matrix")
+pole_place = symbol("c", "the pole of a pose: the point that stays where it is", unit="m")
+wrong_turn = symbol("D", "the error of a pose, a pose itself")
+AXES = [symbol(f"{u}_{of}", f"{u} axis of frame {of}") for of in "bc" for u in "xy"]
+POINTS = [symbol(f"p_{of}", f"a point as seen from {of}", unit="m") for of in "abc"]
+TURNS = [symbol(f"R_{of}", f"the turn in T_{of}", f"R_{{{of}}}") for of in ("ab", "bc")]
+PLACES = [symbol(f"p_{of}", f"the position in T_{of}", f"p_{{{of}}}", "m") for of in ("ab", "bc")]
 
 
 def sought(of: str, parts: tuple[str, ...] = ("x", "y", "theta")) -> Matrix:
@@ -74,6 +88,28 @@ with as_written():
                 [cos(db_turn), -sin(db_turn), db_x],
                 [sin(db_turn), cos(db_turn), db_y],
                 [0, 0, 1],
+            ]
+        ),
+    )
+
+    point = Equation(
+        name="frames.point",
+        left=sought("dp", ("x", "y")),
+        right=Matrix(
+            [
+                db_x + bp_x * cos(db_turn) - bp_y * sin(db_turn),
+                db_y + bp_x * sin(db_turn) + bp_y * cos(db_turn),
+            ]
+        ),
+    )
+
+    pole = Equation(
+        name="frames.pole",
+        left=Matrix([pole_x, pole_y]),
+        right=Matrix(
+            [
+                (db_x - db_y * cos(db_turn / 2) / sin(db_turn / 2)) / 2,
+                (db_y + db_x * cos(db_turn / 2) / sin(db_turn / 2)) / 2,
             ]
         ),
     )
@@ -165,3 +201,22 @@ with as_written():
         left=missed,
         right=2 * lever * Abs(sin(error / 2)),
     )
+
+
+LOOKS = {
+    alpha: "left",
+    beta: "right",
+    gamma: "turning",
+    l_1: "length",
+    l_2: "length",
+    db_x: "x_axis",
+    db_y: "y_axis",
+    db_turn: "heading",
+    pole_x: "icr",
+    pole_y: "icr",
+    error: "error",
+    missed: "error",
+    lever: "length",
+}
+LOOKS |= {SOUGHT[f"x_{of}"]: "x_axis" for of in ("bd", "be", "ce", "dp")}
+LOOKS |= {SOUGHT[f"y_{of}"]: "y_axis" for of in ("bd", "be", "ce", "dp")}

@@ -1,8 +1,21 @@
 """Predictions that the chapter on frame chains asks for."""
 
 import numpy as np
+from sympy import Float
 
-from courseware.predictions import Buttons, Prediction
+from book.frames.figures import (
+    LAMP,
+    PLATFORM,
+    SHIFT,
+    SLANT,
+    guess_ahead,
+    guess_right,
+    guess_x,
+    guess_y,
+    lifted,
+    made,
+)
+from courseware.predictions import Buttons, Ghost, Prediction
 from robokin import euler, frames
 from robokin.errors import RobokinError
 
@@ -13,15 +26,13 @@ T_CE = frames.compose(frames.inverse(T_BC), frames.inverse(T_DB), T_DE)
 DOWN = np.array([[0, -1, 0], [-1, 0, 0], [0, 0, -1]])  # the platform's turn, from a camera above
 
 
-def where() -> str:
-    """Return where the object lies for the hand."""
-    x, y = T_CE[:2, 2]
-    return f"{'in front' if x > 0 else 'behind'}, on the {'left' if y > 0 else 'right'}"
-
-
-def turned() -> float:
-    """Return by how many degrees the object is turned, seen from the hand."""
-    return float(np.degrees(np.arctan2(T_CE[1, 0], T_CE[0, 0])))
+def where_it_goes() -> str:
+    """Return to which side the object goes for a hand that turns to the left."""
+    bearings = []
+    for turn in (0, np.radians(20)):
+        x, y = frames.compose(frames.inverse(frames.se2(0, 0, turn)), T_CE)[:2, 2]
+        bearings.append(np.arctan2(y, x))
+    return "round to the left" if bearings[1] > bearings[0] else "round to the right"
 
 
 def seen(by: np.ndarray) -> np.ndarray:
@@ -30,6 +41,31 @@ def seen(by: np.ndarray) -> np.ndarray:
         frames.inverse(T_BC), frames.inverse(frames.compose(by, T_DB)), frames.compose(by, T_DE)
     )
     return moved
+
+
+def mirrored() -> str:
+    """Return which paper has a letter the wrong way round: where the axes run the other way."""
+    turns = {
+        FROM_ABOVE: 1.0,
+        Y_DOWN: -np.linalg.det(DOWN[:2, :2]),
+        Y_UP: np.linalg.det(DOWN[:2, :2]),
+    }
+    return next(paper for paper, turn in turns.items() if turn < 0)
+
+
+def lamp(turn: float) -> tuple[float, ...]:
+    """Return where the camera sees the lamp of a platform that is turned so."""
+    return tuple(frames.transform(frames.se2(*PLATFORM[:2], turn), LAMP))
+
+
+def right_and_ahead(x: float, y: float) -> tuple[float, float]:
+    """Return a place of a heading-up map from its x ahead and y to the left."""
+    return -y, x
+
+
+def camera_behind() -> tuple[float, float]:
+    """Return where the camera is in the map of the slanted platform."""
+    return right_and_ahead(*frames.inverse(frames.se2(*SLANT))[:2, 2])
 
 
 def changed() -> str:
@@ -66,41 +102,141 @@ def left_over() -> str:
     return f"a turn by {angle:.0f}°" if shift < 1e-9 < angle else "a shift by 5 cm"
 
 
+FROM_ABOVE, Y_DOWN, Y_UP = (
+    "the floor, drawn from above",
+    "the camera's picture, with y down",
+    "the camera's numbers, with y up",
+)
+
 PREDICTIONS = (
     Prediction(
-        "from-the-hand",
-        "Stand in the hand c and look along its red x axis. Where is the object?",
+        "columns-of-a-turn",
+        "From chapter 2: the second column of a rotation matrix is (0, 0, 1). What does it say?",
         Buttons(
-            ("in front, on the left", "in front, on the right", "behind, on the right"),
-            right=where,
+            ("the turned y axis points along z", "the turned z axis points along y", "y is 1"),
+            right="the turned y axis points along z",
             assumptions={
-                "in front, on the left": "The red axis points up and to the right. The object is "
-                "below its line.",
-                "behind, on the right": "So it is if you look along the first link, from the "
-                "platform to the elbow. Look along the hand's own red axis.",
+                "the turned z axis points along y": "That would be the third column: (0, 1, 0).",
+                "y is 1": "A column of a rotation is a direction, not a place.",
             },
         ),
-        explanation=f"And it is turned to the left by {turned():.0f}°, seen from you.",
-        spoilers=("turned to the left",),
+        explanation="Each column of a rotation matrix is a turned axis, seen from the frame that "
+        "stays.",
+        spoilers=("is a turned axis",),
+    ),
+    Prediction(
+        "two-elbows",
+        "From chapter 1: a hand shall be at a place that both links reach easily. How many ways "
+        "can the arm's elbow bend in the plane?",
+        Buttons(
+            ("one", "two", "endlessly many"),
+            right="two",
+            assumptions={
+                "one": "So it is at full stretch only.",
+                "endlessly many": "Two links in the plane: the elbow is where two circles meet.",
+            },
+        ),
+        explanation="The two circles about shoulder and hand meet in two points.",
+        spoilers=("meet in two points",),
+    ),
+    Prediction(
+        "which-turns",
+        "The hand turns on the spot, to the left. Where does the box go in the hand's own picture?",
+        Buttons(
+            ("round to the left", "nowhere", "round to the right"),
+            right=where_it_goes,
+            assumptions={
+                "round to the left": "That would be so if the box were fixed to the hand and you "
+                "stood in the room.",
+                "nowhere": "In the room it goes nowhere. But the hand's picture turns with the "
+                "hand.",
+            },
+        ),
+        explanation="The box rests in the room. The hand's picture is pinned to the hand and turns "
+        "to the left; so what rests goes to the right in it. Turn your head to the left, and see.",
+        spoilers=("what rests goes",),
+        covers="tracing",
+    ),
+    Prediction(
+        "seen-lamp",
+        "The platform's lamp is at its left front corner: 0.2 m ahead of b and 0.15 m to the left. "
+        "Drag *your guess* to where the lamp is in the camera's picture.",
+        Ghost(
+            "lamp",
+            places=(guess_x, guess_y),
+            right=lambda: lamp(PLATFORM[2]),
+            then={made: Float(2)},
+            tolerance=0.04,
+            assumptions={
+                "That is 0.2 m along the camera's x and 0.15 m along its y. But ahead is along "
+                "$x_b$.": lambda: lamp(0.0),
+                "That is to the right of the platform: $y_b$ points to its left.": (
+                    lambda: frames.transform(frames.se2(*PLATFORM), [LAMP[0], -LAMP[1]])
+                ),
+            },
+        ),
+        explanation="Go 0.2 m along $x_b$ and 0.15 m along $y_b$, from the origin of b.",
+        spoilers=("from the origin of b.",),
+    ),
+    Prediction(
+        "shift-then-turn",
+        "The platform stands at the camera's origin. It is first shifted by 0.8 m along the "
+        "camera's x axis; then all of it is turned by 90° about the camera's *origin*. Drag *your "
+        "guess* to where it ends.",
+        Ghost(
+            "two-orders",
+            places=(guess_x, guess_y),
+            right=(Float(0), Float(SHIFT)),
+            then={made: Float(2)},
+            tolerance=0.06,
+            assumptions={
+                "So it is if it turns on the spot, about itself, or first turns and then shifts.": (
+                    Float(SHIFT),
+                    Float(0),
+                ),
+            },
+        ),
+        explanation="The turn is about the camera's origin, so it carries the shift along. In the "
+        "other order, the pale platform, the turn happens on the spot.",
+        spoilers=("carries the shift",),
+    ),
+    Prediction(
+        "camera-behind",
+        "The platform stands at x = 1 m, y = 0.5 m, turned by 30°. In its own map it rests, and "
+        "its front is up. Drag *your guess* to where the camera is in that map.",
+        Ghost(
+            "way-back",
+            places=(guess_right, guess_ahead),
+            right=camera_behind,
+            then={lifted: Float(1)},
+            tolerance=0.08,
+            assumptions={
+                "That is −p, measured along the platform's axes: long enough, but not turned.": (
+                    lambda: right_and_ahead(-SLANT[0], -SLANT[1])
+                ),
+                "That is how the camera's picture shows it: 1 m to the left, 0.5 m down. The map "
+                "is turned.": (-SLANT[0], -SLANT[1]),
+            },
+        ),
+        explanation="Nearly straight behind: look back along the platform in the left picture.",
+        spoilers=("straight behind",),
     ),
     Prediction(
         "of-a-plan",
-        "The determinant of the 3×3 turn is 1. What is that of its 2×2 part?",
+        "A sheet with the letter R lies on the floor. Three papers show it: the floor, drawn from "
+        "above; the camera's picture, as pictures are, x to the right and y *down*; and the same "
+        "numbers on squared paper, with y *up*. On which of them is the R mirrored?",
         Buttons(
-            ("1", "0", "−1"),
-            right=lambda: f"{np.linalg.det(DOWN[:2, :2]):.0f}".replace("-", "−"),
+            (FROM_ABOVE, Y_DOWN, Y_UP),
+            right=mirrored,
             assumptions={
-                "1": "So it is for a camera that looks up. For this one the turn from x to y is "
-                "clockwise, seen from above; for the platform it is counter-clockwise.",
-                "0": "Then x and y would lie on one line.",
+                FROM_ABOVE: "That is how you read it when you stand on the floor.",
+                Y_DOWN: "You can read what a camera shows. It may be turned, but not mirrored.",
             },
         ),
-        explanation="In space it is a rotation, but its 2×2 part is none: the platform's z axis "
-        "points up, the camera's down. The camera's picture is right all the same, because in a "
-        "picture y points down. Only a graph of its numbers with y *up* is a mirror image. Turn y "
-        "round, or let the z axes of the bodies point down, too: then a plan of SE(2) will do "
-        "again.",
-        spoilers=("a mirror image", "of the bodies"),
+        explanation="For the camera x to y is clockwise, seen from above. Plotted with y up it is "
+        "counter-clockwise, so the plot is a mirror image.",
+        spoilers=("a mirror image",),
     ),
     Prediction(
         "a-turned-camera",
@@ -117,6 +253,7 @@ PREDICTIONS = (
         explanation="How the camera hangs does not matter to the hand. Try it; drag beside the "
         "frames to turn your view.",
         spoilers=("does not matter to the hand",),
+        covers="camera-above",
     ),
     Prediction(
         "four-more",

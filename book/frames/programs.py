@@ -22,8 +22,6 @@ from book.frames.formulas import (
     de_x,
     de_y,
 )
-from book.things import outlines
-from courseware.figures import Outline, Sprite
 from courseware.programs.program import Program
 from robokin import frames
 
@@ -63,25 +61,22 @@ def way_there(db):
     return [-x, -y, turn]
 
 
-def camera(pose, look=""):
-    """Draw the camera from above: it looks along its x axis."""
-    body = Outline(outlines.box(0.16, 0.12, -0.08, 0, 0.03), "drum_pale", "edge")
-    lens = Outline(outlines.box(0.05, 0.07, 0.02, 0, 0.01), "dark", "rim")
-    return Sprite(pose, (body, lens), 0.03, look)
-
-
 def hand(pose, look=""):
     """Draw a gripper, whose x axis goes between its fingers."""
     return things.arm(pose, (0,), (0.25,), base="", look=look)
 
 
 def draw_joined(right, answer, db, bc):
-    given = camera((0, 0, 0), "ghost"), things.platform(db, look="ghost")
+    given = things.camera_above((0, 0, 0), "ghost"), things.platform(db, look="ghost")
     return *given, hand(right), hand(answer, "wrong")
 
 
 def draw_back(right, answer, db):
-    return things.platform((0, 0, 0), look="ghost"), camera(right), camera(answer, "wrong")
+    return (
+        things.platform((0, 0, 0), look="ghost"),
+        things.camera_above(right),
+        things.camera_above(answer, "wrong"),
+    )
 
 
 def draw_object(right, answer, bc, db, de):

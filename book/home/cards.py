@@ -92,12 +92,6 @@ def frames_card() -> Figure:
     arm = dict(zip((frames.alpha, frames.beta, frames.gamma), turns, strict=True))
     wrist = compute(frames.hand_pose, {**arm, frames.l_1: links[0], frames.l_2: links[1]})
     hand = (*place(wrist, links[2]), wrist[2])
-    grid = [line((-0.32, k / 4), (0.7, k / 4)) for k in (-1, 0, 1)]
-    grid += [line((k / 4, -0.42), (k / 4, 0.42)) for k in (-1, 0, 1, 2)]
-    sheet = (
-        Outline(box(1.02, 0.84, 0.19), "paper", "turning", opacity=0.4),
-        Outline("".join(grid), "", "turning", 0.006, 0.7),
-    )
     return Figure(
         name="frames-card",
         title="A platform with an arm from above; a sheet with a grid is pinned to its hand",
@@ -106,7 +100,7 @@ def frames_card() -> Figure:
         shapes=(
             things.shelf((-0.1, 0.86, 0), 0.6),
             things.parcel((*place(hand, 0.44, -0.13), 0.9)),
-            Sprite(hand, sheet),
+            things.tracing_paper(hand, (-0.32, 0.7, -0.42, 0.42)),
             things.platform(HERE, turns, links),
             Arrow("x_axis", hand, place(hand, 0.3)),
             Arrow("y_axis", hand, place(hand, 0, 0.3)),

@@ -6,7 +6,7 @@ A chapter imports this module and says `things.robot(pose)`. Where they are draw
 - `wheels`: wheels of all kinds from above, and one with an encoder from the side
 - `vehicles`: car, bus, bicycle's wheel, steering rod, shopping trolley
 - `arms`: the arm
-- `room`: camera, box, ball, bench, ruler, kerb, shelf, walls
+- `room`: camera, box, ball, bench, ruler, tracing paper, kerb, shelf, walls
 - `space`, of `meshes`: the arm, the camera and others in space; `graph`: a graph in a picture
 
 Places are (x, y, angle) in metres and radians, as numbers or expressions; so are angles of what
@@ -20,6 +20,7 @@ from book.things.room import (
     ball_stand,
     bench,
     board,
+    camera_above,
     ceiling_camera,
     cone,
     kerb,
@@ -29,6 +30,8 @@ from book.things.room import (
     ruler,
     sheet,
     shelf,
+    tiled_room,
+    tracing_paper,
     walls,
 )
 from book.things.vehicles import bicycle_wheel, bus, car, rod, trolley
@@ -46,9 +49,10 @@ from book.things.wheels import (
 )
 
 __all__ = [
-    "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus", "car",
-    "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel", "kerb",
-    "lamplight", "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights",
+    "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus",
+    "camera_above", "car", "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel",
+    "kerb", "lamplight", "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad",
+    "pad_lights",
     "parcel", "platform", "road_marks", "robot", "rod", "roller_wheel", "ruler", "sheet", "shelf",
-    "steered_wheel", "trolley", "vacuum", "walls", "wheel",
+    "steered_wheel", "tiled_room", "tracing_paper", "trolley", "vacuum", "walls", "wheel",
 ]  # fmt: skip

@@ -1,7 +1,7 @@
 """Furniture and tools: camera, box, ball, bench, ruler, kerb, shelf, walls."""
 
 from collections.abc import Sequence
-from math import tan
+from math import ceil, floor, tan
 from typing import Any
 
 from book.things.outlines import Point, box, curves, disc, line, polygon
@@ -32,6 +32,13 @@ def ceiling_camera(place: Any, tilt: Any = 0, size: float = 1) -> Sprite:
         height=0.02,
         size=size,
     )
+
+
+def camera_above(pose: Any, look: str = "") -> Sprite:
+    """Return a camera from above; its x axis goes out of its lens."""
+    body = Outline(box(0.16, 0.12, -0.08, 0, 0.03), "drum_pale", "edge")
+    lens = Outline(box(0.05, 0.07, 0.02, 0, 0.01), "dark", "rim")
+    return Sprite(pose, (body, lens), 0.03, look)
 
 
 def cone(place: Any, long: float, half: float) -> Sprite:
@@ -117,6 +124,23 @@ def sheet(place: Any, long: float, wide: float) -> Sprite:
     )
 
 
+def tracing_paper(
+    pose: Any,
+    area: tuple[float, float, float, float],
+    unit: float = 0.25,
+    parts: Sequence[Any] = (),
+) -> Sprite:
+    """Return squared tracing paper, pinned at a pose: its area in that frame, what is traced on it."""
+    x, X, y, Y = area
+    grid = [line((k * unit, y), (k * unit, Y)) for k in range(ceil(x / unit), floor(X / unit) + 1)]
+    grid += [line((x, k * unit), (X, k * unit)) for k in range(ceil(y / unit), floor(Y / unit) + 1)]
+    sheet = (
+        Outline(box(X - x, Y - y, (x + X) / 2, (y + Y) / 2), "paper", "turning", opacity=0.62),
+        Outline("".join(grid), "", "turning", 0.006, 0.7),
+    )
+    return Sprite(pose, (*sheet, *parts), silhouette="")
+
+
 def ruler(place: Any, unit: float, count: int, parts: int = 10) -> Sprite:
     """Return a ruler along x, from above, with `count` units, its zero at a place."""
     high, rest = 0.2 * unit, 0.12 * unit
@@ -184,6 +208,20 @@ def board(place: Any, long: float, thick: float = 0.02) -> Sprite:
     """Return the board of a shelf from the side, its middle at a place."""
     return Sprite(
         place, (Outline(box(long, thick, corner=0.2 * thick), "wood", "wood_edge"),), height=thick
+    )
+
+
+def tiled_room(room: tuple[float, float, float, float], tile: float = 0.25) -> tuple[Outline, ...]:
+    """Return floor, tiles and walls of a room (x_low, x_high, y_low, y_high), from above."""
+    x, X, y, Y = room
+    seams = [line((k * tile, y), (k * tile, Y)) for k in range(ceil(x / tile), floor(X / tile) + 1)]
+    seams += [
+        line((x, k * tile), (X, k * tile)) for k in range(ceil(y / tile), floor(Y / tile) + 1)
+    ]
+    return (
+        Outline(box(X - x, Y - y, (x + X) / 2, (y + Y) / 2), "floor"),
+        Outline("".join(seams), "", "seam", 0.01),
+        *walls(room).parts[:1],
     )
 
 

@@ -152,6 +152,7 @@ class Compiler:
         data = {"at": self.add(*sprite.at, sprite.size), "parts": parts, "height": sprite.height}
         if sprite.height or sprite.look or look:
             data["silhouette"] = self.find_drawing(Outline(sprite.silhouette or ""))
+        data |= {"window": list(sprite.window)} if sprite.window else {}
         return data | {"look": sprite.look, "corners": list_corners(sprite.silhouette or "")}
 
     def compile_moving(self, part: Rim | Sprite, look: str) -> dict[str, Any]:

@@ -92,7 +92,17 @@ const drawShadow = (sprite, values, place, scale) => {
     ["g", { style: "opacity:var(--rk-soft,.08)", "stroke-width": small(0.8 * height * wide / (values[sprite.at[3]] || 1)) }, cast])];
 };
 
-export const drawSprite = ([x, y, angle, size], sprite, to, { values }) => {
+const seeThrough = ([left, right, low, high], to, nodes) => {
+  const [x, y] = to([left, high]).map(px), [width, height] = [right - left, high - low].map((side) => px(side * to.scale));
+  return [["svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}` }, nodes]];
+};
+
+export const drawSprite = (at, sprite, to, computed) => {
+  const nodes = drawWhole(at, sprite, to, computed);
+  return sprite.window ? seeThrough(sprite.window, to, nodes) : nodes;
+};
+
+const drawWhole = ([x, y, angle, size], sprite, to, { values }) => {
   const [left, top] = to([x, y]), scale = to.scale * size;
   const place = (right, down) => `translate(${px(left + right)} ${px(top + down)}) rotate(${degrees(angle)}) `
     + `scale(${small(scale)} ${small(-scale)})`;

@@ -76,6 +76,7 @@ class Sprite:
         size: how many times as large as declared.
         silhouette: the path that is its shadow and the line round a ghost; by default that of its
             first outline; "": none.
+        window: what is seen of it, (x_low, x_high, y_low, y_high) in the picture; all, if empty.
     """
 
     at: tuple[Expr, Expr, Expr]
@@ -84,6 +85,7 @@ class Sprite:
     look: str = ""
     size: Expr = 1
     silhouette: str | None = None
+    window: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         if self.look not in LOOKS:

@@ -1,13 +1,15 @@
 """Expected values for the chapter on chains of frames: figures, feedback, predictions."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from book.frames import figures
-from book.frames.figures import THING
 from robokin import euler, frames, motion, planar_arm
 
-LINKS, BASE = list(figures.LINKS.values()), [*figures.BASE, 0.0]
+LINKS = list(figures.LINKS.values())
 DOWN = np.diag([1.0, -1.0, -1.0])
+UP, FLAT = np.pi / 2, np.pi / 4
 
 
 def wrist(alpha, beta):
@@ -20,37 +22,98 @@ def pose_of(T):
     return np.column_stack([T[:, 0, 2], T[:, 1, 2], np.arctan2(T[:, 1, 0], T[:, 0, 0])])
 
 
+def named(pose, *names):
+    """Return the numbers of poses by the names of readouts."""
+    return dict(zip(names, pose.T, strict=False))
+
+
+def hand_on(platform, alpha, beta, gamma):
+    """Return the hand in the room, and as the platform sees it."""
+    T_bc = frames.se2(*wrist(alpha, beta).T, alpha + beta + gamma)
+    return frames.compose(frames.se2(*platform), T_bc), T_bc
+
+
 def chain_readouts(x_b, y_b, turn_b, alpha, beta, gamma, x_e, y_e, turn_e):
-    """Return the object seen from the hand, how far, and the hand seen from the platform."""
+    """Return the object seen from the hand, and the hand seen from the platform."""
     graph = frames.FrameGraph()
     graph.add("d", "b", frames.se2(x_b, y_b, turn_b))
     graph.add("b", "c", frames.se2(*wrist(alpha, beta).T, alpha + beta + gamma))
     graph.add("d", "e", frames.se2(x_e, y_e, turn_e))
-    found = pose_of(graph.get("c", "e"))
-    names = "x", "y", "turn", "hand_x", "hand_y", "hand_turn"
-    poses = np.hstack([found, pose_of(graph.get("b", "c"))])
-    return {**dict(zip(names, poses.T, strict=True)), "far": np.hypot(*found[:, :2].T)}
+    found, hand = (pose_of(graph.get(*way)) for way in (("c", "e"), ("b", "c")))
+    return named(found, "x", "y", "turn") | named(hand, "hand_x", "hand_y", "hand_turn")
 
 
-def turned(angle):
-    """Return turns about z: (n,) → (n, 3, 3)."""
-    return euler.to_matrix("Z", angle[:, None])
+def tracing_readouts(gamma, lifted):
+    still = 0 * gamma
+    T_dc, _ = hand_on((1.0, 0.5, UP), still + UP, still - UP, gamma)
+    seen = frames.transform(frames.inverse(T_dc), [1.5, 1.1])
+    return {"x_ce": seen[:, 0], "y_ce": seen[:, 1]}
 
 
-def above_readouts(turn, high, heading, alpha, beta, gamma, low, azimuth, elevation):
-    """Return platform and object seen from the camera, the object seen from the hand."""
-    ground = np.zeros_like(low)
+def directions_readouts(alpha, gamma):
+    _, T_bc = hand_on((0.0, 0.0, 0.0), alpha, 0 * alpha - UP, gamma)
+    found = pose_of(T_bc)
+    return named(found, "bc_x", "bc_y") | {"bc_turn": alpha - UP + gamma}
+
+
+def home_readouts(turn, part):
+    back = frames.inverse(frames.se2(1.0 + 0 * turn, 0.5, turn))
+    return {"x_bd": back[:, 0, 2], "y_bd": back[:, 1, 2]}
+
+
+def domino_readouts(*numbers):
+    """Return how far from the object the product of three tiles puts it."""
+    product = frames.compose(*(frames.se2(*numbers[k : k + 3]) for k in (0, 5, 10)))
+    there = frames.compose(frames.se2(0.7, 0.9, FLAT), product)[:, :2, 2]
+    return {"off": np.hypot(*(there - [1.5, 1.1]).T)}
+
+
+def about(axis, angle):
+    """Return turns about an axis: (n,) → (n, 3, 3)."""
+    return euler.to_matrix(axis, np.atleast_1d(angle)[:, None])
+
+
+def above_readouts(turn, tilt, hidden, azimuth, elevation):
+    """Return the object seen from the camera and from the hand, which a chain of frames tells."""
+    eye, base, thing = [0, 0, 1.2], [-0.2, -0.3, 0.0], [0.3, 0.3, -0.2]
     graph = frames.FrameGraph()
-    graph.add("room", "f", frames.se3(turned(turn) @ DOWN, np.stack([ground, ground, high], -1)))
-    graph.add("room", "b", frames.se3(turned(heading), BASE))
-    thing = np.stack([THING[0] + ground, THING[1] + ground, low], axis=-1)
-    graph.add("room", "e", frames.se3(np.eye(3), thing))
-    place = np.column_stack([wrist(alpha, beta), ground])
-    graph.add("b", "c", frames.se3(turned(alpha + beta + gamma), place))
-    ways = {"_b": ("f", "b"), "_e": ("f", "e"), "": ("c", "e")}
-    places = {of: graph.get(*way)[:, :3, 3] for of, way in ways.items()}
-    found = {axis + of: at[:, k] for of, at in places.items() for k, axis in enumerate("xyz")}
-    del found["z_b"]  # the camera's height, as it is set
+    graph.add("r", "f", frames.se3(about("Z", turn) @ DOWN @ about("X", tilt), eye))
+    graph.add("r", "b", frames.se3(about("Z", UP + 0 * turn), base))
+    graph.add("r", "e", frames.se3(np.eye(3), thing))
+    graph.add("b", "c", frames.se3(about("Z", 0 * turn - FLAT), [0.4, 0.3, 0.0]))
+    told = frames.compose(frames.se3(DOWN, eye), graph.get("f", "e"))[:, :3, 3]  # as it was hung up
+    told = np.where(hidden[:, None] > 0, told, thing)
+    seen = frames.transform(graph.get("c", "r"), told)
+    return {
+        **named(graph.get("f", "e")[:, :3, 3], "x_e", "y_e", "z_e"),
+        **named(seen, "x", "y", "z"),
+        "off": np.linalg.norm(told - thing, axis=-1),
+    }
+
+
+def graph_readouts(start, end):
+    """Return how many poses are on the way, and how many of them are walked backwards."""
+    graph, names = frames.FrameGraph(), "dbcerg"
+    for edge in figures.EDGES:
+        graph.add(*edge, np.eye(3))
+    found = []
+    for pair in zip(start.astype(int), end.astype(int), strict=True):
+        way = graph.path(*(names[k] for k in pair))
+        steps = ["".join(step) for step in pairwise(way)]
+        found.append([len(steps), sum(step not in figures.EDGES for step in steps)])
+    return named(np.array(found, dtype=float), "count", "turned")
+
+
+def mounted(tilt_x, tilt_y, turn):
+    return DOWN @ about("X", tilt_x) @ about("Y", tilt_y) @ about("Z", turn)
+
+
+def loops_readouts(tilt_x, tilt_y, turn):
+    hung, told, found = mounted(*np.radians([1.5, -1.0, 3.0])), mounted(tilt_x, tilt_y, turn), {}
+    for k, (x, y) in enumerate(((0.35, 0.3), (-0.45, 0.2), (0.1, -0.4)), 1):
+        there = np.array([x, y, -1.4])
+        seen = np.swapaxes(hung, -1, -2) @ there
+        found[f"gap_{k}"] = np.linalg.norm(np.einsum("nij,j->ni", told, seen[0]) - there, axis=-1)
     return found
 
 
@@ -78,22 +141,40 @@ def mistakes_readouts(*columns):
 
 
 READOUTS = {
-    "room-plan": chain_readouts,
+    "tracing": tracing_readouts,
+    "directions": directions_readouts,
+    "turned-home": home_readouts,
+    "dominoes": domino_readouts,
     "camera-above": above_readouts,
+    "frame-graph": graph_readouts,
+    "room-plan": chain_readouts,
+    "close-loops": loops_readouts,
     "wrong-object": mistakes_readouts,
 }
 SPECIALS = {
+    "two-views": [{"joint_alpha": 0.0, "joint_beta": 0.0}],
+    "tracing": [{"lifted": 1.0}, {"joint_gamma": 0.0, "lifted": 0.5}],
+    "pose-columns": [{"db_turn": 0.0}, {"db_turn": UP}],
+    "lamp": [{"made": 0.5}, {"made": 2.0}],
+    "directions": [{"joint_alpha": 0.0, "joint_gamma": 0.0}],
+    "two-orders": [{"made": 0.5}, {"made": 1.5}, {"made": 2.0}],
+    "pole": [{"db_turn": UP, "db_y": 0.3}, {"part": 0.0}],
+    "way-back": [{"lifted": 0.5}, {"lifted": 1.0}],
+    "turned-home": [{"db_turn": 0.0}, {"part": 1.0}],
+    "differences": [{"db_turn": 0.0}],
+    "three-papers": [{"camera_turn": 0.0}],
+    "camera-above": [
+        {"camera_turn": UP, "cloth": "spread"},
+        {"azimuth": 0.0, "elevation": 0.0},
+        {"azimuth": 0.0, "elevation": UP},
+    ],
+    "loop-miss": [{"error": 0.0}],
+    "frame-graph": [{"seen_from": "e", "sought": "c"}, {"seen_from": "g", "sought": "g"}],
     "room-plan": [
         {"db_turn": 0.0},
         {"joint_alpha": 0.0, "joint_beta": 0.0, "joint_gamma": 0.0},
         {"de_x": 0.7, "de_y": 0.9},  # the object in the hand
         {"de_x": 1.0, "de_y": 0.5},  # on the platform
-    ],
-    "camera-above": [
-        {"camera_turn": np.pi / 2},
-        {"azimuth": 0.0, "elevation": 0.0},
-        {"azimuth": 0.0, "elevation": np.pi / 2},
-        {"joint_beta": 0.0, "object_low": 0.0},
     ],
     "wrong-object": [{"db_turn": 2 * np.pi / 3}],  # T_db T_bc is a half turn
 }
@@ -181,11 +262,134 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "as the platform sees": [0.3288, -1.532, -1.3963],
         },
     ),
+    "frames-8": (
+        {"x_b": 1.2, "y_b": -1, "theta_b": -70, "x_e": -1.2, "y_e": -1.8, "x": 0.8, "y": 0.3},
+        {"M30": 1.8755, "axes of b are turned": 3.3838},
+    ),
+    "frames-9": (
+        {
+            **{"x_d": 1.2, "y_d": -1, "theta_d": -70},
+            **{"x_b": -1.2, "y_b": -1.8, "theta_b": 60, "x": 0.8, "y": 0.3},
+        },
+        {
+            "M9": [-0.0619, -0.3315],
+            "M10": [-0.663, -0.3233],
+            "wrong one of the two": [1.5231, -3.8819],
+            "as the room sees": [-1.0598, -0.9572],
+        },
+    ),
+    "frames-10": (
+        {"theta_b": 40, "x": 1.2, "y": -0.4},
+        {
+            "exchanged": [1.1764, 0.4649, 0.6621, -1.0778],
+            "by the angle from a to b": [1.1764, 0.4649, 1.1764, 0.4649],
+            "by minus the angle": [0.6621, -1.0778, 0.6621, -1.0778],
+        },
+    ),
+    "frames-11": (
+        {"x_b": 1.2, "y_b": -1, "psi": -70, "x_e": -1.2, "y_e": -1.8},
+        {"read with y up": [-0.0691, -2.5289], "along the picture's axes": [-2.4, -0.8]},
+    ),
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
-    "from-the-hand": "in front, on the right",
-    "of-a-plan": "−1",
+    "columns-of-a-turn": "the turned y axis points along z",
+    "two-elbows": "two",
+    "which-turns": "round to the right",
+    "seen-lamp": ("x 0.85 m, y 0.7 m", "1.2 m, 0.65 m", "1.15 m, 0.7 m"),
+    "shift-then-turn": ("x 0 m, y 0.8 m", "0.8 m, 0 m"),
+    "camera-behind": (
+        "to the right −0.067 m, ahead −1.12 m",
+        "0.5 m, −1 m",
+        "−1 m, −0.5 m",
+    ),
+    "of-a-plan": "the camera's numbers, with y up",
     "a-turned-camera": "none",
     "four-more": "1 and 2",
     "round-the-loop": "a turn by 2°",
+}
+AT_BOX = {"joint_alpha": 0.0, "joint_beta": -UP, "db_y": 0.9414}  # the hand's x axis at -45°
+AHEAD = 0.7071  # of 0.3 m along the hand's x axis, at 45°
+TO_E = np.arctan2(0.6, 0.5)  # from the platform to the object, seen from d
+HUNG = dict(zip(("camera_tilt", "tilt_y", "camera_turn"), np.radians([1.5, -1, 3]), strict=True))
+TILES = {"tile_1": "T_cb", "tile_2": "T_bd", "tile_3": "T_de"}
+GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
+    "two-views": [
+        (
+            [
+                {**AT_BOX, "db_x": 0.96, "db_y": 0.94},
+                {**AT_BOX, "db_x": 0.9584 + 0.0299},
+                {**AT_BOX, "db_x": 0.9584, "db_y": 0.9414 - 0.0299},
+            ],
+            [{**AT_BOX, "db_x": 0.9584 + 0.0302}, {**AT_BOX, "db_x": 0.9584 - 0.0302}],
+        )
+    ],
+    "pole": [  # at 90° the pole goes by 0.707 of the shift
+        (
+            [{"db_turn": UP, "db_y": 0.356}, {"db_turn": UP, "db_y": 0.244}],
+            [{"db_turn": UP, "db_y": 0.357}, {"db_turn": UP, "db_y": 0.243}],
+        )
+    ],
+    "dominoes": [
+        (
+            [TILES],
+            [
+                {**TILES, "tile_1": "T_cb with −p"},
+                {**TILES, "tile_1": "T_bc"},
+                {**TILES, "tile_2": "T_db"},
+            ],
+        )
+    ],
+    "differences": [  # 0.781 m away, so 2 cm are 1.467°
+        (
+            [{"db_turn": TO_E + 0.0256}, {"db_turn": TO_E - 0.0256}],
+            [{"db_turn": TO_E + 0.0257}, {"db_turn": TO_E - 0.0257}, {"db_turn": TO_E - np.pi}],
+        )
+    ],
+    "room-plan": [
+        (
+            [
+                {**AT_BOX, "db_x": 0.9584 + 0.0299},
+                {**AT_BOX, "db_x": 0.9584, "de_turn": np.radians(135 + 14.9)},
+            ],
+            [
+                {**AT_BOX, "db_x": 0.9584 + 0.0302},
+                {**AT_BOX, "db_x": 0.9584, "de_turn": np.radians(135 + 15.1)},
+            ],
+        ),
+        (
+            [{"de_x": 0.7 + AHEAD * far, "de_y": 0.9 + AHEAD * far} for far in (0.2801, 0.3199)]
+            + [{"de_x": 0.9121 - AHEAD * 0.0199, "de_y": 1.1121 + AHEAD * 0.0199}],
+            [{"de_x": 0.7 + AHEAD * far, "de_y": 0.9 + AHEAD * far} for far in (0.2799, 0.3202)]
+            + [{"de_x": 0.9121 - AHEAD * 0.0202, "de_y": 1.1121 + AHEAD * 0.0202}],
+        ),
+        (
+            [
+                {"de_x": 0.4299, "de_y": 0.3, "de_turn": -FLAT},
+                {"de_x": 0.4, "de_y": 0.3, "de_turn": -FLAT + np.radians(4.9)},
+            ],
+            [
+                {"de_x": 0.4301, "de_y": 0.3, "de_turn": -FLAT},
+                {"de_x": 0.4, "de_y": 0.3, "de_turn": -FLAT + np.radians(5.1)},
+            ],
+        ),
+    ],
+    "close-loops": [
+        (
+            [
+                {**HUNG, "camera_tilt": np.radians(1.66)},
+                {"camera_tilt": np.radians(0.716), "tilt_y": np.radians(-0.417)},
+            ],
+            [{**HUNG, "camera_tilt": np.radians(1.665)}],
+        ),
+        (
+            [HUNG, {**HUNG, "camera_tilt": np.radians(1.66)}],
+            [{"camera_tilt": np.radians(0.716), "tilt_y": np.radians(-0.417)}],
+        ),
+    ],
+    "letters-frames": [
+        (
+            [{"name_1": "T_db", "name_2": "T_bc", "name_3": "T_ce"}],
+            [{"name_1": "T_bd", "name_2": "T_bc", "name_3": "T_ce"}, {"name_1": "T_db"}],
+        )
+    ],
 }

@@ -74,6 +74,11 @@ def seen_from_above(position: Array, heading: Array) -> Array:
     return frames.compose(frames.inverse(camera), frames.se3(upright, there))
 
 
+def named_anew(x: Array, y: Array, theta: Array, point: Array) -> Array:
+    """Return a point of a frame as seen from where the frame's pose is seen from."""
+    return frames.transform(frames.se2(x, y, theta), point)
+
+
 def pole(x: Array, y: Array, theta: Array) -> Array:
     """Return the point that a pose leaves where it is, by a linear system."""
     T = frames.se2(x, y, theta)
@@ -98,7 +103,7 @@ CHECKS = (
     ),
     Check(
         formulas.point,
-        function=lambda x, y, theta, p: frames.transform(frames.se2(x, y, theta), p),
+        function=named_anew,
         arguments=(db_x, db_y, db_turn, (bp_x, bp_y)),
         tolerance=2e-15,
         reason="two products and two sums of sizes up to 4, each rounded once",

@@ -258,7 +258,7 @@ def views_figure() -> Figure:
             Slider.degrees(beta, -150, 150, start=-90, step=5, label="second joint β"),
         ),
         where=steps,
-        shapes=two_views(arm.hand, parcel(OBJECT), robot(platform, bends, closed)),
+        shapes=two_views(arm.hand, robot(platform, bends, closed), parcel(OBJECT)),
         handles=(
             Handle("platform", platform[:2]),
             Handle("elbow", arm.elbow[:2], {alpha: angle_to_pointer(platform)}),
@@ -557,8 +557,8 @@ def pole_figure() -> Figure:
 # The way back.
 
 SLANT = (*PLATFORM[:2], pi / 6)  # a platform that looks another way than in the exercise
-MAP = (-0.91, 0.91, -1.3, 0.56)  # the map of something that rests at the origin
-ASIDE = (-2.73, -1.17, 0)  # where the camera is in its own picture, which lies left of that map
+MAP = (-0.91, 0.91, -1.46, 0.5)  # the map of something that rests at the origin
+ASIDE = (-2.73, -1.26, 0)  # where the camera is in its own picture, which lies left of that map
 ITS_PANE = tuple(
     edge + off for edge, off in zip(PANE, (ASIDE[0],) * 2 + (ASIDE[1],) * 2, strict=True)
 )
@@ -1138,7 +1138,7 @@ def chain_figure() -> Figure:
         ),
         where=(*steps, *LINKS.items(), *zip(T_bc, arm.from_platform, strict=True)),
         shapes=(
-            *two_views(arm.hand, parcel(T_de), robot(T_db, bends, closed)),
+            *two_views(arm.hand, robot(T_db, bends, closed), parcel(T_de)),
             Arrow("icr", arm.hand, T_de, ""),
             Arrow("icr", MIDDLE, point_of(MIDDLE, *ce[:2]), ""),
         ),

@@ -17,15 +17,7 @@ from courseware.figures.computed_parts import (
     distance,
     ramp,
 )
-from courseware.figures.controls import (
-    POINTER,
-    Button,
-    Choice,
-    Clock,
-    Handle,
-    QuarterTurns,
-    Slider,
-)
+from courseware.figures.controls import POINTER, Button, Choice, Clock, Handle, QuarterTurns, Slider
 from courseware.figures.figure import Figure, Scene
 from courseware.figures.shapes import (
     AngleArc,

@@ -6,11 +6,7 @@ courseware.classroom`.
 
 from courseware.practice import rendering
 from courseware.practice.bank import all_exercises, all_mistakes, all_topics
-from courseware.practice.exercises import (
-    Exercise,
-    number_range,
-    one_of,
-)
+from courseware.practice.exercises import Exercise, number_range, one_of
 from courseware.practice.mistakes import Mistake
 from courseware.practice.notebook import example, exercise, export, mistake, student
 from courseware.practice.solution_steps import LocalEquation, Step

@@ -17,7 +17,6 @@ const NOTE = "For checking yourself. Your name picks your numbers; it and your a
   + "Whole turns more or less do not matter in an angle. Safari forgets what it keeps after seven days "
   + "without a visit: save your answers.";
 const CLEAR = "Clear my answers";
-const NO_FILE = "If no file comes, the frame that shows this page forbids it: open the page in a tab of its own.";
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 
 export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Name</label>`
@@ -178,7 +177,7 @@ class Desk {
       this.tell(NAMELESS);
       return this.field.focus();
     }
-    this.tell(`Saved as ${downloadAnswers(this.element.dataset, this.name.trim(), this.mine())}. ${self === top ? "" : NO_FILE}`);
+    this.tell(`Saved as ${downloadAnswers(this.element.dataset, this.name.trim(), this.mine())}.`);
   }
 
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one

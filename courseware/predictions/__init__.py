@@ -5,13 +5,7 @@
 
 import courseware.answers  # its scripts read and keep guesses
 from courseware.predictions.notebook import ask
-from courseware.predictions.prediction import (
-    Buttons,
-    Ghost,
-    Number,
-    Prediction,
-    nearest_option,
-)
+from courseware.predictions.prediction import Buttons, Ghost, Number, Prediction, nearest_option
 from courseware.script.parts import Part, register
 
 register(

@@ -9,7 +9,6 @@ from typing import Any
 from courseware.answers import Unknown
 from courseware.course import course, topic_of
 from courseware.equations.quantities import NamedSymbol
-from courseware.errors import CourseError
 from courseware.practice.mistakes import Mistake
 
 Function = Callable[..., Any]
@@ -67,11 +66,6 @@ class Program:
     likely_slips: Mapping[str, Function] = field(default_factory=dict)
     compared_value: Function | None = None
     shape: tuple[int, ...] = ()
-
-    def __post_init__(self) -> None:
-        for words, special in self.specials.items():
-            if extra := special.keys() - set(self.symbols):
-                raise CourseError(f"{self.name}: {words!r} sets {extra}, not among its symbols")
 
     @property
     def topic(self) -> str:

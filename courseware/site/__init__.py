@@ -26,14 +26,7 @@ from courseware.errors import CourseError
 from courseware.predictions import page as predictions
 from courseware.run import page as run
 from courseware.site.assets import add_assets, write_assets, write_downloads
-from courseware.site.directives import (
-    Desk,
-    Errata,
-    Library,
-    Practice,
-    keep_quotes,
-    skip_fields,
-)
+from courseware.site.directives import Desk, Errata, Library, Practice, skip_fields
 from courseware.site.home_page import Chapters, Facts, Live, Still
 from courseware.site.notation_page import Notation
 from courseware.site.outputs import Outputs
@@ -73,7 +66,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("config-inited", _open_course)
     app.setup_extension("sphinx.ext.autodoc")  # which `{library}` uses
     app.connect("autodoc-skip-member", skip_fields)
-    app.connect("object-description-transform", keep_quotes)
     app.connect("source-read", place_slots)
     app.connect("doctree-resolved", mark_formulas)
     app.connect("html-page-context", add_assets)

@@ -47,12 +47,6 @@ class Library(SphinxDirective):
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
-def keep_quotes(app: Any, domain: str, objtype: str, content: nodes.Element) -> None:
-    """Leave the quotes in the type of a parameter straight: `{"raise", "nan"}` is Python."""
-    for kind in content.findall(nodes.emphasis):
-        kind["support_smartquotes"] = False
-
-
 def skip_fields(app: Any, what: str, name: str, member: Any, *_: Any) -> bool | None:
     """Leave out the fields of a named tuple, which are listed in its docstring."""
     return True if str(member.__doc__).startswith("Alias for field number") else None

@@ -5,7 +5,7 @@ from small_figures import LOOP, a, loose, small_figure
 from support import assert_close
 
 from courseware.errors import CourseError
-from courseware.figures import Curve, Handle, Point, Readout, Slider, Trail
+from courseware.figures import Curve, Handle, Point, Slider, Trail
 
 
 def test_the_small_figure_is_right():
@@ -22,7 +22,6 @@ def test_the_small_figure_is_right():
         ({"shapes": (Curve("path", (loose, loose * a), loose * a, 0, 1),)}, "uses loose"),
         ({"shapes": (Point("purple", (a, 0)),)}, "no kind 'purple'; there are left, right"),
         ({"controls": (Slider(a, 0, 1, 0, 0.1, kind="purple"),)}, "no kind 'purple'"),
-        ({"readouts": (Readout("x", "", a, "m"),)}, "two controls or readouts of one name"),
         ({"sentence": "b is {b}"}, "text `sentence` of .* uses b, but there are only x, twice"),
         ({"handles": (Handle("tip", (a, 0), {a: loose}),)}, "uses loose"),
         ({"shapes": (Point("target", (a, 0), depth=loose),)}, "uses loose"),

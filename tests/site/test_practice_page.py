@@ -238,7 +238,7 @@ def test_with_a_name_the_numbers_come_chapter_by_chapter(server, chromium):
         assert not watch.errors + watch.strangers
 
 
-def test_in_a_frame_that_forbids_files_and_dialogs_that_is_said(server, chromium):
+def test_in_a_frame_that_forbids_dialogs_answers_can_be_cleared(server, chromium):
     frame = '<iframe sandbox="allow-scripts allow-same-origin" width="1000" height="900" src="{}">'
     with watched_page(chromium, server) as (page, _):
         page.goto(server + "search.html")
@@ -249,8 +249,6 @@ def test_in_a_frame_that_forbids_files_and_dialogs_that_is_said(server, chromium
         first.locator(".rk-row input").fill("1")
         first.locator(".rk-row input").press("Enter")
         inner.locator(".rk-menu summary").click()
-        inner.locator(".rk-export").click()
-        inner.get_by_text("the frame that shows this page forbids it").wait_for()
         for _ in range(2):
             inner.locator(".rk-clear").click()
         expect(first.locator(".rk-row input")).to_have_value("")

@@ -204,28 +204,3 @@ def test_no_two_modules_need_each_other(part):
     except CycleError as error:
         round_ = " imports ".join(reversed(error.args[1]))
         pytest.fail(f"{round_}: move what both need to one of them, or to a third")
-
-
-def test_the_reader_of_imports_sees_them():
-    """A wrong import would be found, wherever it is."""
-    source = """
-import numpy as np
-from robokin import motion, errors as e
-from courseware.equations.quantities import quantity
-if TYPE_CHECKING:
-    from book.motion import formulas
-def f():
-    import matplotlib.pyplot
-    from book import motion
-    class A:
-        from book.motion.formulas import x
-"""
-    assert [each.of for each in imports_of("m", source)] == [
-        "numpy",
-        "robokin.motion",
-        "robokin.errors",
-        "courseware.equations.quantities",
-        "matplotlib.pyplot",
-        "book.motion",
-        "book.motion.formulas",
-    ]

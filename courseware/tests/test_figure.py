@@ -4,14 +4,12 @@ import json
 from xml.etree import ElementTree
 
 import nbformat
-import pytest
 from declared import FIGURES, each
 from small_figures import painted, small_figure, space_figure
 from support import ROOT
 
-from courseware.errors import CourseError
 from courseware.figures import Figure
-from courseware.figures.figure import MIME, find_figure
+from courseware.figures.figure import MIME
 
 SIZE = 30_000  # bytes for one figure, nearly all the still picture
 # three rings in space, with a face for each 15 degrees
@@ -46,12 +44,6 @@ def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
     assert len(json.dumps(data)) < SIZES.get(figure.name, SIZE)
     assert "var(" not in data["image/svg+xml"]  # it is used without the page's style
     ElementTree.fromstring(data["image/svg+xml"])  # and as a file
-
-
-def test_a_figure_that_no_chapter_declares_is_refused():
-    assert find_figure("wheel-speeds") is FIGURES["wheel-speeds"]
-    with pytest.raises(CourseError, match=r"no figure 'small'; there are .* chapters' figures\.py"):
-        find_figure("small")
 
 
 def test_a_widget_carries_its_figure_and_its_part():

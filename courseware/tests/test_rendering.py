@@ -4,7 +4,6 @@ import base64
 import json
 import re
 import zlib
-from html import unescape
 from itertools import pairwise
 
 import pytest
@@ -13,8 +12,6 @@ from declared import each
 from courseware import practice
 from courseware.practice import Exercise, rendering, variants
 from courseware.script import engine as script
-from courseware.units.formatting import render_paragraphs, render_symbols
-from courseware.units.line_breaks import prevent_breaks
 
 each_exercise = each("exercise", "exercises", Exercise)
 
@@ -40,31 +37,6 @@ def test_the_box_says_how_many_steps_the_ladder_opens(exercise):
         kinds = [formula.match(part) is not None for part in text.split("\n\n")]
         steps = 1 + sum(before and not now for before, now in pairwise(kinds))
         assert steps == said
-
-
-def plain(html):
-    return unescape(re.sub("<[^>]+>", "", html))
-
-
-@each_exercise
-def test_no_line_ends_inside_a_number_with_its_unit(exercise):
-    """In the text as Python writes it and as the page does; nothing else changes in it."""
-    variant = variants.all_variants(exercise.name)[0]
-    text = exercise.fill(exercise.text, variant.numbers)
-    for html in (render_paragraphs(text), script.call("courseware.renderParagraphs", text)):
-        shown = plain(html)
-        assert not re.search(r"\d (?:cm|m|s|rad|N)\b|[=] \d| = −?\d", shown)
-        if "[[" not in text:  # on the page a matrix
-            assert shown.replace("\u00a0", " ") == plain(render_symbols(text.replace("\n\n", "")))
-
-
-def test_short_formulas_and_units_stay_together():
-    said = prevent_breaks(
-        "a = 3 cm and b = −0.5 m/s in rad, x = (a longer formula) in 2 ways, 5 °/s"
-    )
-    kept = ["a = 3 cm", "b = −0.5 m/s", "in rad", "x = (a", "5 °/s"]
-    assert all(part.replace(" ", "\u00a0") in said for part in kept)
-    assert "longer formula) in 2 ways" in said
 
 
 MOST = 128_000  # bytes of a chapter's exercises; loaded only once a student's name is known

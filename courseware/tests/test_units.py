@@ -23,7 +23,6 @@ from courseware.predictions import Number
 from courseware.script import engine
 from courseware.units import TABLE, UNITS
 from courseware.units.formatting import append_unit
-from courseware.units.line_breaks import prevent_breaks
 
 quantity, symbol = declarations(__name__)
 
@@ -215,9 +214,3 @@ def test_python_and_the_script_print_a_unit_alike():
     shown = engine.run(f"{json.dumps(list(UNITS))}.map((unit) => courseware.withUnit('5', unit))")
     assert shown == [append_unit("5", unit) for unit in UNITS]
     assert [append_unit("5", unit) for unit in ("", "°", "%", "°/s")] == ["5", "5°", "5%", "5 °/s"]
-
-
-def test_no_line_ends_between_a_number_and_its_unit():
-    for unit in UNITS:
-        kept = unit and unit[0] != "1"
-        assert (" " in prevent_breaks(f"5 {unit}".rstrip())[:2]) == (not kept and unit != ""), unit

@@ -244,11 +244,6 @@ def test_show_gives_notebook_and_page_their_forms():
     assert computed[MIME] == {"name": "motion.arc_step", "computed": True}
 
 
-def test_an_unknown_name_is_refused():
-    with pytest.raises(CourseError, match=r"no equation 'motion.arc'; there are .*motion.arc_step"):
-        equations.show("motion.arc")
-
-
 # It is declared well
 
 

@@ -12,7 +12,6 @@ from program_mutants import mutants
 import book  # noqa: F401 (opens the course)
 from courseware import explaining, judge, programs
 from courseware.course import course
-from courseware.errors import CourseError
 from courseware.programs.picture import answer_figure, render_answer
 from courseware.programs.program import all_programs
 from courseware.programs.storing import draw_cases, store
@@ -389,11 +388,6 @@ def test_what_is_asked_has_hints_that_open_one_another():
         "Hint 3",
         "A solution",
     ]
-
-
-def test_a_name_that_there_is_not_is_refused():
-    with pytest.raises(CourseError, match="there is no program 'bicycle-p9'"):
-        programs.show("bicycle-p9")
 
 
 def test_the_mutants_are_many():

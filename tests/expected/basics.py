@@ -41,7 +41,7 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
         )
     ],
     "turn": [  # within 2° (0.0349) of −90° (−1.5708)
-        ([{"theta": -1.536}, {"theta": -1.605}], [{"theta": -1.535}, {"theta": -1.606}]),
+        ([{"theta": -1.536}, {"theta": -1.605}], [{"theta": -1.535}, {"theta": -1.606}])
     ],
     "thousand": [  # 2 s: a full turn at 3.14 rad/s; 2 |sin ω| / ω below 0.05 m
         (

@@ -203,10 +203,7 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
             [{"slowed": 0.068}, {"slowed": 0.065}, {"slowed": 0.025}],
         )
     ],
-    "steps": [
-        ([{"n": 4}], [{"n": 3}, {"n": 5}]),
-        ([{"n": 45}], [{"n": 44}, {"n": 46}]),
-    ],
+    "steps": [([{"n": 4}], [{"n": 3}, {"n": 5}]), ([{"n": 45}], [{"n": 44}, {"n": 46}])],
     "letters": [
         (
             [{"name_1": "R", "name_2": "ωb", "name_3": "c"}],

@@ -186,10 +186,7 @@ WAYS = ("facing, up", "facing, down", "away, up", "away, down")
 NOT_NOTICED = [
     {"mistake": "It aims at a mirror image", "p_x": 0.2},
     {"mistake": "It never looks behind", "p_x": 0.3},
-    {
-        "mistake": "Its reach never changes",
-        "p_x": 1e-9,
-    },  # at 0 the quotient p_y/p_x has no digits
+    {"mistake": "Its reach never changes", "p_x": 1e-9},  # at 0 the quotient p_y/p_x has no digits
 ]
 STRAIGHT, FOLDED = {"theta2": 0.5, "theta3": 0.0}, {"theta2": 0.5, "theta3": np.pi}
 UNDER = {"p_x": 0.2, "p_y": 0.0, "p_z": 0.3}  # the shelf
@@ -219,7 +216,7 @@ TITLES = {
     }
 }
 WORDS = [  # figure, slider → what it shows, readout → its word
-    ("triangle", {"out": 0.8}, "phi2", "none"),
+    ("triangle", {"out": 0.8}, "phi2", "none")
 ]
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "elbow-arm-1": ({"p_x": -25, "p_y": 35}, {"M1": -0.6202, "M5": -0.9505}),
@@ -305,11 +302,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
     "elbow-arm-9": (
         {"theta3": 60, "a2": 40, "a3": 30},
-        {
-            "forearm alone": 0.5236,
-            "wrong side": 2.0121,
-            "between the upper link": 0.4413,
-        },
+        {"forearm alone": 0.5236, "wrong side": 2.0121, "between the upper link": 0.4413},
     ),
     "elbow-arm-10": (
         {"dh_theta": 120, "dh_d": 20, "dh_a": 40, "dh_alpha": -60},
@@ -348,13 +341,7 @@ UP, DOWN = {"way": "facing, up"}, {"way": "facing, down"}
 DEGREE = np.pi / 180
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "grip": [  # facing, up: 35.84°, 66.69°, −95.98°; 1° of the base is 7.8 mm
-        (
-            [gripped(0.04)],
-            [
-                gripped(0.05),
-                {**gripped(), "shown": 1.0},
-            ],
-        ),
+        ([gripped(0.04)], [gripped(0.05), {**gripped(), "shown": 1.0}]),
         ([{"shown": 4.0}], [{"shown": 3.0}]),
     ],
     "circles": [
@@ -404,10 +391,7 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
                 {"p_x": -0.05, "p_y": 0.0, "p_z": 0.1, "joint_limits": "on"},
             ],
         ),
-        (
-            [{"p_x": -0.42, "p_y": 0.0, "p_z": 0.653}],
-            [{"p_x": -0.42, "p_y": 0.0, "p_z": 0.645}],
-        ),
+        ([{"p_x": -0.42, "p_y": 0.0, "p_z": 0.653}], [{"p_x": -0.42, "p_y": 0.0, "p_z": 0.645}]),
     ],
     "arm-letters": [
         (

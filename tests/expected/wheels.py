@@ -334,11 +334,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
     "wheels-9": (
         {"l": 20, "alpha": 60, "beta": 15, "p_x": 0.75, "p_y": -0.5},
-        {
-            "from the axle": [1.0297],
-            "x axis": [-0.8029],
-            "other sign": [0.5411],
-        },
+        {"from the axle": [1.0297], "x axis": [-0.8029], "other sign": [0.5411]},
     ),
     "wheels-10": (
         {"L": 2.5, "b": 1.5, "left": 30},
@@ -371,10 +367,7 @@ GOALS = {
         )
     ],
     "sliding": [
-        (
-            [{"x_Q": -0.2, "y_Q": 0.36}],
-            [{"x_Q": -0.2, "y_Q": 0.37}, {"x_Q": -0.12, "y_Q": 0.21}],
-        ),
+        ([{"x_Q": -0.2, "y_Q": 0.36}], [{"x_Q": -0.2, "y_Q": 0.37}, {"x_Q": -0.12, "y_Q": 0.21}]),
         ([{"x_Q": 0.1, "y_Q": -0.17}], [{"x_Q": 0.1, "y_Q": -0.19}, {"x_Q": -0.2, "y_Q": 0.36}]),
     ],
     "rolling": [  # 2 rad/s are 0.2 m from the line, 0.06 rad/s 6 mm
@@ -403,10 +396,7 @@ GOALS = {
     ],
     "push-lines": [
         ([{"x_Q": 0.01, "y_Q": 0.0}], [{"x_Q": 0.02, "y_Q": 0.0}]),
-        (
-            [{"x_Q": 0.21, "y_Q": 0.2}],
-            [{"x_Q": 0.22, "y_Q": 0.2}, {"x_Q": 0.2, "y_Q": 0.1}],
-        ),
+        ([{"x_Q": 0.21, "y_Q": 0.2}], [{"x_Q": 0.22, "y_Q": 0.2}, {"x_Q": 0.2, "y_Q": 0.1}]),
         ([{"x_Q": 0.61, "y_Q": -0.35}], [{"x_Q": 0.63, "y_Q": -0.35}]),
     ],
     "omni": [
@@ -435,19 +425,11 @@ GOALS = {
             [{"robot": "omni robot", "wish_v": 0.0, "wish_vy": 0.15, "t": 3.2}],
             [
                 {"robot": "omni robot", "wish_v": 0.0, "wish_vy": 0.15, "t": 3.5},
-                {
-                    "robot": "omni robot",
-                    "wish_v": 0.0,
-                    "wish_vy": 0.15,
-                    "wish_omega": 0.05,
-                    "t": 3.0,
-                },
+                dict(robot="omni robot", wish_v=0.0, wish_vy=0.15, wish_omega=0.05, t=3.0),
             ],
         ),
     ],
-    "wheel-letters": [
-        ([{"name_1": "a", "name_2": "p"}], [{"name_1": "p", "name_2": "a"}]),
-    ],
+    "wheel-letters": [([{"name_1": "a", "name_2": "p"}], [{"name_1": "p", "name_2": "a"}])],
 }
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
     "part-along": ("0.1 m/s", "0.173 m/s", "0.4 m/s"),

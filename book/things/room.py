@@ -130,7 +130,7 @@ def tracing_paper(
     unit: float = 0.25,
     parts: Sequence[Any] = (),
 ) -> Sprite:
-    """Return squared tracing paper, pinned at a pose: its area in that frame, what is traced on it."""
+    """Return squared paper, pinned at a pose: its area in that frame, and what is traced on it."""
     x, X, y, Y = area
     grid = [line((k * unit, y), (k * unit, Y)) for k in range(ceil(x / unit), floor(X / unit) + 1)]
     grid += [line((x, k * unit), (X, k * unit)) for k in range(ceil(y / unit), floor(Y / unit) + 1)]

@@ -278,8 +278,9 @@ def win(live, wished, by_keys):
             live.press(control, *["ArrowRight" if steps > 0 else "ArrowLeft"] * abs(steps))
             acts += 1
             continue
-        sliders[control.symbol] = place, figure_unit(control.symbol.unit).from_si(
-            wished[control.key]
+        sliders[control.symbol] = (
+            place,
+            figure_unit(control.symbol.unit).from_si(wished[control.key]),
         )
     for k, handle in enumerate(live.figure.handles):
         there = live.state()

@@ -23,7 +23,6 @@ from courseware.figures.shapes import (
     AngleArc,
     Area,
     Arrow,
-    Body,
     Bracket,
     Cloud,
     Curve,

@@ -38,7 +38,6 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Area: ("area", lambda x: coordinates(*x.points), ()),
     s.Length: ("length", lambda x: coordinates(x.start, x.end), ("aside",)),
     s.Label: ("label", lambda x: coordinates(x.at), ()),
-    s.Body: ("body", lambda x: (*coordinates(x.at), x.angle), ("radius",)),
     s.AngleArc: ("angle", lambda x: (*coordinates(x.at), x.start, x.end), ("radius",)),
     s.Curve: ("curve", lambda x: (x.low, x.high), ("samples",)),
     s.Trail: ("trail", lambda x: (), ("dots",)),

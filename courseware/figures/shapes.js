@@ -39,8 +39,6 @@ const cutCurve = (points, depths, kind, size = 4) => {
 
 const toPoints = (p) => p.flatMap((x, i) => (i % 2 ? [] : [[x, p[i + 1]]]));
 
-const place = (x, y, angle) => `translate(${px(x)} ${px(y)}) rotate(${px(-angle * 180 / Math.PI)})`;
-
 // A labelled point outside the picture: an arrowhead at the edge, on the way to it from the origin
 // (from the middle, if that is outside, too), and how far from the origin it is.
 export const arrowToOutside = (p, shape, to, [width, height]) => {
@@ -95,13 +93,6 @@ export const SHAPES = {
   label: (p, shape, to) => {
     addLabel(to, ...to(p), shape, [0, 0]);
     return [];
-  },
-  body: (p, shape, to) => {
-    const r = shape.radius * to.scale, { width, dash } = KINDS[shape.kind];
-    return [["g", { transform: place(...to(p), p[2]) }, [
-      circle(0, 0, r, `fill:${color(shape.kind)};fill-opacity:.1;stroke:${color(shape.kind)};stroke-width:${width};stroke-dasharray:${dash.join(" ") || "none"}`),
-      path(`M${px(r * 0.55)} ${px(-r * 0.3)}L${px(r * 0.9)} 0L${px(r * 0.55)} ${px(r * 0.3)}`, stroke(shape.kind, SOLID)),
-    ]]];
   },
   curve: (p, shape, to, { c }) => {
     const points = [], depths = [];

@@ -75,16 +75,6 @@ class Label:
 
 
 @dataclass(frozen=True)
-class Body:
-    """A round robot from above, with a nose that shows its heading."""
-
-    at: Place
-    angle: Expr
-    radius: float
-    kind: Kind = "body"
-
-
-@dataclass(frozen=True)
 class Curve:
     """The points `at` for a parameter from `low` to `high`; a depth may depend on it, too.
 

@@ -37,7 +37,7 @@ IN_STEPS = [
 
 # by name: an arm has three joints, a body three angles; a number that counts is a slider, too
 MOVED = {"grip": 4, "base-views": 3, "yaw-pitch-roll": 3, "letters": 3, "draw-line": 3}
-MOVED |= dict.fromkeys(("dh-frames", "tip-to-tail", "balance"), 3)
+MOVED |= dict.fromkeys(("dh-frames", "tip-to-tail", "balance", "pose-columns", "letters-frames"), 3)
 TOLD = {"one-axis": 4}
 
 

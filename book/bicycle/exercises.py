@@ -126,7 +126,7 @@ reversed_turn = Mistake(
     line="heading = psi + v * np.tan(phi) / L * time",
     why="A heading that is measured clockwise gets smaller when the car turns to the left. It "
     "changes by −ωΔt, not by +ωΔt.",
-    unnoticed="On a straight line, where the heading does not change.",
+    unnoticed="On a straight line, where the heading does not change, and after half turns.",
     title="To the other side",
     picture="The car turns to the left. Its program believes that it turns to the right.",
     document="004 Ans 1",

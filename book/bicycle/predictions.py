@@ -220,12 +220,13 @@ PREDICTIONS = (
             ("yes, exactly", "only nearly", "not at all"),
             right=arms_to_the_middle,
             assumptions={
-                "yes, exactly": "So it is for small angles only.",
+                "yes, exactly": "In small turns the two angles differ little. But even "
+                "there the rod makes only about half of the difference that is needed.",
                 "not at all": "The outer wheel turns less than the inner one, and that is right.",
             },
         ),
-        explanation="With arms of 20 cm it is off by up to two degrees.",
-        spoilers=("up to two degrees",),
+        explanation="Up to 40° the outer wheel is off by about two degrees, with arms of 20 cm.",
+        spoilers=("about two degrees",),
         covers="trapezoid",
     ),
     Prediction(

@@ -85,7 +85,7 @@ const costOf = (box, x, y, obstacles, taken) => obstacles.reduce((sum, { points,
 }, FREE * taken.filter(overlaps(box)).length);
 
 // The numbers of an axis stay at their ticks.
-const stays = ({ shape: { shape, kind, label } }) => shape === "label" && kind === "text" && /^−?\d[\d.⁻⁰¹²³⁴-⁹]*( m)?$/.test(label);
+const stays = ({ shape: { shape, kind, label } }) => shape === "label" && kind === "text" && /^−?\d[\d.⁻⁰¹²³⁴-⁹]*( m|°)?$/.test(label);
 
 // bodies: outlines of things, and faces; lines: all else. Each label takes the place inside the picture
 // that costs least. → their nodes, and the boxes that are taken.

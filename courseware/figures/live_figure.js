@@ -29,7 +29,7 @@ export class LiveFigure {
     this.outputs = this.all("[data-o]");
     this.readouts = this.all("dd");
     this.goals = this.all(".rk-goal");
-    for (const shape of figure.shapes) if (shape.name) shape.past = TRACKS[shape.name] ??= [];
+    for (const shape of figure.shapes) if (shape.shape === "track") shape.past = TRACKS[shape.name || figure.name] ??= [];
     this.state = startState(figure);
     this.width = widthOf(figure);
     this.drawn = this.told = this.tick = 0; // what is waited for: requests and a timer

@@ -132,7 +132,7 @@ export const drawSolid = (p, { data, floor, opacity, behind }, to) => {
       const printed = !dots[k] ? [] : paintDots(dots[k], outlines[k], worlds[k], normals[k], toEye,
         (own) => ghost ? paint(kind) : own ? paint(own) : "var(--rk-ground,#fff)");
       if (kind === "error" && !ghost) printed.push(joinPoints(around, "fill:url(#rk-hatch);stroke:none"));
-      pieces.push({ nodes: [joinPoints([...around, around[0]], style), ...printed], depth: depths[k], face: !ghost && outlines[k] });
+      pieces.push({ nodes: [joinPoints([...around, around[0]], style), ...printed], depth: depths[k], face: !ghost && !behind && outlines[k] });
       const edges = ghost ? [] : findLines(around, k, mesh, seen, normals);
       if (edges.length) { // above the faces beside it of the same round body
         lines.push({ nodes: edges.map((line) => joinPoints(line, `fill:none;stroke:${paint(edge || kind)}`)),

@@ -139,15 +139,20 @@ def mark_guarded(e: Any, guarded: bool) -> list[tuple[Any, bool]]:
 def mixes_units(e: Any) -> bool:
     """Return whether a function has angles beside other quantities: the line is in radians."""
     inside = {part for call in sp.sympify(e).atoms(sp.Function) for part in call.args}
-    units = [{getattr(s, "unit", "") == "rad" for s in part.free_symbols} for part in inside]
+    units = [{getattr(s, "unit", "") == "rad" for s in _plain(p).free_symbols} for p in inside]
     return {True, False} in units
 
 
 def is_in_degrees(e: Any) -> bool:
     """Return whether an expression has only angles outside functions of them."""
-    plain = sp.sympify(e).replace(
+    plain = _plain(e)
+    units = [getattr(symbol, "unit", "") for symbol in plain.free_symbols]
+    return set(units) <= {"rad"} and bool(units or plain.has(sp.pi))
+
+
+def _plain(e: Any) -> Any:
+    """Return an expression with an angle or a number for each function in it."""
+    return sp.sympify(e).replace(
         lambda x: isinstance(x, sp.Function) and not isinstance(x, (*SIZES, sp.Piecewise)),
         lambda x: sp.pi if x.func.__name__.startswith("a") else sp.S.One,
     )
-    units = [getattr(symbol, "unit", "") for symbol in plain.free_symbols]
-    return set(units) <= {"rad"} and bool(units or plain.has(sp.pi))

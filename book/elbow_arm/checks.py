@@ -74,9 +74,14 @@ def elbows(out: Array, high: Array, a2: Array, a3: Array) -> Array:
     return all_four(out, high, a2, a3)[..., [1, 0], 2]
 
 
-def shoulders(out: Array, high: Array, a2: Array, a3: Array) -> Array:
-    """theta2 for a positive theta3, facing and away."""
-    return all_four(out, high, a2, a3)[..., [1, 2], 1]
+def shoulder(out: Array, high: Array, a2: Array, a3: Array) -> Array:
+    """theta2 for a positive theta3, facing."""
+    return all_four(out, high, a2, a3)[..., 1, 1]
+
+
+def shoulder_away(out: Array, high: Array, a2: Array, a3: Array) -> Array:
+    """theta2 for a positive theta3, facing away."""
+    return all_four(out, high, a2, a3)[..., 2, 1]
 
 
 def lift_and_elbow(apart: Array, a2: Array, a3: Array) -> Array:
@@ -208,13 +213,19 @@ CHECKS = (
         reason="as triangle",
         specials=({high: 0.0},),
     ),
-    Check(
-        formulas.shoulder,
-        function=shoulders,
-        arguments=(out, high, a2, a3),
-        tolerance=2e-15,
-        reason="as triangle",
-        specials=({high: 0.0},),
+    *(
+        Check(
+            formula,
+            function=function,
+            arguments=(out, high, a2, a3),
+            tolerance=2e-15,
+            reason="as triangle",
+            specials=({high: 0.0},),
+        )
+        for formula, function in (
+            (formulas.shoulder, shoulder),
+            (formulas.shoulder_away, shoulder_away),
+        )
     ),
     Check(
         formulas.half_angles,

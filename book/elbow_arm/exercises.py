@@ -490,7 +490,7 @@ elbow_arm_6 = Exercise(
         side=Step(formulas.side, part=(0, 1)),
         cosine=Step(formulas.cosine),
         elbow=Step(formulas.elbow, part=(1,), values=(theta3,)),
-        shoulder=Step(formulas.shoulder, part=(0,), values=(theta2,)),
+        shoulder=Step(formulas.shoulder, values=(theta2,)),
     ),
 )
 
@@ -530,10 +530,10 @@ elbow_arm_7 = Exercise(
         ahead=Step(formulas.side, part=(0,)),
         cosine=Step(formulas.cosine, {high: p_z}),
         bend_up=Step(formulas.elbow, part=(1,), values=(theta3,)),
-        lift_up=Step(formulas.shoulder, {high: p_z}, part=(0,), values=(theta2,)),
+        lift_up=Step(formulas.shoulder, {high: p_z}, values=(theta2,)),
         behind_up=Step(formulas.away, values=TURNED, unit="rad"),
         bend_down=Step(formulas.elbow, part=(0,), values=(theta3,)),
-        lift_down=Step(formulas.shoulder, {high: p_z}, part=(0,), values=(theta2,)),
+        lift_down=Step(formulas.shoulder, {high: p_z}, values=(theta2,)),
         behind_down=Step(formulas.away, values=TURNED, unit="rad"),
     ),
 )

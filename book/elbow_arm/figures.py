@@ -28,7 +28,7 @@ from sympy import pi as exact_pi
 
 from book import things
 from book.basics.formulas import p_x, p_y
-from book.dragging import around, towards, turn_handle
+from book.dragging import towards, turn_handle
 from book.elbow_arm import formulas as arm
 from book.elbow_arm.exercises import base_arctan, base_only, cubed_a_3, no_p_x, swapped_xy
 from book.elbow_arm.formulas import (
@@ -140,8 +140,8 @@ def ways_to(p: Sequence[float]) -> list[list[float]]:
 
 # Opening.
 
-BALL = (0.36, 0.26, 0.24)  # m
-shown = quantity("shown", "", 0, 4, "ways that the arm has shown")
+BALL = (0.32, 0.24, 0.4)  # m
+shown = quantity("shown", "", 0, 8, "times that the arm has done it")
 CLOSE = 0.02  # m
 
 
@@ -150,20 +150,23 @@ def grip_figure() -> Figure:
     ways = ways_to(BALL)
     _, elbow, wrist = space.arm_places(JOINTS, LINKS, SHOULDER)
     held = apart_from(wrist, BALL) < CLOSE
+    nose = base_ring()
     next_way = [
-        Piecewise(*((ways[k][joint], shown < k + 0.5) for k in range(3)), (ways[3][joint], True))
+        Piecewise(
+            *((ways[k % 4][joint], shown < k + 0.5) for k in range(8)), (ways[0][joint], True)
+        )
         for joint in range(3)
     ]
     return Figure(
         name="grip",
         title="A solid arm on a turntable, with an upper link, a forearm and a gripper; and a ball",
-        view=(-0.66, 0.84, -0.26, 0.83),
+        view=(-0.7, 0.9, -0.24, 0.8),
         ground="wall",
         controls=(
             Slider.degrees(theta1, start=-5, label="base θ_1"),
             Slider.degrees(theta2, start=75, label="shoulder θ_2"),
             Slider.degrees(theta3, start=-35, label="elbow θ_3"),
-            Slider(shown, 0, 4, start=0, step=1, label="ways that the arm has shown"),
+            Slider(shown, 0, 8, start=0, step=1, shown=False),
         ),
         shapes=(
             *ground(),
@@ -176,24 +179,31 @@ def grip_figure() -> Figure:
                 )
             ),
             *space.arm(JOINTS, LINKS, SHOULDER, Piecewise((0, held), (1, True))),
+            bring_forward(VIEW.line("ghost", (wrist, (*wrist[:2], 0))), -0.05),
             Label("target", VIEW.project(BALL), "{off} off"),
+            Label(theta1, nose.at),
+            Label(theta2, VIEW.project(elbow)),
+            Label(theta3, VIEW.project(wrist)),
         ),
         handles=(
-            base_ring(),
+            nose,
             turn_handle("elbow", theta2, elbow),
             turn_handle("gripper", theta3, wrist),
         ),
         buttons=(
             Button(
                 "let the arm do it",
-                {**dict(zip(JOINTS, next_way, strict=True)), shown: Min(shown, 3) + 1},
+                {
+                    **dict(zip(JOINTS, next_way, strict=True)),
+                    shown: Piecewise((shown + 1, shown < 7.5), (5, True)),
+                },
             ),
         ),
-        readouts=(Readout("off", "gripper to ball", apart_from(wrist, BALL), "cm"),),
+        readouts=(Readout("off", "gripper to ball", apart_from(wrist, BALL), "cm", 0),),
         sentence="Joints at {theta1}, {theta2}, {theta3}: the gripper is {off} from the ball.",
         goal=(
             Goal(And(held, shown < 1), "Grip the ball by yourself: within 2 cm."),
-            Goal(shown > 3.5, "Let the arm show you all its ways, one by one, and count them."),
+            Goal(shown > 4.5, "Let the arm do it, again and again, until one way comes back."),
         ),
         seen_from=(-pi / 3, pi / 7),
     )
@@ -216,6 +226,13 @@ def arc(
     start, end = ends
     curve = Curve(kind, VIEW.project(here), s, start, end, 24, depth=VIEW.depth(here) + 0.3)
     return curve, Label(kind, VIEW.project(middle))
+
+
+def dimension(
+    kind: Any, start: Sequence[Any], end: Sequence[Any], aside: float, label: str
+) -> Length:
+    """Return a length in space with its ends marked, as far beside it in the picture."""
+    return Length(kind, VIEW.project(start), VIEW.project(end), label, aside)
 
 
 def exercise_figure() -> Figure:
@@ -241,25 +258,24 @@ def exercise_figure() -> Figure:
             *zip((p_x, p_y, p_z), TARGET, strict=True),
         ),
         shapes=(
-            *ground(0.5),
+            *ground(0.45),
             VIEW.arrow("x_axis", (0, 0, 0.002), (0.5, 0, 0.002), "x"),
             VIEW.arrow("y_axis", (0, 0, 0.002), (0, 0.5, 0.002), "y"),
             bring_forward(VIEW.line("ghost", ((0, 0, 0), (0, 0, 0.62))), -0.3),
             *stood(TARGET),
             *space.arm(pose, LINKS, SHOULDER),
-            VIEW.line(p_x, ((0, on[1], 0), on)),
-            VIEW.line(p_y, ((0, 0, 0), (0, on[1], 0))),
+            dimension(p_x, (0, on[1], 0), on, 0.05, "18 cm"),
+            dimension(p_y, (0, 0, 0), (0, on[1], 0), -0.06, "24 cm"),
+            dimension(p_z, on, TARGET, -0.12, "50 cm"),
+            dimension(d1, (0, 0, 0), shoulder, 0.17, "d_1"),
             VIEW.line("ghost", (shoulder, level)),
             VIEW.line("ghost", (elbow, ahead)),
-            *arc(theta1, (0, 0, 0.05), (x, y), (0, pose[0]), 0.27),
+            *arc(theta1, (0, 0, 0.05), (x, y), (0, pose[0]), 0.38),
             *arc(theta2, shoulder, (flat[:, 0], z), (0, pose[1]), 0.24),
             *arc(theta3, elbow, (upper[:, 0], upper[:, 1]), (pose[2], 0), 0.2),
             Label(a2, VIEW.project([(a + b) / 2 for a, b in zip(shoulder, elbow, strict=True)])),
             Label(a3, VIEW.project([(a + b) / 2 for a, b in zip(elbow, wrist, strict=True)])),
             Label("target", VIEW.project((*TARGET[:2], TARGET[2] + 0.06)), "p"),
-            Label(p_z, VIEW.project((TARGET[0], TARGET[1] + 0.04, 0.3)), "50 cm"),
-            Label(p_x, VIEW.project((-0.09, 0.33, 0)), "18 cm"),
-            Label(p_y, VIEW.project((0.13, 0.13, 0)), "24 cm"),
             Label("text", VIEW.project((0, 0, 0.66)), "base axis"),
         ),
         seen_from=(0.35, 0.4),
@@ -319,8 +335,13 @@ def circle(kind: Any, at: Sequence[Any], radius: Any) -> Curve:
     return Curve(kind, place, s, 0, 2 * exact_pi, samples=72)
 
 
+def beside_elbow(way: Any) -> tuple[Any, Any]:
+    """Return a place beside the circle of the elbows, in a direction from the shoulder."""
+    return 1.15 * UPPER * cos(way), 1.15 * UPPER * sin(way)
+
+
 BALL_AT = (out, high)
-ELBOW_UP, _ = joints_of(UP)
+ELBOW_UP, WRIST = joints_of(UP)
 ELBOW_DOWN, _ = joints_of(DOWN)
 inside = Not(OUTSIDE)
 SCENE = Scene(
@@ -329,8 +350,7 @@ SCENE = Scene(
         "rims": (circle("ghost", ORIGIN, least), circle("ghost", ORIGIN, most)),
         "circles": (circle(a2, ORIGIN, UPPER), circle(a3, BALL_AT, FOREARM)),
         "below": when(inside, side_arm(DOWN, "ghost")),
-        "column": (side_arm((exact_pi / 2, 0)),),
-        "arm": when(inside, side_arm(UP)),
+        "arm": (side_arm(UP), *when(OUTSIDE, Line("error", (WRIST, BALL_AT)))),
         "ball": (things.ball((*BALL_AT, 0)),),
         "line": (Line(apart, (ORIGIN, BALL_AT)),),
         "sides": (
@@ -338,7 +358,11 @@ SCENE = Scene(
             Length(high, (out, 0), BALL_AT, aside=-0.06),
         ),
         "elbows": when(
-            inside, Point("icr", ELBOW_UP, "elbow up"), Point("icr", ELBOW_DOWN, "elbow down")
+            inside,
+            Point("icr", ELBOW_UP),
+            Point("icr", ELBOW_DOWN),
+            Label("icr", beside_elbow(rise + lift + 0.35), "elbow up"),
+            Label("icr", beside_elbow(rise - lift - 0.35), "elbow down"),
         ),
         "angles": when(
             inside,
@@ -365,7 +389,7 @@ SCENE = Scene(
 
 guess_r = quantity("guess_r", "m", -0.7, 0.7, "your guess, ahead")
 guess_h = quantity("guess_h", "m", -0.7, 0.7, "your guess, up")
-t = quantity("t", "", 0, 2, "how many of the joints have turned")
+t = quantity("t", "s", 0, 2, "time: the shoulder turns in the first second, then the elbow")
 LIFTS, BENDS = 60, -100  # degrees, of the arm that is guessed
 
 
@@ -379,9 +403,9 @@ def guess_figure() -> Figure:
         ground="wall",
         grid=False,
         controls=(
-            Slider(guess_r, -0.4, 0.8, start=0.6, step=0.01, label="guess: ahead"),
-            Slider(guess_h, -0.1, 0.6, start=0.5, step=0.01, label="guess: up"),
-            Clock(t, 0.0, 2.0, label="joints turned", rate=0.7),
+            Slider(guess_r, -0.4, 0.8, start=0.6, step=0.01, label="ahead"),
+            Slider(guess_h, -0.1, 0.6, start=0.5, step=0.01, label="up from the shoulder"),
+            Clock(t, 0.0, 2.0, label="time", rate=0.7),
         ),
         shapes=(
             things.bench(-2, 3, -SHOULDER, -0.5),
@@ -513,7 +537,7 @@ def base_figure() -> Figure:
             Label("text", (1.4, 0.54), "from the side"),
         ),
         handles=(Handle("the ball", (p_x, p_y)),),
-        readouts=(Readout("turn", "base θ_1", motion.wrap(turn), "rad"), Readout(out)),
+        readouts=(Readout("turn", "base θ_1", turn, "rad"), Readout(out)),
     )
 
 
@@ -529,11 +553,15 @@ def circles_figure() -> Figure:
         "The arm from the side; a circle about its shoulder, one about the ball; they cross twice",
         "bench circles below arm line ball sides elbows",
         drag="ball",
+        view=(-0.56, 1.12, -0.3, 0.82),
         readouts=(Readout(apart, "shoulder to ball: d"),),
         goal=(
             Goal(Abs(apart - most) < TOUCH, "Let the circles touch from outside: within 8 mm."),
             Goal(Abs(apart - least) < TOUCH, "Let the small one touch the large one from inside."),
-            Goal(apart < least - TOUCH, "Let them miss, with the ball near the shoulder."),
+            Goal(
+                apart < least - TOUCH,
+                "Let them not meet, with the ball near the shoulder.",
+            ),
         ),
     )
 
@@ -587,7 +615,6 @@ def cosine_figure() -> Figure:
             (arm.A, cos(theta3)),
             (lead, atan2(beside, ahead)),
             (SIDES["facing2"], theta2),
-            (SIDES["away2"], motion.wrap(atan2(high, -out) - lead)),
             (arm.ELBOW_BOTH[0], Abs(theta3)),
             (arm.ELBOW_BOTH[1], -Abs(theta3)),
         ),
@@ -614,7 +641,7 @@ def cosine_figure() -> Figure:
 
 # Step 6: facing away.
 
-DONE = quantity("parts", "", 0, 2, "first the base turns, then the arm leans over")
+DONE = quantity("parts", "s", 0, 2, "time: the base turns in the first second, then the arm")
 
 
 def turn_round_figure() -> Figure:
@@ -631,7 +658,7 @@ def turn_round_figure() -> Figure:
         title="The solid arm at the ball; its base turns half round, then it leans over its back",
         view=(-0.62, 0.72, -0.32, 0.7),
         ground="wall",
-        controls=(Clock(DONE, 0.0, 2.0, step=0.02, label="parts done", rate=0.5),),
+        controls=(Clock(DONE, 0.0, 2.0, step=0.02, label="time", rate=0.5),),
         where=tuple(zip(JOINTS, angles, strict=True)),
         shapes=(
             *ground(),
@@ -647,71 +674,78 @@ def turn_round_figure() -> Figure:
 
 # Steps 7 and 8: the map of all joint angles.
 
-MAP, WIDE = (0.66, -0.32), 1.05  # m: its lower left corner in the picture, and its side
+MAP, WIDE = (-1.9, -0.4), 1.15  # m: its lower left corner in the picture, and its side
+MIDDLE = exact_pi / 2  # θ_2 in its middle: so no region is in two halves
+WITH_MAP = (-2.14, 0.76, -0.61, 0.83)
 borders = quantity("borders", "", 0, 1, "whether the map shows its borders")
-COUNTRIES = {  # of the map: kind, side of the base, sign of θ_3, where its name stands
-    "facing, up": ("left", 1, -1, (44, -118)),
-    "facing, down": ("right", 1, 1, (-40, 115)),
-    "away, up": ("velocity", -1, 1, (125, 40)),
-    "away, down": ("turning", -1, -1, (-125, -50)),
+COUNTRIES = {  # of the map: kind, side of the base, sign of θ_3
+    "facing, up": ("left", 1, -1),
+    "facing, down": ("right", 1, 1),
+    "away, up": ("velocity", -1, 1),
+    "away, down": ("turning", -1, -1),
 }
+
+
+def at_turns(*turns: Any) -> tuple[Any, Any]:
+    """Return the place on the map of two angles from its middle, in turns."""
+    return tuple(low + WIDE * (each + 0.5) for low, each in zip(MAP, turns, strict=True))
 
 
 def on_map(lifted: Any, bend: Any) -> tuple[Any, Any]:
     """Return the place on the map of two joint angles."""
-    return tuple(
-        low + WIDE * (each / (2 * exact_pi) + 0.5)
-        for low, each in zip(MAP, (lifted, bend), strict=True)
-    )
+    lifted = Piecewise((lifted + 2 * exact_pi, lifted < -exact_pi / 2), (lifted, True))
+    return at_turns((lifted - MIDDLE) / (2 * exact_pi), bend / (2 * exact_pi))
 
 
-def axis_border(bend: Any, side: Any = 1) -> Any:
-    """Return the angle of the shoulder that brings the wrist onto the base axis."""
-    return side * exact_pi / 2 - atan2(FOREARM * sin(bend), UPPER + FOREARM * cos(bend))
+def lean(bend: Any) -> Any:
+    """Return how far the line to the wrist leads the upper link, in turns."""
+    return atan2(FOREARM * sin(bend), UPPER + FOREARM * cos(bend)) / (2 * exact_pi)
 
 
 def countries() -> tuple[Any, ...]:
-    """Return the four regions of the map, each with its name."""
-    bends = [k * pi / 16 for k in range(17)]
+    """Return the four regions of the map, each with its name; two go over the glued edge."""
     found: list[Any] = []
-    for name, (kind, side, sign, place) in COUNTRIES.items():
-        rim = [sign * each for each in bends]
-        pieces = [((axis_border(b, -1), b), (axis_border(b), b)) for b in rim]
-        if side < 0:
-            left = [((-exact_pi, b), start) for b, (start, _) in zip(rim, pieces, strict=True)]
-            right = [(end, (exact_pi, b)) for b, (_, end) in zip(rim, pieces, strict=True)]
-        for rows in (pieces,) if side > 0 else (left, right):
-            corners = [row[0] for row in rows] + [row[1] for row in rows[::-1]]
-            found.append(Area(kind, tuple(on_map(*map(float, corner)) for corner in corners)))
-        found.append(Label(kind, on_map(*map(rad, place)), name))
+    for name, (kind, side, sign) in COUNTRIES.items():
+        rows = [(float(lean(sign * k * pi / 16)), sign * k / 32) for k in range(17)]
+        near, far = (-0.5, 0) if side > 0 else (0, 0.5)
+        whole = side * sign < 0
+        edges = [(near, far)] if whole else [(near, far), (near + side, far + side)]
+        for edge in edges:
+            ends = [[min(max(x - off, -0.5), 0.5) for x in edge] for off, _ in rows]
+            heights = [y for _, y in rows]
+            corners = [(x, y) for (x, _), y in zip(ends, heights, strict=True)]
+            corners += [(x, y) for (_, x), y in zip(ends[::-1], heights[::-1], strict=True)]
+            found.append(Area(kind, tuple(at_turns(*corner) for corner in corners)))
+        for k, word in enumerate(name.split(", ")):
+            place = at_turns(-0.25 * side - 0.065 * sign, 0.34 * sign + 0.079 - 0.158 * k)
+            found.append(Label(kind, place, word))
     return tuple(found)
 
 
 def border_lines() -> tuple[Any, ...]:
     """Return what parts the regions: stretched, folded, wrist on the base axis."""
-    lines = [Line("path", (on_map(-exact_pi, y), on_map(exact_pi, y))) for y in (0, -pi, pi)]
+    lines = [Line("path", (at_turns(-0.5, y), at_turns(0.5, y))) for y in (0, -0.5, 0.5)]
     curves = [
-        Curve("icr", on_map(axis_border(s, side), s), s, -exact_pi, exact_pi, 48)
-        for side in (1, -1)
+        Curve("icr", at_turns(x - lean(s), s / (2 * exact_pi)), s, start, end, 48)
+        for x, start, end in ((0, -exact_pi, exact_pi), (0.5, 0, exact_pi), (-0.5, -exact_pi, 0))
     ]
     return *lines, *curves
 
 
 def map_frame() -> tuple[Any, ...]:
     """Return the empty map with its axes."""
-    corners = tuple(on_map(x, y) for x, y in ((-pi, -pi), (pi, -pi), (pi, pi), (-pi, pi)))
+    corners = [at_turns(x, y) for x, y in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))]
     left, low = MAP
     return (
-        Line("grid", (on_map(-pi, 0), on_map(pi, 0))),
-        Line("grid", (on_map(0, -pi), on_map(0, pi))),
+        Line("grid", (at_turns(-0.5, 0), at_turns(0.5, 0))),
         Line("text", (*corners, corners[0])),
-        Label(theta2, (left + WIDE - 0.06, low - 0.07)),
-        Label(theta3, (left - 0.06, low + WIDE - 0.04)),
+        Label(theta2, (left + 0.75 * WIDE, low - 0.11)),
+        Label(theta3, (left - 0.12, low + 0.75 * WIDE)),
         *(
-            Label("text", (left + k * WIDE / 2, low - 0.07), f"{180 * k - 180}°".replace("-", "−"))
-            for k in (0, 1)
+            Label("text", (left + k * WIDE / 2, low - 0.11), f"{180 * k - 90}°".replace("-", "−"))
+            for k in range(3)
         ),
-        Label("text", (left - 0.06, low + WIDE / 2), "0°"),
+        Label("text", (left - 0.09, low + WIDE / 2), "0°"),
     )
 
 
@@ -722,17 +756,17 @@ def borders_figure() -> Figure:
     return Figure(
         name="four-countries",
         title="The arm at a ball, and a square map of its two angles, in which a dot is the arm",
-        view=(-0.56, 1.77, -0.47, 0.83),
+        view=WITH_MAP,
         ground="wall",
         grid=False,
         size="laboratory",
         controls=(
             *bend_sliders(*(round(float(each) * 180 / pi) for each in start)),
-            Slider(borders, 0, 1, start=0, step=1, label="borders (0 or 1)"),
+            Slider(borders, 0, 1, start=0, step=1, shown=False),
         ),
         where=((out, joints_of((theta2, theta3))[1][0]), (a2, UPPER), (a3, FOREARM)),
         shapes=(
-            things.bench(-2, 0.53, -SHOULDER, -0.6),
+            things.bench(-0.5, 3, -SHOULDER, -0.6),
             things.ball((*target, 0)),
             side_arm((theta2, theta3)),
             *map_frame(),
@@ -747,8 +781,8 @@ def borders_figure() -> Figure:
                 "the dot in the map",
                 on_map(theta2, theta3),
                 {
-                    joint: around((POINTER[k] - MAP[k] - WIDE / 2) * 2 * exact_pi / WIDE)
-                    for k, joint in enumerate((theta2, theta3))
+                    joint: towards(joint, middle + (POINTER[k] - MAP[k]) / WIDE * 2 * exact_pi)
+                    for k, (joint, middle) in enumerate(((theta2, -MIDDLE), (theta3, -exact_pi)))
                 },
             ),
         ),
@@ -771,14 +805,17 @@ def dots_figure() -> Figure:
     return Figure(
         name="four-dots",
         title="The arm with a ball to drag, and on the map of its angles four dots, one a region",
-        view=(-0.56, 1.77, -0.47, 0.83),
+        view=WITH_MAP,
         ground="wall",
         grid=False,
         size="laboratory",
-        controls=SCENE.common["controls"],
+        controls=(
+            replace(SCENE.common["controls"][0], start=0.42),
+            replace(SCENE.common["controls"][1], start=0.45),
+        ),
         where=WAYS,
         shapes=(
-            things.bench(-2, 0.53, -SHOULDER, -0.6),
+            things.bench(-0.5, 3, -SHOULDER, -0.6),
             *SCENE.layers["rims"],
             *SCENE.layers["below"],
             *SCENE.layers["arm"],
@@ -887,7 +924,7 @@ def spike_figure() -> Figure:
             Curve(arm.rate1, on_graph(s, substitute(rate, {arm.along: s})), s, -half, half, 160),
             Line("ghost", (on_graph(arm.along, 0), on_graph(arm.along, arm.rate1))),
             Point("turning", on_graph(arm.along, arm.rate1)),
-            Label("text", (left + 0.5 * LINE_SIDE / 1.25, low - 0.1), "along the line"),
+            Label("text", (left + 0.5 * LINE_SIDE / 1.25, low - 0.11), "along the line"),
             Label(arm.rate1, (left, low + TALL + 0.07)),
         ),
         handles=(Handle("the wrist", at, {share: POINTER[1] / half}),),
@@ -991,6 +1028,7 @@ def det_figure() -> Figure:
 
 limits, bend = symbols("limits bend", real=True)  # 1: on, off is 0; 1: elbow up, down is -1
 MARK, SHELF, BOARD = (0.2, 0.0, 0.3), 0.45, (-0.1, 0.5, -0.14, 0.14)  # m; height; x and y of it
+ELBOW = 0.042  # m, its radius
 LIMITS = {"shoulder": (-30, 120), "elbow": (-150, 150)}  # degrees
 
 
@@ -1048,7 +1086,10 @@ def laboratory_figure() -> Figure:
         )
         hits.append(
             [
-                steps.add(f"{name}_upper", depth_in_shelf((0, 0, SHOULDER), elbow)),
+                steps.add(
+                    f"{name}_upper",
+                    Max(depth_in_shelf((0, 0, SHOULDER), elbow), ELBOW - elbow[2]),
+                ),
                 steps.add(f"{name}_fore", depth_in_shelf(elbow, wrist)),
             ]
         )
@@ -1106,7 +1147,10 @@ def laboratory_figure() -> Figure:
             *shelf(),
             bring_forward(VIEW.line("ghost", (foot, ball)), 0.01),
             VIEW.point("target", foot),
-            bring_forward(VIEW.point("target", MARK, "mark"), 0.1),
+            VIEW.solid(space.ball(), 0.03 * eye(3), MARK, floor=0, opacity=0.4),
+            bring_forward(VIEW.line("target", (MARK, (*MARK[:2], 0))), 0.01),
+            Label("target", VIEW.project(MARK), "mark"),
+            Label("target", VIEW.project(foot), "foot"),
             VIEW.solid(space.ball(), 0.025 * eye(3), ball, floor=0),
             body[0],
             *when(upper <= 0, body[1]),
@@ -1133,12 +1177,13 @@ def laboratory_figure() -> Figure:
             Readout(theta1),
             Readout(theta2),
             Readout(theta3),
+            Readout("off", "ball to mark", apart_from(ball, MARK), "cm", 0),
             Readout("left", "ways left", left, "", 0),
         ),
         goal=(
             Goal(
                 And(on_mark, ours > 0, limits < 0.5),
-                "Bring the ball to the mark, within 3 cm; no link may touch the shelf.",
+                "Bring the ball to the mark, within 3 cm. Then choose a way without red.",
             ),
             Goal(And(on_mark, ours > 0, limits > 0.5), "The same with the joint limits on."),
             Goal(
@@ -1150,7 +1195,7 @@ def laboratory_figure() -> Figure:
                 "Find a place where up and down are one: within 8 mm.",
             ),
         ),
-        seen_from=(-1.0, 0.45),
+        seen_from=(1.0, 0.45),
     )
 
 

@@ -174,13 +174,16 @@ with as_written():
 
     shoulder = Equation(
         name="elbow_arm.shoulder",
-        left=Matrix([SIDES["facing2"], SIDES["away2"]]),
-        right=Matrix(
-            [
-                atan2(high, out) - atan2(a3 * sin(theta3), a2 + a3 * cos(theta3)),
-                atan2(high, -out) - atan2(a3 * sin(theta3), a2 + a3 * cos(theta3)),
-            ]
-        ),
+        left=SIDES["facing2"],
+        right=atan2(high, out) - atan2(a3 * sin(theta3), a2 + a3 * cos(theta3)),
+        where=(COSINE, (theta3, atan2(sqrt(1 - A**2), A))),
+        is_angle=True,
+    )
+
+    shoulder_away = Equation(
+        name="elbow_arm.shoulder_away",
+        left=SIDES["away2"],
+        right=atan2(high, -out) - atan2(a3 * sin(theta3), a2 + a3 * cos(theta3)),
         where=(COSINE, (theta3, atan2(sqrt(1 - A**2), A))),
         is_angle=True,
     )

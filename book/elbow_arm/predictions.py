@@ -1,7 +1,9 @@
 """Predictions that the chapter on the elbow arm asks for."""
 
+from typing import Any
+
 import numpy as np
-from sympy import Float, pi, rad
+from sympy import Float, Rational, pi, rad
 
 from book.elbow_arm import formulas
 from book.elbow_arm.figures import (
@@ -33,12 +35,16 @@ def wrist(lifted: float, bent: float) -> tuple[float, float]:
 
 
 def bend() -> float:
-    """Return how far the elbow is from straight at the target of the exercise, rad."""
-    return float(abs(FACING_UP[2]))
+    """Return how far the elbow is from straight with the wrist 61 cm from the shoulder, rad."""
+    return float(abs(elbow_arm.inverse([0.61, 0, 0], *LINKS)[0, 2]))
 
 
-def reach(bent: float) -> float:
+IN_PROPORTION = pi / 2 * Rational(70 - 61, 70 - 50)  # rad: a guess for that
+
+
+def reach(bent: Any) -> float:
     """Return how far from the shoulder the wrist is when the elbow is bent by so much, m."""
+    bent = float(bent)
     return float(np.hypot(UPPER + FOREARM * np.cos(bent), FOREARM * np.sin(bent)))
 
 
@@ -86,14 +92,13 @@ PREDICTIONS = (
                 "none": "Only the point 0, 0 has no direction.",
             },
         ),
-        explanation="`arctan2` takes $y$ first: the point lies against the $x$ axis.",
-        spoilers=("against the $x$ axis",),
+        explanation="`arctan2` takes $y$ first: the point is on the negative $x$ axis.",
+        spoilers=("on the negative $x$ axis",),
     ),
     Prediction(
         "where-is-the-wrist",
         f"First the shoulder lifts the arm by {LIFTS}°, then the elbow bends by −100°: it turns "
-        "the forearm downwards. Drag *your guess* to where the wrist will be; then let the joints "
-        "turn.",
+        "the forearm downwards. Drag *your guess* to where the wrist will be.",
         Ghost(
             "wrist-guess",
             places=(guess_r, guess_h),
@@ -106,8 +111,8 @@ PREDICTIONS = (
                 "That bends the forearm upwards.": wrist(LIFTS, -BENDS),
             },
         ),
-        explanation="The elbow's angle is measured from the upper link, so the forearm rises by "
-        "60° − 100° = −40°.",
+        explanation="The elbow's angle is measured from the upper link. So the forearm makes "
+        "60° − 100° = −40° with the level: it points downwards.",
         spoilers=("= −40°",),
     ),
     Prediction(
@@ -150,21 +155,22 @@ PREDICTIONS = (
     ),
     Prediction(
         "how-bent",
-        "The arm holds the ball of the exercise, 50 cm from its shoulder. By how many degrees is "
-        "the elbow bent away from straight? The links are 40 and 30 cm.",
+        "The links are 40 and 30 cm. With the ball 50 cm from the shoulder the elbow is bent by "
+        "90°: 3, 4, 5 make a right angle. At 70 cm it is straight, 0°. By how many degrees is it "
+        "bent at 61 cm? Guess.",
         Number(
             "°",
             right=bend,
             assumptions={
-                "That folds the forearm back onto the upper link.": pi,
-                "Then the arm reaches too far: the wrist would be "
-                f"{100 * reach(bend() / 2):.0f} cm from the shoulder.": lambda: bend() / 2,
+                "That takes equal angles for equal distances. With that bend the wrist is "
+                f"{100 * reach(IN_PROPORTION):.0f} cm from the shoulder.": IN_PROPORTION,
+                "That is the angle inside the triangle, between the links.": lambda: pi - bend(),
             },
             relative=0.12,
         ),
-        explanation="3, 4, 5: the square of 50 is the sum of the squares of 40 and 30. So the "
-        "triangle has a right angle at the elbow. For other sides:",
-        spoilers=("right angle at the elbow",),
+        explanation="Near full stretch a little distance takes much angle. You can draw the "
+        "triangle of 40, 30 and 61 cm, and measure it. To compute it:",
+        spoilers=("takes much angle",),
         covers="triangle",
     ),
     Prediction(
@@ -192,8 +198,8 @@ PREDICTIONS = (
     Prediction(
         "the-other-elbow",
         "The dot on the square is the arm: its $\\theta_2$ to the right, its $\\theta_3$ upwards. "
-        "Take the gripper away from the ball, and bring it back there *with the elbow on the other "
-        "side*. The dot leaves your track.",
+        "Take the gripper away from the ball. Bring it back there with the elbow *down*. The dot "
+        "draws a line behind it.",
         Ghost(
             "four-countries",
             places=(theta2, theta3),
@@ -205,13 +211,14 @@ PREDICTIONS = (
             },
         ),
         explanation="On the way the elbow was straight for a moment, or folded. There is no other "
-        "way: look where your track crosses a line. The borders are drawn now.",
+        "way. The borders are drawn now: your line crosses one of the black ones.",
         spoilers=("straight for a moment",),
     ),
     Prediction(
         "which-borders",
-        "The arm holds its ball: facing, elbow up. It is to hold it *facing away, elbow up*, with "
-        "both links in the same places. Find both on the map. What must happen to the arm between?",
+        "The arm holds its ball: facing, elbow up. In the end it should hold the ball *away, up*. "
+        "Both links lie as before then. Find both dots on the map. What must happen to the "
+        "arm on the way?",
         Buttons(
             (
                 "only the base turns",
@@ -221,15 +228,15 @@ PREDICTIONS = (
             ),
             right="it does both",
             assumptions={
-                "only the base turns": "The base has no axis in this map. But $\\theta_2$ and "
-                "$\\theta_3$ are others at the end.",
+                "only the base turns": "The map does not show the base. But $\\theta_2$ and "
+                "$\\theta_3$ are different at the end.",
                 "its wrist crosses the base axis": "Over the curve you come to *away, down*.",
                 "it stretches or folds": "Over the straight line you come to *facing, down*.",
             },
         ),
-        explanation="The two regions have no border in common. They only meet in corners, where "
-        "both happen at once. So the arm must be straight once, and its wrist must cross the axis "
-        "once, though it holds the ball in the same places before and after.",
+        explanation="The two regions have no border in common (with equal links they have: folding "
+        "does both). They only meet in corners. So at least once the arm must be straight, or "
+        "folded, and at least once its wrist must cross the axis.",
         spoilers=("no border in common",),
     ),
     Prediction(
@@ -250,10 +257,10 @@ PREDICTIONS = (
     ),
     Prediction(
         "twice-as-near",
-        "The wrist moves along a straight line that passes the base axis at 20 cm, always equally "
-        "fast, and ends 60 cm from the axis. On such a line at half that distance "
-        "the base must turn twice as fast at the nearest point. And the whole angle by which it "
-        "turns, from end to end?",
+        "The wrist moves along a straight line that passes the base axis at 20 cm. Its speed stays "
+        "the same. Both ends of the line are 60 cm from the axis. On a line at 10 cm the base must "
+        "turn twice as fast at the nearest point. And the whole angle by which it turns, from end "
+        "to end?",
         Buttons(
             ("twice as large", "a little larger", "the same"),
             right=twice_as_near,

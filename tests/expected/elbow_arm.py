@@ -2,7 +2,19 @@
 
 import numpy as np
 
-from book.elbow_arm.figures import ARM, BALL, BOARD, FOREARM, LIMITS, PLACE, SHELF, SHOULDER, UPPER
+from book.elbow_arm.figures import (
+    ARM,
+    BALL,
+    BOARD,
+    ELBOW,
+    FOREARM,
+    LIMITS,
+    MARK,
+    PLACE,
+    SHELF,
+    SHOULDER,
+    UPPER,
+)
 from robokin import elbow_arm, motion
 
 LINKS, BEYOND = (UPPER, FOREARM), "nan"
@@ -29,8 +41,8 @@ def both(out, high):
 
 def base_readouts(p_x, p_y, face):
     p = np.stack([p_x, p_y, 0.5 + 0 * p_x], axis=-1)
-    turns = elbow_arm.inverse(p, *LINKS, SHOULDER)[..., 0]
-    return {"turn": np.where(face > 0, turns[..., 0], turns[..., 2])}
+    turn = elbow_arm.inverse(p, *LINKS, SHOULDER)[..., 0, 0]
+    return {"turn": np.where(face > 0, turn, turn + np.pi)}  # from −180° to 360°
 
 
 def triangle_readouts(out, high):
@@ -78,8 +90,8 @@ def nearest_readouts(out, high):
 
 
 def is_free(points, angles, limited):
-    """Whether an arm misses the shelf, and is within its limits where they count."""
-    free = np.ones(len(points), bool)
+    """Whether an arm misses shelf and floor, and is within its limits where they count."""
+    free = points[:, 2, 2] > ELBOW
     for start, end in ((points[:, 1], points[:, 2]), (points[:, 2], points[:, 3])):
         rises = end[:, 2] - start[:, 2]
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -112,7 +124,7 @@ def laboratory_readouts(p_x, p_y, p_z, face, bend, limits, *_view):
     which = [ROWS[pair] for pair in zip(face.astype(int), bend.astype(int), strict=True)]
     chosen = answers[np.arange(len(p)), which]
     angles = dict(zip(("theta1", "theta2", "theta3"), chosen.T, strict=True))
-    return {**angles, "left": np.sum(free, axis=0)}
+    return {**angles, "off": np.linalg.norm(p - MARK, axis=-1), "left": np.sum(free, axis=0)}
 
 
 def target_and_wrist(*columns):
@@ -191,7 +203,7 @@ NOT_NOTICED = [
 STRAIGHT, FOLDED = {"theta2": 0.5, "theta3": 0.0}, {"theta2": 0.5, "theta3": np.pi}
 UNDER = {"p_x": 0.2, "p_y": 0.0, "p_z": 0.3}  # the shelf
 SPECIALS = {
-    "grip": [{"shown": float(k)} for k in range(5)],
+    "grip": [{"shown": float(k)} for k in range(9)],
     "forward": [STRAIGHT, FOLDED],
     "base-views": [{"facing": "away"}, {"p_x": 0.3, "p_y": 0.0}],
     "circles": [{"out": 0.42, "high": 0.56}, {"out": 0.06, "high": 0.08}, {"out": 0.8}],
@@ -316,13 +328,13 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
 PREDICTED = {  # prediction → what is right; where numbers are typed, the wrong guesses, too
     "straight-behind": "180°",
     "where-is-the-wrist": (
-        "guess: ahead 0.43 m, guess: up 0.154 m",
+        "ahead 0.43 m, up from the shoulder 0.154 m",
         "0.148 m, 0.051 m",
         "−0.0819 m, 0.449 m",
     ),
     "how-many-directions": "two",
     "how-many-elbows": "1, 0, 1, 0",
-    "how-bent": ("90°", "180°", "45°"),
+    "how-bent": ("59.4°", "40.5°", "121°"),
     "faces-away": "164° and −90°",
     "the-other-elbow": ("shoulder θ_2 16.3°, elbow θ_3 90°", "90°, −90°"),
     "which-borders": "it does both",
@@ -340,9 +352,15 @@ def gripped(turned=0.0):
 UP, DOWN = {"way": "facing, up"}, {"way": "facing, down"}
 DEGREE = np.pi / 180
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
-    "grip": [  # facing, up: 35.84°, 66.69°, −95.98°; 1° of the base is 7.8 mm
-        ([gripped(0.04)], [gripped(0.05), {**gripped(), "shown": 1.0}]),
-        ([{"shown": 4.0}], [{"shown": 3.0}]),
+    "grip": [  # 1° of the base is 7 mm
+        (
+            [gripped(0.049)],
+            [
+                gripped(0.051),
+                {**gripped(), "shown": 1.0},
+            ],
+        ),
+        ([{"shown": 5.0}], [{"shown": 4.0}]),
     ],
     "circles": [
         ([{"out": 0.707, "high": 0.0}], [{"out": 0.709, "high": 0.0}]),

@@ -43,7 +43,11 @@ SHAPES: dict[type, tuple[str, Callable[[Any], Iterable[Any]], tuple[str, ...]]] 
     s.Trail: ("trail", lambda x: (), ("dots",)),
     s.Track: ("track", lambda x: coordinates(x.at), ("name",)),
     s.Cloud: ("cloud", lambda x: (), ("rows",)),
-    s.Bracket: ("bracket", lambda x: (*coordinates(x.at), *x.matrix), ("columns", "digits")),
+    s.Bracket: (
+        "bracket",
+        lambda x: (*coordinates(x.at), *x.matrix),
+        ("columns", "digits", "by_row"),
+    ),
 }
 
 

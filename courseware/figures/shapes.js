@@ -131,19 +131,18 @@ export const SHAPES = {
     addLabel(to, mx, my, shape, [(mx - cx) / far, (my - cy) / far]);
     return [drawLine([...points, [cx, cy]], fill(shape.kind, 0.16)), ...strokeLine(points, shape, SOLID)];
   },
-  // A matrix: columns in their colours, between brackets.
-  bracket: ([x, y, ...entries], shape, to) => {
-    const { columns, digits, kind } = shape, n = columns.length, middle = (n - 1) / 2;
-    const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, high = 17, half = n / 2 * wide + 6;
-    const number = (value, k) => ["text", {
-      x: px(x0 + (k % n - middle + 0.4) * wide), y: px(y0 + (Math.floor(k / n) - middle + 0.3) * high),
-      "text-anchor": "end", style: `fill:${color(columns[k % n])};font:600 13px sans-serif`,
+  // A matrix: columns, or rows, in their colours, between brackets.
+  bracket: ([x, y, ...entries], { columns, by_row: byRow, digits, ...shape }, to) => {
+    const other = entries.length / columns.length, [n, m] = byRow ? [other, columns.length] : [columns.length, other];
+    const [x0, y0] = to([x, y]), wide = 20 + 9 * digits, half = n / 2 * wide + 6, high = 17, tall = (m / 2 + 0.1) * high;
+    const number = (value, k, row = Math.floor(k / n)) => ["text", {
+      x: px(x0 + (k % n - n / 2 + 0.9) * wide), y: px(y0 + (row - m / 2 + 0.8) * high),
+      "text-anchor": "end", style: `fill:${color(columns[byRow ? row : k % n])};font:600 13px sans-serif`,
     }, formatFixed(value, digits)];
-    const tall = (n / 2 + 0.1) * high;
     to.taken.push([x0 - half, y0 - tall - 1.7, x0 + half, y0 + tall + 1.7]);
     const edge = (side) => `M${px(x0 + side * (half - 4))} ${px(y0 - tall)}h${4 * side}`
       + `v${px(2 * tall)}h${-4 * side}`;
     addLabel(to, x0, y0 + tall, shape, [0, 1]);
-    return [path(edge(-1) + edge(1), stroke(kind)), ...entries.map(number)];
+    return [path(edge(-1) + edge(1), stroke(shape.kind)), ...entries.map((value, k) => number(value, k))];
   },
 };

@@ -139,13 +139,14 @@ class AngleArc:
 
 @dataclass(frozen=True)
 class Bracket:
-    """A square matrix written into the picture, its middle at `at`, each column in its look."""
+    """A matrix written into the picture, its middle at `at`; looks of its columns, or by row."""
 
     matrix: sp.Matrix
     at: Place
     label: str = ""
     columns: tuple[str, ...] = ("x_axis", "y_axis", "z_axis")
     digits: int = 0
+    by_row: bool = False
     kind: ClassVar[str] = "text"
 
 

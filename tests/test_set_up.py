@@ -91,13 +91,6 @@ def test_the_python_that_is_asked_for_is_taken_and_kept(tree):
     assert set_up(tree)
 
 
-def test_other_projects_settings_do_not_matter(tree):
-    said = set_up(tree, **OTHERS, UV_REQUIRE_HASHES="1", SOURCE_DATE_EPOCH="0")
-    names = {line.partition("=")[0] for line in said.splitlines()}
-    assert "PATH" in names
-    assert not names & {*OTHERS, "UV_REQUIRE_HASHES", "SOURCE_DATE_EPOCH"}
-
-
 def test_uv_asks_pips_index(tree):
     assert "UV_DEFAULT_INDEX=https://mirror.example/simple" in set_up(tree)
     (tree / ".venv" / ".ready").unlink()
@@ -143,13 +136,6 @@ def test_the_kit_is_set_up_once_for_each_python(tmp_path):
     assert first.stdout.splitlines()[1:3] == ["set up links", "started"], first.stderr
     assert again.stdout.startswith("started")
     assert "set up links" in other.stdout
-
-
-def test_the_kit_forgets_other_projects_settings(tmp_path):
-    settings = {**OTHERS, "PYTHONWARNINGS": "default", "PYTHONOPTIMIZE": "1"}
-    said = start(tmp_path, **settings).stdout.splitlines()
-    assert "started" in said
-    assert not set(said) & set(OTHERS)
 
 
 def test_a_colon_in_the_kits_path_is_told(tmp_path):

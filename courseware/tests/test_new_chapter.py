@@ -127,14 +127,6 @@ def test_it_comes_in_the_order_of_the_table_of_contents(site):
 
 
 @pytest.mark.slow
-def test_it_tells_search_engines_and_previews_its_address(site):
-    page = f"{ADDRESS}{NEW}/{NEW}.html"
-    text = (site / NEW / f"{NEW}.html").read_text("utf-8")
-    assert f'<link rel="canonical" href="{page}" />' in text
-    assert f'<meta property="og:url" content="{page}" />' in text
-
-
-@pytest.mark.slow
 def test_a_page_that_is_not_there_has_links_from_the_site_s_own_address(site):
     """A server shows it at any address."""
     assert f'<base href="{ADDRESS}" />' in (site / "404.html").read_text("utf-8")

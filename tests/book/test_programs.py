@@ -1,6 +1,5 @@
 """Programs that students write: right ones pass, wrong ones get their input and their name."""
 
-import ast
 import linecache
 import re
 import sys
@@ -281,11 +280,6 @@ def test_a_number_from_outside_is_asked_about():
     assert "It takes L_car from outside of the function" in told
 
 
-def test_a_whole_division_is_asked_about_in_a_lambda_too():
-    told = judged(STEP, "car_step = lambda pose, v, phi, L, dt: pose // 2")
-    assert "Its // drops all that comes after the point" in str(told)
-
-
 RETURN = STEP.solution.partition("\n")[2]
 ORDINARY = {
     "a star import": f"from numpy import *\n{STEP.solution.replace('np.pi', 'pi')}",
@@ -388,8 +382,3 @@ def test_what_is_asked_has_hints_that_open_one_another():
         "Hint 3",
         "A solution",
     ]
-
-
-def test_the_mutants_are_many():
-    found = [*mutants("def f(x, y):\n    return np.sin(x) + 2 * y\n")]
-    assert len(found) == len({ast.unparse(ast.parse(each)) for each in found}) == 5

@@ -69,13 +69,6 @@ def test_a_notebook_of_the_kit_is_the_chapter_s(number, file, site):
     assert held == file.read_bytes()
 
 
-def test_a_zip_does_not_know_when_it_was_made(site):
-    for name in ("robokin-kit.zip", "robokin-site.zip"):
-        entries = ZipFile(site / name).infolist()
-        assert {entry.date_time for entry in entries} == {(1980, 1, 1, 0, 0, 0)}
-        assert [e.filename for e in entries] == sorted(e.filename for e in entries)
-
-
 def test_the_site_for_a_stick_holds_all_that_its_pages_link_and_no_server_needs(site, tmp_path):
     held = {name.partition("/")[2] for name in ZipFile(site / "robokin-site.zip").namelist()}
     linked = re.findall(r'href="([^":#?]+)" download', (site / "index.html").read_text("utf-8"))

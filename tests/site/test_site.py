@@ -304,20 +304,6 @@ def test_dark_mode_is_remembered(site, server, chromium):
         assert not watch.errors
 
 
-def test_reduced_motion(site, server, chromium):
-    """Nothing glides for a reader who asked for rest."""
-    with watched_page(chromium, server, reduced_motion="reduce") as (page, _):
-        settled(page, server + "index.html")
-        moving = page.evaluate(
-            """() => [...document.querySelectorAll("*")].filter((element) => {
-              const style = getComputedStyle(element);
-              return style.scrollBehavior === "smooth"
-                || style.transitionDuration.split(", ").some((time) => parseFloat(time) > 0);
-            }).length"""
-        )
-        assert moving == 0
-
-
 def test_a_long_page_opens_with_few_elements(server, chromium):
     with watched_page(chromium, server) as (page, _):
         settled(page, f"{server}practice.html")

@@ -205,24 +205,6 @@ def test_pictures_are_light(path):
                 )
 
 
-def test_a_light_picture_keeps_its_main_colours():
-    picture = Image.new("RGB", (400, 400), "white")
-    areas = [(0, 114, 178), (213, 94, 0), (34, 34, 59)]
-    for k, colour in enumerate(areas):
-        picture.paste(colour, (100 * k, 100, 100 * k + 80, 200))
-    for k in range(256):  # more colours than it may keep
-        picture.putpixel((k, 300), (k, k, 255 - k))
-    file = io.BytesIO()
-    picture.save(file, "PNG")
-    made, size = stored_outputs.reduce_colours(file.getvalue())
-    seen = Image.open(io.BytesIO(made)).convert("RGB")
-    assert size == seen.size == (400, 400)
-    assert len(seen.getcolors()) == stored_outputs.COLOURS
-    assert [seen.getpixel((100 * k + 10, 150)) for k in range(3)] == areas
-    assert seen.getpixel((399, 399)) == (255, 255, 255)
-    assert stored_outputs.reduce_colours(made) == (made, size)
-
-
 # nbval bites
 
 

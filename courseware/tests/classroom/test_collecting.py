@@ -171,12 +171,6 @@ def test_what_a_system_leaves_in_a_folder_is_passed_over(keyed, capsys, left):
     assert not capsys.readouterr().err
 
 
-def test_lines_that_spreadsheets_cut_short_are_whole(keyed):
-    (keyed / "a.csv").write_text(f"{HEADING},course,remark\nAda,{ONE},7\nBob,{ONE},8,robokin\n")
-    assert run("grade", "a.csv", "--key", "key.csv") == 0
-    assert [row["answer"] for row in table("grades.csv") if row["answer"]] == ["7", "8"]
-
-
 def test_a_name_that_is_nearly_in_the_key_is_told(keyed, capsys):
     (keyed / "a.csv").write_text(f"{HEADING}\nAdda,{ONE},7\nZoe,{ONE},7\n")
     assert run("grade", "a.csv", "--key", "key.csv") == 2

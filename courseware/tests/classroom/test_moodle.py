@@ -224,16 +224,6 @@ def test_a_slip_in_a_field_is_named(questions):
             assert right == 0 or candidates.SLIPS[name] in told or "This is what you get" in told
 
 
-def test_blanks_are_kept_and_nothing_is_overwritten(folder, capsys):
-    assert run("moodle", "--only", "differential-drive-1", "elbow-arm-5") == 0
-    text = (folder / "moodle.xml").read_text()
-    assert 'left"><p>The wheels' in text
-    assert text.count("<question type=") == 2 + 2 * variants.VARIANTS
-    assert run("moodle", "--only", "differential-drive-1") == 2
-    assert "already there" in capsys.readouterr().err
-    assert run("moodle", "--only", "differential-drive-1", "--force") == 0
-
-
 def test_a_secret_draws_other_questions(folder):
     (folder / "roster.csv").write_text("student\nAda\n")
     assert run("key", "roster.csv", "--secret", "secret.txt", "--only", "wheels-5") == 0

@@ -102,23 +102,6 @@ def test_a_table_that_cannot_be_used_is_refused(folder, capsys, text, words):
     assert [path.name for path in folder.iterdir()] == ["roster.csv"]
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "student,exercise\nAda,1\n",
-        "student;exercise\nAda;1\n",
-        "student,exercise,note\nAda,1\n",
-        'student,exercise,address\nAda,1,"1\n2\n3\n4\n5\n6\n7"\n',
-    ],
-)
-def test_a_table_is_read_as_spreadsheets_and_platforms_write_it(folder, text):
-    for newline in ("\n", "\r\n", "\r"):
-        Path("t.csv").write_text(text, newline=newline)
-        ((_, row),) = tables.read_rows(Path("t.csv"), problems := tables.Problems())
-        assert (row["student"], row["exercise"]) == ("Ada", "1")
-        assert not problems.lines()
-
-
 @pytest.mark.parametrize("content", TABLES.values(), ids=TABLES)
 def test_answers_are_read_from_what_platforms_make_of_them(folder, content):
     """The page reads the same files: see `test_practice_page.py`."""

@@ -82,7 +82,7 @@ def named_anew(x: Array, y: Array, theta: Array, point: Array) -> Array:
 def pole(x: Array, y: Array, theta: Array) -> Array:
     """Return the point that a pose leaves where it is, by a linear system."""
     T = frames.se2(x, y, theta)
-    return np.linalg.solve(np.eye(2) - T[..., :2, :2], T[..., :2, 2:])[..., 0]
+    return np.asarray(np.linalg.solve(np.eye(2) - T[..., :2, :2], T[..., :2, 2:])[..., 0], float)
 
 
 def turned_away(lever: Array, error: Array) -> Array:

@@ -348,7 +348,7 @@ def tracing_figure() -> Figure:
     )
 
 
-FLAT = {"view": (-0.3, 2.1, -0.25, 1.3), "ground": "tiles"}
+FLAT: dict[str, Any] = {"view": (-0.3, 2.1, -0.25, 1.3), "ground": "tiles"}
 
 
 def pose_figure() -> Figure:
@@ -359,7 +359,7 @@ def pose_figure() -> Figure:
         title="A platform from above with its axes, and beside it the matrix of its pose",
         **FLAT,
         controls=(
-            Slider(db_x, 0.1, 1.1, start=0.9, step=0.05),
+            Slider(db_x, 0.1, 0.8, start=0.7, step=0.05),
             Slider(db_y, 0.2, 1.0, start=0.5, step=0.05),
             Slider.degrees(db_turn, -175, 175, start=60, step=5),
         ),
@@ -370,7 +370,7 @@ def pose_figure() -> Figure:
             *axes(CAMERA, "d"),
             *axes(T_db, "b", 0.32),
             AngleArc(db_turn, T_db, 0, db_turn, 0.13),
-            Bracket(matrix, (1.68, 0.5), "T_db", ("x_axis", "y_axis", "text"), 2),
+            Bracket(matrix, (1.6, 0.5), "T_db", ("x_axis", "y_axis", "text"), 2),
         ),
         handles=(
             Handle(
@@ -679,14 +679,14 @@ IN_ROOM = tuple(float(number) for number in compose(PLATFORM, HAND))
 
 def tiles() -> dict[str, tuple[float, ...]]:
     """Return the tiles: pose and letters of each known one, also flipped, well and badly."""
-    known = {"db": PLATFORM, "bc": HAND, "de": OBJECT}
+    known = {("d", "b"): PLATFORM, ("b", "c"): HAND, ("d", "e"): OBJECT}
     found = {}
     for (a, b), pose in known.items():
         ends = NAMES.index(a), NAMES.index(b)
         found[f"T_{a}{b}"] = (*pose, *ends)
         found[f"T_{b}{a}"] = (*map(float, seen_from(pose, (0, 0, 0))), *ends[::-1])
-    for a, b in ("db", "bc"):
-        pose = known[a + b]
+    for a, b in (("d", "b"), ("b", "c")):
+        pose = known[a, b]
         bad = (-pose[0], -pose[1], -pose[2])
         found[f"T_{b}{a} with −p"] = (*bad, NAMES.index(b), NAMES.index(a))
     return found
@@ -713,7 +713,7 @@ def domino_figure() -> Figure:
     two = steps.add("two", compose(SLOTS[0][:3], SLOTS[1][:3]))
     laid = steps.add("laid", compose(two, SLOTS[2][:3]))
     ghost = steps.add("ghost", compose(IN_ROOM, laid))
-    places = [(1.95 + 0.44 * k, 1.1) for k in range(3)]
+    places = [(1.95 + 0.44 * k, 0.7) for k in range(3)]
     meets = [Abs(one[4] - two[3]) < 0.5 for one, two in pairwise(SLOTS)]
     right_ends = And(Abs(SLOTS[0][3] - 1) < 0.5, Abs(SLOTS[2][4] - 3) < 0.5)
     off = distance(ghost, OBJECT)
@@ -721,8 +721,8 @@ def domino_figure() -> Figure:
         shape
         for meet, one in zip(meets, places, strict=False)
         for shape in (
-            *when(meet, Line("velocity", ((one[0] + 0.14, 0.9), (one[0] + 0.3, 0.9)))),
-            *when(~meet, Label("error", (one[0] + 0.22, 0.9), "✗")),
+            *when(meet, Line("velocity", ((one[0] + 0.14, 0.48), (one[0] + 0.3, 0.48)))),
+            *when(~meet, Label("error", (one[0] + 0.22, 0.48), "✗")),
         )
     ]
     return Figure(
@@ -837,9 +837,9 @@ def papers_figure() -> Figure:
             Arrow("y_axis", picture, (0, -0.42), "y_f"),
             Arrow("x_axis", plot, (plot[0] + 0.42, 0), "x_f"),
             Arrow("y_axis", plot, (plot[0], 0.42), "y_f"),
-            Label("text", (-1.15, -0.67), "the floor"),
-            Label("text", (0, -0.67), "picture: y down"),
-            Label("text", (1.15, -0.67), "plot: y up"),
+            Label("text", (-1.15, -0.67), "floor"),
+            Label("text", (0, -0.67), "y down"),
+            Label("text", (1.15, -0.67), "y up"),
         ),
         handles=(
             Handle(
@@ -1046,10 +1046,9 @@ def graph_figure() -> Figure:
     shapes: list[Any] = []
     steps, turned = [], []
     for edge in EDGES:
-        tail, head = (NODES[name] for name in edge)
+        ends = [NODES[name] for name in edge]
         tail, head = (
-            tuple(a + share * (b - a) for a, b in zip(tail, head, strict=True))
-            for share in (0.2, 0.8)
+            tuple(a + share * (b - a) for a, b in zip(*ends, strict=True)) for share in (0.2, 0.8)
         )
         behind = beyond(edge)
         is_start, is_end = (

@@ -182,11 +182,13 @@ def covariance_of_piece(
     """The end's variances after a small piece, by the propagated covariance of piece and rest."""
     (xx, xy, yy), zero = np.moveaxis(start, -1, 0), 0 * theta
     before = np.stack([xx, xy, zero, xy, yy, zero, zero, zero, zero], axis=-1)
-    piece = [whole(D * TICKS_A_METRE)[..., None] for D in (D_L, D_R)]
-    robot = TICKS_A_METRE / TINY, 0.5 / np.pi, b
+    left, right = (whole(D * TICKS_A_METRE)[..., None] for D in (D_L, D_R))
+    ticks_per_turn, radius = TICKS_A_METRE / TINY, 0.5 / np.pi
     pose = np.stack([zero, zero, theta], axis=-1)
     before = before.reshape(*zero.shape, 3, 3)
-    after = odometry.covariance(*piece, *robot, noise / TINY, pose, before)[..., -1, :, :]
+    after = odometry.covariance(left, right, ticks_per_turn, radius, b, noise / TINY, pose, before)[
+        ..., -1, :, :
+    ]
     heading = np.arctan2(to_end[..., 1], to_end[..., 0])
     end = carry(after, heading, np.hypot(to_end[..., 0], to_end[..., 1]), b)
     return end[..., [0, 0, 1], [0, 1, 1]]

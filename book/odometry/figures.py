@@ -173,7 +173,7 @@ def real_loop() -> Recurrence:
     return Recurrence(
         (x, y, theta, index),
         start=(*START, 0),
-        step=(*roll(*rolled, (x, y, theta)), index + 1),
+        step=(*roll(rolled[0], rolled[1], (x, y, theta)), index + 1),
         count=sp.Integer(PIECES_IN_DARK),
         most=PIECES_IN_DARK,
         ends=symbols("x_real y_real t_real piece_real"),

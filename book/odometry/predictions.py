@@ -22,9 +22,9 @@ def place(method: str) -> tuple[float, float]:
     return float(end[0]), float(end[1])
 
 
-def rolled(radius: float = 1.0) -> object:
+def rolled(radius: float = 1.0) -> float:
     """Return how far the left wheel of the exercise rolls, if its radius is so much larger, m."""
-    return formulas.travel.substitute({**ENCODER, r: radius * 0.05})[0]
+    return float(formulas.travel.substitute({**ENCODER, r: radius * 0.05})[0])
 
 
 def circle(method: str) -> float:
